@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "optimizer/design/inertia.hpp"
+#include "optimizer/design/kinematics.hpp"
+#include "optimizer/design/morphology.hpp"
+
+namespace legwright {
+
+/// A vector that depends on two poses of one design, y = Σ weight p × p′ (p at the first pose, p′ at the second),
+/// with exact derivatives. Columns: of the first pose, of the second pose; a design coordinate has one column in both.
+///
+/// Two outputs have this form. The swept momentum Σ m p_i × p_{i+1} over all point masses: because p × p = 0, the
+/// rate of angular momentum Σ m p × (p₋ − 2p + p₊) is the difference of two of them. And the turn of a foot,
+/// ½ Σ_k (R e_k) × (R′ e_k) = ½ vee(R′Rᵀ − RR′ᵀ), its rotation vector to second order.
+class PairDerivatives {
+ public:
+  Eigen::Vector3d value;
+
+  void compute_swept_momentum(const Morphology& morphology, const GeometryAtDesign& geometry,
+                              const PoseKinematics& first, const PoseKinematics& second,
+                              const Columns& first_columns, const Columns& second_columns);
+  void compute_foot_turn(const Morphology& morphology, const Ancestry& ancestry, int foot,
+                         const PoseKinematics& first, const PoseKinematics& second, const Columns& first_columns,
+                         const Columns& second_columns);
+
+  void add_jacobian(Eigen::Ref<Eigen::Matrix3Xd> jacobian) const;
+  /// Adds Σ_k multiplier_k ∂²y_k (both triangles).
+  void add_curvature(const Ancestry& ancestry, const Eigen::Vector3d& multiplier, Eigen::MatrixXd& hessian) const;
+
+ private:
+  /// One mover of one pose. `swept` = Σ weight (∂p/∂c)[p′; 1]ᵀ over what it moves (for the second pose: with
+  /// the roles of p and p′ exchanged).
+  struct Effect {
+    int column, link;
+    bool rotates, inner;
+    Eigen::Vector3d turn;
+    Eigen::Matrix<double, 3, 4> velocity;
+    Eigen::Matrix<double, 3, 4> swept;
+    int inner_index;
+  };
+  struct Second {
+    int a, b;
+    Eigen::Matrix3d swept;  // Σ weight (∂²p/∂c_a∂c_b) p′ᵀ
+    bool same;
+  };
+  struct InnerProduct {
+    int a, b;
+    Eigen::Matrix3d swept;  // Σ weight (∂p/∂c_a)(∂p′/∂c_b)ᵀ
+  };
+  struct Side {
+    std::vector<Effect> effects;
+    std::vector<Second> seconds;
+  };
+
+  void add_inner_products(const GeometryAtDesign& geometry, const PoseKinematics& first,
+                          const PoseKinematics& second);
+  void add_cross_curvature(const Ancestry& ancestry, const Eigen::Matrix3d& form, Eigen::MatrixXd& hessian) const;
+  static void add_side_curvature(const Side& side, const Ancestry& ancestry, const Eigen::Matrix3d& form,
+                                 Eigen::MatrixXd& hessian);
+
+  Side first_, second_;
+  std::vector<InnerProduct> inner_products_;
+};
+
+}  // namespace legwright

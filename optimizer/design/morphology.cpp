@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimizer/design/morphology.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+namespace legwright {
+
+Eigen::Vector3d AffineVector::at(const Eigen::VectorXd& s) const {
+  Eigen::Vector3d v = constant;
+  for (const Slope& slope : slopes) v += s[slope.parameter] * slope.slope;
+  return v;
+}
+
+Eigen::Vector3d JointAxis::at(const Eigen::VectorXd& s) const {
+  Eigen::Vector3d axis = reference;
+  for (auto turn = turns.rbegin(); turn != turns.rend(); ++turn)
+    axis = Eigen::AngleAxisd(s[turn->parameter], turn->about) * axis;
+  return axis;
+}
+
+double Morphology::total_mass() const {
+  double sum = 0.0;
+  for (const Link& link : links)
+    for (const PointMass& point : link.masses) sum += point.mass;
+  return sum;
+}
+
+Eigen::VectorXd Morphology::nominal_joints() const {
+  Eigen::VectorXd angles(joint_count());
+  for (int a = 0; a < joint_count(); ++a) angles[a] = links[a + 1].joint.nominal;
+  return angles;
+}
+
+std::vector<int> Morphology::chain_to(int link) const {
+  std::vector<int> chain;
+  for (; link > 0; link = links[link].parent) chain.push_back(link);
+  std::reverse(chain.begin(), chain.end());
+  return chain;
+}
+
+double stretched_limb(const Morphology& morphology, int foot, const Eigen::VectorXd& s) {
+  const std::vector<int> chain = morphology.chain_to(morphology.feet[foot].link);
+  double sum = morphology.feet[foot].position.at(s).norm();
+  for (std::size_t a = 1; a < chain.size(); ++a) sum += morphology.links[chain[a]].origin.at(s).norm();
+  return sum;
+}
+
+}  // namespace legwright

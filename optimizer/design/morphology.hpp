@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace legwright {
+
+/// A vector that is affine in the design, v(s) = constant + Σₖ s[parameter]·slope. Metres, in the
+/// frame of the link that owns it. Stretching a body maps all its points this way.
+struct AffineVector {
+  struct Slope {
+    int parameter;
+    Eigen::Vector3d slope;
+  };
+  Eigen::Vector3d constant = Eigen::Vector3d::Zero();
+  std::vector<Slope> slopes;  // each parameter at most once
+
+  Eigen::Vector3d at(const Eigen::VectorXd& s) const;
+};
+
+/// A joint axis as a function of the design: the reference axis turned about fixed directions of
+/// the link frame, a(s) = R(about₁, sign₁ s₁) R(about₂, sign₂ s₂) … reference. A unit vector for every s.
+struct JointAxis {
+  struct Turn {
+    int parameter;          // angle in s [rad]
+    Eigen::Vector3d about;  // unit vector; already mirrored where the joint is the mirrored one
+  };
+  Eigen::Vector3d reference = Eigen::Vector3d::UnitY();  // unit vector: the axis at angles zero
+  std::vector<Turn> turns;                               // outermost first
+
+  Eigen::Vector3d at(const Eigen::VectorXd& s) const;
+};
+
+/// One of the point masses that stand for a body: same mass, centre and inertia.
+struct PointMass {
+  double mass;            // [kg]
+  AffineVector position;  // in the link frame
+};
+
+/// The hinge that moves a link, and its servo.
+struct Joint {
+  std::string name;
+  JointAxis axis;        // in the link frame
+  double nominal = 0.0;  // angle in the robot's home pose [rad]
+  double lower = -std::numeric_limits<double>::infinity();  // range [rad]
+  double upper = std::numeric_limits<double>::infinity();
+  double torque_limit = std::numeric_limits<double>::infinity();  // [N m]
+  double armature = 0.0;  // reflected rotor inertia [kg m²]
+};
+
+/// A rigid part of the robot. Its frame has the hinge's anchor as origin; fixed MJCF bodies are
+/// merged into the link they ride on. Link 0 is the trunk, which has no joint.
+struct Link {
+  std::string name;
+  int parent = -1;                                               // index below the link's own; −1: trunk
+  AffineVector origin;                                           // of the frame, in the parent's frame
+  Eigen::Matrix3d orientation = Eigen::Matrix3d::Identity();     // parent ← link at joint angle zero
+  Joint joint;                                                   // not used for the trunk
+  std::vector<PointMass> masses;
+};
+
+/// A ball foot at the end of a limb.
+struct Foot {
+  std::string name;
+  int link = 0;
+  AffineVector position;  // centre of the ball, in the link frame
+  double radius = 0.0;    // [m]
+};
+
+/// The fixed kinematic tree of a robot whose measures depend on s. Joint a of a pose moves link a + 1.
+struct Morphology {
+  std::string name;
+  std::vector<Link> links;  // parents before children
+  std::vector<Foot> feet;
+  double leg_length = 0.0;  // unit of length: first limb stretched, at the initial design [m]
+
+  int joint_count() const { return static_cast<int>(links.size()) - 1; }
+  int foot_count() const { return static_cast<int>(feet.size()); }
+  /// Size of a pose q: root position, root axis-angle, joint angles.
+  int pose_size() const { return 6 + joint_count(); }
+  double total_mass() const;
+  Eigen::VectorXd nominal_joints() const;
+  /// Links from the trunk's child down to `link`, in this order; empty for the trunk.
+  std::vector<int> chain_to(int link) const;
+};
+
+/// Sum over a foot's chain of the distances from hinge to hinge to foot, at design s [m].
+double stretched_limb(const Morphology& morphology, int foot, const Eigen::VectorXd& s);
+
+}  // namespace legwright

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimizer/motion/gait.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+namespace legwright {
+namespace {
+
+// Phases closer than this are the same: 3/24 and 0.125 must agree whatever the rounding.
+constexpr double kPhaseTolerance = 1e-9;
+
+/// ((knot / knot_count − touchdown) mod 1) < duty, with ties decided for touchdown and against lift-off.
+bool stance(int knot, int knot_count, double touchdown, double duty) {
+  const double phase = static_cast<double>(knot) / knot_count - touchdown + kPhaseTolerance;
+  return phase - std::floor(phase) < duty;
+}
+
+void check(const GaitPattern& pattern, double period, int knot_count, const std::vector<int>& order) {
+  if (!(period > 0.0) || !std::isfinite(period))
+    throw std::invalid_argument("gait: the period must be a positive number of seconds");
+  if (knot_count < 2) throw std::invalid_argument("gait: at least two knots are needed");
+  if (!(pattern.duty > 0.0 && pattern.duty <= 1.0))
+    throw std::invalid_argument("gait: expected 0 < duty <= 1");
+  if (pattern.touchdown.size() != order.size())
+    throw std::invalid_argument("gait '" + pattern.name + "' has " +
+                                std::to_string(pattern.touchdown.size()) + " feet, the robot has " +
+                                std::to_string(order.size()));
+  for (double touchdown : pattern.touchdown)
+    if (!(touchdown >= 0.0 && touchdown < 1.0))
+      throw std::invalid_argument("gait: expected 0 <= touchdown < 1");
+  std::vector<int> sorted = order;
+  std::sort(sorted.begin(), sorted.end());
+  for (int i = 0; i < static_cast<int>(sorted.size()); ++i)
+    if (sorted[i] != i) throw std::invalid_argument("gait: the foot order is no permutation");
+}
+
+}  // namespace
+
+std::vector<GaitPattern> gait_library(int foot_count) {
+  constexpr double third = 1.0 / 3.0, sixth = 1.0 / 6.0;
+  switch (foot_count) {
+    case 2:  // left, right
+      return {{"walk", {0.0, 0.5}, 0.6}, {"run", {0.0, 0.5}, 0.4}};
+    case 4:  // front left, front right, hind left, hind right
+      return {{"walk", {0.0, 0.5, 0.75, 0.25}, 0.75}, {"amble", {0.0, 0.5, 0.75, 0.25}, 0.625},
+              {"crawl", {0.0, 0.5, 0.75, 0.25}, 0.875}, {"trot", {0.0, 0.5, 0.5, 0.0}, 0.5},
+              {"pace", {0.0, 0.5, 0.0, 0.5}, 0.6},     {"bound", {0.0, 0.0, 0.5, 0.5}, 0.5}};
+    case 6:  // front, middle, hind; left before right
+      return {{"tripod", {0.0, 0.5, 0.5, 0.0, 0.0, 0.5}, 0.5},
+              {"ripple", {2 * third, sixth, third, 5 * sixth, 0.0, 0.5}, 2 * third},
+              {"wave", {third, 5 * sixth, sixth, 2 * third, 0.0, 0.5}, 5 * sixth}};
+    default:
+      return {};
+  }
+}
+
+Gait::Gait(const GaitPattern& pattern, double period, int knot_count, const std::vector<int>& order)
+    : name_(pattern.name), period_(period), knot_count_(knot_count) {
+  check(pattern, period, knot_count, order);
+  contact_.setConstant(knot_count, static_cast<Eigen::Index>(order.size()), false);
+  for (std::size_t place = 0; place < order.size(); ++place) {
+    auto column = contact_.col(order[place]);
+    for (int knot = 0; knot < knot_count; ++knot)
+      column(knot) = stance(knot, knot_count, pattern.touchdown[place], pattern.duty);
+    if (!column.any())
+      throw std::invalid_argument("gait '" + pattern.name + "': foot " + std::to_string(order[place]) +
+                                  " has no stance knot");
+  }
+}
+
+bool Gait::planted(int knot, int foot, int margin) const {
+  for (int offset = -margin; offset <= margin; ++offset)
+    if (in_contact(knot + offset, foot)) return true;
+  return false;
+}
+
+std::vector<int> footfall_order(const std::vector<Eigen::Vector3d>& feet) {
+  std::vector<int> order(feet.size());
+  std::iota(order.begin(), order.end(), 0);
+  if (feet.empty()) return order;
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return feet[a].x() > feet[b].x(); });
+
+  Eigen::Vector3d low = feet[0], high = feet[0];
+  for (const Eigen::Vector3d& foot : feet) {
+    low = low.cwiseMin(foot);
+    high = high.cwiseMax(foot);
+  }
+  const double row_depth = (high - low).head<2>().maxCoeff() / 5.0;
+
+  for (auto row = order.begin(); row != order.end();) {
+    const double front = feet[*row].x();
+    const auto end = std::find_if(row, order.end(),
+                                  [&](int foot) { return front - feet[foot].x() > row_depth; });
+    std::stable_sort(row, end, [&](int a, int b) { return feet[a].y() > feet[b].y(); });
+    row = end;
+  }
+  return order;
+}
+
+std::string footfall_diagram(const Gait& gait, const std::vector<std::string>& foot_names) {
+  std::size_t width = 0;
+  for (const std::string& name : foot_names) width = std::max(width, name.size());
+  std::string text;
+  for (int foot = 0; foot < gait.foot_count(); ++foot) {
+    const std::string name = foot < static_cast<int>(foot_names.size()) ? foot_names[foot] : "";
+    text += name + std::string(width - name.size() + 2, ' ');
+    for (int knot = 0; knot < gait.knot_count(); ++knot) text += gait.in_contact(knot, foot) ? '#' : '.';
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace legwright

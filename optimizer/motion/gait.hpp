@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace legwright {
+
+/// A footfall pattern: when each foot touches down, as a fraction of the cycle, and for how long.
+struct GaitPattern {
+  std::string name;
+  std::vector<double> touchdown;  // per foot in footfall order (see footfall_order), in [0, 1)
+  double duty = 0.75;             // stance fraction of the cycle, 0 < duty ≤ 1
+};
+
+/// The library's patterns for a robot of `foot_count` feet; empty if there is none.
+std::vector<GaitPattern> gait_library(int foot_count);
+
+/// c_i^j over one cycle as data: knots × feet, in the robot's foot order. Knot `knot_count` is knot 0.
+class Gait {
+ public:
+  Gait() = default;
+  /// @param order footfall_order() of the robot. Throws std::invalid_argument where a foot has no stance knot.
+  Gait(const GaitPattern& pattern, double period, int knot_count, const std::vector<int>& order);
+
+  const std::string& name() const { return name_; }
+  double period() const { return period_; }                    // [s]
+  int knot_count() const { return knot_count_; }               // T
+  int foot_count() const { return static_cast<int>(contact_.cols()); }
+  double time_step() const { return period_ / knot_count_; }   // h [s]
+  bool in_contact(int knot, int foot) const { return contact_(wrap(knot), foot); }
+  /// Contact widened by `margin` knots on both sides: the two halves of eq (14) and a margin of time.
+  bool planted(int knot, int foot, int margin) const;
+
+ private:
+  int wrap(int knot) const { return ((knot % knot_count_) + knot_count_) % knot_count_; }
+
+  std::string name_;
+  double period_ = 1.0;
+  int knot_count_ = 0;
+  Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic> contact_;
+};
+
+/// Feet from front to hind, left before right, by their positions (x forward, y left) [m]: the order in which
+/// GaitPattern lists them. Feet closer than a fifth of the longest side along x share a row.
+std::vector<int> footfall_order(const std::vector<Eigen::Vector3d>& feet);
+
+/// The gait as a footfall diagram of text: one line per foot, # stance, . swing.
+std::string footfall_diagram(const Gait& gait, const std::vector<std::string>& foot_names);
+
+}  // namespace legwright

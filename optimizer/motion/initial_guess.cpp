@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimizer/motion/initial_guess.hpp"
+
+#include <algorithm>
+
+#include "optimizer/design/inertia.hpp"
+#include "optimizer/design/kinematics.hpp"
+#include "optimizer/terms/term.hpp"
+
+namespace legwright {
+namespace {
+
+/// COM and feet of the robot in its home pose, with the trunk at a place and heading.
+struct Standing {
+  Eigen::VectorXd q;
+  Eigen::Vector3d com;
+  std::vector<Eigen::Vector3d> feet;
+};
+
+Standing stand(const Morphology& morphology, const GeometryAtDesign& geometry, const Eigen::Vector3d& place,
+               double heading, int design_size) {
+  const Ancestry ancestry(morphology);
+  const Columns columns(morphology.pose_size() + design_size, 0);
+  PoseKinematics kinematics;
+  PointDerivatives point;
+  Standing standing{Eigen::VectorXd::Zero(morphology.pose_size()), {}, {}};
+  standing.q.head<3>() = place;
+  standing.q[5] = heading;
+  standing.q.tail(morphology.joint_count()) = morphology.nominal_joints();
+  kinematics.compute(morphology, geometry, standing.q, false);
+  com_from_pose(morphology, geometry, kinematics, columns, point);
+  standing.com = point.value;
+  for (int j = 0; j < morphology.foot_count(); ++j) {
+    foot_from_pose(morphology, geometry, ancestry, kinematics, j, columns, point);
+    standing.feet.push_back(point.value);
+  }
+  return standing;
+}
+
+}  // namespace
+
+Eigen::VectorXd initial_guess(const Objective& objective, const Eigen::VectorXd& s) {
+  const Morphology& morphology = objective.morphology();
+  const Layout& layout = objective.layout();
+  const Gait& gait = objective.task().gait;
+  const GeometryAtDesign geometry(morphology, s);
+  const int n = layout.design_size();
+  Eigen::Vector3d lift = Eigen::Vector3d::Zero();  // so that the lowest foot touches the ground
+  const Standing home = stand(morphology, geometry, lift, 0.0, n);
+  lift.z() = -1e300;
+  for (int j = 0; j < morphology.foot_count(); ++j)
+    lift.z() = std::max(lift.z(), morphology.feet[j].radius - home.feet[j].z());
+  Eigen::VectorXd m = Eigen::VectorXd::Zero(layout.motion_size());
+  for (int i = 0; i <= layout.knot_count(); ++i) {
+    const double time = i * gait.time_step();
+    const Standing at = stand(morphology, geometry, objective.path().position(time) + lift,
+                              objective.path().heading(time), n);
+    m.segment(layout.pose(i) - n, layout.pose_size()) = at.q;
+    m.segment<3>(layout.com(i) - n) = at.com;
+    int stance = 0;
+    for (int j = 0; j < layout.foot_count(); ++j) {
+      m.segment<3>(layout.foot(i, j) - n) = at.feet[j];
+      stance += gait.in_contact(i, j) ? 1 : 0;
+    }
+    for (int j = 0; j < layout.foot_count(); ++j)
+      if (layout.force(i, j) >= 0)
+        m[layout.force(i, j) - n + 2] = morphology.total_mass() * kGravity / std::max(1, stance);
+  }
+  return m;
+}
+
+}  // namespace legwright

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "optimizer/design/morphology.hpp"
+#include "optimizer/motion/gait.hpp"
+
+namespace legwright {
+
+/// Where every number lives: the only index arithmetic of the project. A slot is a position in the extended
+/// vector [s; m; y]: the design, the motion of eq (2), and the derived quantities y(s, m) that kinematics
+/// computes from them (feet and COM of a pose, angular momentum and foot roll between two poses).
+/// m = (P_0 … P_T), P_i = (pose, com_W, foot_W of each foot, force_W of each stance foot). Knot T is knot 0 one
+/// cycle later. Swing forces have no slot: they would be free and the Hessian singular.
+class Layout {
+ public:
+  Layout() = default;
+  Layout(const Morphology& morphology, int design_size, const Gait& gait, int planted_margin);
+
+  int design_size() const { return design_size_; }
+  int motion_size() const { return motion_size_; }
+  int parameter_count() const { return design_size_ + motion_size_; }  // size of p = [s; m]
+  int extended_size() const { return extended_size_; }                 // size of [s; m; y]
+  int knot_count() const { return knot_count_; }                       // T; knots run 0 … T
+  int foot_count() const { return foot_count_; }
+  int pose_size() const { return pose_size_; }
+  int planted_margin() const { return planted_margin_; }
+
+  int design(int k) const { return k; }
+  int pose(int knot) const { return design_size_ + knots_[knot].start; }
+  int com(int knot) const { return pose(knot) + pose_size_; }
+  int foot(int knot, int foot) const { return com(knot) + 3 + 3 * foot; }
+  /// First of three slots, or −1 where the foot swings.
+  int force(int knot, int foot) const { return knots_[knot].force[foot]; }
+
+  // Derived quantities, three slots each.
+  int com_from_pose(int knot) const { return derived_ + (1 + foot_count_) * 3 * knot; }
+  int foot_from_pose(int knot, int foot) const { return com_from_pose(knot) + 3 + 3 * foot; }
+  /// Σ m p_i × p_{i+1} over all point masses, knots i and i + 1, 0 ≤ i < T.
+  int swept_momentum(int knot) const { return pair_derived_ + (1 + foot_count_) * 3 * knot; }
+  /// The same from knot T − 1, moved back by one cycle, to knot 0.
+  int wrapping_momentum() const { return swept_momentum(knot_count_); }
+  /// Rotation vector of a foot's link from knot i to i + 1, to second order.
+  int foot_turn(int knot, int foot) const { return swept_momentum(knot) + 3 + 3 * foot; }
+
+  /// Physical unit of each entry of m (leg length, weight, radian): Newton damps in these.
+  Eigen::VectorXd motion_units(double length, double force) const;
+
+ private:
+  struct KnotSlots {
+    int start;               // within m
+    std::vector<int> force;  // slot or −1
+  };
+  std::vector<KnotSlots> knots_;
+  int design_size_ = 0, motion_size_ = 0, extended_size_ = 0, derived_ = 0, pair_derived_ = 0;
+  int knot_count_ = 0, foot_count_ = 0, pose_size_ = 0, planted_margin_ = 1;
+};
+
+}  // namespace legwright

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimizer/motion/path.hpp"
+
+#include <cmath>
+
+namespace legwright {
+
+WantedPath::WantedPath(const Eigen::Vector2d& velocity, double turn_rate, double period)
+    : velocity_(velocity), turn_rate_(turn_rate), turn_angle_(turn_rate * period) {
+  travel_ = position(period);
+  turn_ = yaw_rotation(turn_angle_);
+}
+
+Eigen::Matrix3d WantedPath::yaw_rotation(double angle) {
+  Eigen::Matrix3d r = Eigen::Matrix3d::Identity();
+  r(0, 0) = r(1, 1) = std::cos(angle);
+  r(1, 0) = std::sin(angle);
+  r(0, 1) = -r(1, 0);
+  return r;
+}
+
+Eigen::Vector3d WantedPath::position(double time) const {
+  // ∫ R(ω t) v dt = (sin ωt/ω, (1 − cos ωt)/ω) applied to v; straight on where ω is nearly zero.
+  const double angle = turn_rate_ * time;
+  const bool straight = std::abs(angle) < 1e-6;
+  const double along = straight ? time : std::sin(angle) / turn_rate_;
+  const double across = straight ? 0.5 * angle * time : (1.0 - std::cos(angle)) / turn_rate_;
+  return {along * velocity_.x() - across * velocity_.y(), across * velocity_.x() + along * velocity_.y(), 0.0};
+}
+
+}  // namespace legwright

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <random>
+#include <string_view>
+#include <vector>
+
+#include "optimizer/design/design.hpp"
+#include "optimizer/design/morphology.hpp"
+#include "optimizer/motion/layout.hpp"
+#include "optimizer/motion/path.hpp"
+#include "optimizer/motion/task.hpp"
+#include "optimizer/terms/penalty.hpp"
+
+namespace legwright {
+
+inline constexpr double kGravity = 9.81;  // [m/s²]
+
+/// What a term may know when it is built. Residuals are made dimensionless with these units, so that one set of
+/// weights serves robots of any size: lengths by the leg, forces by the weight.
+struct TermContext {
+  const Layout& layout;
+  const Morphology& morphology;
+  const DesignSpace& space;
+  const Task& task;
+  WantedPath path;       // of the COM on the ground, and the shift from one cycle to the next
+  double length;         // leg length [m]
+  double mass;           // [kg]
+  double weight;         // M g [N]
+  double com_height;     // [m]
+  std::vector<Eigen::Vector2d> footprint;  // foot − COM on the ground at heading zero, per foot [m]
+};
+
+/// One residual of a term: where and on which slots of [s; m; y] (see Layout) it depends.
+struct Element {
+  int knot = 0;
+  int foot = -1;
+  int rows = 0;            // size of the residual
+  std::vector<int> slots;  // local variable → slot
+};
+
+/// One summand of F: Σ over elements and rows of weight · penalty(r(z)). A term measures, it does not weigh:
+/// the penalty belongs to penalty.hpp, the weight to the objective. It sees only its local variables z, knows no
+/// global index, and its functions are const and thread-safe. Matrices arrive sized and zeroed.
+class Term {
+ public:
+  virtual ~Term() = default;
+  virtual std::string_view name() const = 0;
+  virtual Penalty penalty() const { return Penalty::quadratic; }
+  const std::vector<Element>& elements() const { return elements_; }
+
+  /// r(z), rows. `element` is an index into elements().
+  virtual void residual(int element, const Eigen::VectorXd& z, Eigen::VectorXd& r) const = 0;
+  /// ∂r/∂z, rows × local variables.
+  virtual void jacobian(int element, const Eigen::VectorXd& z, Eigen::MatrixXd& jacobian) const = 0;
+  /// Adds Σ_k multiplier_k ∂²r_k/∂z² (both triangles). Linear residuals have none.
+  virtual void add_curvature(int, const Eigen::VectorXd&, const Eigen::VectorXd&, Eigen::MatrixXd&) const {}
+  /// False where add_curvature does nothing.
+  virtual bool curved() const { return true; }
+  /// A point to check derivatives at: residuals not zero, inequalities on both sides of the barrier's edge.
+  virtual Eigen::VectorXd sample(int element, std::mt19937& random) const = 0;
+
+ protected:
+  std::vector<Element> elements_;
+};
+
+}  // namespace legwright

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <Eigen/Geometry>
+
+#include "optimizer/design/rotation.hpp"
+#include "optimizer/terms/factories.hpp"
+
+namespace legwright {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+/// Eq (13), second half, with the angular momentum of the whole robot in place of I ö:
+///   Σ_j (e_iʲ − x_i) × f_iʲ = Σ_p m_p (p_i − x_i) × (p_{i−1} − 2 p_i + p_{i+1})/h²   over all point masses p.
+/// Because p × p = 0 the right-hand side is (A_i − A_{i−1} − M x_i × (c_{i−1} − 2 c_i + c_{i+1}))/h² with the swept
+/// momentum A_i = Σ m p_i × p_{i+1} and c = φ_COM, all of which have slots. Residual over weight times length.
+class TorqueBalance final : public Term {
+ public:
+  explicit TorqueBalance(const TermContext& context)
+      : scale_(1.0 / (context.weight * context.length)), mass_(context.mass), path_(context.path) {
+    const Layout& layout = context.layout;
+    const double h = context.task.gait.time_step();
+    rate_ = scale_ / (h * h);
+    for (int i = 0; i < layout.knot_count(); ++i) {
+      Element element{i, -1, 3, {}};
+      const auto push = [&element](int slot) {
+        for (int k = 0; k < 3; ++k) element.slots.push_back(slot + k);
+      };
+      push(layout.swept_momentum(i));
+      push(i > 0 ? layout.swept_momentum(i - 1) : layout.wrapping_momentum());
+      push(layout.com_from_pose(i > 0 ? i - 1 : layout.knot_count() - 1));
+      push(layout.com_from_pose(i));
+      push(layout.com_from_pose(i + 1));
+      push(layout.com(i));
+      for (int j = 0; j < layout.foot_count(); ++j) {
+        if (layout.force(i, j) < 0) continue;
+        push(layout.foot(i, j));
+        push(layout.force(i, j));
+      }
+      elements_.push_back(std::move(element));
+    }
+  }
+  std::string_view name() const override { return "torque_balance"; }
+
+  void residual(int element, const Eigen::VectorXd& z, Eigen::VectorXd& r) const override {
+    const Vector3d x = z.segment<3>(kX);
+    r = -rate_ * (z.segment<3>(kAfter) - z.segment<3>(kBefore) - mass_ * x.cross(bend(element, z)));
+    for (int k = kFeet; k < z.size(); k += 6)
+      r += scale_ * (z.segment<3>(k) - x).cross(z.segment<3>(k + 3));
+  }
+
+  void jacobian(int element, const Eigen::VectorXd& z, Eigen::MatrixXd& jacobian) const override {
+    const Vector3d x = z.segment<3>(kX);
+    jacobian.setZero();
+    jacobian.middleCols<3>(kAfter) = -rate_ * Matrix3d::Identity();
+    jacobian.middleCols<3>(kBefore) = rate_ * Matrix3d::Identity();
+    const Matrix3d lever = rate_ * mass_ * skew(x);
+    jacobian.middleCols<3>(kComBefore) = lever * back(element);
+    jacobian.middleCols<3>(kCom) = -2 * lever;
+    jacobian.middleCols<3>(kComAfter) = lever;
+    jacobian.middleCols<3>(kX) = -rate_ * mass_ * skew(bend(element, z));
+    for (int k = kFeet; k < z.size(); k += 6) {
+      const Matrix3d force = scale_ * skew(z.segment<3>(k + 3));
+      jacobian.middleCols<3>(kX) += force;
+      jacobian.middleCols<3>(k) = -force;
+      jacobian.middleCols<3>(k + 3) = scale_ * skew(z.segment<3>(k) - x);
+    }
+  }
+
+  void add_curvature(int element, const Eigen::VectorXd& z, const Eigen::VectorXd& multiplier,
+                     Eigen::MatrixXd& hessian) const override {
+    // multiplier · (a × b) = aᵀ form b.
+    const Matrix3d form = -skew(multiplier.head<3>());
+    const auto add = [&hessian](int a, int b, const Matrix3d& block) {
+      hessian.block<3, 3>(a, b) += block;
+      hessian.block<3, 3>(b, a) += block.transpose();
+    };
+    const Matrix3d lever = rate_ * mass_ * form;
+    add(kX, kComBefore, lever * back(element));
+    add(kX, kCom, -2 * lever);
+    add(kX, kComAfter, lever);
+    for (int k = kFeet; k < z.size(); k += 6) {
+      add(k, k + 3, scale_ * form);
+      add(kX, k + 3, -scale_ * form);
+    }
+  }
+
+  Eigen::VectorXd sample(int element, std::mt19937& random) const override {
+    std::normal_distribution<double> normal;
+    Eigen::VectorXd z(static_cast<int>(elements_[element].slots.size()));
+    for (double& value : z) value = 0.3 * normal(random);
+    for (int k = kFeet; k < z.size(); k += 6) z.segment<3>(k + 3) *= 10.0;
+    return z;
+  }
+
+ private:
+  // Positions of the local variables: A_i, A_{i−1}, c_{i−1}, c_i, c_{i+1}, x_i, then foot and force by turns.
+  static constexpr int kAfter = 0, kBefore = 3, kComBefore = 6, kCom = 9, kComAfter = 12, kX = 15, kFeet = 18;
+
+  /// Before knot 0 stands knot T − 1 moved back by one cycle.
+  Matrix3d back(int knot) const { return knot > 0 ? Matrix3d::Identity() : Matrix3d(path_.turn().transpose()); }
+  Vector3d bend(int knot, const Eigen::VectorXd& z) const {
+    Vector3d before = z.segment<3>(kComBefore);
+    if (knot == 0) before = back(0) * (before - path_.travel());
+    return before - 2 * z.segment<3>(kCom) + z.segment<3>(kComAfter);
+  }
+
+  double scale_, mass_, rate_ = 0.0;
+  WantedPath path_;
+};
+
+}  // namespace
+
+std::unique_ptr<Term> make_torque_balance(const TermContext& context) {
+  return std::make_unique<TorqueBalance>(context);
+}
+
+}  // namespace legwright

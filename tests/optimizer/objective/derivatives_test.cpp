@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// Exact derivatives of the whole F, through kinematics, against central differences.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "optimizer/motion/initial_guess.hpp"
+#include "optimizer/objective/objective.hpp"
+#include "optimizer/terms/registry.hpp"
+#include "tests/support/puppy.hpp"
+
+namespace legwright {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+struct Point {
+  VectorXd s, m;
+};
+
+/// A turning trot of few knots, so that every wrap and every term is in play.
+Objective make_objective(const std::string& only = "") {
+  const test::Puppy puppy = test::make_puppy(true);
+  Morphology morphology = puppy.morphology;
+  for (Link& link : morphology.links) {  // so that joint limits have elements
+    link.joint.lower = -1.2;
+    link.joint.upper = 1.2;
+  }
+  Task task = test::make_sideways_task(true, 8);
+  task.velocity = {0.05, 0.1};
+  task.turn_rate = 0.6;
+  if (!only.empty())
+    for (const TermEntry& entry : term_registry()) task.weights[std::string(entry.name)] = entry.name == only ? 1.0 : 0.0;
+  return Objective(morphology, puppy.space, task);
+}
+
+Point random_point(const Objective& objective, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  Point at{objective.space().initial(), {}};
+  for (int k = 0; k < at.s.size(); ++k)
+    at.s[k] += 0.1 * objective.space().scale()[k] * normal(random);
+  at.m = initial_guess(objective, at.s);
+  for (int k = 0; k < at.m.size(); ++k) at.m[k] += 0.1 * objective.motion_units()[k] * normal(random);
+  return at;
+}
+
+/// Largest error of `exact` against `differences`, relative to the largest entry of either.
+double error(const MatrixXd& exact, const MatrixXd& differences) {
+  return (exact - differences).cwiseAbs().maxCoeff() /
+         std::max({1e-12, exact.cwiseAbs().maxCoeff(), differences.cwiseAbs().maxCoeff()});
+}
+
+struct Errors {
+  double gradient_m, gradient_s, mm, ms, ss;
+};
+
+/// @param s_scale poisons ∂F/∂s by this factor before the comparison (1: as it is).
+Errors check(const Objective& objective, const Point& at, double s_scale = 1.0) {
+  const Evaluation exact = objective.evaluate(at.s, at.m, Order::design);
+  const int n = static_cast<int>(at.m.size()), n_s = static_cast<int>(at.s.size());
+  VectorXd gradient_m(n), gradient_s(n_s);
+  MatrixXd mm(n, n), ms(n, n_s), ss(n_s, n_s);
+  for (int k = 0; k < n; ++k) {
+    const double step = 1e-5 * objective.motion_units()[k];
+    Point up = at, down = at;
+    up.m[k] += step;
+    down.m[k] -= step;
+    const Evaluation a = objective.evaluate(up.s, up.m, Order::gradient);
+    const Evaluation b = objective.evaluate(down.s, down.m, Order::gradient);
+    gradient_m[k] = (a.value - b.value) / (2 * step);
+    mm.col(k) = (a.stationarity - b.stationarity) / (2 * step);
+  }
+  for (int k = 0; k < n_s; ++k) {
+    const double step = 1e-5 * objective.space().scale()[k];
+    Point up = at, down = at;
+    up.s[k] += step;
+    down.s[k] -= step;
+    const Evaluation a = objective.evaluate(up.s, up.m, Order::design);
+    const Evaluation b = objective.evaluate(down.s, down.m, Order::design);
+    gradient_s[k] = (a.value - b.value) / (2 * step);
+    ms.col(k) = (a.stationarity - b.stationarity) / (2 * step);
+    ss.col(k) = (a.partial_s - b.partial_s) / (2 * step);
+  }
+  // Scaled by units, so that entries of different dimension compare.
+  const VectorXd units = objective.motion_units(), scale = objective.space().scale();
+  const MatrixXd lower = exact.hessian_mm;
+  const MatrixXd exact_mm = lower.selfadjointView<Eigen::Lower>();
+  return {error(units.cwiseProduct(exact.stationarity), units.cwiseProduct(gradient_m)),
+          error(s_scale * scale.cwiseProduct(exact.partial_s), scale.cwiseProduct(gradient_s)),
+          error(units.asDiagonal() * exact_mm * units.asDiagonal(), units.asDiagonal() * mm * units.asDiagonal()),
+          error(units.asDiagonal() * exact.hessian_ms * scale.asDiagonal(),
+                units.asDiagonal() * ms * scale.asDiagonal()),
+          error(scale.asDiagonal() * exact.hessian_ss * scale.asDiagonal(),
+                scale.asDiagonal() * ss * scale.asDiagonal())};
+}
+
+class ObjectiveDerivatives : public testing::TestWithParam<std::string> {};
+
+TEST_P(ObjectiveDerivatives, MatchCentralDifferences) {
+  const Objective objective = make_objective(GetParam());
+  const Errors errors = check(objective, random_point(objective, 7));
+  EXPECT_LT(errors.gradient_m, 1e-6);
+  EXPECT_LT(errors.gradient_s, 1e-6);
+  EXPECT_LT(errors.mm, 1e-6);
+  EXPECT_LT(errors.ms, 1e-6);
+  EXPECT_LT(errors.ss, 1e-6);
+}
+
+std::vector<std::string> all_terms() {
+  std::vector<std::string> names{""};  // the whole F
+  for (const TermEntry& entry : term_registry()) names.emplace_back(entry.name);
+  return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Registry, ObjectiveDerivatives, testing::ValuesIn(all_terms()),
+                         [](const auto& instance) { return instance.param.empty() ? "whole" : instance.param; });
+
+TEST(ObjectiveDerivativesControl, PoisonedGradientIsNoticed) {
+  const Objective objective = make_objective("com_position");
+  EXPECT_GT(check(objective, random_point(objective, 7), 1.0001).gradient_s, 1e-6);
+}
+
+}  // namespace
+}  // namespace legwright

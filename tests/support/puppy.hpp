@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+#include "optimizer/design/design.hpp"
+#include "optimizer/design/morphology.hpp"
+#include "optimizer/motion/task.hpp"
+
+namespace legwright::test {
+
+/// The puppy without a file: trunk 0.24 × 0.14 × 0.05 m, four legs of three lateral hinges, exact point masses.
+struct Puppy {
+  Morphology morphology;
+  DesignSpace space;
+};
+
+/// @param tied true: 20 parameters, left and right mirrored; false: 38, every leg on its own, in the order
+/// 12 lengths, 12 × (turn about z, turn about x), body width, body length.
+Puppy make_puppy(bool tied);
+
+/// Sideways at 0.1 m/s; walk (1 s, duty 0.75) or trot (0.4 s, duty 0.5).
+Task make_sideways_task(bool trot, int knot_count = 24, int planted_margin = 1);
+
+}  // namespace legwright::test
