@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimizer/motion/layout.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "optimizer/motion/initial_guess.hpp"
+#include "optimizer/motion/motion.hpp"
+#include "optimizer/motion/path.hpp"
+#include "tests/support/puppy.hpp"
+
+namespace legwright {
+namespace {
+
+TEST(Layout, EverySlotIsUsedOnce) {
+  const test::Puppy puppy = test::make_puppy(true);
+  const Task task = test::make_sideways_task(false, 24);
+  const Layout layout(puppy.morphology, puppy.space.size(), task.gait, 1);
+  std::multiset<int> used;
+  const auto use = [&used](int first, int count) {
+    for (int k = 0; k < count; ++k) used.insert(first + k);
+  };
+  use(0, layout.design_size());
+  for (int i = 0; i <= layout.knot_count(); ++i) {
+    use(layout.pose(i), layout.pose_size());
+    use(layout.com(i), 3);
+    use(layout.com_from_pose(i), 3);
+    use(layout.swept_momentum(i), 3);
+    for (int j = 0; j < layout.foot_count(); ++j) {
+      use(layout.foot(i, j), 3);
+      use(layout.foot_from_pose(i, j), 3);
+      use(layout.foot_turn(i, j), 3);
+      EXPECT_EQ(layout.force(i, j) >= 0, task.gait.in_contact(i, j));
+      if (layout.force(i, j) >= 0) use(layout.force(i, j), 3);
+    }
+  }
+  ASSERT_EQ(static_cast<int>(used.size()), layout.extended_size());
+  int expected = 0;
+  for (int slot : used) EXPECT_EQ(slot, expected++);
+  EXPECT_GE(layout.motion_size(), 614);
+}
+
+TEST(Layout, UnitsFollowTheQuantities) {
+  const test::Puppy puppy = test::make_puppy(true);
+  const Task task = test::make_sideways_task(true, 12);
+  const Layout layout(puppy.morphology, puppy.space.size(), task.gait, 1);
+  const Eigen::VectorXd units = layout.motion_units(0.2, 23.0);
+  const auto unit = [&](int slot) { return units[slot - layout.design_size()]; };
+  EXPECT_EQ(unit(layout.pose(3)), 0.2);
+  EXPECT_EQ(unit(layout.pose(3) + 3), 1.0);
+  EXPECT_EQ(unit(layout.pose(3) + 6), 1.0);
+  EXPECT_EQ(unit(layout.foot(3, 2)), 0.2);
+  EXPECT_EQ(unit(layout.force(0, 0)), 23.0);
+}
+
+TEST(WantedPath, OneCycleIsTheRigidMotionOfThePlane) {
+  const WantedPath path({0.2, 0.1}, 0.5, 0.8);
+  const Eigen::Vector3d later = path.position(0.8 + 0.3);
+  EXPECT_LT((later - (path.turn() * path.position(0.3) + path.travel())).norm(), 1e-14);
+  const WantedPath straight({0.2, 0.1}, 0.0, 0.8);
+  EXPECT_LT((straight.travel() - Eigen::Vector3d(0.16, 0.08, 0)).norm(), 1e-15);
+  const WantedPath nearly({0.2, 0.1}, 1e-7, 0.8);
+  EXPECT_LT((nearly.travel() - straight.travel()).norm(), 1e-7);
+}
+
+TEST(InitialGuess, StandsOnTheGroundAndCarriesTheWeight) {
+  const test::Puppy puppy = test::make_puppy(true);
+  const Objective objective(puppy.morphology, puppy.space, test::make_sideways_task(false, 12));
+  const Eigen::VectorXd m = initial_guess(objective, puppy.space.initial());
+  const MotionView motion(objective.layout(), m);
+  for (int i = 0; i <= 12; ++i) {
+    double force = 0.0;
+    for (int j = 0; j < 4; ++j) {
+      EXPECT_NEAR(motion.foot_W(i, j).z(), 0.012, 1e-12);
+      force += motion.force_W(i, j).z();
+    }
+    EXPECT_NEAR(force, puppy.morphology.total_mass() * 9.81, 1e-9);
+    EXPECT_NEAR(motion.pose(i)[1], 0.1 * i / 12.0, 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace legwright

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+// What each term means: zero where its promise is kept, growing where it is broken, in the unit it claims.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <memory>
+
+#include "optimizer/motion/initial_guess.hpp"
+#include "optimizer/objective/objective.hpp"
+#include "optimizer/terms/registry.hpp"
+#include "tests/support/puppy.hpp"
+
+namespace legwright {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+/// The tied puppy walking sideways; terms by name at a motion.
+class TermMeaning : public testing::Test {
+ protected:
+  TermMeaning() : puppy_(test::make_puppy(true)), objective_(puppy_.morphology, puppy_.space, task()) {
+    s_ = puppy_.space.initial();
+    m_ = initial_guess(objective_, s_);
+  }
+  static Task task() {
+    Task task = test::make_sideways_task(false, 12);
+    for (const TermEntry& entry : term_registry()) task.weights[std::string(entry.name)] = 1.0;
+    return task;
+  }
+  double value(const std::string& name) const {
+    for (const TermValue& term : objective_.terms(s_, m_))
+      if (term.name == name) return term.value;
+    ADD_FAILURE() << "no term " << name;
+    return 0.0;
+  }
+  double& at(int slot) { return m_[slot - objective_.layout().design_size()]; }
+  const Layout& layout() const { return objective_.layout(); }
+  double leg() const { return puppy_.morphology.leg_length; }
+
+  test::Puppy puppy_;
+  Objective objective_;
+  VectorXd s_, m_;
+};
+
+TEST_F(TermMeaning, SlidingGuessKeepsKinematicsAndTravel) {
+  for (const char* name : {"travel", "turning", "com_position", "foot_position", "smoothness", "periodicity",
+                           "nominal_pose", "trunk_orientation", "ground_height", "design_tether", "force_balance"})
+    EXPECT_LT(value(name), 1e-20) << name;
+  EXPECT_GT(value("stance_foot"), 1e-6) << "the guess slides its feet";
+  EXPECT_GT(value("swing_height"), 1e-6) << "the guess does not lift its feet";
+}
+
+TEST_F(TermMeaning, TravelIsHalfSquaredShareOfTheLeg) {
+  at(layout().com(layout().knot_count())) += 0.1 * leg();
+  EXPECT_NEAR(value("travel"), 0.5 * 0.01, 1e-12);
+}
+
+TEST_F(TermMeaning, TurningIsHalfSquaredAngle) {
+  at(layout().pose(layout().knot_count()) + 5) += 0.2;
+  EXPECT_NEAR(value("turning"), 0.02, 1e-12);
+}
+
+TEST_F(TermMeaning, KinematicsNoticeAMovedFootAndCom) {
+  at(layout().foot(3, 1)) += 0.1 * leg();
+  at(layout().com(3) + 1) += 0.1 * leg();
+  EXPECT_NEAR(value("foot_position"), 0.005, 1e-12);
+  EXPECT_NEAR(value("com_position"), 0.005, 1e-12);
+}
+
+TEST_F(TermMeaning, ForceBalanceNoticesMissingWeight) {
+  for (int foot = 0; foot < 4; ++foot)
+    if (const int slot = layout().force(5, foot); slot >= 0) at(slot + 2) = 0.0;
+  EXPECT_NEAR(value("force_balance"), 0.5, 1e-9) << "one knot without any force misses the whole weight";
+}
+
+TEST_F(TermMeaning, TorqueBalanceVanishesForFreeFall) {
+  // A robot that translates rigidly with no forces at all has a constant angular momentum about its COM.
+  for (int i = 0; i <= layout().knot_count(); ++i)
+    for (int foot = 0; foot < 4; ++foot)
+      if (const int slot = layout().force(i, foot); slot >= 0) at(slot + 2) = 0.0;
+  EXPECT_LT(value("torque_balance"), 1e-20);
+}
+
+TEST_F(TermMeaning, TorqueBalanceNoticesALoneForce) {
+  const double before = value("torque_balance");
+  at(layout().force(5, 0) + 1) += 5.0;
+  EXPECT_GT(value("torque_balance"), before + 1e-4);
+}
+
+TEST_F(TermMeaning, StanceFootAllowsRollingOnly) {
+  // A rigid robot that stands: feet at rest, no turn of their links, no residual.
+  const Vector3d drift = objective_.path().travel() / layout().knot_count();
+  for (int i = 0; i <= layout().knot_count(); ++i)
+    for (int foot = 0; foot < 4; ++foot)
+      for (int k = 0; k < 3; ++k) at(layout().foot(i, foot) + k) -= i * drift[k];
+  EXPECT_LT(value("stance_foot"), 1e-20);
+  // Shank swings forward about the lateral axis by θ: the centre of a rolling ball moves by r θ.
+  const double theta = 0.02, r = puppy_.morphology.feet[0].radius;
+  for (int i = 1; i <= layout().knot_count(); ++i) {
+    at(layout().pose(i) + 8) += theta;
+    at(layout().foot(i, 0)) += r * std::sin(theta);
+  }
+  EXPECT_LT(value("stance_foot"), 1e-12);
+  for (int i = 1; i <= layout().knot_count(); ++i) at(layout().foot(i, 0)) -= 2 * r * std::sin(theta);
+  EXPECT_GT(value("stance_foot"), 1e-7) << "rolling backwards is sliding";
+}
+
+TEST_F(TermMeaning, BarriersGrowTowardsTheWall) {
+  const int slot = layout().force(5, 0);
+  ASSERT_GE(slot, 0);
+  const double cone = value("friction_cone"), normal = value("least_normal_force");
+  at(slot) += 0.9 * 0.4 * at(slot + 2);
+  EXPECT_GT(value("friction_cone"), cone);
+  at(slot) = 0.0;
+  at(slot + 2) *= 0.2;
+  EXPECT_GT(value("least_normal_force"), normal);
+}
+
+TEST_F(TermMeaning, StyleTermsNoticeOffsets) {
+  const double com = value("style_com"), foot = value("style_foot");
+  at(layout().com(4) + 2) += 0.2 * leg();
+  at(layout().foot(4, 2)) -= 0.2 * leg();
+  EXPECT_NE(value("style_com"), com);
+  EXPECT_GT(value("style_foot"), foot);
+  at(layout().pose(4) + 3) += 0.1;
+  EXPECT_NEAR(value("trunk_orientation"), 0.005, 1e-12);
+  at(layout().pose(4) + 7) += 0.1;
+  EXPECT_NEAR(value("nominal_pose"), 0.005, 1e-12);
+  EXPECT_GT(value("smoothness"), 0.0);
+}
+
+TEST_F(TermMeaning, GroundAndPeriodicityNoticeOffsets) {
+  at(layout().foot(0, 0) + 2) += 0.1 * leg();
+  EXPECT_NEAR(value("ground_height"), 0.005, 1e-12);
+  EXPECT_NEAR(value("periodicity"), 0.005, 1e-12);
+}
+
+TEST_F(TermMeaning, ForceRegularisersMeasureSharesOfTheWeight) {
+  EXPECT_GT(value("force_size"), 0.0);
+  const double before = value("force_smoothness");
+  at(layout().force(5, 0)) += 1.0;
+  EXPECT_GT(value("force_smoothness"), before);
+}
+
+TEST_F(TermMeaning, DesignTetherCountsTiesOfALength) {
+  s_[0] *= 1.1;  // tied to two legs
+  EXPECT_NEAR(value("design_tether"), 2 * 0.5 * 0.01, 1e-12);
+  s_ = puppy_.space.initial();
+  s_[6] = 0.1;  // an axis angle of two joints: |a − a₀| = 2 sin(0.05)
+  EXPECT_NEAR(value("design_tether"), 2 * 0.5 * std::pow(2 * std::sin(0.05), 2), 1e-12);
+}
+
+}  // namespace
+}  // namespace legwright

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "optimizer/terms/term.hpp"
+#include "tests/support/puppy.hpp"
+
+namespace legwright::test {
+
+/// Everything a TermContext refers to, for tests that build terms by hand: a turning trot of the tied puppy with
+/// joint limits, so that every term has elements.
+struct TermSetting {
+  TermSetting() {
+    for (Link& link : puppy.morphology.links) {
+      link.joint.lower = -1.2;
+      link.joint.upper = 1.2;
+    }
+    task.velocity = {0.05, 0.1};
+    task.turn_rate = 0.6;
+    layout = Layout(puppy.morphology, puppy.space.size(), task.gait, task.planted_margin);
+  }
+  TermContext context() const {
+    const double mass = puppy.morphology.total_mass();
+    return {layout,
+            puppy.morphology,
+            puppy.space,
+            task,
+            WantedPath(task.velocity, task.turn_rate, task.gait.period()),
+            puppy.morphology.leg_length,
+            mass,
+            mass * kGravity,
+            *task.com_height,
+            *task.footprint};
+  }
+
+  Puppy puppy = make_puppy(true);
+  Task task = make_sideways_task(true, 8);
+  Layout layout;
+};
+
+}  // namespace legwright::test
