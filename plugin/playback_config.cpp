@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/playback_config.hpp"
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <mutex>
+
+#include "plugin/numbers.hpp"
+
+namespace legwright {
+namespace {
+
+std::string_view attribute(const mjModel* m, int instance, const char* key) {
+  const char* const value = mj_getPluginConfig(m, instance, key);
+  return value == nullptr ? std::string_view() : std::string_view(value);
+}
+
+/// `count` numbers, or none if the attribute is absent.
+std::vector<double> read_numbers(const mjModel* m, int instance, const char* key) {
+  std::vector<double> numbers;
+  for (const std::string_view token : split_blanks(attribute(m, instance, key))) {
+    const auto number = read_number(token);
+    if (!number)
+      throw ConfigError(
+          fmt::format("{}: got {}, expected a finite decimal number", key, quoted(token)));
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+std::optional<double> read_one(const mjModel* m, int instance, const char* key) {
+  const std::vector<double> numbers = read_numbers(m, instance, key);
+  if (numbers.size() > 1)
+    throw ConfigError(fmt::format("{}: got {} numbers, expected one", key, numbers.size()));
+  return numbers.empty() ? std::nullopt : std::optional(numbers.front());
+}
+
+std::vector<double> read_gains(const mjModel* m, int instance, const char* key, int servo_count) {
+  const auto count = static_cast<std::size_t>(servo_count);
+  std::vector<double> gains = read_numbers(m, instance, key);
+  if (gains.empty())
+    throw ConfigError(fmt::format("{} is missing; expected one number, or one per actuator", key));
+  for (const double gain : gains) {
+    if (gain < 0.0)
+      throw ConfigError(fmt::format("{}: got {}, expected a gain of 0 or more", key, gain));
+  }
+  if (gains.size() == 1) gains.assign(count, gains.front());
+  if (gains.size() != count) {
+    throw ConfigError(
+        fmt::format("{}: got {} numbers, expected 1, or {} (one for each actuator of the instance)",
+                    key, gains.size(), count));
+  }
+  return gains;
+}
+
+CycleSettings read_cycle(const mjModel* m, int instance) {
+  CycleSettings cycle;
+  cycle.period = read_one(m, instance, "period");
+  cycle.turn = read_one(m, instance, "turn").value_or(0.0);
+  const std::vector<double> travel = read_numbers(m, instance, "travel");
+  if (!travel.empty() && travel.size() != 3) {
+    throw ConfigError(fmt::format("travel: got {} numbers, expected 3 (x y z)", travel.size()));
+  }
+  if (!travel.empty()) cycle.travel = {travel[0], travel[1], travel[2]};
+  return cycle;
+}
+
+/// The last few trajectories that were parsed: a load asks for the same one at least twice.
+class TrajectoryCache {
+ public:
+  std::shared_ptr<const Trajectory> find_or_parse(std::string_view text,
+                                                  const CycleSettings& cycle) {
+    const std::lock_guard lock(mutex_);
+    const std::size_t hash = std::hash<std::string_view>()(text);
+    for (const Entry& entry : entries_) {
+      if (entry.hash == hash && entry.text == text && same(entry.cycle, cycle))
+        return entry.trajectory;
+    }
+    Entry entry{hash, std::string(text), cycle,
+                std::make_shared<const Trajectory>(parse_trajectory(text, cycle))};
+    constexpr std::size_t kMostEntries = 8;
+    if (entries_.size() == kMostEntries)
+      entries_.erase(entries_.begin());  // users keep their own pointer
+    entries_.push_back(std::move(entry));
+    return entries_.back().trajectory;
+  }
+
+ private:
+  struct Entry {
+    std::size_t hash;
+    std::string text;  // two texts may have the same hash
+    CycleSettings cycle;
+    std::shared_ptr<const Trajectory> trajectory;
+  };
+  static bool same(const CycleSettings& a, const CycleSettings& b) {
+    return a.period == b.period && a.travel == b.travel && a.turn == b.turn;
+  }
+
+  std::mutex mutex_;
+  std::vector<Entry> entries_;
+};
+
+}  // namespace
+
+PlaybackConfig read_config(const mjModel* m, int instance, int servo_count) {
+  static TrajectoryCache cache;
+  PlaybackConfig config;
+  config.kp = read_gains(m, instance, "kp", servo_count);
+  config.kd = read_gains(m, instance, "kd", servo_count);
+  config.t0 = read_one(m, instance, "t0").value_or(0.0);
+  const std::string_view text = attribute(m, instance, "trajectory");
+  if (text.empty())
+    throw ConfigError(
+        "trajectory is missing; expected rows of numbers under a row of column names");
+  config.trajectory = cache.find_or_parse(text, read_cycle(m, instance));
+  return config;
+}
+
+}  // namespace legwright

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <iterator>
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+#include "plugin/trajectory.hpp"
+
+namespace legwright {
+
+/// Thrown for a configuration that cannot be played; the message is meant for the user.
+class ConfigError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The keys of an instance's configuration, in the order in which they are registered.
+inline constexpr const char* kAttributes[] = {"trajectory", "period", "travel", "turn",
+                                              "kp",         "kd",     "t0"};
+inline constexpr int kAttributeCount = static_cast<int>(std::size(kAttributes));
+
+/// What the attributes of one instance say.
+struct PlaybackConfig {
+  std::shared_ptr<const Trajectory> trajectory;
+  std::vector<double> kp, kd;  // one for each servo [N·m/rad, N·m·s/rad]
+  double t0 = 0.0;             // s
+};
+
+/// Reads the attributes of `instance`. The trajectory is parsed once per content, however many
+/// instances, mjData and threads ask for it. Throws ConfigError or TrajectoryError.
+PlaybackConfig read_config(const mjModel* m, int instance, int servo_count);
+
+}  // namespace legwright

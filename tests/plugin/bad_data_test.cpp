@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bad data: refused at compile with one reason, and the host lives.
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+
+#include "tests/plugin/engine.hpp"
+#include "tests/plugin/mutate.hpp"
+
+namespace legwright {
+namespace {
+
+ChainOptions valid_options() {
+  ChainOptions options;
+  options.trajectory = write_trajectory(chain_trajectory());
+  return options;
+}
+
+class BadDataTest : public EngineTest {};
+
+struct BadModel {
+  const char* what;
+  void (*spoil)(ChainOptions&);
+  const char* message;
+};
+
+std::string config(const char* key, const char* value) {
+  return fmt::format(R"(<config key="{}" value="{}"/>)", key, value);
+}
+
+const BadModel kBadModels[] = {
+    {"no trajectory", [](ChainOptions& o) { o.trajectory.clear(); }, "trajectory is missing"},
+    {"truncated", [](ChainOptions& o) { o.trajectory.resize(o.trajectory.size() - 60); },
+     "values, expected"},
+    {"garbage", [](ChainOptions& o) { o.trajectory = "hello"; }, "expected \"time_s\""},
+    {"NaN", [](ChainOptions& o) { o.trajectory.replace(o.trajectory.rfind(' '), 99, " nan"); },
+     "got \"nan\""},
+    {"kp not a number", [](ChainOptions& o) { o.kp = "4x"; }, "kp: got \"4x\""},
+    {"kp missing", [](ChainOptions& o) { o.kp = ""; }, "kp is missing"},
+    {"kd missing", [](ChainOptions& o) { o.kd = " "; }, "kd is missing"},
+    {"kp negative", [](ChainOptions& o) { o.kp = "-4"; }, "kp: got -4"},
+    {"kd infinite", [](ChainOptions& o) { o.kd = "inf"; }, "kd: got \"inf\""},
+    {"two gains", [](ChainOptions& o) { o.kp = "4 4"; }, "kp: got 2 numbers, expected 1, or 3"},
+    {"kp differs", [](ChainOptions& o) { o.kp = "4.001"; },
+     "biasprm \"0 -4 -0.1\", but kp = 4.001"},
+    {"kd differs", [](ChainOptions& o) { o.bias_kd = "0.2"; }, "biasprm \"0 -4 -0.2\""},
+    {"one of three differs", [](ChainOptions& o) { o.kp = "4 4 5"; },
+     "actuator \"drive_c\": biasprm"},
+    {"zero bias", [](ChainOptions& o) { o.bias_kp = o.bias_kd = "0"; }, "biasprm=\"0 -4 -0.1\"/>"},
+    {"t0", [](ChainOptions& o) { o.more_config = config("t0", "1 2"); }, "t0: got 2 numbers"},
+    {"t0 text", [](ChainOptions& o) { o.more_config = config("t0", "soon"); }, "t0: got \"soon\""},
+    {"period", [](ChainOptions& o) { o.more_config = config("period", "0.7"); },
+     "column 1 (time_s)"},
+    {"period zero", [](ChainOptions& o) { o.more_config = config("period", "0"); }, "period = 0 s"},
+    {"travel", [](ChainOptions& o) { o.more_config = config("travel", "1 2"); },
+     "travel: got 2 numbers"},
+    {"turn", [](ChainOptions& o) { o.more_config = config("turn", "1,5"); }, "turn: got \"1,5\""},
+    {"unknown key", [](ChainOptions& o) { o.more_config = config("kpp", "1"); },
+     "unrecognized attribute"},
+    {"duplicate key", [](ChainOptions& o) { o.more_config = config("kp", "1"); }, "duplicate"},
+    {"gear", [](ChainOptions& o) { o.actuator = "gear=\"2\""; }, "gear = 2, expected 1"},
+    {"activation", [](ChainOptions& o) { o.actuator = "dyntype=\"integrator\""; }, "activation"},
+    {"slide joint", [](ChainOptions& o) { o.joint_type = "slide"; }, "joint \"a\" is not a hinge"},
+    {"joint driven twice",
+     [](ChainOptions& o) {
+       o.more_actuators =
+           R"(<plugin name="again" class="pd" plugin="legwright.gait" instance="gait"
+                                    joint="a"/>)";
+     },
+     "joint \"a\" is driven by actuator \"drive_a\" already"},
+    {"joint without a column",
+     [](ChainOptions& o) {
+       Trajectory t = blank_trajectory({"a", "b"}, {}, 4, 1.0);
+       o.trajectory = write_trajectory(t);
+     },
+     "actuator \"drive_c\": the trajectory has no column for joint \"c\""},
+    {"column without an actuator",
+     [](ChainOptions& o) {
+       o.trajectory = write_trajectory(blank_trajectory({"a", "b", "c", "knee"}, {}, 4, 1.0));
+     },
+     "the trajectory moves joint \"knee\""},
+    {"sensor of an object",
+     [](ChainOptions& o) {
+       o.sensor =
+           R"(<plugin name="s" plugin="legwright.gait" instance="gait"
+                            objtype="body" objname="upper"/>)";
+     },
+     "sensor \"s\": expected no objtype"},
+};
+
+TEST_F(BadDataTest, IsRefusedAtCompileWithTheReason) {
+  ASSERT_TRUE(load(plugin_chain(valid_options())).model);  // negative control
+  for (const BadModel& bad : kBadModels) {
+    ChainOptions options = valid_options();
+    bad.spoil(options);
+    const Loaded loaded = load(plugin_chain(options));
+    EXPECT_FALSE(loaded.model) << bad.what;
+    EXPECT_NE(loaded.error.find(bad.message), std::string::npos)
+        << bad.what << ": " << loaded.error;
+    const std::vector<std::string> warnings = take_warnings();
+    EXPECT_LE(warnings.size(), 1u) << bad.what;
+    for (const std::string& warning : warnings) {
+      EXPECT_NE(warning.find("legwright.gait"), std::string::npos) << warning;
+    }
+  }
+}
+
+TEST_F(BadDataTest, MissingBiasIsRefusedWithTheLineToAdd) {
+  std::string xml = plugin_chain(valid_options());
+  for (std::size_t at; (at = xml.find(" class=\"pd\" plugin")) != std::string::npos;)
+    xml.erase(at, 11);
+  const Loaded loaded = load(xml);
+  EXPECT_FALSE(loaded.model);
+  EXPECT_NE(loaded.error.find("<general biastype=\"affine\" biasprm=\"0 -4 -0.1\"/>"),
+            std::string::npos)
+      << loaded.error;
+}
+
+TEST_F(BadDataTest, InstanceWithoutActuatorsIsRefused) {
+  std::string xml = plugin_chain(valid_options());
+  const std::size_t begin = xml.find("<actuator>"), end = xml.find("</actuator>");
+  xml.erase(begin, end - begin + 11);
+  const Loaded loaded = load(xml);
+  EXPECT_FALSE(loaded.model);
+  EXPECT_NE(loaded.error.find("no actuator refers to this instance"), std::string::npos)
+      << loaded.error;
+}
+
+TEST_F(BadDataTest,
+       LogHandlerOfTheTestsSeesErrorsAndWarnings) {  // else these tests would prove nothing
+  EXPECT_THROW(mju_error("control"), std::runtime_error);
+  mju_warning("control");
+  EXPECT_EQ(take_warnings(), std::vector<std::string>{"control"});
+}
+
+// ---- the same from outside: a host of its own for each mutated model ----
+
+constexpr int kPlayed = 0, kRefused = 10, kBroken = 20, kMuteRefusal = 21, kNotFinite = 22;
+
+/// Load, make, steps, reset, copy, delete, as a viewer would do. Returns the exit code of the
+/// child.
+int play_as_a_host(const std::string& xml, bool provoke_error) {
+  try {
+    if (provoke_error) mju_error("provoked");
+    const Loaded loaded = load(xml);
+    if (!loaded.model) return loaded.error.size() > 10 ? kRefused : kMuteRefusal;
+    const mjModel* const m = loaded.model.get();
+    const DataPointer d(mj_makeData(m));
+    for (int i = 0; i < 50; ++i) mj_step(m, d.get());
+    const DataPointer copy(mj_copyData(nullptr, m, d.get()));
+    mj_resetData(m, d.get());
+    mj_step(m, copy.get());
+    for (int i = 0; i < m->nactuator; ++i) {
+      if (!std::isfinite(copy->actuator_force[i])) return kNotFinite;
+    }
+    return kPlayed;
+  } catch (...) {
+    return kBroken;  // mju_error, which would have ended a host
+  }
+}
+
+/// Exit code of a child that plays the model; −signal if one killed it.
+int exit_of_host(const std::string& xml, bool provoke_error = false) {
+  const pid_t child = fork();
+  if (child == 0) _exit(play_as_a_host(xml, provoke_error));
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+}
+
+TEST_F(BadDataTest, HostsSurviveMutatedTrajectoriesAndAttributes) {
+  EXPECT_EQ(exit_of_host(plugin_chain(valid_options())), kPlayed);
+  EXPECT_EQ(exit_of_host(plugin_chain(valid_options()), true), kBroken);  // the harness notices
+  std::mt19937 random(31);
+  std::map<int, int> exits;
+  int reasons = 0;
+  for (int i = 0; i < 400; ++i) {
+    ChainOptions options = valid_options();
+    switch (i % 8) {
+      case 0:
+        options.kp = mutate("4", random, true);
+        break;
+      case 1:
+        options.kd = mutate("0.1 0.1 0.1", random, true);
+        break;
+      case 2: {
+        const char* const keys[] = {"t0", "period", "travel", "turn"};
+        const char* const values[] = {"0.1", "0.6", "0.1 0 0", "0.2"};
+        const int key = i / 8 % 4;
+        options.more_config = config(keys[key], mutate(values[key], random, true).c_str());
+        break;
+      }
+      default:
+        options.trajectory = mutate(options.trajectory, random, true);
+    }
+    const std::string xml = plugin_chain(options);
+    const int exit = exit_of_host(xml);
+    ++exits[exit];
+    EXPECT_TRUE(exit == kPlayed || exit == kRefused) << "exit " << exit << " with\n" << xml;
+    if (exit == kRefused)
+      reasons += load(xml).error.find("legwright.gait \"gait\": ") != std::string::npos;
+  }
+  take_warnings();
+  EXPECT_GT(exits[kPlayed], 20);
+  EXPECT_GT(exits[kRefused], 200);
+  EXPECT_GT(reasons, exits[kRefused] * 9 / 10);  // refused by the plugin, with its words
+}
+
+}  // namespace
+}  // namespace legwright
