@@ -8,6 +8,8 @@
 
 namespace legwright {
 
+inline constexpr double kGravity = 9.81;  // [m/s²]
+
 /// A vector that is affine in the design, v(s) = constant + Σₖ s[parameter]·slope. Metres, in the
 /// frame of the link that owns it. Stretching a body maps all its points this way.
 struct AffineVector {

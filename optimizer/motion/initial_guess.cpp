@@ -5,7 +5,6 @@
 
 #include "optimizer/design/inertia.hpp"
 #include "optimizer/design/kinematics.hpp"
-#include "optimizer/terms/term.hpp"
 
 namespace legwright {
 namespace {
@@ -39,10 +38,8 @@ Standing stand(const Morphology& morphology, const GeometryAtDesign& geometry, c
 
 }  // namespace
 
-Eigen::VectorXd initial_guess(const Objective& objective, const Eigen::VectorXd& s) {
-  const Morphology& morphology = objective.morphology();
-  const Layout& layout = objective.layout();
-  const Gait& gait = objective.task().gait;
+Eigen::VectorXd initial_guess(const Morphology& morphology, const Layout& layout, const Gait& gait,
+                              const WantedPath& path, const Eigen::VectorXd& s) {
   const GeometryAtDesign geometry(morphology, s);
   const int n = layout.design_size();
   Eigen::Vector3d lift = Eigen::Vector3d::Zero();  // so that the lowest foot touches the ground
@@ -53,8 +50,8 @@ Eigen::VectorXd initial_guess(const Objective& objective, const Eigen::VectorXd&
   Eigen::VectorXd m = Eigen::VectorXd::Zero(layout.motion_size());
   for (int i = 0; i <= layout.knot_count(); ++i) {
     const double time = i * gait.time_step();
-    const Standing at = stand(morphology, geometry, objective.path().position(time) + lift,
-                              objective.path().heading(time), n);
+    const Standing at = stand(morphology, geometry, path.position(time) + lift,
+                              path.heading(time), n);
     m.segment(layout.pose(i) - n, layout.pose_size()) = at.q;
     m.segment<3>(layout.com(i) - n) = at.com;
     int stance = 0;

@@ -7,6 +7,7 @@
 
 #include "optimizer/design/inertia.hpp"
 #include "optimizer/design/kinematics.hpp"
+#include "optimizer/motion/initial_guess.hpp"
 #include "optimizer/motion/path.hpp"
 #include "optimizer/objective/assembly.hpp"
 #include "optimizer/objective/derived.hpp"
@@ -276,6 +277,10 @@ std::vector<TermValue> Objective::terms(const VectorXd& s, const VectorXd& m) co
   std::vector<TermValue> values;
   for (std::size_t k = 0; k < impl_->terms.size(); ++k) values.push_back({impl_->terms[k].name, at.term_values[k]});
   return values;
+}
+
+VectorXd initial_guess(const Objective& objective, const VectorXd& s) {
+  return initial_guess(objective.morphology(), objective.layout(), objective.task().gait, objective.path(), s);
 }
 
 }  // namespace legwright

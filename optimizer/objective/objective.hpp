@@ -83,4 +83,7 @@ class Objective {
   std::unique_ptr<Impl> impl_;
 };
 
+/// m₀ of a robot and its task (optimizer/motion/initial_guess.hpp).
+Eigen::VectorXd initial_guess(const Objective& objective, const Eigen::VectorXd& s);
+
 }  // namespace legwright

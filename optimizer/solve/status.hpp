@@ -17,12 +17,18 @@ enum class SolveStatus {
 
 constexpr std::string_view to_string(SolveStatus status) {
   switch (status) {
-    case SolveStatus::converged: return "converged";
-    case SolveStatus::iteration_limit: return "iteration_limit";
-    case SolveStatus::stalled: return "stalled";
-    case SolveStatus::not_a_minimum: return "not_a_minimum";
-    case SolveStatus::not_finite: return "not_finite";
-    case SolveStatus::stopped: return "stopped";
+    case SolveStatus::converged:
+      return "converged";
+    case SolveStatus::iteration_limit:
+      return "iteration_limit";
+    case SolveStatus::stalled:
+      return "stalled";
+    case SolveStatus::not_a_minimum:
+      return "not_a_minimum";
+    case SolveStatus::not_finite:
+      return "not_finite";
+    case SolveStatus::stopped:
+      return "stopped";
   }
   return "unknown";
 }
@@ -37,8 +43,9 @@ struct SolveReport {
   double stationarity = 0.0;  // max |G·unit| there
   double shift = 0.0;         // σ of the last step taken; 0: a pure Newton step
   int shifted_steps = 0;      // steps that needed σ > 0
-  bool exact_factor = false;  // the workspace's factor is that of the exact Hessian at the returned iterate
-  bool stagnated = false;     // `iteration_limit` because F hardly fell any more
+  bool exact_factor =
+      false;  // the workspace's factor is that of the exact Hessian at the returned iterate
+  bool stagnated = false;  // `iteration_limit` because F hardly fell any more
 };
 
 }  // namespace legwright

@@ -8,8 +8,8 @@ namespace legwright {
 namespace {
 
 /// Not in the paper: joint angles stay inside the range that the robot's file gives, less the task's margin.
-/// Residuals q − lower − margin ≥ 0 and upper − margin − q ≥ 0 [rad], kept by the barrier; joints without a range have
-/// none.
+/// Residuals (q − lower − margin)/half ≥ 0 and (upper − margin − q)/half ≥ 0, kept by the barrier, half the range that is
+/// left (so that they are one in its middle) or one radian where one side is open; joints without a range have none.
 class JointLimits final : public LinearTerm {
  public:
   explicit JointLimits(const TermContext& context) {
@@ -19,10 +19,12 @@ class JointLimits final : public LinearTerm {
       for (int a = 0; a < context.morphology.joint_count(); ++a) {
         const Joint& joint = context.morphology.links[a + 1].joint;
         const int slot = layout.pose(i) + 6 + a;
+        const double range = 0.5 * (joint.upper - joint.lower) - margin;
+        const double scale = std::isfinite(range) && range > 0.0 ? 1.0 / range : 1.0;
         if (std::isfinite(joint.lower))
-          add(i, -1, {{slot, times(1.0, 1)}}, Eigen::VectorXd::Constant(1, joint.lower + margin));
+          add(i, -1, {{slot, times(scale, 1)}}, Eigen::VectorXd::Constant(1, scale * (joint.lower + margin)));
         if (std::isfinite(joint.upper))
-          add(i, -1, {{slot, times(-1.0, 1)}}, Eigen::VectorXd::Constant(1, margin - joint.upper));
+          add(i, -1, {{slot, times(-scale, 1)}}, Eigen::VectorXd::Constant(1, scale * (margin - joint.upper)));
       }
   }
   std::string_view name() const override { return "joint_limits"; }

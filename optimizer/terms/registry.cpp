@@ -10,13 +10,13 @@ const std::vector<TermEntry>& term_registry() {
       // Objectives.
       {"travel", "(9)", 1e3, make_travel},
       {"turning", "(9)", 1e3, make_turning},
-      {"style_com", "(10)", 1.0, make_style_com},
+      {"style_com", "(10)", 20.0, make_style_com},
       {"style_foot", "(10)", 0.3, make_style_foot},
       {"trunk_orientation", "(10)", 1.0, make_trunk_orientation},
       {"nominal_pose", "-", 1e-2, make_nominal_pose},
       {"smoothness", "(11)", 0.3, make_smoothness},
       // Constraints.
-      {"com_position", "(12)", 1e4, make_com_position},
+      {"com_position", "(12)", 1e5, make_com_position},
       {"foot_position", "(12)", 1e4, make_foot_position},
       {"force_balance", "(13)", 1e3, make_force_balance},
       {"torque_balance", "(13)", 1e3, make_torque_balance},
@@ -29,7 +29,7 @@ const std::vector<TermEntry>& term_registry() {
       {"joint_limits", "-", 1e-3, make_joint_limits},
       // Regularisers.
       {"force_size", "-", 1e-3, make_force_size},
-      {"force_smoothness", "-", 1e-3, make_force_smoothness},
+      {"force_smoothness", "-", 0.05, make_force_smoothness},
       {"design_tether", "-", 0.05, make_design_tether},
   };
   return table;

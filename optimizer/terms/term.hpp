@@ -15,8 +15,6 @@
 
 namespace legwright {
 
-inline constexpr double kGravity = 9.81;  // [m/s²]
-
 /// What a term may know when it is built. Residuals are made dimensionless with these units, so that one set of
 /// weights serves robots of any size: lengths by the leg, forces by the weight.
 struct TermContext {

@@ -5,9 +5,9 @@
 
 #include <set>
 
-#include "optimizer/motion/initial_guess.hpp"
 #include "optimizer/motion/motion.hpp"
 #include "optimizer/motion/path.hpp"
+#include "optimizer/objective/objective.hpp"
 #include "tests/support/puppy.hpp"
 
 namespace legwright {

@@ -5,7 +5,6 @@
 #include <map>
 #include <memory>
 
-#include "optimizer/motion/initial_guess.hpp"
 #include "optimizer/objective/objective.hpp"
 #include "optimizer/terms/registry.hpp"
 #include "tests/support/puppy.hpp"

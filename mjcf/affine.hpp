@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "optimizer/design/morphology.hpp"
+
+namespace legwright {
+
+/// One stretch of a body, in its frame: a point p goes to p + d (d·p)(l/l₀ − 1).
+struct Stretch {
+  int parameter;
+  Eigen::Vector3d direction;  // d, unit
+  double initial;             // l₀ [m], the value in the file
+};
+/// The stretches of each body that has some, by MJCF name.
+using StretchMap = std::map<std::string, std::vector<Stretch>>;
+
+/// A point of a stretched body as a function of the design, in the body's frame.
+AffineVector stretched_point(const Eigen::Vector3d& point, const std::vector<Stretch>& stretches);
+/// The linear map p ↦ A p of a body's points at design s.
+Eigen::Matrix3d stretch_matrix(const std::vector<Stretch>& stretches, const Eigen::VectorXd& s);
+
+AffineVector sum(const AffineVector& a, const AffineVector& b);
+AffineVector negative(const AffineVector& a);
+AffineVector rotated(const Eigen::Matrix3d& rotation, const AffineVector& a);
+
+}  // namespace legwright

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mjcf/bindings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <map>
+#include <set>
+
+#include "mjcf/compile.hpp"
+#include "mjcf/numbers.hpp"
+#include "mjcf/stretch.hpp"
+
+namespace legwright {
+namespace {
+
+constexpr std::string_view kPrefix = "legwright/";
+constexpr const char* kShape =
+    "expected \"UNIT | BINDING | SENTENCE\", like "
+    "\"m | stretch link: left_shank right_shank | Length of the shanks.\"";
+
+std::string_view trimmed(std::string_view text) {
+  const auto words = split_words(text);
+  return words.empty()
+             ? std::string_view()
+             : text.substr(words.front().data() - text.data(),
+                           words.back().data() + words.back().size() - words.front().data());
+}
+
+/// Declared names in order of their numeric elements.
+struct Pairs {
+  std::vector<std::string> order;
+  std::map<std::string, DeclarationElements> elements;
+};
+
+void check_name(const XmlFile& xml, const XmlElement& element, const std::string& name) {
+  const bool plain = !name.empty() && name.size() <= 80 &&
+                     std::all_of(name.begin(), name.end(), [](unsigned char c) {
+                       return std::isalnum(c) || c == '_' || c == '-' || c == '.';
+                     });
+  if (!plain)
+    throw xml.error(
+        element,
+        "a parameter's name is made of letters, digits, _ - and . only (at most 80); rename it");
+}
+
+Pairs collect_pairs(const XmlFile& xml) {
+  Pairs pairs;
+  for_each_element(xml.root(), [&](const XmlElement& element) {
+    const bool is_numeric = is_tag(element, "numeric");
+    if (!is_numeric && !is_tag(element, "text")) return;
+    const std::string_view full = attribute(element, "name");
+    if (full.substr(0, kPrefix.size()) != kPrefix) return;
+    const std::string name(full.substr(kPrefix.size()));
+    check_name(xml, element, name);
+    DeclarationElements& both = pairs.elements[name];
+    const XmlElement*& own = is_numeric ? both.numeric : both.text;
+    if (own)
+      throw xml.error(element, fmt::format("is declared twice, first in line {}; remove one",
+                                           own->GetLineNum()));
+    own = &element;
+    if (is_numeric) pairs.order.push_back(name);
+  });
+  return pairs;
+}
+
+void read_values(const XmlFile& xml, const XmlElement& numeric, DesignParameter& parameter) {
+  const std::string_view data = attribute(numeric, "data");
+  const auto values = parse_numbers(data);
+  if (!values) throw xml.error(numeric, "attribute data: " + explain_bad_number(data));
+  if (values->size() != 3)
+    throw xml.error(
+        numeric,
+        fmt::format("attribute data: {} numbers; expected three: value, lower and upper bound",
+                    values->size()));
+  parameter.initial = (*values)[0];
+  parameter.lower = (*values)[1];
+  parameter.upper = (*values)[2];
+  if (parameter.lower > parameter.upper)
+    throw xml.error(numeric, fmt::format("bounds are crossed: lower {} > upper {}; exchange them",
+                                         parameter.lower, parameter.upper));
+  if (parameter.initial < parameter.lower || parameter.initial > parameter.upper)
+    throw xml.error(
+        numeric,
+        fmt::format("the value {} lies outside of its bounds {} to {}; widen the bounds or change "
+                    "the robot",
+                    parameter.initial, parameter.lower, parameter.upper));
+}
+
+/// UNIT | BINDING | SENTENCE taken apart.
+struct Declared {
+  std::string verb, direction;
+  std::vector<std::string> targets;
+};
+
+Declared read_text(const XmlFile& xml, const XmlElement& text, DesignParameter& parameter) {
+  const std::string_view data = attribute(text, "data");
+  const std::size_t first = data.find('|');
+  const std::size_t second = first == std::string_view::npos ? first : data.find('|', first + 1);
+  if (second == std::string_view::npos)
+    throw xml.error(text, fmt::format("attribute data: {}", kShape));
+  parameter.unit = trimmed(data.substr(0, first));
+  parameter.sentence = trimmed(data.substr(second + 1));
+  if (parameter.unit != "m" && parameter.unit != "rad")
+    throw xml.error(text, fmt::format("unknown unit '{}'; write m for a length or rad for an angle",
+                                      parameter.unit));
+  if (parameter.sentence.empty())
+    throw xml.error(text, fmt::format("says nothing for people; {}", kShape));
+  const std::string_view binding = trimmed(data.substr(first + 1, second - first - 1));
+  const std::size_t colon = binding.find(':');
+  const auto head = split_words(binding.substr(0, colon));
+  if (colon == std::string_view::npos || head.size() != 2)
+    throw xml.error(
+        text, fmt::format("binding '{}' is not understood; write 'stretch DIRECTION: BODY …' or "
+                          "'axis DIRECTION: JOINT …'",
+                          binding));
+  Declared out{std::string(head[0]), std::string(head[1]), {}};
+  const bool is_stretch = out.verb == "stretch";
+  if (!is_stretch && out.verb != "axis")
+    throw xml.error(
+        text, fmt::format("binding '{}' is unknown; there are 'stretch' and 'axis'", out.verb));
+  const bool is_axis_word = out.direction == "x" || out.direction == "y" || out.direction == "z";
+  if (!is_axis_word && !(is_stretch && out.direction == "link"))
+    throw xml.error(text, fmt::format("direction '{}' is unknown; write {}", out.direction,
+                                      is_stretch ? "link, x, y or z" : "x, y or z"));
+  parameter.kind = is_stretch ? ParameterKind::length : ParameterKind::axis_angle;
+  if ((parameter.unit == "m") != is_stretch)
+    throw xml.error(text,
+                    fmt::format("unit '{}' does not fit '{}'; a stretch is in m, an axis in rad",
+                                parameter.unit, out.verb));
+  for (const std::string_view word : split_words(binding.substr(colon + 1)))
+    out.targets.emplace_back(word);
+  if (out.targets.empty())
+    throw xml.error(text, "names no body or joint; write their names behind the colon");
+  return out;
+}
+
+Binding::Target resolve_stretch(const XmlFile& xml, const mjModel& model,
+                                const DeclarationElements& at, const Declared& declared,
+                                const DesignParameter& parameter, const std::string& word,
+                                const std::vector<int>& foot_geoms) {
+  if (word[0] == '~')
+    throw xml.error(*at.text,
+                    fmt::format("'{}': ~ mirrors axes; a stretch needs none, remove it", word));
+  const int body = mj_name2id(&model, mjOBJ_BODY, word.c_str());
+  const XmlElement* element = find_named(xml.root(), "body", word);
+  if (body <= 0 || !element)
+    throw xml.error(
+        *at.text,
+        fmt::format("names the body '{}', which is not in the model; correct the name", word));
+  const StretchMeasure measure =
+      measure_stretch(xml, model, *at.text, body, declared.direction, foot_geoms);
+  if (std::abs(measure.length - parameter.initial) > 1e-6)
+    throw xml.error(
+        *at.numeric,
+        fmt::format("declares {} m, but body '{}' measures {} m along {}; write that number",
+                    parameter.initial, word, measure.length, declared.direction));
+  if (parameter.lower <= 0.0)
+    throw xml.error(
+        *at.numeric,
+        fmt::format("a length must stay positive; the lower bound {} is not", parameter.lower));
+  check_stretchable(xml, model, *element);
+  return {word, false, at.text->GetLineNum(), measure.direction};
+}
+
+Binding::Target resolve_axis(const XmlFile& xml, const mjModel& model,
+                             const DeclarationElements& at, const Declared& declared,
+                             std::string word) {
+  const bool mirrored = word[0] == '~';
+  if (mirrored) word.erase(0, 1);
+  const int joint = mj_name2id(&model, mjOBJ_JOINT, word.c_str());
+  const XmlElement* element = find_named(xml.root(), "joint", word);
+  if (joint < 0 || !element)
+    throw xml.error(
+        *at.text,
+        fmt::format("names the joint '{}', which is not in the model; correct the name", word));
+  if (model.jnt_type[joint] != mjJNT_HINGE)
+    throw xml.error(
+        *at.text,
+        fmt::format("joint '{}' is no hinge, so its axis cannot be turned; name a hinge", word));
+  if (!is_tag(*element->Parent()->ToElement(), "body"))
+    throw xml.error(
+        *element, "a joint whose axis is designed must stand directly in its body, not in a frame");
+  Eigen::Vector3d n = Eigen::Vector3d::Unit(declared.direction[0] - 'x');
+  if (mirrored) n = Eigen::Vector3d(-n.x(), n.y(), -n.z());
+  return {word, mirrored, at.text->GetLineNum(), n};
+}
+
+}  // namespace
+
+Declarations read_declarations(const XmlFile& xml, const mjModel& model,
+                               const std::vector<int>& foot_geoms) {
+  const Pairs pairs = collect_pairs(xml);
+  for (const auto& [name, both] : pairs.elements)
+    if (!both.numeric)
+      throw xml.error(*both.text,
+                      "has no <numeric> of the same name; add one with data=\"value lower upper\"");
+  if (pairs.order.size() > 500)
+    throw InputError(xml.file.string(), 0, "custom", "more than 500 design parameters");
+  Declarations out;
+  for (const std::string& name : pairs.order) {
+    const DeclarationElements& at = pairs.elements.at(name);
+    if (!at.text)
+      throw xml.error(*at.numeric, fmt::format("has no <text> of the same name; {}", kShape));
+    DesignParameter parameter;
+    parameter.name = name;
+    read_values(xml, *at.numeric, parameter);
+    const Declared declared = read_text(xml, *at.text, parameter);
+    Binding binding;
+    std::set<std::string> seen;
+    for (const std::string& word : declared.targets) {
+      Binding::Target target =
+          parameter.kind == ParameterKind::length
+              ? resolve_stretch(xml, model, at, declared, parameter, word, foot_geoms)
+              : resolve_axis(xml, model, at, declared, word);
+      if (!seen.insert(target.name).second)
+        throw xml.error(*at.text, fmt::format("names '{}' twice; name it once", target.name));
+      binding.targets.push_back(std::move(target));
+    }
+    const Binding::Target& front = binding.targets.front();
+    const Eigen::Vector3d& d = front.direction;
+    binding.direction = front.mirrored ? Eigen::Vector3d(-d.x(), d.y(), -d.z()) : d;
+    parameter.tied_count = static_cast<int>(binding.targets.size());
+    out.space.parameters.push_back(std::move(parameter));
+    out.bindings.push_back(std::move(binding));
+  }
+  collect_stretches(out.space, out.bindings, xml.file);  // for its check
+  return out;
+}
+
+DeclarationElements find_declaration(const XmlFile& xml, const std::string& name) {
+  const std::string full = std::string(kPrefix) + name;
+  return {find_named(xml.root(), "numeric", full), find_named(xml.root(), "text", full)};
+}
+
+}  // namespace legwright

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mjcf/checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "mjcf/compile.hpp"
+#include "mjcf/numbers.hpp"
+
+namespace legwright {
+namespace {
+
+template <std::size_t n>
+bool contains(const std::array<std::string_view, n>& sorted, std::string_view word) {
+  return std::find(sorted.begin(), sorted.end(), word) != sorted.end();
+}
+
+/// Attributes that hold numbers wherever they occur in MJCF. MuJoCo reads "nan" and "0x10" in them.
+constexpr std::array<std::string_view, 84> kNumbers = {"actrange",     "actuatorfrcrange",
+                                                       "ambient",      "armature",
+                                                       "attenuation",  "axis",
+                                                       "axisangle",    "biasprm",
+                                                       "boundinertia", "boundmass",
+                                                       "center",       "conaffinity",
+                                                       "condim",       "contype",
+                                                       "cranklength",  "ctrl",
+                                                       "ctrlrange",    "cutoff",
+                                                       "damping",      "dampratio",
+                                                       "density",      "diaginertia",
+                                                       "diffuse",      "dir",
+                                                       "dynprm",       "emission",
+                                                       "euler",        "exponent",
+                                                       "extent",       "forcerange",
+                                                       "fovy",         "friction",
+                                                       "frictionloss", "fromto",
+                                                       "fullinertia",  "gainprm",
+                                                       "gap",          "gear",
+                                                       "gravcomp",     "gravity",
+                                                       "group",        "height",
+                                                       "impratio",     "kp",
+                                                       "kv",           "lengthrange",
+                                                       "magnetic",     "margin",
+                                                       "mass",         "meaninertia",
+                                                       "meanmass",     "meansize",
+                                                       "mpos",         "mquat",
+                                                       "ncol",         "nrow",
+                                                       "offheight",    "offwidth",
+                                                       "pos",          "priority",
+                                                       "qpos",         "quat",
+                                                       "qvel",         "range",
+                                                       "ref",          "rgb1",
+                                                       "rgb2",         "rgba",
+                                                       "scale",        "settotalmass",
+                                                       "shininess",    "size",
+                                                       "solimp",       "solref",
+                                                       "specular",     "springref",
+                                                       "stiffness",    "texrepeat",
+                                                       "timeconst",    "timestep",
+                                                       "user",         "width",
+                                                       "xyaxes",       "zaxis"};
+
+constexpr std::array<std::string_view, 5> kGenerators = {"composite", "flexcomp", "replicate",
+                                                         "attach", "flex"};
+
+void check_no_other_file(const XmlFile& xml, const XmlElement& element) {
+  if (is_tag(element, "include"))
+    throw xml.error(
+        element,
+        fmt::format("a robot split over several files is not read; put the content of '{}' here",
+                    attribute(element, "file")));
+  for (const tinyxml2::XMLAttribute* a = element.FirstAttribute(); a; a = a->Next())
+    if (std::string_view(a->Name()).substr(0, 4) == "file" && !is_tag(element, "text") &&
+        !is_tag(element, "numeric"))
+      throw xml.error(
+          element, fmt::format("refers to the file '{}'; a robot must be one file: use plain geoms "
+                               "(box, capsule, cylinder, sphere, ellipsoid) and built-in textures",
+                               a->Value()));
+}
+
+/// Beyond these bounds digits get lost that the checks after a rewrite look at.
+void check_magnitude(const XmlFile& xml, const XmlElement& element, std::string_view name,
+                     const std::vector<double>& values) {
+  const double bound = name == "pos" || name == "fromto" ? 1e3 : 1e10;
+  for (const double value : values)
+    if (std::abs(value) > bound)
+      throw xml.error(element, fmt::format("attribute {}: {} is beyond any robot (at most {})",
+                                           name, value, bound));
+}
+
+void check_numbers(const XmlFile& xml, const XmlElement& element) {
+  for (const tinyxml2::XMLAttribute* a = element.FirstAttribute(); a; a = a->Next()) {
+    const bool is_number = contains(kNumbers, a->Name()) ||
+                           (is_tag(element, "numeric") && a->Name() == std::string_view("data"));
+    if (!is_number) continue;
+    if (is_tag(element, "config") || is_tag(element, "text")) continue;
+    if (const auto values = parse_numbers(a->Value());
+        !values || (values->empty() && a->Value()[0] != '\0'))
+      throw xml.error(element,
+                      fmt::format("attribute {}: {}", a->Name(), explain_bad_number(a->Value())));
+    else
+      check_magnitude(xml, element, a->Name(), *values);
+  }
+}
+
+void check_axis(const XmlFile& xml, const XmlElement& element) {
+  if (!is_tag(element, "joint") || !has_attribute(element, "axis")) return;
+  const auto axis = parse_numbers(attribute(element, "axis"));
+  if (axis->size() == 3 && std::hypot((*axis)[0], (*axis)[1], (*axis)[2]) < 1e-8)
+    throw xml.error(
+        element,
+        "attribute axis: a zero axis has no direction; write the direction the hinge turns "
+        "about, like 0 1 0");
+}
+
+/// Names that scene.xml needs for itself, and sizes that would eat the memory.
+void check_scene_needs(const XmlFile& xml, const XmlElement& element) {
+  const std::string_view name = attribute(element, "name");
+  if ((is_tag(element, "geom") && name == "floor") ||
+      (is_tag(element, "camera") && (name == "side" || name == "track")))
+    throw xml.error(element,
+                    "the scene adds an element of this name; remove it or name it otherwise");
+  for (const char* size : {"width", "height", "nrow", "ncol"}) {
+    if (!is_tag(element, "texture") && !is_tag(element, "hfield")) break;
+    const auto value = parse_numbers(attribute(element, size));
+    if (value && !value->empty() && value->front() > 16384)
+      throw xml.error(element,
+                      fmt::format("attribute {}: larger than 16384; make it smaller", size));
+  }
+}
+
+/// Told before MuJoCo stumbles over a keyframe that does not fit a robot without free joint.
+void check_has_free_joint(const XmlFile& xml) {
+  bool found = false;
+  const XmlElement* first_body = nullptr;
+  for_each_element(xml.root(), [&](const XmlElement& element) {
+    found = found || is_tag(element, "freejoint") ||
+            (is_tag(element, "joint") && attribute(element, "type") == "free");
+    if (!first_body && is_tag(element, "body")) first_body = &element;
+  });
+  if (found) return;
+  if (!first_body)
+    throw xml.error(xml.root(),
+                    "holds no body; a robot is a <body> with a <freejoint/> in <worldbody>");
+  throw xml.error(
+      *first_body,
+      "no free root: the trunk of a walking robot moves freely; add <freejoint/> to it");
+}
+
+/// MuJoCo fills up keyframes that are too short.
+void check_keyframes(const XmlFile& xml, const mjModel& model) {
+  for_each_element(xml.root(), [&](const XmlElement& element) {
+    if (!is_tag(element, "key")) return;
+    for (const auto& [name, count] : {std::pair{"qpos", model.nq}, {"qvel", model.nv}}) {
+      if (!has_attribute(element, name)) continue;
+      const std::size_t given = parse_numbers(attribute(element, name))->size();
+      if (given != static_cast<std::size_t>(count))
+        throw xml.error(
+            element, fmt::format("attribute {}: {} numbers, the robot has {}", name, given, count));
+    }
+  });
+}
+
+}  // namespace
+
+void check_text(const XmlFile& xml) {
+  if (!is_tag(xml.root(), "mujoco"))
+    throw xml.error(xml.root(), "the root element of a robot is <mujoco>; is this an MJCF file?");
+  for_each_element(xml.root(), [&](const XmlElement& element) {
+    check_no_other_file(xml, element);
+    if (contains(kGenerators, element.Name()))
+      throw xml.error(element, "generated parts are not read; write the bodies out");
+    if (is_tag(element, "compiler") && attribute(element, "fusestatic") == "true")
+      throw xml.error(element,
+                      "attribute fusestatic: hides bodies that parameters name; remove it");
+    if (is_tag(element, "plugin") || is_tag(element, "extension"))
+      throw xml.error(element,
+                      "a robot with engine plugins is not read; use the elements of plain MJCF");
+    check_numbers(xml, element);
+    check_axis(xml, element);
+    check_scene_needs(xml, element);
+  });
+  check_has_free_joint(xml);
+}
+
+InputError error_at(const XmlFile& xml, const mjModel& model, mjtObj type, int id,
+                    const std::string& message) {
+  const char* const tag = type == mjOBJ_BODY ? "body" : type == mjOBJ_JOINT ? "joint" : "geom";
+  const std::string name = name_of(model, type, id);
+  if (!name.empty()) {
+    if (const XmlElement* element = find_named(xml.root(), tag, name))
+      return xml.error(*element, message);
+    if (type == mjOBJ_JOINT)
+      if (const XmlElement* element = find_named(xml.root(), "freejoint", name))
+        return xml.error(*element, message);
+  } else if (type != mjOBJ_BODY) {
+    const int body = type == mjOBJ_JOINT ? model.jnt_bodyid[id] : model.geom_bodyid[id];
+    return error_at(xml, model, mjOBJ_BODY, body, fmt::format("its unnamed {}: {}", tag, message));
+  }
+  return InputError(xml.file.string(), 0,
+                    name.empty() ? fmt::format("unnamed {}", tag) : tag + (" '" + name + "'"),
+                    message);
+}
+
+namespace {
+
+int find_trunk(const XmlFile& xml, const mjModel& model) {
+  std::vector<int> free_joints;
+  for (int j = 0; j < model.njnt; ++j)
+    if (model.jnt_type[j] == mjJNT_FREE) free_joints.push_back(j);
+  if (free_joints.empty())
+    throw InputError(xml.file.string(), 0, "worldbody",
+                     "no body has a free joint; add <freejoint/> to the trunk");
+  if (free_joints.size() > 1)
+    throw error_at(
+        xml, model, mjOBJ_BODY, model.jnt_bodyid[free_joints[1]],
+        fmt::format(
+            "a second free root besides body '{}'; a file holds one robot, remove the other",
+            name_of(model, mjOBJ_BODY, model.jnt_bodyid[free_joints[0]])));
+  const int trunk = model.jnt_bodyid[free_joints[0]];
+  if (name_of(model, mjOBJ_BODY, trunk).empty())
+    throw InputError(xml.file.string(), 0, "body with the free joint",
+                     "has no name; give it one, like name=\"trunk\"");
+  return trunk;
+}
+
+void check_joint(const XmlFile& xml, const mjModel& model, int trunk, int j) {
+  const auto fail = [&](const std::string& message) {
+    return error_at(xml, model, mjOBJ_JOINT, j, message);
+  };
+  if (model.jnt_type[j] == mjJNT_FREE) return;
+  if (model.body_rootid[model.jnt_bodyid[j]] != trunk)
+    throw fail("moves a body that does not hang on the trunk; hang it there or remove it");
+  if (model.jnt_bodyid[j] == trunk)
+    throw fail("the trunk has a free joint and no other; remove this one");
+  if (model.jnt_type[j] == mjJNT_SLIDE)
+    throw fail("slide joints are not supported in limbs; use a hinge");
+  if (model.jnt_type[j] == mjJNT_BALL)
+    throw fail("ball joints are not supported in limbs; use three hinges in one body");
+  const std::string name = name_of(model, mjOBJ_JOINT, j);
+  if (name.empty()) throw fail("has no name; trajectories name joints, give it one");
+  if (name.find_first_of(" \t\r\n;,|~") != std::string::npos)
+    throw fail(
+        "the name holds a blank or one of ; , | ~, which trajectories cannot name; rename it");
+  if (model.qpos0[model.jnt_qposadr[j]] != 0.0)
+    throw fail(
+        "attribute ref: a joint angle must be zero where the file draws the robot; remove ref");
+}
+
+void refuse_couplings(const XmlFile& xml, const mjModel& model) {
+  const auto refuse = [&](int count, const char* section, const char* what) {
+    if (count == 0) return;
+    const XmlElement* element = xml.root().FirstChildElement(section);
+    const XmlElement& place =
+        element && element->FirstChildElement() ? *element->FirstChildElement() : xml.root();
+    throw xml.error(place,
+                    fmt::format("{}; the planner knows trees of hinges only: remove it", what));
+  };
+  refuse(model.neq, "equality", "equality constraints close loops or couple joints");
+  refuse(model.ntendon, "tendon", "tendons couple joints");
+  refuse(model.nmocap, "worldbody", "mocap bodies are moved from outside");
+  refuse(model.nskin, "asset", "skins are not carried");
+}
+
+}  // namespace
+
+int check_tree(const XmlFile& xml, const mjModel& model) {
+  if (model.nbody > 256)
+    throw InputError(xml.file.string(), 0, "", "more than 256 bodies; this is no robot");
+  const int trunk = find_trunk(xml, model);
+  for (int j = 0; j < model.njnt; ++j) check_joint(xml, model, trunk, j);
+  refuse_couplings(xml, model);
+  for (int g = 0; g < model.ngeom; ++g)
+    if (model.body_rootid[model.geom_bodyid[g]] != trunk &&
+        (model.geom_contype[g] || model.geom_conaffinity[g]))
+      throw error_at(xml, model, mjOBJ_GEOM, g,
+                     "collides but does not belong to the robot; the scene adds its own floor, "
+                     "remove this one");
+  check_keyframes(xml, model);
+  return trunk;
+}
+
+}  // namespace legwright

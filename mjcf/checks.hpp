@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include "mjcf/xml.hpp"
+
+namespace legwright {
+
+/// What can be told from the text before MuJoCo sees it: other files, unsupported elements, numbers
+/// that MuJoCo would misread or accept though no design can hold them, zero axes. Throws
+/// InputError.
+void check_text(const XmlFile& xml);
+
+/// Finds the trunk, the one body with a free joint, and checks that everything that moves hangs on
+/// it by hinges and that nothing else couples its parts. Returns its body id. Throws InputError.
+int check_tree(const XmlFile& xml, const mjModel& model);
+
+/// Error at a body, joint or geom of the compiled model; falls back on the file where it has no
+/// name.
+InputError error_at(const XmlFile& xml, const mjModel& model, mjtObj type, int id,
+                    const std::string& message);
+
+}  // namespace legwright

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "optimizer/design/design.hpp"
+#include "optimizer/design/morphology.hpp"
+
+namespace legwright {
+
+/// What one design parameter changes in the file, by MJCF names.
+struct Binding {
+  struct Target {
+    std::string name;  // body (stretch) or joint (axis)
+    bool mirrored =
+        false;     // the turn's direction n became (−n_x, n_y, −n_z): axes are pseudo-vectors
+    int line = 0;  // of the <text> that declares it
+    Eigen::Vector3d direction =
+        Eigen::Vector3d::Zero();  // as it holds for this target, its body's frame, unit
+  };
+  std::vector<Target> targets;
+  Eigen::Vector3d direction = Eigen::Vector3d::Zero();  // of the first target, not mirrored
+};
+
+/// A servo as the file has it; gains are defaults from the torque limit where the file has no
+/// position servo. All at the joint: a gear of the file is multiplied in.
+struct Servo {
+  std::string actuator, joint;
+  double kp = 0.0, kd = 0.0;  // [N m/rad], [N m s/rad]
+  double torque_limit = 0.0;  // [N m]; infinite for a position servo without limit
+};
+
+/// A robot as Legwright sees it: the compiled tree, its design parameters, and how to find them in
+/// the file.
+struct RobotModel {
+  std::filesystem::path file;
+  std::string xml;  // the file's text, byte for byte
+  Morphology morphology;
+  DesignSpace space;
+  std::vector<Binding> bindings;  // one for each entry of `space`
+  std::vector<Servo> servos;      // in the order of the morphology's joints
+  std::string root_body;          // MJCF name of the trunk
+};
+
+/// Reads a plain MJCF: understood by compiling it with MuJoCo, parameters from its <custom>
+/// section. Throws InputError for anything wrong with the file or a file that is not there,
+/// std::system_error where it cannot be read.
+RobotModel read_robot(const std::filesystem::path& file);
+/// The same from text that has not been written yet; `file` is for messages.
+RobotModel parse_robot(const std::string& xml, const std::filesystem::path& file);
+
+}  // namespace legwright

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include "mjcf/read_robot.hpp"
+#include "mjcf/xml.hpp"
+
+namespace legwright {
+
+/// The servo of each joint of the morphology, in its order: gains and torque limit at the joint.
+/// Throws InputError for a joint without actuator, with several, or with one that has no torque
+/// limit to take gains from, and for an actuator that drives anything else than one of these
+/// joints.
+std::vector<Servo> read_servos(const XmlFile& xml, const mjModel& model,
+                               const Morphology& morphology);
+
+}  // namespace legwright

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mjcf/stretch.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
+
+#include "mjcf/compile.hpp"
+#include "mjcf/numbers.hpp"
+
+namespace legwright {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+Vector3d vector_at(const mjtNum* array, int index) { return Vector3d::Map(array + 3 * index); }
+
+/// Direct child bodies that carry a joint somewhere: for a trunk the roots of its limbs.
+std::vector<int> limb_children(const mjModel& model, int body) {
+  std::vector<int> children;
+  for (int b = body + 1; b < model.nbody; ++b) {
+    if (model.body_jntnum[b] == 0) continue;
+    for (int up = b; up > body; up = model.body_parentid[up])
+      if (model.body_parentid[up] == body &&
+          std::find(children.begin(), children.end(), up) == children.end())
+        children.push_back(up);
+  }
+  return children;
+}
+
+/// The point a link's length reaches to, in the body's frame.
+Vector3d distal_point(const XmlFile& xml, const mjModel& model, const XmlElement& place, int body,
+                      const std::vector<int>& foot_geoms) {
+  const std::string name = name_of(model, mjOBJ_BODY, body);
+  const std::vector<int> children = limb_children(model, body);
+  if (children.size() > 1)
+    throw xml.error(
+        place,
+        fmt::format("body '{}' branches, so its length is not clear; stretch the bodies below it",
+                    name));
+  if (children.size() == 1) {
+    const int child = children.front();
+    if (model.body_jntnum[child] == 0)
+      throw xml.error(
+          place,
+          fmt::format("between body '{}' and the joint below it is the fixed body '{}'; put that "
+                      "joint's body directly into '{}'",
+                      name, name_of(model, mjOBJ_BODY, child), name));
+    if (!vector_at(model.jnt_pos, model.body_jntadr[child]).isZero(1e-12))
+      throw xml.error(
+          place,
+          fmt::format("the joint below body '{}' is not at the origin of its body; move the origin "
+                      "of body '{}' there, so that the joint needs no pos",
+                      name, name_of(model, mjOBJ_BODY, child)));
+    return vector_at(model.body_pos, child);
+  }
+  for (const int foot : foot_geoms)
+    if (model.geom_bodyid[foot] == body) return vector_at(model.geom_pos, foot);
+  throw xml.error(
+      place,
+      fmt::format("body '{}' has neither a joint below it nor a foot, so its length is not clear; "
+                  "name the body that has",
+                  name));
+}
+
+}  // namespace
+
+StretchMeasure measure_stretch(const XmlFile& xml, const mjModel& model, const XmlElement& place,
+                               int body, const std::string& word,
+                               const std::vector<int>& foot_geoms) {
+  const Vector3d axis = word == "x"   ? Vector3d::UnitX()
+                        : word == "y" ? Vector3d::UnitY()
+                        : word == "z" ? Vector3d::UnitZ()
+                                      : Vector3d::Zero().eval();
+  const int joints = model.body_jntnum[body];
+  const bool is_trunk = joints == 1 && model.jnt_type[model.body_jntadr[body]] == mjJNT_FREE;
+  if (word != "link" && (is_trunk || joints == 0)) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const int child : limb_children(model, body)) {
+      low = std::min(low, axis.dot(vector_at(model.body_pos, child)));
+      high = std::max(high, axis.dot(vector_at(model.body_pos, child)));
+    }
+    if (!(high - low > 1e-9))
+      throw xml.error(
+          place,
+          fmt::format("the limbs of body '{}' are not spread along {}, so it has no length there",
+                      name_of(model, mjOBJ_BODY, body), word));
+    return {axis, high - low};
+  }
+  if (is_trunk || joints == 0)
+    throw xml.error(place,
+                    fmt::format("body '{}' has no hinge of its own; stretch it along x, y or z",
+                                name_of(model, mjOBJ_BODY, body)));
+  const Vector3d reach = distal_point(xml, model, place, body, foot_geoms) -
+                         vector_at(model.jnt_pos, model.body_jntadr[body] + joints - 1);
+  const double length = word == "link" ? reach.norm() : std::abs(axis.dot(reach));
+  if (!(length > 1e-9))
+    throw xml.error(place, fmt::format("body '{}' has no length along {}",
+                                       name_of(model, mjOBJ_BODY, body), word));
+  return {word == "link" ? (reach / length).eval() : axis, length};
+}
+
+BodyInertia inertia_of(const XmlElement& inertial, const mjModel& model, int body) {
+  BodyInertia out{vector_at(model.body_ipos, body), Matrix3d::Zero(), false};
+  const auto diagonal = parse_numbers(attribute(inertial, "diaginertia"));
+  const auto full = parse_numbers(attribute(inertial, "fullinertia"));
+  bool turned = false;
+  for (const char* name : {"quat", "euler", "axisangle", "xyaxes", "zaxis"})
+    turned = turned || has_attribute(inertial, name);
+  if (diagonal && diagonal->size() == 3 && !turned) {
+    out.inertia.diagonal() = Vector3d::Map(diagonal->data());
+    out.diagonal = true;
+  } else if (full && full->size() == 6) {
+    const std::vector<double>& f = *full;
+    out.inertia << f[0], f[3], f[4], f[3], f[1], f[5], f[4], f[5], f[2];
+  } else {
+    const mjtNum* q = model.body_iquat + 4 * body;
+    const Matrix3d axes = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
+    out.inertia = axes * vector_at(model.body_inertia, body).asDiagonal() * axes.transpose();
+  }
+  return out;
+}
+
+void check_stretchable(const XmlFile& xml, const mjModel& model, const XmlElement& body) {
+  const int id = mj_name2id(&model, mjOBJ_BODY, body.Attribute("name"));
+  for (const XmlElement* part = body.FirstChildElement(); part; part = part->NextSiblingElement()) {
+    if (is_tag(*part, "frame"))
+      throw xml.error(*part,
+                      "a frame inside a stretched body is not supported; write its content with "
+                      "poses in the body");
+    const char* type = is_tag(*part, "geom") ? inherited_attribute(xml, *part, "type") : nullptr;
+    const std::string_view shape = type ? type : "sphere";
+    if (shape == "mesh" || shape == "sdf" || shape == "hfield" ||
+        (is_tag(*part, "geom") && has_attribute(*part, "mesh")))
+      throw xml.error(*part, "a mesh in a stretched body is not supported; use plain geoms");
+  }
+  const XmlElement* inertial = body.FirstChildElement("inertial");
+  if (!inertial)
+    throw xml.error(
+        body,
+        "is stretched by a parameter but has no <inertial>; give its pos, mass and diaginertia "
+        "(they cannot follow from geoms that change)");
+  const auto mass = parse_numbers(attribute(*inertial, "mass"));
+  const BodyInertia written = inertia_of(*inertial, model, id);
+  const mjtNum* q = model.body_iquat + 4 * id;
+  const Matrix3d axes = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
+  const Matrix3d used = axes * vector_at(model.body_inertia, id).asDiagonal() * axes.transpose();
+  const auto pos = parse_numbers(attribute(*inertial, "pos"));
+  const bool same = mass && mass->size() == 1 &&
+                    std::abs(mass->front() - model.body_mass[id]) <= 1e-9 * model.body_mass[id] &&
+                    (used - written.inertia).norm() <= 1e-9 * (1e-6 + used.norm()) && pos &&
+                    pos->size() == 3 &&
+                    (Vector3d::Map(pos->data()) - vector_at(model.body_ipos, id)).norm() <= 1e-9;
+  if (!same)
+    throw xml.error(*inertial,
+                    "MuJoCo does not use these numbers as written (inertiafromgeom, settotalmass, "
+                    "boundmass or balanceinertia of <compiler> changes them); remove that setting");
+}
+
+StretchMap collect_stretches(const DesignSpace& space, const std::vector<Binding>& bindings,
+                             const std::filesystem::path& file) {
+  StretchMap stretches;
+  for (int k = 0; k < space.size(); ++k) {
+    if (space.parameters[k].kind != ParameterKind::length) continue;
+    for (const Binding::Target& target : bindings[k].targets) {
+      std::vector<Stretch>& own = stretches[target.name];
+      for (const Stretch& other : own)
+        if (std::abs(other.direction.dot(target.direction)) > 1e-9)
+          throw InputError(
+              file.string(), target.line,
+              fmt::format("text 'legwright/{}'", space.parameters[k].name),
+              fmt::format(
+                  "body '{}' is already stretched along nearly this direction by 'legwright/{}'; "
+                  "use perpendicular directions",
+                  target.name, space.parameters[other.parameter].name));
+      own.push_back({k, target.direction, space.parameters[k].initial});
+    }
+  }
+  return stretches;
+}
+
+}  // namespace legwright

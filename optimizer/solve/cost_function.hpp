@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "optimizer/objective/objective.hpp"
+
+namespace legwright {
+
+/// F(s, m) as the solvers see it: small, so that a test can put a function of three variables, or
+/// one that turns to NaN at the k-th call, in the place of a robot.
+class CostFunction {
+ public:
+  virtual ~CostFunction() = default;
+  /// F and derivatives up to `order` into `out`; hessian_mm as lower triangle with a fixed pattern.
+  virtual void evaluate(const Eigen::VectorXd& s, const Eigen::VectorXd& m, Order order,
+                        Evaluation& out) = 0;
+  /// Physical unit of each entry of m, all positive: Newton damps and measures in these.
+  virtual const Eigen::VectorXd& motion_units() const = 0;
+  /// Names of Evaluation::term_values; empty where F has no parts.
+  virtual std::vector<std::string_view> term_names() const { return {}; }
+};
+
+/// An Objective with a workspace of its own. Keeps a reference: the objective must live longer.
+class ObjectiveCost final : public CostFunction {
+ public:
+  explicit ObjectiveCost(const Objective& objective);
+  ~ObjectiveCost() override;
+  void evaluate(const Eigen::VectorXd& s, const Eigen::VectorXd& m, Order order,
+                Evaluation& out) override;
+  const Eigen::VectorXd& motion_units() const override;
+  std::vector<std::string_view> term_names() const override;
+
+ private:
+  const Objective& objective_;
+  std::unique_ptr<Objective::Workspace> workspace_;
+};
+
+}  // namespace legwright

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+// examples/broken/robots: one robot for each class of fault, refused with file, line, element,
+// fault and cure.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "mjcf/input_error.hpp"
+#include "mjcf/read_robot.hpp"
+#include "tests/mjcf/robots.hpp"
+
+namespace legwright {
+namespace {
+
+struct Refusal {
+  int line;                        // 0: the fault has no line
+  std::vector<std::string> parts;  // element, fault, cure
+};
+
+const std::map<std::string, Refusal>& refusals() {
+  static const std::map<std::string, Refusal> table = {
+      {"attribute_without_quotes", {8, {"XML", "an attribute is malformed", "both quotes"}}},
+      {"ball_joint", {14, {"joint 'knee'", "ball joints are not supported", "use three hinges"}}},
+      {"bounds_crossed",
+       {29, {"'legwright/thigh_length'", "lower 0.16 > upper 0.06", "exchange them"}}},
+      {"decimal_comma", {16, {"geom 'foot'", "attribute pos: '-0,08'", "write a decimal point"}}},
+      {"doctype", {3, {"<!DOCTYPE>", "remove it"}}},
+      {"element_not_closed", {6, {"XML", "an element is not closed", "is the file complete?"}}},
+      {"empty", {0, {"no root element", "expected <mujoco>"}}},
+      {"equality_loop", {26, {"connect 'loop'", "equality constraints", "remove it"}}},
+      {"foot_name_with_blank", {16, {"geom 'left foot'", "holds a blank", "rename it"}}},
+      {"foot_without_name", {13, {"body 'shank'", "the foot has no name", "give the ball one"}}},
+      {"hexadecimal", {16, {"geom 'foot'", "attribute size: '0x1p-6'", "write it like"}}},
+      {"home_outside_range",
+       {14, {"joint 'knee'", "-2.8 rad, outside of its range -2 to 2", "change the range"}}},
+      {"home_too_short", {26, {"key 'home'", "attribute qpos: 8 numbers, the robot has 9"}}},
+      {"include", {5, {"include", "several files", "put the content of 'legs.xml' here"}}},
+      {"inertial_not_used",
+       {11, {"inertial in body 'thigh'", "does not use these numbers", "remove that setting"}}},
+      {"infinite", {8, {"inertial in body 'trunk'", "attribute mass: 'inf'", "write it like"}}},
+      {"joint_reference", {14, {"joint 'knee'", "attribute ref", "remove ref"}}},
+      {"joint_without_actuator",
+       {14, {"joint 'knee'", "has no actuator", "add <position joint=\"knee\""}}},
+      {"joint_without_name", {13, {"body 'shank'", "has no name", "give it one"}}},
+      {"leg_without_foot",
+       {13, {"body 'shank'", "a leg without a foot", "add <geom type=\"sphere\">"}}},
+      {"length_bound_not_positive",
+       {29, {"'legwright/thigh_length'", "must stay positive", "-0.06"}}},
+      {"mesh_file", {6, {"mesh 'skin'", "refers to the file '../../skin.stl'", "use plain geoms"}}},
+      {"mirrored_stretch", {30, {"'legwright/thigh_length'", "'~thigh'", "remove it"}}},
+      {"motor_without_limit", {23, {"motor 'knee_motor'", "no torque limit", "add forcerange"}}},
+      {"nan", {9, {"body 'thigh'", "attribute pos: 'nan'", "write it like"}}},
+      {"no_free_root", {6, {"body 'trunk'", "no free root", "add <freejoint/>"}}},
+      {"no_limb", {6, {"body 'trunk'", "no limb", "add legs"}}},
+      {"no_sentence",
+       {30, {"'legwright/thigh_length'", "nothing for people", "UNIT | BINDING | SENTENCE"}}},
+      {"no_target", {32, {"'legwright/hip_yaw'", "names no body or joint", "behind the colon"}}},
+      {"not_mjcf", {3, {"robot", "the root element of a robot is <mujoco>"}}},
+      {"numeric_without_text",
+       {31, {"numeric 'legwright/hip_yaw'", "no <text>", "UNIT | BINDING | SENTENCE"}}},
+      {"overflow", {8, {"inertial in body 'trunk'", "'1e999'", "finite"}}},
+      {"own_floor", {6, {"geom 'ground'", "does not belong to the robot", "remove this one"}}},
+      {"parameter_decimal_comma",
+       {29, {"'legwright/thigh_length'", "'0,1'", "write a decimal point"}}},
+      {"parameter_name_with_blank", {31, {"'legwright/hip yaw'", "letters, digits", "rename it"}}},
+      {"parameter_nan", {29, {"'legwright/thigh_length'", "'nan'", "write it like"}}},
+      {"parameter_twice", {32, {"legwright/hip_yaw", "repeated name"}}},
+      {"parameter_two_numbers", {29, {"'legwright/thigh_length'", "2 numbers; expected three"}}},
+      {"slide_joint", {14, {"joint 'knee'", "slide joints are not supported", "use a hinge"}}},
+      {"start_outside_bounds",
+       {29, {"'legwright/thigh_length'", "0.1 lies outside of its bounds 0.12 to 0.16", "widen"}}},
+      {"stretched_twice",
+       {34, {"'legwright/thigh_z'", "already stretched", "use perpendicular directions"}}},
+      {"stretched_without_inertial",
+       {9, {"body 'thigh'", "has no <inertial>", "give its pos, mass"}}},
+      {"target_named_twice", {32, {"'legwright/hip_yaw'", "names 'hip' twice", "name it once"}}},
+      {"tendon", {26, {"fixed 'cable'", "tendons couple joints", "remove it"}}},
+      {"text_without_numeric", {31, {"text 'legwright/hip_yaw'", "no <numeric>", "add one"}}},
+      {"text_without_parts", {30, {"'legwright/thigh_length'", "UNIT | BINDING | SENTENCE"}}},
+      {"trailing_text", {16, {"geom 'foot'", "attribute size: '0.012m'", "write it like"}}},
+      {"truncated", {14, {"XML", "is the file complete?"}}},
+      {"two_actuators",
+       {23, {"position 'knee_servo'", "second actuator of joint 'hip'", "leave one"}}},
+      {"two_free_roots",
+       {20, {"body 'ball'", "second free root besides body 'trunk'", "remove the other"}}},
+      {"unit_does_not_fit",
+       {30, {"'legwright/thigh_length'", "'rad' does not fit 'stretch'", "a stretch is in m"}}},
+      {"unknown_binding",
+       {30, {"'legwright/thigh_length'", "'bend' is unknown", "'stretch' and 'axis'"}}},
+      {"unknown_body",
+       {30,
+        {"'legwright/thigh_length'", "body 'tigh', which is not in the model",
+         "correct the name"}}},
+      {"unknown_direction",
+       {30, {"'legwright/thigh_length'", "direction 'along' is unknown", "write link, x, y or z"}}},
+      {"unknown_element", {8, {"MuJoCo", "unrecognized element", "wheel", "mend the file"}}},
+      {"unknown_joint",
+       {32,
+        {"'legwright/hip_yaw'", "joint 'hips', which is not in the model", "correct the name"}}},
+      {"unknown_unit",
+       {30, {"'legwright/thigh_length'", "unknown unit 'cm'", "write m for a length"}}},
+      {"value_differs_from_model",
+       {29, {"'legwright/thigh_length'", "declares 0.11 m", "measures 0.1 m", "write that"}}},
+      {"zero_axis", {14, {"joint 'knee'", "zero axis", "write the direction"}}},
+  };
+  return table;
+}
+
+TEST(BrokenRobots, EachIsRefusedWithPlaceFaultAndCure) {
+  const std::filesystem::path folder = test::source_path("examples/broken/robots");
+  for (const auto& [name, refusal] : refusals()) {
+    const std::filesystem::path file = folder / (name + ".xml");
+    try {
+      read_robot(file);
+      ADD_FAILURE() << name << " was accepted";
+    } catch (const InputError& error) {
+      const std::string message = error.what();
+      const std::string place =
+          file.string() + (refusal.line ? ":" + std::to_string(refusal.line) : "") + ": ";
+      EXPECT_EQ(message.substr(0, place.size()), place) << message;
+      for (const std::string& part : refusal.parts)
+        EXPECT_NE(message.find(part), std::string::npos)
+            << name << ": '" << part << "' not in: " << message;
+    }
+  }
+}
+
+TEST(BrokenRobots, TableAndFolderHoldTheSameNames) {
+  std::set<std::string> listed, found;
+  for (const auto& [name, refusal] : refusals()) listed.insert(name);
+  for (const auto& entry :
+       std::filesystem::directory_iterator(test::source_path("examples/broken/robots")))
+    found.insert(entry.path().stem().string());
+  EXPECT_EQ(listed, found);
+}
+
+/// Control: the robot they were all made from is accepted, so each is refused for its own fault.
+TEST(BrokenRobots, MendedRobotIsAccepted) {
+  const std::string broken =
+      test::read_file(test::source_path("examples/broken/robots/zero_axis.xml"));
+  const RobotModel robot =
+      parse_robot(test::with(broken, "axis=\"0 0 0\"", "axis=\"0 1 0\""), "mended.xml");
+  EXPECT_EQ(robot.space.size(), 2);
+  EXPECT_EQ(robot.morphology.joint_count(), 2);
+}
+
+}  // namespace
+}  // namespace legwright

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/mjcf/robots.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+namespace legwright::test {
+
+std::filesystem::path source_path(const std::string& relative) {
+  return std::filesystem::path(LEGWRIGHT_SOURCE_DIR) / relative;
+}
+
+std::string read_file(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  EXPECT_TRUE(stream) << file;
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::filesystem::path puppy_file() { return source_path("examples/puppy/robot.xml"); }
+
+std::string with(std::string text, const std::string& old_part, const std::string& new_part) {
+  const std::size_t at = text.find(old_part);
+  EXPECT_NE(at, std::string::npos) << old_part;
+  return at == std::string::npos ? text : text.replace(at, old_part.size(), new_part);
+}
+
+Eigen::VectorXd random_design(const DesignSpace& space, std::mt19937& random) {
+  Eigen::VectorXd s(space.size());
+  for (int k = 0; k < space.size(); ++k)
+    s[k] = std::uniform_real_distribution<double>(space.parameters[k].lower,
+                                                  space.parameters[k].upper)(random);
+  return s;
+}
+
+std::string crooked_robot() {
+  return R"(<mujoco model="crooked">
+  <compiler angle="degree" autolimits="true" eulerseq="XYZ"/>
+  <default>
+    <geom contype="0" conaffinity="0"/>
+    <default class="lamp"><site pos="0.01 0.02 -0.03" size="0.004"/></default>
+  </default>
+  <worldbody>
+    <body name="trunk" pos="0 0 0.5" euler="0 0 30">
+      <freejoint/>
+      <inertial pos="0.01 0.02 -0.01" mass="2" euler="10 20 30" diaginertia="0.02 0.03 0.04"/>
+      <geom type="box" size="0.1 0.08 0.02" euler="0 0 90"/>
+      <body name="bracket" pos="0.1 0.05 0.01" euler="0 15 0">
+        <inertial pos="0 0.01 0" mass="0.1" diaginertia="1e-5 1e-5 1e-5"/>
+        <geom size="0.01"/>
+        <body name="upper" pos="0.02 0 0" quat="0.9 0.1 0.2 0.3">
+          <joint name="swing" axis="1 0 0.2" pos="0 0.01 0"/>
+          <joint name="lift" axis="0 2 0" pos="0.005 0 0.01" range="-120 120"/>
+          <inertial pos="0.02 0.01 -0.1" mass="0.3"
+                    fullinertia="0.002 0.0021 0.0003 0.0001 -0.0002 0.00005"/>
+          <geom type="capsule" fromto="0.005 0 0.01 0.045 0.03 -0.19" size="0.01"/>
+          <site name="lamp" class="lamp"/>
+          <camera name="eye" pos="0.03 0 -0.05"/>
+          <body name="lower" pos="0.045 0.03 -0.19" euler="0 0 20">
+            <joint name="knee" axis="0 1 0"/>
+            <inertial pos="0 0 -0.08" mass="0.2" diaginertia="0.001 0.001 0.0001"/>
+            <geom type="box" pos="0 0 -0.1" size="0.01 0.01 0.1"/>
+            <geom name="toe" type="sphere" size="0.02" pos="0.01 0 -0.2"
+                  contype="1" conaffinity="1"/>
+          </body>
+        </body>
+      </body>
+      <body name="other" pos="-0.1 -0.07 0">
+        <joint name="swing2" axis="1 0 0"/>
+        <inertial pos="0 0 -0.1" mass="0.2" diaginertia="0.001 0.001 0.0001"/>
+        <geom name="ball" type="sphere" size="0.02" pos="0 0 -0.3" contype="1" conaffinity="1"/>
+      </body>
+    </body>
+  </worldbody>
+  <actuator>
+    <motor joint="swing" gear="2" ctrlrange="-1.5 1.5"/>
+    <position joint="lift" kp="30" kv="0.5" forcerange="-4 5"/>
+    <position joint="knee" kp="20" gear="-3"/>
+    <general joint="swing2" forcerange="-6 6"/>
+  </actuator>
+  <custom>
+    <numeric name="legwright/upper_length" data="0.2061552812808830 0.1 0.3"/>
+    <text name="legwright/upper_length" data="m | stretch link: upper | Length of the upper link."/>
+    <numeric name="legwright/lower_length" data="0.2 0.1 0.3"/>
+    <text name="legwright/lower_length" data="m | stretch z: lower | Height of the lower link."/>
+    <numeric name="legwright/body_length" data="0.2 0.1 0.3"/>
+    <text name="legwright/body_length" data="m | stretch x: trunk | Length of the body."/>
+    <numeric name="legwright/body_width" data="0.12 0.1 0.3"/>
+    <text name="legwright/body_width" data="m | stretch y: trunk | Width of the body."/>
+    <numeric name="legwright/lift_yaw" data="0.3 -1 1"/>
+    <text name="legwright/lift_yaw" data="rad | axis z: lift ~swing2 | Yaw of two axes."/>
+    <numeric name="legwright/lift_roll" data="-0.2 -1 1"/>
+    <text name="legwright/lift_roll" data="rad | axis x: lift knee | Roll of two axes."/>
+    <numeric name="other/number" data="1 2"/>
+  </custom>
+</mujoco>
+)";
+}
+
+}  // namespace legwright::test

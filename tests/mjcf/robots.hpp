@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <random>
+#include <string>
+
+#include "optimizer/design/design.hpp"
+
+namespace legwright::test {
+
+std::filesystem::path source_path(const std::string& relative);
+std::string read_file(const std::filesystem::path& file);
+/// The puppy of the examples.
+std::filesystem::path puppy_file();
+/// A small robot with everything that makes a tree general: turned bodies, a fixed body in between,
+/// two hinges in one body, hinges away from the origin of their body, an oblique link, axes that
+/// start turned, parts that inherit their place from a class, an inertia in turned axes.
+std::string crooked_robot();
+/// Replaces the first occurrence; fails the test if there is none.
+std::string with(std::string text, const std::string& old_part, const std::string& new_part);
+/// Uniform within the bounds.
+Eigen::VectorXd random_design(const DesignSpace& space, std::mt19937& random);
+
+}  // namespace legwright::test

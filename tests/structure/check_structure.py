@@ -1,0 +1,170 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Checks how the sources hang together. Usage: check_structure.py [PROJECT_ROOT]
+
+- #include lines form no edge besides those in LAYERS and LIBRARIES; quoted includes name files from the root
+- each source has an SPDX line, at most 400 lines, and (if .cpp) is named by a CMakeLists.txt
+- optimizer/terms/ and the table in its registry.cpp name the same terms
+- numbers are never read by functions that depend on the locale or stop at the first odd character
+- libraries do not print
+Prints one line per finding (file:line: what, and what would be right) and exits 1 if there is any.
+"""
+import os
+import pathlib
+import re
+import sys
+
+LINE_LIMIT = 400
+FOLDERS = ('optimizer', 'mjcf', 'plugin', 'tools', 'tests', 'examples', 'benchmarks', 'cmake', '.ci')
+
+# A layer is the set of files whose path starts with one of these, first match wins.
+PREFIXES = (
+    ('optimizer/design/', 'design'), ('optimizer/motion/', 'motion'), ('optimizer/terms/', 'terms'),
+    ('optimizer/objective/', 'objective'), ('optimizer/solve/', 'solve'), ('mjcf/', 'mjcf'),
+    ('plugin/trajectory.', 'trajectory'), ('plugin/spline.', 'trajectory'), ('plugin/numbers.', 'trajectory'),
+    ('plugin/', 'plugin'), ('tools/', 'tools'), ('tests/', 'tests'), ('benchmarks/', 'tests'))
+OPTIMIZER = {'design', 'motion', 'terms', 'objective', 'solve'}
+LAYERS = {  # layer: layers it may include, besides itself
+    'design': set(), 'motion': {'design'}, 'terms': {'design', 'motion'}, 'objective': {'design', 'motion', 'terms'},
+    'solve': {'design', 'motion', 'terms', 'objective'}, 'mjcf': {'design', 'motion'},
+    'trajectory': set(), 'plugin': {'trajectory'}, 'tools': OPTIMIZER | {'mjcf', 'trajectory'},
+    'tests': OPTIMIZER | {'mjcf', 'trajectory', 'plugin', 'tools'}}
+LIBRARIES = (  # include path: paths that may use it; tests and benchmarks may use all
+    (r'mujoco/', ('mjcf/', 'plugin/', 'tools/simulate/', 'tools/render/', 'tools/studio/')),
+    (r'tinyxml2\.h', ('mjcf/', 'tools/simulate/')),
+    (r'cholmod\.h|suitesparse/', ('optimizer/solve/',)),
+    (r'Eigen/|unsupported/Eigen/', ('optimizer/', 'mjcf/', 'tools/')),
+    (r'fmt/', ('mjcf/', 'plugin/', 'tools/')),
+    (r'toml\+\+/|nlohmann/|CLI/', ('tools/',)),
+    (r'GL/|EGL/|lodepng\.h', ('tools/render/',)),
+    (r'gtest/|gmock/|benchmark/', ()))
+NOT_TERMS = {'registry', 'term', 'penalty', 'linear_term', 'factories'}  # files of terms/ that are no summand
+
+LAX_NUMBERS = re.compile(r'\b(?:strto(?:d|f|ld|l|ul|ll|ull)|ato[fil]|sto(?:d|f|ld|i|l|ul|ll|ull)|[fs]?scanf|setlocale'
+                         r'|(?:Query)?(?:Double|Float|Int|Unsigned)(?:Attribute|Text|Value))\s*\(')
+PRINTING = re.compile(r'\bstd::(?:cout|cerr|clog|print|printf|puts)\b|(?<![\w:])(?:printf|puts)\s*\(|\bfmt::print\b'
+                      r'|\bf(?:printf|puts)\s*\(')
+MAY_PRINT = ('tools/verbs/', 'tools/legwright.cpp', 'tests/', 'benchmarks/')
+
+
+def layer_of(path):
+    return next((layer for prefix, layer in PREFIXES if path.startswith(prefix)), None)
+
+
+def uncommented(text):
+    """The text with comments and strings blanked, line numbers kept. #include lines keep their quotes."""
+    def blank(match):
+        found = match.group(0)
+        if found.lstrip().startswith('#'):
+            return found
+        return re.sub(r'[^\n]', ' ', found)
+    return re.sub(r'^[ \t]*#[ \t]*include[^\n/]*|//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"', blank, text,
+                  flags=re.DOTALL | re.MULTILINE)
+
+
+def is_source(path):
+    if path.suffix in ('.cpp', '.hpp', '.h', '.py', '.sh', '.cmake') or path.name == 'CMakeLists.txt':
+        return True
+    if path.suffix or path.name.startswith('.'):
+        return False
+    with path.open('rb') as file:
+        return file.read(2) == b'#!'
+
+
+class Check:
+    def __init__(self, root):
+        self.root, self.findings = pathlib.Path(root).resolve(), []
+
+    def report(self, path, line, what):
+        self.findings.append(f'{path}:{line}: {what}')
+
+    def run(self):
+        files = [p for folder in FOLDERS for p in sorted((self.root / folder).rglob('*'))
+                 if p.is_file() and '__pycache__' not in p.parts]
+        files += [p for p in (self.root / 'CMakeLists.txt',) if p.is_file()]
+        self.lists = {p.parent: p.read_text(encoding='utf-8') for p in files if p.name == 'CMakeLists.txt'}
+        self.built = self.listed_sources()
+        sources = [p for p in files if is_source(p)]
+        if not any(p.suffix == '.cpp' for p in sources):
+            self.report('.', 0, f'no C++ source found in {self.root}')
+        for path in sources:
+            self.source(path, path.relative_to(self.root).as_posix())
+        self.terms()
+        return self.findings
+
+    def source(self, path, name):
+        text = path.read_text(encoding='utf-8')
+        lines = text.splitlines()
+        if not any('SPDX-License-Identifier: Apache-2.0' in line for line in lines[:3]):
+            self.report(name, 1, 'no SPDX line among the first three')
+        if len(lines) > LINE_LIMIT:
+            self.report(name, len(lines), f'{len(lines)} lines, at most {LINE_LIMIT}: split it by concept')
+        if path.suffix not in ('.cpp', '.hpp', '.h'):
+            return
+        for number, line in enumerate(uncommented(text).splitlines(), 1):
+            include = re.match(r'\s*#\s*include\s*(["<])([^">]+)[">]', line)
+            if include:
+                self.include(name, number, include.group(1) == '"', include.group(2))
+            if LAX_NUMBERS.search(line) and not name.startswith('tests/'):
+                self.report(name, number, 'reads a number laxly: use the strict std::from_chars readers')
+            if PRINTING.search(line) and not name.startswith(MAY_PRINT):
+                self.report(name, number, 'a library prints: return the text or throw')
+        if path.suffix == '.cpp' and path not in self.built:
+            self.report(name, 1, 'named by no CMakeLists.txt: list it among the sources of its target')
+
+    def listed_sources(self):
+        """Every .cpp that a CMakeLists.txt names, as resolved paths."""
+        found = set()
+        for folder, text in self.lists.items():
+            text = re.sub(r'#.*', '', text)
+            up = os.path.relpath(self.root, folder)  # relative: the root's own path may hold blanks
+            for variable, value in (('PROJECT_SOURCE_DIR', up), ('CMAKE_SOURCE_DIR', up),
+                                    ('CMAKE_CURRENT_SOURCE_DIR', '.'), ('CMAKE_CURRENT_LIST_DIR', '.')):
+                text = text.replace('${' + variable + '}', value)
+            found |= {(folder / name).resolve() for name in re.findall(r'[\w./+-]+\.cpp\b', text)}
+        return found
+
+    def include(self, name, number, quoted, target):
+        if not quoted:
+            for pattern, users in LIBRARIES:
+                if re.match(pattern, target) and not name.startswith(users + ('tests/', 'benchmarks/')):
+                    where = ', '.join(users) or 'tests'
+                    self.report(name, number, f'<{target}> belongs to {where} alone')
+            return
+        if not (self.root / target).is_file():
+            self.report(name, number, f'"{target}" is no file below the project root')
+            return
+        user, used = layer_of(name), layer_of(target)
+        if used != user and used not in LAYERS.get(user, set()):
+            allowed = ', '.join(sorted(LAYERS.get(user, set()) | {str(user)}))
+            self.report(name, number, f'{user} must not include {used} ("{target}"); it may include {allowed}')
+        if user == used == 'terms':
+            stem = pathlib.PurePosixPath(target).stem
+            if stem not in NOT_TERMS and stem != pathlib.PurePosixPath(name).stem:
+                self.report(name, number, f'terms never include each other ("{target}")')
+
+    def terms(self):
+        folder = self.root / 'optimizer/terms'
+        if not (folder / 'registry.cpp').is_file():
+            self.report('optimizer/terms/registry.cpp', 0, 'missing')
+            return
+        # The table's rows start with the name: {"travel", "(9)", 1e3, make_travel}.
+        table = re.findall(r'\{\s*"(\w+)"\s*,', (folder / 'registry.cpp').read_text(encoding='utf-8'))
+        stems = {p.stem for p in folder.glob('*.cpp')} - NOT_TERMS
+        for stem in sorted(stems - set(table)):
+            self.report(f'optimizer/terms/{stem}.cpp', 1, 'not in the table of registry.cpp')
+        for name in sorted(set(table) - stems):
+            self.report('optimizer/terms/registry.cpp', 1, f'names "{name}", but there is no {name}.cpp')
+        for name in sorted({n for n in table if table.count(n) > 1}):
+            self.report('optimizer/terms/registry.cpp', 1, f'names "{name}" twice')
+
+
+def main():
+    root = sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).resolve().parents[2]
+    findings = Check(root).run()
+    print('\n'.join(findings) if findings else 'structure: ok')
+    return 1 if findings else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())

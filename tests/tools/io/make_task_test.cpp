@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "mjcf/input_error.hpp"
+#include "tools/io/task_file.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+const fs::path kPuppy = fs::path(LEGWRIGHT_SOURCE_DIR) / "examples" / "puppy";
+
+const RobotModel& puppy() {
+  static const RobotModel robot = read_robot(kPuppy / "robot.xml");
+  return robot;
+}
+
+Task task_from(const std::string& gait, const std::string& rest = "") {
+  return make_task(parse_task_file("robot = \"robot.xml\"\n[gait]\n" + gait + "\n[travel]\nvelocity = [0.0, 0.1]\n" + rest,
+                                   kPuppy / "test.toml"),
+                   puppy());
+}
+
+TEST(PlantedMargin, IsSecondsInKnotsButAtLeastOneKnot) {
+  EXPECT_EQ(planted_margin_knots(std::nullopt, 0.5, 0.4 / 24), 2);   // 35 ms of 16.7 ms
+  EXPECT_EQ(planted_margin_knots(std::nullopt, 0.6, 0.4 / 24), 2);
+  EXPECT_EQ(planted_margin_knots(std::nullopt, 0.75, 1.0 / 24), 1);  // a walk: one knot
+  EXPECT_EQ(planted_margin_knots(std::nullopt, 0.5, 0.1), 1);
+  EXPECT_EQ(planted_margin_knots(0.0, 0.5, 0.01), 1);
+  EXPECT_EQ(planted_margin_knots(0.05, 0.75, 0.01), 5);
+}
+
+TEST(MakeTask, TurnsTheExamplesIntoTasks) {
+  const Task walk = make_task(read_task_file(kPuppy / "sideways.toml"), puppy());
+  EXPECT_EQ(walk.planted_margin, 1);
+  EXPECT_EQ(walk.gait.knot_count(), 24);
+  EXPECT_EQ(walk.velocity, Eigen::Vector2d(0.0, 0.1));
+  EXPECT_EQ(walk.name, "sideways");
+  const Task trot = make_task(read_task_file(kPuppy / "sideways_trot.toml"), puppy());
+  EXPECT_EQ(trot.planted_margin, 2);
+}
+
+TEST(MakeTask, PutsFeetInTheRobotsOrder) {
+  const Task task = make_task(read_task_file(kPuppy / "sideways.toml"), puppy());
+  const std::vector<Eigen::Vector3d> feet = home_feet(puppy().morphology, puppy().space.initial());
+  ASSERT_EQ(feet.size(), 4u);
+  ASSERT_TRUE(task.footprint);
+  for (std::size_t j = 0; j < 4; ++j) {  // each footprint lies on its foot's side of the trunk
+    const Eigen::Vector2d print = (*task.footprint)[j];
+    EXPECT_EQ(print.cwiseAbs(), Eigen::Vector2d(0.12, 0.09));
+    EXPECT_GT(print.y() * feet[j].y(), 0.0);
+  }
+  // The walk touches down front left first.
+  const std::vector<int> order = footfall_order(feet);
+  EXPECT_TRUE(task.gait.in_contact(0, order[0]));
+  EXPECT_FALSE(task.gait.in_contact(-1, order[0]));
+}
+
+TEST(MakeTask, TouchdownByNameEqualsTouchdownByPlace) {
+  const std::vector<std::string> names = foot_names(puppy().morphology);
+  const std::vector<int> order = footfall_order(home_feet(puppy().morphology, puppy().space.initial()));
+  const std::vector<double> phases{0.0, 0.5, 0.75, 0.25};
+  std::string table;
+  for (std::size_t place = 0; place < 4; ++place)
+    table += (place ? ", \"" : "\"") + names[order[place]] + "\" = " + std::to_string(phases[place]);
+  const Task by_name = task_from("period = 1.0\nduty = 0.75\ntouchdown = {" + table + "}");
+  const Task by_place = task_from("period = 1.0\nduty = 0.75\ntouchdown = [0.0, 0.5, 0.75, 0.25]");
+  const Task library = task_from("name = \"walk\"\nperiod = 1.0");
+  for (int knot = 0; knot < 24; ++knot)
+    for (int foot = 0; foot < 4; ++foot) {
+      EXPECT_EQ(by_name.gait.in_contact(knot, foot), library.gait.in_contact(knot, foot));
+      EXPECT_EQ(by_place.gait.in_contact(knot, foot), library.gait.in_contact(knot, foot));
+    }
+}
+
+TEST(MakeTask, DutyOverridesTheLibrary) {
+  const Task task = task_from("name = \"trot\"\nperiod = 0.4\nduty = 0.75");
+  int stance = 0;
+  for (int knot = 0; knot < 24; ++knot) stance += task.gait.in_contact(knot, 0);
+  EXPECT_EQ(stance, 18);
+  EXPECT_EQ(task.planted_margin, 1);
+}
+
+TEST(MakeTask, KeepsWeightsByTermName) {
+  EXPECT_EQ(task_from("name = \"trot\"\nperiod = 0.4", "[weights]\nsmoothness = 7.5\n").weights.at("smoothness"), 7.5);
+}
+
+TEST(MakeTask, SpeedLadderFlipsOnceAndStays) {
+  bool refused = false;
+  for (double speed = 0.1; speed < 5.0; speed *= 1.2) {
+    bool now = false;
+    try {
+      make_task(parse_task_file("robot = \"robot.xml\"\n[gait]\nname = \"walk\"\nperiod = 1.0\n[travel]\nvelocity = [" +
+                                    std::to_string(speed) + ", 0.0]\n", kPuppy / "test.toml"),
+                puppy());
+    } catch (const InputError&) {
+      now = true;
+    }
+    EXPECT_TRUE(now || !refused) << speed;
+    refused = now;
+  }
+  EXPECT_TRUE(refused);
+}
+
+TEST(TaskWarnings, AreSilentForTheExamplesAndSpeakUpForDoubts) {
+  for (const char* name : {"sideways.toml", "sideways_trot.toml"})
+    EXPECT_TRUE(task_warnings(make_task(read_task_file(kPuppy / name), puppy()), puppy()).empty()) << name;
+  Task task = make_task(read_task_file(kPuppy / "sideways.toml"), puppy());
+  task.velocity.setZero();
+  task.friction = 0.8;
+  EXPECT_EQ(task_warnings(task, puppy()).size(), 2u);
+}
+
+}  // namespace
+}  // namespace legwright

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/io/task_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "mjcf/input_error.hpp"
+#include "tests/tools/io/temporary_folder.hpp"
+#include "tools/io/atomic_file.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+const fs::path kPuppy = fs::path(LEGWRIGHT_SOURCE_DIR) / "examples" / "puppy";
+const fs::path kBroken = fs::path(LEGWRIGHT_SOURCE_DIR) / "examples" / "broken" / "tasks";
+
+std::string complaint(const std::string& text) {
+  try {
+    parse_task_file(text, kPuppy / "test.toml");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// The parts after "# expect:" in the first line of a broken file.
+std::vector<std::string> expected_parts(const fs::path& file) {
+  const std::string text = read_file(file);
+  std::string line = text.substr(0, text.find('\n'));
+  std::vector<std::string> parts;
+  line = line.substr(line.find("expect: ") + 8);
+  for (std::size_t end; (end = line.find('|')) != std::string::npos; line = line.substr(end + 1))
+    parts.push_back(line.substr(0, end));
+  parts.push_back(line);
+  return parts;
+}
+
+TEST(TaskFile, ReadsTheWalkExample) {
+  const TaskFile task = read_task_file(kPuppy / "sideways.toml");
+  EXPECT_EQ(task.name, "sideways");
+  EXPECT_EQ(task.robot, kPuppy / "robot.xml");
+  EXPECT_EQ(task.gait, "walk");
+  EXPECT_EQ(task.period, 1.0);
+  EXPECT_EQ(task.knots, 24);
+  EXPECT_EQ(task.velocity, Eigen::Vector2d(0.0, 0.1));
+  EXPECT_EQ(task.com_height, 0.175);
+  EXPECT_EQ(task.margins.min_normal, 0.1);
+  EXPECT_EQ(task.margins.friction, 0.4);
+  EXPECT_EQ(task.margins.floor_friction, 0.8);
+  EXPECT_EQ(task.margins.swing_height, 0.025);
+  EXPECT_FALSE(task.planted_margin);
+  EXPECT_EQ(task.line("gait.period"), 9);
+  EXPECT_EQ(task.line("limits.planted_margin"), task.line("limits"));
+}
+
+TEST(TaskFile, ReadsTheTrotExample) {
+  const TaskFile task = read_task_file(kPuppy / "sideways_trot.toml");
+  EXPECT_EQ(task.gait, "trot");
+  EXPECT_EQ(task.period, 0.4);
+  EXPECT_EQ(task.planted_margin, 0.035);
+}
+
+TEST(TaskFile, CommentsInTheExampleNameRealKeys) {
+  // Every line that is commented out must be accepted once it is not.
+  std::string text = read_file(kPuppy / "sideways.toml");
+  for (const std::string key : {"duty", "planted_margin", "joint_margin", "[weights]", "smoothness"}) {
+    const std::size_t at = text.find("# " + key);
+    ASSERT_NE(at, std::string::npos) << key;
+    text.erase(at, 2);
+  }
+  EXPECT_EQ(complaint(text), "");
+  EXPECT_EQ(parse_task_file(text, kPuppy / "test.toml").weights.at("smoothness"), 0.3);
+}
+
+TEST(TaskFile, SaysEverythingThatIsWrongAtOnceInTheOrderOfTheFile) {
+  const std::string message = complaint("robot = \"robot.xml\"\n[gait]\nname = \"walk\"\nperiod = -1.0\nknotz = 24\n");
+  const std::size_t period = message.find(":4: gait.period: is -1; expected 0.05 <= period <= 20 s");
+  const std::size_t knots = message.find(":5: gait.knotz: unknown key; did you mean 'gait.knots'?");
+  EXPECT_NE(period, std::string::npos) << message;
+  EXPECT_NE(knots, std::string::npos) << message;
+  EXPECT_LT(period, knots);
+  EXPECT_NE(message.find("travel.velocity: is missing; add for instance: velocity = "), std::string::npos) << message;
+}
+
+TEST(TaskFile, TakesWholeNumbersWhereNumbersAreAsked) {
+  const std::string text = "robot = \"robot.xml\"\n[gait]\nname = \"walk\"\nperiod = 1\n[travel]\nvelocity = [0, 1]\n";
+  EXPECT_EQ(parse_task_file(text, kPuppy / "x.toml").velocity.y(), 1.0);
+}
+
+TEST(TaskFile, TellsAMissingFile) {
+  EXPECT_THROW(read_task_file(kPuppy / "no_such.toml"), InputError);
+  EXPECT_THROW(read_task_file(kPuppy), InputError);
+  const test::TemporaryFolder folder;
+  write_file(folder.path() / "huge.toml", std::string((1 << 20) + 1, '#'));
+  EXPECT_THROW(read_task_file(folder.path() / "huge.toml"), InputError);
+}
+
+TEST(TaskFile, EveryPrefixOfTheExampleIsReadOrRefused) {
+  const std::string text = read_file(kPuppy / "sideways.toml");
+  int accepted = 0;
+  for (std::size_t size = 0; size <= text.size(); ++size) {
+    const std::string message = complaint(text.substr(0, size));
+    accepted += message.empty();
+    EXPECT_TRUE(message.empty() || message.find("test.toml") != std::string::npos) << message;
+  }
+  EXPECT_GT(accepted, 0);
+  EXPECT_NE(complaint(text.substr(0, text.find("velocity"))), "");
+}
+
+TEST(TaskFile, EveryDamagedByteOfTheExampleIsReadOrRefused) {
+  const std::string text = read_file(kPuppy / "sideways_trot.toml");
+  for (std::size_t at = 0; at < text.size(); ++at)
+    for (const char byte : {'\0', '\xFF', '"', '[', '=', ',', '9'}) {
+      std::string damaged = text;
+      damaged[at] = byte;
+      complaint(damaged);  // must end in InputError or success, nothing else
+    }
+  SUCCEED();
+}
+
+class BrokenTask : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(BrokenTask, IsRefusedWithFileLineKeyAndFix) {
+  const fs::path file = kBroken / GetParam();
+  std::string message;
+  try {
+    const TaskFile task = read_task_file(file);
+    make_task(task, read_robot(task.robot));
+  } catch (const InputError& error) {
+    message = error.what();
+  }
+  EXPECT_EQ(message.find(file.string()), 0u) << message;
+  for (const std::string& part : expected_parts(file))
+    EXPECT_NE(message.find(part), std::string::npos) << "expected '" << part << "' in: " << message;
+}
+
+std::vector<std::string> broken_files() {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(kBroken))
+    if (entry.path().extension() == ".toml") names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, BrokenTask, ::testing::ValuesIn(broken_files()), [](const auto& test) {
+  return test.param.substr(0, test.param.find('.'));
+});
+
+}  // namespace
+}  // namespace legwright

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/render/run_pictures.hpp"
+
+#include <filesystem>
+#include <map>
+
+#include "plugin/trajectory.hpp"
+#include "tests/tools/render/toy_scene.hpp"
+#include "tools/io/atomic_file.hpp"
+#include "tools/io/io_error.hpp"
+#include "tools/render/png.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A run folder of toys: two iterations and a result.
+fs::path toy_run(const std::string& name, bool validated) {
+  const fs::path run = fs::path(testing::TempDir()) / name;
+  fs::remove_all(run);
+  Trajectory plan = blank_trajectory({"left", "right"}, {"L", "R"}, 4, 0.4);
+  plan.travel = {0.0, 0.04, 0.0};
+  for (int k = 0; k < 4; ++k) {
+    plan.at(k, plan.root_column(1)) = 0.01 * k;
+    plan.at(k, plan.root_column(2)) = 0.28;
+    plan.at(k, plan.target_column(0)) = 0.2 * (k % 2);
+  }
+  for (const char* folder : {"iterations/0000", "iterations/0001", "iterations/.0002.tmp", "result"}) {
+    fs::create_directories(run / folder);
+    write_file(run / folder / "scene.xml", kToyScene);
+    write_file(run / folder / "motion.csv", write_motion_csv(plan));
+  }
+  if (validated) {
+    for (const char* who : {"initial", "result"}) {
+      write_file(run / "result" / (std::string("playback_") + who + ".csv"),
+                 "time_s,x,y,z,qw,qx,qy,qz,l,r\n0,0,0,0.28,1,0,0,0,0,0\n2,0,0.1,0.28,1,0,0,0,0.2,0\n"
+                 "4,0,0.2,0.28,1,0,0,0,0,0.2\n");
+    }
+    write_file(run / "result" / "verdict.json", R"({"initial":{"pass":false},"result":{"pass":true},"pass":true})");
+  }
+  return run;
+}
+
+std::map<std::string, std::string> pictures(const fs::path& run) {
+  std::map<std::string, std::string> found;
+  for (const auto& entry : fs::recursive_directory_iterator(run)) {
+    if (entry.path().extension() == ".png") found[fs::relative(entry.path(), run).string()] = read_file(entry.path());
+  }
+  return found;
+}
+
+TEST(RunPictures, AreCompleteAndTheSameEachTime) {
+  LEGWRIGHT_NEEDS_GL();
+  const fs::path run = toy_run("pictures_complete", true);
+  const RunPictures first = draw_run(run);
+  EXPECT_TRUE(first.left_out.empty());
+  const auto before = pictures(run);
+  EXPECT_EQ(before.size(), 6U);
+  EXPECT_EQ(first.made.size(), 6U);
+  for (const char* name : {"iterations/0000/frame.png", "iterations/0001/frame.png", "result/strip_initial.png",
+                           "result/strip_result.png", "result/strip_before_after.png", "result/strip_physics.png"}) {
+    EXPECT_TRUE(before.contains(name)) << name;
+  }
+  EXPECT_EQ(draw_run(run).made.size(), 4U);  // stills are there already
+  EXPECT_EQ(draw_run(run, {.all = true}).made.size(), 6U);
+  EXPECT_EQ(pictures(run), before);
+}
+
+TEST(RunPictures, TellWhatTheyLeaveOut) {
+  LEGWRIGHT_NEEDS_GL();
+  const fs::path run = toy_run("pictures_not_validated", false);
+  const RunPictures drawn = draw_run(run);
+  EXPECT_EQ(drawn.made.size(), 5U);
+  ASSERT_EQ(drawn.left_out.size(), 1U);
+  EXPECT_NE(drawn.left_out[0].find("validate"), std::string::npos);
+  fs::remove_all(run / "result");
+  const RunPictures stopped = draw_run(run);
+  EXPECT_TRUE(stopped.made.empty());
+  EXPECT_EQ(stopped.left_out.size(), 1U);
+}
+
+TEST(RunPictures, NeedARun) {
+  EXPECT_THROW(draw_run(fs::path(testing::TempDir()) / "no_such_run"), IoError);
+}
+
+}  // namespace
+}  // namespace legwright

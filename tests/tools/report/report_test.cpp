@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/report/report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <tinyxml2.h>
+
+#include <filesystem>
+
+#include "tests/tools/report/hostile_names.hpp"
+#include "tools/io/atomic_file.hpp"
+#include "tools/io/io_error.hpp"
+#include "tools/render/png.hpp"
+#include "tools/report/html.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A copy of the fixture run in a folder of its own.
+class ReportTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    run_ = fs::path(testing::TempDir()) /
+           ("report_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    fs::remove_all(run_);
+    fs::copy(fs::path(LEGWRIGHT_SOURCE_DIR) / "tests/tools/report/data", run_, fs::copy_options::recursive);
+  }
+  void TearDown() override { fs::remove_all(run_); }
+
+  void add_pictures() {
+    const Image picture(64, 48, {200, 120, 40});
+    write_png(run_ / "result" / "strip_physics.png", picture);
+    write_png(run_ / "result" / "strip_before_after.png", picture);
+    write_png(run_ / "iterations" / "0000" / "frame.png", picture);
+  }
+  std::string page() { return report_page(read_run(run_)); }
+  void edit_run(const std::function<void(Json&)>& edit) {
+    Json run = read_json(run_ / "run.json");
+    edit(run);
+    write_json(run_ / "run.json", run);
+  }
+
+  fs::path run_;
+};
+
+void expect_well_formed(const std::string& page) {
+  tinyxml2::XMLDocument document;
+  EXPECT_EQ(document.Parse(page.c_str()), tinyxml2::XML_SUCCESS) << document.ErrorStr();
+}
+
+bool has(const std::string& page, const std::string& part) { return page.find(part) != std::string::npos; }
+
+/// Nothing that a browser would fetch.
+void expect_self_contained(const std::string& page) {
+  for (const char* reference : {"http:", "https:", "src=\"/", "href=", "url(", "@import", "<link", "<iframe", "<object"}) {
+    EXPECT_FALSE(has(page, reference)) << reference;
+  }
+  for (std::size_t at = page.find("src=\""); at != std::string::npos; at = page.find("src=\"", at + 1)) {
+    EXPECT_EQ(page.substr(at + 5, 22), "data:image/png;base64,");
+  }
+}
+
+TEST_F(ReportTest, ShowsEveryPartOfACompleteRun) {
+  add_pictures();
+  const std::string page = this->page();
+  expect_well_formed(page);
+  expect_self_contained(page);
+  for (const char* part : {"✗ Fail", "✓ Pass", "falls after 1.29 s", "98 % of planned speed", "What physics did.",
+                           "What was planned.", "front hip axis roll", "+80.2°", "at its upper bound",
+                           "Cost F by design iteration", "gait alone, initial body", "iteration 0", "forces carry the body",
+                           "98.1 %", "Footfalls after", "Planned normal forces", "SHA-256 of robot.xml", "3.17.0",
+                           "default-src 'none'"}) {
+    EXPECT_TRUE(has(page, part) || has(page, escape_attribute(part))) << part;
+  }
+  EXPECT_FALSE(has(page, "class=\"hint\""));
+  EXPECT_LT(page.size(), 5'000'000U);
+}
+
+TEST_F(ReportTest, IsTheSameEachTime) {
+  add_pictures();
+  EXPECT_EQ(page(), page());
+}
+
+TEST_F(ReportTest, NamesTheCommandForWhatIsMissing) {
+  for (const char* file : {"metrics.json", "verdict.json"}) fs::remove(run_ / "result" / file);
+  const std::string page = this->page();
+  expect_well_formed(page);
+  EXPECT_TRUE(has(page, "legwright validate " + run_.generic_string()));
+  EXPECT_TRUE(has(page, "legwright render " + run_.generic_string()));
+  EXPECT_TRUE(has(page, "Not validated"));
+  EXPECT_FALSE(has(page, "✓ Pass"));
+}
+
+TEST_F(ReportTest, TakesTheDesignMetricsForNoValidation) {
+  write_file(run_ / "result" / "metrics.json", R"({"schema":"legwright/iteration","F":1})");
+  EXPECT_TRUE(has(page(), "have not been played in MuJoCo yet"));
+}
+
+TEST_F(ReportTest, WorksWithNothingButRunJson) {
+  fs::remove_all(run_ / "result");
+  fs::remove_all(run_ / "iterations");
+  fs::remove(run_ / "events.jsonl");
+  expect_well_formed(page());
+  write_file(run_ / "run.json", "{}");
+  expect_well_formed(page());
+  EXPECT_NO_THROW(report_summary(read_run(run_)));
+}
+
+TEST_F(ReportTest, NotesBrokenFilesAndGoesOn) {
+  write_file(run_ / "result" / "verdict.json", "{\"initial\":");
+  write_file(run_ / "result" / "motion.csv", "time_s\nnan\n");
+  const std::string page = this->page();
+  expect_well_formed(page);
+  EXPECT_TRUE(has(page, "Could not be used: "));
+  EXPECT_TRUE(has(page, "verdict.json"));
+}
+
+TEST_F(ReportTest, SurvivesJsonOfWrongTypes) {
+  edit_run([](Json& run) {
+    for (auto& [key, value] : run.items()) value = Json::array({"x", 1, nullptr, {{"a", 1}}});
+  });
+  write_file(run_ / "result" / "verdict.json", "[1]");
+  write_file(run_ / "result" / "metrics.json",
+             R"({"schema":"legwright/validation","result":{"default":{"feet":[3,{"name":"FL","contacts_s":[1,["a"]]}]}}})");
+  expect_well_formed(page());
+}
+
+TEST_F(ReportTest, RefusesAFolderWithoutARun) {
+  EXPECT_THROW(read_run(run_ / "result"), IoError);
+  write_file(run_ / "run.json", "[]");
+  EXPECT_THROW(read_run(run_), IoError);
+}
+
+TEST_F(ReportTest, HostileNamesStayText) {
+  add_pictures();
+  const auto elements = [](const std::string& page) {
+    std::size_t count = 0;
+    for (std::size_t at = page.find('<'); at != std::string::npos; at = page.find('<', at + 1)) ++count;
+    return count;
+  };
+  edit_run([](Json& run) { run["parameters"][0]["name"] = "plain"; run["robot"] = "plain"; run["task"]["gait"] = "plain";
+                           run["parameters"][0]["sentence"] = run["status"] = run["sha256"]["robot.xml"] = "plain"; });
+  const std::size_t expected = elements(page());
+  for (const std::string& raw : hostile_names()) {
+    const std::string name = clean_utf8(raw);  // JSON cannot carry other bytes
+    edit_run([&](Json& run) {
+      run["robot"] = run["task"]["gait"] = run["status"] = run["sha256"]["robot.xml"] = name;
+      run["parameters"][0]["name"] = run["parameters"][0]["sentence"] = name;
+    });
+    const std::string page = this->page();
+    expect_well_formed(page);
+    EXPECT_EQ(elements(page), expected) << name;  // not one tag more, nor fewer
+  }
+}
+
+TEST_F(ReportTest, WritesPageAndSummary) {
+  const fs::path page = write_report(run_);
+  EXPECT_EQ(page, run_ / "report.html");
+  expect_well_formed(read_file(page));
+  const std::string summary = read_file(run_ / "result" / "summary.md");
+  EXPECT_TRUE(has(summary, "front hip axis roll | 0° | 80.2°")) << summary;
+  EXPECT_TRUE(has(summary, "FAIL"));
+  EXPECT_FALSE(has(summary, "\n\n\n"));
+}
+
+}  // namespace
+}  // namespace legwright

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/report/svg_plot.hpp"
+
+#include <gtest/gtest.h>
+#include <tinyxml2.h>
+
+#include <cmath>
+#include <limits>
+
+#include "tests/tools/report/hostile_names.hpp"
+
+namespace legwright {
+namespace {
+
+bool well_formed(const std::string& markup) {
+  tinyxml2::XMLDocument document;
+  return document.Parse(("<div>" + markup + "</div>").c_str()) == tinyxml2::XML_SUCCESS;
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+TEST(LinearTicks, AreRoundAndInside) {
+  const auto ticks = linear_ticks(0.0, 1.0, 5);
+  ASSERT_EQ(ticks.size(), 6U);
+  EXPECT_DOUBLE_EQ(ticks[1], 0.2);
+  EXPECT_DOUBLE_EQ(ticks.back(), 1.0);
+  for (const double tick : linear_ticks(-0.037, 0.113, 6)) {
+    EXPECT_GE(tick, -0.037);
+    EXPECT_LE(tick, 0.113);
+    EXPECT_NEAR(std::remainder(tick, 0.05), 0.0, 1e-12);
+  }
+}
+
+TEST(LinearTicks, AreWholeWhereAsked) {
+  for (const double tick : linear_ticks(0.0, 3.0, 10, true)) EXPECT_EQ(tick, std::round(tick));
+  EXPECT_EQ(linear_ticks(0.0, 3.0, 10, true).size(), 4U);
+  EXPECT_GT(linear_ticks(0.0, 3.0, 10, false).size(), 4U);  // the flag makes the difference
+}
+
+TEST(LinearTicks, SurviveAnEmptyRange) {
+  EXPECT_EQ(linear_ticks(2.0, 2.0, 5), std::vector<double>{2.0});
+  EXPECT_EQ(linear_ticks(0.0, std::numeric_limits<double>::infinity(), 5).size(), 1U);
+}
+
+TEST(LogTicks, ArePowersOfTen) {
+  const auto ticks = log_ticks(0.02, 5000.0);
+  ASSERT_EQ(ticks.size(), 5U);
+  EXPECT_NEAR(ticks.front(), 0.1, 1e-12);
+  EXPECT_NEAR(ticks.back(), 1000.0, 1e-9);
+  const auto narrow = log_ticks(3.0, 40.0);  // 5, 10, 20
+  ASSERT_EQ(narrow.size(), 3U);
+  EXPECT_NEAR(narrow[0], 5.0, 1e-12);
+  EXPECT_LE(log_ticks(1e-30, 1e30).size(), 8U);
+}
+
+TEST(TickLabel, ReadsLikePeopleWrite) {
+  EXPECT_EQ(tick_label(0.0), "0");
+  EXPECT_EQ(tick_label(0.25), "0.25");
+  EXPECT_EQ(tick_label(1000.0), "1000");
+  EXPECT_EQ(tick_label(-2.5), "−2.5");
+  EXPECT_EQ(tick_label(1e-7), "1e-07");
+}
+
+TEST(LinePlot, PutsTheLargerValueHigher) {
+  const auto y_of_circles = [](const std::string& svg) {
+    std::vector<double> y;
+    for (std::size_t at = svg.find("cy=\""); at != std::string::npos; at = svg.find("cy=\"", at + 1)) {
+      y.push_back(std::stod(svg.substr(at + 4)));
+    }
+    return y;
+  };
+  for (const bool log : {false, true}) {
+    const auto y = y_of_circles(line_plot({{.name = "F", .x = {0, 1, 2}, .y = {100, 10, 1}, .points = true}},
+                                          {.title = "F", .log_y = log}));
+    ASSERT_EQ(y.size(), 3U);
+    EXPECT_LT(y[0], y[1]);
+    EXPECT_LT(y[1], y[2]);
+    EXPECT_EQ(std::abs((y[1] - y[0]) - (y[2] - y[1])) < 0.2, log);  // only a log scale spaces these evenly
+  }
+}
+
+TEST(LinePlot, BreaksTheLineWhereThereIsNoNumber) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto svg = line_plot({{.name = "a", .x = {0, 1, 2, 3}, .y = {1, nan, 2, 3}}}, {.title = "t"});
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
+  const auto at = svg.find("class=\"line");
+  EXPECT_EQ(count(svg.substr(at, svg.find("/>", at) - at), "M"), 2U);
+}
+
+TEST(LinePlot, SaysSoWhereThereIsNothing) {
+  EXPECT_NE(line_plot({}, {.title = "t"}).find("Nothing to draw"), std::string::npos);
+  EXPECT_NE(line_plot({{.name = "a", .x = {0, 1}, .y = {-1, 0}}}, {.title = "t", .log_y = true}).find("Nothing"),
+            std::string::npos);
+}
+
+TEST(LinePlot, IsWellFormedWhateverItsNames) {
+  for (const std::string& name : hostile_names()) {
+    const PlotSeries a{.name = name, .x = {0, 1}, .y = {1, 2}};
+    EXPECT_TRUE(well_formed(line_plot({a, a}, {.title = name, .x_label = name, .y_label = name}))) << name;
+    EXPECT_TRUE(well_formed(footfall_plot({{name, {{0.0, 0.5}}, {{0.1, 0.6}}}}, 1.0, name))) << name;
+  }
+}
+
+TEST(FootfallPlot, DrawsEachSpanOnceAndCutsAtTheEnd) {
+  const auto svg = footfall_plot({{"FL", {{-0.2, 0.5}, {1.2, 1.4}}, {{0.1, 2.0}}}}, 1.0, "t");
+  EXPECT_EQ(count(svg, "class=\"planned\""), 1U);
+  EXPECT_EQ(count(svg, "class=\"measured\""), 1U);
+}
+
+TEST(BoundsBar, KeepsMarksWithinTheTrack) {
+  const auto bar = bounds_bar(0.0, 1.0, 0.5, 7.0);
+  EXPECT_NE(bar.find("class=\"after\" cx=\"113.0\""), std::string::npos);
+  EXPECT_NE(bar.find("class=\"before\" cx=\"60.0\""), std::string::npos);
+  EXPECT_TRUE(bounds_bar(1.0, 1.0, 1.0, 1.0).empty());
+}
+
+}  // namespace
+}  // namespace legwright

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/report/words.hpp"
+
+#include <gtest/gtest.h>
+
+namespace legwright {
+namespace {
+
+TEST(ShortNumber, KeepsThreeDigits) {
+  EXPECT_EQ(short_number(0.0), "0");
+  EXPECT_EQ(short_number(1249.3), "1249");
+  EXPECT_EQ(short_number(9.7249), "9.72");
+  EXPECT_EQ(short_number(0.09876), "0.0988");
+  EXPECT_EQ(short_number(-0.5), "−0.5");
+  EXPECT_EQ(short_number(2.34e-7), "2.3e-07");
+  EXPECT_EQ(short_number(std::nullopt), "–");
+}
+
+TEST(TaskWords, TellTheWayAndThePace) {
+  const Json run{{"task", {{"gait", "trot"}, {"velocity", {0.0, -0.1}}, {"turn_rate", 0.0}, {"period_s", 0.4}}}};
+  EXPECT_EQ(task_words(run), "trot, 0.1 m/s to the right, 0.4 s per cycle");
+  EXPECT_EQ(task_words(Json::object()), "");
+}
+
+TEST(Parameters, ShowPeopleTheirUnitsAndBounds) {
+  const Json run{{"parameters",
+                  {{{"name", "a"}, {"unit", "rad"}, {"initial", 0.0}, {"lower", -1.4}, {"upper", 1.4}, {"final", 1.4}},
+                   {{"name", "b"}, {"unit", "m"}, {"initial", 0.06}, {"lower", 0.03}, {"upper", 0.09}, {"final", 0.05}},
+                   {{"name", "broken"}, {"unit", "m"}, {"initial", "x"}}}}};
+  const auto views = parameters_of(run);
+  ASSERT_EQ(views.size(), 2U);
+  EXPECT_EQ(views[0].change(), "+80.2°");
+  EXPECT_EQ(views[0].at_bound(), "upper bound");
+  EXPECT_EQ(views[1].change(), "−10.0 mm");
+  EXPECT_EQ(views[1].at_bound(), "");
+}
+
+}  // namespace
+}  // namespace legwright

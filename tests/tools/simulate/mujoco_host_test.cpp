@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/simulate/mujoco_host.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+
+#include "tests/tools/simulate/tiny_scene.hpp"
+#include "tools/simulate/scene.hpp"
+
+namespace legwright {
+namespace {
+
+constexpr const char* kPlain = "<mujoco><worldbody><geom size='0.1'/></worldbody></mujoco>";
+
+std::string message_of(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const MujocoError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+void expect_words(const std::string& message, std::initializer_list<const char*> words) {
+  for (const char* word : words)
+    EXPECT_NE(message.find(word), std::string::npos) << word << " in: " << message;
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const auto at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
+TEST(MujocoHost, CompilesAModel) { EXPECT_EQ(compile_model(kPlain, "plain")->ngeom, 1); }
+
+TEST(MujocoHost, SaysWhatMujocoRefuses) {
+  expect_words(message_of([] { compile_model("<mujoco><worldbody>", "cut.xml"); }),
+               {"cut.xml", "cannot read"});
+  const auto no_size = "<mujoco><worldbody><geom type='box'/></worldbody></mujoco>";
+  expect_words(message_of([&] { compile_model(no_size, "box.xml"); }),
+               {"box.xml", "cannot compile", "size"});
+}
+
+TEST(MujocoHost, EngineErrorIsAnExceptionWhereMessagesAreKept) {
+  const MujocoMessages messages;
+  EXPECT_THROW(mju_error("on purpose"), MujocoError);
+}
+
+TEST(MujocoHost, KeepsWarningsAndWritesNoLog) {
+  std::filesystem::remove("MUJOCO_LOG.TXT");
+  const MujocoMessages outer;
+  {
+    const MujocoMessages inner;
+    mju_warning("watch out");
+    ASSERT_EQ(inner.warnings().size(), 1U);
+    expect_words(inner.warnings()[0], {"watch out"});
+  }
+  EXPECT_TRUE(outer.warnings().empty());
+  EXPECT_FALSE(std::filesystem::exists("MUJOCO_LOG.TXT"));
+}
+
+TEST(GaitPlugin, LoadsOnceHoweverOftenItIsAskedFor) {
+  load_gait_plugin();
+  const int count = mjp_pluginCount();
+  load_gait_plugin();
+  EXPECT_EQ(mjp_pluginCount(), count);
+  EXPECT_NE(mjp_getPlugin("legwright.gait", nullptr), nullptr);
+}
+
+// In a process of its own, in which the plugin is not loaded yet.
+int exit_code_with_plugin(const char* file) {
+  setenv("LEGWRIGHT_PLUGIN", file, 1);
+  const std::string message = message_of([] { load_gait_plugin(); });
+  fprintf(stderr, "%s", message.c_str());
+  return message.empty() ? 0 : 7;
+}
+
+TEST(GaitPluginDeathTest, MissingPluginIsToldWithThePlaces) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(std::exit(exit_code_with_plugin("/nonexistent/gait.so")), testing::ExitedWithCode(7),
+              "LEGWRIGHT_PLUGIN[^$]*/nonexistent/gait.so");
+}
+
+TEST(GaitPluginDeathTest, FileThatIsNoLibraryIsToldAndDoesNotEndTheProcess) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(std::exit(exit_code_with_plugin(__FILE__)), testing::ExitedWithCode(7),
+              "cannot be loaded");
+}
+
+TEST(Scene, FindsWhatIsMeasured) {
+  const Scene scene = parse_scene(TinyScene{}.xml(), "tiny");
+  EXPECT_EQ(scene.trajectory.foot_count(), 4);
+  EXPECT_EQ(scene.foot_geom.size(), 4U);
+  ASSERT_EQ(scene.torque_limit.size(), 1U);
+  EXPECT_DOUBLE_EQ(scene.torque_limit[0], 1.0);
+}
+
+TEST(Scene, WithoutPluginIsRefusedWithAWayOut) {
+  expect_words(message_of([] { parse_scene(kPlain, "plain.xml"); }),
+               {"plain.xml", "legwright.gait", "optimize"});
+}
+
+TEST(Scene, WithoutStartOrFootIsRefused) {
+  const std::string xml = TinyScene{}.xml();
+  expect_words(message_of([&] {
+                 parse_scene(replaced(xml, "key name=\"gait\"", "key name=\"other\""), "a.xml");
+               }),
+               {"a.xml", "keyframe", "gait"});
+  expect_words(
+      message_of([&] { parse_scene(replaced(xml, "geom name='FL'", "geom name='X'"), "a.xml"); }),
+      {"a.xml", "FL"});
+}
+
+TEST(Scene, FaultOfThePluginsDataReachesTheMessage) {
+  expect_words(message_of([&] {
+                 parse_scene(replaced(TinyScene{}.xml(), "tail_rad", "tail_deg"), "a.xml");
+               }),
+               {"a.xml", "tail_deg"});
+}
+
+TEST(Gains, ScaleInConfigurationAndClassAlike) {
+  const std::string xml = TinyScene{}.xml();
+  const std::string scaled = scale_gains(xml, 4.0, "tiny");
+  expect_words(scaled,
+               {"key=\"kp\" value=\"8\"", "key=\"kd\" value=\"0.1\"", "biasprm=\"0 -8 -0.1\""});
+  EXPECT_EQ(scale_gains(xml, 1.0, "tiny"), xml);
+  const Scene scene = parse_scene(xml, "tiny", 0.5);  // the plugin itself compares both places
+  EXPECT_DOUBLE_EQ(scene.model->actuator_biasprm[1], -1.0);
+  EXPECT_DOUBLE_EQ(scene.gain_scale, 0.5);
+}
+
+TEST(Gains, SceneOfAnotherShapeIsRefused) {
+  const std::string xml = TinyScene{}.xml();
+  expect_words(message_of([&] { scale_gains(kPlain, 2.0, "a.xml"); }), {"a.xml", "kp"});
+  expect_words(
+      message_of([&] { scale_gains(replaced(xml, "value=\"2\"", "value=\"2x\""), 2.0, "a.xml"); }),
+      {"a.xml", "2x"});
+  expect_words(message_of([&] { scale_gains("<mujoco", 2.0, "a.xml"); }), {"a.xml"});
+}
+
+}  // namespace
+}  // namespace legwright

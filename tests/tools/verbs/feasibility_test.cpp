@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/verbs/feasibility.hpp"
+
+#include <gtest/gtest.h>
+
+namespace legwright {
+namespace {
+
+PlanQuality good() {
+  PlanQuality quality;
+  quality.speed_wanted = 0.1;
+  quality.speed_reached = 0.0999;
+  quality.heading_error = 0.05;
+  quality.root_residual = 0.02;
+  return quality;
+}
+
+TEST(Feasibility, AcceptsAPlanThatDoesItsTask) { EXPECT_TRUE(infeasible_reasons(true, good(), "m/s").empty()); }
+
+TEST(Feasibility, NamesWhatIsMissed) {
+  PlanQuality slow = good();
+  slow.speed_reached = 0.02;
+  ASSERT_EQ(infeasible_reasons(true, slow, "m/s").size(), 1u);
+  EXPECT_EQ(infeasible_reasons(true, slow, "m/s")[0], "the plan reaches 0.02 of 0.1 m/s (20 %)");
+  PlanQuality turned = good();
+  turned.heading_error = 1.4;
+  EXPECT_NE(infeasible_reasons(true, turned, "m/s").at(0).find("1.40 rad"), std::string::npos);
+  PlanQuality floating = good();
+  floating.ground_error = 0.02;
+  EXPECT_NE(infeasible_reasons(true, floating, "m/s").at(0).find("20.0 mm"), std::string::npos);
+  PlanQuality pushed = good();
+  pushed.root_residual = 0.8;
+  EXPECT_NE(infeasible_reasons(true, pushed, "m/s").at(0).find("80 %"), std::string::npos);
+  EXPECT_EQ(infeasible_reasons(false, good(), "m/s").size(), 1u);
+}
+
+TEST(Feasibility, ATaskOnTheSpotNeedsNoSpeed) {
+  PlanQuality still = good();
+  still.speed_wanted = still.speed_reached = 0.0;
+  EXPECT_TRUE(infeasible_reasons(true, still, "m/s").empty());
+}
+
+}  // namespace
+}  // namespace legwright

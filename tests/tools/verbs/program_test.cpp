@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+// The built program, called as people call it.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <map>
+#include <thread>
+
+#include "tests/tools/io/temporary_folder.hpp"
+#include "tools/io/events.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+using test::TemporaryFolder;
+
+const fs::path kExamples = fs::path(LEGWRIGHT_SOURCE_DIR) / "examples";
+const std::string kWalk = (kExamples / "puppy" / "sideways.toml").string();
+
+struct Outcome {
+  int code = -1;
+  std::string out, err;
+};
+
+/// Starts the program in `folder`, with its output in the files out and err there.
+pid_t start(const std::vector<std::string>& words, const fs::path& folder) {
+  const pid_t child = ::fork();
+  if (child != 0) return child;
+  const auto redirect = [&](const char* name, int to) {
+    ::dup2(::open((folder / name).c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), to);
+  };
+  redirect("out", STDOUT_FILENO);
+  redirect("err", STDERR_FILENO);
+  std::vector<char*> argv{const_cast<char*>(LEGWRIGHT_PROGRAM)};
+  for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
+  argv.push_back(nullptr);
+  if (::chdir(folder.c_str()) == 0) ::execv(argv[0], argv.data());
+  ::_exit(126);
+}
+
+Outcome wait_for(pid_t child, const fs::path& folder) {
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  Outcome outcome;
+  outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  outcome.out = read_file(folder / "out");
+  outcome.err = read_file(folder / "err");
+  return outcome;
+}
+
+Outcome call(const std::vector<std::string>& words) {
+  const TemporaryFolder folder;
+  return wait_for(start(words, folder.path()), folder.path());
+}
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST(Program, HelpAndVersionAreFineAndNonsenseIsBadInput) {
+  EXPECT_EQ(call({"--help"}).code, 0);
+  EXPECT_EQ(call({"--version"}).code, 0);
+  EXPECT_EQ(call({}).code, 2);
+  EXPECT_EQ(call({"optimise"}).code, 2);
+  EXPECT_EQ(call({"optimize", kWalk, "--max-iterations", "many"}).code, 2);
+  for (const char* verb : {"check", "optimize", "validate", "render", "report", "play", "doctor"}) {
+    const Outcome help = call({verb, "--help"});
+    EXPECT_EQ(help.code, 0) << verb;
+    EXPECT_TRUE(contains(help.out, "--json")) << verb;
+  }
+}
+
+TEST(Check, ExplainsThePuppy) {
+  const Outcome outcome = call({"check", kWalk});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  for (const char* part : {"puppy", "4 feet", "12 motors", "body_width", "######", "walk", "0.1 m per cycle",
+                           "friction_cone", "next: legwright optimize"})
+    EXPECT_TRUE(contains(outcome.out, part)) << part << " in:\n" << outcome.out;
+}
+
+TEST(Check, GivesOneJsonDocument) {
+  const Outcome outcome = call({"check", "--json", kWalk});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  ASSERT_TRUE(Json::accept(outcome.out));
+  const Json json = Json::parse(outcome.out);
+  EXPECT_EQ(json["schema"], "legwright/check");
+  EXPECT_EQ(json["robot"]["limbs"].size(), 4u);
+  EXPECT_EQ(json["parameters"].size(), 20u);
+  EXPECT_EQ(json["gait"]["contact"].size(), 4u);
+  EXPECT_TRUE(json["warnings"].empty());
+}
+
+TEST(Check, RefusesEveryBrokenTaskWithExitCode2) {
+  int count = 0;
+  for (const auto& entry : fs::directory_iterator(kExamples / "broken" / "tasks")) {
+    if (entry.path().extension() != ".toml") continue;
+    const Outcome outcome = call({"check", entry.path().string()});
+    EXPECT_EQ(outcome.code, 2) << entry.path();
+    EXPECT_TRUE(contains(outcome.err, entry.path().string())) << outcome.err;
+    EXPECT_EQ(outcome.out, "") << entry.path();
+    ++count;
+  }
+  EXPECT_GT(count, 20);
+}
+
+TEST(Optimize, WritesNothingForBadInput) {
+  const TemporaryFolder folder;
+  const std::string bad = (kExamples / "broken" / "tasks" / "nan.toml").string();
+  EXPECT_EQ(wait_for(start({"optimize", bad, "-o", "run"}, folder.path()), folder.path()).code, 2);
+  EXPECT_EQ(wait_for(start({"optimize", "missing.toml"}, folder.path()), folder.path()).code, 2);
+  EXPECT_FALSE(fs::exists(folder.path() / "run"));
+  EXPECT_FALSE(fs::exists(folder.path() / "runs"));
+}
+
+TEST(Optimize, ExitsWith3WhereItCannotWrite) {
+  const Outcome outcome = call({"optimize", kWalk, "-o", "/proc/legwright-run"});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_TRUE(contains(outcome.err, "choose another folder")) << outcome.err;
+}
+
+std::map<std::string, std::string> files_below(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) files[fs::relative(entry.path(), folder).string()] = read_file(entry.path());
+  return files;
+}
+
+TEST(Optimize, WritesACompleteRunTwiceTheSame) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> words{"optimize", kWalk, "--max-iterations", "1", "--no-pictures", "-o"};
+  for (const char* run : {"a", "b"}) {
+    std::vector<std::string> all = words;
+    all.emplace_back(run);
+    const Outcome outcome = wait_for(start(all, folder.path()), folder.path());
+    ASSERT_TRUE(outcome.code == 0 || outcome.code == 1) << outcome.code << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, "iteration   1"));
+    EXPECT_TRUE(contains(outcome.out, "next: legwright validate"));
+  }
+  const fs::path a = folder.path() / "a", b = folder.path() / "b";
+  for (const char* name : {"run.json", "events.jsonl", "inputs/task.toml", "inputs/robot.xml", "result/robot.xml",
+                           "result/scene.xml", "result/motion.csv", "result/metrics.json", "iterations/0000/robot.xml",
+                           "iterations/0000/scene.xml", "iterations/0000/motion.csv", "iterations/0000/metrics.json",
+                           "iterations/0001/scene.xml"})
+    EXPECT_TRUE(fs::is_regular_file(a / name)) << name;
+  EXPECT_EQ(files_below(a / "iterations"), files_below(b / "iterations"));
+  EXPECT_EQ(files_below(a / "result"), files_below(b / "result"));
+  EXPECT_EQ(read_file(a / "iterations/0000/robot.xml"), read_file(kExamples / "puppy" / "robot.xml"));
+
+  const Json run = read_json(a / "run.json");
+  EXPECT_EQ(run["schema"], "legwright/run");
+  EXPECT_EQ(run["history"].size(), 2u);
+  EXPECT_LT(run["final_F"].get<double>(), run["motion_only_F"].get<double>());
+  const std::vector<Json> events = read_events(a / "events.jsonl");
+  ASSERT_EQ(events.size(), 4u);
+  EXPECT_EQ(events.front()["event"], "start");
+  EXPECT_EQ(events[1]["F"], run["motion_only_F"]);
+  EXPECT_EQ(events.back()["event"], "end");
+
+  const Outcome again = wait_for(start({"optimize", kWalk, "-o", "a"}, folder.path()), folder.path());
+  EXPECT_EQ(again.code, 3);
+  EXPECT_TRUE(contains(again.err, "--force")) << again.err;
+  const Outcome play = wait_for(start({"play", "a", "--print"}, folder.path()), folder.path());
+  EXPECT_EQ(play.code, 0) << play.err;
+  EXPECT_TRUE(contains(play.out, "mj_loadPluginLibrary")) << play.out;
+  EXPECT_EQ(wait_for(start({"play", "a", "--iteration", "9"}, folder.path()), folder.path()).code, 3);
+}
+
+TEST(Optimize, MotionOnlyKeepsTheBodyAndSaysThatItDoesNotDo) {
+  const TemporaryFolder folder;
+  const Outcome outcome = wait_for(
+      start({"optimize", kWalk, "--motion-only", "--no-pictures", "--json", "-o", "run"}, folder.path()), folder.path());
+  EXPECT_EQ(outcome.code, 1) << outcome.err;
+  const Json run = Json::parse(outcome.out, nullptr, false);
+  ASSERT_FALSE(run.is_discarded());
+  EXPECT_FALSE(run["feasible"].get<bool>());
+  EXPECT_FALSE(run["reasons"].empty());
+  EXPECT_EQ(read_file(folder.path() / "run/result/robot.xml"), read_file(kExamples / "puppy" / "robot.xml"));
+}
+
+TEST(Optimize, StopsAtSigintWithAUsableFolder) {
+  const TemporaryFolder folder;
+  const pid_t child = start({"optimize", kWalk, "--no-pictures", "-o", "run"}, folder.path());
+  const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(120);
+  while (!fs::exists(folder.path() / "run/iterations/0001") && std::chrono::steady_clock::now() < limit)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  ::kill(child, SIGINT);
+  const Outcome outcome = wait_for(child, folder.path());
+  EXPECT_EQ(outcome.code, 130) << outcome.err;
+  EXPECT_TRUE(fs::is_regular_file(folder.path() / "run/result/scene.xml"));
+  EXPECT_EQ(read_json(folder.path() / "run/run.json")["status"], "interrupted");
+}
+
+TEST(Play, NeedsARun) { EXPECT_EQ(call({"play", "/nowhere", "--print"}).code, 3); }
+
+TEST(Doctor, FindsThePlugin) {
+  const Outcome outcome = call({"doctor", "--json"});
+  EXPECT_EQ(outcome.code, 0) << outcome.out;
+  const Json json = Json::parse(outcome.out, nullptr, false);
+  ASSERT_FALSE(json.is_discarded());
+  bool plugin = false;
+  for (const Json& item : json["items"]) plugin = plugin || (item["name"] == "plugin" && item["found"] == true);
+  EXPECT_TRUE(plugin);
+}
+
+}  // namespace
+}  // namespace legwright

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/io/design_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "mjcf/emit_scene.hpp"
+#include "mjcf/rewrite_robot.hpp"
+#include "optimizer/motion/motion.hpp"
+#include "tools/simulate/plan.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Where the trunk points, seen from above, at each knot; without jumps from knot to knot [rad].
+std::vector<double> headings(const MotionView& motion, int knot_count) {
+  std::vector<double> result;
+  for (int knot = 0; knot <= knot_count; ++knot) {
+    const Eigen::Vector3d turn = motion.pose(knot).segment<3>(3);
+    const double angle = turn.norm();
+    const Eigen::Vector3d forward =
+        angle > 0.0 ? Eigen::AngleAxisd(angle, turn / angle) * Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitX();
+    const double heading = std::atan2(forward.y(), forward.x());
+    const double before = result.empty() ? 0.0 : result.back();
+    result.push_back(before + std::remainder(heading - before, 2.0 * std::numbers::pi));
+  }
+  return result;
+}
+
+/// Removes a half-written folder unless it was handed over.
+class TemporaryFolder {
+ public:
+  explicit TemporaryFolder(fs::path path) : path_(std::move(path)) {
+    fs::remove_all(path_);  // of a run that was killed
+    fs::create_directories(path_);
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    if (!path_.empty()) fs::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  const fs::path& path() const { return path_; }
+  void rename_to(const fs::path& target) {
+    fs::rename(path_, target);
+    path_.clear();
+  }
+
+ private:
+  fs::path path_;
+};
+
+}  // namespace
+
+PlanQuality plan_quality(const Objective& objective, const Eigen::VectorXd& m) {
+  const Task& task = objective.task();
+  const Layout& layout = objective.layout();
+  const MotionView motion(layout, m);
+  const int last = layout.knot_count();
+  const std::vector<double> heading = headings(motion, last);
+  PlanQuality quality;
+  const Eigen::Vector3d moved = motion.com_W(last) - motion.com_W(0);
+  quality.planned_velocity = moved.head<2>() / task.gait.period();
+  // The chord of a turning path: on a straight one this is the wanted velocity itself.
+  const Eigen::Vector2d wanted = objective.path().travel().head<2>() / task.gait.period();
+  quality.speed_wanted = wanted.norm();
+  if (quality.speed_wanted > 1e-9) {
+    quality.speed_reached = quality.planned_velocity.dot(wanted) / quality.speed_wanted;
+  } else {  // on the spot
+    quality.speed_wanted = std::abs(task.turn_rate);
+    quality.speed_reached = std::copysign(1.0, task.turn_rate) * (heading.back() - heading.front()) / task.gait.period();
+  }
+  for (int knot = 0; knot <= last; ++knot) {
+    const double wanted_heading = objective.path().heading(knot * task.gait.time_step());
+    quality.heading_error = std::max(quality.heading_error, std::abs(heading[knot] - wanted_heading));
+  }
+  for (int knot = 0; knot <= last; ++knot)
+    for (int foot = 0; foot < layout.foot_count(); ++foot)
+      if (task.gait.in_contact(knot, foot)) {
+        const double height = motion.foot_W(knot, foot).z() - objective.morphology().feet[foot].radius;
+        quality.ground_error = std::max(quality.ground_error, std::abs(height));
+      }
+  return quality;
+}
+
+Json iteration_metrics(const DesignSpace& space, const DesignIteration& iteration, const PlanQuality& quality) {
+  Json terms = Json::object();
+  for (const TermValue& term : iteration.terms) terms[std::string(term.name)] = term.value;
+  return {{"schema", "legwright/iteration"},
+          {"version", 1},
+          {"index", iteration.index},
+          {"F", iteration.value},
+          {"terms", terms},
+          {"s", by_name(space, iteration.s)},
+          {"planned_velocity", {quality.planned_velocity.x(), quality.planned_velocity.y()}},
+          {"speed_reached", quality.speed_reached},
+          {"speed_wanted", quality.speed_wanted},
+          {"heading_error_rad", quality.heading_error},
+          {"ground_error_m", quality.ground_error},
+          {"root_residual", quality.root_residual},
+          {"design_gradient", by_name(space, iteration.design_gradient)},
+          {"projected_gradient_norm", iteration.projected_gradient_norm},
+          {"newton_iterations", iteration.newton_iterations},
+          {"motion_status", to_string(iteration.motion_status)}};
+}
+
+PlanQuality write_design(const fs::path& folder, const RobotModel& robot, const Objective& objective,
+                         const DesignIteration& iteration, Durability durability) {
+  const std::string robot_xml = rewrite_robot(robot, iteration.s);
+  const PlayablePlan plan = make_playable(robot, robot_xml, objective, iteration.m);
+  PlanQuality quality = plan_quality(objective, iteration.m);
+  quality.root_residual = plan.root_residual;
+  SceneSettings scene;
+  scene.trajectory = plan.trajectory;
+  scene.period = objective.task().gait.period();
+  scene.travel = plan.travel;
+  scene.turn = plan.turn;
+  scene.start_qpos = plan.start_qpos;
+  scene.start_qvel = plan.start_qvel;
+  scene.floor_friction = objective.task().floor_friction;
+
+  TemporaryFolder temporary(folder.parent_path() / fmt::format(".{}.tmp", folder.filename().string()));
+  write_file(temporary.path() / "robot.xml", robot_xml, durability);
+  write_file(temporary.path() / "scene.xml", emit_scene(robot, robot_xml, scene), durability);
+  write_file(temporary.path() / "motion.csv", plan.motion_csv, durability);
+  write_json(temporary.path() / "metrics.json", iteration_metrics(robot.space, iteration, quality), durability);
+  temporary.rename_to(folder);
+  if (durability == Durability::power) sync_folder(folder.parent_path());
+  return quality;
+}
+
+}  // namespace legwright

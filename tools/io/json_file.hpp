@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "optimizer/design/design.hpp"
+#include "tools/io/atomic_file.hpp"
+
+namespace legwright {
+
+/// Keys keep the order in which they were set, so equal results are equal bytes.
+using Json = nlohmann::ordered_json;
+
+/// The document as text: two-space indent, final newline; bytes that are no UTF-8 become U+FFFD.
+/// Numbers are shortest round trip; one that is not finite becomes null.
+std::string to_text(const Json& document);
+
+void write_json(const std::filesystem::path& path, const Json& document,
+                Durability durability = Durability::power);
+/// Throws IoError that names the file where it is no JSON, std::system_error where it cannot be read.
+Json read_json(const std::filesystem::path& path);
+
+/// {"name": value, …} for a vector in the order of the design's parameters.
+Json by_name(const DesignSpace& space, const Eigen::VectorXd& values);
+
+}  // namespace legwright

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "mjcf/input_error.hpp"
+#include "optimizer/terms/registry.hpp"
+#include "tools/io/task_file.hpp"
+#include "tools/io/toml_reader.hpp"
+
+namespace legwright {
+namespace {
+
+constexpr double kTouchdownError = 0.035;  // [s] real touchdown comes this much early or late
+constexpr double kQuickDuty = 0.6;         // gaits up to this duty have no third foot to catch them
+
+[[noreturn]] void refuse(const TaskFile& file, const std::string& key, const std::string& message) {
+  throw InputError(file.file.string(), file.line(key), key, message);
+}
+
+std::vector<double> touchdown_by_name(const TaskFile& file, const std::vector<std::string>& names,
+                                      const std::vector<int>& order) {
+  std::vector<double> touchdown;
+  for (int foot : order) {
+    const auto found = file.touchdown_by_foot.find(names[foot]);
+    if (found == file.touchdown_by_foot.end())
+      refuse(file, "gait.touchdown",
+             fmt::format("no entry for the foot '{}'; the robot's feet are {}", names[foot], fmt::join(names, ", ")));
+    touchdown.push_back(found->second);
+  }
+  for (const auto& [name, value] : file.touchdown_by_foot)
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      refuse(file, "gait.touchdown." + name,
+             fmt::format("the robot has no such foot; its feet are {}", fmt::join(names, ", ")));
+  return touchdown;
+}
+
+GaitPattern library_pattern(const TaskFile& file, int foot_count) {
+  std::vector<std::string> names;
+  for (GaitPattern& pattern : gait_library(foot_count)) {
+    if (pattern.name == file.gait) return pattern;
+    names.push_back(pattern.name);
+  }
+  if (names.empty())
+    refuse(file, "gait.name",
+           fmt::format("the library has no gait for {} feet; give gait.touchdown and gait.duty", foot_count));
+  const std::string guess = nearest(file.gait, names);
+  refuse(file, "gait.name",
+         fmt::format("'{}' is not in the library; {}for {} feet it has {}; or give gait.touchdown and gait.duty",
+                     file.gait, guess.empty() ? "" : fmt::format("did you mean '{}'? ", guess), foot_count,
+                     fmt::join(names, ", ")));
+}
+
+GaitPattern choose_pattern(const TaskFile& file, const std::vector<std::string>& names,
+                           const std::vector<int>& order) {
+  const auto foot_count = names.size();
+  GaitPattern pattern;
+  if (!file.touchdown_by_foot.empty())
+    pattern = {file.gait, touchdown_by_name(file, names, order), 0.0};
+  else if (!file.touchdown.empty())
+    pattern = {file.gait, file.touchdown, 0.0};
+  else
+    pattern = library_pattern(file, static_cast<int>(foot_count));
+  if (pattern.touchdown.size() != foot_count)
+    refuse(file, "gait.touchdown",
+           fmt::format("has {} entries; the robot has {} feet: give one phase for each, front to hind, left before right",
+                       pattern.touchdown.size(), foot_count));
+  if (file.duty) pattern.duty = *file.duty;
+  return pattern;
+}
+
+/// Knots of each foot strictly in the air, the smallest of them.
+int fewest_airborne(const Gait& gait, int margin) {
+  int fewest = gait.knot_count();
+  for (int foot = 0; foot < gait.foot_count(); ++foot) {
+    int airborne = 0;
+    for (int knot = 0; knot < gait.knot_count(); ++knot) airborne += !gait.planted(knot, foot, margin);
+    fewest = std::min(fewest, airborne);
+  }
+  return fewest;
+}
+
+int longest_stance(const Gait& gait) {
+  int longest = 0;
+  for (int foot = 0; foot < gait.foot_count(); ++foot) {
+    int stance = 0;
+    for (int knot = 0; knot < gait.knot_count(); ++knot) stance += gait.in_contact(knot, foot);
+    longest = std::max(longest, stance);
+  }
+  return longest;
+}
+
+int most_support(const Gait& gait) {
+  int most = 0;
+  for (int knot = 0; knot < gait.knot_count(); ++knot) {
+    int support = 0;
+    for (int foot = 0; foot < gait.foot_count(); ++foot) support += gait.in_contact(knot, foot);
+    most = std::max(most, support);
+  }
+  return most;
+}
+
+std::optional<std::vector<Eigen::Vector2d>> footprint_of(const TaskFile& file, const std::vector<int>& order) {
+  if (file.footprint.empty()) return std::nullopt;
+  const std::size_t foot_count = order.size();
+  std::vector<Eigen::Vector2d> result(foot_count);
+  if (file.footprint.size() == 1 && foot_count > 1) {  // half length and half width: rows from front to hind
+    if (foot_count % 2 != 0)
+      refuse(file, "style.footprint", "half length and half width need an even number of feet; give a pair for each");
+    const auto rows = static_cast<double>(foot_count / 2);
+    for (std::size_t place = 0; place < foot_count; ++place) {
+      const double along = rows > 1 ? 1.0 - 2.0 * static_cast<double>(place / 2) / (rows - 1.0) : 0.0;
+      result[order[place]] = file.footprint[0].cwiseProduct(Eigen::Vector2d(along, place % 2 == 0 ? 1.0 : -1.0));
+    }
+    return result;
+  }
+  if (file.footprint.size() != foot_count)
+    refuse(file, "style.footprint",
+           fmt::format("has {} pairs; the robot has {} feet: one pair each, front to hind, left before right, or "
+                       "[half length, half width]", file.footprint.size(), foot_count));
+  for (std::size_t place = 0; place < foot_count; ++place) result[order[place]] = file.footprint[place];
+  return result;
+}
+
+void check_weights(const TaskFile& file) {
+  std::vector<std::string> term_names;
+  for (const TermEntry& entry : term_registry()) term_names.emplace_back(entry.name);
+  for (const auto& [name, weight] : file.weights) {
+    if (std::find(term_names.begin(), term_names.end(), name) != term_names.end()) continue;
+    const std::string guess = nearest(name, term_names);
+    refuse(file, "weights." + name,
+           guess.empty() ? fmt::format("no term of that name; there are {}", fmt::join(term_names, ", "))
+                         : fmt::format("no term of that name; did you mean '{}'?", guess));
+  }
+}
+
+Gait make_gait(const TaskFile& file, const std::vector<std::string>& names, const std::vector<int>& order) {
+  const GaitPattern pattern = choose_pattern(file, names, order);
+  try {
+    return Gait(pattern, file.period, file.knots, order);
+  } catch (const std::invalid_argument&) {
+    refuse(file, file.duty ? "gait.duty" : "gait.knots",
+           fmt::format("a foot has no stance: a duty of {} on {} knots leaves it no knot on the ground; raise the duty "
+                       "above {:.3g} or the number of knots", pattern.duty, file.knots, 1.0 / file.knots));
+  }
+}
+
+void check_reach(const TaskFile& file, const Task& task, const RobotModel& robot) {
+  const StrideBound bound = stride_bound(task, robot);
+  if (bound.per_stance > bound.longest)
+    refuse(file, "travel.velocity",
+           fmt::format("out of reach: the body travels {:.3g} m while a foot stands, the longest stride of this robot "
+                       "is {:.3g} m (twice its longest leg at the bounds); slow down by a factor of {:.2g}, or shorten "
+                       "gait.period or the duty", bound.per_stance, bound.longest, bound.per_stance / bound.longest));
+  const double highest = 0.5 * bound.longest;
+  if (task.com_height && *task.com_height > 1.5 * highest)
+    refuse(file, "style.com_height",
+           fmt::format("is {} m; the longest leg that the bounds allow is {:.3g} m, so stay below that",
+                       *task.com_height, highest));
+  const int airborne = fewest_airborne(task.gait, task.planted_margin);
+  const bool moves = task.velocity.norm() > 0.0 || task.turn_rate != 0.0;
+  if (moves && airborne == 0)
+    refuse(file, "gait.knots",
+           fmt::format("no knot is left for the swing: {} knots of {:.3g} s, of which {} stay planted before and after "
+                       "stance; use more knots, a lower duty or a shorter limits.planted_margin",
+                       task.gait.knot_count(), task.gait.time_step(), task.planted_margin));
+  const int support = most_support(task.gait);
+  if (task.min_normal * support >= 1.0)
+    refuse(file, "limits.min_normal",
+           fmt::format("is {}; {} feet stand at once, so it must be below {:.3g} of the weight", task.min_normal,
+                       support, 1.0 / support));
+}
+
+}  // namespace
+
+int planted_margin_knots(std::optional<double> seconds, double duty, double time_step) {
+  const double wanted = seconds.value_or(duty <= kQuickDuty + 1e-9 ? kTouchdownError : time_step);
+  return std::max(1, static_cast<int>(std::lround(wanted / time_step)));
+}
+
+std::vector<Eigen::Vector3d> home_feet(const Morphology& morphology, const Eigen::VectorXd& s) {
+  std::vector<Eigen::Isometry3d> frames(morphology.links.size(), Eigen::Isometry3d::Identity());
+  for (std::size_t i = 1; i < morphology.links.size(); ++i) {
+    const Link& link = morphology.links[i];
+    frames[i] = frames[link.parent];
+    frames[i].translate(link.origin.at(s));
+    frames[i].rotate(link.orientation);
+    frames[i].rotate(Eigen::AngleAxisd(link.joint.nominal, link.joint.axis.at(s)));
+  }
+  std::vector<Eigen::Vector3d> feet;
+  for (const Foot& foot : morphology.feet) feet.push_back(frames[foot.link] * foot.position.at(s));
+  return feet;
+}
+
+std::vector<std::string> foot_names(const Morphology& morphology) {
+  std::vector<std::string> names;
+  for (const Foot& foot : morphology.feet) names.push_back(foot.name);
+  return names;
+}
+
+StrideBound stride_bound(const Task& task, const RobotModel& robot) {
+  StrideBound bound;
+  const Eigen::VectorXd initial = robot.space.initial(), upper = robot.space.upper();
+  double turn_radius = 0.0;
+  for (const Eigen::Vector3d& foot : home_feet(robot.morphology, initial))
+    turn_radius = std::max(turn_radius, foot.head<2>().norm());
+  for (int foot = 0; foot < robot.morphology.foot_count(); ++foot) {
+    bound.longest = std::max(bound.longest, 2.0 * stretched_limb(robot.morphology, foot, upper));
+    bound.leg_length = std::max(bound.leg_length, stretched_limb(robot.morphology, foot, initial));
+  }
+  const double speed = task.velocity.norm() + std::abs(task.turn_rate) * turn_radius;
+  bound.per_cycle = speed * task.gait.period();
+  bound.per_stance = bound.per_cycle * longest_stance(task.gait) / task.gait.knot_count();
+  return bound;
+}
+
+std::vector<std::string> task_warnings(const Task& task, const RobotModel& robot) {
+  std::vector<std::string> warnings;
+  const StrideBound bound = stride_bound(task, robot);
+  if (bound.per_stance > 0.4 * bound.longest)
+    warnings.push_back(fmt::format("long strides: {:.3g} m per stance, the longest possible is {:.3g} m; a shorter "
+                                   "period is easier", bound.per_stance, bound.longest));
+  if (task.velocity.norm() == 0.0 && task.turn_rate == 0.0)
+    warnings.push_back("the wanted velocity is zero: the robot will step on the spot");
+  if (task.com_height && *task.com_height > bound.leg_length)
+    warnings.push_back(fmt::format("com_height {} m is above the stretched legs of the initial design, {:.3g} m",
+                                   *task.com_height, bound.leg_length));
+  if (task.friction > 0.75 * task.floor_friction)
+    warnings.push_back(fmt::format("little friction is kept in hand: the plan uses {} of a floor of {}", task.friction,
+                                   task.floor_friction));
+  if (fewest_airborne(task.gait, task.planted_margin) < 3 && bound.per_cycle > 0.0)
+    warnings.push_back("a swing has fewer than three knots: use more knots for a smooth step");
+  if (robot.space.size() == 0)
+    warnings.push_back("the robot declares no design parameters: only its motion will be optimized");
+  return warnings;
+}
+
+Task make_task(const TaskFile& file, const RobotModel& robot) {
+  const std::vector<int> order = footfall_order(home_feet(robot.morphology, robot.space.initial()));
+  check_weights(file);
+  Task task = file.margins;
+  task.name = file.name;
+  task.gait = make_gait(file, foot_names(robot.morphology), order);
+  task.velocity = file.velocity;
+  task.turn_rate = file.turn_rate;
+  task.com_height = file.com_height;
+  task.footprint = footprint_of(file, order);
+  const double duty = static_cast<double>(longest_stance(task.gait)) / task.gait.knot_count();
+  task.planted_margin = planted_margin_knots(file.planted_margin, duty, task.gait.time_step());
+  task.weights = file.weights;
+  check_reach(file, task, robot);
+  return task;
+}
+
+}  // namespace legwright

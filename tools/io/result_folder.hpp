@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+
+namespace legwright {
+
+/// Where the files of a run are: run.json, inputs/, events.jsonl, iterations/NNNN/, result/.
+class ResultFolder {
+ public:
+  /// Makes the folder of a new run, with inputs/ and iterations/ in it. Throws IoError, with a way out in its
+  /// message, where it holds a run (unless `force`: that run is removed first) or files of the same names that are
+  /// no run (never removed), and where it cannot be written. What is already there is untouched when it throws.
+  static ResultFolder create(const std::filesystem::path& root, bool force);
+  /// An existing run. Throws IoError where `root` holds none.
+  static ResultFolder open(const std::filesystem::path& root);
+
+  const std::filesystem::path& root() const { return root_; }
+  std::filesystem::path run_json() const { return root_ / "run.json"; }
+  std::filesystem::path events() const { return root_ / "events.jsonl"; }
+  std::filesystem::path inputs() const { return root_ / "inputs"; }
+  std::filesystem::path iterations() const { return root_ / "iterations"; }
+  std::filesystem::path iteration(int index) const;  // iterations/0007
+  std::filesystem::path result() const { return root_ / "result"; }
+
+ private:
+  explicit ResultFolder(std::filesystem::path root) : root_(std::move(root)) {}
+  std::filesystem::path root_;
+};
+
+}  // namespace legwright

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mjcf/read_robot.hpp"
+#include "optimizer/motion/task.hpp"
+
+namespace legwright {
+
+/// A task file as it was written: everything that can be known without the robot. SI units. Keys that are
+/// absent in the file have the defaults that stand here.
+struct TaskFile {
+  std::filesystem::path file;
+  std::string text;             // byte for byte
+  std::string name;             // of the file, without its extension, unless the file says otherwise
+  std::filesystem::path robot;  // found from the folder of the task file
+
+  std::string gait;                                // of the library, or a name for a pattern of one's own
+  std::optional<double> duty;
+  std::vector<double> touchdown;                   // in footfall order, or
+  std::map<std::string, double> touchdown_by_foot; // by the foot's name
+  double period = 0.0;
+  int knots = 24;
+
+  Eigen::Vector2d velocity = Eigen::Vector2d::Zero();
+  double turn_rate = 0.0;
+
+  std::optional<double> com_height;
+  std::vector<Eigen::Vector2d> footprint;  // in footfall order; one entry: half length and half width
+  Task margins;                            // friction … joint_margin of the file over Task's defaults
+  std::optional<double> planted_margin;    // [s]
+  std::map<std::string, double> weights;
+
+  std::map<std::string, int> lines;  // of each key that is there, by its path: "gait.period"
+  int line(const std::string& key) const;
+};
+
+/// Reads a task file strictly: TOML 1.0, known keys only, right types, finite and in range. Throws InputError
+/// with one line for each thing that is wrong; also where the file or its robot is missing.
+TaskFile read_task_file(const std::filesystem::path& file);
+/// The same from text; `file` is for messages and to find the robot from.
+TaskFile parse_task_file(const std::string& text, const std::filesystem::path& file);
+
+/// The task for this robot: gait pattern chosen, feet put in the robot's order, seconds turned into knots.
+/// Throws InputError, with file and line of the key, where task and robot do not fit or the speed is out of reach.
+Task make_task(const TaskFile& file, const RobotModel& robot);
+
+/// Knots planted on either side of stance: `seconds` in knots, at least one. Without a wish 35 ms for gaits of
+/// duty ≤ 0.6 (touchdown comes that much early or late), else one knot.
+int planted_margin_knots(std::optional<double> seconds, double duty, double time_step);
+
+/// How far the body travels while a foot stands, at most and as far as the robot could ever reach [m].
+struct StrideBound {
+  double per_cycle = 0.0;    // of the body, per period
+  double per_stance = 0.0;   // of the body while one foot stands
+  double longest = 0.0;      // twice the longest leg that the bounds of s allow
+  double leg_length = 0.0;   // longest leg at the initial design
+};
+StrideBound stride_bound(const Task& task, const RobotModel& robot);
+
+/// What looks doubtful but is allowed, one sentence each.
+std::vector<std::string> task_warnings(const Task& task, const RobotModel& robot);
+
+/// Centres of the feet in the frame of the trunk, home pose, design s [m].
+std::vector<Eigen::Vector3d> home_feet(const Morphology& morphology, const Eigen::VectorXd& s);
+std::vector<std::string> foot_names(const Morphology& morphology);
+
+}  // namespace legwright

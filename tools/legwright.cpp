@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program: picks the verb, runs it, turns what went wrong into a message and an exit code.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <new>
+#include <system_error>
+
+#include "mjcf/input_error.hpp"
+#include "tools/io/install.hpp"
+#include "tools/io/io_error.hpp"
+#include "tools/verbs/verbs.hpp"
+
+namespace {
+
+using legwright::Action;
+
+constexpr void (*kVerbs[])(CLI::App&, Action&) = {
+    legwright::add_check,  legwright::add_optimize, legwright::add_validate, legwright::add_render,
+    legwright::add_report, legwright::add_play,     legwright::add_doctor,
+};
+
+int complain(const char* message, int code) {
+  std::fprintf(stderr, "legwright: %s\n", message);
+  return code;
+}
+
+int run(const Action& action) {
+  try {
+    return action();
+  } catch (const legwright::InputError& error) {
+    return complain(error.what(), legwright::kBadInput);
+  } catch (const legwright::IoError& error) {
+    return complain(error.what(), legwright::kIoError);
+  } catch (const std::system_error& error) {  // filesystem_error included
+    return complain(error.what(), legwright::kIoError);
+  } catch (const std::bad_alloc&) {
+    return complain("out of memory", legwright::kInternal);
+  } catch (const std::exception& error) {
+    const std::string message = std::string("internal error: ") + error.what();
+    return complain(message.c_str(), legwright::kInternal);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App program{"Legwright designs body and gait of a legged robot together, for MuJoCo.", "legwright"};
+  program.set_version_flag("--version", legwright::program_version());
+  program.require_subcommand(1);
+  program.footer("Start with:  legwright check examples/puppy/sideways.toml\n"
+                 "Exit codes:  0 ok, 1 infeasible or verdict fail, 2 bad input, 3 files, 4 internal, "
+                 "75 stopped, 130 interrupted");
+  Action action;
+  for (const auto add_verb : kVerbs) add_verb(program, action);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::Success& help) {  // --help, --version
+    return program.exit(help);
+  } catch (const CLI::ParseError& error) {
+    program.exit(error);
+    return legwright::kBadInput;
+  }
+  return run(action);
+}

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/render/iteration_painter.hpp"
+
+#include <vector>
+
+#include "tools/render/png.hpp"
+#include "tools/render/poses.hpp"
+
+namespace legwright {
+namespace {
+
+// From the front left and above: front of the robot, its side and the spread of its feet at once.
+constexpr double kAzimuth = 215.0, kElevation = -16.0, kMargin = 0.22;  // room to grow in
+
+}  // namespace
+
+IterationPainter::IterationPainter(const std::filesystem::path& first_scene) {
+  const ModelPointer model = load_scene(first_scene);
+  // The robot at rest too: its gait may crouch or turn, and later bodies stand otherwise.
+  const std::vector<double> rest(model->qpos0, model->qpos0 + model->nq);
+  view_ = frame_robot(*model, {start_pose(*model), rest}, kAzimuth, kElevation,
+                      static_cast<double>(kWidth) / kHeight, kMargin);
+}
+
+void IterationPainter::paint(const std::filesystem::path& scene, const std::filesystem::path& png) const {
+  const ModelPointer model = load_scene(scene);
+  Renderer renderer(context_, *model, kWidth, kHeight, RenderStyle::cheap);
+  write_png(png, renderer.render(start_pose(*model), view_));
+}
+
+}  // namespace legwright

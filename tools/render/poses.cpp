@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/render/poses.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+
+#include "plugin/spline.hpp"
+#include "tools/io/atomic_file.hpp"
+#include "tools/report/tables.hpp"
+
+namespace legwright {
+
+ModelPointer load_scene(const std::filesystem::path& file) {
+  char message[1000] = "";
+  ModelPointer model(mj_loadXML(file.c_str(), nullptr, message, sizeof message));
+  if (!model) throw std::runtime_error(file.string() + ": " + message);
+  return model;
+}
+
+std::vector<double> start_pose(const mjModel& model) {
+  const int key = std::max(mj_name2id(&model, mjOBJ_KEY, "gait"), 0);
+  const double* pose = model.nkey > 0 ? model.key_qpos + static_cast<std::ptrdiff_t>(key) * model.nq : model.qpos0;
+  return {pose, pose + model.nq};
+}
+
+Poses planned_poses(const mjModel& model, const Trajectory& plan, int count) {
+  int root = -1;
+  for (int j = 0; j < model.njnt && root < 0; ++j) {
+    if (model.jnt_type[j] == mjJNT_FREE) root = model.jnt_qposadr[j];
+  }
+  if (root < 0) throw std::runtime_error("the scene has no free root to place");
+  std::vector<int> address;
+  for (const std::string& name : plan.joint_names) {
+    const int joint = mj_name2id(&model, mjOBJ_JOINT, name.c_str());
+    if (joint < 0) throw std::runtime_error("the scene has no joint named '" + name + "', the plan has");
+    address.push_back(model.jnt_qposadr[joint]);
+  }
+  Poses poses;
+  TrajectorySample moment;
+  for (int k = 0; k < count; ++k) {
+    sample(plan, plan.period * k / count, moment);
+    std::vector<double> qpos(model.qpos0, model.qpos0 + model.nq);
+    double turn[3];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      qpos[static_cast<std::size_t>(root) + axis] = moment.root[axis];
+      turn[axis] = moment.root[3 + axis];
+    }
+    const double angle = mju_normalize3(turn);
+    mju_axisAngle2Quat(&qpos[static_cast<std::size_t>(root) + 3], turn, angle);
+    for (std::size_t j = 0; j < address.size(); ++j) {
+      qpos[static_cast<std::size_t>(address[j])] = moment.target[j];
+    }
+    poses.push_back(std::move(qpos));
+  }
+  return poses;
+}
+
+Playback read_playback(const mjModel& model, const std::filesystem::path& file) {
+  const CsvTable table = parse_csv_table(read_file(file), file.filename().string());
+  if (table.columns.size() != static_cast<std::size_t>(model.nq) + 1) {
+    throw std::runtime_error(file.string() + ": " + std::to_string(table.columns.size()) +
+                             " columns, expected time and " + std::to_string(model.nq) + " of qpos");
+  }
+  Playback playback;
+  for (const auto& row : table.rows) {
+    playback.time.push_back(row.front());
+    playback.qpos.emplace_back(row.begin() + 1, row.end());
+  }
+  return playback;
+}
+
+std::size_t record_at(const Playback& playback, double time) {
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < playback.time.size(); ++i) {
+    if (std::abs(playback.time[i] - time) < std::abs(playback.time[best] - time)) best = i;
+  }
+  return best;
+}
+
+}  // namespace legwright

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "plugin/trajectory.hpp"
+#include "tools/render/renderer.hpp"
+#include "tools/render/scene_parts.hpp"
+
+namespace legwright {
+
+/// Compiles a scene. Plugins that it names must have been loaded before.
+/// Throws std::runtime_error with MuJoCo's message.
+ModelPointer load_scene(const std::filesystem::path& file);
+
+/// Where the scene starts: its keyframe "gait", else its first, else the model's own reference pose.
+std::vector<double> start_pose(const mjModel& model);
+
+/// The plan as the plugin plays it, at `count` equally spaced phases of one cycle, as qpos of the model.
+/// Throws std::runtime_error where the model lacks a joint of the plan or a free root.
+Poses planned_poses(const mjModel& model, const Trajectory& plan, int count);
+
+/// What a simulation did, as `validate` records it.
+struct Playback {
+  std::vector<double> time;  // [s]
+  Poses qpos;
+};
+/// Reads a playback: a time column, then qpos. Throws std::runtime_error where it does not fit the model.
+Playback read_playback(const mjModel& model, const std::filesystem::path& file);
+
+/// Index of the record nearest to a time [s].
+std::size_t record_at(const Playback& playback, double time);
+
+}  // namespace legwright

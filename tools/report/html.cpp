@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/report/html.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace legwright {
+namespace {
+
+constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
+
+/// Length of the valid UTF-8 sequence that `text` begins with, 0 if it is none; `code` is its code point.
+std::size_t sequence_length(std::string_view text, char32_t& code) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char lead = byte(0);
+  if (lead < 0x80) {
+    code = lead;
+    return 1;
+  }
+  const std::size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
+  if (lead < 0xC2 || lead > 0xF4 || text.size() < length) return 0;
+  code = lead & (0x7F >> length);
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xC0) != 0x80) return 0;
+    code = (code << 6) | (byte(i) & 0x3F);
+  }
+  constexpr char32_t kLeast[] = {0, 0, 0x80, 0x800, 0x10000};
+  const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
+  return code < kLeast[length] || code > 0x10FFFF || surrogate ? 0 : length;
+}
+
+bool unwanted(char32_t code) {
+  const bool control = code < 0x20 || (code >= 0x7F && code < 0xA0);
+  const bool turns_text = (code >= 0x202A && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
+  return control || turns_text || code == 0xFEFF || code == 0xFFFE || code == 0xFFFF;
+}
+
+template <class Replace>
+std::string replaced(std::string_view text, const Replace& replace) {
+  std::string out;
+  for (const char c : clean_utf8(text)) {
+    const std::string_view entity = replace(c);
+    if (entity.empty()) {
+      out += c;
+    } else {
+      out += entity;
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string clean_utf8(std::string_view text) {
+  std::string out;
+  while (!text.empty()) {
+    char32_t code = 0;
+    const std::size_t length = sequence_length(text, code);
+    if (code == U'\t' || code == U'\n' || code == U'\r') {
+      out += ' ';
+    } else if (length == 0 || unwanted(code)) {
+      out += kReplacement;
+    } else {
+      out += text.substr(0, length);
+    }
+    text.remove_prefix(length == 0 ? 1 : length);
+  }
+  return out;
+}
+
+std::string escape_text(std::string_view text) {
+  return replaced(text, [](char c) -> std::string_view {
+    return c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : "";
+  });
+}
+
+std::string escape_attribute(std::string_view text) {
+  return replaced(text, [](char c) -> std::string_view {
+    switch (c) {
+      case '&': return "&amp;";
+      case '<': return "&lt;";
+      case '>': return "&gt;";
+      case '"': return "&quot;";
+      case '\'': return "&#39;";
+      case '`': return "&#96;";
+      default: return "";
+    }
+  });
+}
+
+std::string escape_json_island(std::string_view json) {
+  std::string clean = replaced(json, [](char c) -> std::string_view {
+    return c == '<' ? "\\u003c" : c == '>' ? "\\u003e" : c == '&' ? "\\u0026" : "";
+  });
+  for (const auto& [separator, code] : {std::pair{"\xE2\x80\xA8", "\\u2028"}, {"\xE2\x80\xA9", "\\u2029"}}) {
+    for (std::size_t at = clean.find(separator); at != std::string::npos; at = clean.find(separator)) {
+      clean.replace(at, 3, code);
+    }
+  }
+  return clean;
+}
+
+std::string escape_markdown(std::string_view text) {
+  std::string out;
+  for (const char c : escape_text(text)) {
+    if (std::string_view("\\`*_{}[]()#+-.!|~$:@/").find(c) != std::string_view::npos) out += '\\';
+    out += c;
+  }
+  return out;
+}
+
+std::string data_uri(std::string_view media_type, std::span<const std::uint8_t> bytes) {
+  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string out = fmt::format("data:{};base64,", media_type);
+  out.reserve(out.size() + (bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t left = std::min<std::size_t>(3, bytes.size() - i);
+    unsigned group = static_cast<unsigned>(bytes[i]) << 16;
+    if (left > 1) group |= static_cast<unsigned>(bytes[i + 1]) << 8;
+    if (left > 2) group |= bytes[i + 2];
+    for (std::size_t k = 0; k < 4; ++k) out += k > left ? '=' : kDigits[group >> (18 - 6 * k) & 63];
+  }
+  return out;
+}
+
+void Html::start(std::string_view tag, Attributes attributes) {
+  out_ += '<';
+  out_ += tag;
+  for (const auto& [name, value] : attributes) out_ += fmt::format(" {}=\"{}\"", name, escape_attribute(value));
+}
+
+Html& Html::open(std::string_view tag, Attributes attributes) {
+  start(tag, attributes);
+  out_ += '>';
+  open_.emplace_back(tag);
+  return *this;
+}
+
+Html& Html::close() {
+  if (open_.empty()) throw std::logic_error("Html: nothing to close");
+  out_ += fmt::format("</{}>", open_.back());
+  // A line break is a blank between words: only after elements that stand alone.
+  for (const char* block : {"div", "p", "tr", "table", "section", "figure", "li", "style", "script", "head"}) {
+    if (open_.back() == block) out_ += '\n';
+  }
+  open_.pop_back();
+  return *this;
+}
+
+Html& Html::lone(std::string_view tag, Attributes attributes) {
+  start(tag, attributes);
+  out_ += "/>";
+  return *this;
+}
+
+Html& Html::text(std::string_view text) {
+  out_ += escape_text(text);
+  return *this;
+}
+
+Html& Html::element(std::string_view tag, std::string_view content, Attributes attributes) {
+  return open(tag, attributes).text(content).close();
+}
+
+Html& Html::raw(std::string_view markup) {
+  out_ += markup;
+  return *this;
+}
+
+std::string Html::take() {
+  if (!open_.empty()) throw std::logic_error(fmt::format("Html: <{}> is still open", open_.back()));
+  return std::exchange(out_, {});
+}
+
+}  // namespace legwright

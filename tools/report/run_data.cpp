@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/report/run_data.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "tools/io/events.hpp"
+#include "tools/io/io_error.hpp"
+#include "tools/report/tables.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Runs `read` if the file is there; what it throws becomes a note.
+template <class Read>
+void if_present(const fs::path& file, std::vector<std::string>& notes, const Read& read) {
+  if (!fs::exists(file)) return;
+  try {
+    read(file);
+  } catch (const std::exception& error) {
+    notes.push_back(error.what());
+  }
+}
+
+}  // namespace
+
+fs::path RunData::iteration(int index) const { return root / "iterations" / fmt::format("{:04}", index); }
+
+RunData read_run(const fs::path& root) {
+  RunData data;
+  data.root = root;
+  const fs::path run_json = root / "run.json";
+  if (!fs::exists(run_json)) {
+    throw IoError(root.string() + ": no run of legwright optimize (run.json is missing)");
+  }
+  data.run = read_json(run_json);
+  if (!data.run.is_object()) throw IoError(run_json.string() + ": expected an object");
+  if_present(root / "events.jsonl", data.notes, [&](const fs::path& file) {
+    for (const Json& event : read_events(file)) {
+      if (text_at(event, {"event"}) == "iteration") data.iterations.push_back(event);
+    }
+  });
+  const fs::path result = root / "result";
+  if_present(result / "metrics.json", data.notes, [&](const fs::path& file) {
+    const Json metrics = read_json(file);
+    if (text_at(metrics, {"schema"}) == "legwright/validation") data.metrics = metrics;  // else not validated yet
+  });
+  if_present(result / "verdict.json", data.notes, [&](const fs::path& file) { data.verdict = read_json(file); });
+  if_present(data.iteration(0) / "motion.csv", data.notes,
+             [&](const fs::path& file) { data.initial_plan = read_motion_csv(file); });
+  if_present(result / "motion.csv", data.notes,
+             [&](const fs::path& file) { data.result_plan = read_motion_csv(file); });
+  return data;
+}
+
+const Json& value_at(const Json& json, std::initializer_list<const char*> path) {
+  static const Json nothing;
+  const Json* at = &json;
+  for (const char* key : path) {
+    if (!at->is_object()) return nothing;
+    const auto found = at->find(key);
+    if (found == at->end()) return nothing;
+    at = &*found;
+  }
+  return *at;
+}
+
+std::optional<double> number_at(const Json& json, std::initializer_list<const char*> path) {
+  const Json& value = value_at(json, path);
+  if (!value.is_number()) return std::nullopt;
+  const double number = value.get<double>();
+  return std::isfinite(number) ? std::optional(number) : std::nullopt;
+}
+
+std::string text_at(const Json& json, std::initializer_list<const char*> path) {
+  const Json& value = value_at(json, path);
+  return value.is_string() ? value.get<std::string>() : std::string();
+}
+
+}  // namespace legwright

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "plugin/trajectory.hpp"
+#include "tools/io/json_file.hpp"
+
+namespace legwright {
+
+/// What a run folder holds, read for a report: what is missing is missing, what is broken is noted.
+struct RunData {
+  std::filesystem::path root;
+  Json run;                      // run.json
+  std::vector<Json> iterations;  // "iteration" events in order
+  Json metrics, verdict;         // of validate; null where it has not run
+  std::optional<Trajectory> initial_plan, result_plan;
+  std::vector<std::string> notes;  // files that could not be used, and why
+
+  std::filesystem::path iteration(int index) const;
+};
+
+/// Throws IoError where the folder has no run.json that can be read; all else goes to the notes.
+RunData read_run(const std::filesystem::path& root);
+
+// Lenient access, so that a report of an incomplete run is still a report.
+/// The number at a path of keys, if there is one and it is finite.
+std::optional<double> number_at(const Json& json, std::initializer_list<const char*> path);
+/// The string at a path of keys; empty without.
+std::string text_at(const Json& json, std::initializer_list<const char*> path);
+/// What is at a path of keys; null without.
+const Json& value_at(const Json& json, std::initializer_list<const char*> path);
+
+}  // namespace legwright

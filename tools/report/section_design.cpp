@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+// What changed: the design parameters, and the terms of F.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "tools/report/sections.hpp"
+#include "tools/report/svg_plot.hpp"
+#include "tools/report/words.hpp"
+
+namespace legwright {
+namespace {
+
+void add_table(Html& page, const std::vector<ParameterView>& parameters, bool angles) {
+  if (std::none_of(parameters.begin(), parameters.end(), [&](const auto& p) { return p.angle == angles; })) return;
+  page.element("h3", angles ? "Joint axes" : "Lengths");
+  page.open("div", {{"class", "scroll"}}).open("table", {{"class", "design"}}).open("thead").open("tr");
+  for (const char* head : {"", "before", "after", "change"}) {
+    page.element("th", head, {{"class", *head == '\0' ? "" : "n"}});
+  }
+  page.element("th", "within bounds").close().close().open("tbody");
+  for (const ParameterView& p : parameters) {
+    if (p.angle != angles) continue;
+    page.open("tr").open("td").element("b", spaced(p.name));
+    if (!p.sentence.empty()) page.element("small", p.sentence);
+    page.close();
+    page.element("td", p.with_unit(p.initial), {{"class", "n"}, {"data-label", "before"}});
+    page.open("td", {{"class", "n"}, {"data-label", "after"}}).text(p.with_unit(p.final));
+    if (angles) page.element("small", p.in_radian(p.final));
+    page.close().element("td", p.change(), {{"class", "n"}, {"data-label", "change"}});
+    page.open("td", {{"class", "bar"}}).raw(bounds_bar(p.lower, p.upper, p.initial, p.final));
+    page.open("small").text(p.with_unit(p.lower) + " … " + p.with_unit(p.upper));
+    if (!p.at_bound().empty()) page.element("em", fmt::format("at its {}", p.at_bound()));
+    page.close().close().close();
+  }
+  page.close().close().close();
+}
+
+struct TermRow {
+  std::string name;
+  double before = 0.0, after = 0.0;
+};
+
+void add_term_bar(Html& page, double value, double most, const char* style) {
+  const double width = most > 0.0 ? 100.0 * std::clamp(value / most, 0.0, 1.0) : 0.0;
+  page.raw(fmt::format("<svg class=\"share\" viewBox=\"0 0 100 8\" preserveAspectRatio=\"none\" aria-hidden=\"true\">"
+                       "<rect class=\"{}\" width=\"{:.2f}\" height=\"8\"/></svg>", style, width));
+}
+
+}  // namespace
+
+void add_design_change(Html& page, const RunData& data) {
+  page.open("section").element("h2", "What changed in the body");
+  const auto parameters = parameters_of(data.run);
+  if (parameters.empty()) {
+    page.element("p", "run.json lists no design parameters.", {{"class", "note"}}).close();
+    return;
+  }
+  auto largest = parameters;
+  std::stable_sort(largest.begin(), largest.end(),
+                   [](const auto& a, const auto& b) { return a.share_of_range() > b.share_of_range(); });
+  page.element("p", "The largest changes, by share of the allowed range:", {{"class", "note"}});
+  page.open("ol", {{"class", "changes"}});
+  for (std::size_t i = 0; i < std::min<std::size_t>(4, largest.size()); ++i) {
+    const ParameterView& p = largest[i];
+    if (p.change() == "0") break;
+    page.open("li").element("b", fmt::format("{} {}", spaced(p.name), p.change()));
+    page.text(fmt::format(", from {} to {}", p.with_unit(p.initial), p.with_unit(p.final)));
+    if (!p.at_bound().empty()) page.text(", at its " + p.at_bound());
+    page.close();
+  }
+  page.close();
+  add_table(page, parameters, true);
+  add_table(page, parameters, false);
+  page.close();
+}
+
+void add_terms(Html& page, const RunData& data) {
+  if (data.iterations.empty()) return;
+  const Json& first = value_at(data.iterations.front(), {"terms"});
+  const Json& last = value_at(data.iterations.back(), {"terms"});
+  if (!first.is_object() || !last.is_object()) return;
+  std::vector<TermRow> rows;
+  double most = 0.0;
+  for (const auto& [name, value] : first.items()) {
+    if (!value.is_number()) continue;
+    rows.push_back({name, value.get<double>(), number_at(last, {name.c_str()}).value_or(0.0)});
+    most = std::max({most, rows.back().before, rows.back().after});
+  }
+  std::stable_sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.before > b.before; });
+  page.open("section").element("h2", "What the cost is made of");
+  page.element("p", "Each term of F, weighted, for the initial body and for the co-designed one.", {{"class", "note"}});
+  page.raw("<p class=\"legend\"><span><i class=\"key b2\"></i>before</span> <span><i class=\"key b1\"></i>after</span></p>\n");
+  page.open("div", {{"class", "scroll"}}).open("table", {{"class", "terms"}}).open("thead").open("tr");
+  page.element("th", "").element("th", "before", {{"class", "n"}}).element("th", "after", {{"class", "n"}});
+  page.element("th", "").close().close().open("tbody");
+  for (const TermRow& row : rows) {
+    page.open("tr").open("td").element("b", term_words(row.name)).element("small", row.name).close();
+    page.element("td", short_number(row.before), {{"class", "n"}});
+    page.element("td", short_number(row.after), {{"class", "n"}}).open("td", {{"class", "bars"}});
+    add_term_bar(page, row.before, most, "b2");
+    add_term_bar(page, row.after, most, "b1");
+    page.close().close();
+  }
+  page.open("tr", {{"class", "sum"}}).element("td", "F");
+  page.element("td", short_number(number_at(data.iterations.front(), {"F"})), {{"class", "n"}});
+  page.element("td", short_number(number_at(data.iterations.back(), {"F"})), {{"class", "n"}}).element("td", "").close();
+  page.close().close().close().close();
+}
+
+}  // namespace legwright

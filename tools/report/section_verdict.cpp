@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+// Top of the page: the two verdicts, and the pictures that go with them.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tools/io/atomic_file.hpp"
+#include "tools/render/png.hpp"
+#include "tools/report/sections.hpp"
+#include "tools/report/words.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+void add_card(Html& page, const RunData& data, const char* key, const std::string& title, const std::string& body) {
+  const Json& verdict = value_at(data.verdict, {key});
+  const Json& pass = value_at(verdict, {"pass"});
+  const bool known = pass.is_boolean(), passed = known && pass.get<bool>();
+  page.open("div", {{"class", !known ? "card" : passed ? "card pass" : "card fail"}});
+  page.element("h2", title);
+  page.element("p", !known ? "Not validated" : passed ? "✓ Pass" : "✗ Fail", {{"class", "verdict"}});
+  page.element("p", body, {{"class", "note"}});
+  const Json& reasons = value_at(verdict, {"reasons"});
+  if (reasons.is_array() && !reasons.empty()) {
+    page.open("ul");
+    for (const Json& reason : reasons) {
+      if (reason.is_string()) page.element("li", reason.get<std::string>());
+    }
+    page.close();
+  } else if (known) {
+    std::string line = text_at(verdict, {"line"});
+    const std::size_t colon = line.find(": ");  // the card's head has said what stands before it
+    page.element("p", colon == std::string::npos ? line : line.substr(colon + 2));
+  }
+  page.close();
+}
+
+void add_strip(Html& page, const fs::path& file, const std::string& title, const std::string& explanation) {
+  const std::string bytes = read_file(file);
+  const std::span<const std::uint8_t> data(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+  page.open("figure", {{"class", "strip"}});
+  page.open("figcaption").element("b", title).text(" " + explanation).close();
+  page.open("div", {{"class", "scroll"}, {"tabindex", "0"}});
+  page.lone("img", {{"src", data_uri("image/png", data)}, {"alt", title}});
+  page.close().close();
+}
+
+/// At most `most` of the iterations, first and last among them, the others where F fell most.
+std::vector<int> spread(const RunData& data, const std::vector<int>& drawn, std::size_t most) {
+  if (drawn.size() <= most) return drawn;
+  const auto cost = [&](int i) { return number_at(data.iterations[static_cast<std::size_t>(i)], {"F"}).value_or(1.0); };
+  std::vector<double> way{0.0};  // how far the run had come, in powers of F and a little by count
+  for (std::size_t k = 1; k < drawn.size(); ++k) {
+    const double ratio = std::abs(cost(drawn[k - 1]) / cost(drawn[k]));
+    way.push_back(way.back() + 0.03 + (ratio > 0.0 && std::isfinite(ratio) ? std::abs(std::log(ratio)) : 0.0));
+  }
+  std::vector<int> shown{drawn.front()};
+  std::size_t next = 1;
+  for (std::size_t n = 1; n < most; ++n) {  // leaves enough for those that are still to be chosen
+    const double goal = way.back() * static_cast<double>(n) / static_cast<double>(most - 1);
+    const std::size_t last = drawn.size() - (most - n);
+    while (next < last && way[next] < goal) ++next;
+    shown.push_back(drawn[next++]);
+  }
+  return shown;
+}
+
+}  // namespace
+
+std::string command(const std::string& verb, const RunData& data) {
+  return "legwright " + verb + " " + data.root.generic_string();
+}
+
+void add_hint(Html& page, const std::string& what, const std::string& verb, const RunData& data) {
+  page.open("p", {{"class", "hint"}}).text(what + " Run ").element("code", command(verb, data)).text(
+      ", then the report again.");
+  page.close();
+}
+
+void add_verdicts(Html& page, const RunData& data) {
+  page.open("section", {{"class", "cards"}});
+  add_card(page, data, "initial", "Before", "initial body, its gait optimised for the task");
+  add_card(page, data, "result", "After", "body and gait co-designed");
+  if (data.verdict.is_null()) {
+    add_hint(page, "No verdict yet: the gaits have not been played in MuJoCo.", "validate", data);
+  } else {
+    page.element("p", "Verdicts are MuJoCo’s: each gait is played as planned, at half, default and double servo gains.",
+                 {{"class", "note wide"}});
+  }
+  page.close();
+}
+
+void add_pictures(Html& page, const RunData& data) {
+  page.open("section").element("h2", "Before and after");
+  const fs::path result = data.root / "result";
+  const bool planned = fs::exists(result / "strip_before_after.png");
+  if (fs::exists(result / "strip_physics.png")) {
+    add_strip(page, result / "strip_physics.png", "What physics did.",
+              "The camera stands still; the thin line is the start, the coloured one the way of the trunk.");
+  } else if (planned) {
+    add_hint(page, "No pictures of the simulation yet.", data.metrics.is_null() ? "validate" : "render", data);
+  }
+  if (planned) {
+    add_strip(page, result / "strip_before_after.png", "What was planned.",
+              "One cycle at the same camera and phases; dots are the feet seen from above, filled where they bear.");
+  } else {
+    add_hint(page, "No film strips yet.", "render", data);
+  }
+  page.close();
+}
+
+void add_gallery(Html& page, const RunData& data) {
+  std::vector<int> drawn;
+  for (std::size_t i = 0; i < data.iterations.size(); ++i) {
+    if (fs::exists(data.iteration(static_cast<int>(i)) / "frame.png")) drawn.push_back(static_cast<int>(i));
+  }
+  if (drawn.empty()) return;
+  constexpr std::size_t kMost = 12;  // keeps the page small: some 30 kB each
+  const std::vector<int> shown = spread(data, drawn, kMost);
+  page.open("section").element("h2", "The body, iteration by iteration");
+  page.open("div", {{"class", "gallery"}});
+  for (const int index : shown) {
+    try {
+      const auto bytes = encode_png(shrink(read_png(data.iteration(index) / "frame.png"), 2));
+      const std::string name = fmt::format("iteration {}", index);
+      page.open("figure").lone("img", {{"src", data_uri("image/png", bytes)}, {"alt", name}});
+      const auto cost = number_at(data.iterations[static_cast<std::size_t>(index)], {"F"});
+      page.element("figcaption", fmt::format("{} · F {}", index, short_number(cost))).close();
+    } catch (const std::runtime_error&) {
+      page.element("p", fmt::format("iteration {}: its picture cannot be read", index), {{"class", "note"}});
+    }
+  }
+  page.close().close();
+}
+
+}  // namespace legwright

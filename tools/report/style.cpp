@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/report/sections.hpp"
+
+namespace legwright {
+
+std::string_view report_style() {
+  // No markup characters in here: the page must stay well-formed XML (so no child combinator either).
+  return R"(
+:root { color-scheme: light dark; --paper: #fff; --ink: #1f2328; --pale: #59636e; --line: #d8dee4; --soft: #f6f8fa;
+  --good: #1a7f37; --bad: #cf222e; --good-soft: #eaf6ec; --bad-soft: #fdf0ef;
+  --c1: #1f6feb; --c2: #bc4c00; --c3: #1a7f37; --c4: #8250df; --c5: #0e8a9c; --c6: #a8326e; }
+@media (prefers-color-scheme: dark) {
+  :root { --paper: #14171c; --ink: #e4e8ed; --pale: #98a2ae; --line: #343b45; --soft: #1c2128;
+    --good: #4ac26b; --bad: #ff7b72; --good-soft: #15251b; --bad-soft: #2c1a1b;
+    --c1: #62a5ff; --c2: #f0924a; --c3: #4ac26b; --c4: #b794ff; --c5: #4cc9d8; --c6: #f08cc0; } }
+* { box-sizing: border-box; }
+html { -webkit-text-size-adjust: 100%; }
+body { margin: 0 auto; padding: 2rem 1.25rem 4rem; max-width: 70rem; background: var(--paper); color: var(--ink);
+  font: 16px/1.5 system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, sans-serif; }
+h1 { font-size: 1.9rem; line-height: 1.2; margin: 0; letter-spacing: -0.015em; overflow-wrap: anywhere; }
+h2 { font-size: 1.25rem; margin: 0 0 .6rem; letter-spacing: -0.005em; }
+h3 { font-size: 1rem; margin: 1.4rem 0 .3rem; }
+header p { margin: .25rem 0 1.5rem; color: var(--pale); }
+section { margin: 0 0 2.75rem; }
+p { margin: .4rem 0; }
+code { font: .88em ui-monospace, SFMono-Regular, Menlo, Consolas, monospace; overflow-wrap: anywhere; }
+small { display: block; color: var(--pale); font-size: .8rem; line-height: 1.35; }
+figcaption small { display: inline; font-weight: normal; }
+em { display: block; font-style: normal; color: var(--c2); font-weight: 600; white-space: nowrap; }
+.note { color: var(--pale); font-size: .92rem; }
+.hint { background: var(--soft); border-left: 3px solid var(--c2); padding: .55rem .8rem; border-radius: 0 6px 6px 0; }
+.cards { display: grid; grid-template-columns: 1fr 1fr; gap: 1rem; }
+@media (max-width: 40rem) { .cards { grid-template-columns: 1fr; } body { padding: 1.25rem 1rem 3rem; } }
+.cards .note, .cards .hint { margin: 0; }
+.cards p.hint, section p.wide { grid-column: 1 / -1; }
+.card { border: 1px solid var(--line); border-top: 4px solid var(--pale); border-radius: 8px; padding: 1rem 1.2rem; }
+.card h2 { font-size: .95rem; margin: 0; color: var(--pale); font-weight: 600; }
+.card .verdict { font-size: 2rem; font-weight: 700; line-height: 1.15; margin: .1rem 0; letter-spacing: -0.02em; }
+.card ul { margin: .5rem 0 0; padding-left: 1.1rem; }
+.pass { border-top-color: var(--good); background: var(--good-soft); }
+.fail { border-top-color: var(--bad); background: var(--bad-soft); }
+.pass .verdict { color: var(--good); } .fail .verdict { color: var(--bad); }
+figure { margin: 0; }
+.strip { margin: 0 0 1.25rem; }
+.strip figcaption { margin-bottom: .4rem; font-size: .92rem; color: var(--pale); } .strip b { color: var(--ink); }
+.scroll { overflow-x: auto; -webkit-overflow-scrolling: touch; }
+.strip img { display: block; width: 100%; min-width: 56rem; height: auto; border: 1px solid var(--line); border-radius: 6px; }
+.gallery { display: grid; grid-template-columns: repeat(auto-fill, minmax(10rem, 1fr)); gap: .8rem; }
+.gallery img { display: block; width: 100%; height: auto; border-radius: 6px; }
+.gallery figcaption { font-size: .8rem; color: var(--pale); margin-top: .2rem; font-variant-numeric: tabular-nums; }
+.charts { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(26rem, 100%), 1fr)); gap: 1.75rem 2.5rem; margin-top: .8rem; }
+.chart { min-width: 0; } .chart figcaption { font-weight: 600; font-size: .95rem; }
+.chart svg { display: block; width: 100%; height: auto; margin-top: .3rem; }
+.chart text { font: 12px system-ui, -apple-system, "Segoe UI", Roboto, sans-serif; fill: var(--pale); font-variant-numeric: tabular-nums; }
+.grid { stroke: var(--line); stroke-width: 1; fill: none; } .axis, .tick { stroke: var(--pale); fill: none; }
+.line { fill: none; stroke-width: 2; stroke-linejoin: round; stroke-linecap: round; } .line.dash { stroke-dasharray: 6 5; }
+.c1 { stroke: var(--c1); } .c2 { stroke: var(--c2); } .c3 { stroke: var(--c3); } .c4 { stroke: var(--c4); } .c5 { stroke: var(--c5); } .c6 { stroke: var(--c6); }
+.f1 { fill: var(--c1); } .f2 { fill: var(--c2); } .f3 { fill: var(--c3); } .f4 { fill: var(--c4); } .f5 { fill: var(--c5); } .f6 { fill: var(--c6); }
+.legend { margin: .15rem 0 0; font-size: .82rem; color: var(--pale); } .legend span { margin-right: .9rem; white-space: nowrap; }
+.key { display: inline-block; width: 1.3rem; border-top: 3px solid; vertical-align: middle; margin-right: .35rem; } .key.dash { border-top-style: dashed; }
+.key.b1 { border-color: var(--c1); } .key.b2 { border-color: var(--c2); } .key.b3 { border-color: var(--c3); }
+.key.b4 { border-color: var(--c4); } .key.b5 { border-color: var(--c5); } .key.b6 { border-color: var(--c6); }
+.key.wide { border-top-width: 12px; border-color: var(--c1); opacity: .3; border-radius: 2px; } .key.thin { border-top-width: 5px; border-color: var(--ink); }
+.planned { fill: var(--c1); opacity: .28; } .measured { fill: var(--ink); }
+table { border-collapse: collapse; width: 100%; font-size: .92rem; }
+th, td { text-align: left; padding: .4rem .9rem .4rem 0; border-bottom: 1px solid var(--line); vertical-align: top; }
+th { font-size: .8rem; color: var(--pale); font-weight: 600; white-space: nowrap; } td b { font-weight: 600; }
+.n { text-align: right; white-space: nowrap; font-variant-numeric: tabular-nums; }
+.design td:first-child { min-width: 11rem; } .bar { width: 12rem; min-width: 9rem; } .bounds { display: block; width: 100%; max-width: 11rem; height: auto; }
+.track { stroke: var(--line); stroke-width: 2; fill: none; } .moved { stroke: var(--c1); stroke-width: 3; fill: none; opacity: .55; }
+.before { fill: var(--paper); stroke: var(--pale); stroke-width: 1.5; } .after { fill: var(--c1); }
+.bars { width: 40%; min-width: 7rem; padding-top: .7rem; } .share { display: block; width: 100%; height: 6px; margin-bottom: 3px; }
+.share .b1 { fill: var(--c1); } .share .b2 { fill: var(--c2); } .sum td { font-weight: 700; }
+.gains td:first-child { min-width: 11rem; } .changes { margin: .3rem 0 0; padding-left: 1.3rem; } .origin td:first-child { white-space: nowrap; color: var(--pale); width: 1%; }
+footer { color: var(--pale); font-size: .85rem; border-top: 1px solid var(--line); padding-top: .8rem; }
+@media (max-width: 40rem) {
+  .design, .design tbody { display: block; } .design thead { display: none; }
+  .design tr { display: grid; grid-template-columns: 1fr 1fr 1fr; border-bottom: 1px solid var(--line); padding: .5rem 0; }
+  .design td { border: 0; padding: .1rem 0; text-align: left; } .design td:first-child, .design .bar { grid-column: 1 / -1; width: auto; }
+  .design .n::before { content: attr(data-label); display: block; color: var(--pale); font-size: .8rem; line-height: 1.2; }
+  .bounds { max-width: none; } .terms small { display: none; } .bars { min-width: 3.5rem; width: 25%; } .terms td { padding-right: .5rem; } }
+@media print { body { max-width: none; padding: 0; font-size: 11pt; } section, figure, tr { break-inside: avoid; } .strip img { min-width: 0; } .scroll { overflow: visible; } }
+)";
+}
+
+}  // namespace legwright

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/report/svg_plot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tools/report/html.hpp"
+
+namespace legwright {
+namespace {
+
+constexpr double kLeft = 52, kRight = 12, kTop = 10, kBottom = 42;  // around the plot's area
+
+/// Where values fall on the paper.
+struct Axis {
+  double low, high, from, to;
+  bool log = false;
+  double at(double value) const {
+    const double share = log ? (std::log10(value) - std::log10(low)) / (std::log10(high) - std::log10(low))
+                             : (value - low) / (high - low);
+    return from + share * (to - from);
+  }
+};
+
+bool drawable(double x, double y, bool log) { return std::isfinite(x) && std::isfinite(y) && (!log || y > 0.0); }
+
+std::string legend(const std::vector<PlotSeries>& series) {
+  if (series.size() < 2) return "";
+  std::string out = "<p class=\"legend\">";
+  for (const PlotSeries& s : series) {
+    out += fmt::format("<span><i class=\"key b{}{}\"></i>{}</span> ", s.colour, s.dashed ? " dash" : "",
+                       escape_text(s.name));
+  }
+  return out + "</p>\n";
+}
+
+std::string figure(const std::string& title, const std::string& content) {
+  return "<figure class=\"chart\"><figcaption>" + escape_text(title) + "</figcaption>\n" + content + "</figure>\n";
+}
+
+std::string path_of(const PlotSeries& s, const Axis& x, const Axis& y) {
+  std::string path;
+  bool pen_down = false;
+  double last_y = 0.0;
+  for (std::size_t i = 0; i < std::min(s.x.size(), s.y.size()); ++i) {
+    if (!drawable(s.x[i], s.y[i], y.log)) {
+      pen_down = false;
+      continue;
+    }
+    if (pen_down && s.steps) path += fmt::format("L{:.1f} {:.1f}", x.at(s.x[i]), last_y);
+    last_y = y.at(s.y[i]);
+    path += fmt::format("{}{:.1f} {:.1f}", pen_down ? "L" : "M", x.at(s.x[i]), last_y);
+    pen_down = true;
+  }
+  return path;
+}
+
+std::string frame(const Axis& x, const Axis& y, const PlotOptions& options) {
+  std::string out;
+  const auto y_ticks = y.log ? log_ticks(y.low, y.high) : linear_ticks(y.low, y.high, 5);
+  for (const double tick : y_ticks) {
+    out += fmt::format("<path class=\"grid\" d=\"M{:.1f} {:.1f}H{:.1f}\"/><text x=\"{:.1f}\" y=\"{:.1f}\" "
+                       "text-anchor=\"end\">{}</text>",
+                       x.from, y.at(tick), x.to, x.from - 6, y.at(tick) + 4, tick_label(tick));
+  }
+  for (const double tick : linear_ticks(x.low, x.high, 6, options.whole_x)) {
+    out += fmt::format("<path class=\"tick\" d=\"M{0:.1f} {1:.1f}v4\"/><text x=\"{0:.1f}\" y=\"{2:.1f}\" "
+                       "text-anchor=\"middle\">{3}</text>",
+                       x.at(tick), y.from, y.from + 17, tick_label(tick));
+  }
+  out += fmt::format("<path class=\"axis\" d=\"M{:.1f} {:.1f}H{:.1f}\"/>", x.from, y.from, x.to);
+  out += fmt::format("<text class=\"label\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>", x.to,
+                     y.from + 35, escape_text(options.x_label));
+  return out;
+}
+
+struct Extent {
+  double low = INFINITY, high = -INFINITY;
+  void add(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  /// Never empty: at least `least` wide.
+  void widen(double share, double least) {
+    const double by = std::max(share * (high - low), high - low < least ? least : 0.0);
+    low -= by;
+    high += by;
+  }
+};
+
+}  // namespace
+
+std::vector<double> linear_ticks(double low, double high, int count, bool whole) {
+  if (!(high > low) || !std::isfinite(low) || !std::isfinite(high)) return {low};
+  const double rough = (high - low) / std::max(count, 1);
+  const double power = std::pow(10.0, std::floor(std::log10(rough)));
+  double step = 10 * power;
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (factor * power >= rough * (1 - 1e-9)) {
+      step = factor * power;
+      break;
+    }
+  }
+  if (whole) step = std::max(1.0, std::round(step));
+  std::vector<double> ticks;
+  const double first = std::ceil(low / step - 1e-9), last = std::floor(high / step + 1e-9);
+  for (double k = first; k <= last; ++k) ticks.push_back(k * step == 0.0 ? 0.0 : k * step);
+  if (ticks.empty()) ticks.push_back(low);
+  return ticks;
+}
+
+std::vector<double> log_ticks(double low, double high) {
+  if (!(low > 0.0) || !(high > low)) return {low > 0.0 ? low : 1.0};
+  const int first = static_cast<int>(std::ceil(std::log10(low) - 1e-9));
+  const int last = static_cast<int>(std::floor(std::log10(high) + 1e-9));
+  std::vector<double> ticks;
+  if (last - first + 1 >= 3) {
+    const int step = (last - first) / 6 + 1;
+    for (int k = first; k <= last; k += step) ticks.push_back(std::pow(10.0, k));
+    return ticks;
+  }
+  for (int k = first - 1; k <= last; ++k) {
+    for (const double factor : {1.0, 2.0, 5.0}) {
+      const double value = factor * std::pow(10.0, k);
+      if (value >= low * (1 - 1e-9) && value <= high * (1 + 1e-9)) ticks.push_back(value);
+    }
+  }
+  return ticks.size() >= 2 ? ticks : linear_ticks(low, high, 4);
+}
+
+std::string tick_label(double value) {
+  if (value == 0.0) return "0";
+  const double size = std::abs(value);
+  if (size >= 1e-3 && size < 1e5) {
+    std::string text = fmt::format("{:.{}f}", value, size >= 1000 ? 0 : size >= 1 ? 2 : 4);
+    if (text.find('.') != std::string::npos) {
+      text.erase(text.find_last_not_of('0') + 1);
+      if (text.back() == '.') text.pop_back();
+    }
+    return text.front() == '-' ? "−" + text.substr(1) : text;
+  }
+  return fmt::format("{:.2g}", value);
+}
+
+std::string line_plot(const std::vector<PlotSeries>& series, const PlotOptions& options) {
+  Extent x_range, y_range;
+  for (const PlotSeries& s : series) {
+    for (std::size_t i = 0; i < std::min(s.x.size(), s.y.size()); ++i) {
+      if (!drawable(s.x[i], s.y[i], options.log_y)) continue;
+      x_range.add(s.x[i]);
+      y_range.add(s.y[i]);
+    }
+  }
+  if (!(y_range.high >= y_range.low)) return figure(options.title, "<p class=\"note\">Nothing to draw.</p>\n");
+  x_range.widen(0.0, 1e-9);
+  if (options.log_y) {
+    const double ratio = std::max(std::pow(y_range.high / y_range.low, 0.05), 1.05);
+    y_range = {y_range.low / ratio, y_range.high * ratio};
+  } else {
+    if (options.y_from_zero) y_range.add(0.0);
+    const bool floor_at_zero = options.y_from_zero && y_range.low == 0.0;
+    y_range.widen(0.06, 1e-9);
+    if (floor_at_zero) y_range.low = 0.0;
+  }
+  const Axis x{x_range.low, x_range.high, kLeft, options.width - kRight};
+  const Axis y{y_range.low, y_range.high, options.height - kBottom, kTop, options.log_y};
+  std::string svg = fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">", options.width,
+                                options.height, escape_attribute(options.title));
+  svg += frame(x, y, options);
+  for (const PlotSeries& s : series) {
+    svg += fmt::format("<path class=\"line c{}{}\" d=\"{}\"/>", s.colour, s.dashed ? " dash" : "", path_of(s, x, y));
+    if (!s.points) continue;
+    for (std::size_t i = 0; i < std::min(s.x.size(), s.y.size()); ++i) {
+      if (!drawable(s.x[i], s.y[i], options.log_y)) continue;
+      svg += fmt::format("<circle class=\"f{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.6\"/>", s.colour, x.at(s.x[i]),
+                         y.at(s.y[i]));
+    }
+  }
+  svg += "</svg>\n";
+  const std::string unit = options.y_label.empty() ? "" : " <small>" + escape_text(options.y_label) + "</small>";
+  return "<figure class=\"chart\"><figcaption>" + escape_text(options.title) + unit + "</figcaption>\n" +
+         legend(series) + svg + "</figure>\n";
+}
+
+std::string footfall_plot(const std::vector<FootfallRow>& rows, double end, const std::string& title) {
+  constexpr double kWidth = 460, kName = 62, kRow = 30;
+  const double height = kRow * static_cast<double>(rows.size()) + kBottom + 4;
+  const double bottom = kRow * static_cast<double>(rows.size()) + 4;
+  const Axis x{0.0, std::max(end, 1e-6), kName, kWidth - kRight};
+  std::string svg = fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">", kWidth, height,
+                                escape_attribute(title));
+  const auto bars = [&](const std::vector<std::pair<double, double>>& spans, double y, double thick,
+                        const char* style) {
+    for (const auto& [from, to] : spans) {
+      const double left = x.at(std::clamp(from, 0.0, end)), right = x.at(std::clamp(to, 0.0, end));
+      if (!(right > left)) continue;  // also NaN
+      svg += fmt::format("<rect class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" rx=\"2\"/>",
+                         style, left, y, right - left, thick);
+    }
+  };
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double y = 4 + kRow * static_cast<double>(i);
+    const std::string name = clean_utf8(rows[i].name);
+    svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>", kName - 8, y + 18,
+                       escape_text(name.size() > 9 ? clean_utf8(name.substr(0, 8)) + "…" : name));
+    bars(rows[i].planned, y + 3, 22, "planned");
+    bars(rows[i].measured, y + 10, 8, "measured");
+  }
+  for (const double tick : linear_ticks(0.0, end, 6)) {
+    svg += fmt::format("<path class=\"tick\" d=\"M{0:.1f} {1:.1f}v4\"/><text x=\"{0:.1f}\" y=\"{2:.1f}\" "
+                       "text-anchor=\"middle\">{3}</text>",
+                       x.at(tick), bottom, bottom + 17, tick_label(tick));
+  }
+  svg += fmt::format("<path class=\"axis\" d=\"M{:.1f} {:.1f}H{:.1f}\"/><text class=\"label\" x=\"{:.1f}\" "
+                     "y=\"{:.1f}\" text-anchor=\"end\">time [s]</text></svg>\n",
+                     x.from, bottom, x.to, x.to, bottom + 35);
+  const std::string keys =
+      "<p class=\"legend\"><span><i class=\"key wide\"></i>planned stance</span> "
+      "<span><i class=\"key thin\"></i>measured contact</span></p>\n";
+  return figure(title, keys + svg);
+}
+
+std::string bounds_bar(double lower, double upper, double before, double after) {
+  const Axis x{lower, upper, 7, 113};
+  if (!(upper > lower) || !std::isfinite(before) || !std::isfinite(after)) return "";
+  const double from = x.at(std::clamp(before, lower, upper)), to = x.at(std::clamp(after, lower, upper));
+  return fmt::format("<svg class=\"bounds\" viewBox=\"0 0 120 16\" role=\"img\" aria-label=\"position within bounds\">"
+                     "<path class=\"track\" d=\"M7 8H113M7 4v8M113 4v8\"/>"
+                     "<path class=\"moved\" d=\"M{0:.1f} 8H{1:.1f}\"/>"
+                     "<circle class=\"before\" cx=\"{0:.1f}\" cy=\"8\" r=\"4\"/>"
+                     "<circle class=\"after\" cx=\"{1:.1f}\" cy=\"8\" r=\"4.5\"/></svg>",
+                     from, to);
+}
+
+}  // namespace legwright

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/report/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace legwright {
+namespace {
+
+std::string signed_text(double value, int digits) {
+  const std::string text = fmt::format("{:.{}f}", std::abs(value), digits);
+  if (text.find_first_not_of("0.") == std::string::npos) return "0";
+  return (value < 0 ? "−" : "") + text;
+}
+
+}  // namespace
+
+std::string spaced(std::string_view name) {
+  std::string out(name);
+  std::replace(out.begin(), out.end(), '_', ' ');
+  return out;
+}
+
+std::string term_words(const std::string& name) {
+  static const std::map<std::string, std::string> words = {
+      {"travel", "distance per cycle"},
+      {"turning", "turn per cycle"},
+      {"style_com", "body where it should be"},
+      {"style_foot", "feet where they should be"},
+      {"smoothness", "smooth joints"},
+      {"com_position", "centre of mass fits the pose"},
+      {"foot_position", "feet fit the pose"},
+      {"force_balance", "forces carry the body"},
+      {"torque_balance", "forces turn the body"},
+      {"stance_foot", "stance feet do not slip"},
+      {"friction_cone", "forces inside friction cone"},
+      {"limb_clearance", "limbs keep apart"},
+      {"periodicity", "cycle closes"},
+      {"ground_height", "stance feet on the ground"},
+      {"swing_height", "swing feet clear the ground"},
+      {"least_normal_force", "stance feet bear weight"},
+      {"joint_limits", "joints within their range"},
+      {"torque_limits", "torques within limits"},
+      {"nominal_pose", "near the home pose"},
+      {"force_smoothness", "smooth forces"},
+      {"design_tether", "near the initial design"},
+  };
+  const auto found = words.find(name);
+  return found != words.end() ? found->second : spaced(name);
+}
+
+std::string task_words(const Json& run) {
+  const Json& task = value_at(run, {"task"});
+  std::string out = text_at(task, {"gait"});
+  const Json& velocity = value_at(task, {"velocity"});
+  if (velocity.is_array() && velocity.size() == 2 && velocity[0].is_number() && velocity[1].is_number()) {
+    const double x = velocity[0].get<double>(), y = velocity[1].get<double>();
+    const auto part = [&](double speed, const char* ahead, const char* back) {
+      if (speed != 0.0) {
+        out += fmt::format("{}{} m/s {}", out.empty() ? "" : ", ", short_number(std::abs(speed)),
+                           speed > 0 ? ahead : back);
+      }
+    };
+    part(x, "forward", "backward");
+    part(y, "to the left", "to the right");
+  }
+  const auto turn = number_at(task, {"turn_rate"});
+  if (turn && *turn != 0.0) out += fmt::format(", turning {} rad/s", short_number(turn));
+  const auto period = number_at(task, {"period_s"});
+  if (period) out += fmt::format(", {} s per cycle", short_number(period));
+  return out;
+}
+
+std::string short_number(std::optional<double> value) {
+  if (!value || !std::isfinite(*value)) return "–";
+  if (*value == 0.0) return "0";
+  const double size = std::abs(*value);
+  const std::string sign = *value < 0 ? "−" : "";
+  if (size >= 1e6 || size < 1e-3) return sign + fmt::format("{:.1e}", size);
+  const int magnitude = static_cast<int>(std::floor(std::log10(size)));
+  std::string text = fmt::format("{:.{}f}", size, std::max(0, 2 - magnitude));
+  if (text.find('.') != std::string::npos) {
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+  }
+  return sign + text;
+}
+
+std::string percent(std::optional<double> ratio) {
+  return ratio && std::isfinite(*ratio) ? fmt::format("{} %", signed_text(100.0 * *ratio, 1)) : "–";
+}
+
+double ParameterView::shown(double value) const { return angle ? value * 180.0 / std::numbers::pi : value * 1000.0; }
+
+std::string ParameterView::with_unit(double value) const {
+  return signed_text(shown(value), 1) + (angle ? "°" : " mm");
+}
+
+std::string ParameterView::in_radian(double value) const { return signed_text(value, 3) + " rad"; }
+
+std::string ParameterView::change() const {
+  const double by = final - initial;
+  const std::string text = with_unit(by);
+  if (text.front() == '0' && text.find_first_of("123456789") == std::string::npos) return "0";
+  return by > 0 ? "+" + text : text;
+}
+
+double ParameterView::share_of_range() const {
+  return upper > lower ? std::abs(final - initial) / (upper - lower) : 0.0;
+}
+
+std::string ParameterView::at_bound() const {
+  const double close = 1e-6 * (upper - lower);
+  return final <= lower + close ? "lower bound" : final >= upper - close ? "upper bound" : "";
+}
+
+std::vector<ParameterView> parameters_of(const Json& run) {
+  std::vector<ParameterView> views;
+  const Json& list = value_at(run, {"parameters"});
+  if (!list.is_array()) return views;
+  for (const Json& p : list) {
+    const auto initial = number_at(p, {"initial"}), lower = number_at(p, {"lower"}), upper = number_at(p, {"upper"});
+    if (!initial || !lower || !upper) continue;
+    views.push_back({text_at(p, {"name"}), text_at(p, {"sentence"}), text_at(p, {"unit"}) == "rad", *initial,
+                     number_at(p, {"final"}).value_or(*initial), *lower, *upper});
+  }
+  return views;
+}
+
+}  // namespace legwright

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "tools/report/run_data.hpp"
+
+namespace legwright {
+
+/// "front_hip_axis_yaw" → "front hip axis yaw".
+std::string spaced(std::string_view name);
+/// A term of F in a few words; its own name, spaced, where it is not known here.
+std::string term_words(const std::string& name);
+/// What the task asks for: "walk, 0.1 m/s to the left, period 1 s".
+std::string task_words(const Json& run);
+/// Three significant digits, as a person would write them; "–" for none.
+std::string short_number(std::optional<double> value);
+std::string percent(std::optional<double> ratio);
+
+/// A design parameter as run.json has it, in the units people think in.
+struct ParameterView {
+  std::string name, sentence;
+  bool angle = false;
+  double initial = 0.0, final = 0.0, lower = 0.0, upper = 0.0;  // SI
+  /// mm or degrees
+  double shown(double value) const;
+  std::string with_unit(double value) const;
+  std::string in_radian(double value) const;
+  std::string change() const;
+  double share_of_range() const;
+  /// "lower bound", "upper bound" or nothing.
+  std::string at_bound() const;
+};
+std::vector<ParameterView> parameters_of(const Json& run);
+
+}  // namespace legwright

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <tinyxml2.h>
+
+#include <cmath>
+#include <cstring>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "plugin/numbers.hpp"
+#include "tools/simulate/scene.hpp"
+
+namespace legwright {
+namespace {
+
+using tinyxml2::XMLElement;
+
+constexpr const char* kPluginName = "legwright.gait";
+
+// Multiplies each number of the attribute by the factor at its place; the last factor serves all
+// that follow.
+void scale_numbers(XMLElement& element, const char* attribute, const std::vector<double>& factors,
+                   const std::string& name) {
+  const char* text = element.Attribute(attribute);
+  std::string out;
+  std::size_t place = 0;
+  for (const auto token : split_blanks(text == nullptr ? "" : text)) {
+    const auto number = read_number(token);
+    if (!number) {
+      throw MujocoError(fmt::format("{}:{}: <{} {}>: {} is no number", name, element.GetLineNum(),
+                                    element.Name(), attribute, quoted(token)));
+    }
+    out += fmt::format("{}{}", out.empty() ? "" : " ",
+                       *number * factors[std::min(place++, factors.size() - 1)]);
+  }
+  element.SetAttribute(attribute, out.c_str());
+}
+
+bool attribute_is(const XMLElement& element, const char* attribute, const char* value) {
+  const char* text = element.Attribute(attribute);
+  return text != nullptr && std::strcmp(text, value) == 0;
+}
+
+template <typename Visit>
+void for_each_element(XMLElement* element, const Visit& visit) {
+  for (; element != nullptr; element = element->NextSiblingElement()) {
+    visit(*element);
+    for_each_element(element->FirstChildElement(), visit);
+  }
+}
+
+}  // namespace
+
+std::string scale_gains(const std::string& scene_xml, double scale, const std::string& name) {
+  if (scale == 1.0) return scene_xml;
+  tinyxml2::XMLDocument document;
+  if (document.Parse(scene_xml.data(), scene_xml.size()) != tinyxml2::XML_SUCCESS) {
+    throw MujocoError(name + ": cannot read it: " + document.ErrorStr());
+  }
+  const double root = std::sqrt(scale);
+  std::set<std::string> classes;
+  int scaled_keys = 0, scaled_classes = 0;
+  for_each_element(document.RootElement(), [&](XMLElement& element) {
+    if (std::strcmp(element.Name(), "plugin") != 0 || !attribute_is(element, "plugin", kPluginName))
+      return;
+    if (const char* used = element.Attribute("class")) classes.insert(used);
+    for_each_element(element.FirstChildElement(), [&](XMLElement& config) {
+      const bool kp = attribute_is(config, "key", "kp"), kd = attribute_is(config, "key", "kd");
+      if (!kp && !kd) return;
+      scale_numbers(config, "value", {kp ? scale : root}, name);
+      ++scaled_keys;
+    });
+  });
+  for_each_element(document.RootElement(), [&](XMLElement& element) {
+    const char* own = element.Attribute("class");
+    if (std::strcmp(element.Name(), "default") != 0 || own == nullptr || !classes.contains(own))
+      return;
+    if (auto* general = element.FirstChildElement("general");
+        general && general->Attribute("biasprm")) {
+      scale_numbers(*general, "biasprm", {1.0, scale, root}, name);
+      ++scaled_classes;
+    }
+  });
+  if (scaled_keys < 2 || scaled_classes == 0) {
+    throw MujocoError(
+        name + ": the gains cannot be scaled: expected an instance of " + kPluginName +
+        " with the keys kp and kd, and default classes with biasprm for its actuators");
+  }
+  tinyxml2::XMLPrinter printer;
+  document.Print(&printer);
+  return printer.CStr();
+}
+
+}  // namespace legwright

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/simulate/measure.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "plugin/spline.hpp"
+
+namespace legwright {
+namespace {
+
+constexpr double kContactShare = 0.01;       // of the weight: less is no stance
+constexpr double kSaturationShare = 0.9999;  // of the limit: MuJoCo clamps to it exactly
+constexpr double kPi = 3.141592653589793;
+
+using Vector3 = Eigen::Vector3d;
+using ConstVector3 = Eigen::Map<const Eigen::Vector3d>;
+
+struct Mark {  // the trunk at the start of a cycle
+  Eigen::Vector2d position;
+  double yaw;   // unwrapped [rad]
+  double work;  // of the servos so far [J]
+};
+
+// From the heading frame at the start of a cycle to where constant velocity and turn rate lead in
+// `time`.
+Eigen::Vector2d displacement(const WantedMotion& wanted, double time) {
+  const double angle = wanted.turn_rate * time;
+  if (std::abs(angle) < 1e-9) return wanted.velocity * time;
+  const double along = std::sin(angle) / angle, across = (1 - std::cos(angle)) / angle;
+  const Eigen::Vector2d& v = wanted.velocity;
+  return time * Eigen::Vector2d(along * v.x() - across * v.y(), across * v.x() + along * v.y());
+}
+
+class Measurer {
+ public:
+  Measurer(const Scene& scene, const MeasureOptions& options)
+      : scene_(scene),
+        model_(*scene.model),
+        weight_(weight(scene)),
+        sums_(scene.joints.joint.size()) {
+    for (int j = 0; j < scene.trajectory.foot_count(); ++j) {
+      feet_.emplace_back(scene.trajectory, j, options.contacts_until);
+    }
+    touch_.resize(feet_.size());
+  }
+
+  void observe(const RolloutSample& sample) {
+    watch_trunk(sample);
+    watch_contacts(sample);
+    watch_joints(sample);
+  }
+
+  void finish(const Rollout& played, const WantedMotion& wanted,
+              const Eigen::Vector2d& plan_velocity, const MeasureOptions& options,
+              Measurements& out);
+
+ private:
+  struct Touch {
+    double normal = 0.0, slip_speed = 0.0;
+  };
+  struct JointSums {
+    double torque_squared = 0.0, peak = 0.0, error_squared = 0.0;
+    long long saturated = 0;
+  };
+  static double weight(const Scene& scene) {
+    return scene.model->body_subtreemass[scene.joints.root_body] *
+           ConstVector3(scene.model->opt.gravity).norm();
+  }
+  void watch_trunk(const RolloutSample& sample);
+  void watch_contacts(const RolloutSample& sample);
+  void watch_joints(const RolloutSample& sample);
+  void finish_speeds(const WantedMotion& wanted, const Eigen::Vector2d& plan_velocity,
+                     const MeasureOptions& options, Measurements& out) const;
+
+  const Scene& scene_;
+  const mjModel& model_;
+  double weight_;
+  std::vector<Mark> marks_;
+  double yaw_ = 0.0, tilt_max_ = 0.0, work_ = 0.0, penetration_ = 0.0;
+  std::vector<FootWatch> feet_;
+  std::vector<Touch> touch_;
+  std::vector<JointSums> sums_;
+  long long samples_ = 0, settled_ = 0, saturated_ = 0, self_contact_ = 0;
+};
+
+void Measurer::watch_trunk(const RolloutSample& sample) {
+  const mjtNum* rotation = sample.data.xmat + 9 * scene_.joints.root_body;
+  const double yaw = std::atan2(rotation[3], rotation[0]);
+  yaw_ = samples_ == 0 ? yaw : yaw_ + std::remainder(yaw - yaw_, 2 * kPi);
+  tilt_max_ = std::max(tilt_max_, std::acos(std::clamp(rotation[8], -1.0, 1.0)));
+  const double due = static_cast<double>(marks_.size()) * scene_.trajectory.period;
+  if (sample.time >= due - model_.opt.timestep / 2) {
+    const mjtNum* position = sample.data.xpos + 3 * scene_.joints.root_body;
+    marks_.push_back({{position[0], position[1]}, yaw_, work_});
+  }
+  ++samples_;
+}
+
+void Measurer::watch_contacts(const RolloutSample& sample) {
+  std::fill(touch_.begin(), touch_.end(), Touch{});
+  bool self = false;
+  for (int c = 0; c < sample.data.ncon; ++c) {
+    const mjContact& contact = sample.data.contact[c];
+    if (contact.geom[0] < 0 || contact.geom[1] < 0) continue;
+    const bool first_is_world = model_.geom_bodyid[contact.geom[0]] == 0;
+    if (!first_is_world && model_.geom_bodyid[contact.geom[1]] != 0) {
+      self = true;
+      continue;
+    }
+    penetration_ = std::max(penetration_, -contact.dist);
+    const int geom = contact.geom[first_is_world ? 1 : 0];
+    const auto found = std::find(scene_.foot_geom.begin(), scene_.foot_geom.end(), geom);
+    if (found == scene_.foot_geom.end()) continue;
+    mjtNum force[6], velocity[6];
+    mj_contactForce(&model_, &sample.data, c, force);
+    mj_objectVelocity(&model_, &sample.data, mjOBJ_GEOM, geom, velocity, 0);
+    const Vector3 arm = ConstVector3(contact.pos) - ConstVector3(sample.data.geom_xpos + 3 * geom);
+    const Vector3 speed = ConstVector3(velocity + 3) + ConstVector3(velocity).cross(arm);
+    const ConstVector3 normal(contact.frame);
+    Touch& touch = touch_[static_cast<std::size_t>(found - scene_.foot_geom.begin())];
+    touch.normal += force[0];
+    touch.slip_speed = std::max(touch.slip_speed, (speed - normal * normal.dot(speed)).norm());
+  }
+  self_contact_ += self;
+  for (std::size_t j = 0; j < feet_.size(); ++j) {
+    feet_[j].observe(sample.time + scene_.t0, model_.opt.timestep,
+                     touch_[j].normal > kContactShare * weight_, touch_[j].slip_speed);
+  }
+}
+
+void Measurer::watch_joints(const RolloutSample& sample) {
+  const bool settled = sample.time >= scene_.trajectory.period;
+  const SplinePhase phase = phase_at(scene_.trajectory, sample.time + scene_.t0);
+  bool any = false;
+  for (int a = 0; a < model_.nactuator; ++a) {
+    if (model_.actuator_trntype[a] != mjTRN_JOINT) continue;
+    const auto found = std::find(scene_.joints.joint.begin(), scene_.joints.joint.end(),
+                                 model_.actuator_trnid[2 * a]);
+    if (found == scene_.joints.joint.end()) continue;
+    const auto joint = static_cast<std::size_t>(found - scene_.joints.joint.begin());
+    const int at = model_.actuator_outadr[a];
+    const double torque = sample.data.qfrc_actuator[scene_.joints.dof[joint]];
+    work_ += std::max(0.0, torque * sample.data.actuator_velocity[at]) * model_.opt.timestep;
+    if (!settled) continue;
+    JointSums& sums = sums_[joint];
+    const double target = spline_point(scene_.trajectory, phase,
+                                       scene_.trajectory.target_column(static_cast<int>(joint)))
+                              .value;
+    const double error = target - sample.data.actuator_length[at];
+    const bool saturated = std::abs(torque) >= kSaturationShare * scene_.torque_limit[joint];
+    sums.torque_squared += torque * torque;
+    sums.error_squared += error * error;
+    sums.peak = std::max(sums.peak, std::abs(torque));
+    sums.saturated += saturated;
+    any = any || saturated;
+  }
+  settled_ += settled;
+  saturated_ += any;
+}
+
+void Measurer::finish_speeds(const WantedMotion& wanted, const Eigen::Vector2d& plan_velocity,
+                             const MeasureOptions& options, Measurements& out) const {
+  const auto first = static_cast<std::size_t>(options.settle_cycles);
+  if (marks_.size() < first + 2) return;
+  const double period = scene_.trajectory.period;
+  const auto count = static_cast<double>(marks_.size() - 1 - first);
+  const Eigen::Vector2d goal = displacement(wanted, period);
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (std::size_t n = first; n + 1 < marks_.size(); ++n) {
+    // Where its own nose points, not where the plan's world has +x: a puppy that cannot walk
+    // sideways plans to turn by a quarter and walk ahead, which is not what was asked for.
+    const Eigen::Rotation2Dd heading(marks_[n].yaw);
+    const Eigen::Vector2d step = heading.inverse() * (marks_[n + 1].position - marks_[n].position);
+    sum += step;
+    if (!wanted.travels()) continue;
+    const double ratio = step.dot(goal) / goal.squaredNorm();
+    out.speed_ratio_min = std::min(out.speed_ratio_min.value_or(ratio), ratio);
+    out.speed_ratio_max = std::max(out.speed_ratio_max.value_or(ratio), ratio);
+  }
+  const Eigen::Vector2d step = sum / count;
+  out.velocity = step / period;
+  out.turn_rate = (marks_.back().yaw - marks_[first].yaw) / (count * period);
+  if (wanted.turns()) out.turn_ratio = *out.turn_rate / wanted.turn_rate;
+  out.power_mean = (marks_.back().work - marks_[first].work) / (count * period);
+  if (!wanted.travels()) return;
+  const Eigen::Vector2d direction = goal.normalized();
+  out.speed_ratio = step.dot(direction) / goal.norm();
+  out.lateral_drift = (direction.x() * step.y() - direction.y() * step.x()) / period;
+  if (const double reached = plan_velocity.dot(direction); std::abs(reached) > 1e-6) {
+    out.plan_speed_ratio = step.dot(direction) / period / reached;
+  }
+  if (const double speed = step.norm() / period; speed > 1e-6)
+    out.cost_of_transport = *out.power_mean / (weight_ * speed);
+}
+
+void Measurer::finish(const Rollout& played, const WantedMotion& wanted,
+                      const Eigen::Vector2d& plan_velocity, const MeasureOptions& options,
+                      Measurements& out) {
+  out.cycles = std::max(0, static_cast<int>(marks_.size()) - 1);
+  out.tilt_max = tilt_max_;
+  out.penetration_max = penetration_;
+  if (!marks_.empty()) {
+    out.heading_at_start = marks_.front().yaw;
+    out.heading_drift = yaw_ - marks_.front().yaw - wanted.turn_rate * played.seconds;
+  }
+  finish_speeds(wanted, plan_velocity, options, out);
+  for (auto& foot : feet_) out.feet.push_back(foot.finish(played.seconds));
+  const double count = static_cast<double>(std::max(1LL, settled_));
+  double torque = 0.0, error = 0.0;
+  for (std::size_t a = 0; a < sums_.size(); ++a) {
+    const JointSums& sums = sums_[a];
+    torque += sums.torque_squared / count;
+    error += sums.error_squared / count;
+    out.joints.push_back({scene_.trajectory.joint_names[a], std::sqrt(sums.torque_squared / count),
+                          sums.peak, scene_.torque_limit[a],
+                          static_cast<double>(sums.saturated) / count,
+                          std::sqrt(sums.error_squared / count)});
+  }
+  const double joints = static_cast<double>(sums_.size());
+  out.torque_rms = std::sqrt(torque / joints);
+  out.tracking_rms = std::sqrt(error / joints);
+  out.saturated_share = static_cast<double>(saturated_) / count;
+  out.self_contact_share =
+      static_cast<double>(self_contact_) / static_cast<double>(std::max(1LL, samples_));
+}
+
+}  // namespace
+
+Measurements measure(const Scene& scene, const WantedMotion& wanted,
+                     const Eigen::Vector2d& plan_velocity, const RolloutOptions& rollout_options,
+                     const MeasureOptions& options, Rollout* played) {
+  Measurer measurer(scene, options);
+  Rollout result = rollout(scene, rollout_options,
+                           [&](const RolloutSample& sample) { measurer.observe(sample); });
+  Measurements out;
+  out.gain_scale = scene.gain_scale;
+  out.seconds = result.seconds;
+  out.fall = result.fall;
+  out.warnings = result.warnings;
+  out.diverged = result.diverged;
+  measurer.finish(result, wanted, plan_velocity, options, out);
+  if (played != nullptr) *played = std::move(result);
+  return out;
+}
+
+}  // namespace legwright

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "tools/io/json_file.hpp"
+#include "tools/simulate/validation.hpp"
+
+namespace legwright {
+
+/// Everything that was measured in one roll-out; SI units in the names. What could not be measured
+/// is null.
+Json measurements_json(const Measurements& measurements);
+/// {"half": {…}, "default": {…}, "double": {…}}
+Json gains_json(const SceneValidation& validation);
+/// {"pass": …, "line": …, "reasons": […]}
+Json verdict_json(const Verdict& verdict);
+/// The limits that the verdict was judged by.
+Json limits_json(const VerdictLimits& limits);
+
+}  // namespace legwright

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/simulate/mujoco_host.hpp"
+
+#include <dlfcn.h>
+
+#include <array>
+#include <cstdlib>
+#include <mutex>
+#include <system_error>
+#include <utility>
+
+namespace legwright {
+namespace {
+
+constexpr const char* kPluginName = "legwright.gait";
+constexpr const char* kPluginFile = "liblegwright.so";
+
+thread_local MujocoMessages* messages_of_thread = nullptr;
+
+void handle(const mjLogMessage* message) {
+  if (messages_of_thread == nullptr) return;
+  if (message->level == mjLOG_WARNING) messages_of_thread->add(message->subject);
+  // Leaving by exception is the only way not to return into mju_error, which would end the process.
+  // What MuJoCo was working on is given up by the caller.
+  if (message->level == mjLOG_ERROR) throw MujocoError(message->subject);
+}
+
+std::filesystem::path folder_of_program() {
+  std::error_code error;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
+  return error ? std::filesystem::path() : program.parent_path();
+}
+
+bool is_there(const std::filesystem::path& file) {
+  std::error_code error;
+  return std::filesystem::is_regular_file(file, error);
+}
+
+bool plugin_known() {
+  int slot = -1;
+  return mjp_getPlugin(kPluginName, &slot) != nullptr;
+}
+
+// MuJoCo's own words, without a line break at the end, with the warnings that came before (a
+// plugin's reason).
+std::string reason(const char* error, const MujocoMessages& messages) {
+  std::string text = error;
+  while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
+  for (const auto& warning : messages.warnings()) text += (text.empty() ? "" : "; ") + warning;
+  return text;
+}
+
+}  // namespace
+
+void take_over_mujoco_messages() {
+  static std::once_flag once;
+  std::call_once(once, [] {
+    mjLogConfig config = mju_getLogConfig();
+    config.logto_console = 0;
+    config.logto_file = 0;
+    mju_setLogConfig(config);
+    mju_setLogHandler(handle);
+  });
+}
+
+MujocoMessages::MujocoMessages() : outer_(messages_of_thread) {
+  take_over_mujoco_messages();
+  messages_of_thread = this;
+}
+
+MujocoMessages::~MujocoMessages() { messages_of_thread = outer_; }
+
+std::vector<std::filesystem::path> plugin_candidates() {
+  if (const char* named = std::getenv("LEGWRIGHT_PLUGIN"); named != nullptr && *named != '\0')
+    return {named};
+  std::vector<std::filesystem::path> candidates;
+  if (const auto folder = folder_of_program(); !folder.empty()) {
+    candidates.push_back(folder / "mujoco_plugin" / kPluginFile);
+  }
+#ifdef LEGWRIGHT_BUILD_TREE_PLUGIN
+  candidates.emplace_back(LEGWRIGHT_BUILD_TREE_PLUGIN);
+#endif
+  return candidates;
+}
+
+void load_gait_plugin() {
+  static std::mutex mutex;
+  const std::lock_guard lock(mutex);
+  take_over_mujoco_messages();
+  if (plugin_known()) return;
+  std::string searched;
+  for (const auto& file : plugin_candidates()) {
+    searched += "\n  " + file.string();
+    if (!is_there(file)) continue;
+    // Opened here instead of by mj_loadPluginLibrary, whose only answer to a faulty file is to end
+    // the process. The library registers itself as it is loaded and stays for good.
+    if (dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL) == nullptr) {
+      const char* why = dlerror();
+      throw MujocoError("the MuJoCo plugin " + file.string() + " cannot be loaded: " +
+                        (why ? why : "unknown reason") + "; it needs exactly MuJoCo " +
+                        mj_versionString() + ", build it with this program");
+    }
+    if (plugin_known()) return;
+    throw MujocoError("the library " + file.string() + " is no " + kPluginName + " plugin");
+  }
+  throw MujocoError(
+      std::string("the MuJoCo plugin ") + kPluginName +
+      " was not found; build the target legwright_plugin or name the file in the environment "
+      "variable LEGWRIGHT_PLUGIN. Searched:" +
+      searched);
+}
+
+MujocoModel compile_model(const std::string& xml, const std::string& name,
+                          const std::filesystem::path& folder) {
+  MujocoMessages messages;
+  std::array<char, 1000> error{};
+  const MujocoSpec spec(
+      mj_parseXMLString(xml.c_str(), nullptr, error.data(), static_cast<int>(error.size())));
+  if (!spec) throw MujocoError(name + ": MuJoCo cannot read it: " + reason(error.data(), messages));
+  if (!folder.empty()) mjs_setString(spec->modelfiledir, (folder.string() + "/").c_str());
+  MujocoModel model(mj_compile(spec.get(), nullptr));
+  if (!model) {
+    throw MujocoError(name +
+                      ": MuJoCo cannot compile it: " + reason(mjs_getError(spec.get()), messages));
+  }
+  return model;
+}
+
+void require_gait_plugin(const mjModel& model, const std::string& name) {
+  int slot = -1;
+  mjp_getPlugin(kPluginName, &slot);
+  for (int i = 0; i < model.nplugin; ++i) {
+    if (slot >= 0 && model.plugin[i] == slot) return;
+  }
+  throw MujocoError(
+      name + ": the scene has no instance of the plugin " + kPluginName +
+      ": nothing would move the robot; play the scene.xml that `legwright optimize` writes");
+}
+
+MujocoData make_data(const mjModel& model) {
+  const MujocoMessages messages;
+  MujocoData data(mj_makeData(&model));
+  if (!data) throw MujocoError("MuJoCo cannot make the data of a model: out of memory?");
+  return data;
+}
+
+}  // namespace legwright

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/simulate/scene.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "plugin/numbers.hpp"
+#include "tools/io/atomic_file.hpp"
+
+namespace legwright {
+namespace {
+
+constexpr const char* kPluginName = "legwright.gait";
+constexpr const char* kStartKey = "gait";
+
+int gait_instance(const mjModel& model) {
+  int slot = -1;
+  mjp_getPlugin(kPluginName, &slot);
+  for (int i = 0; i < model.nplugin; ++i) {
+    if (model.plugin[i] == slot) return i;
+  }
+  return -1;
+}
+
+std::string_view attribute(const mjModel& model, int instance, const char* key) {
+  const char* value = mj_getPluginConfig(&model, instance, key);
+  return value == nullptr ? std::string_view() : std::string_view(value);
+}
+
+// The plugin has accepted the numbers when the model compiled, so that none is missing here.
+std::vector<double> numbers(const mjModel& model, int instance, const char* key) {
+  std::vector<double> out;
+  for (const auto token : split_blanks(attribute(model, instance, key)))
+    out.push_back(read_number(token).value_or(0.0));
+  return out;
+}
+
+Trajectory read_plan(const mjModel& model, int instance) {
+  CycleSettings cycle;
+  if (const auto period = numbers(model, instance, "period"); period.size() == 1)
+    cycle.period = period[0];
+  if (const auto travel = numbers(model, instance, "travel"); travel.size() == 3) {
+    cycle.travel = {travel[0], travel[1], travel[2]};
+  }
+  if (const auto turn = numbers(model, instance, "turn"); turn.size() == 1) cycle.turn = turn[0];
+  return parse_trajectory(attribute(model, instance, "trajectory"), cycle);
+}
+
+double torque_limit(const mjModel& model, int joint) {
+  double limit = std::numeric_limits<double>::infinity();
+  const auto lower = [&](const mjtNum* range) {
+    limit = std::min({limit, std::abs(range[0]), std::abs(range[1])});
+  };
+  if (model.jnt_actfrclimited[joint]) lower(&model.jnt_actfrcrange[2 * joint]);
+  for (int a = 0; a < model.nactuator; ++a) {
+    const bool ours =
+        model.actuator_trntype[a] == mjTRN_JOINT && model.actuator_trnid[2 * a] == joint;
+    if (ours && model.actuator_forcelimited[a]) lower(&model.actuator_forcerange[2 * a]);
+  }
+  return limit;
+}
+
+}  // namespace
+
+Scene parse_scene(const std::string& xml, const std::string& name, double gain_scale,
+                  const std::filesystem::path& folder) {
+  load_gait_plugin();
+  Scene scene;
+  scene.name = name;
+  scene.gain_scale = gain_scale;
+  scene.model = compile_model(scale_gains(xml, gain_scale, name), name, folder);
+  mjModel& model = *scene.model;
+  require_gait_plugin(model, name);
+  const int instance = gait_instance(model);
+  try {
+    scene.trajectory = read_plan(model, instance);
+  } catch (const TrajectoryError& error) {
+    throw MujocoError(name + ": " + error.what());
+  }
+  if (const auto t0 = numbers(model, instance, "t0"); t0.size() == 1) scene.t0 = t0[0];
+  scene.joints = map_joints(model, scene.trajectory.joint_names);
+  for (const int joint : scene.joints.joint)
+    scene.torque_limit.push_back(torque_limit(model, joint));
+  for (const auto& foot : scene.trajectory.foot_names) {
+    const int geom = mj_name2id(&model, mjOBJ_GEOM, foot.c_str());
+    if (geom < 0)
+      throw MujocoError(name + ": no geom is named '" + foot +
+                        "', which is a foot of the trajectory");
+    scene.foot_geom.push_back(geom);
+  }
+  scene.start_key = mj_name2id(&model, mjOBJ_KEY, kStartKey);
+  if (scene.start_key < 0) {
+    throw MujocoError(name + ": no keyframe is named '" + kStartKey +
+                      "': where does the gait start?");
+  }
+  // A reset in mid-simulation would make a robot that flew apart look as if it stood.
+  model.opt.disableflags |= mjDSBL_AUTORESET;
+  return scene;
+}
+
+Scene load_scene(const std::filesystem::path& file, double gain_scale) {
+  return parse_scene(read_file(file), file.string(), gain_scale, file.parent_path());
+}
+
+}  // namespace legwright

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/simulate/validation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <thread>
+
+namespace legwright {
+namespace {
+
+std::string name_of(const mjModel& model, int joint) {
+  const char* name = mj_id2name(&model, mjOBJ_JOINT, joint);
+  return name != nullptr && *name != '\0' ? name : fmt::format("joint{}", joint);
+}
+
+std::vector<std::string> qpos_names(const mjModel& model) {
+  std::vector<std::string> names;
+  for (int j = 0; j < model.njnt; ++j) {
+    const std::string name = name_of(model, j);
+    switch (model.jnt_type[j]) {
+      case mjJNT_FREE:
+        for (const char* part : {"x_m", "y_m", "z_m", "qw", "qx", "qy", "qz"})
+          names.push_back(name + "_" + part);
+        break;
+      case mjJNT_BALL:
+        for (const char* part : {"qw", "qx", "qy", "qz"}) names.push_back(name + "_" + part);
+        break;
+      default:
+        names.push_back(name + (model.jnt_type[j] == mjJNT_SLIDE ? "_m" : "_rad"));
+    }
+  }
+  return names;
+}
+
+struct Job {
+  const Scene* scene;
+  const SceneToValidate* what;
+  SceneValidation* out;
+  std::size_t gain;
+};
+
+void run(const Job& job, const WantedMotion& wanted, const ValidationOptions& options) {
+  RolloutOptions play;
+  play.cycles = options.cycles;
+  play.frame_interval = options.frame_interval;
+  const bool record = job.scene->gain_scale == 1.0;
+  play.frame_until = record ? options.frames_until : 0.0;
+  Rollout played;
+  job.out->at_gains[job.gain] = measure(*job.scene, wanted, job.what->plan_velocity, play,
+                                        {.contacts_until = options.frames_until}, &played);
+  if (record) job.out->frames = std::move(played.frames);
+}
+
+// Each job has its own place for its result, so that the order of execution leaves no trace.
+void run_all(const std::vector<Job>& jobs, const WantedMotion& wanted,
+             const ValidationOptions& options) {
+  std::atomic<std::size_t> next{0};
+  std::vector<std::exception_ptr> failures(jobs.size());
+  const auto work = [&] {
+    for (std::size_t i = next++; i < jobs.size(); i = next++) {
+      try {
+        run(jobs[i], wanted, options);
+      } catch (...) {
+        failures[i] = std::current_exception();
+      }
+    }
+  };
+  {
+    std::vector<std::jthread> helpers;
+    for (int t = 1; t < options.threads; ++t) helpers.emplace_back(work);
+    work();
+  }
+  for (const auto& failure : failures) {
+    if (failure) std::rethrow_exception(failure);
+  }
+}
+
+}  // namespace
+
+std::vector<SceneValidation> validate_scenes(const std::vector<SceneToValidate>& scenes,
+                                             const WantedMotion& wanted, const std::string& gait,
+                                             const ValidationOptions& options) {
+  const std::size_t gains = options.gain_scales.size();
+  std::vector<SceneValidation> out(scenes.size());
+  std::vector<Scene> loaded;
+  loaded.reserve(scenes.size() * gains);
+  std::vector<Job> jobs;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    out[i].at_gains.resize(gains);
+    for (std::size_t g = 0; g < gains; ++g) {
+      loaded.push_back(load_scene(scenes[i].scene, options.gain_scales[g]));
+      jobs.push_back({&loaded.back(), &scenes[i], &out[i], g});
+    }
+    if (gains == 0) continue;
+    const Scene& scene = loaded.back();
+    out[i].qpos_names = qpos_names(*scene.model);
+    out[i].timestep = scene.model->opt.timestep;
+    out[i].robot_mass = scene.model->body_subtreemass[scene.joints.root_body];
+  }
+  run_all(jobs, wanted, options);
+  for (auto& validation : out)
+    validation.verdict = judge(validation.at_gains, wanted, gait, options.limits);
+  return out;
+}
+
+std::string playback_csv(const SceneValidation& validation) {
+  std::string out = "time_s";
+  for (const auto& name : validation.qpos_names) out += "," + name;
+  for (const auto& frame : validation.frames) {
+    out += fmt::format("\n{}", frame.time);
+    for (const double value : frame.qpos) out += fmt::format(",{}", value);
+  }
+  return out + "\n";
+}
+
+}  // namespace legwright

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <memory>
+
+#include "tools/io/install.hpp"
+#include "tools/io/json_file.hpp"
+#include "tools/simulate/mujoco_host.hpp"
+#include "tools/verbs/verbs.hpp"
+#include "tools/verbs/viewer.hpp"
+
+namespace legwright {
+namespace {
+
+/// One line of the diagnosis.
+struct Item {
+  std::string name;
+  bool found;
+  bool required;
+  std::string detail;
+  std::string fix;  // where it is not found
+};
+
+Item check_plugin() {
+  const auto plugin = find_plugin();
+  Item item{"plugin", false, true, "", "build the target legwright_plugin, or name the file in LEGWRIGHT_PLUGIN"};
+  if (!plugin) {
+    item.detail = "liblegwright.so not found";
+    for (const auto& candidate : plugin_candidates()) item.detail += ", not at " + candidate.string();
+    return item;
+  }
+  // By hand first: where dlopen fails MuJoCo would tell less.
+  if (!::dlopen(plugin->c_str(), RTLD_NOW | RTLD_LOCAL)) {
+    const char* reason = ::dlerror();
+    item.detail = plugin->string() + ": " + (reason ? reason : "cannot be loaded");
+    return item;
+  }
+  item.found = true;
+  item.detail = std::filesystem::absolute(*plugin).string() + ", loadable";
+  return item;
+}
+
+Item check_osmesa() {
+  Item item{"OSMesa", false, false, "", "apt-get install libosmesa6; without it there are no pictures"};
+  for (const char* name : {"libOSMesa.so.8", "libOSMesa.so"})
+    if (::dlopen(name, RTLD_NOW | RTLD_LOCAL)) {
+      item.found = true;
+      item.detail = std::string(name) + ", draws without a display";
+      return item;
+    }
+  item.detail = "libOSMesa.so.8 not found";
+  return item;
+}
+
+Item check_viewer() {
+  const std::string wanted = versions()["mujoco"];
+  Item item{"viewer", false, false, "", "pip install mujoco==" + wanted + " and name its python in LEGWRIGHT_PYTHON"};
+  const auto python = find_viewer_python();
+  item.detail = python ? fmt::format("{} has mujoco {}", python->command, python->mujoco_version)
+                       : "no Python with mujoco.viewer; `play` only prints its command";
+  item.found = python && python->mujoco_version == wanted;
+  return item;
+}
+
+Item check_display() {
+  const char* display = std::getenv("DISPLAY") ? std::getenv("DISPLAY") : std::getenv("WAYLAND_DISPLAY");
+  return {"display", display != nullptr, false, display ? display : "none; only `play` needs one",
+          "run under a desktop, or xvfb-run"};
+}
+
+std::vector<Item> diagnose() {
+  std::vector<Item> items;
+  const Json known = versions();  // must outlive the loop over its items
+  for (const auto& [name, version] : known.items()) {
+    const std::string text = version;
+    items.push_back({name, text != "not loaded", true, text, "the program was built without it; build again"});
+  }
+  items.push_back({"program", true, true, program_file().string(), ""});
+  items.push_back(check_plugin());
+  items.push_back(check_osmesa());
+  items.push_back(check_viewer());
+  items.push_back(check_display());
+  return items;
+}
+
+int doctor(bool json) {
+  const std::vector<Item> items = diagnose();
+  bool healthy = true;
+  for (const Item& item : items) healthy = healthy && (item.found || !item.required);
+  if (json) {
+    Json list = Json::array();
+    for (const Item& item : items)
+      list.push_back({{"name", item.name}, {"found", item.found}, {"required", item.required},
+                      {"detail", item.detail}, {"fix", item.found ? "" : item.fix}});
+    fmt::print("{}", to_text({{"schema", "legwright/doctor"}, {"version", 1}, {"healthy", healthy}, {"items", list}}));
+  } else {
+    for (const Item& item : items)
+      fmt::print("{:8} {:10} {}{}\n", item.found ? "ok" : item.required ? "MISSING" : "absent", item.name, item.detail,
+                 item.found ? "" : fmt::format("\n{:20}fix: {}", "", item.fix));
+  }
+  return healthy ? kOk : kIoError;
+}
+
+}  // namespace
+
+void add_doctor(CLI::App& program, Action& action) {
+  const auto json = std::make_shared<bool>(false);
+  CLI::App* verb = program.add_subcommand("doctor", "Say what is installed, found and missing, and how to mend it");
+  verb->add_flag("--json", *json, "print one JSON document");
+  verb->callback([&action, json] { action = [json] { return doctor(*json); }; });
+}
+
+}  // namespace legwright

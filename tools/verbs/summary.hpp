@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "tools/io/json_file.hpp"
+
+namespace legwright {
+
+/// What `optimize` tells people at the end, from run.json.
+std::string optimize_summary(const Json& run, const std::filesystem::path& root);
+
+/// Text as a shell takes it for one word: quoted only where that is needed.
+std::string shell_word(const std::string& text);
+
+}  // namespace legwright

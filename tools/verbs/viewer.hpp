@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace legwright {
+
+/// A Python that has MuJoCo's viewer.
+struct ViewerPython {
+  std::string command;         // the interpreter
+  std::string mujoco_version;  // of its mujoco package
+};
+
+/// The first of $LEGWRIGHT_PYTHON, python3 and python that can import mujoco.viewer.
+std::optional<ViewerPython> find_viewer_python();
+
+/// The command that opens a scene in MuJoCo's viewer with the plugin loaded, word by word.
+std::vector<std::string> viewer_command(const std::string& python, const std::filesystem::path& plugin,
+                                        const std::filesystem::path& scene);
+
+/// A plugin library that is there, or nothing.
+std::optional<std::filesystem::path> find_plugin();
+
+/// Runs a command without a shell, its output thrown away or kept. @return exit status, −1 where it cannot run
+int run_command(const std::vector<std::string>& words, std::string* output = nullptr);
+
+}  // namespace legwright
