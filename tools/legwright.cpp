@@ -46,12 +46,14 @@ int run(const Action& action) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App program{"Legwright designs body and gait of a legged robot together, for MuJoCo.", "legwright"};
+  CLI::App program{"Legwright designs body and gait of a legged robot together, for MuJoCo.",
+                   "legwright"};
   program.set_version_flag("--version", legwright::program_version());
   program.require_subcommand(1);
-  program.footer("Start with:  legwright check examples/puppy/sideways.toml\n"
-                 "Exit codes:  0 ok, 1 infeasible or verdict fail, 2 bad input, 3 files, 4 internal, "
-                 "75 stopped, 130 interrupted");
+  program.footer(
+      "Start with:  legwright check examples/puppy/sideways.toml\n"
+      "Exit codes:  0 ok, 1 infeasible or verdict fail, 2 bad input, 3 files, 4 internal, "
+      "75 stopped, 130 interrupted");
   Action action;
   for (const auto add_verb : kVerbs) add_verb(program, action);
   try {

@@ -18,7 +18,8 @@ bool stance(int knot, int knot_count, double touchdown, double duty) {
   return phase - std::floor(phase) < duty;
 }
 
-void check(const GaitPattern& pattern, double period, int knot_count, const std::vector<int>& order) {
+void check(const GaitPattern& pattern, double period, int knot_count,
+           const std::vector<int>& order) {
   if (!(period > 0.0) || !std::isfinite(period))
     throw std::invalid_argument("gait: the period must be a positive number of seconds");
   if (knot_count < 2) throw std::invalid_argument("gait: at least two knots are needed");
@@ -45,9 +46,9 @@ std::vector<GaitPattern> gait_library(int foot_count) {
     case 2:  // left, right
       return {{"walk", {0.0, 0.5}, 0.6}, {"run", {0.0, 0.5}, 0.4}};
     case 4:  // front left, front right, hind left, hind right
-      return {{"walk", {0.0, 0.5, 0.75, 0.25}, 0.75}, {"amble", {0.0, 0.5, 0.75, 0.25}, 0.625},
+      return {{"walk", {0.0, 0.5, 0.75, 0.25}, 0.75},   {"amble", {0.0, 0.5, 0.75, 0.25}, 0.625},
               {"crawl", {0.0, 0.5, 0.75, 0.25}, 0.875}, {"trot", {0.0, 0.5, 0.5, 0.0}, 0.5},
-              {"pace", {0.0, 0.5, 0.0, 0.5}, 0.6},     {"bound", {0.0, 0.0, 0.5, 0.5}, 0.5}};
+              {"pace", {0.0, 0.5, 0.0, 0.5}, 0.6},      {"bound", {0.0, 0.0, 0.5, 0.5}, 0.5}};
     case 6:  // front, middle, hind; left before right
       return {{"tripod", {0.0, 0.5, 0.5, 0.0, 0.0, 0.5}, 0.5},
               {"ripple", {2 * third, sixth, third, 5 * sixth, 0.0, 0.5}, 2 * third},
@@ -66,8 +67,8 @@ Gait::Gait(const GaitPattern& pattern, double period, int knot_count, const std:
     for (int knot = 0; knot < knot_count; ++knot)
       column(knot) = stance(knot, knot_count, pattern.touchdown[place], pattern.duty);
     if (!column.any())
-      throw std::invalid_argument("gait '" + pattern.name + "': foot " + std::to_string(order[place]) +
-                                  " has no stance knot");
+      throw std::invalid_argument("gait '" + pattern.name + "': foot " +
+                                  std::to_string(order[place]) + " has no stance knot");
   }
 }
 
@@ -81,7 +82,8 @@ std::vector<int> footfall_order(const std::vector<Eigen::Vector3d>& feet) {
   std::vector<int> order(feet.size());
   std::iota(order.begin(), order.end(), 0);
   if (feet.empty()) return order;
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return feet[a].x() > feet[b].x(); });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return feet[a].x() > feet[b].x(); });
 
   Eigen::Vector3d low = feet[0], high = feet[0];
   for (const Eigen::Vector3d& foot : feet) {
@@ -107,7 +109,8 @@ std::string footfall_diagram(const Gait& gait, const std::vector<std::string>& f
   for (int foot = 0; foot < gait.foot_count(); ++foot) {
     const std::string name = foot < static_cast<int>(foot_names.size()) ? foot_names[foot] : "";
     text += name + std::string(width - name.size() + 2, ' ');
-    for (int knot = 0; knot < gait.knot_count(); ++knot) text += gait.in_contact(knot, foot) ? '#' : '.';
+    for (int knot = 0; knot < gait.knot_count(); ++knot)
+      text += gait.in_contact(knot, foot) ? '#' : '.';
     text += '\n';
   }
   return text;

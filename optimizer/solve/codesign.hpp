@@ -79,9 +79,9 @@ struct CodesignResult {
 /// Algorithm 1: L-BFGS on s within hard bounds, exact Newton on m, dF/ds by the adjoint equation
 /// (7), (8).
 /// `converged`: projected gradient below design_tolerance (motion_only: the motion's status).
-/// `stalled`: no δ₁ helps even along steepest descent, or F settled to value_tolerance; the result
-/// is good in both cases. Deterministic. Throws std::invalid_argument for a task that does not fit
-/// the robot.
+/// `stalled`: F settled to value_tolerance, or no δ₁ helps even along steepest descent; the best
+/// iterate is kept, and its projected_gradient_norm tells how far it is from a minimum.
+/// Deterministic. Throws std::invalid_argument for a task that does not fit the robot.
 [[nodiscard]] CodesignResult codesign(const Objective& objective, const DesignSpace& space,
                                       const CodesignOptions& options = {});
 

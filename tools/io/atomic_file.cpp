@@ -52,7 +52,8 @@ bool write_all(int descriptor, std::string_view bytes) {
 
 std::filesystem::path temporary_for(const std::filesystem::path& path) {
   static std::atomic<unsigned> counter{0};
-  return path.parent_path() / fmt::format(".{}.{}-{}.tmp", path.filename().string(), ::getpid(), counter++);
+  return path.parent_path() /
+         fmt::format(".{}.{}-{}.tmp", path.filename().string(), ::getpid(), counter++);
 }
 
 }  // namespace
@@ -62,8 +63,8 @@ void write_file(const std::filesystem::path& path, std::string_view bytes, Durab
   Descriptor file(temporary, O_WRONLY | O_CREAT | O_EXCL, 0666);
   if (!file.is_open()) fail("cannot write", path);
   const bool ok = write_all(file.number(), bytes) &&
-                  (durability == Durability::process || ::fsync(file.number()) == 0) && file.close() &&
-                  std::rename(temporary.c_str(), path.c_str()) == 0;
+                  (durability == Durability::process || ::fsync(file.number()) == 0) &&
+                  file.close() && std::rename(temporary.c_str(), path.c_str()) == 0;
   if (!ok) {
     const int error = errno;
     ::unlink(temporary.c_str());

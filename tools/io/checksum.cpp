@@ -11,7 +11,8 @@ template <typename Word>
 std::string hex(Word word) {
   static constexpr char digits[] = "0123456789abcdef";
   std::string text(2 * sizeof(Word), '0');
-  for (auto digit = text.rbegin(); digit != text.rend(); ++digit, word >>= 4) *digit = digits[word & 15];
+  for (auto digit = text.rbegin(); digit != text.rend(); ++digit, word >>= 4)
+    *digit = digits[word & 15];
   return text;
 }
 
@@ -65,7 +66,8 @@ void add_block(Sha256State& state, const char* block) {
 std::uint32_t crc32(std::string_view bytes) {
   static constexpr auto table = crc_table();
   std::uint32_t rest = 0xFFFFFFFFu;
-  for (char byte : bytes) rest = (rest >> 8) ^ table[(rest ^ static_cast<std::uint8_t>(byte)) & 0xFF];
+  for (char byte : bytes)
+    rest = (rest >> 8) ^ table[(rest ^ static_cast<std::uint8_t>(byte)) & 0xFF];
   return ~rest;
 }
 
@@ -83,8 +85,10 @@ std::string sha256_hex(std::string_view bytes) {
   std::string tail(bytes);
   tail.push_back(static_cast<char>(0x80));
   tail.resize(tail.size() <= 56 ? 56 : 120, '\0');
-  for (int shift = 56; shift >= 0; shift -= 8) tail.push_back(static_cast<char>(bit_count >> shift));
-  for (std::size_t start = 0; start < tail.size(); start += 64) add_block(state, tail.data() + start);
+  for (int shift = 56; shift >= 0; shift -= 8)
+    tail.push_back(static_cast<char>(bit_count >> shift));
+  for (std::size_t start = 0; start < tail.size(); start += 64)
+    add_block(state, tail.data() + start);
 
   std::string text;
   for (std::uint32_t word : state) text += hex(word);

@@ -26,7 +26,8 @@ std::vector<double> headings(const MotionView& motion, int knot_count) {
     const Eigen::Vector3d turn = motion.pose(knot).segment<3>(3);
     const double angle = turn.norm();
     const Eigen::Vector3d forward =
-        angle > 0.0 ? Eigen::AngleAxisd(angle, turn / angle) * Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitX();
+        angle > 0.0 ? Eigen::AngleAxisd(angle, turn / angle) * Eigen::Vector3d::UnitX()
+                    : Eigen::Vector3d::UnitX();
     const double heading = std::atan2(forward.y(), forward.x());
     const double before = result.empty() ? 0.0 : result.back();
     result.push_back(before + std::remainder(heading - before, 2.0 * std::numbers::pi));
@@ -75,22 +76,26 @@ PlanQuality plan_quality(const Objective& objective, const Eigen::VectorXd& m) {
     quality.speed_reached = quality.planned_velocity.dot(wanted) / quality.speed_wanted;
   } else {  // on the spot
     quality.speed_wanted = std::abs(task.turn_rate);
-    quality.speed_reached = std::copysign(1.0, task.turn_rate) * (heading.back() - heading.front()) / task.gait.period();
+    quality.speed_reached = std::copysign(1.0, task.turn_rate) *
+                            (heading.back() - heading.front()) / task.gait.period();
   }
   for (int knot = 0; knot <= last; ++knot) {
     const double wanted_heading = objective.path().heading(knot * task.gait.time_step());
-    quality.heading_error = std::max(quality.heading_error, std::abs(heading[knot] - wanted_heading));
+    quality.heading_error =
+        std::max(quality.heading_error, std::abs(heading[knot] - wanted_heading));
   }
   for (int knot = 0; knot <= last; ++knot)
     for (int foot = 0; foot < layout.foot_count(); ++foot)
       if (task.gait.in_contact(knot, foot)) {
-        const double height = motion.foot_W(knot, foot).z() - objective.morphology().feet[foot].radius;
+        const double height =
+            motion.foot_W(knot, foot).z() - objective.morphology().feet[foot].radius;
         quality.ground_error = std::max(quality.ground_error, std::abs(height));
       }
   return quality;
 }
 
-Json iteration_metrics(const DesignSpace& space, const DesignIteration& iteration, const PlanQuality& quality) {
+Json iteration_metrics(const DesignSpace& space, const DesignIteration& iteration,
+                       const PlanQuality& quality) {
   Json terms = Json::object();
   for (const TermValue& term : iteration.terms) terms[std::string(term.name)] = term.value;
   return {{"schema", "legwright/iteration"},
@@ -111,8 +116,9 @@ Json iteration_metrics(const DesignSpace& space, const DesignIteration& iteratio
           {"motion_status", to_string(iteration.motion_status)}};
 }
 
-PlanQuality write_design(const fs::path& folder, const RobotModel& robot, const Objective& objective,
-                         const DesignIteration& iteration, Durability durability) {
+PlanQuality write_design(const fs::path& folder, const RobotModel& robot,
+                         const Objective& objective, const DesignIteration& iteration,
+                         Durability durability) {
   const std::string robot_xml = rewrite_robot(robot, iteration.s);
   const PlayablePlan plan = make_playable(robot, robot_xml, objective, iteration.m);
   PlanQuality quality = plan_quality(objective, iteration.m);
@@ -126,11 +132,13 @@ PlanQuality write_design(const fs::path& folder, const RobotModel& robot, const 
   scene.start_qvel = plan.start_qvel;
   scene.floor_friction = objective.task().floor_friction;
 
-  TemporaryFolder temporary(folder.parent_path() / fmt::format(".{}.tmp", folder.filename().string()));
+  TemporaryFolder temporary(folder.parent_path() /
+                            fmt::format(".{}.tmp", folder.filename().string()));
   write_file(temporary.path() / "robot.xml", robot_xml, durability);
   write_file(temporary.path() / "scene.xml", emit_scene(robot, robot_xml, scene), durability);
   write_file(temporary.path() / "motion.csv", plan.motion_csv, durability);
-  write_json(temporary.path() / "metrics.json", iteration_metrics(robot.space, iteration, quality), durability);
+  write_json(temporary.path() / "metrics.json", iteration_metrics(robot.space, iteration, quality),
+             durability);
   temporary.rename_to(folder);
   if (durability == Durability::power) sync_folder(folder.parent_path());
   return quality;

@@ -14,24 +14,29 @@ namespace legwright {
 
 /// How well a plan does what the task asks for, from the plan alone.
 struct PlanQuality {
-  Eigen::Vector2d planned_velocity = Eigen::Vector2d::Zero();  // of the COM over the cycle, world x and y [m/s]
-  double speed_reached = 0.0;   // along the wanted direction [m/s]; turning on the spot: of the turn [rad/s]
-  double speed_wanted = 0.0;    // the same
-  double heading_error = 0.0;   // of the trunk from the wanted heading, largest [rad]
-  double ground_error = 0.0;    // of a standing foot from the ground, largest [m]
-  double root_residual = 0.0;   // root force that the plan does not explain, largest, share of the weight
+  Eigen::Vector2d planned_velocity =
+      Eigen::Vector2d::Zero();  // of the COM over the cycle, world x and y [m/s]
+  double speed_reached =
+      0.0;  // along the wanted direction [m/s]; turning on the spot: of the turn [rad/s]
+  double speed_wanted = 0.0;   // the same
+  double heading_error = 0.0;  // of the trunk from the wanted heading, largest [rad]
+  double ground_error = 0.0;   // of a standing foot from the ground, largest [m]
+  double root_residual =
+      0.0;  // root force that the plan does not explain, largest, share of the weight
 };
 
 /// All but the root residual, which write_design() knows.
 PlanQuality plan_quality(const Objective& objective, const Eigen::VectorXd& m);
 
 /// metrics.json of an iteration (schema legwright/iteration): no times, so equal runs give equal bytes.
-Json iteration_metrics(const DesignSpace& space, const DesignIteration& iteration, const PlanQuality& quality);
+Json iteration_metrics(const DesignSpace& space, const DesignIteration& iteration,
+                       const PlanQuality& quality);
 
 /// Writes a complete, openable design: robot.xml, scene.xml, motion.csv, metrics.json. The folder appears whole:
 /// written under a temporary name beside it, then renamed. Throws std::system_error where the disk fails or the
 /// folder exists. @return the quality of the plan, root residual included.
-PlanQuality write_design(const std::filesystem::path& folder, const RobotModel& robot, const Objective& objective,
-                         const DesignIteration& iteration, Durability durability = Durability::power);
+PlanQuality write_design(const std::filesystem::path& folder, const RobotModel& robot,
+                         const Objective& objective, const DesignIteration& iteration,
+                         Durability durability = Durability::power);
 
 }  // namespace legwright

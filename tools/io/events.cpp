@@ -26,7 +26,8 @@ Json parse_line(std::string_view line) {
   if (line.size() < kTailSize) return Json::value_t::discarded;
   const std::size_t split = line.size() - kTailSize;
   const std::string body = std::string(line.substr(0, split)) + "}";
-  if (line.substr(split) != std::string(kCrcField) + crc32_hex(body) + "\"}") return Json::value_t::discarded;
+  if (line.substr(split) != std::string(kCrcField) + crc32_hex(body) + "\"}")
+    return Json::value_t::discarded;
   return Json::parse(body, nullptr, false);
 }
 

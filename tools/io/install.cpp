@@ -14,7 +14,8 @@ namespace {
 
 // Asked by symbol: this library must not depend on the headers of what it reports on.
 std::string mujoco_version() {
-  const auto version = reinterpret_cast<const char* (*)()>(::dlsym(RTLD_DEFAULT, "mj_versionString"));
+  const auto version =
+      reinterpret_cast<const char* (*)()>(::dlsym(RTLD_DEFAULT, "mj_versionString"));
   return version ? version() : "not loaded";
 }
 
@@ -41,7 +42,8 @@ std::filesystem::path program_file() { return std::filesystem::read_symlink("/pr
 std::vector<std::string> command_line() {
   std::vector<std::string> words;
   const std::string text = read_file("/proc/self/cmdline");
-  for (std::size_t start = 0, end; (end = text.find('\0', start)) != std::string::npos; start = end + 1)
+  for (std::size_t start = 0, end; (end = text.find('\0', start)) != std::string::npos;
+       start = end + 1)
     words.push_back(text.substr(start, end - start));
   return words;
 }
@@ -51,7 +53,8 @@ std::string program_version() { return LEGWRIGHT_VERSION; }
 Json versions() {
   return {{"legwright", program_version()},
           {"mujoco", mujoco_version()},
-          {"eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
+          {"eigen",
+           fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
           {"cholmod", cholmod_version()},
           {"compiler", compiler()}};
 }

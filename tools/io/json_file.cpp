@@ -17,7 +17,8 @@ Json read_json(const std::filesystem::path& path) {
   const std::string text = read_file(path);
   Json document = Json::parse(text, nullptr, false);
   if (document.is_discarded())
-    throw IoError(path.string() + ": not a JSON document; the file is damaged, run the verb that writes it again");
+    throw IoError(path.string() +
+                  ": not a JSON document; the file is damaged, run the verb that writes it again");
   return document;
 }
 

@@ -28,7 +28,8 @@ std::vector<double> touchdown_by_name(const TaskFile& file, const std::vector<st
     const auto found = file.touchdown_by_foot.find(names[foot]);
     if (found == file.touchdown_by_foot.end())
       refuse(file, "gait.touchdown",
-             fmt::format("no entry for the foot '{}'; the robot's feet are {}", names[foot], fmt::join(names, ", ")));
+             fmt::format("no entry for the foot '{}'; the robot's feet are {}", names[foot],
+                         fmt::join(names, ", ")));
     touchdown.push_back(found->second);
   }
   for (const auto& [name, value] : file.touchdown_by_foot)
@@ -46,12 +47,14 @@ GaitPattern library_pattern(const TaskFile& file, int foot_count) {
   }
   if (names.empty())
     refuse(file, "gait.name",
-           fmt::format("the library has no gait for {} feet; give gait.touchdown and gait.duty", foot_count));
+           fmt::format("the library has no gait for {} feet; give gait.touchdown and gait.duty",
+                       foot_count));
   const std::string guess = nearest(file.gait, names);
   refuse(file, "gait.name",
-         fmt::format("'{}' is not in the library; {}for {} feet it has {}; or give gait.touchdown and gait.duty",
-                     file.gait, guess.empty() ? "" : fmt::format("did you mean '{}'? ", guess), foot_count,
-                     fmt::join(names, ", ")));
+         fmt::format("'{}' is not in the library; {}for {} feet it has {}; or give gait.touchdown "
+                     "and gait.duty",
+                     file.gait, guess.empty() ? "" : fmt::format("did you mean '{}'? ", guess),
+                     foot_count, fmt::join(names, ", ")));
 }
 
 GaitPattern choose_pattern(const TaskFile& file, const std::vector<std::string>& names,
@@ -66,7 +69,8 @@ GaitPattern choose_pattern(const TaskFile& file, const std::vector<std::string>&
     pattern = library_pattern(file, static_cast<int>(foot_count));
   if (pattern.touchdown.size() != foot_count)
     refuse(file, "gait.touchdown",
-           fmt::format("has {} entries; the robot has {} feet: give one phase for each, front to hind, left before right",
+           fmt::format("has {} entries; the robot has {} feet: give one phase for each, front to "
+                       "hind, left before right",
                        pattern.touchdown.size(), foot_count));
   if (file.duty) pattern.duty = *file.duty;
   return pattern;
@@ -77,7 +81,8 @@ int fewest_airborne(const Gait& gait, int margin) {
   int fewest = gait.knot_count();
   for (int foot = 0; foot < gait.foot_count(); ++foot) {
     int airborne = 0;
-    for (int knot = 0; knot < gait.knot_count(); ++knot) airborne += !gait.planted(knot, foot, margin);
+    for (int knot = 0; knot < gait.knot_count(); ++knot)
+      airborne += !gait.planted(knot, foot, margin);
     fewest = std::min(fewest, airborne);
   }
   return fewest;
@@ -103,25 +108,33 @@ int most_support(const Gait& gait) {
   return most;
 }
 
-std::optional<std::vector<Eigen::Vector2d>> footprint_of(const TaskFile& file, const std::vector<int>& order) {
+std::optional<std::vector<Eigen::Vector2d>> footprint_of(const TaskFile& file,
+                                                         const std::vector<int>& order) {
   if (file.footprint.empty()) return std::nullopt;
   const std::size_t foot_count = order.size();
   std::vector<Eigen::Vector2d> result(foot_count);
-  if (file.footprint.size() == 1 && foot_count > 1) {  // half length and half width: rows from front to hind
+  if (file.footprint.size() == 1 &&
+      foot_count > 1) {  // half length and half width: rows from front to hind
     if (foot_count % 2 != 0)
-      refuse(file, "style.footprint", "half length and half width need an even number of feet; give a pair for each");
+      refuse(file, "style.footprint",
+             "half length and half width need an even number of feet; give a pair for each");
     const auto rows = static_cast<double>(foot_count / 2);
     for (std::size_t place = 0; place < foot_count; ++place) {
-      const double along = rows > 1 ? 1.0 - 2.0 * static_cast<double>(place / 2) / (rows - 1.0) : 0.0;
-      result[order[place]] = file.footprint[0].cwiseProduct(Eigen::Vector2d(along, place % 2 == 0 ? 1.0 : -1.0));
+      const double along =
+          rows > 1 ? 1.0 - 2.0 * static_cast<double>(place / 2) / (rows - 1.0) : 0.0;
+      result[order[place]] =
+          file.footprint[0].cwiseProduct(Eigen::Vector2d(along, place % 2 == 0 ? 1.0 : -1.0));
     }
     return result;
   }
   if (file.footprint.size() != foot_count)
     refuse(file, "style.footprint",
-           fmt::format("has {} pairs; the robot has {} feet: one pair each, front to hind, left before right, or "
-                       "[half length, half width]", file.footprint.size(), foot_count));
-  for (std::size_t place = 0; place < foot_count; ++place) result[order[place]] = file.footprint[place];
+           fmt::format("has {} pairs; the robot has {} feet: one pair each, front to hind, left "
+                       "before right, or "
+                       "[half length, half width]",
+                       file.footprint.size(), foot_count));
+  for (std::size_t place = 0; place < foot_count; ++place)
+    result[order[place]] = file.footprint[place];
   return result;
 }
 
@@ -132,19 +145,23 @@ void check_weights(const TaskFile& file) {
     if (std::find(term_names.begin(), term_names.end(), name) != term_names.end()) continue;
     const std::string guess = nearest(name, term_names);
     refuse(file, "weights." + name,
-           guess.empty() ? fmt::format("no term of that name; there are {}", fmt::join(term_names, ", "))
-                         : fmt::format("no term of that name; did you mean '{}'?", guess));
+           guess.empty()
+               ? fmt::format("no term of that name; there are {}", fmt::join(term_names, ", "))
+               : fmt::format("no term of that name; did you mean '{}'?", guess));
   }
 }
 
-Gait make_gait(const TaskFile& file, const std::vector<std::string>& names, const std::vector<int>& order) {
+Gait make_gait(const TaskFile& file, const std::vector<std::string>& names,
+               const std::vector<int>& order) {
   const GaitPattern pattern = choose_pattern(file, names, order);
   try {
     return Gait(pattern, file.period, file.knots, order);
   } catch (const std::invalid_argument&) {
     refuse(file, file.duty ? "gait.duty" : "gait.knots",
-           fmt::format("a foot has no stance: a duty of {} on {} knots leaves it no knot on the ground; raise the duty "
-                       "above {:.3g} or the number of knots", pattern.duty, file.knots, 1.0 / file.knots));
+           fmt::format("a foot has no stance: a duty of {} on {} knots leaves it no knot on the "
+                       "ground; raise the duty "
+                       "above {:.3g} or the number of knots",
+                       pattern.duty, file.knots, 1.0 / file.knots));
   }
 }
 
@@ -152,26 +169,31 @@ void check_reach(const TaskFile& file, const Task& task, const RobotModel& robot
   const StrideBound bound = stride_bound(task, robot);
   if (bound.per_stance > bound.longest)
     refuse(file, "travel.velocity",
-           fmt::format("out of reach: the body travels {:.3g} m while a foot stands, the longest stride of this robot "
-                       "is {:.3g} m (twice its longest leg at the bounds); slow down by a factor of {:.2g}, or shorten "
-                       "gait.period or the duty", bound.per_stance, bound.longest, bound.per_stance / bound.longest));
+           fmt::format("out of reach: the body travels {:.3g} m while a foot stands, the longest "
+                       "stride of this robot "
+                       "is {:.3g} m (twice its longest leg at the bounds); slow down by a factor "
+                       "of {:.2g}, or shorten "
+                       "gait.period or the duty",
+                       bound.per_stance, bound.longest, bound.per_stance / bound.longest));
   const double highest = 0.5 * bound.longest;
   if (task.com_height && *task.com_height > 1.5 * highest)
     refuse(file, "style.com_height",
-           fmt::format("is {} m; the longest leg that the bounds allow is {:.3g} m, so stay below that",
-                       *task.com_height, highest));
+           fmt::format(
+               "is {} m; the longest leg that the bounds allow is {:.3g} m, so stay below that",
+               *task.com_height, highest));
   const int airborne = fewest_airborne(task.gait, task.planted_margin);
   const bool moves = task.velocity.norm() > 0.0 || task.turn_rate != 0.0;
   if (moves && airborne == 0)
     refuse(file, "gait.knots",
-           fmt::format("no knot is left for the swing: {} knots of {:.3g} s, of which {} stay planted before and after "
+           fmt::format("no knot is left for the swing: {} knots of {:.3g} s, of which {} stay "
+                       "planted before and after "
                        "stance; use more knots, a lower duty or a shorter limits.planted_margin",
                        task.gait.knot_count(), task.gait.time_step(), task.planted_margin));
   const int support = most_support(task.gait);
   if (task.min_normal * support >= 1.0)
     refuse(file, "limits.min_normal",
-           fmt::format("is {}; {} feet stand at once, so it must be below {:.3g} of the weight", task.min_normal,
-                       support, 1.0 / support));
+           fmt::format("is {}; {} feet stand at once, so it must be below {:.3g} of the weight",
+                       task.min_normal, support, 1.0 / support));
 }
 
 }  // namespace
@@ -221,20 +243,25 @@ std::vector<std::string> task_warnings(const Task& task, const RobotModel& robot
   std::vector<std::string> warnings;
   const StrideBound bound = stride_bound(task, robot);
   if (bound.per_stance > 0.4 * bound.longest)
-    warnings.push_back(fmt::format("long strides: {:.3g} m per stance, the longest possible is {:.3g} m; a shorter "
-                                   "period is easier", bound.per_stance, bound.longest));
+    warnings.push_back(fmt::format(
+        "long strides: {:.3g} m per stance, the longest possible is {:.3g} m; a shorter "
+        "period is easier",
+        bound.per_stance, bound.longest));
   if (task.velocity.norm() == 0.0 && task.turn_rate == 0.0)
     warnings.push_back("the wanted velocity is zero: the robot will step on the spot");
   if (task.com_height && *task.com_height > bound.leg_length)
-    warnings.push_back(fmt::format("com_height {} m is above the stretched legs of the initial design, {:.3g} m",
-                                   *task.com_height, bound.leg_length));
+    warnings.push_back(
+        fmt::format("com_height {} m is above the stretched legs of the initial design, {:.3g} m",
+                    *task.com_height, bound.leg_length));
   if (task.friction > 0.75 * task.floor_friction)
-    warnings.push_back(fmt::format("little friction is kept in hand: the plan uses {} of a floor of {}", task.friction,
-                                   task.floor_friction));
+    warnings.push_back(
+        fmt::format("little friction is kept in hand: the plan uses {} of a floor of {}",
+                    task.friction, task.floor_friction));
   if (fewest_airborne(task.gait, task.planted_margin) < 3 && bound.per_cycle > 0.0)
     warnings.push_back("a swing has fewer than three knots: use more knots for a smooth step");
   if (robot.space.size() == 0)
-    warnings.push_back("the robot declares no design parameters: only its motion will be optimized");
+    warnings.push_back(
+        "the robot declares no design parameters: only its motion will be optimized");
   return warnings;
 }
 

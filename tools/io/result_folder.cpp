@@ -15,8 +15,10 @@ namespace {
 namespace fs = std::filesystem;
 
 // Everything a run consists of; --force removes these and nothing else.
-constexpr std::array<const char*, 5> kEntries{"run.json", "events.jsonl", "inputs", "iterations", "result"};
-constexpr std::array<const char*, 2> kLeftovers{"report.html", "summary.md"};  // written beside the run
+constexpr std::array<const char*, 5> kEntries{"run.json", "events.jsonl", "inputs", "iterations",
+                                              "result"};
+constexpr std::array<const char*, 2> kLeftovers{"report.html",
+                                                "summary.md"};  // written beside the run
 
 bool is_run(const fs::path& root) {
   std::error_code error;
@@ -55,9 +57,11 @@ ResultFolder ResultFolder::create(const fs::path& root, bool force) {
     refuse(root, "is a file, not a folder", "choose another folder with -o");
   if (holds_any_entry(root)) {
     if (!is_run(root))
-      refuse(root, "holds files of the names of a run that are not Legwright's", "choose another folder with -o");
+      refuse(root, "holds files of the names of a run that are not Legwright's",
+             "choose another folder with -o");
     if (!force)
-      refuse(root, "already holds a run", "choose another folder with -o, or replace that run with --force");
+      refuse(root, "already holds a run",
+             "choose another folder with -o, or replace that run with --force");
   }
   try {
     fs::create_directories(root);
@@ -81,6 +85,8 @@ ResultFolder ResultFolder::open(const fs::path& root) {
   return ResultFolder(root);
 }
 
-fs::path ResultFolder::iteration(int index) const { return iterations() / fmt::format("{:04}", index); }
+fs::path ResultFolder::iteration(int index) const {
+  return iterations() / fmt::format("{:04}", index);
+}
 
 }  // namespace legwright

@@ -35,8 +35,8 @@ Json parameters_json(const DesignSpace& space) {
 
 }  // namespace
 
-Json start_of_run(const std::vector<std::string>& argv, const TaskFile& file, const RobotModel& robot,
-                  const Objective& objective) {
+Json start_of_run(const std::vector<std::string>& argv, const TaskFile& file,
+                  const RobotModel& robot, const Objective& objective) {
   return {{"schema", "legwright/run"},
           {"version", 1},
           {"status", "running"},
@@ -50,9 +50,9 @@ Json start_of_run(const std::vector<std::string>& argv, const TaskFile& file, co
           {"sha256", {{"task.toml", sha256_hex(file.text)}, {"robot.xml", sha256_hex(robot.xml)}}}};
 }
 
-void finish_run(Json& run, const std::string& status, const CodesignResult& result, const PlanQuality& quality,
-                const std::vector<double>& history, double file_seconds, const std::vector<std::string>& reasons,
-                const DesignSpace& space) {
+void finish_run(Json& run, const std::string& status, const CodesignResult& result,
+                const PlanQuality& quality, const std::vector<double>& history, double file_seconds,
+                const std::vector<std::string>& reasons, const DesignSpace& space) {
   run["status"] = status;
   run["feasible"] = reasons.empty();
   run["reasons"] = reasons;
@@ -69,14 +69,17 @@ void finish_run(Json& run, const std::string& status, const CodesignResult& resu
   run["heading_error_rad"] = quality.heading_error;
   run["ground_error_m"] = quality.ground_error;
   run["root_residual"] = quality.root_residual;
-  run["seconds"] = {{"total", result.seconds.total},         {"motion", result.seconds.motion},
-                    {"adjoint", result.seconds.adjoint},     {"predictor", result.seconds.predictor},
+  run["seconds"] = {{"total", result.seconds.total},
+                    {"motion", result.seconds.motion},
+                    {"adjoint", result.seconds.adjoint},
+                    {"predictor", result.seconds.predictor},
                     {"files", file_seconds}};
   run["peak_rss_mib"] = peak_memory_mib();
   for (int k = 0; k < space.size(); ++k) run["parameters"][k]["final"] = result.best.s(k);
 }
 
-Json iteration_event(const DesignSpace& space, const DesignIteration& iteration, const PlanQuality& quality) {
+Json iteration_event(const DesignSpace& space, const DesignIteration& iteration,
+                     const PlanQuality& quality) {
   Json terms = Json::object();
   for (const TermValue& term : iteration.terms) terms[std::string(term.name)] = term.value;
   return {{"event", "iteration"},

@@ -70,29 +70,37 @@ void read_limits(TableReader in, TaskFile& task, Problems& problems) {
   margins.friction = in.number("friction", friction).value_or(margins.friction);
   margins.swing_height =
       in.number("swing_height", {0.0, 1.0, false, false, "m"}).value_or(margins.swing_height);
-  margins.min_normal = in.number("min_normal", {0.0, 0.5, false, false, ""}).value_or(margins.min_normal);
+  margins.min_normal =
+      in.number("min_normal", {0.0, 0.5, false, false, ""}).value_or(margins.min_normal);
   margins.joint_margin =
       in.number("joint_margin", {0.0, 1.5, false, false, "rad"}).value_or(margins.joint_margin);
   task.planted_margin = in.number("planted_margin", {0.0, 1.0, false, false, "s"});
   if (margins.friction > margins.floor_friction)
-    problems.add(in.line_of("friction"), in.full("friction"),
-                 fmt::format("the plan would use more friction, {}, than the floor has, {}; plan with about half of "
-                             "limits.floor_friction", margins.friction, margins.floor_friction));
+    problems.add(
+        in.line_of("friction"), in.full("friction"),
+        fmt::format(
+            "the plan would use more friction, {}, than the floor has, {}; plan with about half of "
+            "limits.floor_friction",
+            margins.friction, margins.floor_friction));
   in.finish();
 }
 
-std::filesystem::path find_robot(const std::string& name, const std::filesystem::path& task, int line) {
+std::filesystem::path find_robot(const std::string& name, const std::filesystem::path& task,
+                                 int line) {
   const std::filesystem::path path = (task.parent_path() / name).lexically_normal();
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))
-    throw InputError(task.string(), line, "robot",
-                     fmt::format("no such file: {}; give the robot's MJCF, relative to the task file", path.string()));
+    throw InputError(
+        task.string(), line, "robot",
+        fmt::format("no such file: {}; give the robot's MJCF, relative to the task file",
+                    path.string()));
   return path;
 }
 
 std::string message_of(const toml::parse_error& error) {
   std::string text(error.description());
-  if (text.find("','") != std::string::npos) text += " (numbers have a decimal point: 0.4, not 0,4)";
+  if (text.find("','") != std::string::npos)
+    text += " (numbers have a decimal point: 0.4, not 0,4)";
   return text + "; mend the TOML there, or cut the file back to the last line that is whole";
 }
 
@@ -101,7 +109,8 @@ std::string message_of(const toml::parse_error& error) {
 int TaskFile::line(const std::string& key) const {
   const auto found = lines.find(key);
   if (found != lines.end()) return found->second;
-  const auto section = lines.find(key.substr(0, key.find('.')));  // the table's line, where the key is absent
+  const auto section =
+      lines.find(key.substr(0, key.find('.')));  // the table's line, where the key is absent
   return section != lines.end() ? section->second : 0;
 }
 
@@ -110,7 +119,8 @@ TaskFile parse_task_file(const std::string& text, const std::filesystem::path& f
   try {
     root = toml::parse(text, file.string());
   } catch (const toml::parse_error& error) {
-    throw InputError(file.string(), static_cast<int>(error.source().begin.line), "", message_of(error));
+    throw InputError(file.string(), static_cast<int>(error.source().begin.line), "",
+                     message_of(error));
   }
   TaskFile task;
   task.file = file;
@@ -121,7 +131,9 @@ TaskFile parse_task_file(const std::string& text, const std::filesystem::path& f
   in.require(robot.has_value(), "robot", "robot = \"robot.xml\"");
   task.name = in.text("name").value_or(file.stem().string());
   if (task.name.find_first_of("/\\") != std::string::npos || task.name.front() == '.')
-    problems.add(in.line_of("name"), "name", fmt::format("is '{}'; it names a folder, so use letters, digits, _ and -", task.name));
+    problems.add(
+        in.line_of("name"), "name",
+        fmt::format("is '{}'; it names a folder, so use letters, digits, _ and -", task.name));
   const auto section = [&](std::string_view key) {
     return TableReader(in.table(key), std::string(key), problems, task.lines);
   };
@@ -141,8 +153,9 @@ TaskFile read_task_file(const std::filesystem::path& file) {
   try {
     text = read_file(file, kMostBytes);
   } catch (const std::system_error& error) {
-    throw InputError(file.string(), 0, "",
-                     error.code().message() + "; give the path of a task file, for instance sideways.toml");
+    throw InputError(
+        file.string(), 0, "",
+        error.code().message() + "; give the path of a task file, for instance sideways.toml");
   } catch (const IoError&) {
     throw InputError(file.string(), 0, "", "larger than 1 MiB; this is no task file");
   }

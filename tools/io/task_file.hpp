@@ -17,14 +17,14 @@ namespace legwright {
 /// absent in the file have the defaults that stand here.
 struct TaskFile {
   std::filesystem::path file;
-  std::string text;             // byte for byte
-  std::string name;             // of the file, without its extension, unless the file says otherwise
+  std::string text;  // byte for byte
+  std::string name;  // of the file, without its extension, unless the file says otherwise
   std::filesystem::path robot;  // found from the folder of the task file
 
-  std::string gait;                                // of the library, or a name for a pattern of one's own
+  std::string gait;  // of the library, or a name for a pattern of one's own
   std::optional<double> duty;
-  std::vector<double> touchdown;                   // in footfall order, or
-  std::map<std::string, double> touchdown_by_foot; // by the foot's name
+  std::vector<double> touchdown;                    // in footfall order, or
+  std::map<std::string, double> touchdown_by_foot;  // by the foot's name
   double period = 0.0;
   int knots = 24;
 
@@ -32,9 +32,10 @@ struct TaskFile {
   double turn_rate = 0.0;
 
   std::optional<double> com_height;
-  std::vector<Eigen::Vector2d> footprint;  // in footfall order; one entry: half length and half width
-  Task margins;                            // friction … joint_margin of the file over Task's defaults
-  std::optional<double> planted_margin;    // [s]
+  std::vector<Eigen::Vector2d>
+      footprint;  // in footfall order; one entry: half length and half width
+  Task margins;   // friction … joint_margin of the file over Task's defaults
+  std::optional<double> planted_margin;  // [s]
   std::map<std::string, double> weights;
 
   std::map<std::string, int> lines;  // of each key that is there, by its path: "gait.period"
@@ -57,10 +58,10 @@ int planted_margin_knots(std::optional<double> seconds, double duty, double time
 
 /// How far the body travels while a foot stands, at most and as far as the robot could ever reach [m].
 struct StrideBound {
-  double per_cycle = 0.0;    // of the body, per period
-  double per_stance = 0.0;   // of the body while one foot stands
-  double longest = 0.0;      // twice the longest leg that the bounds of s allow
-  double leg_length = 0.0;   // longest leg at the initial design
+  double per_cycle = 0.0;   // of the body, per period
+  double per_stance = 0.0;  // of the body while one foot stands
+  double longest = 0.0;     // twice the longest leg that the bounds of s allow
+  double leg_length = 0.0;  // longest leg at the initial design
 };
 StrideBound stride_bound(const Task& task, const RobotModel& robot);
 

@@ -14,13 +14,20 @@ namespace {
 
 std::string type_name(const toml::node& node) {
   switch (node.type()) {
-    case toml::node_type::table: return "a table";
-    case toml::node_type::array: return "an array";
-    case toml::node_type::string: return "a text";
-    case toml::node_type::integer: return "an integer";
-    case toml::node_type::floating_point: return "a number";
-    case toml::node_type::boolean: return "true or false";
-    default: return "a date or time";
+    case toml::node_type::table:
+      return "a table";
+    case toml::node_type::array:
+      return "an array";
+    case toml::node_type::string:
+      return "a text";
+    case toml::node_type::integer:
+      return "an integer";
+    case toml::node_type::floating_point:
+      return "a number";
+    case toml::node_type::boolean:
+      return "true or false";
+    default:
+      return "a date or time";
   }
 }
 
@@ -29,7 +36,8 @@ std::string range_text(const Range& range, std::string_view what) {
   const bool from = std::isfinite(range.low), to = std::isfinite(range.high);
   if (!from && !to) return "a finite number";
   const std::string low = from ? fmt::format("{} {} ", range.low, range.low_open ? "<" : "<=") : "";
-  const std::string high = to ? fmt::format(" {} {}", range.high_open ? "<" : "<=", range.high) : "";
+  const std::string high =
+      to ? fmt::format(" {} {}", range.high_open ? "<" : "<=", range.high) : "";
   return fmt::format("{}{}{}{}", low, what, high, unit);
 }
 
@@ -106,7 +114,8 @@ std::optional<double> TableReader::checked(const toml::node& found, const std::s
   const std::string expected = range_text(range, name.substr(name.rfind('.') + 1));
   const auto value = found.is_number() ? found.value<double>() : std::nullopt;
   if (!value) {
-    problems_.add(line(found), name, fmt::format("is {}; expected a number: {}", type_name(found), expected));
+    problems_.add(line(found), name,
+                  fmt::format("is {}; expected a number: {}", type_name(found), expected));
     return std::nullopt;
   }
   if (!std::isfinite(*value) || !inside(*value, range)) {
@@ -126,7 +135,8 @@ std::optional<int> TableReader::integer(std::string_view key, int low, int high)
   if (!found) return std::nullopt;
   const auto expected = fmt::format("{} <= {} <= {}", low, key, high);
   if (!found->is_integer()) {
-    problems_.add(line(*found), full(key), fmt::format("is {}; expected a whole number: {}", type_name(*found), expected));
+    problems_.add(line(*found), full(key),
+                  fmt::format("is {}; expected a whole number: {}", type_name(*found), expected));
     return std::nullopt;
   }
   const std::int64_t value = found->as_integer()->get();
@@ -142,7 +152,8 @@ std::optional<std::string> TableReader::text(std::string_view key) {
   if (!found) return std::nullopt;
   if (!found->is_string() || found->as_string()->get().empty()) {
     problems_.add(line(*found), full(key),
-                  fmt::format("is {}; expected a text in quotes", found->is_string() ? "empty" : type_name(*found)));
+                  fmt::format("is {}; expected a text in quotes",
+                              found->is_string() ? "empty" : type_name(*found)));
     return std::nullopt;
   }
   return found->as_string()->get();
@@ -154,7 +165,8 @@ std::optional<std::vector<double>> TableReader::numbers(std::string_view key, co
   if (!found) return std::nullopt;
   const toml::array* array = found->as_array();
   if (!array || array->empty() || (count > 0 && array->size() != count)) {
-    const auto wanted = count > 0 ? fmt::format("an array of {} numbers", count) : "an array of numbers";
+    const auto wanted =
+        count > 0 ? fmt::format("an array of {} numbers", count) : "an array of numbers";
     const auto got = array ? fmt::format("an array of {}", array->size()) : type_name(*found);
     problems_.add(line(*found), full(key), fmt::format("is {}; expected {}", got, wanted));
     return std::nullopt;
@@ -166,7 +178,8 @@ std::optional<std::vector<double>> TableReader::numbers(std::string_view key, co
   return values;
 }
 
-std::optional<std::vector<std::vector<double>>> TableReader::pairs(std::string_view key, const Range& range) {
+std::optional<std::vector<std::vector<double>>> TableReader::pairs(std::string_view key,
+                                                                   const Range& range) {
   const toml::node* found = node(key);
   if (!found) return std::nullopt;
   std::vector<std::vector<double>> rows;
@@ -181,13 +194,15 @@ std::optional<std::vector<std::vector<double>>> TableReader::pairs(std::string_v
     rows.push_back(values);
   }
   if (!array || array->empty() || rows.size() != array->size()) {
-    problems_.add(line(*found), full(key), "expected one pair [forward, left] of numbers for each foot");
+    problems_.add(line(*found), full(key),
+                  "expected one pair [forward, left] of numbers for each foot");
     return std::nullopt;
   }
   return rows;
 }
 
-std::map<std::string, double> TableReader::numbers_by_name(std::string_view key, const Range& range) {
+std::map<std::string, double> TableReader::numbers_by_name(std::string_view key,
+                                                           const Range& range) {
   std::map<std::string, double> values;
   const toml::table* found = table(key);
   if (!found) return values;
@@ -203,14 +218,17 @@ const toml::table* TableReader::table(std::string_view key) {
   const toml::node* found = node(key);
   if (!found) return nullptr;
   if (!found->is_table())
-    problems_.add(line(*found), full(key),
-                  fmt::format("is {}; expected a table that starts with [{}]", type_name(*found), full(key)));
+    problems_.add(
+        line(*found), full(key),
+        fmt::format("is {}; expected a table that starts with [{}]", type_name(*found), full(key)));
   return found->as_table();
 }
 
 void TableReader::require(bool present, std::string_view key, const std::string& example) {
   // A key that is there but wrong has been reported already.
-  if (!present && !has(key)) problems_.add(line_of(key), full(key), fmt::format("is missing; add for instance: {}", example));
+  if (!present && !has(key))
+    problems_.add(line_of(key), full(key),
+                  fmt::format("is missing; add for instance: {}", example));
 }
 
 void TableReader::finish() {
@@ -221,7 +239,8 @@ void TableReader::finish() {
     const std::string guess = nearest(name, known_);
     const std::string fix = guess.empty() ? fmt::format("known here: {}", fmt::join(known_, ", "))
                                           : fmt::format("did you mean '{}'?", full(guess));
-    problems_.add(static_cast<int>(key.source().begin.line), full(name), fmt::format("unknown key; {}", fix));
+    problems_.add(static_cast<int>(key.source().begin.line), full(name),
+                  fmt::format("unknown key; {}", fix));
   }
 }
 

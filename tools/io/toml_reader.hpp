@@ -28,9 +28,9 @@ class Problems {
 /// The numbers that a key accepts, and how to say so.
 struct Range {
   double low, high;
-  bool low_open = false;   // low itself is not accepted
+  bool low_open = false;  // low itself is not accepted
   bool high_open = false;
-  std::string_view unit;   // "s", "m/s", … or empty
+  std::string_view unit;  // "s", "m/s", … or empty
 };
 
 /// Reads one table strictly: every key must be asked for, have the right type and lie in range. What is wrong
@@ -46,7 +46,8 @@ class TableReader {
   std::optional<int> integer(std::string_view key, int low, int high);
   std::optional<std::string> text(std::string_view key);
   /// An array of numbers. @param count how many; 0 for any number but none.
-  std::optional<std::vector<double>> numbers(std::string_view key, const Range& range, std::size_t count);
+  std::optional<std::vector<double>> numbers(std::string_view key, const Range& range,
+                                             std::size_t count);
   /// An array of arrays of two numbers.
   std::optional<std::vector<std::vector<double>>> pairs(std::string_view key, const Range& range);
   /// A table of names and numbers; the names are free.
@@ -64,7 +65,8 @@ class TableReader {
   int line_of(std::string_view key);
 
  private:
-  std::optional<double> checked(const toml::node& node, const std::string& name, const Range& range);
+  std::optional<double> checked(const toml::node& node, const std::string& name,
+                                const Range& range);
 
   const toml::table* table_;
   std::string prefix_;

@@ -57,7 +57,9 @@ std::vector<ContactMark> contact_marks(const Trajectory& plan, int count) {
     foot.left /= reach;
   }
   for (int i = 0; i < count; ++i) {
-    const int knot = static_cast<int>(std::lround(static_cast<double>(i) * plan.knot_count / count)) % plan.knot_count;
+    const int knot =
+        static_cast<int>(std::lround(static_cast<double>(i) * plan.knot_count / count)) %
+        plan.knot_count;
     auto& mark = marks[static_cast<std::size_t>(i)];
     mark.feet = feet;
     for (int f = 0; f < plan.foot_count(); ++f) {
@@ -70,7 +72,8 @@ std::vector<ContactMark> contact_marks(const Trajectory& plan, int count) {
 Image compose_strip(const StripLayout& layout, const std::vector<StripRow>& rows,
                     const std::vector<std::string>& captions, Renderer& letters) {
   const int gap = (kStripWidth - layout.cells * layout.cell_width) / (layout.cells + 1);
-  const int margin = (kStripWidth - layout.cells * layout.cell_width - (layout.cells - 1) * gap) / 2;
+  const int margin =
+      (kStripWidth - layout.cells * layout.cell_width - (layout.cells - 1) * gap) / 2;
   const int row_height = kTitleHeight + layout.cell_height;
   const int height = static_cast<int>(rows.size()) * row_height + kCaptionHeight + kBottom;
   Image strip(kStripWidth, height, kPaper);
@@ -79,13 +82,15 @@ Image compose_strip(const StripLayout& layout, const std::vector<StripRow>& rows
     const Mask title = letters.text(row.title, true);
     const int baseline = top + (kTitleHeight - title.height) / 2;
     const int left = margin + (row.good ? 24 : 2);
-    if (row.good) draw_dot(strip, margin + 8.0, top + 0.5 * kTitleHeight, 6.0, *row.good ? kGood : kBad);
+    if (row.good)
+      draw_dot(strip, margin + 8.0, top + 0.5 * kTitleHeight, 6.0, *row.good ? kGood : kBad);
     stamp(strip, title, left, baseline, kInk);
     if (!row.note.empty()) {
       stamp(strip, letters.text(row.note), left + title.width + 16, baseline + 1, kPale);
     }
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
-      const int x = margin + static_cast<int>(i) * (layout.cell_width + gap), y = top + kTitleHeight;
+      const int x = margin + static_cast<int>(i) * (layout.cell_width + gap),
+                y = top + kTitleHeight;
       paste(strip, row.cells[i], x, y);
       if (i < row.contact.size()) draw_contact(strip, row.contact[i], x + layout.cell_width, y);
     }
@@ -93,8 +98,10 @@ Image compose_strip(const StripLayout& layout, const std::vector<StripRow>& rows
   }
   for (std::size_t i = 0; i < captions.size(); ++i) {
     const Mask caption = letters.text(captions[i]);
-    const int middle = margin + static_cast<int>(i) * (layout.cell_width + gap) + layout.cell_width / 2;
-    stamp(strip, caption, middle - caption.width / 2, top + (kCaptionHeight - caption.height) / 2 + 1, kPale);
+    const int middle =
+        margin + static_cast<int>(i) * (layout.cell_width + gap) + layout.cell_width / 2;
+    stamp(strip, caption, middle - caption.width / 2,
+          top + (kCaptionHeight - caption.height) / 2 + 1, kPale);
   }
   return strip;
 }

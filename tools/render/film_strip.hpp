@@ -33,10 +33,10 @@ std::vector<ContactMark> contact_marks(const Trajectory& plan, int count);
 /// One line of pictures.
 struct StripRow {
   std::string title;
-  std::string note;                 // right of the title, paler; may be empty
-  std::optional<bool> good;         // a green or red dot before the title; none: no dot
-  std::vector<Image> cells;         // of the layout's size
-  std::vector<ContactMark> contact; // one per cell, or none
+  std::string note;                  // right of the title, paler; may be empty
+  std::optional<bool> good;          // a green or red dot before the title; none: no dot
+  std::vector<Image> cells;          // of the layout's size
+  std::vector<ContactMark> contact;  // one per cell, or none
 };
 
 /// Rows over each other, cells side by side, a caption under each column. `letters` draws the text.

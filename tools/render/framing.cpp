@@ -16,11 +16,13 @@ namespace {
 void add_corners(const mjModel& model, const mjData& data, std::vector<Eigen::Vector3d>& points) {
   for (int g = 0; g < model.ngeom; ++g) {
     const bool seen = model.geom_rgba[4 * g + 3] > 0.0F && model.geom_group[g] <= 2;
-    if (model.body_weldid[model.geom_bodyid[g]] == 0 || model.geom_type[g] == mjGEOM_PLANE || !seen) continue;
+    if (model.body_weldid[model.geom_bodyid[g]] == 0 || model.geom_type[g] == mjGEOM_PLANE || !seen)
+      continue;
     const double* box = model.geom_aabb + 6 * g;  // centre and half sizes in the geom's frame
     for (int corner = 0; corner < 8; ++corner) {
       double local[3], world[3];
-      for (int c = 0; c < 3; ++c) local[c] = box[c] + ((corner >> c) & 1 ? box[3 + c] : -box[3 + c]);
+      for (int c = 0; c < 3; ++c)
+        local[c] = box[c] + ((corner >> c) & 1 ? box[3 + c] : -box[3 + c]);
       mju_mulMatVec3(world, data.geom_xmat + 9 * g, local);
       points.emplace_back(data.geom_xpos[3 * g] + world[0], data.geom_xpos[3 * g + 1] + world[1],
                           data.geom_xpos[3 * g + 2] + world[2]);
@@ -39,14 +41,14 @@ struct Range {
 
 }  // namespace
 
-View frame_robot(const mjModel& model, const Poses& poses, double azimuth, double elevation, double aspect,
-                 double margin) {
+View frame_robot(const mjModel& model, const Poses& poses, double azimuth, double elevation,
+                 double aspect, double margin) {
   const PosedModel robot{&model, &poses};
   return frame_robots({&robot, 1}, azimuth, elevation, aspect, margin);
 }
 
-View frame_robots(std::span<const PosedModel> robots, double azimuth, double elevation, double aspect,
-                  double margin) {
+View frame_robots(std::span<const PosedModel> robots, double azimuth, double elevation,
+                  double aspect, double margin) {
   std::vector<Eigen::Vector3d> points;
   for (const PosedModel& robot : robots) {
     const DataPointer data(mj_makeData(robot.model));

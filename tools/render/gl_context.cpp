@@ -45,7 +45,8 @@ struct GlContext::Mesa {
 
 void pin_rasteriser() {
   const char* driver = std::getenv("GALLIUM_DRIVER");
-  if (driver == nullptr || std::string_view(driver) != "llvmpipe") setenv("GALLIUM_DRIVER", "llvmpipe", 1);
+  if (driver == nullptr || std::string_view(driver) != "llvmpipe")
+    setenv("GALLIUM_DRIVER", "llvmpipe", 1);
 }
 
 GlContext::GlContext() {
@@ -64,11 +65,11 @@ GlContext::GlContext() {
   mesa_->destroy = symbol<decltype(mesa_->destroy)>(library, "OSMesaDestroyContext");
   mesa_->context = mesa_->create(kGlRgba, 24, 8, 8, nullptr);
   if (mesa_->context == nullptr) throw GlError("OSMesa made no context");
-  if (!mesa_->make_current(mesa_->context, mesa_->canvas.data(), kGlUnsignedByte, kCanvas, kCanvas)) {
+  if (!mesa_->make_current(mesa_->context, mesa_->canvas.data(), kGlUnsignedByte, kCanvas,
+                           kCanvas)) {
     throw GlError("OSMesa could not make its context current");
   }
-  const auto get_string =
-      symbol<const unsigned char* (*)(unsigned)>(library, "glGetString");
+  const auto get_string = symbol<const unsigned char* (*)(unsigned)>(library, "glGetString");
   const auto text = [&](int name) {
     const unsigned char* value = get_string(static_cast<unsigned>(name));
     return std::string(value != nullptr ? reinterpret_cast<const char*>(value) : "unknown");

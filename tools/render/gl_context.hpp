@@ -7,18 +7,20 @@
 
 namespace legwright {
 
-/// No OpenGL, or one that refuses to work. The verb `render` exits 3 for it; `optimize` goes on without pictures.
+/// No OpenGL, or one that refuses to work. The verb `render` exits 3 for it; `optimize` goes on
+/// without pictures.
 class GlError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Pins Mesa's llvmpipe rasteriser, so that pictures have the same bytes wherever they are made. Changes
-/// the environment: call it before other threads start; GlContext calls it too.
+/// Pins Mesa's llvmpipe rasteriser, so that pictures have the same bytes wherever they are made.
+/// Changes the environment: call it before other threads start; GlContext calls it too.
 void pin_rasteriser();
 
-/// An off-screen OpenGL context by OSMesa: no display, no window. Belongs to the thread that made it; there
-/// is at most one per process, because MuJoCo takes its GL functions from the first one it sees.
+/// An off-screen OpenGL context by OSMesa: no display, no window. Belongs to the thread that made
+/// it; there is at most one per process, because MuJoCo takes its GL functions from the first one
+/// it sees.
 class GlContext {
  public:
   /// Opens OSMesa and makes the context current. Throws GlError.

@@ -22,7 +22,8 @@ IterationPainter::IterationPainter(const std::filesystem::path& first_scene) {
                       static_cast<double>(kWidth) / kHeight, kMargin);
 }
 
-void IterationPainter::paint(const std::filesystem::path& scene, const std::filesystem::path& png) const {
+void IterationPainter::paint(const std::filesystem::path& scene,
+                             const std::filesystem::path& png) const {
   const ModelPointer model = load_scene(scene);
   Renderer renderer(context_, *model, kWidth, kHeight, RenderStyle::cheap);
   write_png(png, renderer.render(start_pose(*model), view_));

@@ -8,9 +8,10 @@
 
 namespace legwright {
 
-/// Stills of design iterations, cheap style, all by the camera that frames the first one: seen one after another,
-/// only the body changes. Make, use and destroy it on one thread (it may be a background one); plugins
-/// that the scenes name must have been loaded, and pin_rasteriser() called, before that thread started.
+/// Stills of design iterations, cheap style, all by the camera that frames the first one: seen one
+/// after another, only the body changes. Make, use and destroy it on one thread (it may be a
+/// background one); plugins that the scenes name must have been loaded, and pin_rasteriser()
+/// called, before that thread started.
 class IterationPainter {
  public:
   static constexpr int kWidth = 640, kHeight = 480;

@@ -13,9 +13,8 @@ namespace legwright {
 
 std::vector<std::uint8_t> encode_png(const Image& image) {
   std::vector<std::uint8_t> bytes;
-  const unsigned error =
-      lodepng::encode(bytes, image.rgb, static_cast<unsigned>(image.width),
-                      static_cast<unsigned>(image.height), LCT_RGB, 8);
+  const unsigned error = lodepng::encode(bytes, image.rgb, static_cast<unsigned>(image.width),
+                                         static_cast<unsigned>(image.height), LCT_RGB, 8);
   if (error != 0) throw std::runtime_error(std::string("PNG: ") + lodepng_error_text(error));
   return bytes;
 }

@@ -16,7 +16,8 @@ Image decode_png(const std::vector<std::uint8_t>& bytes);
 
 /// Writes a PNG so that the file is either there whole or not at all. Throws std::system_error.
 void write_png(const std::filesystem::path& file, const Image& image);
-/// Reads a PNG. Throws std::system_error where the file cannot be read, std::runtime_error where it is no PNG.
+/// Reads a PNG. Throws std::system_error where the file cannot be read, std::runtime_error where it
+/// is no PNG.
 Image read_png(const std::filesystem::path& file);
 
 }  // namespace legwright

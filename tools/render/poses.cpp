@@ -21,7 +21,8 @@ ModelPointer load_scene(const std::filesystem::path& file) {
 
 std::vector<double> start_pose(const mjModel& model) {
   const int key = std::max(mj_name2id(&model, mjOBJ_KEY, "gait"), 0);
-  const double* pose = model.nkey > 0 ? model.key_qpos + static_cast<std::ptrdiff_t>(key) * model.nq : model.qpos0;
+  const double* pose =
+      model.nkey > 0 ? model.key_qpos + static_cast<std::ptrdiff_t>(key) * model.nq : model.qpos0;
   return {pose, pose + model.nq};
 }
 
@@ -34,7 +35,8 @@ Poses planned_poses(const mjModel& model, const Trajectory& plan, int count) {
   std::vector<int> address;
   for (const std::string& name : plan.joint_names) {
     const int joint = mj_name2id(&model, mjOBJ_JOINT, name.c_str());
-    if (joint < 0) throw std::runtime_error("the scene has no joint named '" + name + "', the plan has");
+    if (joint < 0)
+      throw std::runtime_error("the scene has no joint named '" + name + "', the plan has");
     address.push_back(model.jnt_qposadr[joint]);
   }
   Poses poses;
@@ -61,7 +63,8 @@ Playback read_playback(const mjModel& model, const std::filesystem::path& file) 
   const CsvTable table = parse_csv_table(read_file(file), file.filename().string());
   if (table.columns.size() != static_cast<std::size_t>(model.nq) + 1) {
     throw std::runtime_error(file.string() + ": " + std::to_string(table.columns.size()) +
-                             " columns, expected time and " + std::to_string(model.nq) + " of qpos");
+                             " columns, expected time and " + std::to_string(model.nq) +
+                             " of qpos");
   }
   Playback playback;
   for (const auto& row : table.rows) {

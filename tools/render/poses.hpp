@@ -15,10 +15,12 @@ namespace legwright {
 /// Throws std::runtime_error with MuJoCo's message.
 ModelPointer load_scene(const std::filesystem::path& file);
 
-/// Where the scene starts: its keyframe "gait", else its first, else the model's own reference pose.
+/// Where the scene starts: its keyframe "gait", else its first, else the model's own reference
+/// pose.
 std::vector<double> start_pose(const mjModel& model);
 
-/// The plan as the plugin plays it, at `count` equally spaced phases of one cycle, as qpos of the model.
+/// The plan as the plugin plays it, at `count` equally spaced phases of one cycle, as qpos of the
+/// model.
 /// Throws std::runtime_error where the model lacks a joint of the plan or a free root.
 Poses planned_poses(const mjModel& model, const Trajectory& plan, int count);
 
@@ -27,7 +29,8 @@ struct Playback {
   std::vector<double> time;  // [s]
   Poses qpos;
 };
-/// Reads a playback: a time column, then qpos. Throws std::runtime_error where it does not fit the model.
+/// Reads a playback: a time column, then qpos. Throws std::runtime_error where it does not fit the
+/// model.
 Playback read_playback(const mjModel& model, const std::filesystem::path& file);
 
 /// Index of the record nearest to a time [s].

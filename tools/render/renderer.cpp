@@ -13,9 +13,11 @@ namespace legwright {
 namespace {
 
 constexpr int kSceneGeoms = 4000;
-constexpr int kTextWidth = 1536, kTextHeight = 128;  // canvas of one line of text, twice its final size
+constexpr int kTextWidth = 1536,
+              kTextHeight = 128;  // canvas of one line of text, twice its final size
 
-constexpr double kStudioSize = 1.2;  // [m] extent that shadows and clipping planes go by, whatever the model's
+constexpr double kStudioSize =
+    1.2;  // [m] extent that shadows and clipping planes go by, whatever the model's
 constexpr std::array<float, 4> kPaper{0.965F, 0.97F, 0.975F, 1.0F};  // the floor fades into this
 constexpr float kSun[3] = {-0.35F, 0.30F, -1.0F};  // seen from the camera: to the right, away, down
 
@@ -38,7 +40,8 @@ ModelPointer styled_copy(const mjModel& model, int width, int height, RenderStyl
   return copy;
 }
 
-/// The same light for every scene, turned with the camera: a head light and a sun that casts the shadow.
+/// The same light for every scene, turned with the camera: a head light and a sun that casts the
+/// shadow.
 void light_studio(const View& view, mjvScene& scene) {
   scene.nlight = std::min(scene.nlight, 1);  // MuJoCo puts the head light first
   const double a = view.azimuth * std::numbers::pi / 180.0;
@@ -52,7 +55,8 @@ void light_studio(const View& view, mjvScene& scene) {
   std::fill_n(sun.diffuse, 3, 0.48F);
   std::fill_n(sun.specular, 3, 0.25F);
   const double right = kSun[0], away = kSun[1];
-  const double x = away * std::cos(a) + right * std::sin(a), y = away * std::sin(a) - right * std::cos(a);
+  const double x = away * std::cos(a) + right * std::sin(a),
+               y = away * std::sin(a) - right * std::cos(a);
   const double length = std::sqrt(x * x + y * y + 1.0);
   sun.dir[0] = static_cast<float>(x / length);
   sun.dir[1] = static_cast<float>(y / length);
@@ -68,7 +72,8 @@ void draw_lines(std::span<const FloorLine> lines, mjvScene& scene) {
     for (std::size_t i = 1; i < line.points.size() && scene.ngeom < scene.maxgeom; ++i) {
       mjvGeom& geom = scene.geoms[scene.ngeom++];
       mjv_initGeom(&geom, mjGEOM_CAPSULE, nullptr, nullptr, nullptr, line.rgba.data());
-      mjv_connector(&geom, mjGEOM_CAPSULE, line.radius, line.points[i - 1].data(), line.points[i].data());
+      mjv_connector(&geom, mjGEOM_CAPSULE, line.radius, line.points[i - 1].data(),
+                    line.points[i].data());
       geom.category = mjCAT_DECOR;
       geom.objtype = mjOBJ_UNKNOWN;
       geom.objid = geom.segid = -1;
@@ -82,8 +87,8 @@ void draw_lines(std::span<const FloorLine> lines, mjvScene& scene) {
 
 void place(const mjModel& model, mjData& data, std::span<const double> qpos) {
   if (qpos.size() != static_cast<std::size_t>(model.nq)) {
-    throw std::invalid_argument("a pose of " + std::to_string(qpos.size()) + " numbers for a model of " +
-                                std::to_string(model.nq));
+    throw std::invalid_argument("a pose of " + std::to_string(qpos.size()) +
+                                " numbers for a model of " + std::to_string(model.nq));
   }
   if (!std::all_of(qpos.begin(), qpos.end(), [](double q) { return std::isfinite(q); })) {
     throw std::invalid_argument("a pose that is not finite");
@@ -104,7 +109,10 @@ struct Renderer::Parts {
   mjrContext context;
 
   Parts(const mjModel& source, int w, int h, RenderStyle style)
-      : model(styled_copy(source, w, h, style)), data(mj_makeData(model.get())), width(w), height(h) {
+      : model(styled_copy(source, w, h, style)),
+        data(mj_makeData(model.get())),
+        width(w),
+        height(h) {
     if (!data) throw std::bad_alloc();
     mjv_defaultScene(&scene);
     mjv_defaultOption(&option);
@@ -127,7 +135,8 @@ struct Renderer::Parts {
 Renderer::Renderer(const GlContext&, const mjModel& model, int width, int height, RenderStyle style)
     : parts_(std::make_unique<Parts>(model, width, height, style)) {
   mjr_setBuffer(mjFB_OFFSCREEN, &parts_->context);
-  if (parts_->context.currentBuffer != mjFB_OFFSCREEN) throw GlError("OpenGL made no off-screen buffer");
+  if (parts_->context.currentBuffer != mjFB_OFFSCREEN)
+    throw GlError("OpenGL made no off-screen buffer");
 }
 
 Renderer::~Renderer() = default;
@@ -141,7 +150,8 @@ Image Renderer::read_buffer(int width, int height) const {
   return image;
 }
 
-Image Renderer::render(std::span<const double> qpos, const View& view, std::span<const FloorLine> lines) {
+Image Renderer::render(std::span<const double> qpos, const View& view,
+                       std::span<const FloorLine> lines) {
   Parts& p = *parts_;
   place(*p.model, *p.data, qpos);
   mjvCamera camera;
@@ -151,7 +161,8 @@ Image Renderer::render(std::span<const double> qpos, const View& view, std::span
   camera.distance = view.distance;
   camera.azimuth = view.azimuth;
   camera.elevation = view.elevation;
-  // Infinite planes are centred on the camera that the scene had before: place it first, else the first frame differs.
+  // Infinite planes are centred on the camera that the scene had before: place it first, else the
+  // first frame differs.
   mjv_updateCamera(p.model.get(), p.data.get(), &camera, &p.scene);
   mjv_updateScene(p.model.get(), p.data.get(), &p.option, nullptr, &camera, mjCAT_ALL, &p.scene);
   light_studio(view, p.scene);
@@ -166,7 +177,8 @@ Mask Renderer::word(const std::string& word, bool large) {
   const mjrContext& c = parts_->context;
   const int factor = large ? 3 : 2;
   const int tall = factor * ((large ? c.charHeightBig : c.charHeight) / factor + 4);
-  mjr_label({0, 0, kTextWidth, tall}, large ? mjFONT_BIG : mjFONT_NORMAL, word.c_str(), 0, 0, 0, 1, 1, 1, 1, &c);
+  mjr_label({0, 0, kTextWidth, tall}, large ? mjFONT_BIG : mjFONT_NORMAL, word.c_str(), 0, 0, 0, 1,
+            1, 1, 1, &c);
   const Image drawn = shrink(read_buffer(kTextWidth, tall), factor);
   int left = drawn.width, right = 0;  // ink decides the width; all words keep the same height
   for (int i = 0; i < drawn.width * drawn.height; ++i) {
@@ -184,13 +196,16 @@ Mask Renderer::word(const std::string& word, bool large) {
 Mask Renderer::text(std::string_view line, bool large) {
   const int blank = large ? 7 : 6;  // pixels
   Mask whole;
-  while (!line.empty()) {  // word by word: MuJoCo draws nothing of a text that is wider than its canvas
+  while (
+      // word by word: MuJoCo draws nothing of a text that is wider than its canvas
+      !line.empty()) {
     const std::size_t end = std::min(line.find(' '), line.size());
     const Mask next = word(std::string(line.substr(0, end)), large);
     line.remove_prefix(std::min(end + 1, line.size()));
     const int gap = whole.width == 0 ? 0 : blank;
     Mask joined{whole.width + gap + next.width, next.height, {}};
-    joined.cover.assign(static_cast<std::size_t>(joined.width) * static_cast<std::size_t>(joined.height), 0);
+    joined.cover.assign(
+        static_cast<std::size_t>(joined.width) * static_cast<std::size_t>(joined.height), 0);
     for (int y = 0; y < joined.height; ++y) {
       const auto row = joined.cover.begin() + y * joined.width;
       if (whole.width > 0) std::copy_n(whole.cover.begin() + y * whole.width, whole.width, row);

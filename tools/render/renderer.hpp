@@ -15,8 +15,8 @@
 
 namespace legwright {
 
-/// How much a picture may cost: `cheap` for every iteration (small shadows, no antialiasing), `full` for the
-/// pictures people look at (large shadows, antialiased).
+/// How much a picture may cost: `cheap` for every iteration (small shadows, no antialiasing),
+/// `full` for the pictures people look at (large shadows, antialiased).
 enum class RenderStyle { cheap, full };
 
 /// A camera that looks at a point: where from, in degrees, as MuJoCo's free camera counts them.
@@ -37,33 +37,39 @@ struct FloorLine {
 /// Full qpos vectors of one model, one after another.
 using Poses = std::vector<std::vector<double>>;
 
-/// The camera with the given direction that has the robot in the picture in all `poses` (at least one),
-/// as large as `margin` (share of the picture left free) allows. The world body's geoms do not count.
+/// The camera with the given direction that has the robot in the picture in all `poses` (at least
+/// one), as large as `margin` (share of the picture left free) allows. The world body's geoms do
+/// not count.
 /// @param aspect width/height of the picture.
-View frame_robot(const mjModel& model, const Poses& poses, double azimuth, double elevation, double aspect,
-                 double margin = 0.12);
+View frame_robot(const mjModel& model, const Poses& poses, double azimuth, double elevation,
+                 double aspect, double margin = 0.12);
 /// The same for several models in one picture frame: what each needs, together.
 struct PosedModel {
   const mjModel* model;
   const Poses* poses;
 };
-View frame_robots(std::span<const PosedModel> robots, double azimuth, double elevation, double aspect,
-                  double margin = 0.12);
+View frame_robots(std::span<const PosedModel> robots, double azimuth, double elevation,
+                  double aspect, double margin = 0.12);
 
-/// Draws one model off-screen. Poses are only placed, nothing is simulated, so the same pose, view and style give
-/// the same bytes each time. Keeps its own copy of the model. Lives on the thread of its GlContext.
+/// Draws one model off-screen. Poses are only placed, nothing is simulated, so the same pose, view
+/// and style give the same bytes each time. Keeps its own copy of the model. Lives on the thread of
+/// its GlContext.
 class Renderer {
  public:
   /// @param width, height of the pictures [pixels]. Throws GlError where OpenGL fails.
-  Renderer(const GlContext& context, const mjModel& model, int width, int height, RenderStyle style);
+  Renderer(const GlContext& context, const mjModel& model, int width, int height,
+           RenderStyle style);
   ~Renderer();
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  /// @param qpos model.nq numbers; throws std::invalid_argument for another count or non-finite ones.
-  Image render(std::span<const double> qpos, const View& view, std::span<const FloorLine> lines = {});
+  /// @param qpos model.nq numbers; throws std::invalid_argument for another count or non-finite
+  /// ones.
+  Image render(std::span<const double> qpos, const View& view,
+               std::span<const FloorLine> lines = {});
 
-  /// A line of ASCII text as a mask, of a height that depends on `large` only; its width is that of its ink.
+  /// A line of ASCII text as a mask, of a height that depends on `large` only; its width is that of
+  /// its ink.
   Mask text(std::string_view line, bool large = false);
 
  private:

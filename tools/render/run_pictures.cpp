@@ -27,7 +27,8 @@ using Clock = std::chrono::steady_clock;
 constexpr double kTurnOfView = 24.0;  // [deg] off the exact side view, for depth
 constexpr double kElevation = -14.0;
 constexpr StripLayout kPhases{8, 196, 176};  // one cycle of the plan
-constexpr StripLayout kMoments{5, 314, 190};  // seconds of the simulation: wider, to have the way in the picture
+constexpr StripLayout kMoments{
+    5, 314, 190};             // seconds of the simulation: wider, to have the way in the picture
 constexpr int kSampling = 2;  // cells are drawn this much larger, then shrunk
 constexpr const char* kBefore = "Before: the initial body, its gait optimised";
 constexpr const char* kAfter = "After: body and gait co-designed";
@@ -50,7 +51,9 @@ struct Act {
   }
 };
 
-double aspect(const StripLayout& layout) { return static_cast<double>(layout.cell_width) / layout.cell_height; }
+double aspect(const StripLayout& layout) {
+  return static_cast<double>(layout.cell_width) / layout.cell_height;
+}
 
 /// The direction of sight from which the plan walks from left to right [deg].
 double side_view(const Trajectory& plan) {
@@ -141,18 +144,22 @@ class RunDrawing {
       row.note = "planned gait";
       row.contact = contact_marks(act.plan, kPhases.cells);
       Renderer renderer = cell_renderer(act, kPhases);
-      for (const auto& qpos : act.planned) row.cells.push_back(shrink(renderer.render(qpos, view), kSampling));
+      for (const auto& qpos : act.planned)
+        row.cells.push_back(shrink(renderer.render(qpos, view), kSampling));
       rows.push_back(std::move(row));
     }
     std::vector<std::string> captions;
-    for (int k = 0; k < kPhases.cells; ++k) captions.push_back(k == 0 ? "phase 0" : fmt::format("{}/8", k));
+    for (int k = 0; k < kPhases.cells; ++k)
+      captions.push_back(k == 0 ? "phase 0" : fmt::format("{}/8", k));
     Renderer letters = cell_renderer(acts[0], kPhases);
     const fs::path result = run_ / "result";
-    write(result / "strip_initial.png", compose_strip(kPhases, {rows[0]}, captions, letters), start);
+    write(result / "strip_initial.png", compose_strip(kPhases, {rows[0]}, captions, letters),
+          start);
     start = Clock::now();
     write(result / "strip_result.png", compose_strip(kPhases, {rows[1]}, captions, letters), start);
     start = Clock::now();
-    write(result / "strip_before_after.png", compose_strip(kPhases, rows, captions, letters), start);
+    write(result / "strip_before_after.png", compose_strip(kPhases, rows, captions, letters),
+          start);
   }
 
   void draw_physics(const std::vector<Act>& acts) {
@@ -167,14 +174,19 @@ class RunDrawing {
         chosen[i].push_back(playback.qpos[record_at(playback, moment(end, k))]);
       }
     }
-    for (std::size_t i = 0; i < acts.size(); ++i) robots.push_back({acts[i].model.get(), &chosen[i]});
-    const View view = frame_robots(robots, side_view(acts[1].plan), kElevation, aspect(kMoments), 0.06);
+    for (std::size_t i = 0; i < acts.size(); ++i)
+      robots.push_back({acts[i].model.get(), &chosen[i]});
+    const View view =
+        frame_robots(robots, side_view(acts[1].plan), kElevation, aspect(kMoments), 0.06);
     std::vector<StripRow> rows;
-    for (std::size_t i = 0; i < acts.size(); ++i) rows.push_back(physics_row(acts[i], chosen[i], end, view));
+    for (std::size_t i = 0; i < acts.size(); ++i)
+      rows.push_back(physics_row(acts[i], chosen[i], end, view));
     std::vector<std::string> captions;
-    for (int k = 0; k < kMoments.cells; ++k) captions.push_back(fmt::format("{:.1f} s", moment(end, k)));
+    for (int k = 0; k < kMoments.cells; ++k)
+      captions.push_back(fmt::format("{:.1f} s", moment(end, k)));
     Renderer letters = cell_renderer(acts[0], kMoments);
-    write(run_ / "result" / "strip_physics.png", compose_strip(kMoments, rows, captions, letters), start);
+    write(run_ / "result" / "strip_physics.png", compose_strip(kMoments, rows, captions, letters),
+          start);
   }
 
   StripRow physics_row(const Act& act, const Poses& poses, double end, const View& view) {
@@ -195,7 +207,8 @@ class RunDrawing {
   /// Across the way the plan goes, where the trunk was at first.
   static FloorLine line_at_start(const Act& act) {
     const auto& first = act.playback->qpos.front();
-    const double x = act.plan.travel[0], y = act.plan.travel[1], length = std::max(std::hypot(x, y), 1e-9);
+    const double x = act.plan.travel[0], y = act.plan.travel[1],
+                 length = std::max(std::hypot(x, y), 1e-9);
     const double reach = 0.22;  // [m] to either side
     FloorLine line;
     for (const double side : {-reach, reach}) {
@@ -209,7 +222,8 @@ class RunDrawing {
   /// Where the trunk went, on the floor.
   static FloorLine path_until(const Act& act, double time) {
     FloorLine line;
-    for (std::size_t i = 0; i < act.playback->time.size() && act.playback->time[i] <= time + 1e-9; i += 4) {
+    for (std::size_t i = 0; i < act.playback->time.size() && act.playback->time[i] <= time + 1e-9;
+         i += 4) {
       const auto& qpos = act.playback->qpos[i];
       line.points.push_back({qpos[0], qpos[1], 0.002});
     }
@@ -233,7 +247,8 @@ class RunDrawing {
 
 RunPictures draw_run(const fs::path& run, const RunPictureOptions& options) {
   if (!fs::exists(run / "iterations" / "0000" / "scene.xml")) {
-    throw IoError(run.string() + ": no run of legwright optimize (iterations/0000/scene.xml is missing)");
+    throw IoError(run.string() +
+                  ": no run of legwright optimize (iterations/0000/scene.xml is missing)");
   }
   return RunDrawing(run, options).draw();
 }

@@ -26,9 +26,10 @@ struct RunPictures {
 };
 
 /// Draws the pictures of a run folder: frame.png of every iteration, and in result/ the film strips
-/// strip_initial, strip_result, strip_before_after (planned gait) and strip_physics (what the simulation did,
-/// once validate has run). The plugins that its scenes name must have been loaded.
-/// Throws GlError, std::system_error for files, std::runtime_error for files that do not fit together.
+/// strip_initial, strip_result, strip_before_after (planned gait) and strip_physics (what the
+/// simulation did, once validate has run). The plugins that its scenes name must have been loaded.
+/// Throws GlError, std::system_error for files, std::runtime_error for files that do not fit
+/// together.
 RunPictures draw_run(const std::filesystem::path& run, const RunPictureOptions& options = {});
 
 }  // namespace legwright

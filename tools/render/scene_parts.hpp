@@ -8,7 +8,8 @@
 
 namespace legwright {
 
-inline constexpr double kFieldOfView = 24.0;  // [deg], vertical: a little telephoto, so that links keep their proportions
+inline constexpr double kFieldOfView =
+    24.0;  // [deg], vertical: a little telephoto, so that links keep their proportions
 
 struct DataDeleter {
   void operator()(mjData* data) const { mj_deleteData(data); }
@@ -19,8 +20,9 @@ struct ModelDeleter {
 };
 using ModelPointer = std::unique_ptr<mjModel, ModelDeleter>;
 
-/// Puts the model in a pose: positions of everything that is drawn, no dynamics (so no solver, no warnings,
-/// no plugin call). Throws std::invalid_argument for a qpos of the wrong size or with non-finite numbers.
+/// Puts the model in a pose: positions of everything that is drawn, no dynamics (so no solver, no
+/// warnings, no plugin call). Throws std::invalid_argument for a qpos of the wrong size or with
+/// non-finite numbers.
 void place(const mjModel& model, mjData& data, std::span<const double> qpos);
 
 }  // namespace legwright

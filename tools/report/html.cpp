@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
 
-/// Length of the valid UTF-8 sequence that `text` begins with, 0 if it is none; `code` is its code point.
+/// Length of the valid UTF-8 sequence that `text` begins with, 0 if it is none; `code` is its code
+/// point.
 std::size_t sequence_length(std::string_view text, char32_t& code) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char lead = byte(0);
@@ -79,13 +80,20 @@ std::string escape_text(std::string_view text) {
 std::string escape_attribute(std::string_view text) {
   return replaced(text, [](char c) -> std::string_view {
     switch (c) {
-      case '&': return "&amp;";
-      case '<': return "&lt;";
-      case '>': return "&gt;";
-      case '"': return "&quot;";
-      case '\'': return "&#39;";
-      case '`': return "&#96;";
-      default: return "";
+      case '&':
+        return "&amp;";
+      case '<':
+        return "&lt;";
+      case '>':
+        return "&gt;";
+      case '"':
+        return "&quot;";
+      case '\'':
+        return "&#39;";
+      case '`':
+        return "&#96;";
+      default:
+        return "";
     }
   });
 }
@@ -94,8 +102,10 @@ std::string escape_json_island(std::string_view json) {
   std::string clean = replaced(json, [](char c) -> std::string_view {
     return c == '<' ? "\\u003c" : c == '>' ? "\\u003e" : c == '&' ? "\\u0026" : "";
   });
-  for (const auto& [separator, code] : {std::pair{"\xE2\x80\xA8", "\\u2028"}, {"\xE2\x80\xA9", "\\u2029"}}) {
-    for (std::size_t at = clean.find(separator); at != std::string::npos; at = clean.find(separator)) {
+  for (const auto& [separator, code] :
+       {std::pair{"\xE2\x80\xA8", "\\u2028"}, {"\xE2\x80\xA9", "\\u2029"}}) {
+    for (std::size_t at = clean.find(separator); at != std::string::npos;
+         at = clean.find(separator)) {
       clean.replace(at, 3, code);
     }
   }
@@ -112,7 +122,8 @@ std::string escape_markdown(std::string_view text) {
 }
 
 std::string data_uri(std::string_view media_type, std::span<const std::uint8_t> bytes) {
-  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  constexpr std::string_view kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string out = fmt::format("data:{};base64,", media_type);
   out.reserve(out.size() + (bytes.size() + 2) / 3 * 4);
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
@@ -128,7 +139,8 @@ std::string data_uri(std::string_view media_type, std::span<const std::uint8_t> 
 void Html::start(std::string_view tag, Attributes attributes) {
   out_ += '<';
   out_ += tag;
-  for (const auto& [name, value] : attributes) out_ += fmt::format(" {}=\"{}\"", name, escape_attribute(value));
+  for (const auto& [name, value] : attributes)
+    out_ += fmt::format(" {}=\"{}\"", name, escape_attribute(value));
 }
 
 Html& Html::open(std::string_view tag, Attributes attributes) {
@@ -142,7 +154,8 @@ Html& Html::close() {
   if (open_.empty()) throw std::logic_error("Html: nothing to close");
   out_ += fmt::format("</{}>", open_.back());
   // A line break is a blank between words: only after elements that stand alone.
-  for (const char* block : {"div", "p", "tr", "table", "section", "figure", "li", "style", "script", "head"}) {
+  for (const char* block :
+       {"div", "p", "tr", "table", "section", "figure", "li", "style", "script", "head"}) {
     if (open_.back() == block) out_ += '\n';
   }
   open_.pop_back();

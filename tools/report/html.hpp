@@ -11,7 +11,8 @@
 
 namespace legwright {
 
-/// `text` as valid UTF-8 without control characters (tab and line break become blanks); what is not becomes U+FFFD.
+/// `text` as valid UTF-8 without control characters (tab and line break become blanks); what is not
+/// becomes U+FFFD.
 std::string clean_utf8(std::string_view text);
 
 // One escape per context; each takes any bytes and gives clean UTF-8.
@@ -19,7 +20,8 @@ std::string clean_utf8(std::string_view text);
 std::string escape_text(std::string_view text);
 /// For an attribute's value in double quotes.
 std::string escape_attribute(std::string_view text);
-/// For JSON that stands in a <script> element: the same document, with < > & and line separators as \uXXXX.
+/// For JSON that stands in a <script> element: the same document, with < > & and line separators as
+/// \uXXXX.
 std::string escape_json_island(std::string_view json);
 /// For a paragraph of Markdown: nothing in it is markup.
 std::string escape_markdown(std::string_view text);

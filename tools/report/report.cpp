@@ -13,8 +13,11 @@ namespace legwright {
 namespace {
 
 std::string title_of(const RunData& data) {
-  const std::string robot = text_at(data.run, {"robot"}), task = text_at(data.run, {"task", "name"});
-  const std::string title = robot.empty() ? task : task.empty() ? robot : robot + " · " + spaced(task);
+  const std::string robot = text_at(data.run, {"robot"}),
+                    task = text_at(data.run, {"task", "name"});
+  const std::string title = robot.empty()  ? task
+                            : task.empty() ? robot
+                                           : robot + " · " + spaced(task);
   return title.empty() ? "Legwright run" : title;
 }
 
@@ -40,14 +43,20 @@ std::string report_page(const RunData& data) {
   Html page;
   page.raw("<!DOCTYPE html>\n").open("html", {{"lang", "en"}}).open("head");
   page.lone("meta", {{"charset", "utf-8"}});
-  page.lone("meta", {{"http-equiv", "Content-Security-Policy"},
-                     {"content", "default-src 'none'; img-src data:; style-src 'unsafe-inline'; base-uri 'none'; "
-                                 "form-action 'none'"}});
+  page.lone("meta",
+            {{"http-equiv", "Content-Security-Policy"},
+             {"content",
+              "default-src 'none'; img-src data:; style-src 'unsafe-inline'; base-uri 'none'; "
+              "form-action 'none'"}});
   page.lone("meta", {{"name", "viewport"}, {"content", "width=device-width, initial-scale=1"}});
   page.lone("meta", {{"name", "color-scheme"}, {"content", "light dark"}});
   page.element("title", title_of(data));
   page.open("style").raw(report_style()).close().close();
-  page.open("body").open("header").element("h1", title_of(data)).element("p", task_words(data.run)).close();
+  page.open("body")
+      .open("header")
+      .element("h1", title_of(data))
+      .element("p", task_words(data.run))
+      .close();
   page.open("main");
   add_verdicts(page, data);
   add_pictures(page, data);
@@ -59,28 +68,35 @@ std::string report_page(const RunData& data) {
   add_plan(page, data);
   add_origin(page, data);
   page.close();
-  page.element("footer", "Made by legwright report from the files of this run; nothing is fetched from elsewhere.");
+  page.element(
+      "footer",
+      "Made by legwright report from the files of this run; nothing is fetched from elsewhere.");
   add_island(page, data);
   page.close().close();
   return page.take();
 }
 
 std::string report_summary(const RunData& data) {
-  std::string out = "# " + escape_markdown(title_of(data)) + "\n\n" + escape_markdown(task_words(data.run)) + "\n\n";
+  std::string out = "# " + escape_markdown(title_of(data)) + "\n\n" +
+                    escape_markdown(task_words(data.run)) + "\n\n";
   out += "| | verdict |\n|---|---|\n";
-  out += "| before (initial body, its gait optimised) | " + escape_markdown(verdict_line(data, "initial")) + " |\n";
-  out += "| after (body and gait co-designed) | " + escape_markdown(verdict_line(data, "result")) + " |\n\n";
+  out += "| before (initial body, its gait optimised) | " +
+         escape_markdown(verdict_line(data, "initial")) + " |\n";
+  out += "| after (body and gait co-designed) | " + escape_markdown(verdict_line(data, "result")) +
+         " |\n\n";
   out += fmt::format("Cost F: {} with the gait alone, {} co-designed, {} design iterations.\n\n",
-                     short_number(number_at(data.run, {"motion_only_F"})), short_number(number_at(data.run, {"final_F"})),
+                     short_number(number_at(data.run, {"motion_only_F"})),
+                     short_number(number_at(data.run, {"final_F"})),
                      short_number(number_at(data.run, {"design_iterations"})));
   auto parameters = parameters_of(data.run);
-  std::stable_sort(parameters.begin(), parameters.end(),
-                   [](const auto& a, const auto& b) { return a.share_of_range() > b.share_of_range(); });
+  std::stable_sort(parameters.begin(), parameters.end(), [](const auto& a, const auto& b) {
+    return a.share_of_range() > b.share_of_range();
+  });
   out += "| parameter | before | after | bounds |\n|---|---:|---:|---|\n";
   for (const ParameterView& p : parameters) {
-    out += fmt::format("| {} | {} | {} | {} … {}{} |\n", escape_markdown(spaced(p.name)), p.with_unit(p.initial),
-                       p.with_unit(p.final), p.with_unit(p.lower), p.with_unit(p.upper),
-                       p.at_bound().empty() ? "" : ", at " + p.at_bound());
+    out += fmt::format("| {} | {} | {} | {} … {}{} |\n", escape_markdown(spaced(p.name)),
+                       p.with_unit(p.initial), p.with_unit(p.final), p.with_unit(p.lower),
+                       p.with_unit(p.upper), p.at_bound().empty() ? "" : ", at " + p.at_bound());
   }
   out += "\nPictures, charts and measurements: report.html in the folder above.\n";
   return out;

@@ -8,7 +8,8 @@
 
 namespace legwright {
 
-/// The report as one self-contained HTML page (pictures inside, no script, no network), well-formed as XML too.
+/// The report as one self-contained HTML page (pictures inside, no script, no network), well-formed
+/// as XML too.
 std::string report_page(const RunData& data);
 
 /// The same in a screen of Markdown: verdicts, speeds, cost, largest changes.

@@ -27,7 +27,9 @@ void if_present(const fs::path& file, std::vector<std::string>& notes, const Rea
 
 }  // namespace
 
-fs::path RunData::iteration(int index) const { return root / "iterations" / fmt::format("{:04}", index); }
+fs::path RunData::iteration(int index) const {
+  return root / "iterations" / fmt::format("{:04}", index);
+}
 
 RunData read_run(const fs::path& root) {
   RunData data;
@@ -46,9 +48,11 @@ RunData read_run(const fs::path& root) {
   const fs::path result = root / "result";
   if_present(result / "metrics.json", data.notes, [&](const fs::path& file) {
     const Json metrics = read_json(file);
-    if (text_at(metrics, {"schema"}) == "legwright/validation") data.metrics = metrics;  // else not validated yet
+    if (text_at(metrics, {"schema"}) == "legwright/validation")
+      data.metrics = metrics;  // else not validated yet
   });
-  if_present(result / "verdict.json", data.notes, [&](const fs::path& file) { data.verdict = read_json(file); });
+  if_present(result / "verdict.json", data.notes,
+             [&](const fs::path& file) { data.verdict = read_json(file); });
   if_present(data.iteration(0) / "motion.csv", data.notes,
              [&](const fs::path& file) { data.initial_plan = read_motion_csv(file); });
   if_present(result / "motion.csv", data.notes,

@@ -12,9 +12,14 @@ namespace legwright {
 namespace {
 
 void add_table(Html& page, const std::vector<ParameterView>& parameters, bool angles) {
-  if (std::none_of(parameters.begin(), parameters.end(), [&](const auto& p) { return p.angle == angles; })) return;
+  if (std::none_of(parameters.begin(), parameters.end(),
+                   [&](const auto& p) { return p.angle == angles; }))
+    return;
   page.element("h3", angles ? "Joint axes" : "Lengths");
-  page.open("div", {{"class", "scroll"}}).open("table", {{"class", "design"}}).open("thead").open("tr");
+  page.open("div", {{"class", "scroll"}})
+      .open("table", {{"class", "design"}})
+      .open("thead")
+      .open("tr");
   for (const char* head : {"", "before", "after", "change"}) {
     page.element("th", head, {{"class", *head == '\0' ? "" : "n"}});
   }
@@ -43,8 +48,11 @@ struct TermRow {
 
 void add_term_bar(Html& page, double value, double most, const char* style) {
   const double width = most > 0.0 ? 100.0 * std::clamp(value / most, 0.0, 1.0) : 0.0;
-  page.raw(fmt::format("<svg class=\"share\" viewBox=\"0 0 100 8\" preserveAspectRatio=\"none\" aria-hidden=\"true\">"
-                       "<rect class=\"{}\" width=\"{:.2f}\" height=\"8\"/></svg>", style, width));
+  page.raw(
+      fmt::format("<svg class=\"share\" viewBox=\"0 0 100 8\" preserveAspectRatio=\"none\" "
+                  "aria-hidden=\"true\">"
+                  "<rect class=\"{}\" width=\"{:.2f}\" height=\"8\"/></svg>",
+                  style, width));
 }
 
 }  // namespace
@@ -57,8 +65,9 @@ void add_design_change(Html& page, const RunData& data) {
     return;
   }
   auto largest = parameters;
-  std::stable_sort(largest.begin(), largest.end(),
-                   [](const auto& a, const auto& b) { return a.share_of_range() > b.share_of_range(); });
+  std::stable_sort(largest.begin(), largest.end(), [](const auto& a, const auto& b) {
+    return a.share_of_range() > b.share_of_range();
+  });
   page.element("p", "The largest changes, by share of the allowed range:", {{"class", "note"}});
   page.open("ol", {{"class", "changes"}});
   for (std::size_t i = 0; i < std::min<std::size_t>(4, largest.size()); ++i) {
@@ -87,15 +96,28 @@ void add_terms(Html& page, const RunData& data) {
     rows.push_back({name, value.get<double>(), number_at(last, {name.c_str()}).value_or(0.0)});
     most = std::max({most, rows.back().before, rows.back().after});
   }
-  std::stable_sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.before > b.before; });
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const auto& a, const auto& b) { return a.before > b.before; });
   page.open("section").element("h2", "What the cost is made of");
-  page.element("p", "Each term of F, weighted, for the initial body and for the co-designed one.", {{"class", "note"}});
-  page.raw("<p class=\"legend\"><span><i class=\"key b2\"></i>before</span> <span><i class=\"key b1\"></i>after</span></p>\n");
-  page.open("div", {{"class", "scroll"}}).open("table", {{"class", "terms"}}).open("thead").open("tr");
-  page.element("th", "").element("th", "before", {{"class", "n"}}).element("th", "after", {{"class", "n"}});
+  page.element("p", "Each term of F, weighted, for the initial body and for the co-designed one.",
+               {{"class", "note"}});
+  page.raw(
+      "<p class=\"legend\"><span><i class=\"key b2\"></i>before</span> <span><i class=\"key "
+      "b1\"></i>after</span></p>\n");
+  page.open("div", {{"class", "scroll"}})
+      .open("table", {{"class", "terms"}})
+      .open("thead")
+      .open("tr");
+  page.element("th", "")
+      .element("th", "before", {{"class", "n"}})
+      .element("th", "after", {{"class", "n"}});
   page.element("th", "").close().close().open("tbody");
   for (const TermRow& row : rows) {
-    page.open("tr").open("td").element("b", term_words(row.name)).element("small", row.name).close();
+    page.open("tr")
+        .open("td")
+        .element("b", term_words(row.name))
+        .element("small", row.name)
+        .close();
     page.element("td", short_number(row.before), {{"class", "n"}});
     page.element("td", short_number(row.after), {{"class", "n"}}).open("td", {{"class", "bars"}});
     add_term_bar(page, row.before, most, "b2");
@@ -104,7 +126,9 @@ void add_terms(Html& page, const RunData& data) {
   }
   page.open("tr", {{"class", "sum"}}).element("td", "F");
   page.element("td", short_number(number_at(data.iterations.front(), {"F"})), {{"class", "n"}});
-  page.element("td", short_number(number_at(data.iterations.back(), {"F"})), {{"class", "n"}}).element("td", "").close();
+  page.element("td", short_number(number_at(data.iterations.back(), {"F"})), {{"class", "n"}})
+      .element("td", "")
+      .close();
   page.close().close().close().close();
 }
 

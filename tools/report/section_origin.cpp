@@ -33,14 +33,18 @@ void add_numbers(Html& page, const RunData& data) {
     return value ? fmt::format("{:.0f}", *value) : std::string("–");
   };
   add_row(page, "status", spaced(text_at(data.run, {"status"})));
-  add_row(page, "unknowns", whole("design_size") + " of the body, " + whole("motion_size") + " of the motion");
-  add_row(page, "iterations", whole("design_iterations") + " of the body, " + whole("newton_iterations") +
-                                  " Newton steps of the motion");
+  add_row(page, "unknowns",
+          whole("design_size") + " of the body, " + whole("motion_size") + " of the motion");
+  add_row(page, "iterations",
+          whole("design_iterations") + " of the body, " + whole("newton_iterations") +
+              " Newton steps of the motion");
   std::string seconds;
   const Json& phases = value_at(data.run, {"seconds"});
   if (phases.is_object()) {
     for (const auto& [phase, value] : phases.items()) {
-      if (value.is_number()) seconds += fmt::format("{}{} {}", seconds.empty() ? "" : ", ", phase, short_number(value.get<double>()));
+      if (value.is_number())
+        seconds += fmt::format("{}{} {}", seconds.empty() ? "" : ", ", phase,
+                               short_number(value.get<double>()));
     }
   }
   if (!seconds.empty()) add_row(page, "seconds", seconds);
@@ -60,7 +64,8 @@ void add_origin(Html& page, const RunData& data) {
   }
   const Json& hashes = value_at(data.run, {"sha256"});
   if (hashes.is_object()) {
-    for (const auto& [name, value] : hashes.items()) add_row(page, "SHA-256 of " + name, shown(value), true);
+    for (const auto& [name, value] : hashes.items())
+      add_row(page, "SHA-256 of " + name, shown(value), true);
   }
   const Json& argv = value_at(data.run, {"argv"});
   if (argv.is_array()) add_row(page, "command", shown(argv), true);

@@ -38,7 +38,8 @@ std::string scaled(std::optional<double> value, double by, const char* unit) {
 std::string speed(const Json& measured, std::size_t axis) {
   const Json& velocity = value_at(measured, {"velocity_mps"});
   if (!velocity.is_array() || velocity.size() != 2 || !velocity[axis].is_number()) return "–";
-  return short_number(std::round(1e4 * velocity[axis].get<double>()) / 1e4);
+  const double value = velocity[axis].get<double>();
+  return fmt::format("{}{:.4f}", value < -5e-5 ? "−" : "", std::abs(value));
 }
 
 const std::vector<Quantity>& quantities() {
@@ -46,21 +47,38 @@ const std::vector<Quantity>& quantities() {
       {"speed forward [m/s]", [](const Json& m) { return speed(m, 0); }},
       {"speed to the left [m/s]", [](const Json& m) { return speed(m, 1); }},
       {"of the wanted speed", [](const Json& m) { return percent(number_at(m, {"speed_ratio"})); }},
-      {"of the planned speed", [](const Json& m) { return percent(number_at(m, {"plan_speed_ratio"})); }},
+      {"of the planned speed",
+       [](const Json& m) { return percent(number_at(m, {"plan_speed_ratio"})); }},
       {"falls",
        [](const Json& m) {
          const auto time = number_at(m, {"fall", "time_s"});
          if (time) return fmt::format("after {} s", short_number(time));
          return std::string(value_at(m, {"cycles"}).is_null() ? "–" : "no");
        }},
-      {"largest tilt", [](const Json& m) { return scaled(number_at(m, {"tilt_max_rad"}), 57.29577951308232, "°"); }},
-      {"heading drift", [](const Json& m) { return scaled(number_at(m, {"heading_drift_rad"}), 57.29577951308232, "°"); }},
-      {"slip per stance, mean", [](const Json& m) { return scaled(number_at(m, {"feet_summary", "slip_mean_m"}), 1e3, " mm"); }},
+      {"largest tilt",
+       [](const Json& m) {
+         return scaled(number_at(m, {"tilt_max_rad"}), 57.29577951308232, "°");
+       }},
+      {"heading drift",
+       [](const Json& m) {
+         return scaled(number_at(m, {"heading_drift_rad"}), 57.29577951308232, "°");
+       }},
+      {"slip per stance, mean",
+       [](const Json& m) {
+         return scaled(number_at(m, {"feet_summary", "slip_mean_m"}), 1e3, " mm");
+       }},
       {"touchdown error, mean",
-       [](const Json& m) { return scaled(number_at(m, {"feet_summary", "touchdown_error_mean_s"}), 1e3, " ms"); }},
-      {"joint tracking, RMS", [](const Json& m) { return scaled(number_at(m, {"tracking_rms_rad"}), 57.29577951308232, "°"); }},
-      {"servo torque, RMS", [](const Json& m) { return scaled(number_at(m, {"torque_rms_Nm"}), 1, " N·m"); }},
-      {"servos at their limit", [](const Json& m) { return percent(number_at(m, {"saturated_share"})); }},
+       [](const Json& m) {
+         return scaled(number_at(m, {"feet_summary", "touchdown_error_mean_s"}), 1e3, " ms");
+       }},
+      {"joint tracking, RMS",
+       [](const Json& m) {
+         return scaled(number_at(m, {"tracking_rms_rad"}), 57.29577951308232, "°");
+       }},
+      {"servo torque, RMS",
+       [](const Json& m) { return scaled(number_at(m, {"torque_rms_Nm"}), 1, " N·m"); }},
+      {"servos at their limit",
+       [](const Json& m) { return percent(number_at(m, {"saturated_share"})); }},
       {"MuJoCo warnings",
        [](const Json& m) {
          const Json& warnings = value_at(m, {"warnings"});
@@ -71,7 +89,10 @@ const std::vector<Quantity>& quantities() {
 }
 
 void add_gain_table(Html& page, const RunData& data, const std::vector<std::string>& gains) {
-  page.open("div", {{"class", "scroll"}}).open("table", {{"class", "gains"}}).open("thead").open("tr");
+  page.open("div", {{"class", "scroll"}})
+      .open("table", {{"class", "gains"}})
+      .open("thead")
+      .open("tr");
   page.element("th", "");
   for (const char* robot : {"Before", "After"}) {
     page.element("th", robot, {{"colspan", std::to_string(gains.size())}, {"class", "n"}});
@@ -85,7 +106,8 @@ void add_gain_table(Html& page, const RunData& data, const std::vector<std::stri
     page.open("tr").element("td", quantity.name);
     for (const char* robot : kRobots) {
       for (const std::string& gain : gains) {
-        page.element("td", quantity.show(value_at(data.metrics, {robot, gain.c_str()})), {{"class", "n"}});
+        page.element("td", quantity.show(value_at(data.metrics, {robot, gain.c_str()})),
+                     {{"class", "n"}});
       }
     }
     page.close();
@@ -94,13 +116,15 @@ void add_gain_table(Html& page, const RunData& data, const std::vector<std::stri
 }
 
 /// Planned stances of a foot as intervals over 0 … end [s].
-std::vector<std::pair<double, double>> planned_stances(const Trajectory& plan, int foot, double end) {
+std::vector<std::pair<double, double>> planned_stances(const Trajectory& plan, int foot,
+                                                       double end) {
   std::vector<std::pair<double, double>> out;
   const double step = plan.period / plan.knot_count;
   const int knots = static_cast<int>(end / step) + 1;
   for (int k = 0; k <= knots; ++k) {
     if (plan.at(k % plan.knot_count, plan.contact_column(foot)) < 0.5) continue;
-    const double from = (k - 0.5) * step, to = (k + 0.5) * step;  // a knot stands for the time about it
+    const double from = (k - 0.5) * step,
+                 to = (k + 0.5) * step;  // a knot stands for the time about it
     if (!out.empty() && out.back().second >= from - 1e-9) {
       out.back().second = to;
     } else {
@@ -110,7 +134,8 @@ std::vector<std::pair<double, double>> planned_stances(const Trajectory& plan, i
   return out;
 }
 
-std::vector<std::pair<double, double>> measured_contacts(const RunData& data, const char* robot, const std::string& name) {
+std::vector<std::pair<double, double>> measured_contacts(const RunData& data, const char* robot,
+                                                         const std::string& name) {
   std::vector<std::pair<double, double>> out;
   const Json& feet = value_at(data.metrics, {robot, "default", "feet"});
   if (!feet.is_array()) return out;
@@ -127,7 +152,8 @@ std::vector<std::pair<double, double>> measured_contacts(const RunData& data, co
   return out;
 }
 
-std::string footfalls(const RunData& data, const Trajectory& plan, const char* robot, const std::string& title) {
+std::string footfalls(const RunData& data, const Trajectory& plan, const char* robot,
+                      const std::string& title) {
   const double end = std::min(4.0, 3.0 * plan.period);
   std::vector<FootfallRow> rows;
   for (int f = 0; f < plan.foot_count(); ++f) {
@@ -165,8 +191,9 @@ void add_physics(Html& page, const RunData& data) {
     return;
   }
   const auto cycles = number_at(data.metrics, {"cycles"});
-  page.element("p", fmt::format("{} cycles in MuJoCo, servos at half, default and double gains.",
-                                short_number(cycles)),
+  page.element("p",
+               fmt::format("{} cycles in MuJoCo, servos at half, default and double gains.",
+                           short_number(cycles)),
                {{"class", "note"}});
   add_gain_table(page, data, gains);
   page.close();
@@ -175,20 +202,30 @@ void add_physics(Html& page, const RunData& data) {
 void add_plan(Html& page, const RunData& data) {
   page.open("section").element("h2", "Footfalls and forces");
   if (!data.result_plan) {
-    page.element("p", "result/motion.csv is not there: the run has not ended, or its plan cannot be read.",
-                 {{"class", "note"}}).close();
+    page.element(
+            "p",
+            "result/motion.csv is not there: the run has not ended, or its plan cannot be read.",
+            {{"class", "note"}})
+        .close();
     return;
   }
   const Trajectory& plan = *data.result_plan;
   page.open("div", {{"class", "charts"}});
-  if (data.initial_plan) page.raw(footfalls(data, *data.initial_plan, "initial", "Footfalls before"));
+  if (data.initial_plan)
+    page.raw(footfalls(data, *data.initial_plan, "initial", "Footfalls before"));
   page.raw(footfalls(data, plan, "result", "Footfalls after"));
-  const PlotOptions heights{.title = "Planned height of the feet, after", .x_label = "time [s]", .y_label = "mm",
+  const PlotOptions heights{.title = "Planned height of the feet, after",
+                            .x_label = "time [s]",
+                            .y_label = "mm",
                             .y_from_zero = true};
-  page.raw(foot_chart(plan, heights, [&](int k, int f) { return 1e3 * plan.at(k, plan.foot_column(f, 2)); }));
-  const PlotOptions forces{.title = "Planned normal forces, after", .x_label = "time [s]", .y_label = "N",
+  page.raw(foot_chart(plan, heights,
+                      [&](int k, int f) { return 1e3 * plan.at(k, plan.foot_column(f, 2)); }));
+  const PlotOptions forces{.title = "Planned normal forces, after",
+                           .x_label = "time [s]",
+                           .y_label = "N",
                            .y_from_zero = true};
-  page.raw(foot_chart(plan, forces, [&](int k, int f) { return plan.at(k, plan.force_column(f, 2)); }));
+  page.raw(
+      foot_chart(plan, forces, [&](int k, int f) { return plan.at(k, plan.force_column(f, 2)); }));
   page.close().close();
 }
 

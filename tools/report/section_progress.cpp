@@ -89,12 +89,16 @@ void add_progress(Html& page, const RunData& data) {
     page.element("p", "events.jsonl has no finished iteration.", {{"class", "note"}}).close();
     return;
   }
-  const auto before = number_at(data.iterations.front(), {"F"}), after = number_at(data.iterations.back(), {"F"});
+  const auto before = number_at(data.iterations.front(), {"F"}),
+             after = number_at(data.iterations.back(), {"F"});
   if (before && after && *after > 0.0) {
-    page.element("p", fmt::format("Optimising the gait alone ends at F = {}. Letting the body change brings it to {} in "
-                                  "{} design iterations, {} times lower.",
-                                  short_number(before), short_number(after), data.iterations.size() - 1,
-                                  short_number(*before / *after)));
+    page.element(
+        "p",
+        fmt::format(
+            "Optimising the gait alone ends at F = {}. Letting the body change brings it to {} in "
+            "{} design iterations, {} times lower.",
+            short_number(before), short_number(after), data.iterations.size() - 1,
+            short_number(*before / *after)));
   }
   page.open("div", {{"class", "charts"}}).raw(cost_chart(data)).raw(speed_chart(data));
   const Json& trace = value_at(data.run, {"motion_only_trace"});

@@ -15,13 +15,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void add_card(Html& page, const RunData& data, const char* key, const std::string& title, const std::string& body) {
+void add_card(Html& page, const RunData& data, const char* key, const std::string& title,
+              const std::string& body) {
   const Json& verdict = value_at(data.verdict, {key});
   const Json& pass = value_at(verdict, {"pass"});
   const bool known = pass.is_boolean(), passed = known && pass.get<bool>();
   page.open("div", {{"class", !known ? "card" : passed ? "card pass" : "card fail"}});
   page.element("h2", title);
-  page.element("p", !known ? "Not validated" : passed ? "✓ Pass" : "✗ Fail", {{"class", "verdict"}});
+  page.element("p",
+               !known   ? "Not validated"
+               : passed ? "✓ Pass"
+                        : "✗ Fail",
+               {{"class", "verdict"}});
   page.element("p", body, {{"class", "note"}});
   const Json& reasons = value_at(verdict, {"reasons"});
   if (reasons.is_array() && !reasons.empty()) {
@@ -38,9 +43,11 @@ void add_card(Html& page, const RunData& data, const char* key, const std::strin
   page.close();
 }
 
-void add_strip(Html& page, const fs::path& file, const std::string& title, const std::string& explanation) {
+void add_strip(Html& page, const fs::path& file, const std::string& title,
+               const std::string& explanation) {
   const std::string bytes = read_file(file);
-  const std::span<const std::uint8_t> data(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+  const std::span<const std::uint8_t> data(reinterpret_cast<const std::uint8_t*>(bytes.data()),
+                                           bytes.size());
   page.open("figure", {{"class", "strip"}});
   page.open("figcaption").element("b", title).text(" " + explanation).close();
   page.open("div", {{"class", "scroll"}, {"tabindex", "0"}});
@@ -51,11 +58,14 @@ void add_strip(Html& page, const fs::path& file, const std::string& title, const
 /// At most `most` of the iterations, first and last among them, the others where F fell most.
 std::vector<int> spread(const RunData& data, const std::vector<int>& drawn, std::size_t most) {
   if (drawn.size() <= most) return drawn;
-  const auto cost = [&](int i) { return number_at(data.iterations[static_cast<std::size_t>(i)], {"F"}).value_or(1.0); };
+  const auto cost = [&](int i) {
+    return number_at(data.iterations[static_cast<std::size_t>(i)], {"F"}).value_or(1.0);
+  };
   std::vector<double> way{0.0};  // how far the run had come, in powers of F and a little by count
   for (std::size_t k = 1; k < drawn.size(); ++k) {
     const double ratio = std::abs(cost(drawn[k - 1]) / cost(drawn[k]));
-    way.push_back(way.back() + 0.03 + (ratio > 0.0 && std::isfinite(ratio) ? std::abs(std::log(ratio)) : 0.0));
+    way.push_back(way.back() + 0.03 +
+                  (ratio > 0.0 && std::isfinite(ratio) ? std::abs(std::log(ratio)) : 0.0));
   }
   std::vector<int> shown{drawn.front()};
   std::size_t next = 1;
@@ -75,8 +85,10 @@ std::string command(const std::string& verb, const RunData& data) {
 }
 
 void add_hint(Html& page, const std::string& what, const std::string& verb, const RunData& data) {
-  page.open("p", {{"class", "hint"}}).text(what + " Run ").element("code", command(verb, data)).text(
-      ", then the report again.");
+  page.open("p", {{"class", "hint"}})
+      .text(what + " Run ")
+      .element("code", command(verb, data))
+      .text(", then the report again.");
   page.close();
 }
 
@@ -87,7 +99,9 @@ void add_verdicts(Html& page, const RunData& data) {
   if (data.verdict.is_null()) {
     add_hint(page, "No verdict yet: the gaits have not been played in MuJoCo.", "validate", data);
   } else {
-    page.element("p", "Verdicts are MuJoCo’s: each gait is played as planned, at half, default and double servo gains.",
+    page.element("p",
+                 "Verdicts are MuJoCo’s: each gait is played as planned, at half, default and "
+                 "double servo gains.",
                  {{"class", "note wide"}});
   }
   page.close();
@@ -99,13 +113,16 @@ void add_pictures(Html& page, const RunData& data) {
   const bool planned = fs::exists(result / "strip_before_after.png");
   if (fs::exists(result / "strip_physics.png")) {
     add_strip(page, result / "strip_physics.png", "What physics did.",
-              "The camera stands still; the thin line is the start, the coloured one the way of the trunk.");
+              "The camera stands still; the thin line is the start, the coloured one the way of "
+              "the trunk.");
   } else if (planned) {
-    add_hint(page, "No pictures of the simulation yet.", data.metrics.is_null() ? "validate" : "render", data);
+    add_hint(page, "No pictures of the simulation yet.",
+             data.metrics.is_null() ? "validate" : "render", data);
   }
   if (planned) {
     add_strip(page, result / "strip_before_after.png", "What was planned.",
-              "One cycle at the same camera and phases; dots are the feet seen from above, filled where they bear.");
+              "One cycle at the same camera and phases; dots are the feet seen from above, filled "
+              "where they bear.");
   } else {
     add_hint(page, "No film strips yet.", "render", data);
   }
@@ -115,7 +132,8 @@ void add_pictures(Html& page, const RunData& data) {
 void add_gallery(Html& page, const RunData& data) {
   std::vector<int> drawn;
   for (std::size_t i = 0; i < data.iterations.size(); ++i) {
-    if (fs::exists(data.iteration(static_cast<int>(i)) / "frame.png")) drawn.push_back(static_cast<int>(i));
+    if (fs::exists(data.iteration(static_cast<int>(i)) / "frame.png"))
+      drawn.push_back(static_cast<int>(i));
   }
   if (drawn.empty()) return;
   constexpr std::size_t kMost = 12;  // keeps the page small: some 30 kB each
@@ -130,7 +148,8 @@ void add_gallery(Html& page, const RunData& data) {
       const auto cost = number_at(data.iterations[static_cast<std::size_t>(index)], {"F"});
       page.element("figcaption", fmt::format("{} · F {}", index, short_number(cost))).close();
     } catch (const std::runtime_error&) {
-      page.element("p", fmt::format("iteration {}: its picture cannot be read", index), {{"class", "note"}});
+      page.element("p", fmt::format("iteration {}: its picture cannot be read", index),
+                   {{"class", "note"}});
     }
   }
   page.close().close();

@@ -11,7 +11,8 @@ namespace legwright {
 /// The page's style sheet: system fonts, light and dark, print.
 std::string_view report_style();
 
-// One part of the report each, in the order of the page. What is not there yet is said, with the command that makes it.
+// One part of the report each, in the order of the page. What is not there yet is said, with the
+// command that makes it.
 void add_verdicts(Html& page, const RunData& data);
 void add_pictures(Html& page, const RunData& data);
 void add_design_change(Html& page, const RunData& data);

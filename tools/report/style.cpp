@@ -78,7 +78,7 @@ footer { color: var(--pale); font-size: .85rem; border-top: 1px solid var(--line
   .design tr { display: grid; grid-template-columns: 1fr 1fr 1fr; border-bottom: 1px solid var(--line); padding: .5rem 0; }
   .design td { border: 0; padding: .1rem 0; text-align: left; } .design td:first-child, .design .bar { grid-column: 1 / -1; width: auto; }
   .design .n::before { content: attr(data-label); display: block; color: var(--pale); font-size: .8rem; line-height: 1.2; }
-  .bounds { max-width: none; } .terms small { display: none; } .bars { min-width: 3.5rem; width: 25%; } .terms td { padding-right: .5rem; } }
+  .bounds { max-width: 14rem; } .terms small { display: none; } .bars { min-width: 3.5rem; width: 25%; } .terms td { padding-right: .5rem; } }
 @media print { body { max-width: none; padding: 0; font-size: 11pt; } section, figure, tr { break-inside: avoid; } .strip img { min-width: 0; } .scroll { overflow: visible; } }
 )";
 }

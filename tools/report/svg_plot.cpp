@@ -18,26 +18,30 @@ struct Axis {
   double low, high, from, to;
   bool log = false;
   double at(double value) const {
-    const double share = log ? (std::log10(value) - std::log10(low)) / (std::log10(high) - std::log10(low))
-                             : (value - low) / (high - low);
+    const double share =
+        log ? (std::log10(value) - std::log10(low)) / (std::log10(high) - std::log10(low))
+            : (value - low) / (high - low);
     return from + share * (to - from);
   }
 };
 
-bool drawable(double x, double y, bool log) { return std::isfinite(x) && std::isfinite(y) && (!log || y > 0.0); }
+bool drawable(double x, double y, bool log) {
+  return std::isfinite(x) && std::isfinite(y) && (!log || y > 0.0);
+}
 
 std::string legend(const std::vector<PlotSeries>& series) {
   if (series.size() < 2) return "";
   std::string out = "<p class=\"legend\">";
   for (const PlotSeries& s : series) {
-    out += fmt::format("<span><i class=\"key b{}{}\"></i>{}</span> ", s.colour, s.dashed ? " dash" : "",
-                       escape_text(s.name));
+    out += fmt::format("<span><i class=\"key b{}{}\"></i>{}</span> ", s.colour,
+                       s.dashed ? " dash" : "", escape_text(s.name));
   }
   return out + "</p>\n";
 }
 
 std::string figure(const std::string& title, const std::string& content) {
-  return "<figure class=\"chart\"><figcaption>" + escape_text(title) + "</figcaption>\n" + content + "</figure>\n";
+  return "<figure class=\"chart\"><figcaption>" + escape_text(title) + "</figcaption>\n" + content +
+         "</figure>\n";
 }
 
 std::string path_of(const PlotSeries& s, const Axis& x, const Axis& y) {
@@ -61,18 +65,21 @@ std::string frame(const Axis& x, const Axis& y, const PlotOptions& options) {
   std::string out;
   const auto y_ticks = y.log ? log_ticks(y.low, y.high) : linear_ticks(y.low, y.high, 5);
   for (const double tick : y_ticks) {
-    out += fmt::format("<path class=\"grid\" d=\"M{:.1f} {:.1f}H{:.1f}\"/><text x=\"{:.1f}\" y=\"{:.1f}\" "
-                       "text-anchor=\"end\">{}</text>",
-                       x.from, y.at(tick), x.to, x.from - 6, y.at(tick) + 4, tick_label(tick));
+    out += fmt::format(
+        "<path class=\"grid\" d=\"M{:.1f} {:.1f}H{:.1f}\"/><text x=\"{:.1f}\" y=\"{:.1f}\" "
+        "text-anchor=\"end\">{}</text>",
+        x.from, y.at(tick), x.to, x.from - 6, y.at(tick) + 4, tick_label(tick));
   }
   for (const double tick : linear_ticks(x.low, x.high, 6, options.whole_x)) {
-    out += fmt::format("<path class=\"tick\" d=\"M{0:.1f} {1:.1f}v4\"/><text x=\"{0:.1f}\" y=\"{2:.1f}\" "
-                       "text-anchor=\"middle\">{3}</text>",
-                       x.at(tick), y.from, y.from + 17, tick_label(tick));
+    out += fmt::format(
+        "<path class=\"tick\" d=\"M{0:.1f} {1:.1f}v4\"/><text x=\"{0:.1f}\" y=\"{2:.1f}\" "
+        "text-anchor=\"middle\">{3}</text>",
+        x.at(tick), y.from, y.from + 17, tick_label(tick));
   }
   out += fmt::format("<path class=\"axis\" d=\"M{:.1f} {:.1f}H{:.1f}\"/>", x.from, y.from, x.to);
-  out += fmt::format("<text class=\"label\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>", x.to,
-                     y.from + 35, escape_text(options.x_label));
+  out +=
+      fmt::format("<text class=\"label\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>",
+                  x.to, y.from + 35, escape_text(options.x_label));
   return out;
 }
 
@@ -153,7 +160,8 @@ std::string line_plot(const std::vector<PlotSeries>& series, const PlotOptions& 
       y_range.add(s.y[i]);
     }
   }
-  if (!(y_range.high >= y_range.low)) return figure(options.title, "<p class=\"note\">Nothing to draw.</p>\n");
+  if (!(y_range.high >= y_range.low))
+    return figure(options.title, "<p class=\"note\">Nothing to draw.</p>\n");
   x_range.widen(0.0, 1e-9);
   if (options.log_y) {
     const double ratio = std::max(std::pow(y_range.high / y_range.low, 0.05), 1.05);
@@ -166,56 +174,64 @@ std::string line_plot(const std::vector<PlotSeries>& series, const PlotOptions& 
   }
   const Axis x{x_range.low, x_range.high, kLeft, options.width - kRight};
   const Axis y{y_range.low, y_range.high, options.height - kBottom, kTop, options.log_y};
-  std::string svg = fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">", options.width,
-                                options.height, escape_attribute(options.title));
+  std::string svg = fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">",
+                                options.width, options.height, escape_attribute(options.title));
   svg += frame(x, y, options);
   for (const PlotSeries& s : series) {
-    svg += fmt::format("<path class=\"line c{}{}\" d=\"{}\"/>", s.colour, s.dashed ? " dash" : "", path_of(s, x, y));
+    svg += fmt::format("<path class=\"line c{}{}\" d=\"{}\"/>", s.colour, s.dashed ? " dash" : "",
+                       path_of(s, x, y));
     if (!s.points) continue;
     for (std::size_t i = 0; i < std::min(s.x.size(), s.y.size()); ++i) {
       if (!drawable(s.x[i], s.y[i], options.log_y)) continue;
-      svg += fmt::format("<circle class=\"f{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.6\"/>", s.colour, x.at(s.x[i]),
-                         y.at(s.y[i]));
+      svg += fmt::format("<circle class=\"f{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.6\"/>", s.colour,
+                         x.at(s.x[i]), y.at(s.y[i]));
     }
   }
   svg += "</svg>\n";
-  const std::string unit = options.y_label.empty() ? "" : " <small>" + escape_text(options.y_label) + "</small>";
-  return "<figure class=\"chart\"><figcaption>" + escape_text(options.title) + unit + "</figcaption>\n" +
-         legend(series) + svg + "</figure>\n";
+  const std::string unit =
+      options.y_label.empty() ? "" : " <small>" + escape_text(options.y_label) + "</small>";
+  return "<figure class=\"chart\"><figcaption>" + escape_text(options.title) + unit +
+         "</figcaption>\n" + legend(series) + svg + "</figure>\n";
 }
 
-std::string footfall_plot(const std::vector<FootfallRow>& rows, double end, const std::string& title) {
+std::string footfall_plot(const std::vector<FootfallRow>& rows, double end,
+                          const std::string& title) {
   constexpr double kWidth = 460, kName = 62, kRow = 30;
   const double height = kRow * static_cast<double>(rows.size()) + kBottom + 4;
   const double bottom = kRow * static_cast<double>(rows.size()) + 4;
   const Axis x{0.0, std::max(end, 1e-6), kName, kWidth - kRight};
-  std::string svg = fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">", kWidth, height,
-                                escape_attribute(title));
+  std::string svg = fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">",
+                                kWidth, height, escape_attribute(title));
   const auto bars = [&](const std::vector<std::pair<double, double>>& spans, double y, double thick,
                         const char* style) {
     for (const auto& [from, to] : spans) {
       const double left = x.at(std::clamp(from, 0.0, end)), right = x.at(std::clamp(to, 0.0, end));
       if (!(right > left)) continue;  // also NaN
-      svg += fmt::format("<rect class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" rx=\"2\"/>",
-                         style, left, y, right - left, thick);
+      svg += fmt::format(
+          "<rect class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" "
+          "rx=\"2\"/>",
+          style, left, y, right - left, thick);
     }
   };
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const double y = 4 + kRow * static_cast<double>(i);
     const std::string name = clean_utf8(rows[i].name);
-    svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>", kName - 8, y + 18,
+    svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>", kName - 8,
+                       y + 18,
                        escape_text(name.size() > 9 ? clean_utf8(name.substr(0, 8)) + "…" : name));
     bars(rows[i].planned, y + 3, 22, "planned");
     bars(rows[i].measured, y + 10, 8, "measured");
   }
   for (const double tick : linear_ticks(0.0, end, 6)) {
-    svg += fmt::format("<path class=\"tick\" d=\"M{0:.1f} {1:.1f}v4\"/><text x=\"{0:.1f}\" y=\"{2:.1f}\" "
-                       "text-anchor=\"middle\">{3}</text>",
-                       x.at(tick), bottom, bottom + 17, tick_label(tick));
+    svg += fmt::format(
+        "<path class=\"tick\" d=\"M{0:.1f} {1:.1f}v4\"/><text x=\"{0:.1f}\" y=\"{2:.1f}\" "
+        "text-anchor=\"middle\">{3}</text>",
+        x.at(tick), bottom, bottom + 17, tick_label(tick));
   }
-  svg += fmt::format("<path class=\"axis\" d=\"M{:.1f} {:.1f}H{:.1f}\"/><text class=\"label\" x=\"{:.1f}\" "
-                     "y=\"{:.1f}\" text-anchor=\"end\">time [s]</text></svg>\n",
-                     x.from, bottom, x.to, x.to, bottom + 35);
+  svg += fmt::format(
+      "<path class=\"axis\" d=\"M{:.1f} {:.1f}H{:.1f}\"/><text class=\"label\" x=\"{:.1f}\" "
+      "y=\"{:.1f}\" text-anchor=\"end\">time [s]</text></svg>\n",
+      x.from, bottom, x.to, x.to, bottom + 35);
   const std::string keys =
       "<p class=\"legend\"><span><i class=\"key wide\"></i>planned stance</span> "
       "<span><i class=\"key thin\"></i>measured contact</span></p>\n";
@@ -225,13 +241,16 @@ std::string footfall_plot(const std::vector<FootfallRow>& rows, double end, cons
 std::string bounds_bar(double lower, double upper, double before, double after) {
   const Axis x{lower, upper, 7, 113};
   if (!(upper > lower) || !std::isfinite(before) || !std::isfinite(after)) return "";
-  const double from = x.at(std::clamp(before, lower, upper)), to = x.at(std::clamp(after, lower, upper));
-  return fmt::format("<svg class=\"bounds\" viewBox=\"0 0 120 16\" role=\"img\" aria-label=\"position within bounds\">"
-                     "<path class=\"track\" d=\"M7 8H113M7 4v8M113 4v8\"/>"
-                     "<path class=\"moved\" d=\"M{0:.1f} 8H{1:.1f}\"/>"
-                     "<circle class=\"before\" cx=\"{0:.1f}\" cy=\"8\" r=\"4\"/>"
-                     "<circle class=\"after\" cx=\"{1:.1f}\" cy=\"8\" r=\"4.5\"/></svg>",
-                     from, to);
+  const double from = x.at(std::clamp(before, lower, upper)),
+               to = x.at(std::clamp(after, lower, upper));
+  return fmt::format(
+      "<svg class=\"bounds\" viewBox=\"0 0 120 16\" role=\"img\" aria-label=\"position within "
+      "bounds\">"
+      "<path class=\"track\" d=\"M7 8H113M7 4v8M113 4v8\"/>"
+      "<path class=\"moved\" d=\"M{0:.1f} 8H{1:.1f}\"/>"
+      "<circle class=\"before\" cx=\"{0:.1f}\" cy=\"8\" r=\"4\"/>"
+      "<circle class=\"after\" cx=\"{1:.1f}\" cy=\"8\" r=\"4.5\"/></svg>",
+      from, to);
 }
 
 }  // namespace legwright

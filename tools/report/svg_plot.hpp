@@ -7,7 +7,8 @@
 
 namespace legwright {
 
-/// A line of a chart. Colours are numbers 1 … 6 of the page's palette, so that they follow light and dark.
+/// A line of a chart. Colours are numbers 1 … 6 of the page's palette, so that they follow light
+/// and dark.
 struct PlotSeries {
   std::string name{};  // for the legend
   std::vector<double> x{}, y{};
@@ -19,15 +20,16 @@ struct PlotSeries {
 
 struct PlotOptions {
   std::string title{}, x_label{}, y_label{};  // of the axes, with units
-  bool log_y = false;        // values ≤ 0 are left out
+  bool log_y = false;                         // values ≤ 0 are left out
   bool y_from_zero = false;
-  bool whole_x = false;      // ticks at whole numbers only
+  bool whole_x = false;           // ticks at whole numbers only
   int width = 460, height = 270;  // of the drawing; it scales to the page
 };
 
 /// Round numbers about `count` apart that cover low … high from inside; at least one.
 std::vector<double> linear_ticks(double low, double high, int count, bool whole = false);
-/// Powers of ten within low … high, thinned out; with 2 and 5 between them where there are fewer than three.
+/// Powers of ten within low … high, thinned out; with 2 and 5 between them where there are fewer
+/// than three.
 std::vector<double> log_ticks(double low, double high);
 /// A tick's number as people write it: at most four digits, no exponent between 0.001 and 99999.
 std::string tick_label(double value);
@@ -42,10 +44,13 @@ struct FootfallRow {
   std::vector<std::pair<double, double>> planned, measured;
 };
 
-/// Footfall chart over 0 … end [s]: planned stances as broad bars, measured contacts as narrow dark ones in them.
-std::string footfall_plot(const std::vector<FootfallRow>& rows, double end, const std::string& title);
+/// Footfall chart over 0 … end [s]: planned stances as broad bars, measured contacts as narrow dark
+/// ones in them.
+std::string footfall_plot(const std::vector<FootfallRow>& rows, double end,
+                          const std::string& title);
 
-/// A small bar that shows where values lie within their bounds: a hollow mark for before, a full one for after.
+/// A small bar that shows where values lie within their bounds: a hollow mark for before, a full
+/// one for after.
 std::string bounds_bar(double lower, double upper, double before, double after);
 
 }  // namespace legwright

@@ -25,7 +25,8 @@ double number(std::string_view token, const std::string& where) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
   if (error != std::errc() || end != token.data() + token.size() || !std::isfinite(value)) {
-    throw std::runtime_error(where + ": not a finite number: '" + std::string(token.substr(0, 40)) + "'");
+    throw std::runtime_error(where + ": not a finite number: '" + std::string(token.substr(0, 40)) +
+                             "'");
   }
   return value;
 }
@@ -49,7 +50,8 @@ CsvTable parse_csv_table(std::string_view text, const std::string& name) {
     }
     const std::string where = name + ":" + std::to_string(line_number);
     if (cells.size() != table.columns.size()) {
-      throw std::runtime_error(where + ": " + std::to_string(cells.size()) + " cells where the header has " +
+      throw std::runtime_error(where + ": " + std::to_string(cells.size()) +
+                               " cells where the header has " +
                                std::to_string(table.columns.size()));
     }
     auto& row = table.rows.emplace_back();

@@ -21,7 +21,8 @@ struct CsvTable {
 CsvTable parse_csv_table(std::string_view text, const std::string& name);
 
 /// The plan of a motion.csv; travel and turn of a cycle are the last row minus the first.
-/// Throws std::runtime_error (TrajectoryError included) for anything else, std::system_error if unreadable.
+/// Throws std::runtime_error (TrajectoryError included) for anything else, std::system_error if
+/// unreadable.
 Trajectory read_motion_csv(const std::filesystem::path& file);
 
 }  // namespace legwright

@@ -57,7 +57,8 @@ std::string task_words(const Json& run) {
   const Json& task = value_at(run, {"task"});
   std::string out = text_at(task, {"gait"});
   const Json& velocity = value_at(task, {"velocity"});
-  if (velocity.is_array() && velocity.size() == 2 && velocity[0].is_number() && velocity[1].is_number()) {
+  if (velocity.is_array() && velocity.size() == 2 && velocity[0].is_number() &&
+      velocity[1].is_number()) {
     const double x = velocity[0].get<double>(), y = velocity[1].get<double>();
     const auto part = [&](double speed, const char* ahead, const char* back) {
       if (speed != 0.0) {
@@ -94,7 +95,9 @@ std::string percent(std::optional<double> ratio) {
   return ratio && std::isfinite(*ratio) ? fmt::format("{} %", signed_text(100.0 * *ratio, 1)) : "–";
 }
 
-double ParameterView::shown(double value) const { return angle ? value * 180.0 / std::numbers::pi : value * 1000.0; }
+double ParameterView::shown(double value) const {
+  return angle ? value * 180.0 / std::numbers::pi : value * 1000.0;
+}
 
 std::string ParameterView::with_unit(double value) const {
   return signed_text(shown(value), 1) + (angle ? "°" : " mm");
@@ -123,10 +126,11 @@ std::vector<ParameterView> parameters_of(const Json& run) {
   const Json& list = value_at(run, {"parameters"});
   if (!list.is_array()) return views;
   for (const Json& p : list) {
-    const auto initial = number_at(p, {"initial"}), lower = number_at(p, {"lower"}), upper = number_at(p, {"upper"});
+    const auto initial = number_at(p, {"initial"}), lower = number_at(p, {"lower"}),
+               upper = number_at(p, {"upper"});
     if (!initial || !lower || !upper) continue;
-    views.push_back({text_at(p, {"name"}), text_at(p, {"sentence"}), text_at(p, {"unit"}) == "rad", *initial,
-                     number_at(p, {"final"}).value_or(*initial), *lower, *upper});
+    views.push_back({text_at(p, {"name"}), text_at(p, {"sentence"}), text_at(p, {"unit"}) == "rad",
+                     *initial, number_at(p, {"final"}).value_or(*initial), *lower, *upper});
   }
   return views;
 }

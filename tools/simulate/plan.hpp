@@ -17,13 +17,12 @@ struct PlayablePlan {
   std::string motion_csv;      // the same table for people, knot T included
   Eigen::VectorXd start_qpos;  // MuJoCo's qpos and qvel of the played motion at phase 0
   Eigen::VectorXd start_qvel;
-  double root_residual =
-      0.0;  // largest unexplained root force of inverse dynamics, share of the weight
-  double torque_share =
-      0.0;  // largest feed-forward torque over its servo's limit: above 1 the plan asks for too much
-  Eigen::Vector3d travel =
-      Eigen::Vector3d::Zero();  // of the plan per cycle, as it reached it [m]; z is 0
-  double turn = 0.0;            // of the plan per cycle, as it reached it [rad]
+  /// Largest root force of inverse dynamics that the plan does not explain, share of the weight.
+  double root_residual = 0.0;
+  /// Largest feed-forward torque over its servo's limit: above 1 the plan asks for too much.
+  double torque_share = 0.0;
+  Eigen::Vector3d travel = Eigen::Vector3d::Zero();  // per cycle, as the plan reached it [m]; z is 0
+  double turn = 0.0;                                 // per cycle, as the plan reached it [rad]
 };
 
 /// Feed-forward by MuJoCo's inverse dynamics of the played B-spline minus Jᵀ·planned forces, at

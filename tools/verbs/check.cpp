@@ -37,22 +37,25 @@ Finding find(const std::string& path) {
 
 std::vector<std::string> limb_of(const Morphology& morphology, const Foot& foot) {
   std::vector<std::string> names;
-  for (int link : morphology.chain_to(foot.link)) names.push_back(morphology.links[link].joint.name);
+  for (int link : morphology.chain_to(foot.link))
+    names.push_back(morphology.links[link].joint.name);
   return names;
 }
 
 std::string robot_text(const Finding& found) {
   const Morphology& morphology = found.robot.morphology;
-  std::string text = fmt::format("robot   {} ({}): {:.3g} kg, trunk '{}', {} motors, {} feet\n", morphology.name,
-                                 found.robot.file.string(), morphology.total_mass(), found.robot.root_body,
-                                 morphology.joint_count(), morphology.foot_count());
+  std::string text =
+      fmt::format("robot   {} ({}): {:.3g} kg, trunk '{}', {} motors, {} feet\n", morphology.name,
+                  found.robot.file.string(), morphology.total_mass(), found.robot.root_body,
+                  morphology.joint_count(), morphology.foot_count());
   const Eigen::VectorXd s = found.robot.space.initial();
   const std::vector<Eigen::Vector3d> feet = home_feet(morphology, s);
   for (int j : footfall_order(feet)) {
     const Foot& foot = morphology.feet[j];
-    text += fmt::format("  limb  {}: {} -> ball of {:.3g} mm; {:.4g} m stretched; stands at {:.3f}, {:.3f} m\n", foot.name,
-                        fmt::join(limb_of(morphology, foot), " -> "), 1e3 * foot.radius,
-                        stretched_limb(morphology, j, s), feet[j].x(), feet[j].y());
+    text += fmt::format(
+        "  limb  {}: {} -> ball of {:.3g} mm; {:.4g} m stretched; stands at {:.3f}, {:.3f} m\n",
+        foot.name, fmt::join(limb_of(morphology, foot), " -> "), 1e3 * foot.radius,
+        stretched_limb(morphology, j, s), feet[j].x(), feet[j].y());
   }
   return text;
 }
@@ -60,29 +63,35 @@ std::string robot_text(const Finding& found) {
 std::string design_text(const Finding& found) {
   std::string text = fmt::format("design  s has {} parameters\n", found.robot.space.size());
   std::size_t width = 0;
-  for (const DesignParameter& p : found.robot.space.parameters) width = std::max(width, p.name.size());
   for (const DesignParameter& p : found.robot.space.parameters)
-    text += fmt::format("  {:{}}  {:>7.4g}  in [{:.4g}, {:.4g}] {:3}  moves {}  {}\n", p.name, width, p.initial, p.lower,
-                        p.upper, p.unit, p.tied_count, p.sentence);
+    width = std::max(width, p.name.size());
+  for (const DesignParameter& p : found.robot.space.parameters)
+    text += fmt::format("  {:{}}  {:>7.4g}  in [{:.4g}, {:.4g}] {:3}  moves {}  {}\n", p.name,
+                        width, p.initial, p.lower, p.upper, p.unit, p.tied_count, p.sentence);
   return text;
 }
 
 std::string gait_text(const Finding& found) {
   const Gait& gait = found.task.gait;
-  std::string text = fmt::format("gait    {}: period {} s, {} knots of {:.4g} ms, feet planted {} knot{} before and after stance\n",
-                                 gait.name(), gait.period(), gait.knot_count(), 1e3 * gait.time_step(),
-                                 found.task.planted_margin, found.task.planted_margin == 1 ? "" : "s");
+  std::string text = fmt::format(
+      "gait    {}: period {} s, {} knots of {:.4g} ms, feet planted {} knot{} before and after "
+      "stance\n",
+      gait.name(), gait.period(), gait.knot_count(), 1e3 * gait.time_step(),
+      found.task.planted_margin, found.task.planted_margin == 1 ? "" : "s");
   const std::string diagram = footfall_diagram(gait, foot_names(found.robot.morphology));
-  for (std::size_t start = 0, end; (end = diagram.find('\n', start)) != std::string::npos; start = end + 1)
+  for (std::size_t start = 0, end; (end = diagram.find('\n', start)) != std::string::npos;
+       start = end + 1)
     text += "  " + diagram.substr(start, end - start) + "\n";
   return text + "  # stance, . swing; one column per knot\n";
 }
 
 std::string travel_text(const Finding& found) {
-  return fmt::format("travel  {} m/s forward, {} m/s left, {} rad/s: {:.4g} m per cycle, {:.4g} m while a foot stands "
-                     "(longest possible {:.4g} m)\n",
-                     found.task.velocity.x(), found.task.velocity.y(), found.task.turn_rate, found.stride.per_cycle,
-                     found.stride.per_stance, found.stride.longest);
+  return fmt::format(
+      "travel  {} m/s forward, {} m/s left, {} rad/s: {:.4g} m per cycle, {:.4g} m while a foot "
+      "stands "
+      "(longest possible {:.4g} m)\n",
+      found.task.velocity.x(), found.task.velocity.y(), found.task.turn_rate,
+      found.stride.per_cycle, found.stride.per_stance, found.stride.longest);
 }
 
 std::string weights_text(const Finding& found) {
@@ -90,7 +99,8 @@ std::string weights_text(const Finding& found) {
   for (const TermEntry& entry : term_registry()) {
     const auto own = found.task.weights.find(std::string(entry.name));
     const bool changed = own != found.task.weights.end();
-    text += fmt::format("  {:20} {:5} {}{}\n", entry.name, entry.equation, changed ? own->second : entry.default_weight,
+    text += fmt::format("  {:20} {:5} {}{}\n", entry.name, entry.equation,
+                        changed ? own->second : entry.default_weight,
                         changed ? fmt::format("  (task file; else {})", entry.default_weight) : "");
   }
   return text;
@@ -98,32 +108,53 @@ std::string weights_text(const Finding& found) {
 
 Json to_json(const Finding& found) {
   const Morphology& morphology = found.robot.morphology;
-  Json limbs = Json::array(), parameters = Json::array(), weights = Json::object(), contact = Json::object();
+  Json limbs = Json::array(), parameters = Json::array(), weights = Json::object(),
+       contact = Json::object();
   const Eigen::VectorXd s = found.robot.space.initial();
   for (int j = 0; j < morphology.foot_count(); ++j) {
     const Foot& foot = morphology.feet[j];
-    limbs.push_back({{"foot", foot.name}, {"joints", limb_of(morphology, foot)}, {"radius_m", foot.radius},
+    limbs.push_back({{"foot", foot.name},
+                     {"joints", limb_of(morphology, foot)},
+                     {"radius_m", foot.radius},
                      {"stretched_m", stretched_limb(morphology, j, s)}});
     std::string row;
-    for (int i = 0; i < found.task.gait.knot_count(); ++i) row += found.task.gait.in_contact(i, j) ? '#' : '.';
+    for (int i = 0; i < found.task.gait.knot_count(); ++i)
+      row += found.task.gait.in_contact(i, j) ? '#' : '.';
     contact[foot.name] = row;
   }
   for (const DesignParameter& p : found.robot.space.parameters)
-    parameters.push_back({{"name", p.name}, {"unit", p.unit}, {"initial", p.initial}, {"lower", p.lower},
-                          {"upper", p.upper}, {"tied_count", p.tied_count}, {"sentence", p.sentence}});
-  for (const TermEntry& entry : term_registry()) weights[std::string(entry.name)] = entry.default_weight;
+    parameters.push_back({{"name", p.name},
+                          {"unit", p.unit},
+                          {"initial", p.initial},
+                          {"lower", p.lower},
+                          {"upper", p.upper},
+                          {"tied_count", p.tied_count},
+                          {"sentence", p.sentence}});
+  for (const TermEntry& entry : term_registry())
+    weights[std::string(entry.name)] = entry.default_weight;
   for (const auto& [name, weight] : found.task.weights) weights[name] = weight;
   return {{"schema", "legwright/check"},
           {"version", 1},
-          {"robot", {{"name", morphology.name}, {"file", found.robot.file.string()}, {"mass_kg", morphology.total_mass()},
-                     {"trunk", found.robot.root_body}, {"joints", morphology.joint_count()}, {"limbs", limbs}}},
+          {"robot",
+           {{"name", morphology.name},
+            {"file", found.robot.file.string()},
+            {"mass_kg", morphology.total_mass()},
+            {"trunk", found.robot.root_body},
+            {"joints", morphology.joint_count()},
+            {"limbs", limbs}}},
           {"parameters", parameters},
-          {"gait", {{"name", found.task.gait.name()}, {"period_s", found.task.gait.period()},
-                    {"knots", found.task.gait.knot_count()}, {"planted_margin_knots", found.task.planted_margin},
-                    {"contact", contact}}},
-          {"travel", {{"velocity", {found.task.velocity.x(), found.task.velocity.y()}},
-                      {"turn_rate", found.task.turn_rate}, {"per_cycle_m", found.stride.per_cycle},
-                      {"per_stance_m", found.stride.per_stance}, {"longest_stride_m", found.stride.longest}}},
+          {"gait",
+           {{"name", found.task.gait.name()},
+            {"period_s", found.task.gait.period()},
+            {"knots", found.task.gait.knot_count()},
+            {"planted_margin_knots", found.task.planted_margin},
+            {"contact", contact}}},
+          {"travel",
+           {{"velocity", {found.task.velocity.x(), found.task.velocity.y()}},
+            {"turn_rate", found.task.turn_rate},
+            {"per_cycle_m", found.stride.per_cycle},
+            {"per_stance_m", found.stride.per_stance},
+            {"longest_stride_m", found.stride.longest}}},
           {"weights", weights},
           {"warnings", found.warnings}};
 }
@@ -134,8 +165,8 @@ int check(const CheckOptions& options) {
     fmt::print("{}", to_text(to_json(found)));
     return kOk;
   }
-  fmt::print("{}{}{}{}{}", robot_text(found), design_text(found), gait_text(found), travel_text(found),
-             weights_text(found));
+  fmt::print("{}{}{}{}{}", robot_text(found), design_text(found), gait_text(found),
+             travel_text(found), weights_text(found));
   for (const std::string& warning : found.warnings) fmt::print("warning {}\n", warning);
   fmt::print("ok      next: legwright optimize {}\n", options.task);
   return kOk;
@@ -145,7 +176,8 @@ int check(const CheckOptions& options) {
 
 void add_check(CLI::App& program, Action& action) {
   const auto options = std::make_shared<CheckOptions>();
-  CLI::App* verb = program.add_subcommand("check", "Read a task and its robot; explain them, or refuse with a reason");
+  CLI::App* verb = program.add_subcommand(
+      "check", "Read a task and its robot; explain them, or refuse with a reason");
   verb->add_option("TASK", options->task, "task file (TOML), which names its robot")->required();
   verb->add_flag("--json", options->json, "print one JSON document");
   verb->callback([&action, options] { action = [options] { return check(*options); }; });

@@ -25,10 +25,12 @@ struct Item {
 
 Item check_plugin() {
   const auto plugin = find_plugin();
-  Item item{"plugin", false, true, "", "build the target legwright_plugin, or name the file in LEGWRIGHT_PLUGIN"};
+  Item item{"plugin", false, true, "",
+            "build the target legwright_plugin, or name the file in LEGWRIGHT_PLUGIN"};
   if (!plugin) {
     item.detail = "liblegwright.so not found";
-    for (const auto& candidate : plugin_candidates()) item.detail += ", not at " + candidate.string();
+    for (const auto& candidate : plugin_candidates())
+      item.detail += ", not at " + candidate.string();
     return item;
   }
   // By hand first: where dlopen fails MuJoCo would tell less.
@@ -43,7 +45,8 @@ Item check_plugin() {
 }
 
 Item check_osmesa() {
-  Item item{"OSMesa", false, false, "", "apt-get install libosmesa6; without it there are no pictures"};
+  Item item{"OSMesa", false, false, "",
+            "apt-get install libosmesa6; without it there are no pictures"};
   for (const char* name : {"libOSMesa.so.8", "libOSMesa.so"})
     if (::dlopen(name, RTLD_NOW | RTLD_LOCAL)) {
       item.found = true;
@@ -56,7 +59,8 @@ Item check_osmesa() {
 
 Item check_viewer() {
   const std::string wanted = versions()["mujoco"];
-  Item item{"viewer", false, false, "", "pip install mujoco==" + wanted + " and name its python in LEGWRIGHT_PYTHON"};
+  Item item{"viewer", false, false, "",
+            "pip install mujoco==" + wanted + " and name its python in LEGWRIGHT_PYTHON"};
   const auto python = find_viewer_python();
   item.detail = python ? fmt::format("{} has mujoco {}", python->command, python->mujoco_version)
                        : "no Python with mujoco.viewer; `play` only prints its command";
@@ -65,7 +69,8 @@ Item check_viewer() {
 }
 
 Item check_display() {
-  const char* display = std::getenv("DISPLAY") ? std::getenv("DISPLAY") : std::getenv("WAYLAND_DISPLAY");
+  const char* display =
+      std::getenv("DISPLAY") ? std::getenv("DISPLAY") : std::getenv("WAYLAND_DISPLAY");
   return {"display", display != nullptr, false, display ? display : "none; only `play` needs one",
           "run under a desktop, or xvfb-run"};
 }
@@ -75,7 +80,8 @@ std::vector<Item> diagnose() {
   const Json known = versions();  // must outlive the loop over its items
   for (const auto& [name, version] : known.items()) {
     const std::string text = version;
-    items.push_back({name, text != "not loaded", true, text, "the program was built without it; build again"});
+    items.push_back(
+        {name, text != "not loaded", true, text, "the program was built without it; build again"});
   }
   items.push_back({"program", true, true, program_file().string(), ""});
   items.push_back(check_plugin());
@@ -92,12 +98,22 @@ int doctor(bool json) {
   if (json) {
     Json list = Json::array();
     for (const Item& item : items)
-      list.push_back({{"name", item.name}, {"found", item.found}, {"required", item.required},
-                      {"detail", item.detail}, {"fix", item.found ? "" : item.fix}});
-    fmt::print("{}", to_text({{"schema", "legwright/doctor"}, {"version", 1}, {"healthy", healthy}, {"items", list}}));
+      list.push_back({{"name", item.name},
+                      {"found", item.found},
+                      {"required", item.required},
+                      {"detail", item.detail},
+                      {"fix", item.found ? "" : item.fix}});
+    fmt::print("{}", to_text({{"schema", "legwright/doctor"},
+                              {"version", 1},
+                              {"healthy", healthy},
+                              {"items", list}}));
   } else {
     for (const Item& item : items)
-      fmt::print("{:8} {:10} {}{}\n", item.found ? "ok" : item.required ? "MISSING" : "absent", item.name, item.detail,
+      fmt::print("{:8} {:10} {}{}\n",
+                 item.found      ? "ok"
+                 : item.required ? "MISSING"
+                                 : "absent",
+                 item.name, item.detail,
                  item.found ? "" : fmt::format("\n{:20}fix: {}", "", item.fix));
   }
   return healthy ? kOk : kIoError;
@@ -107,7 +123,8 @@ int doctor(bool json) {
 
 void add_doctor(CLI::App& program, Action& action) {
   const auto json = std::make_shared<bool>(false);
-  CLI::App* verb = program.add_subcommand("doctor", "Say what is installed, found and missing, and how to mend it");
+  CLI::App* verb = program.add_subcommand(
+      "doctor", "Say what is installed, found and missing, and how to mend it");
   verb->add_flag("--json", *json, "print one JSON document");
   verb->callback([&action, json] { action = [json] { return doctor(*json); }; });
 }

@@ -13,18 +13,21 @@ constexpr double kMostRootResidual = 0.5;   // share of the weight
 
 }  // namespace
 
-std::vector<std::string> infeasible_reasons(bool usable, const PlanQuality& quality, const std::string& unit) {
+std::vector<std::string> infeasible_reasons(bool usable, const PlanQuality& quality,
+                                            const std::string& unit) {
   if (!usable) return {"no finite motion was found"};
   std::vector<std::string> reasons;
   if (quality.speed_wanted > 0.0 && quality.speed_reached < kLeastSpeedShare * quality.speed_wanted)
-    reasons.push_back(fmt::format("the plan reaches {:.3g} of {:.3g} {} ({:.0f} %)", quality.speed_reached,
-                                  quality.speed_wanted, unit,
+    reasons.push_back(fmt::format("the plan reaches {:.3g} of {:.3g} {} ({:.0f} %)",
+                                  quality.speed_reached, quality.speed_wanted, unit,
                                   100.0 * quality.speed_reached / quality.speed_wanted));
   if (quality.heading_error > kMostHeadingError)
-    reasons.push_back(fmt::format("the trunk turns by {:.2f} rad away from the wanted heading, so this is another task",
-                                  quality.heading_error));
+    reasons.push_back(fmt::format(
+        "the trunk turns by {:.2f} rad away from the wanted heading, so this is another task",
+        quality.heading_error));
   if (quality.ground_error > kMostGroundError)
-    reasons.push_back(fmt::format("a standing foot is {:.1f} mm off the ground", 1e3 * quality.ground_error));
+    reasons.push_back(
+        fmt::format("a standing foot is {:.1f} mm off the ground", 1e3 * quality.ground_error));
   if (quality.root_residual > kMostRootResidual)
     reasons.push_back(fmt::format("forces of {:.0f} % of the weight are unexplained by the feet",
                                   100.0 * quality.root_residual));

@@ -37,19 +37,26 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 /// Writes what codesign() finds into the run's folder, as it finds it.
 class Recorder {
  public:
-  Recorder(const ResultFolder& folder, const RobotModel& robot, const Objective& objective, Progress& progress,
-           bool pictures)
-      : folder_(folder), robot_(robot), objective_(objective), progress_(progress), events_(folder.events()),
+  Recorder(const ResultFolder& folder, const RobotModel& robot, const Objective& objective,
+           Progress& progress, bool pictures)
+      : folder_(folder),
+        robot_(robot),
+        objective_(objective),
+        progress_(progress),
+        events_(folder.events()),
         pictures_(pictures) {}
 
-  void start(const Json& run) { events_.append({{"event", "start"}, {"task", run["task"]["name"]}, {"robot", run["robot"]}}); }
+  void start(const Json& run) {
+    events_.append({{"event", "start"}, {"task", run["task"]["name"]}, {"robot", run["robot"]}});
+  }
 
   /// @return false to stop
   bool iteration(const DesignIteration& iteration) {
     const auto start = std::chrono::steady_clock::now();
     // Rename is enough here: a killed process loses nothing, and a flush to disk would take longer than the step.
     const fs::path folder = folder_.iteration(iteration.index);
-    const PlanQuality quality = write_design(folder, robot_, objective_, iteration, Durability::process);
+    const PlanQuality quality =
+        write_design(folder, robot_, objective_, iteration, Durability::process);
     events_.append(iteration_event(robot_.space, iteration, quality));
     pictures_.add(folder);
     progress_.iteration(iteration, quality);
@@ -65,7 +72,9 @@ class Recorder {
   }
 
   void end(const Json& run) {
-    events_.append({{"event", "end"}, {"status", run["status"]}, {"F", run["final_F"]},
+    events_.append({{"event", "end"},
+                    {"status", run["status"]},
+                    {"F", run["final_F"]},
                     {"seconds", run["seconds"]["total"]}});
     events_.sync();
   }
@@ -88,7 +97,8 @@ std::unique_ptr<Objective> make_objective(const TaskFile& file, const RobotModel
   try {
     return std::make_unique<Objective>(robot.morphology, robot.space, task);
   } catch (const std::invalid_argument& error) {
-    throw InputError(file.file.string(), 0, "", std::string(error.what()) + "; robot and task do not fit");
+    throw InputError(file.file.string(), 0, "",
+                     std::string(error.what()) + "; robot and task do not fit");
   }
 }
 
@@ -99,7 +109,8 @@ std::string status_text(SolveStatus status, int signal) {
 
 void draw_rest(PictureQueue& pictures, bool quiet) {
   const std::size_t waiting = pictures.waiting();
-  if (!quiet && waiting > 1) fmt::print(stderr, "drawing {} more pictures (may be interrupted)\n", waiting);
+  if (!quiet && waiting > 1)
+    fmt::print(stderr, "drawing {} more pictures (may be interrupted)\n", waiting);
   while (pictures.waiting() > 0 && StopSignals::received() == 0)
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   if (StopSignals::received() != 0) return;
@@ -121,8 +132,9 @@ int optimize(const OptimizeOptions& options) {
     for (const std::string& warning : task_warnings(objective->task(), robot))
       fmt::print(stderr, "legwright: warning: {}\n", warning);
 
-  const fs::path root = options.run.empty() ? fs::path("runs") / (robot.morphology.name + "-" + file.name)
-                                            : fs::path(options.run);
+  const fs::path root = options.run.empty()
+                            ? fs::path("runs") / (robot.morphology.name + "-" + file.name)
+                            : fs::path(options.run);
   const ResultFolder folder = ResultFolder::create(root, options.force);
   Json run = start_of_run(command_line(), file, robot, *objective);
   write_json(folder.run_json(), run);
@@ -136,19 +148,24 @@ int optimize(const OptimizeOptions& options) {
   Progress progress(Progress::mode_for_stderr(options.quiet), settings, turning ? "rad/s" : "m/s");
   Recorder recorder(folder, robot, *objective, progress, !options.no_pictures);
   const StopSignals signals;
-  settings.on_iteration = [&](const DesignIteration& iteration) { return recorder.iteration(iteration); };
+  settings.on_iteration = [&](const DesignIteration& iteration) {
+    return recorder.iteration(iteration);
+  };
 
   recorder.start(run);
-  progress.start(fmt::format("{} design parameters, {} motion unknowns; first the motion of the initial design ...",
-                             robot.space.size(), objective->layout().motion_size()));
+  progress.start(fmt::format(
+      "{} design parameters, {} motion unknowns; first the motion of the initial design ...",
+      robot.space.size(), objective->layout().motion_size()));
   const CodesignResult result = codesign(*objective, robot.space, settings);
   progress.finish();
   const int signal = StopSignals::received();
-  const bool usable = result.best.m.size() > 0 && result.best.m.allFinite() && std::isfinite(result.best.value);
+  const bool usable =
+      result.best.m.size() > 0 && result.best.m.allFinite() && std::isfinite(result.best.value);
   const PlanQuality quality = usable ? recorder.result(result.best) : PlanQuality{};
-  const std::vector<std::string> reasons = infeasible_reasons(usable, quality, turning ? "rad/s" : "m/s");
-  finish_run(run, status_text(result.status, signal), result, quality, progress.history(), recorder.seconds(),
-             reasons, robot.space);
+  const std::vector<std::string> reasons =
+      infeasible_reasons(usable, quality, turning ? "rad/s" : "m/s");
+  finish_run(run, status_text(result.status, signal), result, quality, progress.history(),
+             recorder.seconds(), reasons, robot.space);
   recorder.end(run);
   write_json(folder.run_json(), run);
 
@@ -163,10 +180,12 @@ int optimize(const OptimizeOptions& options) {
 
 void add_optimize(CLI::App& program, Action& action) {
   const auto options = std::make_shared<OptimizeOptions>();
-  CLI::App* verb = program.add_subcommand("optimize", "Co-design body and gait for a task; write a run folder");
+  CLI::App* verb =
+      program.add_subcommand("optimize", "Co-design body and gait for a task; write a run folder");
   verb->add_option("TASK", options->task, "task file (TOML), which names its robot")->required();
   verb->add_option("-o,--output", options->run, "folder of the run; default: runs/ROBOT-TASK");
-  verb->add_flag("--motion-only", options->motion_only, "keep the initial design, optimize its motion");
+  verb->add_flag("--motion-only", options->motion_only,
+                 "keep the initial design, optimize its motion");
   verb->add_option("--max-iterations", options->max_iterations, "design iterations at most")
       ->check(CLI::Range(0, 100000))
       ->capture_default_str();

@@ -26,12 +26,14 @@ struct PlayOptions {
 
 fs::path scene_to_play(const PlayOptions& options) {
   const ResultFolder folder = ResultFolder::open(options.run);
-  const fs::path design = options.iteration >= 0 ? folder.iteration(options.iteration) : folder.result();
+  const fs::path design =
+      options.iteration >= 0 ? folder.iteration(options.iteration) : folder.result();
   const fs::path scene = design / "scene.xml";
   if (!fs::is_regular_file(scene))
     throw IoError(scene.string() + ": no such file; " +
-                  (options.iteration >= 0 ? "give an iteration that " + folder.iterations().string() + " holds"
-                                          : "the run has no result yet, try --iteration 0"));
+                  (options.iteration >= 0
+                       ? "give an iteration that " + folder.iterations().string() + " holds"
+                       : "the run has no result yet, try --iteration 0"));
   return fs::absolute(scene);
 }
 
@@ -39,7 +41,10 @@ fs::path plugin_to_load() {
   if (const auto plugin = find_plugin()) return fs::absolute(*plugin);
   std::string places;
   for (const fs::path& candidate : plugin_candidates()) places += "\n  " + candidate.string();
-  throw IoError("the plugin liblegwright.so was not found; build it, or name it in LEGWRIGHT_PLUGIN. Looked for:" + places);
+  throw IoError(
+      "the plugin liblegwright.so was not found; build it, or name it in LEGWRIGHT_PLUGIN. Looked "
+      "for:" +
+      places);
 }
 
 std::string as_shell(const std::vector<std::string>& words) {
@@ -52,12 +57,15 @@ void require_viewer(const std::optional<ViewerPython>& python) {
   const std::string wanted = versions()["mujoco"];
   if (!python)
     throw IoError("no Python with MuJoCo's viewer was found; pip install mujoco==" + wanted +
-                  " and name its interpreter in LEGWRIGHT_PYTHON, or use --print and run the command yourself");
+                  " and name its interpreter in LEGWRIGHT_PYTHON, or use --print and run the "
+                  "command yourself");
   if (python->mujoco_version != wanted)
-    throw IoError(fmt::format("{} has mujoco {}, the plugin is for {}; pip install mujoco=={}", python->command,
-                              python->mujoco_version, wanted, wanted));
+    throw IoError(fmt::format("{} has mujoco {}, the plugin is for {}; pip install mujoco=={}",
+                              python->command, python->mujoco_version, wanted, wanted));
   if (!std::getenv("DISPLAY") && !std::getenv("WAYLAND_DISPLAY"))
-    throw IoError("no display: neither DISPLAY nor WAYLAND_DISPLAY is set; `legwright render` draws without one");
+    throw IoError(
+        "no display: neither DISPLAY nor WAYLAND_DISPLAY is set; `legwright render` draws without "
+        "one");
 }
 
 int play(const PlayOptions& options) {
@@ -65,17 +73,22 @@ int play(const PlayOptions& options) {
   const fs::path plugin = plugin_to_load();
   // Looking for Python takes a second: not where only the command is wanted.
   const auto python = options.print || options.json ? std::nullopt : find_viewer_python();
-  const std::vector<std::string> command = viewer_command(python ? python->command : "python3", plugin, scene);
+  const std::vector<std::string> command =
+      viewer_command(python ? python->command : "python3", plugin, scene);
   if (options.json) {
-    fmt::print("{}", to_text({{"schema", "legwright/play"}, {"version", 1}, {"scene", scene.string()},
-                              {"plugin", plugin.string()}, {"command", command}}));
+    fmt::print("{}", to_text({{"schema", "legwright/play"},
+                              {"version", 1},
+                              {"scene", scene.string()},
+                              {"plugin", plugin.string()},
+                              {"command", command}}));
     return kOk;
   }
   fmt::print("{}\n", as_shell(command));
   std::fflush(stdout);
   if (options.print) return kOk;
   require_viewer(python);
-  fmt::print(stderr, "In the viewer, Simulation > Load key puts the robot at the start of its gait.\n");
+  fmt::print(stderr,
+             "In the viewer, Simulation > Load key puts the robot at the start of its gait.\n");
   if (run_command(command) != 0)
     throw IoError("the viewer ended with an error; its own message stands above");
   return kOk;
@@ -85,7 +98,8 @@ int play(const PlayOptions& options) {
 
 void add_play(CLI::App& program, Action& action) {
   const auto options = std::make_shared<PlayOptions>();
-  CLI::App* verb = program.add_subcommand("play", "Open a result in MuJoCo's viewer; print the plain command");
+  CLI::App* verb =
+      program.add_subcommand("play", "Open a result in MuJoCo's viewer; print the plain command");
   verb->add_option("RUN", options->run, "folder of a run")->required();
   verb->add_option("--iteration", options->iteration, "play this iteration instead of the result")
       ->check(CLI::NonNegativeNumber);

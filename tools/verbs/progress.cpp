@@ -20,7 +20,8 @@ int iterations_left(const std::vector<double>& history, double tolerance, int mo
   const double before = (history[n - 5] - history[n - 2]) / scale;
   if (!(now > tolerance)) return 1;
   const double rate = std::clamp(now / std::max(before, 1e-300), 0.1, 0.95);
-  return std::clamp(static_cast<int>(std::ceil(std::log(tolerance / now) / std::log(rate))), 1, most);
+  return std::clamp(static_cast<int>(std::ceil(std::log(tolerance / now) / std::log(rate))), 1,
+                    most);
 }
 
 Progress::Mode Progress::mode_for_stderr(bool quiet) {
@@ -28,7 +29,10 @@ Progress::Mode Progress::mode_for_stderr(bool quiet) {
 }
 
 Progress::Progress(Mode mode, const CodesignOptions& options, std::string unit)
-    : mode_(mode), tolerance_(options.value_tolerance), most_(options.max_iterations), unit_(std::move(unit)) {}
+    : mode_(mode),
+      tolerance_(options.value_tolerance),
+      most_(options.max_iterations),
+      unit_(std::move(unit)) {}
 
 void Progress::start(const std::string& what) {
   if (mode_ == Mode::live) fmt::print(stderr, "\r\x1b[K{}", what);
@@ -43,11 +47,14 @@ void Progress::iteration(const DesignIteration& iteration, const PlanQuality& qu
                                  ? iteration.seconds
                                  : 0.7 * seconds_per_iteration_ + 0.3 * iteration.seconds;
   if (mode_ == Mode::quiet) return;
-  const double left = seconds_per_iteration_ * iterations_left(history_, tolerance_, most_ - iteration.index);
-  const std::string time = iteration.index == 0 ? "" : fmt::format("  ~{:.0f} s left", std::ceil(left));
+  const double left =
+      seconds_per_iteration_ * iterations_left(history_, tolerance_, most_ - iteration.index);
+  const std::string time =
+      iteration.index == 0 ? "" : fmt::format("  ~{:.0f} s left", std::ceil(left));
   fmt::print(stderr, "{}iteration {:3}  F {:<10.5g} speed {:.4f} of {:.4g} {}{}{}",
-             mode_ == Mode::live ? "\r\x1b[K" : "", iteration.index, iteration.value, quality.speed_reached,
-             quality.speed_wanted, unit_, time, mode_ == Mode::live ? "" : "\n");
+             mode_ == Mode::live ? "\r\x1b[K" : "", iteration.index, iteration.value,
+             quality.speed_reached, quality.speed_wanted, unit_, time,
+             mode_ == Mode::live ? "" : "\n");
   std::fflush(stderr);
 }
 

@@ -43,7 +43,8 @@ int render(const Options& options) {
     total += made.milliseconds;
     files.push_back({{"file", made.file.string()}, {"milliseconds", made.milliseconds}});
   }
-  for (const std::string& missing : pictures.left_out) fmt::print(stderr, "left out: {}\n", missing);
+  for (const std::string& missing : pictures.left_out)
+    fmt::print(stderr, "left out: {}\n", missing);
   if (options.json) {
     Json document{{"schema", "legwright/render"}, {"version", 1}, {"run", options.run}};
     document["files"] = files;
@@ -65,7 +66,8 @@ void add_render(CLI::App& program, Action& action) {
   verb->add_flag("--json", options->json, "One JSON document on stdout: files and milliseconds");
   verb->footer(
       "Writes frame.png into each folder of iterations/, and strip_initial.png, strip_result.png,\n"
-      "strip_before_after.png (planned) and strip_physics.png (after legwright validate) into result/.\n"
+      "strip_before_after.png (planned) and strip_physics.png (after legwright validate) into "
+      "result/.\n"
       "Needs no display: OSMesa draws. The same bytes on every run on one machine.");
   verb->callback([options, &action] { action = [options] { return render(*options); }; });
 }

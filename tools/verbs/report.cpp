@@ -20,11 +20,13 @@ struct Options {
 int report(const Options& options) {
   const std::filesystem::path page = write_report(options.run);
   if (options.json) {
-    fmt::print("{}", to_text({{"schema", "legwright/report"},
-                              {"version", 1},
-                              {"report", page.string()},
-                              {"summary", (std::filesystem::path(options.run) / "result" / "summary.md").string()},
-                              {"bytes", std::filesystem::file_size(page)}}));
+    fmt::print("{}",
+               to_text({{"schema", "legwright/report"},
+                        {"version", 1},
+                        {"report", page.string()},
+                        {"summary",
+                         (std::filesystem::path(options.run) / "result" / "summary.md").string()},
+                        {"bytes", std::filesystem::file_size(page)}}));
   } else {
     fmt::print("{}\n", page.string());
   }
@@ -37,7 +39,8 @@ void add_report(CLI::App& program, Action& action) {
   auto options = std::make_shared<Options>();
   CLI::App* verb = program.add_subcommand("report", "Write the report of a run: one HTML file");
   verb->add_option("run", options->run, "Folder that legwright optimize wrote")->required();
-  verb->add_flag("--json", options->json, "One JSON document on stdout: the files that were written");
+  verb->add_flag("--json", options->json,
+                 "One JSON document on stdout: the files that were written");
   verb->footer(
       "Writes RUN/report.html (self-contained, opens from disk) and RUN/result/summary.md.\n"
       "Run legwright validate and legwright render first; what is missing is named in the report.");

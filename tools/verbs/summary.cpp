@@ -13,11 +13,15 @@ std::string parameter_lines(const Json& parameters) {
   for (const Json& p : parameters) width = std::max(width, p["name"].get<std::string>().size());
   std::string text;
   for (const Json& p : parameters) {
-    const double initial = p["initial"], final = p["final"], span = p["upper"].get<double>() - p["lower"].get<double>();
+    const double initial = p["initial"], final = p["final"],
+                 span = p["upper"].get<double>() - p["lower"].get<double>();
     const bool low = final - p["lower"].get<double>() < 1e-6 * span;
     const bool high = p["upper"].get<double>() - final < 1e-6 * span;
-    text += fmt::format("    {:{}}  {:8.4f} -> {:8.4f} {}{}\n", p["name"].get<std::string>(), width, initial, final,
-                        p["unit"].get<std::string>(), low ? "  at its lower bound" : high ? "  at its upper bound" : "");
+    text += fmt::format("    {:{}}  {:8.4f} -> {:8.4f} {}{}\n", p["name"].get<std::string>(), width,
+                        initial, final, p["unit"].get<std::string>(),
+                        low    ? "  at its lower bound"
+                        : high ? "  at its upper bound"
+                               : "");
   }
   return text;
 }
@@ -49,20 +53,26 @@ std::string optimize_summary(const Json& run, const std::filesystem::path& root)
                       run["robot"].get<std::string>(), run["task"]["name"].get<std::string>(),
                       in_words(run["status"]), run["design_iterations"].get<int>(),
                       run["newton_iterations"].get<int>());
-  text += fmt::format("  F        {:.5g} with the initial body, {:.5g} now\n", run["motion_only_F"].get<double>(),
-                      run["final_F"].get<double>());
+  text += fmt::format("  F        {:.5g} with the initial body, {:.5g} now\n",
+                      run["motion_only_F"].get<double>(), run["final_F"].get<double>());
   text += fmt::format("  speed    {:.4g} of {:.4g} planned{}\n", reached, wanted,
                       wanted > 0.0 ? fmt::format(" ({:.1f} %)", 100.0 * reached / wanted) : "");
-  text += fmt::format("  time     {:.2f} s: motion {:.2f}, adjoint {:.2f}, predictor {:.2f}, files {:.2f}\n",
-                      seconds["total"].get<double>(), seconds["motion"].get<double>(), seconds["adjoint"].get<double>(),
-                      seconds["predictor"].get<double>(), seconds["files"].get<double>());
+  text += fmt::format(
+      "  time     {:.2f} s: motion {:.2f}, adjoint {:.2f}, predictor {:.2f}, files {:.2f}\n",
+      seconds["total"].get<double>(), seconds["motion"].get<double>(),
+      seconds["adjoint"].get<double>(), seconds["predictor"].get<double>(),
+      seconds["files"].get<double>());
   text += fmt::format("  memory   {:.0f} MiB\n", run["peak_rss_mib"].get<double>());
   if (!run["parameters"].empty()) text += "  body\n" + parameter_lines(run["parameters"]);
-  for (const Json& reason : run["reasons"]) text += "  INFEASIBLE: " + reason.get<std::string>() + "\n";
+  for (const Json& reason : run["reasons"])
+    text += "  INFEASIBLE: " + reason.get<std::string>() + "\n";
   if (!run["feasible"].get<bool>() && run["motion_only_F"] == run["final_F"])
-    text += "  the body is still the initial one: co-design it (without --motion-only), or ask for less speed\n";
+    text +=
+        "  the body is still the initial one: co-design it (without --motion-only), or ask for "
+        "less speed\n";
   const std::string folder = shell_word(root.string());
-  text += fmt::format("  written  {0}\nnext: legwright validate {0}   then: render, report, play\n", folder);
+  text += fmt::format("  written  {0}\nnext: legwright validate {0}   then: render, report, play\n",
+                      folder);
   return text;
 }
 

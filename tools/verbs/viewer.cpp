@@ -42,14 +42,16 @@ std::string python_text(const std::string& text) {
 
 int run_command(const std::vector<std::string>& words, std::string* output) {
   int ends[2] = {-1, -1};
-  if (output && ::pipe2(ends, O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
+  if (output && ::pipe2(ends, O_CLOEXEC) != 0)
+    throw std::system_error(errno, std::generic_category(), "pipe");
   const pid_t child = ::fork();
   if (child < 0) throw std::system_error(errno, std::generic_category(), "fork");
   if (child == 0) run_child(words, ends[1]);
   if (output) {
     ::close(ends[1]);
     char buffer[4096];
-    for (ssize_t got; (got = ::read(ends[0], buffer, sizeof buffer)) > 0 || (got < 0 && errno == EINTR);)
+    for (ssize_t got;
+         (got = ::read(ends[0], buffer, sizeof buffer)) > 0 || (got < 0 && errno == EINTR);)
       if (got > 0) output->append(buffer, static_cast<std::size_t>(got));
     ::close(ends[0]);
   }
@@ -65,7 +67,8 @@ std::optional<ViewerPython> find_viewer_python() {
   if (const char* own = std::getenv("LEGWRIGHT_PYTHON"); own && *own) candidates = {own};
   for (const std::string& candidate : candidates) {
     std::string version;
-    if (run_command({candidate, "-c", "import mujoco, mujoco.viewer; print(mujoco.__version__)"}, &version) != 0)
+    if (run_command({candidate, "-c", "import mujoco, mujoco.viewer; print(mujoco.__version__)"},
+                    &version) != 0)
       continue;
     while (!version.empty() && version.back() == '\n') version.pop_back();
     return ViewerPython{candidate, version};
@@ -73,10 +76,12 @@ std::optional<ViewerPython> find_viewer_python() {
   return std::nullopt;
 }
 
-std::vector<std::string> viewer_command(const std::string& python, const std::filesystem::path& plugin,
+std::vector<std::string> viewer_command(const std::string& python,
+                                        const std::filesystem::path& plugin,
                                         const std::filesystem::path& scene) {
   const std::string script = fmt::format(
-      "import mujoco, mujoco.viewer; mujoco.mj_loadPluginLibrary({}); mujoco.viewer.launch_from_path({})",
+      "import mujoco, mujoco.viewer; mujoco.mj_loadPluginLibrary({}); "
+      "mujoco.viewer.launch_from_path({})",
       python_text(plugin.string()), python_text(scene.string()));
   return {python, "-c", script};
 }

@@ -18,7 +18,8 @@ struct ViewerPython {
 std::optional<ViewerPython> find_viewer_python();
 
 /// The command that opens a scene in MuJoCo's viewer with the plugin loaded, word by word.
-std::vector<std::string> viewer_command(const std::string& python, const std::filesystem::path& plugin,
+std::vector<std::string> viewer_command(const std::string& python,
+                                        const std::filesystem::path& plugin,
                                         const std::filesystem::path& scene);
 
 /// A plugin library that is there, or nothing.

@@ -60,7 +60,8 @@ TEST(GaitLibrary, EveryPatternHoldsItsDutyOnAFineGrid) {
       ASSERT_EQ(static_cast<int>(p.touchdown.size()), feet) << p.name;
       const Gait gait(p, 1.0, 240, identity(feet));
       for (int foot = 0; foot < feet; ++foot)
-        EXPECT_EQ(stance_knots(gait, foot), std::lround(p.duty * 240)) << p.name << " foot " << foot;
+        EXPECT_EQ(stance_knots(gait, foot), std::lround(p.duty * 240))
+            << p.name << " foot " << foot;
     }
 }
 
@@ -140,7 +141,8 @@ TEST(Gait, RefusesWhatCannotBeAGait) {
   const GaitPattern good{"p", {0.0, 0.5}, 0.5};
   EXPECT_NO_THROW(Gait(good, 1.0, 8, {0, 1}));
   EXPECT_THROW(Gait(good, 0.0, 8, {0, 1}), std::invalid_argument);
-  EXPECT_THROW(Gait(good, std::numeric_limits<double>::quiet_NaN(), 8, {0, 1}), std::invalid_argument);
+  EXPECT_THROW(Gait(good, std::numeric_limits<double>::quiet_NaN(), 8, {0, 1}),
+               std::invalid_argument);
   EXPECT_THROW(Gait(good, 1.0, 8, {0, 1, 2}), std::invalid_argument);
   EXPECT_THROW(Gait(good, 1.0, 8, {0, 0}), std::invalid_argument);
   EXPECT_THROW(Gait({"p", {0.0, 1.0}, 0.5}, 1.0, 8, {0, 1}), std::invalid_argument);
@@ -150,7 +152,8 @@ TEST(Gait, RefusesWhatCannotBeAGait) {
 }
 
 TEST(FootfallOrder, GoesFrontToHindAndLeftToRight) {
-  const std::vector<Eigen::Vector3d> feet{{-0.1, -0.1, 0}, {0.12, -0.1, 0}, {0.1, 0.1, 0}, {-0.12, 0.1, 0}};
+  const std::vector<Eigen::Vector3d> feet{
+      {-0.1, -0.1, 0}, {0.12, -0.1, 0}, {0.1, 0.1, 0}, {-0.12, 0.1, 0}};
   EXPECT_EQ(footfall_order(feet), (std::vector<int>{2, 1, 3, 0}));
   const std::vector<Eigen::Vector3d> biped{{0.0, -0.1, 0}, {0.01, 0.1, 0}};
   EXPECT_EQ(footfall_order(biped), (std::vector<int>{1, 0}));

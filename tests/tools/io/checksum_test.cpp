@@ -35,7 +35,8 @@ TEST(Sha256, AgreesWithFips180Examples) {
 
 TEST(Sha256, DiffersForEveryLengthAroundABlock) {
   std::set<std::string> seen;
-  for (std::size_t length = 0; length < 200; ++length) seen.insert(sha256_hex(std::string(length, 'x')));
+  for (std::size_t length = 0; length < 200; ++length)
+    seen.insert(sha256_hex(std::string(length, 'x')));
   EXPECT_EQ(seen.size(), 200u);
 }
 

@@ -60,7 +60,8 @@ TEST(ReadEvents, CutsATornTailAtEveryByte) {
 TEST(ReadEvents, StopsAtADamagedLine) {
   const TemporaryFolder folder;
   const auto path = folder.path() / "events.jsonl";
-  std::string text = event_line(event(0)) + "\n" + event_line(event(1)) + "\n" + event_line(event(2)) + "\n";
+  std::string text =
+      event_line(event(0)) + "\n" + event_line(event(1)) + "\n" + event_line(event(2)) + "\n";
   text[event_line(event(0)).size() + 12] ^= 1;  // in the second line
   overwrite(path, text);
   EXPECT_EQ(read_events(path).size(), 1u);

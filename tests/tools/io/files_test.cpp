@@ -18,13 +18,15 @@ namespace fs = std::filesystem;
 using test::TemporaryFolder;
 
 std::size_t entries(const fs::path& folder) {
-  return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+  return static_cast<std::size_t>(
+      std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
 }
 
 TEST(WriteFile, ReplacesTheFileAndLeavesNothingElse) {
   const TemporaryFolder folder;
   const fs::path path = folder.path() / "name with spaces \xC3\xA4.txt";
-  for (const std::string& text : {std::string("first"), std::string("a\0b\n", 4), std::string(300000, 'x'), std::string()}) {
+  for (const std::string& text :
+       {std::string("first"), std::string("a\0b\n", 4), std::string(300000, 'x'), std::string()}) {
     write_file(path, text);
     EXPECT_EQ(read_file(path), text);
     write_file(path, text, Durability::process);
@@ -60,7 +62,8 @@ TEST(ReadFile, NamesWhatIsMissingAndRefusesWhatIsTooLarge) {
 
 TEST(JsonFile, KeepsOrderAndEveryBitOfANumber) {
   const TemporaryFolder folder;
-  const Json document{{"z", 0.1}, {"a", 1.0 / 3.0}, {"tiny", 5e-324}, {"big", 1.7976931348623157e308}};
+  const Json document{
+      {"z", 0.1}, {"a", 1.0 / 3.0}, {"tiny", 5e-324}, {"big", 1.7976931348623157e308}};
   write_json(folder.path() / "x.json", document);
   EXPECT_EQ(read_json(folder.path() / "x.json"), document);
   EXPECT_EQ(read_file(folder.path() / "x.json").substr(0, 13), "{\n  \"z\": 0.1,");

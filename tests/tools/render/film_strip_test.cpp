@@ -39,7 +39,8 @@ TEST(PlannedPoses, AreTheSplineInTheOrderOfTheModel) {
   ASSERT_EQ(poses.size(), 4U);
   for (std::size_t k = 0; k < 4; ++k) {
     ASSERT_EQ(poses[k].size(), 9U);
-    EXPECT_NEAR(poses[k][1], 0.02 * static_cast<double>(k), 1e-12);  // a straight line, also over the cycle's end
+    EXPECT_NEAR(poses[k][1], 0.02 * static_cast<double>(k),
+                1e-12);  // a straight line, also over the cycle's end
     EXPECT_NEAR(poses[k][2], 0.28, 1e-12);
     EXPECT_NEAR(poses[k][3], std::cos(0.15), 1e-12);  // quaternion of a turn about z
     EXPECT_NEAR(poses[k][6], std::sin(0.15), 1e-12);
@@ -77,7 +78,8 @@ TEST(ContactMarks, ShowFeetWhereTheyAre) {
   ASSERT_EQ(marks[0].feet.size(), 2U);
   EXPECT_NEAR(marks[0].feet[0].left, 1.0, 1e-9);
   EXPECT_NEAR(marks[0].feet[1].left, -1.0, 1e-9);
-  for (int turn = 0; turn < 2; ++turn) {  // seen from the robot, whichever way it faces in the world
+  for (int turn = 0; turn < 2;
+       ++turn) {  // seen from the robot, whichever way it faces in the world
     Trajectory turned = toy_plan();
     for (int k = 0; k < 8; ++k) {
       const double facing = 0.3 + 1.1 * turn;
@@ -85,7 +87,8 @@ TEST(ContactMarks, ShowFeetWhereTheyAre) {
       for (int f = 0; f < 2; ++f) {
         const double left = f == 0 ? 0.06 : -0.06;
         turned.at(k, turned.foot_column(f, 0)) = -std::sin(facing) * left;
-        turned.at(k, turned.foot_column(f, 1)) = std::cos(facing) * left + turned.at(k, turned.root_column(1));
+        turned.at(k, turned.foot_column(f, 1)) =
+            std::cos(facing) * left + turned.at(k, turned.root_column(1));
       }
     }
     const auto seen = contact_marks(turned, 1);
@@ -106,7 +109,8 @@ TEST(FilmStrip, HasTheWidthItSaysAndEachCellInIt) {
   const StripLayout layout{4, 300, 100};
   StripRow row;
   row.title = "Before";
-  for (int k = 0; k < 4; ++k) row.cells.emplace_back(300, 100, Rgb{static_cast<std::uint8_t>(10 + k), 0, 0});
+  for (int k = 0; k < 4; ++k)
+    row.cells.emplace_back(300, 100, Rgb{static_cast<std::uint8_t>(10 + k), 0, 0});
   const Image strip = compose_strip(layout, {row, row}, {"a", "b", "c", "d"}, letters);
   EXPECT_EQ(strip.width, kStripWidth);
   int seen[4] = {};
@@ -116,7 +120,8 @@ TEST(FilmStrip, HasTheWidthItSaysAndEachCellInIt) {
   }
   for (const int count : seen) EXPECT_EQ(count, 300);
   row.good = false;
-  EXPECT_NE(compose_strip(layout, {row, row}, {"a", "b", "c", "d"}, letters), strip);  // the dot of the verdict
+  EXPECT_NE(compose_strip(layout, {row, row}, {"a", "b", "c", "d"}, letters),
+            strip);  // the dot of the verdict
 }
 
 }  // namespace

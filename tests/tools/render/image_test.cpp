@@ -14,7 +14,8 @@ namespace {
 
 Image colourful(int width, int height) {
   Image image(width, height);
-  for (std::size_t i = 0; i < image.rgb.size(); ++i) image.rgb[i] = static_cast<std::uint8_t>(i * 37 + i / 7);
+  for (std::size_t i = 0; i < image.rgb.size(); ++i)
+    image.rgb[i] = static_cast<std::uint8_t>(i * 37 + i / 7);
   return image;
 }
 

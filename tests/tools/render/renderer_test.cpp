@@ -26,7 +26,8 @@ int different(const Image& a, const Image& b, int least = 8) {
   int count = 0;
   for (std::size_t i = 0; i + 2 < a.rgb.size(); i += 3) {
     int most = 0;
-    for (std::size_t c = 0; c < 3; ++c) most = std::max(most, std::abs(a.rgb[i + c] - b.rgb[i + c]));
+    for (std::size_t c = 0; c < 3; ++c)
+      most = std::max(most, std::abs(a.rgb[i + c] - b.rgb[i + c]));
     count += most > least;
   }
   return count;
@@ -62,7 +63,8 @@ TEST(Renderer, SamePoseIsSameBytes) {
   const View view = frame_robot(*model, {pose}, 120, -15, 320.0 / 240);
   for (const RenderStyle style : {RenderStyle::cheap, RenderStyle::full}) {
     Renderer renderer(context, *model, 320, 240, style);
-    const Image first = renderer.render(pose, view);  // the first frame too: the infinite floor is centred on the camera
+    const Image first = renderer.render(
+        pose, view);  // the first frame too: the infinite floor is centred on the camera
     const Image second = renderer.render(pose, view);
     Renderer fresh(context, *model, 320, 240, style);
     EXPECT_EQ(first, second);
@@ -106,10 +108,12 @@ TEST(Renderer, RowsStartAtTheTopAndLeftIsLeft) {
   const ModelPointer model = toy();
   auto pose = start_pose(*model);
   Renderer renderer(context, *model, 320, 240, RenderStyle::cheap);
-  View view = frame_robot(*model, {pose}, 180, -10, 320.0 / 240);  // from the front: +y is to the right
+  View view =
+      frame_robot(*model, {pose}, 180, -10, 320.0 / 240);  // from the front: +y is to the right
   view.distance *= 2;
   pose[1] += 0.15;
-  EXPECT_GT(orange(renderer.render(pose, view), 160), 4 * orange(renderer.render(pose, view), 0, 160));
+  EXPECT_GT(orange(renderer.render(pose, view), 160),
+            4 * orange(renderer.render(pose, view), 0, 160));
   pose[1] -= 0.15;
   pose[2] += 0.25;
   const Image high = renderer.render(pose, view);
@@ -141,13 +145,16 @@ TEST(Renderer, DrawsTextThatCanBeRead) {
     for (const auto cover : mask.cover) sum += cover > 128;
     return sum;
   };
-  const Mask one = renderer.text("walk"), two = renderer.text("walk walk"), none = renderer.text("");
+  const Mask one = renderer.text("walk"), two = renderer.text("walk walk"),
+             none = renderer.text("");
   EXPECT_GT(ink(one), 30);
   EXPECT_EQ(ink(two), 2 * ink(one));
   EXPECT_GT(two.width, 2 * one.width);
   EXPECT_EQ(ink(none), 0);
   EXPECT_GT(ink(renderer.text("walk", true)), ink(one));
-  EXPECT_GT(ink(renderer.text("before and after of a long title, longer than the canvas is wide for it", true)), 200);
+  EXPECT_GT(ink(renderer.text(
+                "before and after of a long title, longer than the canvas is wide for it", true)),
+            200);
 }
 
 TEST(StartPose, IsTheGaitsKeyframeNotTheHomeOne) {

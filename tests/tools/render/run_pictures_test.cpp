@@ -26,18 +26,21 @@ fs::path toy_run(const std::string& name, bool validated) {
     plan.at(k, plan.root_column(2)) = 0.28;
     plan.at(k, plan.target_column(0)) = 0.2 * (k % 2);
   }
-  for (const char* folder : {"iterations/0000", "iterations/0001", "iterations/.0002.tmp", "result"}) {
+  for (const char* folder :
+       {"iterations/0000", "iterations/0001", "iterations/.0002.tmp", "result"}) {
     fs::create_directories(run / folder);
     write_file(run / folder / "scene.xml", kToyScene);
     write_file(run / folder / "motion.csv", write_motion_csv(plan));
   }
   if (validated) {
     for (const char* who : {"initial", "result"}) {
-      write_file(run / "result" / (std::string("playback_") + who + ".csv"),
-                 "time_s,x,y,z,qw,qx,qy,qz,l,r\n0,0,0,0.28,1,0,0,0,0,0\n2,0,0.1,0.28,1,0,0,0,0.2,0\n"
-                 "4,0,0.2,0.28,1,0,0,0,0,0.2\n");
+      write_file(
+          run / "result" / (std::string("playback_") + who + ".csv"),
+          "time_s,x,y,z,qw,qx,qy,qz,l,r\n0,0,0,0.28,1,0,0,0,0,0\n2,0,0.1,0.28,1,0,0,0,0.2,0\n"
+          "4,0,0.2,0.28,1,0,0,0,0,0.2\n");
     }
-    write_file(run / "result" / "verdict.json", R"({"initial":{"pass":false},"result":{"pass":true},"pass":true})");
+    write_file(run / "result" / "verdict.json",
+               R"({"initial":{"pass":false},"result":{"pass":true},"pass":true})");
   }
   return run;
 }
@@ -45,7 +48,8 @@ fs::path toy_run(const std::string& name, bool validated) {
 std::map<std::string, std::string> pictures(const fs::path& run) {
   std::map<std::string, std::string> found;
   for (const auto& entry : fs::recursive_directory_iterator(run)) {
-    if (entry.path().extension() == ".png") found[fs::relative(entry.path(), run).string()] = read_file(entry.path());
+    if (entry.path().extension() == ".png")
+      found[fs::relative(entry.path(), run).string()] = read_file(entry.path());
   }
   return found;
 }
@@ -58,8 +62,9 @@ TEST(RunPictures, AreCompleteAndTheSameEachTime) {
   const auto before = pictures(run);
   EXPECT_EQ(before.size(), 6U);
   EXPECT_EQ(first.made.size(), 6U);
-  for (const char* name : {"iterations/0000/frame.png", "iterations/0001/frame.png", "result/strip_initial.png",
-                           "result/strip_result.png", "result/strip_before_after.png", "result/strip_physics.png"}) {
+  for (const char* name :
+       {"iterations/0000/frame.png", "iterations/0001/frame.png", "result/strip_initial.png",
+        "result/strip_result.png", "result/strip_before_after.png", "result/strip_physics.png"}) {
     EXPECT_TRUE(before.contains(name)) << name;
   }
   EXPECT_EQ(draw_run(run).made.size(), 4U);  // stills are there already

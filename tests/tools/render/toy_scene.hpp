@@ -40,9 +40,9 @@ inline std::string why_no_gl() {
 }
 
 /// For the first line of a test that draws: skips it, loudly, on a machine without OSMesa.
-#define LEGWRIGHT_NEEDS_GL()                                                             \
-  if (const std::string why = why_no_gl(); !why.empty()) {                               \
-    GTEST_SKIP() << "NOT TESTED, pictures cannot be drawn on this machine: " << why;     \
+#define LEGWRIGHT_NEEDS_GL()                                                         \
+  if (const std::string why = why_no_gl(); !why.empty()) {                           \
+    GTEST_SKIP() << "NOT TESTED, pictures cannot be drawn on this machine: " << why; \
   }
 
 }  // namespace legwright

@@ -69,11 +69,11 @@ TEST(CleanUtf8, ReplacesWhatIsNoText) {
   EXPECT_EQ(clean_utf8("grün €"), "grün €");
   const std::string replacement = "\xEF\xBF\xBD";
   EXPECT_EQ(clean_utf8(std::string("a\0b", 3)), "a" + replacement + "b");
-  EXPECT_EQ(clean_utf8("\xC0\xAF"), replacement + replacement);      // overlong
-  EXPECT_EQ(clean_utf8("\xED\xA0\x80").substr(0, 3), replacement);   // surrogate
+  EXPECT_EQ(clean_utf8("\xC0\xAF"), replacement + replacement);         // overlong
+  EXPECT_EQ(clean_utf8("\xED\xA0\x80").substr(0, 3), replacement);      // surrogate
   EXPECT_EQ(clean_utf8("\xF4\x90\x80\x80").substr(0, 3), replacement);  // beyond Unicode
-  EXPECT_EQ(clean_utf8("\xE2\x82"), replacement + replacement);      // torn
-  EXPECT_EQ(clean_utf8("\xE2\x80\xAE!"), replacement + "!");         // turns the text round
+  EXPECT_EQ(clean_utf8("\xE2\x82"), replacement + replacement);         // torn
+  EXPECT_EQ(clean_utf8("\xE2\x80\xAE!"), replacement + "!");            // turns the text round
 }
 
 TEST(Html, InsistsOnBalance) {

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <tinyxml2.h>
+#include <functional>
 
 #include <filesystem>
 
@@ -26,7 +26,8 @@ class ReportTest : public testing::Test {
     run_ = fs::path(testing::TempDir()) /
            ("report_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
     fs::remove_all(run_);
-    fs::copy(fs::path(LEGWRIGHT_SOURCE_DIR) / "tests/tools/report/data", run_, fs::copy_options::recursive);
+    fs::copy(fs::path(LEGWRIGHT_SOURCE_DIR) / "tests/tools/report/data", run_,
+             fs::copy_options::recursive);
   }
   void TearDown() override { fs::remove_all(run_); }
 
@@ -51,14 +52,18 @@ void expect_well_formed(const std::string& page) {
   EXPECT_EQ(document.Parse(page.c_str()), tinyxml2::XML_SUCCESS) << document.ErrorStr();
 }
 
-bool has(const std::string& page, const std::string& part) { return page.find(part) != std::string::npos; }
+bool has(const std::string& page, const std::string& part) {
+  return page.find(part) != std::string::npos;
+}
 
 /// Nothing that a browser would fetch.
 void expect_self_contained(const std::string& page) {
-  for (const char* reference : {"http:", "https:", "src=\"/", "href=", "url(", "@import", "<link", "<iframe", "<object"}) {
+  for (const char* reference :
+       {"http:", "https:", "src=\"/", "href=", "url(", "@import", "<link", "<iframe", "<object"}) {
     EXPECT_FALSE(has(page, reference)) << reference;
   }
-  for (std::size_t at = page.find("src=\""); at != std::string::npos; at = page.find("src=\"", at + 1)) {
+  for (std::size_t at = page.find("src=\""); at != std::string::npos;
+       at = page.find("src=\"", at + 1)) {
     EXPECT_EQ(page.substr(at + 5, 22), "data:image/png;base64,");
   }
 }
@@ -68,11 +73,12 @@ TEST_F(ReportTest, ShowsEveryPartOfACompleteRun) {
   const std::string page = this->page();
   expect_well_formed(page);
   expect_self_contained(page);
-  for (const char* part : {"✗ Fail", "✓ Pass", "falls after 1.29 s", "98 % of planned speed", "What physics did.",
-                           "What was planned.", "front hip axis roll", "+80.2°", "at its upper bound",
-                           "Cost F by design iteration", "gait alone, initial body", "iteration 0", "forces carry the body",
-                           "98.1 %", "Footfalls after", "Planned normal forces", "SHA-256 of robot.xml", "3.17.0",
-                           "default-src 'none'"}) {
+  for (const char* part :
+       {"✗ Fail", "✓ Pass", "falls after 1.29 s", "98 % of planned speed", "What physics did.",
+        "What was planned.", "front hip axis roll", "+80.2°", "at its upper bound",
+        "Cost F by design iteration", "gait alone, initial body", "iteration 0",
+        "forces carry the body", "98.1 %", "Footfalls after", "Planned normal forces",
+        "SHA-256 of robot.xml", "3.17.0", "default-src 'none'"}) {
     EXPECT_TRUE(has(page, part) || has(page, escape_attribute(part))) << part;
   }
   EXPECT_FALSE(has(page, "class=\"hint\""));
@@ -123,8 +129,9 @@ TEST_F(ReportTest, SurvivesJsonOfWrongTypes) {
     for (auto& [key, value] : run.items()) value = Json::array({"x", 1, nullptr, {{"a", 1}}});
   });
   write_file(run_ / "result" / "verdict.json", "[1]");
-  write_file(run_ / "result" / "metrics.json",
-             R"({"schema":"legwright/validation","result":{"default":{"feet":[3,{"name":"FL","contacts_s":[1,["a"]]}]}}})");
+  write_file(
+      run_ / "result" / "metrics.json",
+      R"({"schema":"legwright/validation","result":{"default":{"feet":[3,{"name":"FL","contacts_s":[1,["a"]]}]}}})");
   expect_well_formed(page());
 }
 
@@ -138,11 +145,16 @@ TEST_F(ReportTest, HostileNamesStayText) {
   add_pictures();
   const auto elements = [](const std::string& page) {
     std::size_t count = 0;
-    for (std::size_t at = page.find('<'); at != std::string::npos; at = page.find('<', at + 1)) ++count;
+    for (std::size_t at = page.find('<'); at != std::string::npos; at = page.find('<', at + 1))
+      ++count;
     return count;
   };
-  edit_run([](Json& run) { run["parameters"][0]["name"] = "plain"; run["robot"] = "plain"; run["task"]["gait"] = "plain";
-                           run["parameters"][0]["sentence"] = run["status"] = run["sha256"]["robot.xml"] = "plain"; });
+  edit_run([](Json& run) {
+    run["parameters"][0]["name"] = "plain";
+    run["robot"] = "plain";
+    run["task"]["gait"] = "plain";
+    run["parameters"][0]["sentence"] = run["status"] = run["sha256"]["robot.xml"] = "plain";
+  });
   const std::size_t expected = elements(page());
   for (const std::string& raw : hostile_names()) {
     const std::string name = clean_utf8(raw);  // JSON cannot carry other bytes

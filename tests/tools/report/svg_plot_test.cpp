@@ -19,7 +19,8 @@ bool well_formed(const std::string& markup) {
 
 std::size_t count(const std::string& text, const std::string& part) {
   std::size_t found = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+    ++found;
   return found;
 }
 
@@ -68,24 +69,28 @@ TEST(TickLabel, ReadsLikePeopleWrite) {
 TEST(LinePlot, PutsTheLargerValueHigher) {
   const auto y_of_circles = [](const std::string& svg) {
     std::vector<double> y;
-    for (std::size_t at = svg.find("cy=\""); at != std::string::npos; at = svg.find("cy=\"", at + 1)) {
+    for (std::size_t at = svg.find("cy=\""); at != std::string::npos;
+         at = svg.find("cy=\"", at + 1)) {
       y.push_back(std::stod(svg.substr(at + 4)));
     }
     return y;
   };
   for (const bool log : {false, true}) {
-    const auto y = y_of_circles(line_plot({{.name = "F", .x = {0, 1, 2}, .y = {100, 10, 1}, .points = true}},
-                                          {.title = "F", .log_y = log}));
+    const auto y =
+        y_of_circles(line_plot({{.name = "F", .x = {0, 1, 2}, .y = {100, 10, 1}, .points = true}},
+                               {.title = "F", .log_y = log}));
     ASSERT_EQ(y.size(), 3U);
     EXPECT_LT(y[0], y[1]);
     EXPECT_LT(y[1], y[2]);
-    EXPECT_EQ(std::abs((y[1] - y[0]) - (y[2] - y[1])) < 0.2, log);  // only a log scale spaces these evenly
+    EXPECT_EQ(std::abs((y[1] - y[0]) - (y[2] - y[1])) < 0.2,
+              log);  // only a log scale spaces these evenly
   }
 }
 
 TEST(LinePlot, BreaksTheLineWhereThereIsNoNumber) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const auto svg = line_plot({{.name = "a", .x = {0, 1, 2, 3}, .y = {1, nan, 2, 3}}}, {.title = "t"});
+  const auto svg =
+      line_plot({{.name = "a", .x = {0, 1, 2, 3}, .y = {1, nan, 2, 3}}}, {.title = "t"});
   EXPECT_EQ(svg.find("nan"), std::string::npos);
   const auto at = svg.find("class=\"line");
   EXPECT_EQ(count(svg.substr(at, svg.find("/>", at) - at), "M"), 2U);
@@ -93,15 +98,18 @@ TEST(LinePlot, BreaksTheLineWhereThereIsNoNumber) {
 
 TEST(LinePlot, SaysSoWhereThereIsNothing) {
   EXPECT_NE(line_plot({}, {.title = "t"}).find("Nothing to draw"), std::string::npos);
-  EXPECT_NE(line_plot({{.name = "a", .x = {0, 1}, .y = {-1, 0}}}, {.title = "t", .log_y = true}).find("Nothing"),
+  EXPECT_NE(line_plot({{.name = "a", .x = {0, 1}, .y = {-1, 0}}}, {.title = "t", .log_y = true})
+                .find("Nothing"),
             std::string::npos);
 }
 
 TEST(LinePlot, IsWellFormedWhateverItsNames) {
   for (const std::string& name : hostile_names()) {
     const PlotSeries a{.name = name, .x = {0, 1}, .y = {1, 2}};
-    EXPECT_TRUE(well_formed(line_plot({a, a}, {.title = name, .x_label = name, .y_label = name}))) << name;
-    EXPECT_TRUE(well_formed(footfall_plot({{name, {{0.0, 0.5}}, {{0.1, 0.6}}}}, 1.0, name))) << name;
+    EXPECT_TRUE(well_formed(line_plot({a, a}, {.title = name, .x_label = name, .y_label = name})))
+        << name;
+    EXPECT_TRUE(well_formed(footfall_plot({{name, {{0.0, 0.5}}, {{0.1, 0.6}}}}, 1.0, name)))
+        << name;
   }
 }
 

@@ -17,15 +17,27 @@ TEST(ShortNumber, KeepsThreeDigits) {
 }
 
 TEST(TaskWords, TellTheWayAndThePace) {
-  const Json run{{"task", {{"gait", "trot"}, {"velocity", {0.0, -0.1}}, {"turn_rate", 0.0}, {"period_s", 0.4}}}};
+  const Json run{
+      {"task",
+       {{"gait", "trot"}, {"velocity", {0.0, -0.1}}, {"turn_rate", 0.0}, {"period_s", 0.4}}}};
   EXPECT_EQ(task_words(run), "trot, 0.1 m/s to the right, 0.4 s per cycle");
   EXPECT_EQ(task_words(Json::object()), "");
 }
 
 TEST(Parameters, ShowPeopleTheirUnitsAndBounds) {
   const Json run{{"parameters",
-                  {{{"name", "a"}, {"unit", "rad"}, {"initial", 0.0}, {"lower", -1.4}, {"upper", 1.4}, {"final", 1.4}},
-                   {{"name", "b"}, {"unit", "m"}, {"initial", 0.06}, {"lower", 0.03}, {"upper", 0.09}, {"final", 0.05}},
+                  {{{"name", "a"},
+                    {"unit", "rad"},
+                    {"initial", 0.0},
+                    {"lower", -1.4},
+                    {"upper", 1.4},
+                    {"final", 1.4}},
+                   {{"name", "b"},
+                    {"unit", "m"},
+                    {"initial", 0.06},
+                    {"lower", 0.03},
+                    {"upper", 0.09},
+                    {"final", 0.05}},
                    {{"name", "broken"}, {"unit", "m"}, {"initial", "x"}}}}};
   const auto views = parameters_of(run);
   ASSERT_EQ(views.size(), 2U);

@@ -15,7 +15,9 @@ PlanQuality good() {
   return quality;
 }
 
-TEST(Feasibility, AcceptsAPlanThatDoesItsTask) { EXPECT_TRUE(infeasible_reasons(true, good(), "m/s").empty()); }
+TEST(Feasibility, AcceptsAPlanThatDoesItsTask) {
+  EXPECT_TRUE(infeasible_reasons(true, good(), "m/s").empty());
+}
 
 TEST(Feasibility, NamesWhatIsMissed) {
   PlanQuality slow = good();

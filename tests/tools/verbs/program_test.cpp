@@ -58,7 +58,9 @@ Outcome call(const std::vector<std::string>& words) {
   return wait_for(start(words, folder.path()), folder.path());
 }
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
 
 TEST(Program, HelpAndVersionAreFineAndNonsenseIsBadInput) {
   EXPECT_EQ(call({"--help"}).code, 0);
@@ -76,8 +78,8 @@ TEST(Program, HelpAndVersionAreFineAndNonsenseIsBadInput) {
 TEST(Check, ExplainsThePuppy) {
   const Outcome outcome = call({"check", kWalk});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
-  for (const char* part : {"puppy", "4 feet", "12 motors", "body_width", "######", "walk", "0.1 m per cycle",
-                           "friction_cone", "next: legwright optimize"})
+  for (const char* part : {"puppy", "4 feet", "12 motors", "body_width", "######", "walk",
+                           "0.1 m per cycle", "friction_cone", "next: legwright optimize"})
     EXPECT_TRUE(contains(outcome.out, part)) << part << " in:\n" << outcome.out;
 }
 
@@ -124,13 +126,15 @@ TEST(Optimize, ExitsWith3WhereItCannotWrite) {
 std::map<std::string, std::string> files_below(const fs::path& folder) {
   std::map<std::string, std::string> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder))
-    if (entry.is_regular_file()) files[fs::relative(entry.path(), folder).string()] = read_file(entry.path());
+    if (entry.is_regular_file())
+      files[fs::relative(entry.path(), folder).string()] = read_file(entry.path());
   return files;
 }
 
 TEST(Optimize, WritesACompleteRunTwiceTheSame) {
   const TemporaryFolder folder;
-  const std::vector<std::string> words{"optimize", kWalk, "--max-iterations", "1", "--no-pictures", "-o"};
+  const std::vector<std::string> words{"optimize", kWalk,           "--max-iterations",
+                                       "1",        "--no-pictures", "-o"};
   for (const char* run : {"a", "b"}) {
     std::vector<std::string> all = words;
     all.emplace_back(run);
@@ -140,14 +144,16 @@ TEST(Optimize, WritesACompleteRunTwiceTheSame) {
     EXPECT_TRUE(contains(outcome.out, "next: legwright validate"));
   }
   const fs::path a = folder.path() / "a", b = folder.path() / "b";
-  for (const char* name : {"run.json", "events.jsonl", "inputs/task.toml", "inputs/robot.xml", "result/robot.xml",
-                           "result/scene.xml", "result/motion.csv", "result/metrics.json", "iterations/0000/robot.xml",
-                           "iterations/0000/scene.xml", "iterations/0000/motion.csv", "iterations/0000/metrics.json",
-                           "iterations/0001/scene.xml"})
+  for (const char* name :
+       {"run.json", "events.jsonl", "inputs/task.toml", "inputs/robot.xml", "result/robot.xml",
+        "result/scene.xml", "result/motion.csv", "result/metrics.json", "iterations/0000/robot.xml",
+        "iterations/0000/scene.xml", "iterations/0000/motion.csv", "iterations/0000/metrics.json",
+        "iterations/0001/scene.xml"})
     EXPECT_TRUE(fs::is_regular_file(a / name)) << name;
   EXPECT_EQ(files_below(a / "iterations"), files_below(b / "iterations"));
   EXPECT_EQ(files_below(a / "result"), files_below(b / "result"));
-  EXPECT_EQ(read_file(a / "iterations/0000/robot.xml"), read_file(kExamples / "puppy" / "robot.xml"));
+  EXPECT_EQ(read_file(a / "iterations/0000/robot.xml"),
+            read_file(kExamples / "puppy" / "robot.xml"));
 
   const Json run = read_json(a / "run.json");
   EXPECT_EQ(run["schema"], "legwright/run");
@@ -159,32 +165,38 @@ TEST(Optimize, WritesACompleteRunTwiceTheSame) {
   EXPECT_EQ(events[1]["F"], run["motion_only_F"]);
   EXPECT_EQ(events.back()["event"], "end");
 
-  const Outcome again = wait_for(start({"optimize", kWalk, "-o", "a"}, folder.path()), folder.path());
+  const Outcome again =
+      wait_for(start({"optimize", kWalk, "-o", "a"}, folder.path()), folder.path());
   EXPECT_EQ(again.code, 3);
   EXPECT_TRUE(contains(again.err, "--force")) << again.err;
   const Outcome play = wait_for(start({"play", "a", "--print"}, folder.path()), folder.path());
   EXPECT_EQ(play.code, 0) << play.err;
   EXPECT_TRUE(contains(play.out, "mj_loadPluginLibrary")) << play.out;
-  EXPECT_EQ(wait_for(start({"play", "a", "--iteration", "9"}, folder.path()), folder.path()).code, 3);
+  EXPECT_EQ(wait_for(start({"play", "a", "--iteration", "9"}, folder.path()), folder.path()).code,
+            3);
 }
 
 TEST(Optimize, MotionOnlyKeepsTheBodyAndSaysThatItDoesNotDo) {
   const TemporaryFolder folder;
-  const Outcome outcome = wait_for(
-      start({"optimize", kWalk, "--motion-only", "--no-pictures", "--json", "-o", "run"}, folder.path()), folder.path());
+  const Outcome outcome =
+      wait_for(start({"optimize", kWalk, "--motion-only", "--no-pictures", "--json", "-o", "run"},
+                     folder.path()),
+               folder.path());
   EXPECT_EQ(outcome.code, 1) << outcome.err;
   const Json run = Json::parse(outcome.out, nullptr, false);
   ASSERT_FALSE(run.is_discarded());
   EXPECT_FALSE(run["feasible"].get<bool>());
   EXPECT_FALSE(run["reasons"].empty());
-  EXPECT_EQ(read_file(folder.path() / "run/result/robot.xml"), read_file(kExamples / "puppy" / "robot.xml"));
+  EXPECT_EQ(read_file(folder.path() / "run/result/robot.xml"),
+            read_file(kExamples / "puppy" / "robot.xml"));
 }
 
 TEST(Optimize, StopsAtSigintWithAUsableFolder) {
   const TemporaryFolder folder;
   const pid_t child = start({"optimize", kWalk, "--no-pictures", "-o", "run"}, folder.path());
   const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(120);
-  while (!fs::exists(folder.path() / "run/iterations/0001") && std::chrono::steady_clock::now() < limit)
+  while (!fs::exists(folder.path() / "run/iterations/0001") &&
+         std::chrono::steady_clock::now() < limit)
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   ::kill(child, SIGINT);
   const Outcome outcome = wait_for(child, folder.path());
@@ -201,7 +213,8 @@ TEST(Doctor, FindsThePlugin) {
   const Json json = Json::parse(outcome.out, nullptr, false);
   ASSERT_FALSE(json.is_discarded());
   bool plugin = false;
-  for (const Json& item : json["items"]) plugin = plugin || (item["name"] == "plugin" && item["found"] == true);
+  for (const Json& item : json["items"])
+    plugin = plugin || (item["name"] == "plugin" && item["found"] == true);
   EXPECT_TRUE(plugin);
 }
 

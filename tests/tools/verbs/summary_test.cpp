@@ -26,8 +26,10 @@ TEST(RunCommand, PassesWordsUntouchedAndTellsTheExitStatus) {
 TEST(ViewerCommand, SurvivesQuotesInPaths) {
   const auto command = viewer_command("python3", "/a/it's/p.so", "/b \\ c/scene.xml");
   ASSERT_EQ(command.size(), 3u);
-  EXPECT_NE(command[2].find("mj_loadPluginLibrary('/a/it\\'s/p.so')"), std::string::npos) << command[2];
-  EXPECT_NE(command[2].find("launch_from_path('/b \\\\ c/scene.xml')"), std::string::npos) << command[2];
+  EXPECT_NE(command[2].find("mj_loadPluginLibrary('/a/it\\'s/p.so')"), std::string::npos)
+      << command[2];
+  EXPECT_NE(command[2].find("launch_from_path('/b \\\\ c/scene.xml')"), std::string::npos)
+      << command[2];
 }
 
 }  // namespace
