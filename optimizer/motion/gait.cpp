@@ -12,7 +12,8 @@ namespace {
 // Phases closer than this are the same: 3/24 and 0.125 must agree whatever the rounding.
 constexpr double kPhaseTolerance = 1e-9;
 
-/// ((knot / knot_count − touchdown) mod 1) < duty, with ties decided for touchdown and against lift-off.
+/// ((knot / knot_count − touchdown) mod 1) < duty, with ties decided for touchdown and against
+/// lift-off.
 bool stance(int knot, int knot_count, double touchdown, double duty) {
   const double phase = static_cast<double>(knot) / knot_count - touchdown + kPhaseTolerance;
   return phase - std::floor(phase) < duty;

@@ -12,7 +12,7 @@ const std::vector<TermEntry>& term_registry() {
       {"turning", "(9)", 1e3, make_turning},
       {"style_com", "(10)", 20.0, make_style_com},
       {"style_foot", "(10)", 0.3, make_style_foot},
-      {"trunk_orientation", "(10)", 1.0, make_trunk_orientation},
+      {"trunk_orientation", "(10)", 30.0, make_trunk_orientation},
       {"nominal_pose", "-", 1e-2, make_nominal_pose},
       {"smoothness", "(11)", 0.3, make_smoothness},
       // Constraints.

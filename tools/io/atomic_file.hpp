@@ -7,14 +7,16 @@
 
 namespace legwright {
 
-/// How far a write goes before it returns: readers always see the old or the new file, never a part.
+/// How far a write goes before it returns: readers always see the old or the new file, never a
+/// part.
 enum class Durability {
   process,  // survives the end of this process; a power cut may lose it
   power,    // file and folder are flushed to the disk first
 };
 
-/// Writes a file whole or not at all: a temporary file in the same folder, then a rename over `path`.
-/// Throws std::system_error that names the path; the old file is then untouched and no temporary left.
+/// Writes a file whole or not at all: a temporary file in the same folder, then a rename over
+/// `path`. Throws std::system_error that names the path; the old file is then untouched and no
+/// temporary left.
 void write_file(const std::filesystem::path& path, std::string_view bytes,
                 Durability durability = Durability::power);
 

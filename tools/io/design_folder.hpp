@@ -28,13 +28,15 @@ struct PlanQuality {
 /// All but the root residual, which write_design() knows.
 PlanQuality plan_quality(const Objective& objective, const Eigen::VectorXd& m);
 
-/// metrics.json of an iteration (schema legwright/iteration): no times, so equal runs give equal bytes.
+/// metrics.json of an iteration (schema legwright/iteration): no times, so equal runs give equal
+/// bytes.
 Json iteration_metrics(const DesignSpace& space, const DesignIteration& iteration,
                        const PlanQuality& quality);
 
-/// Writes a complete, openable design: robot.xml, scene.xml, motion.csv, metrics.json. The folder appears whole:
-/// written under a temporary name beside it, then renamed. Throws std::system_error where the disk fails or the
-/// folder exists. @return the quality of the plan, root residual included.
+/// Writes a complete, openable design: robot.xml, scene.xml, motion.csv, metrics.json. The folder
+/// appears whole: written under a temporary name beside it, then renamed. Throws std::system_error
+/// where the disk fails or the folder exists. @return the quality of the plan, root residual
+/// included.
 PlanQuality write_design(const std::filesystem::path& folder, const RobotModel& robot,
                          const Objective& objective, const DesignIteration& iteration,
                          Durability durability = Durability::power);

@@ -9,11 +9,12 @@
 
 namespace legwright {
 
-/// One line of events.jsonl without its newline: the event's JSON with a last field "crc", the CRC-32 of the
-/// line as it would be without that field.
+/// One line of events.jsonl without its newline: the event's JSON with a last field "crc", the
+/// CRC-32 of the line as it would be without that field.
 std::string event_line(const Json& event);
 
-/// The file events.jsonl, append-only. Each line is one write, so a reader beside us sees whole lines.
+/// The file events.jsonl, append-only. Each line is one write, so a reader beside us sees whole
+/// lines.
 class EventLog {
  public:
   /// Creates the file. Throws std::system_error where it exists already or cannot be written.
@@ -32,8 +33,8 @@ class EventLog {
   int descriptor_;
 };
 
-/// The events of a log up to the first line that is torn or fails its CRC; their "crc" fields removed.
-/// Throws std::system_error where the file cannot be read.
+/// The events of a log up to the first line that is torn or fails its CRC; their "crc" fields
+/// removed. Throws std::system_error where the file cannot be read.
 std::vector<Json> read_events(const std::filesystem::path& path);
 
 }  // namespace legwright

@@ -9,14 +9,15 @@
 
 namespace legwright {
 
-/// The file of the running program. Throws std::filesystem::filesystem_error where the system does not tell.
+/// The file of the running program. Throws std::filesystem::filesystem_error where the system does
+/// not tell.
 std::filesystem::path program_file();
 
 /// The words of the command line that started this process, its own name first.
 std::vector<std::string> command_line();
 
-/// Versions of what a result depends on: legwright, mujoco, eigen, cholmod, compiler. Libraries that are loaded
-/// are asked; "not loaded" where they are not.
+/// Versions of what a result depends on: legwright, mujoco, eigen, cholmod, compiler. Libraries
+/// that are loaded are asked; "not loaded" where they are not.
 Json versions();
 /// Of Legwright alone.
 std::string program_version();

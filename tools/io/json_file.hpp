@@ -20,7 +20,8 @@ std::string to_text(const Json& document);
 
 void write_json(const std::filesystem::path& path, const Json& document,
                 Durability durability = Durability::power);
-/// Throws IoError that names the file where it is no JSON, std::system_error where it cannot be read.
+/// Throws IoError that names the file where it is no JSON, std::system_error where it cannot be
+/// read.
 Json read_json(const std::filesystem::path& path);
 
 /// {"name": value, …} for a vector in the order of the design's parameters.

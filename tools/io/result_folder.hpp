@@ -8,9 +8,10 @@ namespace legwright {
 /// Where the files of a run are: run.json, inputs/, events.jsonl, iterations/NNNN/, result/.
 class ResultFolder {
  public:
-  /// Makes the folder of a new run, with inputs/ and iterations/ in it. Throws IoError, with a way out in its
-  /// message, where it holds a run (unless `force`: that run is removed first) or files of the same names that are
-  /// no run (never removed), and where it cannot be written. What is already there is untouched when it throws.
+  /// Makes the folder of a new run, with inputs/ and iterations/ in it. Throws IoError, with a way
+  /// out in its message, where it holds a run (unless `force`: that run is removed first) or files
+  /// of the same names that are no run (never removed), and where it cannot be written. What is
+  /// already there is untouched when it throws.
   static ResultFolder create(const std::filesystem::path& root, bool force);
   /// An existing run. Throws IoError where `root` holds none.
   static ResultFolder open(const std::filesystem::path& root);

@@ -13,8 +13,8 @@
 
 namespace legwright {
 
-/// A task file as it was written: everything that can be known without the robot. SI units. Keys that are
-/// absent in the file have the defaults that stand here.
+/// A task file as it was written: everything that can be known without the robot. SI units. Keys
+/// that are absent in the file have the defaults that stand here.
 struct TaskFile {
   std::filesystem::path file;
   std::string text;  // byte for byte
@@ -42,21 +42,24 @@ struct TaskFile {
   int line(const std::string& key) const;
 };
 
-/// Reads a task file strictly: TOML 1.0, known keys only, right types, finite and in range. Throws InputError
-/// with one line for each thing that is wrong; also where the file or its robot is missing.
+/// Reads a task file strictly: TOML 1.0, known keys only, right types, finite and in range. Throws
+/// InputError with one line for each thing that is wrong; also where the file or its robot is
+/// missing.
 TaskFile read_task_file(const std::filesystem::path& file);
 /// The same from text; `file` is for messages and to find the robot from.
 TaskFile parse_task_file(const std::string& text, const std::filesystem::path& file);
 
-/// The task for this robot: gait pattern chosen, feet put in the robot's order, seconds turned into knots.
-/// Throws InputError, with file and line of the key, where task and robot do not fit or the speed is out of reach.
+/// The task for this robot: gait pattern chosen, feet put in the robot's order, seconds turned into
+/// knots. Throws InputError, with file and line of the key, where task and robot do not fit or the
+/// speed is out of reach.
 Task make_task(const TaskFile& file, const RobotModel& robot);
 
-/// Knots planted on either side of stance: `seconds` in knots, at least one. Without a wish 35 ms for gaits of
-/// duty ≤ 0.6 (touchdown comes that much early or late), else one knot.
+/// Knots planted on either side of stance: `seconds` in knots, at least one. Without a wish 35 ms
+/// for gaits of duty ≤ 0.6 (touchdown comes that much early or late), else one knot.
 int planted_margin_knots(std::optional<double> seconds, double duty, double time_step);
 
-/// How far the body travels while a foot stands, at most and as far as the robot could ever reach [m].
+/// How far the body travels while a foot stands, at most and as far as the robot could ever reach
+/// [m].
 struct StrideBound {
   double per_cycle = 0.0;   // of the body, per period
   double per_stance = 0.0;  // of the body while one foot stands

@@ -33,11 +33,12 @@ struct Range {
   std::string_view unit;  // "s", "m/s", … or empty
 };
 
-/// Reads one table strictly: every key must be asked for, have the right type and lie in range. What is wrong
-/// goes to `problems`; the value is then absent.
+/// Reads one table strictly: every key must be asked for, have the right type and lie in range.
+/// What is wrong goes to `problems`; the value is then absent.
 class TableReader {
  public:
-  /// @param prefix path of the table, "" for the root, for messages. @param table may be null: all keys absent.
+  /// @param prefix path of the table, "" for the root, for messages. @param table may be null: all
+  /// keys absent.
   TableReader(const toml::table* table, std::string prefix, Problems& problems,
               std::map<std::string, int>& lines);
 
@@ -75,7 +76,8 @@ class TableReader {
   std::vector<std::string> known_;
 };
 
-/// The candidate with the smallest edit distance to `word`, if it is near enough to be meant; else "".
+/// The candidate with the smallest edit distance to `word`, if it is near enough to be meant; else
+/// "".
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
 
 }  // namespace legwright

@@ -115,8 +115,11 @@ std::string escape_json_island(std::string_view json) {
 std::string escape_markdown(std::string_view text) {
   std::string out;
   for (const char c : escape_text(text)) {
-    if (std::string_view("\\`*_{}[]()#+-.!|~$:@/").find(c) != std::string_view::npos) out += '\\';
+    if (std::string_view("\\`*_{}[]|~$#@").find(c) != std::string_view::npos) out += '\\';
     out += c;
+    // Addresses become links by themselves: break them up.
+    if (out.ends_with("://")) out.replace(out.size() - 2, 2, "\\/\\/");
+    if (out.ends_with("www.")) out.replace(out.size() - 1, 1, "\\.");
   }
   return out;
 }

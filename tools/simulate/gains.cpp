@@ -82,10 +82,15 @@ std::string scale_gains(const std::string& scene_xml, double scale, const std::s
       ++scaled_classes;
     }
   });
+  if (scaled_keys == 0) {
+    throw MujocoError(name + ": the scene has no instance of the plugin " + kPluginName +
+                      " with gains kp and kd: nothing would move the robot; play the scene.xml " +
+                      "that `legwright optimize` writes");
+  }
   if (scaled_keys < 2 || scaled_classes == 0) {
-    throw MujocoError(
-        name + ": the gains cannot be scaled: expected an instance of " + kPluginName +
-        " with the keys kp and kd, and default classes with biasprm for its actuators");
+    throw MujocoError(name +
+                      ": the gains cannot be scaled: expected both keys kp and kd, and "
+                      "default classes with biasprm for the actuators (plugin/README.md)");
   }
   tinyxml2::XMLPrinter printer;
   document.Print(&printer);

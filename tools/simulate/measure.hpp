@@ -49,10 +49,9 @@ struct Measurements {
   std::optional<double> lateral_drift;  // across the wanted direction [m/s], positive to its left
   std::optional<double> turn_rate;      // [rad/s]
   std::optional<double> turn_ratio;     // over the task's turn rate
-  double heading_at_start =
-      0.0;  // of the trunk in the plan at phase 0, whose wanted heading is 0 [rad]
-  double heading_drift = 0.0;  // turned by at the end, less what the task wants [rad]
-  double tilt_max = 0.0;       // [rad]
+  double heading_at_start = 0.0;        // of the trunk in the plan at phase 0; 0 is wanted [rad]
+  double heading_drift = 0.0;           // turned by at the end, less what the task wants [rad]
+  double tilt_max = 0.0;                // [rad]
 
   std::vector<FootMeasures> feet;
   std::vector<JointMeasures> joints;

@@ -21,8 +21,8 @@ struct PlayablePlan {
   double root_residual = 0.0;
   /// Largest feed-forward torque over its servo's limit: above 1 the plan asks for too much.
   double torque_share = 0.0;
-  Eigen::Vector3d travel = Eigen::Vector3d::Zero();  // per cycle, as the plan reached it [m]; z is 0
-  double turn = 0.0;                                 // per cycle, as the plan reached it [rad]
+  Eigen::Vector3d travel = Eigen::Vector3d::Zero();  // of the plan per cycle [m]; z is 0
+  double turn = 0.0;                                 // of the plan per cycle [rad]
 };
 
 /// Feed-forward by MuJoCo's inverse dynamics of the played B-spline minus Jᵀ·planned forces, at

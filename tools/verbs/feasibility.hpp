@@ -8,8 +8,9 @@
 
 namespace legwright {
 
-/// Why a plan does not do its task: empty if it does. Coarse on purpose: physics gives the verdict (`validate`), this
-/// only catches plans that miss the speed or whose constraints are plainly broken.
+/// Why a plan does not do its task: empty if it does. Coarse on purpose: physics gives the verdict
+/// (`validate`), this only catches plans that miss the speed or whose constraints are plainly
+/// broken.
 /// @param usable false where the optimizer found no finite motion @param unit of the speed
 std::vector<std::string> infeasible_reasons(bool usable, const PlanQuality& quality,
                                             const std::string& unit);

@@ -53,7 +53,8 @@ class Recorder {
   /// @return false to stop
   bool iteration(const DesignIteration& iteration) {
     const auto start = std::chrono::steady_clock::now();
-    // Rename is enough here: a killed process loses nothing, and a flush to disk would take longer than the step.
+    // Rename is enough here: a killed process loses nothing, and a flush to disk would take longer
+    // than the step.
     const fs::path folder = folder_.iteration(iteration.index);
     const PlanQuality quality =
         write_design(folder, robot_, objective_, iteration, Durability::process);

@@ -10,8 +10,8 @@
 
 namespace legwright {
 
-/// Draws frame.png into design folders on a thread of its own, at low priority, so that the optimization never
-/// waits. A failure ends the pictures, never the run.
+/// Draws frame.png into design folders on a thread of its own, at low priority, so that the
+/// optimization never waits. A failure ends the pictures, never the run.
 class PictureQueue {
  public:
   /// @param wanted false: does nothing at all

@@ -14,7 +14,8 @@ int iterations_left(const std::vector<double>& history, double tolerance, int mo
   const std::size_t n = history.size();
   if (most <= 0) return 0;
   if (n < 5) return most;
-  // Decreases over three iterations, now and one iteration before: assume that they shrink at this rate.
+  // Decreases over three iterations, now and one iteration before: assume that they shrink at this
+  // rate.
   const double scale = std::max(std::abs(history[n - 1]), 1e-300);
   const double now = (history[n - 4] - history[n - 1]) / scale;
   const double before = (history[n - 5] - history[n - 2]) / scale;

@@ -10,10 +10,12 @@
 namespace legwright {
 
 /// How many design iterations are still to come, guessed from how fast F settles; `most` at most.
-/// @param history F of each iteration so far @param tolerance relative decrease over three iterations that ends it
+/// @param history F of each iteration so far @param tolerance relative decrease over three
+/// iterations that ends it
 int iterations_left(const std::vector<double>& history, double tolerance, int most);
 
-/// Tells on stderr how an optimization goes: one live line on a terminal, a line per iteration elsewhere.
+/// Tells on stderr how an optimization goes: one live line on a terminal, a line per iteration
+/// elsewhere.
 class Progress {
  public:
   enum class Mode { quiet, lines, live };

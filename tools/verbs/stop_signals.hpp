@@ -7,8 +7,8 @@
 
 namespace legwright {
 
-/// While one lives, SIGINT, SIGTERM, SIGHUP and SIGUSR1 only ask to stop; a second SIGINT ends the process at once.
-/// One at a time.
+/// While one lives, SIGINT, SIGTERM, SIGHUP and SIGUSR1 only ask to stop; a second SIGINT ends the
+/// process at once. One at a time.
 class StopSignals {
  public:
   StopSignals();

@@ -56,7 +56,7 @@ TEST(Escape, JsonIslandCannotEndItsElementAndSaysTheSame) {
 
 TEST(Escape, MarkdownHasNoLinksOrMarkupLeft) {
   EXPECT_EQ(escape_markdown("[x](http://e.org) <b> a|b"),
-            "\\[x\\]\\(http\\:\\/\\/e\\.org\\) &lt;b&gt; a\\|b");
+            "\\[x\\](http:\\/\\/e.org) &lt;b&gt; a\\|b");
 }
 
 TEST(Escape, UnescapedNameWouldBreakThePage) {  // negative control: the check above can fail
