@@ -60,6 +60,24 @@ class TemporaryFolder {
 
 }  // namespace
 
+namespace {
+
+/// How far standing feet are moved, over how far the robot travels in that time. A ball that rolls moves its
+/// centre a little; a plan that cannot take steps slides its feet along and comes close to one.
+double slide_share(const Objective& objective, const MotionView& motion, double speed) {
+  const Task& task = objective.task();
+  double slid = 0.0, travelled = 0.0;
+  for (int knot = 0; knot < objective.layout().knot_count(); ++knot)
+    for (int foot = 0; foot < objective.layout().foot_count(); ++foot) {
+      if (!task.gait.in_contact(knot, foot) || !task.gait.in_contact(knot + 1, foot)) continue;
+      slid += (motion.foot_W(knot + 1, foot) - motion.foot_W(knot, foot)).head<2>().norm();
+      travelled += speed * task.gait.time_step();
+    }
+  return travelled > 0.0 ? slid / travelled : 0.0;
+}
+
+}  // namespace
+
 PlanQuality plan_quality(const Objective& objective, const Eigen::VectorXd& m) {
   const Task& task = objective.task();
   const Layout& layout = objective.layout();
@@ -73,6 +91,7 @@ PlanQuality plan_quality(const Objective& objective, const Eigen::VectorXd& m) {
   const Eigen::Vector2d wanted = objective.path().travel().head<2>() / task.gait.period();
   quality.speed_wanted = wanted.norm();
   if (quality.speed_wanted > 1e-9) {
+    quality.slide_share = slide_share(objective, motion, quality.speed_wanted);
     quality.speed_reached = quality.planned_velocity.dot(wanted) / quality.speed_wanted;
   } else {  // on the spot
     quality.speed_wanted = std::abs(task.turn_rate);
@@ -109,6 +128,7 @@ Json iteration_metrics(const DesignSpace& space, const DesignIteration& iteratio
           {"speed_wanted", quality.speed_wanted},
           {"heading_error_rad", quality.heading_error},
           {"ground_error_m", quality.ground_error},
+          {"slide_share", quality.slide_share},
           {"root_residual", quality.root_residual},
           {"design_gradient", by_name(space, iteration.design_gradient)},
           {"projected_gradient_norm", iteration.projected_gradient_norm},

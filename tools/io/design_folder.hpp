@@ -21,6 +21,7 @@ struct PlanQuality {
   double speed_wanted = 0.0;   // the same
   double heading_error = 0.0;  // of the trunk from the wanted heading, largest [rad]
   double ground_error = 0.0;   // of a standing foot from the ground, largest [m]
+  double slide_share = 0.0;    // distance that standing feet are moved over that of the trunk
   double root_residual =
       0.0;  // root force that the plan does not explain, largest, share of the weight
 };

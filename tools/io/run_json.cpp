@@ -68,6 +68,7 @@ void finish_run(Json& run, const std::string& status, const CodesignResult& resu
   run["speed_reached"] = quality.speed_reached;
   run["heading_error_rad"] = quality.heading_error;
   run["ground_error_m"] = quality.ground_error;
+  run["slide_share"] = quality.slide_share;
   run["root_residual"] = quality.root_residual;
   run["seconds"] = {{"total", result.seconds.total},
                     {"motion", result.seconds.motion},

@@ -9,6 +9,7 @@ namespace {
 constexpr double kLeastSpeedShare = 0.9;
 constexpr double kMostHeadingError = 0.35;  // [rad]
 constexpr double kMostGroundError = 0.005;  // [m]
+constexpr double kMostSlideShare = 0.5;     // of the distance travelled
 constexpr double kMostRootResidual = 0.5;   // share of the weight
 
 }  // namespace
@@ -28,6 +29,10 @@ std::vector<std::string> infeasible_reasons(bool usable, const PlanQuality& qual
   if (quality.ground_error > kMostGroundError)
     reasons.push_back(
         fmt::format("a standing foot is {:.1f} mm off the ground", 1e3 * quality.ground_error));
+  if (quality.slide_share > kMostSlideShare)
+    reasons.push_back(fmt::format(
+        "standing feet slide over {:.0f} % of the way; the body cannot step in that direction",
+        100.0 * quality.slide_share));
   if (quality.root_residual > kMostRootResidual)
     reasons.push_back(fmt::format("forces of {:.0f} % of the weight are unexplained by the feet",
                                   100.0 * quality.root_residual));

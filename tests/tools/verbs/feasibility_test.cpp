@@ -30,6 +30,9 @@ TEST(Feasibility, NamesWhatIsMissed) {
   PlanQuality floating = good();
   floating.ground_error = 0.02;
   EXPECT_NE(infeasible_reasons(true, floating, "m/s").at(0).find("20.0 mm"), std::string::npos);
+  PlanQuality sliding = good();
+  sliding.slide_share = 0.97;
+  EXPECT_NE(infeasible_reasons(true, sliding, "m/s").at(0).find("97 %"), std::string::npos);
   PlanQuality pushed = good();
   pushed.root_residual = 0.8;
   EXPECT_NE(infeasible_reasons(true, pushed, "m/s").at(0).find("80 %"), std::string::npos);
