@@ -22,9 +22,11 @@ std::vector<InnerMotion> inner_motion(const Link& link, const Eigen::VectorXd& s
   for (const PointMass& point : link.masses)
     for (const AffineVector::Slope& slope : point.position.slopes)
       if (find(slope.parameter) == inner.end())
-        inner.push_back({slope.parameter, Vector3d::Zero(), Eigen::Matrix<double, 3, 4>::Zero(), {}});
+        inner.push_back(
+            {slope.parameter, Vector3d::Zero(), Eigen::Matrix<double, 3, 4>::Zero(), {}});
   for (InnerMotion& k : inner)
-    for (std::size_t l = 0; l < inner.size(); ++l) k.products.push_back({static_cast<int>(l), Eigen::Matrix3d::Zero()});
+    for (std::size_t l = 0; l < inner.size(); ++l)
+      k.products.push_back({static_cast<int>(l), Eigen::Matrix3d::Zero()});
   for (const PointMass& point : link.masses) {
     const Vector4d u = point.position.at(s).homogeneous();
     for (const AffineVector::Slope& slope : point.position.slopes) {
@@ -67,7 +69,8 @@ AxisAtDesign axis_at(const JointAxis& joint_axis, const Eigen::VectorXd& s) {
 
 GeometryAtDesign::GeometryAtDesign(const Morphology& morphology, const Eigen::VectorXd& s) {
   for (const Link& link : morphology.links) {
-    LinkAtDesign at{link.origin.at(s), axis_at(link.joint.axis, s), Eigen::Matrix4d::Zero(), inner_motion(link, s)};
+    LinkAtDesign at{link.origin.at(s), axis_at(link.joint.axis, s), Eigen::Matrix4d::Zero(),
+                    inner_motion(link, s)};
     for (const PointMass& point : link.masses) {
       const Vector4d u = point.position.at(s).homogeneous();
       at.moments += point.mass * u * u.transpose();

@@ -29,7 +29,8 @@ struct InnerMotion {
   int parameter;
   Eigen::Vector3d first;                // Σ m u_k
   Eigen::Matrix<double, 3, 4> moments;  // Σ m u_k [u; 1]ᵀ
-  std::vector<std::pair<int, Eigen::Matrix3d>> products;  // (index of another InnerMotion, Σ m u_k u_lᵀ)
+  std::vector<std::pair<int, Eigen::Matrix3d>>
+      products;  // (index of another InnerMotion, Σ m u_k u_lᵀ)
 };
 
 /// A link's measures at one design. `moments` = Σ m [u; 1][u; 1]ᵀ holds mass, centre and inertia at once.

@@ -25,7 +25,8 @@ Ancestry::Ancestry(const Morphology& morphology) {
   const int n = static_cast<int>(morphology.links.size());
   table_.setConstant(n, n, false);
   for (int lower = 0; lower < n; ++lower)
-    for (int upper = lower; upper >= 0; upper = morphology.links[upper].parent) table_(upper, lower) = true;
+    for (int upper = lower; upper >= 0; upper = morphology.links[upper].parent)
+      table_(upper, lower) = true;
 }
 
 Eigen::Matrix4d PoseKinematics::transform(int link) const {
@@ -60,13 +61,15 @@ void PoseKinematics::add_root(const Eigen::VectorXd& q) {
     for (int b = a; b < 3; ++b) seconds_.push_back({first + a, first + b, root.second[a][b]});
 }
 
-void PoseKinematics::add_joint_movers(int index, const AxisAtDesign& at, double angle, const Matrix3d& before,
-                                      int design_start, bool with_design) {
+void PoseKinematics::add_joint_movers(int index, const AxisAtDesign& at, double angle,
+                                      const Matrix3d& before, int design_start, bool with_design) {
   // R(a, q) = cos q I + sin q [a]× + (1 − cos q) a aᵀ, its derivatives written as [turn]× R and second · R.
   const Vector3d& a = at.axis;
   const double c = std::cos(angle), s = std::sin(angle);
   const Matrix3d inverse = rotation_about(a, angle).transpose();
-  const auto world = [&](const Matrix3d& m) -> Matrix3d { return before * (m * inverse) * before.transpose(); };
+  const auto world = [&](const Matrix3d& m) -> Matrix3d {
+    return before * (m * inverse) * before.transpose();
+  };
   const auto symmetric = [](const Vector3d& v, const Vector3d& w) -> Matrix3d {
     return v * w.transpose() + w * v.transpose();
   };
@@ -84,14 +87,15 @@ void PoseKinematics::add_joint_movers(int index, const AxisAtDesign& at, double 
   }
   for (int k = 0; k < count; ++k)
     for (int l = k; l < count; ++l) {
-      const Matrix3d both = s * skew(at.second[k][l]) +
-                            (1 - c) * (symmetric(at.first[k], at.first[l]) + symmetric(a, at.second[k][l]));
+      const Matrix3d both =
+          s * skew(at.second[k][l]) +
+          (1 - c) * (symmetric(at.first[k], at.first[l]) + symmetric(a, at.second[k][l]));
       seconds_.push_back({first + 1 + k, first + 1 + l, world(both)});
     }
 }
 
-void PoseKinematics::add_link(const Link& link, int index, const LinkAtDesign& at, double angle, int design_start,
-                              bool with_design) {
+void PoseKinematics::add_link(const Link& link, int index, const LinkAtDesign& at, double angle,
+                              int design_start, bool with_design) {
   const Matrix3d& parent = rotation_[link.parent];
   origin_[index] = origin_[link.parent] + parent * at.origin;
   if (with_design)
@@ -117,8 +121,8 @@ void PoseKinematics::compute(const Morphology& morphology, const GeometryAtDesig
   if (!with_design) return;
   for (int l = 0; l < link_count; ++l)
     for (std::size_t k = 0; k < geometry.links[l].inner.size(); ++k) {
-      Mover mover{design_start + geometry.links[l].inner[k].parameter, Mover::Kind::inner, l, Vector3d::Zero(),
-                  Matrix34::Zero()};
+      Mover mover{design_start + geometry.links[l].inner[k].parameter, Mover::Kind::inner, l,
+                  Vector3d::Zero(), Matrix34::Zero()};
       mover.inner_index = static_cast<int>(k);
       movers_.push_back(mover);
     }
@@ -132,12 +136,14 @@ PoseKinematics PoseKinematics::moved(const Matrix3d& turn, const Vector3d& shift
   }
   for (Mover& mover : out.movers_) {
     mover.turn = turn * mover.turn;
-    if (mover.kind == Mover::Kind::translation) mover.velocity.col(3) = turn * mover.velocity.col(3).eval();
+    if (mover.kind == Mover::Kind::translation)
+      mover.velocity.col(3) = turn * mover.velocity.col(3).eval();
     if (mover.kind != Mover::Kind::rotation) continue;
     mover.velocity.leftCols<3>() = skew(mover.turn);
     mover.velocity.col(3) = -mover.turn.cross(out.origin_[mover.link]);
   }
-  for (SameLinkSecond& second : out.seconds_) second.second = turn * second.second * turn.transpose();
+  for (SameLinkSecond& second : out.seconds_)
+    second.second = turn * second.second * turn.transpose();
   return out;
 }
 
@@ -151,7 +157,8 @@ void PointDerivatives::add_curvature(const Ancestry& ancestry, const Vector3d& m
     if (!upper.rotates) continue;
     const Vector3d lever = multiplier.cross(upper.turn);  // μ·(turn × rate) = (μ × turn)·rate
     for (const Effect& lower : effects)
-      if (ancestry.strictly_above(upper.link, lower.link) || (lower.inner && upper.link == lower.link))
+      if (ancestry.strictly_above(upper.link, lower.link) ||
+          (lower.inner && upper.link == lower.link))
         add_pair(hessian, upper.column, lower.column, lever.dot(lower.rate));
   }
   for (const Second& second : seconds) {
@@ -163,8 +170,9 @@ void PointDerivatives::add_curvature(const Ancestry& ancestry, const Vector3d& m
   }
 }
 
-void foot_from_pose(const Morphology& morphology, const GeometryAtDesign& geometry, const Ancestry& ancestry,
-                    const PoseKinematics& pose, int foot, const Columns& columns, PointDerivatives& out) {
+void foot_from_pose(const Morphology& morphology, const GeometryAtDesign& geometry,
+                    const Ancestry& ancestry, const PoseKinematics& pose, int foot,
+                    const Columns& columns, PointDerivatives& out) {
   const Foot& data = morphology.feet[foot];
   const Vector3d p = pose.origin(data.link) + pose.rotation(data.link) * geometry.feet[foot];
   out.value = p;
@@ -172,23 +180,24 @@ void foot_from_pose(const Morphology& morphology, const GeometryAtDesign& geomet
   out.seconds.clear();
   for (const Mover& mover : pose.movers()) {
     if (mover.kind == Mover::Kind::inner || !ancestry.contains(mover.link, data.link)) continue;
-    out.effects.push_back({columns[mover.coordinate], mover.link, mover.kind == Mover::Kind::rotation, false,
-                           mover.turn, mover.velocity * p.homogeneous()});
+    out.effects.push_back({columns[mover.coordinate], mover.link,
+                           mover.kind == Mover::Kind::rotation, false, mover.turn,
+                           mover.velocity * p.homogeneous()});
   }
   if (pose.with_design())
     for (const AffineVector::Slope& slope : data.position.slopes)
-      out.effects.push_back({columns[morphology.pose_size() + slope.parameter], data.link, false, true,
-                             Vector3d::Zero(), pose.rotation(data.link) * slope.slope});
+      out.effects.push_back({columns[morphology.pose_size() + slope.parameter], data.link, false,
+                             true, Vector3d::Zero(), pose.rotation(data.link) * slope.slope});
   for (const SameLinkSecond& second : pose.same_link_seconds()) {
     const Mover &a = pose.movers()[second.a], &b = pose.movers()[second.b];
     if (!ancestry.contains(a.link, data.link)) continue;
-    out.seconds.push_back({columns[a.coordinate], columns[b.coordinate], second.second * (p - pose.origin(a.link)),
-                           second.a == second.b});
+    out.seconds.push_back({columns[a.coordinate], columns[b.coordinate],
+                           second.second * (p - pose.origin(a.link)), second.a == second.b});
   }
 }
 
-void com_from_pose(const Morphology& morphology, const GeometryAtDesign& geometry, const PoseKinematics& pose,
-                   const Columns& columns, PointDerivatives& out) {
+void com_from_pose(const Morphology& morphology, const GeometryAtDesign& geometry,
+                   const PoseKinematics& pose, const Columns& columns, PointDerivatives& out) {
   // Share of the mass, and of mass times position, of each link with all below it.
   const int link_count = static_cast<int>(geometry.links.size());
   std::vector<Eigen::Vector4d> below(link_count);
@@ -200,18 +209,20 @@ void com_from_pose(const Morphology& morphology, const GeometryAtDesign& geometr
   out.seconds.clear();
   for (const Mover& mover : pose.movers()) {
     const bool inner = mover.kind == Mover::Kind::inner;
-    const Vector3d rate =
-        inner ? Vector3d(pose.rotation(mover.link) *
-                         geometry.links[mover.link].inner[mover.inner_index].first / geometry.total_mass)
-              : Vector3d(mover.velocity * below[mover.link]);
-    out.effects.push_back({columns[mover.coordinate], mover.link, mover.kind == Mover::Kind::rotation, inner,
-                           mover.turn, rate});
+    const Vector3d rate = inner
+                              ? Vector3d(pose.rotation(mover.link) *
+                                         geometry.links[mover.link].inner[mover.inner_index].first /
+                                         geometry.total_mass)
+                              : Vector3d(mover.velocity * below[mover.link]);
+    out.effects.push_back({columns[mover.coordinate], mover.link,
+                           mover.kind == Mover::Kind::rotation, inner, mover.turn, rate});
   }
   for (const SameLinkSecond& second : pose.same_link_seconds()) {
     const Mover &a = pose.movers()[second.a], &b = pose.movers()[second.b];
     const Eigen::Vector4d& sum = below[a.link];
     out.seconds.push_back({columns[a.coordinate], columns[b.coordinate],
-                           second.second * (sum.head<3>() - sum[3] * pose.origin(a.link)), second.a == second.b});
+                           second.second * (sum.head<3>() - sum[3] * pose.origin(a.link)),
+                           second.a == second.b});
   }
 }
 

@@ -16,10 +16,10 @@ struct Mover {
   enum class Kind { translation, rotation, inner };
   int coordinate;  // within [q; s]
   Kind kind;
-  int link;                             // moves this link and all below it; `inner`: this link's points only
-  Eigen::Vector3d turn;                 // rotation: spatial rate about the link's origin
+  int link;              // moves this link and all below it; `inner`: this link's points only
+  Eigen::Vector3d turn;  // rotation: spatial rate about the link's origin
   Eigen::Matrix<double, 3, 4> velocity;  // translation, rotation
-  int inner_index = -1;                 // inner: entry of LinkAtDesign::inner
+  int inner_index = -1;                  // inner: entry of LinkAtDesign::inner
 };
 
 /// Second derivative of a link's own rotation: ∂²R/∂c_a∂c_b Rᵀ in the world frame, for two movers of one link.
@@ -34,8 +34,8 @@ struct SameLinkSecond {
 class PoseKinematics {
  public:
   /// @param q pose (root position, root rotation vector, joint angles) @param with_design also movers of s.
-  void compute(const Morphology& morphology, const GeometryAtDesign& geometry, const Eigen::VectorXd& q,
-               bool with_design);
+  void compute(const Morphology& morphology, const GeometryAtDesign& geometry,
+               const Eigen::VectorXd& q, bool with_design);
 
   /// The same robot elsewhere: every world point p moved to turn·p + shift. Derivatives follow.
   PoseKinematics moved(const Eigen::Matrix3d& turn, const Eigen::Vector3d& shift) const;
@@ -52,8 +52,8 @@ class PoseKinematics {
   void add_root(const Eigen::VectorXd& q);
   void add_link(const Link& link, int index, const LinkAtDesign& at, double angle, int design_start,
                 bool with_design);
-  void add_joint_movers(int index, const AxisAtDesign& axis, double angle, const Eigen::Matrix3d& before,
-                        int design_start, bool with_design);
+  void add_joint_movers(int index, const AxisAtDesign& axis, double angle,
+                        const Eigen::Matrix3d& before, int design_start, bool with_design);
   void add_rotation(int link, int coordinate, const Eigen::Vector3d& turn);
   void add_translation(int link, int coordinate, const Eigen::Vector3d& rate);
 
@@ -81,9 +81,9 @@ class Ancestry {
 struct PointDerivatives {
   struct Effect {
     int column;
-    int link;            // of the mover
-    bool rotates;        // mover turns everything below it ...
-    bool inner;          // ... or moves points inside its link
+    int link;      // of the mover
+    bool rotates;  // mover turns everything below it ...
+    bool inner;    // ... or moves points inside its link
     Eigen::Vector3d turn;
     Eigen::Vector3d rate;  // ∂y/∂c
   };
@@ -99,18 +99,20 @@ struct PointDerivatives {
   /// Adds ∂y to `jacobian` (3 × columns).
   void add_jacobian(Eigen::Ref<Eigen::Matrix3Xd> jacobian) const;
   /// Adds Σ_k multiplier_k ∂²y_k to `hessian` (columns × columns, symmetric, both triangles).
-  void add_curvature(const Ancestry& ancestry, const Eigen::Vector3d& multiplier, Eigen::MatrixXd& hessian) const;
+  void add_curvature(const Ancestry& ancestry, const Eigen::Vector3d& multiplier,
+                     Eigen::MatrixXd& hessian) const;
 };
 
 /// Which column a coordinate of [q; s] has; −1 where the output does not depend on it.
 using Columns = std::vector<int>;
 
 /// φ_EE of eq (12): the centre of a foot [m, world].
-void foot_from_pose(const Morphology& morphology, const GeometryAtDesign& geometry, const Ancestry& ancestry,
-                    const PoseKinematics& pose, int foot, const Columns& columns, PointDerivatives& out);
+void foot_from_pose(const Morphology& morphology, const GeometryAtDesign& geometry,
+                    const Ancestry& ancestry, const PoseKinematics& pose, int foot,
+                    const Columns& columns, PointDerivatives& out);
 
 /// φ_COM of eq (12): the robot's centre of mass [m, world].
-void com_from_pose(const Morphology& morphology, const GeometryAtDesign& geometry, const PoseKinematics& pose,
-                   const Columns& columns, PointDerivatives& out);
+void com_from_pose(const Morphology& morphology, const GeometryAtDesign& geometry,
+                   const PoseKinematics& pose, const Columns& columns, PointDerivatives& out);
 
 }  // namespace legwright

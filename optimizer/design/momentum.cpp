@@ -31,9 +31,9 @@ void add_pair(Eigen::MatrixXd& hessian, int a, int b, double value) {
 
 }  // namespace
 
-void PairDerivatives::compute_swept_momentum(const Morphology& morphology, const GeometryAtDesign& geometry,
-                                             const PoseKinematics& first, const PoseKinematics& second,
-                                             const Columns& first_columns, const Columns& second_columns) {
+void PairDerivatives::compute_swept_momentum(
+    const Morphology& morphology, const GeometryAtDesign& geometry, const PoseKinematics& first,
+    const PoseKinematics& second, const Columns& first_columns, const Columns& second_columns) {
   const int link_count = static_cast<int>(geometry.links.size());
   std::vector<Matrix4d> below(link_count);  // Σ m [p; 1][p′; 1]ᵀ over a link and all below it
   for (int l = 0; l < link_count; ++l)
@@ -41,16 +41,22 @@ void PairDerivatives::compute_swept_momentum(const Morphology& morphology, const
   for (int l = link_count - 1; l > 0; --l) below[morphology.links[l].parent] += below[l];
   value = cross_of(below[0]);
 
-  const auto fill = [&](const PoseKinematics& own, const PoseKinematics& other, const Columns& columns, bool swap,
-                        Side& side) {
+  const auto fill = [&](const PoseKinematics& own, const PoseKinematics& other,
+                        const Columns& columns, bool swap, Side& side) {
     side.effects.clear();
     side.seconds.clear();
     for (const Mover& mover : own.movers()) {
-      Effect effect{columns[mover.coordinate], mover.link, mover.kind == Mover::Kind::rotation,
-                    mover.kind == Mover::Kind::inner, mover.turn, mover.velocity, Matrix34::Zero(),
+      Effect effect{columns[mover.coordinate],
+                    mover.link,
+                    mover.kind == Mover::Kind::rotation,
+                    mover.kind == Mover::Kind::inner,
+                    mover.turn,
+                    mover.velocity,
+                    Matrix34::Zero(),
                     mover.inner_index};
       if (effect.inner)
-        effect.swept = own.rotation(mover.link) * geometry.links[mover.link].inner[mover.inner_index].moments *
+        effect.swept = own.rotation(mover.link) *
+                       geometry.links[mover.link].inner[mover.inner_index].moments *
                        other.transform(mover.link).transpose();
       else if (swap)
         effect.swept = mover.velocity * below[mover.link].transpose();
@@ -61,8 +67,10 @@ void PairDerivatives::compute_swept_momentum(const Morphology& morphology, const
     for (const SameLinkSecond& s : own.same_link_seconds()) {
       const Mover &a = own.movers()[s.a], &b = own.movers()[s.b];
       const Matrix4d sum = swap ? Matrix4d(below[a.link].transpose()) : below[a.link];
-      const Matrix3d arm = sum.topLeftCorner<3, 3>() - own.origin(a.link) * sum.bottomLeftCorner<1, 3>();
-      side.seconds.push_back({columns[a.coordinate], columns[b.coordinate], s.second * arm, s.a == s.b});
+      const Matrix3d arm =
+          sum.topLeftCorner<3, 3>() - own.origin(a.link) * sum.bottomLeftCorner<1, 3>();
+      side.seconds.push_back(
+          {columns[a.coordinate], columns[b.coordinate], s.second * arm, s.a == s.b});
     }
   };
   fill(first, second, first_columns, false, first_);
@@ -70,7 +78,8 @@ void PairDerivatives::compute_swept_momentum(const Morphology& morphology, const
   add_inner_products(geometry, first, second);
 }
 
-void PairDerivatives::add_inner_products(const GeometryAtDesign& geometry, const PoseKinematics& first,
+void PairDerivatives::add_inner_products(const GeometryAtDesign& geometry,
+                                         const PoseKinematics& first,
                                          const PoseKinematics& second) {
   inner_products_.clear();
   for (const Effect& a : first_.effects)
@@ -83,21 +92,23 @@ void PairDerivatives::add_inner_products(const GeometryAtDesign& geometry, const
     }
 }
 
-void PairDerivatives::compute_foot_turn(const Morphology& morphology, const Ancestry& ancestry, int foot,
-                                        const PoseKinematics& first, const PoseKinematics& second,
-                                        const Columns& first_columns, const Columns& second_columns) {
+void PairDerivatives::compute_foot_turn(const Morphology& morphology, const Ancestry& ancestry,
+                                        int foot, const PoseKinematics& first,
+                                        const PoseKinematics& second, const Columns& first_columns,
+                                        const Columns& second_columns) {
   const int link = morphology.feet[foot].link;
   const Matrix3d sum = 0.5 * first.rotation(link) * second.rotation(link).transpose();
   value = cross_of(sum);
   inner_products_.clear();
-  const auto fill = [&](const PoseKinematics& own, const Columns& columns, const Matrix3d& swept, Side& side) {
+  const auto fill = [&](const PoseKinematics& own, const Columns& columns, const Matrix3d& swept,
+                        Side& side) {
     side.effects.clear();
     side.seconds.clear();
     for (const Mover& mover : own.movers()) {
       if (mover.kind != Mover::Kind::rotation || !ancestry.contains(mover.link, link)) continue;
       // Directions turn but do not shift: the homogeneous column stays zero.
-      Effect effect{columns[mover.coordinate], mover.link, true, false, mover.turn, Matrix34::Zero(),
-                    Matrix34::Zero(), -1};
+      Effect effect{columns[mover.coordinate], mover.link,       true, false, mover.turn,
+                    Matrix34::Zero(),          Matrix34::Zero(), -1};
       effect.velocity.leftCols<3>() = skew(mover.turn);
       effect.swept.leftCols<3>() = skew(mover.turn) * swept;
       side.effects.push_back(effect);
@@ -105,7 +116,8 @@ void PairDerivatives::compute_foot_turn(const Morphology& morphology, const Ance
     for (const SameLinkSecond& s : own.same_link_seconds()) {
       const Mover &a = own.movers()[s.a], &b = own.movers()[s.b];
       if (!ancestry.contains(a.link, link)) continue;
-      side.seconds.push_back({columns[a.coordinate], columns[b.coordinate], s.second * swept, s.a == s.b});
+      side.seconds.push_back(
+          {columns[a.coordinate], columns[b.coordinate], s.second * swept, s.a == s.b});
     }
   };
   fill(first, first_columns, sum, first_);
@@ -114,17 +126,20 @@ void PairDerivatives::compute_foot_turn(const Morphology& morphology, const Ance
 
 void PairDerivatives::add_jacobian(Eigen::Ref<Eigen::Matrix3Xd> jacobian) const {
   for (const Effect& effect : first_.effects) jacobian.col(effect.column) += cross_of(effect.swept);
-  for (const Effect& effect : second_.effects) jacobian.col(effect.column) -= cross_of(effect.swept);
+  for (const Effect& effect : second_.effects)
+    jacobian.col(effect.column) -= cross_of(effect.swept);
 }
 
-void PairDerivatives::add_side_curvature(const Side& side, const Ancestry& ancestry, const Matrix3d& form,
-                                         Eigen::MatrixXd& hessian) {
+void PairDerivatives::add_side_curvature(const Side& side, const Ancestry& ancestry,
+                                         const Matrix3d& form, Eigen::MatrixXd& hessian) {
   for (const Effect& upper : side.effects) {
     if (!upper.rotates) continue;
     const Matrix3d turned = skew(upper.turn).transpose() * form;
     for (const Effect& lower : side.effects)
-      if (ancestry.strictly_above(upper.link, lower.link) || (lower.inner && upper.link == lower.link))
-        add_pair(hessian, upper.column, lower.column, inner_product(turned, lower.swept.leftCols<3>()));
+      if (ancestry.strictly_above(upper.link, lower.link) ||
+          (lower.inner && upper.link == lower.link))
+        add_pair(hessian, upper.column, lower.column,
+                 inner_product(turned, lower.swept.leftCols<3>()));
   }
   for (const Second& second : side.seconds) {
     const double curvature = inner_product(form, second.swept);

@@ -24,12 +24,13 @@ class PairDerivatives {
                               const PoseKinematics& first, const PoseKinematics& second,
                               const Columns& first_columns, const Columns& second_columns);
   void compute_foot_turn(const Morphology& morphology, const Ancestry& ancestry, int foot,
-                         const PoseKinematics& first, const PoseKinematics& second, const Columns& first_columns,
-                         const Columns& second_columns);
+                         const PoseKinematics& first, const PoseKinematics& second,
+                         const Columns& first_columns, const Columns& second_columns);
 
   void add_jacobian(Eigen::Ref<Eigen::Matrix3Xd> jacobian) const;
   /// Adds Σ_k multiplier_k ∂²y_k (both triangles).
-  void add_curvature(const Ancestry& ancestry, const Eigen::Vector3d& multiplier, Eigen::MatrixXd& hessian) const;
+  void add_curvature(const Ancestry& ancestry, const Eigen::Vector3d& multiplier,
+                     Eigen::MatrixXd& hessian) const;
 
  private:
   /// One mover of one pose. `swept` = Σ weight (∂p/∂c)[p′; 1]ᵀ over what it moves (for the second pose: with
@@ -58,9 +59,10 @@ class PairDerivatives {
 
   void add_inner_products(const GeometryAtDesign& geometry, const PoseKinematics& first,
                           const PoseKinematics& second);
-  void add_cross_curvature(const Ancestry& ancestry, const Eigen::Matrix3d& form, Eigen::MatrixXd& hessian) const;
-  static void add_side_curvature(const Side& side, const Ancestry& ancestry, const Eigen::Matrix3d& form,
-                                 Eigen::MatrixXd& hessian);
+  void add_cross_curvature(const Ancestry& ancestry, const Eigen::Matrix3d& form,
+                           Eigen::MatrixXd& hessian) const;
+  static void add_side_curvature(const Side& side, const Ancestry& ancestry,
+                                 const Eigen::Matrix3d& form, Eigen::MatrixXd& hessian);
 
   Side first_, second_;
   std::vector<InnerProduct> inner_products_;

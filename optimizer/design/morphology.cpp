@@ -42,7 +42,8 @@ std::vector<int> Morphology::chain_to(int link) const {
 double stretched_limb(const Morphology& morphology, int foot, const Eigen::VectorXd& s) {
   const std::vector<int> chain = morphology.chain_to(morphology.feet[foot].link);
   double sum = morphology.feet[foot].position.at(s).norm();
-  for (std::size_t a = 1; a < chain.size(); ++a) sum += morphology.links[chain[a]].origin.at(s).norm();
+  for (std::size_t a = 1; a < chain.size(); ++a)
+    sum += morphology.links[chain[a]].origin.at(s).norm();
   return sum;
 }
 

@@ -45,8 +45,8 @@ struct PointMass {
 /// The hinge that moves a link, and its servo.
 struct Joint {
   std::string name;
-  JointAxis axis;        // in the link frame
-  double nominal = 0.0;  // angle in the robot's home pose [rad]
+  JointAxis axis;                                           // in the link frame
+  double nominal = 0.0;                                     // angle in the robot's home pose [rad]
   double lower = -std::numeric_limits<double>::infinity();  // range [rad]
   double upper = std::numeric_limits<double>::infinity();
   double torque_limit = std::numeric_limits<double>::infinity();  // [N m]
@@ -57,10 +57,10 @@ struct Joint {
 /// merged into the link they ride on. Link 0 is the trunk, which has no joint.
 struct Link {
   std::string name;
-  int parent = -1;                                               // index below the link's own; −1: trunk
-  AffineVector origin;                                           // of the frame, in the parent's frame
-  Eigen::Matrix3d orientation = Eigen::Matrix3d::Identity();     // parent ← link at joint angle zero
-  Joint joint;                                                   // not used for the trunk
+  int parent = -1;      // index below the link's own; −1: trunk
+  AffineVector origin;  // of the frame, in the parent's frame
+  Eigen::Matrix3d orientation = Eigen::Matrix3d::Identity();  // parent ← link at joint angle zero
+  Joint joint;                                                // not used for the trunk
   std::vector<PointMass> masses;
 };
 

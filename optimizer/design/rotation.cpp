@@ -77,9 +77,9 @@ void rotation_of_vector(const Vector3d& o, bool with_second, RotationDerivatives
     for (int b = a; b < 3; ++b) {
       const double product = o[a] * o[b], same = a == b ? 1.0 : 0.0;
       const Matrix3d Qab = E[a] * E[b] + E[b] * E[a];
-      const Matrix3d second = (c.A2 * product + c.A1 * same) * S + c.A1 * (o[a] * E[b] + o[b] * E[a]) +
-                              (c.B2 * product + c.B1 * same) * S2 + c.B1 * (o[a] * Q[b] + o[b] * Q[a]) +
-                              c.B * Qab;
+      const Matrix3d second =
+          (c.A2 * product + c.A1 * same) * S + c.A1 * (o[a] * E[b] + o[b] * E[a]) +
+          (c.B2 * product + c.B1 * same) * S2 + c.B1 * (o[a] * Q[b] + o[b] * Q[a]) + c.B * Qab;
       out.second[a][b] = out.second[b][a] = second * inverse;
     }
 }

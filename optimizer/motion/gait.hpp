@@ -26,10 +26,10 @@ class Gait {
   Gait(const GaitPattern& pattern, double period, int knot_count, const std::vector<int>& order);
 
   const std::string& name() const { return name_; }
-  double period() const { return period_; }                    // [s]
-  int knot_count() const { return knot_count_; }               // T
+  double period() const { return period_; }       // [s]
+  int knot_count() const { return knot_count_; }  // T
   int foot_count() const { return static_cast<int>(contact_.cols()); }
-  double time_step() const { return period_ / knot_count_; }   // h [s]
+  double time_step() const { return period_ / knot_count_; }  // h [s]
   bool in_contact(int knot, int foot) const { return contact_(wrap(knot), foot); }
   /// Contact widened by `margin` knots on both sides: the two halves of eq (14) and a margin of time.
   bool planted(int knot, int foot, int margin) const;

@@ -16,8 +16,8 @@ struct Standing {
   std::vector<Eigen::Vector3d> feet;
 };
 
-Standing stand(const Morphology& morphology, const GeometryAtDesign& geometry, const Eigen::Vector3d& place,
-               double heading, int design_size) {
+Standing stand(const Morphology& morphology, const GeometryAtDesign& geometry,
+               const Eigen::Vector3d& place, double heading, int design_size) {
   const Ancestry ancestry(morphology);
   const Columns columns(morphology.pose_size() + design_size, 0);
   PoseKinematics kinematics;
@@ -50,8 +50,8 @@ Eigen::VectorXd initial_guess(const Morphology& morphology, const Layout& layout
   Eigen::VectorXd m = Eigen::VectorXd::Zero(layout.motion_size());
   for (int i = 0; i <= layout.knot_count(); ++i) {
     const double time = i * gait.time_step();
-    const Standing at = stand(morphology, geometry, path.position(time) + lift,
-                              path.heading(time), n);
+    const Standing at =
+        stand(morphology, geometry, path.position(time) + lift, path.heading(time), n);
     m.segment(layout.pose(i) - n, layout.pose_size()) = at.q;
     m.segment<3>(layout.com(i) - n) = at.com;
     int stance = 0;

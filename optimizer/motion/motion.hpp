@@ -12,9 +12,13 @@ class MotionView {
  public:
   MotionView(const Layout& layout, const Eigen::VectorXd& m) : layout_(layout), m_(m) {}
 
-  Eigen::VectorXd pose(int knot) const { return m_.segment(at(layout_.pose(knot)), layout_.pose_size()); }
+  Eigen::VectorXd pose(int knot) const {
+    return m_.segment(at(layout_.pose(knot)), layout_.pose_size());
+  }
   Eigen::Vector3d com_W(int knot) const { return m_.segment<3>(at(layout_.com(knot))); }
-  Eigen::Vector3d foot_W(int knot, int foot) const { return m_.segment<3>(at(layout_.foot(knot, foot))); }
+  Eigen::Vector3d foot_W(int knot, int foot) const {
+    return m_.segment<3>(at(layout_.foot(knot, foot)));
+  }
   /// Zero where the foot swings.
   Eigen::Vector3d force_W(int knot, int foot) const {
     const int slot = layout_.force(knot, foot);

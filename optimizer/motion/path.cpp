@@ -25,7 +25,8 @@ Eigen::Vector3d WantedPath::position(double time) const {
   const bool straight = std::abs(angle) < 1e-6;
   const double along = straight ? time : std::sin(angle) / turn_rate_;
   const double across = straight ? 0.5 * angle * time : (1.0 - std::cos(angle)) / turn_rate_;
-  return {along * velocity_.x() - across * velocity_.y(), across * velocity_.x() + along * velocity_.y(), 0.0};
+  return {along * velocity_.x() - across * velocity_.y(),
+          across * velocity_.x() + along * velocity_.y(), 0.0};
 }
 
 }  // namespace legwright

@@ -14,7 +14,7 @@ class WantedPath {
   /// @param velocity forward, left [m/s] @param turn_rate [rad/s] @param period [s]
   WantedPath(const Eigen::Vector2d& velocity, double turn_rate, double period);
 
-  Eigen::Vector3d position(double time) const;                    // [m], z = 0
+  Eigen::Vector3d position(double time) const;                     // [m], z = 0
   double heading(double time) const { return turn_rate_ * time; }  // [rad]
   static Eigen::Matrix3d yaw_rotation(double angle);
 

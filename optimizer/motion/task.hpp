@@ -19,17 +19,18 @@ struct Task {
   double turn_rate = 0.0;                              // [rad/s], positive to the left
 
   // Style targets, eqs (10): what is not given is taken from the home pose of the initial design.
-  std::optional<double> com_height;                          // [m]
-  std::optional<std::vector<Eigen::Vector2d>> footprint;     // foot − COM on the ground, robot's foot order [m]
+  std::optional<double> com_height;  // [m]
+  std::optional<std::vector<Eigen::Vector2d>>
+      footprint;  // foot − COM on the ground, robot's foot order [m]
 
   // Margins of the plan (physics needs them; see optimizer/README.md).
-  double friction = 0.4;         // of the plan; the floor has more
-  double floor_friction = 0.8;   // of the scene's floor
-  double swing_height = 0.025;   // [m]
-  double min_normal = 0.05;      // least normal force of a stance foot, share of the weight
-  int planted_margin = 1;        // knots planted beyond stance on either side, at least 1
-  double joint_margin = 0.0;     // distance kept from joint limits [rad]
-  double barrier_edge = 0.02;    // slack below which an inequality's barrier turns into a parabola
+  double friction = 0.4;        // of the plan; the floor has more
+  double floor_friction = 0.8;  // of the scene's floor
+  double swing_height = 0.025;  // [m]
+  double min_normal = 0.05;     // least normal force of a stance foot, share of the weight
+  int planted_margin = 1;       // knots planted beyond stance on either side, at least 1
+  double joint_margin = 0.0;    // distance kept from joint limits [rad]
+  double barrier_edge = 0.02;   // slack below which an inequality's barrier turns into a parabola
 
   std::map<std::string, double> weights;  // by term name, overrides the registry's default
 };

@@ -7,7 +7,8 @@
 namespace legwright {
 
 ElementPlan plan_element(const Element& element, const std::vector<DerivedBlock>& blocks,
-                         const std::vector<int>& block_at_slot, int design_size, int parameter_count) {
+                         const std::vector<int>& block_at_slot, int design_size,
+                         int parameter_count) {
   ElementPlan plan;
   std::vector<int> slots;
   for (int slot : element.slots) {
@@ -24,8 +25,8 @@ ElementPlan plan_element(const Element& element, const std::vector<DerivedBlock>
   slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
   std::map<int, int> column;
   for (std::size_t k = 0; k < slots.size(); ++k) column[slots[k]] = static_cast<int>(k);
-  plan.clique.motion_count =
-      static_cast<int>(std::count_if(slots.begin(), slots.end(), [&](int s) { return s >= design_size; }));
+  plan.clique.motion_count = static_cast<int>(
+      std::count_if(slots.begin(), slots.end(), [&](int s) { return s >= design_size; }));
   for (int v = 0; v < static_cast<int>(element.slots.size()); ++v) {
     const int slot = element.slots[v];
     if (slot < parameter_count) {
@@ -40,22 +41,24 @@ ElementPlan plan_element(const Element& element, const std::vector<DerivedBlock>
   return plan;
 }
 
-void expand_jacobian(const ElementPlan& plan, const std::vector<Eigen::Matrix3Xd>& jacobians, int columns,
-                     ElementWorkspace& workspace) {
+void expand_jacobian(const ElementPlan& plan, const std::vector<Eigen::Matrix3Xd>& jacobians,
+                     int columns, ElementWorkspace& workspace) {
   workspace.expanded.setZero(workspace.jacobian.rows(), columns);
   for (const ElementPlan::Direct& direct : plan.direct)
-    if (direct.column < columns) workspace.expanded.col(direct.column) += workspace.jacobian.col(direct.variable);
+    if (direct.column < columns)
+      workspace.expanded.col(direct.column) += workspace.jacobian.col(direct.variable);
   for (const ElementPlan::Through& through : plan.through) {
     const auto local = workspace.jacobian.middleCols<3>(through.variable);
     const Eigen::Matrix3Xd& chain = jacobians[through.block];
     for (std::size_t k = 0; k < through.columns.size(); ++k)
       if (through.columns[k] < columns)
-        workspace.expanded.col(through.columns[k]).noalias() += local * chain.col(static_cast<int>(k));
+        workspace.expanded.col(through.columns[k]).noalias() +=
+            local * chain.col(static_cast<int>(k));
   }
 }
 
-void expand_curvature(const ElementPlan& plan, const std::vector<Eigen::Matrix3Xd>& jacobians, int columns,
-                      ElementWorkspace& workspace) {
+void expand_curvature(const ElementPlan& plan, const std::vector<Eigen::Matrix3Xd>& jacobians,
+                      int columns, ElementWorkspace& workspace) {
   // First C·E, row by local variable; then Eᵀ times that. Rows of C that are all zero are skipped.
   const Eigen::MatrixXd& C = workspace.curvature;
   workspace.row.setZero(C.rows(), columns);
@@ -70,14 +73,16 @@ void expand_curvature(const ElementPlan& plan, const std::vector<Eigen::Matrix3X
         workspace.row.col(through.columns[k]).noalias() += local * chain.col(static_cast<int>(k));
   }
   for (const ElementPlan::Direct& direct : plan.direct)
-    if (direct.column < columns) workspace.hessian.row(direct.column) += workspace.row.row(direct.variable);
+    if (direct.column < columns)
+      workspace.hessian.row(direct.column) += workspace.row.row(direct.variable);
   for (const ElementPlan::Through& through : plan.through) {
     const auto local = workspace.row.middleRows<3>(through.variable);
     if (local.isZero(0.0)) continue;
     const Eigen::Matrix3Xd& chain = jacobians[through.block];
     for (std::size_t k = 0; k < through.columns.size(); ++k)
       if (through.columns[k] < columns)
-        workspace.hessian.row(through.columns[k]).noalias() += chain.col(static_cast<int>(k)).transpose() * local;
+        workspace.hessian.row(through.columns[k]).noalias() +=
+            chain.col(static_cast<int>(k)).transpose() * local;
   }
 }
 

@@ -17,7 +17,8 @@ std::set<int> design_dependence(const Morphology& morphology, int foot) {
     for (const JointAxis::Turn& turn : link.joint.axis.turns) parameters.insert(turn.parameter);
   };
   if (foot >= 0) {
-    for (int link : morphology.chain_to(morphology.feet[foot].link)) add_link(morphology.links[link]);
+    for (int link : morphology.chain_to(morphology.feet[foot].link))
+      add_link(morphology.links[link]);
     add_vector(morphology.feet[foot].position);
   } else {
     for (const Link& link : morphology.links) {
@@ -30,8 +31,8 @@ std::set<int> design_dependence(const Morphology& morphology, int foot) {
 
 }  // namespace
 
-DerivedQuantities::DerivedQuantities(const Morphology& morphology, const Layout& layout, const Task& task,
-                                     const WantedPath& path)
+DerivedQuantities::DerivedQuantities(const Morphology& morphology, const Layout& layout,
+                                     const Task& task, const WantedPath& path)
     : ancestry_(morphology), path_(path) {
   using Kind = DerivedBlock::Kind;
   const int T = layout.knot_count();
@@ -40,7 +41,8 @@ DerivedQuantities::DerivedQuantities(const Morphology& morphology, const Layout&
     for (int j = 0; j < layout.foot_count(); ++j)
       add_block(Kind::foot, layout.foot_from_pose(i, j), i, j, morphology, layout);
   }
-  for (int i = 0; i <= T; ++i) add_block(Kind::momentum, layout.swept_momentum(i), i, -1, morphology, layout);
+  for (int i = 0; i <= T; ++i)
+    add_block(Kind::momentum, layout.swept_momentum(i), i, -1, morphology, layout);
   const int margin = layout.planted_margin();
   for (int i = 0; i < T; ++i)
     for (int j = 0; j < layout.foot_count(); ++j)
@@ -54,7 +56,8 @@ void DerivedQuantities::add_block(DerivedBlock::Kind kind, int slot, int knot, i
   std::vector<int> coordinates;  // of a pose, that matter
   for (int c = 0; c < 6; ++c) coordinates.push_back(c);
   if (foot >= 0)
-    for (int link : morphology.chain_to(morphology.feet[foot].link)) coordinates.push_back(5 + link);
+    for (int link : morphology.chain_to(morphology.feet[foot].link))
+      coordinates.push_back(5 + link);
   else
     for (int c = 6; c < layout.pose_size(); ++c) coordinates.push_back(c);
   const auto add_pose = [&](int pose_knot, Columns& columns) {
@@ -78,8 +81,9 @@ void DerivedQuantities::add_block(DerivedBlock::Kind kind, int slot, int knot, i
   blocks_.push_back(std::move(block));
 }
 
-void DerivedQuantities::evaluate(const Morphology& morphology, const Layout& layout, bool with_jacobian,
-                                 bool with_design, Eigen::VectorXd& extended, Workspace& workspace) const {
+void DerivedQuantities::evaluate(const Morphology& morphology, const Layout& layout,
+                                 bool with_jacobian, bool with_design, Eigen::VectorXd& extended,
+                                 Workspace& workspace) const {
   const int T = layout.knot_count();
   const auto s = extended.head(layout.design_size());
   if (workspace.geometry.links.empty() || workspace.s != s) {
@@ -92,29 +96,33 @@ void DerivedQuantities::evaluate(const Morphology& morphology, const Layout& lay
   workspace.pairs.resize(blocks_.size());
   workspace.jacobians.resize(blocks_.size());
   for (int i = 0; i <= T; ++i)
-    workspace.poses[i].compute(morphology, geometry, extended.segment(layout.pose(i), layout.pose_size()),
-                               with_design);
+    workspace.poses[i].compute(morphology, geometry,
+                               extended.segment(layout.pose(i), layout.pose_size()), with_design);
   const Eigen::Matrix3d back = path_.turn().transpose();
   workspace.poses[T + 1] = workspace.poses[T - 1].moved(back, -back * path_.travel());
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     const DerivedBlock& block = blocks_[b];
-    const int first = block.kind == DerivedBlock::Kind::momentum && block.knot == T ? T + 1 : block.knot;
+    const int first =
+        block.kind == DerivedBlock::Kind::momentum && block.knot == T ? T + 1 : block.knot;
     const int second = first == T + 1 ? 0 : block.knot + 1;
     const PoseKinematics& pose = workspace.poses[first];
     PointDerivatives& point = workspace.points[b];
     PairDerivatives& pair = workspace.pairs[b];
     const bool is_point = block.second.empty();
     switch (block.kind) {
-      case DerivedBlock::Kind::com: com_from_pose(morphology, geometry, pose, block.first, point); break;
+      case DerivedBlock::Kind::com:
+        com_from_pose(morphology, geometry, pose, block.first, point);
+        break;
       case DerivedBlock::Kind::foot:
         foot_from_pose(morphology, geometry, ancestry_, pose, block.foot, block.first, point);
         break;
       case DerivedBlock::Kind::momentum:
-        pair.compute_swept_momentum(morphology, geometry, pose, workspace.poses[second], block.first, block.second);
+        pair.compute_swept_momentum(morphology, geometry, pose, workspace.poses[second],
+                                    block.first, block.second);
         break;
       case DerivedBlock::Kind::foot_turn:
-        pair.compute_foot_turn(morphology, ancestry_, block.foot, pose, workspace.poses[second], block.first,
-                               block.second);
+        pair.compute_foot_turn(morphology, ancestry_, block.foot, pose, workspace.poses[second],
+                               block.first, block.second);
         break;
     }
     extended.segment<3>(block.slot) = is_point ? point.value : pair.value;
@@ -127,7 +135,8 @@ void DerivedQuantities::evaluate(const Morphology& morphology, const Layout& lay
   }
 }
 
-void DerivedQuantities::curvature(int block, const Eigen::Vector3d& multiplier, Workspace& workspace) const {
+void DerivedQuantities::curvature(int block, const Eigen::Vector3d& multiplier,
+                                  Workspace& workspace) const {
   const int size = static_cast<int>(blocks_[block].slots.size());
   workspace.curvature.setZero(size, size);
   if (blocks_[block].second.empty())

@@ -21,7 +21,7 @@ struct DerivedBlock {
   int knot, foot;          // knot T of a momentum: the wrapping pair
   std::vector<int> slots;  // column → slot of p; motion columns first
   int motion_columns;
-  Columns first, second;   // coordinate of [q; s] → column; `second` for pairs of poses
+  Columns first, second;  // coordinate of [q; s] → column; `second` for pairs of poses
 };
 
 /// y(s, m) with exact derivatives: all of the robot's kinematics, evaluated once per point for all terms.
@@ -38,18 +38,19 @@ class DerivedQuantities {
   };
 
   DerivedQuantities() = default;
-  DerivedQuantities(const Morphology& morphology, const Layout& layout, const Task& task, const WantedPath& path);
+  DerivedQuantities(const Morphology& morphology, const Layout& layout, const Task& task,
+                    const WantedPath& path);
 
   const std::vector<DerivedBlock>& blocks() const { return blocks_; }
   /// Fills the y part of `extended` ([s; m] given) and, with_jacobian, the Jacobians.
-  void evaluate(const Morphology& morphology, const Layout& layout, bool with_jacobian, bool with_design,
-                Eigen::VectorXd& extended, Workspace& workspace) const;
+  void evaluate(const Morphology& morphology, const Layout& layout, bool with_jacobian,
+                bool with_design, Eigen::VectorXd& extended, Workspace& workspace) const;
   /// Σ multiplier_k ∂²y_k of a block at the point just evaluated, columns × columns, into workspace.curvature.
   void curvature(int block, const Eigen::Vector3d& multiplier, Workspace& workspace) const;
 
  private:
-  void add_block(DerivedBlock::Kind kind, int slot, int knot, int foot, const Morphology& morphology,
-                 const Layout& layout);
+  void add_block(DerivedBlock::Kind kind, int slot, int knot, int foot,
+                 const Morphology& morphology, const Layout& layout);
 
   Ancestry ancestry_;
   WantedPath path_;

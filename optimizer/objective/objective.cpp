@@ -62,7 +62,8 @@ std::vector<double> term_weights(const Task& task) {
     weights.push_back(found == wanted.end() ? entry.default_weight : found->second);
     if (found != wanted.end()) wanted.erase(found);
   }
-  if (!wanted.empty()) throw std::invalid_argument("weights: no term is named " + wanted.begin()->first);
+  if (!wanted.empty())
+    throw std::invalid_argument("weights: no term is named " + wanted.begin()->first);
   return weights;
 }
 
@@ -92,9 +93,10 @@ struct Objective::Impl {
   Eigen::SparseMatrix<double> pattern;
 
   void build();
-  void add_element(const WeightedTerm& entry, int index, Order order, Parts& workspace, Evaluation& out,
-                   double& term_value) const;
-  void scatter(const Clique& clique, const Eigen::MatrixXd& hessian, Order order, Evaluation& out) const;
+  void add_element(const WeightedTerm& entry, int index, Order order, Parts& workspace,
+                   Evaluation& out, double& term_value) const;
+  void scatter(const Clique& clique, const Eigen::MatrixXd& hessian, Order order,
+               Evaluation& out) const;
   void add_derived(Order order, Parts& workspace, Evaluation& out) const;
 };
 
@@ -115,17 +117,19 @@ void Objective::Impl::build() {
   units = layout.motion_units(context.length, context.weight);
   derived = DerivedQuantities(morphology, layout, task, path);
   std::vector<int> block_at_slot(layout.extended_size(), -1);
-  for (std::size_t b = 0; b < derived.blocks().size(); ++b) block_at_slot[derived.blocks()[b].slot] = static_cast<int>(b);
+  for (std::size_t b = 0; b < derived.blocks().size(); ++b)
+    block_at_slot[derived.blocks()[b].slot] = static_cast<int>(b);
   std::vector<Clique*> cliques;
   const std::vector<double> weights = term_weights(task);
   for (std::size_t k = 0; k < term_registry().size(); ++k) {
     const TermEntry& entry = term_registry()[k];
     terms.push_back({entry.name, weights[k], entry.make(context), {}});
     for (const Element& element : terms.back().term->elements())
-      terms.back().plans.push_back(plan_element(element, derived.blocks(), block_at_slot, layout.design_size(),
-                                                layout.parameter_count()));
+      terms.back().plans.push_back(plan_element(element, derived.blocks(), block_at_slot,
+                                                layout.design_size(), layout.parameter_count()));
   }
-  for (const DerivedBlock& block : derived.blocks()) block_cliques.push_back({block.slots, block.motion_columns, {}});
+  for (const DerivedBlock& block : derived.blocks())
+    block_cliques.push_back({block.slots, block.motion_columns, {}});
   for (WeightedTerm& term : terms)
     for (ElementPlan& plan : term.plans) cliques.push_back(&plan.clique);
   for (Clique& clique : block_cliques) cliques.push_back(&clique);
@@ -141,14 +145,16 @@ void Objective::Impl::scatter(const Clique& clique, const Eigen::MatrixXd& hessi
   if (order != Order::design) return;
   for (std::size_t k = motion; k < clique.slots.size(); ++k) {
     const int column = clique.slots[k], local = static_cast<int>(k);
-    for (int a = 0; a < motion; ++a) out.hessian_ms(clique.slots[a] - n, column) += hessian(local, a);
+    for (int a = 0; a < motion; ++a)
+      out.hessian_ms(clique.slots[a] - n, column) += hessian(local, a);
     for (std::size_t l = motion; l < clique.slots.size(); ++l)
-      out.hessian_ss(column, clique.slots[l]) += hessian(std::max(local, static_cast<int>(l)), std::min(local, static_cast<int>(l)));
+      out.hessian_ss(column, clique.slots[l]) +=
+          hessian(std::max(local, static_cast<int>(l)), std::min(local, static_cast<int>(l)));
   }
 }
 
-void Objective::Impl::add_element(const WeightedTerm& entry, int index, Order order, Parts& workspace,
-                                  Evaluation& out, double& term_value) const {
+void Objective::Impl::add_element(const WeightedTerm& entry, int index, Order order,
+                                  Parts& workspace, Evaluation& out, double& term_value) const {
   const Term& term = *entry.term;
   const Element& element = term.elements()[index];
   const ElementPlan& plan = entry.plans[index];
@@ -161,7 +167,8 @@ void Objective::Impl::add_element(const WeightedTerm& entry, int index, Order or
   local.multiplier.resize(element.rows);
   local.second.resize(element.rows);
   for (int k = 0; k < element.rows; ++k) {
-    const PenaltyValue p = legwright::evaluate(term.penalty(), local.residual[k], task.barrier_edge);
+    const PenaltyValue p =
+        legwright::evaluate(term.penalty(), local.residual[k], task.barrier_edge);
     term_value += entry.weight * p.value;
     local.multiplier[k] = entry.weight * p.first;
     local.second[k] = entry.weight * p.second;
@@ -173,12 +180,14 @@ void Objective::Impl::add_element(const WeightedTerm& entry, int index, Order or
     workspace.gradient[element.slots[k]] += local.jacobian.col(k).dot(local.multiplier);
   if (order == Order::gradient) return;
   const Clique& clique = plan.clique;
-  const int columns = order == Order::design ? static_cast<int>(clique.slots.size()) : clique.motion_count;
+  const int columns =
+      order == Order::design ? static_cast<int>(clique.slots.size()) : clique.motion_count;
   if (columns == 0) return;
   expand_jacobian(plan, workspace.derived.jacobians, columns, local);
   local.hessian.setZero(columns, columns);
   for (int k = 0; k < element.rows; ++k)
-    local.hessian.selfadjointView<Eigen::Lower>().rankUpdate(local.expanded.row(k).transpose(), local.second[k]);
+    local.hessian.selfadjointView<Eigen::Lower>().rankUpdate(local.expanded.row(k).transpose(),
+                                                             local.second[k]);
   if (term.curved()) {
     local.curvature.setZero(size, size);
     term.add_curvature(index, local.z, local.multiplier, local.curvature);
@@ -193,20 +202,23 @@ void Objective::Impl::add_derived(Order order, Parts& workspace, Evaluation& out
     const DerivedBlock& block = derived.blocks()[b];
     const Vector3d multiplier = workspace.gradient.segment<3>(block.slot);
     for (std::size_t k = 0; k < block.slots.size(); ++k)
-      workspace.gradient[block.slots[k]] += workspace.derived.jacobians[b].col(static_cast<int>(k)).dot(multiplier);
+      workspace.gradient[block.slots[k]] +=
+          workspace.derived.jacobians[b].col(static_cast<int>(k)).dot(multiplier);
     if (order == Order::gradient) continue;
     derived.curvature(static_cast<int>(b), multiplier, workspace.derived);
     scatter(block_cliques[b], workspace.derived.curvature, order, out);
   }
 }
 
-Objective::Objective(Morphology morphology, DesignSpace space, Task task) : impl_(std::make_unique<Impl>()) {
+Objective::Objective(Morphology morphology, DesignSpace space, Task task)
+    : impl_(std::make_unique<Impl>()) {
   if (task.gait.foot_count() != morphology.foot_count())
-    throw std::invalid_argument("the gait has " + std::to_string(task.gait.foot_count()) + " feet, the robot " +
-                                std::to_string(morphology.foot_count()));
+    throw std::invalid_argument("the gait has " + std::to_string(task.gait.foot_count()) +
+                                " feet, the robot " + std::to_string(morphology.foot_count()));
   if (task.footprint && static_cast<int>(task.footprint->size()) != morphology.foot_count())
     throw std::invalid_argument("the footprint needs one entry for each foot of the robot");
-  if (task.planted_margin < 1) throw std::invalid_argument("planted_margin must be at least one knot");
+  if (task.planted_margin < 1)
+    throw std::invalid_argument("planted_margin must be at least one knot");
   impl_->layout = Layout(morphology, space.size(), task.gait, task.planted_margin);
   impl_->path = WantedPath(task.velocity, task.turn_rate, task.gait.period());
   impl_->morphology = std::move(morphology);
@@ -231,7 +243,9 @@ std::vector<std::string_view> Objective::term_names() const {
   return names;
 }
 
-std::unique_ptr<Objective::Workspace> Objective::make_workspace() const { return std::make_unique<Workspace>(); }
+std::unique_ptr<Objective::Workspace> Objective::make_workspace() const {
+  return std::make_unique<Workspace>();
+}
 
 void Objective::evaluate(const VectorXd& s, const VectorXd& m, Order order, Workspace& scratch,
                          Evaluation& out) const {
@@ -256,7 +270,8 @@ void Objective::evaluate(const VectorXd& s, const VectorXd& m, Order order, Work
   out.term_values.assign(impl_->terms.size(), 0.0);
   for (std::size_t k = 0; k < impl_->terms.size(); ++k) {
     for (std::size_t e = 0; e < impl_->terms[k].plans.size(); ++e)
-      impl_->add_element(impl_->terms[k], static_cast<int>(e), order, workspace, out, out.term_values[k]);
+      impl_->add_element(impl_->terms[k], static_cast<int>(e), order, workspace, out,
+                         out.term_values[k]);
     out.value += out.term_values[k];
   }
   if (order == Order::value) return;
@@ -275,12 +290,14 @@ Evaluation Objective::evaluate(const VectorXd& s, const VectorXd& m, Order order
 std::vector<TermValue> Objective::terms(const VectorXd& s, const VectorXd& m) const {
   const Evaluation at = evaluate(s, m, Order::value);
   std::vector<TermValue> values;
-  for (std::size_t k = 0; k < impl_->terms.size(); ++k) values.push_back({impl_->terms[k].name, at.term_values[k]});
+  for (std::size_t k = 0; k < impl_->terms.size(); ++k)
+    values.push_back({impl_->terms[k].name, at.term_values[k]});
   return values;
 }
 
 VectorXd initial_guess(const Objective& objective, const VectorXd& s) {
-  return initial_guess(objective.morphology(), objective.layout(), objective.task().gait, objective.path(), s);
+  return initial_guess(objective.morphology(), objective.layout(), objective.task().gait,
+                       objective.path(), s);
 }
 
 }  // namespace legwright

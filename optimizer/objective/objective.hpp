@@ -32,12 +32,12 @@ enum class Order {
 /// Everything that is known about F at one point (s, m), up to the order that was asked for.
 struct Evaluation {
   double value = 0.0;
-  std::vector<double> term_values;             // registry order, weighted
-  Eigen::VectorXd stationarity;                // G = ∂F/∂m
-  Eigen::SparseMatrix<double> hessian_mm;      // ∂G/∂m, lower triangle, fixed pattern
-  Eigen::VectorXd partial_s;                   // ∂F/∂s at fixed m
-  Eigen::MatrixXd hessian_ms;                  // ∂G/∂s, motion_size × design_size
-  Eigen::MatrixXd hessian_ss;                  // ∂²F/∂s²
+  std::vector<double> term_values;         // registry order, weighted
+  Eigen::VectorXd stationarity;            // G = ∂F/∂m
+  Eigen::SparseMatrix<double> hessian_mm;  // ∂G/∂m, lower triangle, fixed pattern
+  Eigen::VectorXd partial_s;               // ∂F/∂s at fixed m
+  Eigen::MatrixXd hessian_ms;              // ∂G/∂s, motion_size × design_size
+  Eigen::MatrixXd hessian_ss;              // ∂²F/∂s²
 };
 
 /// F(s, m) = Σ weight·term for one robot and one task, with exact derivatives. Immutable after construction:
@@ -72,8 +72,8 @@ class Objective {
 
   std::unique_ptr<Workspace> make_workspace() const;
   /// F and derivatives at (s, m). @param s design_size, @param m motion_size.
-  void evaluate(const Eigen::VectorXd& s, const Eigen::VectorXd& m, Order order, Workspace& workspace,
-                Evaluation& out) const;
+  void evaluate(const Eigen::VectorXd& s, const Eigen::VectorXd& m, Order order,
+                Workspace& workspace, Evaluation& out) const;
   /// The same with a workspace of its own; for callers that evaluate once.
   Evaluation evaluate(const Eigen::VectorXd& s, const Eigen::VectorXd& m, Order order) const;
   std::vector<TermValue> terms(const Eigen::VectorXd& s, const Eigen::VectorXd& m) const;

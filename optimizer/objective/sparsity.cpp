@@ -5,7 +5,8 @@
 
 namespace legwright {
 
-Eigen::SparseMatrix<double> Sparsity::build(int design_size, int motion_size, const std::vector<Clique*>& cliques) {
+Eigen::SparseMatrix<double> Sparsity::build(int design_size, int motion_size,
+                                            const std::vector<Clique*>& cliques) {
   std::vector<std::vector<int>> rows(motion_size);  // by column, lower triangle
   for (int k = 0; k < motion_size; ++k) rows[k].push_back(k);
   const auto entry = [&](const Clique& clique, int a, int b) {

@@ -22,7 +22,8 @@ struct Clique {
 class Sparsity {
  public:
   /// Fills in `positions` of each clique. @param design_size number of design slots, which come first in p.
-  static Eigen::SparseMatrix<double> build(int design_size, int motion_size, const std::vector<Clique*>& cliques);
+  static Eigen::SparseMatrix<double> build(int design_size, int motion_size,
+                                           const std::vector<Clique*>& cliques);
 };
 
 }  // namespace legwright

@@ -13,13 +13,16 @@ class ComPosition final : public LinearTerm {
     const Layout& layout = context.layout;
     const double scale = 1.0 / context.length;
     for (int i = 0; i <= layout.knot_count(); ++i)
-      add(i, -1, {{layout.com_from_pose(i), times(scale)}, {layout.com(i), times(-scale)}}, Eigen::Vector3d::Zero());
+      add(i, -1, {{layout.com_from_pose(i), times(scale)}, {layout.com(i), times(-scale)}},
+          Eigen::Vector3d::Zero());
   }
   std::string_view name() const override { return "com_position"; }
 };
 
 }  // namespace
 
-std::unique_ptr<Term> make_com_position(const TermContext& context) { return std::make_unique<ComPosition>(context); }
+std::unique_ptr<Term> make_com_position(const TermContext& context) {
+  return std::make_unique<ComPosition>(context);
+}
 
 }  // namespace legwright

@@ -17,7 +17,8 @@ class DesignTether final : public Term {
       const DesignParameter& parameter = context.space.parameters[k];
       if (parameter.kind != ParameterKind::length) continue;
       elements_.push_back({0, -1, 1, {context.layout.design(k)}});
-      parts_.push_back({std::sqrt(static_cast<double>(parameter.tied_count)) / parameter.initial, parameter.initial});
+      parts_.push_back({std::sqrt(static_cast<double>(parameter.tied_count)) / parameter.initial,
+                        parameter.initial});
     }
     for (const Link& link : context.morphology.links) {
       const JointAxis& axis = link.joint.axis;
@@ -48,7 +49,8 @@ class DesignTether final : public Term {
       return;
     }
     const AxisAtDesign at = axis_at(part.axis, z);
-    for (std::size_t k = 0; k < at.first.size(); ++k) jacobian.col(static_cast<int>(k)) = at.first[k];
+    for (std::size_t k = 0; k < at.first.size(); ++k)
+      jacobian.col(static_cast<int>(k)) = at.first[k];
   }
   void add_curvature(int element, const Eigen::VectorXd& z, const Eigen::VectorXd& multiplier,
                      Eigen::MatrixXd& hessian) const override {
@@ -56,14 +58,16 @@ class DesignTether final : public Term {
     const AxisAtDesign at = axis_at(parts_[element].axis, z);
     for (std::size_t k = 0; k < at.first.size(); ++k)
       for (std::size_t l = 0; l < at.first.size(); ++l)
-        hessian(static_cast<int>(k), static_cast<int>(l)) += multiplier.head<3>().dot(at.second[k][l]);
+        hessian(static_cast<int>(k), static_cast<int>(l)) +=
+            multiplier.head<3>().dot(at.second[k][l]);
   }
   Eigen::VectorXd sample(int element, std::mt19937& random) const override {
     std::normal_distribution<double> normal;
     const Part& part = parts_[element];
     Eigen::VectorXd z(static_cast<int>(elements_[element].slots.size()));
     for (double& value : z)
-      value = elements_[element].rows == 1 ? part.initial * (1.0 + 0.2 * normal(random)) : 0.5 * normal(random);
+      value = elements_[element].rows == 1 ? part.initial * (1.0 + 0.2 * normal(random))
+                                           : 0.5 * normal(random);
     return z;
   }
 

@@ -21,6 +21,8 @@ class FootPosition final : public LinearTerm {
 
 }  // namespace
 
-std::unique_ptr<Term> make_foot_position(const TermContext& context) { return std::make_unique<FootPosition>(context); }
+std::unique_ptr<Term> make_foot_position(const TermContext& context) {
+  return std::make_unique<FootPosition>(context);
+}
 
 }  // namespace legwright

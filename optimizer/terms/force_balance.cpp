@@ -12,11 +12,13 @@ class ForceBalance final : public LinearTerm {
  public:
   explicit ForceBalance(const TermContext& context) {
     const Layout& layout = context.layout;
-    const double h = context.task.gait.time_step(), inertia = context.mass / (h * h * context.weight);
+    const double h = context.task.gait.time_step(),
+                 inertia = context.mass / (h * h * context.weight);
     const WantedPath& path = context.path;
     for (int i = 0; i < layout.knot_count(); ++i) {
       Eigen::Vector3d target = context.mass * kGravity / context.weight * Eigen::Vector3d::UnitZ();
-      std::vector<Block> blocks{{layout.com(i), times(2 * inertia)}, {layout.com(i + 1), times(-inertia)}};
+      std::vector<Block> blocks{{layout.com(i), times(2 * inertia)},
+                                {layout.com(i + 1), times(-inertia)}};
       if (i > 0) {
         blocks.push_back({layout.com(i - 1), times(-inertia)});
       } else {
@@ -25,7 +27,8 @@ class ForceBalance final : public LinearTerm {
         target -= inertia * back * path.travel();
       }
       for (int j = 0; j < layout.foot_count(); ++j)
-        if (layout.force(i, j) >= 0) blocks.push_back({layout.force(i, j), times(1.0 / context.weight)});
+        if (layout.force(i, j) >= 0)
+          blocks.push_back({layout.force(i, j), times(1.0 / context.weight)});
       add(i, -1, blocks, target);
     }
   }
@@ -34,6 +37,8 @@ class ForceBalance final : public LinearTerm {
 
 }  // namespace
 
-std::unique_ptr<Term> make_force_balance(const TermContext& context) { return std::make_unique<ForceBalance>(context); }
+std::unique_ptr<Term> make_force_balance(const TermContext& context) {
+  return std::make_unique<ForceBalance>(context);
+}
 
 }  // namespace legwright

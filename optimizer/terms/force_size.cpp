@@ -21,6 +21,8 @@ class ForceSize final : public LinearTerm {
 
 }  // namespace
 
-std::unique_ptr<Term> make_force_size(const TermContext& context) { return std::make_unique<ForceSize>(context); }
+std::unique_ptr<Term> make_force_size(const TermContext& context) {
+  return std::make_unique<ForceSize>(context);
+}
 
 }  // namespace legwright

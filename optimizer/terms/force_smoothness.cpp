@@ -23,6 +23,8 @@ class ForceSmoothness final : public LinearTerm {
 
 }  // namespace
 
-std::unique_ptr<Term> make_force_smoothness(const TermContext& context) { return std::make_unique<ForceSmoothness>(context); }
+std::unique_ptr<Term> make_force_smoothness(const TermContext& context) {
+  return std::make_unique<ForceSmoothness>(context);
+}
 
 }  // namespace legwright

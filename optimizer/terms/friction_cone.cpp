@@ -13,11 +13,13 @@ constexpr double kApex = 1e-3;  // rounding of the cone's apex, share of the wei
 /// has no derivative; not squared, because ‖f_t‖² ≤ μ² f_n² also admits f_n < 0.
 class FrictionCone final : public Term {
  public:
-  explicit FrictionCone(const TermContext& context) : friction_(context.task.friction), weight_(context.weight) {
+  explicit FrictionCone(const TermContext& context)
+      : friction_(context.task.friction), weight_(context.weight) {
     const Layout& layout = context.layout;
     for (int i = 0; i < layout.knot_count(); ++i)
       for (int j = 0; j < layout.foot_count(); ++j)
-        if (const int f = layout.force(i, j); f >= 0) elements_.push_back({i, j, 1, {f, f + 1, f + 2}});
+        if (const int f = layout.force(i, j); f >= 0)
+          elements_.push_back({i, j, 1, {f, f + 1, f + 2}});
   }
   std::string_view name() const override { return "friction_cone"; }
   Penalty penalty() const override { return Penalty::barrier; }
@@ -33,7 +35,8 @@ class FrictionCone final : public Term {
                      Eigen::MatrixXd& hessian) const override {
     const double t = tangential(z), scale = -multiplier[0] / (t * weight_);
     const Eigen::Vector2d direction = z.head<2>() / t;
-    hessian.topLeftCorner<2, 2>() += scale * (Eigen::Matrix2d::Identity() - direction * direction.transpose());
+    hessian.topLeftCorner<2, 2>() +=
+        scale * (Eigen::Matrix2d::Identity() - direction * direction.transpose());
   }
   Eigen::VectorXd sample(int, std::mt19937& random) const override {
     std::normal_distribution<double> normal;

@@ -21,6 +21,8 @@ class GroundHeight final : public LinearTerm {
 
 }  // namespace
 
-std::unique_ptr<Term> make_ground_height(const TermContext& context) { return std::make_unique<GroundHeight>(context); }
+std::unique_ptr<Term> make_ground_height(const TermContext& context) {
+  return std::make_unique<GroundHeight>(context);
+}
 
 }  // namespace legwright

@@ -22,9 +22,11 @@ class JointLimits final : public LinearTerm {
         const double range = 0.5 * (joint.upper - joint.lower) - margin;
         const double scale = std::isfinite(range) && range > 0.0 ? 1.0 / range : 1.0;
         if (std::isfinite(joint.lower))
-          add(i, -1, {{slot, times(scale, 1)}}, Eigen::VectorXd::Constant(1, scale * (joint.lower + margin)));
+          add(i, -1, {{slot, times(scale, 1)}},
+              Eigen::VectorXd::Constant(1, scale * (joint.lower + margin)));
         if (std::isfinite(joint.upper))
-          add(i, -1, {{slot, times(-scale, 1)}}, Eigen::VectorXd::Constant(1, scale * (margin - joint.upper)));
+          add(i, -1, {{slot, times(-scale, 1)}},
+              Eigen::VectorXd::Constant(1, scale * (margin - joint.upper)));
       }
   }
   std::string_view name() const override { return "joint_limits"; }
@@ -33,6 +35,8 @@ class JointLimits final : public LinearTerm {
 
 }  // namespace
 
-std::unique_ptr<Term> make_joint_limits(const TermContext& context) { return std::make_unique<JointLimits>(context); }
+std::unique_ptr<Term> make_joint_limits(const TermContext& context) {
+  return std::make_unique<JointLimits>(context);
+}
 
 }  // namespace legwright

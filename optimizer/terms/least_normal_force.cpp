@@ -23,6 +23,8 @@ class LeastNormalForce final : public LinearTerm {
 
 }  // namespace
 
-std::unique_ptr<Term> make_least_normal_force(const TermContext& context) { return std::make_unique<LeastNormalForce>(context); }
+std::unique_ptr<Term> make_least_normal_force(const TermContext& context) {
+  return std::make_unique<LeastNormalForce>(context);
+}
 
 }  // namespace legwright

@@ -5,11 +5,13 @@
 
 namespace legwright {
 
-void LinearTerm::add(int knot, int foot, std::initializer_list<Block> blocks, const Eigen::VectorXd& target) {
+void LinearTerm::add(int knot, int foot, std::initializer_list<Block> blocks,
+                     const Eigen::VectorXd& target) {
   add(knot, foot, std::vector<Block>(blocks), target);
 }
 
-void LinearTerm::add(int knot, int foot, const std::vector<Block>& blocks, const Eigen::VectorXd& target) {
+void LinearTerm::add(int knot, int foot, const std::vector<Block>& blocks,
+                     const Eigen::VectorXd& target) {
   Element element{knot, foot, static_cast<int>(target.size()), {}};
   int columns = 0;
   for (const Block& block : blocks) columns += static_cast<int>(block.coefficient.cols());
@@ -33,7 +35,8 @@ Eigen::VectorXd LinearTerm::sample(int element, std::mt19937& random) const {
   Eigen::VectorXd wanted(C.rows());
   for (double& value : wanted) value = 0.05 * normal(random);
   const Eigen::VectorXd excess = C * z - targets_[element] - wanted;
-  const Eigen::MatrixXd gram = C * C.transpose() + 1e-12 * Eigen::MatrixXd::Identity(C.rows(), C.rows());
+  const Eigen::MatrixXd gram =
+      C * C.transpose() + 1e-12 * Eigen::MatrixXd::Identity(C.rows(), C.rows());
   return z - C.transpose() * gram.inverse() * excess;
 }
 

@@ -34,7 +34,9 @@ class LinearTerm : public Term {
   void add(int knot, int foot, const std::vector<Block>& blocks, const Eigen::VectorXd& target);
 
   /// scale · identity.
-  static Eigen::MatrixXd times(double scale, int size = 3) { return scale * Eigen::MatrixXd::Identity(size, size); }
+  static Eigen::MatrixXd times(double scale, int size = 3) {
+    return scale * Eigen::MatrixXd::Identity(size, size);
+  }
 
  private:
   std::vector<Eigen::MatrixXd> coefficients_;

@@ -20,6 +20,8 @@ class NominalPose final : public LinearTerm {
 
 }  // namespace
 
-std::unique_ptr<Term> make_nominal_pose(const TermContext& context) { return std::make_unique<NominalPose>(context); }
+std::unique_ptr<Term> make_nominal_pose(const TermContext& context) {
+  return std::make_unique<NominalPose>(context);
+}
 
 }  // namespace legwright

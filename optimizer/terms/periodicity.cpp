@@ -15,10 +15,12 @@ class Periodicity final : public LinearTerm {
     const int T = layout.knot_count(), size = layout.pose_size() - 2;
     Eigen::VectorXd pose = Eigen::VectorXd::Zero(size);
     pose[3] = path.turn_angle();
-    add(T, -1, {{layout.pose(T) + 2, times(1.0, size)}, {layout.pose(0) + 2, times(-1.0, size)}}, pose);
+    add(T, -1, {{layout.pose(T) + 2, times(1.0, size)}, {layout.pose(0) + 2, times(-1.0, size)}},
+        pose);
     for (int j = 0; j < layout.foot_count(); ++j) {
       const double scale = 1.0 / context.length, force = 1.0 / context.weight;
-      add(T, j, {{layout.foot(T, j), times(scale)}, {layout.foot(0, j), -scale * path.turn()}}, scale * path.travel());
+      add(T, j, {{layout.foot(T, j), times(scale)}, {layout.foot(0, j), -scale * path.turn()}},
+          scale * path.travel());
       if (layout.force(0, j) >= 0)
         add(T, j, {{layout.force(T, j), times(force)}, {layout.force(0, j), -force * path.turn()}},
             Eigen::Vector3d::Zero());
@@ -29,6 +31,8 @@ class Periodicity final : public LinearTerm {
 
 }  // namespace
 
-std::unique_ptr<Term> make_periodicity(const TermContext& context) { return std::make_unique<Periodicity>(context); }
+std::unique_ptr<Term> make_periodicity(const TermContext& context) {
+  return std::make_unique<Periodicity>(context);
+}
 
 }  // namespace legwright

@@ -30,6 +30,8 @@ class Smoothness final : public LinearTerm {
 
 }  // namespace
 
-std::unique_ptr<Term> make_smoothness(const TermContext& context) { return std::make_unique<Smoothness>(context); }
+std::unique_ptr<Term> make_smoothness(const TermContext& context) {
+  return std::make_unique<Smoothness>(context);
+}
 
 }  // namespace legwright

@@ -16,13 +16,17 @@ class StanceFoot final : public LinearTerm {
     const Gait& gait = context.task.gait;
     for (int i = 0; i < layout.knot_count(); ++i)
       for (int j = 0; j < layout.foot_count(); ++j) {
-        if (!gait.planted(i, j, layout.planted_margin()) || !gait.planted(i + 1, j, layout.planted_margin())) continue;
+        if (!gait.planted(i, j, layout.planted_margin()) ||
+            !gait.planted(i + 1, j, layout.planted_margin()))
+          continue;
         const double r = scale * context.morphology.feet[j].radius;
         Eigen::Matrix3d roll = Eigen::Matrix3d::Zero();  // θ ↦ −r θ × ẑ
         roll(0, 1) = -r;
         roll(1, 0) = r;
         add(i, j,
-            {{layout.foot(i + 1, j), times(scale)}, {layout.foot(i, j), times(-scale)}, {layout.foot_turn(i, j), roll}},
+            {{layout.foot(i + 1, j), times(scale)},
+             {layout.foot(i, j), times(-scale)},
+             {layout.foot_turn(i, j), roll}},
             Eigen::Vector3d::Zero());
       }
   }
@@ -31,6 +35,8 @@ class StanceFoot final : public LinearTerm {
 
 }  // namespace
 
-std::unique_ptr<Term> make_stance_foot(const TermContext& context) { return std::make_unique<StanceFoot>(context); }
+std::unique_ptr<Term> make_stance_foot(const TermContext& context) {
+  return std::make_unique<StanceFoot>(context);
+}
 
 }  // namespace legwright

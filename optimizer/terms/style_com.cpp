@@ -23,6 +23,8 @@ class StyleCom final : public LinearTerm {
 
 }  // namespace
 
-std::unique_ptr<Term> make_style_com(const TermContext& context) { return std::make_unique<StyleCom>(context); }
+std::unique_ptr<Term> make_style_com(const TermContext& context) {
+  return std::make_unique<StyleCom>(context);
+}
 
 }  // namespace legwright

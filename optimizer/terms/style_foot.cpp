@@ -14,7 +14,8 @@ class StyleFoot final : public LinearTerm {
     const double scale = 1.0 / context.length;
     for (int i = 0; i <= layout.knot_count(); ++i) {
       const double time = i * context.task.gait.time_step();
-      const Eigen::Matrix2d heading = WantedPath::yaw_rotation(context.path.heading(time)).topLeftCorner<2, 2>();
+      const Eigen::Matrix2d heading =
+          WantedPath::yaw_rotation(context.path.heading(time)).topLeftCorner<2, 2>();
       for (int j = 0; j < layout.foot_count(); ++j)
         add(i, j, {{layout.foot(i, j), times(scale, 2)}},
             scale * (context.path.position(time).head<2>() + heading * context.footprint[j]));
@@ -25,6 +26,8 @@ class StyleFoot final : public LinearTerm {
 
 }  // namespace
 
-std::unique_ptr<Term> make_style_foot(const TermContext& context) { return std::make_unique<StyleFoot>(context); }
+std::unique_ptr<Term> make_style_foot(const TermContext& context) {
+  return std::make_unique<StyleFoot>(context);
+}
 
 }  // namespace legwright

@@ -24,7 +24,8 @@ class SwingHeight final : public LinearTerm {
         const double phase = (i - first + 1.0) / (last - first + 2.0);
         const double height = context.task.swing_height * std::pow(std::sin(M_PI * phase), 1.5);
         add(i, j, {{layout.foot(i, j) + 2, times(1.0 / context.length, 1)}},
-            Eigen::VectorXd::Constant(1, (context.morphology.feet[j].radius + height) / context.length));
+            Eigen::VectorXd::Constant(
+                1, (context.morphology.feet[j].radius + height) / context.length));
       }
   }
   std::string_view name() const override { return "swing_height"; }
@@ -32,6 +33,8 @@ class SwingHeight final : public LinearTerm {
 
 }  // namespace
 
-std::unique_ptr<Term> make_swing_height(const TermContext& context) { return std::make_unique<SwingHeight>(context); }
+std::unique_ptr<Term> make_swing_height(const TermContext& context) {
+  return std::make_unique<SwingHeight>(context);
+}
 
 }  // namespace legwright

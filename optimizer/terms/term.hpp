@@ -22,11 +22,11 @@ struct TermContext {
   const Morphology& morphology;
   const DesignSpace& space;
   const Task& task;
-  WantedPath path;       // of the COM on the ground, and the shift from one cycle to the next
-  double length;         // leg length [m]
-  double mass;           // [kg]
-  double weight;         // M g [N]
-  double com_height;     // [m]
+  WantedPath path;    // of the COM on the ground, and the shift from one cycle to the next
+  double length;      // leg length [m]
+  double mass;        // [kg]
+  double weight;      // M g [N]
+  double com_height;  // [m]
   std::vector<Eigen::Vector2d> footprint;  // foot − COM on the ground at heading zero, per foot [m]
 };
 
@@ -53,7 +53,8 @@ class Term {
   /// ∂r/∂z, rows × local variables.
   virtual void jacobian(int element, const Eigen::VectorXd& z, Eigen::MatrixXd& jacobian) const = 0;
   /// Adds Σ_k multiplier_k ∂²r_k/∂z² (both triangles). Linear residuals have none.
-  virtual void add_curvature(int, const Eigen::VectorXd&, const Eigen::VectorXd&, Eigen::MatrixXd&) const {}
+  virtual void add_curvature(int, const Eigen::VectorXd&, const Eigen::VectorXd&,
+                             Eigen::MatrixXd&) const {}
   /// False where add_curvature does nothing.
   virtual bool curved() const { return true; }
   /// A point to check derivatives at: residuals not zero, inequalities on both sides of the barrier's edge.

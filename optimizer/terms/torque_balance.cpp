@@ -95,10 +95,13 @@ class TorqueBalance final : public Term {
 
  private:
   // Positions of the local variables: A_i, A_{i−1}, c_{i−1}, c_i, c_{i+1}, x_i, then foot and force by turns.
-  static constexpr int kAfter = 0, kBefore = 3, kComBefore = 6, kCom = 9, kComAfter = 12, kX = 15, kFeet = 18;
+  static constexpr int kAfter = 0, kBefore = 3, kComBefore = 6, kCom = 9, kComAfter = 12, kX = 15,
+                       kFeet = 18;
 
   /// Before knot 0 stands knot T − 1 moved back by one cycle.
-  Matrix3d back(int knot) const { return knot > 0 ? Matrix3d::Identity() : Matrix3d(path_.turn().transpose()); }
+  Matrix3d back(int knot) const {
+    return knot > 0 ? Matrix3d::Identity() : Matrix3d(path_.turn().transpose());
+  }
   Vector3d bend(int knot, const Eigen::VectorXd& z) const {
     Vector3d before = z.segment<3>(kComBefore);
     if (knot == 0) before = back(0) * (before - path_.travel());

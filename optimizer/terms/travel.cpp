@@ -13,7 +13,8 @@ class Travel final : public LinearTerm {
     const Layout& layout = context.layout;
     const double scale = 1.0 / context.length;
     add(0, -1,
-        {{layout.com(layout.knot_count()), times(scale)}, {layout.com(0), -scale * context.path.turn()}},
+        {{layout.com(layout.knot_count()), times(scale)},
+         {layout.com(0), -scale * context.path.turn()}},
         scale * context.path.travel());
   }
   std::string_view name() const override { return "travel"; }
@@ -21,6 +22,8 @@ class Travel final : public LinearTerm {
 
 }  // namespace
 
-std::unique_ptr<Term> make_travel(const TermContext& context) { return std::make_unique<Travel>(context); }
+std::unique_ptr<Term> make_travel(const TermContext& context) {
+  return std::make_unique<Travel>(context);
+}
 
 }  // namespace legwright

@@ -20,6 +20,8 @@ class TrunkOrientation final : public LinearTerm {
 
 }  // namespace
 
-std::unique_ptr<Term> make_trunk_orientation(const TermContext& context) { return std::make_unique<TrunkOrientation>(context); }
+std::unique_ptr<Term> make_trunk_orientation(const TermContext& context) {
+  return std::make_unique<TrunkOrientation>(context);
+}
 
 }  // namespace legwright

@@ -11,7 +11,9 @@ class Turning final : public LinearTerm {
  public:
   explicit Turning(const TermContext& context) {
     const Layout& layout = context.layout;
-    add(0, -1, {{layout.pose(layout.knot_count()) + 5, times(1.0, 1)}, {layout.pose(0) + 5, times(-1.0, 1)}},
+    add(0, -1,
+        {{layout.pose(layout.knot_count()) + 5, times(1.0, 1)},
+         {layout.pose(0) + 5, times(-1.0, 1)}},
         Eigen::VectorXd::Constant(1, context.path.turn_angle()));
   }
   std::string_view name() const override { return "turning"; }
@@ -19,6 +21,8 @@ class Turning final : public LinearTerm {
 
 }  // namespace
 
-std::unique_ptr<Term> make_turning(const TermContext& context) { return std::make_unique<Turning>(context); }
+std::unique_ptr<Term> make_turning(const TermContext& context) {
+  return std::make_unique<Turning>(context);
+}
 
 }  // namespace legwright

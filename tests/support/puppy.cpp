@@ -38,16 +38,24 @@ DesignSpace make_space(const Parameters& parameters) {
       const std::string where = std::to_string(leg) + "_" + std::to_string(link);
       const double l = kLengths[link];
       space.parameters[parameters.length(leg, link)] = {
-          "length_" + where, "m", "length of a link", ParameterKind::length, l, 0.6 * l, 1.6 * l, parameters.copies()};
+          "length_" + where, "m",     "length of a link", ParameterKind::length, l,
+          0.6 * l,           1.6 * l, parameters.copies()};
       for (int which = 0; which < 2; ++which)
         space.parameters[parameters.angle(leg, link, which)] = {
-            "axis_" + where + (which ? "_x" : "_z"), "rad", "turn of a joint axis", ParameterKind::axis_angle, 0.0,
-            -1.4, 1.4, parameters.copies()};
+            "axis_" + where + (which ? "_x" : "_z"),
+            "rad",
+            "turn of a joint axis",
+            ParameterKind::axis_angle,
+            0.0,
+            -1.4,
+            1.4,
+            parameters.copies()};
     }
   space.parameters[parameters.width()] = {
       "body_width", "m", "width", ParameterKind::length, kWidth, 0.5 * kWidth, 1.6 * kWidth, 1};
-  space.parameters[parameters.body_length()] = {
-      "body_length", "m", "length", ParameterKind::length, kLength, 0.5 * kLength, 1.6 * kLength, 1};
+  space.parameters[parameters.body_length()] = {"body_length",         "m",     "length",
+                                                ParameterKind::length, kLength, 0.5 * kLength,
+                                                1.6 * kLength,         1};
   return space;
 }
 
@@ -84,7 +92,8 @@ Puppy make_puppy(bool tied) {
       link.origin = k == 0 ? hip : along(-1.0, Vector3d::UnitZ(), parameters.length(leg, k - 1));
       link.joint.name = "joint" + std::to_string(leg) + "_" + std::to_string(k);
       link.joint.nominal = kNominal[k];
-      const double mirror = tied && left < 0 ? -1.0 : 1.0;  // (−x, y, −z): both directions change sign
+      const double mirror =
+          tied && left < 0 ? -1.0 : 1.0;  // (−x, y, −z): both directions change sign
       link.joint.axis.turns = {{parameters.angle(leg, k, 0), mirror * Vector3d::UnitZ()},
                                {parameters.angle(leg, k, 1), mirror * Vector3d::UnitX()}};
       const double rod = kRodDensity * kLengths[k], tip = k == 2 ? kFoot : kMotor;
@@ -101,13 +110,15 @@ Puppy make_puppy(bool tied) {
 }
 
 Task make_sideways_task(bool trot, int knot_count, int planted_margin) {
-  const GaitPattern pattern = trot ? GaitPattern{"trot", {0, 0.5, 0.5, 0}, 0.5} : GaitPattern{"walk", {0, 0.5, 0.75, 0.25}, 0.75};
+  const GaitPattern pattern = trot ? GaitPattern{"trot", {0, 0.5, 0.5, 0}, 0.5}
+                                   : GaitPattern{"walk", {0, 0.5, 0.75, 0.25}, 0.75};
   Task task;
   task.name = trot ? "sideways_trot" : "sideways";
   task.gait = Gait(pattern, trot ? 0.4 : 1.0, knot_count, {0, 1, 2, 3});
   task.velocity = {0.0, 0.1};
   task.com_height = 0.175;
-  task.footprint = std::vector<Eigen::Vector2d>{{0.12, 0.09}, {0.12, -0.09}, {-0.12, 0.09}, {-0.12, -0.09}};
+  task.footprint =
+      std::vector<Eigen::Vector2d>{{0.12, 0.09}, {0.12, -0.09}, {-0.12, 0.09}, {-0.12, -0.09}};
   task.min_normal = 0.1;
   task.planted_margin = planted_margin;
   return task;

@@ -52,9 +52,11 @@ class PuppyAtTwoPoses : public testing::Test {
 
 TEST_F(PuppyAtTwoPoses, SweptMomentumIsTheSumOverPoints) {
   Vector3d expected = Vector3d::Zero();
-  for_each_point([&](double mass, const Vector3d& p, const Vector3d& q) { expected += mass * p.cross(q); });
+  for_each_point(
+      [&](double mass, const Vector3d& p, const Vector3d& q) { expected += mass * p.cross(q); });
   PairDerivatives pair;
-  pair.compute_swept_momentum(puppy_.morphology, geometry_, poses_[0], poses_[1], columns_, columns_);
+  pair.compute_swept_momentum(puppy_.morphology, geometry_, poses_[0], poses_[1], columns_,
+                              columns_);
   EXPECT_LT((pair.value - expected).norm(), 1e-14);
   EXPECT_GT(expected.norm(), 1e-3);
 }
@@ -71,7 +73,8 @@ TEST_F(PuppyAtTwoPoses, FootTurnIsTheRotationVectorToSecondOrder) {
   PairDerivatives pair;
   pair.compute_foot_turn(puppy_.morphology, ancestry_, 2, poses_[0], poses_[1], columns_, columns_);
   const int link = puppy_.morphology.feet[2].link;
-  const Eigen::AngleAxisd turn(Eigen::Matrix3d(poses_[1].rotation(link) * poses_[0].rotation(link).transpose()));
+  const Eigen::AngleAxisd turn(
+      Eigen::Matrix3d(poses_[1].rotation(link) * poses_[0].rotation(link).transpose()));
   EXPECT_LT((pair.value - std::sin(turn.angle()) * turn.axis()).norm(), 1e-12);
 }
 
@@ -99,7 +102,9 @@ TEST(AxisAtDesign, DerivativesMatchDifferences) {
     const VectorXd e = h * VectorXd::Unit(2, k);
     EXPECT_LT((at.first[k] - (axis.at(s + e) - axis.at(s - e)) / (2 * h)).norm(), 1e-9);
     for (int l = 0; l < 2; ++l)
-      EXPECT_LT((at.second[k][l] - (axis_at(axis, s + e).first[l] - axis_at(axis, s - e).first[l]) / (2 * h)).norm(),
+      EXPECT_LT((at.second[k][l] -
+                 (axis_at(axis, s + e).first[l] - axis_at(axis, s - e).first[l]) / (2 * h))
+                    .norm(),
                 1e-9);
   }
 }

@@ -40,14 +40,16 @@ TEST_P(RotationOfVector, DerivativesMatchDifferences) {
     EXPECT_LT((skew(at.turn[a]) * at.rotation - first).norm(), 1e-8);
     for (int b = 0; b < 3; ++b) {
       const Vector3d eb = h * Vector3d::Unit(b);
-      const Matrix3d second = (rotation(o_ + ea + eb) - rotation(o_ + ea - eb) - rotation(o_ - ea + eb) +
-                               rotation(o_ - ea - eb)) / (4 * h * h);
+      const Matrix3d second = (rotation(o_ + ea + eb) - rotation(o_ + ea - eb) -
+                               rotation(o_ - ea + eb) + rotation(o_ - ea - eb)) /
+                              (4 * h * h);
       EXPECT_LT((at.second[a][b] * at.rotation - second).norm(), 2e-7);
     }
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Angles, RotationOfVector, testing::Values(0.0, 1e-9, 1e-3, 0.2235, 0.2237, 1.0, 2.5));
+INSTANTIATE_TEST_SUITE_P(Angles, RotationOfVector,
+                         testing::Values(0.0, 1e-9, 1e-3, 0.2235, 0.2237, 1.0, 2.5));
 
 TEST(RotationOfVectorSeries, MeetsTheClosedForm) {
   // Both sides of the switch give the same second derivatives: nothing jumps.

@@ -31,7 +31,8 @@ Objective make_objective(const std::string& only = "") {
   task.velocity = {0.05, 0.1};
   task.turn_rate = 0.6;
   if (!only.empty())
-    for (const TermEntry& entry : term_registry()) task.weights[std::string(entry.name)] = entry.name == only ? 1.0 : 0.0;
+    for (const TermEntry& entry : term_registry())
+      task.weights[std::string(entry.name)] = entry.name == only ? 1.0 : 0.0;
   return Objective(morphology, puppy.space, task);
 }
 
@@ -42,7 +43,8 @@ Point random_point(const Objective& objective, unsigned seed) {
   for (int k = 0; k < at.s.size(); ++k)
     at.s[k] += 0.1 * objective.space().scale()[k] * normal(random);
   at.m = initial_guess(objective, at.s);
-  for (int k = 0; k < at.m.size(); ++k) at.m[k] += 0.1 * objective.motion_units()[k] * normal(random);
+  for (int k = 0; k < at.m.size(); ++k)
+    at.m[k] += 0.1 * objective.motion_units()[k] * normal(random);
   return at;
 }
 
@@ -90,7 +92,8 @@ Errors check(const Objective& objective, const Point& at, int stride, double s_s
   const VectorXd units = objective.motion_units(), scale = objective.space().scale();
   return {error(units.cwiseProduct(exact.stationarity), units.cwiseProduct(gradient_m)),
           error(s_scale * scale.cwiseProduct(exact.partial_s), scale.cwiseProduct(gradient_s)),
-          error(units.asDiagonal() * exact_mm * units.asDiagonal(), units.asDiagonal() * mm * units.asDiagonal()),
+          error(units.asDiagonal() * exact_mm * units.asDiagonal(),
+                units.asDiagonal() * mm * units.asDiagonal()),
           error(units.asDiagonal() * exact.hessian_ms * scale.asDiagonal(),
                 units.asDiagonal() * ms * scale.asDiagonal()),
           error(scale.asDiagonal() * exact.hessian_ss * scale.asDiagonal(),
@@ -116,7 +119,9 @@ std::vector<std::string> all_terms() {
 }
 
 INSTANTIATE_TEST_SUITE_P(Registry, ObjectiveDerivatives, testing::ValuesIn(all_terms()),
-                         [](const auto& instance) { return instance.param.empty() ? "whole" : instance.param; });
+                         [](const auto& instance) {
+                           return instance.param.empty() ? "whole" : instance.param;
+                         });
 
 TEST(ObjectiveDerivativesControl, PoisonedGradientIsNoticed) {
   const Objective objective = make_objective("com_position");

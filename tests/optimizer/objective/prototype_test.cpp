@@ -76,18 +76,22 @@ Objective make_objective(const json& file, const std::string& only = "") {
   task.barrier_edge = file["settings"]["barrier_edge"].get<double>();
   for (const auto& [reference, ours] : kTerms)
     for (const std::string& name : ours)
-      task.weights[name] =
-          only.empty() || only == reference ? file["settings"]["weights"][reference].get<double>() : 0.0;
+      task.weights[name] = only.empty() || only == reference
+                               ? file["settings"]["weights"][reference].get<double>()
+                               : 0.0;
   return Objective(puppy.morphology, puppy.space, task);
 }
 
 double relative(double a, double b) { return std::abs(a - b) / std::max(1e-300, std::abs(b)); }
-double relative(const VectorXd& a, const VectorXd& b) { return (a - b).norm() / std::max(1e-300, b.norm()); }
+double relative(const VectorXd& a, const VectorXd& b) {
+  return (a - b).norm() / std::max(1e-300, b.norm());
+}
 
 class Prototype : public testing::TestWithParam<const char*> {
  protected:
   void SetUp() override {
-    const std::string name = std::string(LEGWRIGHT_SOURCE_DIR) + "/tests/data/prototype/" + GetParam() + ".json";
+    const std::string name =
+        std::string(LEGWRIGHT_SOURCE_DIR) + "/tests/data/prototype/" + GetParam() + ".json";
     std::ifstream stream(name);
     ASSERT_TRUE(stream) << name;
     file_ = json::parse(stream);
@@ -99,7 +103,8 @@ TEST_P(Prototype, TermsAgree) {
   const Objective objective = make_objective(file_);
   for (const json& sample : file_["samples"]) {
     std::map<std::string, double> ours;
-    for (const TermValue& term : objective.terms(to_design(sample["design"]), to_vector(sample["m"])))
+    for (const TermValue& term :
+         objective.terms(to_design(sample["design"]), to_vector(sample["m"])))
       ours[std::string(term.name)] = term.value;
     for (const auto& [reference, names] : kTerms) {
       double sum = 0.0;
@@ -113,7 +118,8 @@ TEST_P(Prototype, GradientsAgreeTermByTerm) {
   for (const auto& [reference, names] : kTerms) {
     const Objective objective = make_objective(file_, reference);
     for (const json& sample : file_["samples"]) {
-      if (!sample.contains("term_gradients_m") || !sample["term_gradients_m"].contains(reference)) continue;
+      if (!sample.contains("term_gradients_m") || !sample["term_gradients_m"].contains(reference))
+        continue;
       const VectorXd expected =
           to_dense(sample["term_gradients_m"][reference], static_cast<int>(sample["m"].size()));
       const Evaluation at =
@@ -129,7 +135,8 @@ TEST_P(Prototype, GradientsAgreeTermByTerm) {
 TEST_P(Prototype, HessianTimesDirectionAgrees) {
   const Objective objective = make_objective(file_);
   for (const json& sample : file_["samples"]) {
-    const Evaluation at = objective.evaluate(to_design(sample["design"]), to_vector(sample["m"]), Order::hessian);
+    const Evaluation at =
+        objective.evaluate(to_design(sample["design"]), to_vector(sample["m"]), Order::hessian);
     EXPECT_LT(relative(at.stationarity, to_vector(sample["gradient_m"])), 1e-8);
     if (!sample.contains("direction_m")) continue;
     const VectorXd product =
@@ -140,10 +147,12 @@ TEST_P(Prototype, HessianTimesDirectionAgrees) {
 
 TEST_P(Prototype, NoticesAChangedWeight) {  // negative control
   json changed = file_;
-  changed["settings"]["weights"]["slip"] = 1.01 * file_["settings"]["weights"]["slip"].get<double>();
+  changed["settings"]["weights"]["slip"] =
+      1.01 * file_["settings"]["weights"]["slip"].get<double>();
   const Objective objective = make_objective(changed);
   const json& sample = file_["samples"][0];
-  const Evaluation at = objective.evaluate(to_design(sample["design"]), to_vector(sample["m"]), Order::gradient);
+  const Evaluation at =
+      objective.evaluate(to_design(sample["design"]), to_vector(sample["m"]), Order::gradient);
   EXPECT_GT(relative(at.value, sample["F"].get<double>()), 1e-9);
   EXPECT_GT(relative(at.stationarity, to_vector(sample["gradient_m"])), 1e-8);
 }

@@ -45,14 +45,17 @@ double worst_error(const Term& term, int element, const VectorXd& z, std::mt1993
     down[k] -= step;
     numeric.col(k) = (residual(term, element, up) - residual(term, element, down)) / (2 * step);
     numeric_curvature.col(k) =
-        (jacobian(term, element, up) - jacobian(term, element, down)).transpose() * multiplier / (2 * step);
+        (jacobian(term, element, up) - jacobian(term, element, down)).transpose() * multiplier /
+        (2 * step);
   }
   const auto relative = [](const MatrixXd& a, const MatrixXd& b) {
-    return (a - b).cwiseAbs().maxCoeff() / std::max(1e-9, std::max(a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff()));
+    return (a - b).cwiseAbs().maxCoeff() /
+           std::max(1e-9, std::max(a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff()));
   };
   const double asymmetry = (curvature - curvature.transpose()).cwiseAbs().maxCoeff();
   if (!term.curved() && curvature.norm() > 0.0) return 1.0;
-  return std::max({relative(jacobian(term, element, z), numeric), relative(curvature, numeric_curvature), asymmetry});
+  return std::max({relative(jacobian(term, element, z), numeric),
+                   relative(curvature, numeric_curvature), asymmetry});
 }
 
 std::set<int> probes(const Term& term) {
@@ -76,7 +79,8 @@ TEST_P(TermDerivatives, MatchCentralDifferences) {
   std::mt19937 random(3);
   for (int element : probes(*term))
     for (int repeat = 0; repeat < 20; ++repeat)
-      EXPECT_LT(worst_error(*term, element, term->sample(element, random), random), 1e-6) << "element " << element;
+      EXPECT_LT(worst_error(*term, element, term->sample(element, random), random), 1e-6)
+          << "element " << element;
 }
 
 TEST_P(TermDerivatives, SamplesAreWorthChecking) {
@@ -106,7 +110,8 @@ INSTANTIATE_TEST_SUITE_P(Registry, TermDerivatives, testing::ValuesIn(names()),
 /// A term with one wrong entry, which the checker above must see.
 class Poisoned final : public Term {
  public:
-  Poisoned(std::unique_ptr<Term> inner, bool poison_jacobian) : inner_(std::move(inner)), jacobian_(poison_jacobian) {
+  Poisoned(std::unique_ptr<Term> inner, bool poison_jacobian)
+      : inner_(std::move(inner)), jacobian_(poison_jacobian) {
     elements_ = inner_->elements();
   }
   std::string_view name() const override { return inner_->name(); }
@@ -115,7 +120,8 @@ class Poisoned final : public Term {
     inner_->jacobian(e, z, J);
     if (jacobian_) J(0, 0) += 1e-4 * J.cwiseAbs().maxCoeff();
   }
-  void add_curvature(int e, const VectorXd& z, const VectorXd& multiplier, MatrixXd& H) const override {
+  void add_curvature(int e, const VectorXd& z, const VectorXd& multiplier,
+                     MatrixXd& H) const override {
     inner_->add_curvature(e, z, multiplier, H);
     if (!jacobian_) H(0, 0) += 1e-4 * H.cwiseAbs().maxCoeff();
   }

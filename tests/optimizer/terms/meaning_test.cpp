@@ -18,7 +18,8 @@ using Eigen::VectorXd;
 /// The tied puppy walking sideways; terms by name at a motion.
 class TermMeaning : public testing::Test {
  protected:
-  TermMeaning() : puppy_(test::make_puppy(true)), objective_(puppy_.morphology, puppy_.space, task()) {
+  TermMeaning()
+      : puppy_(test::make_puppy(true)), objective_(puppy_.morphology, puppy_.space, task()) {
     s_ = puppy_.space.initial();
     m_ = initial_guess(objective_, s_);
   }
@@ -43,8 +44,9 @@ class TermMeaning : public testing::Test {
 };
 
 TEST_F(TermMeaning, SlidingGuessKeepsKinematicsAndTravel) {
-  for (const char* name : {"travel", "turning", "com_position", "foot_position", "smoothness", "periodicity",
-                           "nominal_pose", "trunk_orientation", "ground_height", "design_tether", "force_balance"})
+  for (const char* name :
+       {"travel", "turning", "com_position", "foot_position", "smoothness", "periodicity",
+        "nominal_pose", "trunk_orientation", "ground_height", "design_tether", "force_balance"})
     EXPECT_LT(value(name), 1e-20) << name;
   EXPECT_GT(value("stance_foot"), 1e-6) << "the guess slides its feet";
   EXPECT_GT(value("swing_height"), 1e-6) << "the guess does not lift its feet";
@@ -70,7 +72,8 @@ TEST_F(TermMeaning, KinematicsNoticeAMovedFootAndCom) {
 TEST_F(TermMeaning, ForceBalanceNoticesMissingWeight) {
   for (int foot = 0; foot < 4; ++foot)
     if (const int slot = layout().force(5, foot); slot >= 0) at(slot + 2) = 0.0;
-  EXPECT_NEAR(value("force_balance"), 0.5, 1e-9) << "one knot without any force misses the whole weight";
+  EXPECT_NEAR(value("force_balance"), 0.5, 1e-9)
+      << "one knot without any force misses the whole weight";
 }
 
 TEST_F(TermMeaning, TorqueBalanceVanishesForFreeFall) {
@@ -101,7 +104,8 @@ TEST_F(TermMeaning, StanceFootAllowsRollingOnly) {
     at(layout().foot(i, 0)) += r * std::sin(theta);
   }
   EXPECT_LT(value("stance_foot"), 1e-12);
-  for (int i = 1; i <= layout().knot_count(); ++i) at(layout().foot(i, 0)) -= 2 * r * std::sin(theta);
+  for (int i = 1; i <= layout().knot_count(); ++i)
+    at(layout().foot(i, 0)) -= 2 * r * std::sin(theta);
   EXPECT_GT(value("stance_foot"), 1e-7) << "rolling backwards is sliding";
 }
 
