@@ -4,66 +4,51 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "mjcf/compile.hpp"
 #include "mjcf/numbers.hpp"
+#include "optimizer/design/morphology.hpp"
 
 namespace legwright {
 namespace {
 
-template <std::size_t n>
-bool contains(const std::array<std::string_view, n>& sorted, std::string_view word) {
-  return std::find(sorted.begin(), sorted.end(), word) != sorted.end();
+/// Attributes that hold numbers wherever they occur in MJCF, but for <flag>, <config> and <text>.
+/// MuJoCo reads "nan" and "0x10" in them.
+constexpr std::string_view kNumbers =
+    " accel act actdim actrange actuatorfrcrange adhesion alpha ambient anchor area armature"
+    " attenuation axis axisangle azimuth bias biasprm bindpos bindquat boundinertia boundmass"
+    " bulbradius ccd_iterations ccd_tolerance center coef cogging conaffinity condim contype"
+    " cranklength ctrl ctrlrange cutoff damping dampratio delay density diameter diaginertia"
+    " diffuse dim dir divisor dynprm elevation emission euler exponent extent ffrange fluidcoef"
+    " focal focalpixel fogend fogstart force forcerange fovy fpmax friction frictionloss fromto"
+    " fullinertia fvmax gain gainprm gap gear glow gravcomp gravity gridsize group haze height imax"
+    " impratio inductance inheritrange intensity interval inttotal ipd iterations ki kp kv"
+    " lengthrange linewidth lmax lmin ls_iterations ls_tolerance lugre magnetic margin markrgb mass"
+    " maxforce maxhullvert meaninertia meanmass meansize metallic motorconst mpos mquat ncol"
+    " nconmax njmax nkey noise nominal normal noslip_iterations noslip_tolerance nrow nsample num"
+    " numquads numslices numstacks nuserdata nuser_actuator nuser_body nuser_cam nuser_geom"
+    " nuser_jnt nuser_sensor nuser_site nuser_tendon o_friction o_margin o_solimp o_solref"
+    " offheight offsamples offwidth polycoef pos posrange principal principalpixel priority prm"
+    " qpos quat qvel radius random range realtime ref reflectance refpos refquat relpose resistance"
+    " resolution rgb1 rgb2 rgba roughness saturation scale sdf_initpoints sdf_iterations"
+    " sensorsize settotalmass shadowclip shadowscale shadowsize shininess size sleep_tolerance"
+    " slewmax softness solimp solimpfriction solimplimit solmix solref solreffriction solreflimit"
+    " specular springdamper springlength springref stiffness stiffnessrot surfacevel tausmooth"
+    " texcoord texrepeat thermal time timeconst timestep tolerance tolrange torque torquescale user"
+    " velrange vertex vertweight viscosity vmax width wind xyaxes zaxis zfar znear ";
+
+/// Elements below <visual> that hold nothing but numbers; elsewhere some of their names are words.
+constexpr std::string_view kNumberElements = " rgba scale map quality ";
+
+/// Whether a list with a blank before and behind each entry holds a word, which has no blank.
+bool is_listed(std::string_view list, std::string_view word) {
+  for (std::size_t at = list.find(word); at != std::string_view::npos; at = list.find(word, at + 1))
+    if (list[at - 1] == ' ' && list[at + word.size()] == ' ') return true;
+  return false;
 }
 
-/// Attributes that hold numbers wherever they occur in MJCF. MuJoCo reads "nan" and "0x10" in them.
-constexpr std::array<std::string_view, 84> kNumbers = {"actrange",     "actuatorfrcrange",
-                                                       "ambient",      "armature",
-                                                       "attenuation",  "axis",
-                                                       "axisangle",    "biasprm",
-                                                       "boundinertia", "boundmass",
-                                                       "center",       "conaffinity",
-                                                       "condim",       "contype",
-                                                       "cranklength",  "ctrl",
-                                                       "ctrlrange",    "cutoff",
-                                                       "damping",      "dampratio",
-                                                       "density",      "diaginertia",
-                                                       "diffuse",      "dir",
-                                                       "dynprm",       "emission",
-                                                       "euler",        "exponent",
-                                                       "extent",       "forcerange",
-                                                       "fovy",         "friction",
-                                                       "frictionloss", "fromto",
-                                                       "fullinertia",  "gainprm",
-                                                       "gap",          "gear",
-                                                       "gravcomp",     "gravity",
-                                                       "group",        "height",
-                                                       "impratio",     "kp",
-                                                       "kv",           "lengthrange",
-                                                       "magnetic",     "margin",
-                                                       "mass",         "meaninertia",
-                                                       "meanmass",     "meansize",
-                                                       "mpos",         "mquat",
-                                                       "ncol",         "nrow",
-                                                       "offheight",    "offwidth",
-                                                       "pos",          "priority",
-                                                       "qpos",         "quat",
-                                                       "qvel",         "range",
-                                                       "ref",          "rgb1",
-                                                       "rgb2",         "rgba",
-                                                       "scale",        "settotalmass",
-                                                       "shininess",    "size",
-                                                       "solimp",       "solref",
-                                                       "specular",     "springref",
-                                                       "stiffness",    "texrepeat",
-                                                       "timeconst",    "timestep",
-                                                       "user",         "width",
-                                                       "xyaxes",       "zaxis"};
-
-constexpr std::array<std::string_view, 5> kGenerators = {"composite", "flexcomp", "replicate",
-                                                         "attach", "flex"};
+constexpr std::string_view kGenerators = " composite flexcomp replicate attach flex ";
 
 void check_no_other_file(const XmlFile& xml, const XmlElement& element) {
   if (is_tag(element, "include"))
@@ -91,11 +76,12 @@ void check_magnitude(const XmlFile& xml, const XmlElement& element, std::string_
 }
 
 void check_numbers(const XmlFile& xml, const XmlElement& element) {
+  if (is_tag(element, "config") || is_tag(element, "text") || is_tag(element, "flag")) return;
   for (const tinyxml2::XMLAttribute* a = element.FirstAttribute(); a; a = a->Next()) {
-    const bool is_number = contains(kNumbers, a->Name()) ||
+    const bool is_number = is_listed(kNumbers, a->Name()) ||
+                           is_listed(kNumberElements, element.Name()) ||
                            (is_tag(element, "numeric") && a->Name() == std::string_view("data"));
     if (!is_number) continue;
-    if (is_tag(element, "config") || is_tag(element, "text")) continue;
     if (const auto values = parse_numbers(a->Value());
         !values || (values->empty() && a->Value()[0] != '\0'))
       throw xml.error(element,
@@ -118,8 +104,18 @@ void check_axis(const XmlFile& xml, const XmlElement& element) {
 /// Names that scene.xml needs for itself, and sizes that would eat the memory.
 void check_scene_needs(const XmlFile& xml, const XmlElement& element) {
   const std::string_view name = attribute(element, "name");
-  if ((is_tag(element, "geom") && name == "floor") ||
-      (is_tag(element, "camera") && (name == "side" || name == "track")))
+  const auto is = [&](const char* tag, std::string_view reserved) {
+    return is_tag(element, tag) && name == reserved;
+  };
+  const XmlElement* const parent =
+      element.Parent() ? element.Parent()->ToElement() : nullptr;
+  const bool is_sensor = parent && is_tag(*parent, "sensor") &&
+                         (name == "tracking" || name.substr(0, 8) == "contact:");
+  const bool is_class = is_tag(element, "default") &&
+                        attribute(element, "class").substr(0, 13) == "legwright_pd_";
+  if (is("geom", "floor") || is("camera", "side") || is("camera", "track") || is("key", "gait") ||
+      is("texture", "legwright_floor") || is("material", "legwright_floor") || is_sensor ||
+      is_class)
     throw xml.error(element,
                     "the scene adds an element of this name; remove it or name it otherwise");
   for (const char* size : {"width", "height", "nrow", "ncol"}) {
@@ -149,6 +145,34 @@ void check_has_free_joint(const XmlFile& xml) {
       "no free root: the trunk of a walking robot moves freely; add <freejoint/> to it");
 }
 
+/// The last element of a tag that has an attribute, as it is the one that holds; else the root.
+const XmlElement& last_with(const XmlFile& xml, const char* tag, const char* name) {
+  const XmlElement* found = &xml.root();
+  for_each_element(xml.root(), [&](const XmlElement& element) {
+    if (is_tag(element, tag) && has_attribute(element, name)) found = &element;
+  });
+  return *found;
+}
+
+/// The planner knows one gravity; with another the played gait would fall for no visible reason.
+void check_gravity(const XmlFile& xml, const mjModel& model) {
+  if (model.opt.disableflags & mjDSBL_GRAVITY)
+    throw xml.error(last_with(xml, "flag", "gravity"),
+                    "attribute gravity: is switched off, but gaits are planned for gravity; remove "
+                    "the attribute");
+  const mjtNum* g = model.opt.gravity;
+  if (g[0] != 0.0 || g[1] != 0.0 || std::abs(g[2] + kGravity) > 1e-9)
+    throw xml.error(last_with(xml, "option", "gravity"),
+                    fmt::format("attribute gravity: {} {} {}, but gaits are planned for 0 0 -{}; "
+                                "write that or remove the attribute",
+                                g[0], g[1], g[2], kGravity));
+  for (int b = 1; b < model.nbody; ++b)
+    if (model.body_gravcomp[b] != 0.0)
+      throw error_at(xml, model, mjOBJ_BODY, b,
+                     "attribute gravcomp: gaits are planned for bodies with their full weight; "
+                     "remove it");
+}
+
 /// MuJoCo fills up keyframes that are too short.
 void check_keyframes(const XmlFile& xml, const mjModel& model) {
   for_each_element(xml.root(), [&](const XmlElement& element) {
@@ -170,7 +194,7 @@ void check_text(const XmlFile& xml) {
     throw xml.error(xml.root(), "the root element of a robot is <mujoco>; is this an MJCF file?");
   for_each_element(xml.root(), [&](const XmlElement& element) {
     check_no_other_file(xml, element);
-    if (contains(kGenerators, element.Name()))
+    if (is_listed(kGenerators, element.Name()))
       throw xml.error(element, "generated parts are not read; write the bodies out");
     if (is_tag(element, "compiler") && attribute(element, "fusestatic") == "true")
       throw xml.error(element,
@@ -272,6 +296,7 @@ int check_tree(const XmlFile& xml, const mjModel& model) {
   const int trunk = find_trunk(xml, model);
   for (int j = 0; j < model.njnt; ++j) check_joint(xml, model, trunk, j);
   refuse_couplings(xml, model);
+  check_gravity(xml, model);
   for (int g = 0; g < model.ngeom; ++g)
     if (model.body_rootid[model.geom_bodyid[g]] != trunk &&
         (model.geom_contype[g] || model.geom_conaffinity[g]))

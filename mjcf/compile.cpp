@@ -2,6 +2,7 @@
 #include "mjcf/compile.hpp"
 
 #include <array>
+#include <atomic>
 #include <mutex>
 #include <stdexcept>
 
@@ -10,21 +11,36 @@
 namespace legwright {
 namespace {
 
+struct EngineError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+thread_local bool t_calls_engine = false;                // this thread is inside call_engine
+std::atomic<mjfLogHandler> g_other_threads_log{nullptr};  // the handler before call_engine
+
 /// MuJoCo's own handler prints, writes a log file, and ends the process on errors.
 void quiet_log(const mjLogMessage* message) {
-  if (message->level == mjLOG_ERROR)
-    throw std::runtime_error(std::string("MuJoCo: ") + message->subject);
+  if (t_calls_engine) {
+    if (message->level == mjLOG_ERROR) throw EngineError(message->subject);
+  } else if (const mjfLogHandler other = g_other_threads_log.load()) {
+    other(message);
+  }
 }
 
 class QuietMujoco {
  public:
-  QuietMujoco() : previous_(mju_setLogHandler(quiet_log)) {}
-  ~QuietMujoco() { mju_setLogHandler(previous_); }
+  QuietMujoco() {
+    t_calls_engine = true;
+    // It is ours already where another guard of the process restored handlers in another order.
+    const mjfLogHandler previous = mju_setLogHandler(quiet_log);
+    if (previous != quiet_log) g_other_threads_log = previous;
+  }
+  ~QuietMujoco() {
+    t_calls_engine = false;
+    mju_setLogHandler(g_other_threads_log);
+  }
   QuietMujoco(const QuietMujoco&) = delete;
   QuietMujoco& operator=(const QuietMujoco&) = delete;
-
- private:
-  mjfLogHandler previous_;
 };
 
 /// MuJoCo writes "… line 12 …" into its message; 0 if it does not.
@@ -48,17 +64,40 @@ InputError refusal(const std::filesystem::path& file, std::string message) {
 
 }  // namespace
 
-ModelPointer compile_mjcf(const std::string& xml, const std::filesystem::path& file) {
+void call_engine(const std::filesystem::path& file, const std::function<void()>& work) {
   static std::mutex turns;  // the log handler belongs to the process
   const std::lock_guard lock(turns);
   const QuietMujoco quiet;
-  std::array<char, 1000> error{};
-  const std::unique_ptr<mjSpec, MujocoDeleter> spec(
-      mj_parseXMLString(xml.c_str(), nullptr, error.data(), static_cast<int>(error.size())));
-  if (!spec) throw refusal(file, error.data());
-  ModelPointer model(mj_compile(spec.get(), nullptr));
-  if (!model) throw refusal(file, mjs_getError(spec.get()));
+  try {
+    work();
+  } catch (const EngineError& error) {
+    throw refusal(file, error.what());
+  }
+}
+
+ModelPointer compile_mjcf(const std::string& xml, const std::filesystem::path& file) {
+  ModelPointer model;
+  call_engine(file, [&] {
+    std::array<char, 1000> error{};
+    const std::unique_ptr<mjSpec, MujocoDeleter> spec(
+        mj_parseXMLString(xml.c_str(), nullptr, error.data(), static_cast<int>(error.size())));
+    if (!spec) throw refusal(file, error.data());
+    model.reset(mj_compile(spec.get(), nullptr));
+    if (!model) throw refusal(file, mjs_getError(spec.get()));
+  });
   return model;
+}
+
+DataPointer kinematics_at(const mjModel& model, const mjtNum* qpos,
+                          const std::filesystem::path& file) {
+  DataPointer data;
+  call_engine(file, [&] {
+    data.reset(mj_makeData(&model));
+    if (!data) throw refusal(file, "no memory for the state of the model");
+    if (qpos) mju_copy(data->qpos, qpos, model.nq);
+    mj_kinematics(&model, data.get());
+  });
+  return data;
 }
 
 std::string name_of(const mjModel& model, mjtObj type, int id) {

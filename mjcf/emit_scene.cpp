@@ -48,14 +48,6 @@ void check_settings(const SceneSettings& settings, const mjModel& model) {
           "the gain scale is not positive");
 }
 
-void remove_children(XMLElement& parent, const char* tag, bool (*matches)(const XMLElement&)) {
-  for (XMLElement* child = parent.FirstChildElement(tag); child;) {
-    XMLElement* const next = child->NextSiblingElement(tag);
-    if (matches(*child)) parent.DeleteChild(child);
-    child = next;
-  }
-}
-
 /// Puts the plugin's actuators in place of the robot's. The class teaches MuJoCo's implicit
 /// integrators the derivative of the servo (plugin/README.md); the plugin itself computes the
 /// torque.
@@ -141,15 +133,12 @@ void add_sensors(XMLElement& root, const Morphology& morphology) {
 /// plugin.
 void write_keyframes(XMLElement& root, const SceneSettings& settings) {
   for (XMLElement* keys = root.FirstChildElement("keyframe"); keys;
-       keys = keys->NextSiblingElement("keyframe")) {
-    remove_children(*keys, "key",
-                    [](const XMLElement& key) { return attribute(key, "name") == "gait"; });
+       keys = keys->NextSiblingElement("keyframe"))
     for (XMLElement* key = keys->FirstChildElement("key"); key;
          key = key->NextSiblingElement("key")) {
       key->DeleteAttribute("ctrl");
       key->DeleteAttribute("act");
     }
-  }
   XMLElement& gait = add(section(root, "keyframe"), "key");
   gait.SetAttribute("name", "gait");
   gait.SetAttribute("time", "0");

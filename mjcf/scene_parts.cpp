@@ -48,6 +48,40 @@ void place_camera(XMLElement& camera, const char* name, const Vector3d& pos, con
   set(camera, "fovy", format_number(kFieldOfView));
 }
 
+/// Sky, unless the robot has one, and the floor's material.
+void add_floor_assets(XMLElement& root, const mjModel& robot, double tile) {
+  XMLElement& asset = add(root, "asset");
+  bool has_sky = false;
+  for (int t = 0; t < robot.ntex; ++t) has_sky = has_sky || robot.tex_type[t] == mjTEXTURE_SKYBOX;
+  if (!has_sky) {
+    XMLElement& sky = add(asset, "texture");
+    for (const auto& [name, value] : {std::pair{"type", "skybox"},
+                                      {"builtin", "gradient"},
+                                      {"rgb1", "0.97 0.98 1"},
+                                      {"rgb2", "0.72 0.8 0.9"},
+                                      {"width", "256"},
+                                      {"height", "1536"}})
+      sky.SetAttribute(name, value);
+  }
+  XMLElement& checker = add(asset, "texture");
+  for (const auto& [name, value] : {std::pair{"name", "legwright_floor"},
+                                    {"type", "2d"},
+                                    {"builtin", "checker"},
+                                    {"rgb1", "0.86 0.88 0.9"},
+                                    {"rgb2", "0.8 0.82 0.85"},
+                                    {"width", "256"},
+                                    {"height", "256"}})
+    checker.SetAttribute(name, value);
+  XMLElement& material = add(asset, "material");
+  set(material, "name", "legwright_floor");
+  set(material, "texture", "legwright_floor");
+  set(material, "texuniform", "true");
+  set(material, "texrepeat", fmt::format("{0:.6g} {0:.6g}", 0.5 / tile));
+  set(material, "rgba", "1 1 1 1");
+  set(material, "specular", "0.1");
+  set(material, "reflectance", "0");
+}
+
 }  // namespace
 
 XMLElement& add(XMLElement& parent, const char* tag) { return *parent.InsertNewChildElement(tag); }
@@ -105,38 +139,8 @@ void add_settings(XMLElement& root, const SceneView& view) {
 }
 
 void add_floor(XMLElement& root, const mjModel& robot, const SceneView& view, double friction) {
-  XMLElement& asset = add(root, "asset");
-  bool has_sky = false;
-  for (int t = 0; t < robot.ntex; ++t) has_sky = has_sky || robot.tex_type[t] == mjTEXTURE_SKYBOX;
-  if (!has_sky) {
-    XMLElement& sky = add(asset, "texture");
-    for (const auto& [name, value] : {std::pair{"type", "skybox"},
-                                      {"builtin", "gradient"},
-                                      {"rgb1", "0.97 0.98 1"},
-                                      {"rgb2", "0.72 0.8 0.9"},
-                                      {"width", "256"},
-                                      {"height", "1536"}})
-      sky.SetAttribute(name, value);
-  }
-  XMLElement& checker = add(asset, "texture");
-  for (const auto& [name, value] : {std::pair{"name", "legwright_floor"},
-                                    {"type", "2d"},
-                                    {"builtin", "checker"},
-                                    {"rgb1", "0.86 0.88 0.9"},
-                                    {"rgb2", "0.8 0.82 0.85"},
-                                    {"width", "256"},
-                                    {"height", "256"}})
-    checker.SetAttribute(name, value);
-  XMLElement& material = add(asset, "material");
   const double tile = round_length(0.5 * view.leg_length);  // side of a square; a repeat has two
-  set(material, "name", "legwright_floor");
-  set(material, "texture", "legwright_floor");
-  set(material, "texuniform", "true");
-  set(material, "texrepeat", fmt::format("{0:.6g} {0:.6g}", 0.5 / tile));
-  set(material, "rgba", "1 1 1 1");
-  set(material, "specular", "0.1");
-  set(material, "reflectance", "0");
-
+  add_floor_assets(root, robot, tile);
   int bits = 0, priority = 0;
   for (int g = 0; g < robot.ngeom; ++g) {
     bits |= robot.geom_contype[g] | robot.geom_conaffinity[g];

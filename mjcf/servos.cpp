@@ -16,11 +16,36 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kFullTorqueError = 0.0375;  // [rad]: angle error at which a servo gives all it has
-constexpr double kDampingTime = 0.01;        // [s]: kd over kp of a servo that says nothing of kd
+constexpr double kDampingTime = 0.01;        // [s]: kd over kp of an actuator that has no gains
 
 /// The part of a range that serves both directions; infinite if nothing limits.
 double symmetric(bool limited, const mjtNum* range) {
   return limited ? std::min(-range[0], range[1]) : kInfinity;
+}
+
+/// What the plugin's servo would not do must not get lost in silence.
+void refuse_what_the_scene_drops(const XmlFile& xml, const mjModel& model, int actuator,
+                                 const XmlElement& element) {
+  const auto refuse = [&](bool present, const char* what) {
+    if (present)
+      throw xml.error(element, fmt::format("{}, which the servos of the gait do not have; remove "
+                                           "it",
+                                           what));
+  };
+  const mjtNum* poly = model.actuator_dampingpoly + mjNPOLY * actuator;
+  const bool damps = model.actuator_damping[actuator] != 0.0 ||
+                     std::any_of(poly, poly + mjNPOLY, [](mjtNum x) { return x != 0.0; });
+  if (model.actuator_armature[actuator] != 0.0)
+    throw xml.error(element,
+                    "attribute armature: the scene brings actuators of its own; write armature "
+                    "(times the square of gear) at the joint");
+  if (damps)
+    throw xml.error(element,
+                    "attribute damping: the scene brings actuators of its own; write damping "
+                    "(times the square of gear) at the joint");
+  refuse(model.actuator_delay[actuator] != 0.0, "attribute delay: delays its control");
+  refuse(model.actuator_dyntype[actuator] != mjDYN_NONE || model.actuator_actnum[actuator] != 0,
+         "has dynamics of its own (timeconst, dyntype, an integral or a slew limit)");
 }
 
 /// Element of an actuator: its place in the section counts where it has no name.
@@ -38,9 +63,10 @@ Servo read_servo(const XmlFile& xml, const mjModel& model, int actuator, const s
   const XmlElement& element = actuator_element(xml, actuator);
   const mjtNum* gain = model.actuator_gainprm + mjNGAIN * actuator;
   const mjtNum* bias = model.actuator_biasprm + mjNBIAS * actuator;
-  const double gear = model.actuator_gear[6 * actuator];
+  const double gear = model.actuator_gear[6 * model.actuator_outadr[actuator]];
   if (!(std::abs(gear) > 1e-9))
     throw xml.error(element, "attribute gear: is zero, so the actuator drives nothing");
+  refuse_what_the_scene_drops(xml, model, actuator, element);
   Servo servo{name_of(model, mjOBJ_ACTUATOR, actuator), joint, 0.0, 0.0, 0.0};
   if (servo.actuator.empty()) servo.actuator = joint;
   servo.torque_limit = std::abs(gear) * symmetric(model.actuator_forcelimited[actuator],
@@ -49,16 +75,20 @@ Servo read_servo(const XmlFile& xml, const mjModel& model, int actuator, const s
   servo.torque_limit = std::min(
       servo.torque_limit, symmetric(model.jnt_actfrclimited[j], model.jnt_actfrcrange + 2 * j));
   const bool is_fixed_gain = model.actuator_gaintype[actuator] == mjGAIN_FIXED;
-  const bool is_position = is_fixed_gain && model.actuator_biastype[actuator] == mjBIAS_AFFINE &&
-                           gain[0] > 0.0 && std::abs(bias[1] + gain[0]) <= 1e-9 * gain[0];
+  const bool is_pid = model.actuator_gaintype[actuator] == mjGAIN_PID && bias[1] < 0.0;
+  const bool is_position =
+      model.actuator_biastype[actuator] == mjBIAS_AFFINE &&
+      (is_pid ||
+       (is_fixed_gain && gain[0] > 0.0 && std::abs(bias[1] + gain[0]) <= 1e-9 * gain[0]));
+  const int control = model.actuator_ctrladr[actuator];
   if (is_position) {
-    servo.kp = gear * gear * gain[0];
-    servo.kd = gear * gear * -bias[2];
+    servo.kp = gear * gear * -bias[1];
+    servo.kd = gear * gear * std::max(0.0, -bias[2]);
   } else if (is_fixed_gain && model.actuator_biastype[actuator] == mjBIAS_NONE &&
-             model.actuator_ctrllimited[actuator]) {
+             model.actuator_ctrllimited[control]) {
     servo.torque_limit =
         std::min(servo.torque_limit, std::abs(gear * gain[0]) *
-                                         symmetric(true, model.actuator_ctrlrange + 2 * actuator));
+                                         symmetric(true, model.actuator_ctrlrange + 2 * control));
   }
   if (!(servo.torque_limit > 0.0))
     throw xml.error(
@@ -70,8 +100,8 @@ Servo read_servo(const XmlFile& xml, const mjModel& model, int actuator, const s
           "has no torque limit to take gains from; add forcerange=\"-LIMIT LIMIT\" [N m], or use "
           "<position kp= kv=>");
     servo.kp = servo.torque_limit / kFullTorqueError;
+    servo.kd = kDampingTime * servo.kp;
   }
-  if (!(servo.kd > 0.0)) servo.kd = kDampingTime * servo.kp;
   return servo;
 }
 

@@ -100,7 +100,16 @@ StretchMeasure measure_stretch(const XmlFile& xml, const mjModel& model, const X
   if (!(length > 1e-9))
     throw xml.error(place, fmt::format("body '{}' has no length along {}",
                                        name_of(model, mjOBJ_BODY, body), word));
-  return {word == "link" ? (reach / length).eval() : axis, length};
+  const Vector3d direction = word == "link" ? (reach / length).eval() : axis;
+  for (int j = model.body_jntadr[body]; j < model.body_jntadr[body] + joints; ++j)
+    if (std::abs(direction.dot(vector_at(model.jnt_pos, j))) > 1e-9)
+      throw xml.error(
+          place,
+          fmt::format("stretching body '{}' would move its own hinge '{}' in the body above; move "
+                      "the origin of body '{}' there, so that the joint needs no pos",
+                      name_of(model, mjOBJ_BODY, body), name_of(model, mjOBJ_JOINT, j),
+                      name_of(model, mjOBJ_BODY, body)));
+  return {direction, length};
 }
 
 BodyInertia inertia_of(const XmlElement& inertial, const mjModel& model, int body) {

@@ -176,10 +176,9 @@ std::vector<int> limb_ends(const mjModel& model, int trunk) {
 int home_keyframe(const mjModel& model) { return mj_name2id(&model, mjOBJ_KEY, "home"); }
 
 std::vector<int> find_feet(const XmlFile& xml, const mjModel& model, int trunk) {
-  const DataPointer data(mj_makeData(&model));
-  if (const int home = home_keyframe(model); home >= 0)
-    mju_copy(data->qpos, model.key_qpos + home * model.nq, model.nq);
-  mj_kinematics(&model, data.get());
+  const int home = home_keyframe(model);
+  const DataPointer data =
+      kinematics_at(model, home >= 0 ? model.key_qpos + home * model.nq : nullptr, xml.file);
   std::vector<int> feet;
   const std::vector<int> ends = limb_ends(model, trunk);
   if (ends.empty())

@@ -5,6 +5,7 @@
 #include <exception>
 #include <filesystem>
 #include <new>
+#include <string>
 #include <system_error>
 
 #include "mjcf/input_error.hpp"
@@ -24,6 +25,17 @@ constexpr void (*kVerbs[])(CLI::App&, Action&) = {
 int complain(const char* message, int code) {
   std::fprintf(stderr, "legwright: %s\n", message);
   return code;
+}
+
+/// The first word, where it is neither an option nor a verb, as a complaint; else nothing.
+std::string unknown_verb(const CLI::App& program, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return "";
+  std::string names;
+  for (const CLI::App* verb : program.get_subcommands([](const CLI::App*) { return true; })) {
+    if (verb->get_name() == argv[1]) return "";
+    names += (names.empty() ? "" : ", ") + verb->get_name();
+  }
+  return "unknown verb '" + std::string(argv[1]) + "'; the verbs are " + names;
 }
 
 int run(const Action& action) {
@@ -56,6 +68,8 @@ int main(int argc, char** argv) {
       "75 stopped, 130 interrupted");
   Action action;
   for (const auto add_verb : kVerbs) add_verb(program, action);
+  if (const std::string complaint = unknown_verb(program, argc, argv); !complaint.empty())
+    return complain(complaint.c_str(), legwright::kBadInput);
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& help) {  // --help, --version

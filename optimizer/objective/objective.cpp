@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "optimizer/objective/objective.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -54,6 +56,12 @@ Stance home_stance(const Morphology& morphology, const VectorXd& s) {
   return stance;
 }
 
+bool same_pattern(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMatrix<double>& b) {
+  return a.cols() == b.cols() && a.nonZeros() == b.nonZeros() &&
+         std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.cols() + 1, b.outerIndexPtr()) &&
+         std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
+}
+
 std::vector<double> term_weights(const Task& task) {
   std::map<std::string, double> wanted = task.weights;
   std::vector<double> weights;
@@ -70,6 +78,7 @@ std::vector<double> term_weights(const Task& task) {
 }  // namespace
 
 struct Objective::Workspace::Parts {
+  const void* owner = nullptr;  // the objective it was last used with
   DerivedQuantities::Workspace derived;
   ElementWorkspace element;
   VectorXd extended, gradient;  // [s; m; y] and ∂F/∂[s; m; y]
@@ -251,6 +260,11 @@ void Objective::evaluate(const VectorXd& s, const VectorXd& m, Order order, Work
                          Evaluation& out) const {
   Workspace::Parts& workspace = *scratch.parts_;
   const Layout& layout = impl_->layout;
+  if (s.size() != layout.design_size() || m.size() != layout.motion_size())
+    throw std::invalid_argument("F: s has " + std::to_string(s.size()) + " and m " +
+                                std::to_string(m.size()) + " entries");
+  if (workspace.owner != impl_.get()) workspace.derived = {};  // of another robot
+  workspace.owner = impl_.get();
   workspace.extended.resize(layout.extended_size());
   workspace.extended.head(s.size()) = s;
   workspace.extended.segment(s.size(), m.size()) = m;
@@ -259,7 +273,7 @@ void Objective::evaluate(const VectorXd& s, const VectorXd& m, Order order, Work
                           workspace.extended, workspace.derived);
   workspace.gradient.setZero(layout.extended_size());
   if (order == Order::hessian || order == Order::design) {
-    if (out.hessian_mm.nonZeros() != impl_->pattern.nonZeros()) out.hessian_mm = impl_->pattern;
+    if (!same_pattern(out.hessian_mm, impl_->pattern)) out.hessian_mm = impl_->pattern;
     std::fill_n(out.hessian_mm.valuePtr(), out.hessian_mm.nonZeros(), 0.0);
   }
   if (order == Order::design) {

@@ -53,6 +53,7 @@ class Codesign {
   void list_terms();
   bool publish(const Stopwatch& watch);
   bool value_settled() const;
+  bool at_minimum() const;
   void polish();
 
   CostFunction& cost_;
@@ -93,7 +94,7 @@ SolveStatus Codesign::optimise() {
   SolveStatus status = SolveStatus::iteration_limit;
   while (result_.design_iterations < options_.max_iterations) {
     if (now_.projected_gradient_norm < options_.design_tolerance) {
-      status = SolveStatus::converged;
+      status = at_minimum() ? SolveStatus::converged : SolveStatus::stalled;
       break;
     }
     const Stopwatch watch;
@@ -106,7 +107,13 @@ SolveStatus Codesign::optimise() {
     if (!publish(watch)) return SolveStatus::stopped;
   }
   polish();
-  return status;
+  return status == SolveStatus::converged && !at_minimum() ? SolveStatus::stalled : status;
+}
+
+// Only the adjoint at a minimum in m tells that dF/ds vanishes: the gradient at fixed m does not.
+bool Codesign::at_minimum() const {
+  return now_.exact_gradient && now_.motion_status == SolveStatus::converged &&
+         now_.projected_gradient_norm < options_.design_tolerance;
 }
 
 SolveReport Codesign::solve_motion(const VectorXd& s, VectorXd& m, double tolerance, int limit,
@@ -135,6 +142,7 @@ bool Codesign::optimise_initial_motion() {
                    std::numeric_limits<double>::infinity());
   now_.value = report.value;
   now_.motion_status = report.status;
+  result_.motion_only_trace = report.history;
   if (report.status == SolveStatus::not_finite) return false;
   keep_factor(report);
   return true;
@@ -179,16 +187,22 @@ bool Codesign::differentiate() {
 // update(Δs) of Algorithm 1. When no δ₁ helps, the pairs are dropped for one try along steepest
 // descent.
 bool Codesign::step() {
-  const VectorXd s = now_.s, gradient = now_.design_gradient;
-  const std::vector<bool> free = free_parameters(s, gradient, lower_, upper_);
+  const DesignIteration before = now_;
+  const VectorXd& gradient = before.design_gradient;
+  const std::vector<bool> free = free_parameters(before.s, gradient, lower_, upper_);
   now_.newton_iterations = 0;
   bool moved = search_along(lbfgs_.direction(gradient, free));
   if (!moved && lbfgs_.pair_count() > 0) {
     lbfgs_.reset();
     moved = search_along(lbfgs_.direction(gradient, free));
   }
-  if (!moved || !differentiate()) return false;
-  if (!lbfgs_.add(now_.s - s, now_.design_gradient - gradient)) lbfgs_.reset();
+  if (!moved || !differentiate()) {
+    now_ = before;
+    return false;
+  }
+  // A pair must not mix the adjoint gradient with the one at fixed m.
+  const bool same_kind = now_.exact_gradient == before.exact_gradient;
+  if (!same_kind || !lbfgs_.add(now_.s - before.s, now_.design_gradient - gradient)) lbfgs_.reset();
   return true;
 }
 

@@ -67,6 +67,7 @@ struct CodesignSeconds {
 struct CodesignResult {
   SolveStatus status = SolveStatus::iteration_limit;
   DesignIteration initial;  // iteration 0
+  std::vector<double> motion_only_trace;  // F by Newton step of iteration 0: the body as it is
   DesignIteration best;     // the last and best
   int design_iterations = 0;
   int newton_iterations = 0;  // in all
@@ -81,7 +82,7 @@ struct CodesignResult {
 /// `converged`: projected gradient below design_tolerance (motion_only: the motion's status).
 /// `stalled`: F settled to value_tolerance, or no δ₁ helps even along steepest descent; the best
 /// iterate is kept, and its projected_gradient_norm tells how far it is from a minimum.
-/// Deterministic. Throws std::invalid_argument for a task that does not fit the robot.
+/// Deterministic. The status says `converged` only with an exact adjoint gradient at a minimum in m.
 [[nodiscard]] CodesignResult codesign(const Objective& objective, const DesignSpace& space,
                                       const CodesignOptions& options = {});
 

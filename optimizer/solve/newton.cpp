@@ -219,6 +219,7 @@ SolveReport Newton::certify() {
 SolveReport Newton::finish(SolveStatus status) {
   report_.status = status;
   report_.value = w_.here.value;
+  report_.history = history_;
   report_.stationarity = w_.here.stationarity.size() == units_.size()
                              ? norm(w_.here.stationarity)
                              : std::numeric_limits<double>::quiet_NaN();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string_view>
+#include <vector>
 
 namespace legwright {
 
@@ -12,7 +13,7 @@ enum class SolveStatus {
   stalled,          // no step improves any more; best iterate kept
   not_a_minimum,    // exact Hessian not positive definite: no adjoint
   not_finite,       // F or a derivative is NaN or infinite at the start
-  stopped,          // the caller asked to stop
+  stopped,          // the caller asked to stop, or F cannot come below the ceiling it set
 };
 
 constexpr std::string_view to_string(SolveStatus status) {
@@ -45,7 +46,8 @@ struct SolveReport {
   int shifted_steps = 0;      // steps that needed σ > 0
   bool exact_factor =
       false;  // the workspace's factor is that of the exact Hessian at the returned iterate
-  bool stagnated = false;  // `iteration_limit` because F hardly fell any more
+  bool stagnated = false;       // `iteration_limit` because F hardly fell any more
+  std::vector<double> history;  // F at the start and after each accepted step
 };
 
 }  // namespace legwright

@@ -3,11 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
+#include "mjcf/compile.hpp"
 #include "mjcf/input_error.hpp"
+#include "mjcf/rewrite_robot.hpp"
 #include "tests/mjcf/point_mass_robot.hpp"
 #include "tests/mjcf/robots.hpp"
 
@@ -126,6 +130,80 @@ TEST(ReadRobot, ReadsGeneralTrees) {
   EXPECT_EQ(robot.servos[1].torque_limit, 4.0);  // the smaller side
   EXPECT_NEAR(robot.servos[2].kp, 180.0, 1e-9);  // gear² × 20
   EXPECT_TRUE(std::isinf(robot.servos[2].torque_limit));
+}
+
+/// Controls are counted apart from actuators: a <pid> has three here.
+TEST(ReadRobot, ReadsTheLimitOfAMotorBehindAServoOfSeveralControls) {
+  const std::string text =
+      test::read_file(test::source_path("examples/broken/robots/motor_without_limit.xml"));
+  const std::string mended = test::with(
+      test::with(text, "<position name=\"hip_servo\"",
+                 "<pid input=\"pos vel ff\" gear=\"1\" name=\"hip_servo\""),
+      "<motor ", "<motor gear=\"2\" ctrlrange=\"-1.5 1.5\" ");
+  const RobotModel robot = parse_robot(mended, "pid.xml");
+  ASSERT_EQ(robot.servos.size(), 2u);
+  EXPECT_EQ(robot.servos[0].kp, 80.0);
+  EXPECT_EQ(robot.servos[0].kd, 0.8);
+  EXPECT_EQ(robot.servos[0].torque_limit, 3.0);
+  EXPECT_EQ(robot.servos[1].torque_limit, 3.0);
+  EXPECT_NEAR(robot.servos[1].kp, 80.0, 1e-9);
+}
+
+TEST(ReadRobot, KeepsAServoWithoutDamping) {
+  const std::string puppy = test::read_file(test::puppy_file());
+  EXPECT_EQ(parse_robot(test::with(puppy, "kv=\"0.8\"", "kv=\"0\""), "p").servos[0].kd, 0.0);
+  EXPECT_EQ(parse_robot(test::with(puppy, " kv=\"0.8\"", ""), "p").servos[0].kd, 0.0);
+}
+
+TEST(ReadRobot, TakesOrdinaryGravityAndOtherFlags) {
+  const std::string puppy = test::read_file(test::puppy_file());
+  EXPECT_NO_THROW(parse_robot(
+      test::with(puppy, "<default>",
+                 "<option gravity=\"0 0 -9.81\"><flag frictionloss=\"enable\"/></option><default>"),
+      "p"));
+}
+
+/// The eyes are for pictures: they ride on the round front edge and weigh nothing.
+TEST(ReadRobot, EyesOfThePuppyStayInFrontAtAllLengths) {
+  const RobotModel robot = read_robot(test::puppy_file());
+  for (const bool longest : {false, true}) {
+    VectorXd s = robot.space.initial();
+    s[19] = longest ? robot.space.parameters[19].upper : robot.space.parameters[19].lower;
+    ASSERT_EQ(robot.space.parameters[19].name, "body_length");
+    const ModelPointer model = compile_mjcf(rewrite_robot(robot, s), "p");
+    const int eyes = mj_name2id(model.get(), mjOBJ_BODY, "eyes");
+    ASSERT_GT(eyes, 0);
+    EXPECT_EQ(model->body_mass[eyes], 0.0);
+    const int ball = model->body_geomadr[eyes];
+    // The front edge: a capsule of radius 0.025 m whose axis is 0.095 / 0.24 of the length ahead.
+    const double rim = 0.095 / 0.24 * s[19];
+    const double x = model->body_pos[3 * eyes] + model->geom_pos[3 * ball] - rim;
+    EXPECT_NEAR(model->body_pos[3 * eyes], rim, 1e-12);
+    EXPECT_GT(std::hypot(x, model->geom_pos[3 * ball + 2]) + model->geom_size[3 * ball],
+              0.025 + 0.003);
+  }
+}
+
+/// Engine errors of this thread are faults of the file; messages of others are not our business.
+std::atomic<int> g_heard{0};
+void hear(const mjLogMessage*) { ++g_heard; }
+
+TEST(CallEngine, TurnsErrorsIntoInputErrorsAndLeavesOtherThreadsAlone) {
+  const mjfLogHandler before = mju_setLogHandler(hear);
+  call_engine("robot.xml", [] {
+    mju_warning("mine");
+    std::thread([] { mju_warning("of another thread"); }).join();
+  });
+  EXPECT_EQ(g_heard, 1);
+  try {
+    call_engine("robot.xml", [] { mju_error("on line 7 it broke"); });
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()).rfind("robot.xml:7: MuJoCo: ", 0), 0u) << error.what();
+  }
+  mju_warning("after");
+  EXPECT_EQ(g_heard, 2);
+  EXPECT_EQ(mju_setLogHandler(before), hear);
 }
 
 TEST(ReadRobot, TextAndFileGiveTheSame) {

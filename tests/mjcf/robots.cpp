@@ -50,14 +50,14 @@ std::string crooked_robot() {
         <inertial pos="0 0.01 0" mass="0.1" diaginertia="1e-5 1e-5 1e-5"/>
         <geom size="0.01"/>
         <body name="upper" pos="0.02 0 0" quat="0.9 0.1 0.2 0.3">
-          <joint name="swing" axis="1 0 0.2" pos="0 0.01 0"/>
-          <joint name="lift" axis="0 2 0" pos="0.005 0 0.01" range="-120 120"/>
+          <joint name="swing" axis="1 0 0.2" pos="0.006 -0.008 0"/>
+          <joint name="lift" axis="0 2 0" pos="0.01 0 0.002" range="-120 120"/>
           <inertial pos="0.02 0.01 -0.1" mass="0.3"
                     fullinertia="0.002 0.0021 0.0003 0.0001 -0.0002 0.00005"/>
-          <geom type="capsule" fromto="0.005 0 0.01 0.045 0.03 -0.19" size="0.01"/>
+          <geom type="capsule" fromto="0.01 0 0.002 0.05 0.03 -0.198" size="0.01"/>
           <site name="lamp" class="lamp"/>
           <camera name="eye" pos="0.03 0 -0.05"/>
-          <body name="lower" pos="0.045 0.03 -0.19" euler="0 0 20">
+          <body name="lower" pos="0.05 0.03 -0.198" euler="0 0 20">
             <joint name="knee" axis="0 1 0"/>
             <inertial pos="0 0 -0.08" mass="0.2" diaginertia="0.001 0.001 0.0001"/>
             <geom type="box" pos="0 0 -0.1" size="0.01 0.01 0.1"/>

@@ -58,12 +58,9 @@ class TemporaryFolder {
   fs::path path_;
 };
 
-}  // namespace
-
-namespace {
-
-/// How far standing feet are moved, over how far the robot travels in that time. A ball that rolls moves its
-/// centre a little; a plan that cannot take steps slides its feet along and comes close to one.
+/// How far standing feet are moved, over how far the robot travels in that time. A ball that rolls
+/// moves its centre a little; a plan that cannot take steps slides its feet along and comes close to
+/// one.
 double slide_share(const Objective& objective, const MotionView& motion, double speed) {
   const Task& task = objective.task();
   double slid = 0.0, travelled = 0.0;

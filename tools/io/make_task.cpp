@@ -15,6 +15,8 @@ namespace legwright {
 namespace {
 
 constexpr double kTouchdownError = 0.035;  // [s] real touchdown comes this much early or late
+constexpr int kFewestStance = 2;           // [knots] with one alone a foot pushes for no time
+constexpr double kMostHeight = 1.5;        // com_height over the longest leg: the trunk has height
 constexpr double kQuickDuty = 0.6;         // gaits up to this duty have no third foot to catch them
 
 [[noreturn]] void refuse(const TaskFile& file, const std::string& key, const std::string& message) {
@@ -98,6 +100,16 @@ int longest_stance(const Gait& gait) {
   return longest;
 }
 
+int shortest_stance(const Gait& gait) {
+  int shortest = gait.knot_count();
+  for (int foot = 0; foot < gait.foot_count(); ++foot) {
+    int stance = 0;
+    for (int knot = 0; knot < gait.knot_count(); ++knot) stance += gait.in_contact(knot, foot);
+    shortest = std::min(shortest, stance);
+  }
+  return shortest;
+}
+
 int most_support(const Gait& gait) {
   int most = 0;
   for (int knot = 0; knot < gait.knot_count(); ++knot) {
@@ -154,15 +166,17 @@ void check_weights(const TaskFile& file) {
 Gait make_gait(const TaskFile& file, const std::vector<std::string>& names,
                const std::vector<int>& order) {
   const GaitPattern pattern = choose_pattern(file, names, order);
+  std::optional<Gait> gait;
   try {
-    return Gait(pattern, file.period, file.knots, order);
-  } catch (const std::invalid_argument&) {
-    refuse(file, file.duty ? "gait.duty" : "gait.knots",
-           fmt::format("a foot has no stance: a duty of {} on {} knots leaves it no knot on the "
-                       "ground; raise the duty "
-                       "above {:.3g} or the number of knots",
-                       pattern.duty, file.knots, 1.0 / file.knots));
+    gait.emplace(pattern, file.period, file.knots, order);
+  } catch (const std::invalid_argument&) {  // a foot without any stance knot
   }
+  if (gait && shortest_stance(*gait) >= kFewestStance) return *gait;
+  refuse(file, file.duty ? "gait.duty" : "gait.knots",
+         fmt::format("a duty of {} on {} knots leaves a foot {} on the ground, {} are needed; raise "
+                     "the duty to {:.3f} or the number of knots",
+                     pattern.duty, file.knots, gait ? "a single knot" : "no knot", kFewestStance,
+                     std::ceil(1000.0 * kFewestStance / file.knots) / 1000.0));
 }
 
 void check_reach(const TaskFile& file, const Task& task, const RobotModel& robot) {
@@ -176,11 +190,11 @@ void check_reach(const TaskFile& file, const Task& task, const RobotModel& robot
                        "gait.period or the duty",
                        bound.per_stance, bound.longest, bound.per_stance / bound.longest));
   const double highest = 0.5 * bound.longest;
-  if (task.com_height && *task.com_height > 1.5 * highest)
+  if (task.com_height && *task.com_height > kMostHeight * highest)
     refuse(file, "style.com_height",
-           fmt::format(
-               "is {} m; the longest leg that the bounds allow is {:.3g} m, so stay below that",
-               *task.com_height, highest));
+           fmt::format("is {} m; at most {:.3g} m is accepted, {} times the longest leg that the "
+                       "bounds allow, {:.3g} m; lower it",
+                       *task.com_height, kMostHeight * highest, kMostHeight, highest));
   const int airborne = fewest_airborne(task.gait, task.planted_margin);
   const bool moves = task.velocity.norm() > 0.0 || task.turn_rate != 0.0;
   if (moves && airborne == 0)

@@ -17,8 +17,7 @@ namespace fs = std::filesystem;
 // Everything a run consists of; --force removes these and nothing else.
 constexpr std::array<const char*, 5> kEntries{"run.json", "events.jsonl", "inputs", "iterations",
                                               "result"};
-constexpr std::array<const char*, 2> kLeftovers{"report.html",
-                                                "summary.md"};  // written beside the run
+constexpr const char* kReport = "report.html";  // of `legwright report`; goes with the run
 
 bool is_run(const fs::path& root) {
   std::error_code error;
@@ -40,7 +39,7 @@ bool holds_any_entry(const fs::path& root) {
 
 void remove_run(const fs::path& root) {
   // run.json last: what is left after an interruption still counts as a run.
-  for (const char* name : kLeftovers) fs::remove(root / name);
+  fs::remove(root / kReport);
   for (auto name = kEntries.rbegin(); name != kEntries.rend(); ++name) fs::remove_all(root / *name);
 }
 

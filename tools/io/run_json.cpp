@@ -57,6 +57,7 @@ void finish_run(Json& run, const std::string& status, const CodesignResult& resu
   run["feasible"] = reasons.empty();
   run["reasons"] = reasons;
   run["motion_only_F"] = result.initial.value;
+  run["motion_only_trace"] = result.motion_only_trace;
   run["final_F"] = result.best.value;
   run["history"] = history;
   run["design_iterations"] = result.design_iterations;

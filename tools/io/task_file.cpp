@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <system_error>
 
@@ -15,6 +16,7 @@ namespace legwright {
 namespace {
 
 constexpr std::size_t kMostBytes = 1 << 20;
+constexpr const char* kRobotBeside = "robot.xml";
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Eigen::Vector2d vector2(const std::vector<double>& values) { return {values[0], values[1]}; }
@@ -97,6 +99,18 @@ std::filesystem::path find_robot(const std::string& name, const std::filesystem:
   return path;
 }
 
+/// Where a position of the TOML parser, which counts code points, is in the text [bytes].
+std::size_t offset_of(const std::string& text, const toml::source_position& position) {
+  std::size_t at = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+  for (toml::source_index line = 1; line < position.line; ++line) at = text.find('\n', at) + 1;
+  const auto continues = [&] {
+    return at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0) == 0x80;
+  };
+  for (toml::source_index column = 1; column < position.column; ++column)
+    for (++at; continues();) ++at;
+  return std::min(at, text.size());
+}
+
 std::string message_of(const toml::parse_error& error) {
   std::string text(error.description());
   if (text.find("','") != std::string::npos)
@@ -146,6 +160,15 @@ TaskFile parse_task_file(const std::string& text, const std::filesystem::path& f
   problems.throw_if_any();
   task.robot = find_robot(*robot, file, task.line("robot"));
   return task;
+}
+
+std::string text_beside_robot(const TaskFile& file) {
+  const toml::table root = toml::parse(file.text);
+  const toml::node* robot = root.get("robot");
+  if (robot == nullptr || robot->value<std::string>() == kRobotBeside) return file.text;
+  const std::size_t begin = offset_of(file.text, robot->source().begin);
+  const std::size_t end = offset_of(file.text, robot->source().end);
+  return file.text.substr(0, begin) + '"' + kRobotBeside + '"' + file.text.substr(end);
 }
 
 TaskFile read_task_file(const std::filesystem::path& file) {

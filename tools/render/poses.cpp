@@ -4,18 +4,24 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <stdexcept>
 
+#include "mjcf/input_error.hpp"
 #include "plugin/spline.hpp"
 #include "tools/io/atomic_file.hpp"
 #include "tools/report/tables.hpp"
 
 namespace legwright {
+namespace {
+
+constexpr const char* kOptimizeAgain = "the file is damaged: run `legwright optimize` again";
+
+}  // namespace
 
 ModelPointer load_scene(const std::filesystem::path& file) {
   char message[1000] = "";
   ModelPointer model(mj_loadXML(file.c_str(), nullptr, message, sizeof message));
-  if (!model) throw std::runtime_error(file.string() + ": " + message);
+  if (!model)
+    throw InputError(file.string(), 0, "", std::string(message) + "; " + kOptimizeAgain);
   return model;
 }
 
@@ -26,17 +32,20 @@ std::vector<double> start_pose(const mjModel& model) {
   return {pose, pose + model.nq};
 }
 
-Poses planned_poses(const mjModel& model, const Trajectory& plan, int count) {
+Poses planned_poses(const mjModel& model, const Trajectory& plan, int count,
+                    const std::filesystem::path& scene) {
+  const auto refuse = [&](const std::string& what) {
+    throw InputError(scene.string(), 0, "", what + "; " + kOptimizeAgain);
+  };
   int root = -1;
   for (int j = 0; j < model.njnt && root < 0; ++j) {
     if (model.jnt_type[j] == mjJNT_FREE) root = model.jnt_qposadr[j];
   }
-  if (root < 0) throw std::runtime_error("the scene has no free root to place");
+  if (root < 0) refuse("the scene has no free root to place");
   std::vector<int> address;
   for (const std::string& name : plan.joint_names) {
     const int joint = mj_name2id(&model, mjOBJ_JOINT, name.c_str());
-    if (joint < 0)
-      throw std::runtime_error("the scene has no joint named '" + name + "', the plan has");
+    if (joint < 0) refuse("the scene has no joint named '" + name + "', the plan has");
     address.push_back(model.jnt_qposadr[joint]);
   }
   Poses poses;
@@ -60,11 +69,12 @@ Poses planned_poses(const mjModel& model, const Trajectory& plan, int count) {
 }
 
 Playback read_playback(const mjModel& model, const std::filesystem::path& file) {
-  const CsvTable table = parse_csv_table(read_file(file), file.filename().string());
+  const CsvTable table = parse_csv_table(read_file(file), file.string(), "validate");
   if (table.columns.size() != static_cast<std::size_t>(model.nq) + 1) {
-    throw std::runtime_error(file.string() + ": " + std::to_string(table.columns.size()) +
-                             " columns, expected time and " + std::to_string(model.nq) +
-                             " of qpos");
+    throw InputError(file.string(), 0, "",
+                     std::to_string(table.columns.size()) + " columns, expected time and " +
+                         std::to_string(model.nq) +
+                         " of qpos; it is not of this scene: run `legwright validate` again");
   }
   Playback playback;
   for (const auto& row : table.rows) {

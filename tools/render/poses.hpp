@@ -12,7 +12,7 @@
 namespace legwright {
 
 /// Compiles a scene. Plugins that it names must have been loaded before.
-/// Throws std::runtime_error with MuJoCo's message.
+/// Throws InputError with MuJoCo's message.
 ModelPointer load_scene(const std::filesystem::path& file);
 
 /// Where the scene starts: its keyframe "gait", else its first, else the model's own reference
@@ -21,16 +21,18 @@ std::vector<double> start_pose(const mjModel& model);
 
 /// The plan as the plugin plays it, at `count` equally spaced phases of one cycle, as qpos of the
 /// model.
-/// Throws std::runtime_error where the model lacks a joint of the plan or a free root.
-Poses planned_poses(const mjModel& model, const Trajectory& plan, int count);
+/// @param scene the model's file, for messages. Throws InputError where the model lacks a joint of
+/// the plan or a free root.
+Poses planned_poses(const mjModel& model, const Trajectory& plan, int count,
+                    const std::filesystem::path& scene);
 
 /// What a simulation did, as `validate` records it.
 struct Playback {
   std::vector<double> time;  // [s]
   Poses qpos;
 };
-/// Reads a playback: a time column, then qpos. Throws std::runtime_error where it does not fit the
-/// model.
+/// Reads a playback: a time column, then qpos. Throws InputError where it is damaged or does not fit
+/// the model, std::system_error if unreadable.
 Playback read_playback(const mjModel& model, const std::filesystem::path& file);
 
 /// Index of the record nearest to a time [s].

@@ -12,6 +12,7 @@
 
 #include "tools/io/io_error.hpp"
 #include "tools/io/json_file.hpp"
+#include "tools/io/result_folder.hpp"
 #include "tools/render/film_strip.hpp"
 #include "tools/render/iteration_painter.hpp"
 #include "tools/render/png.hpp"
@@ -46,7 +47,7 @@ struct Act {
       : title(name),
         model(load_scene(folder / "scene.xml")),
         plan(read_motion_csv(folder / "motion.csv")),
-        planned(planned_poses(*model, plan, kPhases.cells)) {
+        planned(planned_poses(*model, plan, kPhases.cells, folder / "scene.xml")) {
     if (fs::exists(playback_file)) playback = read_playback(*model, playback_file);
   }
 };
@@ -246,9 +247,10 @@ class RunDrawing {
 }  // namespace
 
 RunPictures draw_run(const fs::path& run, const RunPictureOptions& options) {
-  if (!fs::exists(run / "iterations" / "0000" / "scene.xml")) {
-    throw IoError(run.string() +
-                  ": no run of legwright optimize (iterations/0000/scene.xml is missing)");
+  const fs::path first = ResultFolder::open(run).iteration(0) / "scene.xml";
+  if (!fs::exists(first)) {
+    throw IoError(first.string() + ": no such file; the run was stopped before its first design: " +
+                  "run `legwright optimize` again");
   }
   return RunDrawing(run, options).draw();
 }

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "tools/io/events.hpp"
-#include "tools/io/io_error.hpp"
+#include "tools/io/result_folder.hpp"
 #include "tools/report/tables.hpp"
 
 namespace legwright {
@@ -34,12 +34,7 @@ fs::path RunData::iteration(int index) const {
 RunData read_run(const fs::path& root) {
   RunData data;
   data.root = root;
-  const fs::path run_json = root / "run.json";
-  if (!fs::exists(run_json)) {
-    throw IoError(root.string() + ": no run of legwright optimize (run.json is missing)");
-  }
-  data.run = read_json(run_json);
-  if (!data.run.is_object()) throw IoError(run_json.string() + ": expected an object");
+  data.run = read_json(ResultFolder::open(root).run_json());
   if_present(root / "events.jsonl", data.notes, [&](const fs::path& file) {
     for (const Json& event : read_events(file)) {
       if (text_at(event, {"event"}) == "iteration") data.iterations.push_back(event);

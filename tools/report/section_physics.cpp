@@ -46,8 +46,9 @@ const std::vector<Quantity>& quantities() {
   static const std::vector<Quantity> list = {
       {"speed forward [m/s]", [](const Json& m) { return speed(m, 0); }},
       {"speed to the left [m/s]", [](const Json& m) { return speed(m, 1); }},
-      {"of the wanted speed", [](const Json& m) { return percent(number_at(m, {"speed_ratio"})); }},
       {"of the planned speed",
+       [](const Json& m) { return percent(number_at(m, {"speed_ratio"})); }},
+      {"of the speed that the plan reached",
        [](const Json& m) { return percent(number_at(m, {"plan_speed_ratio"})); }},
       {"falls",
        [](const Json& m) {

@@ -3,9 +3,9 @@
 
 #include <charconv>
 #include <cmath>
-#include <stdexcept>
 #include <system_error>
 
+#include "mjcf/input_error.hpp"
 #include "tools/io/atomic_file.hpp"
 
 namespace legwright {
@@ -21,19 +21,29 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
-double number(std::string_view token, const std::string& where) {
+/// What is wrong with one table, and which verb writes it anew.
+struct Complaint {
+  const std::string& file;
+  const std::string& verb;
+  [[noreturn]] void operator()(int line, const std::string& what) const {
+    throw InputError(file, line, "",
+                     what + "; the file is damaged: run `legwright " + verb + "` again");
+  }
+};
+
+double number(std::string_view token, int line, const Complaint& complain) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
   if (error != std::errc() || end != token.data() + token.size() || !std::isfinite(value)) {
-    throw std::runtime_error(where + ": not a finite number: '" + std::string(token.substr(0, 40)) +
-                             "'");
+    complain(line, "not a finite number: '" + std::string(token.substr(0, 40)) + "'");
   }
   return value;
 }
 
 }  // namespace
 
-CsvTable parse_csv_table(std::string_view text, const std::string& name) {
+CsvTable parse_csv_table(std::string_view text, const std::string& file, const std::string& verb) {
+  const Complaint complain{file, verb};
   CsvTable table;
   int line_number = 0;
   for (std::string_view line : split(text, '\n')) {
@@ -48,26 +58,26 @@ CsvTable parse_csv_table(std::string_view text, const std::string& name) {
       }
       continue;
     }
-    const std::string where = name + ":" + std::to_string(line_number);
     if (cells.size() != table.columns.size()) {
-      throw std::runtime_error(where + ": " + std::to_string(cells.size()) +
-                               " cells where the header has " +
-                               std::to_string(table.columns.size()));
+      complain(line_number, std::to_string(cells.size()) + " cells where the header has " +
+                                std::to_string(table.columns.size()));
     }
     auto& row = table.rows.emplace_back();
     for (auto cell : cells) {
       while (cell.starts_with(' ')) cell.remove_prefix(1);
-      row.push_back(number(cell, where));
+      row.push_back(number(cell, line_number, complain));
     }
   }
-  if (table.rows.empty()) throw std::runtime_error(name + ": no rows");
+  if (table.rows.empty()) complain(0, "no rows");
   return table;
 }
 
 Trajectory read_motion_csv(const std::filesystem::path& file) {
   const std::string text = read_file(file);
-  const CsvTable table = parse_csv_table(text, file.filename().string());
-  if (table.rows.size() < 2) throw std::runtime_error(file.filename().string() + ": a single row");
+  const std::string name = file.string(), verb = "optimize";
+  const Complaint complain{name, verb};
+  const CsvTable table = parse_csv_table(text, name, verb);
+  if (table.rows.size() < 2) complain(0, "a single row");
   std::string rows;  // the plugin's format: blanks, and no row for the knot that closes the cycle
   std::size_t left = table.rows.size();
   for (auto line : split(text, '\n')) {
@@ -88,7 +98,11 @@ Trajectory read_motion_csv(const std::filesystem::path& file) {
     if (column == "root_z_m") cycle.travel[2] = last[c] - first[c];
     if (column == "root_rz_rad") cycle.turn = last[c] - first[c];
   }
-  return parse_trajectory(rows, cycle);
+  try {
+    return parse_trajectory(rows, cycle);
+  } catch (const TrajectoryError& error) {
+    complain(0, error.what());
+  }
 }
 
 }  // namespace legwright

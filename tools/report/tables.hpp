@@ -17,12 +17,12 @@ struct CsvTable {
 };
 
 /// Reads such a table, strictly: every row as long as the header, every cell a finite number.
-/// @param name of the file, for messages. Throws std::runtime_error that names the line.
-CsvTable parse_csv_table(std::string_view text, const std::string& name);
+/// @param file its path, for messages. @param verb that writes such files, for messages.
+/// Throws InputError that names the line.
+CsvTable parse_csv_table(std::string_view text, const std::string& file, const std::string& verb);
 
 /// The plan of a motion.csv; travel and turn of a cycle are the last row minus the first.
-/// Throws std::runtime_error (TrajectoryError included) for anything else, std::system_error if
-/// unreadable.
+/// Throws InputError for anything else, std::system_error if unreadable.
 Trajectory read_motion_csv(const std::filesystem::path& file);
 
 }  // namespace legwright

@@ -43,9 +43,9 @@ struct Measurements {
   bool diverged = false;
 
   std::optional<Eigen::Vector2d> velocity;  // forward, left [m/s]
-  std::optional<double> speed_ratio;        // along the wanted direction, over the task's speed
+  std::optional<double> speed_ratio;        // over the planned speed, which is the task's
   std::optional<double> speed_ratio_min, speed_ratio_max;  // of single cycles
-  std::optional<double> plan_speed_ratio;                  // the same over what the plan reached
+  std::optional<double> plan_speed_ratio;                  // over what the plan reached
   std::optional<double> lateral_drift;  // across the wanted direction [m/s], positive to its left
   std::optional<double> turn_rate;      // [rad/s]
   std::optional<double> turn_ratio;     // over the task's turn rate

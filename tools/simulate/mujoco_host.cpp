@@ -96,14 +96,14 @@ void load_gait_plugin() {
     // the process. The library registers itself as it is loaded and stays for good.
     if (dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL) == nullptr) {
       const char* why = dlerror();
-      throw MujocoError("the MuJoCo plugin " + file.string() + " cannot be loaded: " +
+      throw PluginError("the MuJoCo plugin " + file.string() + " cannot be loaded: " +
                         (why ? why : "unknown reason") + "; it needs exactly MuJoCo " +
                         mj_versionString() + ", build it with this program");
     }
     if (plugin_known()) return;
-    throw MujocoError("the library " + file.string() + " is no " + kPluginName + " plugin");
+    throw PluginError("the library " + file.string() + " is no " + kPluginName + " plugin");
   }
-  throw MujocoError(
+  throw PluginError(
       std::string("the MuJoCo plugin ") + kPluginName +
       " was not found; build the target legwright_plugin or name the file in the environment "
       "variable LEGWRIGHT_PLUGIN. Searched:" +

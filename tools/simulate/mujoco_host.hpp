@@ -9,12 +9,21 @@
 #include <string>
 #include <vector>
 
+#include "tools/io/io_error.hpp"
+
 namespace legwright {
 
 /// MuJoCo refused something or failed; the message is its own, with what to do where that is known.
 class MujocoError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
+};
+
+/// The plugin is not where it was looked for, or cannot be loaded: the installation's fault, not
+/// the scene's, hence exit code 3.
+class PluginError : public IoError {
+ public:
+  using IoError::IoError;
 };
 
 struct MujocoDeleter {
@@ -52,7 +61,7 @@ class MujocoMessages {
 /// the build tree.
 std::vector<std::filesystem::path> plugin_candidates();
 
-/// Makes legwright.gait known to MuJoCo, once per process. Throws MujocoError which lists the
+/// Makes legwright.gait known to MuJoCo, once per process. Throws PluginError which lists the
 /// places where it was looked for, or why it could not be loaded.
 void load_gait_plugin();
 

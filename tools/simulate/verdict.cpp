@@ -43,8 +43,9 @@ class Reason {
 };
 
 std::string percent(const std::optional<double>& ratio) {
-  return ratio && std::isfinite(*ratio) ? fmt::format("{:.1f} %", 100 * *ratio)
-                                        : "an unknown share";
+  if (!ratio || !std::isfinite(*ratio)) return "an unknown share";
+  const std::string text = fmt::format("{:.1f} %", 100 * *ratio);
+  return text == "-0.0 %" ? "0.0 %" : text;
 }
 
 void health_reasons(const std::vector<Measurements>& at_gains, std::vector<std::string>& reasons) {

@@ -10,7 +10,7 @@ namespace legwright {
 
 /// What a robot must hold, at every gain it is played with, to pass.
 struct VerdictLimits {
-  double speed_ratio_low = 0.95;  // measured over wanted speed, along the robot's heading
+  double speed_ratio_low = 0.95;  // measured over planned speed, along the robot's heading
   double speed_ratio_high = 1.05;
   double tilt = 0.1;              // of the trunk, at any time [rad]
   double saturated_share = 1e-3;  // of the time after the first cycle; less counts as none

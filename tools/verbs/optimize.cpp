@@ -93,6 +93,15 @@ class Recorder {
   double seconds_ = 0.0;
 };
 
+/// A model may be named anything, "../x" included; a folder may not.
+std::string as_folder_name(std::string name) {
+  for (char& c : name) {
+    const bool plain = (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+    if (!plain && c != '_' && c != '-') c = '_';
+  }
+  return name;
+}
+
 std::unique_ptr<Objective> make_objective(const TaskFile& file, const RobotModel& robot) {
   const Task task = make_task(file, robot);
   try {
@@ -133,13 +142,14 @@ int optimize(const OptimizeOptions& options) {
     for (const std::string& warning : task_warnings(objective->task(), robot))
       fmt::print(stderr, "legwright: warning: {}\n", warning);
 
-  const fs::path root = options.run.empty()
-                            ? fs::path("runs") / (robot.morphology.name + "-" + file.name)
-                            : fs::path(options.run);
+  const fs::path root =
+      options.run.empty()
+          ? fs::path("runs") / (as_folder_name(robot.morphology.name) + "-" + file.name)
+          : fs::path(options.run);
   const ResultFolder folder = ResultFolder::create(root, options.force);
   Json run = start_of_run(command_line(), file, robot, *objective);
   write_json(folder.run_json(), run);
-  write_file(folder.inputs() / "task.toml", file.text);
+  write_file(folder.inputs() / "task.toml", text_beside_robot(file));
   write_file(folder.inputs() / "robot.xml", robot.xml);
 
   CodesignOptions settings;

@@ -77,6 +77,7 @@ void PictureQueue::work() {
   // Linux counts niceness by thread: on one core the optimization keeps the processor.
   ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), 19);
   try {
+    const MujocoMessages messages;  // an error of the engine becomes an exception on this thread
     std::optional<IterationPainter> painter;
     for (std::filesystem::path folder; take(folder);) {
       if (!painter) painter.emplace(folder / "scene.xml");

@@ -3,8 +3,6 @@
 
 #include <filesystem>
 #include <memory>
-#include <stdexcept>
-#include <system_error>
 
 #include "mjcf/input_error.hpp"
 #include "tools/io/install.hpp"
@@ -55,14 +53,7 @@ SceneToValidate scene_in(const std::filesystem::path& folder) {
                   ": no such file; the run was stopped before it was written: run `legwright " +
                   "optimize` again");
   }
-  Trajectory plan;
-  try {
-    plan = read_motion_csv(folder / "motion.csv");
-  } catch (const std::system_error&) {
-    throw;  // cannot be read at all: exit 3
-  } catch (const std::runtime_error& error) {
-    throw InputError(error.what());
-  }
+  const Trajectory plan = read_motion_csv(folder / "motion.csv");
   out.plan_velocity = Eigen::Vector2d(plan.travel[0], plan.travel[1]) / plan.period;
   return out;
 }

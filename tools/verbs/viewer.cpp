@@ -81,7 +81,8 @@ std::vector<std::string> viewer_command(const std::string& python,
                                         const std::filesystem::path& scene) {
   const std::string script = fmt::format(
       "import mujoco, mujoco.viewer; mujoco.mj_loadPluginLibrary({}); "
-      "mujoco.viewer.launch_from_path({})",
+      "m = mujoco.MjModel.from_xml_path({}); d = mujoco.MjData(m); "
+      "mujoco.mj_resetDataKeyframe(m, d, m.key('gait').id); mujoco.viewer.launch(m, d)",
       python_text(plugin.string()), python_text(scene.string()));
   return {python, "-c", script};
 }

@@ -25,8 +25,9 @@ std::vector<std::string> viewer_command(const std::string& python,
 /// A plugin library that is there, or nothing.
 std::optional<std::filesystem::path> find_plugin();
 
-/// Runs a command without a shell, its output thrown away or kept. @return exit status, −1 where it
-/// cannot run
+/// Runs a command without a shell and waits for it. With `output` it reads nothing, what it prints
+/// is appended there and its messages are thrown away; without, it has this program's own stdin,
+/// stdout and stderr. @return exit status, −1 where it cannot run
 int run_command(const std::vector<std::string>& words, std::string* output = nullptr);
 
 }  // namespace legwright

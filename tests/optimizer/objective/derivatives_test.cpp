@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 #include <random>
+#include <stdexcept>
 
 #include "optimizer/objective/objective.hpp"
 #include "optimizer/terms/registry.hpp"
@@ -126,6 +128,31 @@ INSTANTIATE_TEST_SUITE_P(Registry, ObjectiveDerivatives, testing::ValuesIn(all_t
 TEST(ObjectiveDerivativesControl, PoisonedGradientIsNoticed) {
   const Objective objective = make_objective("com_position");
   EXPECT_GT(check(objective, random_point(objective, 7), 7, 1.0001).gradient_s, 1e-6);
+}
+
+TEST(ObjectiveWorkspace, CanBeHandedToAnotherRobot) {
+  const Objective first = make_objective();
+  test::Puppy heavy = test::make_puppy(true);
+  for (Link& link : heavy.morphology.links)
+    for (PointMass& point : link.masses) point.mass *= 2.0;
+  const Objective second(heavy.morphology, heavy.space, test::make_sideways_task(false, 8));
+  const std::unique_ptr<Objective::Workspace> workspace = first.make_workspace();
+  Evaluation reused;
+  const VectorXd s = first.space().initial();
+  first.evaluate(s, initial_guess(first, s), Order::hessian, *workspace, reused);
+  const VectorXd m = initial_guess(second, s);
+  second.evaluate(s, m, Order::hessian, *workspace, reused);
+  const Evaluation fresh = second.evaluate(s, m, Order::hessian);
+  EXPECT_EQ(reused.value, fresh.value);
+  EXPECT_EQ(reused.stationarity, fresh.stationarity);
+  EXPECT_EQ(MatrixXd(reused.hessian_mm), MatrixXd(fresh.hessian_mm));
+}
+
+TEST(Objective, RefusesVectorsOfTheWrongSize) {
+  const Objective objective = make_objective();
+  const VectorXd s = objective.space().initial(), m = initial_guess(objective, s);
+  EXPECT_THROW(objective.evaluate(s, m.head(m.size() - 1), Order::value), std::invalid_argument);
+  EXPECT_THROW(objective.evaluate(s.head(3), m, Order::value), std::invalid_argument);
 }
 
 }  // namespace

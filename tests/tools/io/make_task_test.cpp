@@ -88,6 +88,39 @@ TEST(MakeTask, DutyOverridesTheLibrary) {
   EXPECT_EQ(task.planted_margin, 1);
 }
 
+std::string refusal(const std::string& gait, const std::string& rest = "") {
+  try {
+    task_from(gait, rest);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(MakeTask, RefusesAFootThatStandsForLessThanTwoKnots) {
+  const std::string trot = "name = \"trot\"\nperiod = 0.4\nknots = 24\nduty = ";
+  for (const char* duty : {"0.01", "0.0416", "0.08"}) {
+    const std::string message = refusal(trot + duty);
+    for (const char* part : {"test.toml:6: gait.duty", "2 are needed", "raise the duty to 0.084"})
+      EXPECT_NE(message.find(part), std::string::npos) << duty << ": " << message;
+  }
+  EXPECT_EQ(refusal(trot + "0.084"), "");
+}
+
+TEST(MakeTask, TellsTheHeightThatItAccepts) {
+  const std::string walk = "name = \"walk\"\nperiod = 1.0";
+  const std::string message = refusal(walk, "[style]\ncom_height = 3.0\n");
+  const std::string before = "at most ";
+  const auto at = message.find(before);
+  ASSERT_NE(at, std::string::npos) << message;
+  const double most = std::stod(message.substr(at + before.size()));
+  const auto height = [](double value) {
+    return "[style]\ncom_height = " + std::to_string(value) + "\n";
+  };
+  EXPECT_EQ(refusal(walk, height(0.99 * most)), "");
+  EXPECT_NE(refusal(walk, height(1.01 * most)), "");
+}
+
 TEST(MakeTask, KeepsWeightsByTermName) {
   EXPECT_EQ(task_from("name = \"trot\"\nperiod = 0.4", "[weights]\nsmoothness = 7.5\n")
                 .weights.at("smoothness"),

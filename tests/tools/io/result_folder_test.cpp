@@ -53,9 +53,13 @@ TEST(ResultFolder, RefusesARunUntilForced) {
 TEST(ResultFolder, ForceKeepsForeignFiles) {
   const TemporaryFolder base;
   make_run(base.path() / "run");
-  write_file(base.path() / "run" / "notes.txt", "mine");
+  for (const char* name : {"notes.txt", "summary.md"})
+    write_file(base.path() / "run" / name, "mine");
+  write_file(base.path() / "run" / "report.html", "of the old run");
   EXPECT_EQ(refusal(base.path() / "run", true), "");
-  EXPECT_EQ(read_file(base.path() / "run" / "notes.txt"), "mine");
+  for (const char* name : {"notes.txt", "summary.md"})
+    EXPECT_EQ(read_file(base.path() / "run" / name), "mine");
+  EXPECT_FALSE(fs::exists(base.path() / "run" / "report.html"));
 }
 
 TEST(ResultFolder, NeverRemovesWhatIsNoRun) {

@@ -35,7 +35,7 @@ ModelPointer toy() {
 
 TEST(PlannedPoses, AreTheSplineInTheOrderOfTheModel) {
   const ModelPointer model = toy();
-  const Poses poses = planned_poses(*model, toy_plan(), 4);
+  const Poses poses = planned_poses(*model, toy_plan(), 4, "toy.xml");
   ASSERT_EQ(poses.size(), 4U);
   for (std::size_t k = 0; k < 4; ++k) {
     ASSERT_EQ(poses[k].size(), 9U);
@@ -53,9 +53,9 @@ TEST(PlannedPoses, NameTheJointThatIsMissing) {
   const ModelPointer model = toy();
   const Trajectory plan = blank_trajectory({"tail"}, {"L"}, 8, 0.8);
   try {
-    planned_poses(*model, plan, 4);
+    planned_poses(*model, plan, 4, "toy.xml");
     FAIL();
-  } catch (const std::runtime_error& error) {
+  } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("tail"), std::string::npos);
   }
 }
@@ -69,7 +69,7 @@ TEST(Playback, IsCheckedAgainstTheModel) {
   EXPECT_EQ(record_at(playback, 9.0), 1U);
   EXPECT_EQ(playback.qpos[1][1], 1.0);
   write_file(file, "time_s,a\n0,0\n");
-  EXPECT_THROW(read_playback(*model, file), std::runtime_error);
+  EXPECT_THROW(read_playback(*model, file), InputError);
 }
 
 TEST(ContactMarks, ShowFeetWhereTheyAre) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 
+#include "mjcf/input_error.hpp"
 #include "plugin/trajectory.hpp"
 #include "tests/tools/render/toy_scene.hpp"
 #include "tools/io/atomic_file.hpp"
@@ -32,6 +33,7 @@ fs::path toy_run(const std::string& name, bool validated) {
     write_file(run / folder / "scene.xml", kToyScene);
     write_file(run / folder / "motion.csv", write_motion_csv(plan));
   }
+  write_file(run / "run.json", R"({"schema":"legwright/run"})");
   if (validated) {
     for (const char* who : {"initial", "result"}) {
       write_file(
@@ -87,6 +89,30 @@ TEST(RunPictures, TellWhatTheyLeaveOut) {
 
 TEST(RunPictures, NeedARun) {
   EXPECT_THROW(draw_run(fs::path(testing::TempDir()) / "no_such_run"), IoError);
+  const fs::path run = toy_run("pictures_of_another_program", false);
+  write_file(run / "run.json", R"({"schema":"other/run"})");
+  EXPECT_THROW(draw_run(run), IoError);
+}
+
+TEST(RunPictures, DamagedFilesAreToldWithTheirPathAndAWayOut) {
+  LEGWRIGHT_NEEDS_GL();
+  const std::pair<const char*, const char*> files[] = {
+      {"iterations/0000/scene.xml", "optimize"},
+      {"result/scene.xml", "optimize"},
+      {"result/motion.csv", "optimize"},
+      {"result/playback_result.csv", "validate"}};
+  for (const auto& [name, verb] : files) {
+    const fs::path run = toy_run("pictures_damaged", true);
+    write_file(run / name, "<mujoco");
+    try {
+      draw_run(run);
+      FAIL() << name;
+    } catch (const InputError& error) {
+      for (const std::string& part :
+           {(run / name).string(), "run `legwright " + std::string(verb) + "` again"})
+        EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+    }
+  }
 }
 
 }  // namespace

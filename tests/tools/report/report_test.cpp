@@ -126,7 +126,8 @@ TEST_F(ReportTest, NotesBrokenFilesAndGoesOn) {
 
 TEST_F(ReportTest, SurvivesJsonOfWrongTypes) {
   edit_run([](Json& run) {
-    for (auto& [key, value] : run.items()) value = Json::array({"x", 1, nullptr, {{"a", 1}}});
+    for (auto& [key, value] : run.items())
+      if (key != "schema") value = Json::array({"x", 1, nullptr, {{"a", 1}}});
   });
   write_file(run_ / "result" / "verdict.json", "[1]");
   write_file(
@@ -137,6 +138,8 @@ TEST_F(ReportTest, SurvivesJsonOfWrongTypes) {
 
 TEST_F(ReportTest, RefusesAFolderWithoutARun) {
   EXPECT_THROW(read_run(run_ / "result"), IoError);
+  edit_run([](Json& run) { run["schema"] = "other/run"; });
+  EXPECT_THROW(read_run(run_), IoError);
   write_file(run_ / "run.json", "[]");
   EXPECT_THROW(read_run(run_), IoError);
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mjcf/input_error.hpp"
 #include "plugin/trajectory.hpp"
 #include "tools/io/atomic_file.hpp"
 
@@ -10,7 +11,7 @@ namespace legwright {
 namespace {
 
 TEST(CsvTable, ReadsNumbersByColumn) {
-  const CsvTable table = parse_csv_table("time_s, a_m\n0,1\n0.5,-2e-3\r\n", "x.csv");
+  const CsvTable table = parse_csv_table("time_s, a_m\n0,1\n0.5,-2e-3\r\n", "d/x.csv", "validate");
   ASSERT_EQ(table.columns.size(), 2U);
   EXPECT_EQ(table.columns[1], "a_m");
   ASSERT_EQ(table.rows.size(), 2U);
@@ -20,15 +21,16 @@ TEST(CsvTable, ReadsNumbersByColumn) {
 TEST(CsvTable, RefusesWhatIsNoNumberAndNamesTheLine) {
   for (const char* cell : {"nan", "inf", "1x", "", "0x10", "1 2"}) {
     try {
-      parse_csv_table(std::string("a,b\n1,2\n3,") + cell + "\n", "x.csv");
+      parse_csv_table(std::string("a,b\n1,2\n3,") + cell + "\n", "d/x.csv", "validate");
       FAIL() << cell;
-    } catch (const std::runtime_error& error) {
-      EXPECT_NE(std::string(error.what()).find("x.csv:3"), std::string::npos) << error.what();
+    } catch (const InputError& error) {
+      for (const char* part : {"d/x.csv:3: ", "run `legwright validate` again"})
+        EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
     }
   }
-  EXPECT_THROW(parse_csv_table("a,b\n1\n", "x.csv"), std::runtime_error);
-  EXPECT_THROW(parse_csv_table("a,b\n", "x.csv"), std::runtime_error);
-  EXPECT_THROW(parse_csv_table("", "x.csv"), std::runtime_error);
+  EXPECT_THROW(parse_csv_table("a,b\n1\n", "d/x.csv", "validate"), InputError);
+  EXPECT_THROW(parse_csv_table("a,b\n", "d/x.csv", "validate"), InputError);
+  EXPECT_THROW(parse_csv_table("", "d/x.csv", "validate"), InputError);
 }
 
 TEST(MotionCsv, ComesBackAsWritten) {
@@ -47,6 +49,20 @@ TEST(MotionCsv, ComesBackAsWritten) {
   EXPECT_NEAR(read.travel[1], 0.04, 1e-12);
   EXPECT_EQ(read.table, plan.table);
   EXPECT_EQ(read.foot_names, plan.foot_names);
+}
+
+TEST(MotionCsv, DamagedIsRefusedWithItsPathAndAWayOut) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "damaged_motion.csv";
+  for (const char* text : {"", "time_s\n0\n", "time_s\n0\n1\n", "time_s,q:a_rad\n0,0\n1,nan\n"}) {
+    write_file(file, text);
+    try {
+      read_motion_csv(file);
+      FAIL() << text;
+    } catch (const InputError& error) {
+      for (const std::string& part : {file.string(), std::string("`legwright optimize` again")})
+        EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+    }
+  }
 }
 
 }  // namespace

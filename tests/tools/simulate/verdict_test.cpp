@@ -69,6 +69,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"fastest", [](Measurements& run) { run.speed_ratio = 1.05; }, true},
         Case{"too_fast", [](Measurements& run) { run.speed_ratio = 1.07; }, false,
              "reaches 107.0 %"},
+        Case{"backs_off_a_hair", [](Measurements& run) { run.speed_ratio = -1e-5; }, false,
+             "reaches 0.0 %"},
         Case{"backward", [](Measurements& run) { run.speed_ratio = -1.0; }, false,
              "reaches -100.0 %"},
         Case{"no_speed", [](Measurements& run) { run.speed_ratio.reset(); }, false, "unknown"},

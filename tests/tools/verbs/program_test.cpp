@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The built program, called as people call it.
-#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <map>
 #include <thread>
 
 #include "tests/tools/io/temporary_folder.hpp"
+#include "tests/tools/verbs/program.hpp"
 #include "tools/io/events.hpp"
 
 namespace legwright {
@@ -19,54 +17,23 @@ namespace {
 namespace fs = std::filesystem;
 using test::TemporaryFolder;
 
-const fs::path kExamples = fs::path(LEGWRIGHT_SOURCE_DIR) / "examples";
+using test::call;
+using test::contains;
+using test::kExamples;
+using test::Outcome;
+using test::start;
+using test::wait_for;
+
 const std::string kWalk = (kExamples / "puppy" / "sideways.toml").string();
-
-struct Outcome {
-  int code = -1;
-  std::string out, err;
-};
-
-/// Starts the program in `folder`, with its output in the files out and err there.
-pid_t start(const std::vector<std::string>& words, const fs::path& folder) {
-  const pid_t child = ::fork();
-  if (child != 0) return child;
-  const auto redirect = [&](const char* name, int to) {
-    ::dup2(::open((folder / name).c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), to);
-  };
-  redirect("out", STDOUT_FILENO);
-  redirect("err", STDERR_FILENO);
-  std::vector<char*> argv{const_cast<char*>(LEGWRIGHT_PROGRAM)};
-  for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
-  argv.push_back(nullptr);
-  if (::chdir(folder.c_str()) == 0) ::execv(argv[0], argv.data());
-  ::_exit(126);
-}
-
-Outcome wait_for(pid_t child, const fs::path& folder) {
-  int status = 0;
-  ::waitpid(child, &status, 0);
-  Outcome outcome;
-  outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
-  outcome.out = read_file(folder / "out");
-  outcome.err = read_file(folder / "err");
-  return outcome;
-}
-
-Outcome call(const std::vector<std::string>& words) {
-  const TemporaryFolder folder;
-  return wait_for(start(words, folder.path()), folder.path());
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 TEST(Program, HelpAndVersionAreFineAndNonsenseIsBadInput) {
   EXPECT_EQ(call({"--help"}).code, 0);
   EXPECT_EQ(call({"--version"}).code, 0);
   EXPECT_EQ(call({}).code, 2);
-  EXPECT_EQ(call({"optimise"}).code, 2);
+  const Outcome typo = call({"optimise"});
+  EXPECT_EQ(typo.code, 2);
+  EXPECT_TRUE(contains(typo.err, "unknown verb 'optimise'; the verbs are check, optimize, validate"))
+      << typo.err;
   EXPECT_EQ(call({"optimize", kWalk, "--max-iterations", "many"}).code, 2);
   for (const char* verb : {"check", "optimize", "validate", "render", "report", "play", "doctor"}) {
     const Outcome help = call({verb, "--help"});
@@ -169,6 +136,13 @@ TEST(Optimize, WritesACompleteRunTwiceTheSame) {
       wait_for(start({"optimize", kWalk, "-o", "a"}, folder.path()), folder.path());
   EXPECT_EQ(again.code, 3);
   EXPECT_TRUE(contains(again.err, "--force")) << again.err;
+  ::setenv("LEGWRIGHT_PLUGIN", "/nonexistent/gait.so", 1);
+  for (const char* verb : {"validate", "render", "play"}) {
+    const Outcome without = wait_for(start({verb, "a"}, folder.path()), folder.path());
+    EXPECT_EQ(without.code, 3) << verb << without.err;
+    EXPECT_TRUE(contains(without.err, "/nonexistent/gait.so")) << verb << without.err;
+  }
+  ::unsetenv("LEGWRIGHT_PLUGIN");
   const Outcome play = wait_for(start({"play", "a", "--print"}, folder.path()), folder.path());
   EXPECT_EQ(play.code, 0) << play.err;
   EXPECT_TRUE(contains(play.out, "mj_loadPluginLibrary")) << play.out;
@@ -203,6 +177,30 @@ TEST(Optimize, StopsAtSigintWithAUsableFolder) {
   EXPECT_EQ(outcome.code, 130) << outcome.err;
   EXPECT_TRUE(fs::is_regular_file(folder.path() / "run/result/scene.xml"));
   EXPECT_EQ(read_json(folder.path() / "run/run.json")["status"], "interrupted");
+}
+
+TEST(Optimize, KeepsInsideRunsAndItsInputsRunAgain) {
+  const TemporaryFolder folder;
+  fs::create_directories(folder.path() / "tasks");
+  fs::create_directories(folder.path() / "robots");
+  std::string robot = read_file(kExamples / "puppy" / "robot.xml"), task = read_file(kWalk);
+  const auto replace = [](std::string& text, const std::string& from, const std::string& to) {
+    ASSERT_NE(text.find(from), std::string::npos) << from;
+    text.replace(text.find(from), from.size(), to);
+  };
+  replace(robot, "model=\"puppy\"", "model=\"a/../../../evil\"");
+  replace(task, "\"robot.xml\"", "\"../robots/dog.xml\"");
+  write_file(folder.path() / "robots" / "dog.xml", robot);
+  write_file(folder.path() / "tasks" / "walk.toml", task);
+  const Outcome outcome = wait_for(
+      start({"optimize", "tasks/walk.toml", "--no-pictures", "--max-iterations", "0"},
+            folder.path()),
+      folder.path());
+  EXPECT_TRUE(outcome.code == 0 || outcome.code == 1) << outcome.code << outcome.err;
+  const fs::path inputs = folder.path() / "runs" / "a__________evil-walk" / "inputs";
+  ASSERT_TRUE(fs::is_directory(inputs));
+  const Outcome again = call({"check", (inputs / "task.toml").string()});
+  EXPECT_EQ(again.code, 0) << again.err;
 }
 
 TEST(Play, NeedsARun) { EXPECT_EQ(call({"play", "/nowhere", "--print"}).code, 3); }

@@ -28,7 +28,7 @@ TEST(ViewerCommand, SurvivesQuotesInPaths) {
   ASSERT_EQ(command.size(), 3u);
   EXPECT_NE(command[2].find("mj_loadPluginLibrary('/a/it\\'s/p.so')"), std::string::npos)
       << command[2];
-  EXPECT_NE(command[2].find("launch_from_path('/b \\\\ c/scene.xml')"), std::string::npos)
+  EXPECT_NE(command[2].find("from_xml_path('/b \\\\ c/scene.xml')"), std::string::npos)
       << command[2];
 }
 

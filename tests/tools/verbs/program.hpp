@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/tools/io/temporary_folder.hpp"
+#include "tools/io/atomic_file.hpp"
+
+/// The built program, called as people call it.
+namespace legwright::test {
+
+inline const std::filesystem::path kExamples =
+    std::filesystem::path(LEGWRIGHT_SOURCE_DIR) / "examples";
+
+struct Outcome {
+  int code = -1;
+  std::string out, err;
+};
+
+/// Starts the program in `folder`, with its output in the files out and err there.
+inline pid_t start(const std::vector<std::string>& words, const std::filesystem::path& folder) {
+  const pid_t child = ::fork();
+  if (child != 0) return child;
+  const auto redirect = [&](const char* name, int to) {
+    ::dup2(::open((folder / name).c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), to);
+  };
+  redirect("out", STDOUT_FILENO);
+  redirect("err", STDERR_FILENO);
+  std::vector<char*> argv{const_cast<char*>(LEGWRIGHT_PROGRAM)};
+  for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
+  argv.push_back(nullptr);
+  if (::chdir(folder.c_str()) == 0) ::execv(argv[0], argv.data());
+  ::_exit(126);
+}
+
+inline Outcome wait_for(pid_t child, const std::filesystem::path& folder) {
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  Outcome outcome;
+  outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  outcome.out = read_file(folder / "out");
+  outcome.err = read_file(folder / "err");
+  return outcome;
+}
+
+inline Outcome call(const std::vector<std::string>& words) {
+  const TemporaryFolder folder;
+  return wait_for(start(words, folder.path()), folder.path());
+}
+
+inline bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace legwright::test

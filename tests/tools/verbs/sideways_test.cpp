@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// The promise of the examples, from task file to verdict: the initial puppy does not go sideways, the
+// co-designed one does, at half, default and double gains.
+#include <gtest/gtest.h>
+
+#include "tests/tools/verbs/program.hpp"
+#include "tools/io/json_file.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Sideways : public testing::TestWithParam<const char*> {
+ protected:
+  test::Outcome call(const std::vector<std::string>& words) const {
+    return test::wait_for(test::start(words, folder_.path()), folder_.path());
+  }
+  test::TemporaryFolder folder_;
+};
+
+TEST_P(Sideways, CoDesignedPuppyDoesWhatTheInitialOneDoesNot) {
+  const std::string task = (test::kExamples / "puppy" / GetParam()).string();
+  const test::Outcome optimize = call({"optimize", task, "--no-pictures", "-o", "run"});
+  ASSERT_EQ(optimize.code, 0) << optimize.err;
+  const test::Outcome validate = call({"validate", "run"});
+  EXPECT_EQ(validate.code, 0) << validate.out << validate.err;
+  const fs::path result = folder_.path() / "run" / "result";
+  const Json verdict = Json::parse(read_file(result / "verdict.json"));
+  EXPECT_FALSE(verdict["initial"]["pass"].get<bool>());
+  EXPECT_TRUE(verdict["result"]["pass"].get<bool>());
+  const Json metrics = Json::parse(read_file(result / "metrics.json"));
+  for (const char* gains : {"half", "default", "double"}) {
+    const Json& initial = metrics["initial"][gains];
+    const Json& designed = metrics["result"][gains];
+    EXPECT_TRUE(!initial["fall"].is_null() || initial["speed_ratio"].get<double>() < 0.2) << gains;
+    EXPECT_TRUE(designed["fall"].is_null()) << gains;
+    EXPECT_EQ(designed["cycles"], 20) << gains;
+    EXPECT_NEAR(designed["speed_ratio"].get<double>(), 1.0, 0.05) << gains;
+    EXPECT_LT(designed["tilt_max_rad"].get<double>(), 0.1) << gains;
+    EXPECT_LT(designed["saturated_share"].get<double>(), 1e-3) << gains;
+  }
+}
+
+TEST_P(Sideways, ReportAndPicturesCome) {
+  const std::string task = (test::kExamples / "puppy" / GetParam()).string();
+  const test::Outcome optimize =
+      call({"optimize", task, "--no-pictures", "--max-iterations", "1", "-o", "run"});
+  ASSERT_LE(optimize.code, 1) << optimize.err;  // one step need not be enough
+  (void)call({"validate", "run"});
+  const test::Outcome render = call({"render", "run"});
+  if (render.code == 3) GTEST_SKIP() << "no OSMesa here: " << render.err;
+  EXPECT_EQ(render.code, 0) << render.err;
+  EXPECT_EQ(call({"report", "run"}).code, 0);
+  const fs::path run = folder_.path() / "run";
+  for (const char* picture : {"iterations/0000/frame.png", "result/strip_before_after.png"})
+    EXPECT_GT(fs::file_size(run / picture), 10000u) << picture;
+  const std::string page = read_file(run / "report.html");
+  EXPECT_TRUE(test::contains(page, "data:image/png;base64,"));
+  EXPECT_TRUE(test::contains(page, "<svg"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Puppy, Sideways, testing::Values("sideways.toml", "sideways_trot.toml"));
+
+}  // namespace
+}  // namespace legwright
