@@ -107,12 +107,11 @@ void check_scene_needs(const XmlFile& xml, const XmlElement& element) {
   const auto is = [&](const char* tag, std::string_view reserved) {
     return is_tag(element, tag) && name == reserved;
   };
-  const XmlElement* const parent =
-      element.Parent() ? element.Parent()->ToElement() : nullptr;
+  const XmlElement* const parent = element.Parent() ? element.Parent()->ToElement() : nullptr;
   const bool is_sensor = parent && is_tag(*parent, "sensor") &&
                          (name == "tracking" || name.substr(0, 8) == "contact:");
-  const bool is_class = is_tag(element, "default") &&
-                        attribute(element, "class").substr(0, 13) == "legwright_pd_";
+  const bool is_class =
+      is_tag(element, "default") && attribute(element, "class").substr(0, 13) == "legwright_pd_";
   if (is("geom", "floor") || is("camera", "side") || is("camera", "track") || is("key", "gait") ||
       is("texture", "legwright_floor") || is("material", "legwright_floor") || is_sensor ||
       is_class)

@@ -15,7 +15,7 @@ struct EngineError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-thread_local bool t_calls_engine = false;                // this thread is inside call_engine
+thread_local bool t_calls_engine = false;                 // this thread is inside call_engine
 std::atomic<mjfLogHandler> g_other_threads_log{nullptr};  // the handler before call_engine
 
 /// MuJoCo's own handler prints, writes a log file, and ends the process on errors.

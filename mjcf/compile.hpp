@@ -18,9 +18,9 @@ struct MujocoDeleter {
 using ModelPointer = std::unique_ptr<mjModel, MujocoDeleter>;
 using DataPointer = std::unique_ptr<mjData, MujocoDeleter>;
 
-/// Runs `work`, which calls the engine: an engine error becomes an InputError at `file`, warnings are
-/// dropped, and nothing is printed, logged or ended. Messages of other threads go to the handler
-/// that was set before. Calls take turns and must not nest.
+/// Runs `work`, which calls the engine: an engine error becomes an InputError at `file`, warnings
+/// are dropped, and nothing is printed, logged or ended. Messages of other threads go to the
+/// handler that was set before. Calls take turns and must not nest.
 void call_engine(const std::filesystem::path& file, const std::function<void()>& work);
 
 /// Compiles MJCF text that refers to no other file. Throws InputError with MuJoCo's reason, `file`

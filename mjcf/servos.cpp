@@ -28,9 +28,8 @@ void refuse_what_the_scene_drops(const XmlFile& xml, const mjModel& model, int a
                                  const XmlElement& element) {
   const auto refuse = [&](bool present, const char* what) {
     if (present)
-      throw xml.error(element, fmt::format("{}, which the servos of the gait do not have; remove "
-                                           "it",
-                                           what));
+      throw xml.error(element,
+                      fmt::format("{}, which the gait's servos do not have; remove it", what));
   };
   const mjtNum* poly = model.actuator_dampingpoly + mjNPOLY * actuator;
   const bool damps = model.actuator_damping[actuator] != 0.0 ||
@@ -78,8 +77,7 @@ Servo read_servo(const XmlFile& xml, const mjModel& model, int actuator, const s
   const bool is_pid = model.actuator_gaintype[actuator] == mjGAIN_PID && bias[1] < 0.0;
   const bool is_position =
       model.actuator_biastype[actuator] == mjBIAS_AFFINE &&
-      (is_pid ||
-       (is_fixed_gain && gain[0] > 0.0 && std::abs(bias[1] + gain[0]) <= 1e-9 * gain[0]));
+      (is_pid || (is_fixed_gain && gain[0] > 0.0 && std::abs(bias[1] + gain[0]) <= 1e-9 * gain[0]));
   const int control = model.actuator_ctrladr[actuator];
   if (is_position) {
     servo.kp = gear * gear * -bias[1];

@@ -66,9 +66,9 @@ struct CodesignSeconds {
 
 struct CodesignResult {
   SolveStatus status = SolveStatus::iteration_limit;
-  DesignIteration initial;  // iteration 0
+  DesignIteration initial;                // iteration 0
   std::vector<double> motion_only_trace;  // F by Newton step of iteration 0: the body as it is
-  DesignIteration best;     // the last and best
+  DesignIteration best;                   // the last and best
   int design_iterations = 0;
   int newton_iterations = 0;  // in all
   int factorisations = 0;

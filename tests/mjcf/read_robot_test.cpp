@@ -136,10 +136,10 @@ TEST(ReadRobot, ReadsGeneralTrees) {
 TEST(ReadRobot, ReadsTheLimitOfAMotorBehindAServoOfSeveralControls) {
   const std::string text =
       test::read_file(test::source_path("examples/broken/robots/motor_without_limit.xml"));
-  const std::string mended = test::with(
-      test::with(text, "<position name=\"hip_servo\"",
-                 "<pid input=\"pos vel ff\" gear=\"1\" name=\"hip_servo\""),
-      "<motor ", "<motor gear=\"2\" ctrlrange=\"-1.5 1.5\" ");
+  const std::string mended =
+      test::with(test::with(text, "<position name=\"hip_servo\"",
+                            "<pid input=\"pos vel ff\" gear=\"1\" name=\"hip_servo\""),
+                 "<motor ", "<motor gear=\"2\" ctrlrange=\"-1.5 1.5\" ");
   const RobotModel robot = parse_robot(mended, "pid.xml");
   ASSERT_EQ(robot.servos.size(), 2u);
   EXPECT_EQ(robot.servos[0].kp, 80.0);

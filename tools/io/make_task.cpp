@@ -173,8 +173,8 @@ Gait make_gait(const TaskFile& file, const std::vector<std::string>& names,
   }
   if (gait && shortest_stance(*gait) >= kFewestStance) return *gait;
   refuse(file, file.duty ? "gait.duty" : "gait.knots",
-         fmt::format("a duty of {} on {} knots leaves a foot {} on the ground, {} are needed; raise "
-                     "the duty to {:.3f} or the number of knots",
+         fmt::format("a duty of {} on {} knots leaves a foot no stance: {} on the ground, {} are "
+                     "needed; raise the duty to {:.3f} or the number of knots",
                      pattern.duty, file.knots, gait ? "a single knot" : "no knot", kFewestStance,
                      std::ceil(1000.0 * kFewestStance / file.knots) / 1000.0));
 }

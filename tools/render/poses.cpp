@@ -20,8 +20,11 @@ constexpr const char* kOptimizeAgain = "the file is damaged: run `legwright opti
 ModelPointer load_scene(const std::filesystem::path& file) {
   char message[1000] = "";
   ModelPointer model(mj_loadXML(file.c_str(), nullptr, message, sizeof message));
-  if (!model)
-    throw InputError(file.string(), 0, "", std::string(message) + "; " + kOptimizeAgain);
+  if (!model) {
+    std::string reason = message;
+    while (reason.ends_with('\n')) reason.pop_back();
+    throw InputError(file.string(), 0, "", reason + "; " + kOptimizeAgain);
+  }
   return model;
 }
 

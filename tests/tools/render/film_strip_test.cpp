@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "mjcf/input_error.hpp"
 #include "tests/tools/render/toy_scene.hpp"
 #include "tools/io/atomic_file.hpp"
 #include "tools/render/poses.hpp"

@@ -96,11 +96,10 @@ TEST(RunPictures, NeedARun) {
 
 TEST(RunPictures, DamagedFilesAreToldWithTheirPathAndAWayOut) {
   LEGWRIGHT_NEEDS_GL();
-  const std::pair<const char*, const char*> files[] = {
-      {"iterations/0000/scene.xml", "optimize"},
-      {"result/scene.xml", "optimize"},
-      {"result/motion.csv", "optimize"},
-      {"result/playback_result.csv", "validate"}};
+  const std::pair<const char*, const char*> files[] = {{"iterations/0000/scene.xml", "optimize"},
+                                                       {"result/scene.xml", "optimize"},
+                                                       {"result/motion.csv", "optimize"},
+                                                       {"result/playback_result.csv", "validate"}};
   for (const auto& [name, verb] : files) {
     const fs::path run = toy_run("pictures_damaged", true);
     write_file(run / name, "<mujoco");

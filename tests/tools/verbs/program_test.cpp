@@ -32,7 +32,8 @@ TEST(Program, HelpAndVersionAreFineAndNonsenseIsBadInput) {
   EXPECT_EQ(call({}).code, 2);
   const Outcome typo = call({"optimise"});
   EXPECT_EQ(typo.code, 2);
-  EXPECT_TRUE(contains(typo.err, "unknown verb 'optimise'; the verbs are check, optimize, validate"))
+  EXPECT_TRUE(
+      contains(typo.err, "unknown verb 'optimise'; the verbs are check, optimize, validate"))
       << typo.err;
   EXPECT_EQ(call({"optimize", kWalk, "--max-iterations", "many"}).code, 2);
   for (const char* verb : {"check", "optimize", "validate", "render", "report", "play", "doctor"}) {
@@ -192,10 +193,10 @@ TEST(Optimize, KeepsInsideRunsAndItsInputsRunAgain) {
   replace(task, "\"robot.xml\"", "\"../robots/dog.xml\"");
   write_file(folder.path() / "robots" / "dog.xml", robot);
   write_file(folder.path() / "tasks" / "walk.toml", task);
-  const Outcome outcome = wait_for(
-      start({"optimize", "tasks/walk.toml", "--no-pictures", "--max-iterations", "0"},
-            folder.path()),
-      folder.path());
+  const Outcome outcome =
+      wait_for(start({"optimize", "tasks/walk.toml", "--no-pictures", "--max-iterations", "0"},
+                     folder.path()),
+               folder.path());
   EXPECT_TRUE(outcome.code == 0 || outcome.code == 1) << outcome.code << outcome.err;
   const fs::path inputs = folder.path() / "runs" / "a__________evil-walk" / "inputs";
   ASSERT_TRUE(fs::is_directory(inputs));
