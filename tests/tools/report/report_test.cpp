@@ -110,9 +110,11 @@ TEST_F(ReportTest, WorksWithNothingButRunJson) {
   fs::remove_all(run_ / "iterations");
   fs::remove(run_ / "events.jsonl");
   expect_well_formed(page());
-  write_file(run_ / "run.json", "{}");
+  write_file(run_ / "run.json", R"({"schema": "legwright/run", "version": 1})");
   expect_well_formed(page());
   EXPECT_NO_THROW(report_summary(read_run(run_)));
+  write_file(run_ / "run.json", "{}");
+  EXPECT_ANY_THROW(read_run(run_)) << "a foreign run.json makes no run";
 }
 
 TEST_F(ReportTest, NotesBrokenFilesAndGoesOn) {
