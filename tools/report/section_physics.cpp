@@ -29,6 +29,7 @@ std::vector<std::string> gains_of(const RunData& data) {
 struct Quantity {
   const char* name;
   std::function<std::string(const Json&)> show;
+  bool after_first_cycle = false;  // measured from the second cycle on
 };
 
 std::string scaled(std::optional<double> value, double by, const char* unit) {
@@ -67,19 +68,22 @@ const std::vector<Quantity>& quantities() {
       {"slip per stance, mean",
        [](const Json& m) {
          return scaled(number_at(m, {"feet_summary", "slip_mean_m"}), 1e3, " mm");
-       }},
+       },
+       true},
       {"touchdown error, mean",
        [](const Json& m) {
          return scaled(number_at(m, {"feet_summary", "touchdown_error_mean_s"}), 1e3, " ms");
-       }},
+       },
+       true},
       {"joint tracking, RMS",
        [](const Json& m) {
          return scaled(number_at(m, {"tracking_rms_rad"}), 57.29577951308232, "°");
-       }},
+       },
+       true},
       {"servo torque, RMS",
-       [](const Json& m) { return scaled(number_at(m, {"torque_rms_Nm"}), 1, " N·m"); }},
+       [](const Json& m) { return scaled(number_at(m, {"torque_rms_Nm"}), 1, " N·m"); }, true},
       {"servos at their limit",
-       [](const Json& m) { return percent(number_at(m, {"saturated_share"})); }},
+       [](const Json& m) { return percent(number_at(m, {"saturated_share"})); }, true},
       {"MuJoCo warnings",
        [](const Json& m) {
          const Json& warnings = value_at(m, {"warnings"});
@@ -107,8 +111,10 @@ void add_gain_table(Html& page, const RunData& data, const std::vector<std::stri
     page.open("tr").element("td", quantity.name);
     for (const char* robot : kRobots) {
       for (const std::string& gain : gains) {
-        page.element("td", quantity.show(value_at(data.metrics, {robot, gain.c_str()})),
-                     {{"class", "n"}});
+        const Json& measured = value_at(data.metrics, {robot, gain.c_str()});
+        const bool too_short =
+            quantity.after_first_cycle && number_at(measured, {"cycles"}).value_or(0.0) < 2.0;
+        page.element("td", too_short ? "–" : quantity.show(measured), {{"class", "n"}});
       }
     }
     page.close();
