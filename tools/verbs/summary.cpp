@@ -28,7 +28,7 @@ std::string parameter_lines(const Json& parameters) {
 
 std::string in_words(const std::string& status) {
   if (status == "stalled") return "settled (no step improves it any more)";
-  if (status == "iteration_limit") return "stopped at the iteration limit";
+  if (status == "iteration_limit") return "stopped at the iteration limit (usable; a larger --max-iterations goes on)";
   return status;
 }
 
