@@ -8,12 +8,6 @@
 
 namespace legwright {
 
-/// A parameter's first-order effect on a vector.
-struct VectorSlope {
-  int parameter;
-  Eigen::Vector3d slope;
-};
-
 /// A joint axis at one design, with its exact first and second derivatives in the parameters that turn it.
 struct AxisAtDesign {
   Eigen::Vector3d axis;
