@@ -38,20 +38,42 @@ struct TaskFile {
   std::optional<double> planted_margin;  // [s]
   std::map<std::string, double> weights;
 
+  double weight = 1.0;  // w of F_joint = Σ w F; 1 where the file holds one task
+
   std::map<std::string, int> lines;  // of each key that is there, by its path: "gait.period"
   int line(const std::string& key) const;
 };
 
-/// Reads a task file strictly: TOML 1.0, known keys only, right types, finite and in range. Throws
+/// Everything that a task file asks of one body: one task, or several under [[task]].
+struct TaskSet {
+  std::filesystem::path file;
+  std::string text;                // byte for byte
+  std::string name;                // of the file, unless the file says otherwise
+  std::filesystem::path robot;     // found from the folder of the task file
+  std::vector<TaskFile> tasks;     // in the file's order, at least one; names differ
+  std::string outer;               // name of the term that is the outer objective J, or empty
+  double outer_weight = 1.0;       // of J in F + weight·J
+  std::map<std::string, int> lines;  // of the keys outside [[task]]
+
+  bool joint() const { return tasks.size() > 1; }
+};
+
+/// Reads a task file strictly, with all its tasks. [style], [limits] and [weights] outside [[task]]
+/// hold for every task that does not say otherwise. Throws as read_task_file().
+TaskSet read_task_set(const std::filesystem::path& file);
+/// The same from text; `file` is for messages and to find the robot from.
+TaskSet parse_task_set(const std::string& text, const std::filesystem::path& file);
+
+/// Reads the file of one task strictly: TOML 1.0, known keys only, right types, finite and in range. Throws
 /// InputError with one line for each thing that is wrong; also where the file or its robot is
-/// missing.
+/// missing, or where it holds several tasks.
 TaskFile read_task_file(const std::filesystem::path& file);
 /// The same from text; `file` is for messages and to find the robot from.
 TaskFile parse_task_file(const std::string& text, const std::filesystem::path& file);
 
-/// The text of the file with `robot = "robot.xml"`, everything else byte for byte: what can be run
+/// The text of a task file with `robot = "robot.xml"`, everything else byte for byte: what can be run
 /// again beside a copy of the robot under that name.
-std::string text_beside_robot(const TaskFile& file);
+std::string text_beside_robot(const std::string& text);
 
 /// The task for this robot: gait pattern chosen, feet put in the robot's order, seconds turned into
 /// knots. Throws InputError, with file and line of the key, where task and robot do not fit or the

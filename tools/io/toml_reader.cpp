@@ -224,6 +224,23 @@ const toml::table* TableReader::table(std::string_view key) {
   return found->as_table();
 }
 
+std::vector<const toml::table*> TableReader::tables(std::string_view key) {
+  std::vector<const toml::table*> result;
+  const toml::node* found = node(key);
+  if (!found) return result;
+  if (const toml::array* array = found->as_array())
+    for (const toml::node& entry : *array)
+      if (entry.is_table()) result.push_back(entry.as_table());
+  if (!found->is_array() || found->as_array()->empty() ||
+      result.size() != found->as_array()->size()) {
+    problems_.add(line(*found), full(key),
+                  fmt::format("is {}; expected tables that start with [[{}]] each",
+                              type_name(*found), full(key)));
+    result.clear();
+  }
+  return result;
+}
+
 void TableReader::require(bool present, std::string_view key, const std::string& example) {
   // A key that is there but wrong has been reported already.
   if (!present && !has(key))

@@ -56,6 +56,8 @@ class TableReader {
   /// A table within; null if absent or no table.
   const toml::table* table(std::string_view key);
   const toml::node* node(std::string_view key);
+  /// The tables of an array [[key]]; empty if absent.
+  std::vector<const toml::table*> tables(std::string_view key);
 
   /// Reports a key that must be there. @param example a line that would do
   void require(bool present, std::string_view key, const std::string& example);
