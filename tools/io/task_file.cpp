@@ -9,7 +9,9 @@
 
 #include "mjcf/input_error.hpp"
 #include "tools/io/atomic_file.hpp"
+#include "tools/io/gait_table.hpp"
 #include "tools/io/io_error.hpp"
+#include "tools/io/style_table.hpp"
 #include "tools/io/toml_reader.hpp"
 
 namespace legwright {
@@ -21,47 +23,11 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Eigen::Vector2d vector2(const std::vector<double>& values) { return {values[0], values[1]}; }
 
-void read_gait(TableReader in, TaskFile& task) {
-  constexpr Range phase{0.0, 1.0, false, true, ""};
-  task.gait = in.text("name").value_or("");
-  const auto period = in.number("period", {0.05, 20.0, false, false, "s"});
-  in.require(period.has_value(), "period", "period = 1.0  # s");
-  task.period = period.value_or(1.0);
-  task.knots = in.integer("knots", 8, 384).value_or(task.knots);
-  task.duty = in.number("duty", {0.0, 1.0, true, false, ""});
-  const toml::node* touchdown = in.node("touchdown");
-  if (touchdown && touchdown->is_table())
-    task.touchdown_by_foot = in.numbers_by_name("touchdown", phase);
-  else
-    task.touchdown = in.numbers("touchdown", phase, 0).value_or(std::vector<double>{});
-  if (touchdown)
-    in.require(in.has("duty"), "duty", "duty = 0.75  # share of the cycle on the ground");
-  else
-    in.require(in.has("name"), "name", "name = \"walk\"");
-  if (task.gait.empty()) task.gait = "own";
-  in.finish();
-}
-
 void read_travel(TableReader in, TaskFile& task) {
   const auto velocity = in.numbers("velocity", {-10.0, 10.0, false, false, "m/s"}, 2);
   in.require(velocity.has_value(), "velocity", "velocity = [0.0, 0.1]  # m/s forward, left");
   if (velocity) task.velocity = vector2(*velocity);
   task.turn_rate = in.number("turn_rate", {-10.0, 10.0, false, false, "rad/s"}).value_or(0.0);
-  in.finish();
-}
-
-void read_style(TableReader in, TaskFile& task) {
-  constexpr Range reach{-5.0, 5.0, false, false, "m"};
-  task.com_height = in.number("com_height", {0.0, 5.0, true, false, "m"});
-  const toml::node* footprint = in.node("footprint");
-  const bool rows = footprint && footprint->is_array() && !footprint->as_array()->empty() &&
-                    footprint->as_array()->get(0)->is_array();
-  if (rows) {
-    if (const auto pairs = in.pairs("footprint", reach))
-      for (const auto& pair : *pairs) task.footprint.push_back(vector2(pair));
-  } else if (const auto half = in.numbers("footprint", {0.0, 5.0, false, false, "m"}, 2)) {
-    task.footprint = {vector2(*half)};
-  }
   in.finish();
 }
 

@@ -21,8 +21,10 @@ struct TaskFile {
   std::string name;  // of the file, without its extension, unless the file says otherwise
   std::filesystem::path robot;  // found from the folder of the task file
 
-  std::string gait;  // of the library, or a name for a pattern of one's own
-  std::optional<double> duty;
+  std::string gait;               // of the library, or a name for a pattern of one's own
+  std::optional<double> duty;     // of all feet, or
+  std::vector<double> foot_duty;  // in footfall order, or
+  std::map<std::string, double> duty_by_foot;       // by the foot's name; none: the library's
   std::vector<double> touchdown;                    // in footfall order, or
   std::map<std::string, double> touchdown_by_foot;  // by the foot's name
   double period = 0.0;
@@ -31,7 +33,11 @@ struct TaskFile {
   Eigen::Vector2d velocity = Eigen::Vector2d::Zero();
   double turn_rate = 0.0;
 
-  std::optional<double> com_height;
+  std::optional<double> com_height;       // or
+  std::vector<double> com_heights;        // over the cycle
+  std::vector<Eigen::Vector2d> com_path;  // off the wanted path, over the cycle
+  std::map<std::string, std::vector<Eigen::Vector2d>>
+      foot_targets;  // by the foot's name, over the cycle
   std::vector<Eigen::Vector2d>
       footprint;  // in footfall order; one entry: half length and half width
   Task margins;   // friction … joint_margin of the file over Task's defaults

@@ -195,7 +195,7 @@ std::optional<std::vector<std::vector<double>>> TableReader::pairs(std::string_v
   }
   if (!array || array->empty() || rows.size() != array->size()) {
     problems_.add(line(*found), full(key),
-                  "expected one pair [forward, left] of numbers for each foot");
+                  "expected an array of pairs of numbers: [[forward, left], ...]");
     return std::nullopt;
   }
   return rows;
@@ -211,6 +211,17 @@ std::map<std::string, double> TableReader::numbers_by_name(std::string_view key,
     lines_[path] = line(entry);
     if (const auto value = checked(entry, path, range)) values[std::string(name.str())] = *value;
   }
+  return values;
+}
+
+std::map<std::string, std::vector<std::vector<double>>> TableReader::pairs_by_name(
+    std::string_view key, const Range& range) {
+  std::map<std::string, std::vector<std::vector<double>>> values;
+  const toml::table* found = table(key);
+  if (!found) return values;
+  TableReader within(found, full(key), problems_, lines_);
+  for (const auto& [name, entry] : *found)
+    if (auto rows = within.pairs(name.str(), range)) values[std::string(name.str())] = *rows;
   return values;
 }
 

@@ -82,7 +82,29 @@ std::string gait_text(const Finding& found) {
   for (std::size_t start = 0, end; (end = diagram.find('\n', start)) != std::string::npos;
        start = end + 1)
     text += "  " + diagram.substr(start, end - start) + "\n";
-  return text + "  # stance, . swing; one column per knot\n";
+  const SupportRange support = support_range(gait);
+  return text + fmt::format("  # stance, . swing; one column per knot; {} to {} feet stand\n",
+                            support.least, support.most);
+}
+
+/// Lists over the cycle; nothing where the task has none.
+std::string style_text(const Finding& found) {
+  const Task& task = found.task;
+  std::string text;
+  const auto add = [&](const std::string& what, std::size_t count) {
+    text +=
+        fmt::format("style   {}: {} value{} over the cycle, one every {:.4g} s{}\n", what, count,
+                    count == 1 ? "" : "s", task.gait.period() / static_cast<double>(count),
+                    static_cast<int>(count) == task.gait.knot_count()
+                        ? ", one per knot"
+                        : fmt::format(", read at the {} knots", task.gait.knot_count()));
+  };
+  if (!task.com_heights.empty()) add("com_height", task.com_heights.size());
+  if (!task.com_path.empty()) add("com_path, off the wanted path", task.com_path.size());
+  for (std::size_t j = 0; j < task.foot_targets.size(); ++j)
+    if (!task.foot_targets[j].empty())
+      add("foot_targets." + found.robot.morphology.feet[j].name, task.foot_targets[j].size());
+  return text;
 }
 
 std::string travel_text(const Finding& found) {
@@ -148,7 +170,9 @@ Json to_json(const Finding& found) {
             {"period_s", found.task.gait.period()},
             {"knots", found.task.gait.knot_count()},
             {"planted_margin_knots", found.task.planted_margin},
-            {"contact", contact}}},
+            {"contact", contact},
+            {"support_least", support_range(found.task.gait).least},
+            {"support_most", support_range(found.task.gait).most}}},
           {"travel",
            {{"velocity", {found.task.velocity.x(), found.task.velocity.y()}},
             {"turn_rate", found.task.turn_rate},
@@ -165,8 +189,8 @@ int check(const CheckOptions& options) {
     fmt::print("{}", to_text(to_json(found)));
     return kOk;
   }
-  fmt::print("{}{}{}{}{}", robot_text(found), design_text(found), gait_text(found),
-             travel_text(found), weights_text(found));
+  fmt::print("{}{}{}{}{}{}", robot_text(found), design_text(found), gait_text(found),
+             travel_text(found), style_text(found), weights_text(found));
   for (const std::string& warning : found.warnings) fmt::print("warning {}\n", warning);
   fmt::print("ok      next: legwright optimize {}\n", options.task);
   return kOk;
