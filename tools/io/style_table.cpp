@@ -78,7 +78,7 @@ std::vector<std::vector<Eigen::Vector2d>> foot_targets_of(const TaskFile& file,
 void read_style(TableReader in, TaskFile& task) {
   if (is_array(in.node("com_height")))
     task.com_heights = in.numbers("com_height", kHeight, 0).value_or(std::vector<double>{});
-  else
+  else if (in.has("com_height"))  // else what stands outside [[task]] holds
     task.com_height = in.number("com_height", kHeight);
   if (const auto path = in.pairs("com_path", kReach)) task.com_path = vectors(*path);
   const toml::node* footprint = in.node("footprint");

@@ -42,7 +42,8 @@ void read_limits(TableReader in, TaskFile& task, Problems& problems) {
       in.number("min_normal", {0.0, 0.5, false, false, ""}).value_or(margins.min_normal);
   margins.joint_margin =
       in.number("joint_margin", {0.0, 1.5, false, false, "rad"}).value_or(margins.joint_margin);
-  task.planted_margin = in.number("planted_margin", {0.0, 1.0, false, false, "s"});
+  if (const auto margin = in.number("planted_margin", {0.0, 1.0, false, false, "s"}))
+    task.planted_margin = margin;
   if (margins.friction > margins.floor_friction)
     problems.add(
         in.line_of("friction"), in.full("friction"),
@@ -93,7 +94,8 @@ int line_in(const std::map<std::string, int>& lines, const std::string& key) {
 }
 
 void check_name(TableReader& in, const std::string& name, Problems& problems) {
-  if (name.find_first_of("/\\") == std::string::npos && !name.empty() && name.front() != '.') return;
+  if (name.find_first_of("/\\") == std::string::npos && !name.empty() && name.front() != '.')
+    return;
   problems.add(in.line_of("name"), in.full("name"),
                fmt::format("is '{}'; it names a folder, so use letters, digits, _ and -", name));
 }
@@ -111,7 +113,8 @@ void read_shared_tables(TableReader& in, TaskFile& task, Problems& problems) {
   };
   read_style(section("style"), task);
   read_limits(section("limits"), task, problems);
-  for (const auto& [name, weight] : in.numbers_by_name("weights", {0.0, kInfinity, false, false, ""}))
+  for (const auto& [name, weight] :
+       in.numbers_by_name("weights", {0.0, kInfinity, false, false, ""}))
     task.weights[name] = weight;
 }
 

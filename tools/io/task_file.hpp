@@ -53,12 +53,12 @@ struct TaskFile {
 /// Everything that a task file asks of one body: one task, or several under [[task]].
 struct TaskSet {
   std::filesystem::path file;
-  std::string text;                // byte for byte
-  std::string name;                // of the file, unless the file says otherwise
-  std::filesystem::path robot;     // found from the folder of the task file
-  std::vector<TaskFile> tasks;     // in the file's order, at least one; names differ
-  std::string outer;               // name of the term that is the outer objective J, or empty
-  double outer_weight = 1.0;       // of J in F + weight·J
+  std::string text;                  // byte for byte
+  std::string name;                  // of the file, unless the file says otherwise
+  std::filesystem::path robot;       // found from the folder of the task file
+  std::vector<TaskFile> tasks;       // in the file's order, at least one; names differ
+  std::string outer;                 // name of the term that is the outer objective J, or empty
+  double outer_weight = 1.0;         // of J in F + weight·J
   std::map<std::string, int> lines;  // of the keys outside [[task]]
 
   bool joint() const { return tasks.size() > 1; }

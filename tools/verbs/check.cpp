@@ -25,14 +25,18 @@ struct Finding {
   std::vector<std::string> warnings;
 };
 
-Finding find(const std::string& path) {
-  Finding found;
-  found.file = read_task_file(path);
-  found.robot = read_robot(found.file.robot);
-  found.task = make_task(found.file, found.robot);
-  found.stride = stride_bound(found.task, found.robot);
-  found.warnings = task_warnings(found.task, found.robot);
-  return found;
+/// One for each task of the file.
+std::vector<Finding> find(const std::string& path) {
+  const TaskSet set = read_task_set(path);
+  const RobotModel robot = read_robot(set.robot);
+  std::vector<Finding> all;
+  for (const TaskFile& file : set.tasks) {
+    Finding found{file, robot, make_task(file, robot), {}, {}};
+    found.stride = stride_bound(found.task, robot);
+    found.warnings = task_warnings(found.task, robot);
+    all.push_back(std::move(found));
+  }
+  return all;
 }
 
 std::vector<std::string> limb_of(const Morphology& morphology, const Foot& foot) {
@@ -184,14 +188,27 @@ Json to_json(const Finding& found) {
 }
 
 int check(const CheckOptions& options) {
-  const Finding found = find(options.task);
+  const std::vector<Finding> all = find(options.task);
   if (options.json) {
-    fmt::print("{}", to_text(to_json(found)));
+    Json document = to_json(all.front());
+    if (all.size() > 1) {
+      document = {{"schema", "legwright/check"}, {"version", 1}, {"tasks", Json::object()}};
+      for (const Finding& found : all) {
+        document["tasks"][found.task.name] = to_json(found);
+        document["tasks"][found.task.name]["weight"] = found.file.weight;
+      }
+    }
+    fmt::print("{}", to_text(document));
     return kOk;
   }
-  fmt::print("{}{}{}{}{}{}", robot_text(found), design_text(found), gait_text(found),
-             travel_text(found), style_text(found), weights_text(found));
-  for (const std::string& warning : found.warnings) fmt::print("warning {}\n", warning);
+  fmt::print("{}{}", robot_text(all.front()), design_text(all.front()));
+  for (const Finding& found : all) {
+    if (all.size() > 1)
+      fmt::print("\ntask    {}, weight {} of F_joint\n", found.task.name, found.file.weight);
+    fmt::print("{}{}{}{}", gait_text(found), travel_text(found), style_text(found),
+               weights_text(found));
+    for (const std::string& warning : found.warnings) fmt::print("warning {}\n", warning);
+  }
   fmt::print("ok      next: legwright optimize {}\n", options.task);
   return kOk;
 }
