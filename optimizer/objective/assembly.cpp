@@ -47,9 +47,11 @@ void plan_entries(const Term& term, int index, ElementPlan& plan) {
   const Eigen::MatrixXd* J = term.constant_jacobian(index);
   if (J == nullptr) return;
   const Element& element = term.elements()[index];
-  for (int row = 0; row < J->rows(); ++row)
+  for (int row = 0; row < J->rows(); ++row) {
     for (int k = 0; k < J->cols(); ++k)
-      if ((*J)(row, k) != 0.0) plan.entries.push_back({row, element.slots[k], (*J)(row, k)});
+      if ((*J)(row, k) != 0.0) plan.entries.push_back({element.slots[k], (*J)(row, k)});
+    plan.row_ends.push_back(static_cast<int>(plan.entries.size()));
+  }
   plan.offset.resize(element.rows);
   term.residual(index, Eigen::VectorXd::Zero(J->cols()), plan.offset);
   plan.constant =
@@ -107,15 +109,30 @@ void expand_jacobian(const ElementPlan& plan, const Eigen::MatrixXd& J,
 
 namespace {
 
-template <class Visit>
-void for_each_column(const LocalRow& row, int columns, Visit visit) {
-  if (row.through == nullptr) {
-    if (row.column < columns) visit(row.column, 1.0);
+/// Adds entry · left rightᵀ of two local variables to the lower triangle of H.
+void add_product(double entry, const LocalRow& left, const LocalRow& right, int columns,
+                 Eigen::MatrixXd& H) {
+  const auto add_column = [&](int b, double factor) {
+    double* __restrict__ out = H.col(b).data();
+    if (left.through == nullptr) {
+      if (left.column >= b && left.column < columns) out[left.column] += factor;
+      return;
+    }
+    for (const ElementPlan::Run& run : left.through->runs) {
+      if (run.to >= columns) return;
+      const double* from = left.chain + run.from - run.to;
+      for (int a = std::max(run.to, b); a < run.to + run.count; ++a) out[a] += factor * from[a];
+    }
+  };
+  if (right.through == nullptr) {
+    if (right.column < columns) add_column(right.column, entry);
     return;
   }
-  for (const ElementPlan::Run& run : row.through->runs) {
+  for (const ElementPlan::Run& run : right.through->runs) {
     if (run.to >= columns) return;
-    for (int k = 0; k < run.count; ++k) visit(run.to + k, row.chain[run.from + k]);
+    const int end = left.through != nullptr ? run.to + run.count
+                                            : std::min(run.to + run.count, left.column + 1);
+    for (int b = run.to; b < end; ++b) add_column(b, entry * right.chain[run.from + b - run.to]);
   }
 }
 
@@ -133,18 +150,9 @@ void expand_curvature(const ElementPlan& plan, const std::vector<Eigen::MatrixXd
       rows[through.variable + d] = {-1, &through, jacobians[through.block].col(d).data()};
   // Most entries of C are zero. Both orders of a pair of variables are visited, so that each column pair of the
   // lower triangle gets both.
-  for (int i = 0; i < C.rows(); ++i)
-    for (int j = 0; j < C.cols(); ++j) {
-      const double entry = C(i, j);
-      if (entry == 0.0) continue;
-      for_each_column(rows[j], columns, [&](int b, double right) {
-        const double factor = entry * right;
-        double* out = workspace.hessian.col(b).data();
-        for_each_column(rows[i], columns, [&](int a, double left) {
-          if (a >= b) out[a] += factor * left;
-        });
-      });
-    }
+  for (int j = 0; j < C.cols(); ++j)
+    for (int i = 0; i < C.rows(); ++i)
+      if (C(i, j) != 0.0) add_product(C(i, j), rows[i], rows[j], columns, workspace.hessian);
 }
 
 namespace {
@@ -163,6 +171,12 @@ struct Triple {
     w1 = row + 1 <= last ? second[row + 1] : 0.0;
     w2 = row + 2 <= last ? second[row + 2] : 0.0;
   }
+  /// out_a = Σ weight · e_a e_b for the clique columns a from `first` on.
+  void set(int b, int first, int count, double* __restrict__ out) const {
+    const double f0 = w0 * e0[b], f1 = w1 * e1[b], f2 = w2 * e2[b];
+    const double *x0 = e0 + first, *x1 = e1 + first, *x2 = e2 + first;
+    for (int k = 0; k < count; ++k) out[k] = f0 * x0[k] + f1 * x1[k] + f2 * x2[k];
+  }
   /// out_a += Σ weight · e_a e_b for the clique columns a from `first` on.
   void add(int b, int first, int count, double* __restrict__ out) const {
     const double f0 = w0 * e0[b], f1 = w1 * e1[b], f2 = w2 * e2[b];
@@ -180,11 +194,16 @@ struct Triple {
 
 void rank_hessian(ElementWorkspace& workspace) {
   const int columns = static_cast<int>(workspace.expanded.rows());
-  workspace.hessian.setZero(columns, columns);
+  workspace.hessian.resize(columns, columns);  // nobody reads the upper triangle
   for (int row = 0; row < static_cast<int>(workspace.expanded.cols()); row += 3) {
     const Triple triple(workspace.expanded, workspace.second, row);
-    for (int b = 0; b < columns; ++b)
-      triple.add(b, b, columns - b, workspace.hessian.col(b).data() + b);
+    for (int b = 0; b < columns; ++b) {
+      double* out = workspace.hessian.col(b).data() + b;
+      if (row == 0)
+        triple.set(b, b, columns - b, out);
+      else
+        triple.add(b, b, columns - b, out);
+    }
   }
 }
 

@@ -24,15 +24,16 @@ struct ElementPlan {
     int variable, block, size;
     std::vector<Run> runs;  // rising; design columns, if any, have runs of their own
   };
-  /// A row of a linear residual, r_row = Σ coefficient · [s; m; y]_slot − target.
+  /// Of a linear residual, r_row = Σ coefficient · [s; m; y]_slot − target.
   struct Entry {
-    int row, slot;
+    int slot;
     double coefficient;
   };
   std::vector<Direct> direct;
   std::vector<Through> through;
   Clique clique;
-  std::vector<Entry> entries;   // of a constant Jacobian, zeros left out
+  std::vector<Entry> entries;   // of a constant Jacobian row by row, zeros left out
+  std::vector<int> row_ends;    // row → where its entries end
   Eigen::VectorXd offset;       // with it, r at zero
   bool constant = false;        // its Hessian is the same everywhere: ½ r² of a linear r of m alone
   bool reaches_design = false;  // its clique has design columns

@@ -125,9 +125,15 @@ void Objective::Impl::residual(const WeightedTerm& entry, int index, Parts& work
   const Element& element = entry.term->elements()[index];
   ElementWorkspace& local = workspace.element;
   if (plan.offset.size() > 0) {
-    local.residual = plan.offset;
-    for (const ElementPlan::Entry& e : plan.entries)
-      local.residual[e.row] += e.coefficient * workspace.extended[e.slot];
+    local.residual.resize(plan.offset.size());
+    const double* x = workspace.extended.data();
+    const ElementPlan::Entry* e = plan.entries.data();
+    for (std::size_t row = 0; row < plan.row_ends.size(); ++row) {
+      double sum = plan.offset[static_cast<int>(row)];
+      for (const auto* end = plan.entries.data() + plan.row_ends[row]; e != end; ++e)
+        sum += e->coefficient * x[e->slot];
+      local.residual[static_cast<int>(row)] = sum;
+    }
     return;
   }
   const int size = static_cast<int>(element.slots.size());
@@ -159,8 +165,10 @@ double Objective::Impl::add_element(const WeightedTerm& entry, int index, Order 
   if (order == Order::value || idle) return value;
   const bool linear = plan.offset.size() > 0;
   if (linear) {
-    for (const ElementPlan::Entry& e : plan.entries)
-      workspace.gradient[e.slot] += e.coefficient * local.multiplier[e.row];
+    const ElementPlan::Entry* e = plan.entries.data();
+    for (int row = 0; row < rows; ++row)
+      for (const auto* end = plan.entries.data() + plan.row_ends[row]; e != end; ++e)
+        workspace.gradient[e->slot] += e->coefficient * local.multiplier[row];
   } else {
     const Element& element = term.elements()[index];
     local.jacobian.setZero(rows, local.z.size());
