@@ -33,8 +33,8 @@ struct TaskFile {
 
   std::optional<double> com_height;
   std::vector<Eigen::Vector2d>
-      footprint;  // in footfall order; one entry: half length and half width
-  Task margins;   // friction … joint_margin of the file over Task's defaults
+      footprint;                         // in footfall order; one entry: half length and half width
+  Task margins;                          // friction … limb_pairs of the file over Task's defaults
   std::optional<double> planted_margin;  // [s]
   std::map<std::string, double> weights;
 
