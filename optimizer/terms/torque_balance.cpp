@@ -41,6 +41,7 @@ class TorqueBalance final : public Term {
     }
   }
   std::string_view name() const override { return "torque_balance"; }
+  ResidualUnit unit(int, int) const override { return {1.0 / scale_, "N m"}; }
 
   void residual(int element, const Eigen::VectorXd& z, Eigen::VectorXd& r) const override {
     const Vector3d x = z.segment<3>(kX);
