@@ -21,7 +21,9 @@ Layout::Layout(const Morphology& morphology, int design_size, const Gait& gait, 
   }
   derived_ = parameter_count();
   pair_derived_ = derived_ + (1 + foot_count_) * 3 * (knot_count_ + 1);
-  extended_size_ = pair_derived_ + (1 + foot_count_) * 3 * (knot_count_ + 1);
+  anchors_ = pair_derived_ + (1 + foot_count_) * 3 * (knot_count_ + 1);
+  torques_ = anchors_ + 3 * joint_count() * (knot_count_ + 1);
+  extended_size_ = torques_ + joint_count() * knot_count_;
 }
 
 Eigen::VectorXd Layout::motion_units(double length, double force) const {
