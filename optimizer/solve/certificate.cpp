@@ -30,7 +30,7 @@ class TaskProof {
     VectorXd dJ_dm = at_.stationarity, partial_s = at_.partial_s;
     if (task_.outer) {
       Evaluation outer;
-      task_.outer->evaluate(s, iterate.m, Order::design, outer);
+      task_.outer->evaluate(s, iterate.m, Order::gradients, outer);
       dJ_dm += outer.stationarity;
       partial_s += outer.partial_s;
     }
