@@ -114,7 +114,7 @@ bool TaskSolver::differentiate() {
   ++effort_.evaluations;
   VectorXd dJ_dm = at_.stationarity, partial_s = at_.partial_s;
   if (task_.outer) {
-    task_.outer->evaluate(here_.s, here_.m, Order::design, outer_at_);
+    task_.outer->evaluate(here_.s, here_.m, Order::gradients, outer_at_);
     ++effort_.evaluations;
     dJ_dm += outer_at_.stationarity;
     partial_s += outer_at_.partial_s;
@@ -149,12 +149,9 @@ void TaskSolver::restore_shifted_factor() {
 bool TaskSolver::reduced_hessian(Eigen::MatrixXd& hessian) {
   if (!here_.factor_exact || !factor_.positive()) return false;
   const Stopwatch watch;
-  hessian = at_.hessian_ss;
-  VectorXd solution;
-  for (int k = 0; k < at_.hessian_ms.cols(); ++k) {
-    if (!factor_.solve(at_.hessian_ms.col(k), solution)) return false;
-    hessian.col(k) -= at_.hessian_ms.transpose() * solution;
-  }
+  Eigen::MatrixXd solution;
+  if (!factor_.solve(at_.hessian_ms, solution)) return false;
+  hessian = at_.hessian_ss - at_.hessian_ms.transpose() * solution;
   hessian = 0.5 * (hessian + hessian.transpose()).eval();
   effort_.adjoint_seconds += watch.seconds();
   return hessian.allFinite();

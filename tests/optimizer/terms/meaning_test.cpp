@@ -92,6 +92,24 @@ TEST_F(TermMeaning, TorqueBalanceNoticesALoneForce) {
   EXPECT_GT(value("torque_balance"), before + 1e-4);
 }
 
+TEST_F(TermMeaning, TorqueBalanceTakesForcesWhereTheBallsTouchTheGround) {
+  at(layout().force(0, 0)) +=
+      5.0;  // along the ground: its torque knows the height at which it acts
+  const double before = value("torque_balance");
+  test::Puppy larger = puppy_;
+  for (Foot& foot : larger.morphology.feet) foot.radius += 0.05;
+  const Objective on_larger(larger.morphology, larger.space, task());
+  const auto of_larger = [&] {
+    for (const TermValue& term : on_larger.terms(s_, m_))
+      if (term.name == "torque_balance") return term.value;
+    return -1.0;
+  };
+  EXPECT_GT(std::abs(of_larger() - before), 1e-4);  // the same centres touch the ground lower down
+  for (int i = 0; i <= layout().knot_count(); ++i)
+    for (int j = 0; j < layout().foot_count(); ++j) at(layout().foot(i, j) + 2) += 0.05;
+  EXPECT_NEAR(of_larger(), before, 1e-12);
+}
+
 TEST_F(TermMeaning, StanceFootAllowsRollingOnly) {
   // A rigid robot that stands: feet at rest, no turn of their links, no residual.
   const Vector3d drift = objective_.path().travel() / layout().knot_count();
