@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// All figures of the speed table. Usage: speed_bench [--examples FOLDER] [--commit TEXT] [GROUP ...]
-// Groups: codesign cold iteration ipopt gradient knots; all of them by default. JSON on stdout,
-// the tables in it under "markdown".
+// All figures of the speed table. Usage: speed_bench [--examples FOLDER] [--commit TEXT] [--markdown FILE] [GROUP ...]
+// Groups: codesign cold iteration ipopt gradient knots; all of them by default. JSON on stdout, with
+// the tables under "markdown"; FILE gets the tables alone.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 
 #include "benchmarks/figures.hpp"
@@ -19,6 +20,7 @@ namespace {
 struct Options {
   std::filesystem::path examples = "examples";
   std::string commit = "unknown";
+  std::string markdown;  // file, or empty
   std::vector<std::string> groups;
 
   bool wants(const std::string& group) const {
@@ -34,6 +36,8 @@ Options parse(int count, char** arguments) {
       options.examples = arguments[++k];
     else if (argument == "--commit" && k + 1 < count)
       options.commit = arguments[++k];
+    else if (argument == "--markdown" && k + 1 < count)
+      options.markdown = arguments[++k];
     else
       options.groups.push_back(argument);
   }
@@ -82,7 +86,10 @@ int run(int count, char** arguments) {
   }
   result["markdown"] = markdown(result, groups);
   std::puts(result.dump(2).c_str());
-  return 0;
+  if (options.markdown.empty()) return 0;
+  std::ofstream file(options.markdown);
+  for (const Json& line : result["markdown"]) file << line.get<std::string>() << '\n';
+  return file.flush() ? 0 : 1;
 }
 
 }  // namespace

@@ -16,8 +16,9 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr int kFirstSteps = 60,
-              kSteps = 12;  // of inverse kinematics, at knot 0 and from knot to knot
+// Steps of inverse kinematics, at knot 0 and from knot to knot.
+constexpr int kFirstSteps = 60, kSteps = 12;
+constexpr double kEasyPose = 0.01;  // (q − home)² against (miss/leg length)² of feet on the ground
 
 /// Where COM and feet shall be at each knot.
 class WalkWithoutDynamics {
@@ -26,8 +27,8 @@ class WalkWithoutDynamics {
                       const WantedPath& path, const StyleTargets& style)
       : morphology_(morphology), layout_(layout), task_(task), path_(path), style_(style) {}
 
-  Reach::Wanted at(int knot) const {
-    Reach::Wanted wanted{com(knot), {}};
+  Reach::Places at(int knot) const {
+    Reach::Places wanted{com(knot), {}};
     for (int j = 0; j < layout_.foot_count(); ++j) wanted.feet.push_back(foot(knot, j));
     return wanted;
   }
@@ -111,7 +112,7 @@ std::vector<double> shares_of_weight(const Vector3d& com, const std::vector<Vect
 }
 
 void share_weight(const Morphology& morphology, const Layout& layout, const Task& task, int knot,
-                  const Reach::Wanted& wanted, VectorXd& m) {
+                  const Reach::Places& wanted, VectorXd& m) {
   const double weight = morphology.total_mass() * kGravity;
   std::vector<Vector3d> stance;
   std::vector<int> slots;
@@ -126,30 +127,73 @@ void share_weight(const Morphology& morphology, const Layout& layout, const Task
   for (std::size_t k = 0; k < slots.size(); ++k) m[slots[k]] = force[k];
 }
 
+/// The home pose with the root at a place.
+VectorXd home_at(const Morphology& morphology, const Vector3d& place) {
+  VectorXd q = VectorXd::Zero(morphology.pose_size());
+  q.head<3>() = place;
+  q.tail(morphology.joint_count()) = morphology.nominal_joints();
+  return q;
+}
+
+/// The footprint as near to the wanted one as is easy for the joints: feet on the ground, COM at its
+/// height.
+StyleTargets reachable(const Morphology& morphology, const GeometryAtDesign& geometry,
+                       const StyleTargets& style) {
+  ReachWeights weights;
+  weights.foot.z() = 100.0;
+  weights.pose = kEasyPose;
+  Reach reach(morphology, geometry, weights);
+  Reach::Places wanted{Vector3d(0.0, 0.0, style.com_height), {}};
+  for (std::size_t j = 0; j < morphology.feet.size(); ++j)
+    wanted.feet.emplace_back(style.footprint[j].x(), style.footprint[j].y(),
+                             morphology.feet[j].radius);
+  VectorXd q = home_at(morphology, wanted.com);
+  reach.improve(wanted, kFirstSteps, q);
+  const Reach::Places found = reach.reached(q);
+  StyleTargets result = style;
+  for (std::size_t j = 0; j < morphology.feet.size(); ++j)
+    result.footprint[j] = (found.feet[j] - found.com).head<2>();
+  return result;
+}
+
+/// Poses of knots 0 … T that reach for the wanted places, each from the one before.
+std::vector<VectorXd> reaching_poses(const Morphology& morphology, const GeometryAtDesign& geometry,
+                                     const Task& task, const WantedPath& path,
+                                     const std::vector<Reach::Places>& wanted) {
+  Reach reach(morphology, geometry, {});
+  std::vector<VectorXd> poses;
+  for (std::size_t i = 0; i + 1 < wanted.size(); ++i) {
+    VectorXd q = i == 0 ? home_at(morphology, wanted[0].com) : poses.back();
+    if (i > 0) q.head<3>() += wanted[i].com - wanted[i - 1].com;
+    q[5] = path.heading(static_cast<double>(i) * task.gait.time_step());
+    reach.improve(wanted[i], i == 0 ? kFirstSteps : kSteps, q);
+    poses.push_back(std::move(q));
+  }
+  VectorXd last = poses.front();  // one cycle later
+  last.head<3>() = path.turn() * last.head<3>() + path.travel();
+  last[5] += path.turn_angle();
+  poses.push_back(std::move(last));
+  return poses;
+}
+
 }  // namespace
 
 VectorXd initial_guess(const Morphology& morphology, const Layout& layout, const Task& task,
                        const WantedPath& path, const StyleTargets& style, const VectorXd& s) {
   const GeometryAtDesign geometry(morphology, s);
-  const WalkWithoutDynamics walk(morphology, layout, task, path, style);
-  Reach reach(morphology, geometry);
-  const int n = layout.design_size(), T = layout.knot_count();
-  VectorXd m = VectorXd::Zero(layout.motion_size()), q = VectorXd::Zero(morphology.pose_size());
-  q.tail(morphology.joint_count()) = morphology.nominal_joints();
-  for (int i = 0; i <= T; ++i) {
-    const double time = i * task.gait.time_step();
-    const Reach::Wanted wanted = walk.at(i);
-    if (i == T)
-      q.tail(morphology.joint_count()) =
-          m.segment(layout.pose(0) - n, q.size()).tail(morphology.joint_count());
-    q.head<3>() = i == 0 ? wanted.com : Vector3d(q.head<3>() + wanted.com - walk.at(i - 1).com);
-    q.segment<3>(3) = Vector3d(0.0, 0.0, path.heading(time));
-    reach.improve(wanted, i == 0 ? kFirstSteps : kSteps, q);
-    m.segment(layout.pose(i) - n, q.size()) = q;
-    m.segment<3>(layout.com(i) - n) = wanted.com;
+  const StyleTargets within_reach = reachable(morphology, geometry, style);
+  const WalkWithoutDynamics walk(morphology, layout, task, path, within_reach);
+  std::vector<Reach::Places> wanted;
+  for (int i = 0; i <= layout.knot_count(); ++i) wanted.push_back(walk.at(i));
+  const std::vector<VectorXd> poses = reaching_poses(morphology, geometry, task, path, wanted);
+  const int n = layout.design_size();
+  VectorXd m = VectorXd::Zero(layout.motion_size());
+  for (int i = 0; i <= layout.knot_count(); ++i) {
+    m.segment(layout.pose(i) - n, layout.pose_size()) = poses[i];
+    m.segment<3>(layout.com(i) - n) = wanted[i].com;
     for (int j = 0; j < layout.foot_count(); ++j)
-      m.segment<3>(layout.foot(i, j) - n) = wanted.feet[j];
-    share_weight(morphology, layout, task, i, wanted, m);
+      m.segment<3>(layout.foot(i, j) - n) = wanted[i].feet[j];
+    share_weight(morphology, layout, task, i, wanted[i], m);
   }
   return m;
 }
