@@ -9,7 +9,7 @@
 namespace legwright {
 
 struct CertificateOptions {
-  double step = 1e-4;          // of the central differences [natural units of the parameters]
+  double step = 1e-5;          // of the central differences [natural units of the parameters]
   double tolerance = 1e-9;     // scaled stationarity of re-solved motions
   int newton_iterations = 60;  // limit of each
   int threads = 1;             // at most one per task is of use

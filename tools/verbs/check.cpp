@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "optimizer/terms/registry.hpp"
 #include "tools/io/json_file.hpp"
 #include "tools/io/task_file.hpp"
+#include "tools/verbs/gradients.hpp"
 #include "tools/verbs/verbs.hpp"
 
 namespace legwright {
@@ -13,7 +15,7 @@ namespace {
 
 struct CheckOptions {
   std::string task;
-  bool json = false;
+  bool json = false, gradients = false;
 };
 
 /// All that `check` found; both outputs are made from it.
@@ -187,7 +189,21 @@ Json to_json(const Finding& found) {
           {"warnings", found.warnings}};
 }
 
+int check_all_gradients(const CheckOptions& options) {
+  const std::vector<GradientCheck> checks = check_gradients(read_problem(options.task));
+  if (options.json)
+    fmt::print("{}", to_text(Json{{"schema", "legwright/gradients"},
+                                  {"version", 1},
+                                  {"tolerance", kGradientTolerance},
+                                  {"checks", to_json(checks)}}));
+  else
+    fmt::print("{}", to_text(checks));
+  const bool good = std::all_of(checks.begin(), checks.end(), passes);
+  return good ? kOk : kInternal;
+}
+
 int check(const CheckOptions& options) {
+  if (options.gradients) return check_all_gradients(options);
   const std::vector<Finding> all = find(options.task);
   if (options.json) {
     Json document = to_json(all.front());
@@ -220,6 +236,9 @@ void add_check(CLI::App& program, Action& action) {
   CLI::App* verb = program.add_subcommand(
       "check", "Read a task and its robot; explain them, or refuse with a reason");
   verb->add_option("TASK", options->task, "task file (TOML), which names its robot")->required();
+  verb->add_flag(
+      "--gradients", options->gradients,
+      "check all derivatives of F, and the adjoint, against central differences instead");
   verb->add_flag("--json", options->json, "print one JSON document");
   verb->callback([&action, options] { action = [options] { return check(*options); }; });
 }
