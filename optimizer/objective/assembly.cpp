@@ -221,7 +221,7 @@ void scatter_rank(const Clique& clique, const Eigen::MatrixXd& expanded,
         triple.add(k, segment.start, segment.end - segment.start,
                    ms + clique.slots[segment.start] - target.design_size);
       double* ss = target.ss->col(clique.slots[k]).data();
-      for (int l = motion; l < columns; ++l) triple.add(k, l, 1, ss + clique.slots[l]);
+      for (int l = k; l < columns; ++l) triple.add(k, l, 1, ss + clique.slots[l]);
     }
   }
 }
@@ -237,8 +237,9 @@ void scatter(const Clique& clique, const Eigen::MatrixXd& hessian, const Hessian
   for (int k = motion; k < static_cast<int>(clique.slots.size()); ++k) {
     const int column = clique.slots[k];
     for (int a = 0; a < motion; ++a) (*target.ms)(clique.slots[a] - n, column) += hessian(k, a);
-    for (int l = motion; l < static_cast<int>(clique.slots.size()); ++l)
-      (*target.ss)(column, clique.slots[l]) += hessian(std::max(k, l), std::min(k, l));
+    double* ss = target.ss->col(column).data();
+    for (int l = k; l < static_cast<int>(clique.slots.size()); ++l)
+      ss[clique.slots[l]] += hessian(l, k);
   }
 }
 

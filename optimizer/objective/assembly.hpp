@@ -79,7 +79,7 @@ void expand_curvature(const ElementPlan& plan, const std::vector<Eigen::MatrixXd
 struct HessianTarget {
   double* mm;           // values of ∂G/∂m
   Eigen::MatrixXd* ms;  // ∂G/∂s
-  Eigen::MatrixXd* ss;  // ∂²F/∂s²
+  Eigen::MatrixXd* ss;  // ∂²F/∂s², lower triangle
   int design_size;
 };
 

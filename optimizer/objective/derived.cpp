@@ -240,6 +240,12 @@ void DerivedQuantities::place_block(const Morphology& morphology, const DerivedB
   }
 }
 
+// Motion comes first: without the design's coordinates nothing is written behind it.
+int DerivedQuantities::columns_of(const DerivedBlock& block, const Workspace& workspace) {
+  return workspace.poses[0].with_design() ? static_cast<int>(block.slots.size())
+                                          : block.motion_columns;
+}
+
 void DerivedQuantities::compute_torque(const Morphology& morphology, const DerivedBlock& block,
                                        const Eigen::VectorXd& extended,
                                        Workspace& workspace) const {
@@ -248,7 +254,7 @@ void DerivedQuantities::compute_torque(const Morphology& morphology, const Deriv
                                  block.force_columns};
   workspace.torques[block.index].compute(
       morphology, workspace.geometry, ancestry_, triple(block, workspace), block.part, time_step_,
-      workspace.forces, slots, static_cast<int>(block.slots.size()));
+      workspace.forces, slots, columns_of(block, workspace));
 }
 
 const Eigen::MatrixXd& DerivedQuantities::jacobian(const Morphology& morphology, int index,
@@ -262,7 +268,7 @@ const Eigen::MatrixXd& DerivedQuantities::jacobian(const Morphology& morphology,
   const bool wraps = block.kind == Kind::momentum && block.knot == knot_count_;
   const PoseKinematics& pose = workspace.poses[wraps ? knot_count_ + 1 : block.knot];
   const PoseKinematics& next = workspace.poses[wraps ? 0 : block.knot + 1];
-  jacobian.setZero(static_cast<int>(block.slots.size()), block.size);
+  jacobian.setZero(columns_of(block, workspace), block.size);
   if (block.kind == Kind::joint_torque) {
     compute_torque(morphology, block, extended, workspace);
     workspace.torques[block.index].add_jacobian(jacobian);
@@ -296,7 +302,7 @@ const Eigen::MatrixXd& DerivedQuantities::jacobian(const Morphology& morphology,
 
 void DerivedQuantities::curvature(int index, const double* multiplier, Workspace& workspace) const {
   const DerivedBlock& block = blocks_[index];
-  const int size = static_cast<int>(block.slots.size());
+  const int size = columns_of(block, workspace);
   workspace.curvature.setZero(size, size);
   if (block.kind == Kind::joint_torque) {
     workspace.torques[block.index].add_curvature(ancestry_, multiplier[0], workspace.curvature);

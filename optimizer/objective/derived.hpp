@@ -70,6 +70,8 @@ class DerivedQuantities {
                       Workspace& workspace) const;
   void place_block(const Morphology& morphology, const DerivedBlock& block,
                    Eigen::VectorXd& extended, Workspace& workspace) const;
+  /// Columns that are wanted at this order of derivatives.
+  static int columns_of(const DerivedBlock& block, const Workspace& workspace);
   void compute_torque(const Morphology& morphology, const DerivedBlock& block,
                       const Eigen::VectorXd& extended, Workspace& workspace) const;
   double armature_torque(const Morphology& morphology, const DerivedBlock& block,

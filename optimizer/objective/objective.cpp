@@ -326,6 +326,8 @@ void Objective::evaluate(const VectorXd& s, const VectorXd& m, Order order, Work
   }
   if (order == Order::value) return;
   impl_->add_derived(order, workspace, target);
+  if (order == Order::design)
+    out.hessian_ss.triangularView<Eigen::StrictlyUpper>() = out.hessian_ss.transpose();
   out.stationarity = workspace.gradient.segment(layout.design_size(), layout.motion_size());
   if (has_design(order)) out.partial_s = workspace.gradient.head(layout.design_size());
 }

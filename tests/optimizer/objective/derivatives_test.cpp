@@ -10,6 +10,7 @@
 #include "optimizer/objective/objective.hpp"
 #include "optimizer/terms/registry.hpp"
 #include "tests/support/puppy.hpp"
+#include "tests/support/standing.hpp"
 
 namespace legwright {
 namespace {
@@ -46,7 +47,7 @@ Point random_point(const Objective& objective, unsigned seed) {
   Point at{objective.space().initial(), {}};
   for (int k = 0; k < at.s.size(); ++k)
     at.s[k] += 0.1 * objective.space().scale()[k] * normal(random);
-  at.m = initial_guess(objective, at.s);
+  at.m = test::standing_motion(objective, at.s);
   for (int k = 0; k < at.m.size(); ++k)
     at.m[k] += 0.1 * objective.motion_units()[k] * normal(random);
   return at;

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "tests/support/puppy.hpp"
+#include "tests/support/standing.hpp"
 
 namespace legwright {
 namespace {
@@ -19,7 +20,7 @@ class Violations : public testing::Test {
  protected:
   Violations() : puppy_(test::make_puppy(true)), objective_(make()) {
     s_ = puppy_.space.initial();
-    m_ = initial_guess(objective_, s_);
+    m_ = test::standing_motion(objective_, s_);
   }
   Objective make() {
     for (Link& link : puppy_.morphology.links) {

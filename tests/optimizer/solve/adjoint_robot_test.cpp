@@ -5,6 +5,7 @@
 #include "optimizer/solve/adjoint.hpp"
 #include "optimizer/solve/newton.hpp"
 #include "tests/support/puppy.hpp"
+#include "tests/support/standing.hpp"
 
 namespace legwright {
 namespace {
@@ -21,7 +22,7 @@ class PuppyAdjoint : public testing::Test {
     s_ = puppy_.space.initial();
     s_[6] = 0.5;   // front hips turned outwards: a body that can step sideways
     s_[12] = 0.5;  // hind hips
-    m_ = solve(s_, initial_guess(objective_, s_));
+    m_ = solve(s_, test::standing_motion(objective_, s_));
   }
   VectorXd solve(const VectorXd& s, VectorXd m) const {
     const SolveReport report =

@@ -11,6 +11,7 @@
 #include "optimizer/solve/hessian_factor.hpp"
 #include "tests/optimizer/solve/random_sparse.hpp"
 #include "tests/support/puppy.hpp"
+#include "tests/support/standing.hpp"
 
 namespace legwright {
 namespace {
@@ -78,7 +79,7 @@ class PuppyHessian : public SupernodalCholeskyTest {
     const test::Puppy puppy = test::make_puppy(true);
     const Objective objective(puppy.morphology, puppy.space, test::make_sideways_task(trot));
     const VectorXd s = puppy.space.initial();
-    hessian = objective.evaluate(s, initial_guess(objective, s), Order::hessian).hessian_mm;
+    hessian = objective.evaluate(s, test::standing_motion(objective, s), Order::hessian).hessian_mm;
     stiffness = objective.motion_units().cwiseAbs2().cwiseInverse();
   }
   SparseMatrix<double> hessian;

@@ -11,6 +11,7 @@
 #include "optimizer/objective/objective.hpp"
 #include "optimizer/terms/registry.hpp"
 #include "tests/support/puppy.hpp"
+#include "tests/support/standing.hpp"
 #include "tests/support/term_context.hpp"
 
 namespace legwright {
@@ -24,7 +25,7 @@ class TermMeaning : public testing::Test {
  protected:
   TermMeaning() : puppy_(test::make_puppy(true)), objective_(robot(), puppy_.space, task()) {
     s_ = puppy_.space.initial();
-    m_ = initial_guess(objective_, s_);
+    m_ = test::standing_motion(objective_, s_);
   }
   static Task task() {
     Task task = test::make_sideways_task(false, 12);
@@ -165,7 +166,7 @@ TEST_F(TermMeaning, PeriodicUpToTheTurn) {
   curve.turn_rate = 0.5;
   const Objective objective(puppy_.morphology, puppy_.space, curve);
   const Layout& slots = objective.layout();
-  VectorXd m = initial_guess(objective, s_);
+  VectorXd m = test::standing_motion(objective, s_);
   const auto value_at = [&](const char* name) {
     for (const TermValue& term : objective.terms(s_, m))
       if (term.name == name) return term.value;
@@ -212,7 +213,7 @@ TEST_F(TermMeaning, StyleListsAreMetByTheMotionThatTheyDescribe) {
   curve.foot_targets = {{}, {{0.1, 0.1}, {0.05, 0.12}, {0.0, 0.1}, {0.05, 0.08}}};
   const Objective objective(puppy_.morphology, puppy_.space, curve);
   const Layout& slots = objective.layout();
-  VectorXd m = initial_guess(objective, s_);
+  VectorXd m = test::standing_motion(objective, s_);
   for (int i = 0; i <= slots.knot_count(); ++i) {
     const double time = i * curve.gait.time_step(), cycle = static_cast<double>(i % 12) / 12;
     const Vector3d base = objective.path().position(time);
