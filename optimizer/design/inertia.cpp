@@ -51,9 +51,9 @@ AxisAtDesign axis_at(const JointAxis& joint_axis, const Eigen::VectorXd& s) {
     Vector3d v = joint_axis.reference;
     for (int i = n - 1; i >= 0; --i) {
       const JointAxis::Turn& turn = joint_axis.turns[i];
-      v = rotation_about(turn.about, s[turn.parameter]) * v;
-      if (i == k) v = turn.about.cross(v);
-      if (i == l) v = turn.about.cross(v);
+      v = rotation_about(turn.about, turn.factor * s[turn.parameter]) * v;
+      if (i == k) v = turn.factor * turn.about.cross(v);
+      if (i == l) v = turn.factor * turn.about.cross(v);
     }
     return v;
   };

@@ -15,7 +15,7 @@ Eigen::Vector3d AffineVector::at(const Eigen::VectorXd& s) const {
 Eigen::Vector3d JointAxis::at(const Eigen::VectorXd& s) const {
   Eigen::Vector3d axis = reference;
   for (auto turn = turns.rbegin(); turn != turns.rend(); ++turn)
-    axis = Eigen::AngleAxisd(s[turn->parameter], turn->about) * axis;
+    axis = Eigen::AngleAxisd(turn->factor * s[turn->parameter], turn->about) * axis;
   return axis;
 }
 

@@ -24,11 +24,12 @@ struct AffineVector {
 };
 
 /// A joint axis as a function of the design: the reference axis turned about fixed directions of
-/// the link frame, a(s) = R(about₁, sign₁ s₁) R(about₂, sign₂ s₂) … reference. A unit vector for every s.
+/// the link frame, a(s) = R(about₁, f₁ s₁) R(about₂, f₂ s₂) … reference. A unit vector for every s.
 struct JointAxis {
   struct Turn {
     int parameter;          // angle in s [rad]
     Eigen::Vector3d about;  // unit vector; already mirrored where the joint is the mirrored one
+    double factor = 1.0;    // f: this joint turns by so many times the angle (scaled ties)
   };
   Eigen::Vector3d reference = Eigen::Vector3d::UnitY();  // unit vector: the axis at angles zero
   std::vector<Turn> turns;                               // outermost first
@@ -64,6 +65,19 @@ struct Link {
   std::vector<PointMass> masses;
 };
 
+/// A linear actuator between two points of neighbouring links, which drives the hinge between them.
+/// Its length is L(q, s) (design/actuator_length); a force F that pushes its ends apart turns the
+/// hinge with F ∂L/∂q. It has no mass of its own.
+struct LinearActuator {
+  std::string name;
+  int joint = 0;          // joint a, which moves link a + 1
+  AffineVector upper;     // attachment in the frame of the parent of link a + 1
+  AffineVector lower;     // attachment in the frame of link a + 1
+  double shortest = 0.0;  // stroke [m]
+  double longest = std::numeric_limits<double>::infinity();
+  double force_limit = std::numeric_limits<double>::infinity();  // [N]
+};
+
 /// A ball foot at the end of a limb.
 struct Foot {
   std::string name;
@@ -77,6 +91,7 @@ struct Morphology {
   std::string name;
   std::vector<Link> links;  // parents before children
   std::vector<Foot> feet;
+  std::vector<LinearActuator> linear_actuators;
   double leg_length = 0.0;  // unit of length: first limb stretched, at the initial design [m]
 
   int joint_count() const { return static_cast<int>(links.size()) - 1; }

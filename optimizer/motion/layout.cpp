@@ -21,7 +21,8 @@ Layout::Layout(const Morphology& morphology, int design_size, const Gait& gait, 
   }
   derived_ = parameter_count();
   pair_derived_ = derived_ + (1 + foot_count_) * 3 * (knot_count_ + 1);
-  extended_size_ = pair_derived_ + (1 + foot_count_) * 3 * (knot_count_ + 1);
+  actuator_derived_ = pair_derived_ + (1 + foot_count_) * 3 * (knot_count_ + 1);
+  extended_size_ = actuator_derived_ + 3 * static_cast<int>(morphology.linear_actuators.size());
 }
 
 Eigen::VectorXd Layout::motion_units(double length, double force) const {

@@ -45,6 +45,9 @@ class Layout {
   /// Rotation vector of a foot's link from knot i to i + 1, to second order.
   int foot_turn(int knot, int foot) const { return swept_momentum(knot) + 3 + 3 * foot; }
 
+  /// A, B, C of a linear actuator's length (design/actuator_length) [leg length²]; they depend on s alone.
+  int actuator_shape(int actuator) const { return actuator_derived_ + 3 * actuator; }
+
   /// Physical unit of each entry of m (leg length, weight, radian): Newton damps in these.
   Eigen::VectorXd motion_units(double length, double force) const;
 
@@ -55,6 +58,7 @@ class Layout {
   };
   std::vector<KnotSlots> knots_;
   int design_size_ = 0, motion_size_ = 0, extended_size_ = 0, derived_ = 0, pair_derived_ = 0;
+  int actuator_derived_ = 0;
   int knot_count_ = 0, foot_count_ = 0, pose_size_ = 0, planted_margin_ = 1;
 };
 

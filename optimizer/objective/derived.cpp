@@ -48,6 +48,17 @@ DerivedQuantities::DerivedQuantities(const Morphology& morphology, const Layout&
     for (int j = 0; j < layout.foot_count(); ++j)
       if (task.gait.planted(i, j, margin) && task.gait.planted(i + 1, j, margin))
         add_block(Kind::foot_turn, layout.foot_turn(i, j), i, j, morphology, layout);
+  for (int k = 0; k < static_cast<int>(morphology.linear_actuators.size()); ++k)
+    add_actuator_block(k, morphology, layout);
+}
+
+void DerivedQuantities::add_actuator_block(int actuator, const Morphology& morphology,
+                                           const Layout& layout) {
+  DerivedBlock block{
+      DerivedBlock::Kind::actuator, layout.actuator_shape(actuator), 0, actuator, {}, 0, {}, {}};
+  for (int parameter : actuator_parameters(morphology, morphology.linear_actuators[actuator]))
+    block.slots.push_back(layout.design(parameter));
+  blocks_.push_back(std::move(block));
 }
 
 void DerivedQuantities::add_block(DerivedBlock::Kind kind, int slot, int knot, int foot,
@@ -89,6 +100,9 @@ void DerivedQuantities::evaluate(const Morphology& morphology, const Layout& lay
   if (workspace.geometry.links.empty() || workspace.s != s) {
     workspace.s = s;
     workspace.geometry = GeometryAtDesign(morphology, workspace.s);
+    workspace.shapes.clear();
+    for (const LinearActuator& actuator : morphology.linear_actuators)
+      workspace.shapes.push_back(actuator_shape(morphology, actuator, workspace.s));
   }
   const GeometryAtDesign& geometry = workspace.geometry;
   workspace.poses.resize(T + 2);
@@ -102,6 +116,12 @@ void DerivedQuantities::evaluate(const Morphology& morphology, const Layout& lay
   workspace.poses[T + 1] = workspace.poses[T - 1].moved(back, -back * path_.travel());
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     const DerivedBlock& block = blocks_[b];
+    if (block.kind == DerivedBlock::Kind::actuator) {
+      const ActuatorShape& shape = workspace.shapes[block.foot];
+      extended.segment<3>(block.slot) = shape.value;
+      if (with_jacobian) workspace.jacobians[b] = shape.jacobian;
+      continue;
+    }
     const int first =
         block.kind == DerivedBlock::Kind::momentum && block.knot == T ? T + 1 : block.knot;
     const int second = first == T + 1 ? 0 : block.knot + 1;
@@ -124,6 +144,8 @@ void DerivedQuantities::evaluate(const Morphology& morphology, const Layout& lay
         pair.compute_foot_turn(morphology, ancestry_, block.foot, pose, workspace.poses[second],
                                block.first, block.second);
         break;
+      case DerivedBlock::Kind::actuator:
+        break;  // done above
     }
     extended.segment<3>(block.slot) = is_point ? point.value : pair.value;
     if (!with_jacobian) continue;
@@ -139,7 +161,10 @@ void DerivedQuantities::curvature(int block, const Eigen::Vector3d& multiplier,
                                   Workspace& workspace) const {
   const int size = static_cast<int>(blocks_[block].slots.size());
   workspace.curvature.setZero(size, size);
-  if (blocks_[block].second.empty())
+  if (blocks_[block].kind == DerivedBlock::Kind::actuator)
+    for (int k = 0; k < 3; ++k)
+      workspace.curvature += multiplier[k] * workspace.shapes[blocks_[block].foot].hessian[k];
+  else if (blocks_[block].second.empty())
     workspace.points[block].add_curvature(ancestry_, multiplier, workspace.curvature);
   else
     workspace.pairs[block].add_curvature(ancestry_, multiplier, workspace.curvature);

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "optimizer/design/actuator_length.hpp"
 #include "optimizer/design/inertia.hpp"
 #include "optimizer/design/kinematics.hpp"
 #include "optimizer/design/momentum.hpp"
@@ -15,10 +16,10 @@ namespace legwright {
 
 /// One derived quantity y (three numbers) of Layout and the slots of p = [s; m] that it depends on.
 struct DerivedBlock {
-  enum class Kind { com, foot, momentum, foot_turn };
+  enum class Kind { com, foot, momentum, foot_turn, actuator };
   Kind kind;
   int slot;                // first of three
-  int knot, foot;          // knot T of a momentum: the wrapping pair
+  int knot, foot;          // knot T of a momentum: the wrapping pair; actuator: its number as foot
   std::vector<int> slots;  // column → slot of p; motion columns first
   int motion_columns;
   Columns first, second;  // coordinate of [q; s] → column; `second` for pairs of poses
@@ -30,6 +31,7 @@ class DerivedQuantities {
   struct Workspace {
     Eigen::VectorXd s;  // of `geometry`
     GeometryAtDesign geometry;
+    std::vector<ActuatorShape> shapes;  // of the linear actuators, at `s`
     std::vector<PoseKinematics> poses;  // knots 0 … T, then knot T − 1 moved back by one cycle
     std::vector<PointDerivatives> points;  // per block; unused for pairs
     std::vector<PairDerivatives> pairs;
@@ -51,6 +53,7 @@ class DerivedQuantities {
  private:
   void add_block(DerivedBlock::Kind kind, int slot, int knot, int foot,
                  const Morphology& morphology, const Layout& layout);
+  void add_actuator_block(int actuator, const Morphology& morphology, const Layout& layout);
 
   Ancestry ancestry_;
   WantedPath path_;

@@ -26,6 +26,7 @@ std::unique_ptr<Term> make_ground_height(const TermContext& context);
 std::unique_ptr<Term> make_swing_height(const TermContext& context);
 std::unique_ptr<Term> make_least_normal_force(const TermContext& context);
 std::unique_ptr<Term> make_joint_limits(const TermContext& context);
+std::unique_ptr<Term> make_stroke_limits(const TermContext& context);
 std::unique_ptr<Term> make_force_size(const TermContext& context);
 std::unique_ptr<Term> make_force_smoothness(const TermContext& context);
 std::unique_ptr<Term> make_design_tether(const TermContext& context);

@@ -27,6 +27,7 @@ const std::vector<TermEntry>& term_registry() {
       {"swing_height", "-", 1e3, make_swing_height},
       {"least_normal_force", "-", 1e-3, make_least_normal_force},
       {"joint_limits", "-", 1e-3, make_joint_limits},
+      {"stroke_limits", "-", 1e-3, make_stroke_limits},
       // Regularisers.
       {"force_size", "-", 1e-3, make_force_size},
       {"force_smoothness", "-", 0.05, make_force_smoothness},

@@ -7,13 +7,14 @@
 namespace legwright::test {
 
 /// Everything a TermContext refers to, for tests that build terms by hand: a turning trot of the tied puppy with
-/// joint limits, so that every term has elements.
+/// joint limits and pistons, so that every term has elements.
 struct TermSetting {
   TermSetting() {
     for (Link& link : puppy.morphology.links) {
       link.joint.lower = -1.2;
       link.joint.upper = 1.2;
     }
+    add_pistons(puppy);
     task.velocity = {0.05, 0.1};
     task.turn_rate = 0.6;
     layout = Layout(puppy.morphology, puppy.space.size(), task.gait, task.planted_margin);

@@ -23,7 +23,7 @@ Json parameters_json(const DesignSpace& space) {
   for (const DesignParameter& p : space.parameters)
     parameters.push_back({{"name", p.name},
                           {"unit", p.unit},
-                          {"kind", p.kind == ParameterKind::length ? "length" : "axis_angle"},
+                          {"kind", to_string(p.kind)},
                           {"sentence", p.sentence},
                           {"initial", p.initial},
                           {"lower", p.lower},

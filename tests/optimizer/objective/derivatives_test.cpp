@@ -23,7 +23,8 @@ struct Point {
 
 /// A turning trot of few knots, so that every wrap and every term is in play.
 Objective make_objective(const std::string& only = "") {
-  const test::Puppy puppy = test::make_puppy(true);
+  test::Puppy puppy = test::make_puppy(true);
+  test::add_pistons(puppy);
   Morphology morphology = puppy.morphology;
   for (Link& link : morphology.links) {  // so that joint limits have elements
     link.joint.lower = -1.2;
@@ -133,6 +134,7 @@ TEST(ObjectiveDerivativesControl, PoisonedGradientIsNoticed) {
 TEST(ObjectiveWorkspace, CanBeHandedToAnotherRobot) {
   const Objective first = make_objective();
   test::Puppy heavy = test::make_puppy(true);
+  test::add_pistons(heavy);
   for (Link& link : heavy.morphology.links)
     for (PointMass& point : link.masses) point.mass *= 2.0;
   const Objective second(heavy.morphology, heavy.space, test::make_sideways_task(false, 8));
