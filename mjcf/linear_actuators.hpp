@@ -20,9 +20,9 @@ struct TendonSpan {
 /// @param trunk body id.
 std::vector<TendonSpan> read_tendons(const XmlFile& xml, const mjModel& model, int trunk);
 
-/// Checks what can be known once the robot is built: each actuator has a stroke that holds the home
-/// pose, and a moment arm there. Throws InputError.
-void check_strokes(const XmlFile& xml, const Morphology& morphology, const DesignSpace& space);
+/// Checks that each actuator has a moment arm in the home pose; its stroke is the planner's concern.
+/// Throws InputError.
+void check_arms(const XmlFile& xml, const Morphology& morphology, const DesignSpace& space);
 
 /// Whether a site is an end of a tendon.
 bool is_tendon_end(const mjModel& model, int site);

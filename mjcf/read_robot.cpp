@@ -72,7 +72,7 @@ RobotModel parse_robot(const std::string& xml_text, const std::filesystem::path&
   robot.morphology = build_morphology(*model, trunk, feet, declared.space, declared.bindings,
                                       stretches, places, tendons);
   check_home(*xml, *model, robot.morphology);
-  check_strokes(*xml, robot.morphology, declared.space);
+  check_arms(*xml, robot.morphology, declared.space);
   robot.servos = read_servos(*xml, *model, robot.morphology, declared.space.initial());
   for (int a = 0; a < robot.morphology.joint_count(); ++a)
     if (robot.servos[a].tendon.empty())
