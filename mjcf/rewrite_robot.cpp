@@ -157,12 +157,14 @@ void check_design(const DesignSpace& space, const VectorXd& s) {
                       space.parameters[k].lower, space.parameters[k].upper));
 }
 
+/// The bounds stay those of the file: a task may have narrowed the robot's.
 void write_values(const RobotModel& robot, const XmlFile& xml, const VectorXd& s,
                   TextEdits& edits) {
   for (int k = 0; k < robot.space.size(); ++k) {
     const DesignParameter& parameter = robot.space.parameters[k];
-    edits.set_numbers(*find_declaration(xml, parameter.name).numeric, "data",
-                      Vector3d(s[k], parameter.lower, parameter.upper));
+    const XmlElement& numeric = *find_declaration(xml, parameter.name).numeric;
+    const auto numbers = parse_numbers(attribute(numeric, "data"));
+    edits.set_numbers(numeric, "data", Vector3d(s[k], (*numbers)[1], (*numbers)[2]));
   }
 }
 

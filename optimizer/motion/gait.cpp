@@ -12,24 +12,22 @@ namespace {
 // Phases closer than this are the same: 3/24 and 0.125 must agree whatever the rounding.
 constexpr double kPhaseTolerance = 1e-9;
 
-/// ((knot / knot_count − touchdown) mod 1) < duty, with ties decided for touchdown and against
-/// lift-off.
-bool stance(int knot, int knot_count, double touchdown, double duty) {
-  const double phase = static_cast<double>(knot) / knot_count - touchdown + kPhaseTolerance;
-  return phase - std::floor(phase) < duty;
-}
-
 void check(const GaitPattern& pattern, double period, int knot_count,
            const std::vector<int>& order) {
   if (!(period > 0.0) || !std::isfinite(period))
     throw std::invalid_argument("gait: the period must be a positive number of seconds");
   if (knot_count < 2) throw std::invalid_argument("gait: at least two knots are needed");
-  if (!(pattern.duty > 0.0 && pattern.duty <= 1.0))
-    throw std::invalid_argument("gait: expected 0 < duty <= 1");
   if (pattern.touchdown.size() != order.size())
     throw std::invalid_argument("gait '" + pattern.name + "' has " +
                                 std::to_string(pattern.touchdown.size()) + " feet, the robot has " +
                                 std::to_string(order.size()));
+  if (!pattern.foot_duty.empty() && pattern.foot_duty.size() != order.size())
+    throw std::invalid_argument("gait '" + pattern.name + "' has " +
+                                std::to_string(pattern.foot_duty.size()) +
+                                " duties, the robot has " + std::to_string(order.size()) + " feet");
+  for (std::size_t place = 0; place < order.size(); ++place)
+    if (const double duty = pattern.duty_of(place); !(duty > 0.0 && duty <= 1.0))
+      throw std::invalid_argument("gait: expected 0 < duty <= 1");
   for (double touchdown : pattern.touchdown)
     if (!(touchdown >= 0.0 && touchdown < 1.0))
       throw std::invalid_argument("gait: expected 0 <= touchdown < 1");
@@ -41,22 +39,9 @@ void check(const GaitPattern& pattern, double period, int knot_count,
 
 }  // namespace
 
-std::vector<GaitPattern> gait_library(int foot_count) {
-  constexpr double third = 1.0 / 3.0, sixth = 1.0 / 6.0;
-  switch (foot_count) {
-    case 2:  // left, right
-      return {{"walk", {0.0, 0.5}, 0.6}, {"run", {0.0, 0.5}, 0.4}};
-    case 4:  // front left, front right, hind left, hind right
-      return {{"walk", {0.0, 0.5, 0.75, 0.25}, 0.75},   {"amble", {0.0, 0.5, 0.75, 0.25}, 0.625},
-              {"crawl", {0.0, 0.5, 0.75, 0.25}, 0.875}, {"trot", {0.0, 0.5, 0.5, 0.0}, 0.5},
-              {"pace", {0.0, 0.5, 0.0, 0.5}, 0.6},      {"bound", {0.0, 0.0, 0.5, 0.5}, 0.5}};
-    case 6:  // front, middle, hind; left before right
-      return {{"tripod", {0.0, 0.5, 0.5, 0.0, 0.0, 0.5}, 0.5},
-              {"ripple", {2 * third, sixth, third, 5 * sixth, 0.0, 0.5}, 2 * third},
-              {"wave", {third, 5 * sixth, sixth, 2 * third, 0.0, 0.5}, 5 * sixth}};
-    default:
-      return {};
-  }
+bool GaitPattern::stands(std::size_t place, double phase) const {
+  const double since = phase - touchdown[place] + kPhaseTolerance;
+  return since - std::floor(since) < duty_of(place);
 }
 
 Gait::Gait(const GaitPattern& pattern, double period, int knot_count, const std::vector<int>& order)
@@ -66,7 +51,7 @@ Gait::Gait(const GaitPattern& pattern, double period, int knot_count, const std:
   for (std::size_t place = 0; place < order.size(); ++place) {
     auto column = contact_.col(order[place]);
     for (int knot = 0; knot < knot_count; ++knot)
-      column(knot) = stance(knot, knot_count, pattern.touchdown[place], pattern.duty);
+      column(knot) = pattern.stands(place, static_cast<double>(knot) / knot_count);
     if (!column.any())
       throw std::invalid_argument("gait '" + pattern.name + "': foot " +
                                   std::to_string(order[place]) + " has no stance knot");
@@ -77,6 +62,17 @@ bool Gait::planted(int knot, int foot, int margin) const {
   for (int offset = -margin; offset <= margin; ++offset)
     if (in_contact(knot + offset, foot)) return true;
   return false;
+}
+
+SupportRange support_range(const Gait& gait) {
+  SupportRange range{gait.foot_count(), 0};
+  for (int knot = 0; knot < gait.knot_count(); ++knot) {
+    int support = 0;
+    for (int foot = 0; foot < gait.foot_count(); ++foot) support += gait.in_contact(knot, foot);
+    range.least = std::min(range.least, support);
+    range.most = std::max(range.most, support);
+  }
+  return range;
 }
 
 std::vector<int> footfall_order(const std::vector<Eigen::Vector3d>& feet) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,12 +12,35 @@ namespace legwright {
 /// A footfall pattern: when each foot touches down, as a fraction of the cycle, and for how long.
 struct GaitPattern {
   std::string name;
-  std::vector<double> touchdown;  // per foot in footfall order (see footfall_order), in [0, 1)
-  double duty = 0.75;             // stance fraction of the cycle, 0 < duty ≤ 1
+  std::vector<double> touchdown;       // per foot in footfall order (see footfall_order), in [0, 1)
+  double duty = 0.75;                  // stance fraction of the cycle, 0 < duty ≤ 1
+  std::vector<double> foot_duty = {};  // where feet differ: per foot in footfall order; else empty
+  std::string about = "";              // what it is and whose measure, in a sentence
+
+  double duty_of(std::size_t place) const { return foot_duty.empty() ? duty : foot_duty[place]; }
+  /// Whether the foot of this place is on the ground at a phase of the cycle; at its touchdown it is,
+  /// at its lift-off it is not, whatever the rounding.
+  bool stands(std::size_t place, double phase) const;
+};
+
+/// How many feet are on the ground over a cycle.
+struct SupportRange {
+  int least = 0, most = 0;
+  bool operator==(const SupportRange&) const = default;
 };
 
 /// The library's patterns for a robot of `foot_count` feet; empty if there is none.
 std::vector<GaitPattern> gait_library(int foot_count);
+
+/// Short names of the places in footfall order: FL, FR, HL, HR for four feet; "1", "2", … where
+/// there are no usual ones.
+std::vector<std::string> footfall_places(int foot_count);
+
+/// The places that touch down together, in the order of their touchdowns from phase 0 on.
+std::vector<std::vector<int>> touchdown_order(const GaitPattern& pattern);
+
+/// Least and most feet on the ground at any time of the cycle, from the phases themselves.
+SupportRange support_range(const GaitPattern& pattern);
 
 /// c_i^j over one cycle as data: knots × feet, in the robot's foot order. Knot `knot_count` is knot 0.
 class Gait {
@@ -42,6 +66,9 @@ class Gait {
   int knot_count_ = 0;
   Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic> contact_;
 };
+
+/// Least and most feet on the ground at any knot.
+SupportRange support_range(const Gait& gait);
 
 /// Feet from front to hind, left before right, by their positions (x forward, y left) [m]: the order in which
 /// GaitPattern lists them. Feet closer than a fifth of the longest side along x share a row.

@@ -16,6 +16,10 @@ class WantedPath {
 
   Eigen::Vector3d position(double time) const;                     // [m], z = 0
   double heading(double time) const { return turn_rate_ * time; }  // [rad]
+  /// From the heading frame to the world, on the ground.
+  Eigen::Matrix2d heading_rotation(double time) const {
+    return yaw_rotation(heading(time)).topLeftCorner<2, 2>();
+  }
   static Eigen::Matrix3d yaw_rotation(double angle);
 
   /// One cycle's rigid motion.

@@ -22,6 +22,11 @@ struct Task {
   std::optional<double> com_height;  // [m]
   std::optional<std::vector<Eigen::Vector2d>>
       footprint;  // foot − COM on the ground, robot's foot order [m]
+  // The same over the cycle (see over_cycle.hpp): any number of values, evenly spaced in time, or none.
+  std::vector<double> com_heights;        // instead of com_height [m]
+  std::vector<Eigen::Vector2d> com_path;  // COM off the wanted path: forward, left [m]
+  std::vector<std::vector<Eigen::Vector2d>>
+      foot_targets;  // per foot, instead of its footprint; a foot without keeps that
 
   // Margins of the plan (physics needs them; see optimizer/README.md).
   double friction = 0.4;        // of the plan; the floor has more

@@ -2,94 +2,96 @@
 #include "optimizer/solve/codesign.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <limits>
+#include <memory>
 #include <utility>
 
-#include "optimizer/solve/adjoint.hpp"
 #include "optimizer/solve/lbfgs.hpp"
-#include "optimizer/solve/predictor.hpp"
+#include "optimizer/solve/parallel.hpp"
+#include "optimizer/solve/reduced_step.hpp"
+#include "optimizer/solve/stopwatch.hpp"
 
 namespace legwright {
 namespace {
 
 using Eigen::VectorXd;
 
-class Stopwatch {
- public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
 class Codesign {
  public:
-  Codesign(CostFunction& cost, const DesignSpace& space, const CodesignOptions& options)
-      : cost_(cost),
-        options_(options),
-        scale_(space.scale()),
-        lower_(space.lower()),
-        upper_(space.upper()),
-        lbfgs_(scale_, options.history) {
-    now_.s = space.initial();
+  Codesign(const std::vector<WeightedCost>& tasks, const DesignSpace& space, const VectorXd& start,
+           const CodesignOptions& options)
+      : options_(options),
+        box_{space.lower(), space.upper(), space.scale()},
+        lbfgs_(box_.scale, options.history),
+        trust_(options.largest_first_change) {
+    for (const WeightedCost& task : tasks)
+      solvers_.push_back(std::make_unique<TaskSolver>(task, options));
+    now_.s = start;
   }
 
-  CodesignResult run(const VectorXd& initial_motion);
+  CodesignResult run();
 
  private:
   SolveStatus optimise();
-  SolveReport solve_motion(const VectorXd& s, VectorXd& m, double tolerance, int limit,
-                           double ceiling);
-  bool optimise_initial_motion();
+  void for_each_task(const std::function<void(int)>& work) const;
   bool differentiate();
-  void keep_factor(const SolveReport& report);
+  void show_tasks();
   bool step();
+  VectorXd newton_direction() const;
+  VectorXd lbfgs_direction() const;
   bool search_along(const VectorXd& direction);
-  double first_step(const VectorXd& direction, bool steepest) const;
-  VectorXd start_of_trial(const VectorXd& s);
-  void list_terms();
+  double first_step(const VectorXd& direction) const;
+  std::vector<double> ceilings(double total) const;
+  double try_design(const VectorXd& s, double ceiling);
+  void adapt_trust(double promised, double reached, double step);
   bool publish(const Stopwatch& watch);
   bool value_settled() const;
   bool at_minimum() const;
   void polish();
+  void add_up();
 
-  CostFunction& cost_;
   const CodesignOptions& options_;
-  const VectorXd scale_, lower_, upper_;
+  const DesignBox box_;
   Lbfgs lbfgs_;
-  NewtonWorkspace workspace_;
-  HessianFactor factor_;  // of ∂G/∂m at the accepted (s, m)
-  bool factor_exact_ = false;
-  double last_shift_ = 0.0;
-  Evaluation at_, probe_;  // at_: everything at the accepted (s, m), Order::design
+  double trust_;         // largest change of a parameter in the next step [natural units]
+  bool newton_ = false;  // the direction at hand is Newton's
+  std::vector<std::unique_ptr<TaskSolver>> solvers_;
   DesignIteration now_;
   std::vector<double> history_;
   CodesignResult result_;
 };
 
-CodesignResult Codesign::run(const VectorXd& initial_motion) {
+CodesignResult Codesign::run() {
   const Stopwatch watch;
-  now_.m = initial_motion;
   result_.status = optimise();
   result_.best = now_;
+  add_up();
   result_.seconds.total = watch.seconds();
   return std::move(result_);
+}
+
+void Codesign::for_each_task(const std::function<void(int)>& work) const {
+  parallel_for(static_cast<int>(solvers_.size()), options_.threads, work);
 }
 
 SolveStatus Codesign::optimise() {
   {
     const Stopwatch watch;
-    if (!optimise_initial_motion() || !differentiate()) {
+    std::vector<char> finite(solvers_.size());
+    for_each_task([&](int i) { finite[i] = solvers_[i]->start(now_.s); });
+    for (const auto& solver : solvers_)
+      result_.motion_only_traces.push_back(solver->motion_only_trace());
+    show_tasks();
+    const bool usable = std::all_of(finite.begin(), finite.end(), [](char c) { return c != 0; });
+    if (!usable || !differentiate()) {
       result_.initial = now_;
       return SolveStatus::not_finite;
     }
     const bool go_on = publish(watch);
     result_.initial = now_;
     if (!go_on) return SolveStatus::stopped;
-    if (options_.motion_only) return now_.motion_status;
+    if (options_.motion_only) return now_.motion_status();
   }
   SolveStatus status = SolveStatus::iteration_limit;
   while (result_.design_iterations < options_.max_iterations) {
@@ -112,148 +114,162 @@ SolveStatus Codesign::optimise() {
 
 // Only the adjoint at a minimum in m tells that dF/ds vanishes: the gradient at fixed m does not.
 bool Codesign::at_minimum() const {
-  return now_.exact_gradient && now_.motion_status == SolveStatus::converged &&
+  return now_.exact_gradient && now_.motion_status() == SolveStatus::converged &&
          now_.projected_gradient_norm < options_.design_tolerance;
 }
 
-SolveReport Codesign::solve_motion(const VectorXd& s, VectorXd& m, double tolerance, int limit,
-                                   double ceiling) {
-  const Stopwatch watch;
-  NewtonOptions newton_options = options_.newton;
-  newton_options.tolerance = tolerance;
-  newton_options.max_iterations = limit;
-  newton_options.value_ceiling = ceiling;
-  newton_options.stagnation_window = options_.stagnation_window;
-  newton_options.stagnation_decrease = options_.stagnation_decrease;
-  const SolveReport report = newton(cost_, s, m, newton_options, workspace_);
-  result_.newton_iterations += report.iterations;
-  result_.factorisations += report.factorisations;
-  result_.evaluations += report.evaluations;
-  now_.newton_iterations += report.iterations;
-  result_.seconds.motion += watch.seconds();
-  return report;
-}
-
-// Iteration 0. A robot that cannot do the task has no good motion to converge to; hundreds of steps
-// towards it would be thrown away with the design, so it is left when F hardly falls any more.
-bool Codesign::optimise_initial_motion() {
-  const SolveReport report =
-      solve_motion(now_.s, now_.m, options_.final_tolerance, options_.motion_iterations,
-                   std::numeric_limits<double>::infinity());
-  now_.value = report.value;
-  now_.motion_status = report.status;
-  result_.motion_only_trace = report.history;
-  if (report.status == SolveStatus::not_finite) return false;
-  keep_factor(report);
-  return true;
-}
-
-// Newton's last factor becomes the one of the accepted iterate.
-void Codesign::keep_factor(const SolveReport& report) {
-  std::swap(factor_, workspace_.factor);
-  factor_exact_ = report.exact_factor;
-  last_shift_ = report.shift;
-}
-
-// dF/ds at the accepted (s, m), eqs (7), (8) with J = F. Without a minimum in m there is no
-// adjoint: then the gradient at fixed m, ∂F/∂s, still leads down, and a shifted factor still
-// predicts.
-bool Codesign::differentiate() {
-  const Stopwatch watch;
-  cost_.evaluate(now_.s, now_.m, Order::design, at_);
-  ++result_.evaluations;
-  if (!std::isfinite(at_.value) || !at_.partial_s.allFinite() || !at_.hessian_ms.allFinite())
-    return false;
-  if (!factor_exact_) {
-    ++result_.factorisations;
-    factor_exact_ = factor_.factor(at_.hessian_mm, {});
+// Copies what the solvers know into now_, and sums it up.
+void Codesign::show_tasks() {
+  now_.tasks.clear();
+  now_.value = 0.0;
+  now_.newton_iterations = 0;
+  now_.exact_gradient = true;
+  now_.design_gradient.setZero(now_.s.size());
+  for (const auto& solver : solvers_) {
+    const TaskIterate& task = solver->now();
+    now_.value += solver->weight() * (task.value + task.outer_value);
+    now_.newton_iterations += task.newton_iterations;
+    now_.exact_gradient = now_.exact_gradient && task.exact_gradient;
+    if (task.design_gradient.size() == now_.s.size())
+      now_.design_gradient += solver->weight() * task.design_gradient;
+    now_.tasks.push_back(task);
   }
-  AdjointResult result;
-  if (factor_exact_) result = adjoint(factor_, at_.stationarity, at_.hessian_ms, at_.partial_s);
-  now_.exact_gradient = result.status == SolveStatus::converged;
-  now_.adjoint_residual = now_.exact_gradient ? result.residual : 0.0;
-  now_.design_gradient = now_.exact_gradient ? result.dJ_ds : at_.partial_s;
-  if (!factor_exact_ && last_shift_ > 0.0) {
-    const VectorXd shift = last_shift_ * cost_.motion_units().cwiseAbs2().cwiseInverse();
-    ++result_.factorisations;
-    (void)factor_.factor(at_.hessian_mm, shift);  // predict() asks the factor itself
+}
+
+bool Codesign::differentiate() {
+  const int count = static_cast<int>(solvers_.size());
+  const bool outer =
+      std::any_of(solvers_.begin(), solvers_.end(), [](const auto& s) { return s->has_outer(); });
+  const bool second = options_.method == DesignMethod::newton && !outer && !options_.motion_only;
+  std::vector<char> finite(count), curved(count);
+  std::vector<Eigen::MatrixXd> hessians(count);
+  for_each_task([&](int i) {
+    finite[i] = solvers_[i]->differentiate();
+    curved[i] = finite[i] && second && solvers_[i]->reduced_hessian(hessians[i]);
+  });
+  if (!std::all_of(finite.begin(), finite.end(), [](char c) { return c != 0; })) return false;
+  show_tasks();
+  now_.reduced_hessian.resize(0, 0);
+  if (std::all_of(curved.begin(), curved.end(), [](char c) { return c != 0; })) {
+    now_.reduced_hessian.setZero(now_.s.size(), now_.s.size());
+    for (int i = 0; i < count; ++i) now_.reduced_hessian += solvers_[i]->weight() * hessians[i];
   }
   now_.projected_gradient_norm =
-      projected_gradient_norm(now_.s, now_.design_gradient, lower_, upper_, scale_);
-  result_.seconds.adjoint += watch.seconds();
+      projected_gradient_norm(now_.s, now_.design_gradient, box_.lower, box_.upper, box_.scale);
   return true;
 }
 
-// update(Δs) of Algorithm 1. When no δ₁ helps, the pairs are dropped for one try along steepest
-// descent.
+// update(Δs) of Algorithm 1. When no δ₁ helps along Newton's direction, L-BFGS has its turn; when
+// that fails too, the pairs are dropped for one try along steepest descent.
 bool Codesign::step() {
   const DesignIteration before = now_;
-  const VectorXd& gradient = before.design_gradient;
-  const std::vector<bool> free = free_parameters(before.s, gradient, lower_, upper_);
-  now_.newton_iterations = 0;
-  bool moved = search_along(lbfgs_.direction(gradient, free));
+  for (const auto& solver : solvers_) solver->begin_iteration();
+  newton_ = now_.reduced_hessian.size() > 0;
+  bool moved = newton_ && search_along(newton_direction());
+  if (!moved) {
+    newton_ = false;
+    moved = search_along(lbfgs_direction());
+  }
   if (!moved && lbfgs_.pair_count() > 0) {
     lbfgs_.reset();
-    moved = search_along(lbfgs_.direction(gradient, free));
+    moved = search_along(lbfgs_direction());
   }
-  if (!moved || !differentiate()) {
+  if (!moved) {
+    now_ = before;
+    return false;
+  }
+  if (!differentiate()) {
+    for_each_task([&](int i) {
+      solvers_[i]->undo();
+      solvers_[i]->differentiate();
+    });
     now_ = before;
     return false;
   }
   // A pair must not mix the adjoint gradient with the one at fixed m.
   const bool same_kind = now_.exact_gradient == before.exact_gradient;
-  if (!same_kind || !lbfgs_.add(now_.s - before.s, now_.design_gradient - gradient)) lbfgs_.reset();
+  if (!same_kind || !lbfgs_.add(now_.s - before.s, now_.design_gradient - before.design_gradient))
+    lbfgs_.reset();
   return true;
 }
 
-double Codesign::first_step(const VectorXd& direction, bool steepest) const {
-  const double change = direction.cwiseQuotient(scale_).lpNorm<Eigen::Infinity>();
+VectorXd Codesign::newton_direction() const {
+  return reduced_newton_step(now_.reduced_hessian, now_.design_gradient, now_.s, box_, trust_);
+}
+
+VectorXd Codesign::lbfgs_direction() const {
+  return lbfgs_.direction(now_.design_gradient,
+                          free_parameters(now_.s, now_.design_gradient, box_.lower, box_.upper));
+}
+
+double Codesign::first_step(const VectorXd& direction) const {
+  const double change = direction.cwiseQuotient(box_.scale).lpNorm<Eigen::Infinity>();
   if (!(change > 0.0)) return 0.0;
-  return steepest ? options_.largest_first_change / change
-                  : std::min(1.0, options_.largest_change / change);
+  if (newton_) return 1.0;  // within the trust region by construction
+  return lbfgs_.pair_count() == 0 ? options_.largest_first_change / change
+                                  : std::min(1.0, options_.largest_change / change);
 }
 
 bool Codesign::search_along(const VectorXd& direction) {
-  double design_step = first_step(direction, lbfgs_.pair_count() == 0);
+  double design_step = first_step(direction);
   if (!(design_step > 0.0)) return false;
   for (int k = 0; k < options_.line_search_steps; ++k, design_step *= 0.5) {
-    const VectorXd s = (now_.s + design_step * direction).cwiseMax(lower_).cwiseMin(upper_);
-    const double promised =
+    const VectorXd s = (now_.s + design_step * direction).cwiseMax(box_.lower).cwiseMin(box_.upper);
+    const double slope =
         -now_.design_gradient.dot(s - now_.s);  // along the path bent by the bounds
-    if (!(promised > 0.0)) continue;
-    const double ceiling = now_.value - options_.sufficient_decrease * promised;
-    VectorXd m = start_of_trial(s);
-    const SolveReport report =
-        solve_motion(s, m, options_.motion_tolerance, options_.trial_iterations, ceiling);
-    if (report.status == SolveStatus::not_finite || !(report.value <= ceiling)) {
+    if (!(slope > 0.0)) continue;
+    const double ceiling = now_.value - options_.sufficient_decrease * slope;
+    const double value = try_design(s, ceiling);
+    if (!(value <= ceiling)) {
       ++result_.rejected_trials;
       continue;
     }
+    if (newton_)
+      adapt_trust(-model_change(now_.reduced_hessian, now_.design_gradient, s - now_.s),
+                  now_.value - value,
+                  (s - now_.s).cwiseQuotient(box_.scale).lpNorm<Eigen::Infinity>());
+    for (const auto& solver : solvers_) solver->accept();
     now_.s = s;
-    now_.m = std::move(m);
-    now_.value = report.value;
-    now_.motion_status = report.status;
     now_.design_step = design_step;
-    keep_factor(report);
     return true;
   }
   return false;
 }
 
-// The motion predicted for the new design, or the old one where that is no better.
-VectorXd Codesign::start_of_trial(const VectorXd& s) {
-  const Stopwatch watch;
-  VectorXd ahead;
-  VectorXd start = now_.m;
-  if (predict(factor_, now_.m, at_.stationarity, at_.hessian_ms, s - now_.s, ahead)) {
-    cost_.evaluate(s, now_.m, Order::value, probe_);
-    const double stay = probe_.value;
-    cost_.evaluate(s, ahead, Order::value, probe_);
-    result_.evaluations += 2;
-    if (std::isfinite(probe_.value) && !(probe_.value >= stay)) start = std::move(ahead);
+// The quadratic model is trusted as far as it was right.
+void Codesign::adapt_trust(double promised, double reached, double step) {
+  const double agreement = reached / std::max(promised, 1e-300);
+  if (agreement < 0.25)
+    trust_ = std::max(0.5 * step, 1e-6);
+  else if (agreement > 0.7 && step > 0.5 * trust_)
+    trust_ = std::min(2.0 * trust_, options_.largest_change);
+}
+
+// How high each Fᵢ may be so that F_joint can still come down to `total`.
+std::vector<double> Codesign::ceilings(double total) const {
+  std::vector<double> values;
+  double others = 0.0;
+  for (const auto& solver : solvers_) {
+    const double value = solver->weight() * (solver->now().value + solver->now().outer_value);
+    values.push_back(value - options_.largest_task_gain * std::abs(value));
+    others += values.back();
   }
-  result_.seconds.predictor += watch.seconds();
-  return start;
+  std::vector<double> result;
+  for (std::size_t i = 0; i < solvers_.size(); ++i) {
+    const double alone = solvers_.size() == 1 ? 0.0 : others - values[i];
+    result.push_back(solvers_[i]->has_outer() ? std::numeric_limits<double>::infinity()
+                                              : (total - alone) / solvers_[i]->weight());
+  }
+  return result;
+}
+
+double Codesign::try_design(const VectorXd& s, double ceiling) {
+  const std::vector<double> limits = ceilings(ceiling);
+  std::vector<double> values(solvers_.size());
+  for_each_task([&](int i) { values[i] = solvers_[i]->try_design(s, limits[i]); });
+  double total = 0.0;
+  for (std::size_t i = 0; i < values.size(); ++i) total += solvers_[i]->weight() * values[i];
+  return total;
 }
 
 bool Codesign::value_settled() const {
@@ -262,52 +278,58 @@ bool Codesign::value_settled() const {
   return before - after < options_.value_tolerance * std::max(std::abs(before), 1e-12);
 }
 
-void Codesign::list_terms() {
-  now_.terms.clear();
-  const std::vector<std::string_view> names = cost_.term_names();
-  for (std::size_t k = 0; k < names.size() && k < at_.term_values.size(); ++k)
-    now_.terms.push_back({names[k], at_.term_values[k]});
-}
-
 // Completes now_ and hands it to the caller; false: stop.
 bool Codesign::publish(const Stopwatch& watch) {
   history_.push_back(now_.value);
-  list_terms();
   now_.seconds = watch.seconds();
   return !options_.on_iteration || options_.on_iteration(now_);
 }
 
-// The result's motion to the final tolerance, at the design that was found.
+// The result's motions to the final tolerance, at the design that was found.
 void Codesign::polish() {
   if (result_.design_iterations == 0) return;  // iteration 0 was solved to it already
   const Stopwatch watch;
-  VectorXd m = now_.m;
-  const SolveReport report =
-      solve_motion(now_.s, m, options_.final_tolerance, options_.motion_iterations,
-                   std::numeric_limits<double>::infinity());
-  if (report.status == SolveStatus::not_finite ||
-      report.value > now_.value + 1e-12 * std::abs(now_.value))
-    return;
-  now_.m = std::move(m);
-  now_.value = report.value;
-  now_.motion_status = report.status;
-  keep_factor(report);
+  for_each_task([&](int i) { solvers_[i]->polish(); });
   differentiate();
-  list_terms();
   now_.seconds += watch.seconds();
+}
+
+void Codesign::add_up() {
+  for (const auto& solver : solvers_) {
+    const TaskEffort& effort = solver->effort();
+    result_.newton_iterations += effort.newton_iterations;
+    result_.factorisations += effort.factorisations;
+    result_.evaluations += effort.evaluations;
+    result_.seconds.motion += effort.motion_seconds;
+    result_.seconds.adjoint += effort.adjoint_seconds;
+    result_.seconds.predictor += effort.predictor_seconds;
+    if (!effort.solve_seconds.empty())
+      result_.solve_seconds.insert(result_.solve_seconds.end(), effort.solve_seconds.begin() + 1,
+                                   effort.solve_seconds.end());
+  }
 }
 
 }  // namespace
 
-CodesignResult codesign(CostFunction& cost, const DesignSpace& space,
-                        const VectorXd& initial_motion, const CodesignOptions& options) {
-  return Codesign(cost, space, options).run(initial_motion);
+SolveStatus DesignIteration::motion_status() const {
+  for (const TaskIterate& task : tasks)
+    if (task.motion_status != SolveStatus::converged) return task.motion_status;
+  return tasks.empty() ? SolveStatus::not_finite : SolveStatus::converged;
+}
+
+CodesignResult codesign(const std::vector<WeightedCost>& tasks, const DesignSpace& space,
+                        const VectorXd& start, const CodesignOptions& options) {
+  return Codesign(tasks, space, start, options).run();
 }
 
 CodesignResult codesign(const Objective& objective, const DesignSpace& space,
                         const CodesignOptions& options) {
   ObjectiveCost cost(objective);
-  return codesign(cost, space, initial_guess(objective, space.initial()), options);
+  const VectorXd start = space.initial();
+  WeightedCost task;
+  task.cost = &cost;
+  task.initial_motion = initial_guess(objective, start);
+  return codesign({task}, space, start, options);
 }
 
 }  // namespace legwright

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "optimizer/motion/over_cycle.hpp"
 #include "optimizer/terms/factories.hpp"
 #include "optimizer/terms/linear_term.hpp"
 
@@ -6,7 +7,8 @@ namespace legwright {
 namespace {
 
 /// Eq (10), E_StyleEE: feet stay near the footprint under the moving COM, so that the plan keeps off the edge of its
-/// support polygon. Residual (e_i − x_iᴰ − footprint)/length on the ground plane, at every knot.
+/// support polygon, or where the task wants them from there over the cycle. Residual (e_i − x_iᴰ − footprint)/length on
+/// the ground plane, at every knot; x_iᴰ is on the wanted path, without style offsets.
 class StyleFoot final : public LinearTerm {
  public:
   explicit StyleFoot(const TermContext& context) {
@@ -14,14 +16,22 @@ class StyleFoot final : public LinearTerm {
     const double scale = 1.0 / context.length;
     for (int i = 0; i <= layout.knot_count(); ++i) {
       const double time = i * context.task.gait.time_step();
-      const Eigen::Matrix2d heading =
-          WantedPath::yaw_rotation(context.path.heading(time)).topLeftCorner<2, 2>();
+      const Eigen::Vector2d place = context.path.position(time).head<2>();
+      const Eigen::Matrix2d heading = context.path.heading_rotation(time);
       for (int j = 0; j < layout.foot_count(); ++j)
         add(i, j, {{layout.foot(i, j), times(scale, 2)}},
-            scale * (context.path.position(time).head<2>() + heading * context.footprint[j]));
+            scale * (place + heading * footprint(context, i, j)));
     }
   }
   std::string_view name() const override { return "style_foot"; }
+
+ private:
+  static Eigen::Vector2d footprint(const TermContext& context, int knot, int foot) {
+    const auto& targets = context.task.foot_targets;
+    const auto place = static_cast<std::size_t>(foot);
+    if (place >= targets.size() || targets[place].empty()) return context.footprint[place];
+    return over_cycle(targets[place], static_cast<double>(knot) / context.layout.knot_count());
+  }
 };
 
 }  // namespace

@@ -110,14 +110,16 @@ PlanQuality plan_quality(const Objective& objective, const Eigen::VectorXd& m) {
   return quality;
 }
 
-Json iteration_metrics(const DesignSpace& space, const DesignIteration& iteration,
+Json iteration_metrics(const DesignSpace& space, const DesignIteration& iteration, int task,
                        const PlanQuality& quality) {
+  const TaskIterate& own = iteration.tasks.at(task);
   Json terms = Json::object();
-  for (const TermValue& term : iteration.terms) terms[std::string(term.name)] = term.value;
+  for (const TermValue& term : own.terms) terms[std::string(term.name)] = term.value;
   return {{"schema", "legwright/iteration"},
           {"version", 1},
           {"index", iteration.index},
-          {"F", iteration.value},
+          {"F", own.value},
+          {"J", own.outer_value},
           {"terms", terms},
           {"s", by_name(space, iteration.s)},
           {"planned_velocity", {quality.planned_velocity.x(), quality.planned_velocity.y()}},
@@ -127,18 +129,19 @@ Json iteration_metrics(const DesignSpace& space, const DesignIteration& iteratio
           {"ground_error_m", quality.ground_error},
           {"slide_share", quality.slide_share},
           {"root_residual", quality.root_residual},
-          {"design_gradient", by_name(space, iteration.design_gradient)},
+          {"design_gradient", by_name(space, own.design_gradient)},
           {"projected_gradient_norm", iteration.projected_gradient_norm},
-          {"newton_iterations", iteration.newton_iterations},
-          {"motion_status", to_string(iteration.motion_status)}};
+          {"newton_iterations", own.newton_iterations},
+          {"motion_status", to_string(own.motion_status)}};
 }
 
 PlanQuality write_design(const fs::path& folder, const RobotModel& robot,
-                         const Objective& objective, const DesignIteration& iteration,
+                         const Objective& objective, const DesignIteration& iteration, int task,
                          Durability durability) {
+  const Eigen::VectorXd& m = iteration.tasks.at(task).m;
   const std::string robot_xml = rewrite_robot(robot, iteration.s);
-  const PlayablePlan plan = make_playable(robot, robot_xml, objective, iteration.m);
-  PlanQuality quality = plan_quality(objective, iteration.m);
+  const PlayablePlan plan = make_playable(robot, robot_xml, objective, m);
+  PlanQuality quality = plan_quality(objective, m);
   quality.root_residual = plan.root_residual;
   SceneSettings scene;
   scene.trajectory = plan.trajectory;
@@ -154,8 +157,8 @@ PlanQuality write_design(const fs::path& folder, const RobotModel& robot,
   write_file(temporary.path() / "robot.xml", robot_xml, durability);
   write_file(temporary.path() / "scene.xml", emit_scene(robot, robot_xml, scene), durability);
   write_file(temporary.path() / "motion.csv", plan.motion_csv, durability);
-  write_json(temporary.path() / "metrics.json", iteration_metrics(robot.space, iteration, quality),
-             durability);
+  write_json(temporary.path() / "metrics.json",
+             iteration_metrics(robot.space, iteration, task, quality), durability);
   temporary.rename_to(folder);
   if (durability == Durability::power) sync_folder(folder.parent_path());
   return quality;

@@ -29,17 +29,18 @@ struct PlanQuality {
 /// All but the root residual, which write_design() knows.
 PlanQuality plan_quality(const Objective& objective, const Eigen::VectorXd& m);
 
-/// metrics.json of an iteration (schema legwright/iteration): no times, so equal runs give equal
-/// bytes.
-Json iteration_metrics(const DesignSpace& space, const DesignIteration& iteration,
+/// metrics.json of an iteration's task (schema legwright/iteration): no times, so equal runs give
+/// equal bytes. @param task of `iteration.tasks`
+Json iteration_metrics(const DesignSpace& space, const DesignIteration& iteration, int task,
                        const PlanQuality& quality);
 
 /// Writes a complete, openable design: robot.xml, scene.xml, motion.csv, metrics.json. The folder
 /// appears whole: written under a temporary name beside it, then renamed. Throws std::system_error
-/// where the disk fails or the folder exists. @return the quality of the plan, root residual
+/// where the disk fails or the folder exists. @param task of `iteration.tasks`, the one that
+/// `objective` belongs to. @return the quality of the plan, root residual
 /// included.
 PlanQuality write_design(const std::filesystem::path& folder, const RobotModel& robot,
-                         const Objective& objective, const DesignIteration& iteration,
+                         const Objective& objective, const DesignIteration& iteration, int task,
                          Durability durability = Durability::power);
 
 }  // namespace legwright

@@ -8,6 +8,8 @@
 
 #include "mjcf/input_error.hpp"
 #include "optimizer/terms/registry.hpp"
+#include "tools/io/gait_table.hpp"
+#include "tools/io/style_table.hpp"
 #include "tools/io/task_file.hpp"
 #include "tools/io/toml_reader.hpp"
 
@@ -15,67 +17,11 @@ namespace legwright {
 namespace {
 
 constexpr double kTouchdownError = 0.035;  // [s] real touchdown comes this much early or late
-constexpr int kFewestStance = 2;           // [knots] with one alone a foot pushes for no time
 constexpr double kMostHeight = 1.5;        // com_height over the longest leg: the trunk has height
 constexpr double kQuickDuty = 0.6;         // gaits up to this duty have no third foot to catch them
 
 [[noreturn]] void refuse(const TaskFile& file, const std::string& key, const std::string& message) {
   throw InputError(file.file.string(), file.line(key), key, message);
-}
-
-std::vector<double> touchdown_by_name(const TaskFile& file, const std::vector<std::string>& names,
-                                      const std::vector<int>& order) {
-  std::vector<double> touchdown;
-  for (int foot : order) {
-    const auto found = file.touchdown_by_foot.find(names[foot]);
-    if (found == file.touchdown_by_foot.end())
-      refuse(file, "gait.touchdown",
-             fmt::format("no entry for the foot '{}'; the robot's feet are {}", names[foot],
-                         fmt::join(names, ", ")));
-    touchdown.push_back(found->second);
-  }
-  for (const auto& [name, value] : file.touchdown_by_foot)
-    if (std::find(names.begin(), names.end(), name) == names.end())
-      refuse(file, "gait.touchdown." + name,
-             fmt::format("the robot has no such foot; its feet are {}", fmt::join(names, ", ")));
-  return touchdown;
-}
-
-GaitPattern library_pattern(const TaskFile& file, int foot_count) {
-  std::vector<std::string> names;
-  for (GaitPattern& pattern : gait_library(foot_count)) {
-    if (pattern.name == file.gait) return pattern;
-    names.push_back(pattern.name);
-  }
-  if (names.empty())
-    refuse(file, "gait.name",
-           fmt::format("the library has no gait for {} feet; give gait.touchdown and gait.duty",
-                       foot_count));
-  const std::string guess = nearest(file.gait, names);
-  refuse(file, "gait.name",
-         fmt::format("'{}' is not in the library; {}for {} feet it has {}; or give gait.touchdown "
-                     "and gait.duty",
-                     file.gait, guess.empty() ? "" : fmt::format("did you mean '{}'? ", guess),
-                     foot_count, fmt::join(names, ", ")));
-}
-
-GaitPattern choose_pattern(const TaskFile& file, const std::vector<std::string>& names,
-                           const std::vector<int>& order) {
-  const auto foot_count = names.size();
-  GaitPattern pattern;
-  if (!file.touchdown_by_foot.empty())
-    pattern = {file.gait, touchdown_by_name(file, names, order), 0.0};
-  else if (!file.touchdown.empty())
-    pattern = {file.gait, file.touchdown, 0.0};
-  else
-    pattern = library_pattern(file, static_cast<int>(foot_count));
-  if (pattern.touchdown.size() != foot_count)
-    refuse(file, "gait.touchdown",
-           fmt::format("has {} entries; the robot has {} feet: give one phase for each, front to "
-                       "hind, left before right",
-                       pattern.touchdown.size(), foot_count));
-  if (file.duty) pattern.duty = *file.duty;
-  return pattern;
 }
 
 /// Knots of each foot strictly in the air, the smallest of them.
@@ -100,56 +46,6 @@ int longest_stance(const Gait& gait) {
   return longest;
 }
 
-int shortest_stance(const Gait& gait) {
-  int shortest = gait.knot_count();
-  for (int foot = 0; foot < gait.foot_count(); ++foot) {
-    int stance = 0;
-    for (int knot = 0; knot < gait.knot_count(); ++knot) stance += gait.in_contact(knot, foot);
-    shortest = std::min(shortest, stance);
-  }
-  return shortest;
-}
-
-int most_support(const Gait& gait) {
-  int most = 0;
-  for (int knot = 0; knot < gait.knot_count(); ++knot) {
-    int support = 0;
-    for (int foot = 0; foot < gait.foot_count(); ++foot) support += gait.in_contact(knot, foot);
-    most = std::max(most, support);
-  }
-  return most;
-}
-
-std::optional<std::vector<Eigen::Vector2d>> footprint_of(const TaskFile& file,
-                                                         const std::vector<int>& order) {
-  if (file.footprint.empty()) return std::nullopt;
-  const std::size_t foot_count = order.size();
-  std::vector<Eigen::Vector2d> result(foot_count);
-  if (file.footprint.size() == 1 &&
-      foot_count > 1) {  // half length and half width: rows from front to hind
-    if (foot_count % 2 != 0)
-      refuse(file, "style.footprint",
-             "half length and half width need an even number of feet; give a pair for each");
-    const auto rows = static_cast<double>(foot_count / 2);
-    for (std::size_t place = 0; place < foot_count; ++place) {
-      const double along =
-          rows > 1 ? 1.0 - 2.0 * static_cast<double>(place / 2) / (rows - 1.0) : 0.0;
-      result[order[place]] =
-          file.footprint[0].cwiseProduct(Eigen::Vector2d(along, place % 2 == 0 ? 1.0 : -1.0));
-    }
-    return result;
-  }
-  if (file.footprint.size() != foot_count)
-    refuse(file, "style.footprint",
-           fmt::format("has {} pairs; the robot has {} feet: one pair each, front to hind, left "
-                       "before right, or "
-                       "[half length, half width]",
-                       file.footprint.size(), foot_count));
-  for (std::size_t place = 0; place < foot_count; ++place)
-    result[order[place]] = file.footprint[place];
-  return result;
-}
-
 void check_weights(const TaskFile& file) {
   std::vector<std::string> term_names;
   for (const TermEntry& entry : term_registry()) term_names.emplace_back(entry.name);
@@ -163,22 +59,6 @@ void check_weights(const TaskFile& file) {
   }
 }
 
-Gait make_gait(const TaskFile& file, const std::vector<std::string>& names,
-               const std::vector<int>& order) {
-  const GaitPattern pattern = choose_pattern(file, names, order);
-  std::optional<Gait> gait;
-  try {
-    gait.emplace(pattern, file.period, file.knots, order);
-  } catch (const std::invalid_argument&) {  // a foot without any stance knot
-  }
-  if (gait && shortest_stance(*gait) >= kFewestStance) return *gait;
-  refuse(file, file.duty ? "gait.duty" : "gait.knots",
-         fmt::format("a duty of {} on {} knots leaves a foot no stance: {} on the ground, {} are "
-                     "needed; raise the duty to {:.3f} or the number of knots",
-                     pattern.duty, file.knots, gait ? "a single knot" : "no knot", kFewestStance,
-                     std::ceil(1000.0 * kFewestStance / file.knots) / 1000.0));
-}
-
 void check_reach(const TaskFile& file, const Task& task, const RobotModel& robot) {
   const StrideBound bound = stride_bound(task, robot);
   if (bound.per_stance > bound.longest)
@@ -190,11 +70,12 @@ void check_reach(const TaskFile& file, const Task& task, const RobotModel& robot
                        "gait.period or the duty",
                        bound.per_stance, bound.longest, bound.per_stance / bound.longest));
   const double highest = 0.5 * bound.longest;
-  if (task.com_height && *task.com_height > kMostHeight * highest)
+  const std::optional<double> com_height = highest_com(task);
+  if (com_height && *com_height > kMostHeight * highest)
     refuse(file, "style.com_height",
            fmt::format("is {} m; at most {:.3g} m is accepted, {} times the longest leg that the "
                        "bounds allow, {:.3g} m; lower it",
-                       *task.com_height, kMostHeight * highest, kMostHeight, highest));
+                       *com_height, kMostHeight * highest, kMostHeight, highest));
   const int airborne = fewest_airborne(task.gait, task.planted_margin);
   const bool moves = task.velocity.norm() > 0.0 || task.turn_rate != 0.0;
   if (moves && airborne == 0)
@@ -203,7 +84,7 @@ void check_reach(const TaskFile& file, const Task& task, const RobotModel& robot
                        "planted before and after "
                        "stance; use more knots, a lower duty or a shorter limits.planted_margin",
                        task.gait.knot_count(), task.gait.time_step(), task.planted_margin));
-  const int support = most_support(task.gait);
+  const int support = support_range(task.gait).most;
   if (task.min_normal * support >= 1.0)
     refuse(file, "limits.min_normal",
            fmt::format("is {}; {} feet stand at once, so it must be below {:.3g} of the weight",
@@ -263,16 +144,21 @@ std::vector<std::string> task_warnings(const Task& task, const RobotModel& robot
         bound.per_stance, bound.longest));
   if (task.velocity.norm() == 0.0 && task.turn_rate == 0.0)
     warnings.push_back("the wanted velocity is zero: the robot will step on the spot");
-  if (task.com_height && *task.com_height > bound.leg_length)
+  if (const auto com_height = highest_com(task); com_height && *com_height > bound.leg_length)
     warnings.push_back(
         fmt::format("com_height {} m is above the stretched legs of the initial design, {:.3g} m",
-                    *task.com_height, bound.leg_length));
+                    *com_height, bound.leg_length));
   if (task.friction > 0.75 * task.floor_friction)
     warnings.push_back(
         fmt::format("little friction is kept in hand: the plan uses {} of a floor of {}",
                     task.friction, task.floor_friction));
   if (fewest_airborne(task.gait, task.planted_margin) < 3 && bound.per_cycle > 0.0)
     warnings.push_back("a swing has fewer than three knots: use more knots for a smooth step");
+  if (support_range(task.gait).least == 0)
+    warnings.push_back(
+        "at times no foot is on the ground: nothing steers the robot while it plays such a gait, "
+        "and "
+        "most fall; raise gait.duty for steadier ones");
   if (robot.space.size() == 0)
     warnings.push_back(
         "the robot declares no design parameters: only its motion will be optimized");
@@ -284,11 +170,11 @@ Task make_task(const TaskFile& file, const RobotModel& robot) {
   check_weights(file);
   Task task = file.margins;
   task.name = file.name;
-  task.gait = make_gait(file, foot_names(robot.morphology), order);
+  const std::vector<std::string> names = foot_names(robot.morphology);
+  task.gait = make_gait(file, names, order);
   task.velocity = file.velocity;
   task.turn_rate = file.turn_rate;
-  task.com_height = file.com_height;
-  task.footprint = footprint_of(file, order);
+  apply_style(file, names, order, task);
   const double duty = static_cast<double>(longest_stance(task.gait)) / task.gait.knot_count();
   task.planted_margin = planted_margin_knots(file.planted_margin, duty, task.gait.time_step());
   task.weights = file.weights;

@@ -33,66 +33,207 @@ Json parameters_json(const DesignSpace& space) {
   return parameters;
 }
 
-}  // namespace
+Json provenance(const std::vector<std::string>& argv, const CodesignProblem& problem) {
+  return {{"argv", argv},
+          {"versions", versions()},
+          {"sha256",
+           {{"task.toml", sha256_hex(problem.set.text)},
+            {"robot.xml", sha256_hex(problem.robot.xml)}}}};
+}
 
-Json start_of_run(const std::vector<std::string>& argv, const TaskFile& file,
-                  const RobotModel& robot, const Objective& objective) {
+Json head(const CodesignProblem& problem) {
   return {{"schema", "legwright/run"},
           {"version", 1},
           {"status", "running"},
-          {"robot", robot.morphology.name},
-          {"task", task_json(objective.task())},
-          {"design_size", robot.space.size()},
-          {"motion_size", objective.layout().motion_size()},
-          {"parameters", parameters_json(robot.space)},
-          {"argv", argv},
-          {"versions", versions()},
-          {"sha256", {{"task.toml", sha256_hex(file.text)}, {"robot.xml", sha256_hex(robot.xml)}}}};
+          {"robot", problem.robot.morphology.name}};
 }
 
-void finish_run(Json& run, const std::string& status, const CodesignResult& result,
-                const PlanQuality& quality, const std::vector<double>& history, double file_seconds,
-                const std::vector<std::string>& reasons, const DesignSpace& space) {
+void add_effort(Json& run, const RunEffort& effort) {
+  run["design_iterations"] = effort.design_iterations;
+  run["newton_iterations"] = effort.newton_iterations;
+  run["factorisations"] = effort.factorisations;
+  run["seconds"] = {{"total", effort.seconds.total},
+                    {"motion", effort.seconds.motion},
+                    {"adjoint", effort.seconds.adjoint},
+                    {"predictor", effort.seconds.predictor},
+                    {"files", effort.file_seconds}};
+  run["peak_rss_mib"] = peak_memory_mib();
+}
+
+void add_final_design(Json& run, const DesignSpace& space, const Eigen::VectorXd& s) {
+  for (int k = 0; k < space.size(); ++k) run["parameters"][k]["final"] = s[k];
+}
+
+Json task_values(const CodesignProblem& problem, const RunLabel& label,
+                 const DesignIteration& iteration) {
+  Json values = Json::object();
+  for (std::size_t k = 0; k < iteration.tasks.size(); ++k)
+    values[problem.task(label.tasks[k]).name] = iteration.tasks[k].value;
+  return values;
+}
+
+Json start_json(const CodesignProblem& problem, const StartedRun& run) {
+  Json tasks = Json::array();
+  for (int k : run.label.tasks) tasks.push_back(problem.task(k).name);
+  return {{"start", run.label.start},
+          {"tasks", tasks},
+          {"status", to_string(run.result.status)},
+          {"F_start", run.result.initial.value},
+          {"F", run.result.best.value},
+          {"F_tasks_start", task_values(problem, run.label, run.result.initial)},
+          {"F_tasks", task_values(problem, run.label, run.result.best)},
+          {"design_iterations", run.result.design_iterations},
+          {"newton_iterations", run.result.newton_iterations},
+          {"seconds", run.result.seconds.total},
+          {"s", by_name(problem.robot.space, run.result.best.s)}};
+}
+
+}  // namespace
+
+RunEffort effort_of(const CodesignResult& result) {
+  return {result.design_iterations, result.newton_iterations, result.factorisations, result.seconds,
+          0.0};
+}
+
+RunEffort effort_of(const MultistartResult& result) {
+  RunEffort sum;
+  for (const std::vector<StartedRun>* runs : {&result.alone, &result.joint})
+    for (const StartedRun& run : *runs) {
+      const RunEffort one = effort_of(run.result);
+      sum.design_iterations += one.design_iterations;
+      sum.newton_iterations += one.newton_iterations;
+      sum.factorisations += one.factorisations;
+      sum.seconds.total += one.seconds.total;
+      sum.seconds.motion += one.seconds.motion;
+      sum.seconds.adjoint += one.seconds.adjoint;
+      sum.seconds.predictor += one.seconds.predictor;
+    }
+  return sum;
+}
+
+Json start_of_run(const std::vector<std::string>& argv, const CodesignProblem& problem, int task) {
+  Json run = head(problem);
+  run["task"] = task_json(problem.objectives[task]->task());
+  run["design_size"] = problem.robot.space.size();
+  run["motion_size"] = problem.objectives[task]->layout().motion_size();
+  run["parameters"] = parameters_json(problem.robot.space);
+  run.update(provenance(argv, problem));
+  return run;
+}
+
+Json start_of_joint_run(const std::vector<std::string>& argv, const CodesignProblem& problem) {
+  Json run = head(problem);
+  run["name"] = problem.set.name;
+  run["tasks"] = Json::array();
+  int motion_size = 0;
+  for (int k = 0; k < problem.task_count(); ++k) {
+    Json task = task_json(problem.objectives[k]->task());
+    task["weight"] = problem.task(k).weight;
+    task["folder"] = "tasks/" + problem.task(k).name;
+    task["motion_size"] = problem.objectives[k]->layout().motion_size();
+    motion_size += problem.objectives[k]->layout().motion_size();
+    run["tasks"].push_back(task);
+  }
+  run["design_size"] = problem.robot.space.size();
+  run["motion_size"] = motion_size;
+  run["parameters"] = parameters_json(problem.robot.space);
+  run.update(provenance(argv, problem));
+  return run;
+}
+
+void finish_run(Json& run, const std::string& status, const TaskOutcome& outcome,
+                const RunEffort& effort, const DesignSpace& space) {
+  const TaskIterate& best = outcome.best->tasks.at(outcome.task);
+  const PlanQuality& quality = outcome.quality;
   run["status"] = status;
-  run["feasible"] = reasons.empty();
-  run["reasons"] = reasons;
-  run["motion_only_F"] = result.initial.value;
-  run["motion_only_trace"] = result.motion_only_trace;
-  run["final_F"] = result.best.value;
-  run["history"] = history;
-  run["design_iterations"] = result.design_iterations;
-  run["newton_iterations"] = result.newton_iterations;
-  run["factorisations"] = result.factorisations;
-  run["projected_gradient_norm"] = result.best.projected_gradient_norm;
-  run["motion_status"] = to_string(result.best.motion_status);
+  run["feasible"] = outcome.reasons.empty();
+  run["reasons"] = outcome.reasons;
+  run["motion_only_F"] = outcome.initial->tasks.at(outcome.task).value;
+  run["motion_only_trace"] = outcome.motion_only_trace;
+  run["final_F"] = best.value;
+  run["final_J"] = best.outer_value;
+  run["history"] = outcome.history;
+  add_effort(run, effort);
+  run["projected_gradient_norm"] = outcome.best->projected_gradient_norm;
+  run["motion_status"] = to_string(best.motion_status);
   run["speed_wanted"] = quality.speed_wanted;
   run["speed_reached"] = quality.speed_reached;
   run["heading_error_rad"] = quality.heading_error;
   run["ground_error_m"] = quality.ground_error;
   run["slide_share"] = quality.slide_share;
   run["root_residual"] = quality.root_residual;
-  run["seconds"] = {{"total", result.seconds.total},
-                    {"motion", result.seconds.motion},
-                    {"adjoint", result.seconds.adjoint},
-                    {"predictor", result.seconds.predictor},
-                    {"files", file_seconds}};
-  run["peak_rss_mib"] = peak_memory_mib();
-  for (int k = 0; k < space.size(); ++k) run["parameters"][k]["final"] = result.best.s(k);
+  add_final_design(run, space, outcome.best->s);
 }
 
-Json iteration_event(const DesignSpace& space, const DesignIteration& iteration,
+void finish_joint_run(Json& run, const std::string& status, const MultistartResult& result,
+                      const std::vector<TaskOutcome>& outcomes, const RunEffort& effort,
+                      const CodesignProblem& problem) {
+  const StartedRun& winner = result.joint[result.best];
+  run["status"] = status;
+  Json reasons = Json::array();
+  for (const TaskOutcome& outcome : outcomes)
+    for (const std::string& reason : outcome.reasons)
+      reasons.push_back(problem.task(outcome.task).name + ": " + reason);
+  run["feasible"] = reasons.empty();
+  run["reasons"] = reasons;
+  for (const TaskOutcome& outcome : outcomes) {
+    Json& task = run["tasks"][outcome.task];
+    task["F_initial"] = outcome.initial->tasks.at(outcome.task).value;
+    task["F"] = outcome.best->tasks.at(outcome.task).value;
+    task["speed_wanted"] = outcome.quality.speed_wanted;
+    task["speed_reached"] = outcome.quality.speed_reached;
+    task["feasible"] = outcome.reasons.empty();
+  }
+  run["motion_only_F"] = result.joint.front().result.initial.value;
+  run["final_F"] = winner.result.best.value;
+  run["best_start"] = winner.label.start;
+  run["starts"] = Json::array();
+  for (const StartedRun& one : result.joint) run["starts"].push_back(start_json(problem, one));
+  run["alone"] = Json::array();
+  for (const StartedRun& one : result.alone) run["alone"].push_back(start_json(problem, one));
+  add_effort(run, effort);
+  run["projected_gradient_norm"] = winner.result.best.projected_gradient_norm;
+  add_final_design(run, problem.robot.space, winner.result.best.s);
+}
+
+Json iteration_event(const DesignSpace& space, const DesignIteration& iteration, int task,
                      const PlanQuality& quality) {
+  const TaskIterate& own = iteration.tasks.at(task);
   Json terms = Json::object();
-  for (const TermValue& term : iteration.terms) terms[std::string(term.name)] = term.value;
+  for (const TermValue& term : own.terms) terms[std::string(term.name)] = term.value;
   return {{"event", "iteration"},
           {"index", iteration.index},
-          {"F", iteration.value},
+          {"F", own.value},
+          {"J", own.outer_value},
           {"terms", terms},
           {"s", by_name(space, iteration.s)},
           {"design_gradient_norm", iteration.projected_gradient_norm},
-          {"newton_iterations", iteration.newton_iterations},
-          {"motion_status", to_string(iteration.motion_status)},
+          {"newton_iterations", own.newton_iterations},
+          {"motion_status", to_string(own.motion_status)},
           {"speed_reached", quality.speed_reached},
+          {"design_step", iteration.design_step},
+          {"seconds", iteration.seconds}};
+}
+
+Json joint_iteration_event(const CodesignProblem& problem, const RunLabel& label,
+                           const DesignIteration& iteration,
+                           const std::vector<PlanQuality>& qualities) {
+  Json tasks = Json::object();
+  for (std::size_t k = 0; k < label.tasks.size(); ++k) {
+    const TaskIterate& own = iteration.tasks[k];
+    tasks[problem.task(label.tasks[k]).name] = {{"F", own.value},
+                                                {"speed_reached", qualities[k].speed_reached},
+                                                {"newton_iterations", own.newton_iterations},
+                                                {"motion_status", to_string(own.motion_status)}};
+  }
+  return {{"event", "iteration"},
+          {"start", label.start},
+          {"alone", label.tasks.size() < static_cast<std::size_t>(problem.task_count())},
+          {"index", iteration.index},
+          {"F", iteration.value},
+          {"tasks", tasks},
+          {"s", by_name(problem.robot.space, iteration.s)},
+          {"design_gradient_norm", iteration.projected_gradient_norm},
           {"design_step", iteration.design_step},
           {"seconds", iteration.seconds}};
 }

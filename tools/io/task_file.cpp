@@ -9,7 +9,10 @@
 
 #include "mjcf/input_error.hpp"
 #include "tools/io/atomic_file.hpp"
+#include "tools/io/gait_table.hpp"
+#include "tools/io/design_table.hpp"
 #include "tools/io/io_error.hpp"
+#include "tools/io/style_table.hpp"
 #include "tools/io/toml_reader.hpp"
 
 namespace legwright {
@@ -21,47 +24,11 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Eigen::Vector2d vector2(const std::vector<double>& values) { return {values[0], values[1]}; }
 
-void read_gait(TableReader in, TaskFile& task) {
-  constexpr Range phase{0.0, 1.0, false, true, ""};
-  task.gait = in.text("name").value_or("");
-  const auto period = in.number("period", {0.05, 20.0, false, false, "s"});
-  in.require(period.has_value(), "period", "period = 1.0  # s");
-  task.period = period.value_or(1.0);
-  task.knots = in.integer("knots", 8, 384).value_or(task.knots);
-  task.duty = in.number("duty", {0.0, 1.0, true, false, ""});
-  const toml::node* touchdown = in.node("touchdown");
-  if (touchdown && touchdown->is_table())
-    task.touchdown_by_foot = in.numbers_by_name("touchdown", phase);
-  else
-    task.touchdown = in.numbers("touchdown", phase, 0).value_or(std::vector<double>{});
-  if (touchdown)
-    in.require(in.has("duty"), "duty", "duty = 0.75  # share of the cycle on the ground");
-  else
-    in.require(in.has("name"), "name", "name = \"walk\"");
-  if (task.gait.empty()) task.gait = "own";
-  in.finish();
-}
-
 void read_travel(TableReader in, TaskFile& task) {
   const auto velocity = in.numbers("velocity", {-10.0, 10.0, false, false, "m/s"}, 2);
   in.require(velocity.has_value(), "velocity", "velocity = [0.0, 0.1]  # m/s forward, left");
   if (velocity) task.velocity = vector2(*velocity);
   task.turn_rate = in.number("turn_rate", {-10.0, 10.0, false, false, "rad/s"}).value_or(0.0);
-  in.finish();
-}
-
-void read_style(TableReader in, TaskFile& task) {
-  constexpr Range reach{-5.0, 5.0, false, false, "m"};
-  task.com_height = in.number("com_height", {0.0, 5.0, true, false, "m"});
-  const toml::node* footprint = in.node("footprint");
-  const bool rows = footprint && footprint->is_array() && !footprint->as_array()->empty() &&
-                    footprint->as_array()->get(0)->is_array();
-  if (rows) {
-    if (const auto pairs = in.pairs("footprint", reach))
-      for (const auto& pair : *pairs) task.footprint.push_back(vector2(pair));
-  } else if (const auto half = in.numbers("footprint", {0.0, 5.0, false, false, "m"}, 2)) {
-    task.footprint = {vector2(*half)};
-  }
   in.finish();
 }
 
@@ -76,7 +43,8 @@ void read_limits(TableReader in, TaskFile& task, Problems& problems) {
       in.number("min_normal", {0.0, 0.5, false, false, ""}).value_or(margins.min_normal);
   margins.joint_margin =
       in.number("joint_margin", {0.0, 1.5, false, false, "rad"}).value_or(margins.joint_margin);
-  task.planted_margin = in.number("planted_margin", {0.0, 1.0, false, false, "s"});
+  if (const auto margin = in.number("planted_margin", {0.0, 1.0, false, false, "s"}))
+    task.planted_margin = margin;
   if (margins.friction > margins.floor_friction)
     problems.add(
         in.line_of("friction"), in.full("friction"),
@@ -118,9 +86,7 @@ std::string message_of(const toml::parse_error& error) {
   return text + "; mend the TOML there, or cut the file back to the last line that is whole";
 }
 
-}  // namespace
-
-int TaskFile::line(const std::string& key) const {
+int line_in(const std::map<std::string, int>& lines, const std::string& key) {
   const auto found = lines.find(key);
   if (found != lines.end()) return found->second;
   const auto section =
@@ -128,7 +94,69 @@ int TaskFile::line(const std::string& key) const {
   return section != lines.end() ? section->second : 0;
 }
 
-TaskFile parse_task_file(const std::string& text, const std::filesystem::path& file) {
+void check_name(TableReader& in, const std::string& name, Problems& problems) {
+  if (name.find_first_of("/\\") == std::string::npos && !name.empty() && name.front() != '.')
+    return;
+  problems.add(in.line_of("name"), in.full("name"),
+               fmt::format("is '{}'; it names a folder, so use letters, digits, _ and -", name));
+}
+
+void read_outer(TableReader in, TaskSet& set) {
+  set.outer = in.text("objective").value_or("");
+  set.outer_weight = in.number("weight", {0.0, kInfinity, true, false, ""}).value_or(1.0);
+  in.finish();
+}
+
+/// What may stand outside [[task]] and then holds for all.
+void read_shared_tables(TableReader& in, TaskFile& task, Problems& problems) {
+  const auto section = [&](std::string_view key) {
+    return TableReader(in.table(key), in.full(key), problems, task.lines);
+  };
+  read_style(section("style"), task);
+  read_limits(section("limits"), task, problems);
+  for (const auto& [name, weight] :
+       in.numbers_by_name("weights", {0.0, kInfinity, false, false, ""}))
+    task.weights[name] = weight;
+}
+
+void read_task_tables(TableReader& in, TaskFile& task, Problems& problems) {
+  const auto section = [&](std::string_view key) {
+    return TableReader(in.table(key), in.full(key), problems, task.lines);
+  };
+  read_gait(section("gait"), task);
+  read_travel(section("travel"), task);
+  read_shared_tables(in, task, problems);
+}
+
+void read_tasks(const std::vector<const toml::table*>& tables, const TaskFile& shared, TaskSet& set,
+                Problems& problems) {
+  for (const toml::table* table : tables) {
+    TaskFile task = shared;
+    TableReader in(table, "", problems, task.lines);
+    const auto name = in.text("name");
+    in.require(name.has_value(), "name", "name = \"pace\"");
+    task.name = name.value_or("");
+    if (name) check_name(in, task.name, problems);
+    const bool taken = std::any_of(set.tasks.begin(), set.tasks.end(),
+                                   [&](const TaskFile& other) { return other.name == task.name; });
+    if (name && taken)
+      problems.add(in.line_of("name"), "name",
+                   fmt::format("another task is named '{}' too; each has a folder of its own, so "
+                               "give different names",
+                               task.name));
+    task.weight = in.number("weight", {0.0, kInfinity, true, false, ""})
+                      .value_or(1.0 / static_cast<double>(tables.size()));
+    read_task_tables(in, task, problems);
+    in.finish();
+    set.tasks.push_back(std::move(task));
+  }
+}
+
+}  // namespace
+
+int TaskFile::line(const std::string& key) const { return line_in(lines, key); }
+
+TaskSet parse_task_set(const std::string& text, const std::filesystem::path& file) {
   toml::table root;
   try {
     root = toml::parse(text, file.string());
@@ -136,45 +164,60 @@ TaskFile parse_task_file(const std::string& text, const std::filesystem::path& f
     throw InputError(file.string(), static_cast<int>(error.source().begin.line), "",
                      message_of(error));
   }
-  TaskFile task;
-  task.file = file;
-  task.text = text;
+  TaskSet set;
+  set.file = file;
+  set.text = text;
   Problems problems(file.string());
-  TableReader in(&root, "", problems, task.lines);
+  TableReader in(&root, "", problems, set.lines);
   const auto robot = in.text("robot");
   in.require(robot.has_value(), "robot", "robot = \"robot.xml\"");
-  task.name = in.text("name").value_or(file.stem().string());
-  if (task.name.find_first_of("/\\") != std::string::npos || task.name.front() == '.')
-    problems.add(
-        in.line_of("name"), "name",
-        fmt::format("is '{}'; it names a folder, so use letters, digits, _ and -", task.name));
-  const auto section = [&](std::string_view key) {
-    return TableReader(in.table(key), std::string(key), problems, task.lines);
-  };
-  read_gait(section("gait"), task);
-  read_travel(section("travel"), task);
-  read_style(section("style"), task);
-  read_limits(section("limits"), task, problems);
-  task.weights = in.numbers_by_name("weights", {0.0, kInfinity, false, false, ""});
-  in.finish();
+  set.name = in.text("name").value_or(file.stem().string());
+  check_name(in, set.name, problems);
+  const auto tables = in.tables("task");
+  read_outer(TableReader(in.table("outer"), "outer", problems, set.lines), set);
+  set.design = read_design_table(TableReader(in.table("design"), "design", problems, set.lines),
+                                 problems);
+  TaskFile shared;  // what stands outside [[task]]
+  shared.file = file;
+  shared.text = text;
+  shared.name = set.name;
+  if (tables.empty()) {
+    read_task_tables(in, shared, problems);
+    in.finish();
+    set.tasks = {shared};
+  } else {
+    read_shared_tables(in, shared, problems);
+    in.finish();
+    read_tasks(tables, shared, set, problems);
+  }
   problems.throw_if_any();
-  task.robot = find_robot(*robot, file, task.line("robot"));
-  return task;
+  set.robot = find_robot(*robot, file, line_in(set.lines, "robot"));
+  for (TaskFile& task : set.tasks) task.robot = set.robot;
+  return set;
 }
 
-std::string text_beside_robot(const TaskFile& file) {
-  const toml::table root = toml::parse(file.text);
+TaskFile parse_task_file(const std::string& text, const std::filesystem::path& file) {
+  TaskSet set = parse_task_set(text, file);
+  if (set.joint())
+    throw InputError(file.string(), line_in(set.lines, "task"), "task",
+                     "one task was expected here; the file holds several");
+  return std::move(set.tasks.front());
+}
+
+std::string text_beside_robot(const std::string& text) {
+  const toml::table root = toml::parse(text);
   const toml::node* robot = root.get("robot");
-  if (robot == nullptr || robot->value<std::string>() == kRobotBeside) return file.text;
-  const std::size_t begin = offset_of(file.text, robot->source().begin);
-  const std::size_t end = offset_of(file.text, robot->source().end);
-  return file.text.substr(0, begin) + '"' + kRobotBeside + '"' + file.text.substr(end);
+  if (robot == nullptr || robot->value<std::string>() == kRobotBeside) return text;
+  const std::size_t begin = offset_of(text, robot->source().begin);
+  const std::size_t end = offset_of(text, robot->source().end);
+  return text.substr(0, begin) + '"' + kRobotBeside + '"' + text.substr(end);
 }
 
-TaskFile read_task_file(const std::filesystem::path& file) {
-  std::string text;
+namespace {
+
+std::string text_of(const std::filesystem::path& file) {
   try {
-    text = read_file(file, kMostBytes);
+    return read_file(file, kMostBytes);
   } catch (const std::system_error& error) {
     throw InputError(
         file.string(), 0, "",
@@ -182,7 +225,16 @@ TaskFile read_task_file(const std::filesystem::path& file) {
   } catch (const IoError&) {
     throw InputError(file.string(), 0, "", "larger than 1 MiB; this is no task file");
   }
-  return parse_task_file(text, file);
+}
+
+}  // namespace
+
+TaskSet read_task_set(const std::filesystem::path& file) {
+  return parse_task_set(text_of(file), file);
+}
+
+TaskFile read_task_file(const std::filesystem::path& file) {
+  return parse_task_file(text_of(file), file);
 }
 
 }  // namespace legwright

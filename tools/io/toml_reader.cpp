@@ -195,10 +195,23 @@ std::optional<std::vector<std::vector<double>>> TableReader::pairs(std::string_v
   }
   if (!array || array->empty() || rows.size() != array->size()) {
     problems_.add(line(*found), full(key),
-                  "expected one pair [forward, left] of numbers for each foot");
+                  "expected an array of pairs of numbers: [[forward, left], ...]");
     return std::nullopt;
   }
   return rows;
+}
+
+std::map<std::string, std::vector<double>> TableReader::numbers_of_names(std::string_view key,
+                                                                         const Range& range,
+                                                                         std::size_t count) {
+  std::map<std::string, std::vector<double>> values;
+  const toml::table* found = table(key);
+  if (!found) return values;
+  TableReader inner(found, full(key), problems_, lines_);
+  for (const auto& [name, entry] : *found)
+    if (const auto row = inner.numbers(name.str(), range, count))
+      values[std::string(name.str())] = *row;
+  return values;
 }
 
 std::map<std::string, double> TableReader::numbers_by_name(std::string_view key,
@@ -214,6 +227,17 @@ std::map<std::string, double> TableReader::numbers_by_name(std::string_view key,
   return values;
 }
 
+std::map<std::string, std::vector<std::vector<double>>> TableReader::pairs_by_name(
+    std::string_view key, const Range& range) {
+  std::map<std::string, std::vector<std::vector<double>>> values;
+  const toml::table* found = table(key);
+  if (!found) return values;
+  TableReader within(found, full(key), problems_, lines_);
+  for (const auto& [name, entry] : *found)
+    if (auto rows = within.pairs(name.str(), range)) values[std::string(name.str())] = *rows;
+  return values;
+}
+
 const toml::table* TableReader::table(std::string_view key) {
   const toml::node* found = node(key);
   if (!found) return nullptr;
@@ -222,6 +246,23 @@ const toml::table* TableReader::table(std::string_view key) {
         line(*found), full(key),
         fmt::format("is {}; expected a table that starts with [{}]", type_name(*found), full(key)));
   return found->as_table();
+}
+
+std::vector<const toml::table*> TableReader::tables(std::string_view key) {
+  std::vector<const toml::table*> result;
+  const toml::node* found = node(key);
+  if (!found) return result;
+  if (const toml::array* array = found->as_array())
+    for (const toml::node& entry : *array)
+      if (entry.is_table()) result.push_back(entry.as_table());
+  if (!found->is_array() || found->as_array()->empty() ||
+      result.size() != found->as_array()->size()) {
+    problems_.add(line(*found), full(key),
+                  fmt::format("is {}; expected tables that start with [[{}]] each",
+                              type_name(*found), full(key)));
+    result.clear();
+  }
+  return result;
 }
 
 void TableReader::require(bool present, std::string_view key, const std::string& example) {

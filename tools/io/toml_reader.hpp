@@ -53,9 +53,18 @@ class TableReader {
   std::optional<std::vector<std::vector<double>>> pairs(std::string_view key, const Range& range);
   /// A table of names and numbers; the names are free.
   std::map<std::string, double> numbers_by_name(std::string_view key, const Range& range);
+  /// A table of names and arrays of pairs; the names are free.
+  std::map<std::string, std::vector<std::vector<double>>> pairs_by_name(std::string_view key,
+                                                                        const Range& range);
+  /// A table of names and arrays of `count` numbers; the names are free.
+  std::map<std::string, std::vector<double>> numbers_of_names(std::string_view key,
+                                                              const Range& range,
+                                                              std::size_t count);
   /// A table within; null if absent or no table.
   const toml::table* table(std::string_view key);
   const toml::node* node(std::string_view key);
+  /// The tables of an array [[key]]; empty if absent.
+  std::vector<const toml::table*> tables(std::string_view key);
 
   /// Reports a key that must be there. @param example a line that would do
   void require(bool present, std::string_view key, const std::string& example);

@@ -39,6 +39,7 @@ class Measurer {
       : scene_(scene),
         model_(*scene.model),
         weight_(weight(scene)),
+        self_contact_(*scene.model),
         sums_(scene.joints.joint.size()) {
     for (int j = 0; j < scene.trajectory.foot_count(); ++j) {
       feet_.emplace_back(scene.trajectory, j, options.contacts_until);
@@ -49,6 +50,7 @@ class Measurer {
   void observe(const RolloutSample& sample) {
     watch_trunk(sample);
     watch_contacts(sample);
+    self_contact_.observe(sample.time, sample.data);
     watch_joints(sample);
   }
 
@@ -77,12 +79,13 @@ class Measurer {
   const Scene& scene_;
   const mjModel& model_;
   double weight_;
+  SelfContactWatch self_contact_;
   std::vector<Mark> marks_;
   double yaw_ = 0.0, tilt_max_ = 0.0, work_ = 0.0, penetration_ = 0.0;
   std::vector<FootWatch> feet_;
   std::vector<Touch> touch_;
   std::vector<JointSums> sums_;
-  long long samples_ = 0, settled_ = 0, saturated_ = 0, self_contact_ = 0;
+  long long samples_ = 0, settled_ = 0, saturated_ = 0;
 };
 
 void Measurer::watch_trunk(const RolloutSample& sample) {
@@ -100,15 +103,11 @@ void Measurer::watch_trunk(const RolloutSample& sample) {
 
 void Measurer::watch_contacts(const RolloutSample& sample) {
   std::fill(touch_.begin(), touch_.end(), Touch{});
-  bool self = false;
   for (int c = 0; c < sample.data.ncon; ++c) {
     const mjContact& contact = sample.data.contact[c];
     if (contact.geom[0] < 0 || contact.geom[1] < 0) continue;
     const bool first_is_world = model_.geom_bodyid[contact.geom[0]] == 0;
-    if (!first_is_world && model_.geom_bodyid[contact.geom[1]] != 0) {
-      self = true;
-      continue;
-    }
+    if (!first_is_world && model_.geom_bodyid[contact.geom[1]] != 0) continue;
     penetration_ = std::max(penetration_, -contact.dist);
     const int geom = contact.geom[first_is_world ? 1 : 0];
     const auto found = std::find(scene_.foot_geom.begin(), scene_.foot_geom.end(), geom);
@@ -123,7 +122,6 @@ void Measurer::watch_contacts(const RolloutSample& sample) {
     touch.normal += force[0];
     touch.slip_speed = std::max(touch.slip_speed, (speed - normal * normal.dot(speed)).norm());
   }
-  self_contact_ += self;
   for (std::size_t j = 0; j < feet_.size(); ++j) {
     feet_[j].observe(sample.time + scene_.t0, model_.opt.timestep,
                      touch_[j].normal > kContactShare * weight_, touch_[j].slip_speed);
@@ -222,8 +220,7 @@ void Measurer::finish(const Rollout& played, const WantedMotion& wanted,
   out.torque_rms = std::sqrt(torque / joints);
   out.tracking_rms = std::sqrt(error / joints);
   out.saturated_share = static_cast<double>(saturated_) / count;
-  out.self_contact_share =
-      static_cast<double>(self_contact_) / static_cast<double>(std::max(1LL, samples_));
+  out.self_contact = self_contact_.finish();
 }
 
 }  // namespace

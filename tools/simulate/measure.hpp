@@ -9,6 +9,7 @@
 
 #include "tools/simulate/foot_watch.hpp"
 #include "tools/simulate/rollout.hpp"
+#include "tools/simulate/self_contact.hpp"
 
 namespace legwright {
 
@@ -55,11 +56,11 @@ struct Measurements {
 
   std::vector<FootMeasures> feet;
   std::vector<JointMeasures> joints;
-  double saturated_share = 0.0;     // of the time after the first cycle with any servo at its limit
-  double torque_rms = 0.0;          // over all servos [N m]
-  double tracking_rms = 0.0;        // over all joints [rad]
-  double penetration_max = 0.0;     // of contacts with the ground [m]
-  double self_contact_share = 0.0;  // of the time in which the robot touches itself
+  double saturated_share = 0.0;  // of the time after the first cycle with any servo at its limit
+  double torque_rms = 0.0;       // over all servos [N m]
+  double tracking_rms = 0.0;     // over all joints [rad]
+  double penetration_max = 0.0;  // of contacts with the ground [m]
+  SelfContact self_contact;      // of the robot with itself
   std::optional<double> power_mean;         // positive mechanical power of the servos [W]
   std::optional<double> cost_of_transport;  // that over weight × speed
 };

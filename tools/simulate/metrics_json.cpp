@@ -71,7 +71,14 @@ Json measurements_json(const Measurements& m) {
   out["saturated_share"] = m.saturated_share;
   out["tracking_rms_rad"] = m.tracking_rms;
   out["penetration_max_m"] = m.penetration_max;
-  out["self_contact_share"] = m.self_contact_share;
+  out["self_contact_share"] = m.self_contact.share;
+  out["self_contact_count"] = m.self_contact.count;
+  out["self_contact_force_max_N"] = m.self_contact.force_max;
+  out["self_contact_force_max_time_s"] =
+      m.self_contact.count > 0 ? Json(m.self_contact.force_time) : Json(nullptr);
+  out["self_contact_bodies"] = Json::array();
+  if (m.self_contact.force_max > 0.0)
+    out["self_contact_bodies"] = {m.self_contact.first, m.self_contact.second};
   out["power_mean_W"] = number_or_null(m.power_mean);
   out["cost_of_transport"] = number_or_null(m.cost_of_transport);
   out["feet_summary"] = feet_summary(m.feet);

@@ -25,14 +25,18 @@ struct Finding {
   std::vector<std::string> warnings;
 };
 
-Finding find(const std::string& path) {
-  Finding found;
-  found.file = read_task_file(path);
-  found.robot = read_robot(found.file.robot);
-  found.task = make_task(found.file, found.robot);
-  found.stride = stride_bound(found.task, found.robot);
-  found.warnings = task_warnings(found.task, found.robot);
-  return found;
+/// One for each task of the file.
+std::vector<Finding> find(const std::string& path) {
+  const TaskSet set = read_task_set(path);
+  const RobotModel robot = read_robot(set.robot);
+  std::vector<Finding> all;
+  for (const TaskFile& file : set.tasks) {
+    Finding found{file, robot, make_task(file, robot), {}, {}};
+    found.stride = stride_bound(found.task, robot);
+    found.warnings = task_warnings(found.task, robot);
+    all.push_back(std::move(found));
+  }
+  return all;
 }
 
 std::vector<std::string> limb_of(const Morphology& morphology, const Foot& foot) {
@@ -82,7 +86,29 @@ std::string gait_text(const Finding& found) {
   for (std::size_t start = 0, end; (end = diagram.find('\n', start)) != std::string::npos;
        start = end + 1)
     text += "  " + diagram.substr(start, end - start) + "\n";
-  return text + "  # stance, . swing; one column per knot\n";
+  const SupportRange support = support_range(gait);
+  return text + fmt::format("  # stance, . swing; one column per knot; {} to {} feet stand\n",
+                            support.least, support.most);
+}
+
+/// Lists over the cycle; nothing where the task has none.
+std::string style_text(const Finding& found) {
+  const Task& task = found.task;
+  std::string text;
+  const auto add = [&](const std::string& what, std::size_t count) {
+    text +=
+        fmt::format("style   {}: {} value{} over the cycle, one every {:.4g} s{}\n", what, count,
+                    count == 1 ? "" : "s", task.gait.period() / static_cast<double>(count),
+                    static_cast<int>(count) == task.gait.knot_count()
+                        ? ", one per knot"
+                        : fmt::format(", read at the {} knots", task.gait.knot_count()));
+  };
+  if (!task.com_heights.empty()) add("com_height", task.com_heights.size());
+  if (!task.com_path.empty()) add("com_path, off the wanted path", task.com_path.size());
+  for (std::size_t j = 0; j < task.foot_targets.size(); ++j)
+    if (!task.foot_targets[j].empty())
+      add("foot_targets." + found.robot.morphology.feet[j].name, task.foot_targets[j].size());
+  return text;
 }
 
 std::string travel_text(const Finding& found) {
@@ -148,7 +174,9 @@ Json to_json(const Finding& found) {
             {"period_s", found.task.gait.period()},
             {"knots", found.task.gait.knot_count()},
             {"planted_margin_knots", found.task.planted_margin},
-            {"contact", contact}}},
+            {"contact", contact},
+            {"support_least", support_range(found.task.gait).least},
+            {"support_most", support_range(found.task.gait).most}}},
           {"travel",
            {{"velocity", {found.task.velocity.x(), found.task.velocity.y()}},
             {"turn_rate", found.task.turn_rate},
@@ -160,14 +188,27 @@ Json to_json(const Finding& found) {
 }
 
 int check(const CheckOptions& options) {
-  const Finding found = find(options.task);
+  const std::vector<Finding> all = find(options.task);
   if (options.json) {
-    fmt::print("{}", to_text(to_json(found)));
+    Json document = to_json(all.front());
+    if (all.size() > 1) {
+      document = {{"schema", "legwright/check"}, {"version", 1}, {"tasks", Json::object()}};
+      for (const Finding& found : all) {
+        document["tasks"][found.task.name] = to_json(found);
+        document["tasks"][found.task.name]["weight"] = found.file.weight;
+      }
+    }
+    fmt::print("{}", to_text(document));
     return kOk;
   }
-  fmt::print("{}{}{}{}{}", robot_text(found), design_text(found), gait_text(found),
-             travel_text(found), weights_text(found));
-  for (const std::string& warning : found.warnings) fmt::print("warning {}\n", warning);
+  fmt::print("{}{}", robot_text(all.front()), design_text(all.front()));
+  for (const Finding& found : all) {
+    if (all.size() > 1)
+      fmt::print("\ntask    {}, weight {} of F_joint\n", found.task.name, found.file.weight);
+    fmt::print("{}{}{}{}", gait_text(found), travel_text(found), style_text(found),
+               weights_text(found));
+    for (const std::string& warning : found.warnings) fmt::print("warning {}\n", warning);
+  }
   fmt::print("ok      next: legwright optimize {}\n", options.task);
   return kOk;
 }

@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
 #include <memory>
+#include <thread>
 
 #include "mjcf/input_error.hpp"
-#include "tools/io/design_folder.hpp"
-#include "tools/io/events.hpp"
 #include "tools/io/install.hpp"
-#include "tools/io/result_folder.hpp"
+#include "tools/io/io_error.hpp"
 #include "tools/io/run_json.hpp"
-#include "tools/io/task_file.hpp"
 #include "tools/verbs/feasibility.hpp"
-#include "tools/verbs/picture_queue.hpp"
-#include "tools/verbs/progress.hpp"
+#include "tools/verbs/joint_folders.hpp"
+#include "tools/verbs/recorder.hpp"
 #include "tools/verbs/stop_signals.hpp"
 #include "tools/verbs/summary.hpp"
 #include "tools/verbs/verbs.hpp"
@@ -27,70 +24,10 @@ namespace fs = std::filesystem;
 struct OptimizeOptions {
   std::string task, run;
   bool motion_only = false, no_pictures = false, quiet = false, json = false, force = false;
+  bool one_start = false, lbfgs = false;
   int max_iterations = CodesignOptions{}.max_iterations;
-};
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-/// Writes what codesign() finds into the run's folder, as it finds it.
-class Recorder {
- public:
-  Recorder(const ResultFolder& folder, const RobotModel& robot, const Objective& objective,
-           Progress& progress, bool pictures)
-      : folder_(folder),
-        robot_(robot),
-        objective_(objective),
-        progress_(progress),
-        events_(folder.events()),
-        pictures_(pictures) {}
-
-  void start(const Json& run) {
-    events_.append({{"event", "start"}, {"task", run["task"]["name"]}, {"robot", run["robot"]}});
-  }
-
-  /// @return false to stop
-  bool iteration(const DesignIteration& iteration) {
-    const auto start = std::chrono::steady_clock::now();
-    // Rename is enough here: a killed process loses nothing, and a flush to disk would take longer
-    // than the step.
-    const fs::path folder = folder_.iteration(iteration.index);
-    const PlanQuality quality =
-        write_design(folder, robot_, objective_, iteration, Durability::process);
-    events_.append(iteration_event(robot_.space, iteration, quality));
-    pictures_.add(folder);
-    progress_.iteration(iteration, quality);
-    seconds_ += seconds_since(start);
-    return StopSignals::received() == 0;
-  }
-
-  PlanQuality result(const DesignIteration& best) {
-    const auto start = std::chrono::steady_clock::now();
-    const PlanQuality quality = write_design(folder_.result(), robot_, objective_, best);
-    seconds_ += seconds_since(start);
-    return quality;
-  }
-
-  void end(const Json& run) {
-    events_.append({{"event", "end"},
-                    {"status", run["status"]},
-                    {"F", run["final_F"]},
-                    {"seconds", run["seconds"]["total"]}});
-    events_.sync();
-  }
-
-  double seconds() const { return seconds_; }
-  PictureQueue& pictures() { return pictures_; }
-
- private:
-  const ResultFolder& folder_;
-  const RobotModel& robot_;
-  const Objective& objective_;
-  Progress& progress_;
-  EventLog events_;
-  PictureQueue pictures_;
-  double seconds_ = 0.0;
+  int starts = 0, threads = 0, front = 0;
+  std::uint64_t seed = 1;
 };
 
 /// A model may be named anything, "../x" included; a folder may not.
@@ -100,16 +37,6 @@ std::string as_folder_name(std::string name) {
     if (!plain && c != '_' && c != '-') c = '_';
   }
   return name;
-}
-
-std::unique_ptr<Objective> make_objective(const TaskFile& file, const RobotModel& robot) {
-  const Task task = make_task(file, robot);
-  try {
-    return std::make_unique<Objective>(robot.morphology, robot.space, task);
-  } catch (const std::invalid_argument& error) {
-    throw InputError(file.file.string(), 0, "",
-                     std::string(error.what()) + "; robot and task do not fit");
-  }
 }
 
 std::string status_text(SolveStatus status, int signal) {
@@ -128,63 +55,124 @@ void draw_rest(PictureQueue& pictures, bool quiet) {
   if (!warning.empty()) fmt::print(stderr, "legwright: warning: {}\n", warning);
 }
 
-int exit_code(int signal, const std::vector<std::string>& reasons) {
+int exit_code(int signal, const Json& reasons) {
   if (signal == SIGINT) return kInterrupted;
   if (signal != 0) return kStoppedEarly;
   return reasons.empty() ? kOk : kInfeasible;
 }
 
+MultistartOptions settings_of(const OptimizeOptions& options, int task_count) {
+  MultistartOptions settings;
+  settings.codesign.max_iterations = options.max_iterations;
+  settings.codesign.motion_only = options.motion_only;
+  settings.codesign.method = options.lbfgs ? DesignMethod::lbfgs : DesignMethod::newton;
+  const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  settings.codesign.threads = std::min(task_count, options.threads > 0 ? options.threads : cores);
+  settings.from_single_tasks = !options.one_start && !options.motion_only;
+  settings.perturbations = options.starts;
+  settings.seed = options.seed;
+  return settings;
+}
+
+bool usable(const DesignIteration& iteration) {
+  if (iteration.tasks.empty() || !std::isfinite(iteration.value)) return false;
+  for (const TaskIterate& task : iteration.tasks)
+    if (task.m.size() == 0 || !task.m.allFinite()) return false;
+  return true;
+}
+
+/// What is on disk and known of each task when the solvers are done.
+std::vector<TaskOutcome> write_results(const ResultFolder& folder, const CodesignProblem& problem,
+                                       const MultistartResult& found, Recorder& recorder) {
+  const CodesignResult& winner = found.winner();
+  const CodesignResult& first = found.joint.front().result;
+  std::vector<TaskOutcome> outcomes;
+  for (int k = 0; k < problem.task_count(); ++k) {
+    TaskOutcome outcome;
+    outcome.task = k;
+    outcome.initial = &first.initial;
+    outcome.best = &winner.best;
+    outcome.motion_only_trace = first.motion_only_traces[k];
+    const bool good = usable(winner.best);
+    if (good) outcome.quality = recorder.result(result_folder(folder, problem, k), winner.best, k);
+    outcome.reasons = infeasible_reasons(good, outcome.quality, problem.speed_unit(k));
+    outcomes.push_back(std::move(outcome));
+  }
+  return outcomes;
+}
+
+void warn(const CodesignProblem& problem) {
+  for (const auto& objective : problem.objectives)
+    for (const std::string& warning : task_warnings(objective->task(), problem.robot))
+      fmt::print(stderr, "legwright: warning: {}{}\n",
+                 problem.set.joint() ? objective->task().name + ": " : "", warning);
+}
+
 int optimize(const OptimizeOptions& options) {
-  const TaskFile file = read_task_file(options.task);
-  const RobotModel robot = read_robot(file.robot);
-  const std::unique_ptr<Objective> objective = make_objective(file, robot);
-  if (!options.quiet)
-    for (const std::string& warning : task_warnings(objective->task(), robot))
-      fmt::print(stderr, "legwright: warning: {}\n", warning);
-
-  const fs::path root =
-      options.run.empty()
-          ? fs::path("runs") / (as_folder_name(robot.morphology.name) + "-" + file.name)
-          : fs::path(options.run);
+  const CodesignProblem problem = read_problem(options.task);
+  if (options.front > 0 && (problem.task_count() != 2 || options.one_start || options.motion_only))
+    throw InputError(problem.set.file.string(), 0, "",
+                     fmt::format("--front needs two [[task]] tables, each solved alone (no "
+                                 "--one-start, no --motion-only); the file has {}",
+                                 problem.task_count()));
+  if (!options.quiet) warn(problem);
+  const fs::path root = options.run.empty()
+                            ? fs::path("runs") / (as_folder_name(problem.robot.morphology.name) +
+                                                  "-" + problem.set.name)
+                            : fs::path(options.run);
   const ResultFolder folder = ResultFolder::create(root, options.force);
-  Json run = start_of_run(command_line(), file, robot, *objective);
+  const bool joint = problem.set.joint();
+  Json run = joint ? start_of_joint_run(command_line(), problem)
+                   : start_of_run(command_line(), problem, 0);
   write_json(folder.run_json(), run);
-  write_file(folder.inputs() / "task.toml", text_beside_robot(file));
-  write_file(folder.inputs() / "robot.xml", robot.xml);
+  write_file(folder.inputs() / "task.toml", text_beside_robot(problem.set.text));
+  write_file(folder.inputs() / "robot.xml", problem.robot.xml);
 
-  CodesignOptions settings;
-  settings.max_iterations = options.max_iterations;
-  settings.motion_only = options.motion_only;
-  const bool turning = objective->task().velocity.norm() == 0.0;
-  Progress progress(Progress::mode_for_stderr(options.quiet), settings, turning ? "rad/s" : "m/s");
-  Recorder recorder(folder, robot, *objective, progress, !options.no_pictures);
+  MultistartOptions settings = settings_of(options, problem.task_count());
+  std::vector<std::string> names, units;
+  int unknowns = 0;
+  for (int k = 0; k < problem.task_count(); ++k) {
+    names.push_back(problem.task(k).name);
+    units.push_back(problem.speed_unit(k));
+    unknowns += problem.objectives[k]->layout().motion_size();
+  }
+  Progress progress(Progress::mode_for_stderr(options.quiet), settings.codesign, names, units);
+  Recorder recorder(folder, problem, progress, !options.no_pictures);
   const StopSignals signals;
-  settings.on_iteration = [&](const DesignIteration& iteration) {
-    return recorder.iteration(iteration);
+  settings.on_iteration = [&](const RunLabel& label, const DesignIteration& iteration) {
+    return recorder.iteration(label, iteration);
   };
-
-  recorder.start(run);
+  recorder.start();
   progress.start(fmt::format(
       "{} design parameters, {} motion unknowns; first the motion of the initial design ...",
-      robot.space.size(), objective->layout().motion_size()));
-  const CodesignResult result = codesign(*objective, robot.space, settings);
+      problem.robot.space.size(), unknowns));
+  const ProblemCosts costs(problem);
+  const MultistartResult found = codesign_from_starts(costs.tasks(), problem.robot.space, settings);
   progress.finish();
   const int signal = StopSignals::received();
-  const bool usable =
-      result.best.m.size() > 0 && result.best.m.allFinite() && std::isfinite(result.best.value);
-  const PlanQuality quality = usable ? recorder.result(result.best) : PlanQuality{};
-  const std::vector<std::string> reasons =
-      infeasible_reasons(usable, quality, turning ? "rad/s" : "m/s");
-  finish_run(run, status_text(result.status, signal), result, quality, progress.history(),
-             recorder.seconds(), reasons, robot.space);
+  std::vector<TaskOutcome> outcomes = write_results(folder, problem, found, recorder);
+  RunEffort effort = effort_of(found);
+  effort.file_seconds = recorder.seconds();
+  const std::string status = status_text(found.winner().status, signal);
+  if (joint) {
+    finish_joint_run(run, status, found, outcomes, effort, problem);
+    write_task_runs(folder, problem, run, found, outcomes, recorder);
+  } else {
+    outcomes[0].history = recorder.history();
+    finish_run(run, status, outcomes[0], effort, problem.robot.space);
+  }
+  if (options.front > 0 && signal == 0 && joint)
+    run["front"] =
+        write_front(folder, problem, costs.tasks(), found, options.front, settings.codesign);
   recorder.end(run);
   write_json(folder.run_json(), run);
 
   if (options.json) fmt::print("{}", to_text(run));
-  if (!options.json && !options.quiet) fmt::print("{}", optimize_summary(run, root));
+  if (!options.json && !options.quiet)
+    fmt::print("{}", joint ? joint_summary(run, root) : optimize_summary(run, root));
   std::fflush(stdout);
   if (signal == 0) draw_rest(recorder.pictures(), options.quiet);
-  return exit_code(signal, reasons);
+  return exit_code(signal, run["reasons"]);
 }
 
 }  // namespace
@@ -200,6 +188,20 @@ void add_optimize(CLI::App& program, Action& action) {
   verb->add_option("--max-iterations", options->max_iterations, "design iterations at most")
       ->check(CLI::Range(0, 100000))
       ->capture_default_str();
+  verb->add_flag("--one-start", options->one_start,
+                 "several tasks: start from the initial design only, not from each task's optimum");
+  verb->add_option("--starts", options->starts, "further starts from perturbed initial designs")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
+  verb->add_option("--seed", options->seed, "of the perturbations")->capture_default_str();
+  verb->add_option("--front", options->front,
+                   "two tasks: walk the weights from one to the other over so many points")
+      ->check(CLI::Range(1, 99));
+  verb->add_option("--threads", options->threads,
+                   "tasks solved at the same time; results do not depend on it; default: all cores")
+      ->check(CLI::Range(1, 64));
+  verb->add_flag("--lbfgs", options->lbfgs,
+                 "step the design by L-BFGS, as the paper does, instead of Newton's method");
   verb->add_flag("--no-pictures", options->no_pictures, "no frame.png of the iterations");
   verb->add_flag("--force", options->force, "replace the run that the folder holds");
   verb->add_flag("--quiet", options->quiet, "say nothing but errors");

@@ -29,11 +29,13 @@ Progress::Mode Progress::mode_for_stderr(bool quiet) {
   return quiet ? Mode::quiet : ::isatty(STDERR_FILENO) ? Mode::live : Mode::lines;
 }
 
-Progress::Progress(Mode mode, const CodesignOptions& options, std::string unit)
+Progress::Progress(Mode mode, const CodesignOptions& options, std::vector<std::string> names,
+                   std::vector<std::string> units)
     : mode_(mode),
       tolerance_(options.value_tolerance),
       most_(options.max_iterations),
-      unit_(std::move(unit)) {}
+      names_(std::move(names)),
+      units_(std::move(units)) {}
 
 void Progress::start(const std::string& what) {
   if (mode_ == Mode::live) fmt::print(stderr, "\r\x1b[K{}", what);
@@ -41,21 +43,31 @@ void Progress::start(const std::string& what) {
   std::fflush(stderr);
 }
 
-void Progress::iteration(const DesignIteration& iteration, const PlanQuality& quality) {
+void Progress::iteration(const RunLabel& label, const DesignIteration& iteration,
+                         const std::vector<PlanQuality>& qualities) {
+  if (iteration.index == 0) history_.clear();  // another start
   history_.push_back(iteration.value);
   if (iteration.index > 0)  // iteration 0 solves from scratch and says nothing about the others
     seconds_per_iteration_ = seconds_per_iteration_ == 0.0
                                  ? iteration.seconds
                                  : 0.7 * seconds_per_iteration_ + 0.3 * iteration.seconds;
   if (mode_ == Mode::quiet) return;
+  std::string run;
+  if (names_.size() > 1)
+    run = label.tasks.size() == names_.size() ? fmt::format("from {}: ", label.start)
+                                              : fmt::format("{} alone: ", names_[label.tasks[0]]);
+  std::string speeds;
+  for (std::size_t k = 0; k < label.tasks.size(); ++k)
+    speeds += fmt::format(
+        "  {}{:.4f} of {:.4g} {}", names_.size() > 1 ? names_[label.tasks[k]] + " " : "speed ",
+        qualities[k].speed_reached, qualities[k].speed_wanted, units_[label.tasks[k]]);
   const double left =
       seconds_per_iteration_ * iterations_left(history_, tolerance_, most_ - iteration.index);
-  const std::string time =
-      iteration.index == 0 ? "" : fmt::format("  ~{:.0f} s left", std::ceil(left));
-  fmt::print(stderr, "{}iteration {:3}  F {:<10.5g} speed {:.4f} of {:.4g} {}{}{}",
-             mode_ == Mode::live ? "\r\x1b[K" : "", iteration.index, iteration.value,
-             quality.speed_reached, quality.speed_wanted, unit_, time,
-             mode_ == Mode::live ? "" : "\n");
+  const std::string time = iteration.index == 0 || names_.size() > 1
+                               ? ""
+                               : fmt::format("  ~{:.0f} s left", std::ceil(left));
+  fmt::print(stderr, "{}{}iteration {:3}  F {:<10.5g}{}{}{}", mode_ == Mode::live ? "\r\x1b[K" : "",
+             run, iteration.index, iteration.value, speeds, time, mode_ == Mode::live ? "" : "\n");
   std::fflush(stderr);
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "optimizer/solve/codesign.hpp"
+#include "optimizer/solve/multistart.hpp"
 #include "tools/io/design_folder.hpp"
 
 namespace legwright {
@@ -22,21 +22,22 @@ class Progress {
   /// Live where stderr is a terminal.
   static Mode mode_for_stderr(bool quiet);
 
-  Progress(Mode mode, const CodesignOptions& options, std::string unit);
+  /// @param names of the tasks @param units of their speeds
+  Progress(Mode mode, const CodesignOptions& options, std::vector<std::string> names,
+           std::vector<std::string> units);
   /// Before the first iteration, which takes longest.
   void start(const std::string& what);
-  void iteration(const DesignIteration& iteration, const PlanQuality& quality);
+  void iteration(const RunLabel& label, const DesignIteration& iteration,
+                 const std::vector<PlanQuality>& qualities);
   /// Ends the live line.
   void finish();
-
-  const std::vector<double>& history() const { return history_; }
 
  private:
   Mode mode_;
   double tolerance_;
   int most_;
-  std::string unit_;
-  std::vector<double> history_;
+  std::vector<std::string> names_, units_;
+  std::vector<double> history_;  // F of the run that is going on
   double seconds_per_iteration_ = 0.0;
 };
 

@@ -28,7 +28,8 @@ std::string parameter_lines(const Json& parameters) {
 
 std::string in_words(const std::string& status) {
   if (status == "stalled") return "settled (no step improves it any more)";
-  if (status == "iteration_limit") return "stopped at the iteration limit (usable; a larger --max-iterations goes on)";
+  if (status == "iteration_limit")
+    return "stopped at the iteration limit (usable; a larger --max-iterations goes on)";
   return status;
 }
 
@@ -43,6 +44,43 @@ std::string shell_word(const std::string& text) {
   std::string quoted = "'";
   for (char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return quoted + "'";
+}
+
+std::string joint_summary(const Json& run, const std::filesystem::path& root) {
+  std::string text = fmt::format("{} {}: {}; best from '{}'\n", run["robot"].get<std::string>(),
+                                 run["name"].get<std::string>(), in_words(run["status"]),
+                                 run["best_start"].get<std::string>());
+  std::size_t width = 8;
+  for (const Json& task : run["tasks"])
+    width = std::max(width, task["name"].get<std::string>().size());
+  text += fmt::format("  F_joint  {:.5g} with the initial body, {:.5g} now\n",
+                      run["motion_only_F"].get<double>(), run["final_F"].get<double>());
+  for (const Json& task : run["tasks"])
+    text += fmt::format("  {:{}} F {:.5g} -> {:.5g}, speed {:.4g} of {:.4g} planned\n",
+                        task["name"].get<std::string>(), width, task["F_initial"].get<double>(),
+                        task["F"].get<double>(), task["speed_reached"].get<double>(),
+                        task["speed_wanted"].get<double>());
+  text += "  starts   F_joint at the start, at the end\n";
+  for (const Json& start : run["starts"])
+    text += fmt::format(
+        "    from {:12} {:9.5g} -> {:9.5g}  {}, {} design and {} Newton iterations, {:.2f} s\n",
+        start["start"].get<std::string>(), start["F_start"].get<double>(), start["F"].get<double>(),
+        start["status"].get<std::string>(), start["design_iterations"].get<int>(),
+        start["newton_iterations"].get<int>(), start["seconds"].get<double>());
+  for (const Json& start : run["alone"])
+    text += fmt::format("    {} alone {:9.5g} -> {:9.5g}  {}, {:.2f} s\n",
+                        start["tasks"][0].get<std::string>(), start["F_start"].get<double>(),
+                        start["F"].get<double>(), start["status"].get<std::string>(),
+                        start["seconds"].get<double>());
+  text += fmt::format("  time     {:.2f} s solving, {:.2f} s files\n",
+                      run["seconds"]["total"].get<double>(), run["seconds"]["files"].get<double>());
+  text += "  body\n" + parameter_lines(run["parameters"]);
+  for (const Json& reason : run["reasons"])
+    text += "  INFEASIBLE: " + reason.get<std::string>() + "\n";
+  const std::string folder = shell_word(root.string());
+  text +=
+      fmt::format("  written  {0}\nnext: legwright validate {0}   then: render, report\n", folder);
+  return text;
 }
 
 std::string optimize_summary(const Json& run, const std::filesystem::path& root) {

@@ -28,6 +28,7 @@ void add_validate(CLI::App& program, Action& action);
 void add_render(CLI::App& program, Action& action);
 void add_report(CLI::App& program, Action& action);
 void add_play(CLI::App& program, Action& action);
+void add_gaits(CLI::App& program, Action& action);
 void add_doctor(CLI::App& program, Action& action);
 
 }  // namespace legwright

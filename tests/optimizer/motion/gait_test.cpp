@@ -3,10 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <limits>
 #include <numeric>
-#include <set>
 #include <stdexcept>
 
 namespace legwright {
@@ -30,78 +28,6 @@ int stance_knots(const Gait& gait, int foot) {
   return count;
 }
 
-std::pair<int, int> support_range(const Gait& gait) {
-  int least = gait.foot_count(), most = 0;
-  for (int knot = 0; knot < gait.knot_count(); ++knot) {
-    int support = 0;
-    for (int foot = 0; foot < gait.foot_count(); ++foot) support += gait.in_contact(knot, foot);
-    least = std::min(least, support);
-    most = std::max(most, support);
-  }
-  return {least, most};
-}
-
-TEST(GaitLibrary, HasTheNamedPatternsForTwoFourAndSixFeet) {
-  const auto names = [](int feet) {
-    std::set<std::string> result;
-    for (const GaitPattern& p : gait_library(feet)) result.insert(p.name);
-    return result;
-  };
-  EXPECT_EQ(names(2), (std::set<std::string>{"run", "walk"}));
-  EXPECT_EQ(names(4), (std::set<std::string>{"amble", "bound", "crawl", "pace", "trot", "walk"}));
-  EXPECT_EQ(names(6), (std::set<std::string>{"ripple", "tripod", "wave"}));
-  EXPECT_TRUE(gait_library(0).empty());
-  EXPECT_TRUE(gait_library(5).empty());
-}
-
-TEST(GaitLibrary, EveryPatternHoldsItsDutyOnAFineGrid) {
-  for (int feet : {2, 4, 6})
-    for (const GaitPattern& p : gait_library(feet)) {
-      ASSERT_EQ(static_cast<int>(p.touchdown.size()), feet) << p.name;
-      const Gait gait(p, 1.0, 240, identity(feet));
-      for (int foot = 0; foot < feet; ++foot)
-        EXPECT_EQ(stance_knots(gait, foot), std::lround(p.duty * 240))
-            << p.name << " foot " << foot;
-    }
-}
-
-TEST(GaitLibrary, SupportCountsAreThoseOfTheGait) {
-  using Range = std::pair<int, int>;
-  const auto range = [](int feet, const char* name, int knots) {
-    return support_range(Gait(pattern(feet, name), 1.0, knots, identity(feet)));
-  };
-  EXPECT_EQ(range(4, "walk", 24), Range(3, 3));
-  EXPECT_EQ(range(4, "crawl", 24), Range(3, 4));
-  EXPECT_EQ(range(4, "amble", 24), Range(2, 3));
-  EXPECT_EQ(range(4, "trot", 24), Range(2, 2));
-  EXPECT_EQ(range(4, "bound", 24), Range(2, 2));
-  EXPECT_EQ(range(4, "pace", 20), Range(2, 4));
-  EXPECT_EQ(range(6, "tripod", 24), Range(3, 3));
-  EXPECT_EQ(range(6, "ripple", 24), Range(4, 4));
-  EXPECT_EQ(range(6, "wave", 24), Range(5, 5));
-  EXPECT_EQ(range(2, "walk", 20), Range(1, 2));
-  EXPECT_EQ(range(2, "run", 20), Range(0, 1));
-}
-
-TEST(GaitLibrary, QuadrupedWalkStepsFrontLeftHindRightFrontRightHindLeft) {
-  const Gait gait(pattern(4, "walk"), 1.0, 24, identity(4));
-  std::vector<int> sequence;
-  for (int knot = 0; knot < 24; ++knot)
-    for (int foot = 0; foot < 4; ++foot)
-      if (gait.in_contact(knot, foot) && !gait.in_contact(knot - 1, foot)) sequence.push_back(foot);
-  EXPECT_EQ(sequence, (std::vector<int>{0, 3, 1, 2}));
-}
-
-TEST(GaitLibrary, TrotPairsDiagonalsAndPacePairsSides) {
-  const Gait trot(pattern(4, "trot"), 0.4, 24, identity(4));
-  const Gait pace(pattern(4, "pace"), 0.4, 20, identity(4));
-  for (int knot = 0; knot < 20; ++knot) {
-    EXPECT_EQ(trot.in_contact(knot, 0), trot.in_contact(knot, 3));
-    EXPECT_NE(trot.in_contact(knot, 0), trot.in_contact(knot, 1));
-    EXPECT_EQ(pace.in_contact(knot, 0), pace.in_contact(knot, 2));
-  }
-}
-
 TEST(Gait, FollowsTheContactFormulaWhateverTheRounding) {
   // 7/10 − 0.7 and friends must land on touchdown, not one knot after it.
   for (int knots : {8, 10, 20, 24, 30, 49})
@@ -112,6 +38,17 @@ TEST(Gait, FollowsTheContactFormulaWhateverTheRounding) {
       EXPECT_FALSE(gait.in_contact(touchdown - 1, 0)) << touchdown << "/" << knots;
       EXPECT_EQ(stance_knots(gait, 0), (knots + 1) / 2);
     }
+}
+
+TEST(Gait, HoldsADutyForEachFoot) {
+  const GaitPattern p{"own", {0.0, 0.5, 0.25}, 0.1, {0.25, 0.5, 1.0}};
+  const Gait gait(p, 1.0, 24, {2, 0, 1});  // first place: foot 2
+  EXPECT_EQ(stance_knots(gait, 2), 6);
+  EXPECT_EQ(stance_knots(gait, 0), 12);
+  EXPECT_EQ(stance_knots(gait, 1), 24);
+  EXPECT_TRUE(gait.in_contact(12, 0));
+  EXPECT_FALSE(gait.in_contact(11, 0));
+  EXPECT_EQ(support_range(gait), (SupportRange{1, 2}));
 }
 
 TEST(Gait, PlacesColumnsInTheRobotsFootOrder) {
@@ -147,6 +84,8 @@ TEST(Gait, RefusesWhatCannotBeAGait) {
   EXPECT_THROW(Gait(good, 1.0, 8, {0, 0}), std::invalid_argument);
   EXPECT_THROW(Gait({"p", {0.0, 1.0}, 0.5}, 1.0, 8, {0, 1}), std::invalid_argument);
   EXPECT_THROW(Gait({"p", {0.0, 0.5}, 0.0}, 1.0, 8, {0, 1}), std::invalid_argument);
+  EXPECT_THROW(Gait({"p", {0.0, 0.5}, 0.5, {0.5, 1.1}}, 1.0, 8, {0, 1}), std::invalid_argument);
+  EXPECT_THROW(Gait({"p", {0.0, 0.5}, 0.5, {0.5}}, 1.0, 8, {0, 1}), std::invalid_argument);
   // 0.05 of eight knots is less than one, and no knot falls on 0.06 … 0.11.
   EXPECT_THROW(Gait({"p", {0.0, 0.06}, 0.05}, 1.0, 8, {0, 1}), std::invalid_argument);
 }

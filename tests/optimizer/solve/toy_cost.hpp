@@ -61,8 +61,8 @@ class MotionFunction final : public CostFunction {
 /// and has no closed form, so that nothing can be right by accident.
 class CoupledCost final : public CostFunction {
  public:
-  CoupledCost(int motion_size, int design_size) {
-    std::mt19937 random(7);
+  CoupledCost(int motion_size, int design_size, unsigned seed = 7) {
+    std::mt19937 random(seed);
     const auto fill = [&](int rows, int columns) {
       MatrixXd x(rows, columns);
       for (int j = 0; j < columns; ++j)

@@ -2,6 +2,8 @@
 // What each term means: zero where its promise is kept, growing where it is broken, in the unit it claims.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <cmath>
 #include <map>
 #include <memory>
 
@@ -131,6 +133,58 @@ TEST_F(TermMeaning, StyleTermsNoticeOffsets) {
   at(layout().pose(4) + 7) += 0.1;
   EXPECT_NEAR(value("nominal_pose"), 0.005, 1e-12);
   EXPECT_GT(value("smoothness"), 0.0);
+}
+
+/// One term of a task at weight one.
+double value_of(const std::string& name, const Objective& objective, const VectorXd& s,
+                const VectorXd& m) {
+  for (const TermValue& term : objective.terms(s, m))
+    if (term.name == name) return term.value;
+  return -1.0;
+}
+
+TEST_F(TermMeaning, StyleListsAreMetByTheMotionThatTheyDescribe) {
+  // A walk on a curve whose task says over the cycle where COM and a foot shall be: the motion put there by hand
+  // has no residual, and each list by itself does.
+  Task curve = task();
+  curve.velocity = {0.08, 0.02};
+  curve.turn_rate = 0.5;
+  curve.com_heights = {0.17, 0.18, 0.19};
+  curve.com_path = {{0.0, 0.01}, {0.005, -0.01}};
+  curve.foot_targets = {{}, {{0.1, 0.1}, {0.05, 0.12}, {0.0, 0.1}, {0.05, 0.08}}};
+  const Objective objective(puppy_.morphology, puppy_.space, curve);
+  const Layout& slots = objective.layout();
+  VectorXd m = initial_guess(objective, s_);
+  for (int i = 0; i <= slots.knot_count(); ++i) {
+    const double time = i * curve.gait.time_step(), cycle = static_cast<double>(i % 12) / 12;
+    const Vector3d base = objective.path().position(time);
+    const Eigen::Rotation2Dd heading(0.5 * time);
+    const double wave = 2 * std::abs(cycle - 0.5);  // one at the start, zero half a cycle later
+    VectorXd com(3);
+    com << base.head<2>() + heading * Eigen::Vector2d(0.005 * (1 - wave), 0.02 * wave - 0.01),
+        cycle < 2.0 / 3 ? 0.17 + 0.03 * cycle : 0.19 - 0.06 * (cycle - 2.0 / 3);
+    m.segment(slots.com(i) - slots.design_size(), 3) = com;
+    for (int j = 0; j < 4; ++j) {
+      Eigen::Vector2d place = (*curve.footprint)[j];
+      if (j == 1)
+        place = {0.1 * wave, 0.1 + (cycle < 0.5 ? 1 : -1) * 0.02 *
+                                       (1 - std::abs(4 * std::fmod(cycle, 0.5) - 1))};
+      m.segment<2>(slots.foot(i, j) - slots.design_size()) = base.head<2>() + heading * place;
+    }
+  }
+  EXPECT_LT(value_of("style_com", objective, s_, m), 1e-20);
+  EXPECT_LT(value_of("style_foot", objective, s_, m), 1e-20);
+  const auto without = [&](auto change) {
+    Task other = curve;
+    change(other);
+    return Objective(puppy_.morphology, puppy_.space, other);
+  };
+  const Objective flat = without([](Task& t) { t.com_heights.clear(); });
+  const Objective straight = without([](Task& t) { t.com_path.clear(); });
+  const Objective print = without([](Task& t) { t.foot_targets.clear(); });
+  EXPECT_GT(value_of("style_com", flat, s_, m), 1e-5);
+  EXPECT_GT(value_of("style_com", straight, s_, m), 1e-5);
+  EXPECT_GT(value_of("style_foot", print, s_, m), 1e-5);
 }
 
 TEST_F(TermMeaning, GroundAndPeriodicityNoticeOffsets) {

@@ -88,6 +88,54 @@ TEST(MakeTask, DutyOverridesTheLibrary) {
   EXPECT_EQ(task.planted_margin, 1);
 }
 
+int stance_knots(const Gait& gait, int foot) {
+  int stance = 0;
+  for (int knot = 0; knot < gait.knot_count(); ++knot) stance += gait.in_contact(knot, foot);
+  return stance;
+}
+
+TEST(MakeTask, TakesADutyForEachFootByPlaceAndByName) {
+  const std::vector<std::string> names = foot_names(puppy().morphology);
+  const std::vector<int> order =
+      footfall_order(home_feet(puppy().morphology, puppy().space.initial()));
+  const std::string own =
+      "name = \"my_trot\"\nperiod = 0.4\ntouchdown = [0.0, 0.5, 0.5, 0.0]\nduty = ";
+  const Task by_place = task_from(own + "[0.5, 0.625, 0.75, 0.5]");
+  const int expected[] = {12, 15, 18, 12};
+  std::string table;
+  for (std::size_t place = 0; place < 4; ++place) {
+    EXPECT_EQ(stance_knots(by_place.gait, order[place]), expected[place]);
+    table += (place ? ", " : "") + names[order[place]] + " = " +
+             std::to_string(expected[place] / 24.0 - 1e-3);
+  }
+  const Task by_name = task_from(own + "{" + table + "}");
+  for (int foot = 0; foot < 4; ++foot)
+    EXPECT_EQ(stance_knots(by_name.gait, foot), stance_knots(by_place.gait, foot));
+  EXPECT_EQ(by_place.gait.name(), "my_trot");
+  EXPECT_EQ(task_from("name = \"trot\"\nperiod = 0.4\nduty = [0.5, 0.5, 0.75, 0.75]").gait.name(),
+            "trot");
+}
+
+TEST(MakeTask, ReadsStyleOverTheCycle) {
+  const Task task = task_from("name = \"walk\"\nperiod = 1.0",
+                              "[style]\ncom_height = [0.17, 0.18]\n"
+                              "com_path = [[0.0, 0.01], [0, -0.01], [0.005, 0.0]]\n"
+                              "footprint = [0.12, 0.09]\n"
+                              "foot_targets.HR = [[-0.1, -0.09], [-0.14, -0.09]]\n");
+  EXPECT_FALSE(task.com_height);
+  EXPECT_EQ(task.com_heights, (std::vector<double>{0.17, 0.18}));
+  ASSERT_EQ(task.com_path.size(), 3u);
+  EXPECT_EQ(task.com_path[2], Eigen::Vector2d(0.005, 0.0));
+  const std::vector<std::string> names = foot_names(puppy().morphology);
+  ASSERT_EQ(task.foot_targets.size(), names.size());
+  for (std::size_t j = 0; j < names.size(); ++j)
+    EXPECT_EQ(task.foot_targets[j].size(), names[j] == "HR" ? 2u : 0u);
+  EXPECT_TRUE(task.footprint);
+  const Task plain = task_from("name = \"walk\"\nperiod = 1.0", "[style]\ncom_height = 0.17\n");
+  EXPECT_EQ(plain.com_height, 0.17);
+  EXPECT_TRUE(plain.com_heights.empty() && plain.com_path.empty() && plain.foot_targets.empty());
+}
+
 std::string refusal(const std::string& gait, const std::string& rest = "") {
   try {
     task_from(gait, rest);
@@ -119,6 +167,36 @@ TEST(MakeTask, TellsTheHeightThatItAccepts) {
   };
   EXPECT_EQ(refusal(walk, height(0.99 * most)), "");
   EXPECT_NE(refusal(walk, height(1.01 * most)), "");
+}
+
+TEST(MakeTask, ChecksTheHighestOfAListOfHeights) {
+  const std::string walk = "name = \"walk\"\nperiod = 1.0";
+  EXPECT_EQ(refusal(walk, "[style]\ncom_height = [0.17, 0.18]\n"), "");
+  EXPECT_NE(refusal(walk, "[style]\ncom_height = [0.17, 3.0, 0.17]\n").find("style.com_height"),
+            std::string::npos);
+}
+
+TEST(MakeTask, RefusalsOfAPatternTeach) {
+  const std::string period = "\nperiod = 0.4\n";
+  const std::string touchdown = "touchdown = [0.0, 0.5, 0.5, 0.0]\n";
+  const std::vector<std::pair<std::string, std::vector<const char*>>> cases{
+      {"name = \"walk\"" + period + touchdown + "duty = 0.5",
+       {"test.toml:3: gait.name", "is a gait of the library", "\"my_walk\""}},
+      {"name = \"mine\"" + period + touchdown + "duty = [0.5, 0.5]",
+       {"test.toml:6: gait.duty", "has 2 entries", "4 feet", "front to hind"}},
+      {"name = \"mine\"" + period + touchdown + "duty = {FL = 0.5, FR = 0.5, HL = 0.5}",
+       {"gait.duty", "no entry for the foot 'HR'"}},
+      {"name = \"mine\"" + period + touchdown + "duty = {FL = 0.5, FR = 0.5, HL = 0.5, HRR = 0.5}",
+       {"gait.duty.HRR", "did you mean 'HR'?"}},
+      {"name = \"mine\"" + period + touchdown + "duty = [0.5, 0.5, 0.5, 0.01]",
+       {"gait.duty", "the foot 'HR' no stance"}},
+      {"name = \"gallop\"" + period, {"gait.name", "not in the library", "transverse_gallop"}},
+  };
+  for (const auto& [gait, parts] : cases)
+    for (const char* part : parts)
+      EXPECT_NE(refusal(gait).find(part), std::string::npos) << part << " in: " << refusal(gait);
+  // Under the library's own touchdowns its name is right.
+  EXPECT_EQ(refusal("name = \"trot\"" + period + touchdown + "duty = 0.625"), "");
 }
 
 TEST(MakeTask, KeepsWeightsByTermName) {

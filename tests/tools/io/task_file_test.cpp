@@ -97,11 +97,7 @@ TEST(TaskFile, TakesWholeNumbersWhereNumbersAreAsked) {
 }
 
 TEST(TaskFile, BesideItsRobotNamesItAndNothingElseChanges) {
-  TaskFile file;
-  const auto copy = [&](const std::string& text) {
-    file.text = text;
-    return text_beside_robot(file);
-  };
+  const auto copy = [](const std::string& text) { return text_beside_robot(text); };
   const std::string rest = " # the dog: \"../robots/dog.xml\"\r\n[gait]\nrobot = \"x\"\n";
   for (const char* name : {"\"../robots/dog.xml\"", "'../röbots/dög.xml'", "\"\"\"dog.xml\"\"\"",
                            "\"\"\"\ndog.xml\"\"\"", "\"do\\u0067.xml\""})
@@ -173,6 +169,75 @@ INSTANTIATE_TEST_SUITE_P(Files, BrokenTask, ::testing::ValuesIn(broken_files()),
                          [](const auto& test) {
                            return test.param.substr(0, test.param.find('.'));
                          });
+
+const char* const kTwoTasks = R"(robot = "robot.xml"
+name = "both"
+[limits]
+friction = 0.5
+planted_margin = 0.03
+[[task]]
+name = "pace"
+weight = 0.25
+[task.gait]
+name = "pace"
+period = 0.4
+[task.travel]
+velocity = [0.1, 0]
+[[task]]
+name = "sideways"
+[task.gait]
+name = "walk"
+period = 1
+[task.travel]
+velocity = [0, 0.08]
+[task.limits]
+friction = 0.3
+)";
+
+TEST(TaskSet, HoldsSeveralTasksAndWhatTheyShare) {
+  const TaskSet set = parse_task_set(kTwoTasks, kPuppy / "x.toml");
+  ASSERT_TRUE(set.joint());
+  EXPECT_EQ(set.name, "both");
+  const TaskFile &pace = set.tasks[0], &sideways = set.tasks[1];
+  EXPECT_EQ(pace.name, "pace");
+  EXPECT_EQ(pace.weight, 0.25);
+  EXPECT_EQ(sideways.weight, 0.5) << "one over the number of tasks";
+  EXPECT_EQ(pace.margins.friction, 0.5);
+  EXPECT_EQ(sideways.margins.friction, 0.3);
+  EXPECT_EQ(*sideways.planted_margin, 0.03) << "not said otherwise";
+  EXPECT_EQ(sideways.line("gait.period"), 18);
+}
+
+TEST(TaskSet, OneTaskIsASetOfOne) {
+  const TaskSet set = read_task_set(kPuppy / "sideways.toml");
+  EXPECT_FALSE(set.joint());
+  EXPECT_EQ(set.tasks[0].name, "sideways");
+  EXPECT_EQ(set.tasks[0].weight, 1.0);
+}
+
+TEST(TaskSet, ErrorsNameTheirLine) {
+  const auto message = [](std::string text, const std::string& what, const std::string& instead) {
+    text.replace(text.find(what), what.size(), instead);
+    try {
+      (void)parse_task_set(text, kPuppy / "x.toml");
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  const auto has = [](const std::string& text, const char* part) {
+    return text.find(part) != std::string::npos;
+  };
+  const std::string twin = message(kTwoTasks, "name = \"sideways\"", "name = \"pace\"");
+  EXPECT_TRUE(has(twin, ":15:") && has(twin, "another task")) << twin;
+  const std::string nameless = message(kTwoTasks, "name = \"sideways\"", "");
+  EXPECT_TRUE(has(nameless, "name") && has(nameless, "missing")) << nameless;
+  const std::string weight = message(kTwoTasks, "weight = 0.25", "weight = 0");
+  EXPECT_TRUE(has(weight, ":8:") && has(weight, "weight")) << weight;
+  const std::string outside = message(kTwoTasks, "[limits]", "[gait]\nname = \"walk\"\n[limits]");
+  EXPECT_TRUE(has(outside, "gait") && has(outside, "unknown key")) << outside;
+  EXPECT_THROW((void)parse_task_file(kTwoTasks, kPuppy / "x.toml"), InputError);
+}
 
 }  // namespace
 }  // namespace legwright

@@ -181,7 +181,7 @@ TEST_F(PlayedPuppy, StandsWhereItWasPut) {
   ASSERT_FALSE(run.fall) << run.fall->cause;
   EXPECT_TRUE(judge({run}, {}, "stand").pass) << judge({run}, {}, "stand").line;
   EXPECT_LT(run.tilt_max, 0.01);
-  EXPECT_EQ(run.self_contact_share, 0.0);
+  EXPECT_EQ(run.self_contact.share, 0.0);
 }
 
 TEST_F(PlayedPuppy, FeedForwardTakesTheSagOutOfTheLegs) {

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <string_view>
+#include <vector>
+
+#include "optimizer/objective/objective.hpp"
+#include "optimizer/solve/cost_function.hpp"
+#include "optimizer/solve/newton.hpp"
+#include "optimizer/solve/status.hpp"
+
+namespace legwright {
+
+/// One task's share of F_joint(s, m₁ … m_k) = Σ wᵢ Fᵢ(s, mᵢ).
+struct WeightedCost {
+  CostFunction* cost = nullptr;    // Fᵢ; must live longer
+  double weight = 1.0;             // wᵢ > 0
+  Eigen::VectorXd initial_motion;  // for the design that the run starts from
+  /// Outer objective Jᵢ ≠ Fᵢ, or null: the motion still minimises Fᵢ, the design minimises
+  /// Σ wᵢ (Fᵢ + Jᵢ). Must live longer.
+  CostFunction* outer = nullptr;
+};
+
+/// What is known of one task at an accepted design.
+struct TaskIterate {
+  Eigen::VectorXd m;                // m*(s)
+  double value = 0.0;               // F(s, m), unweighted by the task's weight
+  double outer_value = 0.0;         // J(s, m); 0 without an outer objective
+  std::vector<TermValue> terms;     // of F, in registry order; they sum to `value`
+  Eigen::VectorXd design_gradient;  // d(F + J)/ds by the adjoint, eq (8)
+  bool exact_gradient = true;  // false: H was not positive definite, the gradient is ∂F/∂s alone
+  double adjoint_residual = 0.0;  // of eq (7); 0 without an exact gradient
+  double stationarity = 0.0;      // max |G·unit|
+  int newton_iterations = 0;      // spent on this iterate, rejected trials included
+  SolveStatus motion_status = SolveStatus::iteration_limit;
+};
+
+/// Limits of the motion solves of a co-design run.
+struct MotionLimits {
+  double motion_tolerance = 1e-4;  // scaled stationarity inside the design loop
+  double final_tolerance = 1e-6;   // scaled stationarity of iteration 0 and of the result
+  int motion_iterations = 200;     // Newton limit of one motion solve
+  int trial_iterations = 40;       // the same for a trial of the line search
+  // A motion solve is left, as `iteration_limit`, when F falls by less than this share over so many
+  // iterations: a robot that cannot do the task has no good motion to converge to.
+  int stagnation_window = 10;
+  double stagnation_decrease = 1e-5;
+  NewtonOptions newton = {};  // rules of the motion solve; tolerance and limits are those above
+};
+
+/// Counts and wall seconds of one task's solves.
+struct TaskEffort {
+  int newton_iterations = 0, factorisations = 0, evaluations = 0;
+  double motion_seconds = 0.0, adjoint_seconds = 0.0, predictor_seconds = 0.0;
+  std::vector<double> solve_seconds;  // of each motion solve, in order
+};
+
+/// m*(s) of one task along a path of designs: solves, predicts, differentiates. Tasks share nothing
+/// but s, so each solver may run on a thread of its own.
+class TaskSolver {
+ public:
+  /// Keeps references to the costs.
+  TaskSolver(const WeightedCost& task, const MotionLimits& limits);
+
+  /// Iteration 0: motion-only optimisation at s. False where F is not finite.
+  bool start(const Eigen::VectorXd& s);
+  /// Solves for the motion of another design, from the predicted one; now() stays as it is.
+  /// @param ceiling F above it is of no use: the solve may be left early. @return F + J there;
+  /// infinite where there is no finite motion.
+  double try_design(const Eigen::VectorXd& s, double ceiling);
+  /// Makes the last trial the iterate; undo() takes that back.
+  void accept();
+  void undo() { accept(); }  // the two points change places
+  /// Starts counting the Newton iterations of the next iterate.
+  void begin_iteration() { now_.newton_iterations = 0; }
+  /// d(F + J)/ds at the iterate, eqs (7), (8). Without a minimum in m there is no adjoint: then the
+  /// gradient at fixed m, ∂F/∂s, still leads down. False where a derivative is not finite.
+  bool differentiate();
+  /// d²F/ds² along m*(s): F_ss − F_msᵀ H⁻¹ F_ms, exact where G = 0. False without an exact factor.
+  bool reduced_hessian(Eigen::MatrixXd& hessian);
+  /// Solves the iterate's motion to the final tolerance.
+  void polish();
+
+  const TaskIterate& now() const { return now_; }
+  double weight() const { return task_.weight; }
+  bool has_outer() const { return task_.outer != nullptr; }
+  const TaskEffort& effort() const { return effort_; }
+  /// F by Newton step of iteration 0.
+  const std::vector<double>& motion_only_trace() const { return motion_only_trace_; }
+
+ private:
+  SolveReport solve(const Eigen::VectorXd& s, Eigen::VectorXd& m, const NewtonOptions& options);
+  NewtonOptions options(double tolerance, int limit) const;
+  Eigen::VectorXd predicted_motion(const Eigen::VectorXd& s);
+  void restore_shifted_factor();
+  double outer_value(const Eigen::VectorXd& s, const Eigen::VectorXd& m);
+
+  /// A design with its motion, and what Newton's method left behind there.
+  struct Point {
+    Eigen::VectorXd s, m;
+    double value = 0.0, outer_value = 0.0;
+    SolveStatus status = SolveStatus::iteration_limit;
+    bool factor_exact = false;
+    double shift = 0.0;
+  };
+  void take(const SolveReport& report, Point& point) const;
+  void show_here();
+
+  WeightedCost task_;
+  const MotionLimits& limits_;
+  NewtonWorkspace workspace_;  // its factor belongs to trial_
+  HessianFactor factor_;       // of ∂G/∂m at here_
+  Point here_, trial_;
+  Evaluation at_, outer_at_, probe_;  // at_: everything at here_, Order::design
+  TaskIterate now_;
+  TaskEffort effort_;
+  std::vector<double> motion_only_trace_;
+};
+
+}  // namespace legwright

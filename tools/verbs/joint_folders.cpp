@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/verbs/joint_folders.hpp"
+
+#include <fmt/format.h>
+
+#include "mjcf/rewrite_robot.hpp"
+#include "tools/io/atomic_file.hpp"
+#include "tools/io/events.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The iterations of a task run, in order: of the initial body, then of the winning start.
+class Chain {
+ public:
+  Chain(const ResultFolder& folder, const CodesignProblem& problem, Recorder& recorder, int task)
+      : root_(folder.root()),
+        problem_(problem),
+        recorder_(recorder),
+        task_(task),
+        run_(root_ / "tasks" / problem.task(task).name) {
+    fs::create_directories(run_ / "iterations");
+  }
+
+  const fs::path& run() const { return run_; }
+  const std::vector<Json>& events() const { return events_; }
+
+  void add(const RunLabel& label, std::size_t first, std::size_t last) {
+    const std::string start = start_folder(problem_, label);
+    const std::vector<Json>& events = recorder_.events_of(start, task_);
+    for (std::size_t k = first; k < std::min(last, events.size()); ++k) {
+      const fs::path from = root_ / "starts" / start / problem_.task(task_).name / "iterations" /
+                            fmt::format("{:04}", k);
+      const fs::path to = run_ / "iterations" / fmt::format("{:04}", events_.size());
+      fs::copy(from, to, fs::copy_options::recursive);
+      recorder_.pictures().add(to);
+      events_.push_back(events[k]);
+      events_.back()["index"] = events_.size() - 1;
+    }
+  }
+
+ private:
+  fs::path root_;
+  const CodesignProblem& problem_;
+  Recorder& recorder_;
+  int task_;
+  fs::path run_;
+  std::vector<Json> events_;
+};
+
+void write_events(const fs::path& file, const Json& run, const std::vector<Json>& events) {
+  EventLog log(file);
+  log.append({{"event", "start"}, {"task", run["task"]["name"]}, {"robot", run["robot"]}});
+  for (const Json& event : events) log.append(event);
+  log.append({{"event", "end"},
+              {"status", run["status"]},
+              {"F", run["final_F"]},
+              {"seconds", run["seconds"]["total"]}});
+  log.sync();
+}
+
+void write_task_run(const ResultFolder& folder, const CodesignProblem& problem, const Json& joint,
+                    const MultistartResult& found, TaskOutcome& outcome, Recorder& recorder) {
+  Chain chain(folder, problem, recorder, outcome.task);
+  const StartedRun& first = found.joint.front();
+  const StartedRun& winner = found.joint[found.best];
+  chain.add(first.label, 0, 1);
+  chain.add(winner.label, &winner == &first ? 1 : 0, std::string::npos);
+  for (const Json& event : chain.events()) outcome.history.push_back(event["F"]);
+
+  fs::create_directories(chain.run() / "inputs");
+  for (const char* input : {"task.toml", "robot.xml"})
+    fs::copy_file(folder.inputs() / input, chain.run() / "inputs" / input);
+  Json run = start_of_run(joint["argv"], problem, outcome.task);
+  run["joint_run"] = "../..";
+  finish_run(run, joint["status"], outcome, effort_of(winner.result), problem.robot.space);
+  write_events(chain.run() / "events.jsonl", run, chain.events());
+  write_json(chain.run() / "run.json", run);
+}
+
+}  // namespace
+
+fs::path result_folder(const ResultFolder& folder, const CodesignProblem& problem, int task) {
+  if (!problem.set.joint()) return folder.result();
+  const fs::path run = folder.root() / "tasks" / problem.task(task).name;
+  fs::create_directories(run);
+  return run / "result";
+}
+
+void write_task_runs(const ResultFolder& folder, const CodesignProblem& problem, const Json& run,
+                     const MultistartResult& found, std::vector<TaskOutcome>& outcomes,
+                     Recorder& recorder) {
+  for (TaskOutcome& outcome : outcomes)
+    write_task_run(folder, problem, run, found, outcome, recorder);
+  fs::create_directories(folder.result());
+  write_file(folder.result() / "robot.xml", rewrite_robot(problem.robot, found.winner().best.s));
+}
+
+Json write_front(const ResultFolder& folder, const CodesignProblem& problem,
+                 const std::vector<JointTask>& tasks, const MultistartResult& found, int points,
+                 const CodesignOptions& options) {
+  Json rows = Json::array();
+  for (const FrontPoint& point :
+       trade_off_front(tasks, problem.robot.space, found.alone, points, options)) {
+    Json values = Json::object();
+    for (int k = 0; k < problem.task_count(); ++k)
+      values[problem.task(k).name] = point.best.tasks.at(k).value;
+    rows.push_back({{"weight", point.weight},
+                    {"F", point.best.value},
+                    {"F_tasks", values},
+                    {"status", to_string(point.status)},
+                    {"s", by_name(problem.robot.space, point.best.s)}});
+  }
+  write_json(folder.result() / "front.json", {{"schema", "legwright/front"},
+                                              {"version", 1},
+                                              {"weight_of", problem.task(0).name},
+                                              {"points", rows}});
+  return rows;
+}
+
+}  // namespace legwright

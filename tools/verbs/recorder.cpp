@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/verbs/recorder.hpp"
+
+#include <fmt/format.h>
+
+#include "optimizer/solve/stopwatch.hpp"
+#include "tools/io/run_json.hpp"
+#include "tools/verbs/stop_signals.hpp"
+
+namespace legwright {
+
+namespace fs = std::filesystem;
+
+std::string start_folder(const CodesignProblem& problem, const RunLabel& label) {
+  const bool alone = static_cast<int>(label.tasks.size()) < problem.task_count();
+  return alone ? problem.task(label.tasks.front()).name + "-alone" : "from-" + label.start;
+}
+
+Recorder::Recorder(const ResultFolder& folder, const CodesignProblem& problem, Progress& progress,
+                   bool pictures)
+    : folder_(folder),
+      problem_(problem),
+      progress_(progress),
+      events_(folder.events()),
+      pictures_(pictures) {}
+
+void Recorder::start() {
+  Json tasks = Json::array();
+  for (const TaskFile& task : problem_.set.tasks) tasks.push_back(task.name);
+  events_.append({{"event", "start"}, {"tasks", tasks}, {"robot", problem_.robot.morphology.name}});
+}
+
+fs::path Recorder::design_folder(const RunLabel& label, int k, int index) {
+  if (!problem_.set.joint()) return folder_.iteration(count_);
+  const fs::path folder = folder_.root() / "starts" / start_folder(problem_, label) /
+                          problem_.task(k).name / "iterations";
+  fs::create_directories(folder);
+  return folder / fmt::format("{:04}", index);
+}
+
+bool Recorder::iteration(const RunLabel& label, const DesignIteration& iteration) {
+  const Stopwatch watch;
+  std::vector<PlanQuality> qualities;
+  for (std::size_t k = 0; k < label.tasks.size(); ++k) {
+    const int task = label.tasks[k];
+    // Rename is enough here: a killed process loses nothing, and a flush to disk would take longer
+    // than the step.
+    const fs::path folder = design_folder(label, task, iteration.index);
+    qualities.push_back(write_design(folder, problem_.robot, *problem_.objectives[task], iteration,
+                                     static_cast<int>(k), Durability::process));
+    Json event =
+        iteration_event(problem_.robot.space, iteration, static_cast<int>(k), qualities.back());
+    if (!problem_.set.joint()) {
+      event["index"] = count_;
+      event["start"] = label.start;
+      events_.append(event);
+    }
+    task_events_[{start_folder(problem_, label), task}].push_back(std::move(event));
+    if (!problem_.set.joint()) pictures_.add(folder);  // else those of the start that wins
+  }
+  if (problem_.set.joint())
+    events_.append(joint_iteration_event(problem_, label, iteration, qualities));
+  history_.push_back(iteration.value);
+  progress_.iteration(label, iteration, qualities);
+  ++count_;
+  seconds_ += watch.seconds();
+  return StopSignals::received() == 0;
+}
+
+PlanQuality Recorder::result(const fs::path& folder, const DesignIteration& best, int k) {
+  const Stopwatch watch;
+  const PlanQuality quality =
+      write_design(folder, problem_.robot, *problem_.objectives[k], best, k);
+  seconds_ += watch.seconds();
+  return quality;
+}
+
+void Recorder::end(const Json& run) {
+  events_.append({{"event", "end"},
+                  {"status", run["status"]},
+                  {"F", run["final_F"]},
+                  {"seconds", run["seconds"]["total"]}});
+  events_.sync();
+}
+
+const std::vector<Json>& Recorder::events_of(const std::string& start, int task) const {
+  static const std::vector<Json> none;
+  const auto found = task_events_.find({start, task});
+  return found == task_events_.end() ? none : found->second;
+}
+
+}  // namespace legwright
