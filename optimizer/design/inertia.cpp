@@ -76,8 +76,11 @@ GeometryAtDesign::GeometryAtDesign(const Morphology& morphology, const Eigen::Ve
       at.moments += point.mass * u * u.transpose();
     }
     total_mass += at.moments(3, 3);
+    mass_below.push_back(at.moments(3, 3));
     links.push_back(std::move(at));
   }
+  for (std::size_t l = morphology.links.size() - 1; l > 0; --l)
+    mass_below[morphology.links[l].parent] += mass_below[l];
   for (const Foot& foot : morphology.feet) feet.push_back(foot.position.at(s));
 }
 

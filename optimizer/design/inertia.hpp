@@ -42,6 +42,7 @@ struct GeometryAtDesign {
 
   std::vector<LinkAtDesign> links;
   std::vector<Eigen::Vector3d> feet;  // in their link's frame
+  std::vector<double> mass_below;      // of a link and all below it [kg]
   double total_mass = 0.0;
 };
 

@@ -2,6 +2,7 @@
 #include "optimizer/design/kinematics.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "optimizer/design/rotation.hpp"
@@ -11,13 +12,6 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-using Matrix34 = Eigen::Matrix<double, 3, 4>;
-
-/// Adds `value` for the unordered pair of columns (a, b); a shared column counts both orders.
-void add_pair(Eigen::MatrixXd& hessian, int a, int b, double value) {
-  hessian(a, b) += value;
-  hessian(b, a) += value;
-}
 
 }  // namespace
 
@@ -29,31 +23,16 @@ Ancestry::Ancestry(const Morphology& morphology) {
       table_(upper, lower) = true;
 }
 
-Eigen::Matrix4d PoseKinematics::transform(int link) const {
-  Eigen::Matrix4d t = Eigen::Matrix4d::Identity();
-  t.topLeftCorner<3, 3>() = rotation_[link];
-  t.topRightCorner<3, 1>() = origin_[link];
-  return t;
-}
-
 void PoseKinematics::add_translation(int link, int coordinate, const Vector3d& rate) {
-  Matrix34 velocity = Matrix34::Zero();
-  velocity.col(3) = rate;
-  movers_.push_back({coordinate, Mover::Kind::translation, link, Vector3d::Zero(), velocity});
+  movers_.push_back({coordinate, Mover::Kind::translation, link, Vector3d::Zero(), rate});
 }
 
 void PoseKinematics::add_rotation(int link, int coordinate, const Vector3d& turn) {
-  Matrix34 velocity;
-  velocity.leftCols<3>() = skew(turn);
-  velocity.col(3) = -turn.cross(origin_[link]);
-  movers_.push_back({coordinate, Mover::Kind::rotation, link, turn, velocity});
+  movers_.push_back(
+      {coordinate, Mover::Kind::rotation, link, turn, -turn.cross(origin_[link])});
 }
 
-void PoseKinematics::add_root(const Eigen::VectorXd& q) {
-  RotationDerivatives root;
-  rotation_of_vector(q.segment<3>(3), true, root);
-  rotation_[0] = root.rotation;
-  origin_[0] = q.head<3>();
+void PoseKinematics::add_root(const RotationDerivatives& root) {
   for (int a = 0; a < 3; ++a) add_translation(0, a, Vector3d::Unit(a));
   const int first = static_cast<int>(movers_.size());
   for (int a = 0; a < 3; ++a) add_rotation(0, 3 + a, root.turn[a]);
@@ -62,9 +41,16 @@ void PoseKinematics::add_root(const Eigen::VectorXd& q) {
 }
 
 void PoseKinematics::add_joint_movers(int index, const AxisAtDesign& at, double angle,
-                                      const Matrix3d& before, int design_start, bool with_design) {
+                                      int design_start) {
   // R(a, q) = cos q I + sin q [a]× + (1 − cos q) a aᵀ, its derivatives written as [turn]× R and second · R.
+  const int first = static_cast<int>(movers_.size());
+  const Matrix3d& before = before_[index];
   const Vector3d& a = at.axis;
+  const Vector3d axis_W = before * a;
+  add_rotation(index, 5 + index, axis_W);
+  seconds_.push_back({first, first, axis_W * axis_W.transpose() - Matrix3d::Identity()});
+  const int count = static_cast<int>(at.parameters.size());
+  if (!with_design() || count == 0) return;
   const double c = std::cos(angle), s = std::sin(angle);
   const Matrix3d inverse = rotation_about(a, angle).transpose();
   const auto world = [&](const Matrix3d& m) -> Matrix3d {
@@ -73,12 +59,6 @@ void PoseKinematics::add_joint_movers(int index, const AxisAtDesign& at, double 
   const auto symmetric = [](const Vector3d& v, const Vector3d& w) -> Matrix3d {
     return v * w.transpose() + w * v.transpose();
   };
-  const int first = static_cast<int>(movers_.size());
-  const Vector3d axis_W = before * a;
-  add_rotation(index, 5 + index, axis_W);
-  seconds_.push_back({first, first, skew(axis_W) * skew(axis_W)});
-  if (!with_design) return;
-  const int count = static_cast<int>(at.parameters.size());
   for (int k = 0; k < count; ++k) {
     const Matrix3d turned = s * skew(at.first[k]) + (1 - c) * symmetric(a, at.first[k]);
     add_rotation(index, design_start + at.parameters[k], before * unskew(turned * inverse));
@@ -94,72 +74,109 @@ void PoseKinematics::add_joint_movers(int index, const AxisAtDesign& at, double 
     }
 }
 
-void PoseKinematics::add_link(const Link& link, int index, const LinkAtDesign& at, double angle,
-                              int design_start, bool with_design) {
-  const Matrix3d& parent = rotation_[link.parent];
-  origin_[index] = origin_[link.parent] + parent * at.origin;
-  if (with_design)
-    for (const AffineVector::Slope& slope : link.origin.slopes)
-      add_translation(index, design_start + slope.parameter, parent * slope.slope);
-  const Matrix3d before = parent * link.orientation;
-  rotation_[index] = before * rotation_about(at.axis.axis, angle);
-  add_joint_movers(index, at.axis, angle, before, design_start, with_design);
+void PoseKinematics::place(const Morphology& morphology, const GeometryAtDesign& geometry,
+                           const Eigen::Ref<const Eigen::VectorXd>& q) {
+  const std::size_t link_count = morphology.links.size();
+  rotation_.resize(link_count);
+  before_.resize(link_count);
+  origin_.resize(link_count);
+  for (std::size_t l = 1; l < link_count; ++l) {
+    const Link& link = morphology.links[l];
+    const LinkAtDesign& at = geometry.links[l];
+    origin_[l] = origin_[link.parent] + rotation_[link.parent] * at.origin;
+    before_[l].noalias() = rotation_[link.parent] * link.orientation;
+    rotation_[l].noalias() =
+        before_[l] * rotation_about(at.axis.axis, q[5 + static_cast<Eigen::Index>(l)]);
+  }
+}
+
+void PoseKinematics::sum_moments(const Morphology& morphology, const GeometryAtDesign& geometry) {
+  const std::size_t link_count = morphology.links.size();
+  moments_.resize(link_count);
+  first_moment_.resize(link_count);
+  for (std::size_t l = 0; l < link_count; ++l) {
+    const Eigen::Matrix4d& own = geometry.links[l].moments;
+    moments_[l].noalias() = rotation_[l] * own.topRows<3>();
+    moments_[l] += origin_[l] * own.row(3);
+    first_moment_[l] = moments_[l].col(3);
+  }
+  for (std::size_t l = link_count - 1; l > 0; --l)
+    first_moment_[morphology.links[l].parent] += first_moment_[l];
 }
 
 void PoseKinematics::compute(const Morphology& morphology, const GeometryAtDesign& geometry,
-                             const Eigen::VectorXd& q, bool with_design) {
+                             const Eigen::Ref<const Eigen::VectorXd>& q, PoseDetail detail) {
   const int link_count = static_cast<int>(morphology.links.size());
   const int design_start = morphology.pose_size();
-  rotation_.resize(link_count);
-  origin_.resize(link_count);
-  with_design_ = with_design;
+  detail_ = detail;
   movers_.clear();
   seconds_.clear();
-  add_root(q);
-  for (int l = 1; l < link_count; ++l)
-    add_link(morphology.links[l], l, geometry.links[l], q[5 + l], design_start, with_design);
-  if (!with_design) return;
+  rotation_.resize(link_count);
+  origin_.resize(link_count);
+  RotationDerivatives root;
+  rotation_of_vector(q.segment<3>(3), detail != PoseDetail::place, root);
+  rotation_[0] = root.rotation;
+  origin_[0] = q.head<3>();
+  place(morphology, geometry, q);
+  sum_moments(morphology, geometry);
+  if (detail == PoseDetail::place) return;
+  add_root(root);
+  for (int l = 1; l < link_count; ++l) {
+    if (with_design())
+      for (const AffineVector::Slope& slope : morphology.links[l].origin.slopes)
+        add_translation(l, design_start + slope.parameter,
+                        rotation_[morphology.links[l].parent] * slope.slope);
+    add_joint_movers(l, geometry.links[l].axis, q[5 + l], design_start);
+  }
+  if (!with_design()) return;
   for (int l = 0; l < link_count; ++l)
-    for (std::size_t k = 0; k < geometry.links[l].inner.size(); ++k) {
-      Mover mover{design_start + geometry.links[l].inner[k].parameter, Mover::Kind::inner, l,
-                  Vector3d::Zero(), Matrix34::Zero()};
-      mover.inner_index = static_cast<int>(k);
-      movers_.push_back(mover);
-    }
+    for (std::size_t k = 0; k < geometry.links[l].inner.size(); ++k)
+      movers_.push_back({design_start + geometry.links[l].inner[k].parameter, Mover::Kind::inner, l,
+                         Vector3d::Zero(), Vector3d::Zero(), static_cast<int>(k)});
 }
 
-PoseKinematics PoseKinematics::moved(const Matrix3d& turn, const Vector3d& shift) const {
-  PoseKinematics out = *this;
+void PoseKinematics::assign_moved(const PoseKinematics& other, const GeometryAtDesign& geometry,
+                                  const Matrix3d& turn, const Vector3d& shift) {
+  *this = other;
   for (std::size_t l = 0; l < origin_.size(); ++l) {
-    out.origin_[l] = turn * origin_[l] + shift;
-    out.rotation_[l] = turn * rotation_[l];
+    origin_[l] = turn * other.origin_[l] + shift;
+    rotation_[l] = turn * other.rotation_[l];
+    before_[l] = turn * other.before_[l];
+    moments_[l] = turn * other.moments_[l] + shift * geometry.links[l].moments.row(3);
+    first_moment_[l] = turn * other.first_moment_[l] + geometry.mass_below[l] * shift;
   }
-  for (Mover& mover : out.movers_) {
-    mover.turn = turn * mover.turn;
-    if (mover.kind == Mover::Kind::translation)
-      mover.velocity.col(3) = turn * mover.velocity.col(3).eval();
-    if (mover.kind != Mover::Kind::rotation) continue;
-    mover.velocity.leftCols<3>() = skew(mover.turn);
-    mover.velocity.col(3) = -mover.turn.cross(out.origin_[mover.link]);
+  for (Mover& mover : movers_) {
+    mover.turn = turn * mover.turn.eval();
+    if (mover.kind == Mover::Kind::rotation)
+      mover.shift = -mover.turn.cross(origin_[mover.link]);
+    else
+      mover.shift = turn * mover.shift.eval();
   }
-  for (SameLinkSecond& second : out.seconds_)
-    second.second = turn * second.second * turn.transpose();
-  return out;
+  for (SameLinkSecond& second : seconds_) second.second = turn * second.second * turn.transpose();
 }
 
-void PointDerivatives::add_jacobian(Eigen::Ref<Eigen::Matrix3Xd> jacobian) const {
-  for (const Effect& effect : effects) jacobian.col(effect.column) += effect.rate;
+void PointDerivatives::clear(const Vector3d& at) {
+  value = at;
+  effects.clear();
+  seconds.clear();
+}
+
+void PointDerivatives::add_jacobian(Eigen::MatrixXd& jacobian) const {
+  for (const Effect& effect : effects)
+    for (int k = 0; k < 3; ++k) jacobian(effect.column, k) += effect.rate[k];
 }
 
 void PointDerivatives::add_curvature(const Ancestry& ancestry, const Vector3d& multiplier,
                                      Eigen::MatrixXd& hessian) const {
-  for (const Effect& upper : effects) {
-    if (!upper.rotates) continue;
-    const Vector3d lever = multiplier.cross(upper.turn);  // μ·(turn × rate) = (μ × turn)·rate
-    for (const Effect& lower : effects)
-      if (ancestry.strictly_above(upper.link, lower.link) ||
-          (lower.inner && upper.link == lower.link))
-        add_pair(hessian, upper.column, lower.column, lever.dot(lower.rate));
+  for (std::size_t k = 0; k < effects.size(); ++k) {
+    const Effect& lower = effects[k];
+    const Vector3d lever = lower.rate.cross(multiplier);  // μ·(turn × rate) = turn·(rate × μ)
+    const bool* above = ancestry.above(lower.link);
+    for (std::size_t l = 0; l < k; ++l) {  // upper movers come first
+      const Effect& upper = effects[l];
+      if (upper.rotates && above[upper.link] && (lower.inner || upper.link != lower.link))
+        add_pair(hessian, upper.column, lower.column, lever.dot(upper.turn));
+    }
   }
   for (const Second& second : seconds) {
     const double curvature = multiplier.dot(second.rate);
@@ -170,60 +187,122 @@ void PointDerivatives::add_curvature(const Ancestry& ancestry, const Vector3d& m
   }
 }
 
-void foot_from_pose(const Morphology& morphology, const GeometryAtDesign& geometry,
-                    const Ancestry& ancestry, const PoseKinematics& pose, int foot,
-                    const Columns& columns, PointDerivatives& out) {
-  const Foot& data = morphology.feet[foot];
-  const Vector3d p = pose.origin(data.link) + pose.rotation(data.link) * geometry.feet[foot];
-  out.value = p;
-  out.effects.clear();
-  out.seconds.clear();
+namespace {
+
+/// What the movers of `pose` for which `moves(link)` do to the world point `out.value`.
+template <class Moves>
+void add_rigid_effects(const PoseKinematics& pose, const Columns& columns, Moves moves,
+                       PointDerivatives& out) {
+  const Vector3d p = out.value;
   for (const Mover& mover : pose.movers()) {
-    if (mover.kind == Mover::Kind::inner || !ancestry.contains(mover.link, data.link)) continue;
+    if (mover.kind == Mover::Kind::inner || !moves(mover)) continue;
     out.effects.push_back({columns[mover.coordinate], mover.link,
                            mover.kind == Mover::Kind::rotation, false, mover.turn,
-                           mover.velocity * p.homogeneous()});
+                           mover.turn.cross(p) + mover.shift});
   }
-  if (pose.with_design())
-    for (const AffineVector::Slope& slope : data.position.slopes)
-      out.effects.push_back({columns[morphology.pose_size() + slope.parameter], data.link, false,
-                             true, Vector3d::Zero(), pose.rotation(data.link) * slope.slope});
   for (const SameLinkSecond& second : pose.same_link_seconds()) {
     const Mover &a = pose.movers()[second.a], &b = pose.movers()[second.b];
-    if (!ancestry.contains(a.link, data.link)) continue;
+    if (!moves(a)) continue;
     out.seconds.push_back({columns[a.coordinate], columns[b.coordinate],
                            second.second * (p - pose.origin(a.link)), second.a == second.b});
   }
 }
 
-void com_from_pose(const Morphology& morphology, const GeometryAtDesign& geometry,
-                   const PoseKinematics& pose, const Columns& columns, PointDerivatives& out) {
-  // Share of the mass, and of mass times position, of each link with all below it.
-  const int link_count = static_cast<int>(geometry.links.size());
-  std::vector<Eigen::Vector4d> below(link_count);
-  for (int l = 0; l < link_count; ++l)
-    below[l] = pose.transform(l) * geometry.links[l].moments.col(3) / geometry.total_mass;
-  for (int l = link_count - 1; l > 0; --l) below[morphology.links[l].parent] += below[l];
-  out.value = below[0].head<3>();
-  out.effects.clear();
-  out.seconds.clear();
+}  // namespace
+
+Vector3d foot_place(const Morphology& morphology, const GeometryAtDesign& geometry,
+                    const PoseKinematics& pose, int foot) {
+  const int link = morphology.feet[foot].link;
+  return pose.origin(link) + pose.rotation(link) * geometry.feet[foot];
+}
+
+void foot_from_pose(const Morphology& morphology, const GeometryAtDesign& geometry,
+                    const Ancestry& ancestry, const PoseKinematics& pose, int foot,
+                    const Columns& columns, PointDerivatives& out) {
+  const Foot& data = morphology.feet[foot];
+  out.clear(foot_place(morphology, geometry, pose, foot));
+  add_rigid_effects(
+      pose, columns, [&](const Mover& m) { return ancestry.contains(m.link, data.link); }, out);
+  if (!pose.with_design()) return;
+  for (const AffineVector::Slope& slope : data.position.slopes)
+    out.effects.push_back({columns[morphology.pose_size() + slope.parameter], data.link, false,
+                           true, Vector3d::Zero(), pose.rotation(data.link) * slope.slope});
+}
+
+void anchor_from_pose(const Ancestry& ancestry, const PoseKinematics& pose, int link,
+                      const Columns& columns, PointDerivatives& out) {
+  out.clear(pose.origin(link));
+  add_rigid_effects(
+      pose, columns,
+      [&](const Mover& m) {
+        return ancestry.strictly_above(m.link, link) ||
+               (m.link == link && m.kind == Mover::Kind::translation);
+      },
+      out);
+}
+
+void axis_from_pose(const Morphology& morphology, const GeometryAtDesign& geometry,
+                    const Ancestry& ancestry, const PoseKinematics& pose, int link,
+                    const Columns& columns, PointDerivatives& out) {
+  const AxisAtDesign& axis = geometry.links[link].axis;
+  const Matrix3d& before = pose.before(link);
+  out.clear(before * axis.axis);
+  const auto turns = [&](const Mover& m) {
+    return m.kind == Mover::Kind::rotation && ancestry.strictly_above(m.link, link);
+  };
+  for (const Mover& mover : pose.movers())
+    if (turns(mover))
+      out.effects.push_back({columns[mover.coordinate], mover.link, true, false, mover.turn,
+                             mover.turn.cross(out.value)});
+  for (const SameLinkSecond& second : pose.same_link_seconds()) {
+    const Mover &a = pose.movers()[second.a], &b = pose.movers()[second.b];
+    if (turns(a))
+      out.seconds.push_back({columns[a.coordinate], columns[b.coordinate],
+                             second.second * out.value, second.a == second.b});
+  }
+  if (!pose.with_design()) return;
+  for (std::size_t k = 0; k < axis.parameters.size(); ++k) {
+    const int column = columns[morphology.pose_size() + axis.parameters[k]];
+    out.effects.push_back(
+        {column, link, false, false, Vector3d::Zero(), before * axis.first[k]});
+    for (std::size_t l = k; l < axis.parameters.size(); ++l)
+      out.seconds.push_back({column, columns[morphology.pose_size() + axis.parameters[l]],
+                             before * axis.second[k][l], k == l});
+  }
+}
+
+void first_moment_from_pose(const GeometryAtDesign& geometry, const Ancestry& ancestry,
+                            const PoseKinematics& pose, int link, double scale,
+                            const Columns& columns, PointDerivatives& out) {
+  out.clear(scale * pose.first_moment(link));
   for (const Mover& mover : pose.movers()) {
-    const bool inner = mover.kind == Mover::Kind::inner;
-    const Vector3d rate = inner
-                              ? Vector3d(pose.rotation(mover.link) *
-                                         geometry.links[mover.link].inner[mover.inner_index].first /
-                                         geometry.total_mass)
-                              : Vector3d(mover.velocity * below[mover.link]);
-    out.effects.push_back({columns[mover.coordinate], mover.link,
-                           mover.kind == Mover::Kind::rotation, inner, mover.turn, rate});
+    if (mover.kind == Mover::Kind::inner) {
+      if (!ancestry.contains(link, mover.link)) continue;
+      const Vector3d first = geometry.links[mover.link].inner[mover.inner_index].first;
+      out.effects.push_back({columns[mover.coordinate], mover.link, false, true, Vector3d::Zero(),
+                             scale * (pose.rotation(mover.link) * first)});
+    } else if (ancestry.related(link, mover.link)) {
+      const int lower = std::max(link, mover.link);  // children come after their parents
+      out.effects.push_back({columns[mover.coordinate], mover.link,
+                             mover.kind == Mover::Kind::rotation, false, mover.turn,
+                             scale * (mover.turn.cross(pose.first_moment(lower)) +
+                                      geometry.mass_below[lower] * mover.shift)});
+    }
   }
   for (const SameLinkSecond& second : pose.same_link_seconds()) {
     const Mover &a = pose.movers()[second.a], &b = pose.movers()[second.b];
-    const Eigen::Vector4d& sum = below[a.link];
+    if (!ancestry.related(link, a.link)) continue;
+    const int lower = std::max(link, a.link);
+    const Vector3d arm =
+        pose.first_moment(lower) - geometry.mass_below[lower] * pose.origin(a.link);
     out.seconds.push_back({columns[a.coordinate], columns[b.coordinate],
-                           second.second * (sum.head<3>() - sum[3] * pose.origin(a.link)),
-                           second.a == second.b});
+                           scale * (second.second * arm), second.a == second.b});
   }
+}
+
+void com_from_pose(const GeometryAtDesign& geometry, const Ancestry& ancestry,
+                   const PoseKinematics& pose, const Columns& columns, PointDerivatives& out) {
+  first_moment_from_pose(geometry, ancestry, pose, 0, 1.0 / geometry.total_mass, columns, out);
 }
 
 }  // namespace legwright

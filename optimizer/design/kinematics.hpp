@@ -6,20 +6,21 @@
 
 #include "optimizer/design/inertia.hpp"
 #include "optimizer/design/morphology.hpp"
+#include "optimizer/design/rotation.hpp"
 
 namespace legwright {
 
 /// One number that moves a part of the robot, seen at one pose and design. Numbers are counted within
-/// [q; s]: pose first, then design. In homogeneous world coordinates every point p it moves obeys
-/// ∂p/∂c = velocity · [p; 1], but for inner movers, whose points move each by their own slope.
+/// [q; s]: pose first, then design. It moves every world point p below it as one rigid motion,
+/// ∂p/∂c = turn × p + shift, but for inner movers, whose points move each by their own slope.
 struct Mover {
   enum class Kind { translation, rotation, inner };
   int coordinate;  // within [q; s]
   Kind kind;
-  int link;              // moves this link and all below it; `inner`: this link's points only
-  Eigen::Vector3d turn;  // rotation: spatial rate about the link's origin
-  Eigen::Matrix<double, 3, 4> velocity;  // translation, rotation
-  int inner_index = -1;                  // inner: entry of LinkAtDesign::inner
+  int link;               // moves this link and all below it; `inner`: this link's points only
+  Eigen::Vector3d turn;   // spatial rate; zero but for rotations
+  Eigen::Vector3d shift;  // velocity of the point at the world's origin
+  int inner_index = -1;   // inner: entry of LinkAtDesign::inner
 };
 
 /// Second derivative of a link's own rotation: ∂²R/∂c_a∂c_b Rᵀ in the world frame, for two movers of one link.
@@ -28,40 +29,53 @@ struct SameLinkSecond {
   Eigen::Matrix3d second;
 };
 
+/// How much of a pose is computed.
+enum class PoseDetail {
+  place,   // where every link is
+  motion,  // + what moves it, coordinates of the pose
+  design,  // + coordinates of the design
+};
+
 /// φ of eq (12) before it is summed up: where every link is at pose q and design s, and what moves it.
-/// All outputs of kinematics (feet, COM, angular momentum) follow from this by the chain rule, because a mover
-/// acts on everything below it as one rigid motion.
+/// All outputs of kinematics (feet, COM, angular momentum, joint torques) follow from this by the chain rule,
+/// because a mover acts on everything below it as one rigid motion.
 class PoseKinematics {
  public:
-  /// @param q pose (root position, root rotation vector, joint angles) @param with_design also movers of s.
+  /// @param q pose (root position, root rotation vector, joint angles)
   void compute(const Morphology& morphology, const GeometryAtDesign& geometry,
-               const Eigen::VectorXd& q, bool with_design);
+               const Eigen::Ref<const Eigen::VectorXd>& q, PoseDetail detail);
 
-  /// The same robot elsewhere: every world point p moved to turn·p + shift. Derivatives follow.
-  PoseKinematics moved(const Eigen::Matrix3d& turn, const Eigen::Vector3d& shift) const;
+  /// Makes this the robot `other` elsewhere: every world point p moved to turn·p + shift. Derivatives follow.
+  void assign_moved(const PoseKinematics& other, const GeometryAtDesign& geometry,
+                    const Eigen::Matrix3d& turn, const Eigen::Vector3d& shift);
 
-  bool with_design() const { return with_design_; }
+  bool with_design() const { return detail_ == PoseDetail::design; }
   const std::vector<Mover>& movers() const { return movers_; }
   const std::vector<SameLinkSecond>& same_link_seconds() const { return seconds_; }
   const Eigen::Matrix3d& rotation(int link) const { return rotation_[link]; }  // world ← link
   const Eigen::Vector3d& origin(int link) const { return origin_[link]; }      // world [m]
-  /// 4×4 homogeneous transform world ← link.
-  Eigen::Matrix4d transform(int link) const;
+  /// The link's frame before its joint turns it, world ← link at joint angle zero.
+  const Eigen::Matrix3d& before(int link) const { return before_[link]; }
+  /// Σ m p [u; 1]ᵀ over a link's point masses, p in the world, u in the link.
+  const Eigen::Matrix<double, 3, 4>& moments(int link) const { return moments_[link]; }
+  /// Σ m p over a link and all below it.
+  const Eigen::Vector3d& first_moment(int link) const { return first_moment_[link]; }
 
  private:
-  void add_root(const Eigen::VectorXd& q);
-  void add_link(const Link& link, int index, const LinkAtDesign& at, double angle, int design_start,
-                bool with_design);
-  void add_joint_movers(int index, const AxisAtDesign& axis, double angle,
-                        const Eigen::Matrix3d& before, int design_start, bool with_design);
+  void place(const Morphology& morphology, const GeometryAtDesign& geometry,
+             const Eigen::Ref<const Eigen::VectorXd>& q);
+  void sum_moments(const Morphology& morphology, const GeometryAtDesign& geometry);
+  void add_root(const RotationDerivatives& root);
+  void add_joint_movers(int index, const AxisAtDesign& axis, double angle, int design_start);
   void add_rotation(int link, int coordinate, const Eigen::Vector3d& turn);
   void add_translation(int link, int coordinate, const Eigen::Vector3d& rate);
 
-  std::vector<Eigen::Matrix3d> rotation_;
-  std::vector<Eigen::Vector3d> origin_;
+  std::vector<Eigen::Matrix3d> rotation_, before_;
+  std::vector<Eigen::Vector3d> origin_, first_moment_;
+  std::vector<Eigen::Matrix<double, 3, 4>> moments_;
   std::vector<Mover> movers_;
   std::vector<SameLinkSecond> seconds_;
-  bool with_design_ = false;
+  PoseDetail detail_ = PoseDetail::place;
 };
 
 /// True where link `upper` is `lower` or one of its ancestors; built once per morphology.
@@ -71,6 +85,9 @@ class Ancestry {
   explicit Ancestry(const Morphology& morphology);
   bool contains(int upper, int lower) const { return table_(upper, lower); }
   bool strictly_above(int upper, int lower) const { return upper != lower && table_(upper, lower); }
+  /// By link: whether it is `lower` or one of its ancestors.
+  const bool* above(int lower) const { return table_.col(lower).data(); }
+  bool related(int a, int b) const { return table_(a, b) || table_(b, a); }
 
  private:
   Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic> table_;
@@ -96,23 +113,49 @@ struct PointDerivatives {
   std::vector<Effect> effects;
   std::vector<Second> seconds;
 
-  /// Adds ∂y to `jacobian` (3 × columns).
-  void add_jacobian(Eigen::Ref<Eigen::Matrix3Xd> jacobian) const;
-  /// Adds Σ_k multiplier_k ∂²y_k to `hessian` (columns × columns, symmetric, both triangles).
+  void clear(const Eigen::Vector3d& at);
+  /// Adds ∂y to `jacobian` (columns × 3).
+  void add_jacobian(Eigen::MatrixXd& jacobian) const;
+  /// Adds Σ_k multiplier_k ∂²y_k to the lower triangle of `hessian` (columns × columns).
   void add_curvature(const Ancestry& ancestry, const Eigen::Vector3d& multiplier,
                      Eigen::MatrixXd& hessian) const;
 };
+
+/// Adds a mixed second derivative to a lower triangle; a shared column counts both orders.
+inline void add_pair(Eigen::MatrixXd& hessian, int a, int b, double value) {
+  if (a == b)
+    hessian(a, a) += 2.0 * value;
+  else
+    hessian(a > b ? a : b, a > b ? b : a) += value;
+}
 
 /// Which column a coordinate of [q; s] has; −1 where the output does not depend on it.
 using Columns = std::vector<int>;
 
 /// φ_EE of eq (12): the centre of a foot [m, world].
+Eigen::Vector3d foot_place(const Morphology& morphology, const GeometryAtDesign& geometry,
+                           const PoseKinematics& pose, int foot);
+/// The same with what moves it.
 void foot_from_pose(const Morphology& morphology, const GeometryAtDesign& geometry,
                     const Ancestry& ancestry, const PoseKinematics& pose, int foot,
                     const Columns& columns, PointDerivatives& out);
 
+/// Where a link's hinge is anchored [m, world]; its own joint does not move it.
+void anchor_from_pose(const Ancestry& ancestry, const PoseKinematics& pose, int link,
+                      const Columns& columns, PointDerivatives& out);
+
+/// The direction of a link's hinge, a unit vector in the world; its own joint does not turn it.
+void axis_from_pose(const Morphology& morphology, const GeometryAtDesign& geometry,
+                    const Ancestry& ancestry, const PoseKinematics& pose, int link,
+                    const Columns& columns, PointDerivatives& out);
+
+/// scale · Σ m p over `link` and all below it [scale · kg m, world].
+void first_moment_from_pose(const GeometryAtDesign& geometry, const Ancestry& ancestry,
+                            const PoseKinematics& pose, int link, double scale,
+                            const Columns& columns, PointDerivatives& out);
+
 /// φ_COM of eq (12): the robot's centre of mass [m, world].
-void com_from_pose(const Morphology& morphology, const GeometryAtDesign& geometry,
+void com_from_pose(const GeometryAtDesign& geometry, const Ancestry& ancestry,
                    const PoseKinematics& pose, const Columns& columns, PointDerivatives& out);
 
 }  // namespace legwright

@@ -2,6 +2,7 @@
 #include "optimizer/design/momentum.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 #include "optimizer/design/rotation.hpp"
 
@@ -9,87 +10,126 @@ namespace legwright {
 namespace {
 
 using Eigen::Matrix3d;
-using Eigen::Matrix4d;
 using Eigen::Vector3d;
-using Matrix34 = Eigen::Matrix<double, 3, 4>;
 
-/// Σ a × b for X = Σ a bᵀ.
+/// Σ a × b for X = Σ a bᵀ. Also ⟨[v]×, X⟩ = v · −cross_of(X).
 template <class Derived>
 Vector3d cross_of(const Eigen::MatrixBase<Derived>& X) {
   return {X(1, 2) - X(2, 1), X(2, 0) - X(0, 2), X(0, 1) - X(1, 0)};
 }
 
-template <class A, class B>
-double inner_product(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B>& b) {
-  return a.cwiseProduct(b).sum();
-}
-
-void add_pair(Eigen::MatrixXd& hessian, int a, int b, double value) {
-  hessian(a, b) += value;
-  hessian(b, a) += value;
+/// [v]× X, column by column.
+template <class Derived>
+Matrix3d cross_columns(const Vector3d& v, const Eigen::MatrixBase<Derived>& X) {
+  Matrix3d out;
+  for (int k = 0; k < 3; ++k) out.col(k) = v.cross(X.col(k));
+  return out;
 }
 
 }  // namespace
 
-void PairDerivatives::compute_swept_momentum(
-    const Morphology& morphology, const GeometryAtDesign& geometry, const PoseKinematics& first,
-    const PoseKinematics& second, const Columns& first_columns, const Columns& second_columns) {
-  const int link_count = static_cast<int>(geometry.links.size());
-  std::vector<Matrix4d> below(link_count);  // Σ m [p; 1][p′; 1]ᵀ over a link and all below it
-  for (int l = 0; l < link_count; ++l)
-    below[l] = first.transform(l) * geometry.links[l].moments * second.transform(l).transpose();
-  for (int l = link_count - 1; l > 0; --l) below[morphology.links[l].parent] += below[l];
-  value = cross_of(below[0]);
+void PairMoments::compute(const Morphology& morphology, const PoseKinematics& first,
+                          const PoseKinematics& second) {
+  const std::size_t link_count = morphology.links.size();
+  below_.resize(link_count);
+  for (std::size_t l = 0; l < link_count; ++l) {
+    const int link = static_cast<int>(l);
+    const Eigen::Matrix<double, 3, 4>& moments = first.moments(link);
+    below_[l].noalias() = moments.leftCols<3>() * second.rotation(link).transpose();
+    below_[l] += moments.col(3) * second.origin(link).transpose();
+  }
+  for (std::size_t l = link_count - 1; l > 0; --l) below_[morphology.links[l].parent] += below_[l];
+}
 
-  const auto fill = [&](const PoseKinematics& own, const PoseKinematics& other,
-                        const Columns& columns, bool swap, Side& side) {
-    side.effects.clear();
-    side.seconds.clear();
-    for (const Mover& mover : own.movers()) {
-      Effect effect{columns[mover.coordinate],
-                    mover.link,
-                    mover.kind == Mover::Kind::rotation,
-                    mover.kind == Mover::Kind::inner,
-                    mover.turn,
-                    mover.velocity,
-                    Matrix34::Zero(),
-                    mover.inner_index};
-      if (effect.inner)
-        effect.swept = own.rotation(mover.link) *
-                       geometry.links[mover.link].inner[mover.inner_index].moments *
-                       other.transform(mover.link).transpose();
-      else if (swap)
-        effect.swept = mover.velocity * below[mover.link].transpose();
+Vector3d PairMoments::swept(int link) const { return cross_of(below_[link]); }
+
+void PairDerivatives::fill_swept(const GeometryAtDesign& geometry, const Ancestry& ancestry,
+                                 int link, const PairMoments& moments, const PoseKinematics& own,
+                                 const PoseKinematics& other, const Columns& columns, bool swap,
+                                 Side& side) {
+  side.effects.clear();
+  side.seconds.clear();
+  for (const Mover& mover : own.movers()) {
+    const bool inner = mover.kind == Mover::Kind::inner;
+    if (inner ? !ancestry.contains(link, mover.link) : !ancestry.related(link, mover.link)) continue;
+    Effect& effect = side.effects.emplace_back();
+    effect.column = columns[mover.coordinate];
+    effect.link = mover.link;
+    effect.rotates = mover.kind == Mover::Kind::rotation;
+    effect.inner = inner;
+    effect.turn = mover.turn;
+    effect.shift = mover.shift;
+    effect.inner_index = mover.inner_index;
+    if (inner) {
+      const Eigen::Matrix<double, 3, 4>& slopes =
+          geometry.links[mover.link].inner[mover.inner_index].moments;
+      const Eigen::Matrix<double, 3, 4> turned = own.rotation(mover.link) * slopes;
+      effect.swept.leftCols<3>() =
+          turned.leftCols<3>() * other.rotation(mover.link).transpose() +
+          turned.col(3) * other.origin(mover.link).transpose();
+      effect.swept.col(3) = turned.col(3);
+      continue;
+    }
+    const int lower = std::max(link, mover.link);  // children come after their parents
+    const Vector3d& sum = other.first_moment(lower);
+    if (effect.rotates) {
+      if (swap)
+        effect.swept.leftCols<3>() = cross_columns(mover.turn, moments.below(lower).transpose());
       else
-        effect.swept = mover.velocity * below[mover.link];
-      side.effects.push_back(effect);
+        effect.swept.leftCols<3>() = cross_columns(mover.turn, moments.below(lower));
+      effect.swept.leftCols<3>() += mover.shift * sum.transpose();
+      effect.swept.col(3) =
+          mover.turn.cross(own.first_moment(lower)) + geometry.mass_below[lower] * mover.shift;
+    } else {
+      effect.swept.leftCols<3>() = mover.shift * sum.transpose();
+      effect.swept.col(3) = geometry.mass_below[lower] * mover.shift;
     }
-    for (const SameLinkSecond& s : own.same_link_seconds()) {
-      const Mover &a = own.movers()[s.a], &b = own.movers()[s.b];
-      const Matrix4d sum = swap ? Matrix4d(below[a.link].transpose()) : below[a.link];
-      const Matrix3d arm =
-          sum.topLeftCorner<3, 3>() - own.origin(a.link) * sum.bottomLeftCorner<1, 3>();
-      side.seconds.push_back(
-          {columns[a.coordinate], columns[b.coordinate], s.second * arm, s.a == s.b});
-    }
-  };
-  fill(first, second, first_columns, false, first_);
-  fill(second, first, second_columns, true, second_);
-  add_inner_products(geometry, first, second);
+  }
+  for (const SameLinkSecond& s : own.same_link_seconds()) {
+    const Mover &a = own.movers()[s.a], &b = own.movers()[s.b];
+    if (!ancestry.related(link, a.link)) continue;
+    const int lower = std::max(link, a.link);
+    Matrix3d arm = moments.below(lower);
+    if (swap) arm.transposeInPlace();
+    arm -= own.origin(a.link) * other.first_moment(lower).transpose();
+    side.seconds.push_back(
+        {columns[a.coordinate], columns[b.coordinate], s.second * arm, s.a == s.b});
+  }
+}
+
+void PairDerivatives::compute_swept_momentum(const GeometryAtDesign& geometry,
+                                             const Ancestry& ancestry, int link,
+                                             const PairMoments& moments,
+                                             const PoseKinematics& first,
+                                             const PoseKinematics& second,
+                                             const Columns& first_columns,
+                                             const Columns& second_columns) {
+  value = moments.swept(link);
+  fill_swept(geometry, ancestry, link, moments, first, second, first_columns, false, first_);
+  fill_swept(geometry, ancestry, link, moments, second, first, second_columns, true, second_);
+  inner_products_.clear();
+  if (first.with_design()) add_inner_products(geometry, first, second);
 }
 
 void PairDerivatives::add_inner_products(const GeometryAtDesign& geometry,
                                          const PoseKinematics& first,
                                          const PoseKinematics& second) {
-  inner_products_.clear();
-  for (const Effect& a : first_.effects)
+  for (const Effect& a : first_.effects) {
+    if (!a.inner) continue;
     for (const Effect& b : second_.effects) {
-      if (!a.inner || !b.inner || a.link != b.link) continue;
+      if (!b.inner || a.link != b.link) continue;
       const InnerMotion& motion = geometry.links[a.link].inner[a.inner_index];
       inner_products_.push_back({a.column, b.column,
                                  first.rotation(a.link) * motion.products[b.inner_index].second *
                                      second.rotation(b.link).transpose()});
     }
+  }
+}
+
+Vector3d PairDerivatives::foot_turn(const Morphology& morphology, int foot,
+                                    const PoseKinematics& first, const PoseKinematics& second) {
+  const int link = morphology.feet[foot].link;
+  return cross_of(0.5 * first.rotation(link) * second.rotation(link).transpose());
 }
 
 void PairDerivatives::compute_foot_turn(const Morphology& morphology, const Ancestry& ancestry,
@@ -106,12 +146,15 @@ void PairDerivatives::compute_foot_turn(const Morphology& morphology, const Ance
     side.seconds.clear();
     for (const Mover& mover : own.movers()) {
       if (mover.kind != Mover::Kind::rotation || !ancestry.contains(mover.link, link)) continue;
-      // Directions turn but do not shift: the homogeneous column stays zero.
-      Effect effect{columns[mover.coordinate], mover.link,       true, false, mover.turn,
-                    Matrix34::Zero(),          Matrix34::Zero(), -1};
-      effect.velocity.leftCols<3>() = skew(mover.turn);
-      effect.swept.leftCols<3>() = skew(mover.turn) * swept;
-      side.effects.push_back(effect);
+      Effect& effect = side.effects.emplace_back();
+      effect.column = columns[mover.coordinate];
+      effect.link = mover.link;
+      effect.rotates = true;
+      effect.inner = false;
+      effect.turn = mover.turn;
+      effect.shift.setZero();  // directions turn but do not shift
+      effect.swept.leftCols<3>() = cross_columns(mover.turn, swept);
+      effect.swept.col(3).setZero();
     }
     for (const SameLinkSecond& s : own.same_link_seconds()) {
       const Mover &a = own.movers()[s.a], &b = own.movers()[s.b];
@@ -124,25 +167,34 @@ void PairDerivatives::compute_foot_turn(const Morphology& morphology, const Ance
   fill(second, second_columns, sum.transpose(), second_);
 }
 
-void PairDerivatives::add_jacobian(Eigen::Ref<Eigen::Matrix3Xd> jacobian) const {
-  for (const Effect& effect : first_.effects) jacobian.col(effect.column) += cross_of(effect.swept);
-  for (const Effect& effect : second_.effects)
-    jacobian.col(effect.column) -= cross_of(effect.swept);
+void PairDerivatives::add_jacobian(Eigen::MatrixXd& jacobian) const {
+  for (const Effect& effect : first_.effects) {
+    const Vector3d rate = cross_of(effect.swept);
+    for (int k = 0; k < 3; ++k) jacobian(effect.column, k) += rate[k];
+  }
+  for (const Effect& effect : second_.effects) {
+    const Vector3d rate = cross_of(effect.swept);
+    for (int k = 0; k < 3; ++k) jacobian(effect.column, k) -= rate[k];
+  }
 }
 
 void PairDerivatives::add_side_curvature(const Side& side, const Ancestry& ancestry,
-                                         const Matrix3d& form, Eigen::MatrixXd& hessian) {
-  for (const Effect& upper : side.effects) {
-    if (!upper.rotates) continue;
-    const Matrix3d turned = skew(upper.turn).transpose() * form;
-    for (const Effect& lower : side.effects)
-      if (ancestry.strictly_above(upper.link, lower.link) ||
-          (lower.inner && upper.link == lower.link))
-        add_pair(hessian, upper.column, lower.column,
-                 inner_product(turned, lower.swept.leftCols<3>()));
+                                         const Vector3d& multiplier, Eigen::MatrixXd& hessian) {
+  // An upper rotation turns what the lower mover does. With X = Σ ∂p p′ᵀ of the lower one,
+  // μ · Σ (turn × ∂p) × p′ = turn · (Xᵀ μ − tr X μ).
+  for (std::size_t k = 0; k < side.effects.size(); ++k) {
+    const Effect& lower = side.effects[k];
+    const auto X = lower.swept.leftCols<3>();
+    const Vector3d pull = X.transpose() * multiplier - X.trace() * multiplier;
+    const bool* above = ancestry.above(lower.link);
+    for (std::size_t l = 0; l < k; ++l) {  // upper movers come first
+      const Effect& upper = side.effects[l];
+      if (upper.rotates && above[upper.link] && (lower.inner || upper.link != lower.link))
+        add_pair(hessian, upper.column, lower.column, upper.turn.dot(pull));
+    }
   }
   for (const Second& second : side.seconds) {
-    const double curvature = inner_product(form, second.swept);
+    const double curvature = multiplier.dot(cross_of(second.swept));
     if (second.same)
       hessian(second.a, second.a) += curvature;
     else
@@ -150,29 +202,38 @@ void PairDerivatives::add_side_curvature(const Side& side, const Ancestry& ances
   }
 }
 
-void PairDerivatives::add_cross_curvature(const Ancestry& ancestry, const Matrix3d& form,
+void PairDerivatives::add_cross_curvature(const Ancestry& ancestry, const Vector3d& multiplier,
                                           Eigen::MatrixXd& hessian) const {
-  // Σ weight (∂p/∂c)(∂p′/∂c′)ᵀ runs over what both movers move: what the lower one of them moves.
-  for (const Effect& a : first_.effects) {
-    const Matrix34 a_form = form.transpose() * a.velocity;
-    for (const Effect& b : second_.effects) {
-      if (!a.inner && ancestry.contains(a.link, b.link))
-        add_pair(hessian, a.column, b.column, inner_product(a_form, b.swept));
-      else if (!b.inner && ancestry.contains(b.link, a.link))
-        add_pair(hessian, a.column, b.column, inner_product(form * b.velocity, a.swept));
+  // μ · Σ ∂p × ∂p′ runs over what both movers move: what the lower one of them moves. With [X x] = Σ ∂p′ [p; 1]ᵀ
+  // of the lower one it is turn · (X μ − tr X μ) + shift · (x × μ), turn and shift those of the upper one.
+  const auto add = [&](const Side& lowers, const Side& uppers, double sign, bool same_link) {
+    for (const Effect& lower : lowers.effects) {
+      const auto X = lower.swept.leftCols<3>();
+      const Vector3d pull = sign * (X * multiplier - X.trace() * multiplier);
+      const Vector3d push = sign * lower.swept.col(3).cross(multiplier);
+      const bool* above = ancestry.above(lower.link);
+      const bool own_link = same_link || lower.inner;
+      for (const Effect& upper : uppers.effects) {
+        if (upper.inner) continue;
+        // Two movers of one link are counted once, from the side of the second pose.
+        if (above[upper.link] && (own_link || upper.link != lower.link))
+          add_pair(hessian, upper.column, lower.column,
+                   upper.turn.dot(pull) + upper.shift.dot(push));
+      }
     }
-  }
+  };
+  add(second_, first_, 1.0, true);
+  add(first_, second_, -1.0, false);
   for (const InnerProduct& product : inner_products_)
-    add_pair(hessian, product.a, product.b, inner_product(form, product.swept));
+    add_pair(hessian, product.a, product.b, multiplier.dot(cross_of(product.swept)));
 }
 
 void PairDerivatives::add_curvature(const Ancestry& ancestry, const Vector3d& multiplier,
                                     Eigen::MatrixXd& hessian) const {
-  // multiplier · Σ a × b = ⟨form, Σ a bᵀ⟩; with the roles of the poses exchanged the sign changes.
-  const Matrix3d form = -skew(multiplier);
-  add_side_curvature(first_, ancestry, form, hessian);
-  add_side_curvature(second_, ancestry, -form, hessian);
-  add_cross_curvature(ancestry, form, hessian);
+  // With the roles of the poses exchanged the sign changes.
+  add_side_curvature(first_, ancestry, multiplier, hessian);
+  add_side_curvature(second_, ancestry, -multiplier, hessian);
+  add_cross_curvature(ancestry, multiplier, hessian);
 }
 
 }  // namespace legwright

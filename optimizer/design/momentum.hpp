@@ -10,36 +10,54 @@
 
 namespace legwright {
 
+/// Σ m p p′ᵀ over a link and all below it, for every link of a robot at two poses (p at the first, p′ at the
+/// second): what angular momentum and joint torques are made of.
+class PairMoments {
+ public:
+  void compute(const Morphology& morphology, const PoseKinematics& first,
+               const PoseKinematics& second);
+  const Eigen::Matrix3d& below(int link) const { return below_[link]; }
+  /// Σ m p × p′ over a link and all below it [kg m²].
+  Eigen::Vector3d swept(int link) const;
+
+ private:
+  std::vector<Eigen::Matrix3d> below_;
+};
+
 /// A vector that depends on two poses of one design, y = Σ weight p × p′ (p at the first pose, p′ at the second),
 /// with exact derivatives. Columns: of the first pose, of the second pose; a design coordinate has one column in both.
 ///
-/// Two outputs have this form. The swept momentum Σ m p_i × p_{i+1} over all point masses: because p × p = 0, the
-/// rate of angular momentum Σ m p × (p₋ − 2p + p₊) is the difference of two of them. And the turn of a foot,
-/// ½ Σ_k (R e_k) × (R′ e_k) = ½ vee(R′Rᵀ − RR′ᵀ), its rotation vector to second order.
+/// Two outputs have this form. The swept momentum Σ m p_i × p_{i+1} over the point masses of a link and all below
+/// it: because p × p = 0, the rate of angular momentum Σ m p × (p₋ − 2p + p₊) is the difference of two of them. And
+/// the turn of a foot, ½ Σ_k (R e_k) × (R′ e_k) = ½ vee(R′Rᵀ − RR′ᵀ), its rotation vector to second order.
 class PairDerivatives {
  public:
   Eigen::Vector3d value;
 
-  void compute_swept_momentum(const Morphology& morphology, const GeometryAtDesign& geometry,
-                              const PoseKinematics& first, const PoseKinematics& second,
-                              const Columns& first_columns, const Columns& second_columns);
+  /// Over the point masses of `link` (0: of the whole robot) and all below it.
+  void compute_swept_momentum(const GeometryAtDesign& geometry, const Ancestry& ancestry, int link,
+                              const PairMoments& moments, const PoseKinematics& first,
+                              const PoseKinematics& second, const Columns& first_columns,
+                              const Columns& second_columns);
   void compute_foot_turn(const Morphology& morphology, const Ancestry& ancestry, int foot,
                          const PoseKinematics& first, const PoseKinematics& second,
                          const Columns& first_columns, const Columns& second_columns);
+  static Eigen::Vector3d foot_turn(const Morphology& morphology, int foot,
+                                   const PoseKinematics& first, const PoseKinematics& second);
 
-  void add_jacobian(Eigen::Ref<Eigen::Matrix3Xd> jacobian) const;
-  /// Adds Σ_k multiplier_k ∂²y_k (both triangles).
+  /// Adds ∂y to `jacobian` (columns × 3).
+  void add_jacobian(Eigen::MatrixXd& jacobian) const;
+  /// Adds Σ_k multiplier_k ∂²y_k to the lower triangle of `hessian`.
   void add_curvature(const Ancestry& ancestry, const Eigen::Vector3d& multiplier,
                      Eigen::MatrixXd& hessian) const;
 
  private:
-  /// One mover of one pose. `swept` = Σ weight (∂p/∂c)[p′; 1]ᵀ over what it moves (for the second pose: with
+  /// One mover of one pose, with `swept` = Σ weight (∂p/∂c)[p′; 1]ᵀ over what it moves (for the second pose: with
   /// the roles of p and p′ exchanged).
   struct Effect {
     int column, link;
     bool rotates, inner;
-    Eigen::Vector3d turn;
-    Eigen::Matrix<double, 3, 4> velocity;
+    Eigen::Vector3d turn, shift;
     Eigen::Matrix<double, 3, 4> swept;
     int inner_index;
   };
@@ -57,12 +75,15 @@ class PairDerivatives {
     std::vector<Second> seconds;
   };
 
+  void fill_swept(const GeometryAtDesign& geometry, const Ancestry& ancestry, int link,
+                  const PairMoments& moments, const PoseKinematics& own,
+                  const PoseKinematics& other, const Columns& columns, bool swap, Side& side);
   void add_inner_products(const GeometryAtDesign& geometry, const PoseKinematics& first,
                           const PoseKinematics& second);
-  void add_cross_curvature(const Ancestry& ancestry, const Eigen::Matrix3d& form,
+  void add_cross_curvature(const Ancestry& ancestry, const Eigen::Vector3d& multiplier,
                            Eigen::MatrixXd& hessian) const;
   static void add_side_curvature(const Side& side, const Ancestry& ancestry,
-                                 const Eigen::Matrix3d& form, Eigen::MatrixXd& hessian);
+                                 const Eigen::Vector3d& multiplier, Eigen::MatrixXd& hessian);
 
   Side first_, second_;
   std::vector<InnerProduct> inner_products_;

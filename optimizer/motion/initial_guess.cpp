@@ -17,22 +17,16 @@ struct Standing {
 };
 
 Standing stand(const Morphology& morphology, const GeometryAtDesign& geometry,
-               const Eigen::Vector3d& place, double heading, int design_size) {
-  const Ancestry ancestry(morphology);
-  const Columns columns(morphology.pose_size() + design_size, 0);
+               const Eigen::Vector3d& place, double heading) {
   PoseKinematics kinematics;
-  PointDerivatives point;
   Standing standing{Eigen::VectorXd::Zero(morphology.pose_size()), {}, {}};
   standing.q.head<3>() = place;
   standing.q[5] = heading;
   standing.q.tail(morphology.joint_count()) = morphology.nominal_joints();
-  kinematics.compute(morphology, geometry, standing.q, false);
-  com_from_pose(morphology, geometry, kinematics, columns, point);
-  standing.com = point.value;
-  for (int j = 0; j < morphology.foot_count(); ++j) {
-    foot_from_pose(morphology, geometry, ancestry, kinematics, j, columns, point);
-    standing.feet.push_back(point.value);
-  }
+  kinematics.compute(morphology, geometry, standing.q, PoseDetail::place);
+  standing.com = kinematics.first_moment(0) / geometry.total_mass;
+  for (int j = 0; j < morphology.foot_count(); ++j)
+    standing.feet.push_back(foot_place(morphology, geometry, kinematics, j));
   return standing;
 }
 
@@ -43,7 +37,7 @@ Eigen::VectorXd initial_guess(const Morphology& morphology, const Layout& layout
   const GeometryAtDesign geometry(morphology, s);
   const int n = layout.design_size();
   Eigen::Vector3d lift = Eigen::Vector3d::Zero();  // so that the lowest foot touches the ground
-  const Standing home = stand(morphology, geometry, lift, 0.0, n);
+  const Standing home = stand(morphology, geometry, lift, 0.0);
   lift.z() = -1e300;
   for (int j = 0; j < morphology.foot_count(); ++j)
     lift.z() = std::max(lift.z(), morphology.feet[j].radius - home.feet[j].z());
@@ -51,7 +45,7 @@ Eigen::VectorXd initial_guess(const Morphology& morphology, const Layout& layout
   for (int i = 0; i <= layout.knot_count(); ++i) {
     const double time = i * gait.time_step();
     const Standing at =
-        stand(morphology, geometry, path.position(time) + lift, path.heading(time), n);
+        stand(morphology, geometry, path.position(time) + lift, path.heading(time));
     m.segment(layout.pose(i) - n, layout.pose_size()) = at.q;
     m.segment<3>(layout.com(i) - n) = at.com;
     int stance = 0;

@@ -21,8 +21,10 @@ Layout::Layout(const Morphology& morphology, int design_size, const Gait& gait, 
   }
   derived_ = parameter_count();
   pair_derived_ = derived_ + (1 + foot_count_) * 3 * (knot_count_ + 1);
-  actuator_derived_ = pair_derived_ + (1 + foot_count_) * 3 * (knot_count_ + 1);
-  extended_size_ = actuator_derived_ + 3 * static_cast<int>(morphology.linear_actuators.size());
+  anchors_ = pair_derived_ + (1 + foot_count_) * 3 * (knot_count_ + 1);
+  torques_ = anchors_ + 3 * joint_count() * (knot_count_ + 1);
+  shapes_ = torques_ + joint_count() * knot_count_;
+  extended_size_ = shapes_ + 3 * static_cast<int>(morphology.linear_actuators.size());
 }
 
 Eigen::VectorXd Layout::motion_units(double length, double force) const {

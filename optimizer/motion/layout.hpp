@@ -11,7 +11,8 @@ namespace legwright {
 
 /// Where every number lives: the only index arithmetic of the project. A slot is a position in the extended
 /// vector [s; m; y]: the design, the motion of eq (2), and the derived quantities y(s, m) that kinematics
-/// computes from them (feet and COM of a pose, angular momentum and foot roll between two poses).
+/// computes from them (feet, COM and hinges of a pose, angular momentum and foot roll between two poses, joint torques
+/// of three).
 /// m = (P_0 … P_T), P_i = (pose, com_W, foot_W of each foot, force_W of each stance foot). Knot T is knot 0 one
 /// cycle later. Swing forces have no slot: they would be free and the Hessian singular.
 class Layout {
@@ -35,7 +36,9 @@ class Layout {
   /// First of three slots, or −1 where the foot swings.
   int force(int knot, int foot) const { return knots_[knot].force[foot]; }
 
-  // Derived quantities, three slots each.
+  int joint_count() const { return pose_size_ - 6; }
+
+  // Derived quantities, three slots each but for the torques.
   int com_from_pose(int knot) const { return derived_ + (1 + foot_count_) * 3 * knot; }
   int foot_from_pose(int knot, int foot) const { return com_from_pose(knot) + 3 + 3 * foot; }
   /// Σ m p_i × p_{i+1} over all point masses, knots i and i + 1, 0 ≤ i < T.
@@ -44,9 +47,14 @@ class Layout {
   int wrapping_momentum() const { return swept_momentum(knot_count_); }
   /// Rotation vector of a foot's link from knot i to i + 1, to second order.
   int foot_turn(int knot, int foot) const { return swept_momentum(knot) + 3 + 3 * foot; }
-
+  /// Where the hinge of link 1 … joint_count is anchored in the world; knots 0 … T.
+  int link_anchor(int knot, int link) const {
+    return anchors_ + 3 * (joint_count() * knot + link - 1);
+  }
+  /// Torque of a joint's motor by inverse dynamics [N m], one slot; knots 0 … T − 1.
+  int joint_torque(int knot, int joint) const { return torques_ + joint_count() * knot + joint; }
   /// A, B, C of a linear actuator's length (design/actuator_length) [leg length²]; they depend on s alone.
-  int actuator_shape(int actuator) const { return actuator_derived_ + 3 * actuator; }
+  int actuator_shape(int actuator) const { return shapes_ + 3 * actuator; }
 
   /// Physical unit of each entry of m (leg length, weight, radian): Newton damps in these.
   Eigen::VectorXd motion_units(double length, double force) const;
@@ -58,7 +66,7 @@ class Layout {
   };
   std::vector<KnotSlots> knots_;
   int design_size_ = 0, motion_size_ = 0, extended_size_ = 0, derived_ = 0, pair_derived_ = 0;
-  int actuator_derived_ = 0;
+  int anchors_ = 0, torques_ = 0, shapes_ = 0;
   int knot_count_ = 0, foot_count_ = 0, pose_size_ = 0, planted_margin_ = 1;
 };
 

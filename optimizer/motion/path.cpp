@@ -2,6 +2,7 @@
 #include "optimizer/motion/path.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace legwright {
 
@@ -27,6 +28,18 @@ Eigen::Vector3d WantedPath::position(double time) const {
   const double across = straight ? 0.5 * angle * time : (1.0 - std::cos(angle)) / turn_rate_;
   return {along * velocity_.x() - across * velocity_.y(),
           across * velocity_.x() + along * velocity_.y(), 0.0};
+}
+
+Eigen::Vector2d WantedPath::velocity_along_arc(const Eigen::Vector2d& step, double angle,
+                                               double time) {
+  const bool straight = std::abs(angle) < 1e-6;
+  const double along = straight ? 1.0 : std::sin(angle) / angle;
+  const double across = straight ? 0.5 * angle : (1.0 - std::cos(angle)) / angle;
+  const double squared = along * along + across * across;  // of sin(angle/2)/(angle/2)
+  if (squared < 1e-12) return Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
+  return Eigen::Vector2d(along * step.x() + across * step.y(),
+                         along * step.y() - across * step.x()) /
+         (squared * time);
 }
 
 }  // namespace legwright

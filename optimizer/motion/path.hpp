@@ -20,6 +20,10 @@ class WantedPath {
   Eigen::Matrix2d heading_rotation(double time) const {
     return yaw_rotation(heading(time)).topLeftCorner<2, 2>();
   }
+  /// The inverse of position(): the constant velocity in the heading frame that leads by `step`, seen in
+  /// the frame at its start, while the heading turns by `angle` at a constant rate. Not a number where
+  /// the turn is a full circle, which leads back whatever the velocity.
+  static Eigen::Vector2d velocity_along_arc(const Eigen::Vector2d& step, double angle, double time);
   static Eigen::Matrix3d yaw_rotation(double angle);
 
   /// One cycle's rigid motion.

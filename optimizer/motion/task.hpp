@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "optimizer/motion/gait.hpp"
@@ -35,6 +36,10 @@ struct Task {
   double min_normal = 0.05;     // least normal force of a stance foot, share of the weight
   int planted_margin = 1;       // knots planted beyond stance on either side, at least 1
   double joint_margin = 0.0;    // distance kept from joint limits [rad]
+  double torque_margin = 0.1;   // share of each motor's torque limit that is kept in hand
+  double clearance = 0.02;      // between the centre lines of limbs, eq (16) [m]
+  /// Limb segments to keep apart, by the names of their links or feet; not given: all that are not neighbours.
+  std::optional<std::vector<std::pair<std::string, std::string>>> limb_pairs;
   double barrier_edge = 0.02;   // slack below which an inequality's barrier turns into a parabola
 
   std::map<std::string, double> weights;  // by term name, overrides the registry's default

@@ -2,14 +2,13 @@
 #include "optimizer/objective/assembly.hpp"
 
 #include <algorithm>
-#include <map>
 
 namespace legwright {
+namespace {
 
-ElementPlan plan_element(const Element& element, const std::vector<DerivedBlock>& blocks,
-                         const std::vector<int>& block_at_slot, int design_size,
-                         int parameter_count) {
-  ElementPlan plan;
+/// The motion and design slots that an element reaches: motion first, both rising.
+Clique reach(const Element& element, const std::vector<DerivedBlock>& blocks,
+             const std::vector<int>& block_at_slot, int design_size, int parameter_count) {
   std::vector<int> slots;
   for (int slot : element.slots) {
     if (slot < parameter_count)
@@ -17,72 +16,229 @@ ElementPlan plan_element(const Element& element, const std::vector<DerivedBlock>
     else if (const int block = block_at_slot[slot]; block >= 0)
       slots.insert(slots.end(), blocks[block].slots.begin(), blocks[block].slots.end());
   }
-  // Motion slots first, then design slots; both rising.
   std::sort(slots.begin(), slots.end(), [design_size](int a, int b) {
     const bool a_design = a < design_size, b_design = b < design_size;
     return a_design != b_design ? b_design : a < b;
   });
   slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
-  std::map<int, int> column;
-  for (std::size_t k = 0; k < slots.size(); ++k) column[slots[k]] = static_cast<int>(k);
-  plan.clique.motion_count = static_cast<int>(
-      std::count_if(slots.begin(), slots.end(), [&](int s) { return s >= design_size; }));
+  const auto motion =
+      std::count_if(slots.begin(), slots.end(), [&](int s) { return s >= design_size; });
+  return Clique(std::move(slots), static_cast<int>(motion));
+}
+
+/// @param column_of slot → clique column.
+std::vector<ElementPlan::Run> runs_of(const DerivedBlock& block, int design_size,
+                                      const std::vector<std::pair<int, int>>& column_of) {
+  std::vector<ElementPlan::Run> runs;
+  for (std::size_t k = 0; k < block.slots.size(); ++k) {
+    const int slot = block.slots[k], from = static_cast<int>(k);
+    const int to = std::lower_bound(column_of.begin(), column_of.end(), std::pair(slot, 0))->second;
+    const bool joins = !runs.empty() && runs.back().to + runs.back().count == to &&
+                       (slot < design_size) == (block.slots[k - 1] < design_size);
+    if (joins)
+      ++runs.back().count;
+    else
+      runs.push_back({from, to, 1});
+  }
+  return runs;
+}
+
+void plan_entries(const Term& term, int index, ElementPlan& plan) {
+  const Eigen::MatrixXd* J = term.constant_jacobian(index);
+  if (J == nullptr) return;
+  const Element& element = term.elements()[index];
+  for (int row = 0; row < J->rows(); ++row) {
+    for (int k = 0; k < J->cols(); ++k)
+      if ((*J)(row, k) != 0.0) plan.entries.push_back({element.slots[k], (*J)(row, k)});
+    plan.row_ends.push_back(static_cast<int>(plan.entries.size()));
+  }
+  plan.offset.resize(element.rows);
+  term.residual(index, Eigen::VectorXd::Zero(J->cols()), plan.offset);
+  plan.constant =
+      term.penalty() == Penalty::quadratic && plan.through.empty() && !plan.reaches_design;
+}
+
+}  // namespace
+
+ElementPlan plan_element(const Term& term, int index, const std::vector<DerivedBlock>& blocks,
+                         const std::vector<int>& block_at_slot, int design_size,
+                         int parameter_count) {
+  const Element& element = term.elements()[index];
+  ElementPlan plan;
+  plan.clique = reach(element, blocks, block_at_slot, design_size, parameter_count);
+  plan.reaches_design = static_cast<int>(plan.clique.slots.size()) > plan.clique.motion_count;
+  std::vector<std::pair<int, int>> column_of;
+  for (std::size_t k = 0; k < plan.clique.slots.size(); ++k)
+    column_of.emplace_back(plan.clique.slots[k], static_cast<int>(k));
+  std::sort(column_of.begin(), column_of.end());
   for (int v = 0; v < static_cast<int>(element.slots.size()); ++v) {
     const int slot = element.slots[v];
     if (slot < parameter_count) {
-      plan.direct.push_back({v, column[slot]});
+      plan.direct.push_back(
+          {v, std::lower_bound(column_of.begin(), column_of.end(), std::pair(slot, 0))->second});
     } else if (const int block = block_at_slot[slot]; block >= 0) {
-      ElementPlan::Through through{v, block, {}};
-      for (int s : blocks[block].slots) through.columns.push_back(column[s]);
-      plan.through.push_back(std::move(through));
+      plan.through.push_back(
+          {v, block, blocks[block].size, runs_of(blocks[block], design_size, column_of)});
     }
   }
-  plan.clique.slots = std::move(slots);
+  plan_entries(term, index, plan);
   return plan;
 }
 
-void expand_jacobian(const ElementPlan& plan, const std::vector<Eigen::Matrix3Xd>& jacobians,
-                     int columns, ElementWorkspace& workspace) {
-  workspace.expanded.setZero(workspace.jacobian.rows(), columns);
-  for (const ElementPlan::Direct& direct : plan.direct)
-    if (direct.column < columns)
-      workspace.expanded.col(direct.column) += workspace.jacobian.col(direct.variable);
-  for (const ElementPlan::Through& through : plan.through) {
-    const auto local = workspace.jacobian.middleCols<3>(through.variable);
-    const Eigen::Matrix3Xd& chain = jacobians[through.block];
-    for (std::size_t k = 0; k < through.columns.size(); ++k)
-      if (through.columns[k] < columns)
-        workspace.expanded.col(through.columns[k]).noalias() +=
-            local * chain.col(static_cast<int>(k));
+void expand_jacobian(const ElementPlan& plan, const Eigen::MatrixXd& J,
+                     const std::vector<Eigen::MatrixXd>& jacobians, int columns,
+                     ElementWorkspace& workspace) {
+  const int rows = static_cast<int>(J.rows());
+  workspace.expanded.setZero(columns, rows);
+  for (int row = 0; row < rows; ++row) {
+    double* out = workspace.expanded.col(row).data();
+    for (const ElementPlan::Direct& direct : plan.direct)
+      if (direct.column < columns) out[direct.column] += J(row, direct.variable);
+    for (const ElementPlan::Through& through : plan.through)
+      for (int d = 0; d < through.size; ++d) {
+        const double factor = J(row, through.variable + d);
+        if (factor == 0.0) continue;
+        const double* chain = jacobians[through.block].col(d).data();
+        for (const ElementPlan::Run& run : through.runs) {
+          if (run.to >= columns) break;
+          for (int k = 0; k < run.count; ++k) out[run.to + k] += factor * chain[run.from + k];
+        }
+      }
   }
 }
 
-void expand_curvature(const ElementPlan& plan, const std::vector<Eigen::Matrix3Xd>& jacobians,
-                      int columns, ElementWorkspace& workspace) {
-  // First C·E, row by local variable; then Eᵀ times that. Rows of C that are all zero are skipped.
-  const Eigen::MatrixXd& C = workspace.curvature;
-  workspace.row.setZero(C.rows(), columns);
-  for (const ElementPlan::Direct& direct : plan.direct)
-    if (direct.column < columns) workspace.row.col(direct.column) += C.col(direct.variable);
-  for (const ElementPlan::Through& through : plan.through) {
-    const auto local = C.middleCols<3>(through.variable);
-    if (local.isZero(0.0)) continue;
-    const Eigen::Matrix3Xd& chain = jacobians[through.block];
-    for (std::size_t k = 0; k < through.columns.size(); ++k)
-      if (through.columns[k] < columns)
-        workspace.row.col(through.columns[k]).noalias() += local * chain.col(static_cast<int>(k));
+namespace {
+
+/// Adds entry · left rightᵀ of two local variables to the lower triangle of H.
+void add_product(double entry, const LocalRow& left, const LocalRow& right, int columns,
+                 Eigen::MatrixXd& H) {
+  const auto add_column = [&](int b, double factor) {
+    double* __restrict__ out = H.col(b).data();
+    if (left.through == nullptr) {
+      if (left.column >= b && left.column < columns) out[left.column] += factor;
+      return;
+    }
+    for (const ElementPlan::Run& run : left.through->runs) {
+      if (run.to >= columns) return;
+      const double* from = left.chain + run.from - run.to;
+      for (int a = std::max(run.to, b); a < run.to + run.count; ++a) out[a] += factor * from[a];
+    }
+  };
+  if (right.through == nullptr) {
+    if (right.column < columns) add_column(right.column, entry);
+    return;
   }
+  for (const ElementPlan::Run& run : right.through->runs) {
+    if (run.to >= columns) return;
+    const int end = left.through != nullptr ? run.to + run.count
+                                            : std::min(run.to + run.count, left.column + 1);
+    for (int b = run.to; b < end; ++b) add_column(b, entry * right.chain[run.from + b - run.to]);
+  }
+}
+
+}  // namespace
+
+void expand_curvature(const ElementPlan& plan, const std::vector<Eigen::MatrixXd>& jacobians,
+                      int columns, ElementWorkspace& workspace) {
+  const Eigen::MatrixXd& C = workspace.curvature;
+  std::vector<LocalRow>& rows = workspace.rows;
+  rows.assign(static_cast<std::size_t>(C.rows()), LocalRow{columns});
   for (const ElementPlan::Direct& direct : plan.direct)
-    if (direct.column < columns)
-      workspace.hessian.row(direct.column) += workspace.row.row(direct.variable);
-  for (const ElementPlan::Through& through : plan.through) {
-    const auto local = workspace.row.middleRows<3>(through.variable);
-    if (local.isZero(0.0)) continue;
-    const Eigen::Matrix3Xd& chain = jacobians[through.block];
-    for (std::size_t k = 0; k < through.columns.size(); ++k)
-      if (through.columns[k] < columns)
-        workspace.hessian.row(through.columns[k]).noalias() +=
-            chain.col(static_cast<int>(k)).transpose() * local;
+    rows[direct.variable].column = direct.column;
+  for (const ElementPlan::Through& through : plan.through)
+    for (int d = 0; d < through.size; ++d)
+      rows[through.variable + d] = {-1, &through, jacobians[through.block].col(d).data()};
+  // Most entries of C are zero. Both orders of a pair of variables are visited, so that each column pair of the
+  // lower triangle gets both.
+  for (int j = 0; j < C.cols(); ++j)
+    for (int i = 0; i < C.rows(); ++i)
+      if (C(i, j) != 0.0) add_product(C(i, j), rows[i], rows[j], columns, workspace.hessian);
+}
+
+namespace {
+
+/// Three rows of a residual at a time; missing ones count nothing.
+struct Triple {
+  const double *e0, *e1, *e2;
+  double w0, w1, w2;
+
+  Triple(const Eigen::MatrixXd& expanded, const Eigen::VectorXd& second, int row) {
+    const int last = static_cast<int>(expanded.cols()) - 1;
+    e0 = expanded.col(row).data();
+    e1 = expanded.col(std::min(row + 1, last)).data();
+    e2 = expanded.col(std::min(row + 2, last)).data();
+    w0 = second[row];
+    w1 = row + 1 <= last ? second[row + 1] : 0.0;
+    w2 = row + 2 <= last ? second[row + 2] : 0.0;
+  }
+  /// out_a = Σ weight · e_a e_b for the clique columns a from `first` on.
+  void set(int b, int first, int count, double* __restrict__ out) const {
+    const double f0 = w0 * e0[b], f1 = w1 * e1[b], f2 = w2 * e2[b];
+    const double *x0 = e0 + first, *x1 = e1 + first, *x2 = e2 + first;
+    for (int k = 0; k < count; ++k) out[k] = f0 * x0[k] + f1 * x1[k] + f2 * x2[k];
+  }
+  /// out_a += Σ weight · e_a e_b for the clique columns a from `first` on.
+  void add(int b, int first, int count, double* __restrict__ out) const {
+    const double f0 = w0 * e0[b], f1 = w1 * e1[b], f2 = w2 * e2[b];
+    const double *x0 = e0 + first, *x1 = e1 + first, *x2 = e2 + first;
+    if (f1 == 0.0 && f2 == 0.0) {
+      if (f0 == 0.0) return;
+      for (int k = 0; k < count; ++k) out[k] += f0 * x0[k];
+    } else {
+      for (int k = 0; k < count; ++k) out[k] += f0 * x0[k] + f1 * x1[k] + f2 * x2[k];
+    }
+  }
+};
+
+}  // namespace
+
+void rank_hessian(ElementWorkspace& workspace) {
+  const int columns = static_cast<int>(workspace.expanded.rows());
+  workspace.hessian.resize(columns, columns);  // nobody reads the upper triangle
+  for (int row = 0; row < static_cast<int>(workspace.expanded.cols()); row += 3) {
+    const Triple triple(workspace.expanded, workspace.second, row);
+    for (int b = 0; b < columns; ++b) {
+      double* out = workspace.hessian.col(b).data() + b;
+      if (row == 0)
+        triple.set(b, b, columns - b, out);
+      else
+        triple.add(b, b, columns - b, out);
+    }
+  }
+}
+
+void scatter_rank(const Clique& clique, const Eigen::MatrixXd& expanded,
+                  const Eigen::VectorXd& second, const HessianTarget& target) {
+  const int motion = clique.motion_count, columns = static_cast<int>(expanded.rows());
+  for (int row = 0; row < static_cast<int>(expanded.cols()); row += 3) {
+    const Triple triple(expanded, second, row);
+    clique.for_each_run([&](int b, int first, int count, int position) {
+      triple.add(b, first, count, target.mm + position);
+    });
+    for (int k = motion; k < columns; ++k) {
+      double* ms = target.ms->col(clique.slots[k]).data();
+      for (const Clique::Segment& segment : clique.segments)
+        triple.add(k, segment.start, segment.end - segment.start,
+                   ms + clique.slots[segment.start] - target.design_size);
+      double* ss = target.ss->col(clique.slots[k]).data();
+      for (int l = motion; l < columns; ++l) triple.add(k, l, 1, ss + clique.slots[l]);
+    }
+  }
+}
+
+void scatter(const Clique& clique, const Eigen::MatrixXd& hessian, const HessianTarget& target) {
+  clique.for_each_run([&](int b, int first, int count, int position) {
+    const double* from = hessian.col(b).data() + first;
+    double* out = target.mm + position;
+    for (int k = 0; k < count; ++k) out[k] += from[k];
+  });
+  if (target.ms == nullptr) return;
+  const int motion = clique.motion_count, n = target.design_size;
+  for (int k = motion; k < static_cast<int>(clique.slots.size()); ++k) {
+    const int column = clique.slots[k];
+    for (int a = 0; a < motion; ++a) (*target.ms)(clique.slots[a] - n, column) += hessian(k, a);
+    for (int l = motion; l < static_cast<int>(clique.slots.size()); ++l)
+      (*target.ss)(column, clique.slots[l]) += hessian(std::max(k, l), std::min(k, l));
   }
 }
 

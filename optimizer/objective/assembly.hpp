@@ -16,35 +16,77 @@ struct ElementPlan {
   struct Direct {
     int variable, column;
   };
+  /// Neighbouring columns of a block that are neighbours in the clique too.
+  struct Run {
+    int from, to, count;  // block column, clique column
+  };
   struct Through {
-    int variable;              // first of three
-    int block;                 // of DerivedQuantities
-    std::vector<int> columns;  // block column → clique column
+    int variable, block, size;
+    std::vector<Run> runs;  // rising; design columns, if any, have runs of their own
+  };
+  /// Of a linear residual, r_row = Σ coefficient · [s; m; y]_slot − target.
+  struct Entry {
+    int slot;
+    double coefficient;
   };
   std::vector<Direct> direct;
   std::vector<Through> through;
   Clique clique;
+  std::vector<Entry> entries;   // of a constant Jacobian row by row, zeros left out
+  std::vector<int> row_ends;    // row → where its entries end
+  Eigen::VectorXd offset;       // with it, r at zero
+  bool constant = false;        // its Hessian is the same everywhere: ½ r² of a linear r of m alone
+  bool reaches_design = false;  // its clique has design columns
 };
 
 /// @param block_at_slot derived block that starts at a slot of the extended vector, or −1.
-/// @param parameter_count size of p; slots from there on are derived and must come in whole triples.
-ElementPlan plan_element(const Element& element, const std::vector<DerivedBlock>& blocks,
+/// @param parameter_count size of p; slots from there on are derived and must come as whole blocks.
+ElementPlan plan_element(const Term& term, int element, const std::vector<DerivedBlock>& blocks,
                          const std::vector<int>& block_at_slot, int design_size,
                          int parameter_count);
+
+/// One local variable as a function of the clique's columns: a unit vector or a column of a block's Jacobian.
+struct LocalRow {
+  int column = 0;  // of a direct variable
+  const ElementPlan::Through* through = nullptr;
+  const double* chain = nullptr;
+};
 
 /// Scratch of one element; sizes grow to the largest and stay.
 struct ElementWorkspace {
   Eigen::VectorXd z, residual, multiplier, second;
-  Eigen::MatrixXd jacobian, curvature, expanded, hessian, row;
+  Eigen::MatrixXd jacobian, curvature;
+  Eigen::MatrixXd expanded;  // columns of the clique × rows
+  Eigen::MatrixXd hessian;   // of the clique, lower triangle
+  std::vector<LocalRow> rows;
 };
 
-/// Writes J·E into workspace.expanded (rows × columns of the clique, the first `columns` of them), where E is the
-/// Jacobian of the element's local variables in the clique's slots.
-void expand_jacobian(const ElementPlan& plan, const std::vector<Eigen::Matrix3Xd>& jacobians,
-                     int columns, ElementWorkspace& workspace);
+/// Writes (J·E)ᵀ into workspace.expanded (the first `columns` of the clique × rows), where E is the Jacobian of the
+/// element's local variables in the clique's slots. @param J rows × local variables.
+/// @param jacobians by derived block, columns × size.
+void expand_jacobian(const ElementPlan& plan, const Eigen::MatrixXd& J,
+                     const std::vector<Eigen::MatrixXd>& jacobians, int columns,
+                     ElementWorkspace& workspace);
 
-/// Adds Eᵀ C E to workspace.hessian, C the element's curvature in its local variables.
-void expand_curvature(const ElementPlan& plan, const std::vector<Eigen::Matrix3Xd>& jacobians,
+/// Sets the lower triangle of workspace.hessian to Σ_k second_k e_k e_kᵀ, e_k the columns of workspace.expanded.
+void rank_hessian(ElementWorkspace& workspace);
+
+/// Adds Eᵀ C E to the lower triangle of workspace.hessian, C = workspace.curvature in the local variables.
+void expand_curvature(const ElementPlan& plan, const std::vector<Eigen::MatrixXd>& jacobians,
                       int columns, ElementWorkspace& workspace);
+
+/// Second derivatives of F by where they go; null where they are not wanted.
+struct HessianTarget {
+  double* mm;           // values of ∂G/∂m
+  Eigen::MatrixXd* ms;  // ∂G/∂s
+  Eigen::MatrixXd* ss;  // ∂²F/∂s²
+  int design_size;
+};
+
+/// Adds Σ_k second_k e_k e_kᵀ, e_k the columns of `expanded` (clique columns × rows).
+void scatter_rank(const Clique& clique, const Eigen::MatrixXd& expanded,
+                  const Eigen::VectorXd& second, const HessianTarget& target);
+/// Adds a clique's Hessian, given by its lower triangle.
+void scatter(const Clique& clique, const Eigen::MatrixXd& hessian, const HessianTarget& target);
 
 }  // namespace legwright

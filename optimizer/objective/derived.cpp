@@ -1,101 +1,172 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "optimizer/objective/derived.hpp"
 
+#include <algorithm>
 #include <set>
 
 namespace legwright {
 namespace {
 
-/// Parameters that change a foot's place in its trunk, or (foot −1) anything about the robot.
-std::set<int> design_dependence(const Morphology& morphology, int foot) {
-  std::set<int> parameters;
-  const auto add_vector = [&](const AffineVector& v) {
+using Kind = DerivedBlock::Kind;
+
+/// Coordinates of [q; s] that a derived quantity depends on.
+struct Dependence {
+  std::set<int> links;       // whose joints matter
+  std::set<int> parameters;  // of the design
+
+  void add_vector(const AffineVector& v) {
     for (const AffineVector::Slope& slope : v.slopes) parameters.insert(slope.parameter);
-  };
-  const auto add_link = [&](const Link& link) {
+  }
+  void add_joint(const Morphology& morphology, int index) {
+    const Link& link = morphology.links[index];
     add_vector(link.origin);
     for (const JointAxis::Turn& turn : link.joint.axis.turns) parameters.insert(turn.parameter);
-  };
-  if (foot >= 0) {
-    for (int link : morphology.chain_to(morphology.feet[foot].link))
-      add_link(morphology.links[link]);
-    add_vector(morphology.feet[foot].position);
-  } else {
-    for (const Link& link : morphology.links) {
-      add_link(link);
-      for (const PointMass& point : link.masses) add_vector(point.position);
-    }
+    if (index > 0) links.insert(index);
   }
-  return parameters;
+  void add_chain(const Morphology& morphology, int link) {
+    for (int l : morphology.chain_to(link)) add_joint(morphology, l);
+  }
+  /// A link and all below it, with what they weigh and the feet they carry.
+  void add_subtree(const Morphology& morphology, const Ancestry& ancestry, int link) {
+    for (int l = link; l < static_cast<int>(morphology.links.size()); ++l) {
+      if (!ancestry.contains(link, l)) continue;
+      add_joint(morphology, l);
+      for (const PointMass& point : morphology.links[l].masses) add_vector(point.position);
+    }
+    for (const Foot& foot : morphology.feet)
+      if (ancestry.contains(link, foot.link)) add_vector(foot.position);
+  }
+};
+
+Dependence dependence(const Morphology& morphology, const Ancestry& ancestry, Kind kind, int part) {
+  Dependence out;
+  switch (kind) {
+    case Kind::com:
+    case Kind::momentum:
+      out.add_subtree(morphology, ancestry, 0);
+      break;
+    case Kind::foot:
+    case Kind::foot_turn:
+      out.add_chain(morphology, morphology.feet[part].link);
+      out.add_vector(morphology.feet[part].position);
+      break;
+    case Kind::anchor:
+      out.add_chain(morphology, morphology.links[part].parent);
+      out.add_vector(morphology.links[part].origin);
+      break;
+    case Kind::joint_torque:
+      out.add_chain(morphology, part);
+      out.add_subtree(morphology, ancestry, part);
+      break;
+    case Kind::actuator:
+      for (int parameter : actuator_parameters(morphology, morphology.linear_actuators[part]))
+        out.parameters.insert(parameter);
+      break;
+  }
+  return out;
 }
 
 }  // namespace
 
-DerivedQuantities::DerivedQuantities(const Morphology& morphology, const Layout& layout,
-                                     const Task& task, const WantedPath& path)
-    : ancestry_(morphology), path_(path) {
-  using Kind = DerivedBlock::Kind;
-  const int T = layout.knot_count();
-  for (int i = 0; i <= T; ++i) {
-    add_block(Kind::com, layout.com_from_pose(i), i, -1, morphology, layout);
-    for (int j = 0; j < layout.foot_count(); ++j)
-      add_block(Kind::foot, layout.foot_from_pose(i, j), i, j, morphology, layout);
-  }
-  for (int i = 0; i <= T; ++i)
-    add_block(Kind::momentum, layout.swept_momentum(i), i, -1, morphology, layout);
-  const int margin = layout.planted_margin();
-  for (int i = 0; i < T; ++i)
-    for (int j = 0; j < layout.foot_count(); ++j)
-      if (task.gait.planted(i, j, margin) && task.gait.planted(i + 1, j, margin))
-        add_block(Kind::foot_turn, layout.foot_turn(i, j), i, j, morphology, layout);
-  for (int k = 0; k < static_cast<int>(morphology.linear_actuators.size()); ++k)
-    add_actuator_block(k, morphology, layout);
-}
+/// Adds the wanted ones among all derived quantities of a layout.
+class DerivedQuantities::BlockBuilder {
+ public:
+  BlockBuilder(DerivedQuantities& out, const Morphology& morphology, const Layout& layout,
+               const std::vector<char>& wanted)
+      : out_(out), morphology_(morphology), layout_(layout), wanted_(wanted) {}
 
-void DerivedQuantities::add_actuator_block(int actuator, const Morphology& morphology,
-                                           const Layout& layout) {
-  DerivedBlock block{
-      DerivedBlock::Kind::actuator, layout.actuator_shape(actuator), 0, actuator, {}, 0, {}, {}};
-  for (int parameter : actuator_parameters(morphology, morphology.linear_actuators[actuator]))
-    block.slots.push_back(layout.design(parameter));
-  blocks_.push_back(std::move(block));
-}
-
-void DerivedQuantities::add_block(DerivedBlock::Kind kind, int slot, int knot, int foot,
-                                  const Morphology& morphology, const Layout& layout) {
-  DerivedBlock block{kind, slot, knot, foot, {}, 0, {}, {}};
-  std::vector<int> coordinates;  // of a pose, that matter
-  for (int c = 0; c < 6; ++c) coordinates.push_back(c);
-  if (foot >= 0)
-    for (int link : morphology.chain_to(morphology.feet[foot].link))
-      coordinates.push_back(5 + link);
-  else
-    for (int c = 6; c < layout.pose_size(); ++c) coordinates.push_back(c);
-  const auto add_pose = [&](int pose_knot, Columns& columns) {
-    columns.assign(layout.pose_size() + layout.design_size(), -1);
-    for (int c : coordinates) {
-      columns[c] = static_cast<int>(block.slots.size());
-      block.slots.push_back(layout.pose(pose_knot) + c);
+  /// @param knots of the poses it depends on.
+  void add(Kind kind, int slot, int knot, int part, std::initializer_list<int> knots) {
+    DerivedBlock block{};
+    block.kind = kind;
+    block.slot = slot;
+    block.size = kind == Kind::joint_torque ? 1 : 3;
+    block.knot = knot;
+    block.part = part;
+    bool used = false;
+    for (int k = 0; k < block.size; ++k) used |= wanted_[slot + k] != 0;
+    if (!used) return;
+    const Dependence on = dependence(morphology_, out_.ancestry_, kind, part);
+    std::vector<int> coordinates{0, 1, 2, 3, 4, 5};  // of each pose
+    for (int link : on.links) coordinates.push_back(5 + link);
+    for (int pose : knots)
+      for (int c : coordinates) block.slots.push_back(layout_.pose(pose) + c);
+    if (kind == Kind::joint_torque) add_forces(block);
+    std::sort(block.slots.begin(), block.slots.end());  // as a clique has them
+    block.motion_columns = static_cast<int>(block.slots.size());
+    for (int parameter : on.parameters) block.slots.push_back(layout_.design(parameter));
+    const auto column = [&block](int wanted_slot) {
+      return static_cast<int>(std::find(block.slots.begin(), block.slots.end(), wanted_slot) -
+                              block.slots.begin());
+    };
+    int which = 0;
+    for (int pose : knots) {
+      Columns& columns = block.columns[which++];
+      columns.assign(layout_.pose_size() + layout_.design_size(), -1);
+      for (int c : coordinates) columns[c] = column(layout_.pose(pose) + c);
+      for (int parameter : on.parameters)
+        columns[layout_.pose_size() + parameter] = column(layout_.design(parameter));
     }
-  };
-  const bool wraps = kind == DerivedBlock::Kind::momentum && knot == layout.knot_count();
-  const bool pair = kind == DerivedBlock::Kind::momentum || kind == DerivedBlock::Kind::foot_turn;
-  add_pose(wraps ? knot - 1 : knot, block.first);
-  if (pair) add_pose(wraps ? 0 : knot + 1, block.second);
-  block.motion_columns = static_cast<int>(block.slots.size());
-  for (int parameter : design_dependence(morphology, foot)) {
-    const int column = static_cast<int>(block.slots.size());
-    block.first[layout.pose_size() + parameter] = column;
-    if (pair) block.second[layout.pose_size() + parameter] = column;
-    block.slots.push_back(layout.design(parameter));
+    for (int force : block.forces) block.force_columns.push_back(column(force));
+    const bool pair = kind == Kind::momentum || kind == Kind::foot_turn;
+    block.index = kind == Kind::actuator       ? part
+                  : kind == Kind::joint_torque ? out_.torque_count_++
+                  : pair                     ? out_.pair_count_++
+                                             : out_.point_count_++;
+    out_.has_moments_ |= kind == Kind::momentum || kind == Kind::joint_torque;
+    out_.blocks_.push_back(std::move(block));
   }
-  blocks_.push_back(std::move(block));
+
+ private:
+  void add_forces(DerivedBlock& block) {
+    for (int j = 0; j < layout_.foot_count(); ++j) {
+      const int force = layout_.force(block.knot, j);
+      if (force < 0 || !out_.ancestry_.contains(block.part, morphology_.feet[j].link)) continue;
+      block.forces.push_back(force);
+      block.feet.push_back(j);
+      for (int k = 0; k < 3; ++k) block.slots.push_back(force + k);
+    }
+  }
+
+  DerivedQuantities& out_;
+  const Morphology& morphology_;
+  const Layout& layout_;
+  const std::vector<char>& wanted_;
+};
+
+DerivedQuantities::DerivedQuantities(const Morphology& morphology, const Layout& layout,
+                                     const Task& task, const WantedPath& path,
+                                     const std::vector<char>& wanted)
+    : ancestry_(morphology),
+      path_(path),
+      knot_count_(layout.knot_count()),
+      time_step_(task.gait.time_step()) {
+  const int T = knot_count_, feet = layout.foot_count(), joints = layout.joint_count();
+  BlockBuilder builder(*this, morphology, layout, wanted);
+  for (int i = 0; i <= T; ++i) {
+    builder.add(Kind::com, layout.com_from_pose(i), i, -1, {i});
+    for (int j = 0; j < feet; ++j)
+      builder.add(Kind::foot, layout.foot_from_pose(i, j), i, j, {i});
+    for (int link = 1; link <= joints; ++link)
+      builder.add(Kind::anchor, layout.link_anchor(i, link), i, link, {i});
+  }
+  for (int i = 0; i < T; ++i) {
+    builder.add(Kind::momentum, layout.swept_momentum(i), i, -1, {i, i + 1});
+    for (int j = 0; j < feet; ++j)
+      builder.add(Kind::foot_turn, layout.foot_turn(i, j), i, j, {i, i + 1});
+    for (int a = 0; a < joints; ++a)
+      builder.add(Kind::joint_torque, layout.joint_torque(i, a), i, a + 1,
+                  {i > 0 ? i - 1 : T - 1, i, i + 1});
+  }
+  builder.add(Kind::momentum, layout.wrapping_momentum(), T, -1, {T - 1, 0});
+  for (int k = 0; k < static_cast<int>(morphology.linear_actuators.size()); ++k)
+    builder.add(Kind::actuator, layout.actuator_shape(k), 0, k, {});
 }
 
 void DerivedQuantities::evaluate(const Morphology& morphology, const Layout& layout,
-                                 bool with_jacobian, bool with_design, Eigen::VectorXd& extended,
+                                 PoseDetail detail, Eigen::VectorXd& extended,
                                  Workspace& workspace) const {
-  const int T = layout.knot_count();
+  const int T = knot_count_;
   const auto s = extended.head(layout.design_size());
   if (workspace.geometry.links.empty() || workspace.s != s) {
     workspace.s = s;
@@ -106,68 +177,158 @@ void DerivedQuantities::evaluate(const Morphology& morphology, const Layout& lay
   }
   const GeometryAtDesign& geometry = workspace.geometry;
   workspace.poses.resize(T + 2);
-  workspace.points.resize(blocks_.size());
-  workspace.pairs.resize(blocks_.size());
+  workspace.points.resize(point_count_);
+  workspace.pairs.resize(pair_count_);
+  workspace.torques.resize(torque_count_);
   workspace.jacobians.resize(blocks_.size());
+  workspace.ready.assign(blocks_.size(), 0);
   for (int i = 0; i <= T; ++i)
     workspace.poses[i].compute(morphology, geometry,
-                               extended.segment(layout.pose(i), layout.pose_size()), with_design);
-  const Eigen::Matrix3d back = path_.turn().transpose();
-  workspace.poses[T + 1] = workspace.poses[T - 1].moved(back, -back * path_.travel());
-  for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    const DerivedBlock& block = blocks_[b];
-    if (block.kind == DerivedBlock::Kind::actuator) {
-      const ActuatorShape& shape = workspace.shapes[block.foot];
-      extended.segment<3>(block.slot) = shape.value;
-      if (with_jacobian) workspace.jacobians[b] = shape.jacobian;
-      continue;
-    }
-    const int first =
-        block.kind == DerivedBlock::Kind::momentum && block.knot == T ? T + 1 : block.knot;
-    const int second = first == T + 1 ? 0 : block.knot + 1;
-    const PoseKinematics& pose = workspace.poses[first];
-    PointDerivatives& point = workspace.points[b];
-    PairDerivatives& pair = workspace.pairs[b];
-    const bool is_point = block.second.empty();
-    switch (block.kind) {
-      case DerivedBlock::Kind::com:
-        com_from_pose(morphology, geometry, pose, block.first, point);
-        break;
-      case DerivedBlock::Kind::foot:
-        foot_from_pose(morphology, geometry, ancestry_, pose, block.foot, block.first, point);
-        break;
-      case DerivedBlock::Kind::momentum:
-        pair.compute_swept_momentum(morphology, geometry, pose, workspace.poses[second],
-                                    block.first, block.second);
-        break;
-      case DerivedBlock::Kind::foot_turn:
-        pair.compute_foot_turn(morphology, ancestry_, block.foot, pose, workspace.poses[second],
-                               block.first, block.second);
-        break;
-      case DerivedBlock::Kind::actuator:
-        break;  // done above
-    }
-    extended.segment<3>(block.slot) = is_point ? point.value : pair.value;
-    if (!with_jacobian) continue;
-    workspace.jacobians[b].setZero(3, static_cast<int>(block.slots.size()));
-    if (is_point)
-      point.add_jacobian(workspace.jacobians[b]);
-    else
-      pair.add_jacobian(workspace.jacobians[b]);
+                               extended.segment(layout.pose(i), layout.pose_size()), detail);
+  if (has_moments_) {
+    const Eigen::Matrix3d back = path_.turn().transpose();
+    workspace.poses[T + 1].assign_moved(workspace.poses[T - 1], geometry, back,
+                                        -back * path_.travel());
+    workspace.moments.resize(T + 1);
+    for (int i = 0; i < T; ++i)
+      workspace.moments[i].compute(morphology, workspace.poses[i], workspace.poses[i + 1]);
+    workspace.moments[T].compute(morphology, workspace.poses[T + 1], workspace.poses[0]);
+  }
+  for (const DerivedBlock& block : blocks_) place_block(morphology, block, extended, workspace);
+}
+
+PoseTriple DerivedQuantities::triple(const DerivedBlock& block, const Workspace& workspace) const {
+  const int i = block.knot, before = i > 0 ? i - 1 : knot_count_;  // of pairs
+  return {&workspace.poses[i > 0 ? i - 1 : knot_count_ + 1], &workspace.poses[i],
+          &workspace.poses[i + 1], &workspace.moments[before], &workspace.moments[i]};
+}
+
+void DerivedQuantities::collect_forces(const DerivedBlock& block, const Eigen::VectorXd& extended,
+                                       Workspace& workspace) const {
+  workspace.forces.clear();
+  for (std::size_t k = 0; k < block.forces.size(); ++k)
+    workspace.forces.push_back({block.feet[k], extended.segment<3>(block.forces[k])});
+}
+
+double DerivedQuantities::armature_torque(const Morphology& morphology, const DerivedBlock& block,
+                                          const Eigen::VectorXd& extended) const {
+  const auto angle = [&](int pose) {
+    return extended[block.slots[block.columns[pose][5 + block.part]]];
+  };
+  return morphology.links[block.part].joint.armature / (time_step_ * time_step_) *
+         (angle(0) - 2.0 * angle(1) + angle(2));
+}
+
+void DerivedQuantities::place_block(const Morphology& morphology, const DerivedBlock& block,
+                                    Eigen::VectorXd& extended, Workspace& workspace) const {
+  const GeometryAtDesign& geometry = workspace.geometry;
+  const PoseKinematics& pose = workspace.poses[block.knot];
+  auto value = extended.segment(block.slot, block.size);
+  switch (block.kind) {
+    case Kind::com:
+      value = pose.first_moment(0) / geometry.total_mass;
+      break;
+    case Kind::foot:
+      value = foot_place(morphology, geometry, pose, block.part);
+      break;
+    case Kind::anchor:
+      value = pose.origin(block.part);
+      break;
+    case Kind::momentum:
+      value = workspace.moments[block.knot].swept(0);
+      break;
+    case Kind::foot_turn:
+      value = PairDerivatives::foot_turn(morphology, block.part, pose,
+                                         workspace.poses[block.knot + 1]);
+      break;
+    case Kind::joint_torque:
+      collect_forces(block, extended, workspace);
+      value[0] = JointTorque::value(morphology, geometry, triple(block, workspace), block.part,
+                                    time_step_, workspace.forces) +
+                 armature_torque(morphology, block, extended);
+      break;
+    case Kind::actuator:
+      value = workspace.shapes[block.index].value;
+      break;
   }
 }
 
-void DerivedQuantities::curvature(int block, const Eigen::Vector3d& multiplier,
-                                  Workspace& workspace) const {
-  const int size = static_cast<int>(blocks_[block].slots.size());
-  workspace.curvature.setZero(size, size);
-  if (blocks_[block].kind == DerivedBlock::Kind::actuator)
+void DerivedQuantities::compute_torque(const Morphology& morphology, const DerivedBlock& block,
+                                       const Eigen::VectorXd& extended,
+                                       Workspace& workspace) const {
+  collect_forces(block, extended, workspace);
+  const JointTorque::Slots slots{&block.columns[0], &block.columns[1], &block.columns[2],
+                                 block.force_columns};
+  workspace.torques[block.index].compute(
+      morphology, workspace.geometry, ancestry_, triple(block, workspace), block.part, time_step_,
+      workspace.forces, slots, static_cast<int>(block.slots.size()));
+}
+
+const Eigen::MatrixXd& DerivedQuantities::jacobian(const Morphology& morphology, int index,
+                                                   const Eigen::VectorXd& extended,
+                                                   Workspace& workspace) const {
+  Eigen::MatrixXd& jacobian = workspace.jacobians[index];
+  if (workspace.ready[index]) return jacobian;
+  workspace.ready[index] = 1;
+  const DerivedBlock& block = blocks_[index];
+  const GeometryAtDesign& geometry = workspace.geometry;
+  const bool wraps = block.kind == Kind::momentum && block.knot == knot_count_;
+  const PoseKinematics& pose = workspace.poses[wraps ? knot_count_ + 1 : block.knot];
+  const PoseKinematics& next = workspace.poses[wraps ? 0 : block.knot + 1];
+  jacobian.setZero(static_cast<int>(block.slots.size()), block.size);
+  if (block.kind == Kind::actuator) {
+    jacobian = workspace.shapes[block.index].jacobian.transpose();
+    return jacobian;
+  }
+  if (block.kind == Kind::joint_torque) {
+    compute_torque(morphology, block, extended, workspace);
+    workspace.torques[block.index].add_jacobian(jacobian);
+    const double armature =
+        morphology.links[block.part].joint.armature / (time_step_ * time_step_);
     for (int k = 0; k < 3; ++k)
-      workspace.curvature += multiplier[k] * workspace.shapes[blocks_[block].foot].hessian[k];
-  else if (blocks_[block].second.empty())
-    workspace.points[block].add_curvature(ancestry_, multiplier, workspace.curvature);
+      jacobian(block.columns[k][5 + block.part], 0) += (k == 1 ? -2.0 : 1.0) * armature;
+    return jacobian;
+  }
+  if (block.kind == Kind::momentum || block.kind == Kind::foot_turn) {
+    PairDerivatives& pair = workspace.pairs[block.index];
+    if (block.kind == Kind::momentum)
+      pair.compute_swept_momentum(geometry, ancestry_, 0, workspace.moments[block.knot], pose, next,
+                                  block.columns[0], block.columns[1]);
+    else
+      pair.compute_foot_turn(morphology, ancestry_, block.part, pose, next, block.columns[0],
+                             block.columns[1]);
+    pair.add_jacobian(jacobian);
+    return jacobian;
+  }
+  PointDerivatives& point = workspace.points[block.index];
+  if (block.kind == Kind::com)
+    com_from_pose(geometry, ancestry_, pose, block.columns[0], point);
+  else if (block.kind == Kind::foot)
+    foot_from_pose(morphology, geometry, ancestry_, pose, block.part, block.columns[0], point);
   else
-    workspace.pairs[block].add_curvature(ancestry_, multiplier, workspace.curvature);
+    anchor_from_pose(ancestry_, pose, block.part, block.columns[0], point);
+  point.add_jacobian(jacobian);
+  return jacobian;
+}
+
+void DerivedQuantities::curvature(int index, const double* multiplier, Workspace& workspace) const {
+  const DerivedBlock& block = blocks_[index];
+  const int size = static_cast<int>(block.slots.size());
+  workspace.curvature.setZero(size, size);
+  if (block.kind == Kind::joint_torque) {
+    workspace.torques[block.index].add_curvature(ancestry_, multiplier[0], workspace.curvature);
+    return;
+  }
+  if (block.kind == Kind::actuator) {
+    for (int k = 0; k < 3; ++k)
+      workspace.curvature += multiplier[k] * workspace.shapes[block.index].hessian[k];
+    return;
+  }
+  const Eigen::Map<const Eigen::Vector3d> wanted(multiplier);
+  if (block.kind == Kind::momentum || block.kind == Kind::foot_turn)
+    workspace.pairs[block.index].add_curvature(ancestry_, wanted, workspace.curvature);
+  else
+    workspace.points[block.index].add_curvature(ancestry_, wanted, workspace.curvature);
 }
 
 }  // namespace legwright

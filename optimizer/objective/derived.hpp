@@ -6,6 +6,7 @@
 
 #include "optimizer/design/actuator_length.hpp"
 #include "optimizer/design/inertia.hpp"
+#include "optimizer/design/joint_torque.hpp"
 #include "optimizer/design/kinematics.hpp"
 #include "optimizer/design/momentum.hpp"
 #include "optimizer/motion/layout.hpp"
@@ -14,18 +15,24 @@
 
 namespace legwright {
 
-/// One derived quantity y (three numbers) of Layout and the slots of p = [s; m] that it depends on.
+/// One derived quantity y of Layout and the slots of p = [s; m] that it depends on.
 struct DerivedBlock {
-  enum class Kind { com, foot, momentum, foot_turn, actuator };
+  enum class Kind { com, foot, anchor, momentum, foot_turn, joint_torque, actuator };
   Kind kind;
-  int slot;                // first of three
-  int knot, foot;          // knot T of a momentum: the wrapping pair; actuator: its number as foot
+  int slot, size;          // first and number of its slots of the extended vector
+  int knot;                // knot T of a momentum: the wrapping pair
+  int part;                // foot, link of an anchor or of a joint's torque, linear actuator
   std::vector<int> slots;  // column → slot of p; motion columns first
   int motion_columns;
-  Columns first, second;  // coordinate of [q; s] → column; `second` for pairs of poses
+  /// Coordinate of [q; s] → column, for each pose that matters: one; two for pairs; before, at, after for torques.
+  Columns columns[3];
+  int index;                        // among the blocks whose derivatives have the same form
+  std::vector<int> forces, feet;    // joint_torque: first slot of each force that the joint carries, and its foot
+  std::vector<int> force_columns;
 };
 
-/// y(s, m) with exact derivatives: all of the robot's kinematics, evaluated once per point for all terms.
+/// y(s, m) with exact derivatives: all of the robot's kinematics. Values come first, for all terms at once; a block's
+/// Jacobian and curvature are worked out when something asks for them.
 class DerivedQuantities {
  public:
   struct Workspace {
@@ -33,31 +40,49 @@ class DerivedQuantities {
     GeometryAtDesign geometry;
     std::vector<ActuatorShape> shapes;  // of the linear actuators, at `s`
     std::vector<PoseKinematics> poses;  // knots 0 … T, then knot T − 1 moved back by one cycle
-    std::vector<PointDerivatives> points;  // per block; unused for pairs
+    std::vector<PairMoments> moments;   // knot i to i + 1; at T the wrapping pair
+    std::vector<PointDerivatives> points;
     std::vector<PairDerivatives> pairs;
-    std::vector<Eigen::Matrix3Xd> jacobians;
+    std::vector<JointTorque> torques;
+    std::vector<Eigen::MatrixXd> jacobians;  // by block, columns × size; valid where `ready`
+    std::vector<char> ready;
+    std::vector<FootForce> forces;
     Eigen::MatrixXd curvature;
   };
 
   DerivedQuantities() = default;
+  /// @param wanted by slot of the extended vector: only blocks that hold a wanted slot exist.
   DerivedQuantities(const Morphology& morphology, const Layout& layout, const Task& task,
-                    const WantedPath& path);
+                    const WantedPath& path, const std::vector<char>& wanted);
 
   const std::vector<DerivedBlock>& blocks() const { return blocks_; }
-  /// Fills the y part of `extended` ([s; m] given) and, with_jacobian, the Jacobians.
-  void evaluate(const Morphology& morphology, const Layout& layout, bool with_jacobian,
-                bool with_design, Eigen::VectorXd& extended, Workspace& workspace) const;
-  /// Σ multiplier_k ∂²y_k of a block at the point just evaluated, columns × columns, into workspace.curvature.
-  void curvature(int block, const Eigen::Vector3d& multiplier, Workspace& workspace) const;
+  /// Fills the y part of `extended` ([s; m] given). `detail` says which derivatives may be asked for afterwards.
+  void evaluate(const Morphology& morphology, const Layout& layout, PoseDetail detail,
+                Eigen::VectorXd& extended, Workspace& workspace) const;
+  /// ∂y of a block at the point just evaluated, columns × size.
+  const Eigen::MatrixXd& jacobian(const Morphology& morphology, int block,
+                                  const Eigen::VectorXd& extended, Workspace& workspace) const;
+  /// Σ multiplier_k ∂²y_k of a block whose Jacobian is ready, into the lower triangle of workspace.curvature.
+  void curvature(int block, const double* multiplier, Workspace& workspace) const;
 
  private:
-  void add_block(DerivedBlock::Kind kind, int slot, int knot, int foot,
-                 const Morphology& morphology, const Layout& layout);
-  void add_actuator_block(int actuator, const Morphology& morphology, const Layout& layout);
+  class BlockBuilder;
+  PoseTriple triple(const DerivedBlock& block, const Workspace& workspace) const;
+  void collect_forces(const DerivedBlock& block, const Eigen::VectorXd& extended,
+                      Workspace& workspace) const;
+  void place_block(const Morphology& morphology, const DerivedBlock& block,
+                   Eigen::VectorXd& extended, Workspace& workspace) const;
+  void compute_torque(const Morphology& morphology, const DerivedBlock& block,
+                      const Eigen::VectorXd& extended, Workspace& workspace) const;
+  double armature_torque(const Morphology& morphology, const DerivedBlock& block,
+                         const Eigen::VectorXd& extended) const;
 
   Ancestry ancestry_;
   WantedPath path_;
   std::vector<DerivedBlock> blocks_;
+  int knot_count_ = 0, point_count_ = 0, pair_count_ = 0, torque_count_ = 0;
+  double time_step_ = 1.0;
+  bool has_moments_ = false;
 };
 
 }  // namespace legwright

@@ -10,10 +10,7 @@
 #include "optimizer/design/inertia.hpp"
 #include "optimizer/design/kinematics.hpp"
 #include "optimizer/motion/initial_guess.hpp"
-#include "optimizer/motion/path.hpp"
-#include "optimizer/objective/assembly.hpp"
-#include "optimizer/objective/derived.hpp"
-#include "optimizer/terms/registry.hpp"
+#include "optimizer/objective/parts.hpp"
 
 namespace legwright {
 namespace {
@@ -21,13 +18,8 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// A term of the registry as it stands in this objective.
-struct WeightedTerm {
-  std::string_view name;
-  double weight;
-  std::unique_ptr<Term> term;
-  std::vector<ElementPlan> plans;  // by element
-};
+bool has_second(Order order) { return order == Order::hessian || order == Order::design; }
+bool has_design(Order order) { return order == Order::gradients || order == Order::design; }
 
 /// The robot standing in its home pose at the initial design: COM and feet under a level trunk.
 struct Stance {
@@ -40,26 +32,17 @@ Stance home_stance(const Morphology& morphology, const VectorXd& s) {
   PoseKinematics pose;
   VectorXd q = VectorXd::Zero(morphology.pose_size());
   q.tail(morphology.joint_count()) = morphology.nominal_joints();
-  pose.compute(morphology, geometry, q, false);
-  const Columns columns(morphology.pose_size() + s.size(), 0);
-  PointDerivatives com, foot;
-  com_from_pose(morphology, geometry, pose, columns, com);
-  const Ancestry ancestry(morphology);
+  pose.compute(morphology, geometry, q, PoseDetail::place);
+  const Vector3d com = pose.first_moment(0) / geometry.total_mass;
   Stance stance{0.0, {}};
   double ground = std::numeric_limits<double>::infinity();
   for (int j = 0; j < morphology.foot_count(); ++j) {
-    foot_from_pose(morphology, geometry, ancestry, pose, j, columns, foot);
-    stance.footprint.push_back((foot.value - com.value).head<2>());
-    ground = std::min(ground, foot.value.z() - morphology.feet[j].radius);
+    const Vector3d foot = foot_place(morphology, geometry, pose, j);
+    stance.footprint.push_back((foot - com).head<2>());
+    ground = std::min(ground, foot.z() - morphology.feet[j].radius);
   }
-  stance.com_height = com.value.z() - ground;
+  stance.com_height = com.z() - ground;
   return stance;
-}
-
-bool same_pattern(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMatrix<double>& b) {
-  return a.cols() == b.cols() && a.nonZeros() == b.nonZeros() &&
-         std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.cols() + 1, b.outerIndexPtr()) &&
-         std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
 }
 
 std::vector<double> term_weights(const Task& task) {
@@ -77,37 +60,8 @@ std::vector<double> term_weights(const Task& task) {
 
 }  // namespace
 
-struct Objective::Workspace::Parts {
-  const void* owner = nullptr;  // the objective it was last used with
-  DerivedQuantities::Workspace derived;
-  ElementWorkspace element;
-  VectorXd extended, gradient;  // [s; m; y] and ∂F/∂[s; m; y]
-};
-
 Objective::Workspace::Workspace() : parts_(std::make_unique<Parts>()) {}
 Objective::Workspace::~Workspace() = default;
-
-struct Objective::Impl {
-  using Parts = Workspace::Parts;
-
-  Morphology morphology;
-  DesignSpace space;
-  Task task;
-  Layout layout;
-  WantedPath path;
-  VectorXd units;
-  DerivedQuantities derived;
-  std::vector<WeightedTerm> terms;
-  std::vector<Clique> block_cliques;  // by derived block
-  Eigen::SparseMatrix<double> pattern;
-
-  void build();
-  void add_element(const WeightedTerm& entry, int index, Order order, Parts& workspace,
-                   Evaluation& out, double& term_value) const;
-  void scatter(const Clique& clique, const Eigen::MatrixXd& hessian, Order order,
-               Evaluation& out) const;
-  void add_derived(Order order, Parts& workspace, Evaluation& out) const;
-};
 
 void Objective::Impl::build() {
   const VectorXd initial = space.initial();
@@ -124,99 +78,185 @@ void Objective::Impl::build() {
                             task.com_height.value_or(stance.com_height),
                             task.footprint.value_or(stance.footprint)};
   units = layout.motion_units(context.length, context.weight);
-  derived = DerivedQuantities(morphology, layout, task, path);
+  const std::vector<double> weights = term_weights(task);
+  std::vector<char> wanted(layout.extended_size(), 0);
+  for (std::size_t k = 0; k < term_registry().size(); ++k) {
+    const TermEntry& entry = term_registry()[k];
+    terms.push_back({&entry, weights[k], entry.make(context), {}});
+    if (weights[k] == 0.0) continue;
+    for (const Element& element : terms.back().term->elements())
+      for (int slot : element.slots) wanted[slot] = 1;
+  }
+  derived = DerivedQuantities(morphology, layout, task, path, wanted);
+  plan();
+}
+
+void Objective::Impl::plan() {
   std::vector<int> block_at_slot(layout.extended_size(), -1);
   for (std::size_t b = 0; b < derived.blocks().size(); ++b)
     block_at_slot[derived.blocks()[b].slot] = static_cast<int>(b);
   std::vector<Clique*> cliques;
-  const std::vector<double> weights = term_weights(task);
-  for (std::size_t k = 0; k < term_registry().size(); ++k) {
-    const TermEntry& entry = term_registry()[k];
-    terms.push_back({entry.name, weights[k], entry.make(context), {}});
-    for (const Element& element : terms.back().term->elements())
-      terms.back().plans.push_back(plan_element(element, derived.blocks(), block_at_slot,
-                                                layout.design_size(), layout.parameter_count()));
+  for (WeightedTerm& entry : terms) {
+    const int count = entry.weight == 0.0 ? 0 : static_cast<int>(entry.term->elements().size());
+    for (int e = 0; e < count; ++e)
+      entry.plans.push_back(plan_element(*entry.term, e, derived.blocks(), block_at_slot,
+                                         layout.design_size(), layout.parameter_count()));
   }
   for (const DerivedBlock& block : derived.blocks())
-    block_cliques.push_back({block.slots, block.motion_columns, {}});
-  for (WeightedTerm& term : terms)
-    for (ElementPlan& plan : term.plans) cliques.push_back(&plan.clique);
+    block_cliques.emplace_back(block.slots, block.motion_columns);
+  for (WeightedTerm& entry : terms)
+    for (ElementPlan& element : entry.plans) cliques.push_back(&element.clique);
   for (Clique& clique : block_cliques) cliques.push_back(&clique);
   pattern = Sparsity::build(layout.design_size(), layout.motion_size(), cliques);
+  ElementWorkspace scratch;
+  const HessianTarget target{pattern.valuePtr(), nullptr, nullptr, layout.design_size()};
+  for (const WeightedTerm& entry : terms)
+    for (std::size_t e = 0; e < entry.plans.size(); ++e) {
+      if (!entry.plans[e].constant) continue;
+      const Eigen::MatrixXd& J = *entry.term->constant_jacobian(static_cast<int>(e));
+      expand_jacobian(entry.plans[e], J, {}, entry.plans[e].clique.motion_count, scratch);
+      scatter_rank(entry.plans[e].clique, scratch.expanded,
+                   VectorXd::Constant(J.rows(), entry.weight), target);
+    }
 }
 
-void Objective::Impl::scatter(const Clique& clique, const Eigen::MatrixXd& hessian, Order order,
-                              Evaluation& out) const {
-  double* values = out.hessian_mm.valuePtr();
-  const int n = layout.design_size(), motion = clique.motion_count;
-  for (int a = 0; a < motion; ++a)
-    for (int b = 0; b <= a; ++b) values[clique.position(a, b)] += hessian(a, b);
-  if (order != Order::design) return;
-  for (std::size_t k = motion; k < clique.slots.size(); ++k) {
-    const int column = clique.slots[k], local = static_cast<int>(k);
-    for (int a = 0; a < motion; ++a)
-      out.hessian_ms(clique.slots[a] - n, column) += hessian(local, a);
-    for (std::size_t l = motion; l < clique.slots.size(); ++l)
-      out.hessian_ss(column, clique.slots[l]) +=
-          hessian(std::max(local, static_cast<int>(l)), std::min(local, static_cast<int>(l)));
-  }
-}
-
-void Objective::Impl::add_element(const WeightedTerm& entry, int index, Order order,
-                                  Parts& workspace, Evaluation& out, double& term_value) const {
-  const Term& term = *entry.term;
-  const Element& element = term.elements()[index];
+void Objective::Impl::residual(const WeightedTerm& entry, int index, Parts& workspace) const {
   const ElementPlan& plan = entry.plans[index];
+  const Element& element = entry.term->elements()[index];
   ElementWorkspace& local = workspace.element;
+  if (plan.offset.size() > 0) {
+    local.residual.resize(plan.offset.size());
+    const double* x = workspace.extended.data();
+    const ElementPlan::Entry* e = plan.entries.data();
+    for (std::size_t row = 0; row < plan.row_ends.size(); ++row) {
+      double sum = plan.offset[static_cast<int>(row)];
+      for (const auto* end = plan.entries.data() + plan.row_ends[row]; e != end; ++e)
+        sum += e->coefficient * x[e->slot];
+      local.residual[static_cast<int>(row)] = sum;
+    }
+    return;
+  }
   const int size = static_cast<int>(element.slots.size());
   local.z.resize(size);
   for (int k = 0; k < size; ++k) local.z[k] = workspace.extended[element.slots[k]];
   local.residual.resize(element.rows);
-  term.residual(index, local.z, local.residual);
-  local.multiplier.resize(element.rows);
-  local.second.resize(element.rows);
-  for (int k = 0; k < element.rows; ++k) {
+  entry.term->residual(index, local.z, local.residual);
+}
+
+double Objective::Impl::add_element(const WeightedTerm& entry, int index, Order order,
+                                    Parts& workspace, const HessianTarget& target) const {
+  const Term& term = *entry.term;
+  const ElementPlan& plan = entry.plans[index];
+  ElementWorkspace& local = workspace.element;
+  residual(entry, index, workspace);
+  const int rows = static_cast<int>(local.residual.size());
+  local.multiplier.resize(rows);
+  local.second.resize(rows);
+  double value = 0.0;
+  bool idle = true;
+  for (int k = 0; k < rows; ++k) {
     const PenaltyValue p =
         legwright::evaluate(term.penalty(), local.residual[k], task.barrier_edge);
-    term_value += entry.weight * p.value;
+    value += entry.weight * p.value;
     local.multiplier[k] = entry.weight * p.first;
     local.second[k] = entry.weight * p.second;
+    idle = idle && p.first == 0.0 && p.second == 0.0;
   }
-  if (order == Order::value) return;
-  local.jacobian.setZero(element.rows, size);
-  term.jacobian(index, local.z, local.jacobian);
-  for (int k = 0; k < size; ++k)
-    workspace.gradient[element.slots[k]] += local.jacobian.col(k).dot(local.multiplier);
-  if (order == Order::gradient) return;
+  if (order == Order::value || idle) return value;
+  const bool linear = plan.offset.size() > 0;
+  if (linear) {
+    const ElementPlan::Entry* e = plan.entries.data();
+    for (int row = 0; row < rows; ++row)
+      for (const auto* end = plan.entries.data() + plan.row_ends[row]; e != end; ++e)
+        workspace.gradient[e->slot] += e->coefficient * local.multiplier[row];
+  } else {
+    const Element& element = term.elements()[index];
+    local.jacobian.setZero(rows, local.z.size());
+    term.jacobian(index, local.z, local.jacobian);
+    for (int k = 0; k < local.z.size(); ++k)
+      workspace.gradient[element.slots[k]] += local.jacobian.col(k).dot(local.multiplier);
+  }
+  if (!has_second(order) || plan.constant) return value;
+  add_second(entry, index, order, workspace, target);
+  return value;
+}
+
+void Objective::Impl::add_second(const WeightedTerm& entry, int index, Order order,
+                                 Parts& workspace, const HessianTarget& target) const {
+  const Term& term = *entry.term;
+  const ElementPlan& plan = entry.plans[index];
   const Clique& clique = plan.clique;
+  ElementWorkspace& local = workspace.element;
   const int columns =
       order == Order::design ? static_cast<int>(clique.slots.size()) : clique.motion_count;
   if (columns == 0) return;
-  expand_jacobian(plan, workspace.derived.jacobians, columns, local);
-  local.hessian.setZero(columns, columns);
-  for (int k = 0; k < element.rows; ++k)
-    local.hessian.selfadjointView<Eigen::Lower>().rankUpdate(local.expanded.row(k).transpose(),
-                                                             local.second[k]);
-  if (term.curved()) {
-    local.curvature.setZero(size, size);
-    term.add_curvature(index, local.z, local.multiplier, local.curvature);
-    expand_curvature(plan, workspace.derived.jacobians, columns, local);
+  for (const ElementPlan::Through& through : plan.through)
+    derived.jacobian(morphology, through.block, workspace.extended, workspace.derived);
+  const Eigen::MatrixXd* constant = term.constant_jacobian(index);
+  expand_jacobian(plan, constant != nullptr ? *constant : local.jacobian,
+                  workspace.derived.jacobians, columns, local);
+  if (!term.curved()) {
+    scatter_rank(clique, local.expanded, local.second, target);
+    return;
   }
-  scatter(clique, local.hessian, order, out);
+  local.curvature.setZero(local.z.size(), local.z.size());
+  term.add_curvature(index, local.z, local.multiplier, local.curvature);
+  rank_hessian(local);
+  expand_curvature(plan, workspace.derived.jacobians, columns, local);
+  scatter(clique, local.hessian, target);
 }
 
-void Objective::Impl::add_derived(Order order, Parts& workspace, Evaluation& out) const {
+double Objective::Impl::add_term(const WeightedTerm& entry, Order order, Parts& workspace,
+                                 const HessianTarget& target) const {
+  double value = 0.0;
+  if (entry.plans.empty()) return value;
+  workspace.active.clear();
+  if (entry.term->select_active(workspace.extended, workspace.active)) {
+    for (int e : workspace.active) value += add_element(entry, e, order, workspace, target);
+  } else {
+    for (std::size_t e = 0; e < entry.plans.size(); ++e)
+      value += add_element(entry, static_cast<int>(e), order, workspace, target);
+  }
+  return value;
+}
+
+void Objective::Impl::add_derived(Order order, Parts& workspace,
+                                  const HessianTarget& target) const {
   // Chain rule: what terms want of y is handed on to m and s, and y's own curvature comes in.
   for (std::size_t b = 0; b < derived.blocks().size(); ++b) {
     const DerivedBlock& block = derived.blocks()[b];
-    const Vector3d multiplier = workspace.gradient.segment<3>(block.slot);
-    for (std::size_t k = 0; k < block.slots.size(); ++k)
-      workspace.gradient[block.slots[k]] +=
-          workspace.derived.jacobians[b].col(static_cast<int>(k)).dot(multiplier);
-    if (order == Order::gradient) continue;
-    derived.curvature(static_cast<int>(b), multiplier, workspace.derived);
-    scatter(block_cliques[b], workspace.derived.curvature, order, out);
+    const auto multiplier = workspace.gradient.segment(block.slot, block.size);
+    if (multiplier.isZero(0.0)) continue;
+    const int index = static_cast<int>(b);
+    const Eigen::MatrixXd& jacobian =
+        derived.jacobian(morphology, index, workspace.extended, workspace.derived);
+    const int columns =
+        has_design(order) ? static_cast<int>(block.slots.size()) : block.motion_columns;
+    for (int d = 0; d < block.size; ++d)
+      for (int k = 0; k < columns; ++k)
+        workspace.gradient[block.slots[k]] += jacobian(k, d) * multiplier[d];
+    if (!has_second(order)) continue;
+    derived.curvature(index, multiplier.data(), workspace.derived);
+    scatter(block_cliques[b], workspace.derived.curvature, target);
   }
+}
+
+void Objective::Impl::prepare(const VectorXd& s, const VectorXd& m, Order order,
+                              Parts& workspace) const {
+  if (s.size() != layout.design_size() || m.size() != layout.motion_size())
+    throw std::invalid_argument("F: s has " + std::to_string(s.size()) + " and m " +
+                                std::to_string(m.size()) + " entries");
+  if (workspace.owner != this) workspace.derived = {};  // of another robot
+  workspace.owner = this;
+  workspace.extended.resize(layout.extended_size());
+  workspace.extended.head(s.size()) = s;
+  workspace.extended.segment(s.size(), m.size()) = m;
+  workspace.extended.tail(layout.extended_size() - layout.parameter_count()).setZero();
+  const PoseDetail detail = order == Order::value ? PoseDetail::place
+                            : has_design(order)   ? PoseDetail::design
+                                                  : PoseDetail::motion;
+  derived.evaluate(morphology, layout, detail, workspace.extended, workspace.derived);
+  workspace.gradient.setZero(layout.extended_size());
 }
 
 Objective::Objective(Morphology morphology, DesignSpace space, Task task)
@@ -248,7 +288,7 @@ const VectorXd& Objective::motion_units() const { return impl_->units; }
 
 std::vector<std::string_view> Objective::term_names() const {
   std::vector<std::string_view> names;
-  for (const WeightedTerm& term : impl_->terms) names.push_back(term.name);
+  for (const WeightedTerm& term : impl_->terms) names.push_back(term.entry->name);
   return names;
 }
 
@@ -260,38 +300,54 @@ void Objective::evaluate(const VectorXd& s, const VectorXd& m, Order order, Work
                          Evaluation& out) const {
   Workspace::Parts& workspace = *scratch.parts_;
   const Layout& layout = impl_->layout;
-  if (s.size() != layout.design_size() || m.size() != layout.motion_size())
-    throw std::invalid_argument("F: s has " + std::to_string(s.size()) + " and m " +
-                                std::to_string(m.size()) + " entries");
-  if (workspace.owner != impl_.get()) workspace.derived = {};  // of another robot
-  workspace.owner = impl_.get();
-  workspace.extended.resize(layout.extended_size());
-  workspace.extended.head(s.size()) = s;
-  workspace.extended.segment(s.size(), m.size()) = m;
-  workspace.extended.tail(layout.extended_size() - layout.parameter_count()).setZero();
-  impl_->derived.evaluate(impl_->morphology, layout, order != Order::value, order == Order::design,
-                          workspace.extended, workspace.derived);
-  workspace.gradient.setZero(layout.extended_size());
-  if (order == Order::hessian || order == Order::design) {
-    if (!same_pattern(out.hessian_mm, impl_->pattern)) out.hessian_mm = impl_->pattern;
-    std::fill_n(out.hessian_mm.valuePtr(), out.hessian_mm.nonZeros(), 0.0);
+  impl_->prepare(s, m, order, workspace);
+  HessianTarget target{nullptr, nullptr, nullptr, layout.design_size()};
+  if (has_second(order)) {
+    if (out.pattern == impl_->pattern_key &&
+        out.hessian_mm.nonZeros() == impl_->pattern.nonZeros()) {
+      std::copy_n(impl_->pattern.valuePtr(), impl_->pattern.nonZeros(), out.hessian_mm.valuePtr());
+    } else {
+      out.hessian_mm = impl_->pattern;
+      out.pattern = impl_->pattern_key;
+    }
+    target.mm = out.hessian_mm.valuePtr();
   }
   if (order == Order::design) {
     out.hessian_ms.setZero(layout.motion_size(), layout.design_size());
     out.hessian_ss.setZero(layout.design_size(), layout.design_size());
+    target.ms = &out.hessian_ms;
+    target.ss = &out.hessian_ss;
   }
   out.value = 0.0;
   out.term_values.assign(impl_->terms.size(), 0.0);
   for (std::size_t k = 0; k < impl_->terms.size(); ++k) {
-    for (std::size_t e = 0; e < impl_->terms[k].plans.size(); ++e)
-      impl_->add_element(impl_->terms[k], static_cast<int>(e), order, workspace, out,
-                         out.term_values[k]);
+    out.term_values[k] = impl_->add_term(impl_->terms[k], order, workspace, target);
     out.value += out.term_values[k];
   }
   if (order == Order::value) return;
-  impl_->add_derived(order, workspace, out);
+  impl_->add_derived(order, workspace, target);
   out.stationarity = workspace.gradient.segment(layout.design_size(), layout.motion_size());
-  if (order == Order::design) out.partial_s = workspace.gradient.head(layout.design_size());
+  if (has_design(order)) out.partial_s = workspace.gradient.head(layout.design_size());
+}
+
+TermShares Objective::shares(const VectorXd& s, const VectorXd& m, bool with_stationarity) const {
+  const Layout& layout = impl_->layout;
+  const Eigen::Index count = static_cast<Eigen::Index>(impl_->terms.size());
+  const HessianTarget none{nullptr, nullptr, nullptr, layout.design_size()};
+  Workspace::Parts workspace;
+  TermShares out{term_names(), Eigen::MatrixXd::Zero(count, layout.design_size()), {}};
+  if (with_stationarity) out.stationarity.setZero(count, layout.motion_size());
+  impl_->prepare(s, m, Order::gradients, workspace);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    workspace.gradient.setZero();
+    impl_->add_term(impl_->terms[static_cast<std::size_t>(k)], Order::gradients, workspace, none);
+    impl_->add_derived(Order::gradients, workspace, none);
+    out.partial_s.row(k) = workspace.gradient.head(layout.design_size());
+    if (with_stationarity)
+      out.stationarity.row(k) =
+          workspace.gradient.segment(layout.design_size(), layout.motion_size());
+  }
+  return out;
 }
 
 Evaluation Objective::evaluate(const VectorXd& s, const VectorXd& m, Order order) const {
@@ -305,7 +361,7 @@ std::vector<TermValue> Objective::terms(const VectorXd& s, const VectorXd& m) co
   const Evaluation at = evaluate(s, m, Order::value);
   std::vector<TermValue> values;
   for (std::size_t k = 0; k < impl_->terms.size(); ++k)
-    values.push_back({impl_->terms[k].name, at.term_values[k]});
+    values.push_back({impl_->terms[k].entry->name, at.term_values[k]});
   return values;
 }
 

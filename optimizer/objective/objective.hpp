@@ -23,10 +23,19 @@ struct TermValue {
 
 /// How much of the derivatives is wanted.
 enum class Order {
-  value,     // F
-  gradient,  // + ∂F/∂m
-  hessian,   // + ∂G/∂m, for Newton
-  design,    // + ∂F/∂s, ∂G/∂s, ∂²F/∂s², for the adjoint
+  value,      // F
+  gradient,   // + ∂F/∂m
+  gradients,  // + ∂F/∂m and ∂F/∂s, no second derivatives: for an outer objective
+  hessian,    // + ∂F/∂m and ∂G/∂m, for Newton
+  design,     // everything: + ∂F/∂s, ∂G/∂s, ∂²F/∂s², for the adjoint
+};
+
+/// Which term pulls where: each term's share of the first derivatives, weighted. Rows: terms in registry order; they sum
+/// to ∂F/∂s and G. Terms of weight zero have rows of zeros.
+struct TermShares {
+  std::vector<std::string_view> names;
+  Eigen::MatrixXd partial_s;      // terms × design_size
+  Eigen::MatrixXd stationarity;   // terms × motion_size; empty unless asked for
 };
 
 /// Everything that is known about F at one point (s, m), up to the order that was asked for.
@@ -38,6 +47,7 @@ struct Evaluation {
   Eigen::VectorXd partial_s;               // ∂F/∂s at fixed m
   Eigen::MatrixXd hessian_ms;              // ∂G/∂s, motion_size × design_size
   Eigen::MatrixXd hessian_ss;              // ∂²F/∂s²
+  std::shared_ptr<const void> pattern;     // whose pattern hessian_mm has
 };
 
 /// F(s, m) = Σ weight·term for one robot and one task, with exact derivatives. Immutable after construction:
@@ -77,8 +87,12 @@ class Objective {
   /// The same with a workspace of its own; for callers that evaluate once.
   Evaluation evaluate(const Eigen::VectorXd& s, const Eigen::VectorXd& m, Order order) const;
   std::vector<TermValue> terms(const Eigen::VectorXd& s, const Eigen::VectorXd& m) const;
+  /// Each term's share of ∂F/∂s and, on request, of G: why a design changes.
+  TermShares shares(const Eigen::VectorXd& s, const Eigen::VectorXd& m,
+                    bool with_stationarity = false) const;
 
  private:
+  friend class ViolationFinder;
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

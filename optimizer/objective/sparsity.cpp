@@ -2,23 +2,27 @@
 #include "optimizer/objective/sparsity.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace legwright {
+
+Clique::Clique(std::vector<int> clique_slots, int clique_motion_count)
+    : slots(std::move(clique_slots)), motion_count(clique_motion_count) {
+  for (int k = 0; k < motion_count; ++k) {
+    if (k == 0 || slots[k] != slots[k - 1] + 1) segments.push_back({k, k});
+    segments.back().end = k + 1;
+    segment_of.push_back(static_cast<int>(segments.size()) - 1);
+  }
+}
 
 Eigen::SparseMatrix<double> Sparsity::build(int design_size, int motion_size,
                                             const std::vector<Clique*>& cliques) {
   std::vector<std::vector<int>> rows(motion_size);  // by column, lower triangle
   for (int k = 0; k < motion_size; ++k) rows[k].push_back(k);
-  const auto entry = [&](const Clique& clique, int a, int b) {
-    const int i = clique.slots[a] - design_size, j = clique.slots[b] - design_size;
-    return std::pair(std::max(i, j), std::min(i, j));
-  };
   for (const Clique* clique : cliques)
-    for (int a = 0; a < clique->motion_count; ++a)
-      for (int b = 0; b <= a; ++b) {
-        const auto [row, column] = entry(*clique, a, b);
-        rows[column].push_back(row);
-      }
+    for (int b = 0; b < clique->motion_count; ++b)
+      for (int a = b; a < clique->motion_count; ++a)
+        rows[clique->slots[b] - design_size].push_back(clique->slots[a] - design_size);
   Eigen::SparseMatrix<double> pattern(motion_size, motion_size);
   std::vector<int> start(motion_size);
   int count = 0;
@@ -36,11 +40,13 @@ Eigen::SparseMatrix<double> Sparsity::build(int design_size, int motion_size,
   pattern.finalize();
   for (Clique* clique : cliques) {
     clique->positions.clear();
-    for (int a = 0; a < clique->motion_count; ++a)
-      for (int b = 0; b <= a; ++b) {
-        const auto [row, column] = entry(*clique, a, b);
+    for (int b = 0; b < clique->motion_count; ++b)
+      for (std::size_t g = clique->segment_of[b]; g < clique->segments.size(); ++g) {
+        const int column = clique->slots[b] - design_size;
+        const int row = clique->slots[std::max(b, clique->segments[g].start)] - design_size;
         const auto found = std::lower_bound(rows[column].begin(), rows[column].end(), row);
-        clique->positions.push_back(start[column] + static_cast<int>(found - rows[column].begin()));
+        clique->positions.push_back(start[column] +
+                                    static_cast<int>(found - rows[column].begin()));
       }
   }
   return pattern;

@@ -42,9 +42,9 @@ std::vector<CpuPath> available_cpu_paths() {
   std::vector<CpuPath> paths = {CpuPath::baseline};
 #if defined(LEGWRIGHT_X86_PATHS)
   // Both also ask whether the operating system saves the wide registers.
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-    paths.push_back(CpuPath::avx2);
-  if (__builtin_cpu_supports("avx512f")) paths.push_back(CpuPath::avx512);
+  const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  if (avx2) paths.push_back(CpuPath::avx2);
+  if (avx2 && __builtin_cpu_supports("avx512f")) paths.push_back(CpuPath::avx512);
 #endif
   return paths;
 }

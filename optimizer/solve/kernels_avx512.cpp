@@ -15,7 +15,7 @@ inline void store_first(double* p, Vector v, int count) {
   _mm512_mask_storeu_pd(p, static_cast<__mmask8>((1u << count) - 1u), v);
 }
 inline Vector load_first(const double* p, int count) {
-  return _mm512_maskz_loadu_pd(static_cast<__mmask8>((1u << count) - 1u), p);
+  return _mm512_maskz_mov_pd(static_cast<__mmask8>((1u << count) - 1u), load(p));
 }
 inline Vector spread(double x) { return _mm512_set1_pd(x); }
 inline Vector times(Vector a, Vector b) { return _mm512_mul_pd(a, b); }

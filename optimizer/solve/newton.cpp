@@ -20,6 +20,16 @@ bool finite_hessian(const Evaluation& e) {
   return Eigen::Map<const VectorXd>(e.hessian_mm.valuePtr(), e.hessian_mm.nonZeros()).allFinite();
 }
 
+// Eigen's sparse matrices do not move: std::swap would copy half a megabyte three times.
+void exchange(Evaluation& a, Evaluation& b) {
+  Eigen::SparseMatrix<double> of_a, of_b;
+  of_a.swap(a.hessian_mm);
+  of_b.swap(b.hessian_mm);
+  std::swap(a, b);
+  a.hessian_mm.swap(of_b);
+  b.hessian_mm.swap(of_a);
+}
+
 class Newton {
  public:
   Newton(CostFunction& cost, const VectorXd& s, VectorXd& m, const NewtonOptions& options,
@@ -149,7 +159,7 @@ double Newton::trial_value(double t) {
     const double gain = w_.there.value - w_.probe.value;
     if (!finite(w_.probe) || !(gain > 0.0)) break;
     std::swap(w_.trial, w_.corrected);
-    std::swap(w_.there, w_.probe);
+    exchange(w_.there, w_.probe);
     const double fallen = w_.here.value - w_.there.value;
     if (fallen > 0.0 && gain < options_.worthwhile * fallen) break;
   }
@@ -175,7 +185,7 @@ bool Newton::take() {
   evaluate(w_.trial, Order::hessian, w_.there);
   if (!finite(w_.there) || !finite_hessian(w_.there)) return false;
   std::swap(m_, w_.trial);
-  std::swap(w_.here, w_.there);
+  exchange(w_.here, w_.there);
   return true;
 }
 

@@ -21,14 +21,19 @@ std::unique_ptr<Term> make_force_balance(const TermContext& context);
 std::unique_ptr<Term> make_torque_balance(const TermContext& context);
 std::unique_ptr<Term> make_stance_foot(const TermContext& context);
 std::unique_ptr<Term> make_friction_cone(const TermContext& context);
+std::unique_ptr<Term> make_limb_clearance(const TermContext& context);
 std::unique_ptr<Term> make_periodicity(const TermContext& context);
 std::unique_ptr<Term> make_ground_height(const TermContext& context);
 std::unique_ptr<Term> make_swing_height(const TermContext& context);
 std::unique_ptr<Term> make_least_normal_force(const TermContext& context);
 std::unique_ptr<Term> make_joint_limits(const TermContext& context);
+std::unique_ptr<Term> make_torque_limits(const TermContext& context);
+std::unique_ptr<Term> make_actuator_force(const TermContext& context);
 std::unique_ptr<Term> make_stroke_limits(const TermContext& context);
 std::unique_ptr<Term> make_force_size(const TermContext& context);
 std::unique_ptr<Term> make_force_smoothness(const TermContext& context);
 std::unique_ptr<Term> make_design_tether(const TermContext& context);
+std::unique_ptr<Term> make_mechanical_work(const TermContext& context);
+std::unique_ptr<Term> make_peak_torque(const TermContext& context);
 
 }  // namespace legwright

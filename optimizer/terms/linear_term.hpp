@@ -21,6 +21,9 @@ class LinearTerm : public Term {
     jacobian = coefficients_[element];
   }
   bool curved() const override { return false; }
+  const Eigen::MatrixXd* constant_jacobian(int element) const override {
+    return &coefficients_[element];
+  }
   Eigen::VectorXd sample(int element, std::mt19937& random) const override;
 
  protected:

@@ -22,16 +22,22 @@ const std::vector<TermEntry>& term_registry() {
       {"torque_balance", "(13)", 1e3, make_torque_balance},
       {"stance_foot", "(14)", 1e4, make_stance_foot},
       {"friction_cone", "(15)", 1e-3, make_friction_cone},
+      {"limb_clearance", "(16)", 1e-3, make_limb_clearance},
       {"periodicity", "(17)", 1e4, make_periodicity},
       {"ground_height", "-", 1e4, make_ground_height},
       {"swing_height", "-", 1e3, make_swing_height},
       {"least_normal_force", "-", 1e-3, make_least_normal_force},
       {"joint_limits", "-", 1e-3, make_joint_limits},
+      {"torque_limits", "-", 1e-3, make_torque_limits},
       {"stroke_limits", "-", 1e-3, make_stroke_limits},
+      {"actuator_force", "-", 1e-3, make_actuator_force},
       // Regularisers.
       {"force_size", "-", 1e-3, make_force_size},
       {"force_smoothness", "-", 0.05, make_force_smoothness},
       {"design_tether", "-", 0.05, make_design_tether},
+      // Outer objectives: no part of F unless a task gives them a weight.
+      {"mechanical_work", "-", 0.0, make_mechanical_work},
+      {"peak_torque", "-", 0.0, make_peak_torque},
   };
   return table;
 }

@@ -13,7 +13,7 @@ namespace {
 /// by the barrier, half the stroke. Actuators without a range have none.
 class StrokeLimits final : public Term {
  public:
-  explicit StrokeLimits(const TermContext& context) {
+  explicit StrokeLimits(const TermContext& context) : length_(context.length) {
     const Layout& layout = context.layout;
     const auto& actuators = context.morphology.linear_actuators;
     for (int i = 0; i < layout.knot_count(); ++i)
@@ -25,7 +25,7 @@ class StrokeLimits final : public Term {
             {i, -1, 2, {shape, shape + 1, shape + 2, layout.pose(i) + 6 + actuator.joint}});
         const double shortest = actuator.shortest / context.length,
                      longest = actuator.longest / context.length;
-        strokes_.push_back({shortest, longest, 2.0 / (longest - shortest)});
+        strokes_.push_back({shortest, longest, 2.0 / (longest - shortest), actuator.name});
       }
   }
   std::string_view name() const override { return "stroke_limits"; }
@@ -55,6 +55,10 @@ class StrokeLimits final : public Term {
     hessian += strokes_[element].scale * (multiplier[0] - multiplier[1]) / (2.0 * length) *
                (second - gradient * gradient.transpose() / (2.0 * length * length));
   }
+  ResidualUnit unit(int element, int) const override {
+    return {length_ / strokes_[element].scale, "m"};
+  }
+  std::string subject(int element, int) const override { return strokes_[element].name; }
   Eigen::VectorXd sample(int element, std::mt19937& random) const override {
     std::uniform_real_distribution<double> share(-0.2, 1.2), angle(-2.0, 2.0), part(-0.3, 0.3);
     const Stroke& stroke = strokes_[element];
@@ -68,6 +72,7 @@ class StrokeLimits final : public Term {
  private:
   struct Stroke {
     double shortest, longest, scale;  // [leg length]
+    std::string name;
   };
   /// ∂L²/∂(A, B, C, q).
   static Eigen::Vector4d squared_gradient(const Eigen::VectorXd& z) {
@@ -75,7 +80,8 @@ class StrokeLimits final : public Term {
     return {1.0, c, s, z[2] * c - z[1] * s};
   }
 
-  std::vector<Stroke> strokes_;
+  std::vector<Stroke> strokes_;  // by element
+  double length_;                // of the leg [m]
 };
 
 }  // namespace

@@ -7,16 +7,19 @@
 namespace legwright::test {
 
 /// Everything a TermContext refers to, for tests that build terms by hand: a turning trot of the tied puppy with
-/// joint limits and pistons, so that every term has elements.
+/// limits of angles and torques and pistons, so that every term has elements.
 struct TermSetting {
   TermSetting() {
     for (Link& link : puppy.morphology.links) {
       link.joint.lower = -1.2;
       link.joint.upper = 1.2;
+      link.joint.torque_limit = 0.6;
+      link.joint.armature = 2e-4;
     }
     add_pistons(puppy);
     task.velocity = {0.05, 0.1};
     task.turn_rate = 0.6;
+    task.clearance = 0.06;  // wide against the step of central differences
     layout = Layout(puppy.morphology, puppy.space.size(), task.gait, task.planted_margin);
   }
   TermContext context() const {

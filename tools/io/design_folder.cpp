@@ -82,18 +82,22 @@ PlanQuality plan_quality(const Objective& objective, const Eigen::VectorXd& m) {
   const int last = layout.knot_count();
   const std::vector<double> heading = headings(motion, last);
   PlanQuality quality;
-  const Eigen::Vector3d moved = motion.com_W(last) - motion.com_W(0);
-  quality.planned_velocity = moved.head<2>() / task.gait.period();
-  // The chord of a turning path: on a straight one this is the wanted velocity itself.
-  const Eigen::Vector2d wanted = objective.path().travel().head<2>() / task.gait.period();
-  quality.speed_wanted = wanted.norm();
+  const Eigen::Vector2d moved = (motion.com_W(last) - motion.com_W(0)).head<2>();
+  const double turned = heading.back() - heading.front(), period = task.gait.period();
+  quality.planned_velocity = moved / period;
+  quality.speed_wanted = task.velocity.norm();
+  if (task.turn_rate != 0.0) {
+    quality.turn_wanted = std::abs(task.turn_rate);
+    quality.turn_reached = std::copysign(1.0, task.turn_rate) * turned / period;
+  }
   if (quality.speed_wanted > 1e-9) {
     quality.slide_share = slide_share(objective, motion, quality.speed_wanted);
-    quality.speed_reached = quality.planned_velocity.dot(wanted) / quality.speed_wanted;
+    const Eigen::Vector2d velocity = WantedPath::velocity_along_arc(
+        moved, task.turn_rate != 0.0 ? turned : 0.0, period);  // of the arc, not its chord
+    quality.speed_reached = velocity.dot(task.velocity) / quality.speed_wanted;
   } else {  // on the spot
-    quality.speed_wanted = std::abs(task.turn_rate);
-    quality.speed_reached = std::copysign(1.0, task.turn_rate) *
-                            (heading.back() - heading.front()) / task.gait.period();
+    quality.speed_wanted = quality.turn_wanted;
+    quality.speed_reached = quality.turn_reached;
   }
   for (int knot = 0; knot <= last; ++knot) {
     const double wanted_heading = objective.path().heading(knot * task.gait.time_step());

@@ -17,8 +17,10 @@ struct PlanQuality {
   Eigen::Vector2d planned_velocity =
       Eigen::Vector2d::Zero();  // of the COM over the cycle, world x and y [m/s]
   double speed_reached =
-      0.0;  // along the wanted direction [m/s]; turning on the spot: of the turn [rad/s]
+      0.0;  // along the wanted direction and arc [m/s]; turning on the spot: of the turn [rad/s]
   double speed_wanted = 0.0;   // the same
+  double turn_reached = 0.0;   // in the wanted direction, where the task turns [rad/s]
+  double turn_wanted = 0.0;    // the same; zero where it does not
   double heading_error = 0.0;  // of the trunk from the wanted heading, largest [rad]
   double ground_error = 0.0;   // of a standing foot from the ground, largest [m]
   double slide_share = 0.0;    // distance that standing feet are moved over that of the trunk

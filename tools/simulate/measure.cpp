@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "optimizer/motion/path.hpp"
 #include "plugin/spline.hpp"
 
 namespace legwright {
@@ -17,21 +18,11 @@ constexpr double kPi = 3.141592653589793;
 using Vector3 = Eigen::Vector3d;
 using ConstVector3 = Eigen::Map<const Eigen::Vector3d>;
 
-struct Mark {  // the trunk at the start of a cycle
-  Eigen::Vector2d position;
-  double yaw;   // unwrapped [rad]
-  double work;  // of the servos so far [J]
+struct Mark {                // the robot at the start of a cycle
+  Eigen::Vector2d position;  // of its COM: where a robot turns, its trunk's origin goes round that
+  double yaw;                // of the trunk, unwrapped [rad]
+  double work;               // of the servos so far [J]
 };
-
-// From the heading frame at the start of a cycle to where constant velocity and turn rate lead in
-// `time`.
-Eigen::Vector2d displacement(const WantedMotion& wanted, double time) {
-  const double angle = wanted.turn_rate * time;
-  if (std::abs(angle) < 1e-9) return wanted.velocity * time;
-  const double along = std::sin(angle) / angle, across = (1 - std::cos(angle)) / angle;
-  const Eigen::Vector2d& v = wanted.velocity;
-  return time * Eigen::Vector2d(along * v.x() - across * v.y(), across * v.x() + along * v.y());
-}
 
 class Measurer {
  public:
@@ -95,7 +86,7 @@ void Measurer::watch_trunk(const RolloutSample& sample) {
   tilt_max_ = std::max(tilt_max_, std::acos(std::clamp(rotation[8], -1.0, 1.0)));
   const double due = static_cast<double>(marks_.size()) * scene_.trajectory.period;
   if (sample.time >= due - model_.opt.timestep / 2) {
-    const mjtNum* position = sample.data.xpos + 3 * scene_.joints.root_body;
+    const mjtNum* position = sample.data.subtree_com + 3 * scene_.joints.root_body;
     marks_.push_back({{position[0], position[1]}, yaw_, work_});
   }
   ++samples_;
@@ -164,32 +155,34 @@ void Measurer::finish_speeds(const WantedMotion& wanted, const Eigen::Vector2d& 
   if (marks_.size() < first + 2) return;
   const double period = scene_.trajectory.period;
   const auto count = static_cast<double>(marks_.size() - 1 - first);
-  const Eigen::Vector2d goal = displacement(wanted, period);
+  const Eigen::Vector2d direction = wanted.velocity.normalized();
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   for (std::size_t n = first; n + 1 < marks_.size(); ++n) {
     // Where its own nose points, not where the plan's world has +x: a puppy that cannot walk
-    // sideways plans to turn by a quarter and walk ahead, which is not what was asked for.
+    // sideways plans to turn by a quarter and walk ahead, which is not what was asked for. And along
+    // the arc on which it went, not the chord, which is shorter.
     const Eigen::Rotation2Dd heading(marks_[n].yaw);
     const Eigen::Vector2d step = heading.inverse() * (marks_[n + 1].position - marks_[n].position);
-    sum += step;
+    const Eigen::Vector2d velocity =
+        WantedPath::velocity_along_arc(step, marks_[n + 1].yaw - marks_[n].yaw, period);
+    sum += velocity;
     if (!wanted.travels()) continue;
-    const double ratio = step.dot(goal) / goal.squaredNorm();
+    const double ratio = velocity.dot(direction) / wanted.velocity.norm();
     out.speed_ratio_min = std::min(out.speed_ratio_min.value_or(ratio), ratio);
     out.speed_ratio_max = std::max(out.speed_ratio_max.value_or(ratio), ratio);
   }
-  const Eigen::Vector2d step = sum / count;
-  out.velocity = step / period;
+  const Eigen::Vector2d velocity = sum / count;
+  out.velocity = velocity;
   out.turn_rate = (marks_.back().yaw - marks_[first].yaw) / (count * period);
   if (wanted.turns()) out.turn_ratio = *out.turn_rate / wanted.turn_rate;
   out.power_mean = (marks_.back().work - marks_[first].work) / (count * period);
   if (!wanted.travels()) return;
-  const Eigen::Vector2d direction = goal.normalized();
-  out.speed_ratio = step.dot(direction) / goal.norm();
-  out.lateral_drift = (direction.x() * step.y() - direction.y() * step.x()) / period;
+  out.speed_ratio = velocity.dot(direction) / wanted.velocity.norm();
+  out.lateral_drift = direction.x() * velocity.y() - direction.y() * velocity.x();
   if (const double reached = plan_velocity.dot(direction); std::abs(reached) > 1e-6) {
-    out.plan_speed_ratio = step.dot(direction) / period / reached;
+    out.plan_speed_ratio = velocity.dot(direction) / reached;
   }
-  if (const double speed = step.norm() / period; speed > 1e-6)
+  if (const double speed = velocity.norm(); speed > 1e-6)
     out.cost_of_transport = *out.power_mean / (weight_ * speed);
 }
 

@@ -32,9 +32,9 @@ struct JointMeasures {
 };
 
 /// What happened in one roll-out. Absent numbers could not be measured: the robot fell too early,
-/// or they mean nothing for this task. Speeds are means over the cycles after the first two, each
-/// seen in the robot's heading at its start: forward is where the trunk's x axis points on the
-/// ground.
+/// or they mean nothing for this task. Speeds are those of the COM, means over the cycles after the
+/// first two, each along the arc on which the robot went while it turned, in its own heading: forward
+/// is where the trunk's x axis points on the ground.
 struct Measurements {
   double gain_scale = 1.0;
   double seconds = 0.0;  // simulated
@@ -70,7 +70,7 @@ struct MeasureOptions {
   double contacts_until = 4.0;  // record contacts of the feet up to here [s]
 };
 
-/// Plays the scene and measures. @param plan_velocity that the plan reached [m/s], heading frame;
+/// Plays the scene and measures. @param plan_velocity that the plan reached along its arc [m/s], heading frame;
 /// zero if unknown.
 /// @param played if given, receives the roll-out itself (frames).
 Measurements measure(const Scene& scene, const WantedMotion& wanted,

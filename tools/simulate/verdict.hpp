@@ -16,8 +16,8 @@ struct VerdictLimits {
   double saturated_share = 1e-3;  // of the time after the first cycle; less counts as none
   double standing_speed = 0.01;   // where no travel is wanted: drift above it fails [m/s]
   double told_heading = 0.3;      // where it is too slow: trunk turned by more is told [rad]
-  double turn_ratio_low = 0.8;    // measured over wanted turn rate, where turning is wanted
-  double turn_ratio_high = 1.2;
+  double turn_ratio_low = 0.9;    // measured over wanted turn rate, where turning is wanted
+  double turn_ratio_high = 1.1;
 };
 
 struct Verdict {

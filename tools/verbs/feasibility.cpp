@@ -7,6 +7,7 @@ namespace legwright {
 namespace {
 
 constexpr double kLeastSpeedShare = 0.9;
+constexpr double kLeastTurnShare = 0.9;
 constexpr double kMostHeadingError = 0.35;  // [rad]
 constexpr double kMostGroundError = 0.005;  // [m]
 constexpr double kMostSlideShare = 0.5;     // of the distance travelled
@@ -22,6 +23,11 @@ std::vector<std::string> infeasible_reasons(bool usable, const PlanQuality& qual
     reasons.push_back(fmt::format("the plan reaches {:.3g} of {:.3g} {} ({:.0f} %)",
                                   quality.speed_reached, quality.speed_wanted, unit,
                                   100.0 * quality.speed_reached / quality.speed_wanted));
+  const bool on_the_spot = unit == "rad/s";  // then the speed is that of the turn
+  if (!on_the_spot && quality.turn_reached < kLeastTurnShare * quality.turn_wanted)
+    reasons.push_back(fmt::format("the plan turns at {:.3g} of {:.3g} rad/s ({:.0f} %)",
+                                  quality.turn_reached, quality.turn_wanted,
+                                  100.0 * quality.turn_reached / quality.turn_wanted));
   if (quality.heading_error > kMostHeadingError)
     reasons.push_back(fmt::format(
         "the trunk turns by {:.2f} rad away from the wanted heading, so this is another task",

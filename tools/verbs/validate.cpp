@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <filesystem>
 #include <memory>
 
 #include "mjcf/input_error.hpp"
+#include "optimizer/motion/path.hpp"
 #include "tools/io/install.hpp"
 #include "tools/io/io_error.hpp"
 #include "tools/io/json_file.hpp"
@@ -45,7 +47,17 @@ TaskOfRun read_task(const ResultFolder& folder) {
   }
 }
 
-// What the plan itself reached in its cycle, against which the simulation is compared as well.
+// What the plan itself reached in its cycle, against which the simulation is compared as well: the
+// velocity of the COM along its arc. The plan holds what the root did; its COM goes along with it.
+Eigen::Vector2d velocity_of(const Trajectory& plan) {
+  const auto at_start = [&](int column) { return plan.at(0, column); };
+  const Eigen::Vector2d com(at_start(plan.com_column(0)) - at_start(plan.root_column(0)),
+                            at_start(plan.com_column(1)) - at_start(plan.root_column(1)));
+  const Eigen::Vector2d step =
+      Eigen::Vector2d(plan.travel[0], plan.travel[1]) + Eigen::Rotation2Dd(plan.turn) * com - com;
+  return WantedPath::velocity_along_arc(step, plan.turn, plan.period);
+}
+
 SceneToValidate scene_in(const std::filesystem::path& folder) {
   SceneToValidate out{folder / "scene.xml", Eigen::Vector2d::Zero()};
   if (!std::filesystem::is_regular_file(out.scene)) {
@@ -54,7 +66,7 @@ SceneToValidate scene_in(const std::filesystem::path& folder) {
                   "optimize` again");
   }
   const Trajectory plan = read_motion_csv(folder / "motion.csv");
-  out.plan_velocity = Eigen::Vector2d(plan.travel[0], plan.travel[1]) / plan.period;
+  out.plan_velocity = velocity_of(plan);
   return out;
 }
 

@@ -26,7 +26,7 @@ class PuppyAtTwoPoses : public testing::Test {
     for (PoseKinematics& pose : poses_) {
       VectorXd q(puppy_.morphology.pose_size());
       for (double& value : q) value = 0.4 * normal(random);
-      pose.compute(puppy_.morphology, geometry_, q, false);
+      pose.compute(puppy_.morphology, geometry_, q, PoseDetail::motion);
     }
     columns_.assign(puppy_.morphology.pose_size() + puppy_.space.size(), 0);
   }
@@ -54,8 +54,10 @@ TEST_F(PuppyAtTwoPoses, SweptMomentumIsTheSumOverPoints) {
   Vector3d expected = Vector3d::Zero();
   for_each_point(
       [&](double mass, const Vector3d& p, const Vector3d& q) { expected += mass * p.cross(q); });
+  PairMoments moments;
+  moments.compute(puppy_.morphology, poses_[0], poses_[1]);
   PairDerivatives pair;
-  pair.compute_swept_momentum(puppy_.morphology, geometry_, poses_[0], poses_[1], columns_,
+  pair.compute_swept_momentum(geometry_, ancestry_, 0, moments, poses_[0], poses_[1], columns_,
                               columns_);
   EXPECT_LT((pair.value - expected).norm(), 1e-14);
   EXPECT_GT(expected.norm(), 1e-3);
@@ -65,7 +67,7 @@ TEST_F(PuppyAtTwoPoses, ComIsTheSumOverPoints) {
   Vector3d sum = Vector3d::Zero();
   for_each_point([&](double mass, const Vector3d& p, const Vector3d&) { sum += mass * p; });
   PointDerivatives com;
-  com_from_pose(puppy_.morphology, geometry_, poses_[0], columns_, com);
+  com_from_pose(geometry_, ancestry_, poses_[0], columns_, com);
   EXPECT_LT((com.value - sum / puppy_.morphology.total_mass()).norm(), 1e-14);
 }
 
@@ -81,7 +83,8 @@ TEST_F(PuppyAtTwoPoses, FootTurnIsTheRotationVectorToSecondOrder) {
 TEST_F(PuppyAtTwoPoses, MovedRobotIsTheSameRobotElsewhere) {
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Vector3d::UnitZ()).toRotationMatrix();
   const Vector3d shift(0.3, -0.2, 0.0);
-  const PoseKinematics moved = poses_[0].moved(turn, shift);
+  PoseKinematics moved;
+  moved.assign_moved(poses_[0], geometry_, turn, shift);
   PointDerivatives here, there;
   foot_from_pose(puppy_.morphology, geometry_, ancestry_, poses_[0], 1, columns_, here);
   foot_from_pose(puppy_.morphology, geometry_, ancestry_, moved, 1, columns_, there);

@@ -27,6 +27,10 @@ TEST(Layout, EverySlotIsUsedOnce) {
     use(layout.com(i), 3);
     use(layout.com_from_pose(i), 3);
     use(layout.swept_momentum(i), 3);
+    for (int a = 0; a < layout.joint_count(); ++a) {
+      use(layout.link_anchor(i, a + 1), 3);
+      if (i < layout.knot_count()) use(layout.joint_torque(i, a), 1);
+    }
     for (int j = 0; j < layout.foot_count(); ++j) {
       use(layout.foot(i, j), 3);
       use(layout.foot_from_pose(i, j), 3);

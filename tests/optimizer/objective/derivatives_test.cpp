@@ -26,9 +26,11 @@ Objective make_objective(const std::string& only = "") {
   test::Puppy puppy = test::make_puppy(true);
   test::add_pistons(puppy);
   Morphology morphology = puppy.morphology;
-  for (Link& link : morphology.links) {  // so that joint limits have elements
+  for (Link& link : morphology.links) {  // so that limits of angles and torques have elements
     link.joint.lower = -1.2;
     link.joint.upper = 1.2;
+    link.joint.torque_limit = 0.6;
+    link.joint.armature = 2e-4;
   }
   Task task = test::make_sideways_task(true, 8);
   task.velocity = {0.05, 0.1};

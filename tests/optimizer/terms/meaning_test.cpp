@@ -135,6 +135,41 @@ TEST_F(TermMeaning, StyleTermsNoticeOffsets) {
   EXPECT_GT(value("smoothness"), 0.0);
 }
 
+TEST_F(TermMeaning, PeriodicUpToTheTurn) {
+  // Gliding along a curve with a level trunk: knot T is knot 0 one cycle's rigid motion later.
+  Task curve = task();
+  curve.velocity = {0.08, 0.02};
+  curve.turn_rate = 0.5;
+  const Objective objective(puppy_.morphology, puppy_.space, curve);
+  const Layout& slots = objective.layout();
+  VectorXd m = initial_guess(objective, s_);
+  const auto value_at = [&](const char* name) {
+    for (const TermValue& term : objective.terms(s_, m))
+      if (term.name == name) return term.value;
+    return -1.0;
+  };
+  const int last = slots.knot_count();
+  for (const char* name : {"periodicity", "travel", "turning", "smoothness"})
+    EXPECT_LT(value_at(name), 1e-20) << name;
+  ASSERT_GE(slots.force(0, 0), 0);
+  const auto force = [&](int knot) {
+    return m.segment<3>(slots.force(knot, 0) - slots.design_size());
+  };
+  force(0).x() = 1.0;  // a force turns with the robot
+  force(last) = objective.path().turn() * force(0);
+  EXPECT_LT(value_at("periodicity"), 1e-20);
+  force(last) = force(0);
+  EXPECT_GT(value_at("periodicity"), 1e-6);
+  force(last) = objective.path().turn() * force(0);
+  // As if the robot had walked straight on: feet and heading are not where they repeat.
+  for (int j = 0; j < 4; ++j)
+    m.segment<3>(slots.foot(last, j) - slots.design_size()) =
+        m.segment<3>(slots.foot(0, j) - slots.design_size()) + objective.path().travel();
+  EXPECT_GT(value_at("periodicity"), 0.01);
+  m[slots.pose(last) + 5 - slots.design_size()] = 0.0;
+  EXPECT_NEAR(value_at("turning"), 0.5 * 0.25, 1e-12) << "half the square of 0.5 rad";
+}
+
 /// One term of a task at weight one.
 double value_of(const std::string& name, const Objective& objective, const VectorXd& s,
                 const VectorXd& m) {

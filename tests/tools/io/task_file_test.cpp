@@ -66,14 +66,19 @@ TEST(TaskFile, ReadsTheTrotExample) {
 TEST(TaskFile, CommentsInTheExampleNameRealKeys) {
   // Every line that is commented out must be accepted once it is not.
   std::string text = read_file(kPuppy / "sideways.toml");
-  for (const std::string key :
-       {"duty", "planted_margin", "joint_margin", "[weights]", "smoothness"}) {
+  for (const std::string key : {"duty", "com_path", "foot_targets", "planted_margin",
+                                "joint_margin", "[weights]", "smoothness"}) {
     const std::size_t at = text.find("# " + key);
     ASSERT_NE(at, std::string::npos) << key;
     text.erase(at, 2);
   }
   EXPECT_EQ(complaint(text), "");
   EXPECT_EQ(parse_task_file(text, kPuppy / "test.toml").weights.at("smoothness"), 0.3);
+  // A pattern of one's own needs a name of its own as well.
+  text.erase(text.find("# touchdown"), 2);
+  const TaskFile own = parse_task_file(text, kPuppy / "test.toml");
+  EXPECT_EQ(own.touchdown.size(), 4u);
+  EXPECT_EQ(own.foot_targets.at("FL").size(), 2u);
 }
 
 TEST(TaskFile, SaysEverythingThatIsWrongAtOnceInTheOrderOfTheFile) {

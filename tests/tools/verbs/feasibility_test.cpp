@@ -27,6 +27,17 @@ TEST(Feasibility, NamesWhatIsMissed) {
   PlanQuality turned = good();
   turned.heading_error = 1.4;
   EXPECT_NE(infeasible_reasons(true, turned, "m/s").at(0).find("1.40 rad"), std::string::npos);
+  PlanQuality straight = good();  // on, but hardly round
+  straight.turn_wanted = 0.1;
+  straight.turn_reached = 0.05;
+  ASSERT_EQ(infeasible_reasons(true, straight, "m/s").size(), 1u);
+  EXPECT_EQ(infeasible_reasons(true, straight, "m/s")[0],
+            "the plan turns at 0.05 of 0.1 rad/s (50 %)");
+  straight.turn_reached = 0.099;
+  EXPECT_TRUE(infeasible_reasons(true, straight, "m/s").empty());
+  PlanQuality spot = straight;  // on the spot a turn missed is told once
+  spot.speed_reached = spot.turn_reached = 0.02;
+  EXPECT_EQ(infeasible_reasons(true, spot, "rad/s").size(), 1u);
   PlanQuality floating = good();
   floating.ground_error = 0.02;
   EXPECT_NE(infeasible_reasons(true, floating, "m/s").at(0).find("20.0 mm"), std::string::npos);

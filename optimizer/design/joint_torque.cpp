@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimizer/design/joint_torque.hpp"
+
+#include <Eigen/Geometry>
+
+#include "optimizer/design/rotation.hpp"
+
+namespace legwright {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+
+/// ∂(v × w) row by row: rows of `jacobian` are ∂v for one column of the block.
+MatrixXd crossed(const MatrixXd& jacobian, const Vector3d& w) {
+  return jacobian * skew(w);  // (v × w)ᵀ = (−[w]× v)ᵀ = vᵀ [w]×
+}
+
+/// Adds factor · (M + Mᵀ), M = a · form · bᵀ, to a lower triangle.
+void add_symmetric(double factor, const MatrixXd& a, const Eigen::Matrix3d& form, const MatrixXd& b,
+                   MatrixXd& hessian) {
+  const MatrixXd product = factor * (a * form) * b.transpose();
+  hessian.triangularView<Eigen::Lower>() += product + product.transpose();
+}
+
+struct Sums {
+  Vector3d rate, lever;  // K, N
+};
+
+/// @param contacts e − r ẑ of each of `forces`.
+Sums sums(const GeometryAtDesign& geometry, const PoseTriple& poses, int link, double time_step,
+          const std::vector<FootForce>& forces, const std::vector<Vector3d>& contacts) {
+  const double per_time = 1.0 / (time_step * time_step);
+  const Vector3d& moment = poses.at->first_moment(link);
+  Sums out;
+  out.rate = per_time * (poses.before->first_moment(link) - 2.0 * moment +
+                         poses.after->first_moment(link)) +
+             kGravity * geometry.mass_below[link] * Vector3d::UnitZ();
+  out.lever = per_time * (poses.to_after->swept(link) - poses.to_at->swept(link)) +
+              kGravity * moment.cross(Vector3d::UnitZ());
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    out.rate -= forces[k].force;
+    out.lever -= contacts[k].cross(forces[k].force);
+  }
+  out.lever -= poses.at->origin(link).cross(out.rate);
+  return out;
+}
+
+std::vector<Vector3d> contact_points(const Morphology& morphology, const GeometryAtDesign& geometry,
+                                     const PoseKinematics& pose,
+                                     const std::vector<FootForce>& forces) {
+  std::vector<Vector3d> points;
+  for (const FootForce& force : forces)
+    points.push_back(foot_place(morphology, geometry, pose, force.foot) -
+                     morphology.feet[force.foot].radius * Vector3d::UnitZ());
+  return points;
+}
+
+}  // namespace
+
+double JointTorque::value(const Morphology& morphology, const GeometryAtDesign& geometry,
+                          const PoseTriple& poses, int link, double time_step,
+                          const std::vector<FootForce>& forces) {
+  const Sums at = sums(geometry, poses, link, time_step, forces,
+                       contact_points(morphology, geometry, *poses.at, forces));
+  return (poses.at->before(link) * geometry.links[link].axis.axis).dot(at.lever);
+}
+
+void JointTorque::compute(const Morphology& morphology, const GeometryAtDesign& geometry,
+                          const Ancestry& ancestry, const PoseTriple& poses, int link,
+                          double time_step, const std::vector<FootForce>& forces,
+                          const Slots& slots, int column_count) {
+  const std::vector<Vector3d> contacts = contact_points(morphology, geometry, *poses.at, forces);
+  const Sums at = sums(geometry, poses, link, time_step, forces, contacts);
+  rate_ = at.rate;
+  lever_ = at.lever;
+  time_step_ = time_step;
+  axis_from_pose(morphology, geometry, ancestry, *poses.at, link, *slots.at, axis_);
+  anchor_from_pose(ancestry, *poses.at, link, *slots.at, anchor_);
+  const auto moment = [&](const PoseKinematics& pose, const Columns& columns,
+                          PointDerivatives& out) {
+    first_moment_from_pose(geometry, ancestry, pose, link, 1.0, columns, out);
+  };
+  moment(*poses.before, *slots.before, moment_before_);
+  moment(*poses.at, *slots.at, moment_);
+  moment(*poses.after, *slots.after, moment_after_);
+  swept_before_.compute_swept_momentum(geometry, ancestry, link, *poses.to_at, *poses.before,
+                                       *poses.at, *slots.before, *slots.at);
+  swept_.compute_swept_momentum(geometry, ancestry, link, *poses.to_after, *poses.at, *poses.after,
+                                *slots.at, *slots.after);
+  feet_.resize(forces.size());
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    foot_from_pose(morphology, geometry, ancestry, *poses.at, forces[k].foot, *slots.at,
+                   feet_[k].centre);
+    feet_[k].contact = contacts[k];
+    feet_[k].force = forces[k].force;
+    feet_[k].column = slots.force[k];
+  }
+  sum_parts(column_count);
+}
+
+void JointTorque::sum_parts(int column_count) {
+  const double per_time = 1.0 / (time_step_ * time_step_);
+  const auto jacobian_of = [&](const auto& part) {
+    MatrixXd out = MatrixXd::Zero(column_count, 3);
+    part.add_jacobian(out);
+    return out;
+  };
+  axis_jacobian_ = jacobian_of(axis_);
+  anchor_jacobian_ = jacobian_of(anchor_);
+  const MatrixXd moment = jacobian_of(moment_);
+  rate_jacobian_ =
+      per_time * (jacobian_of(moment_before_) - 2.0 * moment + jacobian_of(moment_after_));
+  lever_jacobian_ = per_time * (jacobian_of(swept_) - jacobian_of(swept_before_)) +
+                    kGravity * crossed(moment, Vector3d::UnitZ());
+  for (Carried& foot : feet_) {
+    foot.jacobian = jacobian_of(foot.centre);
+    rate_jacobian_.middleRows<3>(foot.column) -= Eigen::Matrix3d::Identity();
+    lever_jacobian_ -= crossed(foot.jacobian, foot.force);
+    lever_jacobian_.middleRows<3>(foot.column) -= skew(foot.contact).transpose();
+  }
+  lever_jacobian_ -= crossed(anchor_jacobian_, rate_);
+  lever_jacobian_ -= rate_jacobian_ * skew(anchor_.value).transpose();
+}
+
+void JointTorque::add_jacobian(MatrixXd& jacobian) const {
+  jacobian.col(0) += axis_jacobian_ * lever_ + lever_jacobian_ * axis_.value;
+}
+
+void JointTorque::add_curvature(const Ancestry& ancestry, double multiplier,
+                                MatrixXd& hessian) const {
+  const double per_time = 1.0 / (time_step_ * time_step_);
+  const Vector3d A = multiplier * axis_.value, o = anchor_.value;
+  axis_.add_curvature(ancestry, multiplier * lever_, hessian);
+  add_symmetric(multiplier, axis_jacobian_, Eigen::Matrix3d::Identity(), lever_jacobian_, hessian);
+  // A · ∂²N with A held: the swept momenta, the moments by gravity's lever and by K, the anchor, the feet.
+  swept_.add_curvature(ancestry, per_time * A, hessian);
+  swept_before_.add_curvature(ancestry, -per_time * A, hessian);
+  const Vector3d of_rate = o.cross(A);  // A · (−o × ∂K) = ∂K · (o × A)
+  moment_before_.add_curvature(ancestry, per_time * of_rate, hessian);
+  moment_after_.add_curvature(ancestry, per_time * of_rate, hessian);
+  moment_.add_curvature(ancestry,
+                        -2.0 * per_time * of_rate + kGravity * Vector3d::UnitZ().cross(A), hessian);
+  anchor_.add_curvature(ancestry, A.cross(rate_), hessian);
+  const Eigen::Matrix3d form = -skew(A);  // A · (v × w) = vᵀ form w
+  add_symmetric(-1.0, anchor_jacobian_, form, rate_jacobian_, hessian);
+  for (const Carried& foot : feet_) {
+    foot.centre.add_curvature(ancestry, A.cross(foot.force), hessian);
+    MatrixXd selects = MatrixXd::Zero(hessian.rows(), 3);
+    selects.middleRows<3>(foot.column).setIdentity();
+    add_symmetric(-1.0, foot.jacobian, form, selects, hessian);
+  }
+}
+
+}  // namespace legwright

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "optimizer/design/kinematics.hpp"
+#include "optimizer/design/momentum.hpp"
+
+namespace legwright {
+
+/// The poses a joint's torque at one knot depends on: the knot before, the knot itself, the knot after, and the pair
+/// moments from each to the next.
+struct PoseTriple {
+  const PoseKinematics *before, *at, *after;
+  const PairMoments *to_at, *to_after;
+};
+
+/// A force that a foot carries: which foot, and its force on the robot [N, world].
+struct FootForce {
+  int foot;
+  Eigen::Vector3d force;
+};
+
+/// The torque τ that a joint's motor exerts, by inverse dynamics of the point masses:
+///   τ = Σ_p m_p ∂p/∂q · ((p₋ − 2p + p₊)/h² + g ẑ) + armature q̈ − Σ_j ∂(contact point of foot j)/∂q · f_j
+/// over the masses and feet that the joint moves. A ball foot of radius r touches the ground r below its centre e.
+/// With A the joint's axis and o its anchor, ∂p/∂q = A × (p − o), and because p × p = 0 this is A · N + armature q̈ with
+///   N = (S − S₋)/h² + g C × ẑ − o × K − Σ_j (e_j − r ẑ) × f_j,   K = (C₋ − 2C + C₊)/h² + g M ẑ − Σ_j f_j,
+/// S = Σ m p × p₊ the swept momentum, C = Σ m p the first moment, M the mass of what the joint moves.
+class JointTorque {
+ public:
+  /// Columns of the coordinates of [q; s] by pose, of this joint's angle in each, of the first force component by entry
+  /// of `forces`. A coordinate of the design has the same column in all poses.
+  struct Slots {
+    const Columns *before, *at, *after;
+    std::vector<int> force;
+  };
+
+  /// A · N [N m], without the armature, which is linear in the joint's angles.
+  static double value(const Morphology& morphology, const GeometryAtDesign& geometry,
+                      const PoseTriple& poses, int link, double time_step,
+                      const std::vector<FootForce>& forces);
+  /// Prepares the derivatives of the same.
+  void compute(const Morphology& morphology, const GeometryAtDesign& geometry,
+               const Ancestry& ancestry, const PoseTriple& poses, int link, double time_step,
+               const std::vector<FootForce>& forces, const Slots& slots, int column_count);
+  /// Adds ∂τ to `jacobian` (columns × 1).
+  void add_jacobian(Eigen::MatrixXd& jacobian) const;
+  /// Adds multiplier · ∂²τ to the lower triangle of `hessian` (columns × columns).
+  void add_curvature(const Ancestry& ancestry, double multiplier, Eigen::MatrixXd& hessian) const;
+
+ private:
+  struct Carried {
+    PointDerivatives centre;   // of the foot's ball
+    Eigen::Vector3d contact;   // e − r ẑ
+    Eigen::Vector3d force;
+    int column;                // of the force
+    Eigen::MatrixXd jacobian;  // of the centre
+  };
+  void sum_parts(int column_count);
+
+  double time_step_ = 1.0;
+  Eigen::Vector3d lever_;  // N
+  Eigen::Vector3d rate_;   // K
+  PointDerivatives axis_, anchor_, moment_before_, moment_, moment_after_;
+  PairDerivatives swept_before_, swept_;
+  std::vector<Carried> feet_;
+  Eigen::MatrixXd axis_jacobian_, anchor_jacobian_, rate_jacobian_, lever_jacobian_;
+};
+
+}  // namespace legwright

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// What an Objective is made of; for the files of this folder only.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+#include <memory>
+#include <vector>
+
+#include "optimizer/objective/assembly.hpp"
+#include "optimizer/objective/derived.hpp"
+#include "optimizer/objective/objective.hpp"
+#include "optimizer/terms/registry.hpp"
+
+namespace legwright {
+
+/// A term of the registry as it stands in an objective.
+struct WeightedTerm {
+  const TermEntry* entry;
+  double weight;
+  std::unique_ptr<Term> term;
+  std::vector<ElementPlan> plans;  // by element; none where the weight is zero
+};
+
+struct Objective::Workspace::Parts {
+  const void* owner = nullptr;  // the objective it was last used with
+  DerivedQuantities::Workspace derived;
+  ElementWorkspace element;
+  Eigen::VectorXd extended, gradient;  // [s; m; y] and ∂F/∂[s; m; y]
+  std::vector<int> active;
+};
+
+struct Objective::Impl {
+  using Parts = Workspace::Parts;
+
+  Morphology morphology;
+  DesignSpace space;
+  Task task;
+  Layout layout;
+  WantedPath path;
+  Eigen::VectorXd units;
+  DerivedQuantities derived;
+  std::vector<WeightedTerm> terms;
+  std::vector<Clique> block_cliques;    // by derived block
+  Eigen::SparseMatrix<double> pattern;  // with the part of ∂G/∂m that is the same everywhere
+  std::shared_ptr<const void> pattern_key = std::make_shared<char>();
+
+  void build();
+  void plan();
+  /// Fills [s; m; y] and clears the gradient.
+  void prepare(const Eigen::VectorXd& s, const Eigen::VectorXd& m, Order order,
+               Parts& workspace) const;
+  /// Leaves an element's residual in the workspace, and its z where it is not linear.
+  void residual(const WeightedTerm& entry, int index, Parts& workspace) const;
+  double add_term(const WeightedTerm& entry, Order order, Parts& workspace,
+                  const HessianTarget& target) const;
+  double add_element(const WeightedTerm& entry, int index, Order order, Parts& workspace,
+                     const HessianTarget& target) const;
+  void add_second(const WeightedTerm& entry, int index, Order order, Parts& workspace,
+                  const HessianTarget& target) const;
+  void add_derived(Order order, Parts& workspace, const HessianTarget& target) const;
+};
+
+}  // namespace legwright

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "optimizer/design/kinematics.hpp"
+#include "optimizer/design/segment_distance.hpp"
+#include "optimizer/terms/factories.hpp"
+
+namespace legwright {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr double kRange = 0.1;      // beyond the clearance from which a pair costs nothing, share of the leg
+constexpr double kRounding = 0.25;  // distance below which its root is rounded, share of the clearance
+constexpr double kTouching = 1e-6;  // [m]
+
+/// A limb segment: from a link's hinge to a hinge that it carries or to its foot.
+struct Segment {
+  int link;   // owner
+  int child;  // link at its far end, or −1
+  int foot;   // foot at its far end, or −1
+  Vector3d near_end, far_end;  // in the home pose of the initial design
+};
+
+/// Eq (16), with its inequality the right way round: limbs stay apart, V_iᵏ to V_iˡ at least the clearance δ, measured
+/// between centre lines. Residual (distance − δ)/range, range a tenth of the leg, kept by a barrier that is zero from
+/// one on: pairs farther apart than δ + range are passed over after a bound on their midpoints.
+/// Pairs: those the task names, or all but neighbours: segments that share a point, and segments of one limb that are
+/// within δ + range of each other in the home pose (across a short link), which no motion can part.
+class LimbClearance final : public Term {
+ public:
+  explicit LimbClearance(const TermContext& context)
+      : layout_(context.layout),
+        clearance_(context.task.clearance),
+        range_(kRange * context.length) {
+    collect_segments(context.morphology, context.space.initial());
+    choose_pairs(context);
+    for (int i = 0; i < layout_.knot_count(); ++i)
+      for (const auto& [a, b] : pairs_) {
+        Element element{i, -1, 1, {}};
+        for (int segment : {a, b})
+          for (int end : {near_slot(i, segment), far_slot(i, segment)})
+            for (int k = 0; k < 3; ++k) element.slots.push_back(end + k);
+        elements_.push_back(std::move(element));
+      }
+    for (const Segment& segment : segments_)
+      names_.push_back(segment.foot >= 0 ? context.morphology.feet[segment.foot].name
+                                         : context.morphology.links[segment.link].name);
+  }
+  std::string_view name() const override { return "limb_clearance"; }
+  Penalty penalty() const override { return Penalty::near_only; }
+
+  void residual(int, const VectorXd& z, VectorXd& r) const override {
+    r[0] = (measure(z, false).value - clearance_) / range_;
+  }
+  void jacobian(int, const VectorXd& z, Eigen::MatrixXd& jacobian) const override {
+    jacobian = measure(z, true).gradient.transpose() / range_;
+  }
+  void add_curvature(int, const VectorXd& z, const VectorXd& multiplier,
+                     Eigen::MatrixXd& hessian) const override {
+    hessian += multiplier[0] / range_ * measure(z, true).hessian;
+  }
+  bool select_active(const VectorXd& extended, std::vector<int>& active) const override {
+    // Two segments are at least as far apart as their midpoints less their half lengths.
+    const int count = static_cast<int>(segments_.size()), pair_count = static_cast<int>(pairs_.size());
+    Eigen::Matrix3Xd middle(3, count);
+    VectorXd reach(count);
+    for (int i = 0; i < layout_.knot_count(); ++i) {
+      for (int k = 0; k < count; ++k) {
+        const auto from = extended.segment<3>(near_slot(i, k)),
+                   to = extended.segment<3>(far_slot(i, k));
+        middle.col(k) = 0.5 * (from + to);
+        reach[k] = 0.5 * (to - from).norm() + 0.5 * (clearance_ + range_);
+      }
+      for (int k = 0; k < pair_count; ++k) {
+        const auto [a, b] = pairs_[static_cast<std::size_t>(k)];
+        const double bound = reach[a] + reach[b];
+        if ((middle.col(a) - middle.col(b)).squaredNorm() < bound * bound)
+          active.push_back(i * pair_count + k);
+      }
+    }
+    return true;
+  }
+  ResidualUnit unit(int, int) const override { return {range_, "m"}; }
+  std::string subject(int element, int) const override {
+    const auto [a, b] = pairs_[static_cast<std::size_t>(element) % pairs_.size()];
+    return names_[a] + " - " + names_[b];
+  }
+  VectorXd sample(int, std::mt19937& random) const override {
+    // Crossing segments, an end over a segment, end to end: by turns at random, near the clearance.
+    std::uniform_real_distribution<double> uniform;
+    std::normal_distribution<double> normal;
+    const double place[3] = {0.5, 1.6, 1.6}, across[3] = {0.5, 0.5, 1.7};
+    const int which = static_cast<int>(3.0 * uniform(random));
+    const double length = range_ / kRange * 0.4;
+    VectorXd z(12);
+    z.segment<3>(0) = Vector3d::Zero();
+    z.segment<3>(3) = length * Vector3d::UnitX();
+    const Vector3d direction = length * Vector3d(0.3, 1.0, 0.2);
+    const Vector3d on = length * place[which] * Vector3d::UnitX() +
+                        (clearance_ + range_ * (0.5 * uniform(random) - 0.05)) * Vector3d::UnitZ() -
+                        (place[which] > 1.0 ? 0.6 * length : 0.0) * Vector3d::UnitX();
+    z.segment<3>(6) = on - across[which] * direction;
+    z.segment<3>(9) = z.segment<3>(6) + direction;
+    for (double& value : z) value += 0.003 * length * normal(random);
+    return z;
+  }
+
+ private:
+  SegmentDistance measure(const VectorXd& z, bool with_derivatives) const {
+    return segment_distance(z.segment<3>(0), z.segment<3>(3), z.segment<3>(6), z.segment<3>(9),
+                            kRounding * clearance_, with_derivatives);
+  }
+  int near_slot(int knot, int segment) const {
+    return layout_.link_anchor(knot, segments_[segment].link);
+  }
+  int far_slot(int knot, int segment) const {
+    const Segment& s = segments_[segment];
+    return s.child >= 0 ? layout_.link_anchor(knot, s.child) : layout_.foot_from_pose(knot, s.foot);
+  }
+
+  void collect_segments(const Morphology& morphology, const VectorXd& initial) {
+    const GeometryAtDesign geometry(morphology, initial);
+    PoseKinematics home;
+    VectorXd q = VectorXd::Zero(morphology.pose_size());
+    q.tail(morphology.joint_count()) = morphology.nominal_joints();
+    home.compute(morphology, geometry, q, PoseDetail::place);
+    const auto add = [&](int link, int child, int foot, const Vector3d& end) {
+      if (link > 0 && (end - home.origin(link)).norm() > kTouching)
+        segments_.push_back({link, child, foot, home.origin(link), end});
+    };
+    for (int l = 1; l < static_cast<int>(morphology.links.size()); ++l) {
+      for (int child = l + 1; child < static_cast<int>(morphology.links.size()); ++child)
+        if (morphology.links[child].parent == l) add(l, child, -1, home.origin(child));
+      for (int j = 0; j < morphology.foot_count(); ++j)
+        if (morphology.feet[j].link == l)
+          add(l, -1, j, foot_place(morphology, geometry, home, j));
+    }
+  }
+
+  bool neighbours(const Morphology& morphology, const Segment& a, const Segment& b) const {
+    for (const Vector3d& x : {a.near_end, a.far_end})
+      for (const Vector3d& y : {b.near_end, b.far_end})
+        if ((x - y).norm() < kTouching) return true;
+    if (morphology.chain_to(a.link).front() != morphology.chain_to(b.link).front()) return false;
+    const double home = segment_distance(a.near_end, a.far_end, b.near_end, b.far_end,
+                                         kRounding * clearance_, false)
+                            .value;
+    return home < clearance_ + range_;
+  }
+
+  void choose_pairs(const TermContext& context) {
+    const int count = static_cast<int>(segments_.size());
+    if (!context.task.limb_pairs) {
+      for (int a = 0; a < count; ++a)
+        for (int b = a + 1; b < count; ++b)
+          if (!neighbours(context.morphology, segments_[a], segments_[b]))
+            pairs_.emplace_back(a, b);
+      return;
+    }
+    const auto named = [&](const std::string& name) {
+      std::vector<int> found;
+      for (int k = 0; k < count; ++k)
+        if (context.morphology.links[segments_[k].link].name == name ||
+            (segments_[k].foot >= 0 && context.morphology.feet[segments_[k].foot].name == name))
+          found.push_back(k);
+      if (found.empty())
+        throw std::invalid_argument("limb_pairs: no limb segment belongs to " + name);
+      return found;
+    };
+    for (const auto& [first, second] : *context.task.limb_pairs)
+      for (int a : named(first))
+        for (int b : named(second))
+          if (a != b) pairs_.emplace_back(std::min(a, b), std::max(a, b));
+    std::sort(pairs_.begin(), pairs_.end());
+    pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
+  }
+
+  const Layout layout_;
+  double clearance_, range_;
+  std::vector<Segment> segments_;
+  std::vector<std::pair<int, int>> pairs_;
+  std::vector<std::string> names_;
+};
+
+}  // namespace
+
+std::unique_ptr<Term> make_limb_clearance(const TermContext& context) {
+  return std::make_unique<LimbClearance>(context);
+}
+
+}  // namespace legwright
