@@ -42,11 +42,14 @@ Objective make_objective(const std::string& only = "") {
 }
 
 Point random_point(const Objective& objective, unsigned seed) {
-  std::mt19937 random(seed);
-  std::normal_distribution<double> normal;
+  std::mt19937 random(seed), random_ends(seed + 1);
+  std::normal_distribution<double> normal, normal_ends;
   Point at{objective.space().initial(), {}};
   for (int k = 0; k < at.s.size(); ++k)
-    at.s[k] += 0.1 * objective.space().scale()[k] * normal(random);
+    at.s[k] += 0.1 * objective.space().scale()[k] *
+               (objective.space().parameters[k].kind == ParameterKind::position
+                    ? normal_ends(random_ends)
+                    : normal(random));
   at.m = initial_guess(objective, at.s);
   for (int k = 0; k < at.m.size(); ++k)
     at.m[k] += 0.1 * objective.motion_units()[k] * normal(random);
