@@ -107,6 +107,8 @@ const std::map<std::string, Refusal>& refusals() {
        {9, {"body 'thigh'", "has no <inertial>", "give its pos, mass"}}},
       {"target_named_twice", {32, {"'legwright/hip_yaw'", "names 'hip' twice", "name it once"}}},
       {"tendon", {26, {"fixed 'cable'", "tendons couple joints", "remove it"}}},
+      {"tendon_over_two_hinges",
+       {28, {"spatial 'piston'", "must span exactly one hinge", "two links"}}},
       {"text_without_numeric", {31, {"text 'legwright/hip_yaw'", "no <numeric>", "add one"}}},
       {"text_without_parts", {30, {"'legwright/thigh_length'", "UNIT | BINDING | SENTENCE"}}},
       {"texture_file",
