@@ -19,6 +19,19 @@ Eigen::Vector3d JointAxis::at(const Eigen::VectorXd& s) const {
   return axis;
 }
 
+double PointMass::growth_at(const Eigen::VectorXd& s) const {
+  double factor = 1.0;
+  for (const Growth& g : growth) factor *= s[g.parameter] / g.initial;
+  return factor;
+}
+
+bool Morphology::grows() const {
+  for (const Link& link : links)
+    for (const PointMass& point : link.masses)
+      if (!point.growth.empty()) return true;
+  return false;
+}
+
 double Morphology::total_mass() const {
   double sum = 0.0;
   for (const Link& link : links)

@@ -37,10 +37,20 @@ struct JointAxis {
   Eigen::Vector3d at(const Eigen::VectorXd& s) const;
 };
 
-/// One of the point masses that stand for a body: same mass, centre and inertia.
+/// One of the point masses that stand for a body: same mass, centre and inertia. The mass of a printed part grows with
+/// each stretch that makes it longer, m(s) = mass · Π s[parameter]/initial; without growth it is fixed.
 struct PointMass {
-  double mass;            // [kg]
+  struct Growth {
+    int parameter;
+    double initial;  // [m]
+  };
+  double mass;            // [kg]; of a growing one at the initial design
   AffineVector position;  // in the link frame
+  std::vector<Growth> growth = {};
+  double volume = 0.0;  // printed with it [m³], grows alike
+
+  /// Π s[parameter]/initial
+  double growth_at(const Eigen::VectorXd& s) const;
 };
 
 /// The hinge that moves a link, and its servo.
@@ -98,7 +108,10 @@ struct Morphology {
   int foot_count() const { return static_cast<int>(feet.size()); }
   /// Size of a pose q: root position, root axis-angle, joint angles.
   int pose_size() const { return 6 + joint_count(); }
+  /// At the initial design [kg].
   double total_mass() const;
+  /// Whether the mass of anything depends on the design.
+  bool grows() const;
   Eigen::VectorXd nominal_joints() const;
   /// Links from the trunk's child down to `link`, in this order; empty for the trunk.
   std::vector<int> chain_to(int link) const;

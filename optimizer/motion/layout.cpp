@@ -24,7 +24,8 @@ Layout::Layout(const Morphology& morphology, int design_size, const Gait& gait, 
   anchors_ = pair_derived_ + (1 + foot_count_) * 3 * (knot_count_ + 1);
   torques_ = anchors_ + 3 * joint_count() * (knot_count_ + 1);
   shapes_ = torques_ + joint_count() * knot_count_;
-  extended_size_ = shapes_ + 3 * static_cast<int>(morphology.linear_actuators.size());
+  amounts_ = shapes_ + 3 * static_cast<int>(morphology.linear_actuators.size());
+  extended_size_ = amounts_ + 2;
 }
 
 Eigen::VectorXd Layout::motion_units(double length, double force) const {

@@ -31,7 +31,10 @@ struct Dependence {
     for (int l = link; l < static_cast<int>(morphology.links.size()); ++l) {
       if (!ancestry.contains(link, l)) continue;
       add_joint(morphology, l);
-      for (const PointMass& point : morphology.links[l].masses) add_vector(point.position);
+      for (const PointMass& point : morphology.links[l].masses) {
+        add_vector(point.position);
+        for (const PointMass::Growth& growth : point.growth) parameters.insert(growth.parameter);
+      }
     }
     for (const Foot& foot : morphology.feet)
       if (ancestry.contains(link, foot.link)) add_vector(foot.position);
@@ -62,6 +65,10 @@ Dependence dependence(const Morphology& morphology, const Ancestry& ancestry, Ki
       for (int parameter : actuator_parameters(morphology, morphology.linear_actuators[part]))
         out.parameters.insert(parameter);
       break;
+    case Kind::mass_share:
+    case Kind::printed_volume:
+      for (int parameter : growth_parameters(morphology)) out.parameters.insert(parameter);
+      break;
   }
   return out;
 }
@@ -80,7 +87,8 @@ class DerivedQuantities::BlockBuilder {
     DerivedBlock block{};
     block.kind = kind;
     block.slot = slot;
-    block.size = kind == Kind::joint_torque ? 1 : 3;
+    const bool amount = kind == Kind::mass_share || kind == Kind::printed_volume;
+    block.size = kind == Kind::joint_torque || amount ? 1 : 3;
     block.knot = knot;
     block.part = part;
     bool used = false;
@@ -110,6 +118,7 @@ class DerivedQuantities::BlockBuilder {
     for (int force : block.forces) block.force_columns.push_back(column(force));
     const bool pair = kind == Kind::momentum || kind == Kind::foot_turn;
     block.index = kind == Kind::actuator       ? part
+                  : amount                     ? 0
                   : kind == Kind::joint_torque ? out_.torque_count_++
                   : pair                     ? out_.pair_count_++
                                              : out_.point_count_++;
@@ -161,6 +170,21 @@ DerivedQuantities::DerivedQuantities(const Morphology& morphology, const Layout&
   builder.add(Kind::momentum, layout.wrapping_momentum(), T, -1, {T - 1, 0});
   for (int k = 0; k < static_cast<int>(morphology.linear_actuators.size()); ++k)
     builder.add(Kind::actuator, layout.actuator_shape(k), 0, k, {});
+  builder.add(Kind::mass_share, layout.mass_share(), 0, -1, {});
+  builder.add(Kind::printed_volume, layout.printed_volume(), 0, -1, {});
+}
+
+void DerivedQuantities::measure_amounts(const Morphology& morphology, Workspace& workspace) {
+  const auto measure = [&](Amount amount, double unit) {
+    GrowthSum sum = growth_sum(morphology, amount, workspace.s);
+    sum.value /= unit;
+    sum.gradient /= unit;
+    sum.hessian /= unit;
+    return sum;
+  };
+  const double leg = morphology.leg_length;
+  workspace.mass_share = measure(Amount::mass, morphology.total_mass());
+  workspace.printed_volume = measure(Amount::printed_volume, leg * leg * leg);
 }
 
 void DerivedQuantities::evaluate(const Morphology& morphology, const Layout& layout,
@@ -171,6 +195,7 @@ void DerivedQuantities::evaluate(const Morphology& morphology, const Layout& lay
   if (workspace.geometry.links.empty() || workspace.s != s) {
     workspace.s = s;
     workspace.geometry = GeometryAtDesign(morphology, workspace.s);
+    measure_amounts(morphology, workspace);
     workspace.shapes.clear();
     for (const LinearActuator& actuator : morphology.linear_actuators)
       workspace.shapes.push_back(actuator_shape(morphology, actuator, workspace.s));
@@ -250,6 +275,12 @@ void DerivedQuantities::place_block(const Morphology& morphology, const DerivedB
     case Kind::actuator:
       value = workspace.shapes[block.index].value;
       break;
+    case Kind::mass_share:
+      value[0] = workspace.mass_share.value;
+      break;
+    case Kind::printed_volume:
+      value[0] = workspace.printed_volume.value;
+      break;
   }
 }
 
@@ -278,6 +309,11 @@ const Eigen::MatrixXd& DerivedQuantities::jacobian(const Morphology& morphology,
   jacobian.setZero(static_cast<int>(block.slots.size()), block.size);
   if (block.kind == Kind::actuator) {
     jacobian = workspace.shapes[block.index].jacobian.transpose();
+    return jacobian;
+  }
+  if (block.kind == Kind::mass_share || block.kind == Kind::printed_volume) {
+    jacobian = block.kind == Kind::mass_share ? workspace.mass_share.gradient
+                                              : workspace.printed_volume.gradient;
     return jacobian;
   }
   if (block.kind == Kind::joint_torque) {
@@ -322,6 +358,12 @@ void DerivedQuantities::curvature(int index, const double* multiplier, Workspace
   if (block.kind == Kind::actuator) {
     for (int k = 0; k < 3; ++k)
       workspace.curvature += multiplier[k] * workspace.shapes[block.index].hessian[k];
+    return;
+  }
+  if (block.kind == Kind::mass_share || block.kind == Kind::printed_volume) {
+    workspace.curvature = multiplier[0] * (block.kind == Kind::mass_share
+                                               ? workspace.mass_share.hessian
+                                               : workspace.printed_volume.hessian);
     return;
   }
   const Eigen::Map<const Eigen::Vector3d> wanted(multiplier);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "optimizer/design/actuator_length.hpp"
+#include "optimizer/design/growth.hpp"
 #include "optimizer/design/inertia.hpp"
 #include "optimizer/design/joint_torque.hpp"
 #include "optimizer/design/kinematics.hpp"
@@ -17,7 +18,7 @@ namespace legwright {
 
 /// One derived quantity y of Layout and the slots of p = [s; m] that it depends on.
 struct DerivedBlock {
-  enum class Kind { com, foot, anchor, momentum, foot_turn, joint_torque, actuator };
+  enum class Kind { com, foot, anchor, momentum, foot_turn, joint_torque, actuator, mass_share, printed_volume };
   Kind kind;
   int slot, size;          // first and number of its slots of the extended vector
   int knot;                // knot T of a momentum: the wrapping pair
@@ -39,6 +40,7 @@ class DerivedQuantities {
     Eigen::VectorXd s;  // of `geometry`
     GeometryAtDesign geometry;
     std::vector<ActuatorShape> shapes;  // of the linear actuators, at `s`
+    GrowthSum mass_share, printed_volume;  // in the units of Layout, at `s`
     std::vector<PoseKinematics> poses;  // knots 0 … T, then knot T − 1 moved back by one cycle
     std::vector<PairMoments> moments;   // knot i to i + 1; at T the wrapping pair
     std::vector<PointDerivatives> points;
@@ -66,6 +68,7 @@ class DerivedQuantities {
   void curvature(int block, const double* multiplier, Workspace& workspace) const;
 
  private:
+  static void measure_amounts(const Morphology& morphology, Workspace& workspace);
   class BlockBuilder;
   PoseTriple triple(const DerivedBlock& block, const Workspace& workspace) const;
   void collect_forces(const DerivedBlock& block, const Eigen::VectorXd& extended,

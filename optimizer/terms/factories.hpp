@@ -34,6 +34,7 @@ std::unique_ptr<Term> make_force_size(const TermContext& context);
 std::unique_ptr<Term> make_force_smoothness(const TermContext& context);
 std::unique_ptr<Term> make_design_tether(const TermContext& context);
 std::unique_ptr<Term> make_mechanical_work(const TermContext& context);
+std::unique_ptr<Term> make_printed_volume(const TermContext& context);
 std::unique_ptr<Term> make_peak_torque(const TermContext& context);
 
 }  // namespace legwright

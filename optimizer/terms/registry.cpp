@@ -38,6 +38,7 @@ const std::vector<TermEntry>& term_registry() {
       // Outer objectives: no part of F unless a task gives them a weight.
       {"mechanical_work", "-", 0.0, make_mechanical_work},
       {"peak_torque", "-", 0.0, make_peak_torque},
+      {"printed_volume", "-", 0.0, make_printed_volume},
   };
   return table;
 }

@@ -135,6 +135,22 @@ void add_pistons(Puppy& puppy) {
   }
 }
 
+void print_bodies(Puppy& puppy) {
+  std::vector<Link>& links = puppy.morphology.links;
+  const Eigen::VectorXd initial = puppy.space.initial();
+  const int width = puppy.space.find("body_width"), length = puppy.space.find("body_length");
+  for (std::size_t l = 0; l < links.size(); ++l)
+    for (std::size_t p = 0; p < links[l].masses.size() && p < 6; ++p) {
+      PointMass& point = links[l].masses[p];
+      if (l == 0)
+        point.growth = {{width, initial[width]}, {length, initial[length]}};
+      else if (!point.position.slopes.empty() && p < 2)
+        point.growth = {
+            {point.position.slopes[0].parameter, initial[point.position.slopes[0].parameter]}};
+      point.volume = point.mass / 1000.0;
+    }
+}
+
 Task make_sideways_task(bool trot, int knot_count, int planted_margin) {
   const GaitPattern pattern = trot ? GaitPattern{"trot", {0, 0.5, 0.5, 0}, 0.5}
                                    : GaitPattern{"walk", {0, 0.5, 0.75, 0.25}, 0.75};

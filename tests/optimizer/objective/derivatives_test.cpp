@@ -22,9 +22,10 @@ struct Point {
 };
 
 /// A turning trot of few knots, so that every wrap and every term is in play.
-Objective make_objective(const std::string& only = "") {
+Objective make_objective(const std::string& only = "", bool printed = false) {
   test::Puppy puppy = test::make_puppy(true);
   test::add_pistons(puppy);
+  if (printed) test::print_bodies(puppy);
   Morphology morphology = puppy.morphology;
   for (Link& link : morphology.links) {  // so that limits of angles and torques have elements
     link.joint.lower = -1.2;
@@ -118,6 +119,16 @@ TEST_P(ObjectiveDerivatives, MatchCentralDifferences) {
   EXPECT_LT(errors.mm, 1e-6);
   EXPECT_LT(errors.ms, 1e-6);
   EXPECT_LT(errors.ss, 1e-6);
+}
+
+/// Masses that grow with their bodies: M(s), centre of mass, momentum and torques depend on it.
+TEST_P(ObjectiveDerivatives, MatchCentralDifferencesOfAPrintedRobot) {
+  const Objective objective = make_objective(GetParam(), true);
+  const Errors errors = check(objective, random_point(objective, 7), 23);
+  EXPECT_LT(errors.gradient_m, 1e-6);
+  EXPECT_LT(errors.gradient_s, 1e-6);
+  EXPECT_LT(errors.ms, 3e-6);
+  EXPECT_LT(errors.ss, 3e-6);
 }
 
 std::vector<std::string> all_terms() {
