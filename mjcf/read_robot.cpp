@@ -69,8 +69,9 @@ RobotModel parse_robot(const std::string& xml_text, const std::filesystem::path&
   const StretchMap stretches = collect_stretches(declared.space, declared.bindings, file);
   RobotModel robot;
   const PlaceMap places = collect_places(declared.space, declared.bindings, file);
-  robot.morphology = build_morphology(*model, trunk, feet, declared.space, declared.bindings,
-                                      stretches, places, tendons);
+  robot.morphology =
+      build_morphology(*model, trunk, feet, declared.space, declared.bindings, stretches, places,
+                       read_printed(*xml, *model, stretches), tendons);
   check_home(*xml, *model, robot.morphology);
   check_arms(*xml, robot.morphology, declared.space);
   robot.servos = read_servos(*xml, *model, robot.morphology, declared.space.initial());

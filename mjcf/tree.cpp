@@ -43,13 +43,15 @@ struct Placement {
 class Builder {
  public:
   Builder(const mjModel& model, int trunk, const DesignSpace& space,
-          const std::vector<Binding>& bindings, const StretchMap& stretches, const PlaceMap& places)
+          const std::vector<Binding>& bindings, const StretchMap& stretches, const PlaceMap& places,
+          const PrintedMap& printed)
       : model_(model),
         trunk_(trunk),
         space_(space),
         bindings_(bindings),
         stretches_(stretches),
         places_(places),
+        printed_(printed),
         placements_(model.nbody),
         home_(home_keyframe(model)) {}
 
@@ -158,8 +160,18 @@ class Builder {
     out_.linear_actuators.push_back(std::move(out));
   }
 
-  /// Six equal masses on the principal axes have a body's mass, centre and inertia.
+  /// A printed body has its own points. Else six equal masses on the principal axes have a body's mass, centre and
+  /// inertia.
   void add_masses(int body) {
+    const auto found = printed_.find(name_of(model_, mjOBJ_BODY, body));
+    if (found != printed_.end()) {
+      const Placement& at = placements_[body];
+      for (PointMass point : found->second) {
+        point.position = sum(at.origin, rotated(at.rotation, point.position));
+        out_.links[at.link].masses.push_back(std::move(point));
+      }
+      return;
+    }
     const double mass = model_.body_mass[body];
     if (!(mass > 0.0)) return;
     const Vector3d inertia = vector_at(model_.body_inertia, body),
@@ -180,6 +192,7 @@ class Builder {
   const std::vector<Binding>& bindings_;
   const StretchMap& stretches_;
   const PlaceMap& places_;
+  const PrintedMap& printed_;
   std::vector<Placement> placements_;  // by body id
   const int home_;
   Morphology out_;
@@ -240,9 +253,9 @@ std::vector<int> find_feet(const XmlFile& xml, const mjModel& model, int trunk) 
 Morphology build_morphology(const mjModel& model, int trunk, const std::vector<int>& foot_geoms,
                             const DesignSpace& space, const std::vector<Binding>& bindings,
                             const StretchMap& stretches, const PlaceMap& places,
-                            const std::vector<TendonSpan>& tendons) {
+                            const PrintedMap& printed, const std::vector<TendonSpan>& tendons) {
   Morphology out =
-      Builder(model, trunk, space, bindings, stretches, places).build(foot_geoms, tendons);
+      Builder(model, trunk, space, bindings, stretches, places, printed).build(foot_geoms, tendons);
   out.name = std::string(model.names);  // the model's name comes first
   out.leg_length = stretched_limb(out, 0, space.initial());
   return out;

@@ -7,6 +7,7 @@
 
 #include "mjcf/affine.hpp"
 #include "mjcf/linear_actuators.hpp"
+#include "mjcf/printed.hpp"
 #include "mjcf/read_robot.hpp"
 #include "mjcf/xml.hpp"
 
@@ -21,7 +22,7 @@ std::vector<int> find_feet(const XmlFile& xml, const mjModel& model, int trunk);
 Morphology build_morphology(const mjModel& model, int trunk, const std::vector<int>& foot_geoms,
                             const DesignSpace& space, const std::vector<Binding>& bindings,
                             const StretchMap& stretches, const PlaceMap& places,
-                            const std::vector<TendonSpan>& tendons);
+                            const PrintedMap& printed, const std::vector<TendonSpan>& tendons);
 
 /// The keyframe named "home"; −1 if there is none (then the home pose is all angles zero).
 int home_keyframe(const mjModel& model);

@@ -14,7 +14,7 @@ Eigen::Matrix4d moments(const Link& link, const Eigen::VectorXd& s) {
   Eigen::Matrix4d sum = Eigen::Matrix4d::Zero();
   for (const PointMass& point : link.masses) {
     const Eigen::Vector4d p = point.position.at(s).homogeneous();
-    sum += point.mass * p * p.transpose();
+    sum += point.mass * point.growth_at(s) * p * p.transpose();
   }
   return sum;
 }

@@ -39,7 +39,7 @@ RobotState state_of(const Morphology& morphology, const VectorXd& s, const Vecto
     const Frame& at = frames[l];
     for (const PointMass& point : link.masses) {
       const Vector3d arm = at.R * point.position.at(s);
-      points.push_back({point.mass, at.p + arm, at.v + at.w.cross(arm)});
+      points.push_back({point.mass * point.growth_at(s), at.p + arm, at.v + at.w.cross(arm)});
     }
   }
   RobotState out;

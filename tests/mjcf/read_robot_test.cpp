@@ -108,7 +108,8 @@ TEST_P(MatchesMujoco, AtRandomPosesAndVelocities) {
   }
 }
 INSTANTIATE_TEST_SUITE_P(Robots, MatchesMujoco,
-                         testing::Values("puppy", "crooked", "piston_puppy", "crooked_piston"));
+                         testing::Values("puppy", "crooked", "piston_puppy", "crooked_piston",
+                                         "crooked_printed"));
 
 TEST(ReadRobot, ReadsGeneralTrees) {
   const RobotModel robot = parse_robot(test::crooked_robot(), "crooked");

@@ -31,7 +31,8 @@ std::string blanked(const std::string& text, const std::set<std::string>& attrib
 }
 
 TEST(RewriteRobot, InitialDesignGivesTheSameBytes) {
-  for (const char* name : {"puppy", "crooked", "piston_puppy", "crooked_piston"}) {
+  for (const char* name :
+       {"puppy", "crooked", "piston_puppy", "crooked_piston", "crooked_printed"}) {
     const std::string xml = test::named_robot(name);
     const RobotModel robot = parse_robot(xml, "robot.xml");
     EXPECT_TRUE(rewrite_robot(robot, robot.space.initial()) == xml);
@@ -72,7 +73,8 @@ TEST_P(RandomDesigns, CompileAndMatchMujoco) {
   }
 }
 INSTANTIATE_TEST_SUITE_P(Robots, RandomDesigns,
-                         testing::Values("puppy", "crooked", "piston_puppy", "crooked_piston"));
+                         testing::Values("puppy", "crooked", "piston_puppy", "crooked_piston",
+                                         "crooked_printed"));
 
 TEST(RewriteRobot, TouchesBoundAttributesOnly) {
   const RobotModel robot = read_robot(test::puppy_file());

@@ -132,9 +132,32 @@ std::string crooked_piston_robot() {
               "<numeric name=\"other/number\"");
 }
 
+std::string crooked_printed_robot() {
+  std::string xml = crooked_robot();
+  xml = with(xml,
+             "<inertial pos=\"0.01 0.02 -0.01\" mass=\"2\" euler=\"10 20 30\" "
+             "diaginertia=\"0.02 0.03 0.04\"/>\n",
+             "<geom type=\"capsule\" fromto=\"-0.1 0.05 0 0.1 0.05 0\" size=\"0.012\" "
+             "density=\"700\"/>\n"
+             "<geom type=\"cylinder\" fromto=\"0.02 -0.06 0.01 0.02 0.04 0.01\" size=\"0.01\"/>\n"
+             "<geom type=\"cylinder\" fromto=\"0.02 0.01 -0.05 0.02 0.01 0.01\" size=\"0.01\"/>\n"
+             "<geom type=\"capsule\" pos=\"0.03 0.02 0\" euler=\"20 30 0\" size=\"0.01 0.03\"/>\n"
+             "<geom type=\"ellipsoid\" pos=\"-0.04 0.02 0.03\" euler=\"0 30 10\" "
+             "size=\"0.01 0.02 0.03\" mass=\"0.15\"/>\n"
+             "<geom type=\"box\" pos=\"0.04 0 0.03\" euler=\"0 30 0\" size=\"0.01 0.02 0.03\"/>\n");
+  xml = with(xml,
+             "<inertial pos=\"0.02 0.01 -0.1\" mass=\"0.3\"\n                    "
+             "fullinertia=\"0.002 0.0021 0.0003 0.0001 -0.0002 0.00005\"/>\n",
+             "<geom size=\"0.013\" pos=\"0.02 0.01 -0.1\" density=\"2000\"/>\n");
+  return with(xml,
+              "<inertial pos=\"0 0 -0.08\" mass=\"0.2\" diaginertia=\"0.001 0.001 0.0001\"/>\n",
+              "<geom type=\"box\" size=\"0.1 0.1 0.1\" density=\"0\"/>\n");
+}
+
 std::string named_robot(const std::string& name) {
   if (name == "puppy") return read_file(puppy_file());
   if (name == "piston_puppy") return read_file(source_path("examples/piston_puppy/robot.xml"));
+  if (name == "crooked_printed") return crooked_printed_robot();
   return name == "crooked" ? crooked_robot() : crooked_piston_robot();
 }
 
