@@ -8,8 +8,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kClamp = 0.1;      // half width of a rounded clamp edge, share of the length
-constexpr double kParallel = 0.03;  // sin² below which 1/sin² is continued
+constexpr double kClamp = 0.05;      // half width of a rounded clamp edge, share of the length
+constexpr double kParallel = 0.03;   // sin² below which 1/sin² is continued
 constexpr double kNoLength = 1e-20;  // squared length of a point [m²]
 
 /// A number with its first and second derivatives in the six products of the segments' vectors.
@@ -102,8 +102,7 @@ Number distance(const Number& a, const Number& b, const Number& c, const Number&
     t = clamp(Number((b * s + e) * inverse(c)));
     s = clamp(Number((b * t - d) * inverse(a)));
   }
-  const Number squared =
-      a * s * s + c * t * t - two * b * s * t + two * d * s - two * e * t + f;
+  const Number squared = a * s * s + c * t * t - two * b * s * t + two * d * s - two * e * t + f;
   const double square = value_of(squared), edge = rounding * rounding;
   if (square >= edge) {
     const double root = std::sqrt(square);

@@ -15,9 +15,9 @@ struct SegmentDistance {
 /// Closed form: the parameter s of the nearest point on the first segment is that of the two lines, clamped to [0, 1];
 /// t on the second is nearest to it, clamped; then s is nearest to that, clamped. Exact to rounding where no clamp is
 /// near its edge. Made twice differentiable everywhere:
-/// - the clamps are rounded over a tenth of the length to either side of their edges (quartic). The pair of points
-///   stays inside the segments, so the result is never below the distance, and above it by less than 2e-4 lengths²
-///   over twice the distance;
+/// - the clamps are rounded over a twentieth of the length to either side of their edges (quartic). The pair of points
+///   stays inside the segments, so the result is never below the distance; its square is above that of the distance
+///   by less than a thousandth of the longer length's square;
 /// - the lines' own parameter has the pole 1/sin² of their angle. Below sin² = 0.03 (10°) 1/sin² is continued by the
 ///   parabola with the same value and two derivatives, about the middle of the first segment. Between parallel
 ///   segments, where the distance itself has a ridge, the nearest points so glide from end to end;

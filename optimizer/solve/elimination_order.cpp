@@ -3,51 +3,40 @@
 
 #include <cholmod.h>
 
+#include <algorithm>
 #include <new>
 
 namespace legwright {
 namespace {
 
-class Orderer {
- public:
-  Orderer() {
-    cholmod_start(&common_);
-    common_.print = 0;
-    common_.try_catch = 1;
-    common_.nmethods = 1;
-    common_.postorder = 1;
-  }
-  ~Orderer() { cholmod_finish(&common_); }
-  Orderer(const Orderer&) = delete;
-  Orderer& operator=(const Orderer&) = delete;
-
-  /// Empty where CHOLMOD lacks the method.
-  std::vector<int> order(SymmetricPattern& pattern, int method) {
-    common_.method[0].ordering = method;
-    cholmod_sparse a{};
-    a.nrow = a.ncol = static_cast<std::size_t>(pattern.size());
-    a.nzmax = pattern.rows.size();
-    a.p = pattern.starts.data();
-    a.i = pattern.rows.data();
-    a.stype = -1;
-    a.itype = CHOLMOD_INT;
-    a.xtype = CHOLMOD_PATTERN;
-    a.dtype = CHOLMOD_DOUBLE;
-    a.sorted = a.packed = 1;
-    cholmod_factor* factor = cholmod_analyze(&a, &common_);
-    if (common_.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
-    std::vector<int> result;
-    if (factor) {
-      const auto* permutation = static_cast<const int*>(factor->Perm);
-      result.assign(permutation, permutation + pattern.size());
-    }
-    cholmod_free_factor(&factor, &common_);
-    return result;
-  }
-
- private:
-  cholmod_common common_;
-};
+/// Approximate minimum degree.
+std::vector<int> minimum_degree(SymmetricPattern& pattern) {
+  cholmod_common common;
+  cholmod_start(&common);
+  common.print = 0;
+  common.try_catch = 1;
+  common.nmethods = 1;
+  common.postorder = 1;
+  common.method[0].ordering = CHOLMOD_AMD;
+  cholmod_sparse a{};
+  a.nrow = a.ncol = static_cast<std::size_t>(pattern.size());
+  a.nzmax = pattern.rows.size();
+  a.p = pattern.starts.data();
+  a.i = pattern.rows.data();
+  a.stype = -1;
+  a.itype = CHOLMOD_INT;
+  a.xtype = CHOLMOD_PATTERN;
+  a.dtype = CHOLMOD_DOUBLE;
+  a.sorted = a.packed = 1;
+  cholmod_factor* factor = cholmod_analyze(&a, &common);
+  std::vector<int> order(factor ? pattern.size() : 0);
+  if (factor) std::copy_n(static_cast<const int*>(factor->Perm), pattern.size(), order.begin());
+  const bool failed = !factor;
+  cholmod_free_factor(&factor, &common);
+  cholmod_finish(&common);
+  if (failed) throw std::bad_alloc();
+  return order;
+}
 
 /// The same matrix with its unknowns counted from the last one.
 SymmetricPattern reversed(const SymmetricPattern& pattern) {
@@ -68,13 +57,9 @@ SymmetricPattern reversed(const SymmetricPattern& pattern) {
 }  // namespace
 
 std::vector<std::vector<int>> elimination_orders(const SymmetricPattern& pattern) {
-  Orderer orderer;
   SymmetricPattern copy = pattern, mirror = reversed(pattern);
-  std::vector<std::vector<int>> orders = {orderer.order(copy, CHOLMOD_AMD),
-                                          orderer.order(mirror, CHOLMOD_AMD),
-                                          orderer.order(copy, CHOLMOD_METIS)};
+  std::vector<std::vector<int>> orders = {minimum_degree(copy), minimum_degree(mirror)};
   for (int& row : orders[1]) row = pattern.size() - 1 - row;
-  std::erase_if(orders, [&](const auto& order) { return order.empty() && pattern.size() > 0; });
   return orders;
 }
 

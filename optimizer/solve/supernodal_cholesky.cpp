@@ -58,14 +58,19 @@ void SupernodalCholesky::plan_loads(const SymmetricPattern& pattern) {
       const auto begin = nodes_.rows.begin() + nodes_.row_start[node];
       const auto end = nodes_.rows.begin() + nodes_.row_start[node + 1];
       const auto at = static_cast<int>(std::lower_bound(begin, end, row) - begin);
-      by_panel[node].push_back({k, at + (column - nodes_.first[node]) * stride_[node]});
+      const int target = at + (column - nodes_.first[node]) * stride_[node];
+      const int step = a >= b ? 1 : stride_[node];
+      std::vector<Load>& loads = by_panel[node];
+      Load* last = loads.empty() ? nullptr : &loads.back();
+      if (last && last->step == step && last->source + last->length == k &&
+          last->target + last->length * step == target)
+        ++last->length;
+      else
+        loads.push_back({k, target, step, 1});
     }
   loads_.clear();
   load_start_ = {0};
-  for (std::vector<Load>& loads : by_panel) {
-    std::sort(loads.begin(), loads.end(), [](const Load& a, const Load& b) {
-      return a.target < b.target || (a.target == b.target && a.source < b.source);
-    });
+  for (const std::vector<Load>& loads : by_panel) {
     loads_.insert(loads_.end(), loads.begin(), loads.end());
     load_start_.push_back(loads_.size());
   }
@@ -79,8 +84,14 @@ int SupernodalCholesky::factor(const double* values, const Eigen::VectorXd& diag
     double* const to = panel(j);
     const int first = nodes_.first[j], columns = nodes_.columns(j);
     std::fill(to, panels_.data() + panel_start_[j + 1], 0.0);
-    for (std::size_t k = load_start_[j]; k < load_start_[j + 1]; ++k)
-      to[loads_[k].target] += values[loads_[k].source];
+    for (std::size_t k = load_start_[j]; k < load_start_[j + 1]; ++k) {
+      const Load& load = loads_[k];
+      if (load.step == 1)
+        for (int i = 0; i < load.length; ++i) to[load.target + i] += values[load.source + i];
+      else
+        for (int i = 0; i < load.length; ++i)
+          to[load.target + i * load.step] += values[load.source + i];
+    }
     for (int c = 0; c < columns; ++c)
       to[static_cast<std::size_t>(c) * stride_[j] + c] += shift[nodes_.order[first + c]];
     for (std::size_t k = plan_.start[j]; k < plan_.start[j + 1]; ++k) {

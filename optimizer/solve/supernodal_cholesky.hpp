@@ -27,9 +27,9 @@ class SupernodalCholesky final : public FactorBackend {
   const Supernodes& supernodes() const { return nodes_; }
 
  private:
+  // Neighbouring values of H that go down a column of a panel, or along a row of it.
   struct Load {
-    int source;  // among the values of H
-    int target;  // in the panel
+    int source, target, step, length;
   };
   void plan_loads(const SymmetricPattern& pattern);
   double* panel(int j) { return panels_.data() + panel_start_[j]; }

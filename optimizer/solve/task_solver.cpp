@@ -114,11 +114,12 @@ bool TaskSolver::differentiate() {
   ++effort_.evaluations;
   VectorXd dJ_dm = at_.stationarity, partial_s = at_.partial_s;
   if (task_.outer) {
-    task_.outer->evaluate(here_.s, here_.m, Order::design, outer_at_);
+    task_.outer->evaluate(here_.s, here_.m, Order::gradients, outer_at_);
     ++effort_.evaluations;
     dJ_dm += outer_at_.stationarity;
     partial_s += outer_at_.partial_s;
   }
+  now_.sensitivity.resize(0, 0);
   now_.terms = named_terms(*task_.cost, at_);
   now_.stationarity =
       at_.stationarity.cwiseProduct(task_.cost->motion_units()).lpNorm<Eigen::Infinity>();
@@ -149,12 +150,13 @@ void TaskSolver::restore_shifted_factor() {
 bool TaskSolver::reduced_hessian(Eigen::MatrixXd& hessian) {
   if (!here_.factor_exact || !factor_.positive()) return false;
   const Stopwatch watch;
-  hessian = at_.hessian_ss;
-  VectorXd solution;
-  for (int k = 0; k < at_.hessian_ms.cols(); ++k) {
-    if (!factor_.solve(at_.hessian_ms.col(k), solution)) return false;
-    hessian.col(k) -= at_.hessian_ms.transpose() * solution;
+  Eigen::MatrixXd& dm_ds = now_.sensitivity;
+  if (!factor_.solve(at_.hessian_ms, dm_ds)) {
+    dm_ds.resize(0, 0);
+    return false;
   }
+  dm_ds = -dm_ds;
+  hessian = at_.hessian_ss + at_.hessian_ms.transpose() * dm_ds;
   hessian = 0.5 * (hessian + hessian.transpose()).eval();
   effort_.adjoint_seconds += watch.seconds();
   return hessian.allFinite();

@@ -9,7 +9,7 @@ namespace {
 /// Its weight is high: a mismatch δ enters the accelerations as 4δ/h².
 class ComPosition final : public LinearTerm {
  public:
-  explicit ComPosition(const TermContext& context) {
+  explicit ComPosition(const TermContext& context) : length_(context.length) {
     const Layout& layout = context.layout;
     const double scale = 1.0 / context.length;
     for (int i = 0; i <= layout.knot_count(); ++i)
@@ -17,6 +17,10 @@ class ComPosition final : public LinearTerm {
           Eigen::Vector3d::Zero());
   }
   std::string_view name() const override { return "com_position"; }
+  ResidualUnit unit(int, int) const override { return {length_, "m"}; }
+
+ private:
+  double length_;
 };
 
 }  // namespace

@@ -8,7 +8,7 @@ namespace {
 /// Eq (12), second half: φ_EE(q_i)ʲ = e_iʲ. Residual (φ_EE(q_i, s)ʲ − e_iʲ)/length at every knot and foot.
 class FootPosition final : public LinearTerm {
  public:
-  explicit FootPosition(const TermContext& context) {
+  explicit FootPosition(const TermContext& context) : length_(context.length) {
     const Layout& layout = context.layout;
     const double scale = 1.0 / context.length;
     for (int i = 0; i <= layout.knot_count(); ++i)
@@ -17,6 +17,10 @@ class FootPosition final : public LinearTerm {
             Eigen::Vector3d::Zero());
   }
   std::string_view name() const override { return "foot_position"; }
+  ResidualUnit unit(int, int) const override { return {length_, "m"}; }
+
+ private:
+  double length_;
 };
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace {
 /// cycle.
 class ForceBalance final : public LinearTerm {
  public:
-  explicit ForceBalance(const TermContext& context) {
+  explicit ForceBalance(const TermContext& context) : weight_(context.weight) {
     const Layout& layout = context.layout;
     const double h = context.task.gait.time_step(),
                  inertia = context.mass / (h * h * context.weight);
@@ -33,6 +33,10 @@ class ForceBalance final : public LinearTerm {
     }
   }
   std::string_view name() const override { return "force_balance"; }
+  ResidualUnit unit(int, int) const override { return {weight_, "N"}; }
+
+ private:
+  double weight_;
 };
 
 /// The same for a robot whose mass depends on its design: Σ_j f_iʲ = μ(s) M₀ (ẍ_i + g) with the mass share μ.

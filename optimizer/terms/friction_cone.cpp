@@ -22,6 +22,7 @@ class FrictionCone final : public Term {
           elements_.push_back({i, j, 1, {f, f + 1, f + 2}});
   }
   std::string_view name() const override { return "friction_cone"; }
+  ResidualUnit unit(int, int) const override { return {weight_, "N"}; }
   Penalty penalty() const override { return Penalty::barrier; }
 
   void residual(int, const Eigen::VectorXd& z, Eigen::VectorXd& r) const override {

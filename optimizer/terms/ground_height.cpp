@@ -8,7 +8,7 @@ namespace {
 /// Not in the paper: a planted foot touches the ground. Residual (e_z − r)/length at planted knots.
 class GroundHeight final : public LinearTerm {
  public:
-  explicit GroundHeight(const TermContext& context) {
+  explicit GroundHeight(const TermContext& context) : length_(context.length) {
     const Layout& layout = context.layout;
     for (int i = 0; i < layout.knot_count(); ++i)
       for (int j = 0; j < layout.foot_count(); ++j)
@@ -17,6 +17,10 @@ class GroundHeight final : public LinearTerm {
               Eigen::VectorXd::Constant(1, context.morphology.feet[j].radius / context.length));
   }
   std::string_view name() const override { return "ground_height"; }
+  ResidualUnit unit(int, int) const override { return {length_, "m"}; }
+
+ private:
+  double length_;
 };
 
 }  // namespace

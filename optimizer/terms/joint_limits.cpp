@@ -21,16 +21,30 @@ class JointLimits final : public LinearTerm {
         const int slot = layout.pose(i) + 6 + a;
         const double range = 0.5 * (joint.upper - joint.lower) - margin;
         const double scale = std::isfinite(range) && range > 0.0 ? 1.0 / range : 1.0;
-        if (std::isfinite(joint.lower))
+        const auto note = [&] { sides_.push_back({1.0 / scale, joint.name}); };
+        if (std::isfinite(joint.lower)) {
+          note();
           add(i, -1, {{slot, times(scale, 1)}},
               Eigen::VectorXd::Constant(1, scale * (joint.lower + margin)));
-        if (std::isfinite(joint.upper))
+        }
+        if (std::isfinite(joint.upper)) {
+          note();
           add(i, -1, {{slot, times(-scale, 1)}},
               Eigen::VectorXd::Constant(1, scale * (margin - joint.upper)));
+        }
       }
   }
   std::string_view name() const override { return "joint_limits"; }
   Penalty penalty() const override { return Penalty::barrier; }
+  ResidualUnit unit(int element, int) const override { return {sides_[element].half, "rad"}; }
+  std::string subject(int element, int) const override { return sides_[element].joint; }
+
+ private:
+  struct Side {
+    double half;  // range that is left [rad]
+    std::string joint;
+  };
+  std::vector<Side> sides_;  // by element
 };
 
 }  // namespace

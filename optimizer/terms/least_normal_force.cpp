@@ -9,7 +9,7 @@ namespace {
 /// Residual f_z/weight − share ≥ 0, kept by the barrier.
 class LeastNormalForce final : public LinearTerm {
  public:
-  explicit LeastNormalForce(const TermContext& context) {
+  explicit LeastNormalForce(const TermContext& context) : weight_(context.weight) {
     const Layout& layout = context.layout;
     for (int i = 0; i < layout.knot_count(); ++i)
       for (int j = 0; j < layout.foot_count(); ++j)
@@ -18,7 +18,11 @@ class LeastNormalForce final : public LinearTerm {
               Eigen::VectorXd::Constant(1, context.task.min_normal));
   }
   std::string_view name() const override { return "least_normal_force"; }
+  ResidualUnit unit(int, int) const override { return {weight_, "N"}; }
   Penalty penalty() const override { return Penalty::barrier; }
+
+ private:
+  double weight_;
 };
 
 }  // namespace

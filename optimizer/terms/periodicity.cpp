@@ -9,24 +9,38 @@ namespace {
 /// one cycle later. Residuals in radians, over length, over the weight.
 class Periodicity final : public LinearTerm {
  public:
-  explicit Periodicity(const TermContext& context) {
+  explicit Periodicity(const TermContext& context)
+      : length_(context.length), weight_(context.weight) {
     const Layout& layout = context.layout;
     const WantedPath& path = context.path;
     const int T = layout.knot_count(), size = layout.pose_size() - 2;
     Eigen::VectorXd pose = Eigen::VectorXd::Zero(size);
     pose[3] = path.turn_angle();
+    kinds_.push_back(Kind::pose);
     add(T, -1, {{layout.pose(T) + 2, times(1.0, size)}, {layout.pose(0) + 2, times(-1.0, size)}},
         pose);
     for (int j = 0; j < layout.foot_count(); ++j) {
       const double scale = 1.0 / context.length, force = 1.0 / context.weight;
+      kinds_.push_back(Kind::foot);
       add(T, j, {{layout.foot(T, j), times(scale)}, {layout.foot(0, j), -scale * path.turn()}},
           scale * path.travel());
-      if (layout.force(0, j) >= 0)
-        add(T, j, {{layout.force(T, j), times(force)}, {layout.force(0, j), -force * path.turn()}},
-            Eigen::Vector3d::Zero());
+      if (layout.force(0, j) < 0) continue;
+      kinds_.push_back(Kind::force);
+      add(T, j, {{layout.force(T, j), times(force)}, {layout.force(0, j), -force * path.turn()}},
+          Eigen::Vector3d::Zero());
     }
   }
   std::string_view name() const override { return "periodicity"; }
+  ResidualUnit unit(int element, int row) const override {
+    if (kinds_[element] == Kind::force) return {weight_, "N"};
+    if (kinds_[element] == Kind::foot) return {length_, "m"};
+    return {1.0, row == 0 ? "m" : "rad"};  // root height first
+  }
+
+ private:
+  enum class Kind { pose, foot, force };
+  std::vector<Kind> kinds_;  // by element
+  double length_, weight_;
 };
 
 }  // namespace

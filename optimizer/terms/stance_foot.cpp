@@ -10,7 +10,7 @@ namespace {
 /// after the knots at which it carries force (or more, Task::planted_margin). Residual over length.
 class StanceFoot final : public LinearTerm {
  public:
-  explicit StanceFoot(const TermContext& context) {
+  explicit StanceFoot(const TermContext& context) : length_(context.length) {
     const Layout& layout = context.layout;
     const double scale = 1.0 / context.length;
     const Gait& gait = context.task.gait;
@@ -31,6 +31,10 @@ class StanceFoot final : public LinearTerm {
       }
   }
   std::string_view name() const override { return "stance_foot"; }
+  ResidualUnit unit(int, int) const override { return {length_, "m"}; }
+
+ private:
+  double length_;
 };
 
 }  // namespace

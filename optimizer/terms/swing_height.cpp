@@ -11,7 +11,7 @@ namespace {
 /// phase: lands and leaves gently. Residual (e_z − r − height·sin^1.5(π phase))/length at knots that are not planted.
 class SwingHeight final : public LinearTerm {
  public:
-  explicit SwingHeight(const TermContext& context) {
+  explicit SwingHeight(const TermContext& context) : length_(context.length) {
     const Layout& layout = context.layout;
     const Gait& gait = context.task.gait;
     const int margin = layout.planted_margin();
@@ -29,6 +29,10 @@ class SwingHeight final : public LinearTerm {
       }
   }
   std::string_view name() const override { return "swing_height"; }
+  ResidualUnit unit(int, int) const override { return {length_, "m"}; }
+
+ private:
+  double length_;
 };
 
 }  // namespace

@@ -11,7 +11,8 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 /// Eq (13), second half, with the angular momentum of the whole robot in place of I ö:
-///   Σ_j (e_iʲ − x_i) × f_iʲ = Σ_p m_p (p_i − x_i) × (p_{i−1} − 2 p_i + p_{i+1})/h²   over all point masses p.
+///   Σ_j (e_iʲ − r_j ẑ − x_i) × f_iʲ = Σ_p m_p (p_i − x_i) × (p_{i−1} − 2 p_i + p_{i+1})/h²   over all point masses p.
+/// Forces act where the balls touch the ground, a radius r_j below their centres e_iʲ.
 /// Because p × p = 0 the right-hand side is (A_i − A_{i−1} − M x_i × (c_{i−1} − 2 c_i + c_{i+1}))/h² with the swept
 /// momentum A_i = Σ m p_i × p_{i+1} and c = φ_COM, all of which have slots. Residual over weight times length. Where M
 /// depends on the design its share of the initial mass is the last local variable.
@@ -25,6 +26,7 @@ class TorqueBalance final : public Term {
     const Layout& layout = context.layout;
     const double h = context.task.gait.time_step();
     rate_ = scale_ / (h * h);
+    radii_.resize(static_cast<std::size_t>(layout.knot_count()));
     for (int i = 0; i < layout.knot_count(); ++i) {
       Element element{i, -1, 3, {}};
       const auto push = [&element](int slot) {
@@ -40,19 +42,21 @@ class TorqueBalance final : public Term {
         if (layout.force(i, j) < 0) continue;
         push(layout.foot(i, j));
         push(layout.force(i, j));
+        radii_[static_cast<std::size_t>(i)].push_back(context.morphology.feet[j].radius);
       }
       if (grows_ > 0) element.slots.push_back(layout.mass_share());
       elements_.push_back(std::move(element));
     }
   }
   std::string_view name() const override { return "torque_balance"; }
+  ResidualUnit unit(int, int) const override { return {1.0 / scale_, "N m"}; }
 
   void residual(int element, const Eigen::VectorXd& z, Eigen::VectorXd& r) const override {
     const Vector3d x = z.segment<3>(kX);
     r = -rate_ *
         (z.segment<3>(kAfter) - z.segment<3>(kBefore) - mass(z) * x.cross(bend(element, z)));
     for (int k = kFeet; k < z.size() - grows_; k += 6)
-      r += scale_ * (z.segment<3>(k) - x).cross(z.segment<3>(k + 3));
+      r += scale_ * (contact(element, z, k) - x).cross(z.segment<3>(k + 3));
   }
 
   void jacobian(int element, const Eigen::VectorXd& z, Eigen::MatrixXd& jacobian) const override {
@@ -70,7 +74,7 @@ class TorqueBalance final : public Term {
       const Matrix3d force = scale_ * skew(z.segment<3>(k + 3));
       jacobian.middleCols<3>(kX) += force;
       jacobian.middleCols<3>(k) = -force;
-      jacobian.middleCols<3>(k + 3) = scale_ * skew(z.segment<3>(k) - x);
+      jacobian.middleCols<3>(k + 3) = scale_ * skew(contact(element, z, k) - x);
     }
   }
 
@@ -135,6 +139,14 @@ class TorqueBalance final : public Term {
     add(kComAfter, by_bend);
   }
 
+  /// Where the force of a foot acts: below the centre of its ball.
+  Vector3d contact(int element, const Eigen::VectorXd& z, int k) const {
+    const double radius =
+        radii_[static_cast<std::size_t>(element)][static_cast<std::size_t>((k - kFeet) / 6)];
+    return z.segment<3>(k) - radius * Vector3d::UnitZ();
+  }
+
+  std::vector<std::vector<double>> radii_;  // of the standing feet, by knot
   double scale_, mass_, rate_ = 0.0;
   WantedPath path_;
   int grows_;  // local variables for the mass

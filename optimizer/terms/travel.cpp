@@ -9,7 +9,7 @@ namespace {
 /// Residual (x_T − turn·x_0 − travel)/length; turn is the cycle's change of heading, one when walking straight.
 class Travel final : public LinearTerm {
  public:
-  explicit Travel(const TermContext& context) {
+  explicit Travel(const TermContext& context) : length_(context.length) {
     const Layout& layout = context.layout;
     const double scale = 1.0 / context.length;
     add(0, -1,
@@ -18,6 +18,10 @@ class Travel final : public LinearTerm {
         scale * context.path.travel());
   }
   std::string_view name() const override { return "travel"; }
+  ResidualUnit unit(int, int) const override { return {length_, "m"}; }
+
+ private:
+  double length_;
 };
 
 }  // namespace

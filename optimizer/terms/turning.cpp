@@ -17,6 +17,7 @@ class Turning final : public LinearTerm {
         Eigen::VectorXd::Constant(1, context.path.turn_angle()));
   }
   std::string_view name() const override { return "turning"; }
+  ResidualUnit unit(int, int) const override { return {1.0, "rad"}; }
 };
 
 }  // namespace

@@ -11,6 +11,8 @@
 
 #include "mjcf/emit_scene.hpp"
 #include "mjcf/rewrite_robot.hpp"
+#include "optimizer/design/inertia.hpp"
+#include "optimizer/design/momentum.hpp"
 #include "optimizer/motion/motion.hpp"
 #include "tools/simulate/plan.hpp"
 
@@ -58,16 +60,34 @@ class TemporaryFolder {
   fs::path path_;
 };
 
-/// How far standing feet are moved, over how far the robot travels in that time. A ball that rolls
-/// moves its centre a little; a plan that cannot take steps slides its feet along and comes close to
+/// Where the links are at each knot of a plan.
+std::vector<PoseKinematics> poses_of(const Objective& objective, const Eigen::VectorXd& s,
+                                     const MotionView& motion) {
+  const GeometryAtDesign geometry(objective.morphology(), s);
+  std::vector<PoseKinematics> poses(objective.layout().knot_count() + 1);
+  for (int knot = 0; knot <= objective.layout().knot_count(); ++knot)
+    poses[knot].compute(objective.morphology(), geometry, motion.pose(knot), PoseDetail::place);
+  return poses;
+}
+
+/// How far standing feet slide, over how far the robot travels in that time. That a ball rolls on
+/// is no sliding, eq (14); a plan that cannot take steps slides its feet along and comes close to
 /// one.
-double slide_share(const Objective& objective, const MotionView& motion, double speed) {
+double slide_share(const Objective& objective, const Eigen::VectorXd& s, const MotionView& motion,
+                   double speed) {
   const Task& task = objective.task();
+  const Morphology& morphology = objective.morphology();
+  const std::vector<PoseKinematics> poses = poses_of(objective, s, motion);
   double slid = 0.0, travelled = 0.0;
   for (int knot = 0; knot < objective.layout().knot_count(); ++knot)
     for (int foot = 0; foot < objective.layout().foot_count(); ++foot) {
       if (!task.gait.in_contact(knot, foot) || !task.gait.in_contact(knot + 1, foot)) continue;
-      slid += (motion.foot_W(knot + 1, foot) - motion.foot_W(knot, foot)).head<2>().norm();
+      const Eigen::Vector3d turn =
+          PairDerivatives::foot_turn(morphology, foot, poses[knot], poses[knot + 1]);
+      const Eigen::Vector3d rolled =
+          morphology.feet[foot].radius * turn.cross(Eigen::Vector3d::UnitZ());
+      const Eigen::Vector3d moved = motion.foot_W(knot + 1, foot) - motion.foot_W(knot, foot);
+      slid += (moved - rolled).head<2>().norm();
       travelled += speed * task.gait.time_step();
     }
   return travelled > 0.0 ? slid / travelled : 0.0;
@@ -75,7 +95,8 @@ double slide_share(const Objective& objective, const MotionView& motion, double 
 
 }  // namespace
 
-PlanQuality plan_quality(const Objective& objective, const Eigen::VectorXd& m) {
+PlanQuality plan_quality(const Objective& objective, const Eigen::VectorXd& s,
+                         const Eigen::VectorXd& m) {
   const Task& task = objective.task();
   const Layout& layout = objective.layout();
   const MotionView motion(layout, m);
@@ -91,7 +112,7 @@ PlanQuality plan_quality(const Objective& objective, const Eigen::VectorXd& m) {
     quality.turn_reached = std::copysign(1.0, task.turn_rate) * turned / period;
   }
   if (quality.speed_wanted > 1e-9) {
-    quality.slide_share = slide_share(objective, motion, quality.speed_wanted);
+    quality.slide_share = slide_share(objective, s, motion, quality.speed_wanted);
     const Eigen::Vector2d velocity = WantedPath::velocity_along_arc(
         moved, task.turn_rate != 0.0 ? turned : 0.0, period);  // of the arc, not its chord
     quality.speed_reached = velocity.dot(task.velocity) / quality.speed_wanted;
@@ -145,7 +166,7 @@ PlanQuality write_design(const fs::path& folder, const RobotModel& robot,
   const Eigen::VectorXd& m = iteration.tasks.at(task).m;
   const std::string robot_xml = rewrite_robot(robot, iteration.s);
   const PlayablePlan plan = make_playable(robot, robot_xml, objective, m);
-  PlanQuality quality = plan_quality(objective, m);
+  PlanQuality quality = plan_quality(objective, iteration.s, m);
   quality.root_residual = plan.root_residual;
   SceneSettings scene;
   scene.trajectory = plan.trajectory;

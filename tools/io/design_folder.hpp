@@ -23,13 +23,14 @@ struct PlanQuality {
   double turn_wanted = 0.0;    // the same; zero where it does not
   double heading_error = 0.0;  // of the trunk from the wanted heading, largest [rad]
   double ground_error = 0.0;   // of a standing foot from the ground, largest [m]
-  double slide_share = 0.0;    // distance that standing feet are moved over that of the trunk
+  double slide_share = 0.0;    // distance that standing feet slide over that of the trunk
   double root_residual =
       0.0;  // root force that the plan does not explain, largest, share of the weight
 };
 
 /// All but the root residual, which write_design() knows.
-PlanQuality plan_quality(const Objective& objective, const Eigen::VectorXd& m);
+PlanQuality plan_quality(const Objective& objective, const Eigen::VectorXd& s,
+                         const Eigen::VectorXd& m);
 
 /// metrics.json of an iteration's task (schema legwright/iteration): no times, so equal runs give
 /// equal bytes. @param task of `iteration.tasks`

@@ -59,6 +59,23 @@ void check_weights(const TaskFile& file) {
   }
 }
 
+/// Every name in limits.limb_pairs is that of a link with a joint or of a foot.
+void check_limb_pairs(const TaskFile& file, const Morphology& morphology) {
+  std::vector<std::string> names = foot_names(morphology);
+  for (std::size_t l = 1; l < morphology.links.size(); ++l)
+    names.push_back(morphology.links[l].name);
+  if (!file.margins.limb_pairs) return;
+  for (const auto& [first, second] : *file.margins.limb_pairs)
+    for (const std::string& name : {first, second}) {
+      if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+      const std::string guess = nearest(name, names);
+      refuse(file, "limits.limb_pairs",
+             fmt::format("no link or foot is named '{}'; {}there are {}", name,
+                         guess.empty() ? "" : fmt::format("did you mean '{}'? ", guess),
+                         fmt::join(names, ", ")));
+    }
+}
+
 void check_reach(const TaskFile& file, const Task& task, const RobotModel& robot) {
   const StrideBound bound = stride_bound(task, robot);
   if (bound.per_stance > bound.longest)
@@ -168,6 +185,7 @@ std::vector<std::string> task_warnings(const Task& task, const RobotModel& robot
 Task make_task(const TaskFile& file, const RobotModel& robot) {
   const std::vector<int> order = footfall_order(home_feet(robot.morphology, robot.space.initial()));
   check_weights(file);
+  check_limb_pairs(file, robot.morphology);
   Task task = file.margins;
   task.name = file.name;
   const std::vector<std::string> names = foot_names(robot.morphology);

@@ -32,6 +32,28 @@ void read_travel(TableReader in, TaskFile& task) {
   in.finish();
 }
 
+/// [["one limb", "another"], …]; names are looked up when the robot is known.
+void read_limb_pairs(TableReader& in, Task& margins, Problems& problems) {
+  const toml::node* found = in.node("limb_pairs");
+  if (!found) return;
+  std::vector<std::pair<std::string, std::string>> pairs;
+  const toml::array* rows = found->as_array();
+  for (std::size_t k = 0; rows && k < rows->size(); ++k) {
+    const toml::array* row = rows->get(k)->as_array();
+    if (!row || row->size() != 2) break;
+    const auto first = row->get(0)->value_exact<std::string>();
+    const auto second = row->get(1)->value_exact<std::string>();
+    if (!first || !second) break;
+    pairs.emplace_back(*first, *second);
+  }
+  if (!rows || pairs.size() != rows->size())
+    problems.add(in.line_of("limb_pairs"), in.full("limb_pairs"),
+                 "expected pairs of names of links or feet, for instance limb_pairs = "
+                 "[[\"FL_foot\", \"HL_thigh\"]]; [] for no pair at all");
+  else
+    margins.limb_pairs = std::move(pairs);
+}
+
 void read_limits(TableReader in, TaskFile& task, Problems& problems) {
   Task& margins = task.margins;
   constexpr Range friction{0.0, 5.0, true, false, ""};
@@ -43,6 +65,11 @@ void read_limits(TableReader in, TaskFile& task, Problems& problems) {
       in.number("min_normal", {0.0, 0.5, false, false, ""}).value_or(margins.min_normal);
   margins.joint_margin =
       in.number("joint_margin", {0.0, 1.5, false, false, "rad"}).value_or(margins.joint_margin);
+  margins.torque_margin =
+      in.number("torque_margin", {0.0, 1.0, false, true, ""}).value_or(margins.torque_margin);
+  margins.clearance =
+      in.number("clearance", {0.0, 1.0, true, false, "m"}).value_or(margins.clearance);
+  read_limb_pairs(in, margins, problems);
   if (const auto margin = in.number("planted_margin", {0.0, 1.0, false, false, "s"}))
     task.planted_margin = margin;
   if (margins.friction > margins.floor_friction)
@@ -192,7 +219,10 @@ TaskSet parse_task_set(const std::string& text, const std::filesystem::path& fil
   }
   problems.throw_if_any();
   set.robot = find_robot(*robot, file, line_in(set.lines, "robot"));
-  for (TaskFile& task : set.tasks) task.robot = set.robot;
+  for (TaskFile& task : set.tasks) {
+    task.robot = set.robot;
+    task.lines.insert(set.lines.begin(), set.lines.end());  // of what holds for all
+  }
   return set;
 }
 

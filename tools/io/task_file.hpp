@@ -39,8 +39,8 @@ struct TaskFile {
   std::map<std::string, std::vector<Eigen::Vector2d>>
       foot_targets;  // by the foot's name, over the cycle
   std::vector<Eigen::Vector2d>
-      footprint;  // in footfall order; one entry: half length and half width
-  Task margins;   // friction … joint_margin of the file over Task's defaults
+      footprint;                         // in footfall order; one entry: half length and half width
+  Task margins;                          // friction … limb_pairs of the file over Task's defaults
   std::optional<double> planted_margin;  // [s]
   std::map<std::string, double> weights;
 

@@ -45,6 +45,8 @@ std::string term_words(const std::string& name) {
       {"least_normal_force", "stance feet bear weight"},
       {"joint_limits", "joints within their range"},
       {"torque_limits", "torques within limits"},
+      {"mechanical_work", "work of the motors"},
+      {"peak_torque", "highest torque"},
       {"nominal_pose", "near the home pose"},
       {"force_smoothness", "smooth forces"},
       {"design_tether", "near the initial design"},

@@ -6,6 +6,8 @@
 #include <thread>
 
 #include "mjcf/input_error.hpp"
+#include "optimizer/solve/stopwatch.hpp"
+#include "tools/io/certificate_json.hpp"
 #include "tools/io/install.hpp"
 #include "tools/io/io_error.hpp"
 #include "tools/io/run_json.hpp"
@@ -21,10 +23,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr int kToldConstraints = 3;  // of an infeasible plan
+
 struct OptimizeOptions {
   std::string task, run;
   bool motion_only = false, no_pictures = false, quiet = false, json = false, force = false;
-  bool one_start = false, lbfgs = false;
+  bool one_start = false, lbfgs = false, no_certificate = false;
   int max_iterations = CodesignOptions{}.max_iterations;
   int starts = 0, threads = 0, front = 0;
   std::uint64_t seed = 1;
@@ -96,9 +100,41 @@ std::vector<TaskOutcome> write_results(const ResultFolder& folder, const Codesig
     const bool good = usable(winner.best);
     if (good) outcome.quality = recorder.result(result_folder(folder, problem, k), winner.best, k);
     outcome.reasons = infeasible_reasons(good, outcome.quality, problem.speed_unit(k));
+    if (good && !outcome.reasons.empty())  // which limb, when, by how much
+      for (std::string& words : worst_constraints(*problem.objectives[k], winner.best.s,
+                                                  winner.best.tasks[k].m, kToldConstraints))
+        outcome.reasons.push_back(std::move(words));
     outcomes.push_back(std::move(outcome));
   }
   return outcomes;
+}
+
+/// Proves the result and writes certificate.json beside it. @return what run.json says of it
+Json write_certificate(const ResultFolder& folder, const CodesignProblem& problem,
+                       const std::vector<JointTask>& tasks, const DesignIteration& best,
+                       int threads) {
+  const Stopwatch watch;
+  std::vector<WeightedCost> costs;
+  std::vector<int> all;
+  for (const JointTask& task : tasks) {
+    WeightedCost cost;
+    cost.cost = task.cost;
+    cost.outer = task.outer;
+    cost.weight = task.weight;
+    all.push_back(static_cast<int>(costs.size()));
+    costs.push_back(cost);
+  }
+  CertificateOptions options;
+  options.threads = threads;
+  const Certificate proof = certify(costs, problem.robot.space, best, options);
+  write_json(folder.result() / "certificate.json", certificate_json(problem, best, proof, all));
+  if (problem.set.joint())
+    for (int k : all)
+      write_json(result_folder(folder, problem, k) / "certificate.json",
+                 certificate_json(problem, best, proof, {k}));
+  return {{"worst_gradient_error", proof.worst_gradient_error()},
+          {"active_bounds", proof.active.size()},
+          {"seconds", watch.seconds()}};
 }
 
 void warn(const CodesignProblem& problem) {
@@ -159,8 +195,12 @@ int optimize(const OptimizeOptions& options) {
     write_task_runs(folder, problem, run, found, outcomes, recorder);
   } else {
     outcomes[0].history = recorder.history();
+    run["pull"] = recorder.pull_on(found.joint[found.best].label, 0);
     finish_run(run, status, outcomes[0], effort, problem.robot.space);
   }
+  if (signal == 0 && !options.no_certificate && usable(found.winner().best))
+    run["certificate"] = write_certificate(folder, problem, costs.tasks(), found.winner().best,
+                                           settings.codesign.threads);
   if (options.front > 0 && signal == 0 && joint)
     run["front"] =
         write_front(folder, problem, costs.tasks(), found, options.front, settings.codesign);
@@ -200,6 +240,8 @@ void add_optimize(CLI::App& program, Action& action) {
   verb->add_option("--threads", options->threads,
                    "tasks solved at the same time; results do not depend on it; default: all cores")
       ->check(CLI::Range(1, 64));
+  verb->add_flag("--no-certificate", options->no_certificate,
+                 "no result/certificate.json, which costs a fraction of a second per parameter");
   verb->add_flag("--lbfgs", options->lbfgs,
                  "step the design by L-BFGS, as the paper does, instead of Newton's method");
   verb->add_flag("--no-pictures", options->no_pictures, "no frame.png of the iterations");

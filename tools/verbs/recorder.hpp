@@ -10,6 +10,7 @@
 #include "tools/io/design_folder.hpp"
 #include "tools/io/events.hpp"
 #include "tools/io/problem.hpp"
+#include "tools/io/pull.hpp"
 #include "tools/io/result_folder.hpp"
 #include "tools/verbs/picture_queue.hpp"
 #include "tools/verbs/progress.hpp"
@@ -40,6 +41,8 @@ class Recorder {
   const std::vector<double>& history() const { return history_; }
   /// The per-task events of a run, by start folder and task.
   const std::vector<Json>& events_of(const std::string& start, int task) const;
+  /// Why the body of a run changed, seen by one task; from the initial body on.
+  Json pull_on(const RunLabel& label, int task) const;
 
  private:
   std::filesystem::path design_folder(const RunLabel& label, int k, int index);
@@ -52,6 +55,7 @@ class Recorder {
   int count_ = 0;  // iterations so far
   std::vector<double> history_;
   std::map<std::pair<std::string, int>, std::vector<Json>> task_events_;
+  std::map<std::pair<std::string, int>, PullAlongPath> pulls_;
   double seconds_ = 0.0;
 };
 

@@ -1,20 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
-#include <filesystem>
 #include <memory>
 
-#include "mjcf/input_error.hpp"
-#include "optimizer/motion/path.hpp"
-#include "tools/io/install.hpp"
-#include "tools/io/io_error.hpp"
-#include "tools/io/json_file.hpp"
 #include "tools/io/result_folder.hpp"
-#include "tools/report/tables.hpp"
-#include "tools/simulate/metrics_json.hpp"
-#include "tools/simulate/mujoco_host.hpp"
-#include "tools/simulate/validation.hpp"
+#include "tools/verbs/judge_run.hpp"
 #include "tools/verbs/verbs.hpp"
 
 namespace legwright {
@@ -26,103 +16,49 @@ struct Options {
   bool json = false;
 };
 
-struct TaskOfRun {
-  std::string gait;
-  WantedMotion wanted;
-};
+void print_verdicts(const JudgedRun& judged, const std::string& indent) {
+  fmt::print("{0}initial design:     {1}\n{0}co-designed robot:  {2}\n", indent,
+             judged.designs[0].verdict.line, judged.designs[1].verdict.line);
+}
 
-TaskOfRun read_task(const ResultFolder& folder) {
-  const Json run = read_json(folder.run_json());
-  try {
-    const Json& task = run.at("task");
-    const Json& velocity = task.at("velocity");
-    return {task.at("gait").get<std::string>(),
-            {{velocity.at(0).get<double>(), velocity.at(1).get<double>()},
-             task.at("turn_rate").get<double>()}};
-  } catch (const Json::exception& error) {
-    throw InputError(
-        folder.run_json().string(), 0, "task",
-        std::string("expected gait, velocity and turn_rate as `legwright optimize` writes them; ") +
-            error.what());
+/// One line per design, one column per task: F, and what physics says.
+void print_matrix(const Json& matrix) {
+  fmt::print("{:24}", "F and verdict of");
+  for (const auto& [task, cells] : matrix["cells"].items()) fmt::print("{:>20}", task);
+  for (std::size_t k = 0; k < matrix["designs"].size(); ++k) {
+    fmt::print("\n  body {:17}", matrix["designs"][k]["name"].get<std::string>());
+    for (const auto& [task, cells] : matrix["cells"].items())
+      fmt::print("{:>13.4g} {:>6}", cells[k]["F"].get<double>(),
+                 cells[k]["pass"].get<bool>() ? "PASS" : "FAIL");
   }
+  fmt::print("\n");
 }
 
-// What the plan itself reached in its cycle, against which the simulation is compared as well: the
-// velocity of the COM along its arc. The plan holds what the root did; its COM goes along with it.
-Eigen::Vector2d velocity_of(const Trajectory& plan) {
-  const auto at_start = [&](int column) { return plan.at(0, column); };
-  const Eigen::Vector2d com(at_start(plan.com_column(0)) - at_start(plan.root_column(0)),
-                            at_start(plan.com_column(1)) - at_start(plan.root_column(1)));
-  const Eigen::Vector2d step =
-      Eigen::Vector2d(plan.travel[0], plan.travel[1]) + Eigen::Rotation2Dd(plan.turn) * com - com;
-  return WantedPath::velocity_along_arc(step, plan.turn, plan.period);
-}
-
-SceneToValidate scene_in(const std::filesystem::path& folder) {
-  SceneToValidate out{folder / "scene.xml", Eigen::Vector2d::Zero()};
-  if (!std::filesystem::is_regular_file(out.scene)) {
-    throw IoError(out.scene.string() +
-                  ": no such file; the run was stopped before it was written: run `legwright " +
-                  "optimize` again");
+int validate_joint(const ResultFolder& folder, const Json& run, const Options& options) {
+  std::vector<JudgedRun> judged;
+  const Json matrix = judge_joint_run(folder, run, options.validation, judged);
+  if (options.json) {
+    fmt::print("{}", to_text(matrix));
+  } else {
+    for (std::size_t k = 0; k < judged.size(); ++k) {
+      fmt::print("{}\n", run["tasks"][k]["name"].get<std::string>());
+      print_verdicts(judged[k], "  ");
+    }
+    print_matrix(matrix);
   }
-  const Trajectory plan = read_motion_csv(folder / "motion.csv");
-  out.plan_velocity = velocity_of(plan);
-  return out;
-}
-
-Json metrics_json(const TaskOfRun& task, const Options& options,
-                  const std::vector<SceneToValidate>& scenes,
-                  const std::vector<SceneValidation>& results) {
-  const auto plan_velocity = [&](std::size_t i) {
-    return Json{scenes[i].plan_velocity.x(), scenes[i].plan_velocity.y()};
-  };
-  Json versions_used = versions();
-  return {
-      {"schema", "legwright/validation"},
-      {"version", 1},
-      {"task", describe(task.wanted, task.gait)},
-      {"wanted_velocity_mps", {task.wanted.velocity.x(), task.wanted.velocity.y()}},
-      {"wanted_turn_rate_radps", task.wanted.turn_rate},
-      {"plan_velocity_mps", {{"initial", plan_velocity(0)}, {"result", plan_velocity(1)}}},
-      {"cycles", options.validation.cycles},
-      {"timestep_s", results[1].timestep},
-      {"robot_mass_kg", {{"initial", results[0].robot_mass}, {"result", results[1].robot_mass}}},
-      {"limits", limits_json(options.validation.limits)},
-      {"versions", versions_used},
-      {"initial", gains_json(results[0])},
-      {"result", gains_json(results[1])}};
+  return matrix["pass"].get<bool>() ? kOk : kInfeasible;
 }
 
 int validate(const Options& options) {
   const ResultFolder folder = ResultFolder::open(options.run);
-  const TaskOfRun task = read_task(folder);
-  std::vector<SceneToValidate> scenes;
-  std::vector<SceneValidation> results;
-  try {
-    scenes = {scene_in(folder.iteration(0)), scene_in(folder.result())};
-    results = validate_scenes(scenes, task.wanted, task.gait, options.validation);
-  } catch (const MujocoError& error) {
-    throw InputError(error.what());
-  } catch (const TrajectoryError& error) {
-    throw InputError(error.what());
-  }
-  const Json metrics = metrics_json(task, options, scenes, results);
-  const Json verdict = {{"schema", "legwright/verdict"},
-                        {"version", 1},
-                        {"initial", verdict_json(results[0].verdict)},
-                        {"result", verdict_json(results[1].verdict)},
-                        {"pass", results[1].verdict.pass}};
-  write_file(folder.result() / "playback_initial.csv", playback_csv(results[0]));
-  write_file(folder.result() / "playback_result.csv", playback_csv(results[1]));
-  write_json(folder.result() / "metrics.json", metrics);
-  write_json(folder.result() / "verdict.json", verdict);
-  if (options.json) {
-    fmt::print("{}", to_text({{"verdict", verdict}, {"metrics", metrics}}));
-  } else {
-    fmt::print("initial design:     {}\nco-designed robot:  {}\n", results[0].verdict.line,
-               results[1].verdict.line);
-  }
-  return results[1].verdict.pass ? kOk : kInfeasible;
+  const Json run = read_json(folder.run_json());
+  if (run.contains("tasks")) return validate_joint(folder, run, options);
+  const JudgedRun judged = judge_run(folder, {}, options.validation);
+  if (options.json)
+    fmt::print("{}", to_text({{"verdict", judged.verdict}, {"metrics", judged.metrics}}));
+  else
+    print_verdicts(judged, "");
+  return judged.designs[1].verdict.pass ? kOk : kInfeasible;
 }
 
 }  // namespace

@@ -277,7 +277,7 @@ class Distance final : public CostFunction {
     const VectorXd off = m - VectorXd::Constant(m.size(), 0.5);
     out.value = 0.5 * off.squaredNorm() + 0.05 * s.squaredNorm();
     if (order >= Order::gradient) out.stationarity = off;
-    if (order >= Order::design) out.partial_s = 0.1 * s;
+    if (order == Order::gradients || order == Order::design) out.partial_s = 0.1 * s;
   }
   const VectorXd& motion_units() const override { return units_; }
 

@@ -6,10 +6,12 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <set>
 
 #include "optimizer/objective/objective.hpp"
 #include "optimizer/terms/registry.hpp"
 #include "tests/support/puppy.hpp"
+#include "tests/support/term_context.hpp"
 
 namespace legwright {
 namespace {
@@ -20,8 +22,7 @@ using Eigen::VectorXd;
 /// The tied puppy walking sideways; terms by name at a motion.
 class TermMeaning : public testing::Test {
  protected:
-  TermMeaning()
-      : puppy_(test::make_puppy(true)), objective_(puppy_.morphology, puppy_.space, task()) {
+  TermMeaning() : puppy_(test::make_puppy(true)), objective_(robot(), puppy_.space, task()) {
     s_ = puppy_.space.initial();
     m_ = initial_guess(objective_, s_);
   }
@@ -29,6 +30,10 @@ class TermMeaning : public testing::Test {
     Task task = test::make_sideways_task(false, 12);
     for (const TermEntry& entry : term_registry()) task.weights[std::string(entry.name)] = 1.0;
     return task;
+  }
+  const Morphology& robot() {
+    for (Link& link : puppy_.morphology.links) link.joint.torque_limit = 3.0;
+    return puppy_.morphology;
   }
   double value(const std::string& name) const {
     for (const TermValue& term : objective_.terms(s_, m_))
@@ -90,6 +95,24 @@ TEST_F(TermMeaning, TorqueBalanceNoticesALoneForce) {
   const double before = value("torque_balance");
   at(layout().force(5, 0) + 1) += 5.0;
   EXPECT_GT(value("torque_balance"), before + 1e-4);
+}
+
+TEST_F(TermMeaning, TorqueBalanceTakesForcesWhereTheBallsTouchTheGround) {
+  at(layout().force(0, 0)) +=
+      5.0;  // along the ground: its torque knows the height at which it acts
+  const double before = value("torque_balance");
+  test::Puppy larger = puppy_;
+  for (Foot& foot : larger.morphology.feet) foot.radius += 0.05;
+  const Objective on_larger(larger.morphology, larger.space, task());
+  const auto of_larger = [&] {
+    for (const TermValue& term : on_larger.terms(s_, m_))
+      if (term.name == "torque_balance") return term.value;
+    return -1.0;
+  };
+  EXPECT_GT(std::abs(of_larger() - before), 1e-4);  // the same centres touch the ground lower down
+  for (int i = 0; i <= layout().knot_count(); ++i)
+    for (int j = 0; j < layout().foot_count(); ++j) at(layout().foot(i, j) + 2) += 0.05;
+  EXPECT_NEAR(of_larger(), before, 1e-12);
 }
 
 TEST_F(TermMeaning, StanceFootAllowsRollingOnly) {
@@ -233,6 +256,86 @@ TEST_F(TermMeaning, ForceRegularisersMeasureSharesOfTheWeight) {
   const double before = value("force_smoothness");
   at(layout().force(5, 0)) += 1.0;
   EXPECT_GT(value("force_smoothness"), before);
+}
+
+TEST_F(TermMeaning, LimbClearanceIsZeroWhereLimbsAreFarApart) {
+  EXPECT_EQ(value("limb_clearance"), 0.0);
+  // Front left shank swings back, hind left shank forward: they meet between the hips.
+  const auto swing = [&](double angle) {
+    for (int k = 0; k < 3; ++k) {
+      at(layout().pose(4) + 6 + k) = k == 0 ? angle : 0.0;
+      at(layout().pose(4) + 12 + k) = k == 0 ? -angle : 0.0;
+    }
+    return value("limb_clearance");
+  };
+  EXPECT_EQ(swing(0.2), 0.0);
+  const double near = swing(0.5), through = swing(0.8);
+  EXPECT_GT(near, 0.0);
+  EXPECT_GT(through, near);
+}
+
+TEST(TermMeaningOfLimbs, PairsAreThoseThatTheTaskNames) {
+  Task task;
+  const auto names_of = [&] {
+    const test::TermSetting setting;
+    TermContext context = setting.context();
+    std::set<std::string> names;
+    for (const TermEntry& entry : term_registry()) {
+      if (entry.name != "limb_clearance") continue;
+      Task local = setting.task;
+      local.clearance = 0.02;
+      local.limb_pairs = task.limb_pairs;
+      const TermContext with_pairs{
+          context.layout,     context.morphology, context.space, local,
+          context.path,       context.length,     context.mass,  context.weight,
+          context.com_height, context.footprint};
+      const std::unique_ptr<Term> term = entry.make(with_pairs);
+      for (std::size_t e = 0; e < term->elements().size(); ++e)
+        names.insert(term->subject(static_cast<int>(e), 0));
+    }
+    return names;
+  };
+  // 12 segments make 66 pairs; 8 within limbs share a hinge, 4 more are across a link of 8 cm: those stay.
+  EXPECT_EQ(names_of().size(), 58u);
+  task.limb_pairs.emplace();
+  task.limb_pairs->emplace_back("foot0", "link2_0");
+  EXPECT_EQ(names_of(), std::set<std::string>{"foot0 - link2_0"});
+  task.limb_pairs->clear();
+  EXPECT_TRUE(names_of().empty());
+  task.limb_pairs->emplace_back("foot0", "no such limb");
+  EXPECT_THROW(names_of(), std::invalid_argument);
+}
+
+TEST_F(TermMeaning, TorqueLimitsBeginAtTheirRange) {
+  EXPECT_EQ(value("torque_limits"), 0.0);
+  const int slot = layout().force(5, 0);
+  ASSERT_GE(slot, 0);
+  at(slot) += 400.0;  // a push forward of twenty times the weight
+  EXPECT_GT(value("torque_limits"), 0.0);
+  EXPECT_GT(value("peak_torque"), 0.0);
+}
+
+TEST_F(TermMeaning, MechanicalWorkIsTorqueTimesAngle) {
+  // Standing still, joints do no work; turning one joint by 0.2 rad while it holds torque does.
+  EXPECT_LT(value("mechanical_work"), 1e-12);
+  at(layout().pose(5) + 8) += 1e-3;
+  EXPECT_GT(value("mechanical_work"), 0.0);
+}
+
+TEST(NearBarrier, IsTwiceDifferentiableAndZeroFarAway) {
+  const double edge = 0.02, h = 1e-6;
+  for (double r : {-0.5, 0.0, 0.0199, 0.02, 0.0201, 0.3, 0.9, 0.999, 1.0, 1.001, 7.0}) {
+    const PenaltyValue at = near_barrier(r, edge), up = near_barrier(r + h, edge),
+                       down = near_barrier(r - h, edge);
+    const double scale = 1.0 + std::abs(at.second);
+    EXPECT_NEAR((up.value - down.value) / (2 * h), at.first, 1e-6 * scale) << r;
+    EXPECT_NEAR((up.first - down.first) / (2 * h), at.second, 5e-3 * scale) << r;
+    EXPECT_GE(at.second, 0.0);
+    EXPECT_LE(at.first, 0.0);
+    if (r >= 1.0) {
+      EXPECT_EQ(at.value, 0.0);
+    }
+  }
 }
 
 TEST_F(TermMeaning, DesignTetherCountsTiesOfALength) {

@@ -45,6 +45,40 @@ TEST(MakeTask, TurnsTheExamplesIntoTasks) {
   EXPECT_GE(trot.planted_margin, 2);
 }
 
+TEST(MakeTask, LimbPairsAndMarginsReachTheTask) {
+  const std::string walk = "name = \"walk\"\nperiod = 1.0";
+  const Task plain = task_from(walk);
+  EXPECT_FALSE(plain.limb_pairs);
+  EXPECT_EQ(plain.clearance, 0.02);
+  EXPECT_EQ(plain.torque_margin, 0.1);
+  const Task task = task_from(walk,
+                              "[limits]\nclearance = 0.03\ntorque_margin = 0.25\n"
+                              "limb_pairs = [[\"FL\", \"HL_thigh\"]]\n");
+  EXPECT_EQ(task.clearance, 0.03);
+  EXPECT_EQ(task.torque_margin, 0.25);
+  ASSERT_TRUE(task.limb_pairs);
+  EXPECT_EQ(task.limb_pairs->front(), std::pair(std::string("FL"), std::string("HL_thigh")));
+  EXPECT_TRUE(task_from(walk, "[limits]\nlimb_pairs = []\n").limb_pairs->empty());
+}
+
+TEST(MakeTask, RefusesLimbsThatTheRobotHasNot) {
+  try {
+    task_from("name = \"walk\"\nperiod = 1.0", "[limits]\nlimb_pairs = [[\"FL\", \"HL_tigh\"]]\n");
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    const std::string what = error.what();
+    EXPECT_NE(what.find("limits.limb_pairs"), std::string::npos) << what;
+    EXPECT_NE(what.find("did you mean 'HL_thigh'?"), std::string::npos) << what;
+  }
+  for (const char* shape : {"[\"FL\", \"HL\"]", "[[\"FL\"]]", "[[1, 2]]", "\"FL\""})
+    EXPECT_THROW(task_from("name = \"walk\"\nperiod = 1.0",
+                           std::string("[limits]\nlimb_pairs = ") + shape + "\n"),
+                 InputError)
+        << shape;
+  EXPECT_THROW(task_from("name = \"walk\"\nperiod = 1.0", "[limits]\ntorque_margin = 1.0\n"),
+               InputError);
+}
+
 TEST(MakeTask, PutsFeetInTheRobotsOrder) {
   const Task task = make_task(read_task_file(kPuppy / "sideways.toml"), puppy());
   const std::vector<Eigen::Vector3d> feet = home_feet(puppy().morphology, puppy().space.initial());

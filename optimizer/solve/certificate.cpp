@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimizer/solve/certificate.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "optimizer/solve/adjoint.hpp"
+#include "optimizer/solve/lbfgs.hpp"
+#include "optimizer/solve/newton.hpp"
+#include "optimizer/solve/parallel.hpp"
+#include "optimizer/solve/predictor.hpp"
+
+namespace legwright {
+namespace {
+
+using Eigen::VectorXd;
+
+class TaskProof {
+ public:
+  TaskProof(const WeightedCost& task, const VectorXd& scale, const CertificateOptions& options)
+      : task_(task), scale_(scale), options_(options) {}
+
+  TaskCertificate run(const VectorXd& s, const TaskIterate& iterate) {
+    proof_.motion_status = iterate.motion_status;
+    task_.cost->evaluate(s, iterate.m, Order::design, at_);
+    proof_.stationarity =
+        at_.stationarity.cwiseProduct(task_.cost->motion_units()).lpNorm<Eigen::Infinity>();
+    VectorXd dJ_dm = at_.stationarity, partial_s = at_.partial_s;
+    if (task_.outer) {
+      Evaluation outer;
+      task_.outer->evaluate(s, iterate.m, Order::gradients, outer);
+      dJ_dm += outer.stationarity;
+      partial_s += outer.partial_s;
+    }
+    const AdjointResult result =
+        legwright::adjoint(factor_, at_.hessian_mm, dJ_dm, at_.hessian_ms, partial_s);
+    proof_.minimum_in_motion = result.status == SolveStatus::converged;
+    if (!proof_.minimum_in_motion) return proof_;
+    proof_.adjoint_residual = result.residual;
+    proof_.adjoint = result.dJ_ds;
+    proof_.largest = result.dJ_ds.cwiseProduct(scale_).lpNorm<Eigen::Infinity>();
+    differentiate(s, iterate.m);
+    return proof_;
+  }
+
+ private:
+  void differentiate(const VectorXd& s, const VectorXd& m) {
+    const int n = static_cast<int>(s.size());
+    proof_.difference.setZero(n);
+    proof_.resolved = true;
+    for (int k = 0; k < n; ++k) {
+      const double h = options_.step * scale_[k];
+      proof_.difference[k] = (value_at(s, m, k, h) - value_at(s, m, k, -h)) / (2.0 * h);
+    }
+    proof_.error = (proof_.adjoint - proof_.difference).cwiseProduct(scale_).cwiseAbs();
+  }
+
+  /// F + J at the motion that belongs to s with one parameter moved.
+  double value_at(const VectorXd& s, const VectorXd& m, int parameter, double change) {
+    VectorXd moved = s, motion;
+    moved[parameter] += change;
+    (void)predict(factor_, m, at_.stationarity, at_.hessian_ms, moved - s, motion);
+    NewtonOptions rules;
+    rules.tolerance = options_.tolerance;
+    rules.max_iterations = options_.newton_iterations;
+    const SolveReport report = newton(*task_.cost, moved, motion, rules, workspace_);
+    proof_.resolved = proof_.resolved && report.status == SolveStatus::converged;
+    if (!task_.outer) return report.value;
+    Evaluation outer;
+    task_.outer->evaluate(moved, motion, Order::value, outer);
+    return report.value + outer.value;
+  }
+
+  const WeightedCost& task_;
+  const VectorXd& scale_;
+  const CertificateOptions& options_;
+  HessianFactor factor_;
+  NewtonWorkspace workspace_;
+  Evaluation at_;
+  TaskCertificate proof_;
+};
+
+VectorXd free_curvatures(const DesignIteration& iterate, const VectorXd& scale,
+                         const std::vector<bool>& free) {
+  if (iterate.reduced_hessian.size() == 0) return {};
+  std::vector<int> index;
+  for (int k = 0; k < scale.size(); ++k)
+    if (free[k]) index.push_back(k);
+  if (index.empty()) return {};
+  const Eigen::MatrixXd scaled = scale.asDiagonal() * iterate.reduced_hessian * scale.asDiagonal();
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled(index, index),
+                                                        Eigen::EigenvaluesOnly)
+      .eigenvalues();
+}
+
+}  // namespace
+
+double Certificate::worst_gradient_error() const {
+  double worst = 0.0;
+  for (const TaskCertificate& task : tasks) {
+    if (task.adjoint.size() == 0) return std::numeric_limits<double>::infinity();
+    if (task.error.size() > 0)
+      worst = std::max(worst, task.error.maxCoeff() / std::max(task.largest, 1e-3));
+  }
+  return worst;
+}
+
+Certificate certify(const std::vector<WeightedCost>& tasks, const DesignSpace& space,
+                    const DesignIteration& iterate, const CertificateOptions& options) {
+  const VectorXd scale = space.scale(), lower = space.lower(), upper = space.upper();
+  Certificate certificate;
+  certificate.tasks.resize(tasks.size());
+  parallel_for(static_cast<int>(tasks.size()), options.threads, [&](int i) {
+    certificate.tasks[i] = TaskProof(tasks[i], scale, options).run(iterate.s, iterate.tasks[i]);
+  });
+  const VectorXd& gradient = iterate.design_gradient;
+  const std::vector<bool> free = free_parameters(iterate.s, gradient, lower, upper);
+  certificate.projected_gradient_norm =
+      projected_gradient_norm(iterate.s, gradient, lower, upper, scale);
+  certificate.curvatures = free_curvatures(iterate, scale, free);
+  for (int k = 0; k < space.size(); ++k)
+    if (iterate.s[k] <= lower[k] || iterate.s[k] >= upper[k])
+      certificate.active.push_back({k, iterate.s[k] >= upper[k], gradient[k]});
+  return certificate;
+}
+
+}  // namespace legwright

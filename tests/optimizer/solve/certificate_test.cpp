@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimizer/solve/certificate.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/optimizer/solve/toy_cost.hpp"
+
+namespace legwright {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr int motion_size = 8, design_size = 3;
+
+DesignSpace box(double half) {
+  DesignSpace space;
+  for (int k = 0; k < design_size; ++k) {
+    DesignParameter parameter;
+    parameter.name = std::string(1, static_cast<char>('a' + k));
+    parameter.kind = ParameterKind::axis_angle;
+    parameter.initial = 0.2 * k - 0.3;
+    parameter.lower = parameter.initial - half;
+    parameter.upper = parameter.initial + half;
+    space.parameters.push_back(parameter);
+  }
+  return space;
+}
+
+WeightedCost task_of(CostFunction& cost) {
+  WeightedCost task;
+  task.cost = &cost;
+  task.initial_motion = VectorXd::Zero(motion_size);
+  return task;
+}
+
+CodesignResult solve(const WeightedCost& task, double half, bool motion_only = false) {
+  CodesignOptions options;
+  options.design_tolerance = 1e-7;
+  options.value_tolerance = 1e-14;
+  options.final_tolerance = 1e-10;
+  options.motion_only = motion_only;
+  return codesign({task}, box(half), box(half).initial(), options);
+}
+
+TEST(Certificate, ProvesAMinimum) {
+  toy::CoupledCost cost(motion_size, design_size);
+  const WeightedCost task = task_of(cost);
+  const CodesignResult result = solve(task, 10.0);
+  const Certificate proof = certify({task}, box(10.0), result.best);
+  ASSERT_EQ(proof.tasks.size(), 1u);
+  EXPECT_TRUE(proof.tasks[0].minimum_in_motion);
+  EXPECT_TRUE(proof.tasks[0].resolved);
+  EXPECT_LT(proof.tasks[0].stationarity, 1e-8);
+  EXPECT_LT(proof.projected_gradient_norm, 1e-6);
+  ASSERT_EQ(proof.curvatures.size(), design_size);
+  EXPECT_GT(proof.curvatures.minCoeff(), 0.0);
+  EXPECT_TRUE(proof.active.empty());
+}
+
+TEST(Certificate, AdjointAndDifferencesAgreeAwayFromTheMinimum) {
+  toy::CoupledCost cost(motion_size, design_size);
+  const WeightedCost task = task_of(cost);
+  const CodesignResult result = solve(task, 10.0, true);
+  const Certificate proof = certify({task}, box(10.0), result.best);
+  EXPECT_GT(proof.tasks[0].largest, 1e-2) << "nothing to compare";
+  EXPECT_LT(proof.worst_gradient_error(), 1e-6);
+}
+
+TEST(Certificate, NamesActiveBoundsAndWhatTheyHoldBack) {
+  toy::CoupledCost cost(motion_size, design_size);
+  const WeightedCost task = task_of(cost);
+  const CodesignResult result = solve(task, 0.02);
+  const Certificate proof = certify({task}, box(0.02), result.best);
+  ASSERT_FALSE(proof.active.empty());
+  for (const ActiveBound& bound : proof.active)
+    EXPECT_EQ(bound.upper, bound.gradient < 0.0) << "pushes outwards";
+  EXPECT_EQ(proof.curvatures.size() + static_cast<long>(proof.active.size()), design_size);
+}
+
+/// ∂F/∂s off by a tenth: a certificate must not be had for it.
+class Wrong final : public CostFunction {
+ public:
+  void evaluate(const VectorXd& s, const VectorXd& m, Order order, Evaluation& out) override {
+    inner_.evaluate(s, m, order, out);
+    if (order >= Order::design) out.partial_s *= 1.1;
+  }
+  const VectorXd& motion_units() const override { return inner_.motion_units(); }
+
+ private:
+  toy::CoupledCost inner_{motion_size, design_size};
+};
+
+TEST(Certificate, ShowsAWrongGradient) {
+  Wrong cost;
+  const WeightedCost task = task_of(cost);
+  const CodesignResult result = solve(task, 10.0, true);
+  EXPECT_GT(certify({task}, box(10.0), result.best).worst_gradient_error(), 1e-2);
+}
+
+TEST(Certificate, WithoutAMinimumThereIsNone) {
+  const auto saddle = [](const VectorXd& m) {
+    const Eigen::MatrixXd h = Eigen::Vector2d(1.0, -1.0).asDiagonal();
+    return toy::MotionFunction::Derivatives{0.5 * m.dot(h * m), h * m, h};
+  };
+  class Saddle final : public CostFunction {
+   public:
+    explicit Saddle(toy::MotionFunction::Function f) : inner_(std::move(f), VectorXd::Ones(2)) {}
+    void evaluate(const VectorXd& s, const VectorXd& m, Order order, Evaluation& out) override {
+      inner_.evaluate(s, m, order, out);
+      if (order < Order::design) return;
+      out.partial_s = VectorXd::Zero(s.size());
+      out.hessian_ms = Eigen::MatrixXd::Zero(2, s.size());
+    }
+    const VectorXd& motion_units() const override { return inner_.motion_units(); }
+
+   private:
+    toy::MotionFunction inner_;
+  } cost(saddle);
+  DesignIteration iterate;
+  iterate.s = box(1.0).initial();
+  iterate.design_gradient = VectorXd::Zero(design_size);
+  iterate.tasks.resize(1);
+  iterate.tasks[0].m = VectorXd::Zero(2);
+  const Certificate proof = certify({task_of(cost)}, box(1.0), iterate);
+  EXPECT_FALSE(proof.tasks[0].minimum_in_motion);
+  EXPECT_FALSE(std::isfinite(proof.worst_gradient_error()));
+}
+
+}  // namespace
+}  // namespace legwright

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/verbs/judge_run.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+
+#include "mjcf/input_error.hpp"
+#include "optimizer/motion/path.hpp"
+#include "tools/io/install.hpp"
+#include "tools/io/io_error.hpp"
+#include "tools/report/tables.hpp"
+#include "tools/simulate/metrics_json.hpp"
+#include "tools/simulate/mujoco_host.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct TaskOfRun {
+  std::string gait;
+  WantedMotion wanted;
+};
+
+TaskOfRun read_task(const ResultFolder& folder) {
+  const Json run = read_json(folder.run_json());
+  try {
+    const Json& task = run.at("task");
+    const Json& velocity = task.at("velocity");
+    return {task.at("gait").get<std::string>(),
+            {{velocity.at(0).get<double>(), velocity.at(1).get<double>()},
+             task.at("turn_rate").get<double>()}};
+  } catch (const Json::exception& error) {
+    throw InputError(
+        folder.run_json().string(), 0, "task",
+        std::string("expected gait, velocity and turn_rate as `legwright optimize` writes them; ") +
+            error.what());
+  }
+}
+
+// What the plan itself reached in its cycle, against which the simulation is compared as well: the
+// velocity of the COM along its arc. The plan holds what the root did; its COM goes along with it.
+Eigen::Vector2d velocity_of(const Trajectory& plan) {
+  const auto at_start = [&](int column) { return plan.at(0, column); };
+  const Eigen::Vector2d com(at_start(plan.com_column(0)) - at_start(plan.root_column(0)),
+                            at_start(plan.com_column(1)) - at_start(plan.root_column(1)));
+  const Eigen::Vector2d step =
+      Eigen::Vector2d(plan.travel[0], plan.travel[1]) + Eigen::Rotation2Dd(plan.turn) * com - com;
+  return WantedPath::velocity_along_arc(step, plan.turn, plan.period);
+}
+
+SceneToValidate scene_in(const fs::path& folder) {
+  SceneToValidate out{folder / "scene.xml", Eigen::Vector2d::Zero()};
+  if (!fs::is_regular_file(out.scene)) {
+    throw IoError(out.scene.string() +
+                  ": no such file; the run was stopped before it was written: run `legwright " +
+                  "optimize` again");
+  }
+  const Trajectory plan = read_motion_csv(folder / "motion.csv");
+  out.plan_velocity = velocity_of(plan);
+  return out;
+}
+
+Json metrics_json(const TaskOfRun& task, const ValidationOptions& options,
+                  const std::vector<SceneToValidate>& scenes,
+                  const std::vector<SceneValidation>& results) {
+  const auto plan_velocity = [&](std::size_t i) {
+    return Json{scenes[i].plan_velocity.x(), scenes[i].plan_velocity.y()};
+  };
+  return {
+      {"schema", "legwright/validation"},
+      {"version", 1},
+      {"task", describe(task.wanted, task.gait)},
+      {"wanted_velocity_mps", {task.wanted.velocity.x(), task.wanted.velocity.y()}},
+      {"wanted_turn_rate_radps", task.wanted.turn_rate},
+      {"plan_velocity_mps", {{"initial", plan_velocity(0)}, {"result", plan_velocity(1)}}},
+      {"cycles", options.cycles},
+      {"timestep_s", results[1].timestep},
+      {"robot_mass_kg", {{"initial", results[0].robot_mass}, {"result", results[1].robot_mass}}},
+      {"limits", limits_json(options.limits)},
+      {"versions", versions()},
+      {"initial", gains_json(results[0])},
+      {"result", gains_json(results[1])}};
+}
+
+}  // namespace
+
+JudgedRun judge_run(const ResultFolder& folder, const std::vector<fs::path>& others,
+                    const ValidationOptions& options) {
+  const TaskOfRun task = read_task(folder);
+  JudgedRun judged;
+  try {
+    std::vector<SceneToValidate> scenes{scene_in(folder.iteration(0)), scene_in(folder.result())};
+    for (const fs::path& other : others) scenes.push_back(scene_in(other));
+    judged.designs = validate_scenes(scenes, task.wanted, task.gait, options);
+    judged.metrics = metrics_json(task, options, scenes, judged.designs);
+  } catch (const MujocoError& error) {
+    throw InputError(error.what());
+  } catch (const TrajectoryError& error) {
+    throw InputError(error.what());
+  }
+  const SceneValidation &initial = judged.designs[0], &result = judged.designs[1];
+  judged.verdict = {{"schema", "legwright/verdict"},
+                    {"version", 1},
+                    {"initial", verdict_json(initial.verdict)},
+                    {"result", verdict_json(result.verdict)},
+                    {"pass", result.verdict.pass}};
+  write_file(folder.result() / "playback_initial.csv", playback_csv(initial));
+  write_file(folder.result() / "playback_result.csv", playback_csv(result));
+  write_json(folder.result() / "metrics.json", judged.metrics);
+  write_json(folder.result() / "verdict.json", judged.verdict);
+  return judged;
+}
+
+Json judge_joint_run(const ResultFolder& folder, const Json& run, const ValidationOptions& options,
+                     std::vector<JudgedRun>& judged) {
+  // Designs, in the order of the matrix: the initial body, the best body of each task alone where
+  // the run has looked for them, the joint result.
+  const Json& starts = run.at("starts");
+  Json designs = Json::array({{{"name", "initial body"}, {"start", "initial"}}});
+  for (const Json& alone : run.at("alone"))
+    designs.push_back({{"name", "for " + alone.at("tasks").at(0).get<std::string>() + " alone"},
+                       {"start", alone.at("tasks").at(0)}});
+  designs.push_back({{"name", "for all tasks"}, {"start", run.at("best_start")}});
+  Json cells = Json::object();
+  bool pass = true;
+  for (const Json& task : run.at("tasks")) {
+    const std::string name = task.at("name");
+    std::vector<fs::path> others;
+    for (const Json& alone : run.at("alone"))
+      others.push_back(folder.root() / "starts" /
+                       ("from-" + alone.at("tasks").at(0).get<std::string>()) / name /
+                       "iterations" / "0000");
+    const ResultFolder own =
+        ResultFolder::open(folder.root() / task.at("folder").get<std::string>());
+    judged.push_back(judge_run(own, others, options));
+    std::vector<const SceneValidation*> order{&judged.back().designs[0]};
+    for (std::size_t k = 2; k < judged.back().designs.size(); ++k)
+      order.push_back(&judged.back().designs[k]);
+    order.push_back(&judged.back().designs[1]);
+    cells[name] = Json::array();
+    for (std::size_t k = 0; k < order.size(); ++k) {
+      const bool last = k + 1 == order.size();
+      const Json F = last ? task.at("F") : starts.at(k).at("F_tasks_start").at(name);
+      cells[name].push_back({{"F", F},
+                             {"pass", order[k]->verdict.pass},
+                             {"line", order[k]->verdict.line},
+                             {"gains", gains_json(*order[k])}});
+    }
+    pass = pass && judged.back().designs[1].verdict.pass;
+  }
+  const Json matrix{{"schema", "legwright/matrix"},
+                    {"version", 1},
+                    {"designs", designs},
+                    {"cells", cells},
+                    {"pass", pass}};
+  write_json(folder.result() / "matrix.json", matrix);
+  return matrix;
+}
+
+}  // namespace legwright
