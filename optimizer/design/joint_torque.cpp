@@ -88,6 +88,8 @@ void JointTorque::compute(const Morphology& morphology, const GeometryAtDesign& 
                                        *poses.at, *slots.before, *slots.at);
   swept_.compute_swept_momentum(geometry, ancestry, link, *poses.to_after, *poses.at, *poses.after,
                                 *slots.at, *slots.after);
+  mass_from_pose(geometry, ancestry, *poses.at, link, kGravity, *slots.at, mass_slopes_,
+                 mass_seconds_);
   feet_.resize(forces.size());
   for (std::size_t k = 0; k < forces.size(); ++k) {
     foot_from_pose(morphology, geometry, ancestry, *poses.at, forces[k].foot, *slots.at,
@@ -111,6 +113,8 @@ void JointTorque::sum_parts(int column_count) {
   const MatrixXd moment = jacobian_of(moment_);
   rate_jacobian_ =
       per_time * (jacobian_of(moment_before_) - 2.0 * moment + jacobian_of(moment_after_));
+  for (const PointDerivatives::Growth& growth : mass_slopes_)
+    rate_jacobian_(growth.column, 2) += growth.slope;
   lever_jacobian_ = per_time * (jacobian_of(swept_) - jacobian_of(swept_before_)) +
                     kGravity * crossed(moment, Vector3d::UnitZ());
   for (Carried& foot : feet_) {
@@ -139,8 +143,14 @@ void JointTorque::add_curvature(const Ancestry& ancestry, double multiplier,
   const Vector3d of_rate = o.cross(A);  // A · (−o × ∂K) = ∂K · (o × A)
   moment_before_.add_curvature(ancestry, per_time * of_rate, hessian);
   moment_after_.add_curvature(ancestry, per_time * of_rate, hessian);
-  moment_.add_curvature(ancestry,
-                        -2.0 * per_time * of_rate + kGravity * Vector3d::UnitZ().cross(A), hessian);
+  moment_.add_curvature(ancestry, -2.0 * per_time * of_rate + kGravity * Vector3d::UnitZ().cross(A),
+                        hessian);
+  for (const PointDerivatives::GrowthSecond& second : mass_seconds_) {
+    if (second.same)
+      hessian(second.a, second.a) += of_rate.z() * second.second;
+    else
+      add_pair(hessian, second.a, second.b, of_rate.z() * second.second);
+  }
   anchor_.add_curvature(ancestry, A.cross(rate_), hessian);
   const Eigen::Matrix3d form = -skew(A);  // A · (v × w) = vᵀ form w
   add_symmetric(-1.0, anchor_jacobian_, form, rate_jacobian_, hessian);

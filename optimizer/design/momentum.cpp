@@ -43,6 +43,34 @@ void PairMoments::compute(const Morphology& morphology, const PoseKinematics& fi
 
 Vector3d PairMoments::swept(int link) const { return cross_of(below_[link]); }
 
+// Places in the world, p̂ = T v of each point; `swept` is Σ (∂p)[p′; 1]ᵀ with the weight in both of them.
+void PairDerivatives::add_inner(const LinkAtDesign& at, const PoseKinematics& own,
+                                const PoseKinematics& other, const Columns& columns,
+                                const Mover& mover, Effect& effect, Side& side) {
+  const Matrix3d& turn = own.rotation(mover.link);
+  const Vector3d& origin = own.origin(mover.link);
+  const Matrix3d& other_turn = other.rotation(mover.link);
+  const Vector3d& other_origin = other.origin(mover.link);
+  const auto in_world = [&](const Eigen::Matrix4d& v) -> Eigen::Matrix<double, 3, 4> {
+    const Eigen::Matrix<double, 3, 4> turned = turn * v.topRows<3>() + origin * v.row(3);
+    Eigen::Matrix<double, 3, 4> out;
+    out.leftCols<3>() =
+        turned.leftCols<3>() * other_turn.transpose() + turned.col(3) * other_origin.transpose();
+    out.col(3) = turned.col(3);
+    return out;
+  };
+  const InnerMotion& motion = at.inner[mover.inner_index];
+  effect.swept = in_world(motion.moments);
+  if (!at.grows) return;
+  effect.growth = other_turn * motion.moments.row(3).head<3>().transpose() +
+                  motion.moments(3, 3) * other_origin;
+  for (int l = mover.inner_index; l < static_cast<int>(at.inner.size()); ++l) {
+    const Mover& with = (&mover)[l - mover.inner_index];  // inner movers of a link are in a row
+    side.seconds.push_back({columns[mover.coordinate], columns[with.coordinate],
+                            in_world(motion.seconds[l]).leftCols<3>(), &with == &mover});
+  }
+}
+
 void PairDerivatives::fill_swept(const GeometryAtDesign& geometry, const Ancestry& ancestry,
                                  int link, const PairMoments& moments, const PoseKinematics& own,
                                  const PoseKinematics& other, const Columns& columns, bool swap,
@@ -51,7 +79,8 @@ void PairDerivatives::fill_swept(const GeometryAtDesign& geometry, const Ancestr
   side.seconds.clear();
   for (const Mover& mover : own.movers()) {
     const bool inner = mover.kind == Mover::Kind::inner;
-    if (inner ? !ancestry.contains(link, mover.link) : !ancestry.related(link, mover.link)) continue;
+    if (inner ? !ancestry.contains(link, mover.link) : !ancestry.related(link, mover.link))
+      continue;
     Effect& effect = side.effects.emplace_back();
     effect.column = columns[mover.coordinate];
     effect.link = mover.link;
@@ -60,14 +89,9 @@ void PairDerivatives::fill_swept(const GeometryAtDesign& geometry, const Ancestr
     effect.turn = mover.turn;
     effect.shift = mover.shift;
     effect.inner_index = mover.inner_index;
+    effect.growth.setZero();
     if (inner) {
-      const Eigen::Matrix<double, 3, 4>& slopes =
-          geometry.links[mover.link].inner[mover.inner_index].moments;
-      const Eigen::Matrix<double, 3, 4> turned = own.rotation(mover.link) * slopes;
-      effect.swept.leftCols<3>() =
-          turned.leftCols<3>() * other.rotation(mover.link).transpose() +
-          turned.col(3) * other.origin(mover.link).transpose();
-      effect.swept.col(3) = turned.col(3);
+      add_inner(geometry.links[mover.link], own, other, columns, mover, effect, side);
       continue;
     }
     const int lower = std::max(link, mover.link);  // children come after their parents
@@ -97,13 +121,10 @@ void PairDerivatives::fill_swept(const GeometryAtDesign& geometry, const Ancestr
   }
 }
 
-void PairDerivatives::compute_swept_momentum(const GeometryAtDesign& geometry,
-                                             const Ancestry& ancestry, int link,
-                                             const PairMoments& moments,
-                                             const PoseKinematics& first,
-                                             const PoseKinematics& second,
-                                             const Columns& first_columns,
-                                             const Columns& second_columns) {
+void PairDerivatives::compute_swept_momentum(
+    const GeometryAtDesign& geometry, const Ancestry& ancestry, int link,
+    const PairMoments& moments, const PoseKinematics& first, const PoseKinematics& second,
+    const Columns& first_columns, const Columns& second_columns) {
   value = moments.swept(link);
   fill_swept(geometry, ancestry, link, moments, first, second, first_columns, false, first_);
   fill_swept(geometry, ancestry, link, moments, second, first, second_columns, true, second_);
@@ -119,9 +140,12 @@ void PairDerivatives::add_inner_products(const GeometryAtDesign& geometry,
     for (const Effect& b : second_.effects) {
       if (!b.inner || a.link != b.link) continue;
       const InnerMotion& motion = geometry.links[a.link].inner[a.inner_index];
+      const Eigen::Matrix4d& product = motion.products[b.inner_index];
+      const Eigen::Matrix<double, 3, 4> turned =
+          first.rotation(a.link) * product.topRows<3>() + first.origin(a.link) * product.row(3);
       inner_products_.push_back({a.column, b.column,
-                                 first.rotation(a.link) * motion.products[b.inner_index].second *
-                                     second.rotation(b.link).transpose()});
+                                 turned.leftCols<3>() * second.rotation(b.link).transpose() +
+                                     turned.col(3) * second.origin(b.link).transpose()});
     }
   }
 }
@@ -153,6 +177,7 @@ void PairDerivatives::compute_foot_turn(const Morphology& morphology, const Ance
       effect.inner = false;
       effect.turn = mover.turn;
       effect.shift.setZero();  // directions turn but do not shift
+      effect.growth.setZero();
       effect.swept.leftCols<3>() = cross_columns(mover.turn, swept);
       effect.swept.col(3).setZero();
     }
@@ -186,11 +211,15 @@ void PairDerivatives::add_side_curvature(const Side& side, const Ancestry& ances
     const Effect& lower = side.effects[k];
     const auto X = lower.swept.leftCols<3>();
     const Vector3d pull = X.transpose() * multiplier - X.trace() * multiplier;
+    const bool grown = lower.inner && !lower.growth.isZero(0.0);
+    const Vector3d push = lower.growth.cross(multiplier);
     const bool* above = ancestry.above(lower.link);
     for (std::size_t l = 0; l < k; ++l) {  // upper movers come first
       const Effect& upper = side.effects[l];
       if (upper.rotates && above[upper.link] && (lower.inner || upper.link != lower.link))
         add_pair(hessian, upper.column, lower.column, upper.turn.dot(pull));
+      if (grown && !upper.inner && above[upper.link])
+        add_pair(hessian, upper.column, lower.column, upper.shift.dot(push));
     }
   }
   for (const Second& second : side.seconds) {

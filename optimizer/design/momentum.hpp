@@ -59,6 +59,7 @@ class PairDerivatives {
     bool rotates, inner;
     Eigen::Vector3d turn, shift;
     Eigen::Matrix<double, 3, 4> swept;
+    Eigen::Vector3d growth;  // Σ (∂weight/∂c) p′, inner only
     int inner_index;
   };
   struct Second {
@@ -78,6 +79,9 @@ class PairDerivatives {
   void fill_swept(const GeometryAtDesign& geometry, const Ancestry& ancestry, int link,
                   const PairMoments& moments, const PoseKinematics& own,
                   const PoseKinematics& other, const Columns& columns, bool swap, Side& side);
+  static void add_inner(const LinkAtDesign& at, const PoseKinematics& own,
+                        const PoseKinematics& other, const Columns& columns, const Mover& mover,
+                        Effect& effect, Side& side);
   void add_inner_products(const GeometryAtDesign& geometry, const PoseKinematics& first,
                           const PoseKinematics& second);
   void add_cross_curvature(const Ancestry& ancestry, const Eigen::Vector3d& multiplier,

@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "optimizer/design/actuator_length.hpp"
+#include "optimizer/design/growth.hpp"
 #include "optimizer/design/inertia.hpp"
 #include "optimizer/design/joint_torque.hpp"
 #include "optimizer/design/kinematics.hpp"
@@ -16,11 +18,11 @@ namespace legwright {
 
 /// One derived quantity y of Layout and the slots of p = [s; m] that it depends on.
 struct DerivedBlock {
-  enum class Kind { com, foot, anchor, momentum, foot_turn, joint_torque };
+  enum class Kind { com, foot, anchor, momentum, foot_turn, joint_torque, actuator, mass_share, printed_volume };
   Kind kind;
   int slot, size;          // first and number of its slots of the extended vector
   int knot;                // knot T of a momentum: the wrapping pair
-  int part;                // foot, link of an anchor or of a joint's torque
+  int part;                // foot, link of an anchor or of a joint's torque, linear actuator
   std::vector<int> slots;  // column → slot of p; motion columns first
   int motion_columns;
   /// Coordinate of [q; s] → column, for each pose that matters: one; two for pairs; before, at, after for torques.
@@ -37,6 +39,8 @@ class DerivedQuantities {
   struct Workspace {
     Eigen::VectorXd s;  // of `geometry`
     GeometryAtDesign geometry;
+    std::vector<ActuatorShape> shapes;  // of the linear actuators, at `s`
+    GrowthSum mass_share, printed_volume;  // in the units of Layout, at `s`
     std::vector<PoseKinematics> poses;  // knots 0 … T, then knot T − 1 moved back by one cycle
     std::vector<PairMoments> moments;   // knot i to i + 1; at T the wrapping pair
     std::vector<PointDerivatives> points;
@@ -64,6 +68,7 @@ class DerivedQuantities {
   void curvature(int block, const double* multiplier, Workspace& workspace) const;
 
  private:
+  static void measure_amounts(const Morphology& morphology, Workspace& workspace);
   class BlockBuilder;
   PoseTriple triple(const DerivedBlock& block, const Workspace& workspace) const;
   void collect_forces(const DerivedBlock& block, const Eigen::VectorXd& extended,
