@@ -27,9 +27,14 @@ struct Sums {
   Vector3d rate, lever;  // K, N
 };
 
-/// @param contacts e − r ẑ of each of `forces`.
-Sums sums(const GeometryAtDesign& geometry, const PoseTriple& poses, int link, double time_step,
-          const std::vector<FootForce>& forces, const std::vector<Vector3d>& contacts) {
+Vector3d contact_point(const Morphology& morphology, const GeometryAtDesign& geometry,
+                       const PoseKinematics& pose, int foot) {
+  return foot_place(morphology, geometry, pose, foot) -
+         morphology.feet[foot].radius * Vector3d::UnitZ();
+}
+
+Sums sums(const Morphology& morphology, const GeometryAtDesign& geometry, const PoseTriple& poses,
+          int link, double time_step, const std::vector<FootForce>& forces) {
   const double per_time = 1.0 / (time_step * time_step);
   const Vector3d& moment = poses.at->first_moment(link);
   Sums out;
@@ -38,22 +43,12 @@ Sums sums(const GeometryAtDesign& geometry, const PoseTriple& poses, int link, d
              kGravity * geometry.mass_below[link] * Vector3d::UnitZ();
   out.lever = per_time * (poses.to_after->swept(link) - poses.to_at->swept(link)) +
               kGravity * moment.cross(Vector3d::UnitZ());
-  for (std::size_t k = 0; k < forces.size(); ++k) {
-    out.rate -= forces[k].force;
-    out.lever -= contacts[k].cross(forces[k].force);
+  for (const FootForce& force : forces) {
+    out.rate -= force.force;
+    out.lever -= contact_point(morphology, geometry, *poses.at, force.foot).cross(force.force);
   }
   out.lever -= poses.at->origin(link).cross(out.rate);
   return out;
-}
-
-std::vector<Vector3d> contact_points(const Morphology& morphology, const GeometryAtDesign& geometry,
-                                     const PoseKinematics& pose,
-                                     const std::vector<FootForce>& forces) {
-  std::vector<Vector3d> points;
-  for (const FootForce& force : forces)
-    points.push_back(foot_place(morphology, geometry, pose, force.foot) -
-                     morphology.feet[force.foot].radius * Vector3d::UnitZ());
-  return points;
 }
 
 }  // namespace
@@ -61,8 +56,7 @@ std::vector<Vector3d> contact_points(const Morphology& morphology, const Geometr
 double JointTorque::value(const Morphology& morphology, const GeometryAtDesign& geometry,
                           const PoseTriple& poses, int link, double time_step,
                           const std::vector<FootForce>& forces) {
-  const Sums at = sums(geometry, poses, link, time_step, forces,
-                       contact_points(morphology, geometry, *poses.at, forces));
+  const Sums at = sums(morphology, geometry, poses, link, time_step, forces);
   return (poses.at->before(link) * geometry.links[link].axis.axis).dot(at.lever);
 }
 
@@ -70,8 +64,7 @@ void JointTorque::compute(const Morphology& morphology, const GeometryAtDesign& 
                           const Ancestry& ancestry, const PoseTriple& poses, int link,
                           double time_step, const std::vector<FootForce>& forces,
                           const Slots& slots, int column_count) {
-  const std::vector<Vector3d> contacts = contact_points(morphology, geometry, *poses.at, forces);
-  const Sums at = sums(geometry, poses, link, time_step, forces, contacts);
+  const Sums at = sums(morphology, geometry, poses, link, time_step, forces);
   rate_ = at.rate;
   lever_ = at.lever;
   time_step_ = time_step;
@@ -94,7 +87,7 @@ void JointTorque::compute(const Morphology& morphology, const GeometryAtDesign& 
   for (std::size_t k = 0; k < forces.size(); ++k) {
     foot_from_pose(morphology, geometry, ancestry, *poses.at, forces[k].foot, *slots.at,
                    feet_[k].centre);
-    feet_[k].contact = contacts[k];
+    feet_[k].contact = contact_point(morphology, geometry, *poses.at, forces[k].foot);
     feet_[k].force = forces[k].force;
     feet_[k].column = slots.force[k];
   }

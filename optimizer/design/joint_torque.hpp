@@ -52,8 +52,8 @@ class JointTorque {
 
  private:
   struct Carried {
-    PointDerivatives centre;   // of the foot's ball
-    Eigen::Vector3d contact;   // e − r ẑ
+    PointDerivatives centre;  // of the foot's ball
+    Eigen::Vector3d contact;  // e − r ẑ
     Eigen::Vector3d force;
     int column;                // of the force
     Eigen::MatrixXd jacobian;  // of the centre

@@ -116,6 +116,10 @@ class DerivedQuantities::BlockBuilder {
         columns[layout_.pose_size() + parameter] = column(layout_.design(parameter));
     }
     for (int force : block.forces) block.force_columns.push_back(column(force));
+    if (kind == Kind::joint_torque) {
+      for (int k = 0; k < 3; ++k) block.angles[k] = block.slots[block.columns[k][5 + part]];
+      block.armature = morphology_.links[part].joint.armature / (out_.time_step_ * out_.time_step_);
+    }
     const bool pair = kind == Kind::momentum || kind == Kind::foot_turn;
     block.index = kind == Kind::actuator       ? part
                   : amount                     ? 0
@@ -154,8 +158,7 @@ DerivedQuantities::DerivedQuantities(const Morphology& morphology, const Layout&
   BlockBuilder builder(*this, morphology, layout, wanted);
   for (int i = 0; i <= T; ++i) {
     builder.add(Kind::com, layout.com_from_pose(i), i, -1, {i});
-    for (int j = 0; j < feet; ++j)
-      builder.add(Kind::foot, layout.foot_from_pose(i, j), i, j, {i});
+    for (int j = 0; j < feet; ++j) builder.add(Kind::foot, layout.foot_from_pose(i, j), i, j, {i});
     for (int link = 1; link <= joints; ++link)
       builder.add(Kind::anchor, layout.link_anchor(i, link), i, link, {i});
   }
@@ -235,15 +238,6 @@ void DerivedQuantities::collect_forces(const DerivedBlock& block, const Eigen::V
     workspace.forces.push_back({block.feet[k], extended.segment<3>(block.forces[k])});
 }
 
-double DerivedQuantities::armature_torque(const Morphology& morphology, const DerivedBlock& block,
-                                          const Eigen::VectorXd& extended) const {
-  const auto angle = [&](int pose) {
-    return extended[block.slots[block.columns[pose][5 + block.part]]];
-  };
-  return morphology.links[block.part].joint.armature / (time_step_ * time_step_) *
-         (angle(0) - 2.0 * angle(1) + angle(2));
-}
-
 void DerivedQuantities::place_block(const Morphology& morphology, const DerivedBlock& block,
                                     Eigen::VectorXd& extended, Workspace& workspace) const {
   const GeometryAtDesign& geometry = workspace.geometry;
@@ -263,14 +257,15 @@ void DerivedQuantities::place_block(const Morphology& morphology, const DerivedB
       value = workspace.moments[block.knot].swept(0);
       break;
     case Kind::foot_turn:
-      value = PairDerivatives::foot_turn(morphology, block.part, pose,
-                                         workspace.poses[block.knot + 1]);
+      value =
+          PairDerivatives::foot_turn(morphology, block.part, pose, workspace.poses[block.knot + 1]);
       break;
     case Kind::joint_torque:
       collect_forces(block, extended, workspace);
       value[0] = JointTorque::value(morphology, geometry, triple(block, workspace), block.part,
                                     time_step_, workspace.forces) +
-                 armature_torque(morphology, block, extended);
+                 block.armature * (extended[block.angles[0]] - 2.0 * extended[block.angles[1]] +
+                                   extended[block.angles[2]]);
       break;
     case Kind::actuator:
       value = workspace.shapes[block.index].value;
@@ -319,10 +314,8 @@ const Eigen::MatrixXd& DerivedQuantities::jacobian(const Morphology& morphology,
   if (block.kind == Kind::joint_torque) {
     compute_torque(morphology, block, extended, workspace);
     workspace.torques[block.index].add_jacobian(jacobian);
-    const double armature =
-        morphology.links[block.part].joint.armature / (time_step_ * time_step_);
     for (int k = 0; k < 3; ++k)
-      jacobian(block.columns[k][5 + block.part], 0) += (k == 1 ? -2.0 : 1.0) * armature;
+      jacobian(block.columns[k][5 + block.part], 0) += (k == 1 ? -2.0 : 1.0) * block.armature;
     return jacobian;
   }
   if (block.kind == Kind::momentum || block.kind == Kind::foot_turn) {

@@ -27,9 +27,12 @@ struct DerivedBlock {
   int motion_columns;
   /// Coordinate of [q; s] → column, for each pose that matters: one; two for pairs; before, at, after for torques.
   Columns columns[3];
-  int index;                        // among the blocks whose derivatives have the same form
-  std::vector<int> forces, feet;    // joint_torque: first slot of each force that the joint carries, and its foot
+  int index;  // among the blocks whose derivatives have the same form
+  std::vector<int> forces,
+      feet;  // joint_torque: first slot of each force that the joint carries, and its foot
   std::vector<int> force_columns;
+  int angles[3];    // joint_torque: slots of the joint's angle before, at and after the knot
+  double armature;  // over h² [kg m²/s²]
 };
 
 /// y(s, m) with exact derivatives: all of the robot's kinematics. Values come first, for all terms at once; a block's
@@ -77,8 +80,6 @@ class DerivedQuantities {
                    Eigen::VectorXd& extended, Workspace& workspace) const;
   void compute_torque(const Morphology& morphology, const DerivedBlock& block,
                       const Eigen::VectorXd& extended, Workspace& workspace) const;
-  double armature_torque(const Morphology& morphology, const DerivedBlock& block,
-                         const Eigen::VectorXd& extended) const;
 
   Ancestry ancestry_;
   WantedPath path_;

@@ -211,11 +211,9 @@ TaskSet parse_task_set(const std::string& text, const std::filesystem::path& fil
   if (tables.empty()) {
     read_task_tables(in, shared, problems);
     in.finish();
-    shared.lines.insert(set.lines.begin(), set.lines.end());
     set.tasks = {shared};
   } else {
     read_shared_tables(in, shared, problems);
-    shared.lines.insert(set.lines.begin(), set.lines.end());
     in.finish();
     read_tasks(tables, shared, set, problems);
   }
