@@ -1,61 +1,199 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "optimizer/motion/initial_guess.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 
 #include "optimizer/design/inertia.hpp"
-#include "optimizer/design/kinematics.hpp"
+#include "optimizer/motion/over_cycle.hpp"
+#include "optimizer/motion/reach.hpp"
 
 namespace legwright {
 namespace {
 
-/// COM and feet of the robot in its home pose, with the trunk at a place and heading.
-struct Standing {
-  Eigen::VectorXd q;
-  Eigen::Vector3d com;
-  std::vector<Eigen::Vector3d> feet;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+// Steps of inverse kinematics, at knot 0 and from knot to knot.
+constexpr int kFirstSteps = 60, kSteps = 12;
+constexpr double kEasyPose = 0.01;  // (q − home)² against (miss/leg length)² of feet on the ground
+
+/// Where COM and feet shall be at each knot.
+class WalkWithoutDynamics {
+ public:
+  WalkWithoutDynamics(const Morphology& morphology, const Layout& layout, const Task& task,
+                      const WantedPath& path, const StyleTargets& style)
+      : morphology_(morphology), layout_(layout), task_(task), path_(path), style_(style) {}
+
+  Reach::Places at(int knot) const {
+    Reach::Places wanted{com(knot), {}};
+    for (int j = 0; j < layout_.foot_count(); ++j) wanted.feet.push_back(foot(knot, j));
+    return wanted;
+  }
+
+ private:
+  double phase(double knot) const { return knot / layout_.knot_count(); }
+  double time(double knot) const { return knot * task_.gait.time_step(); }
+  bool planted(int knot, int foot) const {
+    return task_.gait.planted(knot, foot, layout_.planted_margin());
+  }
+
+  Vector3d com(int knot) const {
+    Vector3d place = path_.position(time(knot));
+    if (!task_.com_path.empty())
+      place.head<2>() +=
+          path_.heading_rotation(time(knot)) * over_cycle(task_.com_path, phase(knot));
+    place.z() =
+        task_.com_heights.empty() ? style_.com_height : over_cycle(task_.com_heights, phase(knot));
+    return place;
+  }
+
+  /// Where the footprint is at a time, on the ground.
+  Vector3d footprint(double knot, int foot) const {
+    const auto index = static_cast<std::size_t>(foot);
+    const bool listed = index < task_.foot_targets.size() && !task_.foot_targets[index].empty();
+    const Vector2d from_path =
+        listed ? over_cycle(task_.foot_targets[index], phase(knot)) : style_.footprint[index];
+    Vector3d place = path_.position(time(knot));
+    place.head<2>() += path_.heading_rotation(time(knot)) * from_path;
+    place.z() = morphology_.feet[index].radius;
+    return place;
+  }
+
+  /// The footprint in the middle of the stance that a planted knot belongs to.
+  Vector3d stand(int knot, int foot) const {
+    int first = knot, last = knot;
+    const int most = layout_.knot_count();  // of a foot that never lifts
+    while (knot - first < most && planted(first - 1, foot)) --first;
+    while (last - knot < most && planted(last + 1, foot)) ++last;
+    return footprint(0.5 * (first + last), foot);
+  }
+
+  Vector3d foot(int knot, int foot) const {
+    if (planted(knot, foot)) return stand(knot, foot);
+    int before = knot, after = knot;
+    while (!planted(before, foot)) --before;
+    while (!planted(after, foot)) ++after;
+    const double share = static_cast<double>(knot - before) / (after - before);
+    const Vector3d from = stand(before, foot), to = stand(after, foot);
+    Vector3d place = from + share * share * (3.0 - 2.0 * share) * (to - from);
+    place.z() += task_.swing_height * std::pow(std::sin(M_PI * share), 1.5);
+    return place;
+  }
+
+  const Morphology& morphology_;
+  const Layout& layout_;
+  const Task& task_;
+  const WantedPath& path_;
+  const StyleTargets& style_;
 };
 
-Standing stand(const Morphology& morphology, const GeometryAtDesign& geometry,
-               const Eigen::Vector3d& place, double heading) {
-  PoseKinematics kinematics;
-  Standing standing{Eigen::VectorXd::Zero(morphology.pose_size()), {}, {}};
-  standing.q.head<3>() = place;
-  standing.q[5] = heading;
-  standing.q.tail(morphology.joint_count()) = morphology.nominal_joints();
-  kinematics.compute(morphology, geometry, standing.q, PoseDetail::place);
-  standing.com = kinematics.first_moment(0) / geometry.total_mass;
-  for (int j = 0; j < morphology.foot_count(); ++j)
-    standing.feet.push_back(foot_place(morphology, geometry, kinematics, j));
-  return standing;
+/// Vertical forces of stance feet that carry the weight without tipping the robot about its COM, the
+/// smallest in the sense of least squares, none below `least`.
+std::vector<double> shares_of_weight(const Vector3d& com, const std::vector<Vector3d>& stance,
+                                     double weight, double length, double least) {
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  const auto lever = [&](const Vector3d& foot) {
+    return Vector3d(1.0, (foot.x() - com.x()) / length, (foot.y() - com.y()) / length);
+  };
+  for (const Vector3d& foot : stance) normal += lever(foot) * lever(foot).transpose();
+  normal.diagonal().array() += 1e-3;  // two feet in line with the COM, or one
+  const Vector3d multiplier = normal.inverse() * Vector3d(weight, 0.0, 0.0);
+  std::vector<double> force;
+  double sum = 0.0;
+  for (const Vector3d& foot : stance) {
+    force.push_back(std::max(least, multiplier.dot(lever(foot))));
+    sum += force.back();
+  }
+  for (double& f : force) f *= weight / sum;
+  return force;
+}
+
+void share_weight(const Morphology& morphology, const Layout& layout, const Task& task, int knot,
+                  const Reach::Places& wanted, VectorXd& m) {
+  const double weight = morphology.total_mass() * kGravity;
+  std::vector<Vector3d> stance;
+  std::vector<int> slots;
+  for (int j = 0; j < layout.foot_count(); ++j)
+    if (layout.force(knot, j) >= 0) {
+      stance.push_back(wanted.feet[j]);
+      slots.push_back(layout.force(knot, j) - layout.design_size() + 2);
+    }
+  const double least = (0.02 + task.min_normal) * weight;
+  const std::vector<double> force =
+      shares_of_weight(wanted.com, stance, weight, morphology.leg_length, least);
+  for (std::size_t k = 0; k < slots.size(); ++k) m[slots[k]] = force[k];
+}
+
+/// The home pose with the root at a place.
+VectorXd home_at(const Morphology& morphology, const Vector3d& place) {
+  VectorXd q = VectorXd::Zero(morphology.pose_size());
+  q.head<3>() = place;
+  q.tail(morphology.joint_count()) = morphology.nominal_joints();
+  return q;
+}
+
+/// The footprint as near to the wanted one as is easy for the joints: feet on the ground, COM at its
+/// height.
+StyleTargets reachable(const Morphology& morphology, const GeometryAtDesign& geometry,
+                       const StyleTargets& style) {
+  ReachWeights weights;
+  weights.foot.z() = 100.0;
+  weights.pose = kEasyPose;
+  Reach reach(morphology, geometry, weights);
+  Reach::Places wanted{Vector3d(0.0, 0.0, style.com_height), {}};
+  for (std::size_t j = 0; j < morphology.feet.size(); ++j)
+    wanted.feet.emplace_back(style.footprint[j].x(), style.footprint[j].y(),
+                             morphology.feet[j].radius);
+  VectorXd q = home_at(morphology, wanted.com);
+  reach.improve(wanted, kFirstSteps, q);
+  const Reach::Places found = reach.reached(q);
+  StyleTargets result = style;
+  for (std::size_t j = 0; j < morphology.feet.size(); ++j)
+    result.footprint[j] = (found.feet[j] - found.com).head<2>();
+  return result;
+}
+
+/// Poses of knots 0 … T that reach for the wanted places, each from the one before.
+std::vector<VectorXd> reaching_poses(const Morphology& morphology, const GeometryAtDesign& geometry,
+                                     const Task& task, const WantedPath& path,
+                                     const std::vector<Reach::Places>& wanted) {
+  Reach reach(morphology, geometry, {});
+  std::vector<VectorXd> poses;
+  for (std::size_t i = 0; i + 1 < wanted.size(); ++i) {
+    VectorXd q = i == 0 ? home_at(morphology, wanted[0].com) : poses.back();
+    if (i > 0) q.head<3>() += wanted[i].com - wanted[i - 1].com;
+    q[5] = path.heading(static_cast<double>(i) * task.gait.time_step());
+    reach.improve(wanted[i], i == 0 ? kFirstSteps : kSteps, q);
+    poses.push_back(std::move(q));
+  }
+  VectorXd last = poses.front();  // one cycle later
+  last.head<3>() = path.turn() * last.head<3>() + path.travel();
+  last[5] += path.turn_angle();
+  poses.push_back(std::move(last));
+  return poses;
 }
 
 }  // namespace
 
-Eigen::VectorXd initial_guess(const Morphology& morphology, const Layout& layout, const Gait& gait,
-                              const WantedPath& path, const Eigen::VectorXd& s) {
+VectorXd initial_guess(const Morphology& morphology, const Layout& layout, const Task& task,
+                       const WantedPath& path, const StyleTargets& style, const VectorXd& s) {
   const GeometryAtDesign geometry(morphology, s);
+  const StyleTargets within_reach = reachable(morphology, geometry, style);
+  const WalkWithoutDynamics walk(morphology, layout, task, path, within_reach);
+  std::vector<Reach::Places> wanted;
+  for (int i = 0; i <= layout.knot_count(); ++i) wanted.push_back(walk.at(i));
+  const std::vector<VectorXd> poses = reaching_poses(morphology, geometry, task, path, wanted);
   const int n = layout.design_size();
-  Eigen::Vector3d lift = Eigen::Vector3d::Zero();  // so that the lowest foot touches the ground
-  const Standing home = stand(morphology, geometry, lift, 0.0);
-  lift.z() = -1e300;
-  for (int j = 0; j < morphology.foot_count(); ++j)
-    lift.z() = std::max(lift.z(), morphology.feet[j].radius - home.feet[j].z());
-  Eigen::VectorXd m = Eigen::VectorXd::Zero(layout.motion_size());
+  VectorXd m = VectorXd::Zero(layout.motion_size());
   for (int i = 0; i <= layout.knot_count(); ++i) {
-    const double time = i * gait.time_step();
-    const Standing at =
-        stand(morphology, geometry, path.position(time) + lift, path.heading(time));
-    m.segment(layout.pose(i) - n, layout.pose_size()) = at.q;
-    m.segment<3>(layout.com(i) - n) = at.com;
-    int stance = 0;
-    for (int j = 0; j < layout.foot_count(); ++j) {
-      m.segment<3>(layout.foot(i, j) - n) = at.feet[j];
-      stance += gait.in_contact(i, j) ? 1 : 0;
-    }
+    m.segment(layout.pose(i) - n, layout.pose_size()) = poses[i];
+    m.segment<3>(layout.com(i) - n) = wanted[i].com;
     for (int j = 0; j < layout.foot_count(); ++j)
-      if (layout.force(i, j) >= 0)
-        m[layout.force(i, j) - n + 2] = morphology.total_mass() * kGravity / std::max(1, stance);
+      m.segment<3>(layout.foot(i, j) - n) = wanted[i].feet[j];
+    share_weight(morphology, layout, task, i, wanted[i], m);
   }
   return m;
 }

@@ -2,16 +2,28 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "optimizer/design/morphology.hpp"
-#include "optimizer/motion/gait.hpp"
 #include "optimizer/motion/layout.hpp"
 #include "optimizer/motion/path.hpp"
+#include "optimizer/motion/task.hpp"
 
 namespace legwright {
 
-/// m₀: standing in the nominal pose, sliding along at the wanted speed, weight shared by the stance feet.
-Eigen::VectorXd initial_guess(const Morphology& morphology, const Layout& layout, const Gait& gait,
-                              const WantedPath& path, const Eigen::VectorXd& s);
+/// What eqs (10) want where the task gives no lists over the cycle.
+struct StyleTargets {
+  double com_height = 0.0;                 // [m]
+  std::vector<Eigen::Vector2d> footprint;  // foot − COM on the ground at heading zero, per foot [m]
+};
+
+/// m₀, a walk without dynamics: the COM glides along the wanted path; each foot stands still where its
+/// footprint passes in the middle of its stance, and swings from there to the next along the wanted
+/// profile; the trunk is level and faces the heading; joints reach for the feet (inverse kinematics
+/// from the home pose, within the joints' ranges, as near as they come); stance feet share the weight
+/// so that it does not tip. Knot T is knot 0 one cycle later.
+Eigen::VectorXd initial_guess(const Morphology& morphology, const Layout& layout, const Task& task,
+                              const WantedPath& path, const StyleTargets& style,
+                              const Eigen::VectorXd& s);
 
 }  // namespace legwright

@@ -22,19 +22,14 @@ bool has_second(Order order) { return order == Order::hessian || order == Order:
 bool has_design(Order order) { return order == Order::gradients || order == Order::design; }
 
 /// The robot standing in its home pose at the initial design: COM and feet under a level trunk.
-struct Stance {
-  double com_height;
-  std::vector<Eigen::Vector2d> footprint;
-};
-
-Stance home_stance(const Morphology& morphology, const VectorXd& s) {
+StyleTargets home_stance(const Morphology& morphology, const VectorXd& s) {
   const GeometryAtDesign geometry(morphology, s);
   PoseKinematics pose;
   VectorXd q = VectorXd::Zero(morphology.pose_size());
   q.tail(morphology.joint_count()) = morphology.nominal_joints();
   pose.compute(morphology, geometry, q, PoseDetail::place);
   const Vector3d com = pose.first_moment(0) / geometry.total_mass;
-  Stance stance{0.0, {}};
+  StyleTargets stance{0.0, {}};
   double ground = std::numeric_limits<double>::infinity();
   for (int j = 0; j < morphology.foot_count(); ++j) {
     const Vector3d foot = foot_place(morphology, geometry, pose, j);
@@ -43,6 +38,12 @@ Stance home_stance(const Morphology& morphology, const VectorXd& s) {
   }
   stance.com_height = com.z() - ground;
   return stance;
+}
+
+StyleTargets style_targets(const Morphology& morphology, const DesignSpace& space,
+                           const Task& task) {
+  const StyleTargets home = home_stance(morphology, space.initial());
+  return {task.com_height.value_or(home.com_height), task.footprint.value_or(home.footprint)};
 }
 
 std::vector<double> term_weights(const Task& task) {
@@ -64,8 +65,7 @@ Objective::Workspace::Workspace() : parts_(std::make_unique<Parts>()) {}
 Objective::Workspace::~Workspace() = default;
 
 void Objective::Impl::build() {
-  const VectorXd initial = space.initial();
-  const Stance stance = home_stance(morphology, initial);
+  const StyleTargets style = style_targets(morphology, space, task);
   const double mass = morphology.total_mass();
   const TermContext context{layout,
                             morphology,
@@ -75,8 +75,8 @@ void Objective::Impl::build() {
                             morphology.leg_length,
                             mass,
                             mass * kGravity,
-                            task.com_height.value_or(stance.com_height),
-                            task.footprint.value_or(stance.footprint)};
+                            style.com_height,
+                            style.footprint};
   units = layout.motion_units(context.length, context.weight);
   const std::vector<double> weights = term_weights(task);
   std::vector<char> wanted(layout.extended_size(), 0);
@@ -386,8 +386,10 @@ std::vector<TermValue> Objective::terms(const VectorXd& s, const VectorXd& m) co
 }
 
 VectorXd initial_guess(const Objective& objective, const VectorXd& s) {
-  return initial_guess(objective.morphology(), objective.layout(), objective.task().gait,
-                       objective.path(), s);
+  return initial_guess(objective.morphology(), objective.layout(), objective.task(),
+                       objective.path(),
+                       style_targets(objective.morphology(), objective.space(), objective.task()),
+                       s);
 }
 
 }  // namespace legwright

@@ -5,9 +5,7 @@
 
 #include <set>
 
-#include "optimizer/motion/motion.hpp"
 #include "optimizer/motion/path.hpp"
-#include "optimizer/objective/objective.hpp"
 #include "tests/support/puppy.hpp"
 
 namespace legwright {
@@ -66,22 +64,6 @@ TEST(WantedPath, OneCycleIsTheRigidMotionOfThePlane) {
   EXPECT_LT((straight.travel() - Eigen::Vector3d(0.16, 0.08, 0)).norm(), 1e-15);
   const WantedPath nearly({0.2, 0.1}, 1e-7, 0.8);
   EXPECT_LT((nearly.travel() - straight.travel()).norm(), 1e-7);
-}
-
-TEST(InitialGuess, StandsOnTheGroundAndCarriesTheWeight) {
-  const test::Puppy puppy = test::make_puppy(true);
-  const Objective objective(puppy.morphology, puppy.space, test::make_sideways_task(false, 12));
-  const Eigen::VectorXd m = initial_guess(objective, puppy.space.initial());
-  const MotionView motion(objective.layout(), m);
-  for (int i = 0; i <= 12; ++i) {
-    double force = 0.0;
-    for (int j = 0; j < 4; ++j) {
-      EXPECT_NEAR(motion.foot_W(i, j).z(), 0.012, 1e-12);
-      force += motion.force_W(i, j).z();
-    }
-    EXPECT_NEAR(force, puppy.morphology.total_mass() * 9.81, 1e-9);
-    EXPECT_NEAR(motion.pose(i)[1], 0.1 * i / 12.0, 1e-12);
-  }
 }
 
 }  // namespace

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimizer/motion/reach.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <numeric>
+
+namespace legwright {
+namespace {
+
+constexpr double kLeastDamping = 1e-4;  // of a step
+constexpr double kLargestStep = 0.5;    // [rad, leg lengths]
+constexpr double kEnough = 1e-3;        // step below which it is the last
+
+}  // namespace
+
+Reach::Reach(const Morphology& morphology, const GeometryAtDesign& geometry,
+             const ReachWeights& weights)
+    : morphology_(morphology),
+      geometry_(geometry),
+      weights_(weights),
+      ancestry_(morphology),
+      nominal_(morphology.nominal_joints()) {
+  columns_.resize(morphology.pose_size());
+  std::iota(columns_.begin(), columns_.end(), 0);
+}
+
+double Reach::misfit(const Places& wanted, const Eigen::VectorXd& q) {
+  const double length = morphology_.leg_length;
+  pose_.compute(morphology_, geometry_, q, PoseDetail::place);
+  const Eigen::Vector3d com = pose_.first_moment(0) / geometry_.total_mass;
+  const auto miss = [](const Eigen::Vector3d& d, const Eigen::Vector3d& weight) {
+    return d.cwiseAbs2().dot(weight);
+  };
+  double sum = miss(com - wanted.com, weights_.com);
+  for (int j = 0; j < morphology_.foot_count(); ++j)
+    sum += miss(foot_place(morphology_, geometry_, pose_, j) - wanted.feet[j], weights_.foot);
+  return sum / (length * length) +
+         weights_.pose * (q.tail(morphology_.joint_count()) - nominal_).squaredNorm();
+}
+
+void Reach::add_point(const PointDerivatives& point, const Eigen::Vector3d& wanted,
+                      const Eigen::Vector3d& weight) {
+  jacobian_.setZero();
+  point.add_jacobian(jacobian_);
+  jacobian_.middleRows<3>(3).setZero();  // the trunk's orientation is given
+  normal_ += jacobian_ * weight.asDiagonal() * jacobian_.transpose();
+  slope_ += jacobian_ * weight.cwiseProduct(point.value - wanted);
+}
+
+void Reach::linearise(const Places& wanted, const Eigen::VectorXd& q) {
+  const int joints = morphology_.joint_count(), count = morphology_.pose_size();
+  const double scale = 1.0 / (morphology_.leg_length * morphology_.leg_length);
+  jacobian_.resize(count, 3);
+  normal_.setZero(count, count);
+  slope_.setZero(count);
+  pose_.compute(morphology_, geometry_, q, PoseDetail::motion);
+  com_from_pose(geometry_, ancestry_, pose_, columns_, point_);
+  add_point(point_, wanted.com, scale * weights_.com);
+  for (int j = 0; j < morphology_.foot_count(); ++j) {
+    foot_from_pose(morphology_, geometry_, ancestry_, pose_, j, columns_, point_);
+    add_point(point_, wanted.feet[j], scale * weights_.foot);
+  }
+  normal_.diagonal().tail(joints).array() += weights_.pose;
+  slope_.tail(joints) += weights_.pose * (q.tail(joints) - nominal_);
+}
+
+Eigen::VectorXd Reach::stepped(const Eigen::VectorXd& q, double damping) const {
+  const int joints = morphology_.joint_count();
+  const double length = morphology_.leg_length;
+  Eigen::VectorXd units = Eigen::VectorXd::Ones(slope_.size());
+  units.head<3>().setConstant(length);
+  Eigen::MatrixXd damped = normal_;
+  damped.diagonal() += damping * units.cwiseAbs2().cwiseInverse();
+  Eigen::VectorXd step = -damped.llt().solve(slope_);
+  const double size = step.cwiseQuotient(units).lpNorm<Eigen::Infinity>();
+  if (size > kLargestStep) step *= kLargestStep / size;
+  Eigen::VectorXd next = q;
+  next.head<3>() += step.head<3>();
+  for (int a = 0; a < joints; ++a) {
+    const Joint& joint = morphology_.links[a + 1].joint;
+    next[6 + a] = std::clamp(q[6 + a] + step[6 + a], joint.lower, joint.upper);
+  }
+  return next;
+}
+
+Reach::Places Reach::reached(const Eigen::VectorXd& q) {
+  pose_.compute(morphology_, geometry_, q, PoseDetail::place);
+  Places places{pose_.first_moment(0) / geometry_.total_mass, {}};
+  for (int j = 0; j < morphology_.foot_count(); ++j)
+    places.feet.push_back(foot_place(morphology_, geometry_, pose_, j));
+  return places;
+}
+
+void Reach::improve(const Places& wanted, int steps, Eigen::VectorXd& q) {
+  double value = misfit(wanted, q), damping = kLeastDamping;
+  for (int k = 0; k < steps; ++k) {
+    linearise(wanted, q);
+    const Eigen::VectorXd next = stepped(q, damping);
+    const double there = misfit(wanted, next);
+    if (!(there < value)) {
+      damping *= 10.0;
+      continue;
+    }
+    const double moved = (next - q).lpNorm<Eigen::Infinity>();
+    q = next;
+    value = there;
+    damping = std::max(kLeastDamping, 0.1 * damping);
+    if (moved < kEnough) return;
+  }
+}
+
+}  // namespace legwright

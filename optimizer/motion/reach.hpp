@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "optimizer/design/kinematics.hpp"
+
+namespace legwright {
+
+/// How much each miss counts, by direction in the world.
+struct ReachWeights {
+  Eigen::Vector3d com = Eigen::Vector3d::Constant(10.0);  // of (miss/leg length)²
+  Eigen::Vector3d foot = Eigen::Vector3d::Ones();         // of each foot's (miss/leg length)²
+  double pose = 1e-3;                                     // of (q − home)² over the joints
+};
+
+/// Inverse kinematics of the whole robot, for first guesses: a pose near the home pose whose COM and
+/// feet are as near to wanted places as joints allow. Least squares by Gauss and Newton, damped; the
+/// trunk's orientation is given.
+class Reach {
+ public:
+  /// Keeps references.
+  Reach(const Morphology& morphology, const GeometryAtDesign& geometry,
+        const ReachWeights& weights);
+
+  struct Places {
+    Eigen::Vector3d com;                // [m, world]
+    std::vector<Eigen::Vector3d> feet;  // centres [m, world]
+  };
+  /// Moves root position and joints of pose q, at most `steps` steps. Joints stay in their ranges.
+  void improve(const Places& wanted, int steps, Eigen::VectorXd& q);
+  /// Where COM and feet are.
+  Places reached(const Eigen::VectorXd& q);
+
+ private:
+  double misfit(const Places& wanted, const Eigen::VectorXd& q);
+  void linearise(const Places& wanted, const Eigen::VectorXd& q);
+  void add_point(const PointDerivatives& point, const Eigen::Vector3d& wanted,
+                 const Eigen::Vector3d& weight);
+  Eigen::VectorXd stepped(const Eigen::VectorXd& q, double damping) const;
+
+  const Morphology& morphology_;
+  const GeometryAtDesign& geometry_;
+  const ReachWeights weights_;
+  Ancestry ancestry_;
+  Columns columns_;  // root position, then joints; −1: the the root's rotation
+  Eigen::VectorXd nominal_;
+  PoseKinematics pose_;
+  PointDerivatives point_;
+  Eigen::MatrixXd jacobian_, normal_;
+  Eigen::VectorXd slope_;
+};
+
+}  // namespace legwright

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimizer/motion/initial_guess.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "optimizer/motion/motion.hpp"
+#include "optimizer/motion/reach.hpp"
+#include "optimizer/objective/objective.hpp"
+#include "tests/support/puppy.hpp"
+
+namespace legwright {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr int knots = 24;
+
+class InitialGuess : public testing::TestWithParam<double> {  // turn rate [rad/s]
+ protected:
+  static Task task() {
+    Task task = test::make_sideways_task(false, knots);
+    task.velocity = {0.06, 0.02};
+    task.turn_rate = GetParam();
+    return task;
+  }
+
+  const test::Puppy puppy_ = test::make_puppy(true);
+  const Objective objective_{puppy_.morphology, puppy_.space, task()};
+  const Layout& layout_ = objective_.layout();
+  const VectorXd s_ = puppy_.space.initial();
+  const VectorXd m_ = initial_guess(objective_, s_);
+  const MotionView motion_{layout_, m_};
+};
+
+TEST_P(InitialGuess, PlantedFeetStandStillOnTheGroundAndOthersAreLifted) {
+  const Gait& gait = objective_.task().gait;
+  int lifted = 0;
+  for (int i = 0; i < knots; ++i)
+    for (int j = 0; j < 4; ++j) {
+      const bool planted = gait.planted(i, j, layout_.planted_margin());
+      const Vector3d foot = motion_.foot_W(i, j), next = motion_.foot_W(i + 1, j);
+      if (!planted) {
+        EXPECT_GT(foot.z(), 0.0121);
+        ++lifted;
+        continue;
+      }
+      EXPECT_NEAR(foot.z(), 0.012, 1e-12);
+      if (gait.planted(i + 1, j, layout_.planted_margin())) {
+        EXPECT_LT((next - foot).norm(), 1e-12) << "knot " << i << " foot " << j;
+      }
+    }
+  EXPECT_GT(lifted, 4);
+}
+
+TEST_P(InitialGuess, StanceFeetCarryTheWeight) {
+  const double least = objective_.task().min_normal;
+  for (int i = 0; i <= knots; ++i) {
+    double force = 0.0;
+    for (int j = 0; j < 4; ++j) {
+      if (layout_.force(i, j) < 0) continue;
+      const Vector3d f = motion_.force_W(i, j);
+      EXPECT_GT(f.z(), least * puppy_.morphology.total_mass() * kGravity * 0.9);
+      EXPECT_EQ(f.head<2>().norm(), 0.0);
+      force += f.z();
+    }
+    EXPECT_NEAR(force, puppy_.morphology.total_mass() * kGravity, 1e-9);
+  }
+}
+
+TEST_P(InitialGuess, RepeatsOneCycleLater) {
+  const WantedPath& path = objective_.path();
+  EXPECT_LT((motion_.com_W(knots) - (path.turn() * motion_.com_W(0) + path.travel())).norm(),
+            1e-12);
+  for (int j = 0; j < 4; ++j)
+    EXPECT_LT(
+        (motion_.foot_W(knots, j) - (path.turn() * motion_.foot_W(0, j) + path.travel())).norm(),
+        1e-12);
+  EXPECT_LT((motion_.pose(knots).tail(12) - motion_.pose(0).tail(12)).norm(), 1e-12);
+  EXPECT_NEAR(motion_.pose(knots)[5] - motion_.pose(0)[5], path.turn_angle(), 1e-12);
+}
+
+// What it is for: far nearer to a motion than a robot that stands in its home pose and slides.
+TEST_P(InitialGuess, BeatsStandingStill) {
+  VectorXd standing = m_;
+  for (int i = 0; i <= knots; ++i)
+    standing.segment(layout_.pose(i) - layout_.design_size() + 6, 12) =
+        puppy_.morphology.nominal_joints();
+  const double guess = objective_.evaluate(s_, m_, Order::value).value;
+  EXPECT_LT(3.0 * guess, objective_.evaluate(s_, standing, Order::value).value);
+}
+
+INSTANTIATE_TEST_SUITE_P(StraightAndTurning, InitialGuess, testing::Values(0.0, 0.2));
+
+TEST(InitialGuessOfAFootThatNeverLifts, Ends) {
+  const test::Puppy puppy = test::make_puppy(true);
+  Task task = test::make_sideways_task(false, 12);
+  task.gait = Gait({"stand", {0, 0, 0, 0}, 1.0}, 1.0, 12, {0, 1, 2, 3});
+  task.velocity = {0.0, 0.0};
+  const Objective objective(puppy.morphology, puppy.space, task);
+  EXPECT_TRUE(initial_guess(objective, puppy.space.initial()).allFinite());
+}
+
+TEST(Reach, FindsTheFeetOfAPose) {
+  const test::Puppy puppy = test::make_puppy(true);
+  VectorXd s = puppy.space.initial();
+  for (int k = 6; k < 18; ++k) s[k] = 0.3 * (k % 3);  // axes that let feet go anywhere
+  const GeometryAtDesign geometry(puppy.morphology, s);
+  Reach reach(puppy.morphology, geometry, {.pose = 1e-9});
+  VectorXd there = VectorXd::Zero(puppy.morphology.pose_size());
+  there.tail(12) = puppy.morphology.nominal_joints();
+  VectorXd q = there;
+  for (int k = 6; k < 18; ++k) there[k] += k % 2 == 0 ? 0.2 : -0.15;
+  there.head<3>() = Vector3d(0.01, -0.02, 0.2);
+  const Reach::Places wanted = reach.reached(there);
+  const auto miss = [&](const VectorXd& pose) {
+    const Reach::Places at = reach.reached(pose);
+    double most = (at.com - wanted.com).norm();
+    for (int j = 0; j < 4; ++j) most = std::max(most, (at.feet[j] - wanted.feet[j]).norm());
+    return most;
+  };
+  EXPECT_GT(miss(q), 0.05);
+  reach.improve(wanted, 100, q);
+  EXPECT_LT(miss(q), 1e-3);
+  EXPECT_EQ(q.segment<3>(3).norm(), 0.0);
+}
+
+TEST(Reach, StaysWithinTheRangesOfTheJointsAndNeverGetsWorse) {
+  test::Puppy puppy = test::make_puppy(true);
+  for (Link& link : puppy.morphology.links) {
+    link.joint.lower = link.joint.nominal - 0.1;
+    link.joint.upper = link.joint.nominal + 0.1;
+  }
+  const VectorXd s = puppy.space.initial(), home = puppy.morphology.nominal_joints();
+  const GeometryAtDesign geometry(puppy.morphology, s);
+  Reach reach(puppy.morphology, geometry, {});
+  VectorXd q = VectorXd::Zero(puppy.morphology.pose_size());
+  q.tail(12) = home;
+  Reach::Places wanted = reach.reached(q);
+  for (Vector3d& foot : wanted.feet) foot.x() += 0.5;  // out of reach
+  reach.improve(wanted, 50, q);
+  EXPECT_TRUE(q.allFinite());
+  EXPECT_LT((q.tail(12) - home).lpNorm<Eigen::Infinity>(), 0.1 + 1e-12);
+  EXPECT_GT((q.tail(12) - home).lpNorm<Eigen::Infinity>(), 0.05);
+}
+
+}  // namespace
+}  // namespace legwright
