@@ -48,6 +48,8 @@ RunData read_run(const fs::path& root) {
   });
   if_present(result / "verdict.json", data.notes,
              [&](const fs::path& file) { data.verdict = read_json(file); });
+  if_present(result / "certificate.json", data.notes,
+             [&](const fs::path& file) { data.certificate = read_json(file); });
   if_present(data.iteration(0) / "motion.csv", data.notes,
              [&](const fs::path& file) { data.initial_plan = read_motion_csv(file); });
   if_present(result / "motion.csv", data.notes,

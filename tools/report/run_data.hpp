@@ -18,6 +18,7 @@ struct RunData {
   Json run;                      // run.json
   std::vector<Json> iterations;  // "iteration" events in order
   Json metrics, verdict;         // of validate; null where it has not run
+  Json certificate;              // of the result; null where it was not asked for
   std::optional<Trajectory> initial_plan, result_plan;
   std::vector<std::string> notes;  // files that could not be used, and why
 
