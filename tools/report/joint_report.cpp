@@ -72,8 +72,8 @@ std::string joint_report_page(const JointData& data) {
 }
 
 std::string joint_report_summary(const JointData& data) {
-  std::string out =
-      "# " + escape_markdown(title_of(data)) + "\n\n" + escape_markdown(tasks_line(data)) + "\n\n";
+  std::string out = fmt::format("# {}\n\n{}\n\n", escape_markdown(title_of(data)),
+                                escape_markdown(tasks_line(data)));
   std::vector<std::string> heads;
   for (const JointTaskData& task : data.tasks) heads.push_back(escape_markdown(spaced(task.name)));
   out += row_of("F and verdict of the body", heads) + rule(heads.size());
@@ -85,7 +85,8 @@ std::string joint_report_summary(const JointData& data) {
   heads.clear();
   for (const MatrixDesign& design : data.designs)
     heads.push_back(escape_markdown(spaced(design.name)));
-  out += "\n" + row_of("parameter", heads) + rule(heads.size());
+  out += '\n';
+  out += row_of("parameter", heads) + rule(heads.size());
   for (const ParameterView& p : parameters_of(data.whole.run)) {
     std::vector<std::string> cells;
     for (const MatrixDesign& design : data.designs) {

@@ -125,7 +125,7 @@ std::string digits_of(double size, int digits) {
       if (c >= '0' && c <= '9' && !(c == '0' && (power.empty() || power == "⁻")))
         power += kRaised[c - '0'];
     }
-    return text.substr(0, e) + " × 10" + power;
+    return fmt::format("{} × 10{}", text.substr(0, e), power);
   }
   const int magnitude = static_cast<int>(std::floor(std::log10(size)));
   return fmt::format("{:.{}f}", size, std::max(0, digits - 1 - magnitude));
@@ -148,23 +148,25 @@ std::string short_number(std::optional<double> value) {
 }
 
 std::string signed_number(std::optional<double> value) {
-  return (value && *value > 0.0 ? "+" : "") + short_number(value);
+  return fmt::format("{}{}", value && *value > 0.0 ? "+" : "", short_number(value));
 }
 
 std::string long_number(std::optional<double> value) {
   if (!value || !std::isfinite(*value)) return "–";
   if (*value == 0.0) return "0";
-  return (*value < 0 ? "−" : "") + digits_of(std::abs(*value), 7);
+  return fmt::format("{}{}", *value < 0 ? "−" : "", digits_of(std::abs(*value), 7));
 }
 
 std::string quantity_words(double amount, const std::string& unit) {
   const bool length = unit == "m", angle = unit == "rad";
   const double shown = std::abs(amount) * (length ? 1e3 : angle ? 180.0 / std::numbers::pi : 1.0);
-  const std::string sign = amount < 0.0 ? "−" : "";
-  const std::string number =
-      shown > 0.0 && shown < 1e-3 ? "below 0.001" : sign + short_number(shown);
-  if (angle) return number + "°";
-  return number + (length ? " mm" : unit.empty() ? "" : unit == "N m" ? " N·m" : " " + unit);
+  const char* sign = amount < 0.0 ? "−" : "";
+  std::string text =
+      shown > 0.0 && shown < 1e-3 ? "below 0.001" : fmt::format("{}{}", sign, short_number(shown));
+  if (length) return text + " mm";
+  if (angle) return text + "°";
+  if (unit.empty()) return text;
+  return fmt::format("{} {}", text, unit == "N m" ? "N·m" : unit);
 }
 
 std::string percent(std::optional<double> ratio) {
