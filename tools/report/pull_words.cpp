@@ -12,8 +12,9 @@ namespace legwright {
 namespace {
 
 constexpr std::size_t kTold = 3;        // terms of a parameter
-constexpr double kOfLargest = 0.1;      // a term's share of the parameter's largest
+constexpr double kOfLargest = 0.05;     // a term's share of the parameter's largest
 constexpr double kOfScale = 0.01;       // a parameter's largest share of the largest of all
+constexpr double kUnexplained = 0.1;    // of the fall of F
 constexpr std::size_t kTermsInSum = 4;  // of the summary
 constexpr std::size_t kParameterInSum = 2;
 
@@ -23,21 +24,33 @@ void sort_shares(std::vector<PullShare>& shares) {
   });
 }
 
-std::string share_words(const PullShare& share) {
-  return fmt::format("{}{} {}", cost_words(share.term),
-                     share.task.empty() ? "" : " in " + spaced(share.task),
-                     signed_number(-share.decrease));
-}
-
 /// "a −3, b −2, at the cost of c +1"
 std::string list_words(const std::vector<PullShare>& shares) {
   std::string gains, costs;
   for (const PullShare& share : shares) {
     std::string& list = share.decrease > 0.0 ? gains : costs;
-    list += (list.empty() ? "" : ", ") + share_words(share);
+    list += fmt::format("{}{} {}", list.empty() ? "" : ", ", cost_words(share.term),
+                        change_of_F(-share.decrease));
   }
   if (costs.empty()) return gains;
-  return gains.empty() ? "costs " + costs : gains + ", at the cost of " + costs;
+  return gains.empty() ? "only at the cost of " + costs : gains + ", at the cost of " + costs;
+}
+
+/// The same task by task: "pace: a −3; sideways: b −2".
+std::string tasks_words(const std::vector<PullShare>& shares) {
+  std::vector<std::string> order;
+  for (const PullShare& share : shares)
+    if (std::find(order.begin(), order.end(), share.task) == order.end())
+      order.push_back(share.task);
+  std::string out;
+  for (const std::string& task : order) {
+    std::vector<PullShare> own;
+    for (const PullShare& share : shares)
+      if (share.task == task) own.push_back(share);
+    out += fmt::format("{}{}{}", out.empty() ? "" : "; ", task.empty() ? "" : spaced(task) + ": ",
+                       list_words(own));
+  }
+  return out;
 }
 
 std::vector<PullShare> largest_of(const std::vector<PullShare>& sorted, std::size_t most) {
@@ -52,6 +65,12 @@ std::vector<PullShare> largest_of(const std::vector<PullShare>& sorted, std::siz
 }
 
 }  // namespace
+
+std::string change_of_F(double change) {
+  const double size = std::abs(change);
+  if (size < 0.01) return signed_number(change);
+  return fmt::format("{}{:.{}f}", change < 0.0 ? "−" : "+", size, size >= 9.995 ? 1 : 2);
+}
 
 double ParameterPull::total(std::string_view task) const {
   double sum = 0.0;
@@ -99,10 +118,10 @@ double largest_share(const std::vector<ParameterPull>& pulls) {
 
 std::string pull_words(const ParameterPull& pull, double scale) {
   if (pull.shares.empty() || std::abs(pull.shares.front().decrease) < kOfScale * scale) return "";
-  return list_words(largest_of(pull.shares, kTold));
+  return tasks_words(largest_of(pull.shares, kTold));
 }
 
-std::string pull_summary(const std::vector<ParameterPull>& pulls) {
+std::string pull_summary(const std::vector<ParameterPull>& pulls, std::optional<double> fall) {
   std::vector<PullShare> sums;
   std::vector<std::pair<double, std::string>> parameters;
   double all = 0.0;
@@ -121,18 +140,22 @@ std::string pull_summary(const std::vector<ParameterPull>& pulls) {
   }
   if (sums.empty()) return "";
   sort_shares(sums);
-  std::string out =
-      fmt::format("Taken together, the changes {} F by {}: {}.", all < 0.0 ? "raised" : "lowered",
-                  short_number(std::abs(all)), list_words(largest_of(sums, kTermsInSum)));
+  std::string out = fmt::format("Taken together, the changes {} F by {}",
+                                all < 0.0 ? "raised" : "lowered", short_number(std::abs(all)));
+  // What lies between two designs is followed to second order only.
+  if (fall && std::abs(*fall - all) > kUnexplained * std::abs(*fall))
+    out += fmt::format(" of the {} that it fell (the rest lies in steps too long to be split)",
+                       short_number(*fall));
+  out += fmt::format(". By term: {}.", tasks_words(largest_of(sums, kTermsInSum)));
   std::stable_sort(parameters.begin(), parameters.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
   std::string most;
   for (std::size_t k = 0; k < std::min(kParameterInSum, parameters.size()); ++k) {
     if (!(parameters[k].first > 0.0)) break;
     most += fmt::format("{}{} ({})", most.empty() ? "" : " and ", spaced(parameters[k].second),
-                        signed_number(-parameters[k].first));
+                        change_of_F(-parameters[k].first));
   }
-  if (!most.empty()) out += " Most of it came with " + most + ".";
+  if (!most.empty()) out += fmt::format(" Most came with {}.", most);
   return out;
 }
 

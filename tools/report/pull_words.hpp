@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,7 +40,11 @@ double largest_share(const std::vector<ParameterPull>& pulls);
 /// @param scale as of largest_share()
 std::string pull_words(const ParameterPull& pull, double scale);
 
-/// All parameters together in one sentence or two; empty without pulls.
-std::string pull_summary(const std::vector<ParameterPull>& pulls);
+/// All parameters together in a few sentences; empty without pulls.
+/// @param fall by how much F fell in all, if it is known and counted as the pulls are
+std::string pull_summary(const std::vector<ParameterPull>& pulls, std::optional<double> fall);
+
+/// A change of F with its sign and as many digits as matter here: −14.3, −2.82, +0.06.
+std::string change_of_F(double change);
 
 }  // namespace legwright

@@ -76,6 +76,11 @@ std::optional<double> number_at(const Json& json, std::initializer_list<const ch
   return std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
+std::optional<double> fall_of_cost(const Json& run) {
+  const auto before = number_at(run, {"motion_only_F"}), after = number_at(run, {"final_F"});
+  return before && after ? std::optional(*before - *after) : std::nullopt;
+}
+
 std::string text_at(const Json& json, std::initializer_list<const char*> path) {
   const Json& value = value_at(json, path);
   return value.is_string() ? value.get<std::string>() : std::string();

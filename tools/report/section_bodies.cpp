@@ -54,7 +54,7 @@ std::vector<ParameterPull> pulls_of_tasks(const JointData& data) {
 
 /// Change of F that a parameter brought a task; small ones as zero.
 std::string change_words(double decrease, double scale) {
-  return std::abs(decrease) < 0.002 * scale ? "0" : signed_number(-decrease);
+  return std::abs(decrease) < 0.002 * scale ? "0" : change_of_F(-decrease);
 }
 
 void add_pull_rows(Html& page, const JointData& data, const std::vector<ParameterPull>& pulls) {
@@ -91,7 +91,7 @@ void add_bodies(Html& page, const JointData& data) {
 
 void add_task_pulls(Html& page, const JointData& data) {
   const auto pulls = pulls_of_tasks(data);
-  const std::string summary = pull_summary(pulls);
+  const std::string summary = pull_summary(pulls, fall_of_cost(data.whole.run));
   if (summary.empty()) return;
   page.open("section").element("h2", "Why the body changed").element("p", summary);
   std::string note =

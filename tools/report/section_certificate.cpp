@@ -127,9 +127,13 @@ void add_violation(Html& page, const Json& row) {
   page.open("tr").open("td").element("b", term_words(term));
   page.element("small", spaced(term) + (equation.empty() || equation == "-" ? "" : " " + equation));
   page.close();
-  page.open("td", {{"class", "n"}}).text(amount ? quantity_words(std::abs(*amount), unit) : "–");
-  page.element("small", !amount ? "" : met ? "met, that far from the wall" : "broken by").close();
-  page.element("td", relative && !met ? percent(*relative) : "–", {{"class", "n"}});
+  const std::string by = amount ? quantity_words(std::abs(*amount), unit) : "–";
+  page.element("td", met ? by + " to spare" : by, {{"class", "n"}});
+  page.element("td",
+               met || !relative   ? "–"
+               : *relative < 5e-4 ? "below 0.1 %"
+                                  : percent(*relative),
+               {{"class", "n"}});
   page.element("td", where.empty() ? "whole robot" : spaced(where));
   page.element("td", time ? fmt::format("{:.2f} s", *time) : "–", {{"class", "n"}}).close();
 }
@@ -142,13 +146,18 @@ void add_violations(Html& page, const Json& tasks) {
                            (tasks.size() > 1 ? ", " + spaced(name) : std::string()));
     page.open("div", {{"class", "scroll"}}).open("table", {{"class", "worst"}});
     page.open("thead").open("tr").element("th", "constraint");
-    page.element("th", "by how much", {{"class", "n"}});
+    page.element("th", "off by", {{"class", "n"}});
     page.element("th", "of its scale", {{"class", "n"}});
     page.element("th", "where").element("th", "when", {{"class", "n"}});
     page.close().close().open("tbody");
     for (const Json& row : rows) add_violation(page, row);
     page.close().close().close();
   }
+  page.element(
+      "p",
+      "Constraints are penalties in F, so small remainders are normal; where one is met, the "
+      "table says how much room is left at its tightest.",
+      {{"class", "note"}});
 }
 
 void add_gradient(Html& page, const Json& tasks, const std::vector<ParameterView>& parameters) {
@@ -179,9 +188,10 @@ void add_gradient(Html& page, const Json& tasks, const std::vector<ParameterView
       page.element("td", short_number(number_at(row, {"error"})), {{"class", "n"}}).close();
     }
     page.close().close().close();
-    page.element("p",
-                 "Errors are in F per natural unit of the parameter: its initial length, or one radian.",
-                 {{"class", "note"}});
+    page.element(
+        "p",
+        "Errors are in F per natural unit of the parameter: its initial length, or one radian.",
+        {{"class", "note"}});
     page.close();
   }
 }

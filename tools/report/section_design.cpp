@@ -51,14 +51,15 @@ void add_table(Html& page, const std::vector<ParameterView>& parameters, bool an
 
 /// One sentence on all parameters, and how to read the others.
 void add_why(Html& page, const RunData& data, const std::vector<ParameterPull>& pulls) {
-  const std::string summary = pull_summary(pulls);
+  const bool part = !value_at(data.run, {"joint_run"}).is_null();
+  const std::string summary = pull_summary(pulls, part ? std::nullopt : fall_of_cost(data.run));
   if (summary.empty()) return;
   page.open("p").element("b", "Why it changed. ").text(summary).close();
   std::string note =
       "Numbers are changes of F that a parameter’s change brought a term, the motion following, "
       "summed "
       "along the way to the result; those of one parameter need not fall for each term.";
-  if (!value_at(data.run, {"joint_run"}).is_null()) {
+  if (part) {
     note += " They carry the weight that this task has in the joint cost.";
     const std::string start = text_at(data.run, {"start"});
     if (!start.empty() && start != "initial" && start != text_at(data.run, {"task", "name"}))

@@ -32,9 +32,9 @@ void add_start_row(Html& page, const JointData& data, const Json& start, const s
   if (best) page.element("em", "the best: this is the result");
   page.close();
   for (const char* key : {"F_start", "F"})
-    page.element("td", short_number(number_at(start, {key})), {{"class", "n"}});
+    page.element("td", three_digits(number_at(start, {key})), {{"class", "n"}});
   for (const JointTaskData& task : data.tasks)
-    page.element("td", short_number(number_at(start, {"F_tasks", task.name.c_str()})),
+    page.element("td", three_digits(number_at(start, {"F_tasks", task.name.c_str()})),
                  {{"class", "n"}});
   page.element("td", spaced(text_at(start, {"status"})));
   page.element("td", whole(start, "design_iterations"), {{"class", "n"}});
@@ -153,7 +153,7 @@ void add_front_table(Html& page, const JointData& data) {
   for (const Json& point : data.front) {
     page.open("tr").element("td", short_number(number_at(point, {"weight"})), {{"class", "n"}});
     for (const JointTaskData& task : data.tasks)
-      page.element("td", short_number(number_at(point, {"F_tasks", task.name.c_str()})),
+      page.element("td", three_digits(number_at(point, {"F_tasks", task.name.c_str()})),
                    {{"class", "n"}});
     page.element("td", spaced(text_at(point, {"status"}))).close();
   }
@@ -175,7 +175,7 @@ void add_starts(Html& page, const JointData& data) {
       "listed. Below them, the searches for one task alone, which the other starts came from.",
       {{"class", "note"}});
   add_starts_table(page, data);
-  page.open("div", {{"class", "charts"}}).raw(starts_chart(data)).close().close();
+  page.open("div", {{"class", "charts single"}}).raw(starts_chart(data)).close().close();
 }
 
 void add_front(Html& page, const JointData& data) {
@@ -199,7 +199,7 @@ void add_front(Html& page, const JointData& data) {
   const FrontPlot plot = front_series(data);
   const PlotOptions options{
       .title = "F of " + second, .x_label = "F of " + first, .y_label = "against F of " + first};
-  page.open("div", {{"class", "charts"}}).raw(line_plot(plot.series, options)).close();
+  page.open("div", {{"class", "charts single"}}).raw(line_plot(plot.series, options)).close();
   for (const std::string& outside : plot.outside)
     page.element("p", "Outside the picture: " + outside + ".", {{"class", "note"}});
   add_front_table(page, data);

@@ -80,7 +80,7 @@ void add_cell(Html& page, const JointData& data, const MatrixDesign& design, std
                              : good ? "cell good-cell"
                                     : "cell bad-cell"},
                    {"data-label", spaced(data.tasks[t].name)}});
-  page.open("p").element("b", "F " + short_number(design.cost[t]));
+  page.open("p").element("b", "F " + three_digits(design.cost[t]));
   if (known)
     page.text(" ").element("span", good ? "✓ pass" : "✗ fail", {{"class", good ? "good" : "bad"}});
   page.close();

@@ -49,7 +49,7 @@ figure { margin: 0; }
 .gallery img { display: block; width: 100%; height: auto; border-radius: 6px; }
 .gallery figcaption { font-size: .8rem; color: var(--pale); margin-top: .2rem; font-variant-numeric: tabular-nums; }
 .charts { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(26rem, 100%), 1fr)); gap: 1.75rem 2.5rem; margin-top: .8rem; }
-.chart { min-width: 0; } .chart figcaption { font-weight: 600; font-size: .95rem; }
+.charts.single { grid-template-columns: minmax(0, 38rem); } .chart { min-width: 0; } .chart figcaption { font-weight: 600; font-size: .95rem; }
 .chart svg { display: block; width: 100%; height: auto; margin-top: .3rem; }
 .chart text { font: 12px system-ui, -apple-system, "Segoe UI", Roboto, sans-serif; fill: var(--pale); font-variant-numeric: tabular-nums; }
 .grid { stroke: var(--line); stroke-width: 1; fill: none; } .axis, .tick { stroke: var(--pale); fill: none; }
@@ -81,7 +81,7 @@ details { margin: 1.2rem 0 0; } summary { cursor: pointer; font-weight: 600; fon
 dl { display: flex; flex-wrap: wrap; gap: .1rem 1.1rem; margin: 0; font-size: .85rem; color: var(--pale); } dl div { white-space: nowrap; }
 dt { display: inline; } dt::after { content: " "; } dd { display: inline; margin: 0 0 0 .25rem; color: var(--ink); font-variant-numeric: tabular-nums; }
 .chosen td:first-child { border-left: 3px solid var(--c1); padding-left: .6rem; } .limit { white-space: nowrap; } .reason { font-size: .88rem; min-width: 14rem; }
-.key.ring { width: .85rem; height: .85rem; border: 2px solid; border-radius: 50%; }
+.key.ring { width: .85rem; height: .85rem; border-width: 2px; border-style: solid; border-radius: 50%; }
 footer { color: var(--pale); font-size: .85rem; border-top: 1px solid var(--line); padding-top: .8rem; }
 @media (max-width: 40rem) {
   .design, .design tbody { display: block; } .design thead { display: none; }

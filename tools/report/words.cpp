@@ -147,6 +147,11 @@ std::string short_number(std::optional<double> value) {
   return sign + text;
 }
 
+std::string three_digits(std::optional<double> value) {
+  if (!value || !std::isfinite(*value) || *value == 0.0) return short_number(value);
+  return fmt::format("{}{}", *value < 0 ? "−" : "", digits_of(std::abs(*value), 3));
+}
+
 std::string signed_number(std::optional<double> value) {
   return fmt::format("{}{}", value && *value > 0.0 ? "+" : "", short_number(value));
 }

@@ -22,7 +22,9 @@ std::string task_words(const Json& run);
 std::string way_words(const Json& task);
 /// Three significant digits, as a person would write them; "–" for none.
 std::string short_number(std::optional<double> value);
-/// The same with its sign, also where it is above zero.
+/// The same with all three digits, for columns: "6.00".
+std::string three_digits(std::optional<double> value);
+/// The same as short_number with its sign, also where it is above zero.
 std::string signed_number(std::optional<double> value);
 /// Seven significant digits, for numbers that are to be compared with each other.
 std::string long_number(std::optional<double> value);
