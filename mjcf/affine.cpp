@@ -16,6 +16,19 @@ AffineVector stretched_point(const Eigen::Vector3d& point, const std::vector<Str
   return out;
 }
 
+AffineVector placed_point(const Eigen::Vector3d& point, const std::vector<Stretch>& stretches,
+                          const std::vector<Place>& places) {
+  AffineVector out = stretched_point(point, stretches);
+  for (const Place& place : places) {
+    out.constant[place.axis] = 0.0;
+    for (AffineVector::Slope& slope : out.slopes) slope.slope[place.axis] = 0.0;
+  }
+  for (const Place& place : places)
+    out = sum(out, {Eigen::Vector3d::Zero(),
+                    {{place.parameter, place.factor * Eigen::Vector3d::Unit(place.axis)}}});
+  return out;
+}
+
 Eigen::Matrix3d stretch_matrix(const std::vector<Stretch>& stretches, const Eigen::VectorXd& s) {
   Eigen::Matrix3d map = Eigen::Matrix3d::Identity();
   for (const Stretch& stretch : stretches)

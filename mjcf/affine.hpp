@@ -19,8 +19,20 @@ struct Stretch {
 /// The stretches of each body that has some, by MJCF name.
 using StretchMap = std::map<std::string, std::vector<Stretch>>;
 
+/// One coordinate of a site that a parameter places: p_axis = factor · s, in its body's frame.
+struct Place {
+  int parameter;
+  int axis;  // 0, 1, 2: x, y, z
+  double factor;
+};
+/// The places of each site that has some, by MJCF name.
+using PlaceMap = std::map<std::string, std::vector<Place>>;
+
 /// A point of a stretched body as a function of the design, in the body's frame.
 AffineVector stretched_point(const Eigen::Vector3d& point, const std::vector<Stretch>& stretches);
+/// The same for a site some of whose coordinates are placed: those follow their parameter alone.
+AffineVector placed_point(const Eigen::Vector3d& point, const std::vector<Stretch>& stretches,
+                          const std::vector<Place>& places);
 /// The linear map p ↦ A p of a body's points at design s.
 Eigen::Matrix3d stretch_matrix(const std::vector<Stretch>& stretches, const Eigen::VectorXd& s);
 

@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <map>
 #include <set>
 
 #include "mjcf/compile.hpp"
+#include "mjcf/linear_actuators.hpp"
 #include "mjcf/numbers.hpp"
 #include "mjcf/stretch.hpp"
 
@@ -89,11 +91,38 @@ void read_values(const XmlFile& xml, const XmlElement& numeric, DesignParameter&
                     parameter.initial, parameter.lower, parameter.upper));
 }
 
+/// One word behind the colon: [FACTOR*][~]NAME.
+struct TargetWord {
+  std::string text, name;
+  bool mirrored = false;
+  double factor = 1.0;
+};
+
 /// UNIT | BINDING | SENTENCE taken apart.
 struct Declared {
   std::string verb, direction;
-  std::vector<std::string> targets;
+  std::vector<TargetWord> targets;
 };
+
+TargetWord read_target(const XmlFile& xml, const XmlElement& text, std::string_view word) {
+  TargetWord out;
+  out.text = word;
+  if (const std::size_t star = word.find('*'); star != std::string_view::npos) {
+    const auto factor = parse_number(word.substr(0, star));
+    if (!factor || *factor == 0.0 || std::abs(*factor) > 1e3)
+      throw xml.error(text, fmt::format("'{}': expected a factor before the *, not zero and at "
+                                        "most 1000, like 0.8*left_thigh",
+                                        word));
+    out.factor = *factor;
+    word.remove_prefix(star + 1);
+  }
+  out.mirrored = !word.empty() && word[0] == '~';
+  if (out.mirrored) word.remove_prefix(1);
+  if (word.empty())
+    throw xml.error(text, fmt::format("'{}' holds no name; write the name behind it", out.text));
+  out.name = word;
+  return out;
+}
 
 Declared read_text(const XmlFile& xml, const XmlElement& text, DesignParameter& parameter) {
   const std::string_view data = attribute(text, "data");
@@ -113,79 +142,141 @@ Declared read_text(const XmlFile& xml, const XmlElement& text, DesignParameter& 
   const auto head = split_words(binding.substr(0, colon));
   if (colon == std::string_view::npos || head.size() != 2)
     throw xml.error(
-        text, fmt::format("binding '{}' is not understood; write 'stretch DIRECTION: BODY …' or "
-                          "'axis DIRECTION: JOINT …'",
+        text, fmt::format("binding '{}' is not understood; write 'stretch DIRECTION: BODY …', "
+                          "'axis DIRECTION: JOINT …' or 'place DIRECTION: SITE …'",
                           binding));
   Declared out{std::string(head[0]), std::string(head[1]), {}};
-  const bool is_stretch = out.verb == "stretch";
-  if (!is_stretch && out.verb != "axis")
+  const bool is_stretch = out.verb == "stretch", is_axis = out.verb == "axis";
+  if (!is_stretch && !is_axis && out.verb != "place")
     throw xml.error(
-        text, fmt::format("binding '{}' is unknown; there are 'stretch' and 'axis'", out.verb));
+        text,
+        fmt::format("binding '{}' is unknown; there are 'stretch', 'axis' and 'place'", out.verb));
   const bool is_axis_word = out.direction == "x" || out.direction == "y" || out.direction == "z";
   if (!is_axis_word && !(is_stretch && out.direction == "link"))
     throw xml.error(text, fmt::format("direction '{}' is unknown; write {}", out.direction,
                                       is_stretch ? "link, x, y or z" : "x, y or z"));
-  parameter.kind = is_stretch ? ParameterKind::length : ParameterKind::axis_angle;
-  if ((parameter.unit == "m") != is_stretch)
-    throw xml.error(text,
-                    fmt::format("unit '{}' does not fit '{}'; a stretch is in m, an axis in rad",
-                                parameter.unit, out.verb));
+  parameter.kind = is_stretch ? ParameterKind::length
+                   : is_axis  ? ParameterKind::axis_angle
+                              : ParameterKind::position;
+  if ((parameter.unit == "rad") != is_axis)
+    throw xml.error(
+        text, fmt::format("unit '{}' does not fit '{}'; a stretch and a place are in m, an axis in "
+                          "rad",
+                          parameter.unit, out.verb));
   for (const std::string_view word : split_words(binding.substr(colon + 1)))
-    out.targets.emplace_back(word);
+    out.targets.push_back(read_target(xml, text, word));
   if (out.targets.empty())
-    throw xml.error(text, "names no body or joint; write their names behind the colon");
+    throw xml.error(text, "names no body, joint or site; write their names behind the colon");
   return out;
 }
 
 Binding::Target resolve_stretch(const XmlFile& xml, const mjModel& model,
                                 const DeclarationElements& at, const Declared& declared,
-                                const DesignParameter& parameter, const std::string& word,
+                                const DesignParameter& parameter, const TargetWord& word,
                                 const std::vector<int>& foot_geoms) {
-  if (word[0] == '~')
-    throw xml.error(*at.text,
-                    fmt::format("'{}': ~ mirrors axes; a stretch needs none, remove it", word));
-  const int body = mj_name2id(&model, mjOBJ_BODY, word.c_str());
-  const XmlElement* element = find_named(xml.root(), "body", word);
+  if (word.mirrored)
+    throw xml.error(
+        *at.text,
+        fmt::format("'{}': ~ mirrors axes and places; a stretch needs none, remove it", word.text));
+  if (word.factor < 0.0)
+    throw xml.error(
+        *at.text, fmt::format("'{}': a length stays positive; write a positive factor", word.text));
+  const int body = mj_name2id(&model, mjOBJ_BODY, word.name.c_str());
+  const XmlElement* element = find_named(xml.root(), "body", word.name);
   if (body <= 0 || !element)
     throw xml.error(
         *at.text,
-        fmt::format("names the body '{}', which is not in the model; correct the name", word));
+        fmt::format("names the body '{}', which is not in the model; correct the name", word.name));
   const StretchMeasure measure =
       measure_stretch(xml, model, *at.text, body, declared.direction, foot_geoms);
-  if (std::abs(measure.length - parameter.initial) > 1e-6)
+  if (std::abs(measure.length - word.factor * parameter.initial) >
+      1e-6 * std::min(1.0, word.factor))
     throw xml.error(
         *at.numeric,
-        fmt::format("declares {} m, but body '{}' measures {} m along {}; write that number",
-                    parameter.initial, word, measure.length, declared.direction));
+        fmt::format("declares {} m, but body '{}' measures {} m along {}; write that number{}",
+                    word.factor * parameter.initial, word.name, measure.length, declared.direction,
+                    word.factor == 1.0 ? "" : fmt::format(" divided by {}", word.factor)));
   if (parameter.lower <= 0.0)
     throw xml.error(
         *at.numeric,
         fmt::format("a length must stay positive; the lower bound {} is not", parameter.lower));
   check_stretchable(xml, model, *element);
-  return {word, false, at.text->GetLineNum(), measure.direction};
+  return {word.name, false, word.factor, at.text->GetLineNum(), measure.direction};
 }
 
 Binding::Target resolve_axis(const XmlFile& xml, const mjModel& model,
                              const DeclarationElements& at, const Declared& declared,
-                             std::string word) {
-  const bool mirrored = word[0] == '~';
-  if (mirrored) word.erase(0, 1);
-  const int joint = mj_name2id(&model, mjOBJ_JOINT, word.c_str());
-  const XmlElement* element = find_named(xml.root(), "joint", word);
+                             const TargetWord& word) {
+  const int joint = mj_name2id(&model, mjOBJ_JOINT, word.name.c_str());
+  const XmlElement* element = find_named(xml.root(), "joint", word.name);
   if (joint < 0 || !element)
-    throw xml.error(
-        *at.text,
-        fmt::format("names the joint '{}', which is not in the model; correct the name", word));
+    throw xml.error(*at.text,
+                    fmt::format("names the joint '{}', which is not in the model; correct the name",
+                                word.name));
   if (model.jnt_type[joint] != mjJNT_HINGE)
     throw xml.error(
-        *at.text,
-        fmt::format("joint '{}' is no hinge, so its axis cannot be turned; name a hinge", word));
+        *at.text, fmt::format("joint '{}' is no hinge, so its axis cannot be turned; name a hinge",
+                              word.name));
   if (!is_tag(*element->Parent()->ToElement(), "body"))
     throw xml.error(
         *element, "a joint whose axis is designed must stand directly in its body, not in a frame");
   Eigen::Vector3d n = Eigen::Vector3d::Unit(declared.direction[0] - 'x');
-  if (mirrored) n = Eigen::Vector3d(-n.x(), n.y(), -n.z());
-  return {word, mirrored, at.text->GetLineNum(), n};
+  if (word.mirrored) n = Eigen::Vector3d(-n.x(), n.y(), -n.z());
+  return {word.name, word.mirrored, word.factor, at.text->GetLineNum(), n};
+}
+
+/// The site is an end of a linear actuator and says its place itself.
+Binding::Target resolve_place(const XmlFile& xml, const mjModel& model,
+                              const DeclarationElements& at, const Declared& declared,
+                              const DesignParameter& parameter, const TargetWord& word) {
+  const int site = mj_name2id(&model, mjOBJ_SITE, word.name.c_str());
+  const XmlElement* element = find_named(xml.root(), "site", word.name);
+  if (site < 0 || !element)
+    throw xml.error(
+        *at.text,
+        fmt::format("names the site '{}', which is not in the model; correct the name", word.name));
+  if (!is_tag(*element->Parent()->ToElement(), "body") || !has_attribute(*element, "pos") ||
+      inherited_attribute(xml, *element, "fromto"))
+    throw xml.error(*element,
+                    "a site that is placed stands directly in its body and has a pos of its own, "
+                    "not a fromto; write it so");
+  if (!is_tendon_end(model, site))
+    throw xml.error(*at.text, fmt::format("site '{}' is no end of a tendon, so placing it changes "
+                                          "nothing; name the site of a linear actuator",
+                                          word.name));
+  const int axis = declared.direction[0] - 'x';
+  // Left and right are mirror images in the x-z plane.
+  const double factor = (word.mirrored && axis == 1 ? -1.0 : 1.0) * word.factor;
+  const double found = model.site_pos[3 * site + axis];
+  if (std::abs(found - factor * parameter.initial) > 1e-6)
+    throw xml.error(*at.numeric,
+                    fmt::format("declares {} m, but site '{}' is at {} = {} m; write numbers that "
+                                "agree",
+                                factor * parameter.initial, word.name, declared.direction, found));
+  return {word.name, word.mirrored, factor, at.text->GetLineNum(), Eigen::Vector3d::Unit(axis)};
+}
+
+Binding resolve(const XmlFile& xml, const mjModel& model, const DeclarationElements& at,
+                const Declared& declared, const DesignParameter& parameter,
+                const std::vector<int>& foot_geoms) {
+  Binding binding;
+  std::set<std::string> seen;
+  for (const TargetWord& word : declared.targets) {
+    Binding::Target target =
+        parameter.kind == ParameterKind::length
+            ? resolve_stretch(xml, model, at, declared, parameter, word, foot_geoms)
+        : parameter.kind == ParameterKind::axis_angle
+            ? resolve_axis(xml, model, at, declared, word)
+            : resolve_place(xml, model, at, declared, parameter, word);
+    if (!seen.insert(target.name).second)
+      throw xml.error(*at.text, fmt::format("names '{}' twice; name it once", target.name));
+    binding.targets.push_back(std::move(target));
+  }
+  const Binding::Target& front = binding.targets.front();
+  const Eigen::Vector3d& d = front.direction;
+  const bool turned_back = front.mirrored && parameter.kind == ParameterKind::axis_angle;
+  binding.direction = turned_back ? Eigen::Vector3d(-d.x(), d.y(), -d.z()) : d;
+  return binding;
 }
 
 }  // namespace
@@ -208,25 +299,14 @@ Declarations read_declarations(const XmlFile& xml, const mjModel& model,
     parameter.name = name;
     read_values(xml, *at.numeric, parameter);
     const Declared declared = read_text(xml, *at.text, parameter);
-    Binding binding;
-    std::set<std::string> seen;
-    for (const std::string& word : declared.targets) {
-      Binding::Target target =
-          parameter.kind == ParameterKind::length
-              ? resolve_stretch(xml, model, at, declared, parameter, word, foot_geoms)
-              : resolve_axis(xml, model, at, declared, word);
-      if (!seen.insert(target.name).second)
-        throw xml.error(*at.text, fmt::format("names '{}' twice; name it once", target.name));
-      binding.targets.push_back(std::move(target));
-    }
-    const Binding::Target& front = binding.targets.front();
-    const Eigen::Vector3d& d = front.direction;
-    binding.direction = front.mirrored ? Eigen::Vector3d(-d.x(), d.y(), -d.z()) : d;
+    Binding binding = resolve(xml, model, at, declared, parameter, foot_geoms);
     parameter.tied_count = static_cast<int>(binding.targets.size());
     out.space.parameters.push_back(std::move(parameter));
     out.bindings.push_back(std::move(binding));
   }
-  collect_stretches(out.space, out.bindings, xml.file);  // for its check
+  // For their checks:
+  check_places(xml, model, collect_places(out.space, out.bindings, xml.file),
+               collect_stretches(out.space, out.bindings, xml.file));
   return out;
 }
 

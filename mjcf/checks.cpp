@@ -282,7 +282,6 @@ void refuse_couplings(const XmlFile& xml, const mjModel& model) {
                     fmt::format("{}; the planner knows trees of hinges only: remove it", what));
   };
   refuse(model.neq, "equality", "equality constraints close loops or couple joints");
-  refuse(model.ntendon, "tendon", "tendons couple joints");
   refuse(model.nmocap, "worldbody", "mocap bodies are moved from outside");
   refuse(model.nskin, "asset", "skins are not carried");
 }

@@ -78,7 +78,10 @@ void replace_servos(XMLElement& root, const RobotModel& robot, double gain_scale
     actuator.SetAttribute("class", at->second.c_str());
     actuator.SetAttribute("plugin", kPlugin);
     actuator.SetAttribute("instance", kInstance);
-    actuator.SetAttribute("joint", servo.joint.c_str());
+    if (servo.tendon.empty())
+      actuator.SetAttribute("joint", servo.joint.c_str());
+    else
+      actuator.SetAttribute("tendon", servo.tendon.c_str());
     const bool limited = std::isfinite(servo.torque_limit);
     actuator.SetAttribute("forcelimited", limited ? "true" : "false");
     if (limited)

@@ -11,6 +11,7 @@
 #include "mjcf/bindings.hpp"
 #include "mjcf/checks.hpp"
 #include "mjcf/compile.hpp"
+#include "mjcf/linear_actuators.hpp"
 #include "mjcf/servos.hpp"
 #include "mjcf/stretch.hpp"
 #include "mjcf/tree.hpp"
@@ -63,15 +64,22 @@ RobotModel parse_robot(const std::string& xml_text, const std::filesystem::path&
   const ModelPointer model = compile_mjcf(xml->text, file);
   const int trunk = check_tree(*xml, *model);
   const std::vector<int> feet = find_feet(*xml, *model, trunk);
+  const std::vector<TendonSpan> tendons = read_tendons(*xml, *model, trunk);
   Declarations declared = read_declarations(*xml, *model, feet);
   const StretchMap stretches = collect_stretches(declared.space, declared.bindings, file);
   RobotModel robot;
+  const PlaceMap places = collect_places(declared.space, declared.bindings, file);
   robot.morphology =
-      build_morphology(*model, trunk, feet, declared.space, declared.bindings, stretches);
+      build_morphology(*model, trunk, feet, declared.space, declared.bindings, stretches, places,
+                       read_printed(*xml, *model, stretches), tendons);
   check_home(*xml, *model, robot.morphology);
-  robot.servos = read_servos(*xml, *model, robot.morphology);
+  check_arms(*xml, robot.morphology, declared.space);
+  robot.servos = read_servos(*xml, *model, robot.morphology, declared.space.initial());
   for (int a = 0; a < robot.morphology.joint_count(); ++a)
-    robot.morphology.links[a + 1].joint.torque_limit = robot.servos[a].torque_limit;
+    if (robot.servos[a].tendon.empty())
+      robot.morphology.links[a + 1].joint.torque_limit = robot.servos[a].torque_limit;
+  for (LinearActuator& actuator : robot.morphology.linear_actuators)
+    actuator.force_limit = robot.servos[actuator.joint].torque_limit;
   robot.file = file;
   robot.xml = xml_text;
   robot.space = std::move(declared.space);

@@ -14,10 +14,11 @@ namespace legwright {
 /// What one design parameter changes in the file, by MJCF names.
 struct Binding {
   struct Target {
-    std::string name;  // body (stretch) or joint (axis)
+    std::string name;  // body (stretch), joint (axis) or site (place)
     bool mirrored =
-        false;     // the turn's direction n became (−n_x, n_y, −n_z): axes are pseudo-vectors
-    int line = 0;  // of the <text> that declares it
+        false;  // the turn's direction n became (−n_x, n_y, −n_z): axes are pseudo-vectors
+    double factor = 1.0;  // this target has so many times the number: scaled tie, mirrored place
+    int line = 0;         // of the <text> that declares it
     Eigen::Vector3d direction =
         Eigen::Vector3d::Zero();  // as it holds for this target, its body's frame, unit
   };
@@ -27,10 +28,12 @@ struct Binding {
 
 /// A servo as the file has it; gains are defaults from the torque limit where the file has no
 /// position servo. All at the joint: a gear of the file is multiplied in.
+/// Of a linear actuator all is meant along its tendon: [N/m], [N s/m], [N].
 struct Servo {
   std::string actuator, joint;
   double kp = 0.0, kd = 0.0;  // [N m/rad], [N m s/rad]
   double torque_limit = 0.0;  // [N m]; infinite for a position servo without limit
+  std::string tendon;         // of a linear actuator; empty: the servo sits at the joint
 };
 
 /// A robot as Legwright sees it: the compiled tree, its design parameters, and how to find them in

@@ -9,6 +9,7 @@
 
 #include "mjcf/bindings.hpp"
 #include "mjcf/compile.hpp"
+#include "mjcf/linear_actuators.hpp"
 #include "mjcf/numbers.hpp"
 #include "mjcf/stretch.hpp"
 #include "mjcf/text_edits.hpp"
@@ -25,11 +26,13 @@ using Eigen::VectorXd;
 class BodyRewriter {
  public:
   BodyRewriter(const XmlFile& xml, const mjModel& model, const XmlElement& body,
-               const std::vector<Stretch>& stretches, const VectorXd& s, TextEdits& edits)
+               const std::vector<Stretch>& stretches, const PlaceMap& places, const VectorXd& s,
+               TextEdits& edits)
       : xml_(xml),
         model_(model),
         body_(body),
         stretches_(stretches),
+        places_(places),
         s_(s),
         map_(stretch_matrix(stretches, s)),
         id_(mj_name2id(&model, mjOBJ_BODY, body.Attribute("name"))),
@@ -46,7 +49,9 @@ class BodyRewriter {
       if (is_tag(*part, "body"))
         if (has_attribute(*part, "pos")) move(*part, "pos");
       const bool is_geom = is_tag(*part, "geom");
-      if (is_geom || is_tag(*part, "site")) shape(*part, is_geom ? geom++ : -1);
+      const bool is_placed = is_tag(*part, "site") && has_attribute(*part, "name") &&
+                             places_.count(part->Attribute("name")) > 0;  // write_places
+      if (is_geom || (is_tag(*part, "site") && !is_placed)) shape(*part, is_geom ? geom++ : -1);
       if (is_tag(*part, "camera") || is_tag(*part, "light") || is_tag(*part, "joint"))
         if (inherited_attribute(xml_, *part, "pos")) move(*part, "pos");
     }
@@ -133,6 +138,7 @@ class BodyRewriter {
   const mjModel& model_;
   const XmlElement& body_;
   const std::vector<Stretch>& stretches_;
+  const PlaceMap& places_;
   const VectorXd& s_;
   const Matrix3d map_;
   const int id_;
@@ -151,12 +157,14 @@ void check_design(const DesignSpace& space, const VectorXd& s) {
                       space.parameters[k].lower, space.parameters[k].upper));
 }
 
+/// The bounds stay those of the file: a task may have narrowed the robot's.
 void write_values(const RobotModel& robot, const XmlFile& xml, const VectorXd& s,
                   TextEdits& edits) {
   for (int k = 0; k < robot.space.size(); ++k) {
     const DesignParameter& parameter = robot.space.parameters[k];
-    edits.set_numbers(*find_declaration(xml, parameter.name).numeric, "data",
-                      Vector3d(s[k], parameter.lower, parameter.upper));
+    const XmlElement& numeric = *find_declaration(xml, parameter.name).numeric;
+    const auto numbers = parse_numbers(attribute(numeric, "data"));
+    edits.set_numbers(numeric, "data", Vector3d(s[k], (*numbers)[1], (*numbers)[2]));
   }
 }
 
@@ -174,6 +182,27 @@ void write_axes(const RobotModel& robot, const XmlFile& xml, const VectorXd& s, 
   }
 }
 
+/// Attachments: what is placed follows its parameter, the rest of the point the stretch of its body.
+void write_places(const RobotModel& robot, const XmlFile& xml, const StretchMap& stretches,
+                  const PlaceMap& places, const VectorXd& s, TextEdits& edits) {
+  const VectorXd initial = robot.space.initial();
+  for (const auto& [site, own] : places) {
+    const XmlElement& element = *find_named(xml.root(), "site", site);
+    const auto body =
+        stretches.find(std::string(attribute(*element.Parent()->ToElement(), "name")));
+    const auto numbers = parse_numbers(attribute(element, "pos"));
+    const Vector3d before = Vector3d::Map(numbers->data());
+    const AffineVector point =
+        placed_point(before, body == stretches.end() ? std::vector<Stretch>{} : body->second, own);
+    // The difference is added, so that what does not change keeps its digits.
+    Vector3d after = before + (point.at(s) - point.at(initial));
+    for (const Place& place : own)
+      if (s[place.parameter] != initial[place.parameter])
+        after[place.axis] = place.factor * s[place.parameter];
+    if (before != after) edits.set_numbers(element, "pos", after);
+  }
+}
+
 }  // namespace
 
 std::string rewrite_robot(const RobotModel& robot, const VectorXd& s) {
@@ -185,8 +214,11 @@ std::string rewrite_robot(const RobotModel& robot, const VectorXd& s) {
   write_values(robot, *xml, s, edits);
   write_axes(robot, *xml, s, edits);
   const StretchMap all = collect_stretches(robot.space, robot.bindings, robot.file);
+  const PlaceMap places = collect_places(robot.space, robot.bindings, robot.file);
   for (const auto& [body, stretches] : all)
-    BodyRewriter(*xml, *model, *find_named(xml->root(), "body", body), stretches, s, edits).run();
+    BodyRewriter(*xml, *model, *find_named(xml->root(), "body", body), stretches, places, s, edits)
+        .run();
+  write_places(robot, *xml, all, places, s, edits);
   std::string text = edits.apply();
   std::string difference;
   try {

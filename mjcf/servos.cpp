@@ -10,6 +10,7 @@
 
 #include "mjcf/checks.hpp"
 #include "mjcf/compile.hpp"
+#include "optimizer/design/actuator_length.hpp"
 
 namespace legwright {
 namespace {
@@ -58,7 +59,17 @@ const XmlElement& actuator_element(const XmlFile& xml, int actuator) {
   return xml.root();
 }
 
-Servo read_servo(const XmlFile& xml, const mjModel& model, int actuator, const std::string& joint) {
+/// What limits the actuator's force besides its own forcerange, at its joint or tendon.
+double outer_limit(const mjModel& model, int actuator) {
+  const int t = model.actuator_trnid[2 * actuator];
+  return model.actuator_trntype[actuator] == mjTRN_TENDON
+             ? symmetric(model.tendon_actfrclimited[t], model.tendon_actfrcrange + 2 * t)
+             : symmetric(model.jnt_actfrclimited[t], model.jnt_actfrcrange + 2 * t);
+}
+
+/// @param full_force_error error of angle or length at which a servo without gains gives all it has.
+Servo read_servo(const XmlFile& xml, const mjModel& model, int actuator, const std::string& joint,
+                 double full_force_error) {
   const XmlElement& element = actuator_element(xml, actuator);
   const mjtNum* gain = model.actuator_gainprm + mjNGAIN * actuator;
   const mjtNum* bias = model.actuator_biasprm + mjNBIAS * actuator;
@@ -66,13 +77,11 @@ Servo read_servo(const XmlFile& xml, const mjModel& model, int actuator, const s
   if (!(std::abs(gear) > 1e-9))
     throw xml.error(element, "attribute gear: is zero, so the actuator drives nothing");
   refuse_what_the_scene_drops(xml, model, actuator, element);
-  Servo servo{name_of(model, mjOBJ_ACTUATOR, actuator), joint, 0.0, 0.0, 0.0};
+  Servo servo{name_of(model, mjOBJ_ACTUATOR, actuator), joint, 0.0, 0.0, 0.0, ""};
   if (servo.actuator.empty()) servo.actuator = joint;
   servo.torque_limit = std::abs(gear) * symmetric(model.actuator_forcelimited[actuator],
                                                   model.actuator_forcerange + 2 * actuator);
-  const int j = model.actuator_trnid[2 * actuator];
-  servo.torque_limit = std::min(
-      servo.torque_limit, symmetric(model.jnt_actfrclimited[j], model.jnt_actfrcrange + 2 * j));
+  servo.torque_limit = std::min(servo.torque_limit, outer_limit(model, actuator));
   const bool is_fixed_gain = model.actuator_gaintype[actuator] == mjGAIN_FIXED;
   const bool is_pid = model.actuator_gaintype[actuator] == mjGAIN_PID && bias[1] < 0.0;
   const bool is_position =
@@ -95,28 +104,65 @@ Servo read_servo(const XmlFile& xml, const mjModel& model, int actuator, const s
     if (!std::isfinite(servo.torque_limit))
       throw xml.error(
           element,
-          "has no torque limit to take gains from; add forcerange=\"-LIMIT LIMIT\" [N m], or use "
-          "<position kp= kv=>");
-    servo.kp = servo.torque_limit / kFullTorqueError;
+          "has no torque limit to take gains from; add forcerange=\"-LIMIT LIMIT\" (N m, along a "
+          "tendon N), or use <position kp= kv=>");
+    servo.kp = servo.torque_limit / full_force_error;
     servo.kd = kDampingTime * servo.kp;
   }
   return servo;
 }
 
+/// Name of the hinge that an actuator drives, itself or through its tendon; empty if there is none.
+std::string driven_joint(const mjModel& model, const Morphology& morphology, int actuator) {
+  const int target = model.actuator_trnid[2 * actuator];
+  switch (model.actuator_trntype[actuator]) {
+    case mjTRN_JOINT:
+    case mjTRN_JOINTINPARENT:
+      return model.jnt_type[target] == mjJNT_HINGE ? name_of(model, mjOBJ_JOINT, target) : "";
+    case mjTRN_TENDON:
+      return morphology.links[morphology.linear_actuators[target].joint + 1].joint.name;
+    default:
+      return "";
+  }
+}
+
+/// A tendon without actuator would be a cable that the planner does not know.
+void check_each_tendon_drives(const XmlFile& xml, const mjModel& model,
+                              const std::vector<Servo>& servos) {
+  for (int t = 0; t < static_cast<int>(model.ntendon); ++t) {
+    const std::string name = name_of(model, mjOBJ_TENDON, t);
+    const bool drives = std::any_of(servos.begin(), servos.end(),
+                                    [&](const Servo& servo) { return servo.tendon == name; });
+    if (!drives)
+      throw InputError(xml.file.string(), 0, fmt::format("tendon '{}'", name),
+                       fmt::format("has no actuator; add <position tendon=\"{}\" kp= kv= "
+                                   "forcerange=/>, or remove it",
+                                   name));
+  }
+}
+
+/// Moment arm of an actuator in the home pose [m]; one for a servo at its joint [-].
+double home_arm(const mjModel& model, const Morphology& morphology, const Eigen::VectorXd& s,
+                int actuator) {
+  if (model.actuator_trntype[actuator] != mjTRN_TENDON) return 1.0;
+  const LinearActuator& linear = morphology.linear_actuators[model.actuator_trnid[2 * actuator]];
+  return morphology.leg_length *
+         std::abs(moment_arm(actuator_shape(morphology, linear, s).value,
+                             morphology.links[linear.joint + 1].joint.nominal));
+}
+
 }  // namespace
 
 std::vector<Servo> read_servos(const XmlFile& xml, const mjModel& model,
-                               const Morphology& morphology) {
+                               const Morphology& morphology, const Eigen::VectorXd& s) {
   std::map<std::string, int> actuator_of;
   for (int a = 0; a < model.nactuator; ++a) {
     const XmlElement& element = actuator_element(xml, a);
-    const bool on_joint = model.actuator_trntype[a] == mjTRN_JOINT ||
-                          model.actuator_trntype[a] == mjTRN_JOINTINPARENT;
-    const int joint = on_joint ? model.actuator_trnid[2 * a] : -1;
-    if (joint < 0 || model.jnt_type[joint] != mjJNT_HINGE)
+    const std::string name = driven_joint(model, morphology, a);
+    if (name.empty())
       throw xml.error(element,
-                      "drives no hinge of a limb; the gait plays on joint servos only, remove it");
-    const std::string name = name_of(model, mjOBJ_JOINT, joint);
+                      "drives no hinge of a limb; the gait plays on servos at hinges and on "
+                      "tendons between two links only, remove it");
     if (!actuator_of.emplace(name, a).second)
       throw xml.error(element, fmt::format("is a second actuator of joint '{}'; leave one", name));
   }
@@ -128,8 +174,13 @@ std::vector<Servo> read_servos(const XmlFile& xml, const mjModel& model,
       throw error_at(
           xml, model, mjOBJ_JOINT, mj_name2id(&model, mjOBJ_JOINT, joint.c_str()),
           fmt::format("has no actuator; add <position joint=\"{}\" kp= kv= forcerange=/>", joint));
-    servos.push_back(read_servo(xml, model, found->second, joint));
+    const int actuator = found->second;
+    servos.push_back(read_servo(xml, model, actuator, joint,
+                                kFullTorqueError * home_arm(model, morphology, s, actuator)));
+    if (model.actuator_trntype[actuator] == mjTRN_TENDON)
+      servos.back().tendon = name_of(model, mjOBJ_TENDON, model.actuator_trnid[2 * actuator]);
   }
+  check_each_tendon_drives(xml, model, servos);
   return servos;
 }
 

@@ -8,11 +8,13 @@
 
 namespace legwright {
 
-/// The servo of each joint of the morphology, in its order: gains and torque limit at the joint.
+/// The servo of each joint of the morphology, in its order: gains and torque limit at the joint,
+/// for a linear actuator along its tendon.
 /// Throws InputError for a joint without actuator, with several, or with one that has no torque
 /// limit to take gains from, and for an actuator that drives anything else than one of these
-/// joints.
+/// joints and their linear actuators.
+/// @param s the design that the file holds.
 std::vector<Servo> read_servos(const XmlFile& xml, const mjModel& model,
-                               const Morphology& morphology);
+                               const Morphology& morphology, const Eigen::VectorXd& s);
 
 }  // namespace legwright

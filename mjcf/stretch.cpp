@@ -147,11 +147,7 @@ void check_stretchable(const XmlFile& xml, const mjModel& model, const XmlElemen
       throw xml.error(*part, "a mesh in a stretched body is not supported; use plain geoms");
   }
   const XmlElement* inertial = body.FirstChildElement("inertial");
-  if (!inertial)
-    throw xml.error(
-        body,
-        "is stretched by a parameter but has no <inertial>; give its pos, mass and diaginertia "
-        "(they cannot follow from geoms that change)");
+  if (!inertial) return;  // printed: read_printed checks its geoms
   const auto mass = parse_numbers(attribute(*inertial, "mass"));
   const BodyInertia written = inertia_of(*inertial, model, id);
   const mjtNum* q = model.body_iquat + 4 * id;

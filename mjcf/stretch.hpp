@@ -23,8 +23,8 @@ StretchMeasure measure_stretch(const XmlFile& xml, const mjModel& model, const X
                                int body, const std::string& direction,
                                const std::vector<int>& foot_geoms);
 
-/// Checks that a body can be stretched by rewriting it: plain parts, explicit inertial that MuJoCo
-/// uses as written.
+/// Checks that a body can be stretched by rewriting it: plain parts; an explicit inertial, if there
+/// is one, that MuJoCo uses as written.
 void check_stretchable(const XmlFile& xml, const mjModel& model, const XmlElement& body);
 
 /// Inertia about the centre of mass in the body's frame, and the centre, exactly as the file says

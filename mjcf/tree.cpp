@@ -43,16 +43,19 @@ struct Placement {
 class Builder {
  public:
   Builder(const mjModel& model, int trunk, const DesignSpace& space,
-          const std::vector<Binding>& bindings, const StretchMap& stretches)
+          const std::vector<Binding>& bindings, const StretchMap& stretches, const PlaceMap& places,
+          const PrintedMap& printed)
       : model_(model),
         trunk_(trunk),
         space_(space),
         bindings_(bindings),
         stretches_(stretches),
+        places_(places),
+        printed_(printed),
         placements_(model.nbody),
         home_(home_keyframe(model)) {}
 
-  Morphology build(const std::vector<int>& foot_geoms) {
+  Morphology build(const std::vector<int>& foot_geoms, const std::vector<TendonSpan>& tendons) {
     Link trunk;
     trunk.name = name_of(model_, mjOBJ_BODY, trunk_);
     out_.links.push_back(std::move(trunk));
@@ -66,6 +69,7 @@ class Builder {
       out_.feet.push_back({name_of(model_, mjOBJ_GEOM, g), placements_[body].link,
                            point(body, vector_at(model_.geom_pos, g)), model_.geom_size[3 * g]});
     }
+    for (const TendonSpan& span : tendons) add_linear_actuator(span);
     return std::move(out_);
   }
 
@@ -122,19 +126,52 @@ class Builder {
     for (int k = 0; k < space_.size(); ++k) {
       if (space_.parameters[k].kind != ParameterKind::axis_angle) continue;
       for (const Binding::Target& target : bindings_[k].targets)
-        if (target.name == name) out.turns.push_back({k, target.direction});
+        if (target.name == name) out.turns.push_back({k, target.direction, target.factor});
     }
     // The file's axis has the file's turns in it, outermost first; take them back in this order.
     out.reference = vector_at(model_.jnt_axis, j);
     for (const JointAxis::Turn& turn : out.turns)
       out.reference =
-          Eigen::AngleAxisd(-space_.parameters[turn.parameter].initial, turn.about) * out.reference;
+          Eigen::AngleAxisd(-turn.factor * space_.parameters[turn.parameter].initial, turn.about) *
+          out.reference;
     out.reference.normalize();
     return out;
   }
 
-  /// Six equal masses on the principal axes have a body's mass, centre and inertia.
+  AffineVector attachment(int site) const {
+    const int body = model_.site_bodyid[site];
+    const auto found = places_.find(name_of(model_, mjOBJ_SITE, site));
+    const AffineVector own =
+        placed_point(vector_at(model_.site_pos, site), stretches_of(body),
+                     found == places_.end() ? std::vector<Place>{} : found->second);
+    return sum(placements_[body].origin, rotated(placements_[body].rotation, own));
+  }
+
+  void add_linear_actuator(const TendonSpan& span) {
+    LinearActuator out;
+    out.name = name_of(model_, mjOBJ_TENDON, span.tendon);
+    out.joint = placements_[model_.site_bodyid[span.lower_site]].link - 1;
+    out.upper = attachment(span.upper_site);
+    out.lower = attachment(span.lower_site);
+    if (model_.tendon_limited[span.tendon]) {
+      out.shortest = model_.tendon_range[2 * span.tendon];
+      out.longest = model_.tendon_range[2 * span.tendon + 1];
+    }
+    out_.linear_actuators.push_back(std::move(out));
+  }
+
+  /// A printed body has its own points. Else six equal masses on the principal axes have a body's mass, centre and
+  /// inertia.
   void add_masses(int body) {
+    const auto found = printed_.find(name_of(model_, mjOBJ_BODY, body));
+    if (found != printed_.end()) {
+      const Placement& at = placements_[body];
+      for (PointMass point : found->second) {
+        point.position = sum(at.origin, rotated(at.rotation, point.position));
+        out_.links[at.link].masses.push_back(std::move(point));
+      }
+      return;
+    }
     const double mass = model_.body_mass[body];
     if (!(mass > 0.0)) return;
     const Vector3d inertia = vector_at(model_.body_inertia, body),
@@ -154,6 +191,8 @@ class Builder {
   const DesignSpace& space_;
   const std::vector<Binding>& bindings_;
   const StretchMap& stretches_;
+  const PlaceMap& places_;
+  const PrintedMap& printed_;
   std::vector<Placement> placements_;  // by body id
   const int home_;
   Morphology out_;
@@ -213,8 +252,10 @@ std::vector<int> find_feet(const XmlFile& xml, const mjModel& model, int trunk) 
 
 Morphology build_morphology(const mjModel& model, int trunk, const std::vector<int>& foot_geoms,
                             const DesignSpace& space, const std::vector<Binding>& bindings,
-                            const StretchMap& stretches) {
-  Morphology out = Builder(model, trunk, space, bindings, stretches).build(foot_geoms);
+                            const StretchMap& stretches, const PlaceMap& places,
+                            const PrintedMap& printed, const std::vector<TendonSpan>& tendons) {
+  Morphology out =
+      Builder(model, trunk, space, bindings, stretches, places, printed).build(foot_geoms, tendons);
   out.name = std::string(model.names);  // the model's name comes first
   out.leg_length = stretched_limb(out, 0, space.initial());
   return out;

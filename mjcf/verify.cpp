@@ -14,7 +14,7 @@ Eigen::Matrix4d moments(const Link& link, const Eigen::VectorXd& s) {
   Eigen::Matrix4d sum = Eigen::Matrix4d::Zero();
   for (const PointMass& point : link.masses) {
     const Eigen::Vector4d p = point.position.at(s).homogeneous();
-    sum += point.mass * p * p.transpose();
+    sum += point.mass * point.growth_at(s) * p * p.transpose();
   }
   return sum;
 }
@@ -58,6 +58,14 @@ std::string find_difference(const Morphology& a, const Eigen::VectorXd& s_a, con
     compare((a.feet[f].position.at(s_a) - b.feet[f].position.at(s_b)).norm(), 0.0,
             "foot " + a.feet[f].name);
     compare(std::abs(a.feet[f].radius - b.feet[f].radius), 0.0, "radius of foot " + a.feet[f].name);
+  }
+  if (a.linear_actuators.size() != b.linear_actuators.size()) return "number of linear actuators";
+  for (std::size_t k = 0; k < a.linear_actuators.size(); ++k) {
+    const LinearActuator &p = a.linear_actuators[k], &q = b.linear_actuators[k];
+    if (p.name != q.name || p.joint != q.joint) return "linear actuator " + p.name;
+    const Eigen::Vector3d upper = p.upper.at(s_a), lower = p.lower.at(s_a);
+    compare((upper - q.upper.at(s_b)).norm(), 0.0, "upper end of linear actuator " + p.name);
+    compare((lower - q.lower.at(s_b)).norm(), 0.0, "lower end of linear actuator " + p.name);
   }
   return found;
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "plugin/numbers.hpp"
 #include "plugin/playback_config.hpp"
@@ -28,20 +29,31 @@ template <typename... Args>
                     fmt::format(format, std::forward<Args>(args)...));
 }
 
-/// The hinge that the actuator drives. What the servo law does not know, it must not pretend to
-/// honour.
-int joint_of(const mjModel* m, int actuator) {
-  const int transmission = m->actuator_trntype[actuator];
+/// The hinge that the actuator drives, by itself or through its tendon.
+int joint_of(const mjModel* m, int actuator, std::optional<HingeLength>& length) {
+  const int transmission = m->actuator_trntype[actuator], target = m->actuator_trnid[2 * actuator];
+  if (transmission == mjTRN_TENDON) {
+    try {
+      length = hinge_length(m, target);
+      return length->joint;
+    } catch (const std::invalid_argument& error) {
+      refuse(m, actuator, "tendon {} {}", name_of(m, mjOBJ_TENDON, target), error.what());
+    }
+  }
   if (transmission != mjTRN_JOINT && transmission != mjTRN_JOINTINPARENT) {
-    refuse(m, actuator, "expected joint=, the servo of legwright.gait turns a hinge");
+    refuse(m, actuator, "expected joint= or tendon=, the servo of legwright.gait turns a hinge");
   }
-  const int joint = m->actuator_trnid[2 * actuator];
-  if (m->jnt_type[joint] != mjJNT_HINGE) {
-    refuse(m, actuator, "joint {} is not a hinge", name_of(m, mjOBJ_JOINT, joint));
+  if (m->jnt_type[target] != mjJNT_HINGE) {
+    refuse(m, actuator, "joint {} is not a hinge", name_of(m, mjOBJ_JOINT, target));
   }
+  return target;
+}
+
+/// What the servo law does not know, it must not pretend to honour.
+void check_plain(const mjModel* m, int actuator) {
   const double gear = m->actuator_gear[6 * m->actuator_outadr[actuator]];
   if (gear != 1.0)
-    refuse(m, actuator, "gear = {}, expected 1: kp and kd are gains at the joint", gear);
+    refuse(m, actuator, "gear = {}, expected 1: kp and kd are gains at the joint or tendon", gear);
   if (m->actuator_ctrlnum[actuator] != 1) {
     refuse(m, actuator, "{} controls, expected 1 (the offset of the target)",
            m->actuator_ctrlnum[actuator]);
@@ -50,7 +62,6 @@ int joint_of(const mjModel* m, int actuator) {
     refuse(m, actuator, "has activation states, expected dyntype none");
   if (m->actuator_delay[actuator] != 0.0)
     refuse(m, actuator, "has a delay, which legwright.gait cannot honour");
-  return joint;
 }
 
 bool agree(double a, double b) { return std::abs(a - b) <= kGainTolerance * std::abs(b); }
@@ -120,7 +131,9 @@ PdPlayback::PdPlayback(const mjModel* m, int instance) {
   std::vector<int> actuator_of(trajectory_->joint_names.size(), -1);
   for (int actuator = 0; actuator < m->nactuator; ++actuator) {
     if (m->actuator_plugin[actuator] != instance) continue;
-    const int joint = joint_of(m, actuator);
+    std::optional<HingeLength> length;
+    const int joint = joint_of(m, actuator, length);
+    check_plain(m, actuator);
     const int index = joint_index(m, actuator, joint, *trajectory_);
     int& other = actuator_of[static_cast<std::size_t>(index)];
     if (other >= 0) {
@@ -131,7 +144,7 @@ PdPlayback::PdPlayback(const mjModel* m, int instance) {
     const double kp = config.kp[servos_.size()], kd = config.kd[servos_.size()];
     check_bias(m, actuator, kp, kd);
     servos_.push_back({actuator, joint, trajectory_->target_column(index),
-                       trajectory_->torque_column(index), kp, kd});
+                       trajectory_->torque_column(index), kp, kd, length});
   }
   const auto idle = std::find(actuator_of.begin(), actuator_of.end(), -1);
   if (idle != actuator_of.end()) {
@@ -153,9 +166,16 @@ void PdPlayback::apply_torque(const mjModel* m, mjData* d) const noexcept {
     }
     const SplinePoint target = spline_point(trajectory, phase, servo.column);
     const double offset = d->ctrl[m->actuator_ctrladr[servo.actuator]];
-    d->actuator_force[out] = servo.kp * (target.value + offset - d->actuator_length[out]) +
-                             servo.kd * (target.rate - d->actuator_velocity[out]) +
-                             linear_value(trajectory, phase, servo.torque_column);
+    double length = target.value, rate = target.rate;
+    double forward = linear_value(trajectory, phase, servo.torque_column);
+    if (servo.length) {
+      const double arm = servo.length->arm(target.value);
+      length = servo.length->length(target.value);
+      rate *= arm;
+      forward = arm != 0.0 ? forward / arm : 0.0;
+    }
+    d->actuator_force[out] = servo.kp * (length + offset - d->actuator_length[out]) +
+                             servo.kd * (rate - d->actuator_velocity[out]) + forward;
   }
 }
 

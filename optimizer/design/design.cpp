@@ -13,6 +13,18 @@ Eigen::VectorXd gather(const DesignSpace& space, Pick pick) {
 
 }  // namespace
 
+const char* to_string(ParameterKind kind) {
+  switch (kind) {
+    case ParameterKind::length:
+      return "length";
+    case ParameterKind::axis_angle:
+      return "axis_angle";
+    case ParameterKind::position:
+      return "position";
+  }
+  return "";
+}
+
 Eigen::VectorXd DesignSpace::initial() const {
   return gather(*this, [](const DesignParameter& p) { return p.initial; });
 }
@@ -31,8 +43,16 @@ Eigen::VectorXd DesignSpace::clamp(const Eigen::VectorXd& s) const {
 
 Eigen::VectorXd DesignSpace::scale() const {
   return gather(*this, [](const DesignParameter& p) {
-    return p.kind == ParameterKind::length ? p.initial : 1.0;
+    if (p.kind == ParameterKind::length) return p.initial;
+    if (p.kind == ParameterKind::position && !p.frozen()) return 0.5 * (p.upper - p.lower);
+    return 1.0;
   });
+}
+
+int DesignSpace::find(std::string_view name) const {
+  for (int k = 0; k < size(); ++k)
+    if (parameters[k].name == name) return k;
+  return -1;
 }
 
 }  // namespace legwright

@@ -9,8 +9,30 @@
 namespace legwright {
 namespace {
 
+using Eigen::Matrix4d;
 using Eigen::Vector3d;
 using Eigen::Vector4d;
+
+/// ∂v/√m of a point by one parameter: [u_k; 0] + a_k [u; 1] with a_k = ∂ log √m/∂s_k.
+struct Slope {
+  int parameter;
+  Vector4d slope = Vector4d::Zero();  // [u_k; 0]
+  double growth = 0.0;                // a_k
+};
+
+std::vector<Slope> slopes_of(const PointMass& point, const Eigen::VectorXd& s) {
+  std::vector<Slope> slopes;
+  const auto at = [&slopes](int parameter) -> Slope& {
+    for (Slope& slope : slopes)
+      if (slope.parameter == parameter) return slope;
+    return slopes.emplace_back(Slope{parameter});
+  };
+  for (const AffineVector::Slope& slope : point.position.slopes)
+    at(slope.parameter).slope.head<3>() += slope.slope;
+  for (const PointMass::Growth& growth : point.growth)
+    at(growth.parameter).growth += 0.5 / s[growth.parameter];
+  return slopes;
+}
 
 /// Σ over point masses of what parameter k does to them.
 std::vector<InnerMotion> inner_motion(const Link& link, const Eigen::VectorXd& s) {
@@ -20,25 +42,33 @@ std::vector<InnerMotion> inner_motion(const Link& link, const Eigen::VectorXd& s
                         [&](const InnerMotion& i) { return i.parameter == parameter; });
   };
   for (const PointMass& point : link.masses)
-    for (const AffineVector::Slope& slope : point.position.slopes)
+    for (const Slope& slope : slopes_of(point, s))
       if (find(slope.parameter) == inner.end())
-        inner.push_back(
-            {slope.parameter, Vector3d::Zero(), Eigen::Matrix<double, 3, 4>::Zero(), {}});
-  for (InnerMotion& k : inner)
-    for (std::size_t l = 0; l < inner.size(); ++l)
-      k.products.push_back({static_cast<int>(l), Eigen::Matrix3d::Zero()});
+        inner.push_back({slope.parameter, Vector4d::Zero(), Matrix4d::Zero(), {}, {}});
+  for (InnerMotion& k : inner) {
+    k.products.assign(inner.size(), Matrix4d::Zero());
+    k.seconds.assign(inner.size(), Matrix4d::Zero());
+  }
   for (const PointMass& point : link.masses) {
     const Vector4d u = point.position.at(s).homogeneous();
-    for (const AffineVector::Slope& slope : point.position.slopes) {
-      InnerMotion& k = *find(slope.parameter);
-      k.first += point.mass * slope.slope;
-      k.moments += point.mass * slope.slope * u.transpose();
-      for (const AffineVector::Slope& other : point.position.slopes) {
+    const double mass = point.mass * point.growth_at(s);
+    const std::vector<Slope> slopes = slopes_of(point, s);
+    for (const Slope& own : slopes) {
+      InnerMotion& k = *find(own.parameter);
+      const Vector4d first = own.slope + own.growth * u;
+      k.moments += mass * first * u.transpose();
+      for (const Slope& other : slopes) {
         const std::size_t l = find(other.parameter) - inner.begin();
-        k.products[l].second += point.mass * slope.slope * other.slope.transpose();
+        k.products[l] += mass * first * (other.slope + other.growth * u).transpose();
+        if (point.growth.empty()) continue;
+        const double bend =
+            own.growth * other.growth - (&own == &other ? own.growth / s[own.parameter] : 0.0);
+        k.seconds[l] +=
+            mass * (other.growth * own.slope + own.growth * other.slope + bend * u) * u.transpose();
       }
     }
   }
+  for (InnerMotion& k : inner) k.first = (k.moments + k.moments.transpose()).col(3);
   return inner;
 }
 
@@ -51,9 +81,9 @@ AxisAtDesign axis_at(const JointAxis& joint_axis, const Eigen::VectorXd& s) {
     Vector3d v = joint_axis.reference;
     for (int i = n - 1; i >= 0; --i) {
       const JointAxis::Turn& turn = joint_axis.turns[i];
-      v = rotation_about(turn.about, s[turn.parameter]) * v;
-      if (i == k) v = turn.about.cross(v);
-      if (i == l) v = turn.about.cross(v);
+      v = rotation_about(turn.about, turn.factor * s[turn.parameter]) * v;
+      if (i == k) v = turn.factor * turn.about.cross(v);
+      if (i == l) v = turn.factor * turn.about.cross(v);
     }
     return v;
   };
@@ -70,11 +100,13 @@ AxisAtDesign axis_at(const JointAxis& joint_axis, const Eigen::VectorXd& s) {
 GeometryAtDesign::GeometryAtDesign(const Morphology& morphology, const Eigen::VectorXd& s) {
   for (const Link& link : morphology.links) {
     LinkAtDesign at{link.origin.at(s), axis_at(link.joint.axis, s), Eigen::Matrix4d::Zero(),
-                    inner_motion(link, s)};
+                    inner_motion(link, s), false};
     for (const PointMass& point : link.masses) {
       const Vector4d u = point.position.at(s).homogeneous();
-      at.moments += point.mass * u * u.transpose();
+      at.moments += point.mass * point.growth_at(s) * u * u.transpose();
+      at.grows |= !point.growth.empty();
     }
+    grows |= at.grows;
     total_mass += at.moments(3, 3);
     mass_below.push_back(at.moments(3, 3));
     links.push_back(std::move(at));

@@ -18,13 +18,20 @@ struct AxisAtDesign {
 
 AxisAtDesign axis_at(const JointAxis& joint_axis, const Eigen::VectorXd& s);
 
-/// How a parameter moves the point masses inside their link: moments of the slopes u_k = ∂u/∂s_k.
+/// How a parameter moves the point masses inside their link, and makes them heavier. Mass and place of a point are one
+/// vector of four, v = √m [u; 1], because all that is made of them is a sum of v vᵀ; v_k = ∂v/∂s_k.
 struct InnerMotion {
   int parameter;
-  Eigen::Vector3d first;                // Σ m u_k
-  Eigen::Matrix<double, 3, 4> moments;  // Σ m u_k [u; 1]ᵀ
-  std::vector<std::pair<int, Eigen::Matrix3d>>
-      products;  // (index of another InnerMotion, Σ m u_k u_lᵀ)
+  Eigen::Vector4d first;                  // ∂/∂s_k of Σ m [u; 1]; the last entry is the link's growth
+  Eigen::Matrix4d moments;                // Σ v_k vᵀ
+  std::vector<Eigen::Matrix4d> products;  // Σ v_k v_lᵀ, by index of another InnerMotion
+  std::vector<Eigen::Matrix4d> seconds;   // Σ v_kl vᵀ, likewise; zero where no mass grows
+  /// ∂²/∂s_k∂s_l of Σ m [u; 1].
+  Eigen::Vector4d second_first(const InnerMotion& other, int own_index, int index) const {
+    return (seconds[index] + seconds[index].transpose() + products[index] +
+            other.products[own_index])
+        .col(3);
+  }
 };
 
 /// A link's measures at one design. `moments` = Σ m [u; 1][u; 1]ᵀ holds mass, centre and inertia at once.
@@ -33,6 +40,7 @@ struct LinkAtDesign {
   AxisAtDesign axis;
   Eigen::Matrix4d moments;
   std::vector<InnerMotion> inner;
+  bool grows = false;  // whether its mass depends on the design
 };
 
 /// M and I of a design, and every other measure kinematics needs; depends on s only.
@@ -44,6 +52,7 @@ struct GeometryAtDesign {
   std::vector<Eigen::Vector3d> feet;  // in their link's frame
   std::vector<double> mass_below;      // of a link and all below it [kg]
   double total_mass = 0.0;
+  bool grows = false;
 };
 
 }  // namespace legwright

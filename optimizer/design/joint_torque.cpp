@@ -27,9 +27,14 @@ struct Sums {
   Vector3d rate, lever;  // K, N
 };
 
-/// @param contacts e − r ẑ of each of `forces`.
-Sums sums(const GeometryAtDesign& geometry, const PoseTriple& poses, int link, double time_step,
-          const std::vector<FootForce>& forces, const std::vector<Vector3d>& contacts) {
+Vector3d contact_point(const Morphology& morphology, const GeometryAtDesign& geometry,
+                       const PoseKinematics& pose, int foot) {
+  return foot_place(morphology, geometry, pose, foot) -
+         morphology.feet[foot].radius * Vector3d::UnitZ();
+}
+
+Sums sums(const Morphology& morphology, const GeometryAtDesign& geometry, const PoseTriple& poses,
+          int link, double time_step, const std::vector<FootForce>& forces) {
   const double per_time = 1.0 / (time_step * time_step);
   const Vector3d& moment = poses.at->first_moment(link);
   Sums out;
@@ -38,22 +43,12 @@ Sums sums(const GeometryAtDesign& geometry, const PoseTriple& poses, int link, d
              kGravity * geometry.mass_below[link] * Vector3d::UnitZ();
   out.lever = per_time * (poses.to_after->swept(link) - poses.to_at->swept(link)) +
               kGravity * moment.cross(Vector3d::UnitZ());
-  for (std::size_t k = 0; k < forces.size(); ++k) {
-    out.rate -= forces[k].force;
-    out.lever -= contacts[k].cross(forces[k].force);
+  for (const FootForce& force : forces) {
+    out.rate -= force.force;
+    out.lever -= contact_point(morphology, geometry, *poses.at, force.foot).cross(force.force);
   }
   out.lever -= poses.at->origin(link).cross(out.rate);
   return out;
-}
-
-std::vector<Vector3d> contact_points(const Morphology& morphology, const GeometryAtDesign& geometry,
-                                     const PoseKinematics& pose,
-                                     const std::vector<FootForce>& forces) {
-  std::vector<Vector3d> points;
-  for (const FootForce& force : forces)
-    points.push_back(foot_place(morphology, geometry, pose, force.foot) -
-                     morphology.feet[force.foot].radius * Vector3d::UnitZ());
-  return points;
 }
 
 }  // namespace
@@ -61,8 +56,7 @@ std::vector<Vector3d> contact_points(const Morphology& morphology, const Geometr
 double JointTorque::value(const Morphology& morphology, const GeometryAtDesign& geometry,
                           const PoseTriple& poses, int link, double time_step,
                           const std::vector<FootForce>& forces) {
-  const Sums at = sums(geometry, poses, link, time_step, forces,
-                       contact_points(morphology, geometry, *poses.at, forces));
+  const Sums at = sums(morphology, geometry, poses, link, time_step, forces);
   return (poses.at->before(link) * geometry.links[link].axis.axis).dot(at.lever);
 }
 
@@ -70,8 +64,7 @@ void JointTorque::compute(const Morphology& morphology, const GeometryAtDesign& 
                           const Ancestry& ancestry, const PoseTriple& poses, int link,
                           double time_step, const std::vector<FootForce>& forces,
                           const Slots& slots, int column_count) {
-  const std::vector<Vector3d> contacts = contact_points(morphology, geometry, *poses.at, forces);
-  const Sums at = sums(geometry, poses, link, time_step, forces, contacts);
+  const Sums at = sums(morphology, geometry, poses, link, time_step, forces);
   rate_ = at.rate;
   lever_ = at.lever;
   time_step_ = time_step;
@@ -88,11 +81,13 @@ void JointTorque::compute(const Morphology& morphology, const GeometryAtDesign& 
                                        *poses.at, *slots.before, *slots.at);
   swept_.compute_swept_momentum(geometry, ancestry, link, *poses.to_after, *poses.at, *poses.after,
                                 *slots.at, *slots.after);
+  mass_from_pose(geometry, ancestry, *poses.at, link, kGravity, *slots.at, mass_slopes_,
+                 mass_seconds_);
   feet_.resize(forces.size());
   for (std::size_t k = 0; k < forces.size(); ++k) {
     foot_from_pose(morphology, geometry, ancestry, *poses.at, forces[k].foot, *slots.at,
                    feet_[k].centre);
-    feet_[k].contact = contacts[k];
+    feet_[k].contact = contact_point(morphology, geometry, *poses.at, forces[k].foot);
     feet_[k].force = forces[k].force;
     feet_[k].column = slots.force[k];
   }
@@ -111,6 +106,8 @@ void JointTorque::sum_parts(int column_count) {
   const MatrixXd moment = jacobian_of(moment_);
   rate_jacobian_ =
       per_time * (jacobian_of(moment_before_) - 2.0 * moment + jacobian_of(moment_after_));
+  for (const PointDerivatives::Growth& growth : mass_slopes_)
+    rate_jacobian_(growth.column, 2) += growth.slope;
   lever_jacobian_ = per_time * (jacobian_of(swept_) - jacobian_of(swept_before_)) +
                     kGravity * crossed(moment, Vector3d::UnitZ());
   for (Carried& foot : feet_) {
@@ -139,8 +136,14 @@ void JointTorque::add_curvature(const Ancestry& ancestry, double multiplier,
   const Vector3d of_rate = o.cross(A);  // A · (−o × ∂K) = ∂K · (o × A)
   moment_before_.add_curvature(ancestry, per_time * of_rate, hessian);
   moment_after_.add_curvature(ancestry, per_time * of_rate, hessian);
-  moment_.add_curvature(ancestry,
-                        -2.0 * per_time * of_rate + kGravity * Vector3d::UnitZ().cross(A), hessian);
+  moment_.add_curvature(ancestry, -2.0 * per_time * of_rate + kGravity * Vector3d::UnitZ().cross(A),
+                        hessian);
+  for (const PointDerivatives::GrowthSecond& second : mass_seconds_) {
+    if (second.same)
+      hessian(second.a, second.a) += of_rate.z() * second.second;
+    else
+      add_pair(hessian, second.a, second.b, of_rate.z() * second.second);
+  }
   anchor_.add_curvature(ancestry, A.cross(rate_), hessian);
   const Eigen::Matrix3d form = -skew(A);  // A · (v × w) = vᵀ form w
   add_symmetric(-1.0, anchor_jacobian_, form, rate_jacobian_, hessian);

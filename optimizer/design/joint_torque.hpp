@@ -52,8 +52,8 @@ class JointTorque {
 
  private:
   struct Carried {
-    PointDerivatives centre;   // of the foot's ball
-    Eigen::Vector3d contact;   // e − r ẑ
+    PointDerivatives centre;  // of the foot's ball
+    Eigen::Vector3d contact;  // e − r ẑ
     Eigen::Vector3d force;
     int column;                // of the force
     Eigen::MatrixXd jacobian;  // of the centre
@@ -66,6 +66,8 @@ class JointTorque {
   PointDerivatives axis_, anchor_, moment_before_, moment_, moment_after_;
   PairDerivatives swept_before_, swept_;
   std::vector<Carried> feet_;
+  std::vector<PointDerivatives::Growth> mass_slopes_;  // of g M
+  std::vector<PointDerivatives::GrowthSecond> mass_seconds_;
   Eigen::MatrixXd axis_jacobian_, anchor_jacobian_, rate_jacobian_, lever_jacobian_;
 };
 

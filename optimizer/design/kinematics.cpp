@@ -159,11 +159,33 @@ void PointDerivatives::clear(const Vector3d& at) {
   value = at;
   effects.clear();
   seconds.clear();
+  growths.clear();
+  growth_seconds.clear();
 }
 
 void PointDerivatives::add_jacobian(Eigen::MatrixXd& jacobian) const {
   for (const Effect& effect : effects)
     for (int k = 0; k < 3; ++k) jacobian(effect.column, k) += effect.rate[k];
+  for (const Growth& growth : growths)
+    for (int k = 0; k < 3; ++k) jacobian(growth.column, k) -= growth.slope * value[k];
+}
+
+void PointDerivatives::add_quotient_curvature(const Vector3d& multiplier,
+                                              Eigen::MatrixXd& hessian) const {
+  // y = N/M: y_kl = (N_kl − y_k M_l − y_l M_k − y M_kl)/M.
+  Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(hessian.rows(), 3);
+  add_jacobian(jacobian);
+  const Eigen::VectorXd pulled = jacobian * multiplier;
+  for (const Growth& growth : growths)
+    for (int c = 0; c < pulled.size(); ++c)
+      if (pulled[c] != 0.0) add_pair(hessian, c, growth.column, -growth.slope * pulled[c]);
+  const double along = multiplier.dot(value);
+  for (const GrowthSecond& second : growth_seconds) {
+    if (second.same)
+      hessian(second.a, second.a) -= along * second.second;
+    else
+      add_pair(hessian, second.a, second.b, -along * second.second);
+  }
 }
 
 void PointDerivatives::add_curvature(const Ancestry& ancestry, const Vector3d& multiplier,
@@ -176,8 +198,11 @@ void PointDerivatives::add_curvature(const Ancestry& ancestry, const Vector3d& m
       const Effect& upper = effects[l];
       if (upper.rotates && above[upper.link] && (lower.inner || upper.link != lower.link))
         add_pair(hessian, upper.column, lower.column, lever.dot(upper.turn));
+      if (lower.growth != 0.0 && above[upper.link] && !upper.inner)
+        add_pair(hessian, upper.column, lower.column, lower.growth * multiplier.dot(upper.shift));
     }
   }
+  if (!growths.empty()) add_quotient_curvature(multiplier, hessian);
   for (const Second& second : seconds) {
     const double curvature = multiplier.dot(second.rate);
     if (second.same)
@@ -278,15 +303,26 @@ void first_moment_from_pose(const GeometryAtDesign& geometry, const Ancestry& an
   for (const Mover& mover : pose.movers()) {
     if (mover.kind == Mover::Kind::inner) {
       if (!ancestry.contains(link, mover.link)) continue;
-      const Vector3d first = geometry.links[mover.link].inner[mover.inner_index].first;
+      const auto in_world = [&](const Eigen::Vector4d& v) -> Vector3d {
+        return scale * (pose.rotation(mover.link) * v.head<3>() + v[3] * pose.origin(mover.link));
+      };
+      const LinkAtDesign& at = geometry.links[mover.link];
+      const InnerMotion& motion = at.inner[mover.inner_index];
       out.effects.push_back({columns[mover.coordinate], mover.link, false, true, Vector3d::Zero(),
-                             scale * (pose.rotation(mover.link) * first)});
+                             in_world(motion.first), Vector3d::Zero(), scale * motion.first[3]});
+      for (int l = mover.inner_index; at.grows && l < static_cast<int>(at.inner.size()); ++l) {
+        const Mover& other = (&mover)[l - mover.inner_index];  // inner movers of a link are in a row
+        out.seconds.push_back(
+            {columns[mover.coordinate], columns[other.coordinate],
+             in_world(motion.second_first(at.inner[l], mover.inner_index, l)), &other == &mover});
+      }
     } else if (ancestry.related(link, mover.link)) {
       const int lower = std::max(link, mover.link);  // children come after their parents
       out.effects.push_back({columns[mover.coordinate], mover.link,
                              mover.kind == Mover::Kind::rotation, false, mover.turn,
                              scale * (mover.turn.cross(pose.first_moment(lower)) +
-                                      geometry.mass_below[lower] * mover.shift)});
+                                      geometry.mass_below[lower] * mover.shift),
+                             mover.shift});
     }
   }
   for (const SameLinkSecond& second : pose.same_link_seconds()) {
@@ -302,7 +338,32 @@ void first_moment_from_pose(const GeometryAtDesign& geometry, const Ancestry& an
 
 void com_from_pose(const GeometryAtDesign& geometry, const Ancestry& ancestry,
                    const PoseKinematics& pose, const Columns& columns, PointDerivatives& out) {
-  first_moment_from_pose(geometry, ancestry, pose, 0, 1.0 / geometry.total_mass, columns, out);
+  const double scale = 1.0 / geometry.total_mass;
+  first_moment_from_pose(geometry, ancestry, pose, 0, scale, columns, out);
+  mass_from_pose(geometry, ancestry, pose, 0, scale, columns, out.growths, out.growth_seconds);
+}
+
+void mass_from_pose(const GeometryAtDesign& geometry, const Ancestry& ancestry,
+                    const PoseKinematics& pose, int link, double scale, const Columns& columns,
+                    std::vector<PointDerivatives::Growth>& slopes,
+                    std::vector<PointDerivatives::GrowthSecond>& seconds) {
+  slopes.clear();
+  seconds.clear();
+  if (!geometry.grows || !pose.with_design()) return;
+  for (const Mover& mover : pose.movers()) {
+    if (mover.kind != Mover::Kind::inner || !geometry.links[mover.link].grows ||
+        !ancestry.contains(link, mover.link))
+      continue;
+    const LinkAtDesign& at = geometry.links[mover.link];
+    const InnerMotion& motion = at.inner[mover.inner_index];
+    slopes.push_back({columns[mover.coordinate], scale * motion.first[3]});
+    for (int l = mover.inner_index; l < static_cast<int>(at.inner.size()); ++l) {
+      const Mover& other = (&mover)[l - mover.inner_index];
+      seconds.push_back({columns[mover.coordinate], columns[other.coordinate],
+                         scale * motion.second_first(at.inner[l], mover.inner_index, l)[3],
+                         &other == &mover});
+    }
+  }
 }
 
 }  // namespace legwright

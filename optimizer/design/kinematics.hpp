@@ -102,16 +102,30 @@ struct PointDerivatives {
     bool rotates;  // mover turns everything below it ...
     bool inner;    // ... or moves points inside its link
     Eigen::Vector3d turn;
-    Eigen::Vector3d rate;  // ∂y/∂c
+    Eigen::Vector3d rate;                              // ∂y/∂c
+    Eigen::Vector3d shift = Eigen::Vector3d::Zero();  // of the mover; sums over masses only
+    double growth = 0.0;                               // of the mass it sums over, inner only
   };
   struct Second {
     int a, b;              // columns of two movers of one link
     Eigen::Vector3d rate;  // ∂²y/∂c_a∂c_b
     bool same;             // one and the same mover
   };
+  /// Where y is a sum over a mass that grows, divided by it: relative slopes and second derivatives of the mass.
+  struct Growth {
+    int column;
+    double slope;
+  };
+  struct GrowthSecond {
+    int a, b;
+    double second;
+    bool same;
+  };
   Eigen::Vector3d value;
   std::vector<Effect> effects;
   std::vector<Second> seconds;
+  std::vector<Growth> growths;
+  std::vector<GrowthSecond> growth_seconds;
 
   void clear(const Eigen::Vector3d& at);
   /// Adds ∂y to `jacobian` (columns × 3).
@@ -119,6 +133,9 @@ struct PointDerivatives {
   /// Adds Σ_k multiplier_k ∂²y_k to the lower triangle of `hessian` (columns × columns).
   void add_curvature(const Ancestry& ancestry, const Eigen::Vector3d& multiplier,
                      Eigen::MatrixXd& hessian) const;
+
+ private:
+  void add_quotient_curvature(const Eigen::Vector3d& multiplier, Eigen::MatrixXd& hessian) const;
 };
 
 /// Adds a mixed second derivative to a lower triangle; a shared column counts both orders.
@@ -153,6 +170,12 @@ void axis_from_pose(const Morphology& morphology, const GeometryAtDesign& geomet
 void first_moment_from_pose(const GeometryAtDesign& geometry, const Ancestry& ancestry,
                             const PoseKinematics& pose, int link, double scale,
                             const Columns& columns, PointDerivatives& out);
+
+/// Derivatives of the mass of `link` and all below it, times scale; nothing where no mass grows.
+void mass_from_pose(const GeometryAtDesign& geometry, const Ancestry& ancestry,
+                    const PoseKinematics& pose, int link, double scale, const Columns& columns,
+                    std::vector<PointDerivatives::Growth>& slopes,
+                    std::vector<PointDerivatives::GrowthSecond>& seconds);
 
 /// φ_COM of eq (12): the robot's centre of mass [m, world].
 void com_from_pose(const GeometryAtDesign& geometry, const Ancestry& ancestry,

@@ -18,12 +18,19 @@ Vector3d cross_of(const Eigen::MatrixBase<Derived>& X) {
   return {X(1, 2) - X(2, 1), X(2, 0) - X(0, 2), X(0, 1) - X(1, 0)};
 }
 
-/// [v]× X, column by column.
+/// out = [turn]× X + shift sumᵀ, number by number: products of small vectors spend their time waiting for
+/// half-written pairs.
 template <class Derived>
-Matrix3d cross_columns(const Vector3d& v, const Eigen::MatrixBase<Derived>& X) {
-  Matrix3d out;
-  for (int k = 0; k < 3; ++k) out.col(k) = v.cross(X.col(k));
-  return out;
+void sweep(const Vector3d& turn, const Eigen::MatrixBase<Derived>& X, const Vector3d& shift,
+           const Vector3d& sum, Eigen::Matrix<double, 3, 4>& out) {
+  const double t0 = turn[0], t1 = turn[1], t2 = turn[2];
+  const double v0 = shift[0], v1 = shift[1], v2 = shift[2];
+  for (int k = 0; k < 3; ++k) {
+    const double x0 = X(0, k), x1 = X(1, k), x2 = X(2, k), m = sum[k];
+    out(0, k) = t1 * x2 - t2 * x1 + v0 * m;
+    out(1, k) = t2 * x0 - t0 * x2 + v1 * m;
+    out(2, k) = t0 * x1 - t1 * x0 + v2 * m;
+  }
 }
 
 }  // namespace
@@ -43,15 +50,46 @@ void PairMoments::compute(const Morphology& morphology, const PoseKinematics& fi
 
 Vector3d PairMoments::swept(int link) const { return cross_of(below_[link]); }
 
+// Places in the world, p̂ = T v of each point; `swept` is Σ (∂p)[p′; 1]ᵀ with the weight in both of them.
+void PairDerivatives::add_inner(const LinkAtDesign& at, const PoseKinematics& own,
+                                const PoseKinematics& other, const Columns& columns,
+                                const Mover& mover, Effect& effect, Side& side) {
+  const Matrix3d& turn = own.rotation(mover.link);
+  const Vector3d& origin = own.origin(mover.link);
+  const Matrix3d& other_turn = other.rotation(mover.link);
+  const Vector3d& other_origin = other.origin(mover.link);
+  const auto in_world = [&](const Eigen::Matrix4d& v) -> Eigen::Matrix<double, 3, 4> {
+    const Eigen::Matrix<double, 3, 4> turned = turn * v.topRows<3>() + origin * v.row(3);
+    Eigen::Matrix<double, 3, 4> out;
+    out.leftCols<3>() =
+        turned.leftCols<3>() * other_turn.transpose() + turned.col(3) * other_origin.transpose();
+    out.col(3) = turned.col(3);
+    return out;
+  };
+  const InnerMotion& motion = at.inner[mover.inner_index];
+  effect.swept = in_world(motion.moments);
+  if (!at.grows) return;
+  effect.growth = other_turn * motion.moments.row(3).head<3>().transpose() +
+                  motion.moments(3, 3) * other_origin;
+  for (int l = mover.inner_index; l < static_cast<int>(at.inner.size()); ++l) {
+    const Mover& with = (&mover)[l - mover.inner_index];  // inner movers of a link are in a row
+    side.inner_seconds.push_back({columns[mover.coordinate], columns[with.coordinate],
+                                  in_world(motion.seconds[l]).leftCols<3>(), &with == &mover});
+  }
+}
+
 void PairDerivatives::fill_swept(const GeometryAtDesign& geometry, const Ancestry& ancestry,
                                  int link, const PairMoments& moments, const PoseKinematics& own,
                                  const PoseKinematics& other, const Columns& columns, bool swap,
                                  Side& side) {
   side.effects.clear();
   side.seconds.clear();
+  side.inner_seconds.clear();
+  side.arms.clear();
   for (const Mover& mover : own.movers()) {
     const bool inner = mover.kind == Mover::Kind::inner;
-    if (inner ? !ancestry.contains(link, mover.link) : !ancestry.related(link, mover.link)) continue;
+    if (inner ? !ancestry.contains(link, mover.link) : !ancestry.related(link, mover.link))
+      continue;
     Effect& effect = side.effects.emplace_back();
     effect.column = columns[mover.coordinate];
     effect.link = mover.link;
@@ -60,50 +98,43 @@ void PairDerivatives::fill_swept(const GeometryAtDesign& geometry, const Ancestr
     effect.turn = mover.turn;
     effect.shift = mover.shift;
     effect.inner_index = mover.inner_index;
+    effect.growth.setZero();
     if (inner) {
-      const Eigen::Matrix<double, 3, 4>& slopes =
-          geometry.links[mover.link].inner[mover.inner_index].moments;
-      const Eigen::Matrix<double, 3, 4> turned = own.rotation(mover.link) * slopes;
-      effect.swept.leftCols<3>() =
-          turned.leftCols<3>() * other.rotation(mover.link).transpose() +
-          turned.col(3) * other.origin(mover.link).transpose();
-      effect.swept.col(3) = turned.col(3);
+      add_inner(geometry.links[mover.link], own, other, columns, mover, effect, side);
       continue;
     }
     const int lower = std::max(link, mover.link);  // children come after their parents
     const Vector3d& sum = other.first_moment(lower);
-    if (effect.rotates) {
-      if (swap)
-        effect.swept.leftCols<3>() = cross_columns(mover.turn, moments.below(lower).transpose());
-      else
-        effect.swept.leftCols<3>() = cross_columns(mover.turn, moments.below(lower));
-      effect.swept.leftCols<3>() += mover.shift * sum.transpose();
-      effect.swept.col(3) =
-          mover.turn.cross(own.first_moment(lower)) + geometry.mass_below[lower] * mover.shift;
-    } else {
-      effect.swept.leftCols<3>() = mover.shift * sum.transpose();
-      effect.swept.col(3) = geometry.mass_below[lower] * mover.shift;
-    }
+    if (swap)
+      sweep(mover.turn, moments.below(lower).transpose(), mover.shift, sum, effect.swept);
+    else
+      sweep(mover.turn, moments.below(lower), mover.shift, sum, effect.swept);
+    const Vector3d& own_sum = own.first_moment(lower);
+    const double mass = geometry.mass_below[lower];
+    for (int k = 0, l = 1, n = 2; k < 3; ++k, l = (l + 1) % 3, n = (n + 1) % 3)
+      effect.swept(k, 3) =
+          mover.turn[l] * own_sum[n] - mover.turn[n] * own_sum[l] + mass * mover.shift[k];
   }
+  int arm_of = -1;
   for (const SameLinkSecond& s : own.same_link_seconds()) {
     const Mover &a = own.movers()[s.a], &b = own.movers()[s.b];
     if (!ancestry.related(link, a.link)) continue;
-    const int lower = std::max(link, a.link);
-    Matrix3d arm = moments.below(lower);
-    if (swap) arm.transposeInPlace();
-    arm -= own.origin(a.link) * other.first_moment(lower).transpose();
-    side.seconds.push_back(
-        {columns[a.coordinate], columns[b.coordinate], s.second * arm, s.a == s.b});
+    if (a.link != arm_of) {
+      arm_of = a.link;
+      const int lower = std::max(link, a.link);
+      Matrix3d arm = moments.below(lower);
+      if (swap) arm.transposeInPlace();
+      side.arms.push_back(arm - own.origin(a.link) * other.first_moment(lower).transpose());
+    }
+    side.seconds.push_back({columns[a.coordinate], columns[b.coordinate], &s.second,
+                            static_cast<int>(side.arms.size()) - 1, s.a == s.b});
   }
 }
 
-void PairDerivatives::compute_swept_momentum(const GeometryAtDesign& geometry,
-                                             const Ancestry& ancestry, int link,
-                                             const PairMoments& moments,
-                                             const PoseKinematics& first,
-                                             const PoseKinematics& second,
-                                             const Columns& first_columns,
-                                             const Columns& second_columns) {
+void PairDerivatives::compute_swept_momentum(
+    const GeometryAtDesign& geometry, const Ancestry& ancestry, int link,
+    const PairMoments& moments, const PoseKinematics& first, const PoseKinematics& second,
+    const Columns& first_columns, const Columns& second_columns) {
   value = moments.swept(link);
   fill_swept(geometry, ancestry, link, moments, first, second, first_columns, false, first_);
   fill_swept(geometry, ancestry, link, moments, second, first, second_columns, true, second_);
@@ -119,9 +150,12 @@ void PairDerivatives::add_inner_products(const GeometryAtDesign& geometry,
     for (const Effect& b : second_.effects) {
       if (!b.inner || a.link != b.link) continue;
       const InnerMotion& motion = geometry.links[a.link].inner[a.inner_index];
+      const Eigen::Matrix4d& product = motion.products[b.inner_index];
+      const Eigen::Matrix<double, 3, 4> turned =
+          first.rotation(a.link) * product.topRows<3>() + first.origin(a.link) * product.row(3);
       inner_products_.push_back({a.column, b.column,
-                                 first.rotation(a.link) * motion.products[b.inner_index].second *
-                                     second.rotation(b.link).transpose()});
+                                 turned.leftCols<3>() * second.rotation(b.link).transpose() +
+                                     turned.col(3) * second.origin(b.link).transpose()});
     }
   }
 }
@@ -144,6 +178,8 @@ void PairDerivatives::compute_foot_turn(const Morphology& morphology, const Ance
                         Side& side) {
     side.effects.clear();
     side.seconds.clear();
+    side.inner_seconds.clear();
+    side.arms.assign(1, swept);
     for (const Mover& mover : own.movers()) {
       if (mover.kind != Mover::Kind::rotation || !ancestry.contains(mover.link, link)) continue;
       Effect& effect = side.effects.emplace_back();
@@ -153,14 +189,15 @@ void PairDerivatives::compute_foot_turn(const Morphology& morphology, const Ance
       effect.inner = false;
       effect.turn = mover.turn;
       effect.shift.setZero();  // directions turn but do not shift
-      effect.swept.leftCols<3>() = cross_columns(mover.turn, swept);
+      effect.growth.setZero();
+      sweep(mover.turn, swept, effect.shift, effect.shift, effect.swept);
       effect.swept.col(3).setZero();
     }
     for (const SameLinkSecond& s : own.same_link_seconds()) {
       const Mover &a = own.movers()[s.a], &b = own.movers()[s.b];
       if (!ancestry.contains(a.link, link)) continue;
       side.seconds.push_back(
-          {columns[a.coordinate], columns[b.coordinate], s.second * swept, s.a == s.b});
+          {columns[a.coordinate], columns[b.coordinate], &s.second, 0, s.a == s.b});
     }
   };
   fill(first, first_columns, sum, first_);
@@ -186,14 +223,32 @@ void PairDerivatives::add_side_curvature(const Side& side, const Ancestry& ances
     const Effect& lower = side.effects[k];
     const auto X = lower.swept.leftCols<3>();
     const Vector3d pull = X.transpose() * multiplier - X.trace() * multiplier;
+    const bool grown = lower.inner && !lower.growth.isZero(0.0);
+    const Vector3d push = lower.growth.cross(multiplier);
     const bool* above = ancestry.above(lower.link);
     for (std::size_t l = 0; l < k; ++l) {  // upper movers come first
       const Effect& upper = side.effects[l];
       if (upper.rotates && above[upper.link] && (lower.inner || upper.link != lower.link))
         add_pair(hessian, upper.column, lower.column, upper.turn.dot(pull));
+      if (grown && !upper.inner && above[upper.link])
+        add_pair(hessian, upper.column, lower.column, upper.shift.dot(push));
     }
   }
+  // μ · Σ (S a) × b = ⟨S, −[μ]× armᵀ⟩ for arm = Σ a bᵀ.
+  Matrix3d pull = Matrix3d::Zero();
+  int arm = -1;
   for (const Second& second : side.seconds) {
+    if (second.arm != arm) {
+      arm = second.arm;
+      pull = -skew(multiplier) * side.arms[static_cast<std::size_t>(arm)].transpose();
+    }
+    const double curvature = second.second->cwiseProduct(pull).sum();
+    if (second.same)
+      hessian(second.a, second.a) += curvature;
+    else
+      add_pair(hessian, second.a, second.b, curvature);
+  }
+  for (const InnerSecond& second : side.inner_seconds) {
     const double curvature = multiplier.dot(cross_of(second.swept));
     if (second.same)
       hessian(second.a, second.a) += curvature;

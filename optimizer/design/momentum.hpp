@@ -25,7 +25,7 @@ class PairMoments {
 };
 
 /// A vector that depends on two poses of one design, y = Σ weight p × p′ (p at the first pose, p′ at the second),
-/// with exact derivatives. Columns: of the first pose, of the second pose; a design coordinate has one column in both.
+/// with exact derivatives; the poses must outlive them. Columns: of the first pose, of the second pose; a design coordinate has one column in both.
 ///
 /// Two outputs have this form. The swept momentum Σ m p_i × p_{i+1} over the point masses of a link and all below
 /// it: because p × p = 0, the rate of angular momentum Σ m p × (p₋ − 2p + p₊) is the difference of two of them. And
@@ -55,15 +55,23 @@ class PairDerivatives {
   /// One mover of one pose, with `swept` = Σ weight (∂p/∂c)[p′; 1]ᵀ over what it moves (for the second pose: with
   /// the roles of p and p′ exchanged).
   struct Effect {
+    Effect() {}  // all members are set by who adds it
     int column, link;
     bool rotates, inner;
     Eigen::Vector3d turn, shift;
     Eigen::Matrix<double, 3, 4> swept;
+    Eigen::Vector3d growth;  // Σ (∂weight/∂c) p′, inner only
     int inner_index;
   };
   struct Second {
     int a, b;
-    Eigen::Matrix3d swept;  // Σ weight (∂²p/∂c_a∂c_b) p′ᵀ
+    const Eigen::Matrix3d* second;  // ∂²R Rᵀ, kept by the pose
+    int arm;                        // Σ weight (∂²p/∂c_a∂c_b) p′ᵀ = second · arms[arm]
+    bool same;
+  };
+  struct InnerSecond {
+    int a, b;
+    Eigen::Matrix3d swept;  // Σ weight (∂²p/∂c_a∂c_b) p′ᵀ of two inner movers of a link that grows
     bool same;
   };
   struct InnerProduct {
@@ -73,11 +81,16 @@ class PairDerivatives {
   struct Side {
     std::vector<Effect> effects;
     std::vector<Second> seconds;
+    std::vector<Eigen::Matrix3d> arms;
+    std::vector<InnerSecond> inner_seconds;
   };
 
   void fill_swept(const GeometryAtDesign& geometry, const Ancestry& ancestry, int link,
                   const PairMoments& moments, const PoseKinematics& own,
                   const PoseKinematics& other, const Columns& columns, bool swap, Side& side);
+  static void add_inner(const LinkAtDesign& at, const PoseKinematics& own,
+                        const PoseKinematics& other, const Columns& columns, const Mover& mover,
+                        Effect& effect, Side& side);
   void add_inner_products(const GeometryAtDesign& geometry, const PoseKinematics& first,
                           const PoseKinematics& second);
   void add_cross_curvature(const Ancestry& ancestry, const Eigen::Vector3d& multiplier,

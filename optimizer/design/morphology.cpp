@@ -15,8 +15,21 @@ Eigen::Vector3d AffineVector::at(const Eigen::VectorXd& s) const {
 Eigen::Vector3d JointAxis::at(const Eigen::VectorXd& s) const {
   Eigen::Vector3d axis = reference;
   for (auto turn = turns.rbegin(); turn != turns.rend(); ++turn)
-    axis = Eigen::AngleAxisd(s[turn->parameter], turn->about) * axis;
+    axis = Eigen::AngleAxisd(turn->factor * s[turn->parameter], turn->about) * axis;
   return axis;
+}
+
+double PointMass::growth_at(const Eigen::VectorXd& s) const {
+  double factor = 1.0;
+  for (const Growth& g : growth) factor *= s[g.parameter] / g.initial;
+  return factor;
+}
+
+bool Morphology::grows() const {
+  for (const Link& link : links)
+    for (const PointMass& point : link.masses)
+      if (!point.growth.empty()) return true;
+  return false;
 }
 
 double Morphology::total_mass() const {

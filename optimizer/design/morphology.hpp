@@ -24,11 +24,12 @@ struct AffineVector {
 };
 
 /// A joint axis as a function of the design: the reference axis turned about fixed directions of
-/// the link frame, a(s) = R(about₁, sign₁ s₁) R(about₂, sign₂ s₂) … reference. A unit vector for every s.
+/// the link frame, a(s) = R(about₁, f₁ s₁) R(about₂, f₂ s₂) … reference. A unit vector for every s.
 struct JointAxis {
   struct Turn {
     int parameter;          // angle in s [rad]
     Eigen::Vector3d about;  // unit vector; already mirrored where the joint is the mirrored one
+    double factor = 1.0;    // f: this joint turns by so many times the angle (scaled ties)
   };
   Eigen::Vector3d reference = Eigen::Vector3d::UnitY();  // unit vector: the axis at angles zero
   std::vector<Turn> turns;                               // outermost first
@@ -36,10 +37,20 @@ struct JointAxis {
   Eigen::Vector3d at(const Eigen::VectorXd& s) const;
 };
 
-/// One of the point masses that stand for a body: same mass, centre and inertia.
+/// One of the point masses that stand for a body: same mass, centre and inertia. The mass of a printed part grows with
+/// each stretch that makes it longer, m(s) = mass · Π s[parameter]/initial; without growth it is fixed.
 struct PointMass {
-  double mass;            // [kg]
+  struct Growth {
+    int parameter;
+    double initial;  // [m]
+  };
+  double mass;            // [kg]; of a growing one at the initial design
   AffineVector position;  // in the link frame
+  std::vector<Growth> growth = {};
+  double volume = 0.0;  // printed with it [m³], grows alike
+
+  /// Π s[parameter]/initial
+  double growth_at(const Eigen::VectorXd& s) const;
 };
 
 /// The hinge that moves a link, and its servo.
@@ -64,6 +75,19 @@ struct Link {
   std::vector<PointMass> masses;
 };
 
+/// A linear actuator between two points of neighbouring links, which drives the hinge between them.
+/// Its length is L(q, s) (design/actuator_length); a force F that pushes its ends apart turns the
+/// hinge with F ∂L/∂q. It has no mass of its own.
+struct LinearActuator {
+  std::string name;
+  int joint = 0;          // joint a, which moves link a + 1
+  AffineVector upper;     // attachment in the frame of the parent of link a + 1
+  AffineVector lower;     // attachment in the frame of link a + 1
+  double shortest = 0.0;  // stroke [m]
+  double longest = std::numeric_limits<double>::infinity();
+  double force_limit = std::numeric_limits<double>::infinity();  // [N]
+};
+
 /// A ball foot at the end of a limb.
 struct Foot {
   std::string name;
@@ -77,13 +101,17 @@ struct Morphology {
   std::string name;
   std::vector<Link> links;  // parents before children
   std::vector<Foot> feet;
+  std::vector<LinearActuator> linear_actuators;
   double leg_length = 0.0;  // unit of length: first limb stretched, at the initial design [m]
 
   int joint_count() const { return static_cast<int>(links.size()) - 1; }
   int foot_count() const { return static_cast<int>(feet.size()); }
   /// Size of a pose q: root position, root axis-angle, joint angles.
   int pose_size() const { return 6 + joint_count(); }
+  /// At the initial design [kg].
   double total_mass() const;
+  /// Whether the mass of anything depends on the design.
+  bool grows() const;
   Eigen::VectorXd nominal_joints() const;
   /// Links from the trunk's child down to `link`, in this order; empty for the trunk.
   std::vector<int> chain_to(int link) const;

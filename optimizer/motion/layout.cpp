@@ -23,7 +23,9 @@ Layout::Layout(const Morphology& morphology, int design_size, const Gait& gait, 
   pair_derived_ = derived_ + (1 + foot_count_) * 3 * (knot_count_ + 1);
   anchors_ = pair_derived_ + (1 + foot_count_) * 3 * (knot_count_ + 1);
   torques_ = anchors_ + 3 * joint_count() * (knot_count_ + 1);
-  extended_size_ = torques_ + joint_count() * knot_count_;
+  shapes_ = torques_ + joint_count() * knot_count_;
+  amounts_ = shapes_ + 3 * static_cast<int>(morphology.linear_actuators.size());
+  extended_size_ = amounts_ + 2;
 }
 
 Eigen::VectorXd Layout::motion_units(double length, double force) const {

@@ -53,6 +53,12 @@ class Layout {
   }
   /// Torque of a joint's motor by inverse dynamics [N m], one slot; knots 0 … T − 1.
   int joint_torque(int knot, int joint) const { return torques_ + joint_count() * knot + joint; }
+  /// A, B, C of a linear actuator's length (design/actuator_length) [leg length²]; they depend on s alone.
+  int actuator_shape(int actuator) const { return shapes_ + 3 * actuator; }
+  /// Mass of the robot over that of the initial design, one slot; depends on s alone.
+  int mass_share() const { return amounts_; }
+  /// Volume of its printed parts [leg length³], one slot; depends on s alone.
+  int printed_volume() const { return amounts_ + 1; }
 
   /// Physical unit of each entry of m (leg length, weight, radian): Newton damps in these.
   Eigen::VectorXd motion_units(double length, double force) const;
@@ -64,7 +70,7 @@ class Layout {
   };
   std::vector<KnotSlots> knots_;
   int design_size_ = 0, motion_size_ = 0, extended_size_ = 0, derived_ = 0, pair_derived_ = 0;
-  int anchors_ = 0, torques_ = 0;
+  int anchors_ = 0, torques_ = 0, shapes_ = 0, amounts_ = 0;
   int knot_count_ = 0, foot_count_ = 0, pose_size_ = 0, planted_margin_ = 1;
 };
 

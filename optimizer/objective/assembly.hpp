@@ -32,10 +32,10 @@ struct ElementPlan {
   std::vector<Direct> direct;
   std::vector<Through> through;
   Clique clique;
-  std::vector<Entry> entries;   // of a constant Jacobian row by row, zeros left out
-  std::vector<int> row_ends;    // row → where its entries end
-  Eigen::VectorXd offset;       // with it, r at zero
-  bool constant = false;        // its Hessian is the same everywhere: ½ r² of a linear r of m alone
+  std::vector<Entry> entries;  // of a constant Jacobian row by row, zeros left out
+  std::vector<int> row_ends;   // row → where its entries end
+  Eigen::VectorXd offset;      // with it, r at zero
+  bool constant = false;  // its Hessian is the same everywhere: ½ r² of a linear r of m alone
   bool reaches_design = false;  // its clique has design columns
 };
 

@@ -31,7 +31,10 @@ struct Dependence {
     for (int l = link; l < static_cast<int>(morphology.links.size()); ++l) {
       if (!ancestry.contains(link, l)) continue;
       add_joint(morphology, l);
-      for (const PointMass& point : morphology.links[l].masses) add_vector(point.position);
+      for (const PointMass& point : morphology.links[l].masses) {
+        add_vector(point.position);
+        for (const PointMass::Growth& growth : point.growth) parameters.insert(growth.parameter);
+      }
     }
     for (const Foot& foot : morphology.feet)
       if (ancestry.contains(link, foot.link)) add_vector(foot.position);
@@ -58,6 +61,14 @@ Dependence dependence(const Morphology& morphology, const Ancestry& ancestry, Ki
       out.add_chain(morphology, part);
       out.add_subtree(morphology, ancestry, part);
       break;
+    case Kind::actuator:
+      for (int parameter : actuator_parameters(morphology, morphology.linear_actuators[part]))
+        out.parameters.insert(parameter);
+      break;
+    case Kind::mass_share:
+    case Kind::printed_volume:
+      for (int parameter : growth_parameters(morphology)) out.parameters.insert(parameter);
+      break;
   }
   return out;
 }
@@ -76,14 +87,15 @@ class DerivedQuantities::BlockBuilder {
     DerivedBlock block{};
     block.kind = kind;
     block.slot = slot;
-    block.size = kind == Kind::joint_torque ? 1 : 3;
+    const bool amount = kind == Kind::mass_share || kind == Kind::printed_volume;
+    block.size = kind == Kind::joint_torque || amount ? 1 : 3;
     block.knot = knot;
     block.part = part;
     bool used = false;
     for (int k = 0; k < block.size; ++k) used |= wanted_[slot + k] != 0;
     if (!used) return;
     const Dependence on = dependence(morphology_, out_.ancestry_, kind, part);
-    std::vector<int> coordinates{0, 1, 2, 3, 4, 5};
+    std::vector<int> coordinates{0, 1, 2, 3, 4, 5};  // of each pose
     for (int link : on.links) coordinates.push_back(5 + link);
     for (int pose : knots)
       for (int c : coordinates) block.slots.push_back(layout_.pose(pose) + c);
@@ -104,8 +116,14 @@ class DerivedQuantities::BlockBuilder {
         columns[layout_.pose_size() + parameter] = column(layout_.design(parameter));
     }
     for (int force : block.forces) block.force_columns.push_back(column(force));
+    if (kind == Kind::joint_torque) {
+      for (int k = 0; k < 3; ++k) block.angles[k] = block.slots[block.columns[k][5 + part]];
+      block.armature = morphology_.links[part].joint.armature / (out_.time_step_ * out_.time_step_);
+    }
     const bool pair = kind == Kind::momentum || kind == Kind::foot_turn;
-    block.index = kind == Kind::joint_torque ? out_.torque_count_++
+    block.index = kind == Kind::actuator       ? part
+                  : amount                     ? 0
+                  : kind == Kind::joint_torque ? out_.torque_count_++
                   : pair                     ? out_.pair_count_++
                                              : out_.point_count_++;
     out_.has_moments_ |= kind == Kind::momentum || kind == Kind::joint_torque;
@@ -140,8 +158,7 @@ DerivedQuantities::DerivedQuantities(const Morphology& morphology, const Layout&
   BlockBuilder builder(*this, morphology, layout, wanted);
   for (int i = 0; i <= T; ++i) {
     builder.add(Kind::com, layout.com_from_pose(i), i, -1, {i});
-    for (int j = 0; j < feet; ++j)
-      builder.add(Kind::foot, layout.foot_from_pose(i, j), i, j, {i});
+    for (int j = 0; j < feet; ++j) builder.add(Kind::foot, layout.foot_from_pose(i, j), i, j, {i});
     for (int link = 1; link <= joints; ++link)
       builder.add(Kind::anchor, layout.link_anchor(i, link), i, link, {i});
   }
@@ -154,6 +171,23 @@ DerivedQuantities::DerivedQuantities(const Morphology& morphology, const Layout&
                   {i > 0 ? i - 1 : T - 1, i, i + 1});
   }
   builder.add(Kind::momentum, layout.wrapping_momentum(), T, -1, {T - 1, 0});
+  for (int k = 0; k < static_cast<int>(morphology.linear_actuators.size()); ++k)
+    builder.add(Kind::actuator, layout.actuator_shape(k), 0, k, {});
+  builder.add(Kind::mass_share, layout.mass_share(), 0, -1, {});
+  builder.add(Kind::printed_volume, layout.printed_volume(), 0, -1, {});
+}
+
+void DerivedQuantities::measure_amounts(const Morphology& morphology, Workspace& workspace) {
+  const auto measure = [&](Amount amount, double unit) {
+    GrowthSum sum = growth_sum(morphology, amount, workspace.s);
+    sum.value /= unit;
+    sum.gradient /= unit;
+    sum.hessian /= unit;
+    return sum;
+  };
+  const double leg = morphology.leg_length;
+  workspace.mass_share = measure(Amount::mass, morphology.total_mass());
+  workspace.printed_volume = measure(Amount::printed_volume, leg * leg * leg);
 }
 
 void DerivedQuantities::evaluate(const Morphology& morphology, const Layout& layout,
@@ -164,6 +198,10 @@ void DerivedQuantities::evaluate(const Morphology& morphology, const Layout& lay
   if (workspace.geometry.links.empty() || workspace.s != s) {
     workspace.s = s;
     workspace.geometry = GeometryAtDesign(morphology, workspace.s);
+    measure_amounts(morphology, workspace);
+    workspace.shapes.clear();
+    for (const LinearActuator& actuator : morphology.linear_actuators)
+      workspace.shapes.push_back(actuator_shape(morphology, actuator, workspace.s));
   }
   const GeometryAtDesign& geometry = workspace.geometry;
   workspace.poses.resize(T + 2);
@@ -200,15 +238,6 @@ void DerivedQuantities::collect_forces(const DerivedBlock& block, const Eigen::V
     workspace.forces.push_back({block.feet[k], extended.segment<3>(block.forces[k])});
 }
 
-double DerivedQuantities::armature_torque(const Morphology& morphology, const DerivedBlock& block,
-                                          const Eigen::VectorXd& extended) const {
-  const auto angle = [&](int pose) {
-    return extended[block.slots[block.columns[pose][5 + block.part]]];
-  };
-  return morphology.links[block.part].joint.armature / (time_step_ * time_step_) *
-         (angle(0) - 2.0 * angle(1) + angle(2));
-}
-
 void DerivedQuantities::place_block(const Morphology& morphology, const DerivedBlock& block,
                                     Eigen::VectorXd& extended, Workspace& workspace) const {
   const GeometryAtDesign& geometry = workspace.geometry;
@@ -228,14 +257,24 @@ void DerivedQuantities::place_block(const Morphology& morphology, const DerivedB
       value = workspace.moments[block.knot].swept(0);
       break;
     case Kind::foot_turn:
-      value = PairDerivatives::foot_turn(morphology, block.part, pose,
-                                         workspace.poses[block.knot + 1]);
+      value =
+          PairDerivatives::foot_turn(morphology, block.part, pose, workspace.poses[block.knot + 1]);
       break;
     case Kind::joint_torque:
       collect_forces(block, extended, workspace);
       value[0] = JointTorque::value(morphology, geometry, triple(block, workspace), block.part,
                                     time_step_, workspace.forces) +
-                 armature_torque(morphology, block, extended);
+                 block.armature * (extended[block.angles[0]] - 2.0 * extended[block.angles[1]] +
+                                   extended[block.angles[2]]);
+      break;
+    case Kind::actuator:
+      value = workspace.shapes[block.index].value;
+      break;
+    case Kind::mass_share:
+      value[0] = workspace.mass_share.value;
+      break;
+    case Kind::printed_volume:
+      value[0] = workspace.printed_volume.value;
       break;
   }
 }
@@ -268,14 +307,25 @@ const Eigen::MatrixXd& DerivedQuantities::jacobian(const Morphology& morphology,
   const bool wraps = block.kind == Kind::momentum && block.knot == knot_count_;
   const PoseKinematics& pose = workspace.poses[wraps ? knot_count_ + 1 : block.knot];
   const PoseKinematics& next = workspace.poses[wraps ? 0 : block.knot + 1];
+<<<<<<< HEAD
   jacobian.setZero(columns_of(block, workspace), block.size);
+=======
+  jacobian.setZero(static_cast<int>(block.slots.size()), block.size);
+  if (block.kind == Kind::actuator) {
+    jacobian = workspace.shapes[block.index].jacobian.transpose();
+    return jacobian;
+  }
+  if (block.kind == Kind::mass_share || block.kind == Kind::printed_volume) {
+    jacobian = block.kind == Kind::mass_share ? workspace.mass_share.gradient
+                                              : workspace.printed_volume.gradient;
+    return jacobian;
+  }
+>>>>>>> main
   if (block.kind == Kind::joint_torque) {
     compute_torque(morphology, block, extended, workspace);
     workspace.torques[block.index].add_jacobian(jacobian);
-    const double armature =
-        morphology.links[block.part].joint.armature / (time_step_ * time_step_);
     for (int k = 0; k < 3; ++k)
-      jacobian(block.columns[k][5 + block.part], 0) += (k == 1 ? -2.0 : 1.0) * armature;
+      jacobian(block.columns[k][5 + block.part], 0) += (k == 1 ? -2.0 : 1.0) * block.armature;
     return jacobian;
   }
   if (block.kind == Kind::momentum || block.kind == Kind::foot_turn) {
@@ -306,6 +356,17 @@ void DerivedQuantities::curvature(int index, const double* multiplier, Workspace
   workspace.curvature.setZero(size, size);
   if (block.kind == Kind::joint_torque) {
     workspace.torques[block.index].add_curvature(ancestry_, multiplier[0], workspace.curvature);
+    return;
+  }
+  if (block.kind == Kind::actuator) {
+    for (int k = 0; k < 3; ++k)
+      workspace.curvature += multiplier[k] * workspace.shapes[block.index].hessian[k];
+    return;
+  }
+  if (block.kind == Kind::mass_share || block.kind == Kind::printed_volume) {
+    workspace.curvature = multiplier[0] * (block.kind == Kind::mass_share
+                                               ? workspace.mass_share.hessian
+                                               : workspace.printed_volume.hessian);
     return;
   }
   const Eigen::Map<const Eigen::Vector3d> wanted(multiplier);

@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "optimizer/design/actuator_length.hpp"
+#include "optimizer/design/growth.hpp"
 #include "optimizer/design/inertia.hpp"
 #include "optimizer/design/joint_torque.hpp"
 #include "optimizer/design/kinematics.hpp"
@@ -16,18 +18,21 @@ namespace legwright {
 
 /// One derived quantity y of Layout and the slots of p = [s; m] that it depends on.
 struct DerivedBlock {
-  enum class Kind { com, foot, anchor, momentum, foot_turn, joint_torque };
+  enum class Kind { com, foot, anchor, momentum, foot_turn, joint_torque, actuator, mass_share, printed_volume };
   Kind kind;
   int slot, size;          // first and number of its slots of the extended vector
   int knot;                // knot T of a momentum: the wrapping pair
-  int part;                // foot, link of an anchor or of a joint's torque
+  int part;                // foot, link of an anchor or of a joint's torque, linear actuator
   std::vector<int> slots;  // column → slot of p; motion columns first
   int motion_columns;
   /// Coordinate of [q; s] → column, for each pose that matters: one; two for pairs; before, at, after for torques.
   Columns columns[3];
-  int index;                        // among the blocks whose derivatives have the same form
-  std::vector<int> forces, feet;    // joint_torque: first slot of each force that the joint carries, and its foot
+  int index;  // among the blocks whose derivatives have the same form
+  std::vector<int> forces,
+      feet;  // joint_torque: first slot of each force that the joint carries, and its foot
   std::vector<int> force_columns;
+  int angles[3];    // joint_torque: slots of the joint's angle before, at and after the knot
+  double armature;  // over h² [kg m²/s²]
 };
 
 /// y(s, m) with exact derivatives: all of the robot's kinematics. Values come first, for all terms at once; a block's
@@ -37,6 +42,8 @@ class DerivedQuantities {
   struct Workspace {
     Eigen::VectorXd s;  // of `geometry`
     GeometryAtDesign geometry;
+    std::vector<ActuatorShape> shapes;  // of the linear actuators, at `s`
+    GrowthSum mass_share, printed_volume;  // in the units of Layout, at `s`
     std::vector<PoseKinematics> poses;  // knots 0 … T, then knot T − 1 moved back by one cycle
     std::vector<PairMoments> moments;   // knot i to i + 1; at T the wrapping pair
     std::vector<PointDerivatives> points;
@@ -64,6 +71,7 @@ class DerivedQuantities {
   void curvature(int block, const double* multiplier, Workspace& workspace) const;
 
  private:
+  static void measure_amounts(const Morphology& morphology, Workspace& workspace);
   class BlockBuilder;
   PoseTriple triple(const DerivedBlock& block, const Workspace& workspace) const;
   void collect_forces(const DerivedBlock& block, const Eigen::VectorXd& extended,
@@ -74,8 +82,6 @@ class DerivedQuantities {
   static int columns_of(const DerivedBlock& block, const Workspace& workspace);
   void compute_torque(const Morphology& morphology, const DerivedBlock& block,
                       const Eigen::VectorXd& extended, Workspace& workspace) const;
-  double armature_torque(const Morphology& morphology, const DerivedBlock& block,
-                         const Eigen::VectorXd& extended) const;
 
   Ancestry ancestry_;
   WantedPath path_;

@@ -143,10 +143,30 @@ void Objective::Impl::residual(const WeightedTerm& entry, int index, Parts& work
   entry.term->residual(index, local.z, local.residual);
 }
 
+double Objective::Impl::add_constant(const WeightedTerm& entry, const ElementPlan& plan,
+                                     Order order, Parts& workspace) {
+  const double* x = workspace.extended.data();
+  double* gradient = workspace.gradient.data();
+  double value = 0.0;
+  const ElementPlan::Entry* begin = plan.entries.data();
+  for (std::size_t row = 0; row < plan.row_ends.size(); ++row) {
+    const ElementPlan::Entry* end = plan.entries.data() + plan.row_ends[row];
+    double r = plan.offset[static_cast<int>(row)];
+    for (const auto* e = begin; e != end; ++e) r += e->coefficient * x[e->slot];
+    value += 0.5 * r * r;
+    if (order != Order::value)
+      for (const auto* e = begin; e != end; ++e)
+        gradient[e->slot] += e->coefficient * (entry.weight * r);
+    begin = end;
+  }
+  return entry.weight * value;
+}
+
 double Objective::Impl::add_element(const WeightedTerm& entry, int index, Order order,
                                     Parts& workspace, const HessianTarget& target) const {
   const Term& term = *entry.term;
   const ElementPlan& plan = entry.plans[index];
+  if (plan.constant) return add_constant(entry, plan, order, workspace);
   ElementWorkspace& local = workspace.element;
   residual(entry, index, workspace);
   const int rows = static_cast<int>(local.residual.size());
@@ -176,7 +196,7 @@ double Objective::Impl::add_element(const WeightedTerm& entry, int index, Order 
     for (int k = 0; k < local.z.size(); ++k)
       workspace.gradient[element.slots[k]] += local.jacobian.col(k).dot(local.multiplier);
   }
-  if (!has_second(order) || plan.constant) return value;
+  if (!has_second(order)) return value;
   add_second(entry, index, order, workspace, target);
   return value;
 }

@@ -34,8 +34,8 @@ enum class Order {
 /// to ∂F/∂s and G. Terms of weight zero have rows of zeros.
 struct TermShares {
   std::vector<std::string_view> names;
-  Eigen::MatrixXd partial_s;      // terms × design_size
-  Eigen::MatrixXd stationarity;   // terms × motion_size; empty unless asked for
+  Eigen::MatrixXd partial_s;     // terms × design_size
+  Eigen::MatrixXd stationarity;  // terms × motion_size; empty unless asked for
 };
 
 /// Everything that is known about F at one point (s, m), up to the order that was asked for.

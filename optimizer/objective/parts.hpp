@@ -54,6 +54,9 @@ struct Objective::Impl {
   void residual(const WeightedTerm& entry, int index, Parts& workspace) const;
   double add_term(const WeightedTerm& entry, Order order, Parts& workspace,
                   const HessianTarget& target) const;
+  /// An element whose Hessian stands in `pattern` already.
+  static double add_constant(const WeightedTerm& entry, const ElementPlan& plan, Order order,
+                             Parts& workspace);
   double add_element(const WeightedTerm& entry, int index, Order order, Parts& workspace,
                      const HessianTarget& target) const;
   void add_second(const WeightedTerm& entry, int index, Order order, Parts& workspace,

@@ -45,8 +45,7 @@ Eigen::SparseMatrix<double> Sparsity::build(int design_size, int motion_size,
         const int column = clique->slots[b] - design_size;
         const int row = clique->slots[std::max(b, clique->segments[g].start)] - design_size;
         const auto found = std::lower_bound(rows[column].begin(), rows[column].end(), row);
-        clique->positions.push_back(start[column] +
-                                    static_cast<int>(found - rows[column].begin()));
+        clique->positions.push_back(start[column] + static_cast<int>(found - rows[column].begin()));
       }
   }
   return pattern;

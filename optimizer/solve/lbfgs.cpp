@@ -59,8 +59,8 @@ std::vector<bool> free_parameters(const Eigen::VectorXd& s, const Eigen::VectorX
                                   const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
   std::vector<bool> free(s.size());
   for (int i = 0; i < s.size(); ++i) {
-    const bool held =
-        (s[i] <= lower[i] && gradient[i] > 0.0) || (s[i] >= upper[i] && gradient[i] < 0.0);
+    const bool held = lower[i] >= upper[i] || (s[i] <= lower[i] && gradient[i] > 0.0) ||
+                      (s[i] >= upper[i] && gradient[i] < 0.0);
     free[i] = !held;
   }
   return free;

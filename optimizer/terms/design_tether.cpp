@@ -8,17 +8,20 @@ namespace legwright {
 namespace {
 
 /// Not in the paper: a weak pull of the design towards the initial one; without it legs shrink to nothing.
-/// Residuals: (l − l₀)/l₀ for lengths, once for every body tied to them, and a(s) − a₀ for each joint axis.
+/// Residuals: (l − l₀)/l₀ for lengths and (p − p₀)/leg length for positions, once for everything tied to them, and
+/// a(s) − a₀ for each joint axis.
 class DesignTether final : public Term {
  public:
   explicit DesignTether(const TermContext& context) {
     const Eigen::VectorXd initial = context.space.initial();
     for (int k = 0; k < context.space.size(); ++k) {
       const DesignParameter& parameter = context.space.parameters[k];
-      if (parameter.kind != ParameterKind::length) continue;
+      if (parameter.kind == ParameterKind::axis_angle) continue;
+      const double unit =
+          parameter.kind == ParameterKind::length ? parameter.initial : context.length;
       elements_.push_back({0, -1, 1, {context.layout.design(k)}});
-      parts_.push_back({std::sqrt(static_cast<double>(parameter.tied_count)) / parameter.initial,
-                        parameter.initial});
+      parts_.push_back(
+          {std::sqrt(static_cast<double>(parameter.tied_count)) / unit, parameter.initial});
     }
     for (const Link& link : context.morphology.links) {
       const JointAxis& axis = link.joint.axis;
@@ -66,7 +69,7 @@ class DesignTether final : public Term {
     const Part& part = parts_[element];
     Eigen::VectorXd z(static_cast<int>(elements_[element].slots.size()));
     for (double& value : z)
-      value = elements_[element].rows == 1 ? part.initial * (1.0 + 0.2 * normal(random))
+      value = elements_[element].rows == 1 ? part.initial + 0.2 * normal(random) / part.scale
                                            : 0.5 * normal(random);
     return z;
   }

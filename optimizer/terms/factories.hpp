@@ -28,10 +28,13 @@ std::unique_ptr<Term> make_swing_height(const TermContext& context);
 std::unique_ptr<Term> make_least_normal_force(const TermContext& context);
 std::unique_ptr<Term> make_joint_limits(const TermContext& context);
 std::unique_ptr<Term> make_torque_limits(const TermContext& context);
+std::unique_ptr<Term> make_actuator_force(const TermContext& context);
+std::unique_ptr<Term> make_stroke_limits(const TermContext& context);
 std::unique_ptr<Term> make_force_size(const TermContext& context);
 std::unique_ptr<Term> make_force_smoothness(const TermContext& context);
 std::unique_ptr<Term> make_design_tether(const TermContext& context);
 std::unique_ptr<Term> make_mechanical_work(const TermContext& context);
+std::unique_ptr<Term> make_printed_volume(const TermContext& context);
 std::unique_ptr<Term> make_peak_torque(const TermContext& context);
 
 }  // namespace legwright

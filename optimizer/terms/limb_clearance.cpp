@@ -13,15 +13,17 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kRange = 0.1;      // beyond the clearance from which a pair costs nothing, share of the leg
-constexpr double kRounding = 0.25;  // distance below which its root is rounded, share of the clearance
+constexpr double kRange =
+    0.1;  // beyond the clearance from which a pair costs nothing, share of the leg
+constexpr double kRounding =
+    0.25;  // distance below which its root is rounded, share of the clearance
 constexpr double kTouching = 1e-6;  // [m]
 
 /// A limb segment: from a link's hinge to a hinge that it carries or to its foot.
 struct Segment {
-  int link;   // owner
-  int child;  // link at its far end, or −1
-  int foot;   // foot at its far end, or −1
+  int link;                    // owner
+  int child;                   // link at its far end, or −1
+  int foot;                    // foot at its far end, or −1
   Vector3d near_end, far_end;  // in the home pose of the initial design
 };
 
@@ -64,23 +66,19 @@ class LimbClearance final : public Term {
     hessian += multiplier[0] / range_ * measure(z, true).hessian;
   }
   bool select_active(const VectorXd& extended, std::vector<int>& active) const override {
-    // Two segments are at least as far apart as their midpoints less their half lengths.
-    const int count = static_cast<int>(segments_.size()), pair_count = static_cast<int>(pairs_.size());
-    Eigen::Matrix3Xd middle(3, count);
-    VectorXd reach(count);
+    const int count = static_cast<int>(segments_.size());
+    const double limit = clearance_ + range_;
+    std::vector<Rod> rods(segments_.size());
     for (int i = 0; i < layout_.knot_count(); ++i) {
       for (int k = 0; k < count; ++k) {
         const auto from = extended.segment<3>(near_slot(i, k)),
                    to = extended.segment<3>(far_slot(i, k));
-        middle.col(k) = 0.5 * (from + to);
-        reach[k] = 0.5 * (to - from).norm() + 0.5 * (clearance_ + range_);
+        rods[k] = {0.5 * (from + to), 0.5 * (to - from), 0.5 * (to - from).norm()};
       }
-      for (int k = 0; k < pair_count; ++k) {
-        const auto [a, b] = pairs_[static_cast<std::size_t>(k)];
-        const double bound = reach[a] + reach[b];
-        if ((middle.col(a) - middle.col(b)).squaredNorm() < bound * bound)
-          active.push_back(i * pair_count + k);
-      }
+      const int first = i * static_cast<int>(pairs_.size());
+      for (std::size_t k = 0; k < pairs_.size(); ++k)
+        if (!far_apart(rods[pairs_[k].first], rods[pairs_[k].second], limit))
+          active.push_back(first + static_cast<int>(k));
     }
     return true;
   }
@@ -110,6 +108,23 @@ class LimbClearance final : public Term {
   }
 
  private:
+  struct Rod {
+    Vector3d middle, half;
+    double half_length;
+  };
+
+  /// True only where the segments are at least `limit` apart: by their midpoints less their half lengths, then by one's
+  /// midpoint to the other segment less its half length.
+  static bool far_apart(const Rod& a, const Rod& b, double limit) {
+    const Vector3d w = b.middle - a.middle;
+    const double sum = a.half_length + b.half_length + limit, apart = w.squaredNorm();
+    if (apart >= sum * sum) return true;
+    const double along = std::clamp(
+        -w.dot(b.half) / std::max(b.half_length * b.half_length, kTouching * kTouching), -1.0, 1.0);
+    const double reach = a.half_length + limit;
+    return (w + along * b.half).squaredNorm() >= reach * reach;
+  }
+
   SegmentDistance measure(const VectorXd& z, bool with_derivatives) const {
     return segment_distance(z.segment<3>(0), z.segment<3>(3), z.segment<3>(6), z.segment<3>(9),
                             kRounding * clearance_, with_derivatives);
@@ -136,8 +151,7 @@ class LimbClearance final : public Term {
       for (int child = l + 1; child < static_cast<int>(morphology.links.size()); ++child)
         if (morphology.links[child].parent == l) add(l, child, -1, home.origin(child));
       for (int j = 0; j < morphology.foot_count(); ++j)
-        if (morphology.feet[j].link == l)
-          add(l, -1, j, foot_place(morphology, geometry, home, j));
+        if (morphology.feet[j].link == l) add(l, -1, j, foot_place(morphology, geometry, home, j));
     }
   }
 

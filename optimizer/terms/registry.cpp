@@ -29,6 +29,8 @@ const std::vector<TermEntry>& term_registry() {
       {"least_normal_force", "-", 1e-3, make_least_normal_force, TermRole::constraint},
       {"joint_limits", "-", 1e-3, make_joint_limits, TermRole::constraint},
       {"torque_limits", "-", 1e-3, make_torque_limits, TermRole::constraint},
+      {"stroke_limits", "-", 1e-3, make_stroke_limits, TermRole::constraint},
+      {"actuator_force", "-", 1e-3, make_actuator_force, TermRole::constraint},
       // Regularisers.
       {"force_size", "-", 1e-3, make_force_size, TermRole::regulariser},
       {"force_smoothness", "-", 0.05, make_force_smoothness, TermRole::regulariser},
@@ -36,6 +38,7 @@ const std::vector<TermEntry>& term_registry() {
       // Outer objectives: no part of F unless a task gives them a weight.
       {"mechanical_work", "-", 0.0, make_mechanical_work, TermRole::outer},
       {"peak_torque", "-", 0.0, make_peak_torque, TermRole::outer},
+      {"printed_volume", "-", 0.0, make_printed_volume, TermRole::outer},
   };
   return table;
 }

@@ -14,11 +14,15 @@ using Eigen::Vector3d;
 ///   Σ_j (e_iʲ − r_j ẑ − x_i) × f_iʲ = Σ_p m_p (p_i − x_i) × (p_{i−1} − 2 p_i + p_{i+1})/h²   over all point masses p.
 /// Forces act where the balls touch the ground, a radius r_j below their centres e_iʲ.
 /// Because p × p = 0 the right-hand side is (A_i − A_{i−1} − M x_i × (c_{i−1} − 2 c_i + c_{i+1}))/h² with the swept
-/// momentum A_i = Σ m p_i × p_{i+1} and c = φ_COM, all of which have slots. Residual over weight times length.
+/// momentum A_i = Σ m p_i × p_{i+1} and c = φ_COM, all of which have slots. Residual over weight times length. Where M
+/// depends on the design its share of the initial mass is the last local variable.
 class TorqueBalance final : public Term {
  public:
   explicit TorqueBalance(const TermContext& context)
-      : scale_(1.0 / (context.weight * context.length)), mass_(context.mass), path_(context.path) {
+      : scale_(1.0 / (context.weight * context.length)),
+        mass_(context.mass),
+        path_(context.path),
+        grows_(context.morphology.grows() ? 1 : 0) {
     const Layout& layout = context.layout;
     const double h = context.task.gait.time_step();
     rate_ = scale_ / (h * h);
@@ -40,6 +44,7 @@ class TorqueBalance final : public Term {
         push(layout.force(i, j));
         radii_[static_cast<std::size_t>(i)].push_back(context.morphology.feet[j].radius);
       }
+      if (grows_ > 0) element.slots.push_back(layout.mass_share());
       elements_.push_back(std::move(element));
     }
   }
@@ -48,8 +53,9 @@ class TorqueBalance final : public Term {
 
   void residual(int element, const Eigen::VectorXd& z, Eigen::VectorXd& r) const override {
     const Vector3d x = z.segment<3>(kX);
-    r = -rate_ * (z.segment<3>(kAfter) - z.segment<3>(kBefore) - mass_ * x.cross(bend(element, z)));
-    for (int k = kFeet; k < z.size(); k += 6)
+    r = -rate_ *
+        (z.segment<3>(kAfter) - z.segment<3>(kBefore) - mass(z) * x.cross(bend(element, z)));
+    for (int k = kFeet; k < z.size() - grows_; k += 6)
       r += scale_ * (contact(element, z, k) - x).cross(z.segment<3>(k + 3));
   }
 
@@ -58,12 +64,13 @@ class TorqueBalance final : public Term {
     jacobian.setZero();
     jacobian.middleCols<3>(kAfter) = -rate_ * Matrix3d::Identity();
     jacobian.middleCols<3>(kBefore) = rate_ * Matrix3d::Identity();
-    const Matrix3d lever = rate_ * mass_ * skew(x);
+    const Matrix3d lever = rate_ * mass(z) * skew(x);
     jacobian.middleCols<3>(kComBefore) = lever * back(element);
     jacobian.middleCols<3>(kCom) = -2 * lever;
     jacobian.middleCols<3>(kComAfter) = lever;
-    jacobian.middleCols<3>(kX) = -rate_ * mass_ * skew(bend(element, z));
-    for (int k = kFeet; k < z.size(); k += 6) {
+    jacobian.middleCols<3>(kX) = -rate_ * mass(z) * skew(bend(element, z));
+    if (grows_ > 0) jacobian.col(z.size() - 1) = rate_ * mass_ * x.cross(bend(element, z));
+    for (int k = kFeet; k < z.size() - grows_; k += 6) {
       const Matrix3d force = scale_ * skew(z.segment<3>(k + 3));
       jacobian.middleCols<3>(kX) += force;
       jacobian.middleCols<3>(k) = -force;
@@ -79,11 +86,12 @@ class TorqueBalance final : public Term {
       hessian.block<3, 3>(a, b) += block;
       hessian.block<3, 3>(b, a) += block.transpose();
     };
-    const Matrix3d lever = rate_ * mass_ * form;
+    const Matrix3d lever = rate_ * mass(z) * form;
     add(kX, kComBefore, lever * back(element));
     add(kX, kCom, -2 * lever);
     add(kX, kComAfter, lever);
-    for (int k = kFeet; k < z.size(); k += 6) {
+    if (grows_ > 0) add_growth(element, z, rate_ * mass_ * form, hessian);
+    for (int k = kFeet; k < z.size() - grows_; k += 6) {
       add(k, k + 3, scale_ * form);
       add(kX, k + 3, -scale_ * form);
     }
@@ -93,7 +101,8 @@ class TorqueBalance final : public Term {
     std::normal_distribution<double> normal;
     Eigen::VectorXd z(static_cast<int>(elements_[element].slots.size()));
     for (double& value : z) value = 0.3 * normal(random);
-    for (int k = kFeet; k < z.size(); k += 6) z.segment<3>(k + 3) *= 10.0;
+    if (grows_ > 0) z[z.size() - 1] += 1.0;
+    for (int k = kFeet; k < z.size() - grows_; k += 6) z.segment<3>(k + 3) *= 10.0;
     return z;
   }
 
@@ -112,6 +121,24 @@ class TorqueBalance final : public Term {
     return before - 2 * z.segment<3>(kCom) + z.segment<3>(kComAfter);
   }
 
+  double mass(const Eigen::VectorXd& z) const {
+    return grows_ > 0 ? mass_ * z[z.size() - 1] : mass_;
+  }
+  /// Mixed second derivatives of the mass share with x and the places of the centre of mass.
+  void add_growth(int element, const Eigen::VectorXd& z, const Matrix3d& form,
+                  Eigen::MatrixXd& hessian) const {
+    const Eigen::Index last = z.size() - 1;
+    const auto add = [&](int at, const Vector3d& mixed) {
+      hessian.block<3, 1>(at, last) += mixed;
+      hessian.block<1, 3>(last, at) += mixed.transpose();
+    };
+    const Vector3d by_bend = form.transpose() * z.segment<3>(kX);
+    add(kX, form * bend(element, z));
+    add(kComBefore, back(element).transpose() * by_bend);
+    add(kCom, -2 * by_bend);
+    add(kComAfter, by_bend);
+  }
+
   /// Where the force of a foot acts: below the centre of its ball.
   Vector3d contact(int element, const Eigen::VectorXd& z, int k) const {
     const double radius =
@@ -122,6 +149,7 @@ class TorqueBalance final : public Term {
   std::vector<std::vector<double>> radii_;  // of the standing feet, by knot
   double scale_, mass_, rate_ = 0.0;
   WantedPath path_;
+  int grows_;  // local variables for the mass
 };
 
 }  // namespace

@@ -205,6 +205,26 @@ TEST(EmitScene, OneClassForEachPairOfGains) {
   }
 }
 
+/// The plugin holds the knees through their pistons, with the stiffness of the tendon.
+TEST(EmitScene, PistonPuppyStandsOnItsTendons) {
+  const RobotModel robot = parse_robot(test::named_robot("piston_puppy"), "piston_puppy.xml");
+  const ModelPointer model = compile_scene(emit_scene(robot, robot.xml, settings_for(robot)));
+  const int piston = mj_name2id(model.get(), mjOBJ_ACTUATOR, "HL_piston");
+  ASSERT_GE(piston, 0);
+  EXPECT_EQ(model->actuator_trntype[piston], mjTRN_TENDON);
+  EXPECT_EQ(model->actuator_biasprm[mjNBIAS * piston + 1], -90000.0);
+  EXPECT_EQ(model->actuator_forcerange[2 * piston + 1], 120.0);
+  const DataPointer data(mj_makeData(model.get()));
+  mj_resetDataKeyframe(model.get(), data.get(), mj_name2id(model.get(), mjOBJ_KEY, "gait"));
+  mj_forward(model.get(), data.get());
+  const double height = data->qpos[2], length = data->ten_length[0];
+  for (int i = 0; i < 1000; ++i) mj_step(model.get(), data.get());
+  EXPECT_NEAR(data->qpos[2], height, 0.01);
+  EXPECT_NEAR(data->ten_length[0], length, 1e-3);
+  EXPECT_NEAR(data->qpos[8], -1.0, 0.05);
+  for (int w = 0; w < mjNWARNING; ++w) EXPECT_EQ(data->warning[w].number, 0) << w;
+}
+
 TEST(EmitScene, RefusesSettingsThatDoNotFitAndRepeatsItself) {
   const RobotModel robot = read_robot(test::puppy_file());
   const SceneSettings good = settings_for(robot);

@@ -39,7 +39,7 @@ RobotState state_of(const Morphology& morphology, const VectorXd& s, const Vecto
     const Frame& at = frames[l];
     for (const PointMass& point : link.masses) {
       const Vector3d arm = at.R * point.position.at(s);
-      points.push_back({point.mass, at.p + arm, at.v + at.w.cross(arm)});
+      points.push_back({point.mass * point.growth_at(s), at.p + arm, at.v + at.w.cross(arm)});
     }
   }
   RobotState out;
@@ -58,6 +58,12 @@ RobotState state_of(const Morphology& morphology, const VectorXd& s, const Vecto
   for (const Foot& foot : morphology.feet) {
     const Frame& at = frames[foot.link];
     out.feet.push_back(at.p + at.R * foot.position.at(s));
+  }
+  for (const LinearActuator& actuator : morphology.linear_actuators) {
+    const Frame& low = frames[actuator.joint + 1];
+    const Frame& up = frames[morphology.links[actuator.joint + 1].parent];
+    out.actuator_lengths.push_back(
+        (low.p + low.R * actuator.lower.at(s) - up.p - up.R * actuator.upper.at(s)).norm());
   }
   return out;
 }
@@ -100,6 +106,9 @@ RobotState MujocoRobot::state(const Morphology& names, const VectorXd& qpos,
   for (const Foot& foot : names.feet)
     out.feet.push_back(
         Vector3d::Map(d.geom_xpos + 3 * mj_name2id(&m, mjOBJ_GEOM, foot.name.c_str())));
+  for (const LinearActuator& actuator : names.linear_actuators)
+    out.actuator_lengths.push_back(
+        d.ten_length[mj_name2id(&m, mjOBJ_TENDON, actuator.name.c_str())]);
   return out;
 }
 
@@ -112,6 +121,9 @@ double difference(const RobotState& a, const RobotState& b) {
   if (a.feet.size() != b.feet.size()) return 1e9;
   for (std::size_t f = 0; f < a.feet.size(); ++f)
     worst = std::max(worst, (a.feet[f] - b.feet[f]).norm());
+  if (a.actuator_lengths.size() != b.actuator_lengths.size()) return 1e9;
+  for (std::size_t k = 0; k < a.actuator_lengths.size(); ++k)
+    worst = std::max(worst, std::abs(a.actuator_lengths[k] - b.actuator_lengths[k]));
   return worst;
 }
 

@@ -15,6 +15,7 @@ struct RobotState {
   Eigen::Vector3d angular_momentum = Eigen::Vector3d::Zero();  // about the COM
   Eigen::Matrix3d second_moments = Eigen::Matrix3d::Zero();    // Σ m p pᵀ about the COM
   std::vector<Eigen::Vector3d> feet;
+  std::vector<double> actuator_lengths;  // of linear actuators [m]
 };
 
 /// Kinematics of a morphology at design s, written independently of the optimizer's.

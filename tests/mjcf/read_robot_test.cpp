@@ -88,8 +88,7 @@ TEST(ReadRobot, MirroredAxesStayMirrorImages) {
 class MatchesMujoco : public testing::TestWithParam<const char*> {};
 
 TEST_P(MatchesMujoco, AtRandomPosesAndVelocities) {
-  const std::string xml = std::string(GetParam()) == "puppy" ? test::read_file(test::puppy_file())
-                                                             : test::crooked_robot();
+  const std::string xml = test::named_robot(GetParam());
   const RobotModel robot = parse_robot(xml, GetParam());
   const test::MujocoRobot engine(xml);
   std::mt19937 random(7);
@@ -108,7 +107,9 @@ TEST_P(MatchesMujoco, AtRandomPosesAndVelocities) {
     EXPECT_GT(test::difference(reference, test::state_of(robot.morphology, off, qpos, qvel)), 1e-7);
   }
 }
-INSTANTIATE_TEST_SUITE_P(Robots, MatchesMujoco, testing::Values("puppy", "crooked"));
+INSTANTIATE_TEST_SUITE_P(Robots, MatchesMujoco,
+                         testing::Values("puppy", "crooked", "piston_puppy", "crooked_piston",
+                                         "crooked_printed"));
 
 TEST(ReadRobot, ReadsGeneralTrees) {
   const RobotModel robot = parse_robot(test::crooked_robot(), "crooked");

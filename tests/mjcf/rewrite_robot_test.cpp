@@ -31,7 +31,9 @@ std::string blanked(const std::string& text, const std::set<std::string>& attrib
 }
 
 TEST(RewriteRobot, InitialDesignGivesTheSameBytes) {
-  for (const std::string& xml : {test::read_file(test::puppy_file()), test::crooked_robot()}) {
+  for (const char* name :
+       {"puppy", "crooked", "piston_puppy", "crooked_piston", "crooked_printed"}) {
+    const std::string xml = test::named_robot(name);
     const RobotModel robot = parse_robot(xml, "robot.xml");
     EXPECT_TRUE(rewrite_robot(robot, robot.space.initial()) == xml);
   }
@@ -51,8 +53,7 @@ TEST(RewriteRobot, ThereAndBackGivesTheSameRobot) {
 class RandomDesigns : public testing::TestWithParam<const char*> {};
 
 TEST_P(RandomDesigns, CompileAndMatchMujoco) {
-  const std::string xml = std::string(GetParam()) == "puppy" ? test::read_file(test::puppy_file())
-                                                             : test::crooked_robot();
+  const std::string xml = test::named_robot(GetParam());
   const RobotModel robot = parse_robot(xml, GetParam());
   std::mt19937 random(11);
   std::uniform_real_distribution<double> uniform(-2, 2);
@@ -71,7 +72,9 @@ TEST_P(RandomDesigns, CompileAndMatchMujoco) {
               1e-4);
   }
 }
-INSTANTIATE_TEST_SUITE_P(Robots, RandomDesigns, testing::Values("puppy", "crooked"));
+INSTANTIATE_TEST_SUITE_P(Robots, RandomDesigns,
+                         testing::Values("puppy", "crooked", "piston_puppy", "crooked_piston",
+                                         "crooked_printed"));
 
 TEST(RewriteRobot, TouchesBoundAttributesOnly) {
   const RobotModel robot = read_robot(test::puppy_file());

@@ -98,4 +98,67 @@ std::string crooked_robot() {
 )";
 }
 
+std::string crooked_piston_robot() {
+  std::string xml = crooked_robot();
+  // Over the knee, and from a fixed bracket to the other leg.
+  xml = with(xml, "<camera name=\"eye\"",
+             "<site name=\"knee_top\" pos=\"0.06 0.01 -0.08\"/><camera name=\"eye\"");
+  xml = with(xml, "<geom type=\"box\" pos=\"0 0 -0.1\"",
+             "<site name=\"knee_foot\" pos=\"0.03 -0.01 -0.05\"/>"
+             "<geom type=\"box\" pos=\"0 0 -0.1\"");
+  xml = with(xml, "<body name=\"other\"",
+             "<body name=\"hook\" pos=\"-0.1 -0.02 0.02\" euler=\"10 0 40\">"
+             "<geom size=\"0.005\" density=\"0\"/><site name=\"hook\" pos=\"0.01 0 0\"/></body>"
+             "<body name=\"other\"");
+  xml = with(xml, "<geom name=\"ball\"",
+             "<site name=\"other_foot\" pos=\"0.01 0.02 -0.1\"/><geom name=\"ball\"");
+  xml = with(xml, "<actuator>",
+             "<tendon><spatial name=\"at_knee\" range=\"0.01 0.5\">"
+             "<site site=\"knee_foot\"/><site site=\"knee_top\"/></spatial>"
+             "<spatial name=\"at_other\"><site site=\"hook\"/><site site=\"other_foot\"/>"
+             "</spatial></tendon>\n  <actuator>");
+  xml = with(xml, "<position joint=\"knee\" kp=\"20\" gear=\"-3\"/>",
+             "<position tendon=\"at_knee\" kp=\"20000\" kv=\"200\" gear=\"-3\"/>");
+  xml = with(xml, "<general joint=\"swing2\" forcerange=\"-6 6\"/>",
+             "<general tendon=\"at_other\" forcerange=\"-60 60\"/>");
+  xml = with(xml, "| axis z: lift ~swing2 |", "| axis z: lift 0.5*~swing2 |");
+  return with(xml, "<numeric name=\"other/number\"",
+              "<numeric name=\"legwright/end_z\" data=\"-0.05 -0.07 -0.03\"/>"
+              "<text name=\"legwright/end_z\" data=\"m | place z: knee_foot 2*other_foot | z\"/>"
+              "<numeric name=\"legwright/end_y\" data=\"0.01 0.005 0.015\"/>"
+              "<text name=\"legwright/end_y\" data=\"m | place y: ~knee_foot | y\"/>"
+              "<numeric name=\"legwright/hook_x\" data=\"0.01 0.005 0.015\"/>"
+              "<text name=\"legwright/hook_x\" data=\"m | place x: hook | x\"/>"
+              "<numeric name=\"other/number\"");
+}
+
+std::string crooked_printed_robot() {
+  std::string xml = crooked_robot();
+  xml = with(xml,
+             "<inertial pos=\"0.01 0.02 -0.01\" mass=\"2\" euler=\"10 20 30\" "
+             "diaginertia=\"0.02 0.03 0.04\"/>\n",
+             "<geom type=\"capsule\" fromto=\"-0.1 0.05 0 0.1 0.05 0\" size=\"0.012\" "
+             "density=\"700\"/>\n"
+             "<geom type=\"cylinder\" fromto=\"0.02 -0.06 0.01 0.02 0.04 0.01\" size=\"0.01\"/>\n"
+             "<geom type=\"cylinder\" fromto=\"0.02 0.01 -0.05 0.02 0.01 0.01\" size=\"0.01\"/>\n"
+             "<geom type=\"capsule\" pos=\"0.03 0.02 0\" euler=\"20 30 0\" size=\"0.01 0.03\"/>\n"
+             "<geom type=\"ellipsoid\" pos=\"-0.04 0.02 0.03\" euler=\"0 30 10\" "
+             "size=\"0.01 0.02 0.03\" mass=\"0.15\"/>\n"
+             "<geom type=\"box\" pos=\"0.04 0 0.03\" euler=\"0 30 0\" size=\"0.01 0.02 0.03\"/>\n");
+  xml = with(xml,
+             "<inertial pos=\"0.02 0.01 -0.1\" mass=\"0.3\"\n                    "
+             "fullinertia=\"0.002 0.0021 0.0003 0.0001 -0.0002 0.00005\"/>\n",
+             "<geom size=\"0.013\" pos=\"0.02 0.01 -0.1\" density=\"2000\"/>\n");
+  return with(xml,
+              "<inertial pos=\"0 0 -0.08\" mass=\"0.2\" diaginertia=\"0.001 0.001 0.0001\"/>\n",
+              "<geom type=\"box\" size=\"0.1 0.1 0.1\" density=\"0\"/>\n");
+}
+
+std::string named_robot(const std::string& name) {
+  if (name == "puppy") return read_file(puppy_file());
+  if (name == "piston_puppy") return read_file(source_path("examples/piston_puppy/robot.xml"));
+  if (name == "crooked_printed") return crooked_printed_robot();
+  return name == "crooked" ? crooked_robot() : crooked_piston_robot();
+}
+
 }  // namespace legwright::test

@@ -109,6 +109,48 @@ Puppy make_puppy(bool tied) {
   return puppy;
 }
 
+void add_pistons(Puppy& puppy) {
+  const int first = puppy.space.size();
+  const Vector3d lower(0.015, 0.0, -0.035);
+  for (int k = 0; k < 3; ++k)
+    puppy.space.parameters.push_back({std::string("piston_") + "xyz"[k], "m", "end of a piston",
+                                      ParameterKind::position, lower[k], lower[k] - 0.02,
+                                      lower[k] + 0.02, 4});
+  for (int leg = 0; leg < 4; ++leg) {
+    const int knee = 3 * leg + 1;
+    const AffineVector& thigh = puppy.morphology.links[knee + 1].origin;
+    LinearActuator piston;
+    piston.name = "piston_" + std::to_string(leg);
+    piston.joint = knee;
+    piston.upper = {Vector3d(0.02, 0.0, 0.0), {}};
+    for (const AffineVector::Slope& slope : thigh.slopes)  // a sixth of the way down
+      piston.upper.slopes.push_back({slope.parameter, slope.slope / 6});
+    for (int k = 0; k < 3; ++k)
+      piston.lower.slopes.push_back(
+          {first + k, (k == 1 && leg % 2 == 1 ? -1.0 : 1.0) * Vector3d::Unit(k)});
+    piston.shortest = 0.045;
+    piston.longest = 0.082;
+    piston.force_limit = 120.0;
+    puppy.morphology.linear_actuators.push_back(std::move(piston));
+  }
+}
+
+void print_bodies(Puppy& puppy) {
+  std::vector<Link>& links = puppy.morphology.links;
+  const Eigen::VectorXd initial = puppy.space.initial();
+  const int width = puppy.space.find("body_width"), length = puppy.space.find("body_length");
+  for (std::size_t l = 0; l < links.size(); ++l)
+    for (std::size_t p = 0; p < links[l].masses.size() && p < 6; ++p) {
+      PointMass& point = links[l].masses[p];
+      if (l == 0)
+        point.growth = {{width, initial[width]}, {length, initial[length]}};
+      else if (!point.position.slopes.empty() && p < 2)
+        point.growth = {
+            {point.position.slopes[0].parameter, initial[point.position.slopes[0].parameter]}};
+      point.volume = point.mass / 1000.0;
+    }
+}
+
 Task make_sideways_task(bool trot, int knot_count, int planted_margin) {
   const GaitPattern pattern = trot ? GaitPattern{"trot", {0, 0.5, 0.5, 0}, 0.5}
                                    : GaitPattern{"walk", {0, 0.5, 0.75, 0.25}, 0.75};

@@ -20,6 +20,12 @@ struct Puppy {
 /// 12 lengths, 12 × (turn about z, turn about x), body width, body length.
 Puppy make_puppy(bool tied);
 
+/// Adds a linear actuator to each knee and the three coordinates of its lower end as parameters.
+void add_pistons(Puppy& puppy);
+
+/// Makes the shanks, thighs and the trunk printed: their masses grow with their lengths, the trunk's with two of them.
+void print_bodies(Puppy& puppy);
+
 /// Sideways at 0.1 m/s; walk (1 s, duty 0.75) or trot (0.4 s, duty 0.5).
 Task make_sideways_task(bool trot, int knot_count = 24, int planted_margin = 1);
 

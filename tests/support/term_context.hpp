@@ -7,15 +7,18 @@
 namespace legwright::test {
 
 /// Everything a TermContext refers to, for tests that build terms by hand: a turning trot of the tied puppy with
-/// limits of angles and torques, so that every term has elements.
+/// limits of angles and torques and pistons, so that every term has elements.
 struct TermSetting {
-  TermSetting() {
+  /// @param printed masses depend on the design.
+  explicit TermSetting(bool printed = false) {
     for (Link& link : puppy.morphology.links) {
       link.joint.lower = -1.2;
       link.joint.upper = 1.2;
       link.joint.torque_limit = 0.6;
       link.joint.armature = 2e-4;
     }
+    add_pistons(puppy);
+    if (printed) print_bodies(puppy);
     task.velocity = {0.05, 0.1};
     task.turn_rate = 0.6;
     task.clearance = 0.06;  // wide against the step of central differences

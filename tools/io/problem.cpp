@@ -8,6 +8,7 @@
 
 #include "mjcf/input_error.hpp"
 #include "optimizer/terms/registry.hpp"
+#include "tools/io/design_table.hpp"
 #include "tools/io/toml_reader.hpp"
 
 namespace legwright {
@@ -50,6 +51,8 @@ CodesignProblem read_problem(const std::filesystem::path& task_file) {
   CodesignProblem problem;
   problem.set = read_task_set(task_file);
   problem.robot = read_robot(problem.set.robot);
+  problem.robot.space = restricted(problem.robot.space, problem.set.design,
+                                   problem.set.file.string(), problem.set.lines);
   for (const TaskFile& file : problem.set.tasks) {
     const Task task = make_task(file, problem.robot);
     problem.objectives.push_back(make_objective(file, problem.robot, task));

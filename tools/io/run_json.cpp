@@ -7,10 +7,6 @@
 namespace legwright {
 namespace {
 
-const char* kind_name(ParameterKind kind) {
-  return kind == ParameterKind::length ? "length" : "axis_angle";
-}
-
 Json task_json(const Task& task) {
   return {{"name", task.name},
           {"gait", task.gait.name()},
@@ -27,7 +23,7 @@ Json parameters_json(const DesignSpace& space) {
   for (const DesignParameter& p : space.parameters)
     parameters.push_back({{"name", p.name},
                           {"unit", p.unit},
-                          {"kind", kind_name(p.kind)},
+                          {"kind", to_string(p.kind)},
                           {"sentence", p.sentence},
                           {"initial", p.initial},
                           {"lower", p.lower},

@@ -50,6 +50,13 @@ struct TaskFile {
   int line(const std::string& key) const;
 };
 
+/// What a task file says about s: [design] freeze = ["body_width"] and [design.bounds]
+/// body_length = [0.2, 0.3].
+struct DesignWishes {
+  std::vector<std::string> freeze;                    // stay at their initial value
+  std::map<std::string, std::vector<double>> bounds;  // lower, upper, within those of the robot
+};
+
 /// Everything that a task file asks of one body: one task, or several under [[task]].
 struct TaskSet {
   std::filesystem::path file;
@@ -59,6 +66,7 @@ struct TaskSet {
   std::vector<TaskFile> tasks;       // in the file's order, at least one; names differ
   std::string outer;                 // name of the term that is the outer objective J, or empty
   double outer_weight = 1.0;         // of J in F + weight·J
+  DesignWishes design;               // [design]: what is frozen or bounded
   std::map<std::string, int> lines;  // of the keys outside [[task]]
 
   bool joint() const { return tasks.size() > 1; }

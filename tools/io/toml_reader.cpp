@@ -201,6 +201,19 @@ std::optional<std::vector<std::vector<double>>> TableReader::pairs(std::string_v
   return rows;
 }
 
+std::map<std::string, std::vector<double>> TableReader::numbers_of_names(std::string_view key,
+                                                                         const Range& range,
+                                                                         std::size_t count) {
+  std::map<std::string, std::vector<double>> values;
+  const toml::table* found = table(key);
+  if (!found) return values;
+  TableReader inner(found, full(key), problems_, lines_);
+  for (const auto& [name, entry] : *found)
+    if (const auto row = inner.numbers(name.str(), range, count))
+      values[std::string(name.str())] = *row;
+  return values;
+}
+
 std::map<std::string, double> TableReader::numbers_by_name(std::string_view key,
                                                            const Range& range) {
   std::map<std::string, double> values;

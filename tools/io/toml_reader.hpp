@@ -56,6 +56,10 @@ class TableReader {
   /// A table of names and arrays of pairs; the names are free.
   std::map<std::string, std::vector<std::vector<double>>> pairs_by_name(std::string_view key,
                                                                         const Range& range);
+  /// A table of names and arrays of `count` numbers; the names are free.
+  std::map<std::string, std::vector<double>> numbers_of_names(std::string_view key,
+                                                              const Range& range,
+                                                              std::size_t count);
   /// A table within; null if absent or no table.
   const toml::table* table(std::string_view key);
   const toml::node* node(std::string_view key);

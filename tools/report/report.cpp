@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "tools/io/atomic_file.hpp"
+#include "tools/report/page.hpp"
 #include "tools/report/sections.hpp"
 #include "tools/report/words.hpp"
 
@@ -21,17 +22,6 @@ std::string title_of(const RunData& data) {
   return title.empty() ? "Legwright run" : title;
 }
 
-/// The main numbers once more, for programs that read the page.
-void add_island(Html& page, const RunData& data) {
-  Json island{{"schema", "legwright/report"}, {"version", 1}};
-  for (const char* key : {"robot", "task", "status", "motion_only_F", "final_F", "parameters"}) {
-    island[key] = value_at(data.run, {key});
-  }
-  island["verdict"] = data.verdict;
-  page.open("script", {{"type", "application/json"}, {"id", "legwright-report"}});
-  page.raw(escape_json_island(to_text(island))).close();
-}
-
 std::string verdict_line(const RunData& data, const char* key) {
   const std::string line = text_at(data.verdict, {key, "line"});
   return line.empty() ? "not validated" : line;
@@ -41,23 +31,11 @@ std::string verdict_line(const RunData& data, const char* key) {
 
 std::string report_page(const RunData& data) {
   Html page;
-  page.raw("<!DOCTYPE html>\n").open("html", {{"lang", "en"}}).open("head");
-  page.lone("meta", {{"charset", "utf-8"}});
-  page.lone("meta",
-            {{"http-equiv", "Content-Security-Policy"},
-             {"content",
-              "default-src 'none'; img-src data:; style-src 'unsafe-inline'; base-uri 'none'; "
-              "form-action 'none'"}});
-  page.lone("meta", {{"name", "viewport"}, {"content", "width=device-width, initial-scale=1"}});
-  page.lone("meta", {{"name", "color-scheme"}, {"content", "light dark"}});
-  page.element("title", title_of(data));
-  page.open("style").raw(report_style()).close().close();
-  page.open("body")
-      .open("header")
-      .element("h1", title_of(data))
-      .element("p", task_words(data.run))
-      .close();
-  page.open("main");
+  open_page(page, title_of(data), task_words(data.run));
+  if (text_at(data.run, {"joint_run"}) == "../..") {
+    page.open("p", {{"class", "note"}}).text("One task of a joint run: ");
+    page.element("a", "report of the whole", {{"href", "../../report.html"}}).text(".").close();
+  }
   add_verdicts(page, data);
   add_pictures(page, data);
   add_design_change(page, data);
@@ -66,13 +44,11 @@ std::string report_page(const RunData& data) {
   add_terms(page, data);
   add_physics(page, data);
   add_plan(page, data);
+  add_certificate(page, data);
   add_origin(page, data);
-  page.close();
-  page.element(
-      "footer",
-      "Made by legwright report from the files of this run; nothing is fetched from elsewhere.");
-  add_island(page, data);
-  page.close().close();
+  Json island = island_of(data);
+  island["verdict"] = data.verdict;
+  close_page(page, island);
   return page.take();
 }
 
@@ -102,13 +78,25 @@ std::string report_summary(const RunData& data) {
   return out;
 }
 
-std::filesystem::path write_report(const std::filesystem::path& run) {
+std::vector<std::filesystem::path> write_report(const std::filesystem::path& run) {
+  const auto write = [](const std::filesystem::path& folder, const std::string& page,
+                        const std::string& summary) {
+    write_file(folder / "report.html", page);
+    std::filesystem::create_directories(folder / "result");
+    write_file(folder / "result" / "summary.md", summary);
+    return folder / "report.html";
+  };
   const RunData data = read_run(run);
-  const std::filesystem::path page = run / "report.html";
-  write_file(page, report_page(data));
-  std::filesystem::create_directories(run / "result");
-  write_file(run / "result" / "summary.md", report_summary(data));
-  return page;
+  if (!is_joint(data.run)) return {write(run, report_page(data), report_summary(data))};
+  const JointData joint = read_joint_run(run);
+  std::vector<std::filesystem::path> pages{
+      write(run, joint_report_page(joint), joint_report_summary(joint))};
+  for (const JointTaskData& task : joint.tasks) {
+    if (task.run)
+      pages.push_back(
+          write(run / task.relative, report_page(*task.run), report_summary(*task.run)));
+  }
+  return pages;
 }
 
 }  // namespace legwright

@@ -48,6 +48,8 @@ RunData read_run(const fs::path& root) {
   });
   if_present(result / "verdict.json", data.notes,
              [&](const fs::path& file) { data.verdict = read_json(file); });
+  if_present(result / "certificate.json", data.notes,
+             [&](const fs::path& file) { data.certificate = read_json(file); });
   if_present(data.iteration(0) / "motion.csv", data.notes,
              [&](const fs::path& file) { data.initial_plan = read_motion_csv(file); });
   if_present(result / "motion.csv", data.notes,
@@ -72,6 +74,11 @@ std::optional<double> number_at(const Json& json, std::initializer_list<const ch
   if (!value.is_number()) return std::nullopt;
   const double number = value.get<double>();
   return std::isfinite(number) ? std::optional(number) : std::nullopt;
+}
+
+std::optional<double> fall_of_cost(const Json& run) {
+  const auto before = number_at(run, {"motion_only_F"}), after = number_at(run, {"final_F"});
+  return before && after ? std::optional(*before - *after) : std::nullopt;
 }
 
 std::string text_at(const Json& json, std::initializer_list<const char*> path) {

@@ -18,6 +18,7 @@ struct RunData {
   Json run;                      // run.json
   std::vector<Json> iterations;  // "iteration" events in order
   Json metrics, verdict;         // of validate; null where it has not run
+  Json certificate;              // of the result; null where it was not asked for
   std::optional<Trajectory> initial_plan, result_plan;
   std::vector<std::string> notes;  // files that could not be used, and why
 
@@ -30,6 +31,8 @@ RunData read_run(const std::filesystem::path& root);
 // Lenient access, so that a report of an incomplete run is still a report.
 /// The number at a path of keys, if there is one and it is finite.
 std::optional<double> number_at(const Json& json, std::initializer_list<const char*> path);
+/// motion_only_F − final_F of a run.json, where it has both.
+std::optional<double> fall_of_cost(const Json& run);
 /// The string at a path of keys; empty without.
 std::string text_at(const Json& json, std::initializer_list<const char*> path);
 /// What is at a path of keys; null without.

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
+#include "tools/report/pull_words.hpp"
 #include "tools/report/sections.hpp"
 #include "tools/report/svg_plot.hpp"
 #include "tools/report/words.hpp"
@@ -11,7 +13,11 @@
 namespace legwright {
 namespace {
 
-void add_table(Html& page, const std::vector<ParameterView>& parameters, bool angles) {
+/// What pulled a parameter, in words; empty where it is not known.
+using Reason = std::function<std::string(const std::string& parameter)>;
+
+void add_table(Html& page, const std::vector<ParameterView>& parameters, bool angles,
+               const Reason& reason) {
   if (std::none_of(parameters.begin(), parameters.end(),
                    [&](const auto& p) { return p.angle == angles; }))
     return;
@@ -28,6 +34,8 @@ void add_table(Html& page, const std::vector<ParameterView>& parameters, bool an
     if (p.angle != angles) continue;
     page.open("tr").open("td").element("b", spaced(p.name));
     if (!p.sentence.empty()) page.element("small", p.sentence);
+    if (const std::string why = reason(p.name); !why.empty())
+      page.element("small", "Why: " + why, {{"class", "why"}});
     page.close();
     page.element("td", p.with_unit(p.initial), {{"class", "n"}, {"data-label", "before"}});
     page.open("td", {{"class", "n"}, {"data-label", "after"}}).text(p.with_unit(p.final));
@@ -39,6 +47,26 @@ void add_table(Html& page, const std::vector<ParameterView>& parameters, bool an
     page.close().close().close();
   }
   page.close().close().close();
+}
+
+/// One sentence on all parameters, and how to read the others.
+void add_why(Html& page, const RunData& data, const std::vector<ParameterPull>& pulls) {
+  const bool part = !value_at(data.run, {"joint_run"}).is_null();
+  const std::string summary = pull_summary(pulls, part ? std::nullopt : fall_of_cost(data.run));
+  if (summary.empty()) return;
+  page.open("p").element("b", "Why it changed. ").text(summary).close();
+  std::string note =
+      "Numbers are changes of F that a parameter’s change brought a term, the motion following, "
+      "summed "
+      "along the way to the result; those of one parameter need not fall for each term.";
+  if (part) {
+    note += " They carry the weight that this task has in the joint cost.";
+    const std::string start = text_at(data.run, {"start"});
+    if (!start.empty() && start != "initial" && start != text_at(data.run, {"task", "name"}))
+      note += " The way begins with the body for " + spaced(start) +
+              " alone, from which the best start set out: this task had no say before.";
+  }
+  page.element("p", note, {{"class", "note"}});
 }
 
 struct TermRow {
@@ -79,8 +107,15 @@ void add_design_change(Html& page, const RunData& data) {
     page.close();
   }
   page.close();
-  add_table(page, parameters, true);
-  add_table(page, parameters, false);
+  const auto pulls = pulls_of(value_at(data.run, {"pull"}));
+  add_why(page, data, pulls);
+  const Reason reason = [&, scale = largest_share(pulls)](const std::string& parameter) {
+    for (const ParameterPull& pull : pulls)
+      if (pull.parameter == parameter) return pull_words(pull, scale);
+    return std::string();
+  };
+  add_table(page, parameters, true, reason);
+  add_table(page, parameters, false, reason);
   page.close();
 }
 

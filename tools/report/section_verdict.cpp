@@ -43,18 +43,6 @@ void add_card(Html& page, const RunData& data, const char* key, const std::strin
   page.close();
 }
 
-void add_strip(Html& page, const fs::path& file, const std::string& title,
-               const std::string& explanation) {
-  const std::string bytes = read_file(file);
-  const std::span<const std::uint8_t> data(reinterpret_cast<const std::uint8_t*>(bytes.data()),
-                                           bytes.size());
-  page.open("figure", {{"class", "strip"}});
-  page.open("figcaption").element("b", title).text(" " + explanation).close();
-  page.open("div", {{"class", "scroll"}, {"tabindex", "0"}});
-  page.lone("img", {{"src", data_uri("image/png", data)}, {"alt", title}});
-  page.close().close();
-}
-
 /// At most `most` of the iterations, first and last among them, the others where F fell most.
 std::vector<int> spread(const RunData& data, const std::vector<int>& drawn, std::size_t most) {
   if (drawn.size() <= most) return drawn;
@@ -79,6 +67,18 @@ std::vector<int> spread(const RunData& data, const std::vector<int>& drawn, std:
 }
 
 }  // namespace
+
+void add_strip(Html& page, const fs::path& file, const std::string& title,
+               const std::string& explanation) {
+  const std::string bytes = read_file(file);
+  const std::span<const std::uint8_t> data(reinterpret_cast<const std::uint8_t*>(bytes.data()),
+                                           bytes.size());
+  page.open("figure", {{"class", "strip"}});
+  page.open("figcaption").element("b", title).text(" " + explanation).close();
+  page.open("div", {{"class", "scroll"}, {"tabindex", "0"}});
+  page.lone("img", {{"src", data_uri("image/png", data)}, {"alt", title}});
+  page.close().close();
+}
 
 std::string command(const std::string& verb, const RunData& data) {
   return "legwright " + verb + " " + data.root.generic_string();

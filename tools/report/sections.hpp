@@ -4,6 +4,7 @@
 #include <string>
 
 #include "tools/report/html.hpp"
+#include "tools/report/joint_data.hpp"
 #include "tools/report/run_data.hpp"
 
 namespace legwright {
@@ -19,10 +20,23 @@ void add_design_change(Html& page, const RunData& data);
 void add_progress(Html& page, const RunData& data);
 void add_gallery(Html& page, const RunData& data);
 void add_terms(Html& page, const RunData& data);
+void add_certificate(Html& page, const RunData& data);
 void add_physics(Html& page, const RunData& data);
 void add_plan(Html& page, const RunData& data);
 void add_origin(Html& page, const RunData& data);
 
+// The parts of the page of a joint run, likewise.
+void add_task_cards(Html& page, const JointData& data);
+void add_matrix(Html& page, const JointData& data);
+void add_task_pictures(Html& page, const JointData& data);
+void add_bodies(Html& page, const JointData& data);
+void add_task_pulls(Html& page, const JointData& data);
+void add_front(Html& page, const JointData& data);
+void add_starts(Html& page, const JointData& data);
+
+/// A strip of pictures with its explanation.
+void add_strip(Html& page, const std::filesystem::path& file, const std::string& title,
+               const std::string& explanation);
 /// "legwright VERB RUN", as one would type it.
 std::string command(const std::string& verb, const RunData& data);
 /// A paragraph that names what is missing and the command for it.

@@ -49,7 +49,7 @@ figure { margin: 0; }
 .gallery img { display: block; width: 100%; height: auto; border-radius: 6px; }
 .gallery figcaption { font-size: .8rem; color: var(--pale); margin-top: .2rem; font-variant-numeric: tabular-nums; }
 .charts { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(26rem, 100%), 1fr)); gap: 1.75rem 2.5rem; margin-top: .8rem; }
-.chart { min-width: 0; } .chart figcaption { font-weight: 600; font-size: .95rem; }
+.charts.single { grid-template-columns: minmax(0, 38rem); } .chart { min-width: 0; } .chart figcaption { font-weight: 600; font-size: .95rem; }
 .chart svg { display: block; width: 100%; height: auto; margin-top: .3rem; }
 .chart text { font: 12px system-ui, -apple-system, "Segoe UI", Roboto, sans-serif; fill: var(--pale); font-variant-numeric: tabular-nums; }
 .grid { stroke: var(--line); stroke-width: 1; fill: none; } .axis, .tick { stroke: var(--pale); fill: none; }
@@ -72,6 +72,16 @@ th { font-size: .8rem; color: var(--pale); font-weight: 600; white-space: nowrap
 .bars { width: 40%; min-width: 7rem; padding-top: .7rem; } .share { display: block; width: 100%; height: 6px; margin-bottom: 3px; }
 .share .b1 { fill: var(--c1); } .share .b2 { fill: var(--c2); } .sum td { font-weight: 700; }
 .gains td:first-child { min-width: 11rem; } .changes { margin: .3rem 0 0; padding-left: 1.3rem; } .origin td:first-child { white-space: nowrap; color: var(--pale); width: 1%; }
+.why { color: var(--ink); } .mark { width: 1.6rem; font-weight: 700; } .good { color: var(--good); } .bad { color: var(--bad); }
+a { color: var(--c1); } .proof .n { padding-right: 0; } .proof td:nth-child(2) { width: 100%; }
+details { margin: 1.2rem 0 0; } summary { cursor: pointer; font-weight: 600; font-size: .95rem; } details table { margin-top: .5rem; }
+.matrix td, .matrix th { padding-right: 1.2rem; } .matrix td:first-child { min-width: 8rem; }
+.matrix p { margin: 0 0 .2rem; } .matrix p b { margin-right: .5rem; font-variant-numeric: tabular-nums; } .matrix .cell { padding-left: .7rem; border-left: 3px solid var(--line); }
+.matrix th + th { padding-left: .85rem; } .matrix .good-cell { background: var(--good-soft); border-left-color: var(--good); } .matrix .bad-cell { background: var(--bad-soft); border-left-color: var(--bad); }
+dl { display: flex; flex-wrap: wrap; gap: .1rem 1.1rem; margin: 0; font-size: .85rem; color: var(--pale); } dl div { white-space: nowrap; }
+dt { display: inline; } dt::after { content: " "; } dd { display: inline; margin: 0 0 0 .25rem; color: var(--ink); font-variant-numeric: tabular-nums; }
+.chosen td:first-child { border-left: 3px solid var(--c1); padding-left: .6rem; } .limit { white-space: nowrap; } .reason { font-size: .88rem; min-width: 14rem; }
+.key.ring { width: .85rem; height: .85rem; border-width: 2px; border-style: solid; border-radius: 50%; }
 footer { color: var(--pale); font-size: .85rem; border-top: 1px solid var(--line); padding-top: .8rem; }
 @media (max-width: 40rem) {
   .design, .design tbody { display: block; } .design thead { display: none; }

@@ -34,7 +34,10 @@ std::string legend(const std::vector<PlotSeries>& series) {
   std::string out = "<p class=\"legend\">";
   for (const PlotSeries& s : series) {
     out += fmt::format("<span><i class=\"key b{}{}\"></i>{}</span> ", s.colour,
-                       s.dashed ? " dash" : "", escape_text(s.name));
+                       s.mark     ? " ring"
+                       : s.dashed ? " dash"
+                                  : "",
+                       escape_text(s.name));
   }
   return out + "</p>\n";
 }
@@ -162,7 +165,9 @@ std::string line_plot(const std::vector<PlotSeries>& series, const PlotOptions& 
   }
   if (!(y_range.high >= y_range.low))
     return figure(options.title, "<p class=\"note\">Nothing to draw.</p>\n");
-  x_range.widen(0.0, 1e-9);
+  const bool marks =
+      std::any_of(series.begin(), series.end(), [](const PlotSeries& s) { return s.mark; });
+  x_range.widen(marks ? 0.05 : 0.0, 1e-9);  // rings would be cut off
   if (options.log_y) {
     const double ratio = std::max(std::pow(y_range.high / y_range.low, 0.05), 1.05);
     y_range = {y_range.low / ratio, y_range.high * ratio};
@@ -178,13 +183,15 @@ std::string line_plot(const std::vector<PlotSeries>& series, const PlotOptions& 
                                 options.width, options.height, escape_attribute(options.title));
   svg += frame(x, y, options);
   for (const PlotSeries& s : series) {
-    svg += fmt::format("<path class=\"line c{}{}\" d=\"{}\"/>", s.colour, s.dashed ? " dash" : "",
-                       path_of(s, x, y));
-    if (!s.points) continue;
+    if (!s.mark)
+      svg += fmt::format("<path class=\"line c{}{}\" d=\"{}\"/>", s.colour, s.dashed ? " dash" : "",
+                         path_of(s, x, y));
+    if (!s.points && !s.mark) continue;
     for (std::size_t i = 0; i < std::min(s.x.size(), s.y.size()); ++i) {
       if (!drawable(s.x[i], s.y[i], options.log_y)) continue;
-      svg += fmt::format("<circle class=\"f{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.6\"/>", s.colour,
-                         x.at(s.x[i]), y.at(s.y[i]));
+      svg += fmt::format("<circle class=\"{}{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\"/>",
+                         s.mark ? "line c" : "f", s.colour, x.at(s.x[i]), y.at(s.y[i]),
+                         s.mark ? "6.5" : "2.6");
     }
   }
   svg += "</svg>\n";

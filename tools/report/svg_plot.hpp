@@ -16,6 +16,7 @@ struct PlotSeries {
   bool dashed = false;
   bool steps = false;   // holds its value until the next x
   bool points = false;  // a dot at each value
+  bool mark = false;    // a ring at each value and no line
 };
 
 struct PlotOptions {

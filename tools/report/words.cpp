@@ -31,6 +31,7 @@ std::string term_words(const std::string& name) {
       {"turning", "turn per cycle"},
       {"style_com", "body where it should be"},
       {"style_foot", "feet where they should be"},
+      {"trunk_orientation", "trunk stays level"},
       {"smoothness", "smooth joints"},
       {"com_position", "centre of mass fits the pose"},
       {"foot_position", "feet fit the pose"},
@@ -55,8 +56,40 @@ std::string term_words(const std::string& name) {
   return found != words.end() ? found->second : spaced(name);
 }
 
-std::string task_words(const Json& run) {
-  const Json& task = value_at(run, {"task"});
+std::string cost_words(const std::string& name) {
+  static const std::map<std::string, std::string> words = {
+      {"travel", "distance missed"},
+      {"turning", "turn missed"},
+      {"style_com", "body off its place"},
+      {"style_foot", "feet off their place"},
+      {"trunk_orientation", "tilt of the trunk"},
+      {"smoothness", "jerky joints"},
+      {"com_position", "misfit of centre of mass"},
+      {"foot_position", "misfit of feet and pose"},
+      {"force_balance", "forces out of balance"},
+      {"torque_balance", "torques out of balance"},
+      {"stance_foot", "slip of stance feet"},
+      {"friction_cone", "closeness to the friction limit"},
+      {"limb_clearance", "closeness of limbs"},
+      {"periodicity", "gap where the cycle closes"},
+      {"ground_height", "stance feet off the ground"},
+      {"swing_height", "swing feet off their height"},
+      {"least_normal_force", "stance feet without load"},
+      {"joint_limits", "closeness to joint limits"},
+      {"torque_limits", "closeness to torque limits"},
+      {"mechanical_work", "work of the motors"},
+      {"peak_torque", "highest torque"},
+      {"nominal_pose", "distance from the home pose"},
+      {"force_smoothness", "jerky forces"},
+      {"design_tether", "distance from the initial body"},
+  };
+  const auto found = words.find(name);
+  return found != words.end() ? found->second : spaced(name);
+}
+
+std::string task_words(const Json& run) { return way_words(value_at(run, {"task"})); }
+
+std::string way_words(const Json& task) {
   std::string out = text_at(task, {"gait"});
   const Json& velocity = value_at(task, {"velocity"});
   if (velocity.is_array() && velocity.size() == 2 && velocity[0].is_number() &&
@@ -78,19 +111,67 @@ std::string task_words(const Json& run) {
   return out;
 }
 
+namespace {
+
+/// `size` with `digits` significant ones; far from one as "1.3 × 10⁻⁷".
+std::string digits_of(double size, int digits) {
+  if (size >= 1e6 || size < 1e-3) {
+    const std::string text = fmt::format("{:.{}e}", size, digits - 1);
+    const std::size_t e = text.find('e');
+    std::string power;
+    static constexpr const char* kRaised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    for (const char c : text.substr(e + 1)) {
+      if (c == '-') power += "⁻";
+      if (c >= '0' && c <= '9' && !(c == '0' && (power.empty() || power == "⁻")))
+        power += kRaised[c - '0'];
+    }
+    return fmt::format("{} × 10{}", text.substr(0, e), power);
+  }
+  const int magnitude = static_cast<int>(std::floor(std::log10(size)));
+  return fmt::format("{:.{}f}", size, std::max(0, digits - 1 - magnitude));
+}
+
+}  // namespace
+
 std::string short_number(std::optional<double> value) {
   if (!value || !std::isfinite(*value)) return "–";
   if (*value == 0.0) return "0";
   const double size = std::abs(*value);
   const std::string sign = *value < 0 ? "−" : "";
-  if (size >= 1e6 || size < 1e-3) return sign + fmt::format("{:.1e}", size);
-  const int magnitude = static_cast<int>(std::floor(std::log10(size)));
-  std::string text = fmt::format("{:.{}f}", size, std::max(0, 2 - magnitude));
+  if (size >= 1e6 || size < 1e-3) return sign + digits_of(size, 2);
+  std::string text = digits_of(size, 3);
   if (text.find('.') != std::string::npos) {
     text.erase(text.find_last_not_of('0') + 1);
     if (text.back() == '.') text.pop_back();
   }
   return sign + text;
+}
+
+std::string three_digits(std::optional<double> value) {
+  if (!value || !std::isfinite(*value) || *value == 0.0) return short_number(value);
+  return fmt::format("{}{}", *value < 0 ? "−" : "", digits_of(std::abs(*value), 3));
+}
+
+std::string signed_number(std::optional<double> value) {
+  return fmt::format("{}{}", value && *value > 0.0 ? "+" : "", short_number(value));
+}
+
+std::string long_number(std::optional<double> value) {
+  if (!value || !std::isfinite(*value)) return "–";
+  if (*value == 0.0) return "0";
+  return fmt::format("{}{}", *value < 0 ? "−" : "", digits_of(std::abs(*value), 7));
+}
+
+std::string quantity_words(double amount, const std::string& unit) {
+  const bool length = unit == "m", angle = unit == "rad";
+  const double shown = std::abs(amount) * (length ? 1e3 : angle ? 180.0 / std::numbers::pi : 1.0);
+  const char* sign = amount < 0.0 ? "−" : "";
+  std::string text =
+      shown > 0.0 && shown < 1e-3 ? "below 0.001" : fmt::format("{}{}", sign, short_number(shown));
+  if (length) return text + " mm";
+  if (angle) return text + "°";
+  if (unit.empty()) return text;
+  return fmt::format("{} {}", text, unit == "N m" ? "N·m" : unit);
 }
 
 std::string percent(std::optional<double> ratio) {
@@ -118,9 +199,11 @@ double ParameterView::share_of_range() const {
   return upper > lower ? std::abs(final - initial) / (upper - lower) : 0.0;
 }
 
-std::string ParameterView::at_bound() const {
+std::string ParameterView::at_bound() const { return bound_of(final); }
+
+std::string ParameterView::bound_of(double value) const {
   const double close = 1e-6 * (upper - lower);
-  return final <= lower + close ? "lower bound" : final >= upper - close ? "upper bound" : "";
+  return value <= lower + close ? "lower bound" : value >= upper - close ? "upper bound" : "";
 }
 
 std::vector<ParameterView> parameters_of(const Json& run) {

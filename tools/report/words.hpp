@@ -13,10 +13,23 @@ namespace legwright {
 std::string spaced(std::string_view name);
 /// A term of F in a few words; its own name, spaced, where it is not known here.
 std::string term_words(const std::string& name);
+/// What a term of F punishes, as a noun: "slip of stance feet"; its own name, spaced, where it is not
+/// known here.
+std::string cost_words(const std::string& name);
 /// What the task asks for: "walk, 0.1 m/s to the left, period 1 s".
 std::string task_words(const Json& run);
+/// The same of a run.json's "task" or of one of its "tasks".
+std::string way_words(const Json& task);
 /// Three significant digits, as a person would write them; "–" for none.
 std::string short_number(std::optional<double> value);
+/// The same with all three digits, for columns: "6.00".
+std::string three_digits(std::optional<double> value);
+/// The same as short_number with its sign, also where it is above zero.
+std::string signed_number(std::optional<double> value);
+/// Seven significant digits, for numbers that are to be compared with each other.
+std::string long_number(std::optional<double> value);
+/// A length in mm, an angle in degrees, anything else in its own unit ("N m" as "N·m").
+std::string quantity_words(double amount, const std::string& unit);
 std::string percent(std::optional<double> ratio);
 
 /// A design parameter as run.json has it, in the units people think in.
@@ -32,6 +45,8 @@ struct ParameterView {
   double share_of_range() const;
   /// "lower bound", "upper bound" or nothing.
   std::string at_bound() const;
+  /// The same for another value.
+  std::string bound_of(double value) const;
 };
 std::vector<ParameterView> parameters_of(const Json& run);
 

@@ -29,6 +29,15 @@ MujocoModel without_constraints(const mjModel& model) {
   return copy;
 }
 
+// ∂L/∂q of the tendon over each joint, in the state that `data` holds.
+void read_arms(const mjModel& model, const mjData& data, const JointMap& map,
+               Eigen::Ref<Eigen::RowVectorXd> arms) {
+  for (int t = 0; t < static_cast<int>(model.ntendon); ++t)
+    for (int k = model.ten_J_rowadr[t]; k < model.ten_J_rowadr[t] + model.ten_J_rownnz[t]; ++k)
+      for (std::size_t a = 0; a < map.dof.size(); ++a)
+        if (model.ten_J_colind[k] == map.dof[a]) arms[static_cast<Eigen::Index>(a)] = data.ten_J[k];
+}
+
 }  // namespace
 
 RootResidual fill_feed_forward(const mjModel& robot, const std::vector<FootOnLink>& feet,
@@ -47,11 +56,15 @@ RootResidual fill_feed_forward(const mjModel& robot, const std::vector<FootOnLin
   const double weight = model->body_subtreemass[map.root_body] * gravity;
   RowMajor3X jacobian(3, model->nv);
   RootResidual residual;
+  residual.arms.setZero(trajectory.knot_count, trajectory.joint_count());
   for (int knot = 0; knot < trajectory.knot_count; ++knot) {
     const double time = trajectory.at(knot, 0);
     const SplinePhase phase = phase_at(trajectory, time);
     set_state(played_state(*model, map, trajectory, time), *data);
     mj_inverse(model.get(), data.get());
+    Eigen::RowVectorXd arms = Eigen::RowVectorXd::Zero(trajectory.joint_count());
+    read_arms(*model, *data, map, arms);
+    residual.arms.row(knot) = arms;
     Eigen::VectorXd force = Eigen::Map<const Eigen::VectorXd>(data->qfrc_inverse, model->nv);
     for (int j = 0; j < trajectory.foot_count(); ++j) {
       Eigen::Vector3d planned, point;

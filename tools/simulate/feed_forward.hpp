@@ -3,6 +3,7 @@
 
 #include <mujoco/mujoco.h>
 
+#include <Eigen/Core>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,8 @@ struct FootOnLink {
 struct RootResidual {
   double force = 0.0;   // largest over the knots, share of the weight
   double torque = 0.0;  // the same about the root [N m], trunk frame
+  /// Moment arms of the tendons over each joint [m], knot by joint; 0 where there is none.
+  Eigen::MatrixXd arms;
 };
 
 /// Fills the trajectory's feed-forward torques: at each knot MuJoCo's inverse dynamics of the

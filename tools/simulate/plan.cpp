@@ -67,8 +67,16 @@ Trajectory make_trajectory(const Morphology& morphology, const Layout& layout, c
   return out;
 }
 
-double torque_share(const Morphology& morphology, const Trajectory& trajectory) {
+// @param arms of the tendons, knot by joint [m].
+double torque_share(const Morphology& morphology, const Trajectory& trajectory,
+                    const Eigen::MatrixXd& arms) {
   double share = 0.0;
+  for (const LinearActuator& actuator : morphology.linear_actuators)
+    for (int knot = 0; knot < trajectory.knot_count; ++knot) {
+      const double torque = trajectory.at(knot, trajectory.torque_column(actuator.joint));
+      const double limit = actuator.force_limit * std::abs(arms(knot, actuator.joint));
+      share = std::max(share, std::abs(torque) / limit);
+    }
   for (int knot = 0; knot < trajectory.knot_count; ++knot) {
     for (int a = 0; a < trajectory.joint_count(); ++a) {
       const double limit = morphology.links[static_cast<std::size_t>(a) + 1].joint.torque_limit;
@@ -105,7 +113,7 @@ PlayablePlan make_playable(const Morphology& morphology, const std::string& robo
     plan.start_qpos = start.qpos;
     plan.start_qvel = start.qvel;
     plan.root_residual = residual.force;
-    plan.torque_share = torque_share(morphology, trajectory);
+    plan.torque_share = torque_share(morphology, trajectory, residual.arms);
     plan.travel = Eigen::Map<const Eigen::Vector3d>(trajectory.travel.data());
     plan.turn = trajectory.turn;
     return plan;

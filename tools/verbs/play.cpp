@@ -4,10 +4,12 @@
 #include <cstdlib>
 #include <memory>
 
+#include "mjcf/input_error.hpp"
 #include "tools/io/install.hpp"
 #include "tools/io/io_error.hpp"
 #include "tools/io/json_file.hpp"
 #include "tools/io/result_folder.hpp"
+#include "tools/io/task_folders.hpp"
 #include "tools/simulate/mujoco_host.hpp"
 #include "tools/verbs/summary.hpp"
 #include "tools/verbs/verbs.hpp"
@@ -24,8 +26,19 @@ struct PlayOptions {
   bool print = false, json = false;
 };
 
+/// A joint run has a gait for each task, and nothing to play by itself.
+void refuse_joint_run(const fs::path& root) {
+  std::string choices;
+  for (const TaskFolder& task : task_folders_of(root))
+    choices += "\n  legwright play " + shell_word((root / task.relative).string());
+  if (!choices.empty())
+    throw InputError(root.string() +
+                     ": a joint run has a gait for each task; play one of them:" + choices);
+}
+
 fs::path scene_to_play(const PlayOptions& options) {
   const ResultFolder folder = ResultFolder::open(options.run);
+  refuse_joint_run(options.run);
   const fs::path design =
       options.iteration >= 0 ? folder.iteration(options.iteration) : folder.result();
   const fs::path scene = design / "scene.xml";

@@ -7,6 +7,7 @@
 
 #include "tools/io/io_error.hpp"
 #include "tools/io/json_file.hpp"
+#include "tools/io/task_folders.hpp"
 #include "tools/render/gl_context.hpp"
 #include "tools/render/run_pictures.hpp"
 #include "tools/simulate/mujoco_host.hpp"
@@ -19,6 +20,14 @@ struct Options {
   std::string run;
   bool all = false, json = false;
 };
+
+/// The run itself; of a joint run each of its tasks, where the designs are.
+std::vector<std::filesystem::path> runs_to_draw(const std::filesystem::path& root) {
+  std::vector<std::filesystem::path> runs;
+  for (const TaskFolder& task : task_folders_of(root)) runs.push_back(root / task.relative);
+  if (runs.empty()) runs.push_back(root);
+  return runs;
+}
 
 int render(const Options& options) {
   pin_rasteriser();
@@ -33,7 +42,12 @@ int render(const Options& options) {
   }
   RunPictures pictures;
   try {
-    pictures = draw_run(options.run, how);
+    for (const std::filesystem::path& run : runs_to_draw(options.run)) {
+      RunPictures drawn = draw_run(run, how);
+      pictures.made.insert(pictures.made.end(), drawn.made.begin(), drawn.made.end());
+      pictures.left_out.insert(pictures.left_out.end(), drawn.left_out.begin(),
+                               drawn.left_out.end());
+    }
   } catch (const GlError& error) {
     throw IoError(error.what());  // exit 3: pictures cannot be made on this machine
   }
@@ -67,7 +81,7 @@ void add_render(CLI::App& program, Action& action) {
   verb->footer(
       "Writes frame.png into each folder of iterations/, and strip_initial.png, strip_result.png,\n"
       "strip_before_after.png (planned) and strip_physics.png (after legwright validate) into "
-      "result/.\n"
+      "result/. Of a joint run: into the folders of its tasks.\n"
       "Needs no display: OSMesa draws. The same bytes on every run on one machine.");
   verb->callback([options, &action] { action = [options] { return render(*options); }; });
 }

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 #include "tools/io/json_file.hpp"
 #include "tools/report/report.hpp"
@@ -18,17 +19,22 @@ struct Options {
 };
 
 int report(const Options& options) {
-  const std::filesystem::path page = write_report(options.run);
+  const std::vector<std::filesystem::path> pages = write_report(options.run);
   if (options.json) {
-    fmt::print("{}",
-               to_text({{"schema", "legwright/report"},
-                        {"version", 1},
-                        {"report", page.string()},
-                        {"summary",
-                         (std::filesystem::path(options.run) / "result" / "summary.md").string()},
-                        {"bytes", std::filesystem::file_size(page)}}));
+    Json document{
+        {"schema", "legwright/report"},
+        {"version", 1},
+        {"report", pages.front().string()},
+        {"summary", (std::filesystem::path(options.run) / "result" / "summary.md").string()},
+        {"bytes", std::filesystem::file_size(pages.front())}};
+    if (pages.size() > 1) {
+      document["task_reports"] = Json::array();
+      for (std::size_t k = 1; k < pages.size(); ++k)
+        document["task_reports"].push_back(pages[k].string());
+    }
+    fmt::print("{}", to_text(document));
   } else {
-    fmt::print("{}\n", page.string());
+    for (const std::filesystem::path& page : pages) fmt::print("{}\n", page.string());
   }
   return kOk;
 }
@@ -43,6 +49,7 @@ void add_report(CLI::App& program, Action& action) {
                  "One JSON document on stdout: the files that were written");
   verb->footer(
       "Writes RUN/report.html (self-contained, opens from disk) and RUN/result/summary.md.\n"
+      "A joint run also gets a report of each task in RUN/tasks/.\n"
       "Run legwright validate and legwright render first; what is missing is named in the report.");
   verb->callback([options, &action] { action = [options] { return report(*options); }; });
 }

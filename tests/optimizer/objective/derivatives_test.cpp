@@ -23,8 +23,10 @@ struct Point {
 };
 
 /// A turning trot of few knots, so that every wrap and every term is in play.
-Objective make_objective(const std::string& only = "") {
-  const test::Puppy puppy = test::make_puppy(true);
+Objective make_objective(const std::string& only = "", bool printed = false) {
+  test::Puppy puppy = test::make_puppy(true);
+  test::add_pistons(puppy);
+  if (printed) test::print_bodies(puppy);
   Morphology morphology = puppy.morphology;
   for (Link& link : morphology.links) {  // so that limits of angles and torques have elements
     link.joint.lower = -1.2;
@@ -42,12 +44,20 @@ Objective make_objective(const std::string& only = "") {
 }
 
 Point random_point(const Objective& objective, unsigned seed) {
-  std::mt19937 random(seed);
-  std::normal_distribution<double> normal;
+  std::mt19937 random(seed), random_ends(seed + 1);
+  std::normal_distribution<double> normal, normal_ends;
   Point at{objective.space().initial(), {}};
   for (int k = 0; k < at.s.size(); ++k)
+<<<<<<< HEAD
     at.s[k] += 0.1 * objective.space().scale()[k] * normal(random);
   at.m = test::standing_motion(objective, at.s);
+=======
+    at.s[k] += 0.1 * objective.space().scale()[k] *
+               (objective.space().parameters[k].kind == ParameterKind::position
+                    ? normal_ends(random_ends)
+                    : normal(random));
+  at.m = initial_guess(objective, at.s);
+>>>>>>> main
   for (int k = 0; k < at.m.size(); ++k)
     at.m[k] += 0.1 * objective.motion_units()[k] * normal(random);
   return at;
@@ -117,6 +127,16 @@ TEST_P(ObjectiveDerivatives, MatchCentralDifferences) {
   EXPECT_LT(errors.ss, 1e-6);
 }
 
+/// Masses that grow with their bodies: M(s), centre of mass, momentum and torques depend on it.
+TEST_P(ObjectiveDerivatives, MatchCentralDifferencesOfAPrintedRobot) {
+  const Objective objective = make_objective(GetParam(), true);
+  const Errors errors = check(objective, random_point(objective, 7), 23);
+  EXPECT_LT(errors.gradient_m, 1e-6);
+  EXPECT_LT(errors.gradient_s, 1e-6);
+  EXPECT_LT(errors.ms, 3e-6);
+  EXPECT_LT(errors.ss, 3e-6);
+}
+
 std::vector<std::string> all_terms() {
   std::vector<std::string> names{""};  // the whole F
   for (const TermEntry& entry : term_registry()) names.emplace_back(entry.name);
@@ -136,6 +156,7 @@ TEST(ObjectiveDerivativesControl, PoisonedGradientIsNoticed) {
 TEST(ObjectiveWorkspace, CanBeHandedToAnotherRobot) {
   const Objective first = make_objective();
   test::Puppy heavy = test::make_puppy(true);
+  test::add_pistons(heavy);
   for (Link& link : heavy.morphology.links)
     for (PointMass& point : link.masses) point.mass *= 2.0;
   const Objective second(heavy.morphology, heavy.space, test::make_sideways_task(false, 8));

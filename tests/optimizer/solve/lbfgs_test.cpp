@@ -116,5 +116,15 @@ TEST(Bounds, OnlyParametersPushedOutwardsAreHeld) {
             1.0);
 }
 
+TEST(Lbfgs, FrozenParametersAreHeldWhereverTheGradientPoints) {
+  const VectorXd s = VectorXd::Ones(2), upper = Eigen::Vector2d(1.0, 2.0);
+  const VectorXd lower = Eigen::Vector2d(1.0, 0.0);
+  for (const double gradient : {-1.0, 0.0, 1.0}) {
+    const std::vector<bool> free = free_parameters(s, Eigen::Vector2d(gradient, 1.0), lower, upper);
+    EXPECT_FALSE(free[0]) << gradient;
+    EXPECT_TRUE(free[1]);
+  }
+}
+
 }  // namespace
 }  // namespace legwright

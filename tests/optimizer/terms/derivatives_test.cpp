@@ -65,22 +65,24 @@ std::set<int> probes(const Term& term) {
 
 class TermDerivatives : public testing::TestWithParam<std::string> {
  protected:
-  std::unique_ptr<Term> make() const {
+  std::unique_ptr<Term> make(bool printed = false) const {
     for (const TermEntry& entry : term_registry())
-      if (entry.name == GetParam()) return entry.make(setting_.context());
+      if (entry.name == GetParam()) return entry.make((printed ? printed_ : setting_).context());
     return nullptr;
   }
-  test::TermSetting setting_;
+  test::TermSetting setting_, printed_{true};
 };
 
 TEST_P(TermDerivatives, MatchCentralDifferences) {
-  const std::unique_ptr<Term> term = make();
-  ASSERT_FALSE(term->elements().empty());
-  std::mt19937 random(3);
-  for (int element : probes(*term))
-    for (int repeat = 0; repeat < 20; ++repeat)
-      EXPECT_LT(worst_error(*term, element, term->sample(element, random), random), 1e-6)
-          << "element " << element;
+  for (const bool printed : {false, true}) {
+    const std::unique_ptr<Term> term = make(printed);
+    ASSERT_FALSE(term->elements().empty());
+    std::mt19937 random(3);
+    for (int element : probes(*term))
+      for (int repeat = 0; repeat < 20; ++repeat)
+        EXPECT_LT(worst_error(*term, element, term->sample(element, random), random), 1e-6)
+            << "element " << element << (printed ? " of the printed robot" : "");
+  }
 }
 
 TEST_P(TermDerivatives, SamplesAreWorthChecking) {

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// Masses from density times geometry: their sums against MuJoCo's are in read_robot_test and rewrite_robot_test.
+#include "mjcf/printed.hpp"
+
+#include <gtest/gtest.h>
+
+#include "mjcf/input_error.hpp"
+#include "mjcf/read_robot.hpp"
+#include "optimizer/design/growth.hpp"
+#include "tests/mjcf/robots.hpp"
+
+namespace legwright {
+namespace {
+
+std::string complaint(const std::string& xml) {
+  try {
+    parse_robot(xml, "p.xml");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Printed, MassAndVolumeGrowWithTheStretch) {
+  const std::string xml = test::with(
+      test::named_robot("puppy"),
+      "<inertial pos=\"0 0 -0.05307692308\" mass=\"0.104\" diaginertia=\"2.481538462e-05 "
+      "2.481538462e-05 2e-06\"/>\n        <geom class=\"rod\" fromto=\"0 0 0 0 0 -0.06\"/>",
+      "<geom class=\"rod\" density=\"1200\" fromto=\"0 0 0 0 0 -0.06\"/>");
+  const RobotModel robot = parse_robot(xml, "p");
+  Eigen::VectorXd s = robot.space.initial();
+  const auto mass = [&] { return growth_sum(robot.morphology, Amount::mass, s).value; };
+  const auto volume = [&] { return growth_sum(robot.morphology, Amount::printed_volume, s).value; };
+  const double before = mass(), round = 4.0 / 3 * M_PI * 0.008 * 0.008 * 0.008;
+  EXPECT_TRUE(robot.morphology.grows());
+  EXPECT_NEAR(volume(), M_PI * 0.008 * 0.008 * 0.06 + round, 1e-15);
+  s[0] = 0.09;  // the round ends stay as they are
+  EXPECT_NEAR(volume(), M_PI * 0.008 * 0.008 * 0.09 + round, 1e-15);
+  EXPECT_NEAR(mass() - before, 1200 * M_PI * 0.008 * 0.008 * 0.03, 1e-12);
+  EXPECT_FALSE(parse_robot(test::named_robot("puppy"), "p").morphology.grows());
+}
+
+TEST(Printed, WhatDoesNotKeepItsShapeIsRefused) {
+  const std::string good = test::named_robot("crooked_printed");
+  EXPECT_EQ(complaint(good), "");
+  EXPECT_NE(complaint(test::with(good, "fromto=\"0.02 -0.06 0.01 0.02 0.04 0.01\"",
+                                 "fromto=\"0.02 -0.06 0.01 0.03 0.04 0.01\""))
+                .find("oblique"),
+            std::string::npos);
+  EXPECT_NE(
+      complaint(test::with(good, "size=\"0.012\" density=\"700\"", "size=\"0.012\" mass=\"0.7\""))
+          .find("give its density"),
+      std::string::npos);
+  EXPECT_NE(
+      complaint(test::with(good, "autolimits=\"true\"", "autolimits=\"true\" settotalmass=\"3\""))
+          .find("weigh"),
+      std::string::npos);
+  EXPECT_NE(complaint(test::with(good, "size=\"0.012\" density=\"700\"",
+                                 "size=\"0.012\" density=\"700\" shellinertia=\"true\""))
+                .find("weigh"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace legwright

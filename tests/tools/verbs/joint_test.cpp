@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs of several tasks: what is on disk, and that it is the same at any thread count.
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "tests/tools/verbs/program.hpp"
+#include "tools/io/events.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+using test::call;
+using test::contains;
+using test::Outcome;
+
+const std::string kBoth = (test::kExamples / "quadruped" / "both.toml").string();
+
+class Joint : public testing::Test {
+ protected:
+  Outcome here(const std::vector<std::string>& words) const {
+    return test::wait_for(test::start(words, folder_.path()), folder_.path());
+  }
+  Json json(const char* file) const { return Json::parse(read_file(folder_.path() / file)); }
+  test::TemporaryFolder folder_;
+};
+
+/// Everything in a run that must not depend on time or threads.
+std::map<std::string, std::string> contents(const fs::path& run) {
+  std::map<std::string, std::string> files;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(run)) {
+    const std::string name = entry.path().filename().string();
+    if (!entry.is_regular_file() || name == "run.json" || name == "events.jsonl") continue;
+    files[fs::relative(entry.path(), run).string()] = read_file(entry.path());
+  }
+  return files;
+}
+
+TEST_F(Joint, RunIsCompleteAndItsTasksAreRunsOfTheirOwn) {
+  const Outcome optimize =
+      here({"optimize", kBoth, "--max-iterations", "2", "--no-pictures", "-o", "run"});
+  ASSERT_LE(optimize.code, 1) << optimize.err;
+  const Json run = json("run/run.json");
+  ASSERT_EQ(run["tasks"].size(), 2u);
+  EXPECT_EQ(run["starts"].size(), 3u);
+  EXPECT_EQ(run["alone"].size(), 2u);
+  double sum = 0.0;
+  for (const Json& task : run["tasks"])
+    sum += task["weight"].get<double>() * task["F"].get<double>();
+  EXPECT_NEAR(run["final_F"].get<double>(), sum, 1e-9 * sum);
+  for (const Json& start : run["starts"])
+    EXPECT_GE(start["F"].get<double>(), run["final_F"].get<double>());
+  for (const char* task : {"pace", "sideways"}) {
+    const fs::path own = folder_.path() / "run" / "tasks" / task;
+    for (const char* file :
+         {"run.json", "events.jsonl", "inputs/task.toml", "iterations/0000/scene.xml",
+          "iterations/0001/motion.csv", "result/robot.xml", "result/certificate.json"})
+      EXPECT_TRUE(fs::is_regular_file(own / file)) << task << " " << file;
+    EXPECT_EQ(read_file(own / "result" / "robot.xml"),
+              read_file(folder_.path() / "run" / "result" / "robot.xml"))
+        << "one body for all tasks";
+    EXPECT_EQ(read_events(own / "events.jsonl").front()["event"], "start");
+  }
+  EXPECT_LT(run["certificate"]["worst_gradient_error"].get<double>(), 1e-4);
+
+  const Outcome validate = here({"validate", "run"});
+  EXPECT_LE(validate.code, 1) << validate.err;
+  const Json matrix = json("run/result/matrix.json");
+  ASSERT_EQ(matrix["designs"].size(), 4u);
+  for (const char* task : {"pace", "sideways"}) {
+    ASSERT_EQ(matrix["cells"][task].size(), 4u);
+    EXPECT_FALSE(matrix["cells"][task][0]["pass"].get<bool>()) << "the initial body";
+  }
+}
+
+TEST_F(Joint, SameBytesAtAnyThreadCount) {
+  for (const char* threads : {"1", "2"}) {
+    const Outcome optimize =
+        here({"optimize", kBoth, "--max-iterations", "1", "--no-pictures", "--one-start",
+              "--threads", threads, "-o", std::string("run") + threads});
+    ASSERT_LE(optimize.code, 1) << optimize.err;
+  }
+  const auto one = contents(folder_.path() / "run1"), two = contents(folder_.path() / "run2");
+  ASSERT_EQ(one.size(), two.size());
+  for (const auto& [name, text] : one) EXPECT_EQ(text, two.at(name)) << name;
+}
+
+TEST_F(Joint, FrontNeedsTwoTasksSolvedAlone) {
+  const std::string single = (test::kExamples / "quadruped" / "pace.toml").string();
+  const Outcome one = here({"optimize", single, "--front", "3", "-o", "run"});
+  EXPECT_EQ(one.code, 2);
+  EXPECT_TRUE(contains(one.err, "--front") && contains(one.err, "[[task]]")) << one.err;
+  EXPECT_EQ(here({"optimize", kBoth, "--front", "3", "--one-start", "-o", "run"}).code, 2);
+  EXPECT_FALSE(fs::exists(folder_.path() / "run"));
+}
+
+TEST_F(Joint, FrontEndsAtEachTasksOwnOptimum) {
+  const Outcome optimize = here({"optimize", kBoth, "--max-iterations", "3", "--front", "2",
+                                 "--no-pictures", "--no-certificate", "-o", "run"});
+  ASSERT_LE(optimize.code, 1) << optimize.err;
+  const Json front = json("run/result/front.json"), run = json("run/run.json");
+  ASSERT_EQ(front["points"].size(), 4u);
+  EXPECT_EQ(front["points"][0]["weight"], 0.0);
+  EXPECT_EQ(front["points"][3]["weight"], 1.0);
+  EXPECT_NEAR(front["points"][3]["F_tasks"]["pace"].get<double>(),
+              run["alone"][0]["F"].get<double>(), 1e-3);
+  EXPECT_NEAR(front["points"][0]["F_tasks"]["sideways"].get<double>(),
+              run["alone"][1]["F"].get<double>(), 1e-3);
+}
+
+TEST(CheckGradients, OfAllTasks) {
+  const Outcome outcome = call({"check", "--gradients", "--json", kBoth});
+  ASSERT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+  const Json checks = Json::parse(outcome.out)["checks"];
+  ASSERT_EQ(checks.size(), 4u);  // two tasks, standing and solved
+  for (const Json& check : checks)
+    for (const char* what : {"partial_m", "partial_s", "hessian_mm", "hessian_ms"})
+      EXPECT_LT(check[what].get<double>(), 1e-5) << check.dump();
+}
+
+TEST(Outer, BodyThatSpendsLessWork) {
+  const test::TemporaryFolder folder;
+  const auto power = [&](const char* task) {
+    const std::string file = (test::kExamples / "puppy" / task).string();
+    const auto run = [&](const std::vector<std::string>& words) {
+      return test::wait_for(test::start(words, folder.path()), folder.path());
+    };
+    const Outcome optimize = run({"optimize", file, "--no-pictures", "-o", task});
+    EXPECT_EQ(optimize.code, 0) << optimize.err;
+    const Outcome validate = run({"validate", task});
+    EXPECT_EQ(validate.code, 0) << validate.out;
+    return Json::parse(read_file(folder.path() / task / "result" /
+                                 "metrics.json"))["result"]["default"]["power_mean_W"]
+        .get<double>();
+  };
+  EXPECT_LT(power("efficient.toml"), 0.9 * power("sideways.toml"));
+}
+
+}  // namespace
+}  // namespace legwright

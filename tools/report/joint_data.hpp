@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/report/run_data.hpp"
+#include "tools/report/words.hpp"
+
+namespace legwright {
+
+/// One task of a joint run.
+struct JointTaskData {
+  std::string name;
+  std::filesystem::path relative;  // tasks/NAME
+  Json task;                       // its entry in run.json
+  std::optional<RunData> run;      // nothing where its folder cannot be read
+};
+
+/// A design of the matrix: its parameters and what it costs in each task.
+struct MatrixDesign {
+  std::string name;
+  Json s;                                   // {parameter: value}
+  std::vector<std::optional<double>> cost;  // F, in the order of the tasks
+  std::vector<Json> cells;  // of matrix.json, in the order of the tasks; null before validate
+};
+
+/// What a joint run holds, read for a report as leniently as a single one.
+struct JointData {
+  RunData whole;
+  std::vector<JointTaskData> tasks;
+  std::vector<MatrixDesign> designs;  // the initial body, each task's own, the common one
+  Json front;           // points of result/front.json; null where it was not asked for
+  bool judged = false;  // matrix.json is there
+};
+
+/// Whether the run is of several tasks.
+bool is_joint(const Json& run);
+
+/// Throws IoError where there is no run, InputError where its tasks lie outside of it.
+JointData read_joint_run(const std::filesystem::path& root);
+
+/// A relative path as an address: percent signs for all that is not plain.
+std::string href_of(const std::filesystem::path& relative);
+
+}  // namespace legwright

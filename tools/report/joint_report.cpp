@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// The page of a joint run, and its summary.
+#include <fmt/format.h>
+
+#include "tools/report/page.hpp"
+#include "tools/report/report.hpp"
+#include "tools/report/sections.hpp"
+#include "tools/report/words.hpp"
+
+namespace legwright {
+namespace {
+
+std::string title_of(const JointData& data) {
+  const std::string robot = text_at(data.whole.run, {"robot"}),
+                    name = text_at(data.whole.run, {"name"});
+  const std::string title = robot + (robot.empty() || name.empty() ? "" : " · ") + spaced(name);
+  return title.empty() ? "Legwright run" : title;
+}
+
+std::string tasks_line(const JointData& data) {
+  std::string out = fmt::format("One body for {} tasks", data.tasks.size());
+  const char* separator = ": ";
+  for (const JointTaskData& task : data.tasks) {
+    out += separator + spaced(task.name);
+    const auto weight = number_at(task.task, {"weight"});
+    if (weight) out += fmt::format(" (weight {})", short_number(weight));
+    separator = ", ";
+  }
+  return out;
+}
+
+std::string cell_words(const MatrixDesign& design, std::size_t task) {
+  const Json& pass = value_at(design.cells[task], {"pass"});
+  return short_number(design.cost[task]) + (!pass.is_boolean() ? ""
+                                            : pass.get<bool>() ? ", PASS"
+                                                               : ", FAIL");
+}
+
+std::string row_of(const std::string& first, const std::vector<std::string>& cells) {
+  std::string out = fmt::format("| {} |", escape_markdown(first));
+  for (const std::string& cell : cells) out += fmt::format(" {} |", cell);
+  return out + "\n";
+}
+
+std::string rule(std::size_t columns) {
+  std::string out = "|---|";
+  for (std::size_t k = 0; k < columns; ++k) out += "---:|";
+  return out + "\n";
+}
+
+}  // namespace
+
+std::string joint_report_page(const JointData& data) {
+  Html page;
+  open_page(page, title_of(data), tasks_line(data));
+  add_task_cards(page, data);
+  add_matrix(page, data);
+  add_task_pictures(page, data);
+  add_bodies(page, data);
+  add_task_pulls(page, data);
+  add_front(page, data);
+  add_starts(page, data);
+  add_certificate(page, data.whole);
+  add_origin(page, data.whole);
+  Json island = island_of(data.whole);
+  island["tasks"] = value_at(data.whole.run, {"tasks"});
+  island["verdict"] = Json::object();
+  for (const JointTaskData& task : data.tasks)
+    island["verdict"][task.name] = task.run ? task.run->verdict : Json();
+  close_page(page, island);
+  return page.take();
+}
+
+std::string joint_report_summary(const JointData& data) {
+  std::string out = fmt::format("# {}\n\n{}\n\n", escape_markdown(title_of(data)),
+                                escape_markdown(tasks_line(data)));
+  std::vector<std::string> heads;
+  for (const JointTaskData& task : data.tasks) heads.push_back(escape_markdown(spaced(task.name)));
+  out += row_of("F and verdict of the body", heads) + rule(heads.size());
+  for (const MatrixDesign& design : data.designs) {
+    std::vector<std::string> cells;
+    for (std::size_t t = 0; t < data.tasks.size(); ++t) cells.push_back(cell_words(design, t));
+    out += row_of(spaced(design.name), cells);
+  }
+  heads.clear();
+  for (const MatrixDesign& design : data.designs)
+    heads.push_back(escape_markdown(spaced(design.name)));
+  out += '\n';
+  out += row_of("parameter", heads) + rule(heads.size());
+  for (const ParameterView& p : parameters_of(data.whole.run)) {
+    std::vector<std::string> cells;
+    for (const MatrixDesign& design : data.designs) {
+      const auto value = number_at(design.s, {p.name.c_str()});
+      cells.push_back(value ? p.with_unit(*value) : "–");
+    }
+    out += row_of(spaced(p.name), cells);
+  }
+  return out + "\nPictures, charts and measurements: report.html in the folder above.\n";
+}
+
+}  // namespace legwright

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/report/page.hpp"
+
+#include "tools/report/sections.hpp"
+
+namespace legwright {
+
+void open_page(Html& page, const std::string& title, const std::string& line) {
+  page.raw("<!DOCTYPE html>\n").open("html", {{"lang", "en"}}).open("head");
+  page.lone("meta", {{"charset", "utf-8"}});
+  page.lone("meta",
+            {{"http-equiv", "Content-Security-Policy"},
+             {"content",
+              "default-src 'none'; img-src data:; style-src 'unsafe-inline'; base-uri 'none'; "
+              "form-action 'none'"}});
+  page.lone("meta", {{"name", "viewport"}, {"content", "width=device-width, initial-scale=1"}});
+  page.lone("meta", {{"name", "color-scheme"}, {"content", "light dark"}});
+  page.element("title", title);
+  page.open("style").raw(report_style()).close().close();
+  page.open("body").open("header").element("h1", title).element("p", line).close();
+  page.open("main");
+}
+
+void close_page(Html& page, const Json& island) {
+  page.close();
+  page.element(
+      "footer",
+      "Made by legwright report from the files of this run; nothing is fetched from elsewhere.");
+  page.open("script", {{"type", "application/json"}, {"id", "legwright-report"}});
+  page.raw(escape_json_island(to_text(island))).close();
+  page.close().close();
+}
+
+Json island_of(const RunData& data) {
+  Json island{{"schema", "legwright/report"}, {"version", 1}};
+  for (const char* key : {"robot", "task", "status", "motion_only_F", "final_F", "parameters"})
+    island[key] = value_at(data.run, {key});
+  return island;
+}
+
+}  // namespace legwright

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// The bodies of a joint run side by side, and which task pulled which parameter.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "tools/report/pull_words.hpp"
+#include "tools/report/sections.hpp"
+#include "tools/report/svg_plot.hpp"
+#include "tools/report/words.hpp"
+
+namespace legwright {
+namespace {
+
+void add_value(Html& page, const ParameterView& p, const MatrixDesign& design) {
+  const auto value = number_at(design.s, {p.name.c_str()});
+  page.open("td", {{"class", "n"}, {"data-label", spaced(design.name)}});
+  page.text(value ? p.with_unit(*value) : "–");
+  const std::string bound = value ? p.bound_of(*value) : "";
+  if (!bound.empty()) page.element("small", bound, {{"class", "limit"}});
+  page.close();
+}
+
+void add_bodies_table(Html& page, const JointData& data,
+                      const std::vector<ParameterView>& parameters, bool angles) {
+  if (std::none_of(parameters.begin(), parameters.end(),
+                   [&](const auto& p) { return p.angle == angles; }))
+    return;
+  page.element("h3", angles ? "Joint axes" : "Lengths");
+  page.open("div", {{"class", "scroll"}}).open("table", {{"class", "design bodies"}});
+  page.open("thead").open("tr").element("th", "");
+  for (const MatrixDesign& design : data.designs)
+    page.element("th", spaced(design.name), {{"class", "n"}});
+  page.element("th", "within bounds").close().close().open("tbody");
+  for (const ParameterView& p : parameters) {
+    if (p.angle != angles) continue;
+    page.open("tr").open("td").element("b", spaced(p.name));
+    if (!p.sentence.empty()) page.element("small", p.sentence);
+    page.close();
+    for (const MatrixDesign& design : data.designs) add_value(page, p, design);
+    page.open("td", {{"class", "bar"}}).raw(bounds_bar(p.lower, p.upper, p.initial, p.final));
+    page.element("small", p.with_unit(p.lower) + " … " + p.with_unit(p.upper));
+    page.close().close();
+  }
+  page.close().close().close();
+}
+
+std::vector<ParameterPull> pulls_of_tasks(const JointData& data) {
+  std::vector<ParameterPull> all;
+  for (const JointTaskData& task : data.tasks)
+    if (task.run) merge_pulls(all, pulls_of(value_at(task.run->run, {"pull"}), task.name));
+  return all;
+}
+
+/// Change of F that a parameter brought a task; small ones as zero.
+std::string change_words(double decrease, double scale) {
+  return std::abs(decrease) < 0.002 * scale ? "0" : change_of_F(-decrease);
+}
+
+void add_pull_rows(Html& page, const JointData& data, const std::vector<ParameterPull>& pulls) {
+  const double scale = largest_share(pulls);
+  for (const ParameterPull& pull : pulls) {
+    page.open("tr").open("td").element("b", spaced(pull.parameter)).close();
+    for (const JointTaskData& task : data.tasks) {
+      page.element("td", change_words(pull.total(task.name), scale),
+                   {{"class", "n"}, {"data-label", spaced(task.name)}});
+    }
+    const std::string words = pull_words(pull, scale);
+    page.element("td", words.empty() ? "hardly any pull" : words, {{"class", "reason"}}).close();
+  }
+}
+
+}  // namespace
+
+void add_bodies(Html& page, const JointData& data) {
+  page.open("section").element("h2", "The bodies");
+  const auto parameters = parameters_of(data.whole.run);
+  if (parameters.empty()) {
+    page.element("p", "run.json lists no design parameters.", {{"class", "note"}}).close();
+    return;
+  }
+  page.element(
+      "p",
+      "Each column is the best body for its tasks; the bar shows the way from the initial body to "
+      "the common one.",
+      {{"class", "note"}});
+  add_bodies_table(page, data, parameters, true);
+  add_bodies_table(page, data, parameters, false);
+  page.close();
+}
+
+void add_task_pulls(Html& page, const JointData& data) {
+  const auto pulls = pulls_of_tasks(data);
+  const std::string summary = pull_summary(pulls, fall_of_cost(data.whole.run));
+  if (summary.empty()) return;
+  page.open("section").element("h2", "Why the body changed").element("p", summary);
+  std::string note =
+      "Changes of the joint F that each parameter’s change brought a task, its motion following, "
+      "and "
+      "the terms that it moved most.";
+  for (const JointTaskData& task : data.tasks) {
+    if (task.name == text_at(data.whole.run, {"best_start"}))
+      note += " The best start set out from the body for " + spaced(task.name) +
+              " alone; on the way there no other task had a say.";
+  }
+  page.element("p", note, {{"class", "note"}});
+  page.open("table", {{"class", "design pulls"}}).open("thead").open("tr").element("th", "");
+  for (const JointTaskData& task : data.tasks)
+    page.element("th", spaced(task.name), {{"class", "n"}});
+  page.element("th", "what pulled").close().close().open("tbody");
+  add_pull_rows(page, data, pulls);
+  page.close().close().close();
+}
+
+}  // namespace legwright

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+// Top of the page of a joint run: a verdict for each task, and each design in each task.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tools/report/sections.hpp"
+#include "tools/report/words.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kGains[] = {"half", "default", "double"};
+constexpr std::uintmax_t kMostPictures = 3'000'000;  // bytes of the files; a third more on the page
+
+/// The rest of a verdict's line: "98 % of planned speed, …" without the task before it.
+std::string short_line(const std::string& line) {
+  const std::size_t colon = line.find(": ");
+  return colon == std::string::npos ? line : line.substr(colon + 2);
+}
+
+std::optional<bool> passed(const RunData* run, const char* key) {
+  if (run == nullptr) return std::nullopt;
+  const Json& pass = value_at(run->verdict, {key, "pass"});
+  return pass.is_boolean() ? std::optional(pass.get<bool>()) : std::nullopt;
+}
+
+std::string verdict_words(std::optional<bool> pass) {
+  return !pass ? "Not validated" : *pass ? "✓ Pass" : "✗ Fail";
+}
+
+void add_reasons(Html& page, const Json& verdict) {
+  const Json& reasons = value_at(verdict, {"reasons"});
+  if (!reasons.is_array() || reasons.empty()) {
+    page.element("p", short_line(text_at(verdict, {"line"})));
+    return;
+  }
+  page.open("ul");
+  for (const Json& reason : reasons)
+    if (reason.is_string()) page.element("li", reason.get<std::string>());
+  page.close();
+}
+
+void add_task_card(Html& page, const JointTaskData& task) {
+  const RunData* run = task.run ? &*task.run : nullptr;
+  const auto after = passed(run, "result"), before = passed(run, "initial");
+  page.open("div", {{"class", !after ? "card" : *after ? "card pass" : "card fail"}});
+  page.element("h2", spaced(task.name));
+  page.element("p", verdict_words(after), {{"class", "verdict"}});
+  page.element("p", way_words(task.task), {{"class", "note"}});
+  if (after) add_reasons(page, value_at(run->verdict, {"result"}));
+  if (before) {
+    page.element("p",
+                 fmt::format("Before, with the initial body: {}.", *before ? "passed" : "failed"),
+                 {{"class", "note"}});
+  }
+  page.open("p").element("a", "Report of this task",
+                         {{"href", href_of(task.relative / "report.html")}});
+  page.close().close();
+}
+
+/// Share of the planned speed at a gain, or how it ended.
+std::string gain_words(const Json& measured) {
+  const auto fall = number_at(measured, {"fall", "time_s"});
+  if (fall) return fmt::format("fell, {} s", short_number(fall));
+  const auto ratio = number_at(measured, {"speed_ratio"});
+  if (!ratio) return "–";
+  const double share = std::round(100.0 * *ratio);
+  return fmt::format("{}{:.0f} %", share < 0.0 ? "−" : "", std::abs(share));
+}
+
+void add_cell(Html& page, const JointData& data, const MatrixDesign& design, std::size_t t) {
+  const Json& cell = design.cells[t];
+  const Json& pass = value_at(cell, {"pass"});
+  const bool known = pass.is_boolean(), good = known && pass.get<bool>();
+  page.open("td", {{"class", !known ? "cell"
+                             : good ? "cell good-cell"
+                                    : "cell bad-cell"},
+                   {"data-label", spaced(data.tasks[t].name)}});
+  page.open("p").element("b", "F " + three_digits(design.cost[t]));
+  if (known)
+    page.text(" ").element("span", good ? "✓ pass" : "✗ fail", {{"class", good ? "good" : "bad"}});
+  page.close();
+  const Json& gains = value_at(cell, {"gains"});
+  if (gains.is_object()) {
+    page.open("dl");
+    for (const char* gain : kGains) {
+      page.open("div").element("dt", gain);
+      page.element("dd", gain_words(value_at(gains, {gain}))).close();
+    }
+    page.close();
+  }
+  page.close();
+}
+
+/// What the common body gives up for each task, against the body of that task alone.
+std::string trade_words(const JointData& data) {
+  std::string out;
+  const MatrixDesign& common = data.designs.back();
+  for (std::size_t t = 0; t < data.tasks.size(); ++t) {
+    const std::string own = "for " + data.tasks[t].name + " alone";
+    for (const MatrixDesign& design : data.designs) {
+      if (design.name != own || !design.cost[t] || !common.cost[t]) continue;
+      out += fmt::format("{}{} costs {} with the common body and {} with its own",
+                         out.empty() ? "" : "; ", spaced(data.tasks[t].name),
+                         short_number(common.cost[t]), short_number(design.cost[t]));
+    }
+  }
+  return out.empty() ? out : "F by task: " + out + ".";
+}
+
+}  // namespace
+
+void add_task_cards(Html& page, const JointData& data) {
+  page.open("section", {{"class", "cards"}});
+  for (const JointTaskData& task : data.tasks) add_task_card(page, task);
+  if (!data.judged) {
+    add_hint(page, "The bodies have not been compared in MuJoCo yet.", "validate", data.whole);
+  } else {
+    page.element("p",
+                 "One body for all tasks, each with a gait of its own. Verdicts are MuJoCo’s, at "
+                 "half, default and double servo gains.",
+                 {{"class", "note wide"}});
+  }
+  page.close();
+}
+
+void add_matrix(Html& page, const JointData& data) {
+  page.open("section").element("h2", "Every body in every task");
+  const std::string trade = trade_words(data);
+  if (!trade.empty()) page.element("p", trade);
+  page.open("table", {{"class", "matrix"}}).open("thead").open("tr").element("th", "body");
+  for (const JointTaskData& task : data.tasks) page.element("th", spaced(task.name));
+  page.close().close().open("tbody");
+  for (const MatrixDesign& design : data.designs) {
+    page.open("tr", {{"class", &design == &data.designs.back() ? "chosen" : ""}});
+    page.open("td").element("b", spaced(design.name)).close();
+    for (std::size_t t = 0; t < data.tasks.size(); ++t) add_cell(page, data, design, t);
+    page.close();
+  }
+  page.close().close();
+  if (data.judged) {
+    page.element("p",
+                 "F: cost of the best gait found for that body. Below it, the measured speed as a "
+                 "share of the planned one at three servo gains; 95 to 105 % at all of them is one "
+                 "of the conditions for a pass.",
+                 {{"class", "note"}});
+  } else {
+    add_hint(page, "Speeds and verdicts are not known yet.", "validate", data.whole);
+  }
+  page.close();
+}
+
+void add_task_pictures(Html& page, const JointData& data) {
+  page.open("section").element("h2", "Before and after");
+  std::uintmax_t left = kMostPictures;
+  bool missing = false, too_many = false;
+  for (const JointTaskData& task : data.tasks) {
+    const fs::path result = data.whole.root / task.relative / "result";
+    bool any = false;
+    for (const char* strip : {"strip_physics.png", "strip_before_after.png"}) {
+      std::error_code error;
+      const std::uintmax_t size = fs::file_size(result / strip, error);
+      if (error) continue;
+      any = true;
+      if (size > left) {
+        too_many = true;
+        continue;
+      }
+      left -= size;
+      const bool physics = std::string_view(strip) == "strip_physics.png";
+      add_strip(page, result / strip,
+                spaced(task.name) + (physics ? ": what physics did." : ": what was planned."),
+                physics ? "The thin line is the start, the coloured one the way of the trunk."
+                        : "One cycle at the same camera and phases.");
+    }
+    missing = missing || !any;
+  }
+  if (missing) add_hint(page, "Film strips are missing.", "render", data.whole);
+  if (too_many)
+    page.element("p", "More pictures are in the reports of the tasks.", {{"class", "note"}});
+  page.close();
+}
+
+}  // namespace legwright
