@@ -307,10 +307,7 @@ const Eigen::MatrixXd& DerivedQuantities::jacobian(const Morphology& morphology,
   const bool wraps = block.kind == Kind::momentum && block.knot == knot_count_;
   const PoseKinematics& pose = workspace.poses[wraps ? knot_count_ + 1 : block.knot];
   const PoseKinematics& next = workspace.poses[wraps ? 0 : block.knot + 1];
-<<<<<<< HEAD
   jacobian.setZero(columns_of(block, workspace), block.size);
-=======
-  jacobian.setZero(static_cast<int>(block.slots.size()), block.size);
   if (block.kind == Kind::actuator) {
     jacobian = workspace.shapes[block.index].jacobian.transpose();
     return jacobian;
@@ -320,7 +317,6 @@ const Eigen::MatrixXd& DerivedQuantities::jacobian(const Morphology& morphology,
                                               : workspace.printed_volume.gradient;
     return jacobian;
   }
->>>>>>> main
   if (block.kind == Kind::joint_torque) {
     compute_torque(morphology, block, extended, workspace);
     workspace.torques[block.index].add_jacobian(jacobian);
@@ -359,6 +355,8 @@ void DerivedQuantities::curvature(int index, const double* multiplier, Workspace
     return;
   }
   if (block.kind == Kind::actuator) {
+    const auto parameters = static_cast<int>(block.slots.size());
+    workspace.curvature.setZero(parameters, parameters);
     for (int k = 0; k < 3; ++k)
       workspace.curvature += multiplier[k] * workspace.shapes[block.index].hessian[k];
     return;
