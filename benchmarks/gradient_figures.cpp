@@ -25,7 +25,14 @@ Morphology frozen(Morphology robot, const VectorXd& s) {
   for (Link& link : robot.links) {
     link.origin = frozen(link.origin, s);
     link.joint.axis = {link.joint.axis.at(s), {}};
-    for (PointMass& mass : link.masses) mass.position = frozen(mass.position, s);
+    for (PointMass& mass : link.masses) {
+      const double growth = mass.growth_at(s);
+      mass = {growth * mass.mass, frozen(mass.position, s), {}, growth * mass.volume};
+    }
+  }
+  for (LinearActuator& actuator : robot.linear_actuators) {
+    actuator.upper = frozen(actuator.upper, s);
+    actuator.lower = frozen(actuator.lower, s);
   }
   for (Foot& foot : robot.feet) foot.position = frozen(foot.position, s);
   return robot;
