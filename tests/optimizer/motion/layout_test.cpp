@@ -37,6 +37,8 @@ TEST(Layout, EverySlotIsUsedOnce) {
       if (layout.force(i, j) >= 0) use(layout.force(i, j), 3);
     }
   }
+  use(layout.mass_share(), 1);
+  use(layout.printed_volume(), 1);
   ASSERT_EQ(static_cast<int>(used.size()), layout.extended_size());
   int expected = 0;
   for (int slot : used) EXPECT_EQ(slot, expected++);
