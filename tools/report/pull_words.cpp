@@ -140,13 +140,16 @@ std::string pull_summary(const std::vector<ParameterPull>& pulls, std::optional<
   }
   if (sums.empty()) return "";
   sort_shares(sums);
-  std::string out = fmt::format("Taken together, the changes {} F by {}",
-                                all < 0.0 ? "raised" : "lowered", short_number(std::abs(all)));
+  std::string out;
   // What lies between two designs is followed to second order only.
   if (fall && std::abs(*fall - all) > kUnexplained * std::abs(*fall))
-    out += fmt::format(" of the {} that it fell (the rest lies in steps too long to be split)",
-                       short_number(*fall));
-  out += fmt::format(". By term: {}.", tasks_words(largest_of(sums, kTermsInSum)));
+    out = fmt::format(
+        "Of the {} that F fell, {} can be told apart; the rest lies in steps too long to be split.",
+        short_number(*fall), short_number(all));
+  else
+    out = fmt::format("Taken together, the changes {} F by {}.", all < 0.0 ? "raised" : "lowered",
+                      short_number(std::abs(all)));
+  out += fmt::format(" By term: {}.", tasks_words(largest_of(sums, kTermsInSum)));
   std::stable_sort(parameters.begin(), parameters.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
   std::string most;
