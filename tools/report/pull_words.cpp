@@ -68,8 +68,8 @@ std::vector<PullShare> largest_of(const std::vector<PullShare>& sorted, std::siz
 
 std::string change_of_F(double change) {
   const double size = std::abs(change);
-  if (size < 0.01) return signed_number(change);
-  return fmt::format("{}{:.{}f}", change < 0.0 ? "−" : "+", size, size >= 9.995 ? 1 : 2);
+  const int digits = size >= 9.995 ? 1 : size >= 0.00995 ? 2 : size >= 0.000995 ? 3 : 4;
+  return fmt::format("{}{:.{}f}", change < 0.0 ? "−" : "+", size, digits);
 }
 
 double ParameterPull::total(std::string_view task) const {

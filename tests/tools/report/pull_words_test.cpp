@@ -39,6 +39,12 @@ TEST(PullWords, SumsUpOverAllParameters) {
   EXPECT_EQ(pull_summary(pulls_of(Json(3)), 1.0), "");
 }
 
+TEST(PullWords, ShowsAsManyDigitsAsMatter) {
+  EXPECT_EQ(change_of_F(-14.28), "−14.3");
+  EXPECT_EQ(change_of_F(2.816), "+2.82");
+  EXPECT_EQ(change_of_F(0.00427), "+0.004");
+}
+
 TEST(PullWords, KeepsTasksApart) {
   auto pulls = pulls_of({{"yaw", {{"travel", 2.0}}}}, "pace");
   merge_pulls(pulls, pulls_of({{"yaw", {{"travel", -3.0}}}, {"roll", {{"travel", 1.0}}}}, "walk"));
