@@ -68,8 +68,8 @@ std::vector<PullShare> largest_of(const std::vector<PullShare>& sorted, std::siz
 
 std::string change_of_F(double change) {
   const double size = std::abs(change);
-  if (size < 0.01) return signed_number(change);
-  return fmt::format("{}{:.{}f}", change < 0.0 ? "−" : "+", size, size >= 9.995 ? 1 : 2);
+  const int digits = size >= 9.995 ? 1 : size >= 0.00995 ? 2 : size >= 0.000995 ? 3 : 4;
+  return fmt::format("{}{:.{}f}", change < 0.0 ? "−" : "+", size, digits);
 }
 
 double ParameterPull::total(std::string_view task) const {
@@ -140,13 +140,16 @@ std::string pull_summary(const std::vector<ParameterPull>& pulls, std::optional<
   }
   if (sums.empty()) return "";
   sort_shares(sums);
-  std::string out = fmt::format("Taken together, the changes {} F by {}",
-                                all < 0.0 ? "raised" : "lowered", short_number(std::abs(all)));
+  std::string out;
   // What lies between two designs is followed to second order only.
   if (fall && std::abs(*fall - all) > kUnexplained * std::abs(*fall))
-    out += fmt::format(" of the {} that it fell (the rest lies in steps too long to be split)",
-                       short_number(*fall));
-  out += fmt::format(". By term: {}.", tasks_words(largest_of(sums, kTermsInSum)));
+    out = fmt::format(
+        "Of the {} that F fell, {} can be told apart; the rest lies in steps too long to be split.",
+        short_number(*fall), short_number(all));
+  else
+    out = fmt::format("Taken together, the changes {} F by {}.", all < 0.0 ? "raised" : "lowered",
+                      short_number(std::abs(all)));
+  out += fmt::format(" By term: {}.", tasks_words(largest_of(sums, kTermsInSum)));
   std::stable_sort(parameters.begin(), parameters.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
   std::string most;

@@ -148,6 +148,7 @@ void add_terms(Html& page, const RunData& data) {
       .element("th", "after", {{"class", "n"}});
   page.element("th", "").close().close().open("tbody");
   for (const TermRow& row : rows) {
+    if (row.before == 0.0 && row.after == 0.0) continue;  // of weight zero
     page.open("tr")
         .open("td")
         .element("b", term_words(row.name))

@@ -80,7 +80,7 @@ details { margin: 1.2rem 0 0; } summary { cursor: pointer; font-weight: 600; fon
 .matrix th + th { padding-left: .85rem; } .matrix .good-cell { background: var(--good-soft); border-left-color: var(--good); } .matrix .bad-cell { background: var(--bad-soft); border-left-color: var(--bad); }
 dl { display: flex; flex-wrap: wrap; gap: .1rem 1.1rem; margin: 0; font-size: .85rem; color: var(--pale); } dl div { white-space: nowrap; }
 dt { display: inline; } dt::after { content: " "; } dd { display: inline; margin: 0 0 0 .25rem; color: var(--ink); font-variant-numeric: tabular-nums; }
-.chosen td:first-child { border-left: 3px solid var(--c1); padding-left: .6rem; } .limit { white-space: nowrap; } .reason { font-size: .88rem; min-width: 14rem; }
+.chosen td:first-child { border-left: 3px solid var(--c1); padding-left: .6rem; } .limit { white-space: nowrap; } .reason { font-size: .88rem; min-width: 14rem; } .pulls b { white-space: nowrap; }
 .key.ring { width: .85rem; height: .85rem; border-width: 2px; border-style: solid; border-radius: 50%; }
 footer { color: var(--pale); font-size: .85rem; border-top: 1px solid var(--line); padding-top: .8rem; }
 @media (max-width: 40rem) {
@@ -88,6 +88,10 @@ footer { color: var(--pale); font-size: .85rem; border-top: 1px solid var(--line
   .design tr { display: grid; grid-template-columns: 1fr 1fr 1fr; border-bottom: 1px solid var(--line); padding: .5rem 0; }
   .design td { border: 0; padding: .1rem 0; text-align: left; } .design td:first-child, .design .bar { grid-column: 1 / -1; width: auto; }
   .design .n::before { content: attr(data-label); display: block; color: var(--pale); font-size: .8rem; line-height: 1.2; }
+  .bodies tr { grid-template-columns: 1fr 1fr; } .design .reason { grid-column: 1 / -1; padding-top: .3rem; }
+  .matrix, .matrix tbody { display: block; } .matrix thead { display: none; } .matrix tr { display: grid; grid-template-columns: repeat(auto-fit, minmax(8rem, 1fr)); gap: 2px; padding: .5rem 0; border-bottom: 1px solid var(--line); }
+  .matrix td { border-bottom: 0; padding: .3rem .5rem; } .matrix td:first-child { grid-column: 1 / -1; } .matrix .cell::before { content: attr(data-label); color: var(--pale); font-size: .8rem; }
+  .matrix p b { display: block; } dl { display: block; } .worst td:nth-child(3), .worst th:nth-child(3) { display: none; } .worst td:first-child, .starts td:first-child { min-width: 8.5rem; }
   .bounds { max-width: 14rem; } .terms small { display: none; } .bars { min-width: 3.5rem; width: 25%; } .terms td { padding-right: .5rem; } }
 @media print { body { max-width: none; padding: 0; font-size: 11pt; } section, figure, tr { break-inside: avoid; } .strip img { min-width: 0; } .scroll { overflow: visible; } }
 )";

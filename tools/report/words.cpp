@@ -50,6 +50,7 @@ std::string term_words(const std::string& name) {
       {"peak_torque", "highest torque"},
       {"nominal_pose", "near the home pose"},
       {"force_smoothness", "smooth forces"},
+      {"force_size", "small forces"},
       {"design_tether", "near the initial design"},
   };
   const auto found = words.find(name);
@@ -81,6 +82,7 @@ std::string cost_words(const std::string& name) {
       {"peak_torque", "highest torque"},
       {"nominal_pose", "distance from the home pose"},
       {"force_smoothness", "jerky forces"},
+      {"force_size", "large forces"},
       {"design_tether", "distance from the initial body"},
   };
   const auto found = words.find(name);

@@ -74,11 +74,36 @@ TEST_F(ReportTest, ShowsEveryPartOfACompleteRun) {
   expect_well_formed(page);
   expect_self_contained(page);
   for (const char* part :
-       {"✗ Fail", "✓ Pass", "falls after 1.29 s", "98 % of planned speed", "What physics did.",
-        "What was planned.", "front hip axis roll", "+80.2°", "at its upper bound",
-        "Cost F by design iteration", "gait alone, initial body", "iteration 0",
-        "forces carry the body", "98.1 %", "Footfalls after", "Planned normal forces",
-        "SHA-256 of robot.xml", "3.17.0", "default-src 'none'"}) {
+       {"✗ Fail",
+        "✓ Pass",
+        "falls after 1.29 s",
+        "98 % of planned speed",
+        "What physics did.",
+        "What was planned.",
+        "front hip axis roll",
+        "+80.2°",
+        "at its upper bound",
+        "Cost F by design iteration",
+        "gait alone, initial body",
+        "iteration 0",
+        "forces carry the body",
+        "98.1 %",
+        "Footfalls after",
+        "Planned normal forces",
+        "SHA-256 of robot.xml",
+        "3.17.0",
+        "default-src 'none'",
+        "Why it changed.",
+        "slip of stance feet −14.3, at the cost of body off its place +2.61",
+        "all curvatures of F along the motion are positive",
+        "0.05 … 4.06",
+        "3.2 × 10⁻⁸",
+        "stands at its upper bound, 80.2°; 5° more would lower F by about 0.131.",
+        "0.219 mm",
+        "0.00177 N·m",
+        "57.3° to spare",
+        "0.32 s",
+        "2.709600 × 10⁻⁵"}) {
     EXPECT_TRUE(has(page, part) || has(page, escape_attribute(part))) << part;
   }
   EXPECT_FALSE(has(page, "class=\"hint\""));
@@ -98,6 +123,41 @@ TEST_F(ReportTest, NamesTheCommandForWhatIsMissing) {
   EXPECT_TRUE(has(page, "legwright render " + run_.generic_string()));
   EXPECT_TRUE(has(page, "Not validated"));
   EXPECT_FALSE(has(page, "✓ Pass"));
+}
+
+TEST_F(ReportTest, SaysWhereNothingIsProven) {
+  fs::remove(run_ / "result" / "certificate.json");
+  const std::string page = this->page();
+  EXPECT_TRUE(has(page, "Nothing has been proven of this result"));
+  EXPECT_FALSE(has(page, "0.05 … 4.06"));
+}
+
+TEST_F(ReportTest, ACertificateThatFailsSaysSo) {
+  Json proof = read_json(run_ / "result" / "certificate.json");
+  proof["design_curvatures"][0] = -0.02;
+  proof["worst_gradient_error"] = 0.3;
+  proof["tasks"]["sideways"]["motion_hessian_positive"] = false;
+  proof["tasks"]["sideways"]["motions_resolved"] = false;
+  write_json(run_ / "result" / "certificate.json", proof);
+  const std::string page = this->page();
+  std::size_t bad = 0;
+  for (std::size_t at = page.find("mark bad"); at != std::string::npos;
+       at = page.find("mark bad", at + 1))
+    ++bad;
+  EXPECT_EQ(bad, 4U);  // and the status, which is not "converged" in the fixture
+  EXPECT_TRUE(has(page, "−0.02 … 4.06"));
+  EXPECT_TRUE(has(page, "came to rest only roughly"));
+}
+
+TEST_F(ReportTest, APartOfAJointRunLinksToTheWholeAndNowhereElse) {
+  edit_run([](Json& run) {
+    run["joint_run"] = "../..";
+    run["start"] = "pace";
+  });
+  EXPECT_TRUE(has(page(), "href=\"../../report.html\""));
+  EXPECT_TRUE(has(page(), "The way begins with the body for pace alone"));
+  edit_run([](Json& run) { run["joint_run"] = "https://example.org"; });
+  expect_self_contained(page());
 }
 
 TEST_F(ReportTest, TakesTheDesignMetricsForNoValidation) {
@@ -132,6 +192,9 @@ TEST_F(ReportTest, SurvivesJsonOfWrongTypes) {
       if (key != "schema") value = Json::array({"x", 1, nullptr, {{"a", 1}}});
   });
   write_file(run_ / "result" / "verdict.json", "[1]");
+  write_file(run_ / "result" / "certificate.json",
+             R"({"tasks":{"a":[1],"b":{"violations":[1,{"amount":"x"}],"design_gradient":{"p":3}}},
+                 "active_bounds":[7,{"parameter":"p"}],"design_curvatures":["x"]})");
   write_file(
       run_ / "result" / "metrics.json",
       R"({"schema":"legwright/validation","result":{"default":{"feet":[3,{"name":"FL","contacts_s":[1,["a"]]}]}}})");
@@ -159,14 +222,26 @@ TEST_F(ReportTest, HostileNamesStayText) {
     run["robot"] = "plain";
     run["task"]["gait"] = "plain";
     run["parameters"][0]["sentence"] = run["status"] = run["sha256"]["robot.xml"] = "plain";
+    run["pull"] = {{"plain", {{"plain", 20.0}}}};
   });
+  const auto prove = [&](const std::string& name) {
+    Json proof = read_json(run_ / "result" / "certificate.json");
+    const Json task = proof["tasks"].begin().value();
+    proof["tasks"] = {{name, task}};
+    for (const char* key : {"term", "where", "unit", "equation"})
+      proof["tasks"][name]["violations"][0][key] = name;
+    write_json(run_ / "result" / "certificate.json", proof);
+  };
+  prove("plain");
   const std::size_t expected = elements(page());
   for (const std::string& raw : hostile_names()) {
     const std::string name = clean_utf8(raw);  // JSON cannot carry other bytes
     edit_run([&](Json& run) {
       run["robot"] = run["task"]["gait"] = run["status"] = run["sha256"]["robot.xml"] = name;
       run["parameters"][0]["name"] = run["parameters"][0]["sentence"] = name;
+      run["pull"] = {{name, {{name, 20.0}}}};
     });
+    prove(name);
     const std::string page = this->page();
     expect_well_formed(page);
     EXPECT_EQ(elements(page), expected) << name;  // not one tag more, nor fewer
@@ -174,7 +249,9 @@ TEST_F(ReportTest, HostileNamesStayText) {
 }
 
 TEST_F(ReportTest, WritesPageAndSummary) {
-  const fs::path page = write_report(run_);
+  const auto pages = write_report(run_);
+  ASSERT_EQ(pages.size(), 1U);
+  const fs::path page = pages.front();
   EXPECT_EQ(page, run_ / "report.html");
   expect_well_formed(read_file(page));
   const std::string summary = read_file(run_ / "result" / "summary.md");

@@ -126,5 +126,15 @@ TEST(BoundsBar, KeepsMarksWithinTheTrack) {
   EXPECT_TRUE(bounds_bar(1.0, 1.0, 1.0, 1.0).empty());
 }
 
+TEST(LinePlot, AMarkIsARingWithoutALine) {
+  PlotSeries line{.name = "curve", .x = {1, 2}, .y = {3, 4}};
+  PlotSeries mark{.name = "design", .x = {2}, .y = {4}, .colour = 3, .mark = true};
+  const std::string plot = line_plot({line, mark}, {.title = "front"});
+  EXPECT_NE(plot.find("<circle class=\"line c3\""), std::string::npos);
+  EXPECT_EQ(plot.find("<path class=\"line c3"), std::string::npos);
+  EXPECT_NE(plot.find("key b3 ring"), std::string::npos);
+  EXPECT_EQ(line_plot({line}, {}).find("<circle"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace legwright

@@ -12,8 +12,23 @@ TEST(ShortNumber, KeepsThreeDigits) {
   EXPECT_EQ(short_number(9.7249), "9.72");
   EXPECT_EQ(short_number(0.09876), "0.0988");
   EXPECT_EQ(short_number(-0.5), "−0.5");
-  EXPECT_EQ(short_number(2.34e-7), "2.3e-07");
+  EXPECT_EQ(short_number(2.34e-7), "2.3 × 10⁻⁷");
+  EXPECT_EQ(short_number(4.5e12), "4.5 × 10¹²");
   EXPECT_EQ(short_number(std::nullopt), "–");
+}
+
+TEST(Numbers, HaveTheDigitsTheirPlaceNeeds) {
+  EXPECT_EQ(three_digits(6.0), "6.00");
+  EXPECT_EQ(three_digits(-87.15), "−87.2");
+  EXPECT_EQ(signed_number(0.25), "+0.25");
+  EXPECT_EQ(signed_number(-0.25), "−0.25");
+  EXPECT_EQ(long_number(-13.341285753357385), "−13.34129");
+  EXPECT_EQ(long_number(2.709627378986372e-05), "2.709627 × 10⁻⁵");
+  EXPECT_EQ(quantity_words(0.000219, "m"), "0.219 mm");
+  EXPECT_EQ(quantity_words(1e-7, "m"), "below 0.001 mm");
+  EXPECT_EQ(quantity_words(-1.0, "rad"), "−57.3°");
+  EXPECT_EQ(quantity_words(0.1234, "N m"), "0.123 N·m");
+  EXPECT_EQ(quantity_words(0.5, ""), "0.5");
 }
 
 TEST(TaskWords, TellTheWayAndThePace) {

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+#include <tinyxml2.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "mjcf/input_error.hpp"
+#include "tests/tools/report/hostile_names.hpp"
+#include "tools/io/atomic_file.hpp"
+#include "tools/render/png.hpp"
+#include "tools/report/html.hpp"
+#include "tools/report/report.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool has(const std::string& page, const std::string& part) {
+  return page.find(part) != std::string::npos;
+}
+
+void expect_well_formed(const std::string& page) {
+  tinyxml2::XMLDocument document;
+  EXPECT_EQ(document.Parse(page.c_str()), tinyxml2::XML_SUCCESS) << document.ErrorStr();
+}
+
+/// A joint run of invented numbers: two tasks, each a copy of the fixture of single runs.
+class JointReportTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
+    run_ = fs::path(testing::TempDir()) / ("joint_report_" + test);
+    fs::remove_all(run_);
+    fs::create_directories(run_ / "result");
+    fs::create_directories(run_ / "tasks");
+    for (const char* task : {"ahead", "sideways"})
+      fs::copy(fs::path(LEGWRIGHT_SOURCE_DIR) / "tests/tools/report/data", run_ / "tasks" / task,
+               fs::copy_options::recursive);
+    write_run("ahead");
+    write_results("ahead");
+  }
+  void TearDown() override { fs::remove_all(run_); }
+
+  static Json costs(const std::string& first, double ahead, double sideways) {
+    return {{first, ahead}, {"sideways", sideways}};
+  }
+
+  Json start(const std::string& from, const std::string& first, double F) const {
+    return {{"start", from},
+            {"tasks", {first, "sideways"}},
+            {"status", "converged"},
+            {"F_start", 2 * F},
+            {"F", F},
+            {"F_tasks_start", costs(first, 3.25, 10.5)},
+            {"F_tasks", costs(first, F, F)},
+            {"design_iterations", 9},
+            {"newton_iterations", 90},
+            {"seconds", 1.25},
+            {"s", {{"body_width", 0.111}}}};
+  }
+
+  /// @param first name of the first task; its folder stays tasks/ahead
+  void write_run(const std::string& first) {
+    Json run = read_json(run_ / "tasks" / "ahead" / "run.json");
+    Json task = run["task"];
+    run.erase("task");
+    run["name"] = "both";
+    run["tasks"] = Json::array();
+    for (const std::string& name : {first, std::string("sideways")}) {
+      task["name"] = name;
+      task["weight"] = 0.5;
+      task["folder"] = run["tasks"].empty() ? "tasks/ahead" : "tasks/sideways";
+      task["F_initial"] = 51.5;
+      task["F"] = 4.75;
+      run["tasks"].push_back(task);
+    }
+    run["best_start"] = first;
+    run["starts"] = {start("initial", first, 6.25), start(first, first, 4.5)};
+    run["alone"] = {start("initial", first, 2.5)};
+    run["alone"][0]["tasks"] = {first};
+    write_json(run_ / "run.json", run);
+  }
+
+  static Json cell(double F, bool pass) {
+    const Json played = {{"speed_ratio", 0.985}};
+    return {{"F", F},
+            {"pass", pass},
+            {"gains",
+             {{"half", {{"fall", {{"time_s", 1.69}}}}}, {"default", played}, {"double", played}}}};
+  }
+
+  void write_results(const std::string& first) {
+    Json cells = Json::object();
+    for (const std::string& task : {first, std::string("sideways")})
+      cells[task] = {cell(51.5, false), cell(3.25, false), cell(4.75, true)};
+    write_json(run_ / "result" / "matrix.json", {{"cells", cells}, {"pass", true}});
+    Json points = Json::array();
+    for (const double weight : {0.0, 0.5, 1.0})
+      points.push_back({{"weight", weight},
+                        {"F_tasks", costs(first, 6.0 - weight, 2.0 + 8.0 * weight)},
+                        {"status", "converged"}});
+    write_json(run_ / "result" / "front.json", {{"points", points}});
+  }
+
+  std::string page() { return joint_report_page(read_joint_run(run_)); }
+
+  fs::path run_;
+};
+
+TEST_F(JointReportTest, ShowsEveryBodyInEveryTask) {
+  const std::string page = this->page();
+  expect_well_formed(page);
+  for (const char* part :
+       {"fixture-puppy · both", "One body for 2 tasks: ahead (weight 0.5)", "for ahead alone",
+        "for both tasks", "F 4.75", "✓ pass", "✗ fail", "fell, 1.69 s", "99 %", "111.0 mm",
+        "the best: this is the result", "the body for ahead alone", "F of ahead", "The trade-off",
+        "key b3 ring", "Outside the picture: initial body (51.5 and 51.5).",
+        "sideways: slip of stance feet −14.3", "href=\"tasks/ahead/report.html\"",
+        "ahead costs 4.75 with the common body and 3.25 with its own"})
+    EXPECT_TRUE(has(page, part)) << part;
+  EXPECT_EQ(page, this->page());
+}
+
+TEST_F(JointReportTest, NamesTheCommandForWhatIsMissing) {
+  fs::remove(run_ / "result" / "matrix.json");
+  fs::remove(run_ / "result" / "front.json");
+  const std::string page = this->page();
+  expect_well_formed(page);
+  EXPECT_TRUE(has(page, "legwright validate " + run_.generic_string()));
+  EXPECT_TRUE(has(page, "legwright render " + run_.generic_string()));
+  EXPECT_TRUE(has(page, "--front 7"));
+  EXPECT_TRUE(has(page, "Nothing has been proven"));
+  EXPECT_FALSE(has(page, "✓ pass"));
+  EXPECT_TRUE(has(page, "F 4.75")) << "known from run.json";
+}
+
+TEST_F(JointReportTest, StaysSmallWhateverThePictures) {
+  const Image picture(64, 48, {200, 120, 40});
+  for (const char* task : {"ahead", "sideways"}) {
+    write_png(run_ / "tasks" / task / "result" / "strip_physics.png", picture);
+    write_file(run_ / "tasks" / task / "result" / "strip_before_after.png",
+               std::string(2'500'000, 'x'));
+  }
+  const std::string page = this->page();
+  EXPECT_LT(page.size(), 5'000'000U);
+  EXPECT_TRUE(has(page, "ahead: what was planned."));
+  EXPECT_FALSE(has(page, "sideways: what was planned."));
+  EXPECT_TRUE(has(page, "sideways: what physics did."));
+  EXPECT_TRUE(has(page, "More pictures are in the reports of the tasks."));
+}
+
+TEST_F(JointReportTest, WritesAPageForTheWholeAndForEachTask) {
+  fs::remove(run_ / "tasks" / "sideways" / "run.json");
+  const auto pages = write_report(run_);
+  ASSERT_EQ(pages.size(), 2U) << "what cannot be read has no page";
+  EXPECT_EQ(pages[0], run_ / "report.html");
+  EXPECT_EQ(pages[1], run_ / "tasks" / "ahead" / "report.html");
+  EXPECT_TRUE(has(read_file(pages[0]), "Could not be used: "));
+  const std::string summary = read_file(run_ / "result" / "summary.md");
+  EXPECT_TRUE(has(summary, "| for both tasks | 4.75, PASS | 4.75, PASS |")) << summary;
+}
+
+TEST_F(JointReportTest, RefusesTasksOutsideOfTheRun) {
+  Json run = read_json(run_ / "run.json");
+  run["tasks"][0]["folder"] = "../other";
+  write_json(run_ / "run.json", run);
+  EXPECT_THROW(write_report(run_), InputError);
+}
+
+TEST_F(JointReportTest, SurvivesJsonOfWrongTypes) {
+  Json run = read_json(run_ / "run.json");
+  for (auto& [key, value] : run.items())
+    if (key != "schema" && key != "tasks") value = Json::array({"x", 1, nullptr, {{"a", 1}}});
+  write_json(run_ / "run.json", run);
+  write_file(run_ / "result" / "matrix.json", R"({"cells":{"ahead":[1,2,3],"sideways":{}}})");
+  write_file(run_ / "result" / "front.json", R"({"points":[1,{"F_tasks":[2]}]})");
+  expect_well_formed(page());
+  EXPECT_NO_THROW(joint_report_summary(read_joint_run(run_)));
+  write_file(run_ / "result" / "matrix.json", "[");
+  expect_well_formed(page());
+}
+
+TEST_F(JointReportTest, HostileNamesStayText) {
+  const auto elements = [](const std::string& page) {
+    return std::count(page.begin(), page.end(), '<');
+  };
+  write_run("plain");
+  write_results("plain");
+  const auto expected = elements(page());
+  for (const std::string& raw : hostile_names()) {
+    const std::string name = clean_utf8(raw);
+    write_run(name);
+    write_results(name);
+    const std::string page = this->page();
+    expect_well_formed(page);
+    EXPECT_EQ(elements(page), expected) << name;
+  }
+  EXPECT_EQ(href_of("tasks/a b\"<'%/report.html"), "tasks/a%20b%22%3C%27%25/report.html");
+}
+
+}  // namespace
+}  // namespace legwright
