@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "tools/io/atomic_file.hpp"
+#include "tools/report/page.hpp"
 #include "tools/report/sections.hpp"
 #include "tools/report/words.hpp"
 
@@ -22,14 +23,13 @@ std::string title_of(const RunData& data) {
 }
 
 /// The main numbers once more, for programs that read the page.
-void add_island(Html& page, const RunData& data) {
+Json island_of(const RunData& data) {
   Json island{{"schema", "legwright/report"}, {"version", 1}};
   for (const char* key : {"robot", "task", "status", "motion_only_F", "final_F", "parameters"}) {
     island[key] = value_at(data.run, {key});
   }
   island["verdict"] = data.verdict;
-  page.open("script", {{"type", "application/json"}, {"id", "legwright-report"}});
-  page.raw(escape_json_island(to_text(island))).close();
+  return island;
 }
 
 std::string verdict_line(const RunData& data, const char* key) {
@@ -41,23 +41,7 @@ std::string verdict_line(const RunData& data, const char* key) {
 
 std::string report_page(const RunData& data) {
   Html page;
-  page.raw("<!DOCTYPE html>\n").open("html", {{"lang", "en"}}).open("head");
-  page.lone("meta", {{"charset", "utf-8"}});
-  page.lone("meta",
-            {{"http-equiv", "Content-Security-Policy"},
-             {"content",
-              "default-src 'none'; img-src data:; style-src 'unsafe-inline'; base-uri 'none'; "
-              "form-action 'none'"}});
-  page.lone("meta", {{"name", "viewport"}, {"content", "width=device-width, initial-scale=1"}});
-  page.lone("meta", {{"name", "color-scheme"}, {"content", "light dark"}});
-  page.element("title", title_of(data));
-  page.open("style").raw(report_style()).close().close();
-  page.open("body")
-      .open("header")
-      .element("h1", title_of(data))
-      .element("p", task_words(data.run))
-      .close();
-  page.open("main");
+  open_page(page, title_of(data), task_words(data.run));
   add_verdicts(page, data);
   add_pictures(page, data);
   add_design_change(page, data);
@@ -67,12 +51,10 @@ std::string report_page(const RunData& data) {
   add_physics(page, data);
   add_plan(page, data);
   add_origin(page, data);
-  page.close();
-  page.element(
-      "footer",
-      "Made by legwright report from the files of this run; nothing is fetched from elsewhere.");
-  add_island(page, data);
-  page.close().close();
+  close_page(
+      page,
+      "Made by legwright report from the files of this run; nothing is fetched from elsewhere.",
+      "legwright-report", to_text(island_of(data)));
   return page.take();
 }
 
