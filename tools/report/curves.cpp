@@ -143,8 +143,10 @@ std::string parameter_chart(const CurveVariant& variant, bool angles) {
     }
     lines.push_back(std::move(line));
   }
+  std::string title = angles ? "Change of joint axes" : "Change of lengths";
+  if (lines.size() == 1) title += ": " + lines.front().name;  // one line alone has no legend
   return line_plot(lines,
-                   {.title = angles ? "Change of joint axes" : "Change of lengths",
+                   {.title = title,
                     .x_label = "wanted speed [m/s]",
                     .y_label = angles ? "° from the initial body" : "mm from the initial body",
                     .y_from_zero = true});
@@ -209,9 +211,8 @@ void add_cards(Html& page, const Curves& curves) {
   page.close();
 }
 
-void add_row(Html& page, const CurveVariant& variant, const CurvePoint& point) {
-  page.open("tr").element("td", variant.name);
-  page.element("td", tick_label(point.wanted), {{"class", "n"}});
+void add_row(Html& page, const CurvePoint& point) {
+  page.open("tr").element("td", tick_label(point.wanted), {{"class", "n"}});
   page.element("td", point.pass ? "PASS" : "FAIL", {{"class", point.pass ? "ok" : "no"}});
   for (const CurveSample& sample : point.at_gains)
     page.element("td", sample.fall_time ? "falls" : percent(sample.speed_ratio), {{"class", "n"}});
@@ -228,21 +229,31 @@ void add_row(Html& page, const CurveVariant& variant, const CurvePoint& point) {
 
 void add_table(Html& page, const Curves& curves) {
   page.open("section").element("h2", "All runs");
-  page.open("div", {{"class", "scroll"}, {"tabindex", "0"}})
-      .open("table", {{"class", "runs"}})
-      .open("thead")
-      .open("tr");
-  for (const char* head : {"variant", "wanted [m/s]", "verdict", "speed, half", "default", "double",
-                           "touches", "count", "tilt", "F", "why not"})
-    page.element("th", head);
-  page.close().close().open("tbody");
-  for (const CurveVariant& variant : curves.variants)
-    for (const CurvePoint& point : variant.points) add_row(page, variant, point);
-  page.close().close().close();
+  for (const CurveVariant& variant : curves.variants) {
+    page.element("h3", variant.name);
+    page.open("div", {{"class", "scroll"}, {"tabindex", "0"}})
+        .open("table", {{"class", "runs"}})
+        .open("thead")
+        .open("tr");
+    for (const auto& [head, style] : {std::pair{"wanted [m/s]", "n"},
+                                      {"verdict", ""},
+                                      {"half", "n"},
+                                      {"default", "n"},
+                                      {"double", "n"},
+                                      {"touches", "n"},
+                                      {"count", "n"},
+                                      {"tilt", "n"},
+                                      {"F", "n"},
+                                      {"why not", ""}})
+      page.element("th", head, {{"class", style}});
+    page.close().close().open("tbody");
+    for (const CurvePoint& point : variant.points) add_row(page, point);
+    page.close().close().close();
+  }
   page.element(
       "p",
-      "Speed: of the wanted one. Touches: share of the time and number of touches of limbs "
-      "at default gains. Tilt: the largest at any gain.",
+      "Half, default, double: share of the wanted speed at these servo gains. Touches, count: of "
+      "limbs at default gains, share of the time and how often. Tilt: the largest at any gain.",
       {{"class", "note"}});
   page.close();
 }

@@ -31,9 +31,10 @@ em { display: block; font-style: normal; color: var(--c2); font-weight: 600; whi
 .hint { background: var(--soft); border-left: 3px solid var(--c2); padding: .55rem .8rem; border-radius: 0 6px 6px 0; }
 .cards { display: grid; grid-template-columns: 1fr 1fr; gap: 1rem; }
 @media (max-width: 40rem) { .cards { grid-template-columns: 1fr; } body { padding: 1.25rem 1rem 3rem; } }
-.cards.many { grid-template-columns: repeat(auto-fit, minmax(min(15rem, 100%), 1fr)); }
+.cards.many { grid-template-columns: repeat(auto-fit, minmax(min(17rem, 100%), 1fr)); } .many .verdict { font-size: 1.6rem; }
 .card.t1 { border-top-color: var(--c1); } .card.t2 { border-top-color: var(--c2); } .card.t3 { border-top-color: var(--c3); }
 .card.t4 { border-top-color: var(--c4); } .card.t5 { border-top-color: var(--c5); } .card.t6 { border-top-color: var(--c6); }
+.runs td:last-child { min-width: 17rem; width: 45%; }
 .ok { color: var(--good); font-weight: 600; } .no { color: var(--bad); font-weight: 600; }
 .cards .note, .cards .hint { margin: 0; }
 .cards p.hint, section p.wide { grid-column: 1 / -1; }

@@ -41,11 +41,10 @@ void print_table(const Curves& curves) {
     fmt::print("{}\n", variant.name);
     for (const CurvePoint& point : variant.points) {
       const CurveSample& usual = point.at_default();
-      fmt::print(
-          "  {:>5.3g} m/s  {}  {:>5} of the speed, limbs touch {:>3.0f} % of the time, F {:.4g}\n",
-          point.wanted, point.pass ? "PASS" : "FAIL",
-          usual.speed_ratio ? fmt::format("{:.0f} %", 100.0 * *usual.speed_ratio) : "falls",
-          100.0 * usual.touch_share, point.cost);
+      fmt::print("  {:>5.3g} m/s  {}  {:>5}  limbs touch {:>3.0f} % of the time  F {:.4g}\n",
+                 point.wanted, point.pass ? "PASS" : "FAIL",
+                 usual.speed_ratio ? fmt::format("{:.0f} %", 100.0 * *usual.speed_ratio) : "falls",
+                 100.0 * usual.touch_share, point.cost);
     }
   }
 }
