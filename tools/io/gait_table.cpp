@@ -163,4 +163,13 @@ Gait make_gait(const TaskFile& file, const std::vector<std::string>& names,
   return Gait(pattern, file.period, file.knots, order);
 }
 
+double longest_duty(const TaskFile& file, const std::vector<std::string>& names,
+                    const std::vector<int>& order) {
+  const GaitPattern pattern = choose_pattern(file, names, order);
+  double longest = 0.0;
+  for (std::size_t place = 0; place < order.size(); ++place)
+    longest = std::max(longest, pattern.duty_of(place));
+  return longest;
+}
+
 }  // namespace legwright

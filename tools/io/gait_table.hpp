@@ -19,4 +19,8 @@ void read_gait(TableReader in, TaskFile& task);
 Gait make_gait(const TaskFile& file, const std::vector<std::string>& names,
                const std::vector<int>& order);
 
+/// The longest stance of any foot in that gait, as a share of the cycle: the pattern's own, not rounded to knots.
+double longest_duty(const TaskFile& file, const std::vector<std::string>& names,
+                    const std::vector<int>& order);
+
 }  // namespace legwright

@@ -193,8 +193,9 @@ Task make_task(const TaskFile& file, const RobotModel& robot) {
   task.velocity = file.velocity;
   task.turn_rate = file.turn_rate;
   apply_style(file, names, order, task);
-  const double duty = static_cast<double>(longest_stance(task.gait)) / task.gait.knot_count();
-  task.planted_margin = planted_margin_knots(file.planted_margin, duty, task.gait.time_step());
+  // By the pattern's duty: rounded to knots, a pace of 0.6 at 24 knots would count as a slow gait.
+  task.planted_margin = planted_margin_knots(file.planted_margin, longest_duty(file, names, order),
+                                             task.gait.time_step());
   task.weights = file.weights;
   check_reach(file, task, robot);
   return task;

@@ -19,7 +19,25 @@ constexpr int kTextWidth = 1536,
 constexpr double kStudioSize =
     1.2;  // [m] extent that shadows and clipping planes go by, whatever the model's
 constexpr std::array<float, 4> kPaper{0.965F, 0.97F, 0.975F, 1.0F};  // the floor fades into this
+constexpr double kFloorStretch = 10.0;  // times its size in the scene; 0, without end, stays so
 constexpr float kSun[3] = {-0.35F, 0.30F, -1.0F};  // seen from the camera: to the right, away, down
+
+/// MuJoCo clears to black: beyond the edge of the floor, and above the horizon, there shall be paper. So
+/// floors end only where the fog has swallowed them, and the sky is paper too.
+void extend_to_paper(mjModel& model) {
+  for (int g = 0; g < model.ngeom; ++g) {
+    if (model.geom_type[g] != mjGEOM_PLANE) continue;
+    for (int side : {0, 1}) model.geom_size[3 * g + side] *= kFloorStretch;
+  }
+  for (int t = 0; t < model.ntex; ++t) {
+    if (model.tex_type[t] != mjTEXTURE_SKYBOX) continue;
+    const int channels = model.tex_nchannel[t];
+    mjtByte* pixel = model.tex_data + model.tex_adr[t];
+    for (int i = 0; i < model.tex_width[t] * model.tex_height[t]; ++i, pixel += channels)
+      for (int c = 0; c < channels; ++c)
+        pixel[c] = static_cast<mjtByte>(std::lround(255.0F * kPaper[static_cast<std::size_t>(c)]));
+  }
+}
 
 ModelPointer styled_copy(const mjModel& model, int width, int height, RenderStyle style) {
   ModelPointer copy(mj_copyModel(nullptr, &model));
@@ -37,6 +55,7 @@ ModelPointer styled_copy(const mjModel& model, int width, int height, RenderStyl
   std::fill_n(copy->vis.headlight.diffuse, 3, 0.26F);
   std::fill_n(copy->vis.headlight.specular, 3, 0.10F);
   copy->vis.headlight.active = 1;
+  extend_to_paper(*copy);
   return copy;
 }
 
@@ -120,7 +139,7 @@ struct Renderer::Parts {
     mjv_makeScene(model.get(), &scene, kSceneGeoms);
     scene.flags[mjRND_REFLECTION] = 0;
     scene.flags[mjRND_HAZE] = 0;
-    scene.flags[mjRND_SKYBOX] = 0;
+    scene.flags[mjRND_SKYBOX] = 1;
     scene.flags[mjRND_FOG] = 1;
     mjr_makeContext(model.get(), &context, mjFONTSCALE_200);
   }

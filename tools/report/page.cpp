@@ -21,14 +21,19 @@ void open_page(Html& page, const std::string& title, const std::string& line) {
   page.open("main");
 }
 
-void close_page(Html& page, const Json& island) {
-  page.close();
-  page.element(
-      "footer",
-      "Made by legwright report from the files of this run; nothing is fetched from elsewhere.");
-  page.open("script", {{"type", "application/json"}, {"id", "legwright-report"}});
-  page.raw(escape_json_island(to_text(island))).close();
+void close_page(Html& page, const std::string& footer, const std::string& id,
+                const std::string& json) {
+  page.close().element("footer", footer);
+  page.open("script", {{"type", "application/json"}, {"id", id}});
+  page.raw(escape_json_island(json)).close();
   page.close().close();
+}
+
+void close_page(Html& page, const Json& island) {
+  close_page(
+      page,
+      "Made by legwright report from the files of this run; nothing is fetched from elsewhere.",
+      "legwright-report", to_text(island));
 }
 
 Json island_of(const RunData& data) {

@@ -31,6 +31,11 @@ em { display: block; font-style: normal; color: var(--c2); font-weight: 600; whi
 .hint { background: var(--soft); border-left: 3px solid var(--c2); padding: .55rem .8rem; border-radius: 0 6px 6px 0; }
 .cards { display: grid; grid-template-columns: 1fr 1fr; gap: 1rem; }
 @media (max-width: 40rem) { .cards { grid-template-columns: 1fr; } body { padding: 1.25rem 1rem 3rem; } }
+.cards.many { grid-template-columns: repeat(auto-fit, minmax(min(17rem, 100%), 1fr)); } .many .verdict { font-size: 1.6rem; }
+.card.t1 { border-top-color: var(--c1); } .card.t2 { border-top-color: var(--c2); } .card.t3 { border-top-color: var(--c3); }
+.card.t4 { border-top-color: var(--c4); } .card.t5 { border-top-color: var(--c5); } .card.t6 { border-top-color: var(--c6); }
+.runs td:last-child { min-width: 17rem; width: 45%; }
+.ok { color: var(--good); font-weight: 600; } .no { color: var(--bad); font-weight: 600; }
 .cards .note, .cards .hint { margin: 0; }
 .cards p.hint, section p.wide { grid-column: 1 / -1; }
 .card { border: 1px solid var(--line); border-top: 4px solid var(--pale); border-radius: 8px; padding: 1rem 1.2rem; }
@@ -54,6 +59,7 @@ figure { margin: 0; }
 .chart text { font: 12px system-ui, -apple-system, "Segoe UI", Roboto, sans-serif; fill: var(--pale); font-variant-numeric: tabular-nums; }
 .grid { stroke: var(--line); stroke-width: 1; fill: none; } .axis, .tick { stroke: var(--pale); fill: none; }
 .line { fill: none; stroke-width: 2; stroke-linejoin: round; stroke-linecap: round; } .line.dash { stroke-dasharray: 6 5; }
+.line.fine { stroke-width: 1; opacity: .75; } .c0 { stroke: var(--pale); } .f0 { fill: var(--pale); } .key.b0 { border-color: var(--pale); }
 .c1 { stroke: var(--c1); } .c2 { stroke: var(--c2); } .c3 { stroke: var(--c3); } .c4 { stroke: var(--c4); } .c5 { stroke: var(--c5); } .c6 { stroke: var(--c6); }
 .f1 { fill: var(--c1); } .f2 { fill: var(--c2); } .f3 { fill: var(--c3); } .f4 { fill: var(--c4); } .f5 { fill: var(--c5); } .f6 { fill: var(--c6); }
 .legend { margin: .15rem 0 0; font-size: .82rem; color: var(--pale); } .legend span { margin-right: .9rem; white-space: nowrap; }

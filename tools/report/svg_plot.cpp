@@ -33,6 +33,7 @@ std::string legend(const std::vector<PlotSeries>& series) {
   if (series.size() < 2) return "";
   std::string out = "<p class=\"legend\">";
   for (const PlotSeries& s : series) {
+    if (s.name.empty()) continue;
     out += fmt::format("<span><i class=\"key b{}{}\"></i>{}</span> ", s.colour,
                        s.mark     ? " ring"
                        : s.dashed ? " dash"
@@ -162,6 +163,8 @@ std::string line_plot(const std::vector<PlotSeries>& series, const PlotOptions& 
       x_range.add(s.x[i]);
       y_range.add(s.y[i]);
     }
+    for (const double x : s.crosses)
+      if (std::isfinite(x)) x_range.add(x);
   }
   if (!(y_range.high >= y_range.low))
     return figure(options.title, "<p class=\"note\">Nothing to draw.</p>\n");
@@ -184,8 +187,13 @@ std::string line_plot(const std::vector<PlotSeries>& series, const PlotOptions& 
   svg += frame(x, y, options);
   for (const PlotSeries& s : series) {
     if (!s.mark)
-      svg += fmt::format("<path class=\"line c{}{}\" d=\"{}\"/>", s.colour, s.dashed ? " dash" : "",
-                         path_of(s, x, y));
+      svg += fmt::format("<path class=\"line c{}{}{}\" d=\"{}\"/>", s.colour,
+                         s.dashed ? " dash" : "", s.thin ? " fine" : "", path_of(s, x, y));
+    for (const double at : s.crosses) {
+      if (!std::isfinite(at)) continue;
+      svg += fmt::format("<path class=\"line c{}\" d=\"M{:.1f} {:.1f}l9 9m0 -9l-9 9\"/>", s.colour,
+                         x.at(at) - 4.5, y.from - 4.5);
+    }
     if (!s.points && !s.mark) continue;
     for (std::size_t i = 0; i < std::min(s.x.size(), s.y.size()); ++i) {
       if (!drawable(s.x[i], s.y[i], options.log_y)) continue;

@@ -7,16 +7,18 @@
 
 namespace legwright {
 
-/// A line of a chart. Colours are numbers 1 … 6 of the page's palette, so that they follow light
-/// and dark.
+/// A line of a chart. Colours are numbers 1 … 6 of the page's palette, 0 is pale, so that they follow
+/// light and dark.
 struct PlotSeries {
-  std::string name{};  // for the legend
+  std::string name{};  // for the legend; without one it is left out there
   std::vector<double> x{}, y{};
   int colour = 1;
   bool dashed = false;
   bool steps = false;   // holds its value until the next x
   bool points = false;  // a dot at each value
   bool mark = false;    // a ring at each value and no line
+  bool thin = false;
+  std::vector<double> crosses{};  // x of marks on the axis: there was no value there
 };
 
 struct PlotOptions {

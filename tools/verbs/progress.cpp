@@ -9,6 +9,20 @@
 #include <cstdio>
 
 namespace legwright {
+namespace {
+
+constexpr std::size_t kLastFew = 5;  // iterations whose medians are taken
+constexpr std::size_t kTrend = 3;    // guesses before one is told
+
+double median_of_last(const std::vector<double>& values) {
+  std::vector<double> last(values.end() - static_cast<long>(std::min(values.size(), kLastFew)),
+                           values.end());
+  const auto middle = last.begin() + static_cast<long>(last.size() / 2);
+  std::nth_element(last.begin(), middle, last.end());
+  return *middle;
+}
+
+}  // namespace
 
 int iterations_left(const std::vector<double>& history, double tolerance, int most) {
   const std::size_t n = history.size();
@@ -25,6 +39,16 @@ int iterations_left(const std::vector<double>& history, double tolerance, int mo
                     most);
 }
 
+std::optional<double> TimeLeft::after(int index, double value, double seconds) {
+  if (index == 0) *this = TimeLeft(tolerance_, most_);
+  history_.push_back(value);
+  if (index > 0) seconds_.push_back(seconds);  // iteration 0 solves from scratch
+  if (history_.size() < 5) return std::nullopt;
+  ends_.push_back(index + iterations_left(history_, tolerance_, most_ - index));
+  if (ends_.size() < kTrend) return std::nullopt;
+  return std::max(median_of_last(ends_) - index, 1.0) * median_of_last(seconds_);
+}
+
 Progress::Mode Progress::mode_for_stderr(bool quiet) {
   return quiet ? Mode::quiet : ::isatty(STDERR_FILENO) ? Mode::live : Mode::lines;
 }
@@ -32,8 +56,7 @@ Progress::Mode Progress::mode_for_stderr(bool quiet) {
 Progress::Progress(Mode mode, const CodesignOptions& options, std::vector<std::string> names,
                    std::vector<std::string> units)
     : mode_(mode),
-      tolerance_(options.value_tolerance),
-      most_(options.max_iterations),
+      time_left_(options.value_tolerance, options.max_iterations),
       names_(std::move(names)),
       units_(std::move(units)) {}
 
@@ -45,12 +68,7 @@ void Progress::start(const std::string& what) {
 
 void Progress::iteration(const RunLabel& label, const DesignIteration& iteration,
                          const std::vector<PlanQuality>& qualities) {
-  if (iteration.index == 0) history_.clear();  // another start
-  history_.push_back(iteration.value);
-  if (iteration.index > 0)  // iteration 0 solves from scratch and says nothing about the others
-    seconds_per_iteration_ = seconds_per_iteration_ == 0.0
-                                 ? iteration.seconds
-                                 : 0.7 * seconds_per_iteration_ + 0.3 * iteration.seconds;
+  const auto left = time_left_.after(iteration.index, iteration.value, iteration.seconds);
   if (mode_ == Mode::quiet) return;
   std::string run;
   if (names_.size() > 1)
@@ -61,11 +79,8 @@ void Progress::iteration(const RunLabel& label, const DesignIteration& iteration
     speeds += fmt::format(
         "  {}{:.4f} of {:.4g} {}", names_.size() > 1 ? names_[label.tasks[k]] + " " : "speed ",
         qualities[k].speed_reached, qualities[k].speed_wanted, units_[label.tasks[k]]);
-  const double left =
-      seconds_per_iteration_ * iterations_left(history_, tolerance_, most_ - iteration.index);
-  const std::string time = iteration.index == 0 || names_.size() > 1
-                               ? ""
-                               : fmt::format("  ~{:.0f} s left", std::ceil(left));
+  const std::string time =
+      left && names_.size() == 1 ? fmt::format("  ~{:.0f} s left", std::ceil(*left)) : "";
   fmt::print(stderr, "{}{}iteration {:3}  F {:<10.5g}{}{}{}", mode_ == Mode::live ? "\r\x1b[K" : "",
              run, iteration.index, iteration.value, speeds, time, mode_ == Mode::live ? "" : "\n");
   std::fflush(stderr);

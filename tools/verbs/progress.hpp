@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,20 @@ namespace legwright {
 /// @param history F of each iteration so far @param tolerance relative decrease over three
 /// iterations that ends it
 int iterations_left(const std::vector<double>& history, double tolerance, int most);
+
+/// Seconds until a run ends, guessed from its last few iterations by medians: single guesses jump by factors.
+class TimeLeft {
+ public:
+  TimeLeft(double tolerance, int most) : tolerance_(tolerance), most_(most) {}
+  /// @param index of an iteration; 0 starts anew @param value its F @param seconds that it took
+  /// Nothing until there is a trend.
+  std::optional<double> after(int index, double value, double seconds);
+
+ private:
+  double tolerance_;
+  int most_;
+  std::vector<double> history_, ends_, seconds_;  // F; guessed last iteration; time of each
+};
 
 /// Tells on stderr how an optimization goes: one live line on a terminal, a line per iteration
 /// elsewhere.
@@ -34,11 +49,8 @@ class Progress {
 
  private:
   Mode mode_;
-  double tolerance_;
-  int most_;
+  TimeLeft time_left_;
   std::vector<std::string> names_, units_;
-  std::vector<double> history_;  // F of the run that is going on
-  double seconds_per_iteration_ = 0.0;
 };
 
 }  // namespace legwright

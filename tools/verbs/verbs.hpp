@@ -27,6 +27,7 @@ void add_optimize(CLI::App& program, Action& action);
 void add_validate(CLI::App& program, Action& action);
 void add_render(CLI::App& program, Action& action);
 void add_report(CLI::App& program, Action& action);
+void add_curves(CLI::App& program, Action& action);
 void add_play(CLI::App& program, Action& action);
 void add_gaits(CLI::App& program, Action& action);
 void add_doctor(CLI::App& program, Action& action);

@@ -33,6 +33,16 @@ TEST(PlantedMargin, IsSecondsInKnotsButAtLeastOneKnot) {
   EXPECT_EQ(planted_margin_knots(0.05, 0.75, 0.01), 5);
 }
 
+TEST(PlantedMargin, GoesByThePatternsDutyNotByItsRoundedStance) {
+  const Task pace = task_from("name = \"pace\"\nperiod = 0.4\nknots = 24");
+  int stance = 0;
+  for (int knot = 0; knot < 24; ++knot) stance += pace.gait.in_contact(knot, 0);
+  EXPECT_EQ(stance, 15);  // 0.6 of 24 knots, rounded up to more than 0.6
+  EXPECT_EQ(pace.planted_margin, 2);
+  const Task slower = task_from("name = \"pace\"\nperiod = 0.4\nknots = 24\nduty = 0.625");
+  EXPECT_EQ(slower.planted_margin, 1);
+}
+
 TEST(MakeTask, TurnsTheExamplesIntoTasks) {
   const Task walk = make_task(read_task_file(kPuppy / "sideways.toml"), puppy());
   EXPECT_EQ(walk.planted_margin, 1);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/render/renderer.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -70,6 +71,37 @@ TEST(Renderer, SamePoseIsSameBytes) {
     EXPECT_EQ(first, second);
     EXPECT_EQ(first, fresh.render(pose, view));
   }
+}
+
+/// Pixels that are nearly black.
+int black(const Image& image) {
+  int count = 0;
+  for (std::size_t i = 0; i + 2 < image.rgb.size(); i += 3)
+    count += std::max({image.rgb[i], image.rgb[i + 1], image.rgb[i + 2]}) < 20;
+  return count;
+}
+
+TEST(Renderer, NoBlackBeyondTheFloorOrAboveTheHorizon) {
+  LEGWRIGHT_NEEDS_GL();
+  const GlContext context;
+  std::string scene = kToyScene;
+  const std::string floor = R"(size="0 0 0.1")", world = "<worldbody>";
+  scene.replace(scene.find(floor), floor.size(), R"(size="3 3 0.1")");
+  const std::string skyless = scene;
+  scene.insert(scene.find(world),
+                R"(<asset><texture type="skybox" builtin="gradient" rgb1="0 0 0" rgb2="0 0 0"
+                   width="8" height="48"/></asset>)");
+  const auto drawn = [&](const std::string& xml, double elevation) {
+    const fs::path file = fs::path(testing::TempDir()) / "floor_scene.xml";
+    write_file(file, xml);
+    const ModelPointer model = load_scene(file);
+    const auto pose = start_pose(*model);
+    const View view = frame_robot(*model, {pose}, 120, elevation, 320.0 / 240);
+    return Renderer(context, *model, 320, 240, RenderStyle::full).render(pose, view);
+  };
+  EXPECT_EQ(black(drawn(scene, -15)), 0);
+  EXPECT_EQ(black(drawn(scene, -2)), 0);       // the horizon is in the picture
+  EXPECT_GT(black(drawn(skyless, -2)), 1000);  // with nothing to paint on it would be black
 }
 
 TEST(Renderer, MovedKneeIsSeen) {  // negative control of the test above

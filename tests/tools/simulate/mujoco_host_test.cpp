@@ -91,8 +91,8 @@ TEST(GaitPluginDeathTest, MissingPluginIsToldWithThePlaces) {
 
 TEST(GaitPluginDeathTest, FileThatIsNoLibraryIsToldAndDoesNotEndTheProcess) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
-  EXPECT_EXIT(std::exit(exit_code_with_plugin(__FILE__)), testing::ExitedWithCode(7),
-              "cannot be loaded");
+  EXPECT_EXIT(std::exit(exit_code_with_plugin(LEGWRIGHT_SOURCE_DIR "/README.md")),
+              testing::ExitedWithCode(7), "cannot be loaded");
 }
 
 TEST(Scene, FindsWhatIsMeasured) {

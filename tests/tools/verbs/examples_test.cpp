@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+// What examples/README.md claims of the quadruped, the hexapod and the biped, from task file to verdict at half, default
+// and double gains. The puppy has tests of its own (sideways_test, turning_test).
+#include <gtest/gtest.h>
+
+#include "tests/tools/verbs/program.hpp"
+#include "tools/io/json_file.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kGains[] = {"half", "default", "double"};
+
+class Example : public testing::Test {
+ protected:
+  /// Optimizes a task and has it judged; the folder of the run.
+  fs::path run(const fs::path& task, const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> words{"optimize",         task.string(), "--no-pictures",
+                                   "--no-certificate", "-o",          "run"};
+    words.insert(words.end(), more.begin(), more.end());
+    const test::Outcome optimize = call(words);
+    EXPECT_LE(optimize.code, 1) << optimize.err;  // infeasible plans have a verdict too
+    const test::Outcome validate = call({"validate", "run"});
+    EXPECT_LE(validate.code, 1) << validate.err;
+    return folder_.path() / "run";
+  }
+  static Json read(const fs::path& file) { return Json::parse(read_file(file)); }
+  static void expect_pass(const Json& verdict, const char* design) {
+    EXPECT_TRUE(verdict[design]["pass"].get<bool>()) << verdict[design]["line"];
+  }
+  static void expect_fail(const Json& verdict, const char* design) {
+    EXPECT_FALSE(verdict[design]["pass"].get<bool>()) << verdict[design]["line"];
+  }
+  test::Outcome call(const std::vector<std::string>& words) const {
+    return test::wait_for(test::start(words, folder_.path()), folder_.path());
+  }
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(Example, QuadrupedsPaceNeedsAnotherBody) {
+  const Json verdict = read(run(test::kExamples / "quadruped/pace.toml") / "result/verdict.json");
+  expect_fail(verdict, "initial");
+  expect_pass(verdict, "result");
+}
+
+TEST_F(Example, QuadrupedGoesSidewaysOnAnotherBodyOnly) {
+  const fs::path result = run(test::kExamples / "quadruped/sideways.toml") / "result";
+  const Json verdict = read(result / "verdict.json");
+  expect_fail(verdict, "initial");
+  expect_pass(verdict, "result");
+  const Json metrics = read(result / "metrics.json");
+  for (const char* gain : kGains)
+    EXPECT_LT(metrics["initial"][gain]["speed_ratio"].get<double>(), 0.2) << gain;
+}
+
+TEST_F(Example, OneQuadrupedForBothTasksTradesOneForTheOther) {
+  const fs::path folder = run(test::kExamples / "quadruped/both.toml");
+  for (const char* task : {"pace", "sideways"}) {
+    const Json verdict = read(folder / "tasks" / task / "result/verdict.json");
+    expect_fail(verdict, "initial");
+    expect_pass(verdict, "result");
+  }
+  const Json matrix = read(folder / "result/matrix.json");
+  EXPECT_TRUE(matrix["pass"].get<bool>());
+  ASSERT_EQ(matrix["designs"].size(), 4U);  // initial, for pace, for sideways, for both
+  const auto cell = [&](const char* task, std::size_t design) -> const Json& {
+    return matrix["cells"][task][design];
+  };
+  const auto cost = [&](const char* task, std::size_t design) {
+    return cell(task, design)["F"].get<double>();
+  };
+  // Each is best at its own task, the joint body between the two, the initial one worst at both.
+  for (const auto& [task, own, other] : {std::tuple{"pace", 1, 2}, {"sideways", 2, 1}}) {
+    const auto at = [&, name = task](int k) { return cost(name, static_cast<std::size_t>(k)); };
+    EXPECT_LT(at(own), at(3)) << task;
+    EXPECT_LT(at(3), at(other)) << task;
+    EXPECT_LT(at(other), at(0)) << task;
+  }
+  EXPECT_LT(0.5 * (cost("pace", 3) + cost("sideways", 3)),
+            0.5 * (cost("pace", 1) + cost("sideways", 1)));
+  EXPECT_LT(0.5 * (cost("pace", 3) + cost("sideways", 3)),
+            0.5 * (cost("pace", 2) + cost("sideways", 2)));
+  // In physics neither single-task body does the other's task.
+  EXPECT_FALSE(cell("sideways", 1)["pass"].get<bool>());
+  EXPECT_FALSE(cell("pace", 2)["pass"].get<bool>());
+  EXPECT_TRUE(cell("sideways", 2)["pass"].get<bool>());
+}
+
+/// The hexapod at a speed: motion alone with or without the term that keeps limbs apart, or co-designed.
+class Hexapod : public Example {
+ protected:
+  fs::path task(const std::string& name, bool clearance) const {
+    const fs::path hexapod = test::kExamples / "hexapod";
+    std::string text = read_file(hexapod / name);
+    const std::string off = "# limb_clearance = 0.0";
+    const std::size_t at = text.find(off);
+    EXPECT_NE(at, std::string::npos) << name << " has no line to switch the term off by";
+    if (!clearance && at != std::string::npos) text.erase(at, 2);
+    fs::copy_file(hexapod / "robot.xml", folder_.path() / "robot.xml");
+    write_file(folder_.path() / name, text);
+    return folder_.path() / name;
+  }
+  static void expect_touches(const Json& metrics, bool expected) {
+    for (const char* gain : kGains) {
+      const double share = metrics["result"][gain]["self_contact_share"].get<double>();
+      if (expected) {
+        EXPECT_GT(share, 0.5) << gain;
+      } else {
+        EXPECT_EQ(share, 0.0) << gain;
+      }
+    }
+  }
+};
+
+TEST_F(Hexapod, StrikesItsLegsWithoutLimbClearance) {
+  const fs::path result = run(task("tripod_0.3.toml", false), {"--motion-only"}) / "result";
+  expect_touches(read(result / "metrics.json"), true);
+  expect_fail(read(result / "verdict.json"), "result");
+}
+
+TEST_F(Hexapod, KeepsItsLegsApartWithLimbClearance) {
+  const fs::path result = run(task("tripod_0.3.toml", true), {"--motion-only"}) / "result";
+  expect_touches(read(result / "metrics.json"), false);
+  expect_pass(read(result / "verdict.json"), "result");
+}
+
+TEST_F(Hexapod, GoesFasterOnAnotherBodyOnly) {
+  const fs::path folder = run(task("tripod_0.5.toml", true));
+  const fs::path result = folder / "result";
+  const Json verdict = read(result / "verdict.json");
+  expect_fail(verdict, "initial");  // the motion alone, of the body as it is built
+  expect_pass(verdict, "result");
+  expect_touches(read(result / "metrics.json"), false);
+  for (const Json& p : read(folder / "run.json")["parameters"]) {
+    const std::string name = p["name"];
+    const bool longer =
+        name == "body_length" || name.ends_with("femur_length") || name.ends_with("tibia_length");
+    if (longer) {
+      EXPECT_GT(p["final"].get<double>(), p["initial"].get<double>()) << name;
+    }
+  }
+}
+
+TEST_F(Example, BipedWalks) {
+  expect_pass(read(run(test::kExamples / "biped/walk.toml") / "result/verdict.json"), "result");
+}
+
+}  // namespace
+}  // namespace legwright

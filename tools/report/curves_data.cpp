@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/report/curves_data.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mjcf/input_error.hpp"
+#include "optimizer/terms/registry.hpp"
+#include "tools/io/result_folder.hpp"
+#include "tools/io/task_file.hpp"
+#include "tools/report/run_data.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const RunData& data, const std::string& where,
+                         const std::string& message) {
+  throw InputError((data.root / "run.json").string(), 0, where, message);
+}
+
+bool motion_only(const RunData& data) {
+  const Json& words = value_at(data.run, {"argv"});
+  if (number_at(data.run, {"design_size"}) == 0.0) return true;
+  return words.is_array() && std::find(words.begin(), words.end(), "--motion-only") != words.end();
+}
+
+/// What the run was, by its command and by the terms that its task switched off.
+std::string variant_name(const RunData& data) {
+  const TaskFile task = read_task_file(ResultFolder::open(data.root).inputs() / "task.toml");
+  std::string without;
+  for (const TermEntry& term : term_registry()) {
+    const auto weight = task.weights.find(std::string(term.name));
+    if (weight == task.weights.end() || weight->second != 0.0 || term.default_weight == 0.0)
+      continue;
+    without += (without.empty() ? ", without " : " and ") + spaced(term.name);
+  }
+  return (motion_only(data) ? "motion only" : "co-designed") + without;
+}
+
+double wanted_speed(const RunData& data) {
+  const Json& velocity = value_at(data.run, {"task", "velocity"});
+  if (value_at(data.run, {"tasks"}).is_array())
+    refuse(data, "tasks",
+           "a run of several tasks has no single speed; give the folders of its tasks, " +
+               (data.root / "tasks" / "NAME").string());
+  const bool pair = velocity.is_array() && velocity.size() == 2 && velocity[0].is_number() &&
+                    velocity[1].is_number();
+  const double speed =
+      pair ? std::hypot(velocity[0].get<double>(), velocity[1].get<double>()) : 0.0;
+  if (!(speed > 0.0) || !std::isfinite(speed))
+    refuse(data, "task.velocity", "expected a wanted speed above zero, to draw against");
+  return speed;
+}
+
+/// The task but for its speed: runs of one page have it in common.
+std::string way_of(const RunData& data, double speed) {
+  const Json& velocity = value_at(data.run, {"task", "velocity"});
+  const double x = velocity[0].get<double>() / speed, y = velocity[1].get<double>() / speed;
+  std::string way = x > 0.99    ? "forward"
+                    : x < -0.99 ? "backward"
+                    : y > 0.99  ? "to the left"
+                    : y < -0.99 ? "to the right"
+                                : fmt::format("along ({:.2f}, {:.2f})", x, y);
+  const auto turn = number_at(data.run, {"task", "turn_rate"});
+  if (turn && *turn != 0.0) way += ", turning";
+  return text_at(data.run, {"task", "gait"}) + " " + way;
+}
+
+CurveSample sample_of(const Json& measured, double wanted) {
+  CurveSample sample;
+  sample.fall_time = number_at(measured, {"fall", "time_s"});
+  sample.speed_ratio = number_at(measured, {"speed_ratio"});
+  if (sample.fall_time) sample.speed_ratio.reset();  // what it did before it fell is no walk
+  if (sample.speed_ratio) sample.speed = *sample.speed_ratio * wanted;
+  sample.tilt = number_at(measured, {"tilt_max_rad"});
+  sample.saturated_share = number_at(measured, {"saturated_share"});
+  sample.touch_share = number_at(measured, {"self_contact_share"}).value_or(0.0);
+  sample.touch_count = static_cast<int>(number_at(measured, {"self_contact_count"}).value_or(0.0));
+  return sample;
+}
+
+CurvePoint point_of(const RunData& data) {
+  CurvePoint point;
+  point.run = data.root;
+  point.wanted = wanted_speed(data);
+  const Json& pass = value_at(data.verdict, {"result", "pass"});
+  if (!pass.is_boolean() || !value_at(data.metrics, {"result"}).is_object())
+    throw InputError(
+        data.root.string(), 0, "",
+        "not validated yet; run `legwright validate " + data.root.generic_string() + "` first");
+  point.pass = pass.get<bool>();
+  const Json& reasons = value_at(data.verdict, {"result", "reasons"});
+  if (reasons.is_array())
+    for (const Json& reason : reasons)
+      if (reason.is_string()) point.reasons.push_back(reason.get<std::string>());
+  const auto cost = number_at(data.run, {"final_F"});
+  if (!cost) refuse(data, "final_F", "expected the cost of a finished run; run it to its end");
+  point.cost = *cost;
+  for (std::size_t g = 0; g < kGains.size(); ++g)
+    point.at_gains[g] = sample_of(value_at(data.metrics, {"result", kGains[g]}), point.wanted);
+  point.parameters = parameters_of(data.run);
+  return point;
+}
+
+/// Collects runs, and sees to it that they belong together.
+class Collector {
+ public:
+  void add(const fs::path& folder, const std::string& name) {
+    const RunData data = read_run(folder);
+    const std::string sum = text_at(data.run, {"sha256", "robot.xml"});
+    const double speed = wanted_speed(data);
+    const std::string way = way_of(data, speed);
+    if (!first_) {
+      first_ = folder;
+      sum_ = sum;
+      curves_.robot = text_at(data.run, {"robot"});
+      curves_.way = way;
+    }
+    if (sum != sum_)
+      refuse(data, "sha256.robot.xml",
+             "another robot than that of " + first_->string() + "; curves are of one robot");
+    if (way != curves_.way)
+      refuse(data, "task",
+             "asks for " + way + ", " + first_->string() + " for " + curves_.way +
+                 "; curves are of tasks that differ in speed alone");
+    CurveVariant& variant = named(name.empty() ? variant_name(data) : name);
+    for (const CurvePoint& other : variant.points)
+      if (other.wanted == speed)
+        refuse(data, "task.velocity",
+               fmt::format("'{}' has a run at {} m/s already, {}; tell them apart by --variant "
+                           "NAME=RUN,RUN",
+                           variant.name, speed, other.run.string()));
+    variant.motion_only = motion_only(data);
+    variant.points.push_back(point_of(data));
+  }
+  Curves finish() {
+    for (CurveVariant& variant : curves_.variants)
+      std::stable_sort(variant.points.begin(), variant.points.end(),
+                       [](const auto& a, const auto& b) { return a.wanted < b.wanted; });
+    // What was asked of the optimizer grows from one to the next: motion, all terms, body.
+    const auto rank = [](const CurveVariant& v) {
+      return (v.motion_only ? 0 : 2) + (v.name.find("without") == std::string::npos ? 1 : 0);
+    };
+    std::stable_sort(curves_.variants.begin(), curves_.variants.end(),
+                     [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+    return std::move(curves_);
+  }
+
+ private:
+  CurveVariant& named(const std::string& name) {
+    for (CurveVariant& variant : curves_.variants)
+      if (variant.name == name) return variant;
+    return curves_.variants.emplace_back(CurveVariant{name, false, {}});
+  }
+  Curves curves_;
+  std::optional<fs::path> first_;
+  std::string sum_;
+};
+
+}  // namespace
+
+std::optional<double> CurvePoint::worst(std::optional<double> CurveSample::*value) const {
+  std::optional<double> most;
+  for (const CurveSample& sample : at_gains)
+    if (sample.*value && !(most && *most >= *(sample.*value))) most = sample.*value;
+  return most;
+}
+
+bool CurvePoint::touches() const {
+  return std::any_of(at_gains.begin(), at_gains.end(),
+                     [](const CurveSample& sample) { return sample.touch_count > 0; });
+}
+
+bool CurvePoint::falls() const {
+  return std::any_of(at_gains.begin(), at_gains.end(),
+                     [](const CurveSample& sample) { return sample.fall_time.has_value(); });
+}
+
+Curves read_curves(const std::vector<fs::path>& loose, const std::vector<NamedRuns>& named) {
+  Collector collector;
+  for (const NamedRuns& variant : named)
+    for (const fs::path& run : variant.runs) collector.add(run, variant.name);
+  for (const fs::path& run : loose) collector.add(run, "");
+  return collector.finish();
+}
+
+}  // namespace legwright
