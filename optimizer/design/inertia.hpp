@@ -22,8 +22,8 @@ AxisAtDesign axis_at(const JointAxis& joint_axis, const Eigen::VectorXd& s);
 /// vector of four, v = √m [u; 1], because all that is made of them is a sum of v vᵀ; v_k = ∂v/∂s_k.
 struct InnerMotion {
   int parameter;
-  Eigen::Vector4d first;                  // ∂/∂s_k of Σ m [u; 1]; the last entry is the link's growth
-  Eigen::Matrix4d moments;                // Σ v_k vᵀ
+  Eigen::Vector4d first;    // ∂/∂s_k of Σ m [u; 1]; the last entry is the link's growth
+  Eigen::Matrix4d moments;  // Σ v_k vᵀ
   std::vector<Eigen::Matrix4d> products;  // Σ v_k v_lᵀ, by index of another InnerMotion
   std::vector<Eigen::Matrix4d> seconds;   // Σ v_kl vᵀ, likewise; zero where no mass grows
   /// ∂²/∂s_k∂s_l of Σ m [u; 1].
@@ -50,7 +50,7 @@ struct GeometryAtDesign {
 
   std::vector<LinkAtDesign> links;
   std::vector<Eigen::Vector3d> feet;  // in their link's frame
-  std::vector<double> mass_below;      // of a link and all below it [kg]
+  std::vector<double> mass_below;     // of a link and all below it [kg]
   double total_mass = 0.0;
   bool grows = false;
 };

@@ -28,8 +28,7 @@ void PoseKinematics::add_translation(int link, int coordinate, const Vector3d& r
 }
 
 void PoseKinematics::add_rotation(int link, int coordinate, const Vector3d& turn) {
-  movers_.push_back(
-      {coordinate, Mover::Kind::rotation, link, turn, -turn.cross(origin_[link])});
+  movers_.push_back({coordinate, Mover::Kind::rotation, link, turn, -turn.cross(origin_[link])});
 }
 
 void PoseKinematics::add_root(const RotationDerivatives& root) {
@@ -288,8 +287,7 @@ void axis_from_pose(const Morphology& morphology, const GeometryAtDesign& geomet
   if (!pose.with_design()) return;
   for (std::size_t k = 0; k < axis.parameters.size(); ++k) {
     const int column = columns[morphology.pose_size() + axis.parameters[k]];
-    out.effects.push_back(
-        {column, link, false, false, Vector3d::Zero(), before * axis.first[k]});
+    out.effects.push_back({column, link, false, false, Vector3d::Zero(), before * axis.first[k]});
     for (std::size_t l = k; l < axis.parameters.size(); ++l)
       out.seconds.push_back({column, columns[morphology.pose_size() + axis.parameters[l]],
                              before * axis.second[k][l], k == l});
@@ -311,10 +309,11 @@ void first_moment_from_pose(const GeometryAtDesign& geometry, const Ancestry& an
       out.effects.push_back({columns[mover.coordinate], mover.link, false, true, Vector3d::Zero(),
                              in_world(motion.first), Vector3d::Zero(), scale * motion.first[3]});
       for (int l = mover.inner_index; at.grows && l < static_cast<int>(at.inner.size()); ++l) {
-        const Mover& other = (&mover)[l - mover.inner_index];  // inner movers of a link are in a row
-        out.seconds.push_back(
-            {columns[mover.coordinate], columns[other.coordinate],
-             in_world(motion.second_first(at.inner[l], mover.inner_index, l)), &other == &mover});
+        const Mover& other =
+            (&mover)[l - mover.inner_index];  // inner movers of a link are in a row
+        out.seconds.push_back({columns[mover.coordinate], columns[other.coordinate],
+                               in_world(motion.second_first(at.inner[l], mover.inner_index, l)),
+                               &other == &mover});
       }
     } else if (ancestry.related(link, mover.link)) {
       const int lower = std::max(link, mover.link);  // children come after their parents

@@ -102,9 +102,9 @@ struct PointDerivatives {
     bool rotates;  // mover turns everything below it ...
     bool inner;    // ... or moves points inside its link
     Eigen::Vector3d turn;
-    Eigen::Vector3d rate;                              // ∂y/∂c
+    Eigen::Vector3d rate;                             // ∂y/∂c
     Eigen::Vector3d shift = Eigen::Vector3d::Zero();  // of the mover; sums over masses only
-    double growth = 0.0;                               // of the mass it sums over, inner only
+    double growth = 0.0;                              // of the mass it sums over, inner only
   };
   struct Second {
     int a, b;              // columns of two movers of one link

@@ -7,9 +7,9 @@ namespace legwright {
 
 /// Distance of eq (16) between two segments, p₁q₁ and p₂q₂, as a function of their four ends (p₁, q₁, p₂, q₂).
 struct SegmentDistance {
-  double value = 0.0;                        // [m]
-  Eigen::Matrix<double, 12, 1> gradient;     // in the ends
-  Eigen::Matrix<double, 12, 12> hessian;     // both triangles
+  double value = 0.0;                     // [m]
+  Eigen::Matrix<double, 12, 1> gradient;  // in the ends
+  Eigen::Matrix<double, 12, 12> hessian;  // both triangles
 };
 
 /// Closed form: the parameter s of the nearest point on the first segment is that of the two lines, clamped to [0, 1];

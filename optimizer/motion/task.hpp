@@ -40,7 +40,7 @@ struct Task {
   double clearance = 0.02;      // between the centre lines of limbs, eq (16) [m]
   /// Limb segments to keep apart, by the names of their links or feet; not given: all that are not neighbours.
   std::optional<std::vector<std::pair<std::string, std::string>>> limb_pairs;
-  double barrier_edge = 0.02;   // slack below which an inequality's barrier turns into a parabola
+  double barrier_edge = 0.02;  // slack below which an inequality's barrier turns into a parabola
 
   std::map<std::string, double> weights;  // by term name, overrides the registry's default
 };

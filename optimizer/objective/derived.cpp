@@ -124,8 +124,8 @@ class DerivedQuantities::BlockBuilder {
     block.index = kind == Kind::actuator       ? part
                   : amount                     ? 0
                   : kind == Kind::joint_torque ? out_.torque_count_++
-                  : pair                     ? out_.pair_count_++
-                                             : out_.point_count_++;
+                  : pair                       ? out_.pair_count_++
+                                               : out_.point_count_++;
     out_.has_moments_ |= kind == Kind::momentum || kind == Kind::joint_torque;
     out_.blocks_.push_back(std::move(block));
   }
@@ -291,9 +291,9 @@ void DerivedQuantities::compute_torque(const Morphology& morphology, const Deriv
   collect_forces(block, extended, workspace);
   const JointTorque::Slots slots{&block.columns[0], &block.columns[1], &block.columns[2],
                                  block.force_columns};
-  workspace.torques[block.index].compute(
-      morphology, workspace.geometry, ancestry_, triple(block, workspace), block.part, time_step_,
-      workspace.forces, slots, columns_of(block, workspace));
+  workspace.torques[block.index].compute(morphology, workspace.geometry, ancestry_,
+                                         triple(block, workspace), block.part, time_step_,
+                                         workspace.forces, slots, columns_of(block, workspace));
 }
 
 const Eigen::MatrixXd& DerivedQuantities::jacobian(const Morphology& morphology, int index,
@@ -362,9 +362,9 @@ void DerivedQuantities::curvature(int index, const double* multiplier, Workspace
     return;
   }
   if (block.kind == Kind::mass_share || block.kind == Kind::printed_volume) {
-    workspace.curvature = multiplier[0] * (block.kind == Kind::mass_share
-                                               ? workspace.mass_share.hessian
-                                               : workspace.printed_volume.hessian);
+    workspace.curvature =
+        multiplier[0] * (block.kind == Kind::mass_share ? workspace.mass_share.hessian
+                                                        : workspace.printed_volume.hessian);
     return;
   }
   const Eigen::Map<const Eigen::Vector3d> wanted(multiplier);

@@ -18,7 +18,17 @@ namespace legwright {
 
 /// One derived quantity y of Layout and the slots of p = [s; m] that it depends on.
 struct DerivedBlock {
-  enum class Kind { com, foot, anchor, momentum, foot_turn, joint_torque, actuator, mass_share, printed_volume };
+  enum class Kind {
+    com,
+    foot,
+    anchor,
+    momentum,
+    foot_turn,
+    joint_torque,
+    actuator,
+    mass_share,
+    printed_volume
+  };
   Kind kind;
   int slot, size;          // first and number of its slots of the extended vector
   int knot;                // knot T of a momentum: the wrapping pair
@@ -42,7 +52,7 @@ class DerivedQuantities {
   struct Workspace {
     Eigen::VectorXd s;  // of `geometry`
     GeometryAtDesign geometry;
-    std::vector<ActuatorShape> shapes;  // of the linear actuators, at `s`
+    std::vector<ActuatorShape> shapes;     // of the linear actuators, at `s`
     GrowthSum mass_share, printed_volume;  // in the units of Layout, at `s`
     std::vector<PoseKinematics> poses;  // knots 0 … T, then knot T − 1 moved back by one cycle
     std::vector<PairMoments> moments;   // knot i to i + 1; at T the wrapping pair

@@ -67,16 +67,9 @@ Objective::Workspace::~Workspace() = default;
 void Objective::Impl::build() {
   const StyleTargets style = style_targets(morphology, space, task);
   const double mass = morphology.total_mass();
-  const TermContext context{layout,
-                            morphology,
-                            space,
-                            task,
-                            path,
-                            morphology.leg_length,
-                            mass,
-                            mass * kGravity,
-                            style.com_height,
-                            style.footprint};
+  const TermContext context{
+      layout,          morphology,       space,          task, path, morphology.leg_length, mass,
+      mass * kGravity, style.com_height, style.footprint};
   units = layout.motion_units(context.length, context.weight);
   const std::vector<double> weights = term_weights(task);
   std::vector<char> wanted(layout.extended_size(), 0);
@@ -388,10 +381,9 @@ std::vector<TermValue> Objective::terms(const VectorXd& s, const VectorXd& m) co
 }
 
 VectorXd initial_guess(const Objective& objective, const VectorXd& s) {
-  return initial_guess(objective.morphology(), objective.layout(), objective.task(),
-                       objective.path(),
-                       style_targets(objective.morphology(), objective.space(), objective.task()),
-                       s);
+  return initial_guess(
+      objective.morphology(), objective.layout(), objective.task(), objective.path(),
+      style_targets(objective.morphology(), objective.space(), objective.task()), s);
 }
 
 }  // namespace legwright

@@ -29,8 +29,8 @@ struct TaskIterate {
   double outer_value = 0.0;         // J(s, m); 0 without an outer objective
   std::vector<TermValue> terms;     // of F, in registry order; they sum to `value`
   Eigen::VectorXd design_gradient;  // d(F + J)/ds by the adjoint, eq (8)
-  Eigen::MatrixXd sensitivity;  // dm/ds, eq (4); empty where it was not computed
-  bool exact_gradient = true;   // false: H was not positive definite, the gradient is ∂F/∂s alone
+  Eigen::MatrixXd sensitivity;      // dm/ds, eq (4); empty where it was not computed
+  bool exact_gradient = true;  // false: H was not positive definite, the gradient is ∂F/∂s alone
   double adjoint_residual = 0.0;  // of eq (7); 0 without an exact gradient
   double stationarity = 0.0;      // max |G·unit|
   int newton_iterations = 0;      // spent on this iterate, rejected trials included

@@ -19,11 +19,11 @@ class MechanicalWork final : public Term {
     for (int i = 0; i < layout.knot_count(); ++i)
       for (int a = 0; a < layout.joint_count(); ++a) {
         const int before = i > 0 ? i - 1 : layout.knot_count() - 1;
-        elements_.push_back({i,
-                             -1,
-                             1,
-                             {layout.joint_torque(i, a), layout.pose(before) + 6 + a,
-                              layout.pose(i + 1) + 6 + a}});
+        elements_.push_back(
+            {i,
+             -1,
+             1,
+             {layout.joint_torque(i, a), layout.pose(before) + 6 + a, layout.pose(i + 1) + 6 + a}});
         names_.push_back(context.morphology.links[a + 1].joint.name);
       }
   }

@@ -9,6 +9,14 @@ namespace {
 
 constexpr double kTold = 0.01;  // of the largest share
 
+/// Long steps bend: what a term really gave up goes to the parameters in the ratio of their shares.
+void spread_rest(double decrease, Eigen::MatrixXd::RowXpr shares) {
+  const double size = shares.cwiseAbs().sum();
+  if (!(size > 0.0)) return;
+  const double rest = decrease - shares.sum();
+  shares += rest / size * shares.cwiseAbs();
+}
+
 }  // namespace
 
 void PullAlongPath::add(const Objective& objective, const Eigen::VectorXd& s,
@@ -16,10 +24,15 @@ void PullAlongPath::add(const Objective& objective, const Eigen::VectorXd& s,
   TermShares now = objective.shares(s, m, sensitivity.size() > 0);
   if (sensitivity.size() > 0) now.partial_s += now.stationarity * sensitivity;
   if (decrease_.size() == 0) decrease_.setZero(now.partial_s.rows(), now.partial_s.cols());
+  std::vector<double> values;
+  for (const TermValue& term : objective.terms(s, m)) values.push_back(term.value);
   if (share_.size() > 0) {
     const Eigen::RowVectorXd change = (s - s_).transpose();
-    decrease_ -= 0.5 * (share_ + now.partial_s) * change.asDiagonal();
+    Eigen::MatrixXd step = -0.5 * (share_ + now.partial_s) * change.asDiagonal();
+    for (int t = 0; t < step.rows(); ++t) spread_rest(values_[t] - values[t], step.row(t));
+    decrease_ += step;
   }
+  values_ = std::move(values);
   terms_ = std::move(now.names);
   share_ = std::move(now.partial_s);
   s_ = s;

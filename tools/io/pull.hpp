@@ -13,7 +13,8 @@ namespace legwright {
 /// Why a body changed: how much of a task's F each term gave up by each parameter's change, summed
 /// along the designs that were accepted. A term's derivative is the total one, along m*(s):
 /// dF_t/ds = ∂F_t/∂s + ∂F_t/∂m dm/ds. All terms together make dF/ds, because ∂F/∂m vanishes. From one
-/// design to the next its share is the mean of both ends times the change, exact to second order.
+/// design to the next its share is the mean of both ends times the change, exact to second order; the
+/// rest of what a term really gave up in a long step goes to the parameters in the same ratio.
 class PullAlongPath {
  public:
   /// The next accepted design and the task's motion there. The first one only sets the start.
@@ -31,6 +32,7 @@ class PullAlongPath {
 
  private:
   std::vector<std::string_view> terms_;
+  std::vector<double> values_;  // of the terms
   Eigen::VectorXd s_;
   Eigen::MatrixXd share_, decrease_;
 };

@@ -9,8 +9,8 @@
 
 #include "mjcf/input_error.hpp"
 #include "tools/io/atomic_file.hpp"
-#include "tools/io/gait_table.hpp"
 #include "tools/io/design_table.hpp"
+#include "tools/io/gait_table.hpp"
 #include "tools/io/io_error.hpp"
 #include "tools/io/style_table.hpp"
 #include "tools/io/toml_reader.hpp"
@@ -202,8 +202,8 @@ TaskSet parse_task_set(const std::string& text, const std::filesystem::path& fil
   check_name(in, set.name, problems);
   const auto tables = in.tables("task");
   read_outer(TableReader(in.table("outer"), "outer", problems, set.lines), set);
-  set.design = read_design_table(TableReader(in.table("design"), "design", problems, set.lines),
-                                 problems);
+  set.design =
+      read_design_table(TableReader(in.table("design"), "design", problems, set.lines), problems);
   TaskFile shared;  // what stands outside [[task]]
   shared.file = file;
   shared.text = text;

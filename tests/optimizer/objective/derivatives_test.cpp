@@ -48,10 +48,10 @@ Point random_point(const Objective& objective, unsigned seed) {
   std::normal_distribution<double> normal, normal_ends;
   Point at{objective.space().initial(), {}};
   for (int k = 0; k < at.s.size(); ++k)
-    at.s[k] += 0.1 * objective.space().scale()[k] *
-               (objective.space().parameters[k].kind == ParameterKind::position
-                    ? normal_ends(random_ends)
-                    : normal(random));
+    at.s[k] +=
+        0.1 * objective.space().scale()[k] *
+        (objective.space().parameters[k].kind == ParameterKind::position ? normal_ends(random_ends)
+                                                                         : normal(random));
   at.m = test::standing_motion(objective, at.s);
   for (int k = 0; k < at.m.size(); ++k)
     at.m[k] += 0.1 * objective.motion_units()[k] * normal(random);

@@ -107,7 +107,7 @@ TEST(Pull, SharesOfAllTermsMakeTheDecreaseOfF) {
   const double fallen = from.objective.evaluate(from.s, from.m, Order::value).value -
                         from.objective.evaluate(s, m, Order::value).value;
   EXPECT_GT(std::abs(fallen), 1e-3);
-  EXPECT_NEAR(pull.decrease().sum(), fallen, 1e-3 * std::abs(fallen));
+  EXPECT_NEAR(pull.decrease().sum(), fallen, 1e-9 * std::abs(fallen));
   // Only what was changed has a share.
   for (int k = 0; k < pull.decrease().cols(); ++k) {
     if (k != 6 && k != 18) {
@@ -120,7 +120,6 @@ TEST(Pull, SharesOfAllTermsMakeTheDecreaseOfF) {
   PullAlongPath fixed;
   fixed.add(from.objective, from.s, from.m, {});
   fixed.add(from.objective, s, m, {});
-  EXPECT_NEAR(fixed.decrease().sum(), fallen, 0.1 * std::abs(fallen));
   EXPECT_GT((fixed.decrease() - pull.decrease()).norm(), 0.1 * pull.decrease().norm());
 }
 

@@ -89,7 +89,7 @@ TEST(Renderer, NoBlackBeyondTheFloorOrAboveTheHorizon) {
   scene.replace(scene.find(floor), floor.size(), R"(size="3 3 0.1")");
   const std::string skyless = scene;
   scene.insert(scene.find(world),
-                R"(<asset><texture type="skybox" builtin="gradient" rgb1="0 0 0" rgb2="0 0 0"
+               R"(<asset><texture type="skybox" builtin="gradient" rgb1="0 0 0" rgb2="0 0 0"
                    width="8" height="48"/></asset>)");
   const auto drawn = [&](const std::string& xml, double elevation) {
     const fs::path file = fs::path(testing::TempDir()) / "floor_scene.xml";
