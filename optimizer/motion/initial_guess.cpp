@@ -18,7 +18,7 @@ using Eigen::VectorXd;
 
 // Steps of inverse kinematics, at knot 0 and from knot to knot.
 constexpr int kFirstSteps = 60, kSteps = 12;
-constexpr double kEasyPose = 0.01;  // (q − home)² against (miss/leg length)² of feet on the ground
+constexpr double kEasyPose = 0.03;  // (q − home)² against (miss/leg length)² of feet on the ground
 
 /// Where COM and feet shall be at each knot.
 class WalkWithoutDynamics {
