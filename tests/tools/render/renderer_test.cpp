@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "tests/tools/io/temporary_folder.hpp"
 #include "tests/tools/render/toy_scene.hpp"
 #include "tools/io/atomic_file.hpp"
 #include "tools/render/iteration_painter.hpp"
@@ -214,7 +215,8 @@ TEST(FrameRobot, LooksAtAllPosesOfAllRobots) {
 
 TEST(IterationPainter, WritesTheSameStillTwice) {
   LEGWRIGHT_NEEDS_GL();
-  const fs::path folder = testing::TempDir();
+  const test::TemporaryFolder own;  // others write into the common one
+  const fs::path folder = own.path();
   write_file(folder / "scene.xml", kToyScene);
   const IterationPainter painter(folder / "scene.xml");
   painter.paint(folder / "scene.xml", folder / "a.png");
