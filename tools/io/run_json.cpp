@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/io/run_json.hpp"
 
+#include "optimizer/solve/hessian_factor.hpp"
 #include "tools/io/checksum.hpp"
 #include "tools/io/install.hpp"
 
@@ -36,6 +37,7 @@ Json parameters_json(const DesignSpace& space) {
 Json provenance(const std::vector<std::string>& argv, const CodesignProblem& problem) {
   return {{"argv", argv},
           {"versions", versions()},
+          {"factorisation", factor_name()},
           {"sha256",
            {{"task.toml", sha256_hex(problem.set.text)},
             {"robot.xml", sha256_hex(problem.robot.xml)}}}};

@@ -144,27 +144,24 @@ void warn(const CodesignProblem& problem) {
                  problem.set.joint() ? objective->task().name + ": " : "", warning);
 }
 
-int optimize(const OptimizeOptions& options) {
-  const CodesignProblem problem = read_problem(options.task);
-  if (options.front > 0 && (problem.task_count() != 2 || options.one_start || options.motion_only))
-    throw InputError(problem.set.file.string(), 0, "",
-                     fmt::format("--front needs two [[task]] tables, each solved alone (no "
-                                 "--one-start, no --motion-only); the file has {}",
-                                 problem.task_count()));
-  if (!options.quiet) warn(problem);
-  const fs::path root = options.run.empty()
-                            ? fs::path("runs") / (as_folder_name(problem.robot.morphology.name) +
-                                                  "-" + problem.set.name)
-                            : fs::path(options.run);
-  const ResultFolder folder = ResultFolder::create(root, options.force);
-  const bool joint = problem.set.joint();
-  Json run = joint ? start_of_joint_run(command_line(), problem)
-                   : start_of_run(command_line(), problem, 0);
+fs::path root_of(const OptimizeOptions& options, const CodesignProblem& problem) {
+  if (!options.run.empty()) return options.run;
+  return fs::path("runs") /
+         (as_folder_name(problem.robot.morphology.name) + "-" + problem.set.name);
+}
+
+/// What stands in the run's folder before anything is solved. @return run.json
+Json write_start(const ResultFolder& folder, const CodesignProblem& problem) {
+  Json run = problem.set.joint() ? start_of_joint_run(command_line(), problem)
+                                 : start_of_run(command_line(), problem, 0);
   write_json(folder.run_json(), run);
   write_file(folder.inputs() / "task.toml", text_beside_robot(problem.set.text));
   write_file(folder.inputs() / "robot.xml", problem.robot.xml);
+  return run;
+}
 
-  MultistartOptions settings = settings_of(options, problem.task_count());
+Progress make_progress(const OptimizeOptions& options, const CodesignOptions& settings,
+                       const CodesignProblem& problem) {
   std::vector<std::string> names, units;
   int unknowns = 0;
   for (int k = 0; k < problem.task_count(); ++k) {
@@ -172,36 +169,63 @@ int optimize(const OptimizeOptions& options) {
     units.push_back(problem.speed_unit(k));
     unknowns += problem.objectives[k]->layout().motion_size();
   }
-  Progress progress(Progress::mode_for_stderr(options.quiet), settings.codesign, names, units);
+  Progress progress(Progress::mode_for_stderr(options.quiet), settings, names, units);
+  progress.start(fmt::format(
+      "{} design parameters, {} motion unknowns; first the motion of the initial design ...",
+      problem.robot.space.size(), unknowns));
+  return progress;
+}
+
+/// Results, and what run.json says of them.
+void write_end(const ResultFolder& folder, const CodesignProblem& problem,
+               const MultistartResult& found, int signal, Recorder& recorder, Json& run) {
+  std::vector<TaskOutcome> outcomes = write_results(folder, problem, found, recorder);
+  RunEffort effort = effort_of(found);
+  effort.file_seconds = recorder.seconds();
+  const std::string status = status_text(found.winner().status, signal);
+  if (problem.set.joint()) {
+    finish_joint_run(run, status, found, outcomes, effort, problem);
+    write_task_runs(folder, problem, run, found, outcomes, recorder);
+    return;
+  }
+  outcomes[0].history = recorder.history();
+  run["pull"] = recorder.pull_on(found.joint[found.best].label, 0);
+  finish_run(run, status, outcomes[0], effort, problem.robot.space);
+}
+
+void check_front(const OptimizeOptions& options, const CodesignProblem& problem) {
+  if (options.front > 0 && (problem.task_count() != 2 || options.one_start || options.motion_only))
+    throw InputError(problem.set.file.string(), 0, "",
+                     fmt::format("--front needs two [[task]] tables, each solved alone (no "
+                                 "--one-start, no --motion-only); the file has {}",
+                                 problem.task_count()));
+}
+
+int optimize(const OptimizeOptions& options) {
+  const CodesignProblem problem = read_problem(options.task);
+  check_front(options, problem);
+  if (!options.quiet) warn(problem);
+  const fs::path root = root_of(options, problem);
+  const ResultFolder folder = ResultFolder::create(root, options.force);
+  Json run = write_start(folder, problem);
+
+  MultistartOptions settings = settings_of(options, problem.task_count());
+  Progress progress = make_progress(options, settings.codesign, problem);
   Recorder recorder(folder, problem, progress, !options.no_pictures);
   const StopSignals signals;
   settings.on_iteration = [&](const RunLabel& label, const DesignIteration& iteration) {
     return recorder.iteration(label, iteration);
   };
   recorder.start();
-  progress.start(fmt::format(
-      "{} design parameters, {} motion unknowns; first the motion of the initial design ...",
-      problem.robot.space.size(), unknowns));
   const ProblemCosts costs(problem);
   const MultistartResult found = codesign_from_starts(costs.tasks(), problem.robot.space, settings);
   progress.finish();
   const int signal = StopSignals::received();
-  std::vector<TaskOutcome> outcomes = write_results(folder, problem, found, recorder);
-  RunEffort effort = effort_of(found);
-  effort.file_seconds = recorder.seconds();
-  const std::string status = status_text(found.winner().status, signal);
-  if (joint) {
-    finish_joint_run(run, status, found, outcomes, effort, problem);
-    write_task_runs(folder, problem, run, found, outcomes, recorder);
-  } else {
-    outcomes[0].history = recorder.history();
-    run["pull"] = recorder.pull_on(found.joint[found.best].label, 0);
-    finish_run(run, status, outcomes[0], effort, problem.robot.space);
-  }
+  write_end(folder, problem, found, signal, recorder, run);
   if (signal == 0 && !options.no_certificate && usable(found.winner().best))
     run["certificate"] = write_certificate(folder, problem, costs.tasks(), found.winner().best,
                                            settings.codesign.threads);
-  if (options.front > 0 && signal == 0 && joint)
+  if (options.front > 0 && signal == 0)
     run["front"] =
         write_front(folder, problem, costs.tasks(), found, options.front, settings.codesign);
   recorder.end(run);
@@ -209,7 +233,7 @@ int optimize(const OptimizeOptions& options) {
 
   if (options.json) fmt::print("{}", to_text(run));
   if (!options.json && !options.quiet)
-    fmt::print("{}", joint ? joint_summary(run, root) : optimize_summary(run, root));
+    fmt::print("{}", problem.set.joint() ? joint_summary(run, root) : optimize_summary(run, root));
   std::fflush(stdout);
   if (signal == 0) draw_rest(recorder.pictures(), options.quiet);
   return exit_code(signal, run["reasons"]);
