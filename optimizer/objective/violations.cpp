@@ -23,7 +23,10 @@ class ViolationFinder {
       if (entry.entry->role == TermRole::constraint && !entry.plans.empty())
         found.push_back(worst_of(entry));
     std::stable_sort(found.begin(), found.end(), [](const Violation& a, const Violation& b) {
-      return a.relative > b.relative;
+      const auto size = [](const Violation& v) {  // what is not a number is the worst there is
+        return std::isnan(v.relative) ? std::numeric_limits<double>::infinity() : v.relative;
+      };
+      return size(a) > size(b);
     });
     return found;
   }

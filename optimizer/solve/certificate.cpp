@@ -100,7 +100,8 @@ VectorXd free_curvatures(const DesignIteration& iterate, const VectorXd& scale,
 double Certificate::worst_gradient_error() const {
   double worst = 0.0;
   for (const TaskCertificate& task : tasks) {
-    if (task.adjoint.size() == 0) return std::numeric_limits<double>::infinity();
+    if (task.adjoint.size() == 0 || !task.error.allFinite())
+      return std::numeric_limits<double>::infinity();
     if (task.error.size() > 0)
       worst = std::max(worst, task.error.maxCoeff() / std::max(task.largest, 1e-3));
   }
@@ -121,7 +122,7 @@ Certificate certify(const std::vector<WeightedCost>& tasks, const DesignSpace& s
       projected_gradient_norm(iterate.s, gradient, lower, upper, scale);
   certificate.curvatures = free_curvatures(iterate, scale, free);
   for (int k = 0; k < space.size(); ++k)
-    if (iterate.s[k] <= lower[k] || iterate.s[k] >= upper[k])
+    if (!space.parameters[k].frozen() && (iterate.s[k] <= lower[k] || iterate.s[k] >= upper[k]))
       certificate.active.push_back({k, iterate.s[k] >= upper[k], gradient[k]});
   return certificate;
 }

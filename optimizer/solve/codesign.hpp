@@ -49,7 +49,8 @@ struct CodesignOptions : MotionLimits {
 
   // Decrease of F that a step needs, as a share of what the gradient promises.
   double sufficient_decrease = 1e-4;
-  // Largest change of a parameter, in its natural unit: along steepest descent, and in any step.
+  // Largest change of a parameter, in its natural unit: along steepest descent and as the first trust
+  // radius of Newton's method; and in any step.
   double largest_first_change = 0.1, largest_change = 0.3;
   // A task's solve is left early when F_joint could come down only if each other task lost more than
   // this share of its F in one step.

@@ -102,9 +102,7 @@ class FrontWalk {
  public:
   FrontWalk(const std::vector<JointTask>& tasks, const DesignSpace& space,
             const CodesignOptions& options)
-      : tasks_(tasks), space_(space), options_(options) {
-    options_.on_iteration = {};
-  }
+      : tasks_(tasks), space_(space), options_(options) {}
 
   /// Both tasks' motions at a design that one of them chose.
   FrontPoint end(double weight, const VectorXd& s, int own, const VectorXd& own_motion) const {

@@ -69,7 +69,8 @@ struct FrontPoint {
 /// Walks the weight from one task to the other by continuation, in both directions, each point from
 /// its neighbour's design and motions, and keeps the lower F_joint at each. Ends are the optima of
 /// each task alone, as `alone` has them (motion of the other task re-solved at that design).
-/// @param points weights strictly between 0 and 1 that are tried, evenly spaced. Rising weight.
+/// options.on_iteration is called for every point's iterations; once it says stop, each point keeps
+/// what it has. @param points weights strictly between 0 and 1 that are tried, evenly spaced. Rising weight.
 [[nodiscard]] std::vector<FrontPoint> trade_off_front(const std::vector<JointTask>& tasks,
                                                       const DesignSpace& space,
                                                       const std::vector<StartedRun>& alone,

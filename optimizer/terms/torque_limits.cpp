@@ -33,7 +33,7 @@ class TorqueLimits final : public LinearTerm {
 
   bool select_active(const Eigen::VectorXd& extended, std::vector<int>& active) const override {
     for (std::size_t k = 0; k < elements_.size(); ++k)
-      if (std::abs(extended[elements_[k].slots[0]]) > (1.0 - kRange) * joints_[k].allowed)
+      if (!(std::abs(extended[elements_[k].slots[0]]) <= (1.0 - kRange) * joints_[k].allowed))
         active.push_back(static_cast<int>(k));
     return true;
   }

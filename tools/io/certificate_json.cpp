@@ -92,7 +92,7 @@ std::vector<std::string> worst_constraints(const Objective& objective, const Eig
                                            const Eigen::VectorXd& m, int count) {
   std::vector<std::string> words;
   for (const Violation& violation : worst_violations(objective, s, m)) {
-    if (static_cast<int>(words.size()) == count || !(violation.relative > kMet)) break;
+    if (static_cast<int>(words.size()) == count || violation.relative <= kMet) break;
     words.push_back(in_words(violation, objective));
   }
   return words;

@@ -44,10 +44,13 @@ Json provenance(const std::vector<std::string>& argv, const CodesignProblem& pro
 }
 
 Json head(const CodesignProblem& problem) {
-  return {{"schema", "legwright/run"},
-          {"version", 1},
-          {"status", "running"},
-          {"robot", problem.robot.morphology.name}};
+  Json run{{"schema", "legwright/run"},
+           {"version", 1},
+           {"status", "running"},
+           {"robot", problem.robot.morphology.name}};
+  if (!problem.set.outer.empty())
+    run["outer"] = {{"objective", problem.set.outer}, {"weight", problem.set.outer_weight}};
+  return run;
 }
 
 void add_effort(Json& run, const RunEffort& effort) {
@@ -167,6 +170,12 @@ void finish_run(Json& run, const std::string& status, const TaskOutcome& outcome
   add_final_design(run, space, outcome.best->s);
 }
 
+void add_starts(Json& run, const MultistartResult& result, const CodesignProblem& problem) {
+  run["best_start"] = result.joint[result.best].label.start;
+  run["starts"] = Json::array();
+  for (const StartedRun& one : result.joint) run["starts"].push_back(start_json(problem, one));
+}
+
 void finish_joint_run(Json& run, const std::string& status, const MultistartResult& result,
                       const std::vector<TaskOutcome>& outcomes, const RunEffort& effort,
                       const CodesignProblem& problem) {
@@ -188,9 +197,7 @@ void finish_joint_run(Json& run, const std::string& status, const MultistartResu
   }
   run["motion_only_F"] = result.joint.front().result.initial.value;
   run["final_F"] = winner.result.best.value;
-  run["best_start"] = winner.label.start;
-  run["starts"] = Json::array();
-  for (const StartedRun& one : result.joint) run["starts"].push_back(start_json(problem, one));
+  add_starts(run, result, problem);
   run["alone"] = Json::array();
   for (const StartedRun& one : result.alone) run["alone"].push_back(start_json(problem, one));
   add_effort(run, effort);

@@ -46,6 +46,9 @@ void finish_joint_run(Json& run, const std::string& status, const MultistartResu
                       const std::vector<TaskOutcome>& outcomes, const RunEffort& effort,
                       const CodesignProblem& problem);
 
+/// Every start of a run that had several: F at the start and at the end, and which was best.
+void add_starts(Json& run, const MultistartResult& result, const CodesignProblem& problem);
+
 /// The event of one task at an iteration for events.jsonl.
 Json iteration_event(const DesignSpace& space, const DesignIteration& iteration, int task,
                      const PlanQuality& quality);

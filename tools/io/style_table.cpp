@@ -78,8 +78,10 @@ std::vector<std::vector<Eigen::Vector2d>> foot_targets_of(const TaskFile& file,
 void read_style(TableReader in, TaskFile& task) {
   if (is_array(in.node("com_height")))
     task.com_heights = in.numbers("com_height", kHeight, 0).value_or(std::vector<double>{});
-  else if (in.has("com_height"))  // else what stands outside [[task]] holds
+  else if (in.has("com_height")) {  // else what stands outside [[task]] holds
     task.com_height = in.number("com_height", kHeight);
+    task.com_heights.clear();
+  }
   if (const auto path = in.pairs("com_path", kReach)) task.com_path = vectors(*path);
   const toml::node* footprint = in.node("footprint");
   if (is_array(footprint) && !footprint->as_array()->empty() &&

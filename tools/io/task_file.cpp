@@ -128,8 +128,25 @@ void check_name(TableReader& in, const std::string& name, Problems& problems) {
                fmt::format("is '{}'; it names a folder, so use letters, digits, _ and -", name));
 }
 
+/// Names of tasks become folders beside those of the starts: "from-NAME", "NAME-alone".
+void check_task_name(TableReader& in, const std::string& name, Problems& problems) {
+  const bool plain = std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '-';
+  });
+  const bool taken = name == "initial" || name.starts_with("random-") ||
+                     name.starts_with("from-") || name.ends_with("-alone");
+  if (plain && name.size() <= 60 && !taken) return;
+  problems.add(in.line_of("name"), in.full("name"),
+               fmt::format("is '{}'; it names a folder, so use up to 60 letters, digits, _ and -, "
+                           "and not initial, random-…, from-… or …-alone, which name starts",
+                           name));
+}
+
 void read_outer(TableReader in, TaskSet& set) {
   set.outer = in.text("objective").value_or("");
+  if (in.has("weight"))
+    in.require(in.has("objective"), "objective", "objective = \"mechanical_work\"");
   set.outer_weight = in.number("weight", {0.0, kInfinity, true, false, ""}).value_or(1.0);
   in.finish();
 }
@@ -163,7 +180,7 @@ void read_tasks(const std::vector<const toml::table*>& tables, const TaskFile& s
     const auto name = in.text("name");
     in.require(name.has_value(), "name", "name = \"pace\"");
     task.name = name.value_or("");
-    if (name) check_name(in, task.name, problems);
+    if (name) check_task_name(in, task.name, problems);
     const bool taken = std::any_of(set.tasks.begin(), set.tasks.end(),
                                    [&](const TaskFile& other) { return other.name == task.name; });
     if (name && taken)

@@ -92,10 +92,35 @@ void add_hint(Html& page, const std::string& what, const std::string& verb, cons
   page.close();
 }
 
+namespace {
+
+/// What the plan itself falls short of, and what else than F the body minimised.
+void add_plan_notes(Html& page, const RunData& data) {
+  const Json& reasons = value_at(data.run, {"reasons"});
+  if (reasons.is_array() && !reasons.empty()) {
+    page.open("div", {{"class", "note wide"}});
+    page.element("p", "The plan does not do what the task asks for:").open("ul");
+    for (const Json& reason : reasons)
+      if (reason.is_string()) page.element("li", reason.get<std::string>());
+    page.close().close();
+  }
+  const std::string outer = text_at(data.run, {"outer", "objective"});
+  if (outer.empty()) return;
+  page.element("p",
+               fmt::format("Outer objective: the motion minimises F, the body F + J, where J is {} "
+                           "times {}; J ended at {}.",
+                           short_number(number_at(data.run, {"outer", "weight"})), spaced(outer),
+                           short_number(number_at(data.run, {"final_J"}))),
+               {{"class", "note wide"}});
+}
+
+}  // namespace
+
 void add_verdicts(Html& page, const RunData& data) {
   page.open("section", {{"class", "cards"}});
   add_card(page, data, "initial", "Before", "initial body, its gait optimised for the task");
   add_card(page, data, "result", "After", "body and gait co-designed");
+  add_plan_notes(page, data);
   if (data.verdict.is_null()) {
     add_hint(page, "No verdict yet: the gaits have not been played in MuJoCo.", "validate", data);
   } else {

@@ -64,6 +64,7 @@ class Measurer {
   void watch_trunk(const RolloutSample& sample);
   void watch_contacts(const RolloutSample& sample);
   void watch_joints(const RolloutSample& sample);
+  bool pulls_its_most(const mjData& data, int actuator) const;
   void finish_speeds(const WantedMotion& wanted, const Eigen::Vector2d& plan_velocity,
                      const MeasureOptions& options, Measurements& out) const;
 
@@ -119,26 +120,30 @@ void Measurer::watch_contacts(const RolloutSample& sample) {
   }
 }
 
+// A linear actuator is limited in its own force: what that makes of torque changes with the pose.
+bool Measurer::pulls_its_most(const mjData& data, int actuator) const {
+  if (actuator < 0 || !model_.actuator_forcelimited[actuator]) return false;
+  const mjtNum* range = model_.actuator_forcerange + 2 * actuator;
+  const double force = data.actuator_force[model_.actuator_outadr[actuator]];
+  return force <= kSaturationShare * range[0] || force >= kSaturationShare * range[1];
+}
+
 void Measurer::watch_joints(const RolloutSample& sample) {
   const bool settled = sample.time >= scene_.trajectory.period;
   const SplinePhase phase = phase_at(scene_.trajectory, sample.time + scene_.t0);
   bool any = false;
-  for (int a = 0; a < model_.nactuator; ++a) {
-    if (model_.actuator_trntype[a] != mjTRN_JOINT) continue;
-    const auto found = std::find(scene_.joints.joint.begin(), scene_.joints.joint.end(),
-                                 model_.actuator_trnid[2 * a]);
-    if (found == scene_.joints.joint.end()) continue;
-    const auto joint = static_cast<std::size_t>(found - scene_.joints.joint.begin());
-    const int at = model_.actuator_outadr[a];
-    const double torque = sample.data.qfrc_actuator[scene_.joints.dof[joint]];
-    work_ += std::max(0.0, torque * sample.data.actuator_velocity[at]) * model_.opt.timestep;
+  for (std::size_t joint = 0; joint < scene_.joints.joint.size(); ++joint) {
+    const int dof = scene_.joints.dof[joint];
+    const double torque = sample.data.qfrc_actuator[dof];
+    work_ += std::max(0.0, torque * sample.data.qvel[dof]) * model_.opt.timestep;
     if (!settled) continue;
     JointSums& sums = sums_[joint];
     const double target = spline_point(scene_.trajectory, phase,
                                        scene_.trajectory.target_column(static_cast<int>(joint)))
                               .value;
-    const double error = target - sample.data.actuator_length[at];
-    const bool saturated = std::abs(torque) >= kSaturationShare * scene_.torque_limit[joint];
+    const double error = target - sample.data.qpos[scene_.joints.qpos[joint]];
+    const bool saturated = std::abs(torque) >= kSaturationShare * scene_.torque_limit[joint] ||
+                           pulls_its_most(sample.data, scene_.tendon_actuator[joint]);
     sums.torque_squared += torque * torque;
     sums.error_squared += error * error;
     sums.peak = std::max(sums.peak, std::abs(torque));

@@ -60,6 +60,30 @@ double torque_limit(const mjModel& model, int joint) {
   return limit;
 }
 
+/// The actuator on a tendon whose two sites lie on either side of a hinge, or −1.
+int tendon_actuator(const mjModel& model, int joint) {
+  const int below = model.jnt_bodyid[joint];
+  const auto rides_on = [&](int site) {  // the body that a hinge or the root moves
+    int body = model.site_bodyid[site];
+    while (body > 0 && model.body_dofnum[body] == 0) body = model.body_parentid[body];
+    return body;
+  };
+  for (int a = 0; a < model.nactuator; ++a) {
+    if (model.actuator_trntype[a] != mjTRN_TENDON) continue;
+    const int start = model.tendon_adr[model.actuator_trnid[2 * a]];
+    if (model.wrap_type[start] != mjWRAP_SITE || model.wrap_type[start + 1] != mjWRAP_SITE)
+      continue;
+    const int one = rides_on(model.wrap_objid[start]), two = rides_on(model.wrap_objid[start + 1]);
+    if (one == below || two == below) {
+      const int other = one == below ? two : one;
+      int parent = model.body_parentid[below];
+      while (parent > 0 && model.body_dofnum[parent] == 0) parent = model.body_parentid[parent];
+      if (other == parent) return a;
+    }
+  }
+  return -1;
+}
+
 }  // namespace
 
 Scene parse_scene(const std::string& xml, const std::string& name, double gain_scale,
@@ -79,8 +103,10 @@ Scene parse_scene(const std::string& xml, const std::string& name, double gain_s
   }
   if (const auto t0 = numbers(model, instance, "t0"); t0.size() == 1) scene.t0 = t0[0];
   scene.joints = map_joints(model, scene.trajectory.joint_names);
-  for (const int joint : scene.joints.joint)
+  for (const int joint : scene.joints.joint) {
     scene.torque_limit.push_back(torque_limit(model, joint));
+    scene.tendon_actuator.push_back(tendon_actuator(model, joint));
+  }
   for (const auto& foot : scene.trajectory.foot_names) {
     const int geom = mj_name2id(&model, mjOBJ_GEOM, foot.c_str());
     if (geom < 0)

@@ -22,9 +22,10 @@ struct Scene {
   double gain_scale = 1.0;
   JointMap joints;
   std::vector<double>
-      torque_limit;            // per joint, of actuator and joint together; infinite if none [N m]
-  std::vector<int> foot_geom;  // per foot of the trajectory
-  int start_key = -1;          // keyframe "gait"
+      torque_limit;  // per joint, of actuator and joint together; infinite if none [N m]
+  std::vector<int> tendon_actuator;  // per joint: the linear actuator that moves it, or −1
+  std::vector<int> foot_geom;        // per foot of the trajectory
+  int start_key = -1;                // keyframe "gait"
 };
 
 /// The scene's text with its servo gains scaled, kp × scale and kd × √scale: in the configuration

@@ -6,7 +6,7 @@
 
 #include "optimizer/terms/registry.hpp"
 #include "tools/io/json_file.hpp"
-#include "tools/io/task_file.hpp"
+#include "tools/io/problem.hpp"
 #include "tools/verbs/gradients.hpp"
 #include "tools/verbs/verbs.hpp"
 
@@ -25,15 +25,22 @@ struct Finding {
   Task task;
   StrideBound stride;
   std::vector<std::string> warnings;
+  std::string outer;  // line about the outer objective, or empty
 };
+
+std::string outer_of(const CodesignProblem& problem) {
+  if (problem.set.outer.empty()) return "";
+  return fmt::format("outer   J = {} x {}; the motion minimises F, the body F + J\n",
+                     problem.set.outer_weight, problem.set.outer);
+}
 
 /// One for each task of the file.
 std::vector<Finding> find(const std::string& path) {
-  const TaskSet set = read_task_set(path);
-  const RobotModel robot = read_robot(set.robot);
+  const CodesignProblem problem = read_problem(path);  // all that optimize would refuse is refused
+  const RobotModel& robot = problem.robot;
   std::vector<Finding> all;
-  for (const TaskFile& file : set.tasks) {
-    Finding found{file, robot, make_task(file, robot), {}, {}};
+  for (int k = 0; k < problem.task_count(); ++k) {
+    Finding found{problem.task(k), robot, problem.objectives[k]->task(), {}, {}, outer_of(problem)};
     found.stride = stride_bound(found.task, robot);
     found.warnings = task_warnings(found.task, robot);
     all.push_back(std::move(found));
@@ -72,8 +79,9 @@ std::string design_text(const Finding& found) {
   for (const DesignParameter& p : found.robot.space.parameters)
     width = std::max(width, p.name.size());
   for (const DesignParameter& p : found.robot.space.parameters)
-    text += fmt::format("  {:{}}  {:>7.4g}  in [{:.4g}, {:.4g}] {:3}  moves {}  {}\n", p.name,
-                        width, p.initial, p.lower, p.upper, p.unit, p.tied_count, p.sentence);
+    text += fmt::format("  {:{}}  {:>7.4g}  in [{:.4g}, {:.4g}] {:3}  moves {}  {}{}\n", p.name,
+                        width, p.initial, p.lower, p.upper, p.unit, p.tied_count,
+                        p.frozen() ? "(frozen) " : "", p.sentence);
   return text;
 }
 
@@ -217,7 +225,7 @@ int check(const CheckOptions& options) {
     fmt::print("{}", to_text(document));
     return kOk;
   }
-  fmt::print("{}{}", robot_text(all.front()), design_text(all.front()));
+  fmt::print("{}{}{}", robot_text(all.front()), design_text(all.front()), all.front().outer);
   for (const Finding& found : all) {
     if (all.size() > 1)
       fmt::print("\ntask    {}, weight {} of F_joint\n", found.task.name, found.file.weight);

@@ -73,7 +73,7 @@ MultistartOptions settings_of(const OptimizeOptions& options, int task_count) {
   const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   settings.codesign.threads = std::min(task_count, options.threads > 0 ? options.threads : cores);
   settings.from_single_tasks = !options.one_start && !options.motion_only;
-  settings.perturbations = options.starts;
+  settings.perturbations = options.motion_only ? 0 : options.starts;
   settings.seed = options.seed;
   return settings;
 }
@@ -190,6 +190,7 @@ void write_end(const ResultFolder& folder, const CodesignProblem& problem,
   }
   outcomes[0].history = recorder.history();
   run["pull"] = recorder.pull_on(found.joint[found.best].label, 0);
+  if (found.joint.size() > 1) add_starts(run, found, problem);
   finish_run(run, status, outcomes[0], effort, problem.robot.space);
 }
 
@@ -222,12 +223,15 @@ int optimize(const OptimizeOptions& options) {
   progress.finish();
   const int signal = StopSignals::received();
   write_end(folder, problem, found, signal, recorder, run);
+  write_json(folder.run_json(), run);  // what follows may take a while, and adds to it
   if (signal == 0 && !options.no_certificate && usable(found.winner().best))
     run["certificate"] = write_certificate(folder, problem, costs.tasks(), found.winner().best,
                                            settings.codesign.threads);
-  if (options.front > 0 && signal == 0)
-    run["front"] =
-        write_front(folder, problem, costs.tasks(), found, options.front, settings.codesign);
+  if (options.front > 0 && StopSignals::received() == 0) {
+    CodesignOptions rules = settings.codesign;
+    rules.on_iteration = [](const DesignIteration&) { return StopSignals::received() == 0; };
+    run["front"] = write_front(folder, problem, costs.tasks(), found, options.front, rules);
+  }
   recorder.end(run);
   write_json(folder.run_json(), run);
 
@@ -235,8 +239,8 @@ int optimize(const OptimizeOptions& options) {
   if (!options.json && !options.quiet)
     fmt::print("{}", problem.set.joint() ? joint_summary(run, root) : optimize_summary(run, root));
   std::fflush(stdout);
-  if (signal == 0) draw_rest(recorder.pictures(), options.quiet);
-  return exit_code(signal, run["reasons"]);
+  if (StopSignals::received() == 0) draw_rest(recorder.pictures(), options.quiet);
+  return exit_code(StopSignals::received(), run["reasons"]);
 }
 
 }  // namespace
@@ -258,8 +262,9 @@ void add_optimize(CLI::App& program, Action& action) {
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
   verb->add_option("--seed", options->seed, "of the perturbations")->capture_default_str();
-  verb->add_option("--front", options->front,
-                   "two tasks: walk the weights from one to the other over so many points")
+  verb->add_option(
+          "--front", options->front,
+          "two tasks: walk the weights from one to the other over so many points between the ends")
       ->check(CLI::Range(1, 99));
   verb->add_option("--threads", options->threads,
                    "tasks solved at the same time; results do not depend on it; default: all cores")

@@ -19,9 +19,10 @@ std::string parameter_lines(const Json& parameters) {
     const bool high = p["upper"].get<double>() - final < 1e-6 * span;
     text += fmt::format("    {:{}}  {:8.4f} -> {:8.4f} {}{}\n", p["name"].get<std::string>(), width,
                         initial, final, p["unit"].get<std::string>(),
-                        low    ? "  at its lower bound"
-                        : high ? "  at its upper bound"
-                               : "");
+                        span == 0.0 ? "  frozen"
+                        : low       ? "  at its lower bound"
+                        : high      ? "  at its upper bound"
+                                    : "");
   }
   return text;
 }
@@ -46,6 +47,21 @@ std::string shell_word(const std::string& text) {
   return quoted + "'";
 }
 
+namespace {
+
+std::string start_lines(const Json& starts) {
+  std::string text = "  starts   F at the start, at the end\n";
+  for (const Json& start : starts)
+    text += fmt::format(
+        "    from {:12} {:9.5g} -> {:9.5g}  {}, {} design and {} Newton iterations, {:.2f} s\n",
+        start["start"].get<std::string>(), start["F_start"].get<double>(), start["F"].get<double>(),
+        start["status"].get<std::string>(), start["design_iterations"].get<int>(),
+        start["newton_iterations"].get<int>(), start["seconds"].get<double>());
+  return text;
+}
+
+}  // namespace
+
 std::string joint_summary(const Json& run, const std::filesystem::path& root) {
   std::string text = fmt::format("{} {}: {}; best from '{}'\n", run["robot"].get<std::string>(),
                                  run["name"].get<std::string>(), in_words(run["status"]),
@@ -60,13 +76,7 @@ std::string joint_summary(const Json& run, const std::filesystem::path& root) {
                         task["name"].get<std::string>(), width, task["F_initial"].get<double>(),
                         task["F"].get<double>(), task["speed_reached"].get<double>(),
                         task["speed_wanted"].get<double>());
-  text += "  starts   F_joint at the start, at the end\n";
-  for (const Json& start : run["starts"])
-    text += fmt::format(
-        "    from {:12} {:9.5g} -> {:9.5g}  {}, {} design and {} Newton iterations, {:.2f} s\n",
-        start["start"].get<std::string>(), start["F_start"].get<double>(), start["F"].get<double>(),
-        start["status"].get<std::string>(), start["design_iterations"].get<int>(),
-        start["newton_iterations"].get<int>(), start["seconds"].get<double>());
+  text += start_lines(run["starts"]);
   for (const Json& start : run["alone"])
     text += fmt::format("    {} alone {:9.5g} -> {:9.5g}  {}, {:.2f} s\n",
                         start["tasks"][0].get<std::string>(), start["F_start"].get<double>(),
@@ -93,6 +103,11 @@ std::string optimize_summary(const Json& run, const std::filesystem::path& root)
                       run["newton_iterations"].get<int>());
   text += fmt::format("  F        {:.5g} with the initial body, {:.5g} now\n",
                       run["motion_only_F"].get<double>(), run["final_F"].get<double>());
+  if (run.contains("outer"))
+    text += fmt::format("  J        {:.5g} = {} x {}; the body minimised F + J\n",
+                        run["final_J"].get<double>(), run["outer"]["weight"].get<double>(),
+                        run["outer"]["objective"].get<std::string>());
+  if (run.contains("starts")) text += start_lines(run["starts"]);
   text += fmt::format("  speed    {:.4g} of {:.4g} planned{}\n", reached, wanted,
                       wanted > 0.0 ? fmt::format(" ({:.1f} %)", 100.0 * reached / wanted) : "");
   text += fmt::format(

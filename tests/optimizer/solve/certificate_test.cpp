@@ -97,6 +97,16 @@ TEST(Certificate, ShowsAWrongGradient) {
   EXPECT_GT(certify({task}, box(10.0), result.best).worst_gradient_error(), 1e-2);
 }
 
+TEST(Certificate, ANumberThatIsNoneIsNoProof) {
+  Certificate certificate;
+  certificate.tasks.resize(1);
+  certificate.tasks[0].adjoint = VectorXd::Ones(2);
+  certificate.tasks[0].error = VectorXd::Zero(2);
+  EXPECT_EQ(certificate.worst_gradient_error(), 0.0);
+  certificate.tasks[0].error[1] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(std::isfinite(certificate.worst_gradient_error()));
+}
+
 TEST(Certificate, WithoutAMinimumThereIsNone) {
   const auto saddle = [](const VectorXd& m) {
     const Eigen::MatrixXd h = Eigen::Vector2d(1.0, -1.0).asDiagonal();

@@ -237,6 +237,13 @@ TEST(TaskSet, ErrorsNameTheirLine) {
   EXPECT_TRUE(has(twin, ":15:") && has(twin, "another task")) << twin;
   const std::string nameless = message(kTwoTasks, "name = \"sideways\"", "");
   EXPECT_TRUE(has(nameless, "name") && has(nameless, "missing")) << nameless;
+  for (const char* taken : {"initial", "random-1", "from-x", "x-alone", "a/b", ".."}) {
+    const std::string name =
+        message(kTwoTasks, "name = \"sideways\"", "name = \"" + std::string(taken) + "\"");
+    EXPECT_TRUE(has(name, ":15:") && has(name, "names a folder")) << name;
+  }
+  const std::string outer = message(kTwoTasks, "[limits]", "[outer]\nweight = 2\n[limits]");
+  EXPECT_TRUE(has(outer, "outer.objective") && has(outer, "missing")) << outer;
   const std::string weight = message(kTwoTasks, "weight = 0.25", "weight = 0");
   EXPECT_TRUE(has(weight, ":8:") && has(weight, "weight")) << weight;
   const std::string outside = message(kTwoTasks, "[limits]", "[gait]\nname = \"walk\"\n[limits]");

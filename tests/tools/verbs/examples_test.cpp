@@ -88,6 +88,27 @@ TEST_F(Example, OneQuadrupedForBothTasksTradesOneForTheOther) {
   EXPECT_TRUE(cell("sideways", 2)["pass"].get<bool>());
 }
 
+TEST_F(Example, PistonsWalkAndTheirForceIsWatched) {
+  const fs::path result = run(test::kExamples / "piston_puppy/forward.toml") / "result";
+  expect_pass(read(result / "verdict.json"), "result");
+  const Json metrics = read(result / "metrics.json");
+  for (const Json& joint : metrics["result"]["default"]["joints"])
+    EXPECT_GT(joint["torque_peak_Nm"].get<double>(), 0.05) << joint["name"];
+  // Pistons of a quarter of the force carry it to their limit: that must show as saturation.
+  const std::string scene_file = (result / "scene.xml").string();
+  std::string scene = read_file(scene_file);
+  const std::string strong = "forcerange=\"-120 120\"";
+  ASSERT_NE(scene.find(strong), std::string::npos);
+  for (std::size_t at; (at = scene.find(strong)) != std::string::npos;)
+    scene.replace(at, strong.size(), "forcerange=\"-30 30\"");
+  fs::remove(scene_file);
+  write_file(scene_file, scene);
+  (void)test::wait_for(test::start({"validate", result.parent_path().string()}, folder_.path()),
+                       folder_.path());
+  EXPECT_GT(read(result / "metrics.json")["result"]["default"]["saturated_share"].get<double>(),
+            0.01);
+}
+
 /// The hexapod at a speed: motion alone with or without the term that keeps limbs apart, or co-designed.
 class Hexapod : public Example {
  protected:

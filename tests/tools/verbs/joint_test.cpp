@@ -2,7 +2,9 @@
 // Runs of several tasks: what is on disk, and that it is the same at any thread count.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <map>
+#include <thread>
 
 #include "tests/tools/verbs/program.hpp"
 #include "tools/io/events.hpp"
@@ -72,6 +74,33 @@ TEST_F(Joint, RunIsCompleteAndItsTasksAreRunsOfTheirOwn) {
     ASSERT_EQ(matrix["cells"][task].size(), 4u);
     EXPECT_FALSE(matrix["cells"][task][0]["pass"].get<bool>()) << "the initial body";
   }
+}
+
+TEST_F(Joint, InterruptedAfterATaskAloneItCanStillBeValidated) {
+  const pid_t child =
+      test::start({"optimize", kBoth, "--no-pictures", "-o", "run"}, folder_.path());
+  const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(200);
+  while (!fs::exists(folder_.path() / "run/starts/pace-alone/pace/iterations/0002") &&
+         std::chrono::steady_clock::now() < limit)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  ::kill(child, SIGINT);
+  const Outcome optimize = test::wait_for(child, folder_.path());
+  EXPECT_EQ(optimize.code, 130) << optimize.err;
+  EXPECT_EQ(json("run/run.json")["status"], "interrupted");
+  EXPECT_FALSE(fs::exists(folder_.path() / "run/starts/from-pace"));
+  const Outcome validate = here({"validate", "run"});
+  EXPECT_LE(validate.code, 1) << validate.err;
+  EXPECT_EQ(json("run/result/matrix.json")["designs"].size(), 2u);  // initial body, all tasks
+}
+
+TEST_F(Joint, ForeignFoldersInRunJsonAreRefused) {
+  const Outcome optimize = here({"optimize", kBoth, "--max-iterations", "0", "--one-start",
+                                 "--no-pictures", "--no-certificate", "-o", "run"});
+  ASSERT_LE(optimize.code, 1) << optimize.err;
+  Json run = json("run/run.json");
+  run["tasks"][0]["folder"] = "../elsewhere";
+  write_file(folder_.path() / "run/run.json", run.dump());
+  EXPECT_EQ(here({"validate", "run"}).code, 2);
 }
 
 TEST_F(Joint, SameBytesAtAnyThreadCount) {
