@@ -44,7 +44,7 @@ class Reach {
   const GeometryAtDesign& geometry_;
   const ReachWeights weights_;
   Ancestry ancestry_;
-  Columns columns_;  // root position, then joints; −1: the the root's rotation
+  Columns columns_;  // root position, then joints; −1: the root's rotation
   Eigen::VectorXd nominal_;
   PoseKinematics pose_;
   PointDerivatives point_;

@@ -11,15 +11,6 @@ namespace {
 
 using Eigen::VectorXd;
 
-WeightedCost weighted(const JointTask& task, double weight, VectorXd motion) {
-  WeightedCost cost;
-  cost.cost = task.cost;
-  cost.outer = task.outer;
-  cost.weight = weight;
-  cost.initial_motion = std::move(motion);
-  return cost;
-}
-
 class Multistart {
  public:
   Multistart(const std::vector<JointTask>& tasks, const DesignSpace& space,
@@ -140,6 +131,15 @@ class FrontWalk {
 };
 
 }  // namespace
+
+WeightedCost weighted(const JointTask& task, double weight, const VectorXd& motion) {
+  WeightedCost cost;
+  cost.cost = task.cost;
+  cost.outer = task.outer;
+  cost.weight = weight;
+  cost.initial_motion = motion;
+  return cost;
+}
 
 MultistartResult codesign_from_starts(const std::vector<JointTask>& tasks, const DesignSpace& space,
                                       const MultistartOptions& options) {

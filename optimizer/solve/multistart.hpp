@@ -20,6 +20,10 @@ struct JointTask {
   std::function<Eigen::VectorXd(const Eigen::VectorXd& s)> guess;  // m₀ at a design
 };
 
+/// A task as codesign() and certify() take it. @param motion initial motion; may be empty for certify()
+[[nodiscard]] WeightedCost weighted(const JointTask& task, double weight,
+                                    const Eigen::VectorXd& motion);
+
 /// Which of several runs an iteration belongs to.
 struct RunLabel {
   std::string

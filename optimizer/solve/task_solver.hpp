@@ -15,7 +15,7 @@ namespace legwright {
 /// One task's share of F_joint(s, m₁ … m_k) = Σ wᵢ Fᵢ(s, mᵢ).
 struct WeightedCost {
   CostFunction* cost = nullptr;    // Fᵢ; must live longer
-  double weight = 1.0;             // wᵢ > 0
+  double weight = 1.0;             // wᵢ > 0; 0 is fine where the design stays (motion_only)
   Eigen::VectorXd initial_motion;  // for the design that the run starts from
   /// Outer objective Jᵢ ≠ Fᵢ, or null: the motion still minimises Fᵢ, the design minimises
   /// Σ wᵢ (Fᵢ + Jᵢ). Must live longer.

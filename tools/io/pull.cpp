@@ -10,11 +10,11 @@ namespace {
 constexpr double kTold = 0.01;  // of the largest share
 
 /// Long steps bend: what a term really gave up goes to the parameters in the ratio of their shares.
-void spread_rest(double decrease, Eigen::MatrixXd::RowXpr shares) {
-  const double size = shares.cwiseAbs().sum();
-  if (!(size > 0.0)) return;
-  const double rest = decrease - shares.sum();
-  shares += rest / size * shares.cwiseAbs();
+/// @return the size of the rest that the shares did not tell
+double spread_rest(double decrease, Eigen::MatrixXd::RowXpr shares) {
+  const double size = shares.cwiseAbs().sum(), rest = decrease - shares.sum();
+  if (size > 0.0) shares += rest / size * shares.cwiseAbs();
+  return std::abs(rest);
 }
 
 }  // namespace
@@ -29,7 +29,8 @@ void PullAlongPath::add(const Objective& objective, const Eigen::VectorXd& s,
   if (share_.size() > 0) {
     const Eigen::RowVectorXd change = (s - s_).transpose();
     Eigen::MatrixXd step = -0.5 * (share_ + now.partial_s) * change.asDiagonal();
-    for (int t = 0; t < step.rows(); ++t) spread_rest(values_[t] - values[t], step.row(t));
+    for (int t = 0; t < step.rows(); ++t)
+      spread_ += spread_rest(values_[t] - values[t], step.row(t));
     decrease_ += step;
   }
   values_ = std::move(values);
@@ -44,6 +45,7 @@ void PullAlongPath::follow(const PullAlongPath& before) {
   else if (before.decrease_.size() > 0)
     decrease_ += before.decrease_;
   if (terms_.empty()) terms_ = before.terms_;
+  spread_ += before.spread_;
 }
 
 Json PullAlongPath::to_json(const DesignSpace& space, double weight) const {

@@ -27,12 +27,16 @@ class PullAlongPath {
   /// Decrease of F by term (row) and parameter (column); negative: the change cost this term.
   const Eigen::MatrixXd& decrease() const { return decrease_; }
 
+  /// Σ |what a term really gave up − what its derivatives tell|: the part that was spread.
+  double spread() const { return spread_; }
+
   /// {parameter: {term: decrease}}, times `weight`; shares too small to matter are left out.
   Json to_json(const DesignSpace& space, double weight) const;
 
  private:
   std::vector<std::string_view> terms_;
   std::vector<double> values_;  // of the terms
+  double spread_ = 0.0;
   Eigen::VectorXd s_;
   Eigen::MatrixXd share_, decrease_;
 };

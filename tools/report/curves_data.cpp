@@ -22,12 +22,6 @@ namespace fs = std::filesystem;
   throw InputError((data.root / "run.json").string(), 0, where, message);
 }
 
-bool motion_only(const RunData& data) {
-  const Json& words = value_at(data.run, {"argv"});
-  if (number_at(data.run, {"design_size"}) == 0.0) return true;
-  return words.is_array() && std::find(words.begin(), words.end(), "--motion-only") != words.end();
-}
-
 /// What the run was, by its command and by the terms that its task switched off.
 std::string variant_name(const RunData& data) {
   const TaskFile task = read_task_file(ResultFolder::open(data.root).inputs() / "task.toml");

@@ -58,8 +58,9 @@ std::string report_summary(const RunData& data) {
   out += "| | verdict |\n|---|---|\n";
   out += "| before (initial body, its gait optimised) | " +
          escape_markdown(verdict_line(data, "initial")) + " |\n";
-  out += "| after (body and gait co-designed) | " + escape_markdown(verdict_line(data, "result")) +
-         " |\n\n";
+  out += std::string(motion_only(data) ? "| after (the same body, its gait optimised) | "
+                                       : "| after (body and gait co-designed) | ") +
+         escape_markdown(verdict_line(data, "result")) + " |\n\n";
   out += fmt::format("Cost F: {} with the gait alone, {} co-designed, {} design iterations.\n\n",
                      short_number(number_at(data.run, {"motion_only_F"})),
                      short_number(number_at(data.run, {"final_F"})),

@@ -57,6 +57,11 @@ RunData read_run(const fs::path& root) {
   return data;
 }
 
+bool motion_only(const RunData& data) {
+  const Json& told = value_at(data.run, {"motion_only"});
+  return told.is_boolean() && told.get<bool>();
+}
+
 const Json& value_at(const Json& json, std::initializer_list<const char*> path) {
   static const Json nothing;
   const Json* at = &json;

@@ -28,6 +28,9 @@ struct RunData {
 /// Throws IoError where the folder has no run.json that can be read; all else goes to the notes.
 RunData read_run(const std::filesystem::path& root);
 
+/// Whether the body was kept and only its gait optimised.
+bool motion_only(const RunData& data);
+
 // Lenient access, so that a report of an incomplete run is still a report.
 /// The number at a path of keys, if there is one and it is finite.
 std::optional<double> number_at(const Json& json, std::initializer_list<const char*> path);

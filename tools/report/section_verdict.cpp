@@ -119,7 +119,9 @@ void add_plan_notes(Html& page, const RunData& data) {
 void add_verdicts(Html& page, const RunData& data) {
   page.open("section", {{"class", "cards"}});
   add_card(page, data, "initial", "Before", "initial body, its gait optimised for the task");
-  add_card(page, data, "result", "After", "body and gait co-designed");
+  add_card(page, data, "result", "After",
+           motion_only(data) ? "the same body: only its gait was optimised"
+                             : "body and gait co-designed");
   add_plan_notes(page, data);
   if (data.verdict.is_null()) {
     add_hint(page, "No verdict yet: the gaits have not been played in MuJoCo.", "validate", data);

@@ -4,9 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
-#include <thread>
+
+#include "optimizer/solve/parallel.hpp"
 
 namespace legwright {
 namespace {
@@ -54,30 +53,6 @@ void run(const Job& job, const WantedMotion& wanted, const ValidationOptions& op
   if (record) job.out->frames = std::move(played.frames);
 }
 
-// Each job has its own place for its result, so that the order of execution leaves no trace.
-void run_all(const std::vector<Job>& jobs, const WantedMotion& wanted,
-             const ValidationOptions& options) {
-  std::atomic<std::size_t> next{0};
-  std::vector<std::exception_ptr> failures(jobs.size());
-  const auto work = [&] {
-    for (std::size_t i = next++; i < jobs.size(); i = next++) {
-      try {
-        run(jobs[i], wanted, options);
-      } catch (...) {
-        failures[i] = std::current_exception();
-      }
-    }
-  };
-  {
-    std::vector<std::jthread> helpers;
-    for (int t = 1; t < options.threads; ++t) helpers.emplace_back(work);
-    work();
-  }
-  for (const auto& failure : failures) {
-    if (failure) std::rethrow_exception(failure);
-  }
-}
-
 }  // namespace
 
 std::vector<SceneValidation> validate_scenes(const std::vector<SceneToValidate>& scenes,
@@ -100,7 +75,9 @@ std::vector<SceneValidation> validate_scenes(const std::vector<SceneToValidate>&
     out[i].timestep = scene.model->opt.timestep;
     out[i].robot_mass = scene.model->body_subtreemass[scene.joints.root_body];
   }
-  run_all(jobs, wanted, options);
+  // Each job has its own place for its result, so that the order of execution leaves no trace.
+  parallel_for(static_cast<int>(jobs.size()), options.threads,
+               [&](int k) { run(jobs[static_cast<std::size_t>(k)], wanted, options); });
   for (auto& validation : out)
     validation.verdict = judge(validation.at_gains, wanted, gait, options.limits);
   return out;

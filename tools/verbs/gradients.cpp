@@ -79,18 +79,22 @@ class Checker {
   std::unique_ptr<Objective::Workspace> workspace_;
 };
 
+/// F of a task, and its outer objective where there is one; the worse of the two counts.
+void check_all(const CodesignProblem& problem, int task, const VectorXd& s, const VectorXd& m,
+               GradientCheck& check) {
+  const VectorXd scale = problem.robot.space.scale();
+  Checker(*problem.objectives[task], scale).at(s, m, check);
+  if (!problem.outers.empty()) Checker(*problem.outers[task], scale).at(s, m, check);
+}
+
 GradientCheck solved_check(const CodesignProblem& problem, const JointTask& task, int k) {
   const DesignSpace& space = problem.robot.space;
-  WeightedCost cost;
-  cost.cost = task.cost;
-  cost.outer = task.outer;
-  cost.initial_motion = task.guess(space.initial());
+  const WeightedCost cost = weighted(task, 1.0, task.guess(space.initial()));
   CodesignOptions options;
   options.motion_only = true;
   const CodesignResult solved = codesign({cost}, space, space.initial(), options);
-  const VectorXd scale = space.scale();
   GradientCheck check{task.name, "solved", 0, 0, 0, 0, -1.0};
-  Checker(*problem.objectives[k], scale).at(solved.best.s, solved.best.tasks[0].m, check);
+  check_all(problem, k, solved.best.s, solved.best.tasks[0].m, check);
   const Certificate proof = certify({cost}, space, solved.best);
   const bool rests = solved.best.motion_status() == SolveStatus::converged;
   if (rests && proof.tasks[0].minimum_in_motion && proof.tasks[0].resolved)
@@ -102,12 +106,12 @@ GradientCheck solved_check(const CodesignProblem& problem, const JointTask& task
 
 std::vector<GradientCheck> check_gradients(const CodesignProblem& problem) {
   const ProblemCosts costs(problem);
-  const VectorXd s = problem.robot.space.initial(), scale = problem.robot.space.scale();
+  const VectorXd s = problem.robot.space.initial();
   std::vector<GradientCheck> checks;
   for (int k = 0; k < problem.task_count(); ++k) {
     const JointTask& task = costs.tasks()[k];
     GradientCheck standing{task.name, "standing", 0, 0, 0, 0, -1.0};
-    Checker(*problem.objectives[k], scale).at(s, task.guess(s), standing);
+    check_all(problem, k, s, task.guess(s), standing);
     checks.push_back(standing);
     checks.push_back(solved_check(problem, task, k));
   }

@@ -75,6 +75,7 @@ void write_task_run(const ResultFolder& folder, const CodesignProblem& problem, 
     fs::copy_file(folder.inputs() / input, chain.run() / "inputs" / input);
   Json run = start_of_run(joint["argv"], problem, outcome.task);
   run["joint_run"] = "../..";
+  run["motion_only"] = joint["motion_only"];
   run["start"] = winner.label.start;
   run["pull"] = recorder.pull_on(winner.label, outcome.task);
   finish_run(run, joint["status"], outcome, effort_of(winner.result), problem.robot.space);

@@ -117,12 +117,8 @@ Json write_certificate(const ResultFolder& folder, const CodesignProblem& proble
   std::vector<WeightedCost> costs;
   std::vector<int> all;
   for (const JointTask& task : tasks) {
-    WeightedCost cost;
-    cost.cost = task.cost;
-    cost.outer = task.outer;
-    cost.weight = task.weight;
     all.push_back(static_cast<int>(costs.size()));
-    costs.push_back(cost);
+    costs.push_back(weighted(task, task.weight, {}));
   }
   CertificateOptions options;
   options.threads = threads;
@@ -151,9 +147,10 @@ fs::path root_of(const OptimizeOptions& options, const CodesignProblem& problem)
 }
 
 /// What stands in the run's folder before anything is solved. @return run.json
-Json write_start(const ResultFolder& folder, const CodesignProblem& problem) {
+Json write_start(const ResultFolder& folder, const CodesignProblem& problem, bool motion_only) {
   Json run = problem.set.joint() ? start_of_joint_run(command_line(), problem)
                                  : start_of_run(command_line(), problem, 0);
+  run["motion_only"] = motion_only || problem.robot.space.size() == 0;
   write_json(folder.run_json(), run);
   write_file(folder.inputs() / "task.toml", text_beside_robot(problem.set.text));
   write_file(folder.inputs() / "robot.xml", problem.robot.xml);
@@ -208,7 +205,7 @@ int optimize(const OptimizeOptions& options) {
   if (!options.quiet) warn(problem);
   const fs::path root = root_of(options, problem);
   const ResultFolder folder = ResultFolder::create(root, options.force);
-  Json run = write_start(folder, problem);
+  Json run = write_start(folder, problem, options.motion_only);
 
   MultistartOptions settings = settings_of(options, problem.task_count());
   Progress progress = make_progress(options, settings.codesign, problem);

@@ -16,9 +16,10 @@ struct Options {
   bool json = false;
 };
 
-void print_verdicts(const JudgedRun& judged, const std::string& indent) {
-  fmt::print("{0}initial design:     {1}\n{0}co-designed robot:  {2}\n", indent,
-             judged.designs[0].verdict.line, judged.designs[1].verdict.line);
+void print_verdicts(const JudgedRun& judged, const Json& run, const std::string& indent) {
+  const bool same = run.value("motion_only", false);
+  fmt::print("{0}initial design:     {1}\n{0}{2}  {3}\n", indent, judged.designs[0].verdict.line,
+             same ? "the same, as result:" : "co-designed robot:", judged.designs[1].verdict.line);
 }
 
 /// One line per design, one column per task: F, and what physics says.
@@ -42,7 +43,7 @@ int validate_joint(const ResultFolder& folder, const Json& run, const Options& o
   } else {
     for (std::size_t k = 0; k < judged.size(); ++k) {
       fmt::print("{}\n", run["tasks"][k]["name"].get<std::string>());
-      print_verdicts(judged[k], "  ");
+      print_verdicts(judged[k], run, "  ");
     }
     print_matrix(matrix);
   }
@@ -57,7 +58,7 @@ int validate(const Options& options) {
   if (options.json)
     fmt::print("{}", to_text({{"verdict", judged.verdict}, {"metrics", judged.metrics}}));
   else
-    print_verdicts(judged, "");
+    print_verdicts(judged, run, "");
   return judged.designs[1].verdict.pass ? kOk : kInfeasible;
 }
 

@@ -12,19 +12,7 @@ using Eigen::VectorXd;
 
 constexpr int motion_size = 8, design_size = 3;
 
-DesignSpace box(double half) {
-  DesignSpace space;
-  for (int k = 0; k < design_size; ++k) {
-    DesignParameter parameter;
-    parameter.name = std::string(1, static_cast<char>('a' + k));
-    parameter.kind = ParameterKind::axis_angle;
-    parameter.initial = 0.2 * k - 0.3;
-    parameter.lower = parameter.initial - half;
-    parameter.upper = parameter.initial + half;
-    space.parameters.push_back(parameter);
-  }
-  return space;
-}
+DesignSpace box(double half) { return toy::box(design_size, half); }
 
 WeightedCost task_of(CostFunction& cost) {
   WeightedCost task;

@@ -6,9 +6,11 @@
 #include <functional>
 #include <limits>
 #include <random>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "optimizer/design/design.hpp"
 #include "optimizer/solve/cost_function.hpp"
 
 namespace legwright::toy {
@@ -23,6 +25,21 @@ inline Eigen::SparseMatrix<double> lower_triangle(const MatrixXd& full) {
     for (int i = j; i < full.rows(); ++i) lower.insert(i, j) = full(i, j);
   lower.makeCompressed();
   return lower;
+}
+
+/// Angles a, b, … around −0.3, −0.1, …, each free to move by `half`; their natural unit is one.
+inline DesignSpace box(int size, double half) {
+  DesignSpace space;
+  for (int k = 0; k < size; ++k) {
+    DesignParameter parameter;
+    parameter.name = std::string(1, static_cast<char>('a' + k));
+    parameter.kind = ParameterKind::axis_angle;
+    parameter.initial = 0.2 * k - 0.3;
+    parameter.lower = parameter.initial - half;
+    parameter.upper = parameter.initial + half;
+    space.parameters.push_back(parameter);
+  }
+  return space;
 }
 
 /// A function of m alone, given by value, gradient, and full Hessian.

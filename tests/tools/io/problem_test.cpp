@@ -5,8 +5,7 @@
 
 #include "mjcf/input_error.hpp"
 #include "tests/tools/io/temporary_folder.hpp"
-#include "tools/io/certificate_json.hpp"
-#include "tools/io/pull.hpp"
+#include "tools/io/atomic_file.hpp"
 
 namespace legwright {
 namespace {
@@ -69,80 +68,6 @@ TEST_F(WithOuter, AnUnknownOneIsRefusedWithThoseThatThereAre) {
     for (const char* part : {"outer.objective", "beauty", "mechanical_work", "peak_torque"})
       EXPECT_NE(text.find(part), std::string::npos) << text;
   }
-}
-
-/// The puppy with its hips turned outwards, so that it can do the task, on few knots.
-struct Solved {
-  CodesignProblem problem = read_problem(kExamples / "puppy" / "sideways.toml");
-  const Objective& objective = *problem.objectives[0];
-  VectorXd s = problem.robot.space.initial(), m;
-
-  Solved() {
-    s[6] = s[12] = 0.5;
-    m = initial_guess(objective, s);
-    const SolveReport report = newton(objective, s, m, {.tolerance = 1e-8, .max_iterations = 400});
-    EXPECT_EQ(report.status, SolveStatus::converged);
-  }
-};
-
-TEST(Pull, SharesOfAllTermsMakeTheDecreaseOfF) {
-  const Solved from;
-  const auto sensitivity = [&](const VectorXd& s, const VectorXd& m) {
-    const Evaluation at = from.objective.evaluate(s, m, Order::design);
-    HessianFactor factor;
-    EXPECT_TRUE(factor.factor(at.hessian_mm, {}));
-    Eigen::MatrixXd x;
-    EXPECT_TRUE(factor.solve(at.hessian_ms, x));
-    return Eigen::MatrixXd(-x);
-  };
-  VectorXd s = from.s, m = from.m;
-  s[6] += 0.004;
-  s[18] *= 1.004;
-  ASSERT_EQ(newton(from.objective, s, m, {.tolerance = 1e-8, .max_iterations = 100}).status,
-            SolveStatus::converged);
-  PullAlongPath pull;
-  pull.add(from.objective, from.s, from.m, sensitivity(from.s, from.m));
-  EXPECT_EQ(pull.decrease().norm(), 0.0);
-  pull.add(from.objective, s, m, sensitivity(s, m));
-  const double fallen = from.objective.evaluate(from.s, from.m, Order::value).value -
-                        from.objective.evaluate(s, m, Order::value).value;
-  EXPECT_GT(std::abs(fallen), 1e-3);
-  EXPECT_NEAR(pull.decrease().sum(), fallen, 1e-9 * std::abs(fallen));
-  // Only what was changed has a share.
-  for (int k = 0; k < pull.decrease().cols(); ++k) {
-    if (k != 6 && k != 18) {
-      EXPECT_EQ(pull.decrease().col(k).norm(), 0.0) << k;
-    }
-  }
-  const Json told = pull.to_json(from.problem.robot.space, 1.0);
-  EXPECT_FALSE(told[from.problem.robot.space.parameters[6].name].empty());
-  // Without dm/ds the shares are those at fixed m, and miss what the motion makes of them.
-  PullAlongPath fixed;
-  fixed.add(from.objective, from.s, from.m, {});
-  fixed.add(from.objective, s, m, {});
-  EXPECT_GT((fixed.decrease() - pull.decrease()).norm(), 0.1 * pull.decrease().norm());
-}
-
-TEST(WorstConstraints, SayWhereWhenAndByHowMuch) {
-  const Solved good;
-  const auto about_feet = [](const std::vector<std::string>& all) {
-    int count = 0;
-    for (const std::string& text : all) count += text.starts_with("foot position");
-    return count;
-  };
-  EXPECT_EQ(about_feet(worst_constraints(good.objective, good.s, good.m, 3)), 0)
-      << "a solved plan has its feet where its legs end";
-  VectorXd bad = good.m;
-  const int slot = good.objective.layout().foot(5, 2) - good.objective.layout().design_size() + 2;
-  bad[slot] += 0.02;  // a foot 2 cm from where its leg is
-  const std::vector<std::string> words = worst_constraints(good.objective, good.s, bad, 3);
-  ASSERT_EQ(words.size(), 3u);
-  const std::string& name = good.objective.morphology().feet[2].name;
-  bool told = false;
-  for (const std::string& text : words)
-    told = told || (text.find(name) != std::string::npos && text.find("mm") != std::string::npos &&
-                    text.find(" s, by") != std::string::npos);
-  EXPECT_TRUE(told) << words[0] << "\n" << words[1] << "\n" << words[2];
 }
 
 }  // namespace

@@ -33,13 +33,11 @@ class CurvesTest : public testing::Test {
                "velocity = [0.1, 0.0]\n" +
                    run.weights);
     write_file(root / "inputs/robot.xml", "<mujoco/>");
-    Json argv = {"legwright", "optimize"};
-    if (run.motion_only) argv.push_back("--motion-only");
     write_json(root / "run.json",
                {{"schema", "legwright/run"},
                 {"version", 1},
                 {"robot", "ant"},
-                {"argv", argv},
+                {"motion_only", run.motion_only},
                 {"design_size", 1},
                 {"task", {{"gait", "tripod"}, {"velocity", {run.speed, 0.0}}, {"turn_rate", 0.0}}},
                 {"sha256", {{"robot.xml", run.robot}}},
