@@ -86,7 +86,9 @@ void add_design_claims(Html& page, const RunData& data) {
 }
 
 /// "body width stands at its upper bound; 1 cm more would lower F by about 0.013."
-std::string bound_words(const Json& active, const std::vector<ParameterView>& parameters) {
+/// @param cost what the body minimises: F, or F + J
+std::string bound_words(const Json& active, const std::vector<ParameterView>& parameters,
+                        std::string_view cost) {
   const std::string name = text_at(active, {"parameter"}), bound = text_at(active, {"bound"});
   const auto gradient = number_at(active, {"gradient"});
   const auto found = std::find_if(parameters.begin(), parameters.end(),
@@ -97,8 +99,8 @@ std::string bound_words(const Json& active, const std::vector<ParameterView>& pa
                                 found->with_unit(upper ? found->upper : found->lower));
   const double step = found->angle ? 0.0872664625997165 : 0.01;  // 5° or 1 cm
   const double change = (upper ? 1.0 : -1.0) * *gradient * step;
-  return out + fmt::format("; {} {} would {} F by about {}.", found->angle ? "5°" : "1 cm",
-                           upper ? "more" : "less", change < 0.0 ? "lower" : "raise",
+  return out + fmt::format("; {} {} would {} {} by about {}.", found->angle ? "5°" : "1 cm",
+                           upper ? "more" : "less", change < 0.0 ? "lower" : "raise", cost,
                            short_number(std::abs(change)));
 }
 
@@ -109,9 +111,11 @@ void add_bounds(Html& page, const RunData& data, const std::vector<ParameterView
     page.element("p", "No parameter presses against its bounds.");
     return;
   }
+  const bool outer = value_at(data.run, {"outer"}).is_object();
+  const std::string_view cost = outer ? "F + J" : "F";
   page.open("ul", {{"class", "changes"}});
   for (const Json& bound : active) {
-    const std::string words = bound_words(bound, parameters);
+    const std::string words = bound_words(bound, parameters, cost);
     if (words.empty()) continue;
     page.open("li").element("b", spaced(text_at(bound, {"parameter"}))).text(" " + words).close();
   }

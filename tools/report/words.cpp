@@ -154,10 +154,6 @@ std::string three_digits(std::optional<double> value) {
   return fmt::format("{}{}", *value < 0 ? "−" : "", digits_of(std::abs(*value), 3));
 }
 
-std::string signed_number(std::optional<double> value) {
-  return fmt::format("{}{}", value && *value > 0.0 ? "+" : "", short_number(value));
-}
-
 std::string long_number(std::optional<double> value) {
   if (!value || !std::isfinite(*value)) return "–";
   if (*value == 0.0) return "0";

@@ -24,8 +24,6 @@ std::string way_words(const Json& task);
 std::string short_number(std::optional<double> value);
 /// The same with all three digits, for columns: "6.00".
 std::string three_digits(std::optional<double> value);
-/// The same as short_number with its sign, also where it is above zero.
-std::string signed_number(std::optional<double> value);
 /// Seven significant digits, for numbers that are to be compared with each other.
 std::string long_number(std::optional<double> value);
 /// A length in mm, an angle in degrees, anything else in its own unit ("N m" as "N·m").

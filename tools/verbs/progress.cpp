@@ -54,11 +54,12 @@ Progress::Mode Progress::mode_for_stderr(bool quiet) {
 }
 
 Progress::Progress(Mode mode, const CodesignOptions& options, std::vector<std::string> names,
-                   std::vector<std::string> units)
+                   std::vector<std::string> units, std::string cost)
     : mode_(mode),
       time_left_(options.value_tolerance, options.max_iterations),
       names_(std::move(names)),
-      units_(std::move(units)) {}
+      units_(std::move(units)),
+      cost_(std::move(cost)) {}
 
 void Progress::start(const std::string& what) {
   if (mode_ == Mode::live) fmt::print(stderr, "\r\x1b[K{}", what);
@@ -81,8 +82,9 @@ void Progress::iteration(const RunLabel& label, const DesignIteration& iteration
         qualities[k].speed_reached, qualities[k].speed_wanted, units_[label.tasks[k]]);
   const std::string time =
       left && names_.size() == 1 ? fmt::format("  ~{:.0f} s left", std::ceil(*left)) : "";
-  fmt::print(stderr, "{}{}iteration {:3}  F {:<10.5g}{}{}{}", mode_ == Mode::live ? "\r\x1b[K" : "",
-             run, iteration.index, iteration.value, speeds, time, mode_ == Mode::live ? "" : "\n");
+  fmt::print(stderr, "{}{}iteration {:3}  {} {:<10.5g}{}{}{}",
+             mode_ == Mode::live ? "\r\x1b[K" : "", run, iteration.index, cost_, iteration.value,
+             speeds, time, mode_ == Mode::live ? "" : "\n");
   std::fflush(stderr);
 }
 

@@ -37,9 +37,9 @@ class Progress {
   /// Live where stderr is a terminal.
   static Mode mode_for_stderr(bool quiet);
 
-  /// @param names of the tasks @param units of their speeds
+  /// @param names of the tasks @param units of their speeds @param cost what falls: "F", "F + J"
   Progress(Mode mode, const CodesignOptions& options, std::vector<std::string> names,
-           std::vector<std::string> units);
+           std::vector<std::string> units, std::string cost = "F");
   /// Before the first iteration, which takes longest.
   void start(const std::string& what);
   void iteration(const RunLabel& label, const DesignIteration& iteration,
@@ -51,6 +51,7 @@ class Progress {
   Mode mode_;
   TimeLeft time_left_;
   std::vector<std::string> names_, units_;
+  std::string cost_;
 };
 
 }  // namespace legwright

@@ -20,8 +20,6 @@ TEST(ShortNumber, KeepsThreeDigits) {
 TEST(Numbers, HaveTheDigitsTheirPlaceNeeds) {
   EXPECT_EQ(three_digits(6.0), "6.00");
   EXPECT_EQ(three_digits(-87.15), "−87.2");
-  EXPECT_EQ(signed_number(0.25), "+0.25");
-  EXPECT_EQ(signed_number(-0.25), "−0.25");
   EXPECT_EQ(long_number(-13.341285753357385), "−13.34129");
   EXPECT_EQ(long_number(2.709627378986372e-05), "2.709627 × 10⁻⁵");
   EXPECT_EQ(quantity_words(0.000219, "m"), "0.219 mm");
