@@ -81,7 +81,7 @@ HingeLength hinge_length(const mjModel* m, int tendon) {
   if (!hangs_by_one_hinge(m, lower, upper))
     throw std::invalid_argument("does not span exactly one hinge");
 
-  // w from the upper end to the hinge, l from the hinge to the lower end; the link's frame at q = 0.
+  // w from the upper end to the hinge, l from the hinge to the lower end; the link's frame in the file's pose.
   const int joint = m->body_jntadr[lower.body];
   const Vector anchor = vector_at(m->jnt_pos, joint), axis = vector_at(m->jnt_axis, joint);
   const Vector hinge =
@@ -103,8 +103,11 @@ HingeLength hinge_length(const mjModel* m, int tendon) {
   w = turned;
   const Vector l = minus(lower.point, anchor);
   const double along = 2.0 * dot(w, axis) * dot(l, axis);
-  return {joint, dot(w, w) + dot(l, l) + along, 2.0 * dot(w, l) - along,
-          2.0 * dot(w, cross(axis, l))};
+  const double b = 2.0 * dot(w, l) - along, c = 2.0 * dot(w, cross(axis, l));
+  // The file's pose is at q = qpos0 (the joint's `ref`): turn (b, c) so that q itself counts.
+  const double ref = m->qpos0[m->jnt_qposadr[joint]];
+  return {joint, dot(w, w) + dot(l, l) + along, b * std::cos(ref) - c * std::sin(ref),
+          b * std::sin(ref) + c * std::cos(ref)};
 }
 
 }  // namespace legwright

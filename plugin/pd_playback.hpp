@@ -4,49 +4,55 @@
 #include <mujoco/mujoco.h>
 
 #include <memory>
-#include <optional>
-#include <string>
 #include <vector>
 
-#include "plugin/hinge_length.hpp"
+#include "plugin/clock.hpp"
+#include "plugin/servo.hpp"
+#include "plugin/spline.hpp"
 #include "plugin/trajectory.hpp"
 
 namespace legwright {
 
 /// One instance of the plugin `legwright.gait`: which joint each of its actuators plays, and the
 /// servo law
-///   τ = kp·(q* + ctrl − q) + kd·(v* − v) + τ_ff    at time d->time + t0.
+///   τ = kp·(q* + ctrl − q) + kd·(v* − v) + ff·w·τ_ff
+/// with the gait's Q, Q̇ and τ_ff taken at plan time s = t0 + speed·time, and from rest
+///   q* = q_rest + w·(Q(s) − q_rest),   v* = w·speed·Q̇(s) + ẇ·(Q(s) − q_rest) = dq*/dt.
 /// A linear actuator, on a tendon over one hinge, does the same along its length:
-///   F = kp·(L(q*) + ctrl − L) + kd·(L′(q*) v* − L̇) + τ_ff/L′(q*).
+///   F = kp·(L(q*) + ctrl − L) + kd·(L′(q*) v* − L̇) + ff·w·τ_ff/L′(q*).
 /// Immutable once made: what it does depends on the model, `d->time`, `d->ctrl` and the joints
 /// only, so resets, copies, jumps of time and threads with their own mjData need no further care.
 class PdPlayback {
  public:
+  /// What a joint is asked to do.
+  struct Target {
+    double position = 0.0, velocity = 0.0;  // q*, v*
+  };
+
   /// Reads the configuration of `instance`. Throws std::runtime_error with a reason for the user's
   /// eyes if the configuration, the trajectory and the model do not fit together.
   PdPlayback(const mjModel* m, int instance);
 
-  /// Writes d->actuator_force of the instance's actuators [N·m, on tendons N]; 0 for those of a
-  /// disabled group.
+  /// Writes d->actuator_force of the instance's actuators [N·m, on tendons and slides N]; 0 for
+  /// those of a disabled group.
   void apply_torque(const mjModel* m, mjData* d) const noexcept;
 
-  /// Writes q* − q [rad] of each actuator's joint into the sensors of the instance.
-  void measure_tracking_error(const mjModel* m, mjData* d, int instance) const noexcept;
+  const Trajectory& trajectory() const noexcept { return *trajectory_; }
+  const Clock& clock() const noexcept { return clock_; }
+  const std::vector<Servo>& servos() const noexcept { return servos_; }
+  int ghost_group() const noexcept { return ghost_group_; }
+  /// The moment of the gait at `time` [s] of the simulation.
+  SplinePhase phase(double time) const noexcept {
+    return phase_at(*trajectory_, clock_.plan_time(time));
+  }
+  Target target(const Servo& servo, const SplinePhase& phase, const Blend& blend) const noexcept;
 
  private:
-  struct Servo {
-    int actuator = 0, joint = 0;        // MuJoCo's
-    int column = 0, torque_column = 0;  // of the trajectory
-    double kp = 0.0, kd = 0.0;
-    std::optional<HingeLength> length;  // of a linear actuator
-  };
-
   std::shared_ptr<const Trajectory> trajectory_;
   std::vector<Servo> servos_;
-  double start_time_ = 0.0;  // t0, s
+  Clock clock_;
+  double ff_ = 1.0;
+  int ghost_group_ = 0;
 };
-
-/// Number of actuators of an instance: the dimension of its sensors.
-int servo_count(const mjModel* m, int instance) noexcept;
 
 }  // namespace legwright

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <functional>
 #include <mutex>
 
@@ -11,10 +12,9 @@
 namespace legwright {
 namespace {
 
-std::string_view attribute(const mjModel* m, int instance, const char* key) {
-  const char* const value = mj_getPluginConfig(m, instance, key);
-  return value == nullptr ? std::string_view() : std::string_view(value);
-}
+constexpr double kLargestSpeed =
+    100.0;  // beyond, numbers of the played motion would not stay finite
+constexpr double kShortestBlend = 1e-6;  // s
 
 /// `count` numbers, or none if the attribute is absent.
 std::vector<double> read_numbers(const mjModel* m, int instance, const char* key) {
@@ -66,6 +66,52 @@ CycleSettings read_cycle(const mjModel* m, int instance) {
   return cycle;
 }
 
+/// Start of the plan: t0 in seconds, or phase in cycles. Both may be given where they mean the same
+/// moment of the cycle.
+double read_start(const mjModel* m, int instance, double period) {
+  const auto t0 = read_one(m, instance, "t0"), phase = read_one(m, instance, "phase");
+  if (!phase) return t0.value_or(0.0);
+  if (!t0) return *phase * period;
+  const double apart = *t0 / period - *phase;
+  if (std::abs(apart - std::round(apart)) > 1e-6) {
+    throw ConfigError(
+        fmt::format("t0 = {} s is a phase of {:.6g}, but phase = {}; remove one of the two", *t0,
+                    *t0 / period - std::floor(*t0 / period), *phase));
+  }
+  return *t0;
+}
+
+Clock read_clock(const mjModel* m, int instance, double period) {
+  Clock clock;
+  clock.t0 = read_start(m, instance, period);
+  clock.speed = read_one(m, instance, "speed").value_or(1.0);
+  if (std::abs(clock.speed) > kLargestSpeed)
+    throw ConfigError(fmt::format("speed: got {}, expected −{} to {}", clock.speed, kLargestSpeed,
+                                  kLargestSpeed));
+  clock.blend_in = read_one(m, instance, "blend_in").value_or(0.0);
+  if (clock.blend_in < 0.0 || (clock.blend_in > 0.0 && clock.blend_in < kShortestBlend)) {
+    throw ConfigError(fmt::format("blend_in: got {} s, expected 0, or {} or more", clock.blend_in,
+                                  kShortestBlend));
+  }
+  return clock;
+}
+
+/// The keyframe that `rest` names, else the one named "home", else the model's reference pose.
+const mjtNum* read_rest(const mjModel* m, int instance) {
+  const std::string name(attribute(m, instance, "rest"));
+  const int key = mj_name2id(m, mjOBJ_KEY, name.empty() ? "home" : name.c_str());
+  if (key >= 0) return m->key_qpos + key * m->nq;
+  if (!name.empty()) throw ConfigError("rest: the model has no keyframe named " + quoted(name));
+  return m->qpos0;
+}
+
+int read_ghost_group(const mjModel* m, int instance) {
+  const double group = read_one(m, instance, "ghost_group").value_or(mjNGROUP - 1);
+  if (!(group >= 0.0 && group < mjNGROUP) || group != std::floor(group))
+    throw ConfigError(fmt::format("ghost_group: got {}, expected 0 to {}", group, mjNGROUP - 1));
+  return static_cast<int>(group);
+}
+
 /// The last few trajectories that were parsed: a load asks for the same one at least twice.
 class TrajectoryCache {
  public:
@@ -103,17 +149,29 @@ class TrajectoryCache {
 
 }  // namespace
 
-PlaybackConfig read_config(const mjModel* m, int instance, int servo_count) {
+std::string_view attribute(const mjModel* m, int instance, const char* key) {
+  const char* const value = mj_getPluginConfig(m, instance, key);
+  return value == nullptr ? std::string_view() : std::string_view(value);
+}
+
+std::shared_ptr<const Trajectory> read_trajectory(const mjModel* m, int instance) {
   static TrajectoryCache cache;
-  PlaybackConfig config;
-  config.kp = read_gains(m, instance, "kp", servo_count);
-  config.kd = read_gains(m, instance, "kd", servo_count);
-  config.t0 = read_one(m, instance, "t0").value_or(0.0);
   const std::string_view text = attribute(m, instance, "trajectory");
   if (text.empty())
     throw ConfigError(
         "trajectory is missing; expected rows of numbers under a row of column names");
-  config.trajectory = cache.find_or_parse(text, read_cycle(m, instance));
+  return cache.find_or_parse(text, read_cycle(m, instance));
+}
+
+PlaybackConfig read_config(const mjModel* m, int instance, int servo_count) {
+  PlaybackConfig config;
+  config.kp = read_gains(m, instance, "kp", servo_count);
+  config.kd = read_gains(m, instance, "kd", servo_count);
+  config.ff = read_one(m, instance, "ff").value_or(1.0);
+  config.trajectory = read_trajectory(m, instance);
+  config.clock = read_clock(m, instance, config.trajectory->period);
+  config.rest_qpos = read_rest(m, instance);
+  config.ghost_group = read_ghost_group(m, instance);
   return config;
 }
 

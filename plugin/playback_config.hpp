@@ -6,8 +6,10 @@
 #include <iterator>
 #include <memory>
 #include <stdexcept>
+#include <string_view>
 #include <vector>
 
+#include "plugin/clock.hpp"
 #include "plugin/trajectory.hpp"
 
 namespace legwright {
@@ -19,19 +21,29 @@ class ConfigError : public std::runtime_error {
 };
 
 /// The keys of an instance's configuration, in the order in which they are registered.
-inline constexpr const char* kAttributes[] = {"trajectory", "period", "travel", "turn",
-                                              "kp",         "kd",     "t0"};
+inline constexpr const char* kAttributes[] = {
+    "trajectory", "period", "travel", "turn",     "kp",   "kd",         "ff",
+    "t0",         "phase",  "speed",  "blend_in", "rest", "ghost_group"};
 inline constexpr int kAttributeCount = static_cast<int>(std::size(kAttributes));
 
 /// What the attributes of one instance say.
 struct PlaybackConfig {
   std::shared_ptr<const Trajectory> trajectory;
   std::vector<double> kp, kd;  // one for each servo [N·m/rad, N·m·s/rad]
-  double t0 = 0.0;             // s
+  double ff = 1.0;             // scale of the feed-forward
+  Clock clock;
+  const mjtNum* rest_qpos = nullptr;  // of the model
+  int ghost_group = 5;                // geom group whose switch shows the ghost
 };
 
 /// Reads the attributes of `instance`. The trajectory is parsed once per content, however many
 /// instances, mjData and threads ask for it. Throws ConfigError or TrajectoryError.
 PlaybackConfig read_config(const mjModel* m, int instance, int servo_count);
+
+/// The trajectory of `instance` only. Throws like read_config.
+std::shared_ptr<const Trajectory> read_trajectory(const mjModel* m, int instance);
+
+/// Value of a key of an instance; empty where it is not set.
+std::string_view attribute(const mjModel* m, int instance, const char* key);
 
 }  // namespace legwright

@@ -126,9 +126,12 @@ void read_header(std::string_view row, Trajectory& t) {
   if (tokens.size() > static_cast<std::size_t>(kMostColumns))
     fail("more than {} columns", kMostColumns);
   for (std::size_t i = 1; i < tokens.size(); ++i) {
-    const auto name = name_within(tokens[i], "q:", "_rad");
+    auto name = name_within(tokens[i], "q:", "_rad");
+    const bool slides = !name;
+    if (slides) name = name_within(tokens[i], "q:", "_m");
     if (!name) break;
     t.joint_names.push_back(*name);
+    t.joint_slides.push_back(slides);
   }
   for (auto i = static_cast<std::size_t>(t.com_column(3)); i < tokens.size(); i += 7) {
     const auto name = name_within(tokens[i], "foot:", "_x_m");
@@ -191,8 +194,10 @@ std::span<const double> row_of(const Trajectory& t, int knot) {
 
 std::vector<std::string> Trajectory::header() const {
   std::vector<std::string> names = {"time_s"};
-  for (const std::string& joint : joint_names) names.push_back("q:" + joint + "_rad");
-  for (const std::string& joint : joint_names) names.push_back("tau:" + joint + "_Nm");
+  for (int j = 0; j < joint_count(); ++j)
+    names.push_back("q:" + joint_names[static_cast<std::size_t>(j)] + (slides(j) ? "_m" : "_rad"));
+  for (int j = 0; j < joint_count(); ++j)
+    names.push_back("tau:" + joint_names[static_cast<std::size_t>(j)] + (slides(j) ? "_N" : "_Nm"));
   names.insert(names.end(), kRootColumns.begin(), kRootColumns.end());
   names.insert(names.end(), kComColumns.begin(), kComColumns.end());
   for (const std::string& foot : foot_names) {

@@ -32,12 +32,17 @@ struct Trajectory {
   std::array<double, 3> travel{};
   double turn = 0.0;
   std::vector<std::string> joint_names;
+  std::vector<bool> joint_slides;  // q in m and tau in N, not rad and N·m; empty: all are hinges
   std::vector<std::string> foot_names;
   int knot_count = 0;
   std::vector<double> table;  // knot_count × column_count(), row by row
 
   int joint_count() const { return static_cast<int>(joint_names.size()); }
   int foot_count() const { return static_cast<int>(foot_names.size()); }
+  bool slides(int joint) const {
+    const auto index = static_cast<std::size_t>(joint);
+    return index < joint_slides.size() && joint_slides[index];
+  }
   int column_count() const { return foot_column(foot_count(), 0); }
 
   // Columns: time_s is 0, then as named here. `axis` counts x, y, z; of the root also rx, ry, rz (3

@@ -1,16 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bad data: refused at compile with one reason, and the host lives.
 #include <fmt/format.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <random>
 
 #include "tests/plugin/engine.hpp"
-#include "tests/plugin/mutate.hpp"
 
 namespace legwright {
 namespace {
@@ -65,7 +57,8 @@ const BadModel kBadModels[] = {
     {"duplicate key", [](ChainOptions& o) { o.more_config = config("kp", "1"); }, "duplicate"},
     {"gear", [](ChainOptions& o) { o.actuator = "gear=\"2\""; }, "gear = 2, expected 1"},
     {"activation", [](ChainOptions& o) { o.actuator = "dyntype=\"integrator\""; }, "activation"},
-    {"slide joint", [](ChainOptions& o) { o.joint_type = "slide"; }, "joint \"a\" is not a hinge"},
+    {"slide joint", [](ChainOptions& o) { o.joint_type = "slide"; },
+     "joint \"a\" is a slide, but its column is q:a_rad; expected q:a_m and tau:a_N"},
     {"joint driven twice",
      [](ChainOptions& o) {
        o.more_actuators =
@@ -136,79 +129,6 @@ TEST_F(BadDataTest,
   EXPECT_THROW(mju_error("control"), std::runtime_error);
   mju_warning("control");
   EXPECT_EQ(take_warnings(), std::vector<std::string>{"control"});
-}
-
-// ---- the same from outside: a host of its own for each mutated model ----
-
-constexpr int kPlayed = 0, kRefused = 10, kBroken = 20, kMuteRefusal = 21, kNotFinite = 22;
-
-/// Load, make, steps, reset, copy, delete, as a viewer would do. Returns the exit code of the
-/// child.
-int play_as_a_host(const std::string& xml, bool provoke_error) {
-  try {
-    if (provoke_error) mju_error("provoked");
-    const Loaded loaded = load(xml);
-    if (!loaded.model) return loaded.error.size() > 10 ? kRefused : kMuteRefusal;
-    const mjModel* const m = loaded.model.get();
-    const DataPointer d(mj_makeData(m));
-    for (int i = 0; i < 50; ++i) mj_step(m, d.get());
-    const DataPointer copy(mj_copyData(nullptr, m, d.get()));
-    mj_resetData(m, d.get());
-    mj_step(m, copy.get());
-    for (int i = 0; i < m->nactuator; ++i) {
-      if (!std::isfinite(copy->actuator_force[i])) return kNotFinite;
-    }
-    return kPlayed;
-  } catch (...) {
-    return kBroken;  // mju_error, which would have ended a host
-  }
-}
-
-/// Exit code of a child that plays the model; −signal if one killed it.
-int exit_of_host(const std::string& xml, bool provoke_error = false) {
-  const pid_t child = fork();
-  if (child == 0) _exit(play_as_a_host(xml, provoke_error));
-  int status = 0;
-  waitpid(child, &status, 0);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
-}
-
-TEST_F(BadDataTest, HostsSurviveMutatedTrajectoriesAndAttributes) {
-  EXPECT_EQ(exit_of_host(plugin_chain(valid_options())), kPlayed);
-  EXPECT_EQ(exit_of_host(plugin_chain(valid_options()), true), kBroken);  // the harness notices
-  std::mt19937 random(31);
-  std::map<int, int> exits;
-  int reasons = 0;
-  for (int i = 0; i < 400; ++i) {
-    ChainOptions options = valid_options();
-    switch (i % 8) {
-      case 0:
-        options.kp = mutate("4", random, true);
-        break;
-      case 1:
-        options.kd = mutate("0.1 0.1 0.1", random, true);
-        break;
-      case 2: {
-        const char* const keys[] = {"t0", "period", "travel", "turn"};
-        const char* const values[] = {"0.1", "0.6", "0.1 0 0", "0.2"};
-        const int key = i / 8 % 4;
-        options.more_config = config(keys[key], mutate(values[key], random, true).c_str());
-        break;
-      }
-      default:
-        options.trajectory = mutate(options.trajectory, random, true);
-    }
-    const std::string xml = plugin_chain(options);
-    const int exit = exit_of_host(xml);
-    ++exits[exit];
-    EXPECT_TRUE(exit == kPlayed || exit == kRefused) << "exit " << exit << " with\n" << xml;
-    if (exit == kRefused)
-      reasons += load(xml).error.find("legwright.gait \"gait\": ") != std::string::npos;
-  }
-  take_warnings();
-  EXPECT_GT(exits[kPlayed], 20);
-  EXPECT_GT(exits[kRefused], 200);
-  EXPECT_GT(reasons, exits[kRefused] * 9 / 10);  // refused by the plugin, with its words
 }
 
 }  // namespace

@@ -29,6 +29,7 @@ std::string chain(const ChainOptions& o, const std::string& extension, const std
   {}
   <compiler angle="radian" autolimits="true"/>
   <option integrator="{}" timestep="{}" {}/>
+  <size memory="500K"/>
   <default><default class="pd">
     <general biastype="affine" biasprm="0 -{} -{}"/>
     <geom type="capsule" size="0.01" contype="0" conaffinity="0"/>

@@ -42,5 +42,34 @@ TEST(Library, LeavesTheChoiceOfMujocoToTheHost) {
   EXPECT_EQ(dynamic.find("libfmt"), std::string::npos);
 }
 
+/// What a host without MuJoCo of its own prints when it loads the plugin.
+std::string output_of_other_host(const std::string& arguments) {
+  return output_of("ASAN_OPTIONS=detect_leaks=0 '" LEGWRIGHT_OTHER_HOST "' '" + kFile + "' " +
+                   arguments + " 2>&1");
+}
+
+TEST(Library, NamesTheVersionOfMujocoThatIsMissing) {
+  const std::string output = output_of_other_host("");
+  EXPECT_NE(output.find("not loaded: libmujoco.so.3.17.0: cannot open shared object file"),
+            std::string::npos)
+      << output;
+}
+
+TEST(Library, RefusesAnotherVersionUnderTheRightName) {
+  const std::string engine = "'" LEGWRIGHT_OTHER_MUJOCO "' ";
+  const std::string other = output_of_other_host(engine + "3018002");
+  EXPECT_NE(other.find("legwright.gait: init -1: legwright.gait \"gait\": built for MuJoCo 3.17.0, "
+                       "but this is 3.18.2; rebuild Legwright with it"),
+            std::string::npos)
+      << other;
+  EXPECT_NE(other.find("legwright.sensor: init -1: legwright.sensor \"gait\": built for MuJoCo"),
+            std::string::npos)
+      << other;
+  // Negative control: of the right version, it is the model that is at fault.
+  const std::string right = output_of_other_host(engine + "3017000");
+  EXPECT_NE(right.find("no actuator refers to this instance"), std::string::npos) << right;
+  EXPECT_EQ(right.find("built for"), std::string::npos) << right;
+}
+
 }  // namespace
 }  // namespace legwright

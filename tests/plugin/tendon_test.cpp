@@ -60,8 +60,15 @@ class TendonTest : public EngineTest {
   }
 };
 
-TEST_F(TendonTest, ForceIsTheLawAlongTheTendon) {
-  const Loaded loaded = load(with_piston(plugin_chain(options())));
+/// The pose of the file need not be at angle 0: `ref` says at which angle it is.
+class TendonReference : public TendonTest, public testing::WithParamInterface<const char*> {};
+
+INSTANTIATE_TEST_SUITE_P(Of, TendonReference, testing::Values("", " ref=\"0.7\"", " ref=\"-2\""),
+                         [](const auto& test) { return std::to_string(test.index); });
+
+TEST_P(TendonReference, ForceIsTheLawAlongTheTendon) {
+  const Loaded loaded = load(with(with_piston(plugin_chain(options())), "<joint name=\"b\"",
+                                  std::string("<joint name=\"b\"") + GetParam()));
   ASSERT_TRUE(loaded.model) << loaded.error;
   const mjModel* m = loaded.model.get();
   const DataPointer d(mj_makeData(m)), plan(mj_makeData(m));

@@ -249,5 +249,26 @@ TEST(Trajectory, ReadmesExampleNamesTheHeaderOfTheFormat) {
   EXPECT_NE(readme.str().find(header), std::string::npos);
 }
 
+TEST(Trajectory, SlidesHaveMetresAndNewtons) {
+  Trajectory t = toy_trajectory(3, 1, 5, 0.4, 2);
+  t.joint_slides = {false, true, false};
+  const std::string text = write_trajectory(t);
+  EXPECT_TRUE(text.starts_with("time_s q:a_rad q:b_m q:c_rad tau:a_Nm tau:b_N tau:c_Nm root_x_m"));
+  const Trajectory back = parse_trajectory(text);
+  EXPECT_EQ(back.joint_names, t.joint_names);
+  EXPECT_EQ(back.joint_slides, t.joint_slides);
+  EXPECT_EQ(back.table, t.table);
+  // Both columns of a joint tell the same kind.
+  std::string mixed = text;
+  mixed.replace(mixed.find("tau:b_N"), 7, "tau:b_Nm");
+  try {
+    parse_trajectory(mixed);
+    ADD_FAILURE() << "read";
+  } catch (const TrajectoryError& error) {
+    EXPECT_STREQ(error.what(),
+                 "trajectory: header, column 6: got \"tau:b_Nm\", expected \"tau:b_N\"");
+  }
+}
+
 }  // namespace
 }  // namespace legwright

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin/servo.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "plugin/numbers.hpp"
+
+namespace legwright {
+namespace {
+
+/// MuJoCo saves models with six digits by default; the plugin's own attributes keep all of theirs.
+constexpr double kGainTolerance = 1e-5;
+
+template <typename... Args>
+[[noreturn]] void refuse(const mjModel* m, int actuator, fmt::format_string<Args...> format,
+                         Args&&... args) {
+  throw ConfigError("actuator " + name_of(m, mjOBJ_ACTUATOR, actuator) + ": " +
+                    fmt::format(format, std::forward<Args>(args)...));
+}
+
+/// The joint that the actuator drives, by itself or through its tendon.
+int joint_of(const mjModel* m, int actuator, std::optional<HingeLength>& length) {
+  const int transmission = m->actuator_trntype[actuator], target = m->actuator_trnid[2 * actuator];
+  if (transmission == mjTRN_TENDON) {
+    try {
+      length = hinge_length(m, target);
+      return length->joint;
+    } catch (const std::invalid_argument& error) {
+      refuse(m, actuator, "tendon {} {}", name_of(m, mjOBJ_TENDON, target), error.what());
+    }
+  }
+  if (transmission != mjTRN_JOINT && transmission != mjTRN_JOINTINPARENT) {
+    refuse(m, actuator, "expected joint=, jointinparent= or tendon=: legwright.gait moves joints");
+  }
+  if (m->jnt_type[target] != mjJNT_HINGE && m->jnt_type[target] != mjJNT_SLIDE) {
+    refuse(m, actuator, "joint {} is neither a hinge nor a slide", name_of(m, mjOBJ_JOINT, target));
+  }
+  return target;
+}
+
+/// What the servo law does not know, it must not pretend to honour.
+void check_plain(const mjModel* m, int actuator) {
+  const double gear = m->actuator_gear[6 * m->actuator_outadr[actuator]];
+  if (gear != 1.0)
+    refuse(m, actuator, "gear = {}, expected 1: kp and kd are gains at the joint or tendon", gear);
+  if (m->actuator_ctrlnum[actuator] != 1) {
+    refuse(m, actuator, "{} controls, expected 1 (the offset of the target)",
+           m->actuator_ctrlnum[actuator]);
+  }
+  if (m->actuator_actnum[actuator] != 0)
+    refuse(m, actuator, "has activation states, expected dyntype none");
+  if (m->actuator_delay[actuator] != 0.0)
+    refuse(m, actuator, "has a delay, which legwright.gait cannot honour");
+}
+
+bool agree(double a, double b) { return std::abs(a - b) <= kGainTolerance * std::abs(b); }
+
+/// The engine takes the derivative of this servo from biasprm (README.md): it must tell the same
+/// gains.
+void check_bias(const mjModel* m, int actuator, double kp, double kd) {
+  const double* const bias = m->actuator_biasprm + mjNBIAS * actuator;
+  if (m->actuator_biastype[actuator] == mjBIAS_AFFINE && bias[0] == 0.0 && agree(bias[1], -kp) &&
+      agree(bias[2], -kd)) {
+    return;
+  }
+  const std::string found = m->actuator_biastype[actuator] == mjBIAS_AFFINE
+                                ? fmt::format("biasprm \"{} {} {}\"", bias[0], bias[1], bias[2])
+                                : std::string("no affine bias");
+  refuse(m, actuator,
+         "{}, but kp = {}, kd = {}; give its default class <general biastype=\"affine\" "
+         "biasprm=\"0 {} {}\"/>",
+         found, kp, kd, -kp, -kd);
+}
+
+/// Where the joint's targets are in the trajectory.
+int joint_index(const mjModel* m, int actuator, int joint, const Trajectory& trajectory) {
+  const char* const name = mj_id2name(m, mjOBJ_JOINT, joint);
+  const auto& names = trajectory.joint_names;
+  const auto found = std::find(names.begin(), names.end(), name == nullptr ? "" : name);
+  if (found == names.end()) {
+    refuse(m, actuator, "the trajectory has no column for joint {}",
+           name_of(m, mjOBJ_JOINT, joint));
+  }
+  const int index = static_cast<int>(found - names.begin());
+  const bool slides = m->jnt_type[joint] == mjJNT_SLIDE;
+  if (slides != trajectory.slides(index)) {
+    refuse(m, actuator, "joint {} is a {}, but its column is {}; expected q:{} and tau:{}",
+           name_of(m, mjOBJ_JOINT, joint), slides ? "slide" : "hinge",
+           trajectory.header()[static_cast<std::size_t>(trajectory.target_column(index))],
+           *found + (slides ? "_m" : "_rad"), *found + (slides ? "_N" : "_Nm"));
+  }
+  return index;
+}
+
+}  // namespace
+
+std::string name_of(const mjModel* m, mjtObj type, int id) {
+  const char* const name = mj_id2name(m, type, id);
+  return name == nullptr || *name == '\0' ? fmt::format("#{}", id) : quoted(name);
+}
+
+int servo_count(const mjModel* m, int instance) noexcept {
+  return static_cast<int>(
+      std::count(m->actuator_plugin, m->actuator_plugin + m->nactuator, instance));
+}
+
+std::vector<Servo> bind_servos(const mjModel* m, int instance, const PlaybackConfig& config) {
+  const Trajectory& trajectory = *config.trajectory;
+  std::vector<Servo> servos;
+  std::vector<int> actuator_of(trajectory.joint_names.size(), -1);
+  for (int actuator = 0; actuator < m->nactuator; ++actuator) {
+    if (m->actuator_plugin[actuator] != instance) continue;
+    std::optional<HingeLength> length;
+    const int joint = joint_of(m, actuator, length);
+    check_plain(m, actuator);
+    const int index = joint_index(m, actuator, joint, trajectory);
+    int& other = actuator_of[static_cast<std::size_t>(index)];
+    if (other >= 0) {
+      refuse(m, actuator, "joint {} is driven by actuator {} already",
+             name_of(m, mjOBJ_JOINT, joint), name_of(m, mjOBJ_ACTUATOR, other));
+    }
+    other = actuator;
+    const double kp = config.kp[servos.size()], kd = config.kd[servos.size()];
+    check_bias(m, actuator, kp, kd);
+    servos.push_back({actuator, joint, trajectory.target_column(index),
+                      trajectory.torque_column(index), kp, kd,
+                      config.rest_qpos[m->jnt_qposadr[joint]], length});
+    if (config.clock.blend_in > 0.0 && !(std::abs(servos.back().rest) <= kLargestNumber)) {
+      refuse(m, actuator, "joint {} is at {} in the rest pose, expected a finite number",
+             name_of(m, mjOBJ_JOINT, joint), servos.back().rest);
+    }
+  }
+  const auto idle = std::find(actuator_of.begin(), actuator_of.end(), -1);
+  if (idle != actuator_of.end()) {
+    const auto& name = trajectory.joint_names[static_cast<std::size_t>(idle - actuator_of.begin())];
+    throw ConfigError(fmt::format(
+        "the trajectory moves joint {}, but no actuator of the instance does", quoted(name)));
+  }
+  return servos;
+}
+
+}  // namespace legwright
