@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/simulate/played_state.hpp"
 
+#include <cmath>
+
 #include "plugin/spline.hpp"
 #include "tools/simulate/mujoco_host.hpp"
+#include "tools/simulate/planned_motion.hpp"
 #include "tools/simulate/root_motion.hpp"
 
 namespace legwright {
@@ -28,29 +31,52 @@ JointMap map_joints(const mjModel& model, const std::vector<std::string>& joint_
   return map;
 }
 
-PlayedState played_state(const mjModel& model, const JointMap& map, const Trajectory& trajectory,
-                         double time) {
-  PlayedState state;
-  state.qpos = Eigen::Map<const Eigen::VectorXd>(model.qpos0, model.nq);
-  state.qvel = state.qacc = Eigen::VectorXd::Zero(model.nv);
-  const SplinePhase phase = phase_at(trajectory, time);
+namespace {
+
+// Rotation vectors of the first cycle; later ones are the same seen from a turned world. Adding the
+// turn to a vector instead, as within a cycle, is right for small sums only.
+RootRotation planned_rotation(const Trajectory& trajectory, SplinePhase phase) {
+  const double turned = trajectory.turn * phase.cycle;
+  phase.cycle = 0.0;
   Eigen::Vector3d o, rate, second;
   for (int k = 0; k < 3; ++k) {
-    const double travel = trajectory.travel[static_cast<std::size_t>(k)];
-    const auto position = spline_point(trajectory, phase, trajectory.root_column(k), travel);
-    state.qpos[map.root_qpos + k] = position.value;
-    state.qvel[map.root_dof + k] = position.rate;
-    state.qacc[map.root_dof + k] = position.acceleration;
     const auto turn = spline_point(trajectory, phase, trajectory.root_column(3 + k),
                                    k == 2 ? trajectory.turn : 0.0);
     o[k] = turn.value;
     rate[k] = turn.rate;
     second[k] = turn.acceleration;
   }
-  const RootRotation root = root_rotation(o, rate, second);
-  state.qpos.segment<4>(map.root_qpos + 3) = root.quaternion;
-  state.qvel.segment<3>(map.root_dof + 3) = root.velocity;
-  state.qacc.segment<3>(map.root_dof + 3) = root.acceleration;
+  RootRotation out = root_rotation(o, rate, second);
+  if (turned == 0.0) return out;
+  const double c = std::cos(turned / 2), s = std::sin(turned / 2);
+  const Eigen::Vector4d q = out.quaternion;
+  out.quaternion << c * q[0] - s * q[3], c * q[1] - s * q[2], c * q[2] + s * q[1],
+      c * q[3] + s * q[0];
+  if (out.quaternion[0] < 0) out.quaternion = -out.quaternion;
+  return out;
+}
+
+}  // namespace
+
+double robot_weight(const mjModel& model, const JointMap& map) {
+  return model.body_subtreemass[map.root_body] *
+         Eigen::Map<const Eigen::Vector3d>(model.opt.gravity).norm();
+}
+
+PlayedState played_state(const mjModel& model, const JointMap& map, const Trajectory& trajectory,
+                         double time) {
+  PlayedState state;
+  state.qpos = Eigen::Map<const Eigen::VectorXd>(model.qpos0, model.nq);
+  state.qvel = state.qacc = Eigen::VectorXd::Zero(model.nv);
+  const SplinePhase phase = phase_at(trajectory, time);
+  const PlannedPoint root = planned_point(trajectory, phase, trajectory.root_column(0));
+  state.qpos.segment<3>(map.root_qpos) = root.value;
+  state.qvel.segment<3>(map.root_dof) = root.rate;
+  state.qacc.segment<3>(map.root_dof) = root.acceleration;
+  const RootRotation rotation = planned_rotation(trajectory, phase);
+  state.qpos.segment<4>(map.root_qpos + 3) = rotation.quaternion;
+  state.qvel.segment<3>(map.root_dof + 3) = rotation.velocity;
+  state.qacc.segment<3>(map.root_dof + 3) = rotation.acceleration;
   for (std::size_t a = 0; a < map.joint.size(); ++a) {
     const auto angle =
         spline_point(trajectory, phase, trajectory.target_column(static_cast<int>(a)));

@@ -20,6 +20,9 @@ struct JointMap {
 /// Throws MujocoError where the model has no free joint, or lacks a hinge of that name.
 JointMap map_joints(const mjModel& model, const std::vector<std::string>& joint_names);
 
+/// Weight of the robot in the model's gravity, whichever way that points [N].
+double robot_weight(const mjModel& model, const JointMap& map);
+
 /// MuJoCo's state of the played motion: root velocity in world axes, angular velocity in the
 /// trunk's.
 struct PlayedState {
@@ -27,7 +30,7 @@ struct PlayedState {
 };
 
 /// The played B-spline at `time` [s] as a state of the model; what the trajectory does not move
-/// stays in qpos0. The derivatives are exact.
+/// stays in qpos0. The derivatives are exact. Plans that turn go round their circle.
 PlayedState played_state(const mjModel& model, const JointMap& map, const Trajectory& trajectory,
                          double time);
 

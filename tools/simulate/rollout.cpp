@@ -100,6 +100,7 @@ Rollout rollout(const Scene& scene, const RolloutOptions& options,
   const mjModel& model = *scene.model;
   const MujocoData data = make_data(model);
   mj_resetDataKeyframe(&model, data.get(), scene.start_key);
+  if (options.prepare) options.prepare(*data);
   const auto steps = std::llround(options.cycles * scene.trajectory.period / model.opt.timestep);
   Rollout out;
   Health health;
@@ -112,7 +113,10 @@ Rollout rollout(const Scene& scene, const RolloutOptions& options,
       next_frame = static_cast<double>(out.frames.size()) * options.frame_interval;
     }
     // One step beyond the end, whose only use is what it derives from the last state.
-    mj_step(&model, data.get());
+    if (options.step)
+      options.step(*data, time);
+    else
+      mj_step(&model, data.get());
     health.look(*data, time);
     out.seconds = time;
     if (Health::diverged(*data)) {

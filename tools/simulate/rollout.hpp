@@ -30,6 +30,9 @@ struct RolloutOptions {
   FallLimits fall = {};
   double frame_interval = 0.01;  // of recorded frames [s]
   double frame_until = 0.0;      // record frames up to here [s]; 0: none
+  // For disturbed roll-outs:
+  std::function<void(mjData&)> prepare = {};       // changes the state at the keyframe
+  std::function<void(mjData&, double)> step = {};  // does the work of mj_step, at this time [s]
 };
 
 struct Fall {

@@ -46,6 +46,26 @@ Trajectory read_plan(const mjModel& model, int instance) {
   return parse_trajectory(attribute(model, instance, "trajectory"), cycle);
 }
 
+/// Start and speed of the plugin's clock become part of the plan, which then runs in the
+/// simulation's own seconds: played at `speed`, a cycle takes period/speed.
+void set_clock(const mjModel& model, int instance, Scene& scene) {
+  const auto number = [&](const char* key, double absent) {
+    const auto value = numbers(model, instance, key);
+    return value.size() == 1 ? value[0] : absent;
+  };
+  Trajectory& plan = scene.trajectory;
+  scene.t0 = number("t0", number("phase", 0.0) * plan.period);
+  const double speed = number("speed", 1.0);
+  if (speed == 1.0) return;
+  if (!(speed > 0.0)) {
+    throw MujocoError(scene.name + ": the gait is played at speed " + std::to_string(speed) +
+                      ", which has no cycles to be measured; expected more than 0");
+  }
+  scene.t0 /= speed;
+  plan.period /= speed;
+  for (int knot = 0; knot < plan.knot_count; ++knot) plan.at(knot, 0) /= speed;
+}
+
 double torque_limit(const mjModel& model, int joint) {
   double limit = std::numeric_limits<double>::infinity();
   const auto lower = [&](const mjtNum* range) {
@@ -101,7 +121,7 @@ Scene parse_scene(const std::string& xml, const std::string& name, double gain_s
   } catch (const TrajectoryError& error) {
     throw MujocoError(name + ": " + error.what());
   }
-  if (const auto t0 = numbers(model, instance, "t0"); t0.size() == 1) scene.t0 = t0[0];
+  set_clock(model, instance, scene);
   scene.joints = map_joints(model, scene.trajectory.joint_names);
   for (const int joint : scene.joints.joint) {
     scene.torque_limit.push_back(torque_limit(model, joint));
@@ -121,6 +141,8 @@ Scene parse_scene(const std::string& xml, const std::string& name, double gain_s
   }
   // A reset in mid-simulation would make a robot that flew apart look as if it stood.
   model.opt.disableflags |= mjDSBL_AUTORESET;
+  // Everything is measured from the state itself; the sensors are there for people in a viewer.
+  model.opt.disableflags |= mjDSBL_SENSOR;
   return scene;
 }
 

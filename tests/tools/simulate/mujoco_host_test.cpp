@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 
+#include "plugin/spline.hpp"
 #include "tests/tools/simulate/tiny_scene.hpp"
 #include "tools/simulate/scene.hpp"
 
@@ -101,6 +102,34 @@ TEST(Scene, FindsWhatIsMeasured) {
   EXPECT_EQ(scene.foot_geom.size(), 4U);
   ASSERT_EQ(scene.torque_limit.size(), 1U);
   EXPECT_DOUBLE_EQ(scene.torque_limit[0], 1.0);
+}
+
+/// Clock attributes that someone has put into the scene: the plan that is measured is the one played.
+TEST(Scene, SpeedAndPhaseOfTheClockAreInThePlan) {
+  const std::string config = "<config key=\"kp\"";
+  const Scene plain = parse_scene(TinyScene{}.xml(), "tiny");
+  const Scene fast = parse_scene(
+      replaced(TinyScene{}.xml(), config,
+               "<config key='speed' value='2'/><config key='phase' value='0.25'/>" + config),
+      "fast");
+  EXPECT_DOUBLE_EQ(plain.trajectory.period, 0.4);
+  EXPECT_DOUBLE_EQ(fast.trajectory.period, 0.2);
+  EXPECT_DOUBLE_EQ(fast.t0, 0.05);
+  for (const double time : {0.0, 0.03, 0.19, 1.01}) {
+    const int column = plain.trajectory.target_column(0);
+    const SplinePoint slow =
+        spline_point(plain.trajectory, phase_at(plain.trajectory, 0.1 + 2 * time), column);
+    const SplinePoint point =
+        spline_point(fast.trajectory, phase_at(fast.trajectory, fast.t0 + time), column);
+    EXPECT_NEAR(point.value, slow.value, 1e-12);
+    EXPECT_NEAR(point.rate, 2 * slow.rate, 1e-10);
+  }
+  expect_words(message_of([&] {
+                 parse_scene(replaced(TinyScene{}.xml(), config,
+                                      "<config key='speed' value='-1'/>" + config),
+                             "a.xml");
+               }),
+               {"a.xml", "speed", "more than 0"});
 }
 
 TEST(Scene, WithoutPluginIsRefusedWithAWayOut) {

@@ -10,10 +10,10 @@
 #include "mjcf/input_error.hpp"
 #include "plugin/trajectory.hpp"
 #include "tests/tools/simulate/standing_puppy.hpp"
-#include "tools/simulate/measure.hpp"
 #include "tools/simulate/mujoco_host.hpp"
 #include "tools/simulate/played_state.hpp"
-#include "tools/simulate/verdict.hpp"
+#include "tools/validate/measure.hpp"
+#include "tools/validate/verdict.hpp"
 
 namespace legwright {
 namespace {

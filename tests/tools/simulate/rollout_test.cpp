@@ -9,9 +9,9 @@
 
 #include "tests/tools/simulate/tiny_scene.hpp"
 #include "tools/io/atomic_file.hpp"
-#include "tools/simulate/measure.hpp"
-#include "tools/simulate/metrics_json.hpp"
-#include "tools/simulate/validation.hpp"
+#include "tools/validate/measure.hpp"
+#include "tools/validate/metrics_json.hpp"
+#include "tools/validate/validation.hpp"
 
 namespace legwright {
 namespace {

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/simulate/metrics_json.hpp"
+#include "tools/validate/metrics_json.hpp"
 
 namespace legwright {
 namespace {
-
-Json number_or_null(const std::optional<double>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
 
 Json foot_json(const FootMeasures& foot) {
   return {{"name", foot.name},
@@ -57,13 +53,13 @@ Json measurements_json(const Measurements& m) {
         {{"time_s", warning.time}, {"text", warning.text}, {"count", warning.count}});
   }
   out["velocity_mps"] = m.velocity ? Json{m.velocity->x(), m.velocity->y()} : Json(nullptr);
-  out["speed_ratio"] = number_or_null(m.speed_ratio);
-  out["speed_ratio_min"] = number_or_null(m.speed_ratio_min);
-  out["speed_ratio_max"] = number_or_null(m.speed_ratio_max);
-  out["plan_speed_ratio"] = number_or_null(m.plan_speed_ratio);
-  out["lateral_drift_mps"] = number_or_null(m.lateral_drift);
-  out["turn_rate_radps"] = number_or_null(m.turn_rate);
-  out["turn_ratio"] = number_or_null(m.turn_ratio);
+  out["speed_ratio"] = or_null(m.speed_ratio);
+  out["speed_ratio_min"] = or_null(m.speed_ratio_min);
+  out["speed_ratio_max"] = or_null(m.speed_ratio_max);
+  out["plan_speed_ratio"] = or_null(m.plan_speed_ratio);
+  out["lateral_drift_mps"] = or_null(m.lateral_drift);
+  out["turn_rate_radps"] = or_null(m.turn_rate);
+  out["turn_ratio"] = or_null(m.turn_ratio);
   out["heading_at_start_rad"] = m.heading_at_start;
   out["heading_drift_rad"] = m.heading_drift;
   out["tilt_max_rad"] = m.tilt_max;
@@ -79,8 +75,8 @@ Json measurements_json(const Measurements& m) {
   out["self_contact_bodies"] = Json::array();
   if (m.self_contact.force_max > 0.0)
     out["self_contact_bodies"] = {m.self_contact.first, m.self_contact.second};
-  out["power_mean_W"] = number_or_null(m.power_mean);
-  out["cost_of_transport"] = number_or_null(m.cost_of_transport);
+  out["power_mean_W"] = or_null(m.power_mean);
+  out["cost_of_transport"] = or_null(m.cost_of_transport);
   out["feet_summary"] = feet_summary(m.feet);
   out["feet"] = Json::array();
   for (const auto& foot : m.feet) out["feet"].push_back(foot_json(foot));
@@ -97,17 +93,27 @@ Json gains_json(const SceneValidation& validation) {
 }
 
 Json verdict_json(const Verdict& verdict) {
-  return {{"pass", verdict.pass}, {"line", verdict.line}, {"reasons", verdict.reasons}};
+  Json out = {{"pass", verdict.pass}, {"line", verdict.line}, {"reasons", verdict.reasons}};
+  out["limits"] = Json::array();
+  for (const auto& row : verdict.limits) {
+    out["limits"].push_back({{"name", row.name},
+                             {"what", row.what},
+                             {"unit", row.unit},
+                             {"low", or_null(row.bounds.low)},
+                             {"high", or_null(row.bounds.high)},
+                             {"value", or_null(row.value)},
+                             {"where", row.where},
+                             {"pass", row.pass}});
+    if (row.strict) out["limits"].back()["strict"] = true;  // high itself does not pass
+  }
+  return out;
 }
 
-Json limits_json(const VerdictLimits& limits) {
-  return {{"speed_ratio_low", limits.speed_ratio_low},
-          {"speed_ratio_high", limits.speed_ratio_high},
-          {"tilt_rad", limits.tilt},
-          {"saturated_share", limits.saturated_share},
-          {"standing_speed_mps", limits.standing_speed},
-          {"turn_ratio_low", limits.turn_ratio_low},
-          {"turn_ratio_high", limits.turn_ratio_high}};
+Json limits_json(const Limits& limits) {
+  Json out = Json::object();
+  for (const auto& [name, bounds] : limits)
+    out[name] = {{"low", or_null(bounds.low)}, {"high", or_null(bounds.high)}};
+  return out;
 }
 
 }  // namespace legwright

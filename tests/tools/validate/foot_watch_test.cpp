@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/simulate/foot_watch.hpp"
+#include "tools/validate/foot_watch.hpp"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ FootMeasures watch(double from, double to, const Trajectory& trajectory = plan()
   for (int n = 0; n <= 5000; ++n) {
     const double time = n * kStep, phase = std::fmod(time + kStep / 2, kPeriod);
     const bool down = from < 0 ? phase < to || phase >= 1 + from : phase >= from && phase < to;
-    foot.observe(time, kStep, down, 0.01);
+    foot.observe(time, kStep, {.in_contact = down, .slip_speed = 0.01});
   }
   return foot.finish(5.0);
 }
@@ -42,6 +42,31 @@ TEST(FootWatch, EarlyTouchdownIsNegative) {
   const FootMeasures foot = watch(-0.02, 0.5);
   EXPECT_NEAR(foot.touchdown_mean, -0.02, 2 * kStep);
   EXPECT_NEAR(foot.touchdown_max, 0.02, 2 * kStep);
+}
+
+TEST(FootWatch, LiftOffIsTheEndOfTheLastContact) {
+  const FootMeasures late = watch(0.0, 0.54), early = watch(0.0, 0.47);
+  EXPECT_NEAR(late.liftoff_mean, 0.04, 2 * kStep);  // the last knot with force is at 0.5 s
+  EXPECT_NEAR(late.liftoff_max, 0.04, 2 * kStep);
+  EXPECT_NEAR(early.liftoff_mean, -0.03, 2 * kStep);
+  EXPECT_NEAR(early.liftoff_max, 0.03, 2 * kStep);
+  EXPECT_NEAR(early.touchdown_mean, 0.0, 2 * kStep);
+}
+
+TEST(FootWatch, LandingSpeedIsThatOfTheMomentBeforeAndRollIsWithoutTheAir) {
+  FootWatch foot(plan(), 0, 2.0);
+  for (int n = 0; n <= 5000; ++n) {
+    const double phase = std::fmod(n * kStep + kStep / 2, kPeriod);
+    const bool down = phase < 0.5;
+    // Rolls ahead by 0.4 rad/s, but back again for a fifth of the stance; tumbles in the air.
+    const double roll = !down ? 7.0 : phase < 0.4 ? 0.4 : -0.4;
+    foot.observe(n * kStep, kStep,
+                 {.in_contact = down, .sink_speed = down ? -5.0 : 0.2, .roll_rate = {0.0, roll}});
+  }
+  const FootMeasures out = foot.finish(5.0);
+  EXPECT_NEAR(out.landing_mean, 0.2, 1e-12);
+  EXPECT_NEAR(out.landing_max, 0.2, 1e-12);
+  EXPECT_NEAR(out.roll_mean, 0.4 * 0.4 - 0.4 * 0.1, 2e-3);
 }
 
 TEST(FootWatch, SlipIsPathPerStance) {

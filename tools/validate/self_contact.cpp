@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/simulate/self_contact.hpp"
+#include "tools/validate/self_contact.hpp"
 
 #include <algorithm>
 #include <map>

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "tools/simulate/measure.hpp"
 #include "tools/simulate/rollout.hpp"
-#include "tools/simulate/verdict.hpp"
+#include "tools/validate/comparison.hpp"
+#include "tools/validate/measure.hpp"
+#include "tools/validate/verdict.hpp"
 
 namespace legwright {
 
@@ -23,17 +25,18 @@ struct ValidationOptions {
   int threads = 2;
   double frames_until = 4.0;     // of the recorded motion at default gains [s]
   double frame_interval = 0.01;  // [s]
-  VerdictLimits limits = {};
+  Limits limits = default_limits();
 };
 
 /// What became of one scene.
 struct SceneValidation {
   std::vector<Measurements> at_gains;  // in the order of gain_scales
   Verdict verdict;
-  std::vector<std::string> qpos_names;  // with units, of the frames
-  std::vector<RolloutFrame> frames;     // at default gains
-  double timestep = 0.0;                // [s]
-  double robot_mass = 0.0;              // [kg]
+  std::vector<std::string> qpos_names;   // with units, of the frames
+  std::vector<RolloutFrame> frames;      // at default gains
+  std::optional<Comparison> comparison;  // with the plan, at default gains; none for an early fall
+  double timestep = 0.0;                 // [s]
+  double robot_mass = 0.0;               // [kg]
 };
 
 /// Plays each scene at each gain and judges it. Results do not depend on the number of threads.
@@ -42,6 +45,9 @@ struct SceneValidation {
 std::vector<SceneValidation> validate_scenes(const std::vector<SceneToValidate>& scenes,
                                              const WantedMotion& wanted, const std::string& gait,
                                              const ValidationOptions& options = {});
+
+/// What was measured at default gains, if they were played.
+std::optional<Measurements> at_default_gains(const SceneValidation& validation);
 
 /// The frames as a table: time_s and every entry of qpos by name, in plain decimals.
 std::string playback_csv(const SceneValidation& validation);

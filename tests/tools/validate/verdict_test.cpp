@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/simulate/verdict.hpp"
+#include "tools/validate/verdict.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/simulate/validation.hpp"
+#include "tools/validate/validation.hpp"
 
 #include <fmt/format.h>
 
@@ -48,9 +48,15 @@ void run(const Job& job, const WantedMotion& wanted, const ValidationOptions& op
   const bool record = job.scene->gain_scale == 1.0;
   play.frame_until = record ? options.frames_until : 0.0;
   Rollout played;
-  job.out->at_gains[job.gain] = measure(*job.scene, wanted, job.what->plan_velocity, play,
-                                        {.contacts_until = options.frames_until}, &played);
+  std::optional<ComparisonWatch> watch;
+  if (record) watch.emplace(*job.scene, wanted);
+  job.out->at_gains[job.gain] =
+      measure(*job.scene, wanted, job.what->plan_velocity, play,
+              {.contacts_until = options.frames_until}, &played, [&](const RolloutSample& sample) {
+                if (watch) watch->observe(sample);
+              });
   if (record) job.out->frames = std::move(played.frames);
+  if (watch) job.out->comparison = watch->finish(job.out->at_gains[job.gain]);
 }
 
 }  // namespace
@@ -81,6 +87,12 @@ std::vector<SceneValidation> validate_scenes(const std::vector<SceneToValidate>&
   for (auto& validation : out)
     validation.verdict = judge(validation.at_gains, wanted, gait, options.limits);
   return out;
+}
+
+std::optional<Measurements> at_default_gains(const SceneValidation& validation) {
+  for (const auto& run : validation.at_gains)
+    if (run.gain_scale == 1.0) return run;
+  return std::nullopt;
 }
 
 std::string playback_csv(const SceneValidation& validation) {

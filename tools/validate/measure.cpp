@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/simulate/measure.hpp"
+#include "tools/validate/measure.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -7,16 +7,13 @@
 
 #include "optimizer/motion/path.hpp"
 #include "plugin/spline.hpp"
+#include "tools/validate/foot_touch.hpp"
+#include "tools/validate/saturation.hpp"
 
 namespace legwright {
 namespace {
 
-constexpr double kContactShare = 0.01;       // of the weight: less is no stance
-constexpr double kSaturationShare = 0.9999;  // of the limit: MuJoCo clamps to it exactly
 constexpr double kPi = 3.141592653589793;
-
-using Vector3 = Eigen::Vector3d;
-using ConstVector3 = Eigen::Map<const Eigen::Vector3d>;
 
 struct Mark {                // the robot at the start of a cycle
   Eigen::Vector2d position;  // of its COM: where a robot turns, its trunk's origin goes round that
@@ -29,13 +26,13 @@ class Measurer {
   Measurer(const Scene& scene, const MeasureOptions& options)
       : scene_(scene),
         model_(*scene.model),
-        weight_(weight(scene)),
+        weight_(robot_weight(*scene.model, scene.joints)),
+        start_(scene.t0 - std::floor(scene.t0 / scene.trajectory.period) * scene.trajectory.period),
         self_contact_(*scene.model),
         sums_(scene.joints.joint.size()) {
     for (int j = 0; j < scene.trajectory.foot_count(); ++j) {
-      feet_.emplace_back(scene.trajectory, j, options.contacts_until);
+      feet_.emplace_back(scene.trajectory, j, options.contacts_until, start_);
     }
-    touch_.resize(feet_.size());
   }
 
   void observe(const RolloutSample& sample) {
@@ -50,32 +47,25 @@ class Measurer {
               Measurements& out);
 
  private:
-  struct Touch {
-    double normal = 0.0, slip_speed = 0.0;
-  };
   struct JointSums {
     double torque_squared = 0.0, peak = 0.0, error_squared = 0.0;
     long long saturated = 0;
   };
-  static double weight(const Scene& scene) {
-    return scene.model->body_subtreemass[scene.joints.root_body] *
-           ConstVector3(scene.model->opt.gravity).norm();
-  }
   void watch_trunk(const RolloutSample& sample);
   void watch_contacts(const RolloutSample& sample);
   void watch_joints(const RolloutSample& sample);
-  bool pulls_its_most(const mjData& data, int actuator) const;
   void finish_speeds(const WantedMotion& wanted, const Eigen::Vector2d& plan_velocity,
                      const MeasureOptions& options, Measurements& out) const;
 
   const Scene& scene_;
   const mjModel& model_;
   double weight_;
+  double start_;  // in the cycle, of what is played [s]
   SelfContactWatch self_contact_;
   std::vector<Mark> marks_;
   double yaw_ = 0.0, tilt_max_ = 0.0, work_ = 0.0, penetration_ = 0.0;
   std::vector<FootWatch> feet_;
-  std::vector<Touch> touch_;
+  std::vector<FootTouch> touch_;
   std::vector<JointSums> sums_;
   long long samples_ = 0, settled_ = 0, saturated_ = 0;
 };
@@ -94,38 +84,15 @@ void Measurer::watch_trunk(const RolloutSample& sample) {
 }
 
 void Measurer::watch_contacts(const RolloutSample& sample) {
-  std::fill(touch_.begin(), touch_.end(), Touch{});
-  for (int c = 0; c < sample.data.ncon; ++c) {
-    const mjContact& contact = sample.data.contact[c];
-    if (contact.geom[0] < 0 || contact.geom[1] < 0) continue;
-    const bool first_is_world = model_.geom_bodyid[contact.geom[0]] == 0;
-    if (!first_is_world && model_.geom_bodyid[contact.geom[1]] != 0) continue;
-    penetration_ = std::max(penetration_, -contact.dist);
-    const int geom = contact.geom[first_is_world ? 1 : 0];
-    const auto found = std::find(scene_.foot_geom.begin(), scene_.foot_geom.end(), geom);
-    if (found == scene_.foot_geom.end()) continue;
-    mjtNum force[6], velocity[6];
-    mj_contactForce(&model_, &sample.data, c, force);
-    mj_objectVelocity(&model_, &sample.data, mjOBJ_GEOM, geom, velocity, 0);
-    const Vector3 arm = ConstVector3(contact.pos) - ConstVector3(sample.data.geom_xpos + 3 * geom);
-    const Vector3 speed = ConstVector3(velocity + 3) + ConstVector3(velocity).cross(arm);
-    const ConstVector3 normal(contact.frame);
-    Touch& touch = touch_[static_cast<std::size_t>(found - scene_.foot_geom.begin())];
-    touch.normal += force[0];
-    touch.slip_speed = std::max(touch.slip_speed, (speed - normal * normal.dot(speed)).norm());
-  }
+  penetration_ = std::max(penetration_, read_foot_touches(scene_, sample.data, touch_));
   for (std::size_t j = 0; j < feet_.size(); ++j) {
-    feet_[j].observe(sample.time + scene_.t0, model_.opt.timestep,
-                     touch_[j].normal > kContactShare * weight_, touch_[j].slip_speed);
+    const FootMotion motion = foot_motion(model_, sample.data, scene_.foot_geom[j]);
+    feet_[j].observe(sample.time + start_, model_.opt.timestep,
+                     {.in_contact = touch_[j].normal > kStandingShare * weight_,
+                      .slip_speed = touch_[j].slip_speed,
+                      .sink_speed = -motion.bottom_velocity.z(),
+                      .roll_rate = motion.roll_rate});
   }
-}
-
-// A linear actuator is limited in its own force: what that makes of torque changes with the pose.
-bool Measurer::pulls_its_most(const mjData& data, int actuator) const {
-  if (actuator < 0 || !model_.actuator_forcelimited[actuator]) return false;
-  const mjtNum* range = model_.actuator_forcerange + 2 * actuator;
-  const double force = data.actuator_force[model_.actuator_outadr[actuator]];
-  return force <= kSaturationShare * range[0] || force >= kSaturationShare * range[1];
 }
 
 void Measurer::watch_joints(const RolloutSample& sample) {
@@ -142,8 +109,7 @@ void Measurer::watch_joints(const RolloutSample& sample) {
                                        scene_.trajectory.target_column(static_cast<int>(joint)))
                               .value;
     const double error = target - sample.data.qpos[scene_.joints.qpos[joint]];
-    const bool saturated = std::abs(torque) >= kSaturationShare * scene_.torque_limit[joint] ||
-                           pulls_its_most(sample.data, scene_.tendon_actuator[joint]);
+    const bool saturated = is_saturated(scene_, sample.data, joint);
     sums.torque_squared += torque * torque;
     sums.error_squared += error * error;
     sums.peak = std::max(sums.peak, std::abs(torque));
@@ -202,7 +168,7 @@ void Measurer::finish(const Rollout& played, const WantedMotion& wanted,
     out.heading_drift = yaw_ - marks_.front().yaw - wanted.turn_rate * played.seconds;
   }
   finish_speeds(wanted, plan_velocity, options, out);
-  for (auto& foot : feet_) out.feet.push_back(foot.finish(played.seconds));
+  for (auto& foot : feet_) out.feet.push_back(foot.finish(played.seconds + start_));
   const double count = static_cast<double>(std::max(1LL, settled_));
   double torque = 0.0, error = 0.0;
   for (std::size_t a = 0; a < sums_.size(); ++a) {
@@ -225,10 +191,13 @@ void Measurer::finish(const Rollout& played, const WantedMotion& wanted,
 
 Measurements measure(const Scene& scene, const WantedMotion& wanted,
                      const Eigen::Vector2d& plan_velocity, const RolloutOptions& rollout_options,
-                     const MeasureOptions& options, Rollout* played) {
+                     const MeasureOptions& options, Rollout* played,
+                     const std::function<void(const RolloutSample&)>& also) {
   Measurer measurer(scene, options);
-  Rollout result = rollout(scene, rollout_options,
-                           [&](const RolloutSample& sample) { measurer.observe(sample); });
+  Rollout result = rollout(scene, rollout_options, [&](const RolloutSample& sample) {
+    measurer.observe(sample);
+    if (also) also(sample);
+  });
   Measurements out;
   out.gain_scale = scene.gain_scale;
   out.seconds = result.seconds;

@@ -3,13 +3,14 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "tools/simulate/foot_watch.hpp"
 #include "tools/simulate/rollout.hpp"
-#include "tools/simulate/self_contact.hpp"
+#include "tools/validate/foot_watch.hpp"
+#include "tools/validate/self_contact.hpp"
 
 namespace legwright {
 
@@ -73,8 +74,10 @@ struct MeasureOptions {
 /// Plays the scene and measures. @param plan_velocity that the plan reached along its arc [m/s], heading frame;
 /// zero if unknown.
 /// @param played if given, receives the roll-out itself (frames).
+/// @param also sees each moment of the same roll-out
 Measurements measure(const Scene& scene, const WantedMotion& wanted,
                      const Eigen::Vector2d& plan_velocity, const RolloutOptions& rollout_options,
-                     const MeasureOptions& options = {}, Rollout* played = nullptr);
+                     const MeasureOptions& options = {}, Rollout* played = nullptr,
+                     const std::function<void(const RolloutSample&)>& also = {});
 
 }  // namespace legwright

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "tools/io/json_file.hpp"
-#include "tools/simulate/validation.hpp"
+#include "tools/validate/validation.hpp"
 
 namespace legwright {
 
@@ -14,6 +14,6 @@ Json gains_json(const SceneValidation& validation);
 /// {"pass": …, "line": …, "reasons": […]}
 Json verdict_json(const Verdict& verdict);
 /// The limits that the verdict was judged by.
-Json limits_json(const VerdictLimits& limits);
+Json limits_json(const Limits& limits);
 
 }  // namespace legwright

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/validate/disturbance.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "tools/io/atomic_file.hpp"
+#include "tools/validate/delayed_servos.hpp"
+#include "tools/validate/floor_friction.hpp"
+
+namespace legwright {
+namespace {
+
+constexpr double kPushDuration = 0.05;  // [s]
+constexpr double kFineStep = 0.25e-3;   // [s]; see README.md
+
+using Vector3 = Eigen::Map<Eigen::Vector3d>;
+
+// Both geoms where neither has the say: the larger would win.
+void set_floor_friction(Scene& scene, double friction) {
+  mjModel& model = *scene.model;
+  for (const Footing& footing : footings(scene))
+    for (const int geom : {footing.ground, footing.foot})
+      if (footing.ruling < 0 || geom == footing.ruling) model.geom_friction[3 * geom] = friction;
+}
+
+void scale_masses(mjModel& model, double scale) {
+  for (int body = 1; body < model.nbody; ++body) {
+    model.body_mass[body] *= scale;
+    for (int k = 0; k < 3; ++k) model.body_inertia[3 * body + k] *= scale;
+  }
+  mj_setConst(&model, make_data(model).get());  // sums of masses, and what contacts make of them
+}
+
+// A slope of the floor is a slope of gravity as the floor sees it.
+void slope_floor(mjModel& model, const Eigen::Vector2d& way, double along, double across) {
+  const Eigen::Vector2d left(-way.y(), way.x());
+  const Eigen::Vector2d level = -std::tan(along) * way - std::tan(across) * left;
+  Vector3 gravity(model.opt.gravity);
+  const double g = gravity.norm();
+  gravity = g * Eigen::Vector3d(level.x(), level.y(), -1.0).normalized();
+}
+
+Scene copy_of(const Scene& scene) {
+  Scene copy;
+  copy.name = scene.name;
+  copy.model.reset(mj_copyModel(nullptr, scene.model.get()));
+  copy.trajectory = scene.trajectory;
+  copy.t0 = scene.t0;
+  copy.gain_scale = scene.gain_scale;
+  copy.joints = scene.joints;
+  copy.torque_limit = scene.torque_limit;
+  copy.tendon_actuator = scene.tendon_actuator;
+  copy.foot_geom = scene.foot_geom;
+  copy.start_key = scene.start_key;
+  return copy;
+}
+
+double heading(const mjtNum* rotation) { return std::atan2(rotation[3], rotation[0]); }
+
+double lowest_foot(const Scene& scene, const mjData& data) {
+  double lowest = INFINITY;
+  for (const int foot : scene.foot_geom)
+    lowest = std::min(lowest, data.geom_xpos[3 * foot + 2] - scene.model->geom_rbound[foot]);
+  return lowest;
+}
+
+/// Turns the robot, which is at rest, about the ground below its centre of mass and lifts it until
+/// its lowest foot is as high as before: it is set down askew.
+void tilt(const Scene& scene, mjData& data, double roll, double pitch) {
+  const mjModel& model = *scene.model;
+  mj_kinematics(&model, &data);
+  mj_comPos(&model, &data);
+  const double yaw = heading(data.xmat + 9 * scene.joints.root_body);
+  const double before = lowest_foot(scene, data);
+  const mjtNum* com = data.subtree_com + 3 * scene.joints.root_body;
+  const Eigen::Vector3d pivot(com[0], com[1], 0.0);
+  const Eigen::Quaterniond turn(Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()) *
+                                Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitX()) *
+                                Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()) *
+                                Eigen::AngleAxisd(-yaw, Eigen::Vector3d::UnitZ()));
+  mjtNum* root = data.qpos + scene.joints.root_qpos;
+  Vector3 position(root);
+  position = (pivot + turn * (position - pivot)).eval();
+  const mjtNum by[4] = {turn.w(), turn.x(), turn.y(), turn.z()};
+  mju_mulQuat(root + 3, by, root + 3);
+  mj_kinematics(&model, &data);
+  root[2] += before - lowest_foot(scene, data);
+}
+
+/// A constant force for some steps, in the axes that the trunk heads along when it begins.
+class Push {
+ public:
+  Push(const Scene& scene, const Disturbance& disturbance, double time)
+      : scene_(scene),
+        impulse_(scene.model->body_subtreemass[scene.joints.root_body] *
+                 Eigen::Vector2d(disturbance.push_forward, disturbance.push_left)),
+        first_(std::llround(time / scene.model->opt.timestep)),
+        steps_(std::max(1LL, std::llround(kPushDuration / scene.model->opt.timestep))) {}
+
+  void apply(mjData& data, double time) {
+    const double h = scene_.model->opt.timestep;
+    const long long step = std::llround(time / h) - first_;
+    if (step < 0 || step > steps_ || impulse_.isZero(0.0)) return;
+    const int body = scene_.joints.root_body;
+    if (step == 0)
+      force_ = Eigen::Rotation2Dd(heading(data.xmat + 9 * body)) * impulse_ /
+               (static_cast<double>(steps_) * h);
+    const bool over = step == steps_;
+    data.xfrc_applied[6 * body] = over ? 0.0 : force_.x();
+    data.xfrc_applied[6 * body + 1] = over ? 0.0 : force_.y();
+  }
+
+ private:
+  const Scene& scene_;
+  Eigen::Vector2d impulse_, force_ = Eigen::Vector2d::Zero();
+  long long first_, steps_;
+};
+
+}  // namespace
+
+DisturbableScene::DisturbableScene(const std::filesystem::path& file, const Eigen::Vector2d& way)
+    : xml_(read_file(file)),
+      folder_(file.parent_path()),
+      way_(way.norm() > 0.0 ? way.normalized() : Eigen::Vector2d::UnitX()),
+      scene_(parse_scene(xml_, file.string(), 1.0, folder_)) {}
+
+Disturbance DisturbableScene::nothing() const {
+  Disturbance out;
+  if (const double own = floor_friction(scene_); std::isfinite(own)) out.floor_friction = own;
+  return out;
+}
+
+Scene DisturbableScene::with(const Disturbance& disturbance, DelayStep delay_step) const {
+  // The plugin compares gains with its text, so other gains want another text.
+  Scene scene = disturbance.gain_scale == 1.0
+                    ? copy_of(scene_)
+                    : parse_scene(xml_, scene_.name, disturbance.gain_scale, folder_);
+  if (disturbance.floor_friction != nothing().floor_friction)
+    set_floor_friction(scene, disturbance.floor_friction);
+  if (disturbance.mass_scale != 1.0) scale_masses(*scene.model, disturbance.mass_scale);
+  if (disturbance.slope_along != 0.0 || disturbance.slope_across != 0.0)
+    slope_floor(*scene.model, way_, disturbance.slope_along, disturbance.slope_across);
+  if (disturbance.delay > 0.0 && delay_step == DelayStep::fine)
+    scene.model->opt.timestep = std::min(scene.model->opt.timestep, kFineStep);
+  return scene;
+}
+
+RolloutOptions disturbed_rollout(Scene& scene, const Disturbance& disturbance, int cycles,
+                                 double push_time) {
+  RolloutOptions options;
+  options.cycles = cycles;
+  auto delayed = disturbance.delay > 0.0
+                     ? std::make_shared<DelayedServos>(*scene.model, disturbance.delay)
+                     : nullptr;
+  options.prepare = [&scene, disturbance, delayed](mjData& data) {
+    std::fill_n(data.qvel + scene.joints.root_dof, 6, 0.0);
+    if (disturbance.roll != 0.0 || disturbance.pitch != 0.0)
+      tilt(scene, data, disturbance.roll, disturbance.pitch);
+    if (delayed) delayed->take_over();
+  };
+  if (disturbance.push_forward != 0.0 || disturbance.push_left != 0.0 || delayed) {
+    auto push = std::make_shared<Push>(scene, disturbance, push_time);
+    options.step = [&scene, push, delayed](mjData& data, double time) {
+      push->apply(data, time);
+      if (delayed)
+        delayed->step(data);
+      else
+        mj_step(scene.model.get(), &data);
+    };
+  }
+  return options;
+}
+
+}  // namespace legwright

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/validate/foot_touch.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+namespace legwright {
+namespace {
+
+using Vector3 = Eigen::Vector3d;
+using ConstVector3 = Eigen::Map<const Eigen::Vector3d>;
+using ConstFrame = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
+
+}  // namespace
+
+double foot_radius(const mjModel& model, int geom) {
+  return model.geom_type[geom] == mjGEOM_SPHERE ? model.geom_size[3 * geom] : 0.0;
+}
+
+FootMotion foot_motion(const mjModel& model, const mjData& data, int geom) {
+  mjtNum velocity[6];
+  mj_objectVelocity(&model, &data, mjOBJ_GEOM, geom, velocity, 0);
+  const Vector3 down(0.0, 0.0, -foot_radius(model, geom));
+  return {ConstVector3(velocity + 3) + ConstVector3(velocity).cross(down),
+          {velocity[0], velocity[1]}};
+}
+
+double read_foot_touches(const Scene& scene, const mjData& data, std::vector<FootTouch>& touches) {
+  const mjModel& model = *scene.model;
+  touches.assign(scene.foot_geom.size(), FootTouch{});
+  double depth = 0.0;
+  for (int c = 0; c < data.ncon; ++c) {
+    const mjContact& contact = data.contact[c];
+    if (contact.geom[0] < 0 || contact.geom[1] < 0) continue;
+    const bool first_is_world = model.geom_bodyid[contact.geom[0]] == 0;
+    if (!first_is_world && model.geom_bodyid[contact.geom[1]] != 0) continue;
+    depth = std::max(depth, -contact.dist);
+    const int geom = contact.geom[first_is_world ? 1 : 0];
+    const auto found = std::find(scene.foot_geom.begin(), scene.foot_geom.end(), geom);
+    if (found == scene.foot_geom.end()) continue;
+    mjtNum force[6], velocity[6];
+    mj_contactForce(&model, &data, c, force);
+    mj_objectVelocity(&model, &data, mjOBJ_GEOM, geom, velocity, 0);
+    const Vector3 arm = ConstVector3(contact.pos) - ConstVector3(data.geom_xpos + 3 * geom);
+    const Vector3 speed = ConstVector3(velocity + 3) + ConstVector3(velocity).cross(arm);
+    const ConstVector3 normal(contact.frame);
+    FootTouch& touch = touches[static_cast<std::size_t>(found - scene.foot_geom.begin())];
+    // The contact's normal points from its first geom to its second, and so does the force on the
+    // second.
+    const double sign = first_is_world ? 1.0 : -1.0;
+    touch.force += sign * (ConstFrame(contact.frame).transpose() * ConstVector3(force));
+    touch.normal += force[0];
+    touch.slip_speed = std::max(touch.slip_speed, (speed - normal * normal.dot(speed)).norm());
+  }
+  return depth;
+}
+
+}  // namespace legwright

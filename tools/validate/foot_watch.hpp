@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "plugin/trajectory.hpp"
+
+namespace legwright {
+
+/// How a foot kept to the plan. Strides of the first cycle do not count.
+struct FootMeasures {
+  std::string name;
+  int stances = 0;         // complete ones that were looked at
+  double slip_mean = 0.0;  // path of the contact point on the ground during one stance [m]
+  double slip_max = 0.0;
+  int missed = 0;               // planned stances in which the foot never touched the ground
+  double touchdown_mean = 0.0;  // actual minus planned time of touchdown [s]: positive is late
+  double touchdown_max = 0.0;   // largest magnitude of that [s]
+  double liftoff_mean = 0.0;    // the same for the end of the stance
+  double liftoff_max = 0.0;
+  double landing_mean = 0.0;  // downward speed just before touchdown [m/s]
+  double landing_max = 0.0;
+  double roll_mean = 0.0;  // angle by which the foot rolled on the ground during one stance [rad]
+  double roll_max = 0.0;
+  /// Stances of the plan in the first cycle, [touchdown, last knot with force] [s]; the second may
+  /// exceed the period.
+  std::vector<std::pair<double, double>> planned;
+  std::vector<std::pair<double, double>> contacts;  // measured, up to a limit [s]
+};
+
+/// What a foot does at one moment.
+struct FootMoment {
+  bool in_contact = false;
+  double slip_speed = 0.0;                              // of its contact point [m/s]
+  double sink_speed = 0.0;                              // of its centre, downwards [m/s]
+  Eigen::Vector2d roll_rate = Eigen::Vector2d::Zero();  // about the world's x and y [rad/s]
+};
+
+/// Follows one foot through a roll-out. A stride lasts from the middle of one planned swing to the
+/// middle of the next; its touchdown is the first contact after the foot was seen off the ground,
+/// against the first knot in which the plan puts force on it. A foot that never left the ground
+/// touched down when its stride began, and lifted off when it ended; lift-off is the end of the last
+/// contact of a stride, against the last knot with force.
+class FootWatch {
+ public:
+  /// @param foot index in the trajectory @param contacts_until record contacts for so long [s]
+  /// @param start first time that will be observed: the cycle after it does not count [s]
+  FootWatch(const Trajectory& trajectory, int foot, double contacts_until, double start = 0.0);
+
+  /// @param time [s] since phase 0; rising
+  void observe(double time, double step, const FootMoment& moment);
+  /// @param end_time on the same clock
+  FootMeasures finish(double end_time);
+
+ private:
+  struct Stride {  // within one cycle
+    double begin, touchdown, liftoff;
+  };
+  struct Now {
+    Stride planned;
+    bool counts;
+    bool was_off = false, is_down = false;
+    std::optional<double> touched = std::nullopt, lifted = std::nullopt;
+    double slip = 0.0, landing_speed = 0.0;
+    Eigen::Vector2d roll = Eigen::Vector2d::Zero();
+  };
+  struct Tally {  // of one quantity over the stances
+    double sum = 0.0, largest = 0.0;
+    int count = 0;
+    void add(double value);
+    double mean() const { return count > 0 ? sum / count : 0.0; }
+  };
+  Stride stride(long long index) const;
+  void close(double time);
+
+  double period_, contacts_until_, counts_from_;
+  std::vector<Stride> strides_;
+  long long next_ = 0;
+  std::optional<Now> now_;
+  std::optional<double> contact_since_;
+  double sink_speed_ = 0.0;  // a moment ago
+  Tally slip_, touchdown_, liftoff_, landing_, roll_;
+  FootMeasures out_;
+};
+
+}  // namespace legwright

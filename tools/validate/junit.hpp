@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tools/validate/verdict.hpp"
+
+namespace legwright {
+
+/// A verdict under the name of its task.
+struct JunitSuite {
+  std::string name;
+  Verdict verdict;
+};
+
+/// The verdicts as JUnit XML: a suite per task, a case per limit. Valid XML whatever the names are.
+std::string junit_xml(const std::vector<JunitSuite>& suites);
+
+}  // namespace legwright

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+// What limits may be set on. The order is that of the verdict: causes before consequences.
+#include <algorithm>
+#include <cmath>
+
+#include "tools/validate/limits.hpp"
+
+namespace legwright {
+namespace {
+
+bool travels(const WantedMotion& wanted) { return wanted.travels(); }
+bool turns(const WantedMotion& wanted) { return wanted.turns(); }
+bool circles(const WantedMotion& wanted) { return wanted.travels() && wanted.turns(); }
+bool stays(const WantedMotion& wanted) { return !wanted.travels(); }
+
+template <typename Value>
+double greatest(const std::vector<FootMeasures>& feet, const Value& value) {
+  double out = 0.0;
+  for (const auto& foot : feet) out = std::max<double>(out, value(foot));
+  return out;
+}
+
+double peak_torque_share(const Measurements& run) {
+  double out = 0.0;
+  for (const auto& joint : run.joints)
+    if (std::isfinite(joint.torque_limit))
+      out = std::max(out, joint.torque_peak / joint.torque_limit);
+  return out;
+}
+
+// The radius of the way over that of the plan; both are speed over turn rate.
+std::optional<double> radius_ratio(const Measurements& run) {
+  if (!run.speed_ratio || !run.turn_ratio || *run.turn_ratio == 0.0) return std::nullopt;
+  return *run.speed_ratio / *run.turn_ratio;
+}
+
+std::vector<LimitedQuantity> judged_by_default() {
+  return {
+      {.name = "saturated_share",
+       .what = "share of the time with any servo at its limit",
+       .unit = "1",
+       .verb = "saturates servos",
+       .note = "of the time",
+       .told = Told::percent,
+       .below = true,
+       .by_default = {{}, 1e-3},
+       .value = [](const Measurements& run) { return run.saturated_share; }},
+      {.name = "speed_ratio",
+       .what = "measured over planned speed, along its heading",
+       .unit = "1",
+       .verb = "reaches",
+       .note = "of the planned speed",
+       .told = Told::percent,
+       .by_default = {0.95, 1.05},
+       .asked = travels,
+       .value = [](const Measurements& run) { return run.speed_ratio; }},
+      {.name = "standing_speed",
+       .what = "speed where none is wanted",
+       .unit = "m/s",
+       .verb = "moves at",
+       .note = "it should stay",
+       .told = Told::thousandths,
+       .by_default = {{}, 0.01},
+       .asked = stays,
+       .value = [](const Measurements& run) -> std::optional<double> {
+         return run.velocity ? std::optional(run.velocity->norm()) : std::nullopt;
+       }},
+      {.name = "turn_ratio",
+       .what = "measured over planned turn rate",
+       .unit = "1",
+       .verb = "turns at",
+       .note = "of the planned turn rate",
+       .told = Told::percent,
+       .by_default = {0.95, 1.05},
+       .asked = turns,
+       .value = [](const Measurements& run) { return run.turn_ratio; }},
+      {.name = "radius_ratio",
+       .what = "measured over planned radius of its circle",
+       .unit = "1",
+       .verb = "circles at",
+       .note = "of the planned radius",
+       .told = Told::percent,
+       .by_default = {0.95, 1.05},
+       .asked = circles,
+       .value = radius_ratio},
+      {.name = "tilt",
+       .what = "largest tilt of the trunk",
+       .unit = "rad",
+       .verb = "tilts by",
+       .note = "",
+       .told = Told::thousandths,
+       .below = true,
+       .by_default = {{}, 0.1},
+       .value = [](const Measurements& run) { return run.tilt_max; }},
+  };
+}
+
+std::vector<LimitedQuantity> judged_if_asked() {
+  return {
+      {.name = "slowest_cycle",
+       .what = "speed of the slowest cycle over the planned",
+       .unit = "1",
+       .verb = "reaches in one cycle only",
+       .note = "of the planned speed",
+       .told = Told::percent,
+       .asked = travels,
+       .value = [](const Measurements& run) { return run.speed_ratio_min; }},
+      {.name = "heading_drift",
+       .what = "turned by at the end, less what is wanted",
+       .unit = "rad",
+       .verb = "drifts in heading by",
+       .note = "",
+       .value = [](const Measurements& run) { return std::abs(run.heading_drift); }},
+      {.name = "lateral_drift",
+       .what = "speed across the wanted direction",
+       .unit = "m/s",
+       .verb = "drifts aside at",
+       .note = "",
+       .asked = travels,
+       .value = [](const Measurements& run) -> std::optional<double> {
+         return run.lateral_drift ? std::optional(std::abs(*run.lateral_drift)) : std::nullopt;
+       }},
+      {.name = "slip",
+       .what = "longest way that a foot slips in one stance",
+       .unit = "m",
+       .verb = "slips by",
+       .note = "",
+       .value =
+           [](const Measurements& run) {
+             return greatest(run.feet, [](const auto& foot) { return foot.slip_max; });
+           }},
+      {.name = "touchdown_error",
+       .what = "largest error in time of a touchdown",
+       .unit = "s",
+       .verb = "sets its feet down off their time by",
+       .note = "",
+       .value =
+           [](const Measurements& run) {
+             return greatest(run.feet, [](const auto& foot) { return foot.touchdown_max; });
+           }},
+      {.name = "liftoff_error",
+       .what = "largest error in time of a lift-off",
+       .unit = "s",
+       .verb = "lifts its feet off their time by",
+       .note = "",
+       .value =
+           [](const Measurements& run) {
+             return greatest(run.feet, [](const auto& foot) { return foot.liftoff_max; });
+           }},
+      {.name = "landing_speed",
+       .what = "greatest speed at which a foot meets the ground",
+       .unit = "m/s",
+       .verb = "lands at",
+       .note = "",
+       .value =
+           [](const Measurements& run) {
+             return greatest(run.feet, [](const auto& foot) { return foot.landing_max; });
+           }},
+      {.name = "missed_stances",
+       .what = "planned stances in which a foot never touched the ground",
+       .unit = "1",
+       .verb = "misses stances:",
+       .note = "",
+       .value =
+           [](const Measurements& run) {
+             double sum = 0.0;
+             for (const auto& foot : run.feet) sum += foot.missed;
+             return sum;
+           }},
+      {.name = "tracking",
+       .what = "joint angles off their targets, root of the mean square",
+       .unit = "rad",
+       .verb = "tracks its targets within",
+       .note = "",
+       .value = [](const Measurements& run) { return run.tracking_rms; }},
+      {.name = "torque_peak_share",
+       .what = "greatest torque of a servo over its limit",
+       .unit = "1",
+       .verb = "needs at its peak",
+       .note = "of a servo's torque limit",
+       .told = Told::percent,
+       .value = peak_torque_share},
+      {.name = "torque_rms",
+       .what = "torque of the servos, root of the mean square",
+       .unit = "N m",
+       .verb = "needs",
+       .note = "",
+       .value = [](const Measurements& run) { return run.torque_rms; }},
+      {.name = "power",
+       .what = "mean positive mechanical power of the servos",
+       .unit = "W",
+       .verb = "spends",
+       .note = "",
+       .value = [](const Measurements& run) { return run.power_mean; }},
+      {.name = "cost_of_transport",
+       .what = "mechanical power over weight and speed",
+       .unit = "1",
+       .verb = "has a cost of transport of",
+       .note = "",
+       .asked = travels,
+       .value = [](const Measurements& run) { return run.cost_of_transport; }},
+      {.name = "self_contact",
+       .what = "share of the time in which the robot touches itself",
+       .unit = "1",
+       .verb = "touches itself",
+       .note = "of the time",
+       .told = Told::percent,
+       .value = [](const Measurements& run) { return run.self_contact.share; }},
+      {.name = "penetration",
+       .what = "how deep a contact sinks into the ground",
+       .unit = "m",
+       .verb = "sinks into the ground by",
+       .note = "",
+       .value = [](const Measurements& run) { return run.penetration_max; }},
+  };
+}
+
+}  // namespace
+
+const std::vector<LimitedQuantity>& limited_quantities() {
+  static const std::vector<LimitedQuantity> all = [] {
+    std::vector<LimitedQuantity> out = judged_by_default();
+    for (auto& quantity : judged_if_asked()) out.push_back(std::move(quantity));
+    return out;
+  }();
+  return all;
+}
+
+}  // namespace legwright

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/validate/limits_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+
+#include "mjcf/input_error.hpp"
+#include "tools/io/atomic_file.hpp"
+#include "tools/io/io_error.hpp"
+#include "tools/io/toml_reader.hpp"
+#include "tools/validate/robustness_json.hpp"
+
+namespace legwright {
+namespace {
+
+constexpr std::uintmax_t kMostBytes = 1 << 20;
+constexpr std::string_view kMargin = "margin.";
+
+/// What may be asked for of each quantity.
+struct Askable {
+  std::string name;  // without "margin."
+  std::string unit;
+  double low = -1e9, high = 1e9;
+  bool below = false;  // the upper bound itself does not pass
+};
+
+std::vector<Askable> askable_quantities() {
+  std::vector<Askable> out;
+  for (const auto& quantity : limited_quantities())
+    out.push_back({.name = quantity.name, .unit = quantity.unit, .below = quantity.below});
+  out.push_back({.name = "numerics", .unit = "1", .low = 0.0});
+  out.push_back({.name = "survival", .unit = "1", .low = 0.0, .high = 1.0});
+  return out;
+}
+
+// What cannot be played has no margin: a floor of no friction at all, masses below nothing.
+std::vector<Askable> askable_margins() {
+  std::vector<Askable> out;
+  for (const auto& factor : disturbance_factors({}))
+    out.push_back({factor.name, factor.unit, factor.valid.first, factor.valid.second});
+  return out;
+}
+
+class Reader {
+ public:
+  Reader(const toml::table& root, Problems& problems, Limits& limits)
+      : problems_(problems), limits_(limits), in_(&root, "", problems, lines_) {}
+
+  void read(const std::vector<Askable>& all, bool margins) {
+    TableReader* from = &in_;
+    std::optional<TableReader> within;
+    if (margins) from = &within.emplace(in_.table("margin"), "margin", problems_, lines_);
+    for (const Askable& one : all) bounds(*from, one, margins ? std::string(kMargin) : "");
+    if (margins) within->finish();
+  }
+  void finish() { in_.finish(); }
+
+ private:
+  void bounds(TableReader& from, const Askable& one, const std::string& prefix) {
+    const toml::table* table = from.table(one.name);
+    if (table == nullptr) return;
+    const std::string full = prefix + one.name;
+    TableReader in(table, full, problems_, lines_);
+    // A view of the name itself: a conditional with "" would make a string that dies here.
+    const std::string_view unit =
+        one.unit == "1" ? std::string_view() : std::string_view(one.unit);
+    const Range range{one.low, one.high, false, false, unit};
+    const Bounds read{in.number("low", range), in.number("high", range)};
+    if (!read.any() && !in.has("low") && !in.has("high"))
+      problems_.add(static_cast<int>(table->source().begin.line), full,
+                    "has neither low nor high; give one of them, or both");
+    in.finish();
+    Bounds& own = limits_[full];
+    own.by_file = true;
+    if (read.low) own.low = read.low;
+    if (read.high) own.high = read.high;
+    if (!own.low || !own.high || *own.low < *own.high) return;
+    if (*own.low == *own.high && !one.below) return;
+    // Whichever end the file does not give holds by default.
+    const char* key = read.high ? "high" : "low";
+    const auto held = [](bool by_file) { return by_file ? "" : ", which holds by default"; };
+    if (read.low || read.high)
+      problems_.add(in.line_of(key), full + "." + key,
+                    fmt::format("nothing would pass: low is {}{}, high {}{}; {}", *own.low,
+                                held(read.low.has_value()), *own.high, held(read.high.has_value()),
+                                read.low && read.high ? "swap them, or take another"
+                                                      : "give both, low below high"));
+  }
+
+  Problems& problems_;
+  Limits& limits_;
+  std::map<std::string, int> lines_;
+  TableReader in_;
+};
+
+}  // namespace
+
+Limits parse_limits(const std::string& text, const std::filesystem::path& file) {
+  toml::table root;
+  try {
+    root = toml::parse(text, file.string());
+  } catch (const toml::parse_error& error) {
+    throw InputError(file.string(), static_cast<int>(error.source().begin.line), "",
+                     std::string(error.description()));
+  }
+  Limits limits = default_limits();
+  Problems problems(file.string());
+  Reader reader(root, problems, limits);
+  reader.read(askable_quantities(), false);
+  reader.read(askable_margins(), true);
+  reader.finish();
+  problems.throw_if_any();
+  return limits;
+}
+
+Limits read_limits(const std::filesystem::path& file) {
+  std::string text;
+  try {
+    text = read_file(file, kMostBytes);
+  } catch (const std::system_error& error) {
+    throw InputError(file.string(), 0, "",
+                     error.code().message() + "; give the path of a limits file, for instance " +
+                         "examples/limits.toml");
+  } catch (const IoError&) {
+    throw InputError(file.string(), 0, "", "larger than 1 MiB; this is no limits file");
+  }
+  return parse_limits(text, file);
+}
+
+bool ask_for_numerics(const Limits& limits) {
+  const auto found = limits.find("numerics");
+  return found != limits.end() && found->second.by_file && found->second.any();
+}
+
+bool need_robustness(const Limits& limits) {
+  return std::any_of(limits.begin(), limits.end(), [](const auto& entry) {
+    return entry.second.any() && (entry.first == "survival" || entry.first.starts_with(kMargin));
+  });
+}
+
+}  // namespace legwright

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/io/json_file.hpp"
+#include "tools/validate/validation.hpp"
+
+namespace legwright {
+
+/// How MuJoCo computes; what is absent stays as the scene has it.
+struct NumericalSetting {
+  std::string name, words;  // "fine_step", "at 0.5 ms"
+  std::optional<double> timestep;
+  std::optional<int> integrator, cone;  // mjtIntegrator, mjtCone
+  std::optional<double> impratio;
+};
+
+/// Half the step; implicit; a pyramidal cone, with impratio 1: higher ones belong to elliptic cones.
+/// @param timestep of the scene [s]
+std::vector<NumericalSetting> other_numerics(double timestep);
+
+/// The compiled scene with other options; nothing is written.
+void apply(const NumericalSetting& setting, mjOption& options);
+
+/// One way to compute, and what came out of it.
+struct NumericalRun {
+  std::string name, label, words;  // "reference", "1 ms, implicitfast, elliptic cone", ""
+  double timestep = 0.0;           // [s]
+  std::string integrator, cone;
+  Measurements measured;
+  Verdict verdict;
+};
+
+/// Whether the verdict hangs on how MuJoCo computes.
+struct SecondOpinion {
+  std::vector<NumericalRun> runs;  // the first is the reference, the scene as it is
+  bool agree = true;
+  std::vector<std::string> reasons;  // which run disagrees, and how
+};
+
+/// Plays the scene at default gains as it is and with other numerics, and judges each run alone.
+/// Results do not depend on the number of threads. Throws MujocoError for a scene that cannot be
+/// played, std::system_error where a file cannot be read.
+/// @param reference what was measured in the scene as it is, at default gains; absent: it is played
+/// @param settings empty: other_numerics of the scene
+SecondOpinion second_opinion(const SceneToValidate& scene, const WantedMotion& wanted,
+                             const std::string& gait, const ValidationOptions& options = {},
+                             const std::optional<Measurements>& reference = {},
+                             std::vector<NumericalSetting> settings = {});
+
+/// One line: "numerics: same verdict at 0.5 ms, with implicit, with a pyramidal cone (…)".
+std::string describe(const SecondOpinion& opinion);
+
+/// result/numerics.json.
+Json numerics_json(const SecondOpinion& opinion);
+
+}  // namespace legwright

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/validate/saturation.hpp"
+
+#include <cmath>
+
+namespace legwright {
+namespace {
+
+constexpr double kShare = 0.9999;  // of the limit: MuJoCo clamps to it exactly
+
+bool pulls_its_most(const mjModel& model, const mjData& data, int actuator) {
+  if (actuator < 0 || !model.actuator_forcelimited[actuator]) return false;
+  const mjtNum* range = model.actuator_forcerange + 2 * actuator;
+  const double force = data.actuator_force[model.actuator_outadr[actuator]];
+  return force <= kShare * range[0] || force >= kShare * range[1];
+}
+
+}  // namespace
+
+bool is_saturated(const Scene& scene, const mjData& data, std::size_t joint) {
+  const double torque = data.qfrc_actuator[scene.joints.dof[joint]];
+  return std::abs(torque) >= kShare * scene.torque_limit[joint] ||
+         pulls_its_most(*scene.model, data, scene.tendon_actuator[joint]);
+}
+
+}  // namespace legwright
