@@ -22,15 +22,43 @@ double heading_of(const Trajectory& plan, int knot) {
   return std::atan2(s * axis[2] + (1 - c) * axis[0] * axis[1], c + (1 - c) * axis[0] * axis[0]);
 }
 
-void draw_contact(Image& strip, const ContactMark& mark, int right, int top) {
+void draw_contact(Image& strip, const ContactMark& mark, int right, int bottom) {
   constexpr double kSize = 11.0, kRadius = 4.5;
+  constexpr int kPlaque = 40;
+  if (mark.feet.empty()) return;
+  const Mask plaque{kPlaque, kPlaque, std::vector<std::uint8_t>(kPlaque * kPlaque, 190)};
+  stamp(strip, plaque, right - kPlaque, bottom - kPlaque, kPaper);
   for (const auto& foot : mark.feet) {  // forward is up, left is left
-    const double x = right - 20.0 - kSize * foot.left, y = top + 20.0 - kSize * foot.forward;
+    const double x = right - 20.0 - kSize * foot.left, y = bottom - 20.0 - kSize * foot.forward;
     if (foot.down) {
       draw_dot(strip, x, y, kRadius, kFootDown);
     } else {
       draw_dot(strip, x, y, kRadius, kFootUp, 1.5);
     }
+  }
+}
+
+/// Moves feet that are near to each other apart, so that each dot can be seen.
+void spread(std::vector<ContactMark::Foot>& feet) {
+  constexpr double kApart = 0.95;
+  for (int round = 0; round < 60; ++round) {
+    for (std::size_t a = 0; a < feet.size(); ++a) {
+      for (std::size_t b = a + 1; b < feet.size(); ++b) {
+        double x = feet[b].forward - feet[a].forward, y = feet[b].left - feet[a].left;
+        const double distance = std::hypot(x, y);
+        if (distance >= kApart) continue;
+        if (distance < 1e-6) x = 1e-6;  // one on the other: forward and back
+        const double push = 0.25 * (kApart - distance) / std::max(distance, 1e-6);
+        feet[a].forward -= push * x;
+        feet[a].left -= push * y;
+        feet[b].forward += push * x;
+        feet[b].left += push * y;
+      }
+    }
+  }
+  for (auto& foot : feet) {
+    foot.forward = std::clamp(foot.forward, -1.15, 1.15);
+    foot.left = std::clamp(foot.left, -1.15, 1.15);
   }
 }
 
@@ -56,6 +84,7 @@ std::vector<ContactMark> contact_marks(const Trajectory& plan, int count) {
     foot.forward /= reach;
     foot.left /= reach;
   }
+  spread(feet);
   for (int i = 0; i < count; ++i) {
     const int knot =
         static_cast<int>(std::lround(static_cast<double>(i) * plan.knot_count / count)) %
@@ -92,7 +121,9 @@ Image compose_strip(const StripLayout& layout, const std::vector<StripRow>& rows
       const int x = margin + static_cast<int>(i) * (layout.cell_width + gap),
                 y = top + kTitleHeight;
       paste(strip, row.cells[i], x, y);
-      if (i < row.contact.size()) draw_contact(strip, row.contact[i], x + layout.cell_width, y);
+      if (i < row.contact.size()) {
+        draw_contact(strip, row.contact[i], x + layout.cell_width, y + layout.cell_height);
+      }
     }
     top += row_height;
   }

@@ -7,76 +7,88 @@
 #include <atomic>
 #include <cstdlib>
 #include <string_view>
+#include <vector>
+
+#include "tools/render/gl_platform.hpp"
 
 namespace legwright {
 namespace {
 
-constexpr const char* kLibrary = "libOSMesa.so.8";
-constexpr int kGlRgba = 0x1908, kGlUnsignedByte = 0x1401, kGlRenderer = 0x1F01, kGlVersion = 0x1F02;
-constexpr int kCanvas = 16;  // of the context itself; MuJoCo draws into its own frame buffer
-
 std::atomic<bool> context_exists{false};
+std::atomic<const char*> platform_of_process{nullptr};  // the first that worked
 
-template <class Function>
-Function symbol(void* library, const char* name) {
-  auto* address = dlsym(library, name);
-  if (address == nullptr) throw GlError(std::string(kLibrary) + " lacks the function " + name);
-  return reinterpret_cast<Function>(address);
+struct Way {
+  const char* name;
+  std::unique_ptr<GlPlatform> (*open)();
+};
+constexpr Way kOsMesa{"osmesa", open_osmesa}, kEgl{"egl", open_egl};
+
+/// MuJoCo takes EGL wherever its functions are global, even with a context of OSMesa current.
+bool egl_is_global() { return dlsym(RTLD_DEFAULT, "eglGetCurrentContext") != nullptr; }
+
+/// Platforms to try, in order. Throws GlError where the environment names none that there is.
+std::vector<Way> ways() {
+  const char* given = std::getenv("LEGWRIGHT_GL");
+  const std::string_view wanted = given != nullptr ? given : "";
+  if (wanted == "none") throw GlError("no off-screen OpenGL: LEGWRIGHT_GL=none rules it out");
+  if (!wanted.empty() && wanted != kOsMesa.name && wanted != kEgl.name) {
+    throw GlError("LEGWRIGHT_GL is '" + std::string(wanted) +
+                  "', expected osmesa, egl or none, or nothing for the first that works");
+  }
+  if (const char* fixed = platform_of_process) return {fixed == kEgl.name ? kEgl : kOsMesa};
+  if (!wanted.empty()) return {wanted == kEgl.name ? kEgl : kOsMesa};
+  if (egl_is_global()) return {kEgl};
+  return {kOsMesa, kEgl};
 }
 
 }  // namespace
 
-struct GlContext::Mesa {
-  using Handle = void*;
-  Handle (*create)(unsigned, int, int, int, Handle) = nullptr;
-  unsigned char (*make_current)(Handle, void*, unsigned, int, int) = nullptr;
-  void (*destroy)(Handle) = nullptr;
-  Handle context = nullptr;
-  std::array<unsigned char, kCanvas * kCanvas * 4> canvas{};
-
-  Mesa() = default;
-  Mesa(const Mesa&) = delete;
-  Mesa& operator=(const Mesa&) = delete;
-  ~Mesa() {
-    if (context != nullptr) destroy(context);
-    context_exists = false;
-  }
-};
+std::string GlPlatform::text(unsigned name) const {
+  const unsigned char* value = get_string_ != nullptr ? get_string_(name) : nullptr;
+  return value != nullptr ? reinterpret_cast<const char*>(value) : "unknown";
+}
 
 void pin_rasteriser() {
-  const char* driver = std::getenv("GALLIUM_DRIVER");
-  if (driver == nullptr || std::string_view(driver) != "llvmpipe")
-    setenv("GALLIUM_DRIVER", "llvmpipe", 1);
+  constexpr std::array<std::array<const char*, 2>, 2> kPins{{
+      {"GALLIUM_DRIVER", "llvmpipe"},
+      {"LIBGL_ALWAYS_SOFTWARE", "1"},  // EGL would take a graphics card
+  }};
+  for (const auto& [name, value] : kPins) {
+    const char* now = std::getenv(name);
+    if (now == nullptr || std::string_view(now) != value) setenv(name, value, 1);
+  }
 }
 
 GlContext::GlContext() {
   if (context_exists.exchange(true)) throw GlError("this process already has an OpenGL context");
-  mesa_ = std::make_unique<Mesa>();  // from here on its destructor gives the place free
-  pin_rasteriser();
-  // Global, because MuJoCo looks its functions up by name; never closed, because MuJoCo keeps them.
-  void* library = dlopen(kLibrary, RTLD_NOW | RTLD_GLOBAL);
-  if (library == nullptr) {
-    const char* why = dlerror();
-    throw GlError(std::string("no off-screen OpenGL: ") + (why != nullptr ? why : kLibrary) +
-                  "; install the package libosmesa6");
+  try {
+    pin_rasteriser();
+    std::string failures;
+    for (const Way& way : ways()) {
+      try {
+        platform_ = way.open();
+        platform_name_ = way.name;
+        platform_of_process = way.name;
+        break;
+      } catch (const GlError& error) {
+        failures += (failures.empty() ? "" : "; ") + std::string(error.what());
+      }
+    }
+    if (!platform_) {
+      throw GlError("no off-screen OpenGL: " + failures +
+                    "; install the package libosmesa6, or libegl1 with libgl1-mesa-dri");
+    }
+  } catch (...) {
+    context_exists = false;
+    throw;
   }
-  mesa_->create = symbol<decltype(mesa_->create)>(library, "OSMesaCreateContextExt");
-  mesa_->make_current = symbol<decltype(mesa_->make_current)>(library, "OSMesaMakeCurrent");
-  mesa_->destroy = symbol<decltype(mesa_->destroy)>(library, "OSMesaDestroyContext");
-  mesa_->context = mesa_->create(kGlRgba, 24, 8, 8, nullptr);
-  if (mesa_->context == nullptr) throw GlError("OSMesa made no context");
-  if (!mesa_->make_current(mesa_->context, mesa_->canvas.data(), kGlUnsignedByte, kCanvas,
-                           kCanvas)) {
-    throw GlError("OSMesa could not make its context current");
-  }
-  const auto get_string = symbol<const unsigned char* (*)(unsigned)>(library, "glGetString");
-  const auto text = [&](int name) {
-    const unsigned char* value = get_string(static_cast<unsigned>(name));
-    return std::string(value != nullptr ? reinterpret_cast<const char*>(value) : "unknown");
-  };
-  description_ = text(kGlRenderer) + ", " + text(kGlVersion);
+  renderer_ = platform_->text(kGlRenderer);
+  version_ = platform_->text(kGlVersion);
 }
 
-GlContext::~GlContext() = default;
+GlContext::~GlContext() {
+  platform_.reset();
+  context_exists = false;
+}
 
 }  // namespace legwright

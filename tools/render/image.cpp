@@ -61,6 +61,11 @@ void draw_dot(Image& whole, double x, double y, double radius, Rgb colour, doubl
   }
 }
 
+void fade(Image& image, double share) {
+  for (auto& part : image.rgb)
+    part = static_cast<std::uint8_t>(std::lround(part + (255.0 - part) * share));
+}
+
 Image shrink(const Image& image, int factor) {
   Image small(image.width / factor, image.height / factor);
   const int count = factor * factor;

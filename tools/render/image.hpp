@@ -40,6 +40,8 @@ void stamp(Image& whole, const Mask& mask, int x, int y, Rgb colour);
 void fill(Image& whole, int x, int y, int width, int height, Rgb colour);
 /// A round dot with soft edges; `ring` > 0 draws only a ring of that width [pixels].
 void draw_dot(Image& whole, double x, double y, double radius, Rgb colour, double ring = 0.0);
+/// Blends the whole picture towards white by `share`, 0 … 1.
+void fade(Image& image, double share);
 /// The picture at 1/factor of its size, each pixel the mean of factor × factor.
 Image shrink(const Image& image, int factor);
 

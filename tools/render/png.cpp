@@ -12,9 +12,15 @@
 namespace legwright {
 
 std::vector<std::uint8_t> encode_png(const Image& image) {
+  lodepng::State state;
+  state.info_raw.colortype = state.info_png.color.colortype = LCT_RGB;
+  // Three times as fast as the library's own choice, for files some per cent larger.
+  state.encoder.auto_convert = 0;
+  state.encoder.filter_strategy = LFS_ZERO;
+  state.encoder.zlibsettings.lazymatching = 0;
   std::vector<std::uint8_t> bytes;
   const unsigned error = lodepng::encode(bytes, image.rgb, static_cast<unsigned>(image.width),
-                                         static_cast<unsigned>(image.height), LCT_RGB, 8);
+                                         static_cast<unsigned>(image.height), state);
   if (error != 0) throw std::runtime_error(std::string("PNG: ") + lodepng_error_text(error));
   return bytes;
 }

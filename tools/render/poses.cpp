@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "mjcf/input_error.hpp"
+#include "plugin/planned_motion.hpp"
 #include "plugin/spline.hpp"
 #include "tools/io/atomic_file.hpp"
 #include "tools/report/tables.hpp"
@@ -37,6 +38,13 @@ std::vector<double> start_pose(const mjModel& model) {
 
 Poses planned_poses(const mjModel& model, const Trajectory& plan, int count,
                     const std::filesystem::path& scene) {
+  std::vector<double> times;
+  for (int k = 0; k < count; ++k) times.push_back(plan.period * k / count);
+  return planned_poses(model, plan, times, scene);
+}
+
+Poses planned_poses(const mjModel& model, const Trajectory& plan, const std::vector<double>& times,
+                    const std::filesystem::path& scene) {
   const auto refuse = [&](const std::string& what) {
     throw InputError(scene.string(), 0, "", what + "; " + kOptimizeAgain);
   };
@@ -52,19 +60,16 @@ Poses planned_poses(const mjModel& model, const Trajectory& plan, int count,
     address.push_back(model.jnt_qposadr[joint]);
   }
   Poses poses;
-  TrajectorySample moment;
-  for (int k = 0; k < count; ++k) {
-    sample(plan, plan.period * k / count, moment);
+  const PlannedMotion motion(plan);
+  for (const double time : times) {
+    const SplinePhase phase = phase_at(plan, time);
+    const Pose trunk = motion.root(phase);
     std::vector<double> qpos(model.qpos0, model.qpos0 + model.nq);
-    double turn[3];
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      qpos[static_cast<std::size_t>(root) + axis] = moment.root[axis];
-      turn[axis] = moment.root[3 + axis];
-    }
-    const double angle = mju_normalize3(turn);
-    mju_axisAngle2Quat(&qpos[static_cast<std::size_t>(root) + 3], turn, angle);
+    const auto place = std::copy(trunk.position.begin(), trunk.position.end(), qpos.begin() + root);
+    std::copy(trunk.quaternion.begin(), trunk.quaternion.end(), place);
     for (std::size_t j = 0; j < address.size(); ++j) {
-      qpos[static_cast<std::size_t>(address[j])] = moment.target[j];
+      const int column = plan.target_column(static_cast<int>(j));
+      qpos[static_cast<std::size_t>(address[j])] = spline_point(plan, phase, column).value;
     }
     poses.push_back(std::move(qpos));
   }
@@ -85,6 +90,18 @@ Playback read_playback(const mjModel& model, const std::filesystem::path& file) 
     playback.qpos.emplace_back(row.begin() + 1, row.end());
   }
   return playback;
+}
+
+std::vector<double> pose_at(const mjModel& model, const Playback& playback, double time) {
+  const auto after = std::upper_bound(playback.time.begin(), playback.time.end(), time);
+  if (after == playback.time.begin()) return playback.qpos.front();
+  if (after == playback.time.end()) return playback.qpos.back();
+  const auto i = static_cast<std::size_t>(after - playback.time.begin());
+  const double gap = playback.time[i] - playback.time[i - 1];
+  std::vector<double> pose = playback.qpos[i - 1], way(static_cast<std::size_t>(model.nv));
+  mj_differentiatePos(&model, way.data(), gap, pose.data(), playback.qpos[i].data());
+  mj_integratePos(&model, pose.data(), way.data(), time - playback.time[i - 1]);
+  return pose;
 }
 
 std::size_t record_at(const Playback& playback, double time) {

@@ -25,6 +25,10 @@ std::vector<double> start_pose(const mjModel& model);
 /// the plan or a free root.
 Poses planned_poses(const mjModel& model, const Trajectory& plan, int count,
                     const std::filesystem::path& scene);
+/// The same at any times [s] since phase 0, later cycles included: a plan that turns stays on its
+/// circle.
+Poses planned_poses(const mjModel& model, const Trajectory& plan, const std::vector<double>& times,
+                    const std::filesystem::path& scene);
 
 /// What a simulation did, as `validate` records it.
 struct Playback {
@@ -34,6 +38,9 @@ struct Playback {
 /// Reads a playback: a time column, then qpos. Throws InputError where it is damaged or does not fit
 /// the model, std::system_error if unreadable.
 Playback read_playback(const mjModel& model, const std::filesystem::path& file);
+
+/// The pose at a time [s] between two records, the nearest record beyond them.
+std::vector<double> pose_at(const mjModel& model, const Playback& playback, double time);
 
 /// Index of the record nearest to a time [s].
 std::size_t record_at(const Playback& playback, double time);

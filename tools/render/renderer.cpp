@@ -3,88 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <string>
 
 #include "tools/render/scene_parts.hpp"
+#include "tools/render/studio.hpp"
 
 namespace legwright {
 namespace {
 
 constexpr int kSceneGeoms = 4000;
-constexpr int kTextWidth = 1536,
-              kTextHeight = 128;  // canvas of one line of text, twice its final size
-
-constexpr double kStudioSize =
-    1.2;  // [m] extent that shadows and clipping planes go by, whatever the model's
-constexpr std::array<float, 4> kPaper{0.965F, 0.97F, 0.975F, 1.0F};  // the floor fades into this
-constexpr double kFloorStretch = 10.0;  // times its size in the scene; 0, without end, stays so
-constexpr float kSun[3] = {-0.35F, 0.30F, -1.0F};  // seen from the camera: to the right, away, down
-
-/// MuJoCo clears to black: beyond the edge of the floor, and above the horizon, there shall be paper. So
-/// floors end only where the fog has swallowed them, and the sky is paper too.
-void extend_to_paper(mjModel& model) {
-  for (int g = 0; g < model.ngeom; ++g) {
-    if (model.geom_type[g] != mjGEOM_PLANE) continue;
-    for (int side : {0, 1}) model.geom_size[3 * g + side] *= kFloorStretch;
-  }
-  for (int t = 0; t < model.ntex; ++t) {
-    if (model.tex_type[t] != mjTEXTURE_SKYBOX) continue;
-    const int channels = model.tex_nchannel[t];
-    mjtByte* pixel = model.tex_data + model.tex_adr[t];
-    for (int i = 0; i < model.tex_width[t] * model.tex_height[t]; ++i, pixel += channels)
-      for (int c = 0; c < channels; ++c)
-        pixel[c] = static_cast<mjtByte>(std::lround(255.0F * kPaper[static_cast<std::size_t>(c)]));
-  }
-}
-
-ModelPointer styled_copy(const mjModel& model, int width, int height, RenderStyle style) {
-  ModelPointer copy(mj_copyModel(nullptr, &model));
-  if (!copy) throw std::bad_alloc();
-  const bool full = style == RenderStyle::full;
-  copy->vis.global.offwidth = std::max(width, kTextWidth);
-  copy->vis.global.offheight = std::max(height, kTextHeight);
-  copy->vis.global.fovy = static_cast<float>(kFieldOfView);
-  copy->vis.quality.offsamples = full ? 4 : 0;
-  copy->vis.quality.shadowsize = full ? 2048 : 1024;
-  copy->vis.map.shadowclip = 1.0F;  // times the extent: half the side of what the shadow map covers
-  copy->stat.extent = kStudioSize;
-  std::copy(kPaper.begin(), kPaper.end(), copy->vis.rgba.fog);
-  std::fill_n(copy->vis.headlight.ambient, 3, 0.42F);
-  std::fill_n(copy->vis.headlight.diffuse, 3, 0.26F);
-  std::fill_n(copy->vis.headlight.specular, 3, 0.10F);
-  copy->vis.headlight.active = 1;
-  extend_to_paper(*copy);
-  return copy;
-}
-
-/// The same light for every scene, turned with the camera: a head light and a sun that casts the
-/// shadow.
-void light_studio(const View& view, mjvScene& scene) {
-  scene.nlight = std::min(scene.nlight, 1);  // MuJoCo puts the head light first
-  const double a = view.azimuth * std::numbers::pi / 180.0;
-  mjvLight sun{};
-  sun.type = mjLIGHT_DIRECTIONAL;
-  sun.texid = -1;
-  sun.castshadow = 1;
-  sun.attenuation[0] = 1.0F;
-  sun.exponent = 10.0F;
-  sun.cutoff = 45.0F;
-  std::fill_n(sun.diffuse, 3, 0.48F);
-  std::fill_n(sun.specular, 3, 0.25F);
-  const double right = kSun[0], away = kSun[1];
-  const double x = away * std::cos(a) + right * std::sin(a),
-               y = away * std::sin(a) - right * std::cos(a);
-  const double length = std::sqrt(x * x + y * y + 1.0);
-  sun.dir[0] = static_cast<float>(x / length);
-  sun.dir[1] = static_cast<float>(y / length);
-  sun.dir[2] = static_cast<float>(-1.0 / length);
-  for (std::size_t c = 0; c < 3; ++c) {
-    sun.pos[c] = static_cast<float>(view.lookat[c] - 1.0 * sun.dir[c]);
-  }
-  scene.lights[scene.nlight++] = sun;
-}
+// Canvas of one line of text, twice its final size [pixels].
+constexpr int kTextWidth = 1536, kTextHeight = 128;
 
 void draw_lines(std::span<const FloorLine> lines, mjvScene& scene) {
   for (const FloorLine& line : lines) {
@@ -100,6 +30,14 @@ void draw_lines(std::span<const FloorLine> lines, mjvScene& scene) {
       geom.specular = 0.0F;
     }
   }
+}
+
+void paint_as_ghost(mjvGeom& geom, const Ghost& ghost) {
+  std::copy(ghost.rgba.begin(), ghost.rgba.end(), geom.rgba);
+  geom.matid = -1;
+  geom.category = mjCAT_DECOR;
+  geom.emission = 0.2F;
+  geom.specular = geom.reflectance = 0.0F;
 }
 
 }  // namespace
@@ -121,26 +59,26 @@ void place(const mjModel& model, mjData& data, std::span<const double> qpos) {
 
 struct Renderer::Parts {
   ModelPointer model;
-  DataPointer data;
+  DataPointer data, ghost;
   int width, height;
+  RenderStyle style;
   mjvScene scene;
   mjvOption option;
   mjrContext context;
 
-  Parts(const mjModel& source, int w, int h, RenderStyle style)
-      : model(styled_copy(source, w, h, style)),
+  Parts(const mjModel& source, int w, int h, RenderStyle how)
+      : model(styled_copy(source, std::max(w, kTextWidth), std::max(h, kTextHeight), how)),
         data(mj_makeData(model.get())),
+        ghost(mj_makeData(model.get())),
         width(w),
-        height(h) {
-    if (!data) throw std::bad_alloc();
+        height(h),
+        style(how) {
+    if (!data || !ghost) throw std::bad_alloc();
     mjv_defaultScene(&scene);
     mjv_defaultOption(&option);
     mjr_defaultContext(&context);
     mjv_makeScene(model.get(), &scene, kSceneGeoms);
-    scene.flags[mjRND_REFLECTION] = 0;
-    scene.flags[mjRND_HAZE] = 0;
-    scene.flags[mjRND_SKYBOX] = 1;
-    scene.flags[mjRND_FOG] = 1;
+    set_effects(style, scene, option);
     mjr_makeContext(model.get(), &context, mjFONTSCALE_200);
   }
   ~Parts() {
@@ -169,8 +107,7 @@ Image Renderer::read_buffer(int width, int height) const {
   return image;
 }
 
-Image Renderer::render(std::span<const double> qpos, const View& view,
-                       std::span<const FloorLine> lines) {
+void Renderer::set_scene(std::span<const double> qpos, const View& view) {
   Parts& p = *parts_;
   place(*p.model, *p.data, qpos);
   mjvCamera camera;
@@ -184,12 +121,50 @@ Image Renderer::render(std::span<const double> qpos, const View& view,
   // first frame differs.
   mjv_updateCamera(p.model.get(), p.data.get(), &camera, &p.scene);
   mjv_updateScene(p.model.get(), p.data.get(), &p.option, nullptr, &camera, mjCAT_ALL, &p.scene);
-  light_studio(view, p.scene);
-  draw_lines(lines, p.scene);
+  light_studio(view, shadow_reach(view, p.width, p.height), p.scene);
+  // The shadow's own picture covers what is seen about the robot: small scenes get sharp shadows.
+  p.context.shadowClip = static_cast<float>(shadow_reach(view, p.width, p.height));
   p.context.fogStart = static_cast<float>(1.15 * view.distance);
   p.context.fogEnd = static_cast<float>(3.0 * view.distance);
+}
+
+Image Renderer::render(std::span<const double> qpos, const View& view,
+                       std::span<const FloorLine> lines, const Ghost* ghost) {
+  Parts& p = *parts_;
+  set_scene(qpos, view);
+  draw_lines(lines, p.scene);
+  if (ghost != nullptr) {
+    place(*p.model, *p.ghost, ghost->qpos);
+    const int first = p.scene.ngeom;
+    mjv_addGeoms(p.model.get(), p.ghost.get(), &p.option, nullptr, mjCAT_DYNAMIC, &p.scene);
+    for (int g = first; g < p.scene.ngeom; ++g) paint_as_ghost(p.scene.geoms[g], *ghost);
+  }
   mjr_render({0, 0, p.width, p.height}, &p.scene, &p.context);
   return read_buffer(p.width, p.height);
+}
+
+IdImage Renderer::ids(std::span<const double> qpos, const View& view) {
+  Parts& p = *parts_;
+  if (p.style == RenderStyle::full)
+    throw std::logic_error("numbers of geoms cannot be antialiased: use style cheap or plain");
+  set_scene(qpos, view);
+  p.scene.flags[mjRND_SEGMENT] = p.scene.flags[mjRND_IDCOLOR] = 1;
+  mjr_render({0, 0, p.width, p.height}, &p.scene, &p.context);
+  p.scene.flags[mjRND_SEGMENT] = p.scene.flags[mjRND_IDCOLOR] = 0;
+  const Image colours = read_buffer(p.width, p.height);
+  std::vector<std::uint16_t> id_of(static_cast<std::size_t>(p.scene.ngeom) + 1, 0);
+  for (int g = 0; g < p.scene.ngeom; ++g) {  // what is drawn but is no geom counts as background
+    const mjvGeom& geom = p.scene.geoms[g];
+    if (geom.objtype == mjOBJ_GEOM && geom.segid >= 0 && geom.segid < p.scene.ngeom)
+      id_of[static_cast<std::size_t>(geom.segid) + 1] = static_cast<std::uint16_t>(geom.objid + 1);
+  }
+  IdImage image(p.width, p.height);
+  for (std::size_t i = 0; i < image.id.size(); ++i) {
+    const std::uint8_t* c = &colours.rgb[3 * i];
+    const std::size_t drawn = c[0] + 256U * c[1] + 65536U * c[2];
+    image.id[i] = drawn < id_of.size() ? id_of[drawn] : 0;
+  }
+  return image;
 }
 
 Mask Renderer::word(const std::string& word, bool large) {

@@ -11,13 +11,15 @@
 #include <vector>
 
 #include "tools/render/gl_context.hpp"
+#include "tools/render/id_image.hpp"
 #include "tools/render/image.hpp"
 
 namespace legwright {
 
 /// How much a picture may cost: `cheap` for every iteration (small shadows, no antialiasing),
-/// `full` for the pictures people look at (large shadows, antialiased).
-enum class RenderStyle { cheap, full };
+/// `full` for the pictures people look at (large shadows, antialiased), `plain` for pictures that
+/// are compared byte by byte (as cheap, without textures, fog and sky).
+enum class RenderStyle { cheap, full, plain };
 
 /// A camera that looks at a point: where from, in degrees, as MuJoCo's free camera counts them.
 struct View {
@@ -32,6 +34,12 @@ struct FloorLine {
   std::vector<std::array<double, 3>> points;  // [m], world
   std::array<float, 4> rgba{0.2F, 0.2F, 0.2F, 1.0F};
   double radius = 0.002;  // [m]
+};
+
+/// The robot once more, in another pose, translucent and of one colour.
+struct Ghost {
+  std::span<const double> qpos;
+  std::array<float, 4> rgba{0.10F, 0.42F, 0.95F, 0.12F};
 };
 
 /// Full qpos vectors of one model, one after another.
@@ -64,9 +72,13 @@ class Renderer {
   Renderer& operator=(const Renderer&) = delete;
 
   /// @param qpos model.nq numbers; throws std::invalid_argument for another count or non-finite
-  /// ones.
+  /// ones, of the ghost too.
   Image render(std::span<const double> qpos, const View& view,
-               std::span<const FloorLine> lines = {});
+               std::span<const FloorLine> lines = {}, const Ghost* ghost = nullptr);
+
+  /// Which geom is seen where: no light, no colour, so it tells a moved joint from another
+  /// rasteriser. Throws std::logic_error in style full, whose antialiasing would mix numbers.
+  IdImage ids(std::span<const double> qpos, const View& view);
 
   /// A line of ASCII text as a mask, of a height that depends on `large` only; its width is that of
   /// its ink.
@@ -74,6 +86,7 @@ class Renderer {
 
  private:
   struct Parts;
+  void set_scene(std::span<const double> qpos, const View& view);
   Mask word(const std::string& word, bool large);
   Image read_buffer(int width, int height) const;
   std::unique_ptr<Parts> parts_;

@@ -8,6 +8,7 @@
 #include "tests/tools/render/toy_scene.hpp"
 #include "tools/io/atomic_file.hpp"
 #include "tools/render/poses.hpp"
+#include "tools/simulate/played_state.hpp"
 
 namespace legwright {
 namespace {
@@ -47,6 +48,32 @@ TEST(PlannedPoses, AreTheSplineInTheOrderOfTheModel) {
     EXPECT_NEAR(poses[k][6], std::sin(0.15), 1e-12);
     EXPECT_NEAR(poses[k][7], 0.25, 1e-12);
     EXPECT_NEAR(poses[k][8], 0.0, 1e-12);
+  }
+}
+
+TEST(PlannedPoses, GoRoundTheCircleAsThePluginDoes) {
+  const ModelPointer model = toy();
+  for (const double turn : {0.0, 0.25, -1.3}) {
+    Trajectory plan = toy_plan();
+    plan.travel = {0.1, 0.02, 0.0};
+    plan.turn = turn;
+    for (int k = 0; k < 8; ++k) {
+      plan.at(k, plan.root_column(0)) = 0.5 + 0.0125 * k;
+      plan.at(k, plan.root_column(3)) = 0.1 * std::sin(k);  // roll, so that turns do not just add
+      plan.at(k, plan.root_column(5)) = turn * k / 8;
+    }
+    const JointMap map = map_joints(*model, plan.joint_names);
+    for (const double cycle : {0.0, 0.3, 5.0, 5.9}) {
+      const double time = cycle * plan.period;
+      const auto pose = planned_poses(*model, plan, std::vector<double>{time}, "toy.xml").front();
+      const auto played = played_state(*model, map, plan, time).qpos;
+      double same = 0.0;  // a quaternion and its negative are one rotation
+      for (Eigen::Index i = 3; i < 7; ++i) same += pose[static_cast<std::size_t>(i)] * played[i];
+      EXPECT_NEAR(std::abs(same), 1.0, 1e-12) << turn << " cycle " << cycle;
+      for (const Eigen::Index i : {0, 1, 2, 7, 8})
+        EXPECT_NEAR(pose[static_cast<std::size_t>(i)], played[i], 1e-12)
+            << i << ", turn " << turn << " cycle " << cycle;
+    }
   }
 }
 

@@ -9,6 +9,7 @@
 #include "tests/tools/render/toy_scene.hpp"
 #include "tools/io/atomic_file.hpp"
 #include "tools/io/io_error.hpp"
+#include "tools/render/act.hpp"
 #include "tools/render/png.hpp"
 
 namespace legwright {
@@ -41,6 +42,11 @@ fs::path toy_run(const std::string& name, bool validated) {
           "time_s,x,y,z,qw,qx,qy,qz,l,r\n0,0,0,0.28,1,0,0,0,0,0\n2,0,0.1,0.28,1,0,0,0,0.2,0\n"
           "4,0,0.2,0.28,1,0,0,0,0,0.2\n");
     }
+    const std::string design =
+        R"({"default":{"fall":null,"feet":[{"name":"L","planned_stances_s":[[0,0.2]],
+            "contacts_s":[[0,0.3],[0.4,2]]}]}})";
+    write_file(run / "result" / "metrics.json",
+               R"({"initial":)" + design + R"(,"result":)" + design + "}");
     write_file(run / "result" / "verdict.json",
                R"({"initial":{"pass":false},"result":{"pass":true},"pass":true})");
   }
@@ -50,7 +56,7 @@ fs::path toy_run(const std::string& name, bool validated) {
 std::map<std::string, std::string> pictures(const fs::path& run) {
   std::map<std::string, std::string> found;
   for (const auto& entry : fs::recursive_directory_iterator(run)) {
-    if (entry.path().extension() == ".png")
+    if (entry.path().extension() == ".png" || entry.path().extension() == ".webp")
       found[fs::relative(entry.path(), run).string()] = read_file(entry.path());
   }
   return found;
@@ -62,25 +68,57 @@ TEST(RunPictures, AreCompleteAndTheSameEachTime) {
   const RunPictures first = draw_run(run);
   EXPECT_TRUE(first.left_out.empty());
   const auto before = pictures(run);
-  EXPECT_EQ(before.size(), 6U);
-  EXPECT_EQ(first.made.size(), 6U);
+  EXPECT_EQ(before.size(), 9U);
+  EXPECT_EQ(first.made.size(), 9U);
   for (const char* name :
        {"iterations/0000/frame.png", "iterations/0001/frame.png", "result/strip_initial.png",
-        "result/strip_result.png", "result/strip_before_after.png", "result/strip_physics.png"}) {
+        "result/strip_result.png", "result/strip_before_after.png", "result/strip_physics.png",
+        "result/overlay.png", "result/contact_timeline.png", "result/gait.webp"}) {
     EXPECT_TRUE(before.contains(name)) << name;
   }
-  EXPECT_EQ(draw_run(run).made.size(), 4U);  // stills are there already
-  EXPECT_EQ(draw_run(run, {.all = true}).made.size(), 6U);
+  EXPECT_EQ(draw_run(run).made.size(), 7U);  // stills of iterations are there already
   EXPECT_EQ(pictures(run), before);
+  fs::remove(run / "result" / "metrics.json");  // as an older version left it
+  const RunPictures again = draw_run(run, {.all = true});
+  EXPECT_EQ(again.made.size(), 8U);
+  ASSERT_EQ(again.left_out.size(), 1U);
+  EXPECT_NE(again.left_out[0].find("contact_timeline.png"), std::string::npos);
+}
+
+TEST(RunPictures, StillsAtPhasesAlone) {
+  LEGWRIGHT_NEEDS_GL();
+  const fs::path run = toy_run("pictures_phases", false);
+  EXPECT_EQ(draw_run(run, {.phases = {0.0, 0.25}, .only_phases = true}).made.size(), 4U);
+  const auto made = pictures(run);
+  EXPECT_EQ(made.size(), 4U);
+  for (const char* name : {"result/still_0.png", "result/still_before_after_0.png",
+                           "result/still_0.25.png", "result/still_before_after_0.25.png"})
+    EXPECT_TRUE(made.contains(name)) << name;
+  EXPECT_NE(made.at("result/still_0.png"), made.at("result/still_0.25.png"));
+}
+
+TEST(RunPictures, MotionOnlyHasOneRobot) {
+  LEGWRIGHT_NEEDS_GL();
+  const fs::path run = toy_run("pictures_motion_only", false);
+  draw_run(run);
+  const Image two_rows = read_png(run / "result" / "strip_before_after.png");
+  write_file(run / "run.json", R"({"schema":"legwright/run","motion_only":true})");
+  draw_run(run, {.phases = {0.5}});
+  const Image one_row = read_png(run / "result" / "strip_before_after.png");
+  EXPECT_LT(one_row.height, two_rows.height);
+  EXPECT_EQ(one_row, read_png(run / "result" / "strip_result.png"));
+  EXPECT_FALSE(fs::exists(run / "result" / "still_before_after_0.5.png"));
+  EXPECT_EQ(load_acts(run).front().title.find("co-designed"), std::string::npos);
 }
 
 TEST(RunPictures, TellWhatTheyLeaveOut) {
   LEGWRIGHT_NEEDS_GL();
   const fs::path run = toy_run("pictures_not_validated", false);
   const RunPictures drawn = draw_run(run);
-  EXPECT_EQ(drawn.made.size(), 5U);
-  ASSERT_EQ(drawn.left_out.size(), 1U);
-  EXPECT_NE(drawn.left_out[0].find("validate"), std::string::npos);
+  EXPECT_EQ(drawn.made.size(), 6U);
+  ASSERT_EQ(drawn.left_out.size(), 3U);
+  for (const std::string& missing : drawn.left_out)
+    EXPECT_NE(missing.find("validate"), std::string::npos) << missing;
   fs::remove_all(run / "result");
   const RunPictures stopped = draw_run(run);
   EXPECT_TRUE(stopped.made.empty());
@@ -92,6 +130,35 @@ TEST(RunPictures, NeedARun) {
   const fs::path run = toy_run("pictures_of_another_program", false);
   write_file(run / "run.json", R"({"schema":"other/run"})");
   EXPECT_THROW(draw_run(run), IoError);
+}
+
+TEST(RunPictures, AVerdictThatIsNoObjectIsToldAndOneThatLacksPartsIsNot) {
+  const fs::path run = toy_run("pictures_no_verdict", true);
+  EXPECT_EQ(load_acts(run).back().passed, true);
+  for (const char* name : {"verdict.json", "metrics.json"}) {
+    for (const char* damaged : {"[1]", "null", "\"PASS\""}) {
+      toy_run("pictures_no_verdict", true);
+      write_file(run / "result" / name, damaged);
+      try {
+        load_acts(run);
+        FAIL() << name << " " << damaged;
+      } catch (const InputError& error) {
+        for (const std::string& part :
+             {(run / "result" / name).string(), std::string("run `legwright validate` again")})
+          EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+      }
+    }
+  }
+  toy_run("pictures_no_verdict", true);
+  write_file(run / "run.json", R"({"schema":"legwright/run","motion_only":"no"})");
+  for (const char* part :
+       {R"({"result":[1]})", R"({"result":null})", "{}", R"({"result":{"pass":"yes"}})"}) {
+    write_file(run / "result" / "verdict.json", part);
+    write_file(run / "result" / "metrics.json", R"({"result":[]})");
+    const auto acts = load_acts(run);
+    EXPECT_EQ(acts.size(), 2U) << part;
+    EXPECT_FALSE(acts.back().passed) << part;
+  }
 }
 
 TEST(RunPictures, DamagedFilesAreToldWithTheirPathAndAWayOut) {

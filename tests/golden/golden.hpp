@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tools/render/id_image.hpp"
+#include "tools/render/renderer.hpp"
+#include "tools/render/scene_parts.hpp"
+
+/// Stored pictures of gaits, and what is compared with them.
+namespace legwright::golden {
+
+inline constexpr int kWidth = 640, kHeight = 480;
+inline constexpr int kAllowedPixels = 10;  // of an id image that may show another geom
+
+/// tests/golden of the sources.
+std::filesystem::path folder();
+inline const std::vector<std::string> kRobots{"hexapod", "puppy", "quadruped"};
+
+/// A robot with the poses of its gait that were stored, and the camera.
+struct Robot {
+  std::string name;
+  ModelPointer model;
+  View view;
+  std::string twin_joint;  // the one that is moved to see the comparison fail
+  struct Pose {
+    std::string name;
+    std::vector<double> qpos;
+  };
+  std::vector<Pose> poses;
+
+  std::filesystem::path id_file(const Pose& pose) const;
+  std::filesystem::path colour_file(const Pose& pose) const;
+  /// The pose with the twin's joint moved [rad].
+  std::vector<double> twin(const Pose& pose, double angle) const;
+};
+
+/// Reads NAME/scene.xml and NAME/poses.json. Throws std::runtime_error for files that do not fit.
+Robot read_robot(const std::string& name);
+
+/// Makes these two files from a run: the robot of its result on a plain floor, three phases of its
+/// planned gait.
+void adopt(const std::filesystem::path& run, const std::string& name);
+
+/// What colours depend on: rasteriser, its version, MuJoCo.
+struct Versions {
+  std::string gl_renderer, gl_version, mujoco;
+  bool operator==(const Versions&) const = default;
+  std::string text() const;
+};
+Versions versions_here(const GlContext& context);
+Versions read_versions();
+void write_versions(const Versions& versions);
+
+/// Before | after | difference side by side: what differs is red on a pale copy.
+Image side_by_side(const Image& before, const Image& after);
+
+/// Empty if at most `allowed` pixels differ. Otherwise writes side_by_side into `picture` and
+/// returns a message with the count, that file and the way to store the new picture.
+std::string compare(const IdImage& stored, const IdImage& drawn, int allowed,
+                    const std::filesystem::path& picture);
+std::string compare(const Image& stored, const Image& drawn, const std::filesystem::path& picture);
+
+}  // namespace legwright::golden
