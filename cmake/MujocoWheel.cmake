@@ -10,7 +10,8 @@ set(LEGWRIGHT_MUJOCO_ROOT "" CACHE PATH "Unpacked mujoco package of that version
 set(legwright_deps "${PROJECT_SOURCE_DIR}/.deps")  # git-ignored, shared by all build trees
 set(legwright_mujoco_root "${LEGWRIGHT_MUJOCO_ROOT}")
 
-function(legwright_download_mujoco_wheel destination)
+# The Python whose pip downloads, into `result`.
+function(legwright_find_pip result)
   find_package(Python3 REQUIRED COMPONENTS Interpreter)
   set(python "${Python3_EXECUTABLE}")
   execute_process(COMMAND "${python}" -m pip --version RESULT_VARIABLE no_pip
@@ -19,6 +20,11 @@ function(legwright_download_mujoco_wheel destination)
     execute_process(COMMAND "${python}" -m venv "${legwright_deps}/pip" COMMAND_ERROR_IS_FATAL ANY)
     set(python "${legwright_deps}/pip/bin/python")
   endif()
+  set(${result} "${python}" PARENT_SCOPE)
+endfunction()
+
+function(legwright_download_mujoco_wheel destination)
+  legwright_find_pip(python)
   message(STATUS "Downloading the wheel mujoco==${LEGWRIGHT_MUJOCO_VERSION}")
   execute_process(
     COMMAND "${python}" -m pip download --quiet --disable-pip-version-check --no-deps
