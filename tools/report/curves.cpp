@@ -258,8 +258,6 @@ void add_table(Html& page, const Curves& curves) {
   page.close();
 }
 
-Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
-
 Json point_json(const CurvePoint& point) {
   Json gains = Json::object();
   for (std::size_t g = 0; g < kGains.size(); ++g) {

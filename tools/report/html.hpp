@@ -9,11 +9,9 @@
 #include <utility>
 #include <vector>
 
-namespace legwright {
+#include "tools/io/clean_text.hpp"
 
-/// `text` as valid UTF-8 without control characters (tab and line break become blanks); what is not
-/// becomes U+FFFD.
-std::string clean_utf8(std::string_view text);
+namespace legwright {
 
 // One escape per context; each takes any bytes and gives clean UTF-8.
 /// For text between tags.

@@ -95,6 +95,8 @@ std::string joint_report_summary(const JointData& data) {
     }
     out += row_of(spaced(p.name), cells);
   }
+  if (const std::string words = stepped_words(data); !words.empty())
+    out += fmt::format("\n{}\n", escape_markdown(words));
   return out + "\nPictures, charts and measurements: report.html in the folder above.\n";
 }
 

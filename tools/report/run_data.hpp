@@ -9,6 +9,7 @@
 
 #include "plugin/trajectory.hpp"
 #include "tools/io/json_file.hpp"
+#include "tools/report/readings.hpp"
 
 namespace legwright {
 
@@ -19,6 +20,12 @@ struct RunData {
   std::vector<Json> iterations;  // "iteration" events in order
   Json metrics, verdict;         // of validate; null where it has not run
   Json certificate;              // of the result; null where it was not asked for
+  Json comparison, numerics,
+      robustness;  // of validate, of their schemas; null where it has not run
+  std::optional<ComparisonView> compared_initial,
+      compared_result;                                  // what can be drawn of `comparison`
+  std::vector<RobustnessFactor> factors;                // and of `robustness`
+  std::vector<LimitRow> limits_initial, limits_result;  // and of `verdict`, failing ones first
   std::optional<Trajectory> initial_plan, result_plan;
   std::vector<std::string> notes;  // files that could not be used, and why
 

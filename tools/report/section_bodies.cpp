@@ -6,7 +6,7 @@
 
 #include "tools/report/pull_words.hpp"
 #include "tools/report/sections.hpp"
-#include "tools/report/svg_plot.hpp"
+#include "tools/report/svg_bars.hpp"
 #include "tools/report/words.hpp"
 
 namespace legwright {

@@ -128,40 +128,42 @@ void add_violation(Html& page, const Json& row) {
   const std::string term = text_at(row, {"term"}), where = text_at(row, {"where"}),
                     unit = text_at(row, {"unit"}), equation = text_at(row, {"equation"});
   const bool met = amount && *amount < 0.0;  // an inequality, and this far from its wall
-  page.open("tr").open("td").element("b", term_words(term));
+  page.open("tr").open("td", {{"class", "head"}}).element("b", term_words(term));
   page.element("small", spaced(term) + (equation.empty() || equation == "-" ? "" : " " + equation));
   page.close();
   const std::string by = amount ? quantity_words(std::abs(*amount), unit) : "–";
-  page.element("td", met ? by + " to spare" : by, {{"class", "n"}});
+  page.element("td", met ? by + " to spare" : by, {{"class", "n"}, {"data-label", "off by"}});
   page.element("td",
                met || !relative   ? "–"
                : *relative < 5e-4 ? "below 0.1 %"
                                   : percent(*relative),
-               {{"class", "n"}});
-  page.element("td", where.empty() ? "whole robot" : spaced(where));
-  page.element("td", time ? fmt::format("{:.2f} s", *time) : "–", {{"class", "n"}}).close();
+               {{"class", "n"}, {"data-label", "of its scale"}});
+  page.open("td", {{"data-label", "where"}}).text(where.empty() ? "whole robot" : spaced(where));
+  if (time) page.text(fmt::format(", at {:.2f} s", *time));
+  page.close().close();
 }
 
 void add_violations(Html& page, const Json& tasks) {
   for (const auto& [name, task] : tasks.items()) {
     const Json& rows = value_at(task, {"violations"});
     if (!rows.is_array() || rows.empty()) continue;
-    page.element("h3", "Each constraint at its worst" +
-                           (tasks.size() > 1 ? ", " + spaced(name) : std::string()));
-    page.open("div", {{"class", "scroll"}}).open("table", {{"class", "worst"}});
+    page.open("details").element(
+        "summary",
+        "Each constraint at its worst" + (tasks.size() > 1 ? ", " + spaced(name) : std::string()));
+    page.open("table", {{"class", "worst stack"}});
     page.open("thead").open("tr").element("th", "constraint");
     page.element("th", "off by", {{"class", "n"}});
     page.element("th", "of its scale", {{"class", "n"}});
-    page.element("th", "where").element("th", "when", {{"class", "n"}});
-    page.close().close().open("tbody");
+    page.element("th", "where").close().close().open("tbody");
     for (const Json& row : rows) add_violation(page, row);
-    page.close().close().close();
+    page.close().close();
+    page.element(
+        "p",
+        "Constraints are penalties in F, so small remainders are normal; where one is met, the "
+        "table says how much room is left at its tightest.",
+        {{"class", "note"}});
+    page.close();
   }
-  page.element(
-      "p",
-      "Constraints are penalties in F, so small remainders are normal; where one is met, the "
-      "table says how much room is left at its tightest.",
-      {{"class", "note"}});
 }
 
 void add_gradient(Html& page, const Json& tasks, const std::vector<ParameterView>& parameters) {
@@ -219,6 +221,7 @@ void add_certificate(Html& page, const RunData& data) {
                std::string("Checked after the optimisation, with every derivative taken anew. ") +
                    (part ? "What is said of the body is about the weighted sum of all tasks." : ""),
                {{"class", "note"}});
+  add_gap_note(page, data.run, "It is");
   page.open("table", {{"class", "proof"}}).open("tbody");
   add_motion_claims(page, tasks);
   add_design_claims(page, data);

@@ -7,11 +7,14 @@
 
 #include "tools/report/pull_words.hpp"
 #include "tools/report/sections.hpp"
-#include "tools/report/svg_plot.hpp"
+#include "tools/report/svg_bars.hpp"
 #include "tools/report/words.hpp"
 
 namespace legwright {
 namespace {
+
+constexpr double kSmallTerm = 0.01;        // of F: smaller terms are folded away
+constexpr std::size_t kFewParameters = 6;  // so many are shown without unfolding
 
 /// What pulled a parameter, in words; empty where it is not known.
 using Reason = std::function<std::string(const std::string& parameter)>;
@@ -83,9 +86,27 @@ void add_term_bar(Html& page, double value, double most, const char* style) {
                   style, width));
 }
 
+void open_terms(Html& page) {
+  page.open("table", {{"class", "terms stack"}}).open("thead").open("tr").element("th", "");
+  for (const char* head : {"before", "after"}) page.element("th", head, {{"class", "n"}});
+  page.element("th", "").close().close().open("tbody");
+}
+
+void add_term(Html& page, const TermRow& row, double most) {
+  page.open("tr").open("td", {{"class", "head"}});
+  page.element("b", term_words(row.name)).element("small", row.name).close();
+  page.element("td", short_number(row.before), {{"class", "n"}, {"data-label", "before"}});
+  page.element("td", short_number(row.after), {{"class", "n"}, {"data-label", "after"}});
+  page.open("td", {{"class", "bars"}});
+  add_term_bar(page, row.before, most, "b2");
+  add_term_bar(page, row.after, most, "b1");
+  page.close().close();
+}
+
 }  // namespace
 
 void add_design_change(Html& page, const RunData& data) {
+  if (motion_only(data)) return;  // nothing did
   page.open("section").element("h2", "What changed in the body");
   const auto parameters = parameters_of(data.run);
   if (parameters.empty()) {
@@ -114,8 +135,13 @@ void add_design_change(Html& page, const RunData& data) {
       if (pull.parameter == parameter) return pull_words(pull, scale);
     return std::string();
   };
+  const bool few = parameters.size() <= kFewParameters;
+  if (!few)
+    page.open("details").element(
+        "summary", fmt::format("All {} parameters: before, after, bounds, why", parameters.size()));
   add_table(page, parameters, true, reason);
   add_table(page, parameters, false, reason);
+  if (!few) page.close();
   page.close();
 }
 
@@ -131,41 +157,41 @@ void add_terms(Html& page, const RunData& data) {
     rows.push_back({name, value.get<double>(), number_at(last, {name.c_str()}).value_or(0.0)});
     most = std::max({most, rows.back().before, rows.back().after});
   }
+  std::erase_if(rows, [](const TermRow& row) { return row.before == 0.0 && row.after == 0.0; });
   std::stable_sort(rows.begin(), rows.end(),
                    [](const auto& a, const auto& b) { return a.before > b.before; });
-  page.open("section").element("h2", "What the cost is made of");
-  page.element("p", "Each term of F, weighted, for the initial body and for the co-designed one.",
+  const auto before = number_at(data.iterations.front(), {"F"}),
+             after = number_at(data.iterations.back(), {"F"});
+  const auto small = std::stable_partition(rows.begin(), rows.end(), [&](const TermRow& row) {
+    return row.before > kSmallTerm * before.value_or(0.0) ||
+           row.after > kSmallTerm * after.value_or(0.0);
+  });
+  const bool alone = motion_only(data);  // both columns would be the same
+  page.open("section", {{"class", alone ? "only" : ""}}).element("h2", "What the cost is made of");
+  page.element("p",
+               alone
+                   ? "Each term of F, weighted."
+                   : "Each term of F, weighted, for the initial body and for the co-designed one.",
                {{"class", "note"}});
-  page.raw(
-      "<p class=\"legend\"><span><i class=\"key b2\"></i>before</span> <span><i class=\"key "
-      "b1\"></i>after</span></p>\n");
-  page.open("div", {{"class", "scroll"}})
-      .open("table", {{"class", "terms"}})
-      .open("thead")
-      .open("tr");
-  page.element("th", "")
-      .element("th", "before", {{"class", "n"}})
-      .element("th", "after", {{"class", "n"}});
-  page.element("th", "").close().close().open("tbody");
-  for (const TermRow& row : rows) {
-    if (row.before == 0.0 && row.after == 0.0) continue;  // of weight zero
-    page.open("tr")
-        .open("td")
-        .element("b", term_words(row.name))
-        .element("small", row.name)
-        .close();
-    page.element("td", short_number(row.before), {{"class", "n"}});
-    page.element("td", short_number(row.after), {{"class", "n"}}).open("td", {{"class", "bars"}});
-    add_term_bar(page, row.before, most, "b2");
-    add_term_bar(page, row.after, most, "b1");
-    page.close().close();
+  add_gap_note(page, data.run, "The terms are");
+  if (!alone)
+    page.raw(
+        "<p class=\"legend\"><span><i class=\"key b2\"></i>before</span> <span><i class=\"key "
+        "b1\"></i>after</span></p>\n");
+  open_terms(page);
+  for (auto row = rows.begin(); row != small; ++row) add_term(page, *row, most);
+  page.open("tr", {{"class", "sum"}}).element("td", "F", {{"class", "head"}});
+  page.element("td", short_number(before), {{"class", "n"}, {"data-label", "before"}});
+  page.element("td", short_number(after), {{"class", "n"}, {"data-label", "after"}});
+  page.element("td", "").close().close().close();
+  if (small != rows.end()) {
+    page.open("details").element(
+        "summary", fmt::format("{} more terms, each below 1 % of F", rows.end() - small));
+    open_terms(page);
+    for (auto row = small; row != rows.end(); ++row) add_term(page, *row, most);
+    page.close().close().close();
   }
-  page.open("tr", {{"class", "sum"}}).element("td", "F");
-  page.element("td", short_number(number_at(data.iterations.front(), {"F"})), {{"class", "n"}});
-  page.element("td", short_number(number_at(data.iterations.back(), {"F"})), {{"class", "n"}})
-      .element("td", "")
-      .close();
-  page.close().close().close().close();
+  page.close();
 }
 
 }  // namespace legwright

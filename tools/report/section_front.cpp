@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <map>
 
 #include "tools/report/sections.hpp"
@@ -12,7 +14,8 @@
 namespace legwright {
 namespace {
 
-constexpr double kOutside = 3.0;  // times the largest F of the front: it would flatten the curve
+constexpr double kOutside = 1.5;  // times the largest F of the front: it would flatten the curve
+constexpr std::size_t kFewPoints = 3;  // of a front that has fewer between its ends all are drawn
 
 std::string whole(const Json& json, const char* key) {
   const auto value = number_at(json, {key});
@@ -100,38 +103,59 @@ std::string starts_chart(const JointData& data) {
   return line_plot(lines, options);
 }
 
+double front_cost(const JointData& data, const Json& costs, std::size_t task) {
+  return number_at(costs, {data.tasks[task].name.c_str()}).value_or(NAN);
+}
+
 struct FrontPlot {
   std::vector<PlotSeries> series;
   std::vector<std::string> outside;  // designs too far off to be drawn
 };
 
+/// The largest F of the points between the ends, of each task: at an end one task has no say at all
+/// and may cost any amount. Of a short front, of all points.
+std::array<double, 2> front_size(const JointData& data) {
+  std::array<double, 2> between{0.0, 0.0}, all{0.0, 0.0};
+  std::size_t count = 0;
+  for (const Json& point : data.front) {
+    const double weight = number_at(point, {"weight"}).value_or(0.0);
+    const bool inner = weight > 0.0 && weight < 1.0;
+    count += inner ? 1 : 0;
+    for (std::size_t t = 0; t < 2; ++t) {
+      const double cost = front_cost(data, value_at(point, {"F_tasks"}), t);
+      if (!std::isfinite(cost)) continue;
+      all[t] = std::max(all[t], cost);
+      if (inner) between[t] = std::max(between[t], cost);
+    }
+  }
+  return count < kFewPoints ? all : between;
+}
+
 FrontPlot front_series(const JointData& data) {
-  const auto at = [&](const Json& costs, std::size_t t) {
-    return number_at(costs, {data.tasks[t].name.c_str()}).value_or(NAN);
-  };
   FrontPlot plot;
+  const std::array<double, 2> most = front_size(data);
+  const auto outside = [&](double x, double y, const std::string& name) {
+    if (!(x > kOutside * most[0]) && !(y > kOutside * most[1])) return false;
+    plot.outside.push_back(fmt::format("{} ({} and {})", name, short_number(x), short_number(y)));
+    return true;
+  };
   PlotSeries line;
   line.name = "trade-off";
   line.points = true;
-  double most[2] = {0.0, 0.0};
   for (const Json& point : data.front) {
     const Json& costs = value_at(point, {"F_tasks"});
-    line.x.push_back(at(costs, 0));
-    line.y.push_back(at(costs, 1));
-    most[0] = std::max(most[0], line.x.back());
-    most[1] = std::max(most[1], line.y.back());
+    const double x = front_cost(data, costs, 0), y = front_cost(data, costs, 1);
+    const auto weight = number_at(point, {"weight"});
+    if (outside(x, y, "the point of weight " + short_number(weight))) continue;
+    line.x.push_back(x);
+    line.y.push_back(y);
   }
   plot.series.push_back(std::move(line));
   int colour = 1;
   for (const MatrixDesign& design : data.designs) {
     colour = colour % 6 + 1;
     const auto &x = design.cost[0], &y = design.cost[1];
-    if (!x || !y) continue;
-    if (*x > kOutside * most[0] || *y > kOutside * most[1]) {
-      plot.outside.push_back(
-          fmt::format("{} ({} and {})", spaced(design.name), short_number(x), short_number(y)));
-      continue;
-    }
+    if (!x || !y || outside(*x, *y, spaced(design.name))) continue;
     PlotSeries mark;
     mark.name = spaced(design.name);
     mark.colour = colour;
@@ -200,8 +224,10 @@ void add_front(Html& page, const JointData& data) {
   const PlotOptions options{
       .title = "F of " + second, .x_label = "F of " + first, .y_label = "against F of " + first};
   page.open("div", {{"class", "charts single"}}).raw(line_plot(plot.series, options)).close();
-  for (const std::string& outside : plot.outside)
-    page.element("p", "Outside the picture: " + outside + ".", {{"class", "note"}});
+  std::string outside;
+  for (const std::string& one : plot.outside) outside += (outside.empty() ? "" : "; ") + one;
+  if (!outside.empty())
+    page.element("p", fmt::format("Outside the picture: {}.", outside), {{"class", "note"}});
   add_front_table(page, data);
   page.close();
 }

@@ -14,7 +14,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kGains[] = {"half", "default", "double"};
-constexpr std::uintmax_t kMostPictures = 3'000'000;  // bytes of the files; a third more on the page
 
 /// The rest of a verdict's line: "98 % of planned speed, …" without the task before it.
 std::string short_line(const std::string& line) {
@@ -52,6 +51,12 @@ void add_task_card(Html& page, const JointTaskData& task) {
   page.element("p", verdict_words(after), {{"class", "verdict"}});
   page.element("p", way_words(task.task), {{"class", "note"}});
   if (after) add_reasons(page, value_at(run->verdict, {"result"}));
+  if (run != nullptr) {
+    const std::string kept =
+                          run->limits_result.empty() ? "" : limits_kept(run->limits_result) + " ",
+                      bears = survival_words(value_at(run->robustness, {"monte_carlo"}));
+    if (!(kept + bears).empty()) page.element("p", kept + bears);
+  }
   if (before) {
     page.element("p",
                  fmt::format("Before, with the initial body: {}.", *before ? "passed" : "failed"),
@@ -114,9 +119,23 @@ std::string trade_words(const JointData& data) {
 
 }  // namespace
 
+std::string stepped_words(const JointData& data) {
+  std::string names;
+  for (const JointTaskData& task : data.tasks)
+    if (gait_was_stepped(task.task) || (task.run && gait_was_stepped(task.run->run)))
+      names += (names.empty() ? "" : ", ") + spaced(task.name);
+  return names.empty() ? ""
+                       : fmt::format(
+                             "Steps that MuJoCo confirmed changed the gait of {} after the "
+                             "optimisation: F and the certificate are of the gait before.",
+                             names);
+}
+
 void add_task_cards(Html& page, const JointData& data) {
   page.open("section", {{"class", "cards"}});
   for (const JointTaskData& task : data.tasks) add_task_card(page, task);
+  if (const std::string words = stepped_words(data); !words.empty())
+    page.element("p", words, {{"class", "note wide"}});
   if (!data.judged) {
     add_hint(page, "The bodies have not been compared in MuJoCo yet.", "validate", data.whole);
   } else {
@@ -156,21 +175,14 @@ void add_matrix(Html& page, const JointData& data) {
 
 void add_task_pictures(Html& page, const JointData& data) {
   page.open("section").element("h2", "Before and after");
-  std::uintmax_t left = kMostPictures;
-  bool missing = false, too_many = false;
+  PictureBudget budget;
+  bool missing = false;
   for (const JointTaskData& task : data.tasks) {
     const fs::path result = data.whole.root / task.relative / "result";
     bool any = false;
     for (const char* strip : {"strip_physics.png", "strip_before_after.png"}) {
-      std::error_code error;
-      const std::uintmax_t size = fs::file_size(result / strip, error);
-      if (error) continue;
-      any = true;
-      if (size > left) {
-        too_many = true;
-        continue;
-      }
-      left -= size;
+      any = any || fs::exists(result / strip);
+      if (!budget.take(result / strip)) continue;
       const bool physics = std::string_view(strip) == "strip_physics.png";
       add_strip(page, result / strip,
                 spaced(task.name) + (physics ? ": what physics did." : ": what was planned."),
@@ -180,7 +192,7 @@ void add_task_pictures(Html& page, const JointData& data) {
     missing = missing || !any;
   }
   if (missing) add_hint(page, "Film strips are missing.", "render", data.whole);
-  if (too_many)
+  if (budget.refused())
     page.element("p", "More pictures are in the reports of the tasks.", {{"class", "note"}});
   page.close();
 }

@@ -13,8 +13,6 @@
 namespace legwright {
 namespace {
 
-constexpr const char* kRobots[] = {"initial", "result"};
-
 /// The gains that were played, in the order of the file.
 std::vector<std::string> gains_of(const RunData& data) {
   std::vector<std::string> gains;
@@ -93,30 +91,25 @@ const std::vector<Quantity>& quantities() {
   return list;
 }
 
-void add_gain_table(Html& page, const RunData& data, const std::vector<std::string>& gains) {
-  page.open("div", {{"class", "scroll"}})
-      .open("table", {{"class", "gains"}})
-      .open("thead")
-      .open("tr");
-  page.element("th", "");
-  for (const char* robot : {"Before", "After"}) {
-    page.element("th", robot, {{"colspan", std::to_string(gains.size())}, {"class", "n"}});
-  }
-  page.close().open("tr").element("th", "servo gains");
-  for (std::size_t robot = 0; robot < 2; ++robot) {
-    for (const std::string& gain : gains) page.element("th", gain, {{"class", "n"}});
-  }
+/// What was measured of one body, a column for each gain. @param robot key of metrics.json
+void add_gain_table(Html& page, const RunData& data, const std::vector<std::string>& gains,
+                    const char* robot, const char* title) {
+  page.open("div").element("h3", title).open("table", {{"class", "gains"}});
+  page.open("thead").open("tr").element("th", "servo gains");
+  for (const std::string& gain : gains) page.element("th", gain, {{"class", "n"}});
   page.close().close().open("tbody");
   for (const Quantity& quantity : quantities()) {
-    page.open("tr").element("td", quantity.name);
-    for (const char* robot : kRobots) {
-      for (const std::string& gain : gains) {
-        const Json& measured = value_at(data.metrics, {robot, gain.c_str()});
-        const bool too_short =
-            quantity.after_first_cycle && number_at(measured, {"cycles"}).value_or(0.0) < 2.0;
-        page.element("td", too_short ? "–" : quantity.show(measured), {{"class", "n"}});
-      }
+    std::vector<std::string> cells;
+    for (const std::string& gain : gains) {
+      const Json& measured = value_at(data.metrics, {robot, gain.c_str()});
+      const bool too_short =
+          quantity.after_first_cycle && number_at(measured, {"cycles"}).value_or(0.0) < 2.0;
+      cells.push_back(too_short ? "–" : quantity.show(measured));
     }
+    if (std::all_of(cells.begin(), cells.end(), [](const auto& cell) { return cell == "–"; }))
+      continue;  // it fell before there was anything to measure
+    page.open("tr").element("td", quantity.name);
+    for (const std::string& cell : cells) page.element("td", cell, {{"class", "n"}});
     page.close();
   }
   page.close().close().close();
@@ -190,7 +183,7 @@ std::string foot_chart(const Trajectory& plan, const PlotOptions& options,
 }  // namespace
 
 void add_physics(Html& page, const RunData& data) {
-  page.open("section").element("h2", "Planned against measured");
+  page.open("section").element("h2", "What was measured");
   const auto gains = gains_of(data);
   if (gains.empty()) {
     add_hint(page, "The gaits have not been played in MuJoCo yet.", "validate", data);
@@ -199,15 +192,18 @@ void add_physics(Html& page, const RunData& data) {
   }
   const auto cycles = number_at(data.metrics, {"cycles"});
   page.element("p",
-               fmt::format("{} cycles in MuJoCo, servos at half, default and double gains.",
+               fmt::format("{} cycles in MuJoCo. Servo gains say how hard the joints hold on to "
+                           "their planned angles: a sound gait does not depend on them.",
                            short_number(cycles)),
                {{"class", "note"}});
-  add_gain_table(page, data, gains);
-  page.close();
+  page.open("div", {{"class", "charts"}});
+  add_gain_table(page, data, gains, "result", motion_only(data) ? "Measured" : "After");
+  if (!motion_only(data)) add_gain_table(page, data, gains, "initial", "Before");
+  page.close().close();
 }
 
 void add_plan(Html& page, const RunData& data) {
-  page.open("section").element("h2", "Footfalls and forces");
+  page.open("section").element("h2", "Footfalls");
   if (!data.result_plan) {
     page.element(
             "p",
@@ -218,9 +214,13 @@ void add_plan(Html& page, const RunData& data) {
   }
   const Trajectory& plan = *data.result_plan;
   page.open("div", {{"class", "charts"}});
-  if (data.initial_plan)
+  if (data.initial_plan && !motion_only(data))
     page.raw(footfalls(data, *data.initial_plan, "initial", "Footfalls before"));
-  page.raw(footfalls(data, plan, "result", "Footfalls after"));
+  page.raw(footfalls(data, plan, "result", motion_only(data) ? "Footfalls" : "Footfalls after"));
+  if (data.compared_result) {  // its charts show heights and forces, with what was measured
+    page.close().close();
+    return;
+  }
   const PlotOptions heights{.title = "Planned height of the feet, after",
                             .x_label = "time [s]",
                             .y_label = "mm",

@@ -91,7 +91,10 @@ void add_progress(Html& page, const RunData& data) {
   }
   const auto before = number_at(data.iterations.front(), {"F"}),
              after = number_at(data.iterations.back(), {"F"});
-  if (before && after && *after > 0.0) {
+  if (motion_only(data)) {
+    page.element(
+        "p", fmt::format("Only the gait was optimised; it ends at F = {}.", short_number(after)));
+  } else if (before && after && *after > 0.0) {
     page.element(
         "p",
         fmt::format(
@@ -100,7 +103,9 @@ void add_progress(Html& page, const RunData& data) {
             short_number(before), short_number(after), data.iterations.size() - 1,
             short_number(*before / *after)));
   }
-  page.open("div", {{"class", "charts"}}).raw(cost_chart(data)).raw(speed_chart(data));
+  add_gap_note(page, data.run, "F and the planned speed are");
+  page.open("div", {{"class", motion_only(data) ? "charts single" : "charts"}});
+  if (!motion_only(data)) page.raw(cost_chart(data)).raw(speed_chart(data));
   const Json& trace = value_at(data.run, {"motion_only_trace"});
   if (trace.is_array() && trace.size() > 1) page.raw(trace_chart(trace));
   page.close().close();

@@ -15,6 +15,31 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// At most `most` of the iterations, first and last among them, the others where F fell most.
+std::vector<int> spread(const RunData& data, const std::vector<int>& drawn, std::size_t most) {
+  if (drawn.size() <= most) return drawn;
+  const auto cost = [&](int i) {
+    return number_at(data.iterations[static_cast<std::size_t>(i)], {"F"}).value_or(1.0);
+  };
+  std::vector<double> way{0.0};  // how far the run had come, in powers of F and a little by count
+  for (std::size_t k = 1; k < drawn.size(); ++k) {
+    const double ratio = std::abs(cost(drawn[k - 1]) / cost(drawn[k]));
+    way.push_back(way.back() + 0.03 +
+                  (ratio > 0.0 && std::isfinite(ratio) ? std::abs(std::log(ratio)) : 0.0));
+  }
+  std::vector<int> shown{drawn.front()};
+  std::size_t next = 1;
+  for (std::size_t n = 1; n < most; ++n) {  // leaves enough for those that are still to be chosen
+    const double goal = way.back() * static_cast<double>(n) / static_cast<double>(most - 1);
+    const std::size_t last = drawn.size() - (most - n);
+    while (next < last && way[next] < goal) ++next;
+    shown.push_back(drawn[next++]);
+  }
+  return shown;
+}
+
+}  // namespace
+
 void add_card(Html& page, const RunData& data, const char* key, const std::string& title,
               const std::string& body) {
   const Json& verdict = value_at(data.verdict, {key});
@@ -43,43 +68,6 @@ void add_card(Html& page, const RunData& data, const char* key, const std::strin
   page.close();
 }
 
-/// At most `most` of the iterations, first and last among them, the others where F fell most.
-std::vector<int> spread(const RunData& data, const std::vector<int>& drawn, std::size_t most) {
-  if (drawn.size() <= most) return drawn;
-  const auto cost = [&](int i) {
-    return number_at(data.iterations[static_cast<std::size_t>(i)], {"F"}).value_or(1.0);
-  };
-  std::vector<double> way{0.0};  // how far the run had come, in powers of F and a little by count
-  for (std::size_t k = 1; k < drawn.size(); ++k) {
-    const double ratio = std::abs(cost(drawn[k - 1]) / cost(drawn[k]));
-    way.push_back(way.back() + 0.03 +
-                  (ratio > 0.0 && std::isfinite(ratio) ? std::abs(std::log(ratio)) : 0.0));
-  }
-  std::vector<int> shown{drawn.front()};
-  std::size_t next = 1;
-  for (std::size_t n = 1; n < most; ++n) {  // leaves enough for those that are still to be chosen
-    const double goal = way.back() * static_cast<double>(n) / static_cast<double>(most - 1);
-    const std::size_t last = drawn.size() - (most - n);
-    while (next < last && way[next] < goal) ++next;
-    shown.push_back(drawn[next++]);
-  }
-  return shown;
-}
-
-}  // namespace
-
-void add_strip(Html& page, const fs::path& file, const std::string& title,
-               const std::string& explanation) {
-  const std::string bytes = read_file(file);
-  const std::span<const std::uint8_t> data(reinterpret_cast<const std::uint8_t*>(bytes.data()),
-                                           bytes.size());
-  page.open("figure", {{"class", "strip"}});
-  page.open("figcaption").element("b", title).text(" " + explanation).close();
-  page.open("div", {{"class", "scroll"}, {"tabindex", "0"}});
-  page.lone("img", {{"src", data_uri("image/png", data)}, {"alt", title}});
-  page.close().close();
-}
-
 std::string command(const std::string& verb, const RunData& data) {
   return "legwright " + verb + " " + data.root.generic_string();
 }
@@ -94,6 +82,27 @@ void add_hint(Html& page, const std::string& what, const std::string& verb, cons
 
 namespace {
 
+constexpr std::uintmax_t kMostMoving = 1'500'000, kMostStill = 200'000;  // bytes
+
+std::string too_large(const fs::path& file) {
+  return fmt::format("The picture is too large for this page: result/{}.",
+                     file.filename().string());
+}
+
+/// The gait in motion, after the last design.
+void add_gait(Html& page, const RunData& data, PictureBudget& budget) {
+  const fs::path gait = data.root / "result" / "gait.webp";
+  const std::string head = read_head(gait, 12);
+  if (head.size() < 12 || head.substr(0, 4) != "RIFF" || head.substr(8) != "WEBP") return;
+  if (!budget.take(gait, kMostMoving)) {
+    page.element("p", "The gait in motion. " + too_large(gait), {{"class", "note"}});
+    return;
+  }
+  const int last = static_cast<int>(data.iterations.size()) - 1;
+  add_moving(page, gait, data.iteration(std::max(last, 0)) / "frame.png", "The gait, in real time.",
+             "As simulated where it passed, otherwise as planned.");
+}
+
 /// What the plan itself falls short of, and what else than F the body minimised.
 void add_plan_notes(Html& page, const RunData& data) {
   const Json& reasons = value_at(data.run, {"reasons"});
@@ -104,6 +113,12 @@ void add_plan_notes(Html& page, const RunData& data) {
       if (reason.is_string()) page.element("li", reason.get<std::string>());
     page.close().close();
   }
+  if (gait_was_stepped(data.run))
+    page.element("p",
+                 "The gait was changed after the optimisation, see “Closing the gap”: verdicts, "
+                 "pictures and measurements are of the changed gait; F, its terms, the planned "
+                 "speed by iteration and the certificate are of the one before.",
+                 {{"class", "note wide"}});
   const std::string outer = text_at(data.run, {"outer", "objective"});
   if (outer.empty()) return;
   page.element("p",
@@ -118,10 +133,12 @@ void add_plan_notes(Html& page, const RunData& data) {
 
 void add_verdicts(Html& page, const RunData& data) {
   page.open("section", {{"class", "cards"}});
-  add_card(page, data, "initial", "Before", "initial body, its gait optimised for the task");
-  add_card(page, data, "result", "After",
-           motion_only(data) ? "the same body: only its gait was optimised"
-                             : "body and gait co-designed");
+  if (motion_only(data)) {
+    add_card(page, data, "result", "Verdict", "the initial body: only its gait was optimised");
+  } else {
+    add_card(page, data, "initial", "Before", "initial body, its gait optimised for the task");
+    add_card(page, data, "result", "After", "body and gait co-designed");
+  }
   add_plan_notes(page, data);
   if (data.verdict.is_null()) {
     add_hint(page, "No verdict yet: the gaits have not been played in MuJoCo.", "validate", data);
@@ -134,25 +151,34 @@ void add_verdicts(Html& page, const RunData& data) {
   page.close();
 }
 
-void add_pictures(Html& page, const RunData& data) {
-  page.open("section").element("h2", "Before and after");
-  const fs::path result = data.root / "result";
-  const bool planned = fs::exists(result / "strip_before_after.png");
-  if (fs::exists(result / "strip_physics.png")) {
-    add_strip(page, result / "strip_physics.png", "What physics did.",
-              "The camera stands still; the thin line is the start, the coloured one the way of "
-              "the trunk.");
-  } else if (planned) {
+bool add_strip_if(Html& page, const fs::path& file, const std::string& title,
+                  const std::string& explanation, PictureBudget& budget) {
+  if (!fs::exists(file)) return false;
+  if (budget.take(file)) {
+    add_strip(page, file, title, explanation);
+  } else {
+    page.element("p", title + " " + too_large(file), {{"class", "note"}});
+  }
+  return true;
+}
+
+void add_pictures(Html& page, const RunData& data, PictureBudget& budget) {
+  page.open("section").element("h2", motion_only(data) ? "Pictures" : "Before and after");
+  const fs::path result = data.root / "result", planned = result / "strip_before_after.png";
+  if (!add_strip_if(page, result / "strip_physics.png", "What physics did.",
+                    "The camera stands still; the thin line is the start, the coloured one the way "
+                    "of the trunk.",
+                    budget) &&
+      fs::exists(planned)) {
     add_hint(page, "No pictures of the simulation yet.",
              data.metrics.is_null() ? "validate" : "render", data);
   }
-  if (planned) {
-    add_strip(page, result / "strip_before_after.png", "What was planned.",
-              "One cycle at the same camera and phases; dots are the feet seen from above, filled "
-              "where they bear.");
-  } else {
+  add_gait(page, data, budget);
+  if (!add_strip_if(page, planned, "What was planned.",
+                    "One cycle at the same camera and phases; dots are the feet seen from above, "
+                    "filled where they bear.",
+                    budget))
     add_hint(page, "No film strips yet.", "render", data);
-  }
   page.close();
 }
 
@@ -170,12 +196,13 @@ void add_gallery(Html& page, const RunData& data) {
   for (const int index : shown) {
     try {
       const auto bytes = encode_png(shrink(read_png(data.iteration(index) / "frame.png"), 2));
+      if (bytes.size() > kMostStill) throw std::runtime_error("too large");
       const std::string name = fmt::format("iteration {}", index);
       page.open("figure").lone("img", {{"src", data_uri("image/png", bytes)}, {"alt", name}});
       const auto cost = number_at(data.iterations[static_cast<std::size_t>(index)], {"F"});
       page.element("figcaption", fmt::format("{} · F {}", index, short_number(cost))).close();
     } catch (const std::runtime_error&) {
-      page.element("p", fmt::format("iteration {}: its picture cannot be read", index),
+      page.element("p", fmt::format("iteration {}: its picture cannot be shown", index),
                    {{"class", "note"}});
     }
   }

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "tools/report/html.hpp"
 #include "tools/report/joint_data.hpp"
+#include "tools/report/page_pictures.hpp"
 #include "tools/report/run_data.hpp"
+#include "tools/report/words.hpp"
 
 namespace legwright {
 
@@ -15,13 +19,18 @@ std::string_view report_style();
 // One part of the report each, in the order of the page. What is not there yet is said, with the
 // command that makes it.
 void add_verdicts(Html& page, const RunData& data);
-void add_pictures(Html& page, const RunData& data);
+void add_pictures(Html& page, const RunData& data, PictureBudget& budget);
 void add_design_change(Html& page, const RunData& data);
+void add_gap(Html& page, const RunData& data);
 void add_progress(Html& page, const RunData& data);
 void add_gallery(Html& page, const RunData& data);
 void add_terms(Html& page, const RunData& data);
 void add_certificate(Html& page, const RunData& data);
+void add_limits(Html& page, const RunData& data);
 void add_physics(Html& page, const RunData& data);
+void add_comparison(Html& page, const RunData& data, PictureBudget& budget);
+void add_robustness(Html& page, const RunData& data);
+void add_numerics(Html& page, const RunData& data);
 void add_plan(Html& page, const RunData& data);
 void add_origin(Html& page, const RunData& data);
 
@@ -34,9 +43,55 @@ void add_task_pulls(Html& page, const JointData& data);
 void add_front(Html& page, const JointData& data);
 void add_starts(Html& page, const JointData& data);
 
-/// A strip of pictures with its explanation.
-void add_strip(Html& page, const std::filesystem::path& file, const std::string& title,
-               const std::string& explanation);
+// Words that the page, the summary and the page of two runs share.
+/// "All 12 limits are kept."
+std::string limits_kept(const std::vector<LimitRow>& rows);
+/// What was measured against a limit: "98.2 %", "0.6°", "not measured".
+std::string measured_words(const LimitRow& row);
+/// "95 % … 105 %", "at most 20°", "none"
+std::string bound_words(const LimitRow& row);
+/// The unit in which a factor's values are told.
+ShownUnit unit_of(const RobustnessFactor& factor);
+/// "walks from 0.3 to 1.6"
+std::string margin_words(const RobustnessFactor& factor);
+/// "187 of 200 draws walked: 93.5 % (95 % interval 89.2 % … 96.2 %)."; empty without numbers.
+std::string survival_words(const Json& monte_carlo);
+/// Why there are no margins, if the gait fails undisturbed; empty otherwise.
+std::string no_margins_words(const Json& robustness);
+/// One sentence on numerics.json; empty without.
+std::string numerics_words(const Json& numerics);
+/// What inverse dynamics says of the plan, in words; empty without numbers.
+std::string inverse_dynamics_words(const Json& plan);
+
+/// What MuJoCo said of a gait before or after the physics steps.
+struct GapSide {
+  std::optional<bool> pass;
+  std::string words;
+};
+/// What `optimize --physics-steps` did, as run.json (or one of its "tasks") tells.
+struct GapView {
+  bool changed = false;  // else no step was confirmed
+  std::string factors;   // "speed × 1.012, swing height × 1.05"
+  GapSide before, after;
+  std::size_t steps = 0, confirmed = 0;
+};
+/// Nothing where there were no such steps, or they do not say whether they changed the gait.
+std::optional<GapView> gap_of(const Json& run);
+/// Whether the result of a run, or of one of its tasks, is another gait than that of its F, terms
+/// and certificate, which belong to the last iteration.
+bool gait_was_stepped(const Json& run);
+/// The same of a joint run in a sentence; empty where no task's gait was changed.
+std::string stepped_words(const JointData& data);
+/// Says so, where it is so. @param what "This chart is": what is of the gait before
+void add_gap_note(Html& page, const Json& run, const std::string& what);
+
+/// A verdict's card. @param key side of verdict.json @param title of the card @param body what was
+/// judged
+void add_card(Html& page, const RunData& data, const char* key, const std::string& title,
+              const std::string& body);
+/// Adds a strip where it is there and fits; says so where it does not fit. Whether it is there.
+bool add_strip_if(Html& page, const std::filesystem::path& file, const std::string& title,
+                  const std::string& explanation, PictureBudget& budget);
 /// "legwright VERB RUN", as one would type it.
 std::string command(const std::string& verb, const RunData& data);
 /// A paragraph that names what is missing and the command for it.

@@ -11,7 +11,12 @@
 namespace legwright {
 namespace {
 
-constexpr double kLeft = 52, kRight = 12, kTop = 10, kBottom = 42;  // around the plot's area
+constexpr double kRight = 12, kTop = 10;  // around the plot's area
+constexpr double kBottom = 42;            // with a label below the ticks
+constexpr int kSmall = 300;               // narrower drawings have less room on the left
+
+double left_of(const PlotOptions& options) { return options.width < kSmall ? 40 : 52; }
+double bottom_of(const PlotOptions& options) { return options.x_label.empty() ? 22 : kBottom; }
 
 /// Where values fall on the paper.
 struct Axis {
@@ -29,23 +34,54 @@ bool drawable(double x, double y, bool log) {
   return std::isfinite(x) && std::isfinite(y) && (!log || y > 0.0);
 }
 
-std::string legend(const std::vector<PlotSeries>& series) {
-  if (series.size() < 2) return "";
-  std::string out = "<p class=\"legend\">";
-  for (const PlotSeries& s : series) {
-    if (s.name.empty()) continue;
-    out += fmt::format("<span><i class=\"key b{}{}\"></i>{}</span> ", s.colour,
-                       s.mark     ? " ring"
-                       : s.dashed ? " dash"
-                                  : "",
-                       escape_text(s.name));
-  }
-  return out + "</p>\n";
+std::string figure(const std::string& title, const std::string& content,
+                   const std::string& unit = "", const char* style = "chart") {
+  return fmt::format("<figure class=\"{}\"><figcaption>{}{}</figcaption>\n{}</figure>\n", style,
+                     escape_text(title),
+                     unit.empty() ? "" : " <small>" + escape_text(unit) + "</small>", content);
 }
 
-std::string figure(const std::string& title, const std::string& content) {
-  return "<figure class=\"chart\"><figcaption>" + escape_text(title) + "</figcaption>\n" + content +
-         "</figure>\n";
+/// The area between low and high, a piece for each stretch without a gap.
+std::string band_of(const PlotSeries& s, const Axis& x, const Axis& y) {
+  const std::size_t count = std::min({s.x.size(), s.low.size(), s.high.size()});
+  const auto ok = [&](std::size_t i) {
+    return drawable(s.x[i], s.low[i], y.log) && drawable(s.x[i], s.high[i], y.log);
+  };
+  std::string path;
+  for (std::size_t i = 0; i < count;) {
+    if (!ok(i)) {
+      ++i;
+      continue;
+    }
+    std::size_t end = i;
+    while (end < count && ok(end)) ++end;
+    for (std::size_t k = i; k < end; ++k)
+      path += fmt::format("{}{:.1f} {:.1f}", k == i ? "M" : "L", x.at(s.x[k]), y.at(s.high[k]));
+    for (std::size_t k = end; k-- > i;)
+      path += fmt::format("L{:.1f} {:.1f}", x.at(s.x[k]), y.at(s.low[k]));
+    path += "Z";
+    i = end;
+  }
+  if (path.empty()) return "";
+  return fmt::format("<path class=\"band f{}\" d=\"{}\"/>", s.colour, path);
+}
+
+/// Crosses on the axis, dots and rings.
+std::string marks_of(const PlotSeries& s, const Axis& x, const Axis& y) {
+  std::string svg;
+  for (const double at : s.crosses) {
+    if (!std::isfinite(at)) continue;
+    svg += fmt::format("<path class=\"line c{}\" d=\"M{:.1f} {:.1f}l9 9m0 -9l-9 9\"/>", s.colour,
+                       x.at(at) - 4.5, y.from - 4.5);
+  }
+  if (!s.points && !s.mark) return svg;
+  for (std::size_t i = 0; i < std::min(s.x.size(), s.y.size()); ++i) {
+    if (!drawable(s.x[i], s.y[i], y.log)) continue;
+    svg += fmt::format("<circle class=\"{}{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\"/>",
+                       s.mark ? "line c" : "f", s.colour, x.at(s.x[i]), y.at(s.y[i]),
+                       s.mark ? "6.5" : "2.6");
+  }
+  return svg;
 }
 
 std::string path_of(const PlotSeries& s, const Axis& x, const Axis& y) {
@@ -67,20 +103,23 @@ std::string path_of(const PlotSeries& s, const Axis& x, const Axis& y) {
 
 std::string frame(const Axis& x, const Axis& y, const PlotOptions& options) {
   std::string out;
-  const auto y_ticks = y.log ? log_ticks(y.low, y.high) : linear_ticks(y.low, y.high, 5);
+  const auto y_ticks = y.log ? log_ticks(y.low, y.high)
+                             : linear_ticks(y.low, y.high, std::max(3, options.height / 54));
   for (const double tick : y_ticks) {
     out += fmt::format(
         "<path class=\"grid\" d=\"M{:.1f} {:.1f}H{:.1f}\"/><text x=\"{:.1f}\" y=\"{:.1f}\" "
         "text-anchor=\"end\">{}</text>",
         x.from, y.at(tick), x.to, x.from - 6, y.at(tick) + 4, tick_label(tick));
   }
-  for (const double tick : linear_ticks(x.low, x.high, 6, options.whole_x)) {
+  for (const double tick : linear_ticks(
+           x.low, x.high, options.width < kSmall ? 2 : options.width / 76, options.whole_x)) {
     out += fmt::format(
         "<path class=\"tick\" d=\"M{0:.1f} {1:.1f}v4\"/><text x=\"{0:.1f}\" y=\"{2:.1f}\" "
         "text-anchor=\"middle\">{3}</text>",
         x.at(tick), y.from, y.from + 17, tick_label(tick));
   }
   out += fmt::format("<path class=\"axis\" d=\"M{:.1f} {:.1f}H{:.1f}\"/>", x.from, y.from, x.to);
+  if (options.x_label.empty()) return out;
   out +=
       fmt::format("<text class=\"label\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>",
                   x.to, y.from + 35, escape_text(options.x_label));
@@ -96,6 +135,12 @@ struct Extent {
   /// Never empty: at least `least` wide.
   void widen(double share, double least) {
     const double by = std::max(share * (high - low), high - low < least ? least : 0.0);
+    low -= by;
+    high += by;
+  }
+  /// At least `span` wide, about the same middle.
+  void reach(double span) {
+    const double by = std::max(0.0, 0.5 * (span - (high - low)));
     low -= by;
     high += by;
   }
@@ -155,58 +200,104 @@ std::string tick_label(double value) {
   return fmt::format("{:.2g}", value);
 }
 
-std::string line_plot(const std::vector<PlotSeries>& series, const PlotOptions& options) {
-  Extent x_range, y_range;
+std::string plot_legend(const std::vector<PlotSeries>& series) {
+  if (series.size() < 2) return "";
+  std::string out = "<p class=\"legend\">";
   for (const PlotSeries& s : series) {
-    for (std::size_t i = 0; i < std::min(s.x.size(), s.y.size()); ++i) {
-      if (!drawable(s.x[i], s.y[i], options.log_y)) continue;
-      x_range.add(s.x[i]);
-      y_range.add(s.y[i]);
-    }
-    for (const double x : s.crosses)
-      if (std::isfinite(x)) x_range.add(x);
+    if (s.name.empty()) continue;
+    const bool band = s.y.empty() && !s.low.empty();
+    out += fmt::format("<span><i class=\"key b{}{}\"></i>{}</span> ", s.colour,
+                       band       ? " area"
+                       : s.mark   ? " ring"
+                       : s.dashed ? " dash"
+                                  : "",
+                       escape_text(s.name));
   }
-  if (!(y_range.high >= y_range.low))
-    return figure(options.title, "<p class=\"note\">Nothing to draw.</p>\n");
+  return out + "</p>\n";
+}
+
+std::optional<PlotRange> plot_range(const std::vector<PlotSeries>& series,
+                                    const PlotOptions& options) {
+  Extent x, y;
+  for (const PlotSeries& s : series) {
+    for (const std::vector<double>* values : {&s.y, &s.low, &s.high}) {
+      for (std::size_t i = 0; i < std::min(s.x.size(), values->size()); ++i) {
+        if (!drawable(s.x[i], (*values)[i], options.log_y)) continue;
+        x.add(s.x[i]);
+        y.add((*values)[i]);
+      }
+    }
+    for (const double at : s.crosses)
+      if (std::isfinite(at)) x.add(at);
+  }
+  if (!(y.high >= y.low)) return std::nullopt;
   const bool marks =
       std::any_of(series.begin(), series.end(), [](const PlotSeries& s) { return s.mark; });
-  x_range.widen(marks ? 0.05 : 0.0, 1e-9);  // rings would be cut off
+  if (options.x_span) x = {options.x_span->first, options.x_span->second};
+  x.widen(marks ? 0.05 : 0.0, 1e-9);  // rings would be cut off
   if (options.log_y) {
-    const double ratio = std::max(std::pow(y_range.high / y_range.low, 0.05), 1.05);
-    y_range = {y_range.low / ratio, y_range.high * ratio};
+    const double ratio = std::max(std::pow(y.high / y.low, 0.05), 1.05);
+    y = {y.low / ratio, y.high * ratio};
   } else {
-    if (options.y_from_zero) y_range.add(0.0);
-    const bool floor_at_zero = options.y_from_zero && y_range.low == 0.0;
-    y_range.widen(0.06, 1e-9);
-    if (floor_at_zero) y_range.low = 0.0;
+    if (options.y_from_zero) y.add(0.0);
+    const bool floor_at_zero = options.y_from_zero && y.low == 0.0;
+    y.widen(0.06, 1e-9);
+    if (floor_at_zero) y.low = 0.0;
+    y.reach(options.least_height);
   }
-  const Axis x{x_range.low, x_range.high, kLeft, options.width - kRight};
-  const Axis y{y_range.low, y_range.high, options.height - kBottom, kTop, options.log_y};
+  if (options.equal_axes) {  // the axis that has room to spare spans more
+    const double wide = options.width - left_of(options) - kRight,
+                 high = options.height - kTop - bottom_of(options);
+    const double unit = std::max((x.high - x.low) / wide, (y.high - y.low) / high);
+    x.reach(unit * wide);
+    y.reach(unit * high);
+  }
+  return PlotRange{x.low, x.high, y.low, y.high};
+}
+
+std::string plot_svg(const std::vector<PlotSeries>& series, const PlotOptions& options,
+                     const PlotRange& range) {
+  const Axis x{range.x_low, range.x_high, left_of(options), options.width - kRight};
+  const Axis y{range.y_low, range.y_high, options.height - bottom_of(options), kTop, options.log_y};
   std::string svg = fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">",
                                 options.width, options.height, escape_attribute(options.title));
+  for (const PlotSeries& s : series) svg += band_of(s, x, y);
   svg += frame(x, y, options);
   for (const PlotSeries& s : series) {
-    if (!s.mark)
+    if (!s.mark && !s.y.empty())
       svg += fmt::format("<path class=\"line c{}{}{}\" d=\"{}\"/>", s.colour,
                          s.dashed ? " dash" : "", s.thin ? " fine" : "", path_of(s, x, y));
-    for (const double at : s.crosses) {
-      if (!std::isfinite(at)) continue;
-      svg += fmt::format("<path class=\"line c{}\" d=\"M{:.1f} {:.1f}l9 9m0 -9l-9 9\"/>", s.colour,
-                         x.at(at) - 4.5, y.from - 4.5);
-    }
-    if (!s.points && !s.mark) continue;
-    for (std::size_t i = 0; i < std::min(s.x.size(), s.y.size()); ++i) {
-      if (!drawable(s.x[i], s.y[i], options.log_y)) continue;
-      svg += fmt::format("<circle class=\"{}{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\"/>",
-                         s.mark ? "line c" : "f", s.colour, x.at(s.x[i]), y.at(s.y[i]),
-                         s.mark ? "6.5" : "2.6");
-    }
+    svg += marks_of(s, x, y);
   }
-  svg += "</svg>\n";
-  const std::string unit =
-      options.y_label.empty() ? "" : " <small>" + escape_text(options.y_label) + "</small>";
-  return "<figure class=\"chart\"><figcaption>" + escape_text(options.title) + unit +
-         "</figcaption>\n" + legend(series) + svg + "</figure>\n";
+  return svg + "</svg>\n";
+}
+
+std::string line_plot(const std::vector<PlotSeries>& series, const PlotOptions& options) {
+  const auto range = plot_range(series, options);
+  if (!range) return figure(options.title, "<p class=\"note\">Nothing to draw.</p>\n");
+  return figure(options.title, plot_legend(series) + plot_svg(series, options, *range),
+                options.y_label);
+}
+
+std::string small_multiples(const std::vector<PlotPanel>& panels, const PlotOptions& options) {
+  std::vector<PlotSeries> all;
+  const PlotPanel* first = nullptr;
+  for (const PlotPanel& panel : panels) {
+    if (!plot_range(panel.series, options)) continue;
+    if (first == nullptr) first = &panel;
+    all.insert(all.end(), panel.series.begin(), panel.series.end());
+  }
+  const auto range = plot_range(all, options);
+  if (!range) return figure(options.title, "<p class=\"note\">Nothing to draw.</p>\n");
+  std::string out = plot_legend(first->series) + "<div class=\"multiples\">\n";
+  PlotOptions one = options;
+  for (const PlotPanel& panel : panels) {
+    if (!plot_range(panel.series, options)) continue;
+    one.title = options.title + ", " + panel.title;
+    out += "<div><h4>" + escape_text(panel.title) + "</h4>" + plot_svg(panel.series, one, *range) +
+           "</div>\n";
+  }
+  return figure(options.title, out + "</div>\n", options.y_label, "chart wide");
 }
 
 std::string footfall_plot(const std::vector<FootfallRow>& rows, double end,
@@ -251,21 +342,6 @@ std::string footfall_plot(const std::vector<FootfallRow>& rows, double end,
       "<p class=\"legend\"><span><i class=\"key wide\"></i>planned stance</span> "
       "<span><i class=\"key thin\"></i>measured contact</span></p>\n";
   return figure(title, keys + svg);
-}
-
-std::string bounds_bar(double lower, double upper, double before, double after) {
-  const Axis x{lower, upper, 7, 113};
-  if (!(upper > lower) || !std::isfinite(before) || !std::isfinite(after)) return "";
-  const double from = x.at(std::clamp(before, lower, upper)),
-               to = x.at(std::clamp(after, lower, upper));
-  return fmt::format(
-      "<svg class=\"bounds\" viewBox=\"0 0 120 16\" role=\"img\" aria-label=\"position within "
-      "bounds\">"
-      "<path class=\"track\" d=\"M7 8H113M7 4v8M113 4v8\"/>"
-      "<path class=\"moved\" d=\"M{0:.1f} 8H{1:.1f}\"/>"
-      "<circle class=\"before\" cx=\"{0:.1f}\" cy=\"8\" r=\"4\"/>"
-      "<circle class=\"after\" cx=\"{1:.1f}\" cy=\"8\" r=\"4.5\"/></svg>",
-      from, to);
 }
 
 }  // namespace legwright

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,13 +20,24 @@ struct PlotSeries {
   bool mark = false;    // a ring at each value and no line
   bool thin = false;
   std::vector<double> crosses{};  // x of marks on the axis: there was no value there
+  /// Where given, as long as x: a band of the line's colour from low to high. With an empty y there is
+  /// a band and no line.
+  std::vector<double> low{}, high{};
+};
+
+/// What a chart's axes span.
+struct PlotRange {
+  double x_low = 0.0, x_high = 1.0, y_low = 0.0, y_high = 1.0;
 };
 
 struct PlotOptions {
   std::string title{}, x_label{}, y_label{};  // of the axes, with units
   bool log_y = false;                         // values ≤ 0 are left out
   bool y_from_zero = false;
-  bool whole_x = false;           // ticks at whole numbers only
+  bool whole_x = false;                               // ticks at whole numbers only
+  bool equal_axes = false;                            // one unit is as long along x as along y
+  std::optional<std::pair<double, double>> x_span{};  // instead of what the lines span
+  double least_height = 0.0;  // of what y spans, so that noise is not blown up; not on a log scale
   int width = 460, height = 270;  // of the drawing; it scales to the page
 };
 
@@ -41,6 +53,24 @@ std::string tick_label(double value);
 /// With nothing to draw it says so.
 std::string line_plot(const std::vector<PlotSeries>& series, const PlotOptions& options);
 
+/// What the axes of a chart of these lines span; nothing where nothing can be drawn.
+std::optional<PlotRange> plot_range(const std::vector<PlotSeries>& series,
+                                    const PlotOptions& options);
+/// The drawing of a chart alone, without title and legend. Points out of the range are not cut.
+std::string plot_svg(const std::vector<PlotSeries>& series, const PlotOptions& options,
+                     const PlotRange& range);
+/// The names of lines beside their colours; empty for fewer than two lines.
+std::string plot_legend(const std::vector<PlotSeries>& series);
+
+/// One drawing of several with the same axes.
+struct PlotPanel {
+  std::string title;
+  std::vector<PlotSeries> series;  // the same lines in each
+};
+/// Small charts side by side with one range for all, one legend and one title; panels without anything
+/// to draw are left out.
+std::string small_multiples(const std::vector<PlotPanel>& panels, const PlotOptions& options);
+
 /// One foot's stances, planned and measured: pairs of touchdown and lift-off [s].
 struct FootfallRow {
   std::string name;
@@ -51,9 +81,5 @@ struct FootfallRow {
 /// ones in them.
 std::string footfall_plot(const std::vector<FootfallRow>& rows, double end,
                           const std::string& title);
-
-/// A small bar that shows where values lie within their bounds: a hollow mark for before, a full
-/// one for after.
-std::string bounds_bar(double lower, double upper, double before, double after);
 
 }  // namespace legwright

@@ -25,6 +25,15 @@ std::string spaced(std::string_view name) {
   return out;
 }
 
+std::string title_of(const RunData& data) {
+  const std::string robot = text_at(data.run, {"robot"}),
+                    task = text_at(data.run, {"task", "name"});
+  const std::string title = robot.empty()  ? task
+                            : task.empty() ? robot
+                                           : robot + " · " + spaced(task);
+  return title.empty() ? "Legwright run" : title;
+}
+
 std::string term_words(const std::string& name) {
   static const std::map<std::string, std::string> words = {
       {"travel", "distance per cycle"},
@@ -174,6 +183,33 @@ std::string quantity_words(double amount, const std::string& unit) {
 
 std::string percent(std::optional<double> ratio) {
   return ratio && std::isfinite(*ratio) ? fmt::format("{} %", signed_text(100.0 * *ratio, 1)) : "–";
+}
+
+std::string percent_whole(std::optional<double> ratio) {
+  return ratio && std::isfinite(*ratio) ? fmt::format("{} %", signed_text(100.0 * *ratio, 0)) : "–";
+}
+
+std::string ShownUnit::words(std::optional<double> value) const {
+  if (!value || !std::isfinite(*value)) return "–";
+  const double shown = *value * scale;
+  // Below a millionth of what is measured here there is only noise.
+  const std::string text = std::abs(shown) < 1e-6 ? "0" : short_number(shown);
+  return name.empty() ? text : name == "°" ? text + name : text + " " + name;
+}
+
+ShownUnit shown_unit(const std::string& unit, double largest) {
+  if (unit == "m" && largest < 1.0) return {1e3, "mm"};
+  if (unit == "s" && largest < 0.5) return {1e3, "ms"};
+  if (unit == "rad") return {180.0 / std::numbers::pi, "°"};
+  if (unit == "1") return {};
+  std::string name = unit;
+  for (std::size_t at = name.find(' '); at != std::string::npos; at = name.find(' '))
+    name.replace(at, 1, "·");
+  return {1.0, name};
+}
+
+std::string amount_words(std::optional<double> value, const std::string& unit) {
+  return shown_unit(unit, std::abs(value.value_or(0.0))).words(value);
 }
 
 double ParameterView::shown(double value) const {

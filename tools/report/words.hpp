@@ -11,6 +11,8 @@ namespace legwright {
 
 /// "front_hip_axis_yaw" → "front hip axis yaw".
 std::string spaced(std::string_view name);
+/// Robot and task of a run; never empty.
+std::string title_of(const RunData& data);
 /// A term of F in a few words; its own name, spaced, where it is not known here.
 std::string term_words(const std::string& name);
 /// What a term of F punishes, as a noun: "slip of stance feet"; its own name, spaced, where it is not
@@ -29,6 +31,20 @@ std::string long_number(std::optional<double> value);
 /// A length in mm, an angle in degrees, anything else in its own unit ("N m" as "N·m").
 std::string quantity_words(double amount, const std::string& unit);
 std::string percent(std::optional<double> ratio);
+/// The same without decimals.
+std::string percent_whole(std::optional<double> ratio);
+
+/// The unit in which people read a quantity: mm for short lengths, ms for short times, degrees.
+struct ShownUnit {
+  double scale = 1.0;
+  std::string name;  // empty for a plain number
+  /// "2.5 mm", "40°"; "–" for none.
+  std::string words(std::optional<double> value) const;
+};
+/// @param unit SI, "1" or empty for none @param largest of the values that are to be shown together
+ShownUnit shown_unit(const std::string& unit, double largest);
+/// A value in the unit in which people read it; "–" for none.
+std::string amount_words(std::optional<double> value, const std::string& unit);
 
 /// A design parameter as run.json has it, in the units people think in.
 struct ParameterView {

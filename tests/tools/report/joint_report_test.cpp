@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
-#include <tinyxml2.h>
 
 #include <algorithm>
 #include <filesystem>
 
 #include "mjcf/input_error.hpp"
 #include "tests/tools/report/hostile_names.hpp"
+#include "tests/tools/report/run_fixture.hpp"
 #include "tools/io/atomic_file.hpp"
 #include "tools/render/png.hpp"
 #include "tools/report/html.hpp"
@@ -16,15 +16,6 @@ namespace legwright {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool has(const std::string& page, const std::string& part) {
-  return page.find(part) != std::string::npos;
-}
-
-void expect_well_formed(const std::string& page) {
-  tinyxml2::XMLDocument document;
-  EXPECT_EQ(document.Parse(page.c_str()), tinyxml2::XML_SUCCESS) << document.ErrorStr();
-}
 
 /// A joint run of invented numbers: two tasks, each a copy of the fixture of single runs.
 class JointReportTest : public testing::Test {
@@ -80,7 +71,7 @@ class JointReportTest : public testing::Test {
     run["starts"] = {start("initial", first, 6.25), start(first, first, 4.5)};
     run["alone"] = {start("initial", first, 2.5)};
     run["alone"][0]["tasks"] = {first};
-    write_json(run_ / "run.json", run);
+    write_json(run_ / "run.json", run, Durability::process);
   }
 
   static Json cell(double F, bool pass) {
@@ -95,13 +86,14 @@ class JointReportTest : public testing::Test {
     Json cells = Json::object();
     for (const std::string& task : {first, std::string("sideways")})
       cells[task] = {cell(51.5, false), cell(3.25, false), cell(4.75, true)};
-    write_json(run_ / "result" / "matrix.json", {{"cells", cells}, {"pass", true}});
+    write_json(run_ / "result" / "matrix.json", {{"cells", cells}, {"pass", true}},
+               Durability::process);
     Json points = Json::array();
     for (const double weight : {0.0, 0.5, 1.0})
       points.push_back({{"weight", weight},
                         {"F_tasks", costs(first, 6.0 - weight, 2.0 + 8.0 * weight)},
                         {"status", "converged"}});
-    write_json(run_ / "result" / "front.json", {{"points", points}});
+    write_json(run_ / "result" / "front.json", {{"points", points}}, Durability::process);
   }
 
   std::string page() { return joint_report_page(read_joint_run(run_)); }
@@ -121,6 +113,18 @@ TEST_F(JointReportTest, ShowsEveryBodyInEveryTask) {
         "ahead costs 4.75 with the common body and 3.25 with its own"})
     EXPECT_TRUE(has(page, part)) << part;
   EXPECT_EQ(page, this->page());
+}
+
+TEST_F(JointReportTest, EndsOfTheFrontDoNotSqueezeIt) {
+  Json points = Json::array();
+  for (const double weight : {0.0, 0.25, 0.5, 0.75, 1.0})
+    points.push_back(
+        {{"weight", weight},
+         {"F_tasks", costs("ahead", weight == 0.0 ? 90.0 : 3.0 - weight, 2.0 + weight)},
+         {"status", "converged"}});
+  write_json(run_ / "result" / "front.json", {{"points", points}}, Durability::process);
+  EXPECT_TRUE(has(page(), "the point of weight 0 (90 and 2)"));
+  EXPECT_FALSE(has(page(), "the point of weight 1"));
 }
 
 TEST_F(JointReportTest, NamesTheCommandForWhatIsMissing) {
@@ -162,10 +166,23 @@ TEST_F(JointReportTest, WritesAPageForTheWholeAndForEachTask) {
   EXPECT_TRUE(has(summary, "| for both tasks | 4.75, PASS | 4.75, PASS |")) << summary;
 }
 
+TEST_F(JointReportTest, SaysWhichGaitsWereChangedAfterTheirF) {
+  const std::string words = "changed the gait of sideways after the optimisation";
+  EXPECT_FALSE(has(page(), words));
+  Json run = read_json(run_ / "run.json");
+  run["tasks"][0]["physics_steps"] = {{"changed", false}};
+  run["tasks"][1]["physics_steps"] = {{"changed", true}};
+  write_json(run_ / "run.json", run, Durability::process);
+  write_file(run_ / "result" / "certificate.json", R"({"tasks":{}})");
+  EXPECT_TRUE(has(page(), words));
+  EXPECT_TRUE(has(page(), "It is of the gait that the optimisation ended with"));
+  EXPECT_TRUE(has(joint_report_summary(read_joint_run(run_)), words));
+}
+
 TEST_F(JointReportTest, RefusesTasksOutsideOfTheRun) {
   Json run = read_json(run_ / "run.json");
   run["tasks"][0]["folder"] = "../other";
-  write_json(run_ / "run.json", run);
+  write_json(run_ / "run.json", run, Durability::process);
   EXPECT_THROW(write_report(run_), InputError);
 }
 
@@ -173,7 +190,7 @@ TEST_F(JointReportTest, SurvivesJsonOfWrongTypes) {
   Json run = read_json(run_ / "run.json");
   for (auto& [key, value] : run.items())
     if (key != "schema" && key != "tasks") value = Json::array({"x", 1, nullptr, {{"a", 1}}});
-  write_json(run_ / "run.json", run);
+  write_json(run_ / "run.json", run, Durability::process);
   write_file(run_ / "result" / "matrix.json", R"({"cells":{"ahead":[1,2,3],"sideways":{}}})");
   write_file(run_ / "result" / "front.json", R"({"points":[1,{"F_tasks":[2]}]})");
   expect_well_formed(page());

@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/report/report.hpp"
 
-#include <gtest/gtest.h>
-
-#include <tinyxml2.h>
-#include <functional>
-
 #include <filesystem>
 
 #include "tests/tools/report/hostile_names.hpp"
-#include "tools/io/atomic_file.hpp"
+#include "tests/tools/report/run_fixture.hpp"
 #include "tools/io/io_error.hpp"
-#include "tools/render/png.hpp"
 #include "tools/report/html.hpp"
 
 namespace legwright {
@@ -19,42 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A copy of the fixture run in a folder of its own.
-class ReportTest : public testing::Test {
- protected:
-  void SetUp() override {
-    run_ = fs::path(testing::TempDir()) /
-           ("report_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-    fs::remove_all(run_);
-    fs::copy(fs::path(LEGWRIGHT_SOURCE_DIR) / "tests/tools/report/data", run_,
-             fs::copy_options::recursive);
-  }
-  void TearDown() override { fs::remove_all(run_); }
-
-  void add_pictures() {
-    const Image picture(64, 48, {200, 120, 40});
-    write_png(run_ / "result" / "strip_physics.png", picture);
-    write_png(run_ / "result" / "strip_before_after.png", picture);
-    write_png(run_ / "iterations" / "0000" / "frame.png", picture);
-  }
-  std::string page() { return report_page(read_run(run_)); }
-  void edit_run(const std::function<void(Json&)>& edit) {
-    Json run = read_json(run_ / "run.json");
-    edit(run);
-    write_json(run_ / "run.json", run);
-  }
-
-  fs::path run_;
-};
-
-void expect_well_formed(const std::string& page) {
-  tinyxml2::XMLDocument document;
-  EXPECT_EQ(document.Parse(page.c_str()), tinyxml2::XML_SUCCESS) << document.ErrorStr();
-}
-
-bool has(const std::string& page, const std::string& part) {
-  return page.find(part) != std::string::npos;
-}
+using ReportTest = RunFixture;
 
 /// Nothing that a browser would fetch.
 void expect_self_contained(const std::string& page) {
@@ -64,7 +23,8 @@ void expect_self_contained(const std::string& page) {
   }
   for (std::size_t at = page.find("src=\""); at != std::string::npos;
        at = page.find("src=\"", at + 1)) {
-    EXPECT_EQ(page.substr(at + 5, 22), "data:image/png;base64,");
+    const std::string begin = page.substr(at + 5, 23);
+    EXPECT_TRUE(begin.starts_with("data:image/png;base64,") || begin == "data:image/webp;base64,");
   }
 }
 
@@ -89,7 +49,6 @@ TEST_F(ReportTest, ShowsEveryPartOfACompleteRun) {
         "forces carry the body",
         "98.1 %",
         "Footfalls after",
-        "Planned normal forces",
         "SHA-256 of robot.xml",
         "3.17.0",
         "default-src 'none'",
@@ -110,19 +69,68 @@ TEST_F(ReportTest, ShowsEveryPartOfACompleteRun) {
   EXPECT_LT(page.size(), 5'000'000U);
 }
 
+TEST_F(ReportTest, ShowsTheGaitInMotionAndAStillForThoseWhoWantNone) {
+  add_pictures();
+  fs::create_directories(run_ / "iterations" / "0003");
+  write_png(run_ / "iterations" / "0003" / "frame.png", Image(64, 48, {1, 2, 3}));
+  write_png(run_ / "result" / "overlay.png", Image(64, 48, {4, 5, 6}));
+  const std::string head("RIFF\0\0\0\0WEBP", 12);
+  write_file(run_ / "result" / "gait.webp", head + std::string(1'000'000, 'x'));
+  std::string page = this->page();
+  expect_well_formed(page);
+  expect_self_contained(page);
+  EXPECT_TRUE(has(page, "data:image/webp;base64,"));
+  EXPECT_TRUE(has(page, "media=\"print, (prefers-reduced-motion: reduce)\""));
+  EXPECT_TRUE(has(page, "Simulation and plan in one picture."));
+  write_file(run_ / "result" / "gait.webp", head + std::string(1'600'000, 'x'));
+  page = this->page();
+  EXPECT_FALSE(has(page, "data:image/webp"));
+  EXPECT_TRUE(has(page, "too large for this page: result/gait.webp"));
+  write_file(run_ / "result" / "gait.webp", "no picture");
+  EXPECT_FALSE(has(this->page(), "data:image/webp"));
+}
+
+TEST_F(ReportTest, StaysBelowFiveMegabytesWhateverThePictures) {
+  const std::string head("RIFF\0\0\0\0WEBP", 12);
+  write_file(run_ / "result" / "gait.webp", head + std::string(1'400'000, 'x'));
+  for (const char* strip : {"strip_physics.png", "strip_before_after.png", "overlay.png"})
+    write_file(run_ / "result" / strip, std::string(1'400'000, 'x'));
+  const std::string page = this->page();
+  EXPECT_LT(page.size(), 5'000'000U);
+  EXPECT_TRUE(has(page, "too large for this page"));
+}
+
+TEST_F(ReportTest, OfAGaitAloneNothingIsBefore) {
+  edit_run([](Json& run) { run["motion_only"] = true; });
+  const std::string page = this->page();
+  expect_well_formed(page);
+  EXPECT_TRUE(has(page, "the initial body: only its gait was optimised"));
+  for (const char* part : {"What changed in the body", "<h2>Before</h2>", "<h3>Before</h3>",
+                           "Footfalls before", "The same before the body changed"})
+    EXPECT_FALSE(has(page, part)) << part;
+}
+
 TEST_F(ReportTest, IsTheSameEachTime) {
   add_pictures();
   EXPECT_EQ(page(), page());
 }
 
 TEST_F(ReportTest, NamesTheCommandForWhatIsMissing) {
-  for (const char* file : {"metrics.json", "verdict.json"}) fs::remove(run_ / "result" / file);
+  for (const char* file :
+       {"metrics.json", "verdict.json", "comparison.json", "numerics.json", "robustness.json"})
+    fs::remove(run_ / "result" / file);
   const std::string page = this->page();
   expect_well_formed(page);
   EXPECT_TRUE(has(page, "legwright validate " + run_.generic_string()));
   EXPECT_TRUE(has(page, "legwright render " + run_.generic_string()));
   EXPECT_TRUE(has(page, "Not validated"));
   EXPECT_FALSE(has(page, "✓ Pass"));
+  for (const char* missing :
+       {"Nothing has been measured against the limits yet.", "Nothing was varied yet.",
+        "The gait has not been played with other numerics yet.",
+        "The measured cycle has not been compared with the plan yet."})
+    EXPECT_TRUE(has(page, missing)) << missing;
+  EXPECT_TRUE(has(page, "Planned normal forces")) << "of the plan alone";
 }
 
 TEST_F(ReportTest, SaysWhereNothingIsProven) {
@@ -141,8 +149,8 @@ TEST_F(ReportTest, ACertificateThatFailsSaysSo) {
   write_json(run_ / "result" / "certificate.json", proof);
   const std::string page = this->page();
   std::size_t bad = 0;
-  for (std::size_t at = page.find("mark bad"); at != std::string::npos;
-       at = page.find("mark bad", at + 1))
+  for (std::size_t at = page.find("mark bad", page.find("<h2>Certificate"));
+       at != std::string::npos; at = page.find("mark bad", at + 1))
     ++bad;
   EXPECT_EQ(bad, 4U);  // and the status, which is not "converged" in the fixture
   EXPECT_TRUE(has(page, "−0.02 … 4.06"));
@@ -211,12 +219,6 @@ TEST_F(ReportTest, RefusesAFolderWithoutARun) {
 
 TEST_F(ReportTest, HostileNamesStayText) {
   add_pictures();
-  const auto elements = [](const std::string& page) {
-    std::size_t count = 0;
-    for (std::size_t at = page.find('<'); at != std::string::npos; at = page.find('<', at + 1))
-      ++count;
-    return count;
-  };
   edit_run([](Json& run) {
     run["parameters"][0]["name"] = "plain";
     run["robot"] = "plain";
@@ -233,7 +235,7 @@ TEST_F(ReportTest, HostileNamesStayText) {
     write_json(run_ / "result" / "certificate.json", proof);
   };
   prove("plain");
-  const std::size_t expected = elements(page());
+  const std::size_t expected = tags_of(page());
   for (const std::string& raw : hostile_names()) {
     const std::string name = clean_utf8(raw);  // JSON cannot carry other bytes
     edit_run([&](Json& run) {
@@ -244,7 +246,7 @@ TEST_F(ReportTest, HostileNamesStayText) {
     prove(name);
     const std::string page = this->page();
     expect_well_formed(page);
-    EXPECT_EQ(elements(page), expected) << name;  // not one tag more, nor fewer
+    EXPECT_EQ(tags_of(page), expected) << name;  // not one tag more, nor fewer
   }
 }
 

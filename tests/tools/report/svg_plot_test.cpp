@@ -119,11 +119,67 @@ TEST(FootfallPlot, DrawsEachSpanOnceAndCutsAtTheEnd) {
   EXPECT_EQ(count(svg, "class=\"measured\""), 1U);
 }
 
-TEST(BoundsBar, KeepsMarksWithinTheTrack) {
-  const auto bar = bounds_bar(0.0, 1.0, 0.5, 7.0);
-  EXPECT_NE(bar.find("class=\"after\" cx=\"113.0\""), std::string::npos);
-  EXPECT_NE(bar.find("class=\"before\" cx=\"60.0\""), std::string::npos);
-  EXPECT_TRUE(bounds_bar(1.0, 1.0, 1.0, 1.0).empty());
+TEST(LinePlot, ABandLiesBetweenItsEdgesAndBreaksWhereThereIsNoNumber) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  PlotSeries band{.name = "band", .x = {0, 1, 2, 3, 4}};
+  band.low = {0, 0, nan, 0, 0};
+  band.high = {1, 2, 2, 2, 1};
+  const auto svg =
+      line_plot({band, {.name = "mean", .x = {0, 4}, .y = {0.5, 0.5}}}, {.title = "t"});
+  const auto at = svg.find("class=\"band f1\"");
+  ASSERT_NE(at, std::string::npos);
+  EXPECT_EQ(count(svg.substr(at, svg.find("/>", at) - at), "Z"), 2U);
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
+  EXPECT_NE(svg.find("key b1 area"), std::string::npos);
+  EXPECT_EQ(count(svg, "class=\"line"), 1U) << "a band without y has no line";
+}
+
+TEST(PlotRange, CoversTheBand) {
+  PlotSeries band{.name = "band", .x = {0, 1}};
+  band.low = {-5, -4};
+  band.high = {4, 7};
+  const auto range = plot_range({band}, {});
+  ASSERT_TRUE(range);
+  EXPECT_LE(range->y_low, -5.0);
+  EXPECT_GE(range->y_high, 7.0);
+  EXPECT_FALSE(plot_range({{.name = "none"}}, {}));
+}
+
+TEST(PlotRange, EqualAxesGiveBothTheSameScale) {
+  const PlotSeries path{.name = "path", .x = {0, 0.1}, .y = {0, 2}};
+  const PlotOptions options{.x_label = "x", .equal_axes = true};
+  const auto range = plot_range({path}, options);
+  ASSERT_TRUE(range);
+  const double wide = options.width - 52 - 12, high = options.height - 10 - 42;
+  EXPECT_NEAR((range->x_high - range->x_low) / wide, (range->y_high - range->y_low) / high, 1e-12);
+}
+
+TEST(PlotRange, SmallChangesStaySmall) {
+  const PlotSeries noise{.name = "noise", .x = {0, 1}, .y = {5.0, 5.001}};
+  const auto range = plot_range({noise}, {.least_height = 2.0});
+  ASSERT_TRUE(range);
+  EXPECT_NEAR(range->y_high - range->y_low, 2.0, 1e-9);
+}
+
+TEST(SmallMultiples, ShareOneRangeAndOneLegend) {
+  const auto panel = [](const std::string& name, double most) {
+    return PlotPanel{name,
+                     {{.name = "a", .x = {0, 1}, .y = {0, most}, .points = true},
+                      {.name = "b", .x = {0, 1}, .y = {0, 1}}}};
+  };
+  const auto top = [](const std::string& svg, const std::string& name) {
+    const auto at = svg.find("cy=\"", svg.find("cy=\"", svg.find("t, " + name)) + 1);
+    return std::stod(svg.substr(at + 4));
+  };
+  const auto svg = small_multiples({panel("FL", 1.0), panel("FR", 10.0), {"none", {}}},
+                                   {.title = "t", .width = 220, .height = 150});
+  EXPECT_TRUE(well_formed(svg));
+  EXPECT_EQ(count(svg, "<svg"), 2U) << "nothing to draw, no panel";
+  EXPECT_EQ(count(svg, "class=\"legend\""), 1U);
+  EXPECT_GT(top(svg, "FL"), top(svg, "FR") + 50) << "the smaller one stays lower";
+  EXPECT_NE(small_multiples({}, {.title = "t"}).find("Nothing to draw"), std::string::npos);
+  for (const std::string& name : hostile_names())
+    EXPECT_TRUE(well_formed(small_multiples({panel(name, 1.0)}, {.title = name, .y_label = name})));
 }
 
 TEST(LinePlot, AMarkIsARingWithoutALine) {

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: Apache-2.0
+// The sections that tell what physics said: limits, plan against physics, robustness, numerics.
+#include <gtest/gtest.h>
+
+#include "tests/tools/report/hostile_names.hpp"
+#include "tests/tools/report/run_fixture.hpp"
+#include "tools/report/html.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kComparison = "result/comparison.json";
+constexpr const char* kRobustness = "result/robustness.json";
+constexpr const char* kNumerics = "result/numerics.json";
+constexpr const char* kVerdict = "result/verdict.json";
+
+using JudgedSections = RunFixture;
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+    ++found;
+  return found;
+}
+
+TEST_F(JudgedSections, TellWhatTheFilesHold) {
+  const std::string page = this->page();
+  expect_well_formed(page);
+  for (const char* part :
+       {"All 6 limits are kept.",
+        "1 of 3 limits are kept.",
+        "95.0 % … 105.0 %",
+        "not measured",
+        "at most 20.1°",
+        "The planned forces and the planned motion agree to 2.1 % of the weight",
+        "The plan uses 0.45 of friction, where the floor gives 0.8",
+        "The least load of a foot that is meant to bear is 3.02 N, 6.2 % of the weight at HR",
+        "Contact forces, foot by foot",
+        "−4.2 ms",
+        "worst −11 ms",
+        "Path of the robot from above",
+        "Height of the centre of mass",
+        "FL hip · 0.663 of 2.5 N·m",
+        "walks from 0.33 to 1.6 or more",
+        "walks up to 13 ms",
+        "walks from −17.8° to 16°",
+        "Above: falls after 2.31 s (tilted by more than 1 rad)",
+        "187 of 200 draws walked: 93.5 % (95 % interval 89.2 % … 96.2 %).",
+        "9 × tilted by more than 1 rad",
+        "draw 12: ",
+        "0.5 ms",
+        "−0.3 %",
+        "All agree: the verdict does not hang on how the physics is computed."})
+    EXPECT_TRUE(has(page, part)) << part;
+  EXPECT_FALSE(has(page, "Could not be used"));
+}
+
+TEST_F(JudgedSections, FailingLimitsComeFirst) {
+  edit(kVerdict, [](Json& verdict) { verdict["result"]["limits"][3]["pass"] = false; });
+  const std::string page = this->page();
+  const auto slip = page.find("slip per stance, mean"), speed = page.find("measured over planned");
+  ASSERT_NE(slip, std::string::npos);
+  EXPECT_LT(slip, speed);
+  EXPECT_TRUE(has(page, "5 of 6 limits are kept."));
+}
+
+TEST_F(JudgedSections, StrictBoundsAreToldAsSuch) {
+  EXPECT_FALSE(has(page(), "less than 20.1°"));
+  edit(kVerdict, [](Json& verdict) {
+    for (Json& row : verdict["result"]["limits"]) row["strict"] = true;
+  });
+  EXPECT_TRUE(has(page(), "less than 20.1°"));
+  EXPECT_TRUE(has(page(), "strictly within 95.0 % … 105.0 %"));
+  edit(kVerdict, [](Json& verdict) { verdict["result"]["limits"][1]["strict"] = "yes"; });
+  EXPECT_TRUE(has(page(), "at most 20.1°"));
+}
+
+TEST_F(JudgedSections, AGaitThatFellHasNoMeanCycle) {
+  edit(kComparison, [](Json& file) { file["result"] = nullptr; });
+  const std::string page = this->page();
+  expect_well_formed(page);
+  EXPECT_TRUE(has(page, "fell before two cycles were complete"));
+  EXPECT_FALSE(has(page, "Contact forces, foot by foot"));
+}
+
+TEST_F(JudgedSections, AGaitThatFailsUndisturbedHasNoMargins) {
+  edit(kRobustness, [](Json& file) {
+    file["undisturbed_cause"] = "falls after 2.87 s";
+    file["factors"] = Json::array();
+    file["monte_carlo"]["samples"] = file["monte_carlo"]["survived"] = 0;
+  });
+  for (const std::string& text : {page(), report_summary(read_run(run_))}) {
+    EXPECT_TRUE(has(text, "the gait fails undisturbed: falls after 2.87 s."));
+    EXPECT_FALSE(has(text, "0 of 0"));
+  }
+}
+
+TEST_F(JudgedSections, DrawEachFootAndTheInitialBodyToo) {
+  edit(kComparison, [](Json& file) { file["initial"] = file["result"]; });
+  EXPECT_TRUE(has(page(), "Contact forces before, with the initial body"));
+  EXPECT_EQ(count(page(), "aria-label=\"Normal force, FL\""), 2U);
+}
+
+TEST_F(JudgedSections, NumbersThatAreNotThereBreakLinesAndNothingElse) {
+  edit(kComparison, [](Json& file) {
+    for (const char* curve : {"mean", "low", "high"})
+      file["result"]["feet"][0]["force_normal_N"][curve][3] = nullptr;
+    file["result"]["curves"][0]["planned"] = nullptr;
+    file["result"]["inverse_dynamics"] = nullptr;
+  });
+  edit(kRobustness, [](Json& file) {
+    file["factors"][0]["nominal"] = nullptr;
+    file["monte_carlo"]["share_low"] = nullptr;
+  });
+  edit(kNumerics, [](Json& file) { file["runs"][1]["speed_ratio"] = nullptr; });
+  const std::string page = this->page();
+  expect_well_formed(page);
+  EXPECT_FALSE(has(page, "nan"));
+  EXPECT_TRUE(has(page, "187 of 200 draws walked: 93.5 %."));
+}
+
+TEST_F(JudgedSections, LeaveOutWhatHasAnotherFormWithANote) {
+  edit(kComparison, [](Json& file) {
+    file["result"]["feet"][0]["force_normal_N"]["mean"] = {1, 2, 3};  // too short
+    file["result"]["curves"] = "x";
+    file["result"]["joints"] = Json::array({1, nullptr, "x"});
+    file["result"]["path_xy"]["measured"] = {{"a", 1}};
+  });
+  edit(kRobustness, [](Json& file) {
+    file["factors"][0]["tested_low"] = "x";
+    file["monte_carlo"] = {1, 2};
+  });
+  edit(kVerdict, [](Json& file) { file["result"]["limits"][0]["pass"] = "yes"; });
+  const std::string page = this->page();
+  expect_well_formed(page);
+  EXPECT_TRUE(has(page, "\"mean\" should hold 12 numbers; left out"));
+  EXPECT_TRUE(has(page, "\"curves\" should be a list; left out"));
+  EXPECT_TRUE(has(page, "factor \"floor_friction\" has no tested range; left out"));
+  EXPECT_TRUE(has(page, "a limit does not say whether it is kept; left out"));
+  EXPECT_TRUE(has(page, "All 5 limits are kept."));
+}
+
+TEST_F(JudgedSections, SurviveFilesOfWrongTypes) {
+  for (const char* file : {kComparison, kRobustness, kNumerics}) {
+    edit(file, [](Json& document) {
+      for (auto& [key, value] : document.items())
+        if (key != "schema" && key != "version")
+          value = Json::array({"x", 1, nullptr, {{"a", 1}, {"phases", {1, 2}}}});
+    });
+  }
+  edit(kVerdict, [](Json& document) { document["result"] = Json::array({1}); });
+  expect_well_formed(page());
+  EXPECT_NO_THROW(report_summary(read_run(run_)));
+  for (const char* file : {kComparison, kRobustness, kNumerics}) {
+    write_file(run_ / file, R"({"schema": "other/thing", "version": 1})");
+  }
+  EXPECT_TRUE(has(page(), "expected schema legwright/comparison, version 1"));
+  for (const char* file : {kComparison, kRobustness, kNumerics}) write_file(run_ / file, "{\"a\":");
+  expect_well_formed(page());
+}
+
+TEST_F(JudgedSections, HugeListsAreCutAndThePageStaysSmall) {
+  edit(kComparison, [](Json& file) {
+    Json& result = file["result"];
+    const Json foot = result["feet"][0], joint = result["joints"][0], curve = result["curves"][0];
+    for (int k = 0; k < 300; ++k) {
+      result["feet"].push_back(foot);
+      result["joints"].push_back(joint);
+      result["curves"].push_back(curve);
+      result["cycle_table"].push_back(result["cycle_table"][0]);
+    }
+    for (int k = 0; k < 20'000; ++k) result["path_xy"]["measured"].push_back({0.001 * k, 0.5});
+  });
+  edit(kRobustness, [](Json& file) {
+    for (int k = 0; k < 2000; ++k) {
+      file["factors"].push_back(file["factors"][0]);
+      file["monte_carlo"]["causes"][std::to_string(k)] = k;
+      file["monte_carlo"]["worst"].push_back(file["monte_carlo"]["worst"][0]);
+    }
+  });
+  edit(kNumerics, [](Json& file) {
+    for (int k = 0; k < 2000; ++k) file["runs"].push_back(file["runs"][0]);
+  });
+  edit(kVerdict, [](Json& file) {
+    for (int k = 0; k < 2000; ++k) file["result"]["limits"].push_back(file["result"]["limits"][0]);
+  });
+  const std::string page = this->page();
+  expect_well_formed(page);
+  EXPECT_LT(page.size(), 2'000'000U);
+  EXPECT_TRUE(has(page, "all but the first 16 of 304 entries of \"feet\""));
+  edit(kComparison, [](Json& file) { file["result"]["phases"] = std::vector<double>(5000, 0.5); });
+  EXPECT_TRUE(has(this->page(), "\"phases\" should hold 2 to 400 numbers"));
+}
+
+TEST_F(JudgedSections, HostileNamesStayText) {
+  const auto name_all = [&](const std::string& name) {
+    edit(kComparison, [&](Json& file) {
+      file["initial"] = file["result"];
+      for (const char* side : {"initial", "result"}) {
+        for (const char* list : {"feet", "joints", "curves"})
+          for (const char* key : {"name", "label", "unit"}) file[side][list][0][key] = name;
+        for (const char* key : {"friction_worst_foot", "normal_force_min_foot"})
+          file[side]["inverse_dynamics"][key] = name;
+      }
+    });
+    edit(kRobustness, [&](Json& file) {
+      for (const char* key : {"name", "label", "unit", "low_cause"}) file["factors"][0][key] = name;
+      file["monte_carlo"]["spread"] = {{name, {0, 1}}};
+      file["monte_carlo"]["causes"] = {{name, 3}};
+      file["monte_carlo"]["worst"][0] = {{"sample", 1}, {"cause", name}, {"values", {{name, 1}}}};
+    });
+    edit(kNumerics, [&](Json& file) {
+      for (const char* key : {"name", "label", "integrator", "cone", "line"})
+        file["runs"][0][key] = name;
+      file["agree"] = false;
+      file["reasons"] = {name};
+    });
+    edit(kVerdict, [&](Json& file) {
+      for (const char* side : {"initial", "result"}) {
+        for (const char* key : {"name", "what", "unit", "where"})
+          file[side]["limits"][0][key] = name;
+        file[side]["limits"][0]["pass"] = false;
+        file[side]["line"] = name;
+      }
+    });
+  };
+  name_all("plain");
+  const std::size_t expected = tags_of(page());
+  ASSERT_GE(hostile_names().size(), 40U);
+  for (const std::string& raw : hostile_names()) {
+    const std::string name = clean_utf8(raw);
+    name_all(name);
+    const std::string page = this->page();
+    expect_well_formed(page);
+    EXPECT_EQ(tags_of(page), expected) << name;
+  }
+}
+
+}  // namespace
+}  // namespace legwright

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gtest/gtest.h>
+#include <tinyxml2.h>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "tools/io/atomic_file.hpp"
+#include "tools/io/json_file.hpp"
+#include "tools/render/png.hpp"
+#include "tools/report/report.hpp"
+
+namespace legwright {
+
+/// A copy of the fixture run in a folder of its own.
+class RunFixture : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    run_ = std::filesystem::path(testing::TempDir()) /
+           (std::string("report_") + test->test_suite_name() + "_" + test->name());
+    std::filesystem::remove_all(run_);
+    copy_fixture(run_);
+  }
+  void TearDown() override { std::filesystem::remove_all(run_); }
+
+  static void copy_fixture(const std::filesystem::path& folder) {
+    std::filesystem::copy(std::filesystem::path(LEGWRIGHT_SOURCE_DIR) / "tests/tools/report/data",
+                          folder, std::filesystem::copy_options::recursive);
+  }
+  void add_pictures() {
+    const Image picture(64, 48, {200, 120, 40});
+    write_png(run_ / "result" / "strip_physics.png", picture);
+    write_png(run_ / "result" / "strip_before_after.png", picture);
+    write_png(run_ / "iterations" / "0000" / "frame.png", picture);
+  }
+  std::string page() { return report_page(read_run(run_)); }
+  /// @param file below the run's folder
+  void edit(const std::string& file, const std::function<void(Json&)>& change) {
+    Json document = read_json(run_ / file);
+    change(document);
+    write_json(run_ / file, document, Durability::process);
+  }
+  void edit_run(const std::function<void(Json&)>& change) { edit("run.json", change); }
+
+  std::filesystem::path run_;
+};
+
+inline void expect_well_formed(const std::string& page) {
+  tinyxml2::XMLDocument document;
+  EXPECT_EQ(document.Parse(page.c_str()), tinyxml2::XML_SUCCESS) << document.ErrorStr();
+}
+
+inline bool has(const std::string& page, const std::string& part) {
+  return page.find(part) != std::string::npos;
+}
+
+/// How many tags a page has: hostile text makes none more.
+inline std::size_t tags_of(const std::string& page) {
+  std::size_t count = 0;
+  for (const char c : page) count += c == '<' ? 1 : 0;
+  return count;
+}
+
+}  // namespace legwright

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/report/pair_report.hpp"
+
+#include <fmt/format.h>
+
+#include "mjcf/input_error.hpp"
+#include "tools/report/joint_data.hpp"
+#include "tools/report/page.hpp"
+#include "tools/report/words.hpp"
+
+namespace legwright {
+namespace {
+
+RunData read_single(const std::filesystem::path& root) {
+  RunData data = read_run(root);
+  if (!is_joint(data.run)) return data;
+  std::string folders;
+  for (const Json& task : value_at(data.run, {"tasks"})) {
+    const std::string folder = text_at(task, {"folder"});
+    if (!folder.empty())
+      folders += fmt::format("{}{}", folders.empty() ? "" : ", ",
+                             clean_utf8((root / folder).generic_string()));
+  }
+  throw InputError(fmt::format(
+      "{}: found a joint run of several tasks, expected runs of one task; name a task's folder "
+      "instead: {}",
+      root.generic_string(), folders));
+}
+
+/// The last part of a path, as it may stand in a file's name.
+std::string plain_name(const std::filesystem::path& folder) {
+  std::filesystem::path normal = std::filesystem::absolute(folder).lexically_normal();
+  if (!normal.has_filename()) normal = normal.parent_path();
+  std::string name = normal.filename().generic_string();
+  for (char& c : name) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                       c == '.' || c == '-' || c == '_';
+    if (!plain) c = '_';
+  }
+  return name.empty() ? "other" : name.substr(0, 80);
+}
+
+}  // namespace
+
+RunPair read_pair(const std::filesystem::path& a, const std::filesystem::path& b) {
+  return {read_single(a), read_single(b)};
+}
+
+std::filesystem::path pair_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+  return a / fmt::format("compare_{}.html", plain_name(b));
+}
+
+std::string pair_page(const RunPair& pair) {
+  const std::string a = title_of(pair.a), b = title_of(pair.b);
+  Html page;
+  open_page(page, a == b ? a + ", two runs" : "A: " + a + ", B: " + b,
+            "Two runs of Legwright side by side");
+  add_pair_verdicts(page, pair);
+  add_pair_pictures(page, pair);
+  add_pair_numbers(page, pair);
+  add_pair_bodies(page, pair);
+  add_pair_limits(page, pair);
+  add_pair_margins(page, pair);
+  add_pair_terms(page, pair);
+  add_pair_origin(page, pair);
+  Json island{{"schema", "legwright/report-pair"}, {"version", 1}};
+  for (const auto& [name, run] : {std::pair{"a", &pair.a}, {"b", &pair.b}}) {
+    island[name] = island_of(*run);
+    island[name]["verdict"] = run->verdict;
+  }
+  close_page(page,
+             "Made by legwright report from the files of these runs; nothing is fetched from "
+             "elsewhere.",
+             "legwright-report", to_text(island));
+  return page.take();
+}
+
+}  // namespace legwright

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "tools/report/html.hpp"
+#include "tools/report/run_data.hpp"
+
+namespace legwright {
+
+/// Two single runs to be read beside each other.
+struct RunPair {
+  RunData a, b;
+};
+
+/// Throws IoError where there is no run, InputError where one is a joint run: its tasks' folders are
+/// runs that can be compared.
+RunPair read_pair(const std::filesystem::path& a, const std::filesystem::path& b);
+
+/// Both runs on one self-contained page: verdicts, strips, numbers, bodies, limits, margins, terms.
+std::string pair_page(const RunPair& pair);
+
+/// Where the page goes unless it is told: A/compare_NAME.html, with the name of B's folder.
+std::filesystem::path pair_file(const std::filesystem::path& a, const std::filesystem::path& b);
+
+// One part of the page each, in its order.
+void add_pair_verdicts(Html& page, const RunPair& pair);
+void add_pair_pictures(Html& page, const RunPair& pair);
+void add_pair_numbers(Html& page, const RunPair& pair);
+void add_pair_bodies(Html& page, const RunPair& pair);
+void add_pair_limits(Html& page, const RunPair& pair);
+void add_pair_margins(Html& page, const RunPair& pair);
+void add_pair_terms(Html& page, const RunPair& pair);
+void add_pair_origin(Html& page, const RunPair& pair);
+
+}  // namespace legwright

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// A run in a screen of Markdown, as a comment on a pull request.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "tools/report/html.hpp"
+#include "tools/report/report.hpp"
+#include "tools/report/sections.hpp"
+#include "tools/report/words.hpp"
+
+namespace legwright {
+namespace {
+
+// Rows of each table: all of them together stay below 60 lines.
+constexpr std::size_t kMostFailing = 8, kMostFactors = 10, kMostParameters = 8;
+constexpr std::size_t kLongest = 160;  // characters of a cell
+
+/// Text from a file as a cell: nothing in it is markup, and it ends somewhere.
+std::string cell(const std::string& text) {
+  if (text.size() <= kLongest) return escape_markdown(text);
+  std::string head = text.substr(0, kLongest);
+  while (!head.empty() && (static_cast<unsigned char>(head.back()) & 0xC0) == 0x80) head.pop_back();
+  if (!head.empty() && static_cast<unsigned char>(head.back()) >= 0xC0) head.pop_back();
+  return escape_markdown(head) + "…";
+}
+
+std::string and_more(std::size_t all, std::size_t shown) {
+  return all > shown ? fmt::format("\n… and {} more.\n", all - shown) : "";
+}
+
+std::string verdict_row(const RunData& data, const char* key, const char* head) {
+  const Json& pass = value_at(data.verdict, {key, "pass"});
+  const std::string line = text_at(data.verdict, {key, "line"});
+  const char* mark = !pass.is_boolean() ? "–" : pass.get<bool>() ? "✅ PASS" : "❌ FAIL";
+  std::string words = line.empty() ? "not validated" : line;
+  if (const std::size_t colon = words.find(": "); colon != std::string::npos && !line.empty())
+    words = words.substr(colon + 2);  // the mark and the heading say what stands before it
+  return fmt::format("| {} | {} | {} |\n", head, mark, cell(words));
+}
+
+std::string verdicts(const RunData& data) {
+  const std::string head = "| | verdict | |\n|---|---|---|\n";
+  if (motion_only(data))
+    return head + verdict_row(data, "result", "initial body, only its gait optimised") + "\n";
+  return head + verdict_row(data, "initial", "before: initial body, its gait optimised") +
+         verdict_row(data, "result", "after: body and gait co-designed") + "\n";
+}
+
+std::string limits(const std::vector<LimitRow>& rows) {
+  if (rows.empty()) return "";
+  std::string out = fmt::format("**Limits.** {}\n\n", limits_kept(rows));
+  std::size_t failing = 0;
+  for (const LimitRow& row : rows) failing += row.pass ? 0 : 1;
+  if (failing == 0) return out;
+  out += "| limit not kept | measured | allowed | worst at |\n|---|---:|---:|---|\n";
+  for (std::size_t k = 0; k < std::min(failing, kMostFailing); ++k) {
+    const LimitRow& row = rows[k];
+    out +=
+        fmt::format("| {} | {} | {} | {} |\n", cell(row.what.empty() ? spaced(row.name) : row.what),
+                    cell(measured_words(row)), cell(bound_words(row)),
+                    cell(row.where.empty() ? "–" : spaced(row.where)));
+  }
+  return out + and_more(failing, kMostFailing) + "\n";
+}
+
+std::string margins(const RunData& data) {
+  std::string out;
+  if (const std::string none = no_margins_words(data.robustness); !none.empty())
+    out += cell(none) + "\n\n";
+  if (!data.factors.empty()) {
+    out += "| margin | |\n|---|---|\n";
+    for (std::size_t k = 0; k < std::min(data.factors.size(), kMostFactors); ++k) {
+      const RobustnessFactor& factor = data.factors[k];
+      out += fmt::format("| {} | {} |\n",
+                         cell(factor.label.empty() ? spaced(factor.name) : factor.label),
+                         cell(margin_words(factor)));
+    }
+    out += and_more(data.factors.size(), kMostFactors) + "\n";
+  }
+  const std::string survival = survival_words(value_at(data.robustness, {"monte_carlo"}));
+  if (!survival.empty()) out += "**Everything off at once.** " + survival + "\n\n";
+  const std::string numerics = numerics_words(data.numerics);
+  if (!numerics.empty()) out += "**Other numerics.** " + cell(numerics) + "\n\n";
+  return out;
+}
+
+std::string closing(const RunData& data) {
+  const auto gap = gap_of(data.run);
+  if (!gap) return "";
+  if (!gap->changed)
+    return "**Closing the gap.** No step was confirmed to be better: the gait stays as it "
+           "was.\n\n";
+  return fmt::format(
+      "**Closing the gap.** {}. Before: {}. Confirmed by MuJoCo, after: {}. F and the certificate "
+      "are of the gait before.\n\n",
+      cell(gap->factors), cell(gap->before.words), cell(gap->after.words));
+}
+
+std::string parameters(const RunData& data) {
+  auto all = parameters_of(data.run);
+  std::erase_if(all, [](const ParameterView& p) { return p.change() == "0"; });
+  if (all.empty()) return "";
+  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
+    return a.share_of_range() > b.share_of_range();
+  });
+  std::string out = "| changed most | before | after | bounds |\n|---|---:|---:|---|\n";
+  for (std::size_t k = 0; k < std::min(all.size(), kMostParameters); ++k) {
+    const ParameterView& p = all[k];
+    out += fmt::format("| {} | {} | {} | {} … {}{} |\n", cell(spaced(p.name)),
+                       p.with_unit(p.initial), p.with_unit(p.final), p.with_unit(p.lower),
+                       p.with_unit(p.upper), p.at_bound().empty() ? "" : ", at " + p.at_bound());
+  }
+  return out + and_more(all.size(), kMostParameters) + "\n";
+}
+
+}  // namespace
+
+std::string report_summary(const RunData& data) {
+  std::string out = fmt::format("# {}\n\n{}\n\n", cell(title_of(data)), cell(task_words(data.run)));
+  out += verdicts(data) + limits(data.limits_result);
+  if (motion_only(data)) {
+    out += fmt::format("Cost F {}.\n\n", short_number(number_at(data.run, {"final_F"})));
+  } else {
+    out +=
+        fmt::format("Cost F from {} (gait alone) to {} (co-designed) in {} design iterations.\n\n",
+                    short_number(number_at(data.run, {"motion_only_F"})),
+                    short_number(number_at(data.run, {"final_F"})),
+                    short_number(number_at(data.run, {"design_iterations"})));
+  }
+  out += closing(data) + margins(data) + parameters(data);
+  return out + "Pictures, charts and measurements: report.html in the folder above.\n";
+}
+
+}  // namespace legwright

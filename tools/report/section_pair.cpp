@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: Apache-2.0
+// Two runs side by side: verdicts, pictures, main numbers, bodies.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "tools/report/pair_report.hpp"
+#include "tools/report/sections.hpp"
+#include "tools/report/svg_bars.hpp"
+#include "tools/report/svg_plot.hpp"
+#include "tools/report/words.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A number of a run and how it reads.
+struct PairNumber {
+  const char* head;
+  std::function<std::optional<double>(const RunData&)> value;
+  const char* unit;  // "%" for shares
+};
+
+constexpr std::size_t kMostSettings = 200;
+constexpr double kSmallTerm = 0.01;  // of F: smaller terms are folded away
+
+std::string long_setting(double value) { return fmt::format("{:.6g}", value); }
+
+std::string shown(std::optional<double> value, const std::string& unit) {
+  return unit == "%" ? percent(value) : amount_words(value, unit);
+}
+
+const std::vector<PairNumber>& numbers() {
+  const auto played = [](const char* key) {
+    return [key](const RunData& run) { return number_at(run.metrics, {"result", "default", key}); };
+  };
+  const auto told = [](const char* key) {
+    return [key](const RunData& run) { return number_at(run.run, {key}); };
+  };
+  const auto sound = [](const char* key) {
+    return [key](const RunData& run) {
+      return run.compared_result ? number_at(run.compared_result->inverse_dynamics, {key})
+                                 : std::nullopt;
+    };
+  };
+  static const std::vector<PairNumber> list = {
+      {"cost F of the gait alone", told("motion_only_F"), ""},
+      {"cost F at the end", told("final_F"), ""},
+      {"of the planned speed", played("speed_ratio"), "%"},
+      {"of the planned turn", played("turn_ratio"), "%"},
+      {"largest tilt", played("tilt_max_rad"), "rad"},
+      {"heading drift", played("heading_drift_rad"), "rad"},
+      {"servo torque, RMS", played("torque_rms_Nm"), "N m"},
+      {"servos at their limit", played("saturated_share"), "%"},
+      {"mean power", played("power_mean_W"), "W"},
+      {"cost of transport", played("cost_of_transport"), ""},
+      {"plan out of balance, of the weight", sound("residual_force_share_max"), "%"},
+      {"friction that the plan uses", sound("friction_used_max"), ""},
+      {"least load of a bearing foot", sound("normal_force_min_N"), "N"},
+      {"random draws that walk",
+       [](const RunData& run) {
+         return number_at(run.robustness, {"monte_carlo", "share"});
+       },
+       "%"},
+      {"design iterations", told("design_iterations"), ""},
+      {"Newton steps of the motion", told("newton_iterations"), ""},
+  };
+  return list;
+}
+
+/// "+2.5 mm"; "same" where it is too small to see.
+std::string difference(std::optional<double> a, std::optional<double> b, const std::string& unit) {
+  if (!a || !b) return "–";
+  const double by = *b - *a;
+  if (shown(*a, unit) == shown(*b, unit)) return "same";
+  return fmt::format("{}{}", by > 0.0 ? "+" : "", shown(by, unit));
+}
+
+void add_cells(Html& page, const std::string& a, const std::string& b, const std::string& by) {
+  page.element("td", a, {{"class", "n"}, {"data-label", "A"}});
+  page.element("td", b, {{"class", "n"}, {"data-label", "B"}});
+  page.element("td", by, {{"class", "n"}, {"data-label", "B less A"}});
+}
+
+/// Width of a PNG from its head; 0 where it is none.
+unsigned png_width(const std::string& bytes) {
+  if (bytes.size() < 24 || bytes.compare(1, 3, "PNG") != 0) return 0;
+  unsigned width = 0;
+  for (std::size_t k = 16; k < 20; ++k) width = width << 8 | static_cast<unsigned char>(bytes[k]);
+  return width;
+}
+
+/// The union of both runs' parameters, those of A first.
+std::vector<std::string> parameter_names(const std::vector<ParameterView>& a,
+                                         const std::vector<ParameterView>& b) {
+  std::vector<std::string> names;
+  for (const auto* list : {&a, &b})
+    for (const ParameterView& p : *list)
+      if (std::find(names.begin(), names.end(), p.name) == names.end()) names.push_back(p.name);
+  return names;
+}
+
+const ParameterView* find(const std::vector<ParameterView>& list, const std::string& name) {
+  const auto found =
+      std::find_if(list.begin(), list.end(), [&](const auto& p) { return p.name == name; });
+  return found == list.end() ? nullptr : &*found;
+}
+
+void add_parameter(Html& page, const std::string& name, const ParameterView* a,
+                   const ParameterView* b) {
+  ParameterView both = a != nullptr ? *a : *b;
+  both.initial = a != nullptr ? a->final : NAN;
+  both.final = b != nullptr ? b->final : NAN;
+  const bool comparable = a != nullptr && b != nullptr && a->angle == b->angle;
+  page.open("tr").open("td", {{"class", "head"}}).element("b", spaced(name)).close();
+  const auto value = [](const ParameterView* p) {
+    return p == nullptr ? std::string("not free") : p->with_unit(p->final);
+  };
+  add_cells(page, value(a), value(b),
+            !comparable            ? "–"
+            : both.change() == "0" ? "same"
+                                   : both.change());
+  page.open("td", {{"class", "bar"}});
+  if (comparable) page.raw(bounds_bar(both.lower, both.upper, both.initial, both.final));
+  page.close().close();
+}
+
+void add_pair_head(Html& page, bool bar = false) {
+  page.open("table", {{"class", "stack pair"}}).open("thead").open("tr").element("th", "");
+  for (const char* head : {"A", "B", "B less A"}) page.element("th", head, {{"class", "n"}});
+  if (bar) page.element("th", "within the bounds of A");
+  page.close().close().open("tbody");
+}
+
+PlotSeries cost_line(const RunData& run, const std::string& name, int colour) {
+  PlotSeries line;
+  line.name = name;
+  line.colour = colour;
+  for (const Json& event : run.iterations) {
+    const auto cost = number_at(event, {"F"});
+    if (!cost) continue;
+    line.x.push_back(number_at(event, {"index"}).value_or(static_cast<double>(line.x.size())));
+    line.y.push_back(*cost);
+  }
+  line.points = line.x.size() <= 60;
+  return line;
+}
+
+/// A JSON value's parts by their paths: "task velocity 0".
+void flatten(const Json& json, const std::string& path,
+             std::vector<std::pair<std::string, std::string>>& out) {
+  if (out.size() >= kMostSettings) return;
+  if (!json.is_structured()) {
+    const bool number = json.is_number();
+    out.emplace_back(path, number             ? long_setting(json.get<double>())
+                           : json.is_string() ? json.get<std::string>()
+                                              : to_text(json));
+    return;
+  }
+  for (const auto& [key, value] : json.items())
+    flatten(value, path.empty() ? key : fmt::format("{} {}", path, key), out);
+}
+
+/// What the runs were asked for and how, where they differ.
+void add_settings(Html& page, const RunPair& pair) {
+  std::vector<std::pair<std::string, std::string>> a, b;
+  for (const char* key : {"task", "outer", "motion_only"}) {
+    flatten(value_at(pair.a.run, {key}), key, a);
+    flatten(value_at(pair.b.run, {key}), key, b);
+  }
+  const auto find = [](const auto& list, const std::string& path) {
+    const auto at =
+        std::find_if(list.begin(), list.end(), [&](const auto& one) { return one.first == path; });
+    return at == list.end() ? std::string("–") : at->second;
+  };
+  std::vector<std::string> paths;
+  for (const auto* list : {&a, &b})
+    for (const auto& [path, value] : *list)
+      if (find(a, path) != find(b, path) &&
+          std::find(paths.begin(), paths.end(), path) == paths.end())
+        paths.push_back(path);
+  page.element("h3", "What was asked for");
+  if (paths.empty()) {
+    page.element("p", "run.json tells of the same task and the same settings for both.");
+    return;
+  }
+  page.open("table", {{"class", "stack pair"}}).open("thead").open("tr").element("th", "");
+  page.element("th", "A").element("th", "B").close().close().open("tbody");
+  for (const std::string& path : paths) {
+    page.open("tr").element("td", spaced(path), {{"class", "head"}});
+    page.element("td", find(a, path), {{"data-label", "A"}});
+    page.element("td", find(b, path), {{"data-label", "B"}}).close();
+  }
+  page.close().close();
+}
+
+}  // namespace
+
+void add_pair_verdicts(Html& page, const RunPair& pair) {
+  page.open("section", {{"class", "cards"}});
+  for (const auto& [name, run] : {std::pair{"A", &pair.a}, {"B", &pair.b}}) {
+    add_card(page, *run, "result", fmt::format("{} · {}", name, title_of(*run)),
+             task_words(run->run) + (motion_only(*run) ? "; gait alone" : "; body and gait"));
+  }
+  for (const auto& [name, run] : {std::pair{"A", &pair.a}, {"B", &pair.b}})
+    if (run->verdict.is_null())
+      add_hint(page, fmt::format("{} has no verdict yet.", name), "validate", *run);
+  page.close();
+}
+
+void add_pair_pictures(Html& page, const RunPair& pair) {
+  page.open("section").element("h2", "Pictures");
+  PictureBudget budget;
+  unsigned widest = 1;
+  std::vector<std::pair<fs::path, unsigned>> strips;
+  for (const RunData* run : {&pair.a, &pair.b}) {
+    fs::path file = run->root / "result" / "strip_physics.png";
+    if (!fs::exists(file)) file = run->root / "result" / "strip_before_after.png";
+    strips.emplace_back(file, fs::exists(file) ? png_width(read_head(file, 24)) : 0);
+    widest = std::max(widest, strips.back().second);
+  }
+  const char* name = "A";
+  for (const RunData* run : {&pair.a, &pair.b}) {
+    const auto& [file, width] = strips[run == &pair.a ? 0 : 1];
+    if (width == 0) {
+      add_hint(page, fmt::format("No film strip of {}.", name), "render", *run);
+    } else if (budget.take(file)) {
+      add_strip(page, file, fmt::format("{} · {}.", name, title_of(*run)),
+                motion_only(*run) ? "" : "Above, the initial body; below, the result.",
+                static_cast<double>(width) / static_cast<double>(widest));
+    }
+    name = "B";
+  }
+  page.close();
+}
+
+void add_pair_numbers(Html& page, const RunPair& pair) {
+  page.open("section").element("h2", "Main numbers");
+  add_pair_head(page);
+  for (const PairNumber& number : numbers()) {
+    const auto a = number.value(pair.a), b = number.value(pair.b);
+    if (!a && !b) continue;
+    page.open("tr").element("td", number.head, {{"class", "head"}});
+    add_cells(page, shown(a, number.unit), shown(b, number.unit), difference(a, b, number.unit));
+    page.close();
+  }
+  page.close().close();
+  page.element("p", "Measured at default servo gains.", {{"class", "note"}});
+  for (const auto& [name, run] : {std::pair{"A", &pair.a}, {"B", &pair.b}})
+    add_gap_note(page, run->run, fmt::format("{}: F is", name));
+  add_settings(page, pair);
+  page.open("div", {{"class", "charts single"}});
+  const PlotOptions options{.title = "Cost F by design iteration",
+                            .x_label = "design iteration (0: gait alone)",
+                            .y_label = "log scale",
+                            .log_y = true,
+                            .whole_x = true};
+  page.raw(line_plot({cost_line(pair.a, "A", 1), cost_line(pair.b, "B", 2)}, options));
+  page.close().close();
+}
+
+void add_pair_bodies(Html& page, const RunPair& pair) {
+  const auto a = parameters_of(pair.a.run), b = parameters_of(pair.b.run);
+  page.open("section").element("h2", "The bodies");
+  if (a.empty() && b.empty()) {
+    page.element("p", "Neither run.json lists design parameters.", {{"class", "note"}}).close();
+    return;
+  }
+  page.element("p", "Each body as its run ended; in the bar, the hollow mark is A, the full one B.",
+               {{"class", "note"}});
+  add_pair_head(page, true);
+  for (const std::string& name : parameter_names(a, b))
+    add_parameter(page, name, find(a, name), find(b, name));
+  page.close().close().close();
+}
+
+void add_pair_terms(Html& page, const RunPair& pair) {
+  static const Json nothing;
+  const auto terms = [](const RunData& run) -> const Json& {
+    return run.iterations.empty() ? nothing : value_at(run.iterations.back(), {"terms"});
+  };
+  const Json &a = terms(pair.a), &b = terms(pair.b);
+  std::vector<std::pair<std::string, double>> names;
+  for (const Json* list : {&a, &b}) {
+    if (!list->is_object()) continue;
+    for (const auto& [name, value] : list->items()) {
+      const double most = std::max(number_at(a, {name.c_str()}).value_or(0.0),
+                                   number_at(b, {name.c_str()}).value_or(0.0));
+      const bool known = std::any_of(names.begin(), names.end(),
+                                     [&, &key = name](const auto& n) { return n.first == key; });
+      if (most > 0.0 && !known) names.emplace_back(name, most);
+    }
+  }
+  if (names.empty()) return;
+  std::stable_sort(names.begin(), names.end(),
+                   [](const auto& x, const auto& y) { return x.second > y.second; });
+  page.open("section").element("h2", "What the cost is made of");
+  page.element("p", "Each term of F at the end of the run, weighted; the largest first.",
+               {{"class", "note"}});
+  const double all = std::max(number_at(pair.a.run, {"final_F"}).value_or(0.0),
+                              number_at(pair.b.run, {"final_F"}).value_or(0.0));
+  const auto small = std::find_if(names.begin(), names.end(),
+                                  [&](const auto& name) { return name.second < kSmallTerm * all; });
+  const auto add_rows = [&](auto from, auto to) {
+    add_pair_head(page);
+    for (; from != to; ++from) {
+      const char* name = from->first.c_str();
+      const auto in_a = number_at(a, {name}), in_b = number_at(b, {name});
+      page.open("tr").open("td", {{"class", "head"}}).element("b", term_words(name)).close();
+      add_cells(page, short_number(in_a), short_number(in_b), difference(in_a, in_b, ""));
+      page.close();
+    }
+    page.close().close();
+  };
+  add_rows(names.begin(), small);
+  if (small != names.end()) {
+    page.open("details").element(
+        "summary", fmt::format("{} more terms, each below 1 % of F", names.end() - small));
+    add_rows(small, names.end());
+    page.close();
+  }
+  page.close();
+}
+
+}  // namespace legwright
