@@ -108,8 +108,9 @@ void check_scene_needs(const XmlFile& xml, const XmlElement& element) {
     return is_tag(element, tag) && name == reserved;
   };
   const XmlElement* const parent = element.Parent() ? element.Parent()->ToElement() : nullptr;
-  const bool is_sensor = parent && is_tag(*parent, "sensor") &&
-                         (name == "tracking" || name.substr(0, 8) == "contact:");
+  const bool is_sensor =
+      parent && is_tag(*parent, "sensor") &&
+      (name == "tracking" || name.substr(0, 8) == "contact:" || name.substr(0, 5) == "gait:");
   const bool is_class =
       is_tag(element, "default") && attribute(element, "class").substr(0, 13) == "legwright_pd_";
   if (is("geom", "floor") || is("camera", "side") || is("camera", "track") || is("key", "gait") ||

@@ -20,7 +20,11 @@ namespace {
 using tinyxml2::XMLElement;
 
 constexpr const char* kPlugin = "legwright.gait";
+constexpr const char* kSensorPlugin = "legwright.sensor";
 constexpr const char* kInstance = "gait";
+// What the plugin tells of the gait, as sensors "gait:KIND" (plugin/README.md).
+constexpr const char* kSensorKinds[] = {"phase", "planned_contact", "measured_contact",
+                                        "base_error", "torque_share"};
 
 /// Gains as they are written; the class and the plugin must hold the very same text.
 struct Gains {
@@ -91,8 +95,10 @@ void replace_servos(XMLElement& root, const RobotModel& robot, double gain_scale
 }
 
 void add_plugin(XMLElement& root, const RobotModel& robot, const SceneSettings& settings) {
-  XMLElement& plugin = add(add(root, "extension"), "plugin");
+  XMLElement& extension = add(root, "extension");
+  XMLElement& plugin = add(extension, "plugin");
   plugin.SetAttribute("plugin", kPlugin);
+  add(extension, "plugin").SetAttribute("plugin", kSensorPlugin);
   XMLElement& instance = add(plugin, "instance");
   instance.SetAttribute("name", kInstance);
   std::string kp, kd;
@@ -121,6 +127,14 @@ void add_sensors(XMLElement& root, const Morphology& morphology) {
   tracking.SetAttribute("name", "tracking");
   tracking.SetAttribute("plugin", kPlugin);
   tracking.SetAttribute("instance", kInstance);
+  for (const char* const kind : kSensorKinds) {
+    XMLElement& sensor = add(sensors, "plugin");
+    sensor.SetAttribute("name", (std::string("gait:") + kind).c_str());
+    sensor.SetAttribute("plugin", kSensorPlugin);
+    XMLElement& config = add(sensor, "config");
+    config.SetAttribute("key", "kind");
+    config.SetAttribute("value", kind);
+  }
   for (const Foot& foot :
        morphology.feet) {  // found (0 or count), then the force on the foot, world axes [N]
     XMLElement& contact = add(sensors, "contact");
@@ -167,7 +181,7 @@ std::string emit_scene(const RobotModel& robot, const std::string& robot_xml,
   add_followers(const_cast<XmlElement&>(*trunk_element), view,
                 Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix());
   replace_servos(root, robot, settings.gain_scale);
-  add_settings(root, view);
+  add_settings(root, *model, view);
   add_floor(root, *model, view, settings.floor_friction);
   add_sensors(root, robot.morphology);
   write_keyframes(root, settings);

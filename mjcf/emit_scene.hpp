@@ -25,7 +25,7 @@ struct SceneSettings {
 /// plugin legwright.gait in place of its servos, sensors and a keyframe at the start of the gait.
 /// Compiles only where the plugin is loaded. Names it adds: geom "floor", cameras "side" (still;
 /// the travel goes from left to right) and "track" (the same view, follows the robot), sensors
-/// "tracking" and "contact:FOOT", key "gait", instance "gait". The view depends on `robot` and the
+/// "tracking", "gait:KIND" and "contact:FOOT", key "gait", instance "gait". The view depends on `robot` and the
 /// direction of travel only, so designs of one robot are seen alike.
 /// @param robot_xml text of the robot, of `robot` or a design of it. Throws InputError if it does
 ///        not compile, std::invalid_argument for settings that do not fit it.

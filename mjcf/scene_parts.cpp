@@ -110,7 +110,7 @@ SceneView scene_view(const Morphology& morphology, const Eigen::VectorXd& s,
   return view;
 }
 
-void add_settings(XMLElement& root, const SceneView& view) {
+void add_settings(XMLElement& root, const mjModel& robot, const SceneView& view) {
   XMLElement& option = add(root, "option");
   for (const auto& [name, value] : {std::pair{"timestep", "0.001"},
                                     {"integrator", "implicitfast"},
@@ -132,6 +132,9 @@ void add_settings(XMLElement& root, const SceneView& view) {
   set(map, "znear", "0.02");
   set(map, "zfar", "100");
   set(map, "shadowclip", "2");
+  // MuJoCo draws a force of F newtons F·force/(mean mass of the bodies) metres long.
+  const auto bodies = static_cast<double>(robot.nbody - 1);
+  set(map, "force", fmt::format("{:.4g}", 2.5 * view.leg_length / (kGravity * bodies)));
   // Without it the viewer would take its scale from the floor.
   XMLElement& statistic = add(root, "statistic");
   set(statistic, "center", short_numbers(view.centre));

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -65,6 +66,14 @@ ModelPointer compile_scene(const std::string& scene) {
   return compile_mjcf(scene, "scene.xml");
 }
 
+TEST(EmitScene, ABodyMayBeNamedAsAFootElsewhere) {
+  const RobotModel robot = parse_robot(
+      test::with(test::named_robot("puppy"), "<body name=\"FL_hip_servo\"", "<body name=\"FL\""),
+      "puppy.xml");
+  const ModelPointer scene = compile_scene(emit_scene(robot, robot.xml, settings_for(robot)));
+  EXPECT_GE(mj_name2id(scene.get(), mjOBJ_SENSOR, "gait:measured_contact"), 0);
+}
+
 TEST(EmitScene, ReplacesServosByThePluginUnderTheSameNames) {
   const RobotModel robot = read_robot(test::puppy_file());
   SceneSettings settings = settings_for(robot);
@@ -113,6 +122,19 @@ TEST(EmitScene, PuppyStandsOnTheFloorInItsScene) {
   const int tracking = mj_name2id(model.get(), mjOBJ_SENSOR, "tracking");
   ASSERT_GE(tracking, 0);
   EXPECT_EQ(model->sensor_dim[tracking], 12);
+  const auto values = [&](const char* name) {
+    const int sensor = mj_name2id(model.get(), mjOBJ_SENSOR, name);
+    if (sensor < 0) return std::vector<double>();
+    const mjtNum* const first = data->sensordata + model->sensor_adr[sensor];
+    return std::vector<double>(first, first + model->sensor_dim[sensor]);
+  };
+  EXPECT_EQ(values("gait:phase").size(), 1u);
+  EXPECT_EQ(values("gait:planned_contact"), std::vector<double>(4, 1.0));
+  EXPECT_EQ(values("gait:measured_contact"), std::vector<double>(4, 1.0));
+  EXPECT_EQ(values("gait:base_error").size(), 6u);
+  const std::vector<double> share = values("gait:torque_share");
+  ASSERT_EQ(share.size(), 12u);
+  EXPECT_GT(*std::max_element(share.begin(), share.end()), 0.02);  // it carries itself
 }
 
 TEST(EmitScene, EveryDesignOfThePuppyCompiles) {

@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mjcf/proposals.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "mjcf/checks.hpp"
+#include "mjcf/compile.hpp"
+#include "mjcf/input_error.hpp"
+#include "mjcf/stretch.hpp"
+#include "mjcf/tree.hpp"
+
+namespace legwright {
+namespace {
+
+using Eigen::Vector3d;
+
+// Bounds that have served: legs change by half, a trunk by less, for its mass does not follow.
+constexpr double kShorterLink = 0.6, kLongerLink = 1.6, kShorterTrunk = 0.8, kLongerTrunk = 1.3;
+constexpr double kTurn = 1.0;           // of an axis, either way [rad]
+constexpr double kShortestLink = 0.02;  // [m]: shorter ones are offsets, not legs
+constexpr double kAcross =
+    0.7;  // cosine: turning an axis about a direction nearer to it does little
+constexpr double kLargestBall = 0.5;      // radius of a foot over the length of its link
+constexpr double kAttachmentShare = 0.3;  // of its distance from the hinge, either way
+constexpr double kShortestMove = 0.01;    // [m]
+
+bool is_side_word(const std::string& word) {
+  static const std::set<std::string> words{
+      "fl",   "fr",     "hl",  "hr", "rl", "rr",   "lf",    "rf",    "lh",   "rh",
+      "lr",   "l",      "r",   "f",  "h",  "left", "right", "front", "hind", "rear",
+      "back", "middle", "mid", "lm", "rm", "ml",   "mr",    "fore"};
+  return words.count(word) > 0;
+}
+
+/// "FL_thigh" and "thigh_front_left" are both a thigh. Empty where nothing is left.
+std::string without_side(const std::string& name) {
+  std::string out, word;
+  const auto end_word = [&] {
+    std::string low = word;
+    std::transform(low.begin(), low.end(), low.begin(), [](unsigned char c) {
+      return static_cast<char>(c < 128 ? std::tolower(c) : c);
+    });
+    while (!low.empty() && low.back() >= '0' && low.back() <= '9') low.pop_back();
+    if (!word.empty() && !is_side_word(low) && !low.empty()) out += (out.empty() ? "" : "_") + word;
+    word.clear();
+  };
+  for (const char c : name) {
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    if (letter)
+      word += c;
+    else
+      end_word();
+  }
+  end_word();
+  return out;
+}
+
+/// Collects proposals and tries each on the file itself.
+class Study {
+ public:
+  Study(const std::string& xml_text, const std::filesystem::path& file)
+      : text_(xml_text), xml_(load_xml(xml_text, file)) {
+    out_.model = parse_robot(xml_text, file);
+    compiled_ = compile_mjcf(xml_->text, file);
+    trunk_ = check_tree(*xml_, *compiled_);
+    feet_ = find_feet(*xml_, *compiled_, trunk_);
+    s_ = out_.model.space.initial();
+    out_.limbs = find_limbs(out_.model.morphology, s_);
+    rows_ = out_.limbs.empty() ? 0 : out_.limbs.back().row + 1;
+    for (const DesignParameter& parameter : out_.model.space.parameters)
+      taken_.insert(parameter.name);
+  }
+
+  StudiedRobot run() {
+    for (const Limb& limb : out_.limbs) add_lengths(limb);
+    for (const Limb& limb : out_.limbs) add_axes(limb);
+    add_trunk();
+    for (const LinearActuator& actuator : out_.model.morphology.linear_actuators)
+      add_attachments(actuator);
+    keep_what_holds();
+    return std::move(out_);
+  }
+
+ private:
+  const Link& link(int index) const {
+    return out_.model.morphology.links[static_cast<std::size_t>(index)];
+  }
+  /// The other side's limb; the limb itself where it stands alone.
+  const Limb& partner(const Limb& limb) const {
+    return limb.partner < 0 ? limb : out_.limbs[static_cast<std::size_t>(limb.partner)];
+  }
+  /// Of a pair the left limb is listed first and speaks for both.
+  bool speaks(const Limb& limb) const {
+    return limb.partner < 0 || limb.partner > static_cast<int>(&limb - out_.limbs.data());
+  }
+  /// "front", or the foot's name where a limb has no partner.
+  std::string place(const Limb& limb) const {
+    if (limb.partner >= 0) return row_name(limb.row, rows_);
+    return out_.model.morphology.feet[static_cast<std::size_t>(limb.foot)].name;
+  }
+  std::string title(const Limb& limb, int k) const {
+    const std::string own = without_side(link(limb.links[static_cast<std::size_t>(k)]).name);
+    const std::string where = place(limb);
+    return (where.empty() ? "" : where + "_") + (own.empty() ? fmt::format("link{}", k + 1) : own);
+  }
+  double foot_radius(const Limb& limb) const {
+    return out_.model.morphology.feet[static_cast<std::size_t>(limb.foot)].radius;
+  }
+  std::string words(const Limb& limb) const {
+    const std::string where = row_name(limb.row, rows_);
+    if (limb.partner >= 0) return fmt::format("{}{}legs", where, where.empty() ? "" : " ");
+    return "leg of " + place(limb);
+  }
+
+  std::optional<double> length_of(const std::string& body, const char* direction) const {
+    const int id = mj_name2id(compiled_.get(), mjOBJ_BODY, body.c_str());
+    if (id <= 0) return std::nullopt;
+    try {
+      return measure_stretch(*xml_, *compiled_, xml_->root(), id, direction, feet_).length;
+    } catch (const InputError&) {
+      return std::nullopt;  // it has none, or not where it could be stretched
+    }
+  }
+
+  void add_lengths(const Limb& limb) {
+    if (!speaks(limb)) return;
+    const Limb& other = partner(limb);
+    for (std::size_t k = 0; k < limb.links.size(); ++k) {
+      const std::string body = link(limb.links[k]).name, twin = link(other.links[k]).name;
+      const auto length = length_of(body, "link"), twin_length = length_of(twin, "link");
+      if (!length || *length < kShortestLink) continue;
+      const std::string name = title(limb, static_cast<int>(k)) + "_length";
+      if (!twin_length || std::abs(*twin_length - *length) > 1e-6) {
+        leave_out(name, fmt::format("bodies '{}' and '{}' differ in length", body, twin));
+        continue;
+      }
+      const bool last = k + 1 == limb.links.size();
+      if (last && foot_radius(limb) > kLargestBall * *length) {
+        leave_out(name, "the foot is a round sole, not the end of a leg of that length");
+        continue;
+      }
+      const std::string from = link(limb.links[k]).joint.name,
+                        to = last ? "the foot" : "joint " + link(limb.links[k + 1]).joint.name;
+      offer({name, *length, kShorterLink * *length, kLongerLink * *length, "m",
+             "stretch link: " + body + (limb.partner < 0 ? "" : " " + twin),
+             fmt::format("Length of the {} from joint {} to {}{}.", words(limb), from, to,
+                         limb.partner < 0 ? "" : "; left and right alike")});
+    }
+  }
+
+  void add_axes(const Limb& limb) {
+    if (!speaks(limb)) return;
+    const Limb& other = partner(limb);
+    const char* const directions[] = {"x", "y", "z"};
+    const char* const turns[] = {"roll", "pitch", "yaw"};
+    for (std::size_t k = 0; k < limb.links.size(); ++k) {
+      const Joint &joint = link(limb.links[k]).joint, &twin = link(other.links[k]).joint;
+      const Vector3d axis = joint.axis.at(s_), image = twin.axis.at(s_);
+      // The mirror image of a line; a joint may turn either way about it.
+      const double alike = std::abs(axis.dot(Vector3d(image.x(), -image.y(), image.z())));
+      std::string own = without_side(joint.name);
+      if (own.empty()) own = fmt::format("joint{}", k + 1);
+      const std::string where = place(limb);
+      for (int n = 2; n >= 0; --n) {
+        if (std::abs(axis[n]) > kAcross) continue;
+        const std::string name =
+            fmt::format("{}{}{}_axis_{}", where, where.empty() ? "" : "_", own, turns[n]);
+        if (limb.partner >= 0 && alike < 1.0 - 1e-9) {
+          leave_out(name, fmt::format("the axes of '{}' and '{}' are no mirror images in their "
+                                      "bodies' frames",
+                                      joint.name, twin.name));
+          continue;
+        }
+        offer({name, 0.0, -kTurn, kTurn, "rad",
+               fmt::format("axis {}: {}{}", directions[n], joint.name,
+                           limb.partner < 0 ? "" : " ~" + twin.name),
+               fmt::format("Turn of the axis of joint {} of the {} about the body's {}{}.",
+                           joint.name, words(limb), directions[n],
+                           limb.partner < 0 ? "" : "; left and right mirror each other")});
+      }
+    }
+  }
+
+  void add_trunk() {
+    const std::string& body = out_.model.root_body;
+    const auto add = [&](const char* direction, const char* name, const char* what) {
+      const auto length = length_of(body, direction);
+      if (!length || *length < kShortestLink) return;
+      offer({name, *length, kShorterTrunk * *length, kLongerTrunk * *length, "m",
+             fmt::format("stretch {}: {}", direction, body), what});
+    };
+    add("x", "body_length", "Distance from the foremost to the hindmost hips.");
+    add("y", "body_width", "Distance from the left to the right hips.");
+  }
+
+  /// The linear actuator of the mirrored joint; null where there is none.
+  const LinearActuator* twin_of(const LinearActuator& actuator) const {
+    for (const Limb& limb : out_.limbs) {
+      const auto at = std::find(limb.links.begin(), limb.links.end(), actuator.joint + 1);
+      if (at == limb.links.end() || limb.partner < 0) continue;
+      const int joint = partner(limb).links[static_cast<std::size_t>(at - limb.links.begin())] - 1;
+      for (const LinearActuator& other : out_.model.morphology.linear_actuators)
+        if (other.joint == joint) return &other;
+    }
+    return nullptr;
+  }
+
+  int site_of(const LinearActuator& actuator, int end) const {
+    const int tendon = mj_name2id(compiled_.get(), mjOBJ_TENDON, actuator.name.c_str());
+    return compiled_->wrap_objid[compiled_->tendon_adr[tendon] + end];
+  }
+
+  std::string row_of(const LinearActuator& actuator) const {
+    for (const Limb& limb : out_.limbs)
+      if (std::count(limb.links.begin(), limb.links.end(), actuator.joint + 1) > 0)
+        return row_name(limb.row, rows_);
+    return "";
+  }
+
+  /// Both ends of a linear actuator may move in the plane across the hinge, left and right alike.
+  void add_attachments(const LinearActuator& actuator) {
+    const LinearActuator* twin = twin_of(actuator);
+    if (twin && twin->joint < actuator.joint) return;  // told with the other side
+    for (int end = 0; end < 2; ++end) {
+      const int site = site_of(actuator, end), other = twin ? site_of(*twin, end) : -1;
+      const std::string name = name_of(*compiled_, mjOBJ_SITE, site),
+                        row = twin ? row_of(actuator) : "";
+      const std::string own = twin ? without_side(name) : name;
+      for (const int n : {0, 2}) {
+        const char* const axis = n == 0 ? "x" : "z";
+        const double at = compiled_->site_pos[3 * site + n];
+        const double most = std::max(kShortestMove, kAttachmentShare * std::abs(at));
+        offer({fmt::format("{}{}{}_{}", row, row.empty() ? "" : "_", own, axis), at, at - most,
+               at + most, "m",
+               fmt::format("place {}: {}{}", axis, name,
+                           twin ? " ~" + name_of(*compiled_, mjOBJ_SITE, other) : ""),
+               fmt::format("Where the linear actuator {} is attached, along the body's {}{}.",
+                           actuator.name, axis, twin ? "; left and right mirror each other" : "")});
+      }
+    }
+  }
+
+  void leave_out(const std::string& name, const std::string& why) {
+    out_.left_out.push_back(name + ": " + why);
+  }
+
+  /// Takes a proposal that the file bears by itself.
+  void offer(Proposal proposal) {
+    std::string name = proposal.name;
+    for (int n = 2; taken_.count(proposal.name) > 0; ++n) {
+      if (out_.model.space.size() > 0) return;  // the file has it already
+      proposal.name = fmt::format("{}_{}", name, n);
+    }
+    if (const std::string fault = refusal({proposal}); !fault.empty()) {
+      leave_out(proposal.name, fault);
+      return;
+    }
+    taken_.insert(proposal.name);
+    out_.proposals.push_back(std::move(proposal));
+  }
+
+  /// Why the file with these declarations would not be read; empty if it would.
+  std::string refusal(const std::vector<Proposal>& proposals) const {
+    try {
+      const RobotModel read =
+          parse_robot(with_declarations(text_, xml_->file, proposals), xml_->file);
+      const int wanted = out_.model.space.size() + static_cast<int>(proposals.size());
+      return read.space.size() == wanted ? "" : "what is written into the file is not read again";
+    } catch (const InputError& error) {
+      // The place is in a text that nobody has seen; what is wrong stands behind it.
+      const std::string all = error.what(), prefix = xml_->file.string() + ":";
+      if (all.compare(0, prefix.size(), prefix) != 0) return all;
+      const std::size_t cut = all.find(": ", prefix.size());
+      return cut == std::string::npos ? all : all.substr(cut + 2);
+    }
+  }
+
+  /// Each was accepted alone; together some may not be, as two stretches that are oblique.
+  void keep_what_holds() {
+    std::vector<Proposal> kept;
+    if (refusal(out_.proposals).empty()) return;
+    for (Proposal& proposal : out_.proposals) {
+      kept.push_back(proposal);
+      if (const std::string fault = refusal(kept); !fault.empty()) {
+        kept.pop_back();
+        leave_out(proposal.name, fault);
+      }
+    }
+    out_.proposals = std::move(kept);
+  }
+
+  const std::string& text_;
+  std::unique_ptr<XmlFile> xml_;
+  ModelPointer compiled_;
+  int trunk_ = 0, rows_ = 0;
+  std::vector<int> feet_;
+  Eigen::VectorXd s_;
+  std::set<std::string> taken_;
+  StudiedRobot out_;
+};
+
+}  // namespace
+
+StudiedRobot study_robot(const std::string& xml, const std::filesystem::path& file) {
+  return Study(xml, file).run();
+}
+
+}  // namespace legwright
