@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "mjcf/input_error.hpp"
+#include "tools/io/clean_text.hpp"
 #include "tools/io/install.hpp"
 #include "tools/io/io_error.hpp"
 #include "tools/verbs/verbs.hpp"
@@ -18,13 +19,13 @@ namespace {
 using legwright::Action;
 
 constexpr void (*kVerbs[])(CLI::App&, Action&) = {
-    legwright::add_check,  legwright::add_optimize, legwright::add_validate,
-    legwright::add_render, legwright::add_report,   legwright::add_curves,
-    legwright::add_play,   legwright::add_gaits,    legwright::add_doctor,
+    legwright::add_init,   legwright::add_check,  legwright::add_optimize, legwright::add_validate,
+    legwright::add_render, legwright::add_report, legwright::add_curves,   legwright::add_play,
+    legwright::add_gaits,  legwright::add_diff,   legwright::add_doctor,
 };
 
 int complain(const char* message, int code) {
-  std::fprintf(stderr, "legwright: %s\n", message);
+  std::fprintf(stderr, "legwright: %s\n", legwright::terminal_text(message).c_str());
   return code;
 }
 

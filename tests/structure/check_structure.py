@@ -22,6 +22,7 @@ PREFIXES = (
     ('optimizer/design/', 'design'), ('optimizer/motion/', 'motion'), ('optimizer/terms/', 'terms'),
     ('optimizer/objective/', 'objective'), ('optimizer/solve/', 'solve'), ('mjcf/', 'mjcf'),
     ('plugin/trajectory.', 'trajectory'), ('plugin/spline.', 'trajectory'), ('plugin/numbers.', 'trajectory'),
+    ('plugin/planned_motion.', 'trajectory'),
     ('plugin/', 'plugin'), ('tools/', 'tools'), ('tests/', 'tests'), ('benchmarks/', 'tests'))
 OPTIMIZER = {'design', 'motion', 'terms', 'objective', 'solve'}
 LAYERS = {  # layer: layers it may include, besides itself
@@ -30,13 +31,15 @@ LAYERS = {  # layer: layers it may include, besides itself
     'trajectory': set(), 'plugin': {'trajectory'}, 'tools': OPTIMIZER | {'mjcf', 'trajectory'},
     'tests': OPTIMIZER | {'mjcf', 'trajectory', 'plugin', 'tools'}}
 LIBRARIES = (  # include path: paths that may use it; tests and benchmarks may use all
-    (r'mujoco/', ('mjcf/', 'plugin/', 'tools/simulate/', 'tools/render/', 'tools/studio/')),
+    (r'mujoco/', ('mjcf/', 'plugin/', 'tools/simulate/', 'tools/validate/', 'tools/render/', 'tools/viewer/', 'tools/studio/')),
     (r'tinyxml2\.h', ('mjcf/', 'tools/simulate/')),
     (r'cholmod\.h|suitesparse/', ('optimizer/solve/',)),
     (r'Eigen/|unsupported/Eigen/', ('optimizer/', 'mjcf/', 'tools/')),
     (r'fmt/', ('mjcf/', 'plugin/', 'tools/')),
     (r'toml\+\+/|nlohmann/|CLI/', ('tools/',)),
-    (r'GL/|EGL/|lodepng\.h', ('tools/render/',)),
+    (r'simulate\.h|glfw_adapter\.h', ('tools/viewer/',)),
+    (r'X11/', ()),
+    (r'GL/|EGL/|lodepng\.h|webp/', ('tools/render/',)),
     (r'gtest/|gmock/|benchmark/', ()))
 NOT_TERMS = {'registry', 'term', 'penalty', 'linear_term', 'factories'}  # files of terms/ that are no summand
 
@@ -44,7 +47,7 @@ LAX_NUMBERS = re.compile(r'\b(?:strto(?:d|f|ld|l|ul|ll|ull)|ato[fil]|sto(?:d|f|l
                          r'|(?:Query)?(?:Double|Float|Int|Unsigned)(?:Attribute|Text|Value))\s*\(')
 PRINTING = re.compile(r'\bstd::(?:cout|cerr|clog|print|printf|puts)\b|(?<![\w:])(?:printf|puts)\s*\(|\bfmt::print\b'
                       r'|\bf(?:printf|puts)\s*\(')
-MAY_PRINT = ('tools/verbs/', 'tools/legwright.cpp', 'tests/', 'benchmarks/')
+MAY_PRINT = ('tools/verbs/', 'tools/viewer/main.cpp', 'tools/legwright.cpp', 'tests/', 'benchmarks/')
 
 
 def layer_of(path):

@@ -160,14 +160,13 @@ Json iteration_metrics(const DesignSpace& space, const DesignIteration& iteratio
           {"motion_status", to_string(own.motion_status)}};
 }
 
-PlanQuality write_design(const fs::path& folder, const RobotModel& robot,
-                         const Objective& objective, const DesignIteration& iteration, int task,
-                         Durability durability) {
-  const Eigen::VectorXd& m = iteration.tasks.at(task).m;
-  const std::string robot_xml = rewrite_robot(robot, iteration.s);
-  const PlayablePlan plan = make_playable(robot, robot_xml, objective, m);
-  PlanQuality quality = plan_quality(objective, iteration.s, m);
-  quality.root_residual = plan.root_residual;
+DesignTexts design_texts(const RobotModel& robot, const Objective& objective,
+                         const Eigen::VectorXd& s, const Eigen::VectorXd& m) {
+  DesignTexts texts;
+  texts.robot_xml = rewrite_robot(robot, s);
+  const PlayablePlan plan = make_playable(robot, texts.robot_xml, objective, m);
+  texts.quality = plan_quality(objective, s, m);
+  texts.quality.root_residual = plan.root_residual;
   SceneSettings scene;
   scene.trajectory = plan.trajectory;
   scene.period = objective.task().gait.period();
@@ -176,17 +175,25 @@ PlanQuality write_design(const fs::path& folder, const RobotModel& robot,
   scene.start_qpos = plan.start_qpos;
   scene.start_qvel = plan.start_qvel;
   scene.floor_friction = objective.task().floor_friction;
+  texts.scene_xml = emit_scene(robot, texts.robot_xml, scene);
+  texts.motion_csv = plan.motion_csv;
+  return texts;
+}
 
+PlanQuality write_design(const fs::path& folder, const RobotModel& robot,
+                         const Objective& objective, const DesignIteration& iteration, int task,
+                         Durability durability) {
+  const DesignTexts texts = design_texts(robot, objective, iteration.s, iteration.tasks.at(task).m);
   TemporaryFolder temporary(folder.parent_path() /
                             fmt::format(".{}.tmp", folder.filename().string()));
-  write_file(temporary.path() / "robot.xml", robot_xml, durability);
-  write_file(temporary.path() / "scene.xml", emit_scene(robot, robot_xml, scene), durability);
-  write_file(temporary.path() / "motion.csv", plan.motion_csv, durability);
+  write_file(temporary.path() / "robot.xml", texts.robot_xml, durability);
+  write_file(temporary.path() / "scene.xml", texts.scene_xml, durability);
+  write_file(temporary.path() / "motion.csv", texts.motion_csv, durability);
   write_json(temporary.path() / "metrics.json",
-             iteration_metrics(robot.space, iteration, task, quality), durability);
+             iteration_metrics(robot.space, iteration, task, texts.quality), durability);
   temporary.rename_to(folder);
   if (durability == Durability::power) sync_folder(folder.parent_path());
-  return quality;
+  return texts.quality;
 }
 
 }  // namespace legwright

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <filesystem>
+#include <string>
 
 #include "mjcf/read_robot.hpp"
 #include "optimizer/objective/objective.hpp"
@@ -36,6 +37,14 @@ PlanQuality plan_quality(const Objective& objective, const Eigen::VectorXd& s,
 /// equal bytes. @param task of `iteration.tasks`
 Json iteration_metrics(const DesignSpace& space, const DesignIteration& iteration, int task,
                        const PlanQuality& quality);
+
+/// A design as the texts of its files, and the quality of its plan, root residual included.
+struct DesignTexts {
+  std::string robot_xml, scene_xml, motion_csv;
+  PlanQuality quality;
+};
+DesignTexts design_texts(const RobotModel& robot, const Objective& objective,
+                         const Eigen::VectorXd& s, const Eigen::VectorXd& m);
 
 /// Writes a complete, openable design: robot.xml, scene.xml, motion.csv, metrics.json. The folder
 /// appears whole: written under a temporary name beside it, then renamed. Throws std::system_error

@@ -54,12 +54,19 @@ GaitPattern library_pattern(const TaskFile& file, int foot_count) {
     refuse(file, "gait.name",
            fmt::format("the library has no gait for {} feet; give gait.touchdown and gait.duty",
                        foot_count));
-  const std::string guess = nearest(file.gait, names);
+  std::string others;  // feet for which there is a gait of that name
+  for (const int feet : {2, 4, 6})
+    for (const GaitPattern& pattern : gait_library(feet))
+      if (pattern.name == file.gait)
+        others += fmt::format("{}{}", others.empty() ? "" : ", ", feet);
+  const std::string guess = others.empty() ? nearest(file.gait, names) : "";
   refuse(file, "gait.name",
-         fmt::format("'{}' is not in the library; {}for {} feet it has {}; or give gait.touchdown "
-                     "and gait.duty; `legwright gaits` draws them",
-                     file.gait, guess.empty() ? "" : fmt::format("did you mean '{}'? ", guess),
-                     foot_count, fmt::join(names, ", ")));
+         fmt::format("'{}' is not in the library{}; {}for {} feet it has {}; or give "
+                     "gait.touchdown and gait.duty; `legwright gaits` draws them",
+                     file.gait,
+                     others.empty() ? "" : fmt::format(" for this robot, only for {} feet", others),
+                     guess.empty() ? "" : fmt::format("did you mean '{}'? ", guess), foot_count,
+                     fmt::join(names, ", ")));
 }
 
 /// A pattern of one's own must not go by the name of another: verdicts and reports call it by that.

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "optimizer/design/design.hpp"
@@ -23,6 +24,11 @@ void write_json(const std::filesystem::path& path, const Json& document,
 /// Throws IoError that names the file where it is no JSON, std::system_error where it cannot be
 /// read.
 Json read_json(const std::filesystem::path& path);
+
+/// The number, or null where there is none.
+inline Json or_null(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
 
 /// {"name": value, …} for a vector in the order of the design's parameters.
 Json by_name(const DesignSpace& space, const Eigen::VectorXd& values);

@@ -44,22 +44,39 @@ Item check_plugin() {
   return item;
 }
 
-Item check_osmesa() {
-  Item item{"OSMesa", false, false, "",
+Item check_opengl() {
+  Item item{"OpenGL", false, false, "",
             "apt-get install libosmesa6; without it there are no pictures"};
-  // By the one name that GlContext opens: another version is of no use.
-  item.found = ::dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL) != nullptr;
-  item.detail = item.found ? "libOSMesa.so.8, draws without a display" : "libOSMesa.so.8 not found";
+  // By the names that GlContext opens, in its order: another version is of no use.
+  for (const char* library : {"libOSMesa.so.8", "libEGL.so.1"}) {
+    if (::dlopen(library, RTLD_NOW | RTLD_LOCAL) == nullptr) continue;
+    item.found = true;
+    item.detail = std::string(library) + ", draws without a display";
+    return item;
+  }
+  item.detail = "neither libOSMesa.so.8 nor libEGL.so.1 found";
   return item;
 }
 
 Item check_viewer() {
+  Item item{"viewer", true, false, "",
+            "apt-get install libglfw3-dev liblodepng-dev, configure and build again"};
+  for (const char* program : {kViewerProgram, kSimulateProgram}) {
+    const auto file = find_beside(program);
+    item.found = item.found && file;
+    item.detail +=
+        (item.detail.empty() ? "" : ", ") + (file ? file->string() : std::string("no ") + program);
+  }
+  return item;
+}
+
+Item check_python() {
   const std::string wanted = versions()["mujoco"];
-  Item item{"viewer", false, false, "",
+  Item item{"python", false, false, "",
             "pip install mujoco==" + wanted + " and name its python in LEGWRIGHT_PYTHON"};
   const auto python = find_viewer_python();
   item.detail = python ? fmt::format("{} has mujoco {}", python->command, python->mujoco_version)
-                       : "no Python with mujoco.viewer; `play` only prints its command";
+                       : "no Python with mujoco.viewer, which `play --viewer python` wants";
   item.found = python && python->mujoco_version == wanted;
   return item;
 }
@@ -81,8 +98,9 @@ std::vector<Item> diagnose() {
   }
   items.push_back({"program", true, true, program_file().string(), ""});
   items.push_back(check_plugin());
-  items.push_back(check_osmesa());
+  items.push_back(check_opengl());
   items.push_back(check_viewer());
+  items.push_back(check_python());
   items.push_back(check_display());
   return items;
 }

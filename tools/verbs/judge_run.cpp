@@ -11,8 +11,10 @@
 #include "tools/io/io_error.hpp"
 #include "tools/io/task_folders.hpp"
 #include "tools/report/tables.hpp"
-#include "tools/simulate/metrics_json.hpp"
 #include "tools/simulate/mujoco_host.hpp"
+#include "tools/validate/comparison_json.hpp"
+#include "tools/validate/metrics_json.hpp"
+#include "tools/validate/robustness_json.hpp"
 
 namespace legwright {
 namespace {
@@ -87,15 +89,77 @@ Json metrics_json(const TaskOfRun& task, const ValidationOptions& options,
 
 }  // namespace
 
+namespace {
+
+// Whether the verdict hangs on how MuJoCo computes, as a row of it.
+JudgedLimit numerics_limit(const SecondOpinion& opinion, const Bounds& bounds) {
+  JudgedLimit out{"numerics", "other numerics with another verdict", "1", bounds, {}, "", true, ""};
+  out.value = static_cast<double>(opinion.reasons.size());
+  out.pass = within(out.value, bounds);
+  for (const std::string& reason : opinion.reasons)
+    if (!out.pass) out.reason += (out.reason.empty() ? "the verdict is another " : "; ") + reason;
+  return out;
+}
+
+/// The result under other numerics and disturbances; the verdict on it again with what they add.
+void judge_further(const TaskOfRun& task, const SceneToValidate& scene, const JudgeOptions& options,
+                   JudgedRun& judged) {
+  const Limits& limits = options.validation.limits;
+  SceneValidation& result = judged.designs[1];
+  std::vector<JudgedLimit> further;
+  if (options.numerics) {
+    judged.numerics =
+        second_opinion(scene, task.wanted, task.gait, options.validation, at_default_gains(result));
+    if (const auto found = limits.find("numerics"); found != limits.end() && found->second.any())
+      further.push_back(numerics_limit(*judged.numerics, found->second));
+  }
+  if (options.robustness) {
+    RobustnessOptions disturbed = options.disturbed;
+    disturbed.threads = options.validation.threads;
+    disturbed.tested = tested_for(limits);
+    judged.robustness = measure_robustness(scene.scene, task.wanted, disturbed);
+    for (auto& row : judge_robustness(*judged.robustness, limits))
+      further.push_back(std::move(row));
+  }
+  if (!further.empty())
+    result.verdict = judge(result.at_gains, task.wanted, task.gait, limits, further);
+}
+
+void write_or_remove(const fs::path& file, const std::optional<Json>& document) {
+  if (document)
+    write_json(file, *document);
+  else
+    fs::remove(file);  // of an earlier validation, which this one would seem to have made
+}
+
+void write_judged(const ResultFolder& folder, const JudgedRun& judged) {
+  const SceneValidation &initial = judged.designs[0], &result = judged.designs[1];
+  const fs::path out = folder.result();
+  write_file(out / "playback_initial.csv", playback_csv(initial));
+  write_file(out / "playback_result.csv", playback_csv(result));
+  write_json(out / "metrics.json", judged.metrics);
+  write_json(out / "comparison.json", comparison_json(initial.comparison, result.comparison));
+  const auto& numerics = judged.numerics;
+  const auto& robustness = judged.robustness;
+  write_or_remove(out / "numerics.json",
+                  numerics ? std::optional(numerics_json(*numerics)) : std::nullopt);
+  write_or_remove(out / "robustness.json",
+                  robustness ? std::optional(robustness_json(*robustness)) : std::nullopt);
+  write_json(out / "verdict.json", judged.verdict);  // last: all that it rests on is there
+}
+
+}  // namespace
+
 JudgedRun judge_run(const ResultFolder& folder, const std::vector<fs::path>& others,
-                    const ValidationOptions& options) {
+                    const JudgeOptions& options) {
   const TaskOfRun task = read_task(folder);
   JudgedRun judged;
   try {
     std::vector<SceneToValidate> scenes{scene_in(folder.iteration(0)), scene_in(folder.result())};
     for (const fs::path& other : others) scenes.push_back(scene_in(other));
-    judged.designs = validate_scenes(scenes, task.wanted, task.gait, options);
-    judged.metrics = metrics_json(task, options, scenes, judged.designs);
+    judged.designs = validate_scenes(scenes, task.wanted, task.gait, options.validation);
+    judged.metrics = metrics_json(task, options.validation, scenes, judged.designs);
+    judge_further(task, scenes[1], options, judged);
   } catch (const MujocoError& error) {
     throw InputError(error.what());
   } catch (const TrajectoryError& error) {
@@ -107,10 +171,7 @@ JudgedRun judge_run(const ResultFolder& folder, const std::vector<fs::path>& oth
                     {"initial", verdict_json(initial.verdict)},
                     {"result", verdict_json(result.verdict)},
                     {"pass", result.verdict.pass}};
-  write_file(folder.result() / "playback_initial.csv", playback_csv(initial));
-  write_file(folder.result() / "playback_result.csv", playback_csv(result));
-  write_json(folder.result() / "metrics.json", judged.metrics);
-  write_json(folder.result() / "verdict.json", judged.verdict);
+  write_judged(folder, judged);
   return judged;
 }
 
@@ -133,7 +194,7 @@ std::vector<AloneBody> bodies_alone(const ResultFolder& folder, const Json& run)
   return bodies;
 }
 
-Json judge_bodies(const ResultFolder& folder, const Json& run, const ValidationOptions& options,
+Json judge_bodies(const ResultFolder& folder, const Json& run, const JudgeOptions& options,
                   std::vector<JudgedRun>& judged) {
   // Designs, in the order of the matrix: the initial body, the best body of each task alone where
   // the run has looked for them, the joint result.
@@ -180,7 +241,7 @@ Json judge_bodies(const ResultFolder& folder, const Json& run, const ValidationO
 
 }  // namespace
 
-Json judge_joint_run(const ResultFolder& folder, const Json& run, const ValidationOptions& options,
+Json judge_joint_run(const ResultFolder& folder, const Json& run, const JudgeOptions& options,
                      std::vector<JudgedRun>& judged) {
   try {
     return judge_bodies(folder, run, options, judged);

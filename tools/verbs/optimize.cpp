@@ -11,6 +11,7 @@
 #include "tools/io/install.hpp"
 #include "tools/io/io_error.hpp"
 #include "tools/io/run_json.hpp"
+#include "tools/verbs/close_gap.hpp"
 #include "tools/verbs/feasibility.hpp"
 #include "tools/verbs/joint_folders.hpp"
 #include "tools/verbs/recorder.hpp"
@@ -30,7 +31,7 @@ struct OptimizeOptions {
   bool motion_only = false, no_pictures = false, quiet = false, json = false, force = false;
   bool one_start = false, lbfgs = false, no_certificate = false;
   int max_iterations = CodesignOptions{}.max_iterations;
-  int starts = 0, threads = 0, front = 0;
+  int starts = 0, threads = 0, front = 0, physics_steps = 0;
   std::uint64_t seed = 1;
 };
 
@@ -200,6 +201,36 @@ void check_front(const OptimizeOptions& options, const CodesignProblem& problem)
                                  problem.task_count()));
 }
 
+/// After the adjoint loop: what MuJoCo says of the gaits, and steps that it confirms. Noted in
+/// run.json: of each task where there are several.
+void close_gaps(const ResultFolder& folder, const CodesignProblem& problem,
+                const DesignIteration& best, const OptimizeOptions& options, Json& run) {
+  CloseGapOptions rules;
+  rules.steps = options.physics_steps;
+  rules.threads = options.threads > 0
+                      ? options.threads
+                      : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  rules.stop = [] { return StopSignals::received() != 0; };
+  for (int k = 0; k < problem.task_count(); ++k) {
+    const std::string name = problem.set.joint() ? problem.task(k).name + ": " : "";
+    rules.tell = [&](const std::string& line) {
+      if (!options.quiet) fmt::print(stderr, "{}{}\n", name, line);
+    };
+    const Json found = close_gap(folder, problem, best, k, rules);
+    if (!problem.set.joint()) {
+      run["physics_steps"] = found;
+      write_json(folder.run_json(), run);
+      continue;
+    }
+    run["tasks"][static_cast<std::size_t>(k)]["physics_steps"] = found;
+    write_json(folder.run_json(), run);  // result/ of this task is another one now
+    const fs::path own = result_folder(folder, problem, k).parent_path() / "run.json";
+    Json task_run = read_json(own);
+    task_run["physics_steps"] = found;
+    write_json(own, task_run);
+  }
+}
+
 int optimize(const OptimizeOptions& options) {
   const CodesignProblem problem = read_problem(options.task);
   check_front(options, problem);
@@ -225,6 +256,8 @@ int optimize(const OptimizeOptions& options) {
   if (signal == 0 && !options.no_certificate && usable(found.winner().best))
     run["certificate"] = write_certificate(folder, problem, costs.tasks(), found.winner().best,
                                            settings.codesign.threads);
+  if (options.physics_steps > 0 && StopSignals::received() == 0 && usable(found.winner().best))
+    close_gaps(folder, problem, found.winner().best, options, run);
   if (options.front > 0 && StopSignals::received() == 0) {
     CodesignOptions rules = settings.codesign;
     rules.on_iteration = [](const DesignIteration&) { return StopSignals::received() == 0; };
@@ -264,6 +297,10 @@ void add_optimize(CLI::App& program, Action& action) {
           "--front", options->front,
           "two tasks: walk the weights from one to the other over so many points between the ends")
       ->check(CLI::Range(1, 99));
+  verb->add_option("--physics-steps", options->physics_steps,
+                   "then so many steps on speed, swing height, period and margins of the gait, "
+                   "from roll-outs in MuJoCo; only what they confirm is kept")
+      ->check(CLI::Range(0, 100));
   verb->add_option("--threads", options->threads,
                    "tasks solved at the same time; results do not depend on it; default: all cores")
       ->check(CLI::Range(1, 64));

@@ -22,15 +22,18 @@ namespace fs = std::filesystem;
 
 struct PlayOptions {
   std::string run;
+  std::string viewer;  // one of kViewers; empty: the best that is there
   int iteration = -1;
-  bool print = false, json = false;
+  bool live = false, print = false, json = false;
 };
 
+const std::vector<std::string> kViewers{"legwright", "simulate", "python"};
+
 /// A joint run has a gait for each task, and nothing to play by itself.
-void refuse_joint_run(const fs::path& root) {
+void refuse_joint_run(const fs::path& root, const std::string& options) {
   std::string choices;
   for (const TaskFolder& task : task_folders_of(root))
-    choices += "\n  legwright play " + shell_word((root / task.relative).string());
+    choices += "\n  legwright play " + options + shell_word((root / task.relative).string());
   if (!choices.empty())
     throw InputError(root.string() +
                      ": a joint run has a gait for each task; play one of them:" + choices);
@@ -38,7 +41,7 @@ void refuse_joint_run(const fs::path& root) {
 
 fs::path scene_to_play(const PlayOptions& options) {
   const ResultFolder folder = ResultFolder::open(options.run);
-  refuse_joint_run(options.run);
+  refuse_joint_run(options.run, "");
   const fs::path design =
       options.iteration >= 0 ? folder.iteration(options.iteration) : folder.result();
   const fs::path scene = design / "scene.xml";
@@ -46,7 +49,7 @@ fs::path scene_to_play(const PlayOptions& options) {
     throw IoError(scene.string() + ": no such file; " +
                   (options.iteration >= 0
                        ? "give an iteration that " + folder.iterations().string() + " holds"
-                       : "the run has no result yet, try --iteration 0"));
+                       : "the run has no result yet; follow it with --live, or try --iteration 0"));
   return fs::absolute(scene);
 }
 
@@ -66,7 +69,33 @@ std::string as_shell(const std::vector<std::string>& words) {
   return text;
 }
 
-void require_viewer(const std::optional<ViewerPython>& python) {
+/// The folder of a run to follow; it need not exist yet.
+fs::path run_to_follow(const PlayOptions& options) {
+  if (fs::exists(fs::path(options.run) / "run.json")) refuse_joint_run(options.run, "--live ");
+  if (fs::exists(options.run) && !fs::is_directory(options.run))
+    throw IoError(options.run + ": is a file; --live follows the folder of a run");
+  return fs::absolute(options.run);
+}
+
+/// Which viewer to open, and its program where it is one of ours.
+std::string choose_viewer(const PlayOptions& options) {
+  const auto legwright = find_beside(kViewerProgram), simulate = find_beside(kSimulateProgram);
+  const std::string best = legwright ? "legwright" : simulate ? "simulate" : "python";
+  const std::string chosen = options.viewer.empty() && options.live ? "legwright"
+                             : options.viewer.empty()               ? best
+                                                                    : options.viewer;
+  if (options.live && chosen != "legwright")
+    throw InputError("--live needs Legwright's own viewer, not --viewer " + chosen);
+  if ((chosen == "legwright" && !legwright) || (chosen == "simulate" && !simulate))
+    throw IoError(fmt::format(
+        "{} was not found beside {}; apt-get install libglfw3-dev liblodepng-dev (tools/setup does "
+        "it), configure and build again{}",
+        chosen == "simulate" ? kSimulateProgram : kViewerProgram, program_file().string(),
+        options.live ? "" : ", or use --viewer python"));
+  return chosen;
+}
+
+void require_python(const std::optional<ViewerPython>& python) {
   const std::string wanted = versions()["mujoco"];
   if (!python)
     throw IoError("no Python with MuJoCo's viewer was found; pip install mujoco==" + wanted +
@@ -75,23 +104,52 @@ void require_viewer(const std::optional<ViewerPython>& python) {
   if (python->mujoco_version != wanted)
     throw IoError(fmt::format("{} has mujoco {}, the plugin is for {}; pip install mujoco=={}",
                               python->command, python->mujoco_version, wanted, wanted));
+}
+
+void require_display() {
   if (!std::getenv("DISPLAY") && !std::getenv("WAYLAND_DISPLAY"))
     throw IoError(
         "no display: neither DISPLAY nor WAYLAND_DISPLAY is set; `legwright render` draws without "
         "one");
 }
 
+const char* hint_for(const std::string& viewer) {
+  if (viewer == "legwright")
+    return "Keys: Space pauses, Backspace starts the gait anew, Tab hides the panel, F1 lists "
+           "all.\n"
+           "The plan: 5 its ghost, M its centre of mass, C its footholds, F its forces.";
+  if (viewer == "simulate")
+    return "simulate drops the robot with all joints at zero. To see it walk, set Simulation > Key "
+           "to 1 and press Load key.";
+  return "In the viewer, Simulation > Load key puts the robot at the start of its gait.";
+}
+
+std::vector<std::string> command_for(const std::string& viewer, const PlayOptions& options,
+                                     const fs::path& plugin, const fs::path& path) {
+  if (viewer == "python") {
+    // Looking for Python takes a second: not where only the command is wanted.
+    const bool only_told = options.print || options.json;
+    const auto python = only_told ? std::nullopt : find_viewer_python();
+    if (!only_told) require_python(python);
+    return viewer_command(python ? python->command : "python3", plugin, path);
+  }
+  std::vector<std::string> command{
+      find_beside(viewer == "simulate" ? kSimulateProgram : kViewerProgram)->string()};
+  if (options.live) command.emplace_back("--live");
+  command.push_back(path.string());
+  return command;
+}
+
 int play(const PlayOptions& options) {
-  const fs::path scene = scene_to_play(options);
+  const fs::path path = options.live ? run_to_follow(options) : scene_to_play(options);
   const fs::path plugin = plugin_to_load();
-  // Looking for Python takes a second: not where only the command is wanted.
-  const auto python = options.print || options.json ? std::nullopt : find_viewer_python();
-  const std::vector<std::string> command =
-      viewer_command(python ? python->command : "python3", plugin, scene);
+  const std::string viewer = choose_viewer(options);
+  const std::vector<std::string> command = command_for(viewer, options, plugin, path);
   if (options.json) {
     fmt::print("{}", to_text({{"schema", "legwright/play"},
                               {"version", 1},
-                              {"scene", scene.string()},
+                              {"viewer", viewer},
+                              {options.live ? "run" : "scene", path.string()},
                               {"plugin", plugin.string()},
                               {"command", command}}));
     return kOk;
@@ -99,9 +157,8 @@ int play(const PlayOptions& options) {
   fmt::print("{}\n", as_shell(command));
   std::fflush(stdout);
   if (options.print) return kOk;
-  require_viewer(python);
-  fmt::print(stderr,
-             "In the viewer, Simulation > Load key puts the robot at the start of its gait.\n");
+  require_display();
+  fmt::print(stderr, "{}\n", hint_for(viewer));
   if (run_command(command) != 0)
     throw IoError("the viewer ended with an error; its own message stands above");
   return kOk;
@@ -111,11 +168,19 @@ int play(const PlayOptions& options) {
 
 void add_play(CLI::App& program, Action& action) {
   const auto options = std::make_shared<PlayOptions>();
-  CLI::App* verb =
-      program.add_subcommand("play", "Open a result in MuJoCo's viewer; print the plain command");
+  CLI::App* verb = program.add_subcommand(
+      "play", "Open a result in MuJoCo's viewer, or follow a run; print the plain command");
   verb->add_option("RUN", options->run, "folder of a run")->required();
-  verb->add_option("--iteration", options->iteration, "play this iteration instead of the result")
-      ->check(CLI::NonNegativeNumber);
+  CLI::Option* iteration = verb->add_option("--iteration", options->iteration,
+                                            "play this iteration instead of the result")
+                               ->check(CLI::NonNegativeNumber);
+  verb->add_flag("--live", options->live,
+                 "follow a run that goes on or is yet to start: show each design as it lands")
+      ->excludes(iteration);
+  verb->add_option("--viewer", options->viewer,
+                   "legwright (starts in the gait; default), simulate (MuJoCo's own), python "
+                   "(mujoco.viewer)")
+      ->check(CLI::IsMember(kViewers));
   verb->add_flag("--print", options->print, "only print the command");
   verb->add_flag("--json", options->json, "only print scene, plugin and command as JSON");
   verb->callback([&action, options] { action = [options] { return play(*options); }; });

@@ -18,7 +18,8 @@ namespace {
 
 struct Options {
   std::string run;
-  bool all = false, json = false;
+  std::vector<double> phases;
+  bool all = false, still = false, json = false;
 };
 
 /// The run itself; of a joint run each of its tasks, where the designs are.
@@ -35,6 +36,9 @@ int render(const Options& options) {
   const MujocoMessages messages;  // an error of the engine becomes an exception
   RunPictureOptions how;
   how.all = options.all;
+  how.phases = options.phases;
+  how.only_phases = options.still;
+  if (options.still && how.phases.empty()) how.phases = {0.0};
   if (!options.json) {
     how.on_picture = [](const MadePicture& made) {
       fmt::print(stderr, "{}  {:.0f} ms\n", made.file.string(), made.milliseconds);
@@ -76,13 +80,29 @@ void add_render(CLI::App& program, Action& action) {
   auto options = std::make_shared<Options>();
   CLI::App* verb = program.add_subcommand("render", "Draw the pictures of a run, off-screen");
   verb->add_option("run", options->run, "Folder that legwright optimize wrote")->required();
-  verb->add_flag("--all", options->all, "Draw stills of iterations again that exist already");
+  verb->add_option("--phase", options->phases,
+                   "Also a still of the gait at this phase, 0 to 1; may be given several times")
+      ->check(CLI::Range(0.0, 1.0));
+  verb->add_flag("--still", options->still,
+                 "Nothing but the stills of --phase (without it: of phase 0)");
+  verb->add_flag("--all", options->all, "Draw frame.png of iterations again that exist already");
   verb->add_flag("--json", options->json, "One JSON document on stdout: files and milliseconds");
   verb->footer(
-      "Writes frame.png into each folder of iterations/, and strip_initial.png, strip_result.png,\n"
-      "strip_before_after.png (planned) and strip_physics.png (after legwright validate) into "
-      "result/. Of a joint run: into the folders of its tasks.\n"
-      "Needs no display: OSMesa draws. The same bytes on every run on one machine.");
+      "Into each folder of iterations/: frame.png. Into result/:\n"
+      "  strip_before_after.png         planned gait by phase, before over after\n"
+      "  strip_initial.png, strip_result.png   the same, one at a time\n"
+      "  strip_physics.png              what the simulation did (after legwright validate)\n"
+      "  overlay.png                    the plan's ghost over the simulated robot (after "
+      "validate)\n"
+      "  contact_timeline.png           planned and simulated stance of each foot (after "
+      "validate)\n"
+      "  gait.webp                      the gait in real time, as a loop\n"
+      "  still_P.png, still_before_after_P.png   at each --phase P\n"
+      "Of a joint run: into the folders of its tasks. Of a motion-only run there is nothing "
+      "before.\n"
+      "Needs no display: OSMesa draws, or EGL where that is missing; LEGWRIGHT_GL=osmesa or egl "
+      "takes\n"
+      "one of them. The same bytes on every run on one machine. Exit code 3 without either.");
   verb->callback([options, &action] { action = [options] { return render(*options); }; });
 }
 

@@ -6,7 +6,10 @@
 #include <memory>
 #include <vector>
 
+#include "mjcf/input_error.hpp"
+#include "tools/io/atomic_file.hpp"
 #include "tools/io/json_file.hpp"
+#include "tools/report/pair_report.hpp"
 #include "tools/report/report.hpp"
 #include "tools/verbs/verbs.hpp"
 
@@ -14,11 +17,33 @@ namespace legwright {
 namespace {
 
 struct Options {
-  std::string run;
+  std::string run, other, output;
   bool json = false;
 };
 
+/// Two runs side by side.
+int report_pair(const Options& options) {
+  const std::filesystem::path file = options.output.empty() ? pair_file(options.run, options.other)
+                                                            : std::filesystem::path(options.output);
+  write_file(file, pair_page(read_pair(options.run, options.other)));
+  if (options.json) {
+    fmt::print("{}", to_text(Json{{"schema", "legwright/report-pair"},
+                                  {"version", 1},
+                                  {"report", file.string()},
+                                  {"bytes", std::filesystem::file_size(file)}}));
+  } else {
+    fmt::print("{}\n", file.string());
+  }
+  return kOk;
+}
+
 int report(const Options& options) {
+  if (!options.other.empty()) return report_pair(options);
+  if (!options.output.empty())
+    throw InputError(
+        "report: --output is for two runs side by side (legwright report A B -o FILE); the report "
+        "of "
+        "one run is RUN/report.html");
   const std::vector<std::filesystem::path> pages = write_report(options.run);
   if (options.json) {
     Json document{
@@ -43,13 +68,20 @@ int report(const Options& options) {
 
 void add_report(CLI::App& program, Action& action) {
   auto options = std::make_shared<Options>();
-  CLI::App* verb = program.add_subcommand("report", "Write the report of a run: one HTML file");
+  CLI::App* verb = program.add_subcommand(
+      "report", "Write the report of a run, or of two side by side: one HTML file");
   verb->add_option("run", options->run, "Folder that legwright optimize wrote")->required();
+  verb->add_option("other", options->other, "A second run: both side by side, on one page");
+  verb->add_option("-o,--output", options->output,
+                   "of two runs: the page; default: A/compare_NAME.html, NAME being B's folder");
   verb->add_flag("--json", options->json,
                  "One JSON document on stdout: the files that were written");
   verb->footer(
       "Writes RUN/report.html (self-contained, opens from disk) and RUN/result/summary.md.\n"
       "A joint run also gets a report of each task in RUN/tasks/.\n"
+      "With two runs, A and B, one page shows both: verdicts, strips, bodies, limits, margins. Of "
+      "a\n"
+      "joint run name the folder of a task: legwright report RUN/tasks/pace RUN/tasks/sideways\n"
       "Run legwright validate and legwright render first; what is missing is named in the report.");
   verb->callback([options, &action] { action = [options] { return report(*options); }; });
 }

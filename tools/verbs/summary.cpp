@@ -27,7 +27,9 @@ std::string parameter_lines(const Json& parameters) {
   return text;
 }
 
-std::string in_words(const std::string& status) {
+std::string in_words(const std::string& status, bool motion_only) {
+  if (motion_only && status == "iteration_limit")
+    return "motion not finished (F hardly falls any more: this body may have no good motion)";
   if (status == "stalled") return "settled (no step improves it any more)";
   if (status == "iteration_limit")
     return "stopped at the iteration limit (usable; a larger --max-iterations goes on)";
@@ -62,9 +64,31 @@ std::string start_lines(const Json& starts) {
 
 }  // namespace
 
+namespace {
+
+/// What --physics-steps came to, or nothing.
+std::string physics_lines(const Json& task, const std::string& indent) {
+  const auto found = task.find("physics_steps");
+  if (found == task.end()) return "";
+  const Json& steps = *found;
+  const double seconds = steps["seconds"];
+  if (!steps["changed"].get<bool>())
+    return fmt::format("{}physics  no step came closer to the task: the gait stays ({:.1f} s)\n",
+                       indent, seconds);
+  return fmt::format(
+      "{0}physics  before: {1}\n{0}         after:  {2}\n"
+      "{0}         the gait played: {3} of the task's ({4:.1f} s); F, speed and certificate "
+      "are of the gait before\n",
+      indent, steps["before"]["line"].get<std::string>(), steps["after"]["line"].get<std::string>(),
+      steps["factors"].get<std::string>(), seconds);
+}
+
+}  // namespace
+
 std::string joint_summary(const Json& run, const std::filesystem::path& root) {
   std::string text = fmt::format("{} {}: {}; best from '{}'\n", run["robot"].get<std::string>(),
-                                 run["name"].get<std::string>(), in_words(run["status"]),
+                                 run["name"].get<std::string>(),
+                                 in_words(run["status"], run["motion_only"].get<bool>()),
                                  run["best_start"].get<std::string>());
   std::size_t width = 8;
   for (const Json& task : run["tasks"])
@@ -75,7 +99,8 @@ std::string joint_summary(const Json& run, const std::filesystem::path& root) {
     text += fmt::format("  {:{}} F {:.5g} -> {:.5g}, speed {:.4g} of {:.4g} planned\n",
                         task["name"].get<std::string>(), width, task["F_initial"].get<double>(),
                         task["F"].get<double>(), task["speed_reached"].get<double>(),
-                        task["speed_wanted"].get<double>());
+                        task["speed_wanted"].get<double>()) +
+            physics_lines(task, "    ");
   text += start_lines(run["starts"]);
   for (const Json& start : run["alone"])
     text += fmt::format("    {} alone {:9.5g} -> {:9.5g}  {}, {:.2f} s\n",
@@ -99,8 +124,8 @@ std::string optimize_summary(const Json& run, const std::filesystem::path& root)
   std::string text;
   text += fmt::format("{} {}: {} after {} design iterations and {} Newton iterations\n",
                       run["robot"].get<std::string>(), run["task"]["name"].get<std::string>(),
-                      in_words(run["status"]), run["design_iterations"].get<int>(),
-                      run["newton_iterations"].get<int>());
+                      in_words(run["status"], run["motion_only"].get<bool>()),
+                      run["design_iterations"].get<int>(), run["newton_iterations"].get<int>());
   text += fmt::format("  F        {:.5g} with the initial body, {:.5g} now\n",
                       run["motion_only_F"].get<double>(), run["final_F"].get<double>());
   if (run.contains("outer"))
@@ -110,6 +135,7 @@ std::string optimize_summary(const Json& run, const std::filesystem::path& root)
   if (run.contains("starts")) text += start_lines(run["starts"]);
   text += fmt::format("  speed    {:.4g} of {:.4g} planned{}\n", reached, wanted,
                       wanted > 0.0 ? fmt::format(" ({:.1f} %)", 100.0 * reached / wanted) : "");
+  text += physics_lines(run, "  ");
   text += fmt::format(
       "  time     {:.2f} s: motion {:.2f}, adjoint {:.2f}, predictor {:.2f}, files {:.2f}\n",
       seconds["total"].get<double>(), seconds["motion"].get<double>(),

@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <memory>
+#include <thread>
 
+#include "mjcf/input_error.hpp"
 #include "tools/io/result_folder.hpp"
+#include "tools/validate/junit.hpp"
+#include "tools/validate/limits_file.hpp"
+#include "tools/validate/robustness_json.hpp"
 #include "tools/verbs/judge_run.hpp"
 #include "tools/verbs/verbs.hpp"
 
@@ -11,15 +18,58 @@ namespace legwright {
 namespace {
 
 struct Options {
-  std::string run;
-  ValidationOptions validation;
-  bool json = false;
+  std::string run, limits, junit;
+  JudgeOptions judge;
+  bool json = false, quick = false;
 };
 
-void print_verdicts(const JudgedRun& judged, const Json& run, const std::string& indent) {
-  const bool same = run.value("motion_only", false);
+/// What is told of a run beside its verdict.
+struct RunHead {
+  std::string name;
+  bool motion_only = false;
+};
+
+/// Read before anything is played: a damaged file must not cost the roll-outs. Throws InputError.
+RunHead read_head(const ResultFolder& folder, const Json& run) {
+  RunHead head{folder.root().filename().string(), false};
+  const auto refuse = [&](const char* key, const char* expected) {
+    throw InputError(
+        folder.run_json().string(), 0, key,
+        std::string("is ") + expected + "; the file is damaged: run `legwright optimize` again");
+  };
+  if (const auto found = run.find("name"); found != run.end()) {
+    if (!found->is_string()) refuse("name", "no text");
+    head.name = found->get<std::string>();
+  }
+  if (const auto found = run.find("motion_only"); found != run.end()) {
+    if (!found->is_boolean()) refuse("motion_only", "neither true nor false");
+    head.motion_only = found->get<bool>();
+  }
+  return head;
+}
+
+/// Tells on stderr how far the disturbed roll-outs are: one live line on a terminal, none elsewhere.
+std::function<void(int, int)> live_progress() {
+  if (::isatty(STDERR_FILENO) == 0) return {};
+  return [](int done, int total) {
+    if (done == total)
+      fmt::print(stderr, "\r\x1b[K");
+    else
+      fmt::print(stderr, "\rdisturbed walks: {:3} %", 100 * done / total);
+    std::fflush(stderr);
+  };
+}
+
+void print_judged(const JudgedRun& judged, bool same, const std::string& indent) {
   fmt::print("{0}initial design:     {1}\n{0}{2}  {3}\n", indent, judged.designs[0].verdict.line,
              same ? "the same, as result:" : "co-designed robot:", judged.designs[1].verdict.line);
+  if (const auto& comparison = judged.designs[1].comparison)
+    fmt::print("{}{}\n", indent, describe(*comparison));
+  if (judged.numerics) fmt::print("{}{}\n", indent, describe(*judged.numerics));
+  if (!judged.robustness) return;
+  fmt::print("{}robustness, each factor alone until it fails:\n", indent);
+  for (const std::string& line : robustness_lines(*judged.robustness))
+    fmt::print("{}  {}\n", indent, line);
 }
 
 /// One line per design, one column per task: F, and what physics says.
@@ -35,57 +85,111 @@ void print_matrix(const Json& matrix) {
   fmt::print("\n");
 }
 
-int validate_joint(const ResultFolder& folder, const Json& run, const Options& options) {
+int validate_joint(const ResultFolder& folder, const Json& run, const RunHead& head,
+                   const Options& options) {
   std::vector<JudgedRun> judged;
-  const Json matrix = judge_joint_run(folder, run, options.validation, judged);
+  const Json matrix = judge_joint_run(folder, run, options.judge, judged);
+  std::vector<JunitSuite> suites;
+  for (std::size_t k = 0; k < judged.size(); ++k)
+    suites.push_back({run["tasks"][k]["name"].get<std::string>(), judged[k].designs[1].verdict});
+  if (!options.junit.empty()) write_file(options.junit, junit_xml(suites));
   if (options.json) {
     fmt::print("{}", to_text(matrix));
   } else {
     for (std::size_t k = 0; k < judged.size(); ++k) {
-      fmt::print("{}\n", run["tasks"][k]["name"].get<std::string>());
-      print_verdicts(judged[k], run, "  ");
+      fmt::print("{}\n", suites[k].name);
+      print_judged(judged[k], head.motion_only, "  ");
     }
     print_matrix(matrix);
   }
   return matrix["pass"].get<bool>() ? kOk : kInfeasible;
 }
 
-int validate(const Options& options) {
+/// Throws InputError where the limits file asks for what --quick leaves out.
+void refuse_if_too_quick(const Options& options) {
+  const Limits& limits = options.judge.validation.limits;
+  const bool robustness = need_robustness(limits), numerics = ask_for_numerics(limits);
+  if (!options.quick || (!robustness && !numerics)) return;
+  const std::string what = robustness && numerics ? "survival, margins or numerics"
+                           : robustness           ? "survival or margins"
+                                                  : "numerics";
+  throw InputError(options.limits, 0, "",
+                   "has limits on " + what +
+                       ", which --quick leaves out; validate without --quick, or take them out");
+}
+
+int validate(Options options) {
+  if (!options.limits.empty()) options.judge.validation.limits = read_limits(options.limits);
+  refuse_if_too_quick(options);
+  options.judge.numerics = options.judge.robustness = !options.quick;
+  options.judge.disturbed.progress = live_progress();
   const ResultFolder folder = ResultFolder::open(options.run);
   const Json run = read_json(folder.run_json());
-  if (run.contains("tasks")) return validate_joint(folder, run, options);
-  const JudgedRun judged = judge_run(folder, {}, options.validation);
-  if (options.json)
-    fmt::print("{}", to_text({{"verdict", judged.verdict}, {"metrics", judged.metrics}}));
-  else
-    print_verdicts(judged, run, "");
-  return judged.designs[1].verdict.pass ? kOk : kInfeasible;
+  const RunHead head = read_head(folder, run);
+  if (run.contains("tasks")) return validate_joint(folder, run, head, options);
+  const JudgedRun judged = judge_run(folder, {}, options.judge);
+  const Verdict& verdict = judged.designs[1].verdict;
+  if (!options.junit.empty()) write_file(options.junit, junit_xml({{head.name, verdict}}));
+  if (options.json) {
+    Json document{{"verdict", judged.verdict}, {"metrics", judged.metrics}};
+    if (judged.robustness) document["robustness"] = robustness_json(*judged.robustness);
+    if (judged.numerics) document["numerics"] = numerics_json(*judged.numerics);
+    fmt::print("{}", to_text(document));
+  } else {
+    print_judged(judged, head.motion_only, "");
+  }
+  return verdict.pass ? kOk : kInfeasible;
+}
+
+void add_options(CLI::App& verb, Options& options) {
+  JudgeOptions& judge = options.judge;
+  verb.add_option("run", options.run, "Folder that legwright optimize wrote")->required();
+  verb.add_option("--limits", options.limits,
+                  "TOML file of what passes; examples/limits.toml has all that may be limited");
+  verb.add_option("--junit", options.junit, "Write the verdict as JUnit XML, a case per limit");
+  verb.add_flag(
+      "--quick", options.quick,
+      "Only the roll-outs at three gains: no disturbances, no second opinion on numerics");
+  verb.add_option("--cycles", judge.validation.cycles, "Cycles of the gait to play")
+      ->check(CLI::Range(4, 10000))
+      ->capture_default_str();
+  verb.add_option("--samples", judge.disturbed.samples,
+                  "Walks with all disturbances drawn at once; 0: margins only")
+      ->check(CLI::Range(0, 100000))
+      ->capture_default_str();
+  verb.add_option("--seed", judge.disturbed.seed, "Of those draws")->capture_default_str();
+  verb.add_option("--threads", judge.validation.threads,
+                  "Roll-outs at the same time; results do not depend on it; default: all cores")
+      ->check(CLI::Range(1, 64));
+  verb.add_flag("--json", options.json,
+                "One JSON document on stdout: verdict, metrics, robustness, numerics");
 }
 
 }  // namespace
 
 void add_validate(CLI::App& program, Action& action) {
   auto options = std::make_shared<Options>();
+  options->judge.validation.threads =
+      static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 64U));
   CLI::App* verb =
       program.add_subcommand("validate", "Play the gaits of a run in MuJoCo and judge them");
-  verb->add_option("run", options->run, "Folder that legwright optimize wrote")->required();
-  verb->add_option("--cycles", options->validation.cycles, "Cycles of the gait to play")
-      ->check(CLI::Range(4, 10000))
-      ->capture_default_str();
-  verb->add_option("--threads", options->validation.threads,
-                   "Roll-outs at the same time; results do not depend on it")
-      ->check(CLI::Range(1, 64))
-      ->capture_default_str();
-  verb->add_flag("--json", options->json, "One JSON document on stdout: verdict and metrics");
+  add_options(*verb, *options);
   verb->footer(
       "Plays iterations/0000/scene.xml (the initial design) and result/scene.xml, each at half, "
       "default and double\n"
-      "servo gains, headless. Passes when the result never falls, keeps 95 to 105 % of the planned "
-      "speed along its\n"
-      "heading, tilts by less than 0.1 rad, saturates no servo and MuJoCo has nothing to warn of, "
-      "at all gains.\n"
-      "Writes metrics.json, verdict.json, playback_initial.csv and playback_result.csv into "
-      "result/.\n"
+      "servo gains, headless. Unless a limits file says otherwise the result passes when at all "
+      "gains it never falls,\n"
+      "keeps 95 to 105 % of the planned speed along its heading, of the turn rate and of the "
+      "radius where it turns,\n"
+      "tilts by less than 0.1 rad, saturates no servo, MuJoCo has nothing to warn of, and other "
+      "numerics agree.\n"
+      "Then one disturbance after the other grows until the result fails: friction and slope of "
+      "the floor, mass, gains\n"
+      "and delay of the servos, a tilted start, pushes; and 200 walks have them all at once "
+      "(tools/validate/README.md).\n"
+      "Writes metrics.json, verdict.json, comparison.json, numerics.json, robustness.json, "
+      "playback_initial.csv and\n"
+      "playback_result.csv into result/.\n"
       "Exit code: 0 the result passes, 1 it fails, 2 bad input, 3 a file cannot be read or "
       "written.");
   verb->callback([options, &action] { action = [options] { return validate(*options); }; });

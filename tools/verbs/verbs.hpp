@@ -22,6 +22,7 @@ enum ExitCode : int {
 using Action = std::function<int()>;
 
 // Each adds its subcommand with options and help to `program`; when it is the one that was called, parsing sets `action`.
+void add_init(CLI::App& program, Action& action);
 void add_check(CLI::App& program, Action& action);
 void add_optimize(CLI::App& program, Action& action);
 void add_validate(CLI::App& program, Action& action);
@@ -30,6 +31,7 @@ void add_report(CLI::App& program, Action& action);
 void add_curves(CLI::App& program, Action& action);
 void add_play(CLI::App& program, Action& action);
 void add_gaits(CLI::App& program, Action& action);
+void add_diff(CLI::App& program, Action& action);
 void add_doctor(CLI::App& program, Action& action);
 
 }  // namespace legwright

@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <system_error>
 
+#include "tools/io/install.hpp"
 #include "tools/simulate/mujoco_host.hpp"
 
 namespace legwright {
@@ -85,6 +86,12 @@ std::vector<std::string> viewer_command(const std::string& python,
       "mujoco.mj_resetDataKeyframe(m, d, m.key('gait').id); mujoco.viewer.launch(m, d)",
       python_text(plugin.string()), python_text(scene.string()));
   return {python, "-c", script};
+}
+
+std::optional<std::filesystem::path> find_beside(const std::string& program) {
+  const std::filesystem::path file = program_file().parent_path() / program;
+  if (::access(file.c_str(), X_OK) == 0) return file;
+  return std::nullopt;
 }
 
 std::optional<std::filesystem::path> find_plugin() {

@@ -22,6 +22,13 @@ std::vector<std::string> viewer_command(const std::string& python,
                                         const std::filesystem::path& plugin,
                                         const std::filesystem::path& scene);
 
+// Programs with a window, in the folder of `legwright` where GLFW was there to build them.
+inline constexpr const char* kViewerProgram = "legwright-viewer";
+inline constexpr const char* kSimulateProgram = "simulate";
+
+/// The program of that name in the folder of the running one, or nothing.
+std::optional<std::filesystem::path> find_beside(const std::string& program);
+
 /// A plugin library that is there, or nothing.
 std::optional<std::filesystem::path> find_plugin();
 

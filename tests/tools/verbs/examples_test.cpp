@@ -22,7 +22,7 @@ class Example : public testing::Test {
     words.insert(words.end(), more.begin(), more.end());
     const test::Outcome optimize = call(words);
     EXPECT_LE(optimize.code, 1) << optimize.err;  // infeasible plans have a verdict too
-    const test::Outcome validate = call({"validate", "run"});
+    const test::Outcome validate = call({"validate", "run", "--quick"});
     EXPECT_LE(validate.code, 1) << validate.err;
     return folder_.path() / "run";
   }
@@ -103,8 +103,9 @@ TEST_F(Example, PistonsWalkAndTheirForceIsWatched) {
     scene.replace(at, strong.size(), "forcerange=\"-30 30\"");
   fs::remove(scene_file);
   write_file(scene_file, scene);
-  (void)test::wait_for(test::start({"validate", result.parent_path().string()}, folder_.path()),
-                       folder_.path());
+  (void)test::wait_for(
+      test::start({"validate", result.parent_path().string(), "--quick"}, folder_.path()),
+      folder_.path());
   EXPECT_GT(read(result / "metrics.json")["result"]["default"]["saturated_share"].get<double>(),
             0.01);
 }

@@ -66,7 +66,7 @@ TEST_F(Joint, RunIsCompleteAndItsTasksAreRunsOfTheirOwn) {
   }
   EXPECT_LT(run["certificate"]["worst_gradient_error"].get<double>(), 1e-4);
 
-  const Outcome validate = here({"validate", "run"});
+  const Outcome validate = here({"validate", "run", "--quick"});
   EXPECT_LE(validate.code, 1) << validate.err;
   const Json matrix = json("run/result/matrix.json");
   ASSERT_EQ(matrix["designs"].size(), 4u);
@@ -88,7 +88,7 @@ TEST_F(Joint, InterruptedAfterATaskAloneItCanStillBeValidated) {
   EXPECT_EQ(optimize.code, 130) << optimize.err;
   EXPECT_EQ(json("run/run.json")["status"], "interrupted");
   EXPECT_FALSE(fs::exists(folder_.path() / "run/starts/from-pace"));
-  const Outcome validate = here({"validate", "run"});
+  const Outcome validate = here({"validate", "run", "--quick"});
   EXPECT_LE(validate.code, 1) << validate.err;
   EXPECT_EQ(json("run/result/matrix.json")["designs"].size(), 2u);  // initial body, all tasks
 }
@@ -100,7 +100,7 @@ TEST_F(Joint, ForeignFoldersInRunJsonAreRefused) {
   Json run = json("run/run.json");
   run["tasks"][0]["folder"] = "../elsewhere";
   write_file(folder_.path() / "run/run.json", run.dump());
-  EXPECT_EQ(here({"validate", "run"}).code, 2);
+  EXPECT_EQ(here({"validate", "run", "--quick"}).code, 2);
 }
 
 TEST_F(Joint, SameBytesAtAnyThreadCount) {
@@ -157,7 +157,7 @@ TEST(Outer, BodyThatSpendsLessWork) {
     };
     const Outcome optimize = run({"optimize", file, "--no-pictures", "-o", task});
     EXPECT_EQ(optimize.code, 0) << optimize.err;
-    const Outcome validate = run({"validate", task});
+    const Outcome validate = run({"validate", task, "--quick"});
     EXPECT_EQ(validate.code, 0) << validate.out;
     return Json::parse(read_file(folder.path() / task / "result" /
                                  "metrics.json"))["result"]["default"]["power_mean_W"]

@@ -33,10 +33,11 @@ TEST(Program, HelpAndVersionAreFineAndNonsenseIsBadInput) {
   const Outcome typo = call({"optimise"});
   EXPECT_EQ(typo.code, 2);
   EXPECT_TRUE(
-      contains(typo.err, "unknown verb 'optimise'; the verbs are check, optimize, validate"))
+      contains(typo.err, "unknown verb 'optimise'; the verbs are init, check, optimize, validate"))
       << typo.err;
   EXPECT_EQ(call({"optimize", kWalk, "--max-iterations", "many"}).code, 2);
-  for (const char* verb : {"check", "optimize", "validate", "render", "report", "play", "doctor"}) {
+  for (const char* verb :
+       {"init", "check", "optimize", "validate", "render", "report", "play", "diff", "doctor"}) {
     const Outcome help = call({verb, "--help"});
     EXPECT_EQ(help.code, 0) << verb;
     EXPECT_TRUE(contains(help.out, "--json")) << verb;
@@ -144,7 +145,8 @@ TEST(Optimize, WritesACompleteRunTwiceTheSame) {
     EXPECT_TRUE(contains(without.err, "/nonexistent/gait.so")) << verb << without.err;
   }
   ::unsetenv("LEGWRIGHT_PLUGIN");
-  const Outcome play = wait_for(start({"play", "a", "--print"}, folder.path()), folder.path());
+  const Outcome play =
+      wait_for(start({"play", "a", "--viewer", "python", "--print"}, folder.path()), folder.path());
   EXPECT_EQ(play.code, 0) << play.err;
   EXPECT_TRUE(contains(play.out, "mj_loadPluginLibrary")) << play.out;
   EXPECT_EQ(wait_for(start({"play", "a", "--iteration", "9"}, folder.path()), folder.path()).code,
@@ -204,7 +206,67 @@ TEST(Optimize, KeepsInsideRunsAndItsInputsRunAgain) {
   EXPECT_EQ(again.code, 0) << again.err;
 }
 
-TEST(Play, NeedsARun) { EXPECT_EQ(call({"play", "/nowhere", "--print"}).code, 3); }
+TEST(Play, NeedsARunAndAViewerThatCanDoWhatIsAsked) {
+  EXPECT_EQ(call({"play", "/nowhere", "--print"}).code, 3);
+  EXPECT_EQ(call({"play", "/nowhere", "--viewer", "paper"}).code, 2);
+  EXPECT_EQ(call({"play", "/nowhere", "--live", "--iteration", "1"}).code, 2);
+  const Outcome python = call({"play", "/nowhere", "--live", "--viewer", "python"});
+  EXPECT_EQ(python.code, 2);
+  EXPECT_TRUE(contains(python.err, "--live needs")) << python.err;
+}
+
+TEST(Init, WritesProposalsAndNothingElse) {
+  const test::TemporaryFolder folder;
+  const fs::path robot = folder.path() / "robot.xml";
+  std::string bare = read_file(kExamples / "puppy" / "robot.xml");
+  const std::size_t from = bare.find("  <custom>"), to = bare.find("</custom>\n");
+  bare.erase(from, to + 10 - from);
+  write_file(robot, bare);
+  const Outcome told = call({"init", robot.string()});
+  EXPECT_EQ(told.code, 0) << told.err;
+  EXPECT_TRUE(contains(told.out, "front_thigh_length")) << told.out;
+  EXPECT_EQ(read_file(robot), bare);  // only told so far
+  EXPECT_EQ(call({"init", robot.string(), "--write"}).code, 0);
+  const std::string written = read_file(robot);
+  EXPECT_NE(written, bare);
+  EXPECT_EQ(call({"init", robot.string(), "--write"}).code, 0);
+  EXPECT_EQ(read_file(robot), written);  // nothing is left to propose
+  EXPECT_EQ(call({"init", robot.string(), "-o", robot.string() + "2"}).code, 0);
+  EXPECT_EQ(call({"init", (folder.path() / "robot.xml2").string(), "-o", robot.string()}).code, 3);
+  EXPECT_EQ(call({"init", "/nowhere.xml"}).code, 2);
+  EXPECT_EQ(call({"init", (kExamples / "broken" / "robots" / "two_free_roots.xml").string()}).code,
+            2);
+}
+
+TEST(Init, WritesNoEscapeSequencesToTheTerminal) {
+  const test::TemporaryFolder folder;
+  const fs::path robot = folder.path() / "robot.xml";
+  std::string hostile = read_file(kExamples / "puppy" / "robot.xml");
+  for (std::size_t at; (at = hostile.find("\"FL_thigh\"")) != std::string::npos;)
+    hostile.replace(at, 10,
+                    "\"\xC2\x9B"
+                    "31mthigh\"");
+  write_file(robot, hostile);
+  for (const Outcome& told :
+       {call({"init", robot.string()}),
+        call({"diff", robot.string(), (kExamples / "puppy" / "robot.xml").string()})}) {
+    EXPECT_FALSE(contains(told.out, "\xC2\x9B")) << told.out;
+    EXPECT_FALSE(contains(told.err, "\xC2\x9B")) << told.err;
+  }
+}
+
+TEST(Diff, TellsWhatADesignChanged) {
+  const std::string puppy = (kExamples / "puppy" / "robot.xml").string(),
+                    biped = (kExamples / "biped" / "robot.xml").string();
+  const Outcome same = call({"diff", puppy, puppy});
+  EXPECT_EQ(same.code, 0);
+  EXPECT_TRUE(contains(same.out, "0 differences; mass")) << same.out;
+  const Outcome other = call({"diff", puppy, biped});
+  EXPECT_EQ(other.code, 1);
+  EXPECT_TRUE(contains(other.out, "only in A")) << other.out;
+  EXPECT_EQ(Json::parse(call({"diff", puppy, biped, "--json"}).out)["schema"], "legwright/diff");
+  EXPECT_EQ(call({"diff", puppy, "/nowhere.xml"}).code, 2);
+}
 
 TEST(Doctor, FindsThePlugin) {
   const Outcome outcome = call({"doctor", "--json"});

@@ -23,7 +23,7 @@ TEST_P(Sideways, CoDesignedPuppyDoesWhatTheInitialOneDoesNot) {
   const std::string task = (test::kExamples / "puppy" / GetParam()).string();
   const test::Outcome optimize = call({"optimize", task, "--no-pictures", "-o", "run"});
   ASSERT_EQ(optimize.code, 0) << optimize.err;
-  const test::Outcome validate = call({"validate", "run"});
+  const test::Outcome validate = call({"validate", "run", "--quick"});
   EXPECT_EQ(validate.code, 0) << validate.out << validate.err;
   const fs::path result = folder_.path() / "run" / "result";
   const Json verdict = Json::parse(read_file(result / "verdict.json"));
@@ -47,7 +47,7 @@ TEST_P(Sideways, ReportAndPicturesCome) {
   const test::Outcome optimize =
       call({"optimize", task, "--no-pictures", "--max-iterations", "1", "-o", "run"});
   ASSERT_LE(optimize.code, 1) << optimize.err;  // one step need not be enough
-  (void)call({"validate", "run"});
+  (void)call({"validate", "run", "--quick"});
   const test::Outcome render = call({"render", "run"});
   if (render.code == 3) GTEST_SKIP() << "no OSMesa here: " << render.err;
   EXPECT_EQ(render.code, 0) << render.err;

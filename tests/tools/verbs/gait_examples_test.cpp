@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every gait of the library has a task in the examples that passes at half, default and double gains. Tasks of other tests (sideways_test, turning_test, examples_test) are not run again.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "optimizer/motion/gait.hpp"
+#include "tests/tools/verbs/program.hpp"
+#include "tools/io/json_file.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Run by GaitExample below: what no other test runs.
+constexpr const char* kTasks[] = {"quadruped/amble.toml",
+                                  "quadruped/bound.toml",
+                                  "quadruped/canter.toml",
+                                  "quadruped/crawl.toml",
+                                  "quadruped/pronk.toml",
+                                  "quadruped/rotary_gallop.toml",
+                                  "quadruped/transverse_gallop.toml",
+                                  "hexapod/ripple.toml",
+                                  "hexapod/wave.toml",
+                                  "biped/run.toml"};
+
+const std::map<std::string, int> kFeet{
+    {"biped", 2}, {"puppy", 4}, {"quadruped", 4}, {"piston_puppy", 4}, {"hexapod", 6}};
+
+/// The gaits that tasks of the examples name, by number of feet.
+std::map<int, std::set<std::string>> gaits_of_examples() {
+  std::map<int, std::set<std::string>> found;
+  for (const auto& [robot, feet] : kFeet) {
+    for (const auto& entry : fs::directory_iterator(test::kExamples / robot)) {
+      if (entry.path().extension() != ".toml") continue;
+      const std::string text = read_file(entry.path());
+      for (const GaitPattern& pattern : gait_library(feet)) {
+        std::string table("gait]\nname = \"");  // [gait], or [task.gait] of a joint task
+        if (test::contains(text, table.append(pattern.name).append("\"")))
+          found[feet].insert(pattern.name);
+      }
+    }
+  }
+  return found;
+}
+
+TEST(GaitExamples, EachGaitHasATask) {
+  std::map<int, std::set<std::string>> found = gaits_of_examples();
+  for (int feet : {2, 4, 6})
+    for (const GaitPattern& pattern : gait_library(feet))
+      EXPECT_TRUE(found[feet].contains(pattern.name)) << pattern.name << " on " << feet << " feet";
+}
+
+class GaitExample : public testing::TestWithParam<const char*> {};
+
+TEST_P(GaitExample, PassesAtHalfDefaultAndDoubleGains) {
+  const test::TemporaryFolder folder;
+  const auto call = [&](const std::vector<std::string>& words) {
+    return test::wait_for(test::start(words, folder.path()), folder.path());
+  };
+  const std::string task = (test::kExamples / GetParam()).string();
+  const test::Outcome optimize =
+      call({"optimize", task, "--no-pictures", "--no-certificate", "-o", "run"});
+  ASSERT_EQ(optimize.code, 0) << optimize.err;
+  const test::Outcome validate = call({"validate", "run", "--quick"});
+  EXPECT_EQ(validate.code, 0) << validate.out << validate.err;
+}
+
+INSTANTIATE_TEST_SUITE_P(Library, GaitExample, testing::ValuesIn(kTasks), [](const auto& instance) {
+  const fs::path task(instance.param);
+  return task.parent_path().string() + "_" + task.stem().string();
+});
+
+}  // namespace
+}  // namespace legwright

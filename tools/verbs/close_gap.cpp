@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/verbs/close_gap.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <stdio.h>
+
+#include <cerrno>
+#include <cmath>
+#include <memory>
+#include <system_error>
+
+#include "mjcf/input_error.hpp"
+#include "optimizer/solve/stopwatch.hpp"
+#include "optimizer/solve/task_solver.hpp"
+#include "tools/io/design_folder.hpp"
+#include "tools/simulate/mujoco_host.hpp"
+#include "tools/simulate/scene.hpp"
+#include "tools/validate/limits.hpp"
+#include "tools/validate/measure.hpp"
+#include "tools/validate/verdict.hpp"
+#include "tools/verbs/joint_folders.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+using Eigen::VectorXd;
+
+const std::vector<double> kGains = {0.5, 1.0, 2.0};
+constexpr int kCycles = 20;
+// What counts as one unit of a residual: the verdict's own tolerances, and less than them where
+// every bit of tilt or saturation should go.
+constexpr double kRatioUnit = 0.05, kTiltUnit = 0.3, kSaturationUnit = 0.01, kFallUnit = 0.05;
+
+/// A gait of the body: its cost with the scaled task, and its motion.
+struct PlannedGait {
+  std::unique_ptr<Objective> objective;
+  TaskIterate motion;
+};
+
+/// What physics says at one gain, in tolerances. A robot that fell early has no speed: then the
+/// share of the time that is missing pulls it up.
+void add_residuals(const Measurements& run, const WantedMotion& wanted, double planned_seconds,
+                   std::vector<double>& residual) {
+  residual.push_back((1.0 - run.seconds / planned_seconds) / kFallUnit);
+  if (wanted.travels())
+    residual.push_back((run.speed_ratio.value_or(0.0) - 1.0) / kRatioUnit);
+  else
+    residual.push_back(run.velocity
+                           ? run.velocity->norm() / *default_limits().at("standing_speed").high
+                           : 1.0 / kRatioUnit);
+  if (wanted.turns()) residual.push_back((run.turn_ratio.value_or(0.0) - 1.0) / kRatioUnit);
+  residual.push_back(run.tilt_max / kTiltUnit);
+  residual.push_back(run.saturated_share / kSaturationUnit);
+}
+
+class GapCloser {
+ public:
+  GapCloser(const CodesignProblem& problem, const DesignIteration& best, int k)
+      : problem_(problem),
+        best_(best),
+        k_(k),
+        scalars_(gait_scalars(problem.task(k))),
+        file_(problem.task(k)) {
+    const Task& task = problem.objectives[static_cast<std::size_t>(k)]->task();
+    wanted_ = {task.velocity, task.turn_rate};
+    // Knots planted beyond stance stay the same number where the period changes by a little.
+    file_.planted_margin = task.planted_margin * task.gait.time_step();
+    file_.margins = task;
+  }
+
+  const std::vector<GaitScalar>& scalars() const { return scalars_; }
+
+  VectorXd factors(const VectorXd& x) const {
+    VectorXd out(x.size());
+    for (Eigen::Index i = 0; i < x.size(); ++i)
+      out[i] = 1.0 + scalars_[static_cast<std::size_t>(i)].unit * x[i];
+    return out;
+  }
+
+  /// The best motion of the body for scaled scalars, from the one that is known. Throws InputError
+  /// where there is no such task.
+  PlannedGait plan(const VectorXd& x) const {
+    TaskFile file = scaled_task(file_, scalars_, factors(x));
+    // A wish for the margin counts in knots: the scaled period must not change their number.
+    *file.planted_margin *= file.period / file_.period;
+    PlannedGait gait;
+    gait.objective = std::make_unique<Objective>(problem_.robot.morphology, problem_.robot.space,
+                                                 make_task(file, problem_.robot));
+    ObjectiveCost cost(*gait.objective);
+    WeightedCost task;
+    task.cost = &cost;
+    task.initial_motion = best_.tasks.at(static_cast<std::size_t>(k_)).m;
+    const MotionLimits limits;
+    TaskSolver solver(task, limits);
+    if (!solver.start(best_.s) || !solver.differentiate())
+      throw InputError("the motion of the scaled task is not finite");
+    gait.motion = solver.now();
+    return gait;
+  }
+
+  PhysicsTrial play(const VectorXd& x) const {
+    try {
+      const PlannedGait gait = plan(x);
+      return measured(design_texts(problem_.robot, *gait.objective, best_.s, gait.motion.m));
+    } catch (const InputError&) {
+      return {};  // out of reach, or no knot left for a swing: no such gait
+    } catch (const MujocoError&) {
+      return {};
+    }
+  }
+
+ private:
+  PhysicsTrial measured(const DesignTexts& texts) const {
+    std::vector<Measurements> at_gains;
+    std::vector<double> residual;
+    for (const double gain : kGains) {
+      const Scene scene = parse_scene(texts.scene_xml, "scene.xml", gain);
+      RolloutOptions options;
+      options.cycles = kCycles;
+      at_gains.push_back(measure(scene, wanted_, texts.quality.planned_velocity, options));
+      add_residuals(at_gains.back(), wanted_, kCycles * scene.trajectory.period, residual);
+    }
+    const Verdict verdict = judge(at_gains, wanted_, file_.gait);
+    return {Eigen::Map<const VectorXd>(residual.data(), static_cast<Eigen::Index>(residual.size())),
+            verdict.pass, verdict.line};
+  }
+
+  const CodesignProblem& problem_;
+  const DesignIteration& best_;
+  int k_;
+  std::vector<GaitScalar> scalars_;
+  TaskFile file_;
+  WantedMotion wanted_;
+};
+
+Json scalars_json(const GapCloser& closer, const VectorXd& x) {
+  Json out = Json::object();
+  const VectorXd factors = closer.factors(x);
+  for (std::size_t i = 0; i < closer.scalars().size(); ++i)
+    out[closer.scalars()[i].name] = factors[static_cast<Eigen::Index>(i)];
+  return out;
+}
+
+Json step_json(const GapCloser& closer, const PhysicsStep& step) {
+  const double merit = step.trial.merit();
+  return {{"scalars", scalars_json(closer, step.x)},
+          {"merit", std::isfinite(merit) ? Json(merit) : Json(nullptr)},
+          {"predicted_merit", step.predicted_merit},
+          {"accepted", step.accepted},
+          {"line", step.trial.line}};
+}
+
+/// "speed x1.012, period x0.975": factors on what the task file says.
+std::string factor_words(const GapCloser& closer, const VectorXd& x) {
+  std::string text;
+  const VectorXd factors = closer.factors(x);
+  for (std::size_t i = 0; i < closer.scalars().size(); ++i)
+    text += fmt::format("{}{} x{:.3f}", i == 0 ? "" : ", ", closer.scalars()[i].name,
+                        factors[static_cast<Eigen::Index>(i)]);
+  return text;
+}
+
+std::string step_words(const GapCloser& closer, const PhysicsStep& step, std::size_t number) {
+  const char* const end = step.accepted             ? "kept, closer to the task"
+                          : step.trial.line.empty() ? "rejected, there is no such gait"
+                                                    : "rejected, no closer to the task";
+  return fmt::format("physics step {}: {}: {}{}{}", number, factor_words(closer, step.x), end,
+                     step.trial.line.empty() ? "" : ": ", step.trial.line);
+}
+
+double played_period_factor(const GapCloser& closer, const VectorXd& x) {
+  for (std::size_t i = 0; i < closer.scalars().size(); ++i)
+    if (closer.scalars()[i].name == "period")
+      return closer.factors(x)[static_cast<Eigen::Index>(i)];
+  return 1.0;
+}
+
+/// The old folder goes away only when the new one stands in its place, at once where the file system
+/// can exchange names.
+void replace_folder(const fs::path& fresh, const fs::path& old) {
+  if (::renameat2(AT_FDCWD, fresh.c_str(), AT_FDCWD, old.c_str(), RENAME_EXCHANGE) == 0) {
+    fs::remove_all(fresh);
+    return;
+  }
+  if (errno != EINVAL && errno != ENOSYS && errno != EOPNOTSUPP)
+    throw std::system_error(errno, std::generic_category(), old.string());
+  const fs::path aside = old.parent_path() / ".result-before-physics";
+  fs::remove_all(aside);
+  fs::rename(old, aside);
+  fs::rename(fresh, old);
+  fs::remove_all(aside);
+}
+
+void write_result(const fs::path& result, const CodesignProblem& problem,
+                  const DesignIteration& best, int k, const PlannedGait& gait) {
+  DesignIteration iteration = best;
+  iteration.tasks.at(static_cast<std::size_t>(k)) = gait.motion;
+  const fs::path fresh = result.parent_path() / ".result-physics";
+  fs::remove_all(fresh);  // of a run that was killed
+  write_design(fresh, problem.robot, *gait.objective, iteration, k);
+  // The certificate is of the co-design, whose gait was another one: it says so.
+  if (const fs::path proof = result / "certificate.json"; fs::exists(proof)) {
+    Json certificate = read_json(proof);
+    certificate["of"] = "the gait before the physics steps";
+    write_json(fresh / "certificate.json", certificate);
+  }
+  replace_folder(fresh, result);
+}
+
+}  // namespace
+
+std::vector<GaitScalar> gait_scalars(const TaskFile& task) {
+  std::vector<GaitScalar> out;
+  if (task.velocity.norm() > 0.0) out.push_back({"speed", 0.01, 0.9, 1.1});
+  if (task.turn_rate != 0.0) out.push_back({"turn_rate", 0.01, 0.9, 1.1});
+  out.push_back({"swing_height", 0.1, 0.7, 1.5});
+  out.push_back({"period", 0.03, 0.85, 1.15});
+  out.push_back({"margins", 0.1, 1.0, 1.5});
+  return out;
+}
+
+TaskFile scaled_task(const TaskFile& task, const std::vector<GaitScalar>& scalars,
+                     const VectorXd& factors) {
+  TaskFile out = task;
+  for (std::size_t i = 0; i < scalars.size(); ++i) {
+    const std::string& name = scalars[i].name;
+    const double factor = factors[static_cast<Eigen::Index>(i)];
+    if (name == "speed") out.velocity *= factor;
+    if (name == "turn_rate") out.turn_rate *= factor;
+    if (name == "swing_height") out.margins.swing_height *= factor;
+    if (name == "period") out.period *= factor;
+    if (name == "margins") {  // farther from the edges of the cone
+      out.margins.friction /= factor;
+      out.margins.min_normal *= factor;
+    }
+  }
+  return out;
+}
+
+Json close_gap(const ResultFolder& folder, const CodesignProblem& problem,
+               const DesignIteration& best, int k, const CloseGapOptions& options) {
+  const Stopwatch watch;
+  load_gait_plugin();
+  const GapCloser closer(problem, best, k);
+  const auto count = static_cast<Eigen::Index>(closer.scalars().size());
+  VectorXd lower(count), upper(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const GaitScalar& scalar = closer.scalars()[static_cast<std::size_t>(i)];
+    lower[i] = (scalar.least - 1.0) / scalar.unit;
+    upper[i] = (scalar.most - 1.0) / scalar.unit;
+  }
+  PhysicsStepOptions rules;
+  rules.steps = options.steps;
+  rules.threads = options.threads;
+  rules.stop = options.stop;
+  std::size_t number = 0;
+  rules.on_step = [&](const PhysicsStep& step) {
+    if (options.tell) options.tell(step_words(closer, step, ++number));
+  };
+  const PhysicsStepsResult found =
+      take_physics_steps([&](const VectorXd& x) { return closer.play(x); }, VectorXd::Zero(count),
+                         lower, upper, rules);
+  const bool better = found.best.merit() < found.start.merit();
+  if (better)
+    write_result(result_folder(folder, problem, k), problem, best, k, closer.plan(found.x));
+  Json steps = Json::array();
+  for (const PhysicsStep& step : found.steps) steps.push_back(step_json(closer, step));
+  const auto summary = [&](const PhysicsTrial& trial) {
+    const double merit = trial.merit();
+    return Json{{"merit", std::isfinite(merit) ? Json(merit) : Json(nullptr)},
+                {"pass", trial.pass},
+                {"line", trial.line}};
+  };
+  const double period = problem.task(k).period * played_period_factor(closer, found.x);
+  return {{"before", summary(found.start)},
+          {"after", summary(found.best)},
+          {"scalars", scalars_json(closer, found.x)},
+          {"factors", factor_words(closer, found.x)},
+          {"period_s", period},
+          {"seconds", watch.seconds()},
+          {"changed", better},
+          {"rollouts", found.trials * static_cast<int>(kGains.size())},
+          {"steps", steps}};
+}
+
+}  // namespace legwright

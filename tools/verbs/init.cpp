@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+
+#include "mjcf/input_error.hpp"
+#include "mjcf/proposals.hpp"
+#include "tools/io/atomic_file.hpp"
+#include "tools/io/clean_text.hpp"
+#include "tools/io/io_error.hpp"
+#include "tools/io/json_file.hpp"
+#include "tools/verbs/summary.hpp"
+#include "tools/verbs/verbs.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct InitOptions {
+  std::string robot, output;
+  bool write = false, json = false;
+};
+
+std::string range_text(const Joint& joint) {
+  if (!std::isfinite(joint.lower) && !std::isfinite(joint.upper)) return "any angle";
+  return fmt::format("{:.3g} to {:.3g} rad", joint.lower, joint.upper);
+}
+
+std::string limit_text(const Servo& servo) {
+  const char* const unit = servo.tendon.empty() ? "N m" : "N";
+  const std::string by = servo.tendon.empty() ? "" : fmt::format(" along tendon {}", servo.tendon);
+  return (std::isfinite(servo.torque_limit)
+              ? fmt::format("up to {:.4g} {}", servo.torque_limit, unit)
+              : "no limit") +
+         by;
+}
+
+/// One line per joint of a limb, from the trunk down.
+std::string limb_text(const StudiedRobot& found, const Limb& limb) {
+  const Morphology& morphology = found.model.morphology;
+  const Eigen::VectorXd s = found.model.space.initial();
+  std::string text;
+  for (const int k : limb.links) {
+    const Joint& joint = morphology.links[static_cast<std::size_t>(k)].joint;
+    text += fmt::format("      {:24} {:8} {:22} {}\n", joint.name, axis_name(joint.axis.at(s)),
+                        range_text(joint),
+                        limit_text(found.model.servos[static_cast<std::size_t>(k) - 1]));
+  }
+  const Foot& foot = morphology.feet[static_cast<std::size_t>(limb.foot)];
+  return text + fmt::format("      {:24} ball of {:.3g} m at {:.3f} {:.3f} {:.3f} m\n", foot.name,
+                            foot.radius, limb.home.x(), limb.home.y(), limb.home.z());
+}
+
+std::string tree_text(const StudiedRobot& found) {
+  const Morphology& morphology = found.model.morphology;
+  std::string text = fmt::format("{}: {:.4g} kg, {} limbs, {} joints\n  trunk '{}'\n",
+                                 morphology.name, morphology.total_mass(), morphology.foot_count(),
+                                 morphology.joint_count(), found.model.root_body);
+  const int rows = found.limbs.empty() ? 0 : found.limbs.back().row + 1;
+  for (std::size_t k = 0; k < found.limbs.size(); ++k) {
+    const Limb& limb = found.limbs[k];
+    if (limb.partner >= 0 && limb.partner < static_cast<int>(k)) continue;  // told with the other
+    const std::string row = row_name(limb.row, rows);
+    const std::string pair = limb.partner < 0
+                                 ? "limb without a mirror image"
+                                 : (row.empty() ? "pair of limbs" : row + " pair of limbs");
+    text += fmt::format("  {}\n{}", pair, limb_text(found, limb));
+    if (limb.partner >= 0)
+      text += limb_text(found, found.limbs[static_cast<std::size_t>(limb.partner)]);
+  }
+  return text;
+}
+
+std::string proposals_text(const StudiedRobot& found) {
+  std::string text;
+  if (found.model.space.size() > 0) {
+    text +=
+        fmt::format("the file declares {} design parameters already:", found.model.space.size());
+    for (const DesignParameter& parameter : found.model.space.parameters)
+      text += " " + parameter.name;
+    text += "\n";
+  }
+  text += fmt::format("{} design parameters {}:\n", found.proposals.size(),
+                      found.model.space.size() > 0 ? "could be added" : "are proposed");
+  std::size_t width = 0;
+  for (const Proposal& p : found.proposals) width = std::max(width, p.name.size());
+  for (const Proposal& p : found.proposals)
+    text += fmt::format("  {:{}}  {:8.4f}  {:8.4f} to {:8.4f} {:3}  {}\n", p.name, width, p.value,
+                        p.lower, p.upper, p.unit, p.sentence);
+  for (const std::string& line : found.left_out) text += "  left out  " + line + "\n";
+  return text;
+}
+
+Json to_json(const StudiedRobot& found, const std::string& written) {
+  const Morphology& morphology = found.model.morphology;
+  Json limbs = Json::array();
+  for (const Limb& limb : found.limbs) {
+    Json joints = Json::array();
+    for (const int k : limb.links)
+      joints.push_back(morphology.links[static_cast<std::size_t>(k)].joint.name);
+    limbs.push_back({{"foot", morphology.feet[static_cast<std::size_t>(limb.foot)].name},
+                     {"joints", joints},
+                     {"row", limb.row},
+                     {"partner", limb.partner < 0 ? Json(nullptr) : Json(limb.partner)},
+                     {"home_m", {limb.home.x(), limb.home.y(), limb.home.z()}}});
+  }
+  Json proposals = Json::array();
+  for (const Proposal& p : found.proposals)
+    proposals.push_back({{"name", p.name},
+                         {"value", p.value},
+                         {"lower", p.lower},
+                         {"upper", p.upper},
+                         {"unit", p.unit},
+                         {"binding", p.binding},
+                         {"sentence", p.sentence}});
+  Json declared = Json::array();
+  for (const DesignParameter& parameter : found.model.space.parameters)
+    declared.push_back(parameter.name);
+  return {{"schema", "legwright/init"},
+          {"version", 1},
+          {"robot", morphology.name},
+          {"mass_kg", morphology.total_mass()},
+          {"trunk", found.model.root_body},
+          {"limbs", limbs},
+          {"declared", declared},
+          {"proposals", proposals},
+          {"left_out", found.left_out},
+          {"written", written.empty() ? Json(nullptr) : Json(written)}};
+}
+
+int init(const InitOptions& options) {
+  const fs::path file = options.robot;
+  if (!fs::is_regular_file(file))
+    throw InputError(file.string(), 0, "", "no such file; name the robot's MJCF file");
+  const std::string text = read_file(file);
+  const StudiedRobot found = study_robot(text, file);
+  std::string written;
+  if (options.write || !options.output.empty()) {
+    written = options.output.empty() ? options.robot : options.output;
+    if (!options.output.empty() && fs::exists(options.output) &&
+        !fs::equivalent(options.output, file))
+      throw IoError(options.output + ": exists already; name a new file, or remove it");
+    if (found.proposals.empty() && options.output.empty())
+      written.clear();  // nothing to add
+    else
+      write_file(written, with_declarations(text, file, found.proposals));
+  }
+  if (options.json) {
+    fmt::print("{}", to_text(to_json(found, written)));
+    return kOk;
+  }
+  fmt::print("{}", terminal_text(tree_text(found) + proposals_text(found)));
+  if (!written.empty())
+    fmt::print("written  {}\nnext: a task file (examples/README.md), then legwright check TASK\n",
+               shell_word(written));
+  else if (!found.proposals.empty())
+    fmt::print("next: legwright init {} --write   puts them into the file's <custom> section\n",
+               shell_word(options.robot));
+  return kOk;
+}
+
+}  // namespace
+
+void add_init(CLI::App& program, Action& action) {
+  const auto options = std::make_shared<InitOptions>();
+  CLI::App* verb = program.add_subcommand(
+      "init", "Study a robot (MJCF), propose what a designer may change in it");
+  verb->add_option("ROBOT", options->robot, "MJCF file of the robot")->required();
+  verb->add_flag("--write", options->write,
+                 "write the proposals into the file's <custom> section; all other bytes stay");
+  verb->add_option("-o,--output", options->output, "write to this new file instead");
+  verb->add_flag("--json", options->json, "print one JSON document");
+  verb->footer(
+      "Prints the tree that was found (limbs front to hind, mirror images as pairs) and proposes: "
+      "lengths of links,\n"
+      "directions of joint axes, length and width of the trunk, attachments of linear actuators. "
+      "What the file's\n"
+      "construction does not allow is left out, with the reason. Edit bounds, or delete what shall "
+      "not change.");
+  verb->callback([&action, options] { action = [options] { return init(*options); }; });
+}
+
+}  // namespace legwright
