@@ -10,6 +10,7 @@
 
 #include "mjcf/assets.hpp"
 #include "mjcf/splice.hpp"
+#include "mjcf/text_scan.hpp"
 
 namespace legwright {
 namespace {
@@ -47,6 +48,22 @@ int number_at(std::string_view text, std::size_t at, std::size_t& end) {
        ++end)
     number = 10 * number + (text[end] - '0');
   return number;
+}
+
+/// Whether two texts have as many start tags and the same bytes before, between and behind them.
+bool is_same_between(std::string_view a, const TagScan& in_a, std::string_view b,
+                     const TagScan& in_b) {
+  if (in_a.tags.size() != in_b.tags.size()) return false;
+  std::size_t at_a = 0, at_b = 0;
+  for (std::size_t k = 0; k < in_a.tags.size(); ++k) {
+    const TagSpan &tag_a = in_a.tags[k], &tag_b = in_b.tags[k];
+    if (tag_a.name != tag_b.name ||
+        a.substr(at_a, tag_a.begin - at_a) != b.substr(at_b, tag_b.begin - at_b))
+      return false;
+    at_a = tag_a.end;
+    at_b = tag_b.end;
+  }
+  return a.substr(at_a) == b.substr(at_b);
 }
 
 }  // namespace
@@ -89,7 +106,7 @@ RobotFiles RobotFiles::with_text(const std::string& text) const {
   const auto fail = [] {
     return std::logic_error("the changed text has other elements than the robot's files");
   };
-  if (before.tags.size() != after.tags.size()) throw fail();
+  if (!is_same_between(text_, before, text, after)) throw fail();
   // Only start tags change, so the bytes since the last one tell where a segment ends.
   std::size_t tag = 0;
   const auto moved = [&](std::size_t at) {

@@ -5,9 +5,8 @@
 #include <numeric>
 
 #include "mjcf/compile.hpp"
-#include "mjcf/input_error.hpp"
 #include "mjcf/model_diff.hpp"
-#include "tools/io/atomic_file.hpp"
+#include "mjcf/robot_files.hpp"
 #include "tools/io/clean_text.hpp"
 #include "tools/io/json_file.hpp"
 #include "tools/verbs/verbs.hpp"
@@ -22,9 +21,8 @@ struct DiffOptions {
 };
 
 ModelPointer compiled(const std::string& file) {
-  if (!std::filesystem::is_regular_file(file))
-    throw InputError(file, 0, "", "no such file; name an MJCF file");
-  return compile_mjcf(read_file(file), file);
+  const RobotFiles files = RobotFiles::read(file);
+  return files.at_their_lines([&] { return compile_mjcf(files.text(), files.file()); });
 }
 
 double mass_of(const mjModel& model) {

@@ -10,6 +10,7 @@
 #include "tools/io/certificate_json.hpp"
 #include "tools/io/install.hpp"
 #include "tools/io/io_error.hpp"
+#include "tools/io/robot_folder.hpp"
 #include "tools/io/run_json.hpp"
 #include "tools/verbs/close_gap.hpp"
 #include "tools/verbs/feasibility.hpp"
@@ -154,7 +155,7 @@ Json write_start(const ResultFolder& folder, const CodesignProblem& problem, boo
   run["motion_only"] = motion_only || problem.robot.space.size() == 0;
   write_json(folder.run_json(), run);
   write_file(folder.inputs() / "task.toml", text_beside_robot(problem.set.text));
-  write_file(folder.inputs() / "robot.xml", problem.robot.xml);
+  write_robot_files(folder.inputs(), problem.robot.files);
   return run;
 }
 
@@ -232,12 +233,15 @@ void close_gaps(const ResultFolder& folder, const CodesignProblem& problem,
 }
 
 int optimize(const OptimizeOptions& options) {
-  const CodesignProblem problem = read_problem(options.task);
+  CodesignProblem problem = read_problem(options.task);
   check_front(options, problem);
   if (!options.quiet) warn(problem);
   const fs::path root = root_of(options, problem);
   const ResultFolder folder = ResultFolder::create(root, options.force);
   Json run = write_start(folder, problem, options.motion_only);
+  // From here on the run has files of its own: what becomes of the user's does not matter to it.
+  problem.robot.files = problem.robot.files.moved_to(folder.inputs() / "robot.xml");
+  problem.robot.file = problem.robot.files.file();
 
   MultistartOptions settings = settings_of(options, problem.task_count());
   Progress progress = make_progress(options, settings.codesign, problem);
