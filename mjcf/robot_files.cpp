@@ -24,7 +24,7 @@ constexpr std::string_view kNamesOfRuns[] = {
     "comparison.json",    "numerics.json",       "robustness.json",      "matrix.json",
     "front.json",         "overlay.png",         "contact_timeline.png", "gait.webp",
     "strip_initial.png",  "strip_result.png",    "strip_physics.png",    "strip_before_after.png",
-    "playback_result.csv", "playback_initial.csv"};
+    "playback_result.csv", "playback_initial.csv", "summary.md", "README.md"};
 
 /// Offset of the first byte of a line, counted from 1.
 std::size_t begin_of_line(std::string_view text, int line) {
