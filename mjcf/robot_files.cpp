@@ -19,12 +19,19 @@ namespace fs = std::filesystem;
 
 // What a run's folders hold beside the robot's own files.
 constexpr std::string_view kNamesOfRuns[] = {
-    "robot.xml",          "scene.xml",           "motion.csv",           "metrics.json",
-    "frame.png",          "task.toml",           "certificate.json",     "verdict.json",
-    "comparison.json",    "numerics.json",       "robustness.json",      "matrix.json",
-    "front.json",         "overlay.png",         "contact_timeline.png", "gait.webp",
-    "strip_initial.png",  "strip_result.png",    "strip_physics.png",    "strip_before_after.png",
-    "playback_result.csv", "playback_initial.csv", "summary.md", "README.md"};
+    "robot.xml",           "scene.xml",            "motion.csv",
+    "metrics.json",        "frame.png",            "task.toml",
+    "certificate.json",    "verdict.json",         "comparison.json",
+    "numerics.json",       "robustness.json",      "matrix.json",
+    "front.json",          "overlay.png",          "contact_timeline.png",
+    "gait.webp",           "strip_initial.png",    "strip_result.png",
+    "strip_physics.png",   "strip_before_after.png", "playback_result.csv",
+    "playback_initial.csv", "summary.md",           "README.md"};
+
+bool is_name_of_runs(std::string_view name) {
+  return std::find(std::begin(kNamesOfRuns), std::end(kNamesOfRuns), name) !=
+         std::end(kNamesOfRuns);
+}
 
 /// Offset of the first byte of a line, counted from 1.
 std::size_t begin_of_line(std::string_view text, int line) {
@@ -183,7 +190,7 @@ InputError RobotFiles::located(const InputError& error) const {
 void RobotFiles::check_names_of_runs() const {
   for (const FileMention& mention : mentions_) {
     const std::string first = mention.path.begin()->string();
-    if (std::find(std::begin(kNamesOfRuns), std::end(kNamesOfRuns), first) != std::end(kNamesOfRuns))
+    if (is_name_of_runs(first))
       throw InputError(
           mention.file, mention.line, mention.where,
           fmt::format("the folders of a run hold a file of their own named {}; name this one "

@@ -78,7 +78,9 @@ const std::map<std::string, Refusal>& refusals() {
       {"include_twice",
        {6, {"include", "a second time, first by", "include_twice.xml:5", "remove one"}}},
       {"include_unknown_element",
-       {4, {"MuJoCo", "unrecognized element", "wheel", "mend the file"}, "parts/unknown_element.xml"}},
+       {4,
+        {"MuJoCo", "unrecognized element", "wheel", "mend the file"},
+        "parts/unknown_element.xml"}},
       {"include_urdf",
        {2, {"robot", "<mujocoinclude> or <mujoco>", "is this an MJCF file?"}, "parts/hopper.urdf"}},
       {"include_with_content", {5, {"include", "holds elements", "holds nothing"}}},
@@ -101,7 +103,8 @@ const std::map<std::string, Refusal>& refusals() {
       {"mesh_absolute", {5, {"mesh 'skin'", "is an absolute path", "copy the file"}}},
       {"mesh_backslash", {5, {"mesh 'skin'", "has a backslash", "write /"}}},
       {"mesh_empty", {5, {"mesh 'skin'", "parts/empty.stl' is empty", "is the copy complete?"}}},
-      {"mesh_file", {6, {"mesh 'skin'", "'../../skin.stl' leads out of the folder", "copy the file"}}},
+      {"mesh_file",
+       {6, {"mesh 'skin'", "'../../skin.stl' leads out of the folder", "copy the file"}}},
       {"mesh_folder", {5, {"mesh 'skin'", "'parts' is a folder", "name a regular file"}}},
       {"mesh_in_stretched", {15, {"geom", "a mesh in a stretched body", "use plain geoms"}}},
       {"mesh_url", {5, {"mesh 'skin'", "has a colon", "copy the file"}}},
@@ -197,7 +200,8 @@ TEST(BrokenRobots, EachIsRefusedWithPlaceFaultAndCure) {
     } catch (const InputError& error) {
       const std::string message = error.what();
       const std::string place =
-          (refusal.file.empty() ? file : folder / refusal.file).string() + (refusal.line ? ":" + std::to_string(refusal.line) : "") + ": ";
+          (refusal.file.empty() ? file : folder / refusal.file).string() +
+          (refusal.line ? ":" + std::to_string(refusal.line) : "") + ": ";
       EXPECT_EQ(message.substr(0, place.size()), place) << message;
       for (const std::string& part : refusal.parts)
         EXPECT_NE(message.find(part), std::string::npos)

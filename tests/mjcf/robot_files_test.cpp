@@ -43,6 +43,19 @@ ModelPointer opened_by_mujoco(const fs::path& file) {
   return model;
 }
 
+std::string complaint(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+std::string complaint(const fs::path& file) {
+  return complaint([&] { read_robot(file); });
+}
+
 class SplitPuppy : public testing::Test {
  protected:
   TemporaryFolder folder_;
@@ -120,17 +133,47 @@ TEST_F(SplitPuppy, TextOfAnotherRobotIsNotTakenApart) {
                std::logic_error);
 }
 
-std::string complaint(const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
-}
-
-std::string complaint(const fs::path& file) {
-  return complaint([&] { read_robot(file); });
+/// Sections that occur in several files, and includes within sections: MuJoCo joins them by its own
+/// rules, which hold for the one text as well.
+TEST(RobotFiles, SectionsOfSeveralFilesAreJoinedAsMujocoDoes) {
+  const TemporaryFolder folder;
+  const fs::path main = folder.path() / "main.xml";
+  put(main, R"(<?xml version="1.0"?>
+<mujoco model="main"><include file="first.xml"/><compiler angle="radian" meshdir="meshes"/>
+  <default><geom density="500"/><include file="class.xml"/></default><option timestep="0.003"/>
+  <asset><mesh file="tet.stl"/></asset>
+  <worldbody><body name="a" pos="1 0 0" euler="0.1 0 0" childclass="red"><freejoint/>
+    <geom size="0.1"/>
+    <include file="deep/parts.xml"/><geom name="last" size="0.2"/></body></worldbody>
+</mujoco>
+<!-- behind -->)");
+  put(folder.path() / "first.xml", R"(<mujoco model="not this">
+<compiler angle="degree" eulerseq="ZYX" meshdir="no"/>
+<default><geom density="700" friction="0.3"/>
+<default class="blue"><geom rgba="0 0 1 1"/></default></default>
+<option timestep="0.004" gravity="0 0 -1"/>
+<worldbody><geom name="w" size="1"/></worldbody></mujoco>)");
+  put(folder.path() / "class.xml", "<x/>");
+  EXPECT_NE(complaint([&] { RobotFiles::read(main); }), "accepted");
+  put(folder.path() / "class.xml",
+      "<mujocoinclude><default class=\"red\"><geom rgba=\"1 0 0 1\"/></default></mujocoinclude>");
+  put(folder.path() / "deep/parts.xml", R"(<mujocoinclude>
+<geom type="mesh" mesh="tet" pos="0 0 1"/><body name="b"><joint axis="1 2 3" range="-10 20"/>
+<include file="deep/more.xml"/></body></mujocoinclude>)");
+  put(folder.path() / "deep/more.xml",
+      "<mujocoinclude><geom class=\"blue\" size=\"0.3\"/><site euler=\"90 0 0\"/></mujocoinclude>");
+  put(folder.path() / "meshes/tet.stl", test::tetrahedron_stl(0.2f));
+  const RobotFiles files = RobotFiles::read(main);
+  const ModelPointer stock = opened_by_mujoco(main), ours = compile_mjcf(files.text(), main);
+  ASSERT_TRUE(stock);
+  EXPECT_TRUE(model_differences(*stock, *ours, 0.0).empty());
+  EXPECT_EQ(stock->opt.timestep, ours->opt.timestep);
+  EXPECT_EQ(stock->opt.gravity[2], ours->opt.gravity[2]);
+  ASSERT_EQ(stock->ngeom, ours->ngeom);
+  for (int k = 0; k < 4 * stock->ngeom; ++k)
+    EXPECT_EQ(stock->geom_rgba[k], ours->geom_rgba[k]) << k;
+  for (int k = 0; k < 3 * stock->ngeom; ++k)
+    EXPECT_EQ(stock->geom_friction[k], ours->geom_friction[k]) << k;
 }
 
 void expect_words(const std::string& message, const std::vector<std::string>& words) {
@@ -148,8 +191,8 @@ int line_of(const fs::path& file, const std::string& word) {
   return line_in(test::read_file(file), word);
 }
 
-/// Faults of several kinds, each told at its place: what our checks find, what MuJoCo finds, what is
-/// no XML, and what stands behind an included file in the main one.
+/// Faults of several kinds, each told at its place: what our checks find, what MuJoCo finds, and
+/// what stands behind an included file in the main one.
 TEST_F(SplitPuppy, FaultsAreToldAtTheLineOfTheirFile) {
   const struct {
     const char *file, *good, *bad, *words;

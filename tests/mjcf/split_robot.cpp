@@ -92,7 +92,8 @@ fs::path write_split_puppy(const fs::path& folder) {
   dog = with(dog, "autolimits=\"true\"/>",
              "autolimits=\"true\" meshdir=\"assets\" texturedir=\"assets/pictures/\"/>");
   dog = with(dog, "  <asset>\n",
-             "  <asset>\n    <mesh name=\"ear\" file=\"ear.stl\"/>\n    <mesh file=\"./nose.obj\"/>\n"
+             "  <asset>\n    <mesh name=\"ear\" file=\"ear.stl\"/>\n"
+             "    <mesh file=\"./nose.obj\"/>\n"
              "    <texture name=\"fur\" type=\"2d\" file=\"fur.png\"/>\n"
              "    <material name=\"fur\" texture=\"fur\"/>\n");
   dog = with(dog, "<body name=\"eyes\" pos=\"0.095 0 0\">\n",

@@ -137,8 +137,8 @@ void check_output(const InitOptions& options, const RobotFiles& files) {
                  to = fs::weakly_canonical(options.output).parent_path();
   if (from != to)
     throw InputError(options.output, 0, "",
-                     fmt::format("the robot includes other files or has meshes, which are found from "
-                                 "the folder {} only; write the output there",
+                     fmt::format("the robot includes other files or has meshes, which are found "
+                                 "from the folder {} only; write the output there",
                                  from.string()));
 }
 

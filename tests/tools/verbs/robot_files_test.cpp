@@ -180,7 +180,8 @@ TEST_F(RobotFilesRun, InitAndDiffReadThem) {
   EXPECT_EQ(diff.code, 1) << diff.err;  // two meshes more, and the same numbers
   EXPECT_FALSE(contains(diff.out, "thigh")) << diff.out;
   const std::string shank = read_file(home_ / "parts/shank.xml");
-  write_file(home_ / "parts/shank.xml", test::with(shank, "pos=\"0 0 -0.06\"", "pos=\"0 0 -0.07\""));
+  write_file(home_ / "parts/shank.xml",
+             test::with(shank, "pos=\"0 0 -0.06\"", "pos=\"0 0 -0.07\""));
   const Outcome moved = here({"diff", whole, "home/dog.xml"});
   EXPECT_TRUE(contains(moved.out, "FL_shank")) << moved.out;
   write_file(home_ / "parts/shank.xml", test::with(shank, "<geom", "<wheel"));
