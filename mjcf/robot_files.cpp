@@ -89,6 +89,12 @@ RobotFiles RobotFiles::from_text(std::string text, const fs::path& file) {
     const auto xml = spliced.main ? std::move(spliced.main) : load_xml(out.text_, file);
     for (FoundAsset& asset : find_assets(*xml, out.folder())) {
       const InputError place = out.located(xml->error(*asset.element, ""));
+      for (std::size_t k = 1; k < out.parts_.size(); ++k)
+        if (out.parts_[k].path == asset.file.path)
+          throw xml->error(*asset.element,
+                           fmt::format("the file '{}' is included as well; a copy of the robot "
+                                       "could not change it as MJCF and keep it here",
+                                       asset.file.path.string()));
       out.mentions_.push_back({asset.file.path, place.file(), place.line(), place.where()});
       out.assets_.push_back(std::move(asset.file));
     }

@@ -232,6 +232,14 @@ TEST_F(SafePath, OtherElementsNameNoFiles) {
                   "leads out"));
 }
 
+TEST_F(SafePath, AFileIsIncludedOrAnAsset) {
+  const std::string message = refusal(
+      "<mujoco><include file=\"parts/leg.xml\"/>\n<asset><mesh file=\"parts/leg.xml\"/></asset>"
+      "</mujoco>");
+  EXPECT_TRUE(has(message, "robot.xml:2: mesh: the file 'parts/leg.xml' is included as well"))
+      << message;
+}
+
 /// A packed picture unpacks to any size.
 TEST_F(SafePath, HugePicturesAreRefused) {
   std::string png = test::one_pixel_png();

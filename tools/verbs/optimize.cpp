@@ -232,11 +232,24 @@ void close_gaps(const ResultFolder& folder, const CodesignProblem& problem,
   }
 }
 
+/// --force removes the old run first; a robot's meshes are copied after that.
+void check_not_in_run(const fs::path& root, const RobotFiles& files) {
+  const fs::path run = fs::weakly_canonical(root);
+  for (const AssetFile& asset : files.assets()) {
+    const fs::path inside = fs::weakly_canonical(asset.source).lexically_relative(run);
+    if (!inside.empty() && *inside.begin() != "..")
+      throw IoError(fmt::format("{}: the robot's own files lie in it, like {}; choose another folder "
+                                "with -o, or copy the robot elsewhere first",
+                                root.string(), inside.string()));
+  }
+}
+
 int optimize(const OptimizeOptions& options) {
   CodesignProblem problem = read_problem(options.task);
   check_front(options, problem);
   if (!options.quiet) warn(problem);
   const fs::path root = root_of(options, problem);
+  if (options.force) check_not_in_run(root, problem.robot.files);
   const ResultFolder folder = ResultFolder::create(root, options.force);
   Json run = write_start(folder, problem, options.motion_only);
   // From here on the run has files of its own: what becomes of the user's does not matter to it.

@@ -112,6 +112,13 @@ TEST_F(RobotFilesRun, EveryFolderHoldsTheWholeRobotAndOpens) {
   optimize("run/inputs/task.toml", "rerun");
   EXPECT_EQ(contents("rerun/iterations"), contents("run/iterations"));
   EXPECT_EQ(contents("rerun/inputs"), contents("run/inputs"));
+
+  // In place of itself it would take its own meshes away.
+  const auto before = contents("run");
+  const Outcome itself = here({"optimize", "run/inputs/task.toml", "-o", "run", "--force"});
+  EXPECT_EQ(itself.code, 3);
+  EXPECT_TRUE(contains(itself.err, "the robot's own files lie in it")) << itself.err;
+  EXPECT_EQ(contents("run"), before);
 }
 
 TEST_F(RobotFilesRun, PhysicsStepsFindTheMeshes) {
