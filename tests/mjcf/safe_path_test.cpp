@@ -232,6 +232,36 @@ TEST_F(SafePath, OtherElementsNameNoFiles) {
                   "leads out"));
 }
 
+/// Sizes are looked at before anything is read.
+TEST_F(SafePath, LargeFilesAreRefused) {
+  std::string text = "<mujoco><asset>";
+  for (int k = 0; k < 5; ++k) {
+    const fs::path file = home_ / fmt::format("m{}.stl", k);
+    put(file, "x");
+    fs::resize_file(file, std::uintmax_t{250} << 20);  // holes: they take no space
+    text += fmt::format("<mesh file=\"m{}.stl\"/>", k);
+    if (k == 3) {
+      EXPECT_EQ(refusal(text + "</asset></mujoco>"), "accepted");
+    }
+  }
+  text += "</asset></mujoco>";
+  EXPECT_TRUE(has(refusal(text), "together larger than 1024 MB")) << refusal(text);
+  fs::resize_file(home_ / "m0.stl", (std::uintmax_t{256} << 20) + 1);
+  EXPECT_TRUE(has(refusal(text), "'m0.stl' is larger than 256 MB")) << refusal(text);
+
+  std::string many = "<mujoco>";
+  for (int k = 0; k < 5; ++k) {
+    std::string part = "<mujoco><worldbody/>";
+    part.append(std::size_t{4} << 20, ' ').append("</mujoco>");
+    put(home_ / fmt::format("p{}.xml", k), part);
+    many += fmt::format("<include file=\"p{}.xml\"/>", k);
+  }
+  many += "</mujoco>";
+  EXPECT_TRUE(has(refusal(many), "16777216 bytes together")) << refusal(many);
+  fs::resize_file(home_ / "p0.xml", (std::uintmax_t{16} << 20) + 1);
+  EXPECT_TRUE(has(refusal(many), "'p0.xml' is larger than 16 MB")) << refusal(many);
+}
+
 TEST_F(SafePath, AFileIsIncludedOrAnAsset) {
   const std::string message = refusal(
       "<mujoco><include file=\"parts/leg.xml\"/>\n<asset><mesh file=\"parts/leg.xml\"/></asset>"

@@ -22,7 +22,7 @@ class CurvesTest : public testing::Test {
     double speed = 0.1;
     bool motion_only = false, pass = true, falls = false;
     double ratio = 1.0, touches = 0.0;
-    std::string weights = "", robot = "aa", sentence = "both shins";
+    std::string weights = "", robot = "aa", sentence = "both shins", leg = "cc";
   };
   fs::path make(const std::string& name, const Run& run) const {
     const fs::path root = folder_.path() / name;
@@ -40,7 +40,8 @@ class CurvesTest : public testing::Test {
                 {"motion_only", run.motion_only},
                 {"design_size", 1},
                 {"task", {{"gait", "tripod"}, {"velocity", {run.speed, 0.0}}, {"turn_rate", 0.0}}},
-                {"sha256", {{"robot.xml", run.robot}}},
+                {"sha256",
+                 {{"robot.xml", run.robot}, {"parts/leg.xml", run.leg}, {"task.toml", name}}},
                 {"final_F", 2.5},
                 {"parameters",
                  {{{"name", "shin_length"},
@@ -117,6 +118,9 @@ TEST_F(CurvesTest, PassesUpToEndsAtTheFirstFailure) {
 TEST_F(CurvesTest, RefusesWhatDoesNotBelongTogether) {
   const fs::path a = make("a", {});
   EXPECT_NE(complaint({a, make("b", {.robot = "bb"})}).find("another robot"), std::string::npos);
+  EXPECT_NE(complaint({a, make("b2", {.speed = 0.2, .leg = "dd"})}).find("another robot"),
+            std::string::npos);  // an included file differs
+  EXPECT_EQ(complaint({a, make("b3", {.speed = 0.2})}), "");  // only the task differs
   EXPECT_NE(complaint({a, make("c", {})}).find("--variant"), std::string::npos);
   EXPECT_EQ(complaint({a}, {{"other", {make("d", {})}}}), "");  // by another name they do
   EXPECT_NE(complaint({make("e", {.speed = -0.2}), a}).find("differ in speed alone"),
