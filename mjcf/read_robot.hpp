@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "mjcf/structure.hpp"
 #include "optimizer/design/design.hpp"
 #include "optimizer/design/morphology.hpp"
 
@@ -46,6 +47,7 @@ struct RobotModel {
   std::vector<Binding> bindings;  // one for each entry of `space`
   std::vector<Servo> servos;      // in the order of the morphology's joints
   std::string root_body;          // MJCF name of the trunk
+  Structure structure;            // what moves, what is held; the ids are those of each design
 };
 
 /// Reads a plain MJCF: understood by compiling it with MuJoCo, parameters from its <custom>
@@ -53,6 +55,9 @@ struct RobotModel {
 /// std::system_error where it cannot be read.
 RobotModel read_robot(const std::filesystem::path& file);
 /// The same from text that has not been written yet; `file` is for messages.
-RobotModel parse_robot(const std::string& xml, const std::filesystem::path& file);
+/// @param known of another design of the same robot, whose legs and feet are looked for again;
+///        null: they are found in the home pose.
+RobotModel parse_robot(const std::string& xml, const std::filesystem::path& file,
+                       const Structure* known = nullptr);
 
 }  // namespace legwright
