@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include "mjcf/input_error.hpp"
+#include "mjcf/read_robot.hpp"
+
 namespace legwright::test {
 namespace {
 
@@ -323,6 +326,19 @@ std::string hopper_with(const std::string& foot, double knee) {
 </mujoco>
 )",
                      foot, knee);
+}
+
+std::string complaint(const std::string& xml) {
+  try {
+    parse_robot(xml, "robot.xml");
+    return "";
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+bool holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
 }
 
 }  // namespace legwright::test

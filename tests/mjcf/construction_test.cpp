@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Robots of other construction: parts that ride along, couplings, feet of any shape, frames and
-// meshes in stretched bodies.
+// Robots of other construction: what rides along, what is coupled, and three whole robots.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -9,7 +8,6 @@
 #include <cmath>
 
 #include "mjcf/compile.hpp"
-#include "mjcf/input_error.hpp"
 #include "mjcf/played_robot.hpp"
 #include "mjcf/proposals.hpp"
 #include "mjcf/rewrite_robot.hpp"
@@ -24,18 +22,8 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-std::string complaint(const std::string& xml) {
-  try {
-    parse_robot(xml, "robot.xml");
-    return "";
-  } catch (const InputError& error) {
-    return error.what();
-  }
-}
-
-bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
+using test::complaint;
+using test::holds;
 
 /// With the parameters that `legwright init` proposes.
 std::string declared(const std::string& xml) {
@@ -188,8 +176,6 @@ TEST(Riding, PlayedRobotHasNothingThatReferred) {
   EXPECT_TRUE(played_robot(puppy, puppy.xml) == puppy.xml);  // nothing to do, nothing done
 }
 
-// ------------------------------------------------------------------------------------- couplings
-
 std::string coupled(const std::string& extra) {
   // A toe below the shank, which touches the ground.
   const std::string xml = test::hopper_with(
@@ -259,215 +245,6 @@ TEST(Refusals, AllReasonsAreToldAtOnceEachWithItsLine) {
         "body 'ball': a second free root", "weld 'w': equality constraints close loops"})
     EXPECT_TRUE(holds(all, part)) << part << " not in:\n" << all;
   EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 3) << all;
-}
-
-// ------------------------------------------------------------------------------------------ feet
-
-struct FootCase {
-  const char* text;
-  Vector3d position;  // in the shank's frame
-  double radius;
-};
-
-TEST(Feet, OfEveryShapeTouchWhereTheyAreLowest) {
-  const double r = std::sqrt(0.5);
-  const FootCase cases[] = {
-      {"<geom size=\"0.02\" pos=\"0.01 0 -0.2\"/>", {0.01, 0, -0.2}, 0.02},
-      {"<geom type=\"capsule\" fromto=\"0 0 0 0.01 0 -0.2\" size=\"0.015\"/>", {0.01, 0, -0.2}, 0.015},
-      {"<geom type=\"capsule\" pos=\"0 0 -0.15\" size=\"0.02 0.05\"/>", {0, 0, -0.2}, 0.02},
-      {"<geom type=\"capsule\" pos=\"0 0 -0.2\" euler=\"1.5707963267948966 0 0\" size=\"0.02 0.05\"/>",
-       {0, 0, -0.2},
-       0.02},
-      {"<geom type=\"box\" pos=\"0.02 0 -0.19\" size=\"0.05 0.03 0.01\"/>", {0.02, 0, -0.2}, 0},
-      {"<geom type=\"box\" pos=\"0 0 -0.2\" euler=\"0 0.7853981633974483 0\" size=\"0.02 0.03 0.02\"/>",
-       {0, 0, -0.2 - 0.04 * r},
-       0},
-      {"<geom type=\"cylinder\" pos=\"0 0.01 -0.15\" size=\"0.03 0.05\"/>", {0, 0.01, -0.2}, 0},
-      {"<geom type=\"cylinder\" pos=\"0 0 -0.2\" euler=\"1.5707963267948966 0 0\" size=\"0.04 0.01\"/>",
-       {0, 0, -0.2},
-       0.04},
-      {"<geom type=\"ellipsoid\" pos=\"0 0 -0.18\" size=\"0.05 0.03 0.02\"/>", {0, 0, -0.2}, 0},
-      {"<geom type=\"mesh\" mesh=\"shoe\" pos=\"0 0 -0.2\"/>", {0.01, 0, -0.2}, 0},
-      {"<site pos=\"0.02 0 -0.2\" size=\"0.012\"/>", {0.02, 0, -0.2}, 0.012}};
-  for (const FootCase& one : cases) {
-    const std::string xml = test::hopper_with(one.text);
-    const RobotModel robot = parse_robot(xml, "robot.xml");
-    ASSERT_EQ(robot.morphology.feet.size(), 1u);
-    const Foot& foot = robot.morphology.feet[0];
-    EXPECT_EQ(foot.name, "shank");
-    EXPECT_LT((foot.position.at(VectorXd()) - one.position).norm(), 1e-7) << one.text;
-    EXPECT_EQ(foot.radius, one.radius) << one.text;
-    const ModelPointer played = compile_mjcf(played_robot(robot, xml), "played.xml");
-    const int geom = mj_name2id(played.get(), mjOBJ_GEOM, "shank");
-    ASSERT_GE(geom, 0) << one.text;
-    EXPECT_TRUE(played->geom_contype[geom]);
-    EXPECT_EQ(played->body_subtreemass[0], compile_mjcf(xml, "x")->body_subtreemass[0]);
-  }
-}
-
-TEST(Feet, TheLowestCollidingGeomIsItAndABallBeforeItsLike) {
-  const auto name = [](const std::string& foot) {
-    return parse_robot(test::hopper_with(foot), "robot.xml").morphology.feet[0].name;
-  };
-  const std::string ball = "<geom name=\"ball\" size=\"0.02\" pos=\"0 0 -0.2\"/>",
-                    hull = "<geom name=\"hull\" type=\"box\" size=\"0.03 0.03 0.11\" pos=\"0 0 -0.115\"/>",
-                    drawn = "<geom name=\"drawn\" size=\"0.1\" pos=\"0 0 -0.3\" contype=\"0\" conaffinity=\"0\"/>";
-  EXPECT_EQ(name(hull + ball + drawn), "ball");  // 5 mm higher than the hull
-  EXPECT_EQ(name(test::with(hull, "0.11\"", "0.13\"") + ball), "hull");
-}
-
-TEST(Feet, KeepTheirPlaceWhenTheLegTurnsAndStretches) {
-  // Turned far, another face of the box would be the lowest at home.
-  std::string xml = test::hopper_with(
-      "<geom type=\"box\" pos=\"0.02 0 -0.1\" size=\"0.05 0.03 0.1\"/>", 0.2);
-  xml = test::with(
-      xml, "<keyframe>",
-      "<custom><numeric name=\"legwright/yaw\" data=\"0 -1.5 1.5\"/>"
-      "<text name=\"legwright/yaw\" data=\"rad | axis z: knee | y\"/>"
-      "<numeric name=\"legwright/long\" data=\"0.2 0.1 0.4\"/>"
-      "<text name=\"legwright/long\" data=\"m | stretch z: shank | l\"/></custom><keyframe>");
-  xml = test::with(xml, "0 0.2\"/></keyframe>", "0 1.1\"/></keyframe>");
-  const RobotModel robot = parse_robot(xml, "robot.xml");
-  std::mt19937 random(8);
-  for (int trial = 0; trial < 20; ++trial) {
-    const VectorXd s = test::random_design(robot.space, random);
-    const std::string text = rewrite_robot(robot, s);  // verifies the foot
-    const ModelPointer model = compile_mjcf(text, "x");
-    EXPECT_NEAR(robot.morphology.feet[0].position.at(s).z(),
-                model->geom_pos[2] - model->geom_size[2], 1e-12);
-  }
-}
-
-TEST(Feet, NamesThatAreTakenAreNotTakenAgain) {
-  const std::string xml = test::with(test::hopper_with("<geom size=\"0.02\" pos=\"0 0 -0.2\"/>"),
-                                     "<body name=\"thigh\">",
-                                     "<geom name=\"shank\" size=\"0.01\"/><body name=\"thigh\">");
-  EXPECT_EQ(parse_robot(xml, "robot.xml").morphology.feet[0].name, "shank_foot");
-}
-
-// ------------------------------------------------------------------- frames, meshes, rods, angles
-
-std::string calf(const std::string& parts) {
-  return test::with(test::hopper_with(parts + "<geom name=\"tip\" size=\"0.02\" pos=\"0 0 -0.2\"/>"),
-                    "<keyframe>",
-                    "<custom><numeric name=\"legwright/long\" data=\"0.2 0.1 0.4\"/>"
-                    "<text name=\"legwright/long\" data=\"m | stretch link: shank | l\"/>"
-                    "</custom><keyframe>");
-}
-
-std::string stretched(const std::string& xml, double length) {
-  return rewrite_robot(parse_robot(xml, "robot.xml"), VectorXd::Constant(1, length));
-}
-
-TEST(Stretched, FramesMoveAndTheirPartsWithThem) {
-  const std::string text = stretched(
-      calf("<frame name=\"f\" pos=\"0.01 0 -0.1\" euler=\"0 1.5707963267948966 0\">"
-           "<geom type=\"box\" pos=\"0.05 0 0.02\" size=\"0.03 0.01 0.02\" contype=\"0\" conaffinity=\"0\"/>"
-           "<frame pos=\"0.01 0 0\"><camera name=\"c\" pos=\"0.03 0 0\"/></frame></frame>"),
-      0.4);
-  // The frame's x is the body's −z: what lies along it grows, its z stays.
-  EXPECT_TRUE(holds(text, "<frame name=\"f\" pos=\"0.01 0 -0.2\"")) << text;
-  const ModelPointer model = compile_mjcf(text, "x");
-  EXPECT_NEAR(model->geom_pos[0], 0.01 + 0.02, 1e-12);
-  EXPECT_NEAR(model->geom_pos[2], 2 * (-0.1 - 0.05), 1e-12);
-  EXPECT_NEAR(model->geom_size[0], 0.06, 1e-12);
-  EXPECT_EQ(model->geom_size[2], 0.02);
-  EXPECT_NEAR(model->cam_pos[2], 2 * (-0.1 - 0.04), 1e-12);
-}
-
-TEST(Stretched, DrawnMeshesScaleWhereAllThatShowThemAgree) {
-  const std::string mesh =
-      "<geom type=\"mesh\" mesh=\"shoe\" mass=\"0\" contype=\"0\" conaffinity=\"0\" pos=\"0 0 -0.1\"/>";
-  EXPECT_TRUE(holds(stretched(calf(mesh), 0.4), "<mesh name=\"shoe\" vertex="));
-  const auto scale = [](const std::string& text) {
-    const std::size_t at = text.find(" scale=\"");
-    return at == std::string::npos ? "" : text.substr(at + 8, text.find('"', at + 8) - at - 8);
-  };
-  EXPECT_EQ(scale(stretched(calf(mesh), 0.4)), "1 1 2");
-  EXPECT_EQ(scale(stretched(test::with(calf(mesh), "<mesh name=\"shoe\"",
-                                       "<mesh name=\"shoe\" scale=\"0.5 1 0.25\""),
-                            0.4)),
-            "0.5 1 0.5");
-  EXPECT_EQ(scale(stretched(calf(mesh + mesh), 0.4)), "1 1 2");
-  const std::string turned = test::with(mesh, "pos=", "euler=\"0 1.5707963267948966 0\" pos=");
-  EXPECT_EQ(scale(stretched(calf(turned), 0.4)), "2 1 1");
-  EXPECT_EQ(scale(stretched(calf(mesh + turned), 0.4)), "");  // they disagree
-  EXPECT_EQ(scale(stretched(calf(test::with(mesh, "pos=", "euler=\"0 0.3 0\" pos=")), 0.4)), "");
-  EXPECT_EQ(scale(stretched(test::with(calf(mesh), "<body name=\"thigh\">",
-                                       mesh + "<body name=\"thigh\">"),
-                            0.4)),
-            "");  // the trunk shows it too
-  EXPECT_EQ(scale(stretched(calf("<geom type=\"mesh\" mesh=\"shoe\" pos=\"0 0 -0.1\"/>"), 0.4)), "");
-}
-
-TEST(Stretched, RodsPlacedByPosGrowWhereTheyMakeUpTheLink) {
-  const auto size = [](const std::string& rod) {
-    const ModelPointer model = compile_mjcf(stretched(calf(rod), 0.4), "x");
-    return model->geom_size[1];
-  };
-  EXPECT_EQ(size("<geom type=\"cylinder\" size=\"0.01 0.09\" pos=\"0 0 -0.09\"/>"), 0.18);
-  EXPECT_EQ(size("<geom type=\"capsule\" size=\"0.01 0.09\" pos=\"0 0 -0.09\"/>"), 0.18);
-  EXPECT_EQ(size("<geom type=\"cylinder\" size=\"0.02 0.02\" pos=\"0 0 -0.09\"/>"), 0.02);  // a motor
-  EXPECT_EQ(size("<geom type=\"cylinder\" size=\"0.02 0.09\" pos=\"0 0 -0.05\" euler=\"1.57 0 0\"/>"),
-            0.09);
-}
-
-TEST(Stretched, APrintedBodyKeepsTheWeightOfMeshesAndOfWhatHasAMass) {
-  std::string xml = calf(
-      "<geom type=\"capsule\" size=\"0.01 0.09\" pos=\"0 0 -0.1\"/>"
-      "<geom type=\"box\" size=\"0.01 0.02 0.03\" pos=\"0 0 -0.05\" mass=\"0.2\"/>"
-      "<geom type=\"mesh\" mesh=\"shoe\" pos=\"0.01 0 -0.15\" euler=\"0.2 0.1 0\" contype=\"0\" conaffinity=\"0\"/>");
-  xml = test::with(xml,
-                   "<joint name=\"knee\" axis=\"0 1 0\"/>\n          <inertial pos=\"0 0 -0.1\" "
-                   "mass=\"0.1\" diaginertia=\"1e-4 1e-4 1e-5\"/>",
-                   "<joint name=\"knee\" axis=\"0 1 0\"/>");
-  const RobotModel robot = parse_robot(xml, "robot.xml");
-  const double before = compile_mjcf(xml, "x")->body_mass[3];
-  for (const double length : {0.1, 0.15, 0.3, 0.4}) {
-    const double after = compile_mjcf(stretched(xml, length), "x")->body_mass[3];
-    const double grown = 1000 * M_PI * 1e-4 * 0.18 * (length / 0.2 - 1);
-    EXPECT_NEAR(after - before, grown, 1e-12);
-  }
-  const std::string two = test::with(
-      xml, "<geom type=\"capsule\"",
-      "<geom type=\"mesh\" mesh=\"shoe\" pos=\"0 0 -0.1\"/><geom type=\"capsule\"");
-  EXPECT_TRUE(holds(complaint(two), "one of several meshes with a weight"));
-  EXPECT_EQ(complaint(test::with(two, "pos=\"0 0 -0.1\"/><geom type=\"capsule\"",
-                                 "pos=\"0.1 0 -0.15\"/><geom type=\"capsule\"")),
-            "");
-  EXPECT_TRUE(holds(complaint(test::with(xml, "autolimits=\"true\"",
-                                         "autolimits=\"true\" settotalmass=\"3\"")),
-                    "settotalmass"));
-}
-
-TEST(Angles, AreThoseOfTheFileAlsoWhereRefShiftsThem) {
-  const std::string xml =
-      test::with(test::hopper_with("<geom name=\"tip\" size=\"0.02\" pos=\"0 0 -0.2\"/>", 0.4),
-                 "<joint name=\"knee\"", "<joint name=\"knee\" ref=\"0.3\"");
-  const RobotModel robot = parse_robot(xml, "robot.xml");
-  const test::MujocoRobot engine(xml);
-  VectorXd qpos(9), qvel(8);
-  qpos << 0.1, 0.2, 0.3, 1, 0, 0, 0, 0.2, 0.7;
-  qvel << 1, 2, 3, 0.1, 0.2, 0.3, -0.5, 0.8;
-  const test::RobotState reference = engine.state(robot.morphology, qpos, qvel);
-  EXPECT_LT(test::difference(reference, test::state_of(robot.morphology, VectorXd(), qpos, qvel)),
-            1e-9);
-  qpos[8] -= 0.3;  // twin
-  EXPECT_GT(test::difference(reference, test::state_of(robot.morphology, VectorXd(), qpos, qvel)),
-            1e-3);
-  EXPECT_EQ(robot.morphology.links[2].joint.nominal, 0.4);
-}
-
-TEST(Servos, TakeGainsAndLimitsFromClassesAndJoints) {
-  const RobotModel motors = parse_robot(test::classed_quadruped(), "robot.xml");
-  EXPECT_EQ(motors.servos[0].torque_limit, 23.7);
-  EXPECT_EQ(motors.servos[2].torque_limit, 35.55);
-  EXPECT_NEAR(motors.servos[2].kp, 35.55 / 0.0375, 1e-9);
-  const RobotModel servos = parse_robot(test::quadruped_with_arm(), "robot.xml");
-  EXPECT_EQ(servos.servos[0].kp, 500);
-  EXPECT_EQ(servos.servos[0].kd, 20);
-  EXPECT_EQ(servos.servos[0].torque_limit, 45);
-  EXPECT_EQ(servos.servos[2].torque_limit, 115);
 }
 
 }  // namespace
