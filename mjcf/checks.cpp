@@ -113,7 +113,8 @@ void check_scene_needs(const XmlFile& xml, const XmlElement& element) {
       (name == "tracking" || name.substr(0, 8) == "contact:" || name.substr(0, 5) == "gait:");
   const bool is_class =
       is_tag(element, "default") && attribute(element, "class").substr(0, 13) == "legwright_pd_";
-  if (is("geom", "floor") || is("camera", "side") || is("camera", "track") || is("key", "gait") ||
+  const bool is_foot = is_tag(element, "site") && name.substr(0, 5) == "foot:";
+  if (is_foot || is("geom", "floor") || is("camera", "side") || is("camera", "track") || is("key", "gait") ||
       is("texture", "legwright_floor") || is("material", "legwright_floor") || is_sensor ||
       is_class)
     throw xml.error(element,

@@ -226,6 +226,25 @@ int moving_body(const mjModel& model, const Structure& structure, int body) {
   return body;
 }
 
+std::string held_text(const Structure& structure) {
+  std::vector<std::pair<std::string, std::string>> lines;
+  for (const FrozenJoint& frozen : structure.frozen) {
+    const std::string title = !frozen.name.empty()   ? frozen.name
+                              : !frozen.body.empty() ? fmt::format("a joint of {}", frozen.body)
+                                                     : "an unnamed joint";
+    const auto same = std::find_if(lines.begin(), lines.end(),
+                                   [&](const auto& line) { return line.first == frozen.why; });
+    if (same == lines.end())
+      lines.emplace_back(frozen.why, title);
+    else
+      same->second += ", " + title;
+  }
+  std::string text;
+  for (const auto& [why, joints] : lines)
+    text += fmt::format("  {}, held in the home pose: {}\n", why, joints);
+  return text;
+}
+
 int home_keyframe(const mjModel& model) { return mj_name2id(&model, mjOBJ_KEY, "home"); }
 
 const mjtNum* home_qpos(const mjModel& model) {

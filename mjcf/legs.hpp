@@ -3,6 +3,7 @@
 
 #include <mujoco/mujoco.h>
 
+#include <string>
 #include <vector>
 
 #include "mjcf/structure.hpp"
@@ -21,6 +22,9 @@ std::vector<int> moving_joints(const mjModel& model, const Structure& structure,
 
 /// The body whose hinge moves `body` in the plan: itself or one above it; the trunk moves itself.
 int moving_body(const mjModel& model, const Structure& structure, int body);
+
+/// What is held, for people: a line for each reason, with the joints that it holds.
+std::string held_text(const Structure& structure);
 
 /// The keyframe named "home"; −1 if there is none (then the home pose is that of the file).
 int home_keyframe(const mjModel& model);

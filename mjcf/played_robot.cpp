@@ -8,6 +8,7 @@
 
 #include "mjcf/compile.hpp"
 #include "mjcf/elements.hpp"
+#include "mjcf/feet.hpp"
 #include "mjcf/legs.hpp"
 #include "mjcf/numbers.hpp"
 #include "mjcf/tree.hpp"
@@ -18,6 +19,11 @@ namespace {
 using tinyxml2::XMLElement;
 
 XMLElement& writable(const XmlElement* element) { return *const_cast<XMLElement*>(element); }
+
+/// Whether the plan's foot is the geom itself.
+bool is_ball(const mjModel& model, const FootContact& foot) {
+  return foot.geom >= 0 && model.geom_type[foot.geom] == mjGEOM_SPHERE;
+}
 
 /// Names by the attribute that refers to them.
 using Names = std::map<std::string, std::set<std::string>>;
@@ -46,9 +52,12 @@ class Player {
 
  private:
   void name_foot(const FootContact& foot) {
-    if (foot.geom >= 0)
-      return writable(elements_.geoms[static_cast<std::size_t>(foot.geom)])
+    if (foot.geom >= 0) {
+      writable(elements_.geoms[static_cast<std::size_t>(foot.geom)])
           .SetAttribute("name", foot.name.c_str());
+      if (!is_ball(model_, foot)) mark_point(foot);
+      return;
+    }
     // A ball at the site, without weight.
     XMLElement& site = writable(elements_.sites[static_cast<std::size_t>(foot.site)]);
     XMLElement* const ball = xml_.dom.NewElement("geom");
@@ -62,6 +71,22 @@ class Player {
     for (const auto& [name, value] :
          {std::pair{"mass", "0"}, {"contype", "1"}, {"conaffinity", "1"}, {"condim", "3"}})
       ball->SetAttribute(name, value);
+  }
+
+  /// The point of a foot that the plan moves, where it is not the middle of a ball: a site, which is
+  /// a ball of the foot's radius, or a box where that is zero.
+  void mark_point(const FootContact& foot) {
+    const int body = foot_body(model_, foot);
+    XMLElement* const site = writable(elements_.bodies[static_cast<std::size_t>(body)])
+                                 .InsertNewChildElement("site");
+    const double small = 0.002;  // [m], for the eye only
+    const bool is_point = foot.radius == 0.0;
+    site->SetAttribute("name", (kFootSite + foot.name).c_str());
+    site->SetAttribute("type", is_point ? "box" : "sphere");
+    site->SetAttribute("size", format_numbers(Eigen::Vector3d::Constant(is_point ? small : foot.radius)).c_str());
+    site->SetAttribute("pos", format_numbers(foot_point(xml_, elements_, model_, foot, {}).constant).c_str());
+    site->SetAttribute("quat", "1 0 0 0");
+    site->SetAttribute("group", "4");
   }
 
   /// Takes a body's held joints away and draws it where they hold it.
@@ -186,7 +211,7 @@ bool is_played_as_it_is(const mjModel& model, const Structure& structure) {
   const auto& reads = structure.reads_tendon;
   return structure.frozen.empty() && std::count(reads.begin(), reads.end(), false) == 0 &&
          std::all_of(structure.feet.begin(), structure.feet.end(), [&](const FootContact& foot) {
-           return foot.geom >= 0 && name_of(model, mjOBJ_GEOM, foot.geom) == foot.name;
+           return is_ball(model, foot) && name_of(model, mjOBJ_GEOM, foot.geom) == foot.name;
          });
 }
 

@@ -53,6 +53,12 @@ TEST(Feet, OfEveryShapeTouchWhereTheyAreLowest) {
     const int geom = mj_name2id(played.get(), mjOBJ_GEOM, "shank");
     ASSERT_GE(geom, 0) << one.text;
     EXPECT_TRUE(played->geom_contype[geom]);
+    // Tools measure at this site, or at the ball's middle where there is none.
+    const int site = mj_name2id(played.get(), mjOBJ_SITE, "foot:shank");
+    const Vector3d marked = Vector3d::Map(site >= 0 ? played->site_pos + 3 * site
+                                                    : played->geom_pos + 3 * geom);
+    EXPECT_LT((marked - one.position).norm(), 1e-7) << one.text;
+    EXPECT_EQ(site < 0, played->geom_type[geom] == mjGEOM_SPHERE) << one.text;
     EXPECT_EQ(played->body_subtreemass[0], compile_mjcf(xml, "x")->body_subtreemass[0]);
   }
 }
