@@ -11,6 +11,7 @@
 
 #include "mjcf/compile.hpp"
 #include "mjcf/numbers.hpp"
+#include "mjcf/played_robot.hpp"
 #include "mjcf/scene_parts.hpp"
 #include "mjcf/xml.hpp"
 
@@ -165,8 +166,9 @@ void write_keyframes(XMLElement& root, const SceneSettings& settings) {
 
 }  // namespace
 
-std::string emit_scene(const RobotModel& robot, const std::string& robot_xml,
+std::string emit_scene(const RobotModel& robot, const std::string& design_xml,
                        const SceneSettings& settings) {
+  const std::string robot_xml = played_robot(robot, design_xml);
   const auto xml = load_xml(robot_xml, robot.file);
   const ModelPointer model = compile_mjcf(robot_xml, robot.file);
   check_settings(settings, *model);
