@@ -59,16 +59,16 @@ void read_limits(TableReader in, TaskFile& task, Problems& problems) {
   constexpr Range friction{0.0, 5.0, true, false, ""};
   margins.floor_friction = in.number("floor_friction", friction).value_or(margins.floor_friction);
   margins.friction = in.number("friction", friction).value_or(margins.friction);
-  margins.swing_height =
-      in.number("swing_height", {0.0, 1.0, false, false, "m"}).value_or(margins.swing_height);
+  if (const auto height = in.number("swing_height", {0.0, 1.0, false, false, "m"}))
+    margins.swing_height = height;
   margins.min_normal =
       in.number("min_normal", {0.0, 0.5, false, false, ""}).value_or(margins.min_normal);
   margins.joint_margin =
       in.number("joint_margin", {0.0, 1.5, false, false, "rad"}).value_or(margins.joint_margin);
   margins.torque_margin =
       in.number("torque_margin", {0.0, 1.0, false, true, ""}).value_or(margins.torque_margin);
-  margins.clearance =
-      in.number("clearance", {0.0, 1.0, true, false, "m"}).value_or(margins.clearance);
+  if (const auto clearance = in.number("clearance", {0.0, 1.0, true, false, "m"}))
+    margins.clearance = clearance;
   read_limb_pairs(in, margins, problems);
   if (const auto margin = in.number("planted_margin", {0.0, 1.0, false, false, "s"}))
     task.planted_margin = margin;

@@ -94,9 +94,10 @@ std::string text_beside_robot(const std::string& text);
 /// speed is out of reach.
 Task make_task(const TaskFile& file, const RobotModel& robot);
 
-/// Knots planted on either side of stance: `seconds` in knots, at least one. Without a wish 35 ms
-/// for gaits of duty ≤ 0.6 (touchdown comes that much early or late), else one knot.
-int planted_margin_knots(std::optional<double> seconds, double duty, double time_step);
+/// Knots planted on either side of stance: `seconds` in knots, at least one. Without a wish touchdown_error() of the
+/// leg's length (35 ms for legs of 21 cm) for gaits of duty ≤ 0.6, else one knot.
+int planted_margin_knots(std::optional<double> seconds, double duty, double time_step,
+                         double leg_length);
 
 /// How far the body travels while a foot stands, at most and as far as the robot could ever reach
 /// [m].

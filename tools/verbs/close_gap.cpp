@@ -230,7 +230,7 @@ TaskFile scaled_task(const TaskFile& task, const std::vector<GaitScalar>& scalar
     const double factor = factors[static_cast<Eigen::Index>(i)];
     if (name == "speed") out.velocity *= factor;
     if (name == "turn_rate") out.turn_rate *= factor;
-    if (name == "swing_height") out.margins.swing_height *= factor;
+    if (name == "swing_height" && out.margins.swing_height) *out.margins.swing_height *= factor;
     if (name == "period") out.period *= factor;
     if (name == "margins") {  // farther from the edges of the cone
       out.margins.friction /= factor;
