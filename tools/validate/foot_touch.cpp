@@ -22,7 +22,8 @@ FootMotion foot_motion(const mjModel& model, const mjData& data, int geom) {
   mj_objectVelocity(&model, &data, mjOBJ_GEOM, geom, velocity, 0);
   const Vector3 down(0.0, 0.0, -foot_radius(model, geom));
   return {ConstVector3(velocity + 3) + ConstVector3(velocity).cross(down),
-          {velocity[0], velocity[1]}};
+          {velocity[0], velocity[1]},
+          ConstVector3(data.geom_xpos + 3 * geom) + down};
 }
 
 double read_foot_touches(const Scene& scene, const mjData& data, std::vector<FootTouch>& touches) {
