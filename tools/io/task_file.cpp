@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t kMostBytes = 1 << 20;
 constexpr double kSteepest = 1.0;   // [rad]
-constexpr double kSwingOver = 1.4;  // planned height of a swing over what it shall step over
+constexpr double kSwingOver = 2.0;  // planned height of a swing over what it shall step over
 constexpr const char* kRobotBeside = "robot.xml";
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -56,8 +56,8 @@ void read_limb_pairs(TableReader& in, Task& margins, Problems& problems) {
     margins.limb_pairs = std::move(pairs);
 }
 
-/// Without a height of its own the plan swings higher than what it shall step over: soft servos and splines cut the
-/// top.
+/// Without a height of its own the plan swings higher than what it shall step over: feet are highest late in their
+/// step, splines and soft servos cut the top.
 void read_swing(TableReader& in, TaskFile& task, Problems& problems) {
   Task& margins = task.margins;
   const auto height = in.number("swing_height", {0.0, 1.0, false, false, "m"});

@@ -166,7 +166,7 @@ std::vector<LimitedQuantity> judged_if_asked() {
              return greatest(run.feet, [](const auto& foot) { return foot.landing_max; });
            }},
       {.name = "foot_clearance",
-       .what = "height of a bar halfway along a step that every foot passes over",
+       .what = "height of a bar across each step that every foot passes over",
        .unit = "m",
        .verb = "steps over no more than",
        .note = "",

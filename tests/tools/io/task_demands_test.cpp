@@ -66,7 +66,7 @@ TEST(TaskDemands, AreRead) {
   EXPECT_EQ(task.payload->size, Eigen::Vector3d(0.1, 0.08, 0.06));
   EXPECT_EQ(task.torque_limit, 1.5);
   EXPECT_EQ(task.step_over, 0.03);
-  EXPECT_NEAR(task.swing_height, 1.4 * 0.03, 1e-15);  // the plan swings higher
+  EXPECT_NEAR(task.swing_height, 2.0 * 0.03, 1e-15);  // the plan swings higher
 }
 
 TEST(TaskDemands, APayloadIsACubeOfWaterUnlessTheFileSaysOtherwise) {
