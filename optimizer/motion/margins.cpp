@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "optimizer/motion/margins.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "optimizer/design/morphology.hpp"
@@ -15,7 +16,8 @@ constexpr double kKnownLeg = 0.21, kKnownTimeSquared = 4e-3;
 }  // namespace
 
 double swing_height(const Task& task, double leg_length) {
-  return task.swing_height.value_or(kSwingShare * leg_length);
+  return task.swing_height.value_or(
+      std::max(kSwingShare * leg_length, kSwingOver * task.step_over));
 }
 
 double limb_clearance(const Task& task, double leg_length) {

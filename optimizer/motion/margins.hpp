@@ -8,7 +8,11 @@ namespace legwright {
 // What a task does not give follows the robot's size, so that a robot twice as large, slower by √2, gets the same plan
 // twice as large. `leg_length` is that of the morphology [m].
 
-/// How high a foot is lifted [m]: the task's wish, or a share of the leg.
+/// Planned height of a swing over what it shall step over: feet are highest late in their step, splines and soft servos
+/// cut the top.
+inline constexpr double kSwingOver = 2.0;
+
+/// How high a foot is lifted [m]: the task's wish, or a share of the leg, or what stepping over a height needs.
 double swing_height(const Task& task, double leg_length);
 
 /// Distance to be kept between the centre lines of limbs, eq (16) [m]: the task's wish, or a share of the leg.

@@ -76,6 +76,16 @@ void check_limb_pairs(const TaskFile& file, const Morphology& morphology) {
     }
 }
 
+/// A way that turns has no slope.
+void check_ground(const TaskFile& file) {
+  const bool slope = file.slope_along != 0.0 || file.slope_across != 0.0;
+  if (slope && file.turn_rate != 0.0)
+    refuse(file, "travel.turn_rate",
+           fmt::format("is {} rad/s on a slope: a robot that turns meets it from another side each "
+                       "cycle, so its gait does not repeat; take out [ground] or turn_rate",
+                       file.turn_rate));
+}
+
 void check_reach(const TaskFile& file, const Task& task, const RobotModel& robot) {
   const StrideBound bound = stride_bound(task, robot);
   if (bound.per_stance > bound.longest)
@@ -188,12 +198,14 @@ Task make_task(const TaskFile& file, const RobotModel& robot) {
   const std::vector<int> order = footfall_order(home_feet(robot.morphology, robot.space.initial()));
   check_weights(file);
   check_limb_pairs(file, robot.morphology);
+  check_ground(file);
   Task task = file.margins;
   task.name = file.name;
   const std::vector<std::string> names = foot_names(robot.morphology);
   task.gait = make_gait(file, names, order);
   task.velocity = file.velocity;
   task.turn_rate = file.turn_rate;
+  task.up = up_on_slope(file.velocity, file.slope_along, file.slope_across);
   apply_style(file, names, order, task);
   const double leg = robot.morphology.leg_length;
   // By the pattern's duty: rounded to knots, a pace of 0.6 at 24 knots would count as a slow gait.

@@ -127,7 +127,7 @@ PlayablePlan make_playable(const Morphology& morphology, const std::string& robo
 
 PlayablePlan make_playable(const RobotModel& robot, const std::string& robot_xml,
                            const Objective& objective, const Eigen::VectorXd& m) {
-  return make_playable(robot.morphology, played_robot(robot, robot_xml), objective.layout(),
+  return make_playable(objective.morphology(), played_robot(robot, robot_xml), objective.layout(),
                        objective.task().gait, m, robot.file.parent_path());
 }
 

@@ -37,10 +37,11 @@ FootMotion foot_motion(const mjModel& model, const mjData& data, int geom) {
   mjtNum velocity[6];
   mj_objectVelocity(&model, &data, mjOBJ_GEOM, geom, velocity, 0);
   const Vector3 bottom = foot_position(model, data, geom) -
-                         foot_radius(model, geom) * Vector3::UnitZ() -
-                         ConstVector3(data.geom_xpos + 3 * geom);
-  return {ConstVector3(velocity + 3) + ConstVector3(velocity).cross(bottom),
-          {velocity[0], velocity[1]}};
+                         foot_radius(model, geom) * Vector3::UnitZ();
+  const Vector3 arm = bottom - ConstVector3(data.geom_xpos + 3 * geom);
+  return {ConstVector3(velocity + 3) + ConstVector3(velocity).cross(arm),
+          {velocity[0], velocity[1]},
+          bottom};
 }
 
 double read_foot_touches(const Scene& scene, const mjData& data, std::vector<FootTouch>& touches) {

@@ -29,6 +29,7 @@ Eigen::Vector3d foot_position(const mjModel& model, const mjData& data, int geom
 struct FootMotion {
   Eigen::Vector3d bottom_velocity;  // of the link at the ball's lowest point, world axes [m/s]
   Eigen::Vector2d roll_rate;        // of the link about the world's x and y [rad/s]
+  Eigen::Vector3d bottom;           // the ball's lowest point, world [m]
 };
 FootMotion foot_motion(const mjModel& model, const mjData& data, int geom);
 
