@@ -157,6 +157,13 @@ TEST(Riding, IsToldToPeople) {
   EXPECT_EQ(held_text(parse_robot(test::classed_quadruped(), "robot.xml").structure), "");
 }
 
+TEST(Riding, TheHomePoseIsTheOnlyKeyframeWhateverItsName) {
+  const std::string other = test::with(test::classed_quadruped(), "\"home\"", "\"standing\"");
+  EXPECT_EQ(parse_robot(other, "robot.xml").morphology.links[2].joint.nominal, 0.9);
+  const std::string two = test::with(other, "<keyframe>", "<keyframe><key name=\"lying\"/>");
+  EXPECT_TRUE(holds(complaint(two), "outside of its range"));  // then it is the file's own pose
+}
+
 TEST(Riding, DesignsDoNotReachWhatRides) {
   const std::string xml = test::armed_biped();
   const std::string axis = "| axis z: left_knee ~right_knee |";
