@@ -245,7 +245,10 @@ std::string held_text(const Structure& structure) {
   return text;
 }
 
-int home_keyframe(const mjModel& model) { return mj_name2id(&model, mjOBJ_KEY, "home"); }
+int home_keyframe(const mjModel& model) {
+  const int home = mj_name2id(&model, mjOBJ_KEY, "home");
+  return home < 0 && model.nkey == 1 ? 0 : home;
+}
 
 const mjtNum* home_qpos(const mjModel& model) {
   const int home = home_keyframe(model);

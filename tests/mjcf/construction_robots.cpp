@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "mjcf/input_error.hpp"
+#include "mjcf/proposals.hpp"
 #include "mjcf/read_robot.hpp"
 
 namespace legwright::test {
@@ -326,6 +327,10 @@ std::string hopper_with(const std::string& foot, double knee) {
 </mujoco>
 )",
                      foot, knee);
+}
+
+std::string declared(const std::string& xml) {
+  return with_declarations(xml, "robot.xml", study_robot(xml, "robot.xml").proposals);
 }
 
 std::string complaint(const std::string& xml) {

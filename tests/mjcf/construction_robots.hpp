@@ -22,6 +22,8 @@ std::string quadruped_with_arm();
 /// shank leans by `knee` [rad].
 std::string hopper_with(const std::string& foot, double knee = 0.0);
 
+/// The robot with the parameters that `legwright init` proposes.
+std::string declared(const std::string& xml);
 /// Why a robot is refused; empty if it is not.
 std::string complaint(const std::string& xml);
 bool holds(const std::string& text, const std::string& part);

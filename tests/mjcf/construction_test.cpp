@@ -10,7 +10,6 @@
 #include "mjcf/compile.hpp"
 #include "mjcf/legs.hpp"
 #include "mjcf/played_robot.hpp"
-#include "mjcf/proposals.hpp"
 #include "mjcf/rewrite_robot.hpp"
 #include "mjcf/verify.hpp"
 #include "tests/mjcf/construction_robots.hpp"
@@ -26,15 +25,10 @@ using Eigen::VectorXd;
 using test::complaint;
 using test::holds;
 
-/// With the parameters that `legwright init` proposes.
-std::string declared(const std::string& xml) {
-  return with_declarations(xml, "robot.xml", study_robot(xml, "robot.xml").proposals);
-}
-
 std::string named(const std::string& name) {
   if (name == "armed_biped") return test::armed_biped();
-  return declared(name == "classed_quadruped" ? test::classed_quadruped()
-                                              : test::quadruped_with_arm());
+  return test::declared(name == "classed_quadruped" ? test::classed_quadruped()
+                                                    : test::quadruped_with_arm());
 }
 
 VectorXd home_of(const mjModel& model) {
@@ -161,6 +155,13 @@ TEST(Riding, IsToldToPeople) {
             "  rides along, held in the home pose: shoulder, a joint of hand, thumb, finger, a joint "
             "of lidar\n");
   EXPECT_EQ(held_text(parse_robot(test::classed_quadruped(), "robot.xml").structure), "");
+}
+
+TEST(Riding, TheHomePoseIsTheOnlyKeyframeWhateverItsName) {
+  const std::string other = test::with(test::classed_quadruped(), "\"home\"", "\"standing\"");
+  EXPECT_EQ(parse_robot(other, "robot.xml").morphology.links[2].joint.nominal, 0.9);
+  const std::string two = test::with(other, "<keyframe>", "<keyframe><key name=\"lying\"/>");
+  EXPECT_TRUE(holds(complaint(two), "outside of its range"));  // then it is the file's own pose
 }
 
 TEST(Riding, DesignsDoNotReachWhatRides) {

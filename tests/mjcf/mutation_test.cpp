@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "mjcf/compile.hpp"
 #include "mjcf/input_error.hpp"
+#include "mjcf/played_robot.hpp"
 #include "mjcf/read_robot.hpp"
 #include "mjcf/rewrite_robot.hpp"
+#include "tests/mjcf/construction_robots.hpp"
 #include "tests/mjcf/robots.hpp"
 #include "tests/mjcf/split_robot.hpp"
 #include "tests/tools/io/temporary_folder.hpp"
@@ -131,6 +134,28 @@ TEST(Mutation, MutantsOfIncludedFilesDoNotCrash) {
   }
   EXPECT_GT(count[0], 20);
   EXPECT_GT(count[1], 20);
+}
+
+/// The same of robots of other construction, also as they are played.
+TEST(Mutation, MutantsOfOtherConstructionsCanBeRewrittenAndPlayed) {
+  const std::string robots[] = {test::armed_biped(), test::declared(test::classed_quadruped()),
+                                test::declared(test::quadruped_with_arm())};
+  std::mt19937 random(7);
+  int played = 0, held = 0;
+  for (int trial = 0; trial < trials(300); ++trial) {
+    const std::string text = mutate(robots[trial % 3], random);
+    if (!accepted(text)) continue;
+    const RobotModel robot = parse_robot(text, "mutant.xml");
+    std::string design;
+    ASSERT_NO_THROW(design = rewrite_robot(
+                        robot, 0.5 * (robot.space.lower() + robot.space.upper())))
+        << text;
+    ASSERT_NO_THROW(compile_mjcf(played_robot(robot, design), "played.xml")) << text;
+    ++played;
+    held += robot.structure.frozen.empty() ? 0 : 1;
+  }
+  EXPECT_GT(played, 20);
+  EXPECT_GT(held, 10);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "mjcf/legs.hpp"
 #include "optimizer/terms/registry.hpp"
 #include "tools/io/json_file.hpp"
 #include "tools/io/problem.hpp"
@@ -67,12 +68,13 @@ std::string robot_text(const Finding& found) {
   const std::vector<Eigen::Vector3d> feet = home_feet(morphology, s);
   for (int j : footfall_order(feet)) {
     const Foot& foot = morphology.feet[j];
-    text += fmt::format(
-        "  limb  {}: {} -> ball of {:.3g} mm; {:.4g} m stretched; stands at {:.3f}, {:.3f} m\n",
-        foot.name, fmt::join(limb_of(morphology, foot), " -> "), 1e3 * foot.radius,
-        stretched_limb(morphology, j, s), feet[j].x(), feet[j].y());
+    const std::string shape =
+        foot.radius > 0.0 ? fmt::format("ball of {:.3g} mm", 1e3 * foot.radius) : "point";
+    text += fmt::format("  limb  {}: {} -> {}; {:.4g} m stretched; stands at {:.3f}, {:.3f} m\n",
+                        foot.name, fmt::join(limb_of(morphology, foot), " -> "), shape,
+                        stretched_limb(morphology, j, s), feet[j].x(), feet[j].y());
   }
-  return text;
+  return text + held_text(found.robot.structure);
 }
 
 std::string design_text(const Finding& found) {
