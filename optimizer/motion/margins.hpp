@@ -8,6 +8,9 @@ namespace legwright {
 // What a task does not give follows the robot's size, so that a robot twice as large, slower by √2, gets the same plan
 // twice as large. `leg_length` is that of the morphology [m].
 
+/// Leg of the robots on which weights were found that measure in absolute units [m].
+inline constexpr double kKnownLeg = 0.21;
+
 /// How high a foot is lifted [m]: the task's wish, or a share of the leg.
 double swing_height(const Task& task, double leg_length);
 
