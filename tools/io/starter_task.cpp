@@ -74,7 +74,8 @@ StarterTask starter_task(const RobotModel& robot, const std::optional<std::strin
   task.gait = pattern.name;
   task.period = cycle(feet, longest) * std::sqrt(height / kGravity);
   task.speed = (feet == 2 ? kTwoFeetSpeed : kSpeed) * std::sqrt(kGravity * height);
-  if (feet == 4 && longest < kOverlap && pattern.foot_duty.empty() && longest >= 0.5) task.duty = kOverlap;
+  const bool flies = support_range(pattern).least == 0;
+  if (feet == 4 && !flies && longest < kOverlap) task.duty = kOverlap;
   return task;
 }
 
