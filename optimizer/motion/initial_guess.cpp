@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "optimizer/design/inertia.hpp"
 #include "optimizer/motion/margins.hpp"
@@ -180,6 +181,24 @@ std::vector<VectorXd> reaching_poses(const Morphology& morphology, const Geometr
 }
 
 }  // namespace
+
+StyleTargets home_stance(const Morphology& morphology, const VectorXd& s) {
+  const GeometryAtDesign geometry(morphology, s);
+  PoseKinematics pose;
+  VectorXd q = VectorXd::Zero(morphology.pose_size());
+  q.tail(morphology.joint_count()) = morphology.nominal_joints();
+  pose.compute(morphology, geometry, q, PoseDetail::place);
+  const Vector3d com = pose.first_moment(0) / geometry.total_mass;
+  StyleTargets stance{0.0, {}};
+  double ground = std::numeric_limits<double>::infinity();
+  for (int j = 0; j < morphology.foot_count(); ++j) {
+    const Vector3d foot = foot_place(morphology, geometry, pose, j);
+    stance.footprint.push_back((foot - com).head<2>());
+    ground = std::min(ground, foot.z() - morphology.feet[j].radius);
+  }
+  stance.com_height = com.z() - ground;
+  return stance;
+}
 
 VectorXd initial_guess(const Morphology& morphology, const Layout& layout, const Task& task,
                        const WantedPath& path, const StyleTargets& style, const VectorXd& s) {

@@ -17,6 +17,9 @@ struct StyleTargets {
   std::vector<Eigen::Vector2d> footprint;  // foot − COM on the ground at heading zero, per foot [m]
 };
 
+/// The robot standing in its home pose at the design s: COM and feet under a level trunk.
+StyleTargets home_stance(const Morphology& morphology, const Eigen::VectorXd& s);
+
 /// m₀, a walk without dynamics: the COM glides along the wanted path; each foot stands still where its
 /// footprint passes in the middle of its stance, and swings from there to the next along the wanted
 /// profile; the trunk is level and faces the heading; joints reach for the feet (inverse kinematics

@@ -11,7 +11,7 @@ namespace {
 
 // Found on robots with legs of 20 cm: 25 mm, 20 mm, 35 ms, 4e-3 s².
 constexpr double kSwingShare = 0.12, kClearanceShare = 0.095, kTouchdownShare = 0.24;
-constexpr double kKnownLeg = 0.21, kKnownTimeSquared = 4e-3;
+constexpr double kKnownTimeSquared = 4e-3;
 
 }  // namespace
 

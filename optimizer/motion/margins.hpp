@@ -8,6 +8,9 @@ namespace legwright {
 // What a task does not give follows the robot's size, so that a robot twice as large, slower by √2, gets the same plan
 // twice as large. `leg_length` is that of the morphology [m].
 
+/// Leg of the robots on which weights were found that measure in absolute units [m].
+inline constexpr double kKnownLeg = 0.21;
+
 /// Planned height of a swing over what it shall step over: feet are highest late in their step, splines and soft servos
 /// cut the top.
 inline constexpr double kSwingOver = 2.0;

@@ -21,25 +21,6 @@ using Eigen::VectorXd;
 bool has_second(Order order) { return order == Order::hessian || order == Order::design; }
 bool has_design(Order order) { return order == Order::gradients || order == Order::design; }
 
-/// The robot standing in its home pose at the initial design: COM and feet under a level trunk.
-StyleTargets home_stance(const Morphology& morphology, const VectorXd& s) {
-  const GeometryAtDesign geometry(morphology, s);
-  PoseKinematics pose;
-  VectorXd q = VectorXd::Zero(morphology.pose_size());
-  q.tail(morphology.joint_count()) = morphology.nominal_joints();
-  pose.compute(morphology, geometry, q, PoseDetail::place);
-  const Vector3d com = pose.first_moment(0) / geometry.total_mass;
-  StyleTargets stance{0.0, {}};
-  double ground = std::numeric_limits<double>::infinity();
-  for (int j = 0; j < morphology.foot_count(); ++j) {
-    const Vector3d foot = foot_place(morphology, geometry, pose, j);
-    stance.footprint.push_back((foot - com).head<2>());
-    ground = std::min(ground, foot.z() - morphology.feet[j].radius);
-  }
-  stance.com_height = com.z() - ground;
-  return stance;
-}
-
 /// On a slope the home stance is moved downhill below the COM, until gravity's line through the COM meets the ground
 /// where it would on the level.
 StyleTargets style_targets(const Morphology& morphology, const DesignSpace& space,

@@ -56,6 +56,20 @@ TEST(StudyRobot, FindsRowsAndMirrorImagesByGeometry) {
   EXPECT_EQ(named(found, "hind_knee_axis_yaw").binding, "axis z: HL_knee ~HR_knee");
 }
 
+TEST(StudyRobot, ProposesTheWidthOfBeamsThatCarryLegs) {
+  const StudiedRobot found = study(bare(example("hexapod")));
+  EXPECT_EQ(named(found, "front_beam_width").binding, "stretch y: front_beam");
+  EXPECT_NEAR(named(found, "middle_beam_width").value, 0.09, 1e-9);
+  for (const Proposal& proposal : study(bare(example("puppy"))).proposals)
+    EXPECT_EQ(proposal.name.find("servo"), std::string::npos) << "no legs hang on a motor: " << proposal.name;
+}
+
+TEST(StudyRobot, TurnsAxesALittleWhereLegsReachToAllSides) {
+  // The hexapod's legs swing and lift; all axes of the puppy's are lateral, so they must turn much to leave their plane.
+  EXPECT_LT(named(study(bare(example("hexapod"))), "front_knee_axis_yaw").upper, 0.5);
+  EXPECT_GE(named(study(bare(example("puppy"))), "front_knee_axis_yaw").upper, 1.0);
+}
+
 TEST(StudyRobot, TiesNothingThatIsNoMirrorImage) {
   // One shank is longer than the other: no pair any more, so each leg speaks for itself.
   const std::string xml = test::with(bare(example("quadruped")), "class=\"foot\" pos=\"0 0 -0.1\"",

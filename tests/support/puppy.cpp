@@ -162,6 +162,7 @@ Task make_sideways_task(bool trot, int knot_count, int planted_margin) {
   task.footprint =
       std::vector<Eigen::Vector2d>{{0.12, 0.09}, {0.12, -0.09}, {-0.12, 0.09}, {-0.12, -0.09}};
   task.min_normal = 0.1;
+  task.swing_height = 0.025;
   task.planted_margin = planted_margin;
   return task;
 }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include "mjcf/input_error.hpp"
 #include "mjcf/legs.hpp"
@@ -11,6 +12,7 @@
 #include "tools/io/clean_text.hpp"
 #include "tools/io/io_error.hpp"
 #include "tools/io/json_file.hpp"
+#include "tools/io/starter_task.hpp"
 #include "tools/verbs/summary.hpp"
 #include "tools/verbs/verbs.hpp"
 
@@ -20,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct InitOptions {
-  std::string robot, output;
+  std::string robot, output, task, gait;
   bool write = false, json = false;
 };
 
@@ -96,7 +98,7 @@ std::string proposals_text(const StudiedRobot& found) {
   return text;
 }
 
-Json to_json(const StudiedRobot& found, const std::string& written) {
+Json to_json(const StudiedRobot& found, const std::string& written, const std::string& task) {
   const Morphology& morphology = found.model.morphology;
   Json limbs = Json::array();
   for (const Limb& limb : found.limbs) {
@@ -134,7 +136,34 @@ Json to_json(const StudiedRobot& found, const std::string& written) {
           {"declared", declared},
           {"proposals", proposals},
           {"left_out", found.left_out},
-          {"written", written.empty() ? Json(nullptr) : Json(written)}};
+          {"written", written.empty() ? Json(nullptr) : Json(written)},
+          {"task", task.empty() ? Json(nullptr) : Json(task)}};
+}
+
+/// The text of the starter task, which names `robot` from the folder of the task file. Throws IoError where the file
+/// exists already.
+std::string task_text(const InitOptions& options, const StudiedRobot& found,
+                      const std::string& robot) {
+  if (fs::exists(options.task))
+    throw IoError(options.task + ": exists already; name a new file, or remove it");
+  const std::optional<std::string> gait =
+      options.gait.empty() ? std::nullopt : std::optional(options.gait);
+  const fs::path folder = fs::absolute(options.task).lexically_normal().parent_path();
+  const fs::path named = fs::absolute(robot).lexically_normal().lexically_proximate(folder);
+  return starter_text(starter_task(found.model, gait), named.generic_string());
+}
+
+std::string next_step(const InitOptions& options, const StudiedRobot& found,
+                      const std::string& written) {
+  if (!options.task.empty())
+    return fmt::format("next: legwright optimize {} -o runs/mine\n", shell_word(options.task));
+  if (!written.empty())
+    return "next: a task file (legwright init ROBOT --task FILE writes one), then legwright check TASK\n";
+  if (found.proposals.empty()) return "";
+  return fmt::format(
+      "next: legwright init {} --write --task task.toml   puts them into the file's <custom> "
+      "section and writes a first task\n",
+      shell_word(options.robot));
 }
 
 /// Other files are named by paths from the main file's folder.
@@ -151,9 +180,15 @@ void check_output(const InitOptions& options, const RobotFiles& files) {
 
 int init(const InitOptions& options) {
   const fs::path file = options.robot;
+  if (!options.gait.empty() && options.task.empty())
+    throw InputError("--gait is for the task file that --task FILE writes; give both");
   const RobotFiles files = RobotFiles::read(file);
   const StudiedRobot found = files.at_their_lines([&] { return study_robot(files.text(), file); });
   check_output(options, files);
+  const std::string task =
+      options.task.empty()
+          ? ""
+          : task_text(options, found, options.output.empty() ? options.robot : options.output);
   std::string written;
   if (options.write || !options.output.empty()) {
     written = options.output.empty() ? options.robot : options.output;
@@ -165,17 +200,15 @@ int init(const InitOptions& options) {
     else
       write_file(written, with_declarations(files.main_text(), file, found.proposals));
   }
+  if (!task.empty()) write_file(options.task, task);
   if (options.json) {
-    fmt::print("{}", to_text(to_json(found, written)));
+    fmt::print("{}", to_text(to_json(found, written, options.task)));
     return kOk;
   }
   fmt::print("{}", terminal_text(tree_text(found) + proposals_text(found)));
-  if (!written.empty())
-    fmt::print("written  {}\nnext: a task file (examples/README.md), then legwright check TASK\n",
-               shell_word(written));
-  else if (!found.proposals.empty())
-    fmt::print("next: legwright init {} --write   puts them into the file's <custom> section\n",
-               shell_word(options.robot));
+  for (const std::string& path : {written, options.task})
+    if (!path.empty()) fmt::print("written  {}\n", shell_word(path));
+  fmt::print("{}", next_step(options, found, written));
   return kOk;
 }
 
@@ -189,6 +222,10 @@ void add_init(CLI::App& program, Action& action) {
   verb->add_flag("--write", options->write,
                  "write the proposals into the file's <custom> section; all other bytes stay");
   verb->add_option("-o,--output", options->output, "write to this new file instead");
+  verb->add_option("--task", options->task,
+                   "write a first task for the robot, by its size, to this new file");
+  verb->add_option("--gait", options->gait,
+                   "of that task; default: trot for four feet, tripod for six, walk for two");
   verb->add_flag("--json", options->json, "print one JSON document");
   verb->footer(
       "Prints the tree that was found (limbs front to hind, mirror images as pairs) and proposes: "

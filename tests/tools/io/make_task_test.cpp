@@ -25,12 +25,18 @@ Task task_from(const std::string& gait, const std::string& rest = "") {
 }
 
 TEST(PlantedMargin, IsSecondsInKnotsButAtLeastOneKnot) {
-  EXPECT_EQ(planted_margin_knots(std::nullopt, 0.5, 0.4 / 24), 2);  // 35 ms of 16.7 ms
-  EXPECT_EQ(planted_margin_knots(std::nullopt, 0.6, 0.4 / 24), 2);
-  EXPECT_EQ(planted_margin_knots(std::nullopt, 0.75, 1.0 / 24), 1);  // a walk: one knot
-  EXPECT_EQ(planted_margin_knots(std::nullopt, 0.5, 0.1), 1);
-  EXPECT_EQ(planted_margin_knots(0.0, 0.5, 0.01), 1);
-  EXPECT_EQ(planted_margin_knots(0.05, 0.75, 0.01), 5);
+  EXPECT_EQ(planted_margin_knots(std::nullopt, 0.5, 0.4 / 24, 0.21), 2);  // 35 ms of 16.7 ms
+  EXPECT_EQ(planted_margin_knots(std::nullopt, 0.6, 0.4 / 24, 0.21), 2);
+  EXPECT_EQ(planted_margin_knots(std::nullopt, 0.75, 1.0 / 24, 0.21), 1);  // a walk: one knot
+  EXPECT_EQ(planted_margin_knots(std::nullopt, 0.5, 0.1, 0.21), 1);
+  EXPECT_EQ(planted_margin_knots(0.0, 0.5, 0.01, 0.21), 1);
+  EXPECT_EQ(planted_margin_knots(0.05, 0.75, 0.01, 0.21), 5);
+}
+
+TEST(PlantedMargin, GrowsWithTheRootOfTheLegAndAWishDoesNot) {
+  EXPECT_EQ(planted_margin_knots(std::nullopt, 0.5, 0.01, 0.21), 4);      // 35 ms
+  EXPECT_EQ(planted_margin_knots(std::nullopt, 0.5, 0.01, 4 * 0.21), 7);  // 70 ms
+  EXPECT_EQ(planted_margin_knots(0.03, 0.5, 0.01, 4 * 0.21), 3);
 }
 
 TEST(PlantedMargin, GoesByThePatternsDutyNotByItsRoundedStance) {
@@ -51,7 +57,7 @@ TEST(MakeTask, TurnsTheExamplesIntoTasks) {
   EXPECT_EQ(walk.name, "sideways");
   const TaskFile file = read_task_file(kPuppy / "sideways_trot.toml");
   const Task trot = make_task(file, puppy());
-  EXPECT_EQ(trot.planted_margin, planted_margin_knots(file.planted_margin, 0.5, 0.4 / 24));
+  EXPECT_EQ(trot.planted_margin, planted_margin_knots(file.planted_margin, 0.5, 0.4 / 24, 0.21));
   EXPECT_GE(trot.planted_margin, 2);
 }
 
@@ -59,7 +65,8 @@ TEST(MakeTask, LimbPairsAndMarginsReachTheTask) {
   const std::string walk = "name = \"walk\"\nperiod = 1.0";
   const Task plain = task_from(walk);
   EXPECT_FALSE(plain.limb_pairs);
-  EXPECT_EQ(plain.clearance, 0.02);
+  EXPECT_NEAR(plain.clearance.value(), 0.02, 1e-4);     // by the leg of 21 cm
+  EXPECT_NEAR(plain.swing_height.value(), 0.025, 3e-4);
   EXPECT_EQ(plain.torque_margin, 0.1);
   const Task task = task_from(walk,
                               "[limits]\nclearance = 0.03\ntorque_margin = 0.25\n"

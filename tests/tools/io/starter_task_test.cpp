@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// The first task that `legwright init --task` writes: few numbers, by the robot's size, and every one of them is accepted.
+#include "tools/io/starter_task.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "mjcf/input_error.hpp"
+#include "tools/io/task_file.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+const fs::path kSource = LEGWRIGHT_SOURCE_DIR;
+
+RobotModel robot(const std::string& name) { return read_robot(kSource / "tests/robots" / name / "robot.xml"); }
+
+TEST(StarterTask, IsATaskForEachOfTheSixRobots) {
+  for (const char* name : {"courser", "goat", "mule", "ox", "servo_dog", "strider"}) {
+    const RobotModel model = robot(name);
+    const StarterTask starter = starter_task(model, std::nullopt);
+    const std::string text = starter_text(starter, "robot.xml");
+    const TaskFile file = parse_task_file(text, kSource / "tests/robots" / name / "task.toml");
+    EXPECT_EQ(file.gait, std::string(name) == "strider" ? "tripod" : "trot");
+    EXPECT_TRUE(file.weights.empty()) << name;
+    EXPECT_FALSE(file.margins.swing_height) << name;
+    EXPECT_NEAR(file.period, starter.period, 0.06 * starter.period) << "two digits";
+    const Task task = make_task(file, model);
+    EXPECT_TRUE(task_warnings(task, model).empty()) << name << ": " << task_warnings(task, model).front();
+    EXPECT_GT(task.velocity.x(), 0.0);
+  }
+}
+
+TEST(StarterTask, FollowsTheRobotsHeight) {
+  const StarterTask small = starter_task(robot("servo_dog"), std::nullopt);
+  const StarterTask large = starter_task(robot("ox"), std::nullopt);
+  EXPECT_EQ(small.duty, 0.6);
+  EXPECT_EQ(large.duty, 0.6);
+  EXPECT_GT(large.period, 1.8 * small.period);
+  EXPECT_NEAR(large.period / small.period, large.speed / small.speed, 1e-9);  // both go with the root of the height
+}
+
+TEST(StarterTask, TakesAnotherGaitAndRefusesOneThatThereIsNot) {
+  const RobotModel model = robot("servo_dog");
+  const StarterTask walk = starter_task(model, "walk");
+  EXPECT_EQ(walk.gait, "walk");
+  EXPECT_FALSE(walk.duty);
+  EXPECT_GT(walk.period, 2.0 * starter_task(model, "trot").period);
+  EXPECT_LT(starter_task(model, "pronk").duty.value_or(0.5), 0.55) << "a flight stays a flight";
+  try {
+    starter_task(model, "tripod");
+    FAIL() << "four feet have no tripod";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("'tripod' is not in the library for 4 feet"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(StarterTask, QuotesTheRobotsName) {
+  const std::string text = starter_text({"trot", 0.5, {}, 0.3}, "a \"b\\c.xml");
+  EXPECT_NE(text.find(R"(robot = "a \"b\\c.xml")"), std::string::npos) << text;
+  EXPECT_EQ(text.find("duty"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace legwright

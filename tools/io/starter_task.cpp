@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/io/starter_task.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "mjcf/input_error.hpp"
+#include "optimizer/motion/gait.hpp"
+#include "optimizer/motion/initial_guess.hpp"
+#include "tools/io/toml_reader.hpp"
+
+namespace legwright {
+namespace {
+
+// Of √(g h): a Froude number of 0.04, at which feet need not hurry. Two feet balance at half of that.
+constexpr double kSpeed = 0.2, kTwoFeetSpeed = 0.1;
+// A cycle over √(h/g), by how long feet stand: nothing catches a robot on one pair of feet but its next step.
+constexpr double kQuickCycle = 3.0, kTripodCycle = 5.0, kSlowCycle = 7.0;
+constexpr double kSlowDuty = 0.65;
+// Pairs that land before the others lift forgive servos that are soft or stiff.
+constexpr double kOverlap = 0.6;
+
+std::string two_digits(double value) { return fmt::format("{:.2g}", value); }
+
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    out += c;
+  }
+  return out + '"';
+}
+
+std::string usual_gait(int foot_count) {
+  return foot_count == 4 ? "trot" : foot_count == 6 ? "tripod" : "walk";
+}
+
+GaitPattern find_gait(int foot_count, const std::optional<std::string>& wanted) {
+  const std::vector<GaitPattern> library = gait_library(foot_count);
+  if (library.empty())
+    throw InputError(fmt::format("the library has no gait for a robot of {} feet; write a task file with a pattern of "
+                                 "your own, [gait] touchdown and duty",
+                                 foot_count));
+  const std::string name = wanted.value_or(usual_gait(foot_count));
+  std::vector<std::string> names;
+  for (const GaitPattern& pattern : library) {
+    if (pattern.name == name) return pattern;
+    names.push_back(pattern.name);
+  }
+  if (!wanted) return library.front();
+  const std::string guess = nearest(name, names);
+  throw InputError(fmt::format("gait '{}' is not in the library for {} feet; {}there are {}", name, foot_count,
+                               guess.empty() ? "" : fmt::format("did you mean '{}'? ", guess), fmt::join(names, ", ")));
+}
+
+double cycle(int foot_count, double duty) {
+  if (duty >= kSlowDuty) return kSlowCycle;
+  return foot_count >= 6 ? kTripodCycle : kQuickCycle;
+}
+
+}  // namespace
+
+StarterTask starter_task(const RobotModel& robot, const std::optional<std::string>& gait) {
+  const int feet = robot.morphology.foot_count();
+  const GaitPattern pattern = find_gait(feet, gait);
+  double longest = 0.0;
+  for (std::size_t place = 0; place < pattern.touchdown.size(); ++place)
+    longest = std::max(longest, pattern.duty_of(place));
+  const double height = home_stance(robot.morphology, robot.space.initial()).com_height;
+  StarterTask task;
+  task.gait = pattern.name;
+  task.period = cycle(feet, longest) * std::sqrt(height / kGravity);
+  task.speed = (feet == 2 ? kTwoFeetSpeed : kSpeed) * std::sqrt(kGravity * height);
+  const bool flies = support_range(pattern).least == 0;
+  if (feet == 4 && !flies && longest < kOverlap) task.duty = kOverlap;
+  return task;
+}
+
+std::string starter_text(const StarterTask& task, const std::string& robot) {
+  std::string out =
+      "# A first task for this robot. SI units; every other key has a default, legwright's examples/puppy/sideways.toml\n"
+      "# explains them all.\n"
+      "robot = " +
+      quoted(robot) + "\n\n[gait]\n" +
+      fmt::format("name = {:24} # `legwright gaits` draws all that there are\n", quoted(task.gait)) +
+      fmt::format("period = {:22} # s, one cycle: in proportion to the root of the robot's height\n",
+                  two_digits(task.period));
+  if (task.duty)
+    out += fmt::format("duty = {:24} # share of the cycle that a foot stands: pairs land before the others lift\n",
+                       two_digits(*task.duty));
+  out += fmt::format("\n[travel]\nvelocity = [{}, 0.0]{:{}} # m/s forward, left: unhurried for a robot of this size\n",
+                     two_digits(task.speed), "", std::max(0, 13 - static_cast<int>(two_digits(task.speed).size())));
+  return out;
+}
+
+}  // namespace legwright
