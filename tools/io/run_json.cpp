@@ -38,6 +38,8 @@ Json provenance(const std::vector<std::string>& argv, const CodesignProblem& pro
   return {{"argv", argv},
           {"versions", versions()},
           {"factorisation", factor_name()},
+          {"files",
+           {{"task.toml", problem.set.file.string()}, {"robot.xml", problem.robot.file.string()}}},
           {"sha256",
            {{"task.toml", sha256_hex(problem.set.text)},
             {"robot.xml", sha256_hex(problem.robot.xml)}}}};

@@ -8,8 +8,10 @@
 #include "mjcf/input_error.hpp"
 #include "optimizer/solve/stopwatch.hpp"
 #include "tools/io/certificate_json.hpp"
+#include "tools/io/clean_text.hpp"
 #include "tools/io/install.hpp"
 #include "tools/io/io_error.hpp"
+#include "tools/io/licence.hpp"
 #include "tools/io/run_json.hpp"
 #include "tools/verbs/close_gap.hpp"
 #include "tools/verbs/feasibility.hpp"
@@ -34,15 +36,6 @@ struct OptimizeOptions {
   int starts = 0, threads = 0, front = 0, physics_steps = 0;
   std::uint64_t seed = 1;
 };
-
-/// A model may be named anything, "../x" included; a folder may not.
-std::string as_folder_name(std::string name) {
-  for (char& c : name) {
-    const bool plain = (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
-    if (!plain && c != '_' && c != '-') c = '_';
-  }
-  return name;
-}
 
 std::string status_text(SolveStatus status, int signal) {
   if (signal == SIGINT) return "interrupted";
@@ -144,7 +137,7 @@ void warn(const CodesignProblem& problem) {
 fs::path root_of(const OptimizeOptions& options, const CodesignProblem& problem) {
   if (!options.run.empty()) return options.run;
   return fs::path("runs") /
-         (as_folder_name(problem.robot.morphology.name) + "-" + problem.set.name);
+         (plain_name(problem.robot.morphology.name) + "-" + problem.set.name);
 }
 
 /// What stands in the run's folder before anything is solved. @return run.json
@@ -155,6 +148,7 @@ Json write_start(const ResultFolder& folder, const CodesignProblem& problem, boo
   write_json(folder.run_json(), run);
   write_file(folder.inputs() / "task.toml", text_beside_robot(problem.set.text));
   write_file(folder.inputs() / "robot.xml", problem.robot.xml);
+  copy_licences(problem.robot.file.parent_path(), folder.inputs());
   return run;
 }
 
