@@ -50,21 +50,6 @@ bool is_listed(std::string_view list, std::string_view word) {
 
 constexpr std::string_view kGenerators = " composite flexcomp replicate attach flex ";
 
-void check_no_other_file(const XmlFile& xml, const XmlElement& element) {
-  if (is_tag(element, "include"))
-    throw xml.error(
-        element,
-        fmt::format("a robot split over several files is not read; put the content of '{}' here",
-                    attribute(element, "file")));
-  for (const tinyxml2::XMLAttribute* a = element.FirstAttribute(); a; a = a->Next())
-    if (std::string_view(a->Name()).substr(0, 4) == "file" && !is_tag(element, "text") &&
-        !is_tag(element, "numeric"))
-      throw xml.error(
-          element, fmt::format("refers to the file '{}'; a robot must be one file: use plain geoms "
-                               "(box, capsule, cylinder, sphere, ellipsoid) and built-in textures",
-                               a->Value()));
-}
-
 /// Beyond these bounds digits get lost that the checks after a rewrite look at.
 void check_magnitude(const XmlFile& xml, const XmlElement& element, std::string_view name,
                      const std::vector<double>& values) {
@@ -193,7 +178,6 @@ void check_text(const XmlFile& xml) {
   if (!is_tag(xml.root(), "mujoco"))
     throw xml.error(xml.root(), "the root element of a robot is <mujoco>; is this an MJCF file?");
   for_each_element(xml.root(), [&](const XmlElement& element) {
-    check_no_other_file(xml, element);
     if (is_listed(kGenerators, element.Name()))
       throw xml.error(element, "generated parts are not read; write the bodies out");
     if (is_tag(element, "compiler") && attribute(element, "fusestatic") == "true")

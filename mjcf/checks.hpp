@@ -7,8 +7,7 @@
 
 namespace legwright {
 
-/// What can be told from the text before MuJoCo sees it: other files, unsupported elements, numbers
-/// that MuJoCo would misread or accept though no design can hold them, zero axes. Throws
+/// What can be told from the text before MuJoCo sees it: unsupported elements, numbers that MuJoCo would misread or accept though no design can hold them, zero axes. Throws
 /// InputError.
 void check_text(const XmlFile& xml);
 

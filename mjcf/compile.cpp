@@ -82,6 +82,8 @@ ModelPointer compile_mjcf(const std::string& xml, const std::filesystem::path& f
     const std::unique_ptr<mjSpec, MujocoDeleter> spec(
         mj_parseXMLString(xml.c_str(), nullptr, error.data(), static_cast<int>(error.size())));
     if (!spec) throw refusal(file, error.data());
+    if (file.has_parent_path())
+      mjs_setString(spec->modelfiledir, (file.parent_path().string() + "/").c_str());
     model.reset(mj_compile(spec.get(), nullptr));
     if (!model) throw refusal(file, mjs_getError(spec.get()));
   });

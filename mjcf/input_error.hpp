@@ -13,8 +13,19 @@ class InputError : public std::runtime_error {
   /// @param line 1-based; 0 where no line is known.
   InputError(const std::string& file, int line, const std::string& where,
              const std::string& message)
-      : std::runtime_error(compose(file, line, where, message)) {}
-  explicit InputError(const std::string& message) : std::runtime_error(message) {}
+      : std::runtime_error(compose(file, line, where, message)),
+        file_(file),
+        line_(line),
+        where_(where),
+        message_(message) {}
+  explicit InputError(const std::string& message)
+      : std::runtime_error(message), message_(message) {}
+
+  /// The parts that what() is made of; no file, no line and no place for an error told in one string.
+  const std::string& file() const { return file_; }
+  int line() const { return line_; }
+  const std::string& where() const { return where_; }
+  const std::string& message() const { return message_; }
 
  private:
   static std::string compose(std::string text, int line, const std::string& where,
@@ -24,6 +35,10 @@ class InputError : public std::runtime_error {
     if (!where.empty()) text.append(where).append(": ");
     return text.append(message);
   }
+
+  std::string file_;
+  int line_ = 0;
+  std::string where_, message_;
 };
 
 }  // namespace legwright

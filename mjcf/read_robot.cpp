@@ -3,11 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <fstream>
-#include <iterator>
-#include <system_error>
-
 #include "mjcf/bindings.hpp"
 #include "mjcf/checks.hpp"
 #include "mjcf/compile.hpp"
@@ -18,26 +13,6 @@
 
 namespace legwright {
 namespace {
-
-/// Reads no more than a robot may have, so that an endless device ends.
-std::string read_text(const std::filesystem::path& file) {
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(file, error);
-  if (!std::filesystem::exists(status))
-    throw InputError(file.string(), 0, "", "no such file; check the path of the robot");
-  if (!std::filesystem::is_regular_file(status))
-    throw InputError(file.string(), 0, "", "is no regular file; name the robot's MJCF file");
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream)
-    throw std::system_error(errno, std::generic_category(), "cannot open " + file.string());
-  const std::size_t limit = XmlLimits{}.bytes + 1;
-  std::string text(std::min<std::uintmax_t>(limit, std::filesystem::file_size(file)), '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (stream.bad())
-    throw std::system_error(errno, std::generic_category(), "cannot read " + file.string());
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  return text;
-}
 
 void check_home(const XmlFile& xml, const mjModel& model, const Morphology& morphology) {
   for (int a = 0; a < morphology.joint_count(); ++a) {
@@ -52,13 +27,7 @@ void check_home(const XmlFile& xml, const mjModel& model, const Morphology& morp
   }
 }
 
-}  // namespace
-
-RobotModel read_robot(const std::filesystem::path& file) {
-  return parse_robot(read_text(file), file);
-}
-
-RobotModel parse_robot(const std::string& xml_text, const std::filesystem::path& file) {
+RobotModel parse_text(const std::string& xml_text, const std::filesystem::path& file) {
   const auto xml = load_xml(xml_text, file);
   check_text(*xml);
   const ModelPointer model = compile_mjcf(xml->text, file);
@@ -85,6 +54,23 @@ RobotModel parse_robot(const std::string& xml_text, const std::filesystem::path&
   robot.space = std::move(declared.space);
   robot.bindings = std::move(declared.bindings);
   robot.root_body = name_of(*model, mjOBJ_BODY, trunk);
+  return robot;
+}
+
+}  // namespace
+
+RobotModel read_robot(const std::filesystem::path& file) {
+  return parse_robot(RobotFiles::read(file));
+}
+
+RobotModel parse_robot(const std::string& xml_text, const std::filesystem::path& file) {
+  return parse_robot(RobotFiles::from_text(xml_text, file));
+}
+
+RobotModel parse_robot(const RobotFiles& files) {
+  files.check_names_of_runs();
+  RobotModel robot = files.at_their_lines([&] { return parse_text(files.text(), files.file()); });
+  robot.files = files;
   return robot;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "mjcf/robot_files.hpp"
 #include "optimizer/design/design.hpp"
 #include "optimizer/design/morphology.hpp"
 
@@ -40,7 +41,8 @@ struct Servo {
 /// the file.
 struct RobotModel {
   std::filesystem::path file;
-  std::string xml;  // the file's text, byte for byte
+  std::string xml;  // text of `files`; of a robot in one file that file, byte for byte
+  RobotFiles files;
   Morphology morphology;
   DesignSpace space;
   std::vector<Binding> bindings;  // one for each entry of `space`
@@ -52,7 +54,9 @@ struct RobotModel {
 /// section. Throws InputError for anything wrong with the file or a file that is not there,
 /// std::system_error where it cannot be read.
 RobotModel read_robot(const std::filesystem::path& file);
-/// The same from text that has not been written yet; `file` is for messages.
+/// The same from text that has not been written yet; `file` is for messages, and its folder is where
+/// other files that the text names are looked for.
 RobotModel parse_robot(const std::string& xml, const std::filesystem::path& file);
+RobotModel parse_robot(const RobotFiles& files);
 
 }  // namespace legwright

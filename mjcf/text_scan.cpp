@@ -31,20 +31,27 @@ class Scanner {
       if (scan_.doctype_line == 0) scan_.doctype_line = line();
       return skip_past(">");
     }
-    ++at_;
+    const std::size_t markup = at_++;
     skip_blanks();
-    if (at_ < text_.size() && text_[at_] == '/') {
-      --depth_;
-      return skip_past(">");
-    }
-    return start_tag();
+    if (at_ < text_.size() && text_[at_] == '/') return end_tag(markup);
+    return start_tag(markup);
   }
 
-  bool start_tag() {
+  bool end_tag(std::size_t markup) {
+    --depth_;
+    if (!skip_past(">")) return false;
+    if (open_.empty()) return true;  // one too many: the parser will say so
+    scan_.tags[open_.back()].close_begin = markup;
+    scan_.tags[open_.back()].close_end = at_;
+    open_.pop_back();
+    return true;
+  }
+
+  bool start_tag(std::size_t markup) {
     const std::size_t begin = at_;
     at_ = std::min(text_.find_first_of(kNameEnd, at_), text_.size());
     if (at_ == begin) return stop();
-    TagSpan tag{text_.substr(begin, at_ - begin), at_, line(), depth_ + 1, {}};
+    TagSpan tag{text_.substr(begin, at_ - begin), at_, line(), depth_ + 1, {}, markup};
     while (true) {
       const std::size_t before = at_;
       skip_blanks();
@@ -55,7 +62,11 @@ class Scanner {
     const bool is_open = text_[at_] == '>';
     if (!is_open && text_.compare(at_, 2, "/>") != 0) return stop();
     at_ += is_open ? 1 : 2;
-    if (is_open) ++depth_;
+    tag.end = tag.close_begin = tag.close_end = at_;
+    if (is_open) {
+      ++depth_;
+      open_.push_back(scan_.tags.size());
+    }
     scan_.tags.push_back(std::move(tag));
     return true;
   }
@@ -104,6 +115,7 @@ class Scanner {
   std::string_view text_;
   std::size_t at_ = 0, counted_ = 0;
   int line_ = 1, depth_ = 0;
+  std::vector<std::size_t> open_;  // elements whose end tag is to come
   TagScan scan_;
 };
 

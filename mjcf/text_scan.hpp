@@ -22,6 +22,9 @@ struct TagSpan {
   int line;              // 1-based
   int depth;             // of the element; the root has 1
   std::vector<AttributeSpan> attributes;
+  std::size_t begin = 0, end = 0;  // the start tag, from its < to behind its >
+  std::size_t close_begin = 0;     // the end tag's <; `end` for an element without content
+  std::size_t close_end = 0;       // behind the end tag's >; `end` for an element without content
 };
 
 /// What a scan found: start tags in document order, the order of a depth-first walk of the DOM.
