@@ -271,6 +271,21 @@ void refuse_couplings(const XmlFile& xml, const mjModel& model) {
   refuse(model.nskin, "asset", "skins are not carried");
 }
 
+/// MuJoCo puts the centre of a body without mass where the body itself is, once more: not on the
+/// body. With boundmass it weighs something there, and what moves the body moves it twice.
+void refuse_mass_from_nowhere(const XmlFile& xml, const mjModel& model, int trunk) {
+  const XmlElement& compiler = last_with(xml, "compiler", "boundmass");
+  const auto bound = parse_numbers(attribute(compiler, "boundmass"));
+  if (!bound || bound->size() != 1 || !(bound->front() > 0.0)) return;
+  for (int b = 1; b < model.nbody; ++b)
+    if (model.body_rootid[b] == trunk && model.body_mass[b] == bound->front() &&
+        model.body_inertia[3 * b] == 0.0)
+      throw xml.error(compiler,
+                      fmt::format("attribute boundmass: gives mass to body '{}', which has none; "
+                                  "write its <inertial>, or remove boundmass",
+                                  name_of(model, mjOBJ_BODY, b)));
+}
+
 }  // namespace
 
 int check_tree(const XmlFile& xml, const mjModel& model) {
@@ -280,6 +295,7 @@ int check_tree(const XmlFile& xml, const mjModel& model) {
   for (int j = 0; j < model.njnt; ++j) check_joint(xml, model, trunk, j);
   refuse_couplings(xml, model);
   check_gravity(xml, model);
+  refuse_mass_from_nowhere(xml, model, trunk);
   for (int g = 0; g < model.ngeom; ++g)
     if (model.body_rootid[model.geom_bodyid[g]] != trunk &&
         (model.geom_contype[g] || model.geom_conaffinity[g]))

@@ -92,6 +92,7 @@ std::string export_readme(const ExportFacts& facts) {
       "floor and the numerics it was judged with; both open in MuJoCo without any plugin:\n\n"
       "    python -m mujoco.viewer --mjcf=scene.xml\n\n",
       facts.name);
+  if (!facts.others.empty()) out += "The robot also consists of: " + list(facts.others) + ".\n\n";
   out += provenance(facts) + "\n" + changes(facts) + "\n" + judgement(facts);
   out += "\n## Licence\n\n";
   out += facts.licences.empty()

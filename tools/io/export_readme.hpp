@@ -26,7 +26,8 @@ struct ExportFacts {
   std::vector<std::string> verdicts;           // of physics; none: it was not validated
   std::string standing;                        // what a second of standing showed
   std::string picture;                         // file, or empty
-  std::vector<std::string> licences, assets;   // files
+  std::vector<std::string> licences;           // files
+  std::vector<std::string> others;             // files that the robot's names: parts and assets
 };
 
 /// README.md of an exported robot: what it is, where it comes from, what changed. Texts from files

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/io/unfinished_folder.hpp"
 
+#include <fmt/format.h>
+
 #include <system_error>
 
 namespace legwright {
@@ -9,7 +11,7 @@ namespace fs = std::filesystem;
 
 UnfinishedFolder::UnfinishedFolder(const fs::path& target)
     : target_(target),
-      path_(target.parent_path() / ("." + target.filename().string() + ".tmp")) {
+      path_(target.parent_path() / fmt::format(".{}.tmp", target.filename().string())) {
   fs::remove_all(path_);
   fs::create_directories(path_);
 }

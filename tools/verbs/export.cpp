@@ -9,6 +9,7 @@
 
 #include "mjcf/input_error.hpp"
 #include "mjcf/plain_scene.hpp"
+#include "mjcf/robot_files.hpp"
 #include "mjcf/verify.hpp"
 #include "tools/io/atomic_file.hpp"
 #include "tools/io/checksum.hpp"
@@ -129,6 +130,24 @@ std::string describe(const Stand& stand) {
   return out + ".";
 }
 
+/// The robot's files as they are, the main one under `name`. @return all but that
+std::vector<std::string> write_robot(const RobotFiles& files, const fs::path& folder,
+                                     const std::string& name) {
+  std::vector<std::string> others;
+  const auto place = [&](const fs::path& path) {
+    if (fs::exists(folder / path) || path == "scene.xml" || path == "README.md")
+      throw InputError(files.file().string(), 0, path.generic_string(),
+                       "this name is needed in the exported folder; rename the file");
+    fs::create_directories((folder / path).parent_path());
+    others.push_back(path.generic_string());
+    return folder / path;
+  };
+  write_file(folder / name, files.main_text());
+  for (const IncludedFile& part : files.includes()) write_file(place(part.path), part.text);
+  for (const AssetFile& asset : files.assets()) fs::copy_file(asset.source, place(asset.path));
+  return others;
+}
+
 ExportFacts facts_of(const ExportedRun& from, const fs::path& root, const std::string& name) {
   ExportFacts facts;
   facts.name = name;
@@ -185,7 +204,8 @@ int export_run(const ExportOptions& options) {
   if (name == "scene") name = "scene_robot";
   UnfinishedFolder folder(target);
   const fs::path robot = folder.path() / (name + ".xml"), scene = folder.path() / "scene.xml";
-  write_file(robot, from.after.xml);
+  const std::vector<std::string> others =
+      write_robot(from.after.files, folder.path(), name + ".xml");
   write_file(scene, plain_scene(from.after, from.after.xml, name + ".xml", friction_of(from.run)));
   const std::vector<std::string> lost = differences_in_scene(robot, scene);
   if (!lost.empty())
@@ -194,6 +214,7 @@ int export_run(const ExportOptions& options) {
 
   ExportFacts facts = facts_of(from, options.run, name);
   facts.standing = describe(stood);
+  facts.others = others;
   std::string left_out;
   if (!options.no_picture) facts.picture = draw(scene, name + ".png", left_out);
   facts.licences = copy_licences(ResultFolder::open(options.run).inputs(), folder.path());

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/simulate/stand.hpp"
+
+#include <gtest/gtest.h>
+
+#include "mjcf/plain_scene.hpp"
+#include "mjcf/rewrite_robot.hpp"
+#include "tests/tools/io/temporary_folder.hpp"
+#include "tools/io/atomic_file.hpp"
+#include "tools/simulate/mujoco_host.hpp"
+
+namespace legwright {
+namespace {
+
+std::filesystem::path example(const std::string& name) {
+  return std::filesystem::path(LEGWRIGHT_SOURCE_DIR) / "examples" / name / "robot.xml";
+}
+
+std::string with(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+class StandTest : public testing::Test {
+ protected:
+  std::filesystem::path scene_of(const std::string& robot_xml) const {
+    write_file(folder_.path() / "robot.xml", robot_xml);
+    const RobotModel robot = parse_robot(robot_xml, folder_.path() / "robot.xml");
+    write_file(folder_.path() / "scene.xml", plain_scene(robot, robot_xml, "robot.xml", 0.8));
+    return folder_.path() / "scene.xml";
+  }
+  std::filesystem::path robot() const { return folder_.path() / "robot.xml"; }
+
+ private:
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(StandTest, RobotsAtRandomDesignsStandWithoutAWarning) {
+  for (const char* name : {"puppy", "quadruped", "hexapod", "biped", "piston_puppy"}) {
+    const RobotModel robot = read_robot(example(name));
+    for (const double share : {0.0, 0.3, 1.0}) {
+      const Eigen::VectorXd s =
+          robot.space.lower() + share * (robot.space.upper() - robot.space.lower());
+      const std::filesystem::path scene = scene_of(rewrite_robot(robot, s));
+      const Stand stood = stand(scene);
+      EXPECT_EQ(stood.warnings.size(), 0u) << name << share;
+      EXPECT_NEAR(stood.seconds, 1.0, 1e-9);
+      EXPECT_TRUE(differences_in_scene(this->robot(), scene).empty()) << name;
+    }
+  }
+}
+
+TEST_F(StandTest, ThePuppyStays) {
+  const Stand stood = stand(scene_of(read_file(example("puppy"))));
+  EXPECT_NEAR(stood.trunk_before, 0.2045, 1e-3);
+  EXPECT_NEAR(stood.trunk_after, stood.trunk_before, 0.02);
+}
+
+/// The floor carries it although the robot's default geoms touch nothing: without it, it falls.
+TEST_F(StandTest, WithoutFloorItFalls) {
+  const std::filesystem::path scene = scene_of(read_file(example("puppy")));
+  write_file(scene, with(read_file(scene), "name=\"floor\" type=\"plane\" pos=\"0 0 0\"",
+                         "name=\"floor\" type=\"plane\" pos=\"0 0 -50\""));
+  EXPECT_LT(stand(scene).trunk_after, -1.0);
+}
+
+/// Negative control: a servo that is far too stiff in the wrong direction flies apart.
+TEST_F(StandTest, WhatFliesApartIsTold) {
+  const std::string wild = with(read_file(example("puppy")), "<position kp=\"80\" kv=\"0.8\" forcerange=\"-3 3\"/>",
+                                "<position kp=\"80\" kv=\"0.8\" forcerange=\"-3 3\"/><joint damping=\"-500\"/>");
+  const std::filesystem::path scene = scene_of(read_file(example("puppy")));
+  write_file(robot(), wild);
+  Stand stood;
+  try {
+    stood = stand(scene);
+  } catch (const MujocoError&) {
+    GTEST_SKIP() << "this MuJoCo refuses negative damping";
+  }
+  EXPECT_TRUE(stood.diverged);
+  EXPECT_GT(stood.warnings.size(), 0u);
+}
+
+TEST_F(StandTest, ASceneWithAnotherRobotIsNoticed) {
+  const std::filesystem::path scene = scene_of(read_file(example("puppy")));
+  write_file(scene, with(read_file(scene), "<option", "<compiler settotalmass=\"9\"/><option"));
+  const auto found = differences_in_scene(robot(), scene);
+  ASSERT_FALSE(found.empty());
+  EXPECT_NE(found.front().find("mass"), std::string::npos) << found.front();
+}
+
+}  // namespace
+}  // namespace legwright
