@@ -67,12 +67,14 @@ void check_numbers(const XmlFile& xml, const XmlElement& element) {
                            is_listed(kNumberElements, element.Name()) ||
                            (is_tag(element, "numeric") && a->Name() == std::string_view("data"));
     if (!is_number) continue;
-    if (const auto values = parse_numbers(a->Value());
-        !values || (values->empty() && a->Value()[0] != '\0'))
+    const auto values = parse_numbers(a->Value());
+    if (values && values->empty())  // MuJoCo takes it for absent, or for another class's
+      throw xml.error(element, fmt::format("attribute {}: is empty; write a number, or remove it",
+                                           a->Name()));
+    if (!values)
       throw xml.error(element,
                       fmt::format("attribute {}: {}", a->Name(), explain_bad_number(a->Value())));
-    else
-      check_magnitude(xml, element, a->Name(), *values);
+    check_magnitude(xml, element, a->Name(), *values);
   }
 }
 

@@ -41,7 +41,7 @@ TEST_F(StandTest, RobotsAtRandomDesignsStandWithoutAWarning) {
     const RobotModel robot = read_robot(example(name));
     for (const double share : {0.0, 0.3, 1.0}) {
       const Eigen::VectorXd s =
-          robot.space.lower() + share * (robot.space.upper() - robot.space.lower());
+          robot.space.clamp((1 - share) * robot.space.lower() + share * robot.space.upper());
       const std::filesystem::path scene = scene_of(rewrite_robot(robot, s));
       const Stand stood = stand(scene);
       EXPECT_EQ(stood.warnings.size(), 0u) << name << share;
@@ -65,20 +65,16 @@ TEST_F(StandTest, WithoutFloorItFalls) {
   EXPECT_LT(stand(scene).trunk_after, -1.0);
 }
 
-/// Negative control: a servo that is far too stiff in the wrong direction flies apart.
+/// Negative control: a robot that starts at 1e12 m/s.
 TEST_F(StandTest, WhatFliesApartIsTold) {
-  const std::string wild = with(read_file(example("puppy")), "<position kp=\"80\" kv=\"0.8\" forcerange=\"-3 3\"/>",
-                                "<position kp=\"80\" kv=\"0.8\" forcerange=\"-3 3\"/><joint damping=\"-500\"/>");
   const std::filesystem::path scene = scene_of(read_file(example("puppy")));
-  write_file(robot(), wild);
-  Stand stood;
-  try {
-    stood = stand(scene);
-  } catch (const MujocoError&) {
-    GTEST_SKIP() << "this MuJoCo refuses negative damping";
-  }
+  write_file(robot(), with(read_file(robot()), "<key name=\"home\"",
+                           "<key name=\"home\" qvel=\"1e12 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0\""));
+  const Stand stood = stand(scene);
   EXPECT_TRUE(stood.diverged);
-  EXPECT_GT(stood.warnings.size(), 0u);
+  ASSERT_GT(stood.warnings.size(), 0u);
+  EXPECT_LT(stood.seconds, 0.1);
+  EXPECT_NE(stood.warnings[0].text.find("bad number"), std::string::npos);
 }
 
 TEST_F(StandTest, ASceneWithAnotherRobotIsNoticed) {

@@ -92,12 +92,12 @@ TEST_F(Export, MakesAFolderThatStockMujocoOpens) {
 }
 
 TEST_F(Export, RefusesToOverwriteAndLeavesNothingBehind) {
-  ASSERT_EQ(call({"export", "run", "-o", "out", "--no-picture"}).code, 0);
-  const auto before = fs::last_write_time(root() / "out" / "README.md");
-  const Outcome again = call({"export", "run", "-o", "out"});
+  ASSERT_EQ(call({"export", "run", "-o", "there", "--no-picture"}).code, 0);
+  const auto before = fs::last_write_time(root() / "there" / "README.md");
+  const Outcome again = call({"export", "run", "-o", "there"});
   EXPECT_EQ(again.code, 3);
   EXPECT_TRUE(contains(again.err, "exists already; name a new folder")) << again.err;
-  EXPECT_EQ(fs::last_write_time(root() / "out" / "README.md"), before);
+  EXPECT_EQ(fs::last_write_time(root() / "there" / "README.md"), before);
 
   EXPECT_EQ(call({"export", "nowhere", "-o", "other"}).code, 3);
   // A result that is not the design which it declares.
@@ -124,7 +124,7 @@ TEST_F(Export, NamesOfModelsAreNoPathsAndNoMarkup) {
   const Outcome done = call({"export", "run", "--no-picture"});
   ASSERT_EQ(done.code, 0) << done.err;
   const fs::path folder = root() / "exports" / "run";
-  EXPECT_TRUE(fs::exists(folder / "______b_x_y___a__b_.xml"));
+  EXPECT_TRUE(fs::exists(folder / "_______b_x_y___a__b_.xml"));
   const std::string readme = read_file(folder / "README.md");
   EXPECT_EQ(readme.substr(0, readme.find('\n')),
             "# ../../&lt;b&gt;x\\|y\\` \\[a\\](b)");
@@ -136,9 +136,9 @@ TEST_F(Export, ALinkIsNoLicence) {
   const Outcome again = call({"optimize", "mine/task.toml", "-o", "run", "--force",
                               "--max-iterations", "0", "--no-pictures", "--no-certificate"});
   ASSERT_TRUE(again.code == 0 || again.code == 1) << again.err;
-  ASSERT_EQ(call({"export", "run", "-o", "out", "--no-picture"}).code, 0);
-  EXPECT_FALSE(fs::exists(root() / "out" / "LICENSE"));
-  EXPECT_TRUE(contains(read_file(root() / "out" / "README.md"), "No licence stood beside"));
+  ASSERT_EQ(call({"export", "run", "-o", "there", "--no-picture"}).code, 0);
+  EXPECT_FALSE(fs::exists(root() / "there" / "LICENSE"));
+  EXPECT_TRUE(contains(read_file(root() / "there" / "README.md"), "No licence stood beside"));
 }
 
 }  // namespace
