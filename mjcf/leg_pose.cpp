@@ -21,6 +21,7 @@ constexpr double kHeightWeight = 10.0;  // of the height against the place from 
 constexpr double kStay = 0.03;          // leg lengths of place that a radian is worth
 constexpr double kExact = 1e-13;        // leg lengths: rounding of the sums
 constexpr double kLargestTurn = 0.3;    // [rad] in one step
+constexpr double kSmallTurn = 1e-6;     // [rad] whose gain is lost in the rounding of costs
 
 }  // namespace
 
@@ -128,7 +129,7 @@ class PosedRobot::LegSolver {
 
   /// Levenberg-Marquardt within the ranges: all three directions at once, the height first.
   void approach() {
-    double damping = 1e-6;
+    double damping = 1e-6, last = 1.0;
     for (int step = 0; step < kMaxSteps && damping < 1e8; ++step) {
       Eigen::MatrixXd rows = sight_.jacobian / unit_;
       rows.row(2) *= kHeightWeight;
@@ -143,15 +144,19 @@ class PosedRobot::LegSolver {
       const VectorXd next =
           (angles_ - hessian.ldlt().solve(slope)).cwiseMax(lower_).cwiseMin(upper_);
       const Sight there = put(next);
-      if (!(cost(there, next) < cost(sight_, angles_))) {
+      const double turned = (next - angles_).norm();
+      // Costs tell apart no smaller steps; those go on while each is smaller than the last.
+      const bool good =
+          turned < kSmallTurn ? turned < last : cost(there, next) < cost(sight_, angles_);
+      if (!good && turned < kSmallTurn) break;
+      if (!good) {
         damping *= 10;
         continue;
       }
-      const bool done = (next - angles_).norm() < 1e-10;
       angles_ = next;
       sight_ = there;
+      last = turned;
       damping = std::max(1e-9, damping / 5);
-      if (done) break;
     }
     sight_ = put(angles_);
   }

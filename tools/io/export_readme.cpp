@@ -52,14 +52,19 @@ std::string provenance(const ExportFacts& facts) {
   return out + "\nThe command was:\n\n" + code_block(facts.command);
 }
 
+/// Rounding errors are none.
+std::string number(double value) {
+  return fmt::format("{:.6g}", std::abs(value) < 1e-12 ? 0.0 : value);
+}
+
 std::string changes(const ExportFacts& facts) {
   std::string out =
-      "## What changed\n\nEverything else in the file is as it was, byte for byte.\n\n"
+      "## What changed\n\nWhat does not follow from these numbers is as it was, byte for byte.\n\n"
       "| parameter | before | after | change | unit | what it is |\n|---|---:|---:|---:|---|---|\n";
   for (const ExportedParameter& p : facts.parameters) {
     const double change = p.after - p.before;
-    out += fmt::format("| {} | {:.6g} | {:.6g} | {} | {} | {} |\n", escaped(p.name), p.before,
-                       p.after, std::abs(change) > 1e-12 ? fmt::format("{:+.6g}", change) : "",
+    out += fmt::format("| {} | {} | {} | {} | {} | {} |\n", escaped(p.name), number(p.before),
+                       number(p.after), std::abs(change) > 1e-12 ? fmt::format("{:+.6g}", change) : "",
                        escaped(p.unit), escaped(p.sentence));
   }
   if (facts.parameters.empty()) out += "| none | | | | | the robot declares no design parameter |\n";
