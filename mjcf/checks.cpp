@@ -8,6 +8,7 @@
 
 #include "mjcf/compile.hpp"
 #include "mjcf/numbers.hpp"
+#include "mjcf/size_limits.hpp"
 #include "optimizer/design/morphology.hpp"
 
 namespace legwright {
@@ -75,6 +76,26 @@ void check_numbers(const XmlFile& xml, const XmlElement& element) {
       throw xml.error(element,
                       fmt::format("attribute {}: {}", a->Name(), explain_bad_number(a->Value())));
     check_magnitude(xml, element, a->Name(), *values);
+  }
+}
+
+constexpr std::size_t kLongestName = 200;  // [bytes], of a trajectory's columns too
+
+/// References like &#7; bring what no UTF-8 check of the text sees; a terminal would obey it.
+void check_texts(const XmlFile& xml, const XmlElement& element) {
+  for (const tinyxml2::XMLAttribute* a = element.FirstAttribute(); a; a = a->Next()) {
+    const std::string_view value = a->Value();
+    for (const char c : value)
+      if ((static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n' && c != '\r') || c == 0x7F)
+        throw xml.error(element, fmt::format("attribute {}: holds a control character; remove it",
+                                             a->Name()));
+    const bool is_name = a->Name() == std::string_view("name") ||
+                         a->Name() == std::string_view("class") ||
+                         a->Name() == std::string_view("model");
+    if (is_name && value.size() > kLongestName)
+      throw InputError(xml.file.string(), element.GetLineNum(), element.Name(),
+                       fmt::format("attribute {}: {} bytes long; a name may have {}, shorten it",
+                                   a->Name(), value.size(), kLongestName));
   }
 }
 
@@ -188,6 +209,8 @@ void check_text(const XmlFile& xml) {
     if (is_tag(element, "plugin") || is_tag(element, "extension"))
       throw xml.error(element,
                       "a robot with engine plugins is not read; use the elements of plain MJCF");
+    check_texts(xml, element);
+    check_sizes(xml, element);
     check_numbers(xml, element);
     check_axis(xml, element);
     check_scene_needs(xml, element);

@@ -9,6 +9,7 @@
 
 #include "mjcf/model_diff.hpp"
 #include "tools/simulate/mujoco_host.hpp"
+#include "tools/simulate/rollout.hpp"
 
 namespace legwright {
 namespace {
@@ -61,6 +62,13 @@ Stand stand(mjModel& model, double seconds) {
 Stand stand(const std::filesystem::path& scene, double seconds) {
   const MujocoModel model = load_model(scene);
   return stand(*model, seconds);
+}
+
+std::vector<HealthWarning> warnings_in_gait(const std::filesystem::path& file, double seconds) {
+  const Scene scene = load_scene(file);
+  RolloutOptions options;
+  options.cycles = static_cast<int>(std::ceil(seconds / scene.trajectory.period));
+  return rollout(scene, options).warnings;
 }
 
 std::vector<std::string> differences_in_scene(const std::filesystem::path& robot,

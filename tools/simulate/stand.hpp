@@ -22,6 +22,11 @@ struct Stand {
 /// plugin. Throws MujocoError where MuJoCo refuses the file.
 Stand stand(const std::filesystem::path& scene, double seconds = 1.0);
 
+/// Plays the gait of a design's scene from its start, for at least so long or until it falls. @return
+/// what MuJoCo warned of. Throws MujocoError where it refuses the scene.
+std::vector<HealthWarning> warnings_in_gait(const std::filesystem::path& scene,
+                                            double seconds = 1.0);
+
 /// What differs between a robot and a scene that includes it, element by element, in words; the
 /// scene's own elements do not count. Throws MujocoError where MuJoCo refuses a file.
 std::vector<std::string> differences_in_scene(const std::filesystem::path& robot,

@@ -13,6 +13,7 @@
 #include "tools/io/io_error.hpp"
 #include "tools/io/licence.hpp"
 #include "tools/io/run_json.hpp"
+#include "tools/simulate/stand.hpp"
 #include "tools/verbs/close_gap.hpp"
 #include "tools/verbs/feasibility.hpp"
 #include "tools/verbs/joint_folders.hpp"
@@ -169,12 +170,31 @@ Progress make_progress(const OptimizeOptions& options, const CodesignOptions& se
   return progress;
 }
 
+/// The result plays for a second in MuJoCo; what the engine warns of is told and noted.
+Json engine_warnings(const ResultFolder& folder, const CodesignProblem& problem) {
+  Json found = Json::array();
+  for (int k = 0; k < problem.task_count(); ++k) {
+    const fs::path scene = result_folder(folder, problem, k) / "scene.xml";
+    if (!fs::exists(scene)) continue;
+    for (const HealthWarning& warning : warnings_in_gait(scene)) {
+      found.push_back({{"task", problem.task(k).name},
+                       {"warning", warning.text},
+                       {"count", warning.count},
+                       {"first_s", warning.time}});
+      fmt::print(stderr, "legwright: warning: {}: MuJoCo warns: {}, {} times, first at {:.3g} s\n",
+                 scene.string(), warning.text, warning.count, warning.time);
+    }
+  }
+  return found;
+}
+
 /// Results, and what run.json says of them.
 void write_end(const ResultFolder& folder, const CodesignProblem& problem,
                const MultistartResult& found, int signal, Recorder& recorder, Json& run) {
   std::vector<TaskOutcome> outcomes = write_results(folder, problem, found, recorder);
   RunEffort effort = effort_of(found);
   effort.file_seconds = recorder.seconds();
+  run["engine_warnings"] = engine_warnings(folder, problem);
   const std::string status = status_text(found.winner().status, signal);
   if (problem.set.joint()) {
     finish_joint_run(run, status, found, outcomes, effort, problem);

@@ -6,6 +6,7 @@
 #include "mjcf/plain_scene.hpp"
 #include "mjcf/rewrite_robot.hpp"
 #include "tests/tools/io/temporary_folder.hpp"
+#include "tests/tools/simulate/tiny_scene.hpp"
 #include "tools/io/atomic_file.hpp"
 #include "tools/simulate/mujoco_host.hpp"
 
@@ -75,6 +76,17 @@ TEST_F(StandTest, WhatFliesApartIsTold) {
   ASSERT_GT(stood.warnings.size(), 0u);
   EXPECT_LT(stood.seconds, 0.1);
   EXPECT_NE(stood.warnings[0].text.find("bad number"), std::string::npos);
+}
+
+TEST_F(StandTest, WarningsOfAGaitAreTold) {
+  const auto warnings = [&](const TinyScene& tiny) {
+    write_file(robot(), tiny.xml());
+    return warnings_in_gait(robot());
+  };
+  EXPECT_TRUE(warnings(TinyScene{}).empty());
+  TinyScene wild;
+  wild.start_qvel = "0 0 0 0 0 0 1e11";
+  EXPECT_FALSE(warnings(wild).empty());
 }
 
 TEST_F(StandTest, ASceneWithAnotherRobotIsNoticed) {
