@@ -72,10 +72,11 @@ std::vector<FoundAsset> find_assets(const XmlFile& xml, const fs::path& folder) 
       throw xml.error(element, fmt::format("the file '{}': the files of the robot are together "
                                            "larger than {} MB; make them smaller",
                                            reference, kMostBytesTogether >> 20));
-    if (is_texture && is_huge_picture(found.source))
-      throw xml.error(element, fmt::format("the file '{}': a picture of more than {} pixels a side; "
-                                           "make it smaller",
-                                           reference, kMostPixels));
+    if (is_huge_picture(found.source))
+      throw xml.error(element,
+                      fmt::format("the file '{}': a picture of more than {} pixels a side; make it "
+                                  "smaller",
+                                  reference, kMostPixels));
     out.push_back({&element, {found.path, found.source, found.bytes, false}});
   };
   for_each_element(xml.root(), [&](const XmlElement& element) {

@@ -197,6 +197,14 @@ void check_keyframes(const XmlFile& xml, const mjModel& model) {
 
 }  // namespace
 
+void check_values(const XmlFile& xml) {
+  for_each_element(xml.root(), [&](const XmlElement& element) {
+    check_texts(xml, element);
+    check_sizes(xml, element);
+    check_numbers(xml, element);
+  });
+}
+
 void check_text(const XmlFile& xml) {
   if (!is_tag(xml.root(), "mujoco"))
     throw xml.error(xml.root(), "the root element of a robot is <mujoco>; is this an MJCF file?");

@@ -11,6 +11,10 @@ namespace legwright {
 /// InputError.
 void check_text(const XmlFile& xml);
 
+/// The part of check_text() that holds for any model: numbers that MuJoCo would misread, sizes that
+/// fill the memory, control characters. Throws InputError.
+void check_values(const XmlFile& xml);
+
 /// Finds the trunk, the one body with a free joint, and checks that everything that moves hangs on
 /// it by hinges and that nothing else couples its parts. Returns its body id. Throws InputError.
 int check_tree(const XmlFile& xml, const mjModel& model);

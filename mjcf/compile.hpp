@@ -23,10 +23,10 @@ using DataPointer = std::unique_ptr<mjData, MujocoDeleter>;
 /// handler that was set before. Calls take turns and must not nest.
 void call_engine(const std::filesystem::path& file, const std::function<void()>& work);
 
-/// Compiles the text of a model's files (RobotFiles::text), in which no <include> is left. Assets are
-/// read from the folder of `file`: only RobotFiles, which looks at each of them, may be the source of
-/// a text that names some. Throws InputError with MuJoCo's reason, `file` for messages. MuJoCo neither prints, writes a log file nor ends the process meanwhile; calls
-/// take turns.
+/// Compiles the text of a model's files (RobotFiles::text), in which no <include> is left. Assets
+/// are read from the folder of `file`: only RobotFiles, which looks at each of them, may be the
+/// source of a text that names some. Throws InputError with MuJoCo's reason, `file` for messages.
+/// MuJoCo neither prints, writes a log file nor ends the process meanwhile; calls take turns.
 ModelPointer compile_mjcf(const std::string& xml, const std::filesystem::path& file);
 
 /// The model's state in a pose, with the places of bodies and geoms. Throws InputError at `file`

@@ -21,7 +21,7 @@ class InputError : public std::runtime_error {
   explicit InputError(const std::string& message)
       : std::runtime_error(message), message_(message) {}
 
-  /// The parts that what() is made of; no file, no line and no place for an error told in one string.
+  /// The parts that what() is made of; no file, line and place for an error told in one string.
   const std::string& file() const { return file_; }
   int line() const { return line_; }
   const std::string& where() const { return where_; }

@@ -54,8 +54,8 @@ struct RobotModel {
 /// section. Throws InputError for anything wrong with the file or a file that is not there,
 /// std::system_error where it cannot be read.
 RobotModel read_robot(const std::filesystem::path& file);
-/// The same from text that has not been written yet; `file` is for messages, and its folder is where
-/// other files that the text names are looked for.
+/// The same from text that has not been written yet; `file` is for messages, and its folder is
+/// where other files that the text names are looked for.
 RobotModel parse_robot(const std::string& xml, const std::filesystem::path& file);
 RobotModel parse_robot(const RobotFiles& files);
 

@@ -10,6 +10,7 @@
 
 #include "mjcf/assets.hpp"
 #include "mjcf/splice.hpp"
+#include "mjcf/text_scan.hpp"
 
 namespace legwright {
 namespace {
@@ -18,12 +19,19 @@ namespace fs = std::filesystem;
 
 // What a run's folders hold beside the robot's own files.
 constexpr std::string_view kNamesOfRuns[] = {
-    "robot.xml",          "scene.xml",           "motion.csv",           "metrics.json",
-    "frame.png",          "task.toml",           "certificate.json",     "verdict.json",
-    "comparison.json",    "numerics.json",       "robustness.json",      "matrix.json",
-    "front.json",         "overlay.png",         "contact_timeline.png", "gait.webp",
-    "strip_initial.png",  "strip_result.png",    "strip_physics.png",    "strip_before_after.png",
-    "playback_result.csv", "playback_initial.csv"};
+    "robot.xml",           "scene.xml",            "motion.csv",
+    "metrics.json",        "frame.png",            "task.toml",
+    "certificate.json",    "verdict.json",         "comparison.json",
+    "numerics.json",       "robustness.json",      "matrix.json",
+    "front.json",          "overlay.png",          "contact_timeline.png",
+    "gait.webp",           "strip_initial.png",    "strip_result.png",
+    "strip_physics.png",   "strip_before_after.png", "playback_result.csv",
+    "playback_initial.csv", "summary.md",           "README.md"};
+
+bool is_name_of_runs(std::string_view name) {
+  return std::find(std::begin(kNamesOfRuns), std::end(kNamesOfRuns), name) !=
+         std::end(kNamesOfRuns);
+}
 
 /// Offset of the first byte of a line, counted from 1.
 std::size_t begin_of_line(std::string_view text, int line) {
@@ -49,6 +57,22 @@ int number_at(std::string_view text, std::size_t at, std::size_t& end) {
   return number;
 }
 
+/// Whether two texts have as many start tags and the same bytes before, between and behind them.
+bool is_same_between(std::string_view a, const TagScan& in_a, std::string_view b,
+                     const TagScan& in_b) {
+  if (in_a.tags.size() != in_b.tags.size()) return false;
+  std::size_t at_a = 0, at_b = 0;
+  for (std::size_t k = 0; k < in_a.tags.size(); ++k) {
+    const TagSpan &tag_a = in_a.tags[k], &tag_b = in_b.tags[k];
+    if (tag_a.name != tag_b.name ||
+        a.substr(at_a, tag_a.begin - at_a) != b.substr(at_b, tag_b.begin - at_b))
+      return false;
+    at_a = tag_a.end;
+    at_b = tag_b.end;
+  }
+  return a.substr(at_a) == b.substr(at_b);
+}
+
 }  // namespace
 
 RobotFiles RobotFiles::read(const fs::path& file) { return from_text(read_main_file(file), file); }
@@ -65,6 +89,12 @@ RobotFiles RobotFiles::from_text(std::string text, const fs::path& file) {
     const auto xml = spliced.main ? std::move(spliced.main) : load_xml(out.text_, file);
     for (FoundAsset& asset : find_assets(*xml, out.folder())) {
       const InputError place = out.located(xml->error(*asset.element, ""));
+      for (std::size_t k = 1; k < out.parts_.size(); ++k)
+        if (out.parts_[k].path == asset.file.path)
+          throw xml->error(*asset.element,
+                           fmt::format("the file '{}' is included as well; a copy of the robot "
+                                       "could not change it as MJCF and keep it here",
+                                       asset.file.path.string()));
       out.mentions_.push_back({asset.file.path, place.file(), place.line(), place.where()});
       out.assets_.push_back(std::move(asset.file));
     }
@@ -89,7 +119,7 @@ RobotFiles RobotFiles::with_text(const std::string& text) const {
   const auto fail = [] {
     return std::logic_error("the changed text has other elements than the robot's files");
   };
-  if (before.tags.size() != after.tags.size()) throw fail();
+  if (!is_same_between(text_, before, text, after)) throw fail();
   // Only start tags change, so the bytes since the last one tell where a segment ends.
   std::size_t tag = 0;
   const auto moved = [&](std::size_t at) {
@@ -166,7 +196,7 @@ InputError RobotFiles::located(const InputError& error) const {
 void RobotFiles::check_names_of_runs() const {
   for (const FileMention& mention : mentions_) {
     const std::string first = mention.path.begin()->string();
-    if (std::find(std::begin(kNamesOfRuns), std::end(kNamesOfRuns), first) != std::end(kNamesOfRuns))
+    if (is_name_of_runs(first))
       throw InputError(
           mention.file, mention.line, mention.where,
           fmt::format("the folders of a run hold a file of their own named {}; name this one "

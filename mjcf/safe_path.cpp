@@ -104,8 +104,8 @@ FoundFile find_in_folder(const fs::path& folder, const std::string& reference,
   const fs::path real = fs::canonical(found.source, error);
   const fs::path home = error ? fs::path() : fs::canonical(folder.empty() ? "." : folder, error);
   if (error || !is_below(real, home)) {
-    found.fault = fmt::format("is a symbolic link that leads out of the folder of the main file; {}",
-                              kCopyIt);
+    found.fault = fmt::format(
+        "is a symbolic link that leads out of the folder of the main file; {}", kCopyIt);
     return found;
   }
   // The kernel follows a link before it follows `..`; then the shorter path is another file.

@@ -23,8 +23,8 @@ struct FoundFile {
 FoundFile find_in_folder(const std::filesystem::path& folder, const std::string& reference,
                          std::uintmax_t most_bytes);
 
-/// The same path without `.` and `..`, relative to the model's folder; empty where it is absolute or
-/// leads out of the folder.
+/// The same path without `.` and `..`, relative to the model's folder; empty where it is absolute
+/// or leads out of the folder.
 std::filesystem::path path_below(const std::filesystem::path& reference);
 
 /// The bytes of a regular file, at most `most`. Pipes, devices and folders are not waited for.

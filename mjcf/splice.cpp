@@ -88,9 +88,10 @@ class Splicer {
     check_chain(xml, element, reference, found);
     bytes_ += found.bytes;
     if (bytes_ > XmlLimits{}.bytes || out_.parts.size() > kMostFiles)
-      throw xml.error(element, fmt::format("'{}': the files of a robot are at most {} with {} bytes "
-                                           "together; remove what does not belong to it",
-                                           reference, kMostFiles, XmlLimits{}.bytes));
+      throw xml.error(element,
+                      fmt::format("'{}': the files of a robot are at most {} with {} bytes "
+                                  "together; remove what does not belong to it",
+                                  reference, kMostFiles, XmlLimits{}.bytes));
     add(xml, element, found);
   }
 
@@ -142,7 +143,8 @@ class Splicer {
       throw own->error(root, "the root element of an included file is <mujocoinclude> or <mujoco>; "
                              "is this an MJCF file?");
     if (!root.FirstChildElement())
-      throw own->error(root, "an included file without elements; write them, or remove the <include>");
+      throw own->error(root,
+                       "an included file without elements; write them, or remove the <include>");
     const TagSpan& tag = own->tag(root);
     chain_.push_back(part);
     splice(part, *own, tag.end, tag.close_begin);

@@ -23,8 +23,8 @@ struct SplicedText {
 /// it cannot be read.
 std::string read_main_file(const std::filesystem::path& file);
 
-/// Puts the elements of included files into the place of each <include>, as MuJoCo does: what counts
-/// of an included file are the elements in its root. Refused, at the <include>: what
+/// Puts the elements of included files into the place of each <include>, as MuJoCo does: what
+/// counts of an included file are the elements in its root. Refused, at the <include>: what
 /// find_in_folder() refuses, a file that is included twice or by itself, chains of more than 8
 /// files, more than 100 files. Throws InputError, std::system_error.
 SplicedText splice_includes(std::string text, const std::filesystem::path& file);

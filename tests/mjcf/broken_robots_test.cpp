@@ -16,6 +16,7 @@ namespace {
 struct Refusal {
   int line;                        // 0: the fault has no line
   std::vector<std::string> parts;  // element, fault, cure
+  std::string file = {};           // where the fault is told, below the folder; empty: the robot's
 };
 
 const std::map<std::string, Refusal>& refusals() {
@@ -50,6 +51,41 @@ const std::map<std::string, Refusal>& refusals() {
        {14, {"joint 'knee'", "-2.8 rad, outside of its range -2 to 2", "change the range"}}},
       {"home_too_short", {26, {"key 'home'", "attribute qpos: 8 numbers, the robot has 9"}}},
       {"include", {5, {"include", "'legs.xml' is not there", "check the path"}}},
+      {"include_absolute", {5, {"include", "'/etc/passwd' is an absolute path", "copy the file"}}},
+      {"include_beside",
+       {3,
+        {"include", "start in the folder of the main file", "write 'parts/defaults.xml'"},
+        "parts/beside.xml"}},
+      {"include_cycle",
+       {3,
+        {"include", "parts/cycle.xml > parts/cycle_back.xml > parts/cycle.xml", "remove this"},
+        "parts/cycle_back.xml"}},
+      {"include_device", {5, {"include", "'/dev/zero' is an absolute path", "copy the file"}}},
+      {"include_doctype", {2, {"<!DOCTYPE>", "remove it"}, "parts/doctype.xml"}},
+      {"include_folder", {5, {"include", "'parts' is a folder", "name a regular file"}}},
+      {"include_itself",
+       {5, {"include", "include_itself.xml > include_itself.xml", "remove this <include>"}}},
+      {"include_leads_out",
+       {3,
+        {"include", "'../tasks/nan.toml' leads out", "copy the file"},
+        "parts/leads_out.xml"}},
+      {"include_nan",
+       {4, {"geom", "attribute rgba: 'nan'", "write it like"}, "parts/nan.xml"}},
+      {"include_no_elements",
+       {2, {"mujocoinclude", "without elements", "remove the <include>"}, "parts/no_elements.xml"}},
+      {"include_not_closed", {3, {"XML", "an element is not closed"}, "parts/not_closed.xml"}},
+      {"include_outside", {5, {"include", "leads out of the folder", "copy the file"}}},
+      {"include_twice",
+       {6, {"include", "a second time, first by", "include_twice.xml:5", "remove one"}}},
+      {"include_unknown_element",
+       {4,
+        {"MuJoCo", "unrecognized element", "wheel", "mend the file"},
+        "parts/unknown_element.xml"}},
+      {"include_urdf",
+       {2, {"robot", "<mujocoinclude> or <mujoco>", "is this an MJCF file?"}, "parts/hopper.urdf"}},
+      {"include_with_content", {5, {"include", "holds elements", "holds nothing"}}},
+      {"include_with_prefix", {5, {"include", "attribute prefix", "remove it"}}},
+      {"include_without_file", {5, {"include", "names no file", "write the file's path"}}},
       {"inertial_not_used",
        {11, {"inertial in body 'thigh'", "does not use these numbers", "remove that setting"}}},
       {"infinite", {8, {"inertial in body 'trunk'", "attribute mass: 'inf'", "write it like"}}},
@@ -64,10 +100,19 @@ const std::map<std::string, Refusal>& refusals() {
        {29, {"'legwright/thigh_length'", "must stay positive", "-0.06"}}},
       {"material_of_the_scene",
        {6, {"material 'legwright_floor'", "the scene adds an element of this name"}}},
-      {"mesh_file", {6, {"mesh 'skin'", "'../../skin.stl' leads out of the folder", "copy the file"}}},
+      {"mesh_absolute", {5, {"mesh 'skin'", "is an absolute path", "copy the file"}}},
+      {"mesh_backslash", {5, {"mesh 'skin'", "has a backslash", "write /"}}},
+      {"mesh_empty", {5, {"mesh 'skin'", "parts/empty.stl' is empty", "is the copy complete?"}}},
+      {"mesh_file",
+       {6, {"mesh 'skin'", "'../../skin.stl' leads out of the folder", "copy the file"}}},
+      {"mesh_folder", {5, {"mesh 'skin'", "'parts' is a folder", "name a regular file"}}},
       {"mesh_in_stretched", {15, {"geom", "a mesh in a stretched body", "use plain geoms"}}},
+      {"mesh_url", {5, {"mesh 'skin'", "has a colon", "copy the file"}}},
+      {"mesh_words", {5, {"MuJoCo", "STL", "mend the file"}}},
+      {"meshdir_outside", {6, {"mesh 'skin'", "'../meshes/skin.stl' leads out", "copy the file"}}},
       {"mirrored_stretch", {30, {"'legwright/thigh_length'", "'~thigh'", "remove it"}}},
       {"mocap_body", {6, {"body 'trunk'", "mocap bodies", "remove it"}}},
+      {"model_in_model", {5, {"model 'leg'", "refers to the file", "write it out here"}}},
       {"motor_without_limit", {23, {"motor 'knee_motor'", "no torque limit", "add forcerange"}}},
       {"nan", {9, {"body 'thigh'", "attribute pos: 'nan'", "write it like"}}},
       {"no_free_root", {6, {"body 'trunk'", "no free root", "add <freejoint/>"}}},
@@ -112,6 +157,7 @@ const std::map<std::string, Refusal>& refusals() {
       {"text_without_parts", {30, {"'legwright/thigh_length'", "UNIT | BINDING | SENTENCE"}}},
       {"texture_file",
        {6, {"texture 'skin'", "the file 'skin.png' is not there", "check the path"}}},
+      {"texture_huge", {5, {"texture 'skin'", "more than 16384 pixels", "make it smaller"}}},
       {"trailing_text", {16, {"geom 'foot'", "attribute size: '0.012m'", "write it like"}}},
       {"truncated", {14, {"XML", "is the file complete?"}}},
       {"two_actuators",
@@ -188,7 +234,8 @@ TEST(BrokenRobots, EachIsRefusedWithPlaceFaultAndCure) {
     } catch (const InputError& error) {
       const std::string message = error.what();
       const std::string place =
-          file.string() + (refusal.line ? ":" + std::to_string(refusal.line) : "") + ": ";
+          (refusal.file.empty() ? file : folder / refusal.file).string() +
+          (refusal.line ? ":" + std::to_string(refusal.line) : "") + ": ";
       EXPECT_EQ(message.substr(0, place.size()), place) << message;
       for (const std::string& part : refusal.parts)
         EXPECT_NE(message.find(part), std::string::npos)
@@ -202,7 +249,7 @@ TEST(BrokenRobots, TableAndFolderHoldTheSameNames) {
   for (const auto& [name, refusal] : refusals()) listed.insert(name);
   for (const auto& entry :
        std::filesystem::directory_iterator(test::source_path("examples/broken/robots")))
-    found.insert(entry.path().stem().string());
+    if (entry.is_regular_file()) found.insert(entry.path().stem().string());
   EXPECT_EQ(listed, found);
 }
 

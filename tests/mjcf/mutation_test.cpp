@@ -9,6 +9,8 @@
 #include "mjcf/read_robot.hpp"
 #include "mjcf/rewrite_robot.hpp"
 #include "tests/mjcf/robots.hpp"
+#include "tests/mjcf/split_robot.hpp"
+#include "tests/tools/io/temporary_folder.hpp"
 
 namespace legwright {
 namespace {
@@ -99,6 +101,36 @@ TEST(Mutation, AcceptedMutantsCanBeRewritten) {
     ++rewritten;
   }
   EXPECT_GT(rewritten, 10);
+}
+
+/// A fault in any file of a robot: refused at one of its files, or accepted and taken apart again.
+TEST(Mutation, MutantsOfIncludedFilesDoNotCrash) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path main = test::write_split_puppy(folder.path());
+  const RobotFiles good = RobotFiles::read(main);
+  std::mt19937 random(7);
+  int count[2] = {0, 0};
+  for (int trial = 0; trial < trials(200); ++trial) {
+    const std::vector<IncludedFile> parts = good.includes();
+    const std::size_t k = static_cast<std::size_t>(trial) % (parts.size() + 1);
+    const bool is_main = k == parts.size();
+    const std::filesystem::path file = is_main ? main : folder.path() / parts[k].path;
+    const std::string& text = is_main ? good.main_text() : parts[k].text;
+    test::put(file, mutate(text, random));
+    try {
+      const RobotModel robot = read_robot(main);
+      const Eigen::VectorXd s = 0.5 * (robot.space.lower() + robot.space.upper());
+      const std::string rewritten = rewrite_robot(robot, s);
+      EXPECT_EQ(robot.files.with_text(rewritten).text(), rewritten);
+      ++count[1];
+    } catch (const InputError& error) {
+      EXPECT_EQ(std::string(error.what()).rfind(folder.path().string(), 0), 0u) << error.what();
+      ++count[0];
+    }
+    test::put(file, text);
+  }
+  EXPECT_GT(count[0], 20);
+  EXPECT_GT(count[1], 20);
 }
 
 }  // namespace

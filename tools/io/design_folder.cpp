@@ -12,6 +12,7 @@
 #include "optimizer/design/inertia.hpp"
 #include "optimizer/design/momentum.hpp"
 #include "optimizer/motion/motion.hpp"
+#include "tools/io/robot_folder.hpp"
 #include "tools/io/unfinished_folder.hpp"
 #include "tools/simulate/plan.hpp"
 
@@ -161,7 +162,7 @@ PlanQuality write_design(const fs::path& folder, const RobotModel& robot,
                          Durability durability) {
   const DesignTexts texts = design_texts(robot, objective, iteration.s, iteration.tasks.at(task).m);
   UnfinishedFolder temporary(folder);
-  write_file(temporary.path() / "robot.xml", texts.robot_xml, durability);
+  write_robot_files(temporary.path(), robot.files.with_text(texts.robot_xml), durability);
   write_file(temporary.path() / "scene.xml", texts.scene_xml, durability);
   write_file(temporary.path() / "motion.csv", texts.motion_csv, durability);
   write_json(temporary.path() / "metrics.json",

@@ -38,7 +38,7 @@ PlanQuality plan_quality(const Objective& objective, const Eigen::VectorXd& s,
 Json iteration_metrics(const DesignSpace& space, const DesignIteration& iteration, int task,
                        const PlanQuality& quality);
 
-/// A design as the texts of its files, and the quality of its plan, root residual included.
+/// A design as texts, that of the robot as RobotFiles::text() has it, and the quality of its plan, root residual included.
 struct DesignTexts {
   std::string robot_xml, scene_xml, motion_csv;
   PlanQuality quality;
@@ -46,7 +46,8 @@ struct DesignTexts {
 DesignTexts design_texts(const RobotModel& robot, const Objective& objective,
                          const Eigen::VectorXd& s, const Eigen::VectorXd& m);
 
-/// Writes a complete, openable design: robot.xml, scene.xml, motion.csv, metrics.json. The folder
+/// Writes a complete, openable design: robot.xml with what it includes and its assets, scene.xml,
+/// motion.csv, metrics.json. The folder
 /// appears whole: written under a temporary name beside it, then renamed. Throws std::system_error
 /// where the disk fails or the folder exists. @param task of `iteration.tasks`, the one that
 /// `objective` belongs to. @return the quality of the plan, root residual

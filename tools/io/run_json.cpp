@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/io/run_json.hpp"
 
+#include "mjcf/safe_path.hpp"
 #include "optimizer/solve/hessian_factor.hpp"
 #include "tools/io/checksum.hpp"
 #include "tools/io/install.hpp"
@@ -35,14 +36,19 @@ Json parameters_json(const DesignSpace& space) {
 }
 
 Json provenance(const std::vector<std::string>& argv, const CodesignProblem& problem) {
+  const RobotFiles& files = problem.robot.files;
+  Json sums{{"task.toml", sha256_hex(problem.set.text)},
+            {"robot.xml", sha256_hex(files.main_text())}};
+  for (const IncludedFile& included : files.includes())
+    sums[included.path.generic_string()] = sha256_hex(included.text);
+  for (const AssetFile& asset : files.assets())
+    sums[asset.path.generic_string()] = sha256_hex(read_regular_file(asset.source, asset.bytes));
   return {{"argv", argv},
           {"versions", versions()},
           {"factorisation", factor_name()},
           {"files",
            {{"task.toml", problem.set.file.string()}, {"robot.xml", problem.robot.file.string()}}},
-          {"sha256",
-           {{"task.toml", sha256_hex(problem.set.text)},
-            {"robot.xml", sha256_hex(problem.robot.xml)}}}};
+          {"sha256", sums}};
 }
 
 Json head(const CodesignProblem& problem) {

@@ -100,12 +100,20 @@ CurvePoint point_of(const RunData& data) {
   return point;
 }
 
+/// Checksums of all files of a run's robot.
+std::string robot_sum(const Json& run) {
+  std::string sum;
+  for (const auto& [file, own] : value_at(run, {"sha256"}).items())
+    if (file != "task.toml" && own.is_string()) sum += file + " " + own.get<std::string>() + "\n";
+  return sum;
+}
+
 /// Collects runs, and sees to it that they belong together.
 class Collector {
  public:
   void add(const fs::path& folder, const std::string& name) {
     const RunData data = read_run(folder);
-    const std::string sum = text_at(data.run, {"sha256", "robot.xml"});
+    const std::string sum = robot_sum(data.run);
     const double speed = wanted_speed(data);
     const std::string way = way_of(data, speed);
     if (!first_) {

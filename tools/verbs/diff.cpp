@@ -4,10 +4,10 @@
 #include <memory>
 #include <numeric>
 
+#include "mjcf/checks.hpp"
 #include "mjcf/compile.hpp"
-#include "mjcf/input_error.hpp"
 #include "mjcf/model_diff.hpp"
-#include "tools/io/atomic_file.hpp"
+#include "mjcf/robot_files.hpp"
 #include "tools/io/clean_text.hpp"
 #include "tools/io/json_file.hpp"
 #include "tools/verbs/verbs.hpp"
@@ -22,9 +22,11 @@ struct DiffOptions {
 };
 
 ModelPointer compiled(const std::string& file) {
-  if (!std::filesystem::is_regular_file(file))
-    throw InputError(file, 0, "", "no such file; name an MJCF file");
-  return compile_mjcf(read_file(file), file);
+  const RobotFiles files = RobotFiles::read(file);
+  return files.at_their_lines([&] {
+    check_values(*load_xml(files.text(), files.file()));
+    return compile_mjcf(files.text(), files.file());
+  });
 }
 
 double mass_of(const mjModel& model) {

@@ -10,6 +10,7 @@
 #include "mjcf/input_error.hpp"
 #include "mjcf/plain_scene.hpp"
 #include "mjcf/robot_files.hpp"
+#include "mjcf/safe_path.hpp"
 #include "mjcf/verify.hpp"
 #include "tools/io/atomic_file.hpp"
 #include "tools/io/checksum.hpp"
@@ -72,7 +73,7 @@ ExportedRun read_run(const fs::path& root) {
                   "optimize`");
   out.before = read_robot(input);
   const std::string wanted = text_in(out.run, {"sha256", "robot.xml"});
-  if (!wanted.empty() && wanted != sha256_hex(out.before.xml))
+  if (!wanted.empty() && wanted != sha256_hex(out.before.files.main_text()))
     throw InputError(input.string(), 0, "",
                      "is not the robot that the run started from (its SHA-256 in run.json is "
                      "another); run `legwright optimize` again");
@@ -144,7 +145,10 @@ std::vector<std::string> write_robot(const RobotFiles& files, const fs::path& fo
   };
   write_file(folder / name, files.main_text());
   for (const IncludedFile& part : files.includes()) write_file(place(part.path), part.text);
-  for (const AssetFile& asset : files.assets()) fs::copy_file(asset.source, place(asset.path));
+  for (const AssetFile& asset : files.assets()) {
+    // Not linked: who edits the export must not change the run.
+    write_file(place(asset.path), read_regular_file(asset.source, asset.bytes));
+  }
   return others;
 }
 
@@ -153,7 +157,7 @@ ExportFacts facts_of(const ExportedRun& from, const fs::path& root, const std::s
   facts.name = name;
   facts.model = from.after.morphology.name;
   facts.robot_file = text_in(from.run, {"files", "robot.xml"});
-  facts.robot_sha256 = sha256_hex(from.before.xml);
+  facts.robot_sha256 = sha256_hex(from.before.files.main_text());
   facts.task_file = text_in(from.run, {"files", "task.toml"});
   facts.task_sha256 = text_in(from.run, {"sha256", "task.toml"});
   facts.version = text_in(from.run, {"versions", "legwright"});

@@ -130,12 +130,23 @@ Json to_json(const StudiedRobot& found, const std::string& written) {
           {"written", written.empty() ? Json(nullptr) : Json(written)}};
 }
 
+/// Other files are named by paths from the main file's folder.
+void check_output(const InitOptions& options, const RobotFiles& files) {
+  if (options.output.empty() || (files.includes().empty() && files.assets().empty())) return;
+  const fs::path from = fs::weakly_canonical(files.file()).parent_path(),
+                 to = fs::weakly_canonical(options.output).parent_path();
+  if (from != to)
+    throw InputError(options.output, 0, "",
+                     fmt::format("the robot includes other files or has meshes, which are found "
+                                 "from the folder {} only; write the output there",
+                                 from.string()));
+}
+
 int init(const InitOptions& options) {
   const fs::path file = options.robot;
-  if (!fs::is_regular_file(file))
-    throw InputError(file.string(), 0, "", "no such file; name the robot's MJCF file");
-  const std::string text = read_file(file);
-  const StudiedRobot found = study_robot(text, file);
+  const RobotFiles files = RobotFiles::read(file);
+  const StudiedRobot found = files.at_their_lines([&] { return study_robot(files.text(), file); });
+  check_output(options, files);
   std::string written;
   if (options.write || !options.output.empty()) {
     written = options.output.empty() ? options.robot : options.output;
@@ -145,7 +156,7 @@ int init(const InitOptions& options) {
     if (found.proposals.empty() && options.output.empty())
       written.clear();  // nothing to add
     else
-      write_file(written, with_declarations(text, file, found.proposals));
+      write_file(written, with_declarations(files.main_text(), file, found.proposals));
   }
   if (options.json) {
     fmt::print("{}", to_text(to_json(found, written)));

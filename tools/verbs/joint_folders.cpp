@@ -6,6 +6,7 @@
 #include "mjcf/rewrite_robot.hpp"
 #include "tools/io/atomic_file.hpp"
 #include "tools/io/events.hpp"
+#include "tools/io/robot_folder.hpp"
 
 namespace legwright {
 namespace {
@@ -34,7 +35,7 @@ class Chain {
       const fs::path from = root_ / "starts" / start / problem_.task(task_).name / "iterations" /
                             fmt::format("{:04}", k);
       const fs::path to = run_ / "iterations" / fmt::format("{:04}", events_.size());
-      fs::copy(from, to, fs::copy_options::recursive);
+      copy_design(from, to, problem_.robot.files);
       recorder_.pictures().add(to);
       events_.push_back(events[k]);
       events_.back()["index"] = events_.size() - 1;
@@ -71,8 +72,8 @@ void write_task_run(const ResultFolder& folder, const CodesignProblem& problem, 
   for (const Json& event : chain.events()) outcome.history.push_back(event["F"]);
 
   fs::create_directories(chain.run() / "inputs");
-  for (const char* input : {"task.toml", "robot.xml"})
-    fs::copy_file(folder.inputs() / input, chain.run() / "inputs" / input);
+  fs::copy_file(folder.inputs() / "task.toml", chain.run() / "inputs" / "task.toml");
+  write_robot_files(chain.run() / "inputs", problem.robot.files);
   Json run = start_of_run(joint["argv"], problem, outcome.task);
   run["joint_run"] = "../..";
   run["motion_only"] = joint["motion_only"];
@@ -98,7 +99,8 @@ void write_task_runs(const ResultFolder& folder, const CodesignProblem& problem,
   for (TaskOutcome& outcome : outcomes)
     write_task_run(folder, problem, run, found, outcome, recorder);
   fs::create_directories(folder.result());
-  write_file(folder.result() / "robot.xml", rewrite_robot(problem.robot, found.winner().best.s));
+  write_robot_files(folder.result(), problem.robot.files.with_text(rewrite_robot(
+                                         problem.robot, found.winner().best.s)));
 }
 
 Json write_front(const ResultFolder& folder, const CodesignProblem& problem,

@@ -12,6 +12,7 @@
 #include "tools/io/install.hpp"
 #include "tools/io/io_error.hpp"
 #include "tools/io/licence.hpp"
+#include "tools/io/robot_folder.hpp"
 #include "tools/io/run_json.hpp"
 #include "tools/simulate/stand.hpp"
 #include "tools/verbs/close_gap.hpp"
@@ -148,8 +149,8 @@ Json write_start(const ResultFolder& folder, const CodesignProblem& problem, boo
   run["motion_only"] = motion_only || problem.robot.space.size() == 0;
   write_json(folder.run_json(), run);
   write_file(folder.inputs() / "task.toml", text_beside_robot(problem.set.text));
-  write_file(folder.inputs() / "robot.xml", problem.robot.xml);
-  copy_licences(problem.robot.file.parent_path(), folder.inputs());
+  write_robot_files(folder.inputs(), problem.robot.files);
+  copy_licences(problem.robot.files.folder(), folder.inputs());
   return run;
 }
 
@@ -245,13 +246,29 @@ void close_gaps(const ResultFolder& folder, const CodesignProblem& problem,
   }
 }
 
+/// --force removes the old run first; a robot's meshes are copied after that.
+void check_not_in_run(const fs::path& root, const RobotFiles& files) {
+  const fs::path run = fs::weakly_canonical(root);
+  for (const AssetFile& asset : files.assets()) {
+    const fs::path inside = fs::weakly_canonical(asset.source).lexically_relative(run);
+    if (!inside.empty() && *inside.begin() != "..")
+      throw IoError(fmt::format("{}: the robot's own files lie in it, like {}; choose another folder "
+                                "with -o, or copy the robot elsewhere first",
+                                root.string(), inside.string()));
+  }
+}
+
 int optimize(const OptimizeOptions& options) {
-  const CodesignProblem problem = read_problem(options.task);
+  CodesignProblem problem = read_problem(options.task);
   check_front(options, problem);
   if (!options.quiet) warn(problem);
   const fs::path root = root_of(options, problem);
+  if (options.force) check_not_in_run(root, problem.robot.files);
   const ResultFolder folder = ResultFolder::create(root, options.force);
   Json run = write_start(folder, problem, options.motion_only);
+  // From here on the run has files of its own: what becomes of the user's does not matter to it.
+  problem.robot.files = problem.robot.files.moved_to(folder.inputs() / "robot.xml");
+  problem.robot.file = problem.robot.files.file();
 
   MultistartOptions settings = settings_of(options, problem.task_count());
   Progress progress = make_progress(options, settings.codesign, problem);

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace legwright::test {
+
+/// Writes bytes, with the folders above them.
+void put(const std::filesystem::path& file, const std::string& bytes);
+/// A tetrahedron as a binary STL, as an OBJ; a PNG picture of one pixel.
+std::string tetrahedron_stl(float size);
+std::string tetrahedron_obj();
+std::string one_pixel_png();
+
+/// The puppy of the examples in several files below a folder: dog.xml, which includes
+/// parts/defaults.xml, parts/front_left.xml (in the trunk; includes parts/shank.xml) and
+/// parts/drives.xml; meshes and a texture in assets/ and assets/pictures/. Returns dog.xml's path.
+std::filesystem::path write_split_puppy(const std::filesystem::path& folder);
+
+}  // namespace legwright::test
