@@ -130,6 +130,37 @@ TEST_F(Export, NamesOfModelsAreNoPathsAndNoMarkup) {
             "# ../../&lt;b&gt;x\\|y\\` \\[a\\](b)");
 }
 
+/// Parts and meshes come along, as files of their own: not links into the run.
+TEST_F(Export, ARobotOfSeveralFilesKeepsThem) {
+  fs::create_directories(root() / "mine" / "assets");
+  write_file(root() / "mine" / "assets" / "dot.obj",
+             "v 0 0 0\nv 0.01 0 0\nv 0 0.01 0\nv 0 0 0.01\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+  write_file(root() / "mine" / "skin.xml",
+             "<mujoco><asset><mesh name=\"dot\" file=\"assets/dot.obj\"/></asset></mujoco>\n");
+  const std::string xml = read_file(root() / "mine" / "robot.xml");
+  write_file(root() / "mine" / "robot.xml",
+             replaced(replaced(xml, "<asset>", "<include file=\"skin.xml\"/><asset>"),
+                      "<body name=\"eyes\" pos=\"0.095 0 0\">",
+                      "<body name=\"eyes\" pos=\"0.095 0 0\"><geom type=\"mesh\" mesh=\"dot\"/>"));
+  const Outcome made = call({"optimize", "mine/task.toml", "-o", "run", "--force",
+                             "--max-iterations", "1", "--no-pictures", "--no-certificate"});
+  ASSERT_TRUE(made.code == 0 || made.code == 1) << made.err;
+  const Outcome done = call({"export", "run", "-o", "there", "--no-picture"});
+  ASSERT_EQ(done.code, 0) << done.err;
+  const fs::path folder = root() / "there";
+  EXPECT_EQ(read_file(folder / "skin.xml"), read_file(root() / "mine" / "skin.xml"));
+  EXPECT_EQ(read_file(folder / "assets" / "dot.obj"),
+            read_file(root() / "mine" / "assets" / "dot.obj"));
+  EXPECT_EQ(fs::hard_link_count(folder / "assets" / "dot.obj"), 1u);
+  EXPECT_TRUE(contains(read_file(folder / "puppy.xml"), "<include file=\"skin.xml\"/>"));
+  EXPECT_TRUE(contains(read_file(folder / "README.md"), "assets/dot.obj"));
+  char error[500] = "";
+  const std::unique_ptr<mjModel, void (*)(mjModel*)> scene(
+      mj_loadXML((folder / "scene.xml").c_str(), nullptr, error, sizeof error), mj_deleteModel);
+  ASSERT_TRUE(scene) << error;
+  EXPECT_EQ(scene->nmesh, 1);
+}
+
 TEST_F(Export, ALinkIsNoLicence) {
   fs::remove(root() / "mine" / "LICENSE");
   fs::create_symlink("/etc/hostname", root() / "mine" / "LICENSE");
