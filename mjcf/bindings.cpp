@@ -173,7 +173,7 @@ Declared read_text(const XmlFile& xml, const XmlElement& text, DesignParameter& 
 Binding::Target resolve_stretch(const XmlFile& xml, const mjModel& model,
                                 const DeclarationElements& at, const Declared& declared,
                                 const DesignParameter& parameter, const TargetWord& word,
-                                const std::vector<int>& foot_geoms) {
+                                const Structure& structure) {
   if (word.mirrored)
     throw xml.error(
         *at.text,
@@ -188,7 +188,7 @@ Binding::Target resolve_stretch(const XmlFile& xml, const mjModel& model,
         *at.text,
         fmt::format("names the body '{}', which is not in the model; correct the name", word.name));
   const StretchMeasure measure =
-      measure_stretch(xml, model, *at.text, body, declared.direction, foot_geoms);
+      measure_stretch(xml, model, *at.text, body, declared.direction, structure);
   if (std::abs(measure.length - word.factor * parameter.initial) >
       1e-6 * std::min(1.0, word.factor))
     throw xml.error(
@@ -206,7 +206,7 @@ Binding::Target resolve_stretch(const XmlFile& xml, const mjModel& model,
 
 Binding::Target resolve_axis(const XmlFile& xml, const mjModel& model,
                              const DeclarationElements& at, const Declared& declared,
-                             const TargetWord& word) {
+                             const TargetWord& word, const Structure& structure) {
   const int joint = mj_name2id(&model, mjOBJ_JOINT, word.name.c_str());
   const XmlElement* element = find_named(xml.root(), "joint", word.name);
   if (joint < 0 || !element)
@@ -217,6 +217,15 @@ Binding::Target resolve_axis(const XmlFile& xml, const mjModel& model,
     throw xml.error(
         *at.text, fmt::format("joint '{}' is no hinge, so its axis cannot be turned; name a hinge",
                               word.name));
+  for (const FrozenJoint& frozen : structure.frozen)
+    if (frozen.joint == joint)
+      throw xml.error(*at.text, fmt::format("joint '{}' is held in its home pose ({}), so its axis "
+                                            "is no part of the plan; name a joint of a leg",
+                                            word.name, frozen.why));
+  if (model.qpos0[model.jnt_qposadr[joint]] != 0.0)
+    throw xml.error(*element,
+                    "attribute ref: a joint whose axis is designed has the angle zero where the "
+                    "file draws the robot; remove ref");
   if (!is_tag(*element->Parent()->ToElement(), "body"))
     throw xml.error(
         *element, "a joint whose axis is designed must stand directly in its body, not in a frame");
@@ -258,15 +267,15 @@ Binding::Target resolve_place(const XmlFile& xml, const mjModel& model,
 
 Binding resolve(const XmlFile& xml, const mjModel& model, const DeclarationElements& at,
                 const Declared& declared, const DesignParameter& parameter,
-                const std::vector<int>& foot_geoms) {
+                const Structure& structure) {
   Binding binding;
   std::set<std::string> seen;
   for (const TargetWord& word : declared.targets) {
     Binding::Target target =
         parameter.kind == ParameterKind::length
-            ? resolve_stretch(xml, model, at, declared, parameter, word, foot_geoms)
+            ? resolve_stretch(xml, model, at, declared, parameter, word, structure)
         : parameter.kind == ParameterKind::axis_angle
-            ? resolve_axis(xml, model, at, declared, word)
+            ? resolve_axis(xml, model, at, declared, word, structure)
             : resolve_place(xml, model, at, declared, parameter, word);
     if (!seen.insert(target.name).second)
       throw xml.error(*at.text, fmt::format("names '{}' twice; name it once", target.name));
@@ -282,7 +291,7 @@ Binding resolve(const XmlFile& xml, const mjModel& model, const DeclarationEleme
 }  // namespace
 
 Declarations read_declarations(const XmlFile& xml, const mjModel& model,
-                               const std::vector<int>& foot_geoms) {
+                               const Structure& structure) {
   const Pairs pairs = collect_pairs(xml);
   for (const auto& [name, both] : pairs.elements)
     if (!both.numeric)
@@ -299,7 +308,7 @@ Declarations read_declarations(const XmlFile& xml, const mjModel& model,
     parameter.name = name;
     read_values(xml, *at.numeric, parameter);
     const Declared declared = read_text(xml, *at.text, parameter);
-    Binding binding = resolve(xml, model, at, declared, parameter, foot_geoms);
+    Binding binding = resolve(xml, model, at, declared, parameter, structure);
     parameter.tied_count = static_cast<int>(binding.targets.size());
     out.space.parameters.push_back(std::move(parameter));
     out.bindings.push_back(std::move(binding));

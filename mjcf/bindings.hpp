@@ -17,9 +17,8 @@ struct Declarations {
 /// Reads the pairs <numeric name="legwright/NAME"> and <text name="legwright/NAME"> and resolves
 /// what they name in the compiled model. Throws InputError for anything that is not understood or
 /// does not fit.
-/// @param foot_geoms geom ids of the feet, for lengths that end there.
 Declarations read_declarations(const XmlFile& xml, const mjModel& model,
-                               const std::vector<int>& foot_geoms);
+                               const Structure& structure);
 
 /// Elements of a declared parameter; both null if it is not declared.
 struct DeclarationElements {

@@ -121,7 +121,8 @@ void check_scene_needs(const XmlFile& xml, const XmlElement& element) {
       (name == "tracking" || name.substr(0, 8) == "contact:" || name.substr(0, 5) == "gait:");
   const bool is_class =
       is_tag(element, "default") && attribute(element, "class").substr(0, 13) == "legwright_pd_";
-  if (is("geom", "floor") || is("camera", "side") || is("camera", "track") || is("key", "gait") ||
+  const bool is_foot = is_tag(element, "site") && name.substr(0, 5) == "foot:";
+  if (is_foot || is("geom", "floor") || is("camera", "side") || is("camera", "track") || is("key", "gait") ||
       is("texture", "legwright_floor") || is("material", "legwright_floor") || is_sensor ||
       is_class)
     throw xml.error(element,
@@ -151,48 +152,6 @@ void check_has_free_joint(const XmlFile& xml) {
   throw xml.error(
       *first_body,
       "no free root: the trunk of a walking robot moves freely; add <freejoint/> to it");
-}
-
-/// The last element of a tag that has an attribute, as it is the one that holds; else the root.
-const XmlElement& last_with(const XmlFile& xml, const char* tag, const char* name) {
-  const XmlElement* found = &xml.root();
-  for_each_element(xml.root(), [&](const XmlElement& element) {
-    if (is_tag(element, tag) && has_attribute(element, name)) found = &element;
-  });
-  return *found;
-}
-
-/// The planner knows one gravity; with another the played gait would fall for no visible reason.
-void check_gravity(const XmlFile& xml, const mjModel& model) {
-  if (model.opt.disableflags & mjDSBL_GRAVITY)
-    throw xml.error(last_with(xml, "flag", "gravity"),
-                    "attribute gravity: is switched off, but gaits are planned for gravity; remove "
-                    "the attribute");
-  const mjtNum* g = model.opt.gravity;
-  if (g[0] != 0.0 || g[1] != 0.0 || std::abs(g[2] + kGravity) > 1e-9)
-    throw xml.error(last_with(xml, "option", "gravity"),
-                    fmt::format("attribute gravity: {} {} {}, but gaits are planned for 0 0 -{}; "
-                                "write that or remove the attribute",
-                                g[0], g[1], g[2], kGravity));
-  for (int b = 1; b < model.nbody; ++b)
-    if (model.body_gravcomp[b] != 0.0)
-      throw error_at(xml, model, mjOBJ_BODY, b,
-                     "attribute gravcomp: gaits are planned for bodies with their full weight; "
-                     "remove it");
-}
-
-/// MuJoCo fills up keyframes that are too short.
-void check_keyframes(const XmlFile& xml, const mjModel& model) {
-  for_each_element(xml.root(), [&](const XmlElement& element) {
-    if (!is_tag(element, "key")) return;
-    for (const auto& [name, count] : {std::pair{"qpos", model.nq}, {"qvel", model.nv}}) {
-      if (!has_attribute(element, name)) continue;
-      const std::size_t given = parse_numbers(attribute(element, name))->size();
-      if (given != static_cast<std::size_t>(count))
-        throw xml.error(
-            element, fmt::format("attribute {}: {} numbers, the robot has {}", name, given, count));
-    }
-  });
 }
 
 }  // namespace
@@ -243,100 +202,6 @@ InputError error_at(const XmlFile& xml, const mjModel& model, mjtObj type, int i
   return InputError(xml.file.string(), 0,
                     name.empty() ? fmt::format("unnamed {}", tag) : tag + (" '" + name + "'"),
                     message);
-}
-
-namespace {
-
-int find_trunk(const XmlFile& xml, const mjModel& model) {
-  std::vector<int> free_joints;
-  for (int j = 0; j < model.njnt; ++j)
-    if (model.jnt_type[j] == mjJNT_FREE) free_joints.push_back(j);
-  if (free_joints.empty())
-    throw InputError(xml.file.string(), 0, "worldbody",
-                     "no body has a free joint; add <freejoint/> to the trunk");
-  if (free_joints.size() > 1)
-    throw error_at(
-        xml, model, mjOBJ_BODY, model.jnt_bodyid[free_joints[1]],
-        fmt::format(
-            "a second free root besides body '{}'; a file holds one robot, remove the other",
-            name_of(model, mjOBJ_BODY, model.jnt_bodyid[free_joints[0]])));
-  const int trunk = model.jnt_bodyid[free_joints[0]];
-  if (name_of(model, mjOBJ_BODY, trunk).empty())
-    throw InputError(xml.file.string(), 0, "body with the free joint",
-                     "has no name; give it one, like name=\"trunk\"");
-  return trunk;
-}
-
-void check_joint(const XmlFile& xml, const mjModel& model, int trunk, int j) {
-  const auto fail = [&](const std::string& message) {
-    return error_at(xml, model, mjOBJ_JOINT, j, message);
-  };
-  if (model.jnt_type[j] == mjJNT_FREE) return;
-  if (model.body_rootid[model.jnt_bodyid[j]] != trunk)
-    throw fail("moves a body that does not hang on the trunk; hang it there or remove it");
-  if (model.jnt_bodyid[j] == trunk)
-    throw fail("the trunk has a free joint and no other; remove this one");
-  if (model.jnt_type[j] == mjJNT_SLIDE)
-    throw fail("slide joints are not supported in limbs; use a hinge");
-  if (model.jnt_type[j] == mjJNT_BALL)
-    throw fail("ball joints are not supported in limbs; use three hinges in one body");
-  const std::string name = name_of(model, mjOBJ_JOINT, j);
-  if (name.empty()) throw fail("has no name; trajectories name joints, give it one");
-  if (name.find_first_of(" \t\r\n;,|~") != std::string::npos)
-    throw fail(
-        "the name holds a blank or one of ; , | ~, which trajectories cannot name; rename it");
-  if (model.qpos0[model.jnt_qposadr[j]] != 0.0)
-    throw fail(
-        "attribute ref: a joint angle must be zero where the file draws the robot; remove ref");
-}
-
-void refuse_couplings(const XmlFile& xml, const mjModel& model) {
-  const auto refuse = [&](int count, const char* section, const char* what) {
-    if (count == 0) return;
-    const XmlElement* element = xml.root().FirstChildElement(section);
-    const XmlElement& place =
-        element && element->FirstChildElement() ? *element->FirstChildElement() : xml.root();
-    throw xml.error(place,
-                    fmt::format("{}; the planner knows trees of hinges only: remove it", what));
-  };
-  refuse(model.neq, "equality", "equality constraints close loops or couple joints");
-  refuse(model.nmocap, "worldbody", "mocap bodies are moved from outside");
-  refuse(model.nskin, "asset", "skins are not carried");
-}
-
-/// MuJoCo puts the centre of a body without mass where the body itself is, once more: not on the
-/// body. With boundmass it weighs something there, and what moves the body moves it twice.
-void refuse_mass_from_nowhere(const XmlFile& xml, const mjModel& model, int trunk) {
-  const XmlElement& compiler = last_with(xml, "compiler", "boundmass");
-  const auto bound = parse_numbers(attribute(compiler, "boundmass"));
-  if (!bound || bound->size() != 1 || !(bound->front() > 0.0)) return;
-  for (int b = 1; b < model.nbody; ++b)
-    if (model.body_rootid[b] == trunk && model.body_mass[b] == bound->front() &&
-        model.body_inertia[3 * b] == 0.0)
-      throw xml.error(compiler,
-                      fmt::format("attribute boundmass: gives mass to body '{}', which has none; "
-                                  "write its <inertial>, or remove boundmass",
-                                  name_of(model, mjOBJ_BODY, b)));
-}
-
-}  // namespace
-
-int check_tree(const XmlFile& xml, const mjModel& model) {
-  if (model.nbody > 256)
-    throw InputError(xml.file.string(), 0, "", "more than 256 bodies; this is no robot");
-  const int trunk = find_trunk(xml, model);
-  for (int j = 0; j < model.njnt; ++j) check_joint(xml, model, trunk, j);
-  refuse_couplings(xml, model);
-  check_gravity(xml, model);
-  refuse_mass_from_nowhere(xml, model, trunk);
-  for (int g = 0; g < model.ngeom; ++g)
-    if (model.body_rootid[model.geom_bodyid[g]] != trunk &&
-        (model.geom_contype[g] || model.geom_conaffinity[g]))
-      throw error_at(xml, model, mjOBJ_GEOM, g,
-                     "collides but does not belong to the robot; the scene adds its own floor, "
-                     "remove this one");
-  check_keyframes(xml, model);
-  return trunk;
 }
 
 }  // namespace legwright

@@ -15,10 +15,6 @@ void check_text(const XmlFile& xml);
 /// fill the memory, control characters. Throws InputError.
 void check_values(const XmlFile& xml);
 
-/// Finds the trunk, the one body with a free joint, and checks that everything that moves hangs on
-/// it by hinges and that nothing else couples its parts. Returns its body id. Throws InputError.
-int check_tree(const XmlFile& xml, const mjModel& model);
-
 /// Error at a body, joint or geom of the compiled model; falls back on the file where it has no
 /// name.
 InputError error_at(const XmlFile& xml, const mjModel& model, mjtObj type, int id,

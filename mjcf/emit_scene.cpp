@@ -11,7 +11,9 @@
 
 #include "mjcf/compile.hpp"
 #include "mjcf/numbers.hpp"
+#include "mjcf/played_robot.hpp"
 #include "mjcf/scene_parts.hpp"
+#include "mjcf/surroundings.hpp"
 #include "mjcf/xml.hpp"
 
 namespace legwright {
@@ -165,8 +167,9 @@ void write_keyframes(XMLElement& root, const SceneSettings& settings) {
 
 }  // namespace
 
-std::string emit_scene(const RobotModel& robot, const std::string& robot_xml,
+std::string emit_scene(const RobotModel& robot, const std::string& design_xml,
                        const SceneSettings& settings) {
+  const std::string robot_xml = played_robot(robot, design_xml);
   const auto xml = load_xml(robot_xml, robot.file);
   const ModelPointer model = compile_mjcf(robot_xml, robot.file);
   check_settings(settings, *model);
@@ -176,7 +179,7 @@ std::string emit_scene(const RobotModel& robot, const std::string& robot_xml,
   if (trunk < 0 || !trunk_element)
     throw std::invalid_argument("scene: the text is not of this robot");
 
-  const SceneView view = scene_view(robot.morphology, robot.space.initial(), settings.travel);
+  const SceneView view = scene_view(robot.morphology, robot.space.initial(), settings.travel, up_of(*model));
   const mjtNum* q = model->body_quat + 4 * trunk;
   add_followers(const_cast<XmlElement&>(*trunk_element), view,
                 Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix());

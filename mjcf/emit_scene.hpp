@@ -26,10 +26,10 @@ struct SceneSettings {
 /// Compiles only where the plugin is loaded. Names it adds: geom "floor", cameras "side" (still;
 /// the travel goes from left to right) and "track" (the same view, follows the robot), sensors
 /// "tracking", "gait:KIND" and "contact:FOOT", key "gait", instance "gait". The view depends on `robot` and the
-/// direction of travel only, so designs of one robot are seen alike.
-/// @param robot_xml text of the robot, of `robot` or a design of it. Throws InputError if it does
+/// direction of travel and of gravity only, so designs of one robot are seen alike.
+/// @param design_xml text of the robot, of `robot` or a design of it, in its surroundings. Throws InputError if it does
 ///        not compile, std::invalid_argument for settings that do not fit it.
-std::string emit_scene(const RobotModel& robot, const std::string& robot_xml,
+std::string emit_scene(const RobotModel& robot, const std::string& design_xml,
                        const SceneSettings& settings);
 
 }  // namespace legwright

@@ -10,6 +10,8 @@
 #include <optional>
 
 #include "mjcf/compile.hpp"
+#include "mjcf/elements.hpp"
+#include "mjcf/feet.hpp"
 #include "mjcf/leg_pose.hpp"
 #include "mjcf/numbers.hpp"
 #include "optimizer/design/actuator_length.hpp"
@@ -263,20 +265,23 @@ void edit_keyframes(const mjModel& model, const std::vector<StandingKey>& keys, 
   }
 }
 
-std::string find_lifted_foot(const Morphology& morphology, const std::vector<StandingKey>& keys,
-                             const mjModel& written, double tolerance) {
+std::string find_lifted_foot(const Structure& structure, const std::vector<StandingKey>& keys,
+                             const XmlFile& xml, const mjModel& model, double tolerance) {
+  const TreeElements elements = find_elements(xml, model);
   for (const StandingKey& key : keys) {
     const DataPointer data = kinematics_at(
-        written, written.key_qpos + static_cast<std::ptrdiff_t>(key.key) * written.nq, "keyframe");
+        model, model.key_qpos + static_cast<std::ptrdiff_t>(key.key) * model.nq, xml.file);
     double lowest = INFINITY;
-    for (int f = 0; f < morphology.foot_count(); ++f) {
-      const int geom = mj_name2id(&written, mjOBJ_GEOM, morphology.feet[f].name.c_str());
-      const double height = data->geom_xpos[3 * geom + 2] - written.geom_size[3 * geom];
+    for (std::size_t f = 0; f < structure.feet.size(); ++f) {
+      const FootContact& foot = structure.feet[f];
+      const int body = foot_body(model, foot);
+      const Vector3d point = foot_point(xml, elements, model, foot, {}).constant,
+                     up = Vector3d::Map(data->xmat + 9 * body + 6);
+      const double height = data->xpos[3 * body + 2] + up.dot(point) - foot.radius;
       lowest = std::min(lowest, height);
       const double miss = height - key.foot_height[f];
       if (key.every_foot && !(std::abs(miss) <= tolerance))
-        return fmt::format("foot {} is {} m too high in keyframe {}", morphology.feet[f].name, miss,
-                           key.key);
+        return fmt::format("foot {} is {} m too high in keyframe {}", foot.name, miss, key.key);
     }
     const double miss =
         lowest - *std::min_element(key.foot_height.begin(), key.foot_height.end());

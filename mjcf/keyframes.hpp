@@ -43,10 +43,10 @@ std::vector<StandingKey> solve_keyframes(const RobotModel& robot, const XmlFile&
 /// Writes the numbers that changed into qpos, and into ctrl where the keyframe has that.
 void edit_keyframes(const mjModel& model, const std::vector<StandingKey>& keys, TextEdits& edits);
 
-/// The first foot that stands at another height than wanted in the compiled, rewritten model, in
-/// words; empty if there is none.
-/// @param tolerance [m]
-std::string find_lifted_foot(const Morphology& morphology, const std::vector<StandingKey>& keys,
-                             const mjModel& written, double tolerance = 1e-9);
+/// The first foot that stands at another height than wanted in the rewritten model, where MuJoCo
+/// has it, in words; empty if there is none.
+/// @param structure the feet. @param xml, model of the rewritten robot. @param tolerance [m]
+std::string find_lifted_foot(const Structure& structure, const std::vector<StandingKey>& keys,
+                             const XmlFile& xml, const mjModel& model, double tolerance = 1e-9);
 
 }  // namespace legwright

@@ -8,6 +8,7 @@
 
 #include "mjcf/checks.hpp"
 #include "mjcf/compile.hpp"
+#include "mjcf/legs.hpp"
 #include "optimizer/design/actuator_length.hpp"
 
 namespace legwright {
@@ -24,29 +25,20 @@ const XmlElement& tendon_element(const XmlFile& xml, int tendon) {
   return xml.root();
 }
 
-/// The body whose hinge moves `body`: itself or the one it is fixed to; the trunk moves itself.
-int moving_body(const mjModel& model, int body, int trunk) {
-  while (body != trunk && body > 0 && model.body_jntnum[body] == 0)
-    body = model.body_parentid[body];
-  return body;
-}
-
-TendonSpan read_tendon(const XmlFile& xml, const mjModel& model, int trunk, int t) {
+TendonSpan read_tendon(const XmlFile& xml, const mjModel& model, const Structure& structure,
+                       int t) {
   const XmlElement& element = tendon_element(xml, t);
   const int first = model.tendon_adr[t];
-  const bool two_sites = model.tendon_num[t] == 2 && model.wrap_type[first] == mjWRAP_SITE &&
-                         model.wrap_type[first + 1] == mjWRAP_SITE;
-  if (!two_sites)
-    throw xml.error(element,
-                    "tendons couple joints, which the planner does not know; a linear actuator is "
-                    "a <spatial> with two <site>, else remove it");
   if (name_of(model, mjOBJ_TENDON, t).empty())
     throw xml.error(element, "has no name; give the linear actuator's tendon one");
   int upper = model.wrap_objid[first], lower = model.wrap_objid[first + 1];
-  const auto mover = [&](int site) { return moving_body(model, model.site_bodyid[site], trunk); };
+  const auto mover = [&](int site) {
+    return moving_body(model, structure, model.site_bodyid[site]);
+  };
   const auto hangs_on = [&](int low, int up) {
-    return low != trunk && low > 0 && model.body_jntnum[low] == 1 &&
-           moving_body(model, model.body_parentid[low], trunk) == up;
+    return low != structure.trunk && low > 0 &&
+           moving_joints(model, structure, low).size() == 1 &&
+           moving_body(model, structure, model.body_parentid[low]) == up;
   };
   if (hangs_on(mover(upper), mover(lower))) std::swap(upper, lower);
   if (!hangs_on(mover(lower), mover(upper)))
@@ -54,26 +46,29 @@ TendonSpan read_tendon(const XmlFile& xml, const mjModel& model, int trunk, int 
         element, fmt::format("must span exactly one hinge, but runs from site '{}' to site "
                              "'{}'; put them on two links with one hinge between them",
                              name_of(model, mjOBJ_SITE, upper), name_of(model, mjOBJ_SITE, lower)));
-  return {t, upper, lower, model.body_jntadr[mover(lower)]};
+  return {t, upper, lower, moving_joints(model, structure, mover(lower)).front()};
 }
 
 }  // namespace
 
-std::vector<TendonSpan> read_tendons(const XmlFile& xml, const mjModel& model, int trunk) {
+std::vector<TendonSpan> read_tendons(const XmlFile& xml, const mjModel& model,
+                                     const Structure& structure) {
   std::vector<TendonSpan> spans;
   for (int t = 0; t < static_cast<int>(model.ntendon); ++t)
-    spans.push_back(read_tendon(xml, model, trunk, t));
+    if (structure.reads_tendon[static_cast<std::size_t>(t)])
+      spans.push_back(read_tendon(xml, model, structure, t));
   return spans;
 }
 
-void check_arms(const XmlFile& xml, const Morphology& morphology, const DesignSpace& space) {
+void check_arms(const XmlFile& xml, const std::vector<TendonSpan>& tendons,
+                const Morphology& morphology, const DesignSpace& space) {
   for (std::size_t k = 0; k < morphology.linear_actuators.size(); ++k) {
     const LinearActuator& actuator = morphology.linear_actuators[k];
     const Eigen::Vector3d shape = actuator_shape(morphology, actuator, space.initial()).value;
     const double home = morphology.links[actuator.joint + 1].joint.nominal;
     // Written so that NaN, of a length of zero, is a fault.
     if (!(std::abs(moment_arm(shape, home)) > 1e-9))
-      throw xml.error(tendon_element(xml, static_cast<int>(k)),
+      throw xml.error(tendon_element(xml, tendons[k].tendon),
                       "has no moment arm about its hinge in the home pose; move its sites off the "
                       "line through the hinge, or change the keyframe 'home'");
   }

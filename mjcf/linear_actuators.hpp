@@ -5,6 +5,7 @@
 
 #include "mjcf/affine.hpp"
 #include "mjcf/read_robot.hpp"
+#include "mjcf/structure.hpp"
 #include "mjcf/xml.hpp"
 
 namespace legwright {
@@ -15,14 +16,15 @@ struct TendonSpan {
   int tendon, upper_site, lower_site, joint;
 };
 
-/// Every tendon of the robot as a linear actuator. Throws InputError for a tendon that is none: not
-/// spatial, not between two sites, or not over exactly one hinge.
-/// @param trunk body id.
-std::vector<TendonSpan> read_tendons(const XmlFile& xml, const mjModel& model, int trunk);
+/// The linear actuators among the tendons: those of `structure`. Throws InputError for one that is
+/// not over exactly one hinge.
+std::vector<TendonSpan> read_tendons(const XmlFile& xml, const mjModel& model,
+                                     const Structure& structure);
 
 /// Checks that each actuator has a moment arm in the home pose; its stroke is the planner's concern.
 /// Throws InputError.
-void check_arms(const XmlFile& xml, const Morphology& morphology, const DesignSpace& space);
+void check_arms(const XmlFile& xml, const std::vector<TendonSpan>& tendons,
+                const Morphology& morphology, const DesignSpace& space);
 
 /// Whether a site is an end of a tendon.
 bool is_tendon_end(const mjModel& model, int site);

@@ -3,10 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <array>
 #include <cmath>
 
+#include "mjcf/elements.hpp"
+#include "mjcf/growth.hpp"
 #include "mjcf/numbers.hpp"
 
 namespace legwright {
@@ -88,7 +91,12 @@ class Printer {
   void add_rod(const Solid& solid) {
     const double r = solid.size[0], h = solid.size[1];
     const Vector3d axis = solid.axes.col(2);
-    const bool grows = solid.from_to && along(solid, axis, true) != nullptr;
+    if (solid.from_to) along(solid, axis, true);  // for its check
+    const bool grows = growing_axes(solid.type, {r, r, h}, solid.axes, solid.from_to,
+                                    stretches_)[2] != nullptr;
+    // Its density would change, and with it the share of its round ends.
+    refuse_if(grows && solid.mass_given && solid.type == mjGEOM_CAPSULE, solid,
+              "a mass of its own for a capsule that grows; give its density");
     add_part(solid, kPi * r * r * 2 * h, solid.centre, Vector3d::Zero(),
              {std::sqrt(0.75) * r, std::sqrt(0.75) * r, h}, {false, false, grows});
     if (solid.type == mjGEOM_CYLINDER) return;
@@ -107,14 +115,13 @@ class Printer {
   /// it does not; `arms` along the geom's axes, those that `grows` names with their stretch.
   void add_part(const Solid& solid, double volume, const Vector3d& base, const Vector3d& offset,
                 const Vector3d& arms, const std::array<bool, 3>& grows) {
+    // A part with a mass of its own keeps it, whatever its size becomes.
     std::vector<PointMass::Growth> growth;
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < 3 && !solid.mass_given; ++k) {
       if (!grows[k]) continue;
       const Stretch* stretch = along(solid, solid.axes.col(k), false);
       growth.push_back({stretch->parameter, stretch->initial});
     }
-    refuse_if(!growth.empty() && solid.mass_given, solid,
-              "a mass of its own for a part that grows; give its density");
     AffineVector centre = stretched_point(base, stretches_);
     centre.constant += offset;
     for (int k = 0; k < 3; ++k)
@@ -147,12 +154,12 @@ double volume_of(int type, const Vector3d& size) {
   }
 }
 
-std::vector<Solid> solids_of(const XmlFile& xml, const mjModel& model, const XmlElement& body,
-                             int id) {
+std::vector<Solid> solids_of(const XmlFile& xml, const mjModel& model,
+                             const TreeElements& elements, int id) {
   std::vector<Solid> solids;
-  int geom = model.body_geomadr[id];
-  for (const XmlElement* part = body.FirstChildElement("geom"); part;
-       part = part->NextSiblingElement("geom"), ++geom) {
+  const int first = model.body_geomadr[id];
+  for (int geom = first; geom < first + model.body_geomnum[id]; ++geom) {
+    const XmlElement* part = elements.geoms[static_cast<std::size_t>(geom)];
     const mjtNum* q = model.geom_quat + 4 * geom;
     Solid solid{part,
                 model.geom_type[geom],
@@ -190,9 +197,9 @@ Eigen::Matrix4d moments_of(const mjModel& model, int id) {
   return out;
 }
 
-void check_weight(const XmlFile& xml, const XmlElement& body, const std::vector<PointMass>& masses,
-                  const std::vector<Stretch>& stretches, const mjModel& model, int id) {
-  const Eigen::Matrix4d wanted = moments_of(model, id);
+/// The same of point masses, at the design that the file holds.
+Eigen::Matrix4d moments_of(const std::vector<PointMass>& masses,
+                           const std::vector<Stretch>& stretches) {
   Eigen::Matrix4d found = Eigen::Matrix4d::Zero();
   for (const PointMass& point : masses) {
     Vector3d p = point.position.constant;
@@ -204,6 +211,46 @@ void check_weight(const XmlFile& xml, const XmlElement& body, const std::vector<
         }
     found += point.mass * p.homogeneous() * p.homogeneous().transpose();
   }
+  return found;
+}
+
+/// Meshes with a weight: what MuJoCo weighs besides the other geoms. They keep it, and ride where the
+/// file places them; several must ride alike, as their weights are known together only.
+void add_meshes(const XmlFile& xml, const XmlElement& body, const std::vector<Solid>& meshes,
+                const std::vector<Stretch>& stretches, const Eigen::Matrix4d& rest,
+                std::vector<PointMass>& masses) {
+  for (const char* setting : {"settotalmass", "boundmass", "boundinertia", "balanceinertia",
+                              "inertiagrouprange", "inertiafromgeom"})
+    if (!compiler_setting(xml, setting, "").empty())
+      throw xml.error(body, fmt::format("is stretched, has no <inertial>, and a mesh with a weight, "
+                                        "while <compiler {}> changes weights; give it an <inertial>",
+                                        setting));
+  const Vector3d place = pose_in_body(xml, *meshes.front().element).translation();
+  for (const Solid& mesh : meshes)
+    for (const Stretch& stretch : stretches)
+      if (std::abs(stretch.direction.dot(pose_in_body(xml, *mesh.element).translation() - place)) >
+          1e-9)
+        throw xml.error(*mesh.element,
+                        "one of several meshes with a weight, which a stretch moves against each "
+                        "other; give what is only drawn mass=\"0\", or the body an <inertial>");
+  const double mass = rest(3, 3);
+  if (!(mass > 0.0)) return;
+  const Vector3d centre = rest.topRightCorner<3, 1>() / mass;
+  const Eigen::SelfAdjointEigenSolver<Matrix3d> principal(rest.topLeftCorner<3, 3>() -
+                                                          mass * centre * centre.transpose());
+  const AffineVector origin = stretched_point(place, stretches);
+  for (int k = 0; k < 3; ++k)
+    for (const double sign : {1.0, -1.0}) {
+      const double arm = std::sqrt(3 * std::max(0.0, principal.eigenvalues()[k]) / mass);
+      AffineVector point = origin;
+      point.constant += centre - place + sign * arm * principal.eigenvectors().col(k);
+      masses.push_back({mass / 6, point});
+    }
+}
+
+void check_weight(const XmlFile& xml, const XmlElement& body, const std::vector<PointMass>& masses,
+                  const std::vector<Stretch>& stretches, const mjModel& model, int id) {
+  const Eigen::Matrix4d wanted = moments_of(model, id), found = moments_of(masses, stretches);
   const double mass = wanted(3, 3), spread = wanted.topLeftCorner<3, 3>().trace();
   const bool same =
       std::abs(found(3, 3) - mass) <= 1e-9 * mass &&
@@ -220,13 +267,23 @@ void check_weight(const XmlFile& xml, const XmlElement& body, const std::vector<
 
 PrintedMap read_printed(const XmlFile& xml, const mjModel& model, const StretchMap& stretches) {
   PrintedMap printed;
+  if (stretches.empty()) return printed;
+  const TreeElements elements = find_elements(xml, model);
   for (const auto& [name, own] : stretches) {
     const XmlElement& body = *find_named(xml.root(), "body", name);
     if (body.FirstChildElement("inertial")) continue;
     const int id = mj_name2id(&model, mjOBJ_BODY, name.c_str());
     Printer printer(xml, own);
-    for (const Solid& solid : solids_of(xml, model, body, id)) printer.add(solid);
+    std::vector<Solid> meshes;
+    for (const Solid& solid : solids_of(xml, model, elements, id)) {
+      if (solid.type != mjGEOM_MESH)
+        printer.add(solid);
+      else if (solid.density > 0.0)
+        meshes.push_back(solid);
+    }
     std::vector<PointMass> masses = printer.take();
+    if (!meshes.empty())
+      add_meshes(xml, body, meshes, own, moments_of(model, id) - moments_of(masses, own), masses);
     check_weight(xml, body, masses, own, model, id);
     printed.emplace(name, std::move(masses));
   }

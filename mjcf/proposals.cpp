@@ -12,7 +12,6 @@
 #include "mjcf/compile.hpp"
 #include "mjcf/input_error.hpp"
 #include "mjcf/stretch.hpp"
-#include "mjcf/tree.hpp"
 
 namespace legwright {
 namespace {
@@ -67,8 +66,6 @@ class Study {
       : text_(xml_text), xml_(load_xml(xml_text, file)) {
     out_.model = parse_robot(xml_text, file);
     compiled_ = compile_mjcf(xml_->text, file);
-    trunk_ = check_tree(*xml_, *compiled_);
-    feet_ = find_feet(*xml_, *compiled_, trunk_);
     s_ = out_.model.space.initial();
     out_.limbs = find_limbs(out_.model.morphology, s_);
     rows_ = out_.limbs.empty() ? 0 : out_.limbs.back().row + 1;
@@ -121,7 +118,7 @@ class Study {
     const int id = mj_name2id(compiled_.get(), mjOBJ_BODY, body.c_str());
     if (id <= 0) return std::nullopt;
     try {
-      return measure_stretch(*xml_, *compiled_, xml_->root(), id, direction, feet_).length;
+      return measure_stretch(*xml_, *compiled_, xml_->root(), id, direction, out_.model.structure).length;
     } catch (const InputError&) {
       return std::nullopt;  // it has none, or not where it could be stretched
     }
@@ -297,8 +294,7 @@ class Study {
   const std::string& text_;
   std::unique_ptr<XmlFile> xml_;
   ModelPointer compiled_;
-  int trunk_ = 0, rows_ = 0;
-  std::vector<int> feet_;
+  int rows_ = 0;
   Eigen::VectorXd s_;
   std::set<std::string> taken_;
   StudiedRobot out_;

@@ -6,6 +6,7 @@
 #include "mjcf/bindings.hpp"
 #include "mjcf/checks.hpp"
 #include "mjcf/compile.hpp"
+#include "mjcf/legs.hpp"
 #include "mjcf/linear_actuators.hpp"
 #include "mjcf/servos.hpp"
 #include "mjcf/stretch.hpp"
@@ -27,23 +28,23 @@ void check_home(const XmlFile& xml, const mjModel& model, const Morphology& morp
   }
 }
 
-RobotModel parse_text(const std::string& xml_text, const std::filesystem::path& file) {
+RobotModel parse_text(const std::string& xml_text, const std::filesystem::path& file,
+                      const Structure* known) {
   const auto xml = load_xml(xml_text, file);
   check_text(*xml);
   const ModelPointer model = compile_mjcf(xml->text, file);
-  const int trunk = check_tree(*xml, *model);
-  const std::vector<int> feet = find_feet(*xml, *model, trunk);
-  const std::vector<TendonSpan> tendons = read_tendons(*xml, *model, trunk);
-  Declarations declared = read_declarations(*xml, *model, feet);
+  Structure structure = read_structure(*xml, *model, known);
+  const std::vector<TendonSpan> tendons = read_tendons(*xml, *model, structure);
+  Declarations declared = read_declarations(*xml, *model, structure);
   const StretchMap stretches = collect_stretches(declared.space, declared.bindings, file);
   RobotModel robot;
   const PlaceMap places = collect_places(declared.space, declared.bindings, file);
   robot.morphology =
-      build_morphology(*model, trunk, feet, declared.space, declared.bindings, stretches, places,
-                       read_printed(*xml, *model, stretches), tendons);
+      build_morphology(*xml, *model, structure, declared.space, declared.bindings, stretches,
+                       places, read_printed(*xml, *model, stretches), tendons);
   check_home(*xml, *model, robot.morphology);
-  check_arms(*xml, robot.morphology, declared.space);
-  robot.servos = read_servos(*xml, *model, robot.morphology, declared.space.initial());
+  check_arms(*xml, tendons, robot.morphology, declared.space);
+  robot.servos = read_servos(*xml, *model, structure, robot.morphology, declared.space.initial());
   for (int a = 0; a < robot.morphology.joint_count(); ++a)
     if (robot.servos[a].tendon.empty())
       robot.morphology.links[a + 1].joint.torque_limit = robot.servos[a].torque_limit;
@@ -53,7 +54,8 @@ RobotModel parse_text(const std::string& xml_text, const std::filesystem::path& 
   robot.xml = xml_text;
   robot.space = std::move(declared.space);
   robot.bindings = std::move(declared.bindings);
-  robot.root_body = name_of(*model, mjOBJ_BODY, trunk);
+  robot.root_body = name_of(*model, mjOBJ_BODY, structure.trunk);
+  robot.structure = std::move(structure);
   return robot;
 }
 
@@ -63,13 +65,15 @@ RobotModel read_robot(const std::filesystem::path& file) {
   return parse_robot(RobotFiles::read(file));
 }
 
-RobotModel parse_robot(const std::string& xml_text, const std::filesystem::path& file) {
-  return parse_robot(RobotFiles::from_text(xml_text, file));
+RobotModel parse_robot(const std::string& xml_text, const std::filesystem::path& file,
+                       const Structure* known) {
+  return parse_robot(RobotFiles::from_text(xml_text, file), known);
 }
 
-RobotModel parse_robot(const RobotFiles& files) {
+RobotModel parse_robot(const RobotFiles& files, const Structure* known) {
   files.check_names_of_runs();
-  RobotModel robot = files.at_their_lines([&] { return parse_text(files.text(), files.file()); });
+  RobotModel robot =
+      files.at_their_lines([&] { return parse_text(files.text(), files.file(), known); });
   robot.files = files;
   return robot;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mjcf/robot_files.hpp"
+#include "mjcf/structure.hpp"
 #include "optimizer/design/design.hpp"
 #include "optimizer/design/morphology.hpp"
 
@@ -48,6 +49,7 @@ struct RobotModel {
   std::vector<Binding> bindings;  // one for each entry of `space`
   std::vector<Servo> servos;      // in the order of the morphology's joints
   std::string root_body;          // MJCF name of the trunk
+  Structure structure;            // what moves, what is held; the ids are those of each design
 };
 
 /// Reads a plain MJCF: understood by compiling it with MuJoCo, parameters from its <custom>
@@ -56,7 +58,10 @@ struct RobotModel {
 RobotModel read_robot(const std::filesystem::path& file);
 /// The same from text that has not been written yet; `file` is for messages, and its folder is
 /// where other files that the text names are looked for.
-RobotModel parse_robot(const std::string& xml, const std::filesystem::path& file);
-RobotModel parse_robot(const RobotFiles& files);
+/// @param known of another design of the same robot, whose legs and feet are looked for again;
+///        null: they are found in the home pose.
+RobotModel parse_robot(const std::string& xml, const std::filesystem::path& file,
+                       const Structure* known = nullptr);
+RobotModel parse_robot(const RobotFiles& files, const Structure* known = nullptr);
 
 }  // namespace legwright

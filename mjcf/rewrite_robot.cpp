@@ -9,8 +9,11 @@
 
 #include "mjcf/bindings.hpp"
 #include "mjcf/compile.hpp"
+#include "mjcf/elements.hpp"
+#include "mjcf/growth.hpp"
 #include "mjcf/keyframes.hpp"
 #include "mjcf/linear_actuators.hpp"
+#include "mjcf/mesh_scales.hpp"
 #include "mjcf/numbers.hpp"
 #include "mjcf/stretch.hpp"
 #include "mjcf/text_edits.hpp"
@@ -39,34 +42,36 @@ class BodyRewriter {
         id_(mj_name2id(&model, mjOBJ_BODY, body.Attribute("name"))),
         edits_(edits) {}
 
-  void run() {
-    int geom = 0;
-    for (const XmlElement* g = body_.FirstChildElement("geom"); g;
-         g = g->NextSiblingElement("geom"))
-      ++geom_count_;
-    for (const XmlElement* part = body_.FirstChildElement(); part;
+  void run() { parts(body_, Matrix3d::Identity()); }
+
+ private:
+  /// What stands in the body, or in a frame of it.
+  /// @param frame body ← frame: the frame's origin moves with the body, its axes stay.
+  void parts(const XmlElement& holder, const Matrix3d& frame) {
+    const Matrix3d map = frame.transpose() * map_ * frame;
+    for (const XmlElement* part = holder.FirstChildElement(); part;
          part = part->NextSiblingElement()) {
       if (is_tag(*part, "inertial")) inertial(*part);
-      if (is_tag(*part, "body"))
-        if (has_attribute(*part, "pos")) move(*part, "pos");
+      if (is_tag(*part, "body") || is_tag(*part, "frame"))
+        if (has_attribute(*part, "pos")) move(*part, "pos", map);
+      if (is_tag(*part, "frame")) parts(*part, frame * pose_of(xml_, *part).linear());
       const bool is_geom = is_tag(*part, "geom");
       const bool is_placed = is_tag(*part, "site") && has_attribute(*part, "name") &&
                              places_.count(part->Attribute("name")) > 0;  // write_places
-      if (is_geom || (is_tag(*part, "site") && !is_placed)) shape(*part, is_geom ? geom++ : -1);
+      if (is_geom || (is_tag(*part, "site") && !is_placed)) shape(*part, map);
       if (is_tag(*part, "camera") || is_tag(*part, "light") || is_tag(*part, "joint"))
-        if (inherited_attribute(xml_, *part, "pos")) move(*part, "pos");
+        if (inherited_attribute(xml_, *part, "pos")) move(*part, "pos", map);
     }
   }
 
- private:
   /// Writes mapped points; an attribute whose numbers stay is left alone, also where a class holds
   /// it.
-  void move(const XmlElement& part, const char* name) {
+  void move(const XmlElement& part, const char* name, const Matrix3d& map) {
     const auto numbers = parse_numbers(inherited_attribute(xml_, part, name));
     if (!numbers || numbers->size() % 3 != 0) return;
     VectorXd moved = VectorXd::Map(numbers->data(), static_cast<Eigen::Index>(numbers->size()));
     for (Eigen::Index i = 0; i + 2 < moved.size(); i += 3)
-      moved.segment<3>(i) = map_ * moved.segment<3>(i);
+      moved.segment<3>(i) = map * moved.segment<3>(i);
     write(part, name, *numbers, moved);
   }
 
@@ -76,41 +81,34 @@ class BodyRewriter {
     edits_.set_numbers(part, name, after);
   }
 
-  /// Orientation of a geom in the body; of a site only where nothing turns it.
-  Matrix3d orientation(const XmlElement& part, int geom) const {
-    for (const char* name : {"quat", "euler", "axisangle", "xyaxes", "zaxis"}) {
-      if (!inherited_attribute(xml_, part, name)) continue;
-      if (geom < 0 || geom_count_ != model_.body_geomnum[id_])
-        return Matrix3d::Zero();  // unknown: size stays
-      const mjtNum* q = model_.geom_quat + 4 * (model_.body_geomadr[id_] + geom);
-      return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
-    }
-    return Matrix3d::Identity();
-  }
-
-  /// A geom or site: end points if it has some, else its place; a box also grows along its own
-  /// axes.
-  void shape(const XmlElement& part, int geom) {
-    if (inherited_attribute(xml_, part, "fromto")) return move(part, "fromto");
-    if (inherited_attribute(xml_, part, "pos")) move(part, "pos");
+  /// A geom or site: end points if it has some, else its place, and its size along the axes that
+  /// grow with the body.
+  void shape(const XmlElement& part, const Matrix3d& map) {
+    if (inherited_attribute(xml_, part, "fromto")) return move(part, "fromto", map);
+    if (inherited_attribute(xml_, part, "pos")) move(part, "pos", map);
     const char* type = inherited_attribute(xml_, part, "type");
     const char* size = inherited_attribute(xml_, part, "size");
-    if (!type || std::string_view(type) != "box" || !size) return;
+    const std::string_view name = type ? type : "sphere";
+    const bool is_box = name == "box", is_rod = name == "cylinder" || name == "capsule";
+    if (!size || (!is_box && !is_rod)) return;
     const auto numbers = parse_numbers(size);
-    if (!numbers || numbers->size() != 3) return;
-    VectorXd grown = Vector3d::Map(numbers->data());
-    const Matrix3d axes = orientation(part, geom);
-    for (const Stretch& stretch : stretches_)
-      for (int k = 0; k < 3; ++k)
-        if (std::abs(axes.col(k).dot(stretch.direction)) > 1.0 - 1e-9)
-          grown[k] *= s_[stretch.parameter] / stretch.initial;
+    if (!numbers || numbers->size() < (is_box ? 3u : 2u)) return;
+    const auto grows = growing_axes(
+        is_box ? mjGEOM_BOX : mjGEOM_CYLINDER,
+        half_sizes(is_box ? mjGEOM_BOX : mjGEOM_CYLINDER, numbers->data()),
+        pose_in_body(xml_, part).linear(), false, stretches_);
+    VectorXd grown = VectorXd::Map(numbers->data(), static_cast<Eigen::Index>(numbers->size()));
+    for (std::size_t k = 0; k < 3; ++k)
+      if (grows[k])
+        grown[is_box ? static_cast<Eigen::Index>(k) : 1] *=
+            s_[grows[k]->parameter] / grows[k]->initial;
     write(part, "size", *numbers, grown);
   }
 
   /// Centre and second moments are mapped like point masses; the mass stays.
   void inertial(const XmlElement& part) {
     if (map_ == Matrix3d::Identity()) return;
-    move(part, "pos");
+    move(part, "pos", map_);
     const BodyInertia before = inertia_of(part, model_, id_);
     const Matrix3d second = before.inertia.trace() / 2 * Matrix3d::Identity() - before.inertia;
     const Matrix3d moved = map_ * second * map_.transpose();
@@ -143,7 +141,6 @@ class BodyRewriter {
   const VectorXd& s_;
   const Matrix3d map_;
   const int id_;
-  int geom_count_ = 0;
   TextEdits& edits_;
 };
 
@@ -208,11 +205,12 @@ void write_places(const RobotModel& robot, const XmlFile& xml, const StretchMap&
 std::string difference_from_intent(const RobotModel& robot, const VectorXd& s,
                                    const std::string& text, const std::vector<StandingKey>& keys) {
   try {
-    const RobotModel written = parse_robot(text, robot.file);
+    const RobotModel written = parse_robot(text, robot.file, &robot.structure);
     if (written.space.size() != s.size() || written.space.initial() != s) return "declared values";
     const std::string difference = find_difference(robot.morphology, s, written.morphology, s);
     if (!difference.empty() || keys.empty()) return difference;
-    return find_lifted_foot(robot.morphology, keys, *compile_mjcf(text, robot.file));
+    return find_lifted_foot(written.structure, keys, *load_xml(text, robot.file),
+                            *compile_mjcf(text, robot.file));
   } catch (const InputError& error) {
     return std::string("it is refused: ") + error.what();
   }
@@ -234,6 +232,7 @@ std::string rewrite_robot(const RobotModel& robot, const VectorXd& s) {
     BodyRewriter(*xml, *model, *find_named(xml->root(), "body", body), stretches, places, s, edits)
         .run();
   write_places(robot, *xml, all, places, s, edits);
+  write_mesh_scales(*xml, *model, find_elements(*xml, *model), all, s, edits);
   // A pose that the robot's reader would refuse is given up; the design itself never is.
   std::string first;
   for (const KeyframeEffort effort :

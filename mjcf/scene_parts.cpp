@@ -92,7 +92,7 @@ XMLElement& section(XMLElement& root, const char* tag) {
 }
 
 SceneView scene_view(const Morphology& morphology, const Eigen::VectorXd& s,
-                     const Vector3d& travel) {
+                     const Vector3d& travel, const Vector3d& up) {
   SceneView view;
   view.leg_length = std::max(morphology.leg_length, 1e-3);
   double reach = 0.0;
@@ -103,8 +103,10 @@ SceneView scene_view(const Morphology& morphology, const Eigen::VectorXd& s,
   const double heading = travel.head<2>().norm() > 1e-9 ? std::atan2(travel.y(), travel.x()) : 0.0;
   const double turned = 0.35, raised = 0.3;  // [rad]
   const Matrix3d yaw = Eigen::AngleAxisd(heading + turned, Vector3d::UnitZ()).toRotationMatrix();
-  view.right = yaw.col(0);
-  view.back = std::cos(raised) * -yaw.col(1) + std::sin(raised) * Vector3d::UnitZ();
+  const Matrix3d oblique =
+      Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), up).toRotationMatrix();
+  view.right = oblique * yaw.col(0);
+  view.back = oblique * (std::cos(raised) * -yaw.col(1) + std::sin(raised) * Vector3d::UnitZ());
   view.up = view.back.cross(view.right);
   view.distance = 1.35 * view.radius / std::tan(kFieldOfView / 2 * kPi / 180);
   return view;

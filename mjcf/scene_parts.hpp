@@ -21,9 +21,9 @@ struct SceneView {
 };
 
 /// Looks at the robot so that the travel goes from left to right, a little from the front and
-/// above.
+/// above. @param up in the picture: against gravity
 SceneView scene_view(const Morphology& morphology, const Eigen::VectorXd& s,
-                     const Eigen::Vector3d& travel);
+                     const Eigen::Vector3d& travel, const Eigen::Vector3d& up);
 
 /// Adds <option>, <visual>, <statistic>. An arrow of the robot's weight is 2.5 legs long.
 void add_settings(tinyxml2::XMLElement& root, const mjModel& robot, const SceneView& view);

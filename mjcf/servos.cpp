@@ -112,6 +112,28 @@ Servo read_servo(const XmlFile& xml, const mjModel& model, int actuator, const s
   return servo;
 }
 
+/// Whether an actuator pulls at what the plan holds in its home pose: a joint, or a tendon that is
+/// no linear actuator of a leg.
+bool drives_held(const mjModel& model, const Structure& structure, int actuator) {
+  const auto target = static_cast<std::size_t>(model.actuator_trnid[2 * actuator]);
+  switch (model.actuator_trntype[actuator]) {
+    case mjTRN_JOINT:
+    case mjTRN_JOINTINPARENT:
+      return !structure.moves[target] && model.jnt_type[target] != mjJNT_FREE;
+    case mjTRN_TENDON:
+      return !structure.reads_tendon[target];
+    default:
+      return false;
+  }
+}
+
+const LinearActuator& linear_actuator(const mjModel& model, const Morphology& morphology,
+                                      int tendon) {
+  const std::string name = name_of(model, mjOBJ_TENDON, tendon);
+  return *std::find_if(morphology.linear_actuators.begin(), morphology.linear_actuators.end(),
+                       [&](const LinearActuator& actuator) { return actuator.name == name; });
+}
+
 /// Name of the hinge that an actuator drives, itself or through its tendon; empty if there is none.
 std::string driven_joint(const mjModel& model, const Morphology& morphology, int actuator) {
   const int target = model.actuator_trnid[2 * actuator];
@@ -120,17 +142,17 @@ std::string driven_joint(const mjModel& model, const Morphology& morphology, int
     case mjTRN_JOINTINPARENT:
       return model.jnt_type[target] == mjJNT_HINGE ? name_of(model, mjOBJ_JOINT, target) : "";
     case mjTRN_TENDON:
-      return morphology.links[morphology.linear_actuators[target].joint + 1].joint.name;
+      return morphology.links[linear_actuator(model, morphology, target).joint + 1].joint.name;
     default:
       return "";
   }
 }
 
 /// A tendon without actuator would be a cable that the planner does not know.
-void check_each_tendon_drives(const XmlFile& xml, const mjModel& model,
+void check_each_tendon_drives(const XmlFile& xml, const Morphology& morphology,
                               const std::vector<Servo>& servos) {
-  for (int t = 0; t < static_cast<int>(model.ntendon); ++t) {
-    const std::string name = name_of(model, mjOBJ_TENDON, t);
+  for (const LinearActuator& actuator : morphology.linear_actuators) {
+    const std::string& name = actuator.name;
     const bool drives = std::any_of(servos.begin(), servos.end(),
                                     [&](const Servo& servo) { return servo.tendon == name; });
     if (!drives)
@@ -145,7 +167,8 @@ void check_each_tendon_drives(const XmlFile& xml, const mjModel& model,
 double home_arm(const mjModel& model, const Morphology& morphology, const Eigen::VectorXd& s,
                 int actuator) {
   if (model.actuator_trntype[actuator] != mjTRN_TENDON) return 1.0;
-  const LinearActuator& linear = morphology.linear_actuators[model.actuator_trnid[2 * actuator]];
+  const LinearActuator& linear =
+      linear_actuator(model, morphology, model.actuator_trnid[2 * actuator]);
   return morphology.leg_length *
          std::abs(moment_arm(actuator_shape(morphology, linear, s).value,
                              morphology.links[linear.joint + 1].joint.nominal));
@@ -154,9 +177,11 @@ double home_arm(const mjModel& model, const Morphology& morphology, const Eigen:
 }  // namespace
 
 std::vector<Servo> read_servos(const XmlFile& xml, const mjModel& model,
-                               const Morphology& morphology, const Eigen::VectorXd& s) {
+                               const Structure& structure, const Morphology& morphology,
+                               const Eigen::VectorXd& s) {
   std::map<std::string, int> actuator_of;
   for (int a = 0; a < model.nactuator; ++a) {
+    if (drives_held(model, structure, a)) continue;
     const XmlElement& element = actuator_element(xml, a);
     const std::string name = driven_joint(model, morphology, a);
     if (name.empty())
@@ -180,7 +205,7 @@ std::vector<Servo> read_servos(const XmlFile& xml, const mjModel& model,
     if (model.actuator_trntype[actuator] == mjTRN_TENDON)
       servos.back().tendon = name_of(model, mjOBJ_TENDON, model.actuator_trnid[2 * actuator]);
   }
-  check_each_tendon_drives(xml, model, servos);
+  check_each_tendon_drives(xml, morphology, servos);
   return servos;
 }
 

@@ -4,6 +4,7 @@
 #include <mujoco/mujoco.h>
 
 #include "mjcf/read_robot.hpp"
+#include "mjcf/structure.hpp"
 #include "mjcf/xml.hpp"
 
 namespace legwright {
@@ -12,9 +13,10 @@ namespace legwright {
 /// for a linear actuator along its tendon.
 /// Throws InputError for a joint without actuator, with several, or with one that has no torque
 /// limit to take gains from, and for an actuator that drives anything else than one of these
-/// joints and their linear actuators.
+/// joints, their linear actuators, and what is held in the home pose.
 /// @param s the design that the file holds.
 std::vector<Servo> read_servos(const XmlFile& xml, const mjModel& model,
+                               const Structure& structure,
                                const Morphology& morphology, const Eigen::VectorXd& s);
 
 }  // namespace legwright

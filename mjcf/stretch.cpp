@@ -8,6 +8,9 @@
 #include <limits>
 
 #include "mjcf/compile.hpp"
+#include "mjcf/elements.hpp"
+#include "mjcf/feet.hpp"
+#include "mjcf/legs.hpp"
 #include "mjcf/numbers.hpp"
 
 namespace legwright {
@@ -18,11 +21,11 @@ using Eigen::Vector3d;
 
 Vector3d vector_at(const mjtNum* array, int index) { return Vector3d::Map(array + 3 * index); }
 
-/// Direct child bodies that carry a joint somewhere: for a trunk the roots of its limbs.
-std::vector<int> limb_children(const mjModel& model, int body) {
+/// Direct child bodies that carry a moving joint somewhere: for a trunk the roots of its limbs.
+std::vector<int> limb_children(const mjModel& model, const Structure& structure, int body) {
   std::vector<int> children;
   for (int b = body + 1; b < model.nbody; ++b) {
-    if (model.body_jntnum[b] == 0) continue;
+    if (moving_joints(model, structure, b).empty()) continue;
     for (int up = b; up > body; up = model.body_parentid[up])
       if (model.body_parentid[up] == body &&
           std::find(children.begin(), children.end(), up) == children.end())
@@ -31,11 +34,17 @@ std::vector<int> limb_children(const mjModel& model, int body) {
   return children;
 }
 
+bool joints_at_origin(const mjModel& model, int body) {
+  for (int j = model.body_jntadr[body]; j < model.body_jntadr[body] + model.body_jntnum[body]; ++j)
+    if (!vector_at(model.jnt_pos, j).isZero(1e-12)) return false;
+  return true;
+}
+
 /// The point a link's length reaches to, in the body's frame.
 Vector3d distal_point(const XmlFile& xml, const mjModel& model, const XmlElement& place, int body,
-                      const std::vector<int>& foot_geoms) {
+                      const Structure& structure) {
   const std::string name = name_of(model, mjOBJ_BODY, body);
-  const std::vector<int> children = limb_children(model, body);
+  const std::vector<int> children = limb_children(model, structure, body);
   if (children.size() > 1)
     throw xml.error(
         place,
@@ -43,13 +52,13 @@ Vector3d distal_point(const XmlFile& xml, const mjModel& model, const XmlElement
                     name));
   if (children.size() == 1) {
     const int child = children.front();
-    if (model.body_jntnum[child] == 0)
+    if (moving_joints(model, structure, child).empty())
       throw xml.error(
           place,
           fmt::format("between body '{}' and the joint below it is the fixed body '{}'; put that "
                       "joint's body directly into '{}'",
                       name, name_of(model, mjOBJ_BODY, child), name));
-    if (!vector_at(model.jnt_pos, model.body_jntadr[child]).isZero(1e-12))
+    if (!joints_at_origin(model, child))
       throw xml.error(
           place,
           fmt::format("the joint below body '{}' is not at the origin of its body; move the origin "
@@ -57,8 +66,16 @@ Vector3d distal_point(const XmlFile& xml, const mjModel& model, const XmlElement
                       name, name_of(model, mjOBJ_BODY, child)));
     return vector_at(model.body_pos, child);
   }
-  for (const int foot : foot_geoms)
-    if (model.geom_bodyid[foot] == body) return vector_at(model.geom_pos, foot);
+  const TreeElements elements = find_elements(xml, model);
+  for (const FootContact& foot : structure.feet) {
+    int holder = foot_body(model, foot);
+    if (holder == body) return foot_point(xml, elements, model, foot, {}).constant;
+    // A foot on a fixed body: that body's origin is the end of the link.
+    while (holder > body && model.body_parentid[holder] != body)
+      holder = model.body_parentid[holder];
+    if (holder > body && moving_body(model, structure, holder) == moving_body(model, structure, body) && joints_at_origin(model, holder))
+      return vector_at(model.body_pos, holder);
+  }
   throw xml.error(
       place,
       fmt::format("body '{}' has neither a joint below it nor a foot, so its length is not clear; "
@@ -70,16 +87,15 @@ Vector3d distal_point(const XmlFile& xml, const mjModel& model, const XmlElement
 
 StretchMeasure measure_stretch(const XmlFile& xml, const mjModel& model, const XmlElement& place,
                                int body, const std::string& word,
-                               const std::vector<int>& foot_geoms) {
+                               const Structure& structure) {
   const Vector3d axis = word == "x"   ? Vector3d::UnitX()
                         : word == "y" ? Vector3d::UnitY()
                         : word == "z" ? Vector3d::UnitZ()
                                       : Vector3d::Zero().eval();
-  const int joints = model.body_jntnum[body];
-  const bool is_trunk = joints == 1 && model.jnt_type[model.body_jntadr[body]] == mjJNT_FREE;
-  if (word != "link" && (is_trunk || joints == 0)) {
+  const std::vector<int> hinges = moving_joints(model, structure, body);
+  if (word != "link" && hinges.empty()) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (const int child : limb_children(model, body)) {
+    for (const int child : limb_children(model, structure, body)) {
       low = std::min(low, axis.dot(vector_at(model.body_pos, child)));
       high = std::max(high, axis.dot(vector_at(model.body_pos, child)));
     }
@@ -90,18 +106,18 @@ StretchMeasure measure_stretch(const XmlFile& xml, const mjModel& model, const X
                       name_of(model, mjOBJ_BODY, body), word));
     return {axis, high - low};
   }
-  if (is_trunk || joints == 0)
+  if (hinges.empty())
     throw xml.error(place,
                     fmt::format("body '{}' has no hinge of its own; stretch it along x, y or z",
                                 name_of(model, mjOBJ_BODY, body)));
-  const Vector3d reach = distal_point(xml, model, place, body, foot_geoms) -
-                         vector_at(model.jnt_pos, model.body_jntadr[body] + joints - 1);
+  const Vector3d reach = distal_point(xml, model, place, body, structure) -
+                         vector_at(model.jnt_pos, hinges.back());
   const double length = word == "link" ? reach.norm() : std::abs(axis.dot(reach));
   if (!(length > 1e-9))
     throw xml.error(place, fmt::format("body '{}' has no length along {}",
                                        name_of(model, mjOBJ_BODY, body), word));
   const Vector3d direction = word == "link" ? (reach / length).eval() : axis;
-  for (int j = model.body_jntadr[body]; j < model.body_jntadr[body] + joints; ++j)
+  for (int j = model.body_jntadr[body]; j < model.body_jntadr[body] + model.body_jntnum[body]; ++j)
     if (std::abs(direction.dot(vector_at(model.jnt_pos, j))) > 1e-9)
       throw xml.error(
           place,
@@ -133,19 +149,29 @@ BodyInertia inertia_of(const XmlElement& inertial, const mjModel& model, int bod
   return out;
 }
 
+namespace {
+
+/// A mesh moves with its body; what MuJoCo computes from one would not.
+void check_parts(const XmlFile& xml, const XmlElement& holder) {
+  for (const XmlElement* part = holder.FirstChildElement(); part;
+       part = part->NextSiblingElement()) {
+    if (is_tag(*part, "frame")) check_parts(xml, *part);
+    if (!is_tag(*part, "geom")) continue;
+    const char* const type = inherited_attribute(xml, *part, "type");
+    const std::string_view shape = type ? type : "sphere";
+    const bool fitted = shape != "mesh" && inherited_attribute(xml, *part, "mesh");
+    if (fitted || shape == "sdf" || shape == "hfield")
+      throw xml.error(*part, fmt::format("{} in a stretched body is not supported; use a mesh or "
+                                         "plain geoms",
+                                         fitted ? "a geom fitted to a mesh" : "this type of geom"));
+  }
+}
+
+}  // namespace
+
 void check_stretchable(const XmlFile& xml, const mjModel& model, const XmlElement& body) {
   const int id = mj_name2id(&model, mjOBJ_BODY, body.Attribute("name"));
-  for (const XmlElement* part = body.FirstChildElement(); part; part = part->NextSiblingElement()) {
-    if (is_tag(*part, "frame"))
-      throw xml.error(*part,
-                      "a frame inside a stretched body is not supported; write its content with "
-                      "poses in the body");
-    const char* type = is_tag(*part, "geom") ? inherited_attribute(xml, *part, "type") : nullptr;
-    const std::string_view shape = type ? type : "sphere";
-    if (shape == "mesh" || shape == "sdf" || shape == "hfield" ||
-        (is_tag(*part, "geom") && has_attribute(*part, "mesh")))
-      throw xml.error(*part, "a mesh in a stretched body is not supported; use plain geoms");
-  }
+  check_parts(xml, body);
   const XmlElement* inertial = body.FirstChildElement("inertial");
   if (!inertial) return;  // printed: read_printed checks its geoms
   const auto mass = parse_numbers(attribute(*inertial, "mass"));

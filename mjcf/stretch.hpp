@@ -5,6 +5,7 @@
 
 #include "mjcf/affine.hpp"
 #include "mjcf/read_robot.hpp"
+#include "mjcf/structure.hpp"
 #include "mjcf/xml.hpp"
 
 namespace legwright {
@@ -18,10 +19,9 @@ struct StretchMeasure {
 /// Measures a body along a direction word: `link` from its last hinge to the joint below or the
 /// foot, `x y z` the same along an axis, for the trunk the spread of its limbs along it. Throws
 /// InputError at `place`.
-/// @param foot_geoms geom ids of the feet.
 StretchMeasure measure_stretch(const XmlFile& xml, const mjModel& model, const XmlElement& place,
                                int body, const std::string& direction,
-                               const std::vector<int>& foot_geoms);
+                               const Structure& structure);
 
 /// Checks that a body can be stretched by rewriting it: plain parts; an explicit inertial, if there
 /// is one, that MuJoCo uses as written.

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mjcf/tree.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
-#include "mjcf/checks.hpp"
 #include "mjcf/compile.hpp"
+#include "mjcf/elements.hpp"
+#include "mjcf/feet.hpp"
+#include "mjcf/legs.hpp"
 
 namespace legwright {
 namespace {
@@ -21,12 +21,6 @@ Vector3d vector_at(const mjtNum* array, int index) { return Vector3d::Map(array 
 Matrix3d rotation_at(const mjtNum* array, int index) {
   const mjtNum* q = array + 4 * index;
   return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix();
-}
-
-/// The body whose hinge moves `body`: itself or the one it is fixed to; the trunk moves itself.
-int moving_body(const mjModel& model, int body, int trunk) {
-  while (body != trunk && model.body_jntnum[body] == 0) body = model.body_parentid[body];
-  return body;
 }
 
 bool belongs_to(const mjModel& model, int body, int trunk) {
@@ -42,20 +36,21 @@ struct Placement {
 
 class Builder {
  public:
-  Builder(const mjModel& model, int trunk, const DesignSpace& space,
+  Builder(const mjModel& model, const Structure& structure, const DesignSpace& space,
           const std::vector<Binding>& bindings, const StretchMap& stretches, const PlaceMap& places,
           const PrintedMap& printed)
       : model_(model),
-        trunk_(trunk),
+        structure_(structure),
+        trunk_(structure.trunk),
         space_(space),
         bindings_(bindings),
         stretches_(stretches),
         places_(places),
         printed_(printed),
-        placements_(model.nbody),
-        home_(home_keyframe(model)) {}
+        placements_(static_cast<std::size_t>(model.nbody)) {}
 
-  Morphology build(const std::vector<int>& foot_geoms, const std::vector<TendonSpan>& tendons) {
+  /// @param xml the file that was compiled.
+  Morphology build(const XmlFile& xml, const std::vector<TendonSpan>& tendons) {
     Link trunk;
     trunk.name = name_of(model_, mjOBJ_BODY, trunk_);
     out_.links.push_back(std::move(trunk));
@@ -64,10 +59,13 @@ class Builder {
       if (b != trunk_) place(b);
       add_masses(b);
     }
-    for (const int g : foot_geoms) {
-      const int body = model_.geom_bodyid[g];
-      out_.feet.push_back({name_of(model_, mjOBJ_GEOM, g), placements_[body].link,
-                           point(body, vector_at(model_.geom_pos, g)), model_.geom_size[3 * g]});
+    const TreeElements elements = find_elements(xml, model_);
+    for (const FootContact& foot : structure_.feet) {
+      const int body = foot_body(model_, foot);
+      const Placement& at = placements_[static_cast<std::size_t>(body)];
+      const AffineVector own = foot_point(xml, elements, model_, foot, stretches_of(body));
+      out_.feet.push_back(
+          {foot.name, at.link, sum(at.origin, rotated(at.rotation, own)), foot.radius});
     }
     for (const TendonSpan& span : tendons) add_linear_actuator(span);
     return std::move(out_);
@@ -87,32 +85,48 @@ class Builder {
   }
 
   /// Finds the link of a body; each of its hinges starts a new one, whose frame sits at the hinge's
-  /// anchor.
+  /// anchor. Joints that are held turn and shift the body within its link.
   void place(int body) {
     const int parent = model_.body_parentid[body];
     Placement at{placements_[parent].link, point(parent, vector_at(model_.body_pos, body)),
                  placements_[parent].rotation * rotation_at(model_.body_quat, body)};
     const int first = model_.body_jntadr[body], count = model_.body_jntnum[body];
+    const std::vector<int> moving = moving_joints(model_, structure_, body);
     for (int j = first; j < first + count; ++j) {
       const AffineVector anchor = stretched_point(vector_at(model_.jnt_pos, j), stretches_of(body));
+      if (!structure_.moves[static_cast<std::size_t>(j)]) {
+        hold(held_motion(model_, j), anchor, at);
+        continue;
+      }
       Link link;
       const std::string name = name_of(model_, mjOBJ_BODY, body);
       link.joint = joint(j);
-      link.name = j + 1 < first + count ? link.joint.name : name.empty() ? link.joint.name : name;
+      link.name = j != moving.back() ? link.joint.name : name.empty() ? link.joint.name : name;
       link.parent = at.link;
       link.origin = sum(at.origin, rotated(at.rotation, anchor));
+      // The file draws the body at the angle `ref`; a link's own frame is that of angle zero.
       link.orientation = at.rotation;
+      if (const double ref = model_.qpos0[model_.jnt_qposadr[j]]; ref != 0.0)
+        link.orientation =
+            at.rotation * Eigen::AngleAxisd(-ref, vector_at(model_.jnt_axis, j)).toRotationMatrix();
       out_.links.push_back(std::move(link));
       at = {static_cast<int>(out_.links.size()) - 1, negative(anchor), Matrix3d::Identity()};
     }
     placements_[body] = at;
   }
 
+  static void hold(const Eigen::Isometry3d& moved, const AffineVector& anchor, Placement& at) {
+    AffineVector shift = sum(anchor, negative(rotated(moved.linear(), anchor)));
+    shift.constant += moved.translation();
+    at.origin = sum(at.origin, rotated(at.rotation, shift));
+    at.rotation = at.rotation * moved.linear();
+  }
+
   Joint joint(int j) const {
     Joint out;
     out.name = name_of(model_, mjOBJ_JOINT, j);
     out.axis = axis(j, out.name);
-    if (home_ >= 0) out.nominal = model_.key_qpos[home_ * model_.nq + model_.jnt_qposadr[j]];
+    out.nominal = home_qpos(model_)[model_.jnt_qposadr[j]];
     if (model_.jnt_limited[j]) {
       out.lower = model_.jnt_range[2 * j];
       out.upper = model_.jnt_range[2 * j + 1];
@@ -187,6 +201,7 @@ class Builder {
   }
 
   const mjModel& model_;
+  const Structure& structure_;
   const int trunk_;
   const DesignSpace& space_;
   const std::vector<Binding>& bindings_;
@@ -194,68 +209,39 @@ class Builder {
   const PlaceMap& places_;
   const PrintedMap& printed_;
   std::vector<Placement> placements_;  // by body id
-  const int home_;
   Morphology out_;
 };
 
-/// Bodies that end a limb: no hinge hangs below them.
-std::vector<int> limb_ends(const mjModel& model, int trunk) {
-  std::vector<bool> carries(model.nbody, false);
-  std::vector<int> ends;
-  for (int b = model.nbody - 1; b > trunk; --b) {
-    if (!belongs_to(model, b, trunk) || model.body_jntnum[b] == 0) continue;
-    if (!carries[b]) ends.insert(ends.begin(), b);
-    carries[moving_body(model, model.body_parentid[b], trunk)] = true;
-  }
-  return ends;
-}
-
 }  // namespace
 
-int home_keyframe(const mjModel& model) { return mj_name2id(&model, mjOBJ_KEY, "home"); }
-
-std::vector<int> find_feet(const XmlFile& xml, const mjModel& model, int trunk) {
-  const int home = home_keyframe(model);
-  const DataPointer data =
-      kinematics_at(model, home >= 0 ? model.key_qpos + home * model.nq : nullptr, xml.file);
-  std::vector<int> feet;
-  const std::vector<int> ends = limb_ends(model, trunk);
-  if (ends.empty())
-    throw error_at(xml, model, mjOBJ_BODY, trunk,
-                   "has no limb: no hinge hangs on the trunk; add legs");
-  for (const int end : ends) {
-    int foot = -1;
-    const auto lowest = [&](int g) { return data->geom_xpos[3 * g + 2] - model.geom_size[3 * g]; };
-    for (int g = 0; g < model.ngeom; ++g) {
-      const int body = model.geom_bodyid[g];
-      const bool collides = model.geom_contype[g] || model.geom_conaffinity[g];
-      if (model.geom_type[g] != mjGEOM_SPHERE || !collides || !belongs_to(model, body, trunk))
-        continue;
-      if (moving_body(model, body, trunk) == end && (foot < 0 || lowest(g) < lowest(foot)))
-        foot = g;
-    }
-    if (foot < 0)
-      throw error_at(xml, model, mjOBJ_BODY, end,
-                     "ends a leg without a foot; add <geom type=\"sphere\"> that collides "
-                     "(contype=\"1\") at its end");
-    const std::string name = name_of(model, mjOBJ_GEOM, foot);
-    if (name.empty())
-      throw error_at(xml, model, mjOBJ_GEOM, foot, "the foot has no name; give the ball one");
-    if (name.find_first_of(" \t\r\n;,|") != std::string::npos)
-      throw error_at(
-          xml, model, mjOBJ_GEOM, foot,
-          "the name holds a blank or one of ; , |, which trajectories cannot name; rename it");
-    feet.push_back(foot);
-  }
-  return feet;
+Eigen::Isometry3d held_motion(const mjModel& model, int j) {
+  const mjtNum *q = home_qpos(model) + model.jnt_qposadr[j],
+               *q0 = model.qpos0 + model.jnt_qposadr[j];
+  const Vector3d axis = vector_at(model.jnt_axis, j);
+  Eigen::Isometry3d out = Eigen::Isometry3d::Identity();
+  if (model.jnt_type[j] == mjJNT_SLIDE)
+    out.translation() = (q[0] - q0[0]) * axis;
+  else if (model.jnt_type[j] == mjJNT_BALL)
+    out.linear() = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix();
+  else if (q[0] != q0[0])
+    out.linear() = Eigen::AngleAxisd(q[0] - q0[0], axis).toRotationMatrix();
+  return out;
 }
 
-Morphology build_morphology(const mjModel& model, int trunk, const std::vector<int>& foot_geoms,
+Eigen::Isometry3d held_displacement(const mjModel& model, int joint) {
+  const Vector3d anchor = vector_at(model.jnt_pos, joint);
+  const Eigen::Isometry3d moved = held_motion(model, joint);
+  Eigen::Isometry3d out = moved;
+  out.translation() += anchor - moved.linear() * anchor;
+  return out;
+}
+
+Morphology build_morphology(const XmlFile& xml, const mjModel& model, const Structure& structure,
                             const DesignSpace& space, const std::vector<Binding>& bindings,
                             const StretchMap& stretches, const PlaceMap& places,
                             const PrintedMap& printed, const std::vector<TendonSpan>& tendons) {
   Morphology out =
-      Builder(model, trunk, space, bindings, stretches, places, printed).build(foot_geoms, tendons);
+      Builder(model, structure, space, bindings, stretches, places, printed).build(xml, tendons);
   out.name = std::string(model.names);  // the model's name comes first
   out.leg_length = stretched_limb(out, 0, space.initial());
   return out;

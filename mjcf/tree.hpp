@@ -3,28 +3,29 @@
 
 #include <mujoco/mujoco.h>
 
+#include <Eigen/Geometry>
 #include <vector>
 
 #include "mjcf/affine.hpp"
 #include "mjcf/linear_actuators.hpp"
 #include "mjcf/printed.hpp"
 #include "mjcf/read_robot.hpp"
+#include "mjcf/structure.hpp"
 #include "mjcf/xml.hpp"
 
 namespace legwright {
 
-/// Geom ids of the feet, in order of their links: on each last link of a limb the colliding ball
-/// that is lowest in the home pose. Throws InputError for a limb without one.
-std::vector<int> find_feet(const XmlFile& xml, const mjModel& model, int trunk);
-
 /// Builds the kinematic tree of the compiled robot with the stretches, turns and places of its
-/// design parameters.
-Morphology build_morphology(const mjModel& model, int trunk, const std::vector<int>& foot_geoms,
+/// design parameters. Held joints are rigid, in their home pose.
+Morphology build_morphology(const XmlFile& xml, const mjModel& model, const Structure& structure,
                             const DesignSpace& space, const std::vector<Binding>& bindings,
                             const StretchMap& stretches, const PlaceMap& places,
                             const PrintedMap& printed, const std::vector<TendonSpan>& tendons);
 
-/// The keyframe named "home"; −1 if there is none (then the home pose is all angles zero).
-int home_keyframe(const mjModel& model);
+/// How the home pose turns (hinge, ball) or shifts (slide) what a joint moves, against the pose that
+/// the file draws: in the body's frame, about the joint's anchor.
+Eigen::Isometry3d held_motion(const mjModel& model, int joint);
+/// The same about the origin of the body's frame.
+Eigen::Isometry3d held_displacement(const mjModel& model, int joint);
 
 }  // namespace legwright

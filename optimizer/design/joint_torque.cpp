@@ -40,9 +40,9 @@ Sums sums(const Morphology& morphology, const GeometryAtDesign& geometry, const 
   Sums out;
   out.rate = per_time * (poses.before->first_moment(link) - 2.0 * moment +
                          poses.after->first_moment(link)) +
-             kGravity * geometry.mass_below[link] * Vector3d::UnitZ();
+             kGravity * geometry.mass_below[link] * poses.up;
   out.lever = per_time * (poses.to_after->swept(link) - poses.to_at->swept(link)) +
-              kGravity * moment.cross(Vector3d::UnitZ());
+              kGravity * moment.cross(poses.up);
   for (const FootForce& force : forces) {
     out.rate -= force.force;
     out.lever -= contact_point(morphology, geometry, *poses.at, force.foot).cross(force.force);
@@ -68,6 +68,7 @@ void JointTorque::compute(const Morphology& morphology, const GeometryAtDesign& 
   rate_ = at.rate;
   lever_ = at.lever;
   time_step_ = time_step;
+  up_ = poses.up;
   axis_from_pose(morphology, geometry, ancestry, *poses.at, link, *slots.at, axis_);
   anchor_from_pose(ancestry, *poses.at, link, *slots.at, anchor_);
   const auto moment = [&](const PoseKinematics& pose, const Columns& columns,
@@ -107,9 +108,9 @@ void JointTorque::sum_parts(int column_count) {
   rate_jacobian_ =
       per_time * (jacobian_of(moment_before_) - 2.0 * moment + jacobian_of(moment_after_));
   for (const PointDerivatives::Growth& growth : mass_slopes_)
-    rate_jacobian_(growth.column, 2) += growth.slope;
+    rate_jacobian_.row(growth.column) += growth.slope * up_.transpose();
   lever_jacobian_ = per_time * (jacobian_of(swept_) - jacobian_of(swept_before_)) +
-                    kGravity * crossed(moment, Vector3d::UnitZ());
+                    kGravity * crossed(moment, up_);
   for (Carried& foot : feet_) {
     foot.jacobian = jacobian_of(foot.centre);
     rate_jacobian_.middleRows<3>(foot.column) -= Eigen::Matrix3d::Identity();
@@ -136,13 +137,13 @@ void JointTorque::add_curvature(const Ancestry& ancestry, double multiplier,
   const Vector3d of_rate = o.cross(A);  // A · (−o × ∂K) = ∂K · (o × A)
   moment_before_.add_curvature(ancestry, per_time * of_rate, hessian);
   moment_after_.add_curvature(ancestry, per_time * of_rate, hessian);
-  moment_.add_curvature(ancestry, -2.0 * per_time * of_rate + kGravity * Vector3d::UnitZ().cross(A),
-                        hessian);
+  moment_.add_curvature(ancestry, -2.0 * per_time * of_rate + kGravity * up_.cross(A), hessian);
+  const double up_rate = of_rate.dot(up_);
   for (const PointDerivatives::GrowthSecond& second : mass_seconds_) {
     if (second.same)
-      hessian(second.a, second.a) += of_rate.z() * second.second;
+      hessian(second.a, second.a) += up_rate * second.second;
     else
-      add_pair(hessian, second.a, second.b, of_rate.z() * second.second);
+      add_pair(hessian, second.a, second.b, up_rate * second.second);
   }
   anchor_.add_curvature(ancestry, A.cross(rate_), hessian);
   const Eigen::Matrix3d form = -skew(A);  // A · (v × w) = vᵀ form w

@@ -9,11 +9,12 @@
 
 namespace legwright {
 
-/// The poses a joint's torque at one knot depends on: the knot before, the knot itself, the knot after, and the pair
-/// moments from each to the next.
+/// What a joint's torque at one knot depends on: the poses of the knot before, the knot itself, the knot after, the pair
+/// moments from each to the next; and where up is.
 struct PoseTriple {
   const PoseKinematics *before, *at, *after;
   const PairMoments *to_at, *to_after;
+  Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  // against gravity, unit vector
 };
 
 /// A force that a foot carries: which foot, and its force on the robot [N, world].
@@ -23,10 +24,10 @@ struct FootForce {
 };
 
 /// The torque τ that a joint's motor exerts, by inverse dynamics of the point masses:
-///   τ = Σ_p m_p ∂p/∂q · ((p₋ − 2p + p₊)/h² + g ẑ) + armature q̈ − Σ_j ∂(contact point of foot j)/∂q · f_j
-/// over the masses and feet that the joint moves. A ball foot of radius r touches the ground r below its centre e.
+///   τ = Σ_p m_p ∂p/∂q · ((p₋ − 2p + p₊)/h² + g u) + armature q̈ − Σ_j ∂(contact point of foot j)/∂q · f_j
+/// over the masses and feet that the joint moves, u the unit vector against gravity. A ball foot of radius r touches the ground r below its centre e.
 /// With A the joint's axis and o its anchor, ∂p/∂q = A × (p − o), and because p × p = 0 this is A · N + armature q̈ with
-///   N = (S − S₋)/h² + g C × ẑ − o × K − Σ_j (e_j − r ẑ) × f_j,   K = (C₋ − 2C + C₊)/h² + g M ẑ − Σ_j f_j,
+///   N = (S − S₋)/h² + g C × u − o × K − Σ_j (e_j − r ẑ) × f_j,   K = (C₋ − 2C + C₊)/h² + g M u − Σ_j f_j,
 /// S = Σ m p × p₊ the swept momentum, C = Σ m p the first moment, M the mass of what the joint moves.
 class JointTorque {
  public:
@@ -61,6 +62,7 @@ class JointTorque {
   void sum_parts(int column_count);
 
   double time_step_ = 1.0;
+  Eigen::Vector3d up_;
   Eigen::Vector3d lever_;  // N
   Eigen::Vector3d rate_;   // K
   PointDerivatives axis_, anchor_, moment_before_, moment_, moment_after_;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "optimizer/design/inertia.hpp"
+#include "optimizer/motion/margins.hpp"
 #include "optimizer/motion/over_cycle.hpp"
 #include "optimizer/motion/reach.hpp"
 
@@ -79,7 +80,7 @@ class WalkWithoutDynamics {
     const double share = static_cast<double>(knot - before) / (after - before);
     const Vector3d from = stand(before, foot), to = stand(after, foot);
     Vector3d place = from + share * share * (3.0 - 2.0 * share) * (to - from);
-    place.z() += task_.swing_height * std::pow(std::sin(M_PI * share), 1.5);
+    place.z() += swing_height(task_, morphology_.leg_length) * std::pow(std::sin(M_PI * share), 1.5);
     return place;
   }
 
@@ -90,8 +91,8 @@ class WalkWithoutDynamics {
   const StyleTargets& style_;
 };
 
-/// Vertical forces of stance feet that carry the weight without tipping the robot about its COM, the
-/// smallest in the sense of least squares, none below `least`.
+/// Forces of stance feet against gravity that carry the weight without tipping the robot about its COM, the
+/// smallest in the sense of least squares, none below `least`. @param com along gravity on the ground
 std::vector<double> shares_of_weight(const Vector3d& com, const std::vector<Vector3d>& stance,
                                      double weight, double length, double least) {
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
@@ -119,12 +120,14 @@ void share_weight(const Morphology& morphology, const Layout& layout, const Task
   for (int j = 0; j < layout.foot_count(); ++j)
     if (layout.force(knot, j) >= 0) {
       stance.push_back(wanted.feet[j]);
-      slots.push_back(layout.force(knot, j) - layout.design_size() + 2);
+      slots.push_back(layout.force(knot, j) - layout.design_size());
     }
+  Vector3d below = wanted.com;
+  below.head<2>() -= below.z() / task.up.z() * task.up.head<2>();
   const double least = (0.02 + task.min_normal) * weight;
   const std::vector<double> force =
-      shares_of_weight(wanted.com, stance, weight, morphology.leg_length, least);
-  for (std::size_t k = 0; k < slots.size(); ++k) m[slots[k]] = force[k];
+      shares_of_weight(below, stance, weight, morphology.leg_length, least);
+  for (std::size_t k = 0; k < slots.size(); ++k) m.segment<3>(slots[k]) = force[k] * task.up;
 }
 
 /// The home pose with the root at a place.

@@ -153,7 +153,8 @@ DerivedQuantities::DerivedQuantities(const Morphology& morphology, const Layout&
     : ancestry_(morphology),
       path_(path),
       knot_count_(layout.knot_count()),
-      time_step_(task.gait.time_step()) {
+      time_step_(task.gait.time_step()),
+      up_(task.up) {
   const int T = knot_count_, feet = layout.foot_count(), joints = layout.joint_count();
   BlockBuilder builder(*this, morphology, layout, wanted);
   for (int i = 0; i <= T; ++i) {
@@ -228,7 +229,7 @@ void DerivedQuantities::evaluate(const Morphology& morphology, const Layout& lay
 PoseTriple DerivedQuantities::triple(const DerivedBlock& block, const Workspace& workspace) const {
   const int i = block.knot, before = i > 0 ? i - 1 : knot_count_;  // of pairs
   return {&workspace.poses[i > 0 ? i - 1 : knot_count_ + 1], &workspace.poses[i],
-          &workspace.poses[i + 1], &workspace.moments[before], &workspace.moments[i]};
+          &workspace.poses[i + 1], &workspace.moments[before], &workspace.moments[i], up_};
 }
 
 void DerivedQuantities::collect_forces(const DerivedBlock& block, const Eigen::VectorXd& extended,

@@ -98,6 +98,7 @@ class DerivedQuantities {
   std::vector<DerivedBlock> blocks_;
   int knot_count_ = 0, point_count_ = 0, pair_count_ = 0, torque_count_ = 0;
   double time_step_ = 1.0;
+  Eigen::Vector3d up_ = Eigen::Vector3d::UnitZ();
   bool has_moments_ = false;
 };
 

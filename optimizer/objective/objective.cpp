@@ -40,9 +40,13 @@ StyleTargets home_stance(const Morphology& morphology, const VectorXd& s) {
   return stance;
 }
 
+/// On a slope the home stance is moved downhill below the COM, until gravity's line through the COM meets the ground
+/// where it would on the level.
 StyleTargets style_targets(const Morphology& morphology, const DesignSpace& space,
                            const Task& task) {
-  const StyleTargets home = home_stance(morphology, space.initial());
+  StyleTargets home = home_stance(morphology, space.initial());
+  const double height = task.com_height.value_or(home.com_height);
+  for (Eigen::Vector2d& foot : home.footprint) foot -= height / task.up.z() * task.up.head<2>();
   return {task.com_height.value_or(home.com_height), task.footprint.value_or(home.footprint)};
 }
 

@@ -5,8 +5,8 @@
 namespace legwright {
 namespace {
 
-/// Eq (13), first half, with the gravity that the paper's print leaves out: Σ_j f_iʲ = M (ẍ_i + g).
-/// Residual over the weight; ẍ_i = (x_{i−1} − 2 x_i + x_{i+1})/h². Before knot 0 stands knot T − 1 moved back by one
+/// Eq (13), first half, with the gravity that the paper's print leaves out: Σ_j f_iʲ = M (ẍ_i + g), g along the
+/// task's up. Residual over the weight; ẍ_i = (x_{i−1} − 2 x_i + x_{i+1})/h². Before knot 0 stands knot T − 1 moved back by one
 /// cycle.
 class ForceBalance final : public LinearTerm {
  public:
@@ -16,7 +16,7 @@ class ForceBalance final : public LinearTerm {
                  inertia = context.mass / (h * h * context.weight);
     const WantedPath& path = context.path;
     for (int i = 0; i < layout.knot_count(); ++i) {
-      Eigen::Vector3d target = context.mass * kGravity / context.weight * Eigen::Vector3d::UnitZ();
+      Eigen::Vector3d target = context.mass * kGravity / context.weight * context.task.up;
       std::vector<Block> blocks{{layout.com(i), times(2 * inertia)},
                                 {layout.com(i + 1), times(-inertia)}};
       if (i > 0) {
@@ -43,7 +43,7 @@ class ForceBalance final : public LinearTerm {
 class GrowingForceBalance final : public Term {
  public:
   explicit GrowingForceBalance(const TermContext& context)
-      : path_(context.path), weight_(context.weight) {
+      : path_(context.path), up_(context.task.up), weight_(context.weight) {
     const Layout& layout = context.layout;
     const double h = context.task.gait.time_step();
     inertia_ = context.mass / (h * h * context.weight);
@@ -102,10 +102,11 @@ class GrowingForceBalance final : public Term {
     Eigen::Vector3d before = z.segment<3>(1);
     if (knot == 0) before -= path_.travel();
     return share(knot, 0) * before + share(knot, 1) * z.segment<3>(4) +
-           share(knot, 2) * z.segment<3>(7) + Eigen::Vector3d::UnitZ();
+           share(knot, 2) * z.segment<3>(7) + up_;
   }
 
   WantedPath path_;
+  Eigen::Vector3d up_;
   double weight_, inertia_ = 0.0;
 };
 

@@ -5,6 +5,7 @@
 
 #include "optimizer/design/kinematics.hpp"
 #include "optimizer/design/segment_distance.hpp"
+#include "optimizer/motion/margins.hpp"
 #include "optimizer/terms/factories.hpp"
 
 namespace legwright {
@@ -36,7 +37,7 @@ class LimbClearance final : public Term {
  public:
   explicit LimbClearance(const TermContext& context)
       : layout_(context.layout),
-        clearance_(context.task.clearance),
+        clearance_(legwright::limb_clearance(context.task, context.length)),
         range_(kRange * context.length) {
     collect_segments(context.morphology, context.space.initial());
     choose_pairs(context);

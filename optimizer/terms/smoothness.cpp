@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "optimizer/motion/margins.hpp"
 #include "optimizer/terms/factories.hpp"
 #include "optimizer/terms/linear_term.hpp"
 
@@ -6,13 +7,14 @@ namespace legwright {
 namespace {
 
 /// Eq (11), E_Smooth: second differences of root rotation and joint angles, per time: (q_{i−1} − 2 q_i + q_{i+1})·τ²/h²,
-/// τ² = 4e-3 s², so that the weight does not depend on the number of knots. Wraps from knot 0 to knot T − 1 one cycle
+/// τ² = 4e-3 s² for legs of 21 cm and in proportion to the leg, so that the weight depends neither on the number of knots
+/// nor on the size of the robot. Wraps from knot 0 to knot T − 1 one cycle
 /// earlier. The root's position is left to style_com.
 class Smoothness final : public LinearTerm {
  public:
   explicit Smoothness(const TermContext& context) {
     const Layout& layout = context.layout;
-    const double h = context.task.gait.time_step(), scale = 4e-3 / (h * h);
+    const double h = context.task.gait.time_step(), scale = smoothness_time_squared(context.length) / (h * h);
     const int size = layout.pose_size() - 3;
     for (int i = 0; i < layout.knot_count(); ++i) {
       const int before = i > 0 ? i - 1 : layout.knot_count() - 1;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
+#include "optimizer/motion/margins.hpp"
 #include "optimizer/terms/factories.hpp"
 #include "optimizer/terms/linear_term.hpp"
 
@@ -14,6 +15,7 @@ class SwingHeight final : public LinearTerm {
   explicit SwingHeight(const TermContext& context) : length_(context.length) {
     const Layout& layout = context.layout;
     const Gait& gait = context.task.gait;
+    const double top = legwright::swing_height(context.task, context.length);
     const int margin = layout.planted_margin();
     for (int i = 0; i < layout.knot_count(); ++i)
       for (int j = 0; j < layout.foot_count(); ++j) {
@@ -22,7 +24,7 @@ class SwingHeight final : public LinearTerm {
         while (!gait.planted(first - 1, j, margin)) --first;
         while (!gait.planted(last + 1, j, margin)) ++last;
         const double phase = (i - first + 1.0) / (last - first + 2.0);
-        const double height = context.task.swing_height * std::pow(std::sin(M_PI * phase), 1.5);
+        const double height = top * std::pow(std::sin(M_PI * phase), 1.5);
         add(i, j, {{layout.foot(i, j) + 2, times(1.0 / context.length, 1)}},
             Eigen::VectorXd::Constant(
                 1, (context.morphology.feet[j].radius + height) / context.length));

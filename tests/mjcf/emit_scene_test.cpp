@@ -10,8 +10,10 @@
 #include <filesystem>
 
 #include "mjcf/compile.hpp"
+#include "mjcf/played_robot.hpp"
 #include "mjcf/rewrite_robot.hpp"
 #include "mjcf/xml.hpp"
+#include "tests/mjcf/construction_robots.hpp"
 #include "tests/mjcf/robots.hpp"
 
 namespace legwright {
@@ -42,7 +44,7 @@ std::string standing(const RobotModel& robot) {
 }
 
 SceneSettings settings_for(const RobotModel& robot) {
-  const ModelPointer model = compile_mjcf(robot.xml, robot.file);
+  const ModelPointer model = compile_mjcf(played_robot(robot, robot.xml), robot.file);
   SceneSettings settings;
   settings.trajectory = standing(robot);
   settings.period = 1.0;
@@ -72,6 +74,24 @@ TEST(EmitScene, ABodyMayBeNamedAsAFootElsewhere) {
       "puppy.xml");
   const ModelPointer scene = compile_scene(emit_scene(robot, robot.xml, settings_for(robot)));
   EXPECT_GE(mj_name2id(scene.get(), mjOBJ_SENSOR, "gait:measured_contact"), 0);
+}
+
+TEST(EmitScene, HoldsWhatRidesAndNamesFeet) {
+  const RobotModel robot = parse_robot(test::armed_biped(), "biped.xml");
+  const ModelPointer scene = compile_scene(emit_scene(robot, robot.xml, settings_for(robot)));
+  EXPECT_EQ(scene->nq, 7 + 8);
+  EXPECT_EQ(scene->nactuator, 8);
+  EXPECT_GE(mj_name2id(scene.get(), mjOBJ_SENSOR, "contact:left_foot"), 0);
+  EXPECT_LT(mj_name2id(scene.get(), mjOBJ_SENSOR, "shoulder_angle"), 0);
+  EXPECT_GE(mj_name2id(scene.get(), mjOBJ_SENSOR, "knee_angle"), 0);
+  EXPECT_NEAR(scene->body_subtreemass[0], robot.morphology.total_mass(), 1e-12);
+  // Stands on its soles by its servos for a while, on the floor of the scene.
+  mjData* const data = mj_makeData(scene.get());
+  mj_resetDataKeyframe(scene.get(), data, mj_name2id(scene.get(), mjOBJ_KEY, "gait"));
+  for (int step = 0; step < 200; ++step) mj_step(scene.get(), data);
+  EXPECT_GT(data->qpos[2], 0.6);
+  EXPECT_EQ(data->warning[mjWARN_BADQACC].number, 0);
+  mj_deleteData(data);
 }
 
 TEST(EmitScene, ReplacesServosByThePluginUnderTheSameNames) {

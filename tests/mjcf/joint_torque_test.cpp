@@ -9,6 +9,7 @@
 
 #include "mjcf/compile.hpp"
 #include "mjcf/read_robot.hpp"
+#include "mjcf/surroundings.hpp"
 #include "optimizer/objective/derived.hpp"
 #include "tests/mjcf/robots.hpp"
 
@@ -33,8 +34,13 @@ struct Wave {
 
 class TorqueOfRobot {
  public:
-  explicit TorqueOfRobot(const std::string& xml)
-      : robot_(parse_robot(xml, "robot.xml")), model_(compile_mjcf(xml, "robot.xml")) {
+  /// @param task whose payload and slope both sides have
+  /// @param planned what the plan believes of them instead
+  TorqueOfRobot(const std::string& xml, const Task& task, const Task& planned)
+      : robot_(parse_robot(xml, "robot.xml")),
+        model_(compile_mjcf(in_surroundings(robot_, xml, task), "robot.xml")),
+        task_(planned) {
+    robot_.morphology = as_in_task(robot_.morphology, planned);
     model_->opt.disableflags |= mjDSBL_CONSTRAINT | mjDSBL_ACTUATION;
     data_ = DataPointer(mj_makeData(model_.get()));
     const Morphology& m = robot_.morphology;
@@ -47,6 +53,9 @@ class TorqueOfRobot {
     task_.gait = Gait(pattern, kStep * kKnots, kKnots, order);
     layout_ = Layout(m, robot_.space.size(), task_.gait, 1);
   }
+
+  TorqueOfRobot(const std::string& xml, const Task& task) : TorqueOfRobot(xml, task, task) {}
+  explicit TorqueOfRobot(const std::string& xml) : TorqueOfRobot(xml, {}) {}
 
   /// Largest difference of any joint's torque over the largest torque. @param force_scale of the forces that only
   /// MuJoCo's side feels: 1 is right.
@@ -130,6 +139,13 @@ class TorqueOfRobot {
   Layout layout_;
 };
 
+Task laden_on_a_slope() {
+  Task task;
+  task.up = up_on_slope({1.0, 0.5}, 0.3, -0.2);
+  task.payload = Payload{0.7, {0.02, -0.01, 0.05}, {0.06, 0.04, 0.1}};
+  return task;
+}
+
 TEST(JointTorque, OfThePuppyIsThatOfMujocosInverseDynamics) {
   TorqueOfRobot puppy(test::read_file(test::puppy_file()));
   for (unsigned seed = 1; seed <= 10; ++seed) EXPECT_LT(puppy.difference(seed), 2e-5) << seed;
@@ -138,6 +154,21 @@ TEST(JointTorque, OfThePuppyIsThatOfMujocosInverseDynamics) {
 TEST(JointTorque, OfACrookedRobotIsThatOfMujocosInverseDynamics) {
   TorqueOfRobot robot(test::crooked_robot());
   for (unsigned seed = 1; seed <= 10; ++seed) EXPECT_LT(robot.difference(seed), 2e-5) << seed;
+}
+
+TEST(JointTorque, OnASlopeAndWithAPayloadIsThatOfMujocosInverseDynamics) {
+  for (const char* name : {"puppy", "crooked"}) {
+    TorqueOfRobot robot(test::named_robot(name), laden_on_a_slope());
+    for (unsigned seed = 1; seed <= 5; ++seed)
+      EXPECT_LT(robot.difference(seed), 2e-5) << name << seed;
+  }
+}
+
+TEST(JointTorqueControl, ASlopeThatThePlanDoesNotKnowIsNoticed) {
+  Task planned = laden_on_a_slope();
+  planned.up = Vector3d::UnitZ();
+  EXPECT_GT(TorqueOfRobot(test::named_robot("puppy"), laden_on_a_slope(), planned).difference(1),
+            1e-3);
 }
 
 TEST(JointTorqueControl, AForceThatIsOffIsNoticed) {

@@ -191,13 +191,13 @@ TEST(Keyframes, AFootAtAnotherHeightIsFound) {
   std::vector<StandingKey> keys =
       solve_keyframes(robot, *file, *model, robot.space.initial(), KeyframeEffort::angles);
   ASSERT_EQ(keys.size(), 1u);
-  EXPECT_EQ(find_lifted_foot(robot.morphology, keys, *model), "");
+  EXPECT_EQ(find_lifted_foot(robot.structure, keys, *file, *model), "");
   keys[0].foot_height[2] += 1e-6;
-  EXPECT_NE(find_lifted_foot(robot.morphology, keys, *model).find("foot HL"), std::string::npos);
+  EXPECT_NE(find_lifted_foot(robot.structure, keys, *file, *model).find("foot HL"), std::string::npos);
   keys[0].every_foot = false;  // then the lowest counts
-  EXPECT_EQ(find_lifted_foot(robot.morphology, keys, *model), "");
+  EXPECT_EQ(find_lifted_foot(robot.structure, keys, *file, *model), "");
   for (double& height : keys[0].foot_height) height -= 1e-6;
-  EXPECT_NE(find_lifted_foot(robot.morphology, keys, *model), "");
+  EXPECT_NE(find_lifted_foot(robot.structure, keys, *file, *model), "");
 }
 
 }  // namespace

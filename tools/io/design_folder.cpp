@@ -9,6 +9,7 @@
 
 #include "mjcf/emit_scene.hpp"
 #include "mjcf/rewrite_robot.hpp"
+#include "mjcf/surroundings.hpp"
 #include "optimizer/design/inertia.hpp"
 #include "optimizer/design/momentum.hpp"
 #include "optimizer/motion/motion.hpp"
@@ -141,7 +142,8 @@ DesignTexts design_texts(const RobotModel& robot, const Objective& objective,
                          const Eigen::VectorXd& s, const Eigen::VectorXd& m) {
   DesignTexts texts;
   texts.robot_xml = rewrite_robot(robot, s);
-  const PlayablePlan plan = make_playable(robot, texts.robot_xml, objective, m);
+  const std::string played = in_surroundings(robot, texts.robot_xml, objective.task());
+  const PlayablePlan plan = make_playable(robot, played, objective, m);
   texts.quality = plan_quality(objective, s, m);
   texts.quality.root_residual = plan.root_residual;
   SceneSettings scene;
@@ -152,7 +154,7 @@ DesignTexts design_texts(const RobotModel& robot, const Objective& objective,
   scene.start_qpos = plan.start_qpos;
   scene.start_qvel = plan.start_qvel;
   scene.floor_friction = objective.task().floor_friction;
-  texts.scene_xml = emit_scene(robot, texts.robot_xml, scene);
+  texts.scene_xml = emit_scene(with_weaker_servos(robot, objective.task()), played, scene);
   texts.motion_csv = plan.motion_csv;
   return texts;
 }

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "mjcf/input_error.hpp"
+#include "optimizer/motion/margins.hpp"
 #include "optimizer/terms/registry.hpp"
 #include "tools/io/gait_table.hpp"
 #include "tools/io/style_table.hpp"
@@ -16,7 +17,6 @@
 namespace legwright {
 namespace {
 
-constexpr double kTouchdownError = 0.035;  // [s] real touchdown comes this much early or late
 constexpr double kMostHeight = 1.5;        // com_height over the longest leg: the trunk has height
 constexpr double kQuickDuty = 0.6;         // gaits up to this duty have no third foot to catch them
 
@@ -76,6 +76,16 @@ void check_limb_pairs(const TaskFile& file, const Morphology& morphology) {
     }
 }
 
+/// A way that turns has no slope.
+void check_ground(const TaskFile& file) {
+  const bool slope = file.slope_along != 0.0 || file.slope_across != 0.0;
+  if (slope && file.turn_rate != 0.0)
+    refuse(file, "travel.turn_rate",
+           fmt::format("is {} rad/s on a slope: a robot that turns meets it from another side each "
+                       "cycle, so its gait does not repeat; take out [ground] or turn_rate",
+                       file.turn_rate));
+}
+
 void check_reach(const TaskFile& file, const Task& task, const RobotModel& robot) {
   const StrideBound bound = stride_bound(task, robot);
   if (bound.per_stance > bound.longest)
@@ -110,8 +120,10 @@ void check_reach(const TaskFile& file, const Task& task, const RobotModel& robot
 
 }  // namespace
 
-int planted_margin_knots(std::optional<double> seconds, double duty, double time_step) {
-  const double wanted = seconds.value_or(duty <= kQuickDuty + 1e-9 ? kTouchdownError : time_step);
+int planted_margin_knots(std::optional<double> seconds, double duty, double time_step,
+                         double leg_length) {
+  const double wanted =
+      seconds.value_or(duty <= kQuickDuty + 1e-9 ? touchdown_error(leg_length) : time_step);
   return std::max(1, static_cast<int>(std::lround(wanted / time_step)));
 }
 
@@ -186,16 +198,21 @@ Task make_task(const TaskFile& file, const RobotModel& robot) {
   const std::vector<int> order = footfall_order(home_feet(robot.morphology, robot.space.initial()));
   check_weights(file);
   check_limb_pairs(file, robot.morphology);
+  check_ground(file);
   Task task = file.margins;
   task.name = file.name;
   const std::vector<std::string> names = foot_names(robot.morphology);
   task.gait = make_gait(file, names, order);
   task.velocity = file.velocity;
   task.turn_rate = file.turn_rate;
+  task.up = up_on_slope(file.velocity, file.slope_along, file.slope_across);
   apply_style(file, names, order, task);
+  const double leg = robot.morphology.leg_length;
   // By the pattern's duty: rounded to knots, a pace of 0.6 at 24 knots would count as a slow gait.
   task.planted_margin = planted_margin_knots(file.planted_margin, longest_duty(file, names, order),
-                                             task.gait.time_step());
+                                             task.gait.time_step(), leg);
+  task.swing_height = swing_height(task, leg);
+  task.clearance = limb_clearance(task, leg);
   task.weights = file.weights;
   check_reach(file, task, robot);
   return task;

@@ -17,7 +17,7 @@ namespace {
 std::unique_ptr<Objective> make_objective(const TaskFile& file, const RobotModel& robot,
                                           const Task& task) {
   try {
-    return std::make_unique<Objective>(robot.morphology, robot.space, task);
+    return std::make_unique<Objective>(as_in_task(robot.morphology, task), robot.space, task);
   } catch (const std::invalid_argument& error) {
     throw InputError(file.file.string(), 0, "",
                      std::string(error.what()) + "; robot and task do not fit");
@@ -47,9 +47,10 @@ std::string CodesignProblem::speed_unit(int k) const {
   return objectives[k]->task().velocity.norm() == 0.0 ? "rad/s" : "m/s";
 }
 
-CodesignProblem read_problem(const std::filesystem::path& task_file) {
+CodesignProblem read_problem(const std::filesystem::path& task_file,
+                             const std::filesystem::path& robot) {
   CodesignProblem problem;
-  problem.set = read_task_set(task_file);
+  problem.set = read_task_set(task_file, robot);
   problem.robot = read_robot(problem.set.robot);
   problem.robot.space = restricted(problem.robot.space, problem.set.design,
                                    problem.set.file.string(), problem.set.lines);

@@ -27,8 +27,9 @@ struct CodesignProblem {
 };
 
 /// Reads a task file and its robot and builds F of each task. Throws InputError with everything that
-/// is wrong.
-CodesignProblem read_problem(const std::filesystem::path& task_file);
+/// is wrong. @param robot instead of the one that the task file names
+CodesignProblem read_problem(const std::filesystem::path& task_file,
+                             const std::filesystem::path& robot = {});
 
 /// The costs of a problem, as the solvers want them. Keeps references to the problem.
 class ProblemCosts {

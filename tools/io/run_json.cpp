@@ -2,6 +2,7 @@
 #include "tools/io/run_json.hpp"
 
 #include "mjcf/safe_path.hpp"
+#include "optimizer/design/inertia.hpp"
 #include "optimizer/solve/hessian_factor.hpp"
 #include "tools/io/checksum.hpp"
 #include "tools/io/install.hpp"
@@ -9,15 +10,38 @@
 namespace legwright {
 namespace {
 
+Json numbers_of(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+/// What only some tasks have is there only then.
 Json task_json(const Task& task) {
-  return {{"name", task.name},
-          {"gait", task.gait.name()},
-          {"period_s", task.gait.period()},
-          {"knots", task.gait.knot_count()},
-          {"planted_margin_knots", task.planted_margin},
-          {"velocity", {task.velocity.x(), task.velocity.y()}},
-          {"turn_rate", task.turn_rate},
-          {"floor_friction", task.floor_friction}};
+  Json json{{"name", task.name},
+            {"gait", task.gait.name()},
+            {"period_s", task.gait.period()},
+            {"knots", task.gait.knot_count()},
+            {"planted_margin_knots", task.planted_margin},
+            {"velocity", {task.velocity.x(), task.velocity.y()}},
+            {"turn_rate", task.turn_rate},
+            {"floor_friction", task.floor_friction}};
+  if (const SlopeAngles slope = slope_of(task.velocity, task.up);
+      slope.along != 0.0 || slope.across != 0.0)
+    json["slope_rad"] = {{"along", slope.along}, {"across", slope.across}};
+  if (task.payload)
+    json["payload"] = {{"mass_kg", task.payload->mass},
+                       {"position_m", numbers_of(task.payload->position)},
+                       {"size_m", numbers_of(task.payload->size)}};
+  if (task.torque_limit) json["torque_limit_Nm"] = *task.torque_limit;
+  if (task.step_over > 0.0) json["step_over_m"] = task.step_over;
+  return json;
+}
+
+/// What a body weighs and how much of it is printed: of the robot alone, without a payload.
+Json body_json(const RobotModel& robot, const Eigen::VectorXd& s) {
+  Json body{{"mass_kg", GeometryAtDesign(robot.morphology, s).total_mass}};
+  double volume = 0.0;
+  for (const Link& link : robot.morphology.links)
+    for (const PointMass& point : link.masses) volume += point.volume * point.growth_at(s);
+  if (volume > 0.0) body["printed_volume_m3"] = volume;
+  return body;
 }
 
 Json parameters_json(const DesignSpace& space) {
@@ -73,8 +97,9 @@ void add_effort(Json& run, const RunEffort& effort) {
   run["peak_rss_mib"] = peak_memory_mib();
 }
 
-void add_final_design(Json& run, const DesignSpace& space, const Eigen::VectorXd& s) {
-  for (int k = 0; k < space.size(); ++k) run["parameters"][k]["final"] = s[k];
+void add_final_design(Json& run, const RobotModel& robot, const Eigen::VectorXd& s) {
+  for (int k = 0; k < robot.space.size(); ++k) run["parameters"][k]["final"] = s[k];
+  run["body"] = {{"initial", body_json(robot, robot.space.initial())}, {"final", body_json(robot, s)}};
 }
 
 Json task_values(const CodesignProblem& problem, const RunLabel& label,
@@ -155,7 +180,7 @@ Json start_of_joint_run(const std::vector<std::string>& argv, const CodesignProb
 }
 
 void finish_run(Json& run, const std::string& status, const TaskOutcome& outcome,
-                const RunEffort& effort, const DesignSpace& space) {
+                const RunEffort& effort, const RobotModel& robot) {
   const TaskIterate& best = outcome.best->tasks.at(outcome.task);
   const PlanQuality& quality = outcome.quality;
   run["status"] = status;
@@ -175,7 +200,7 @@ void finish_run(Json& run, const std::string& status, const TaskOutcome& outcome
   run["ground_error_m"] = quality.ground_error;
   run["slide_share"] = quality.slide_share;
   run["root_residual"] = quality.root_residual;
-  add_final_design(run, space, outcome.best->s);
+  add_final_design(run, robot, outcome.best->s);
 }
 
 void add_starts(Json& run, const MultistartResult& result, const CodesignProblem& problem) {
@@ -210,7 +235,7 @@ void finish_joint_run(Json& run, const std::string& status, const MultistartResu
   for (const StartedRun& one : result.alone) run["alone"].push_back(start_json(problem, one));
   add_effort(run, effort);
   run["projected_gradient_norm"] = winner.result.best.projected_gradient_norm;
-  add_final_design(run, problem.robot.space, winner.result.best.s);
+  add_final_design(run, problem.robot, winner.result.best.s);
 }
 
 Json iteration_event(const DesignSpace& space, const DesignIteration& iteration, int task,

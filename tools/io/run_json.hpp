@@ -40,7 +40,7 @@ struct TaskOutcome {
 
 /// Fills in how a run of one task ended. @param status "converged", "stalled", … or "interrupted"
 void finish_run(Json& run, const std::string& status, const TaskOutcome& outcome,
-                const RunEffort& effort, const DesignSpace& space);
+                const RunEffort& effort, const RobotModel& robot);
 /// Fills in how a joint run ended: the winner, and every start beside it.
 void finish_joint_run(Json& run, const std::string& status, const MultistartResult& result,
                       const std::vector<TaskOutcome>& outcomes, const RunEffort& effort,

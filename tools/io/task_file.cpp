@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "mjcf/input_error.hpp"
+#include "optimizer/motion/margins.hpp"
 #include "tools/io/atomic_file.hpp"
 #include "tools/io/design_table.hpp"
 #include "tools/io/gait_table.hpp"
@@ -19,6 +20,7 @@ namespace legwright {
 namespace {
 
 constexpr std::size_t kMostBytes = 1 << 20;
+constexpr double kSteepest = 1.0;   // [rad]
 constexpr const char* kRobotBeside = "robot.xml";
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -54,21 +56,38 @@ void read_limb_pairs(TableReader& in, Task& margins, Problems& problems) {
     margins.limb_pairs = std::move(pairs);
 }
 
+/// Without a height of its own the plan swings high enough (margins.hpp).
+void read_swing(TableReader& in, TaskFile& task, Problems& problems) {
+  Task& margins = task.margins;
+  if (const auto height = in.number("swing_height", {0.0, 1.0, false, false, "m"}))
+    margins.swing_height = height;
+  margins.step_over =
+      in.number("step_over", {0.0, 0.7, true, false, "m"}).value_or(margins.step_over);
+  if (!margins.swing_height || *margins.swing_height >= margins.step_over) return;
+  const char* key = in.has("swing_height") ? "swing_height" : "step_over";
+  problems.add(in.line_of(key), in.full(key),
+               fmt::format("steps over {} m are asked for (limits.step_over) with a swing height "
+                           "of {} m; raise limits.swing_height, or leave it out for {:.3g} m",
+                           margins.step_over, *margins.swing_height,
+                           kSwingOver * margins.step_over));
+}
+
 void read_limits(TableReader in, TaskFile& task, Problems& problems) {
   Task& margins = task.margins;
   constexpr Range friction{0.0, 5.0, true, false, ""};
   margins.floor_friction = in.number("floor_friction", friction).value_or(margins.floor_friction);
   margins.friction = in.number("friction", friction).value_or(margins.friction);
-  margins.swing_height =
-      in.number("swing_height", {0.0, 1.0, false, false, "m"}).value_or(margins.swing_height);
+  read_swing(in, task, problems);
+  if (const auto limit = in.number("torque_limit", {0.0, 1e4, true, false, "N m"}))
+    margins.torque_limit = limit;
   margins.min_normal =
       in.number("min_normal", {0.0, 0.5, false, false, ""}).value_or(margins.min_normal);
   margins.joint_margin =
       in.number("joint_margin", {0.0, 1.5, false, false, "rad"}).value_or(margins.joint_margin);
   margins.torque_margin =
       in.number("torque_margin", {0.0, 1.0, false, true, ""}).value_or(margins.torque_margin);
-  margins.clearance =
-      in.number("clearance", {0.0, 1.0, true, false, "m"}).value_or(margins.clearance);
+  if (const auto clearance = in.number("clearance", {0.0, 1.0, true, false, "m"}))
+    margins.clearance = clearance;
   read_limb_pairs(in, margins, problems);
   if (const auto margin = in.number("planted_margin", {0.0, 1.0, false, false, "s"}))
     task.planted_margin = margin;
@@ -80,6 +99,34 @@ void read_limits(TableReader in, TaskFile& task, Problems& problems) {
             "limits.floor_friction",
             margins.friction, margins.floor_friction));
   in.finish();
+}
+
+/// The slope of the ground; up on it is known with the way to go.
+void read_ground(TableReader in, TaskFile& task) {
+  constexpr Range slope{-kSteepest, kSteepest, false, false, "rad"};
+  task.slope_along = in.number("slope_along", slope).value_or(task.slope_along);
+  task.slope_across = in.number("slope_across", slope).value_or(task.slope_across);
+  in.finish();
+}
+
+void read_payload(TableReader in, TaskFile& task) {
+  const auto mass = in.number("mass", {0.0, 1e4, true, false, "kg"});
+  const auto position = in.numbers("position", {-10.0, 10.0, false, false, "m"}, 3);
+  const auto size = in.numbers("size", {0.0, 10.0, true, false, "m"}, 3);
+  if (in.has("position") || in.has("size")) in.require(in.has("mass"), "mass", "mass = 0.5  # kg");
+  in.finish();
+  if (!mass) return;
+  Payload payload{*mass, Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(water_cube(*mass))};
+  if (position) payload.position = Eigen::Vector3d::Map(position->data());
+  if (size) payload.size = Eigen::Vector3d::Map(size->data());
+  task.margins.payload = payload;
+}
+
+/// @param name as the task file or the command line has it, already from the working directory
+std::filesystem::path given_robot(const std::filesystem::path& path) {
+  std::error_code error;
+  if (std::filesystem::is_regular_file(path, error)) return path.lexically_normal();
+  throw InputError(path.string(), 0, "", "no such file; give the MJCF of a robot after --robot");
 }
 
 std::filesystem::path find_robot(const std::string& name, const std::filesystem::path& task,
@@ -158,6 +205,8 @@ void read_shared_tables(TableReader& in, TaskFile& task, Problems& problems) {
   };
   read_style(section("style"), task);
   read_limits(section("limits"), task, problems);
+  read_ground(section("ground"), task);
+  read_payload(section("payload"), task);
   for (const auto& [name, weight] :
        in.numbers_by_name("weights", {0.0, kInfinity, false, false, ""}))
     task.weights[name] = weight;
@@ -200,7 +249,8 @@ void read_tasks(const std::vector<const toml::table*>& tables, const TaskFile& s
 
 int TaskFile::line(const std::string& key) const { return line_in(lines, key); }
 
-TaskSet parse_task_set(const std::string& text, const std::filesystem::path& file) {
+TaskSet parse_task_set(const std::string& text, const std::filesystem::path& file,
+                       const std::filesystem::path& other_robot) {
   toml::table root;
   try {
     root = toml::parse(text, file.string());
@@ -235,7 +285,8 @@ TaskSet parse_task_set(const std::string& text, const std::filesystem::path& fil
     read_tasks(tables, shared, set, problems);
   }
   problems.throw_if_any();
-  set.robot = find_robot(*robot, file, line_in(set.lines, "robot"));
+  set.robot = other_robot.empty() ? find_robot(*robot, file, line_in(set.lines, "robot"))
+                                  : given_robot(other_robot);
   for (TaskFile& task : set.tasks) {
     task.robot = set.robot;
     task.lines.insert(set.lines.begin(), set.lines.end());  // of what holds for all
@@ -276,8 +327,8 @@ std::string text_of(const std::filesystem::path& file) {
 
 }  // namespace
 
-TaskSet read_task_set(const std::filesystem::path& file) {
-  return parse_task_set(text_of(file), file);
+TaskSet read_task_set(const std::filesystem::path& file, const std::filesystem::path& robot) {
+  return parse_task_set(text_of(file), file, robot);
 }
 
 TaskFile read_task_file(const std::filesystem::path& file) {

@@ -32,6 +32,7 @@ struct TaskFile {
 
   Eigen::Vector2d velocity = Eigen::Vector2d::Zero();
   double turn_rate = 0.0;
+  double slope_along = 0.0, slope_across = 0.0;  // the ground rises on the way, to the left of it [rad]
 
   std::optional<double> com_height;       // or
   std::vector<double> com_heights;        // over the cycle
@@ -40,7 +41,7 @@ struct TaskFile {
       foot_targets;  // by the foot's name, over the cycle
   std::vector<Eigen::Vector2d>
       footprint;                         // in footfall order; one entry: half length and half width
-  Task margins;                          // friction … limb_pairs of the file over Task's defaults
+  Task margins;  // friction … limb_pairs, payload, torque_limit and step_over over Task's defaults
   std::optional<double> planted_margin;  // [s]
   std::map<std::string, double> weights;
 
@@ -74,9 +75,11 @@ struct TaskSet {
 
 /// Reads a task file strictly, with all its tasks. [style], [limits] and [weights] outside [[task]]
 /// hold for every task that does not say otherwise. Throws as read_task_file().
-TaskSet read_task_set(const std::filesystem::path& file);
+/// @param robot instead of the file's, from the working directory; empty: the file's
+TaskSet read_task_set(const std::filesystem::path& file, const std::filesystem::path& robot = {});
 /// The same from text; `file` is for messages and to find the robot from.
-TaskSet parse_task_set(const std::string& text, const std::filesystem::path& file);
+TaskSet parse_task_set(const std::string& text, const std::filesystem::path& file,
+                       const std::filesystem::path& robot = {});
 
 /// Reads the file of one task strictly: TOML 1.0, known keys only, right types, finite and in range. Throws
 /// InputError with one line for each thing that is wrong; also where the file or its robot is
@@ -94,9 +97,10 @@ std::string text_beside_robot(const std::string& text);
 /// speed is out of reach.
 Task make_task(const TaskFile& file, const RobotModel& robot);
 
-/// Knots planted on either side of stance: `seconds` in knots, at least one. Without a wish 35 ms
-/// for gaits of duty ≤ 0.6 (touchdown comes that much early or late), else one knot.
-int planted_margin_knots(std::optional<double> seconds, double duty, double time_step);
+/// Knots planted on either side of stance: `seconds` in knots, at least one. Without a wish touchdown_error() of the
+/// leg's length (35 ms for legs of 21 cm) for gaits of duty ≤ 0.6, else one knot.
+int planted_margin_knots(std::optional<double> seconds, double duty, double time_step,
+                         double leg_length);
 
 /// How far the body travels while a foot stands, at most and as far as the robot could ever reach
 /// [m].

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "mjcf/surroundings.hpp"
 #include "tools/render/renderer.hpp"
 #include "tools/render/scene_parts.hpp"
 
@@ -41,6 +42,11 @@ struct Range {
 
 }  // namespace
 
+Eigen::Matrix3d turn_of_sight(const mjModel& model) {
+  return Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), up_of(model))
+      .toRotationMatrix();
+}
+
 View frame_robot(const mjModel& model, const Poses& poses, double azimuth, double elevation,
                  double aspect, double margin) {
   const PosedModel robot{&model, &poses};
@@ -61,8 +67,10 @@ View frame_robots(std::span<const PosedModel> robots, double azimuth, double ele
 
   const double degree = std::numbers::pi / 180.0;
   const double a = azimuth * degree, e = elevation * degree;
-  const Eigen::Vector3d forward(std::cos(a) * std::cos(e), std::sin(a) * std::cos(e), std::sin(e));
-  const Eigen::Vector3d right = forward.cross(Eigen::Vector3d::UnitZ()).normalized();
+  const Eigen::Matrix3d turned = turn_of_sight(*robots.front().model);
+  const Eigen::Vector3d forward =
+      turned * Eigen::Vector3d(std::cos(a) * std::cos(e), std::sin(a) * std::cos(e), std::sin(e));
+  const Eigen::Vector3d right = forward.cross(turned.col(2)).normalized();
   const Eigen::Vector3d up = right.cross(forward);
   const double half_height = std::tan(0.5 * kFieldOfView * degree) * (1.0 - margin);
   const double half_width = half_height * aspect;

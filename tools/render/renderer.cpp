@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/render/renderer.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -38,6 +39,20 @@ void paint_as_ghost(mjvGeom& geom, const Ghost& ghost) {
   geom.category = mjCAT_DECOR;
   geom.emission = 0.2F;
   geom.specular = geom.reflectance = 0.0F;
+}
+
+/// Turns what the scene's cameras (left and right eye) see about the point that is looked at.
+void turn_cameras(const Eigen::Matrix3d& turn, const View& view, mjvScene& scene) {
+  if (turn.isIdentity(0.0)) return;  // level ground: the very same bits as ever
+  const Eigen::Vector3f at(static_cast<float>(view.lookat[0]), static_cast<float>(view.lookat[1]),
+                           static_cast<float>(view.lookat[2]));
+  const Eigen::Matrix3f by = turn.cast<float>();
+  for (mjvGLCamera& camera : scene.camera) {
+    Eigen::Map<Eigen::Vector3f> place(camera.pos), forward(camera.forward), up(camera.up);
+    place = (at + by * (place - at)).eval();
+    forward = (by * forward).eval();
+    up = (by * up).eval();
+  }
 }
 
 }  // namespace
@@ -121,6 +136,7 @@ void Renderer::set_scene(std::span<const double> qpos, const View& view) {
   // first frame differs.
   mjv_updateCamera(p.model.get(), p.data.get(), &camera, &p.scene);
   mjv_updateScene(p.model.get(), p.data.get(), &p.option, nullptr, &camera, mjCAT_ALL, &p.scene);
+  turn_cameras(turn_of_sight(*p.model), view, p.scene);
   light_studio(view, shadow_reach(view, p.width, p.height), p.scene);
   // The shadow's own picture covers what is seen about the robot: small scenes get sharp shadows.
   p.context.shadowClip = static_cast<float>(shadow_reach(view, p.width, p.height));

@@ -3,6 +3,7 @@
 
 #include <mujoco/mujoco.h>
 
+#include <Eigen/Core>
 #include <memory>
 #include <span>
 
@@ -19,6 +20,10 @@ struct ModelDeleter {
   void operator()(mjModel* model) const { mj_deleteModel(model); }
 };
 using ModelPointer = std::unique_ptr<mjModel, ModelDeleter>;
+
+/// How cameras are turned so that up in a picture is against gravity: of a slope gravity is what is oblique in the
+/// world. Identity where gravity is along z.
+Eigen::Matrix3d turn_of_sight(const mjModel& model);
 
 /// Puts the model in a pose: positions of everything that is drawn, no dynamics (so no solver, no
 /// warnings, no plugin call). Throws std::invalid_argument for a qpos of the wrong size or with

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "tools/report/bought.hpp"
 #include "tools/report/html.hpp"
 #include "tools/report/report.hpp"
 #include "tools/report/sections.hpp"
@@ -13,7 +14,7 @@ namespace legwright {
 namespace {
 
 // Rows of each table: all of them together stay below 60 lines.
-constexpr std::size_t kMostFailing = 8, kMostFactors = 10, kMostParameters = 8;
+constexpr std::size_t kMostFailing = 6, kMostFactors = 8, kMostParameters = 6, kMostBought = 8;
 constexpr std::size_t kLongest = 160;  // characters of a cell
 
 /// Text from a file as a cell: nothing in it is markup, and it ends somewhere.
@@ -85,6 +86,20 @@ std::string margins(const RunData& data) {
   return out;
 }
 
+std::string bought(const RunData& data) {
+  const std::string words = bought_words(data);
+  if (words.empty()) return "";
+  std::string out = "**What the body bought.** " + words + "\n\n| | before | after | |\n|---|---:|---:|---:|\n";
+  std::size_t shown = 0;
+  for (const BoughtRow& row : bought_rows(data)) {
+    if (!row.change || shown == kMostBought) continue;
+    ++shown;
+    out += fmt::format("| {} | {} | {} | {} |\n", cell(row.what), cell(row.before), cell(row.after),
+                       change_words(*row.change));
+  }
+  return out + "\n";
+}
+
 std::string closing(const RunData& data) {
   const auto gap = gap_of(data.run);
   if (!gap) return "";
@@ -128,7 +143,7 @@ std::string report_summary(const RunData& data) {
                     short_number(number_at(data.run, {"final_F"})),
                     short_number(number_at(data.run, {"design_iterations"})));
   }
-  out += closing(data) + margins(data) + parameters(data);
+  out += bought(data) + closing(data) + margins(data) + parameters(data);
   return out + "Pictures, charts and measurements: report.html in the folder above.\n";
 }
 

@@ -100,6 +100,29 @@ std::string cost_words(const std::string& name) {
 
 std::string task_words(const Json& run) { return way_words(value_at(run, {"task"})); }
 
+namespace {
+
+/// ", up a slope of 8°, carrying 0.5 kg", …
+std::string demand_words(const Json& task) {
+  std::string out;
+  const double along = number_at(task, {"slope_rad", "along"}).value_or(0.0),
+               across = number_at(task, {"slope_rad", "across"}).value_or(0.0);
+  if (along != 0.0)
+    out += fmt::format(", {} a slope of {}", along > 0.0 ? "up" : "down",
+                       quantity_words(std::abs(along), "rad"));
+  if (across != 0.0)
+    out += fmt::format(", across a slope of {}", quantity_words(std::abs(across), "rad"));
+  if (const auto mass = number_at(task, {"payload", "mass_kg"}))
+    out += fmt::format(", carrying {} kg", short_number(mass));
+  if (const auto bar = number_at(task, {"step_over_m"}))
+    out += ", stepping over " + quantity_words(*bar, "m");
+  if (const auto limit = number_at(task, {"torque_limit_Nm"}))
+    out += ", with motors of " + quantity_words(*limit, "N m");
+  return out;
+}
+
+}  // namespace
+
 std::string way_words(const Json& task) {
   std::string out = text_at(task, {"gait"});
   const Json& velocity = value_at(task, {"velocity"});
@@ -117,6 +140,7 @@ std::string way_words(const Json& task) {
   }
   const auto turn = number_at(task, {"turn_rate"});
   if (turn && *turn != 0.0) out += fmt::format(", turning {} rad/s", short_number(turn));
+  out += demand_words(task);
   const auto period = number_at(task, {"period_s"});
   if (period) out += fmt::format(", {} s per cycle", short_number(period));
   return out;

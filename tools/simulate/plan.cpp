@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mjcf/input_error.hpp"
+#include "mjcf/played_robot.hpp"
 #include "optimizer/motion/motion.hpp"
 #include "plugin/trajectory.hpp"
 #include "tools/simulate/feed_forward.hpp"
@@ -126,8 +127,8 @@ PlayablePlan make_playable(const Morphology& morphology, const std::string& robo
 
 PlayablePlan make_playable(const RobotModel& robot, const std::string& robot_xml,
                            const Objective& objective, const Eigen::VectorXd& m) {
-  return make_playable(robot.morphology, robot_xml, objective.layout(), objective.task().gait, m,
-                       robot.file.parent_path());
+  return make_playable(objective.morphology(), played_robot(robot, robot_xml), objective.layout(),
+                       objective.task().gait, m, robot.file.parent_path());
 }
 
 }  // namespace legwright

@@ -184,7 +184,7 @@ void ComparisonWatch::watch_feet(const mjData& data, double share) {
     at(R::ahead) = along.x();
     at(R::left) = along.y();
     at(R::normal) = touch.force.z();
-    at(R::height) = data.geom_xpos[3 * geom + 2] - foot_radius(model_, geom);
+    at(R::height) = foot_position(model_, data, geom).z() - foot_radius(model_, geom);
     const bool stands = touch.normal > kStandingShare * weight_;
     at(R::slip_speed) = stands ? touch.slip_speed : 0.0;
     at(R::contact) = stands ? 1.0 : 0.0;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <memory>
 
+#include "mjcf/surroundings.hpp"
+#include "optimizer/motion/task.hpp"
 #include "tools/io/atomic_file.hpp"
 #include "tools/validate/delayed_servos.hpp"
 #include "tools/validate/floor_friction.hpp"
@@ -34,13 +36,12 @@ void scale_masses(mjModel& model, double scale) {
   mj_setConst(&model, make_data(model).get());  // sums of masses, and what contacts make of them
 }
 
-// A slope of the floor is a slope of gravity as the floor sees it.
+// A slope of the floor is a slope of gravity as the floor sees it; on a slope, one more.
 void slope_floor(mjModel& model, const Eigen::Vector2d& way, double along, double across) {
-  const Eigen::Vector2d left(-way.y(), way.x());
-  const Eigen::Vector2d level = -std::tan(along) * way - std::tan(across) * left;
   Vector3 gravity(model.opt.gravity);
   const double g = gravity.norm();
-  gravity = g * Eigen::Vector3d(level.x(), level.y(), -1.0).normalized();
+  const SlopeAngles own = slope_of(way, up_of(model));
+  gravity = -g * up_on_slope(way, own.along + along, own.across + across);
 }
 
 Scene copy_of(const Scene& scene) {

@@ -3,6 +3,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <string>
+
+#include "mjcf/played_robot.hpp"
 
 namespace legwright {
 namespace {
@@ -11,18 +14,34 @@ using Vector3 = Eigen::Vector3d;
 using ConstVector3 = Eigen::Map<const Eigen::Vector3d>;
 using ConstFrame = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
 
+/// Site at the planned point of a foot that is no ball; −1 where there is none.
+int foot_site(const mjModel& model, int geom) {
+  const char* const name = mj_id2name(&model, mjOBJ_GEOM, geom);
+  return name ? mj_name2id(&model, mjOBJ_SITE, (kFootSite + std::string(name)).c_str()) : -1;
+}
+
 }  // namespace
 
 double foot_radius(const mjModel& model, int geom) {
-  return model.geom_type[geom] == mjGEOM_SPHERE ? model.geom_size[3 * geom] : 0.0;
+  if (model.geom_type[geom] == mjGEOM_SPHERE) return model.geom_size[3 * geom];
+  const int site = foot_site(model, geom);
+  return site >= 0 && model.site_type[site] == mjGEOM_SPHERE ? model.site_size[3 * site] : 0.0;
+}
+
+Eigen::Vector3d foot_position(const mjModel& model, const mjData& data, int geom) {
+  const int site = model.geom_type[geom] == mjGEOM_SPHERE ? -1 : foot_site(model, geom);
+  return ConstVector3(site >= 0 ? data.site_xpos + 3 * site : data.geom_xpos + 3 * geom);
 }
 
 FootMotion foot_motion(const mjModel& model, const mjData& data, int geom) {
   mjtNum velocity[6];
   mj_objectVelocity(&model, &data, mjOBJ_GEOM, geom, velocity, 0);
-  const Vector3 down(0.0, 0.0, -foot_radius(model, geom));
-  return {ConstVector3(velocity + 3) + ConstVector3(velocity).cross(down),
-          {velocity[0], velocity[1]}};
+  const Vector3 bottom = foot_position(model, data, geom) -
+                         foot_radius(model, geom) * Vector3::UnitZ();
+  const Vector3 arm = bottom - ConstVector3(data.geom_xpos + 3 * geom);
+  return {ConstVector3(velocity + 3) + ConstVector3(velocity).cross(arm),
+          {velocity[0], velocity[1]},
+          bottom};
 }
 
 double read_foot_touches(const Scene& scene, const mjData& data, std::vector<FootTouch>& touches) {

@@ -20,13 +20,16 @@ struct FootTouch {
 /// A foot with less than this share of the robot's weight on it does not stand.
 inline constexpr double kStandingShare = 0.01;
 
-/// Of a ball foot [m]; 0 for any other shape.
+/// Of the ball as which the plan has a foot [m]; 0 where it has a point.
 double foot_radius(const mjModel& model, int geom);
+/// Where the middle of that ball is, world axes [m].
+Eigen::Vector3d foot_position(const mjModel& model, const mjData& data, int geom);
 
-/// How a ball foot moves.
+/// How a foot moves.
 struct FootMotion {
   Eigen::Vector3d bottom_velocity;  // of the link at the ball's lowest point, world axes [m/s]
   Eigen::Vector2d roll_rate;        // of the link about the world's x and y [rad/s]
+  Eigen::Vector3d bottom;           // the ball's lowest point, world [m]
 };
 FootMotion foot_motion(const mjModel& model, const mjData& data, int geom);
 

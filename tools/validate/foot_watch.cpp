@@ -58,18 +58,34 @@ void FootWatch::close(double time) {
   if (!now_ || !now_->counts) return;
   ++out_.stances;
   slip_.add(now_->slip);
+  const bool always_down = now_->planned.touchdown == now_->planned.begin;
+  if (!always_down) {
+    clearance_.add(now_->clearance);
+    least_clearance_ = std::min(least_clearance_, now_->clearance);
+  }
   const bool never_off = !now_->was_off;
   if (never_off) now_->touched = now_->planned.begin;
   if (!now_->touched) {
     ++out_.missed;
     return;
   }
-  const bool always_down = now_->planned.touchdown == now_->planned.begin;
   const double lifted = now_->is_down ? time : now_->lifted.value_or(time);
   touchdown_.add(always_down ? 0.0 : *now_->touched - now_->planned.touchdown);
   liftoff_.add(always_down ? 0.0 : lifted - now_->planned.liftoff);
   roll_.add(now_->roll.norm());
   if (!never_off) landing_.add(now_->landing_speed);
+}
+
+// From the last moment on the ground to the first on it again, both included.
+void FootWatch::follow_flight(const FootMoment& moment) {
+  flight_.add(moment.sole);
+  if (!moment.in_contact) return;
+  if (now_ && flight_.size() > now_->longest_flight && flight_.size() > 2) {
+    now_->longest_flight = flight_.size();
+    now_->clearance = flight_.clearance();
+  }
+  flight_.clear();
+  flight_.add(moment.sole);
 }
 
 void FootWatch::observe(double time, double step, const FootMoment& moment) {
@@ -87,6 +103,7 @@ void FootWatch::observe(double time, double step, const FootMoment& moment) {
     ++next_;
   }
   const double sink_speed = std::exchange(sink_speed_, moment.sink_speed);
+  follow_flight(moment);
   if (!now_) return;
   if (!in_contact) now_->was_off = true;
   if (in_contact && now_->was_off && !now_->touched) {
@@ -114,6 +131,9 @@ FootMeasures FootWatch::finish(double end_time) {
   out_.landing_max = landing_.largest;
   out_.roll_mean = roll_.mean();
   out_.roll_max = roll_.largest;
+  out_.swings = clearance_.count;
+  out_.clearance_mean = clearance_.mean();
+  out_.clearance_min = clearance_.count > 0 ? least_clearance_ : 0.0;
   return out_;
 }
 

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "plugin/trajectory.hpp"
+#include "tools/validate/flight_path.hpp"
 
 namespace legwright {
 
@@ -26,6 +28,9 @@ struct FootMeasures {
   double landing_max = 0.0;
   double roll_mean = 0.0;  // angle by which the foot rolled on the ground during one stance [rad]
   double roll_max = 0.0;
+  int swings = 0;  // planned ones that were looked at; then how high a bar across each step may be (FlightPath),
+                   // 0 where the foot never left the ground [m]
+  double clearance_mean = 0.0, clearance_min = 0.0;
   /// Stances of the plan in the first cycle, [touchdown, last knot with force] [s]; the second may
   /// exceed the period.
   std::vector<std::pair<double, double>> planned;
@@ -38,13 +43,15 @@ struct FootMoment {
   double slip_speed = 0.0;                              // of its contact point [m/s]
   double sink_speed = 0.0;                              // of its centre, downwards [m/s]
   Eigen::Vector2d roll_rate = Eigen::Vector2d::Zero();  // about the world's x and y [rad/s]
+  Eigen::Vector3d sole = Eigen::Vector3d::Zero();       // its lowest point, ground at z = 0 [m]
 };
 
 /// Follows one foot through a roll-out. A stride lasts from the middle of one planned swing to the
 /// middle of the next; its touchdown is the first contact after the foot was seen off the ground,
 /// against the first knot in which the plan puts force on it. A foot that never left the ground
 /// touched down when its stride began, and lifted off when it ended; lift-off is the end of the last
-/// contact of a stride, against the last knot with force.
+/// contact of a stride, against the last knot with force. A step is the longest flight that ends in a stride: a foot
+/// that chatters when it lands flies a few more times, but not for long.
 class FootWatch {
  public:
   /// @param foot index in the trajectory @param contacts_until record contacts for so long [s]
@@ -66,6 +73,8 @@ class FootWatch {
     bool was_off = false, is_down = false;
     std::optional<double> touched = std::nullopt, lifted = std::nullopt;
     double slip = 0.0, landing_speed = 0.0;
+    std::size_t longest_flight = 0;  // that ended in this stride, in moments
+    double clearance = 0.0;          // of that
     Eigen::Vector2d roll = Eigen::Vector2d::Zero();
   };
   struct Tally {  // of one quantity over the stances
@@ -76,6 +85,7 @@ class FootWatch {
   };
   Stride stride(long long index) const;
   void close(double time);
+  void follow_flight(const FootMoment& moment);
 
   double period_, contacts_until_, counts_from_;
   std::vector<Stride> strides_;
@@ -83,7 +93,9 @@ class FootWatch {
   std::optional<Now> now_;
   std::optional<double> contact_since_;
   double sink_speed_ = 0.0;  // a moment ago
-  Tally slip_, touchdown_, liftoff_, landing_, roll_;
+  FlightPath flight_;
+  double least_clearance_ = std::numeric_limits<double>::infinity();
+  Tally slip_, touchdown_, liftoff_, landing_, roll_, clearance_;
   FootMeasures out_;
 };
 

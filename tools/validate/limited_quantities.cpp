@@ -28,6 +28,15 @@ double peak_torque_share(const Measurements& run) {
   return out;
 }
 
+// Feet that are never planned to lift do not step.
+std::optional<double> least_clearance(const Measurements& run) {
+  std::optional<double> least;
+  for (const auto& foot : run.feet)
+    if (foot.swings > 0)
+      least = std::min(least.value_or(foot.clearance_min), foot.clearance_min);
+  return least;
+}
+
 // The radius of the way over that of the plan; both are speed over turn rate.
 std::optional<double> radius_ratio(const Measurements& run) {
   if (!run.speed_ratio || !run.turn_ratio || *run.turn_ratio == 0.0) return std::nullopt;
@@ -156,6 +165,12 @@ std::vector<LimitedQuantity> judged_if_asked() {
            [](const Measurements& run) {
              return greatest(run.feet, [](const auto& foot) { return foot.landing_max; });
            }},
+      {.name = "foot_clearance",
+       .what = "height of a bar across each step that every foot passes over",
+       .unit = "m",
+       .verb = "steps over no more than",
+       .note = "",
+       .value = least_clearance},
       {.name = "missed_stances",
        .what = "planned stances in which a foot never touched the ground",
        .unit = "1",

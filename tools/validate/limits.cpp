@@ -113,6 +113,12 @@ Limits default_limits() {
   return out;
 }
 
+Limits with_step_over(Limits limits, double height) {
+  if (height > 0.0)
+    if (Bounds& bar = limits["foot_clearance"]; !bar.low) bar.low = height;
+  return limits;
+}
+
 std::vector<JudgedLimit> judge_limits(const std::vector<Measurements>& at_gains,
                                       const WantedMotion& wanted, const Limits& limits) {
   std::vector<JudgedLimit> out;

@@ -91,7 +91,8 @@ void Measurer::watch_contacts(const RolloutSample& sample) {
                      {.in_contact = touch_[j].normal > kStandingShare * weight_,
                       .slip_speed = touch_[j].slip_speed,
                       .sink_speed = -motion.bottom_velocity.z(),
-                      .roll_rate = motion.roll_rate});
+                      .roll_rate = motion.roll_rate,
+                      .sole = motion.bottom});
   }
 }
 

@@ -12,6 +12,9 @@ Json foot_json(const FootMeasures& foot) {
           {"slip_max_m", foot.slip_max},
           {"touchdown_error_mean_s", foot.touchdown_mean},
           {"touchdown_error_max_s", foot.touchdown_max},
+          {"swings", foot.swings},
+          {"clearance_mean_m", foot.clearance_mean},
+          {"clearance_min_m", foot.clearance_min},
           {"planned_stances_s", foot.planned},
           {"contacts_s", foot.contacts}};
 }

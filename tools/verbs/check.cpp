@@ -8,13 +8,14 @@
 #include "tools/io/json_file.hpp"
 #include "tools/io/problem.hpp"
 #include "tools/verbs/gradients.hpp"
+#include "tools/verbs/summary.hpp"
 #include "tools/verbs/verbs.hpp"
 
 namespace legwright {
 namespace {
 
 struct CheckOptions {
-  std::string task;
+  std::string task, robot;
   bool json = false, gradients = false;
 };
 
@@ -35,8 +36,9 @@ std::string outer_of(const CodesignProblem& problem) {
 }
 
 /// One for each task of the file.
-std::vector<Finding> find(const std::string& path) {
-  const CodesignProblem problem = read_problem(path);  // all that optimize would refuse is refused
+std::vector<Finding> find(const CheckOptions& options) {
+  const CodesignProblem problem =
+      read_problem(options.task, options.robot);  // all that optimize would refuse is refused
   const RobotModel& robot = problem.robot;
   std::vector<Finding> all;
   for (int k = 0; k < problem.task_count(); ++k) {
@@ -130,6 +132,28 @@ std::string travel_text(const Finding& found) {
       found.stride.per_cycle, found.stride.per_stance, found.stride.longest);
 }
 
+/// What the task adds to robot and ground; nothing where it adds nothing.
+std::string demands_text(const Finding& found) {
+  const Task& task = found.task;
+  std::string text;
+  if (const SlopeAngles slope = slope_of(task.velocity, task.up);
+      slope.along != 0.0 || slope.across != 0.0)
+    text += fmt::format("ground  rises by {:.3g} rad on the way, by {:.3g} rad to its left\n",
+                        slope.along, slope.across);
+  if (task.payload)
+    text += fmt::format("payload {} kg at {:.3g}, {:.3g}, {:.3g} m of the trunk, {:.0f} % of the "
+                        "robot's own mass\n",
+                        task.payload->mass, task.payload->position.x(), task.payload->position.y(),
+                        task.payload->position.z(),
+                        100.0 * task.payload->mass / found.robot.morphology.total_mass());
+  if (task.torque_limit)
+    text += fmt::format("motors  no more than {} N m each\n", *task.torque_limit);
+  if (task.step_over > 0.0)
+    text += fmt::format("step    over {:.3g} mm; swings are planned {:.3g} mm high\n",
+                        1e3 * task.step_over, 1e3 * task.swing_height.value_or(0.0));
+  return text;
+}
+
 std::string weights_text(const Finding& found) {
   std::string text = "cost    weight of each term; [weights] in the task file changes them\n";
   for (const TermEntry& entry : term_registry()) {
@@ -198,7 +222,7 @@ Json to_json(const Finding& found) {
 }
 
 int check_all_gradients(const CheckOptions& options) {
-  const std::vector<GradientCheck> checks = check_gradients(read_problem(options.task));
+  const std::vector<GradientCheck> checks = check_gradients(read_problem(options.task, options.robot));
   if (options.json)
     fmt::print("{}", to_text(Json{{"schema", "legwright/gradients"},
                                   {"version", 1},
@@ -212,7 +236,7 @@ int check_all_gradients(const CheckOptions& options) {
 
 int check(const CheckOptions& options) {
   if (options.gradients) return check_all_gradients(options);
-  const std::vector<Finding> all = find(options.task);
+  const std::vector<Finding> all = find(options);
   if (options.json) {
     Json document = to_json(all.front());
     if (all.size() > 1) {
@@ -229,11 +253,12 @@ int check(const CheckOptions& options) {
   for (const Finding& found : all) {
     if (all.size() > 1)
       fmt::print("\ntask    {}, weight {} of F_joint\n", found.task.name, found.file.weight);
-    fmt::print("{}{}{}{}", gait_text(found), travel_text(found), style_text(found),
-               weights_text(found));
+    fmt::print("{}{}{}{}{}", gait_text(found), travel_text(found), demands_text(found),
+               style_text(found), weights_text(found));
     for (const std::string& warning : found.warnings) fmt::print("warning {}\n", warning);
   }
-  fmt::print("ok      next: legwright optimize {}\n", options.task);
+  fmt::print("ok      next: legwright optimize {}{}\n", shell_word(options.task),
+             options.robot.empty() ? "" : " --robot " + shell_word(options.robot));
   return kOk;
 }
 
@@ -244,6 +269,7 @@ void add_check(CLI::App& program, Action& action) {
   CLI::App* verb = program.add_subcommand(
       "check", "Read a task and its robot; explain them, or refuse with a reason");
   verb->add_option("TASK", options->task, "task file (TOML), which names its robot")->required();
+  verb->add_option("--robot", options->robot, "MJCF of another robot than the one the task names");
   verb->add_flag(
       "--gradients", options->gradients,
       "check all derivatives of F, and the adjoint, against central differences instead");

@@ -86,8 +86,9 @@ class GapCloser {
     // A wish for the margin counts in knots: the scaled period must not change their number.
     *file.planted_margin *= file.period / file_.period;
     PlannedGait gait;
-    gait.objective = std::make_unique<Objective>(problem_.robot.morphology, problem_.robot.space,
-                                                 make_task(file, problem_.robot));
+    const Task task_now = make_task(file, problem_.robot);
+    gait.objective = std::make_unique<Objective>(as_in_task(problem_.robot.morphology, task_now),
+                                                 problem_.robot.space, task_now);
     ObjectiveCost cost(*gait.objective);
     WeightedCost task;
     task.cost = &cost;
@@ -123,7 +124,8 @@ class GapCloser {
       at_gains.push_back(measure(scene, wanted_, texts.quality.planned_velocity, options));
       add_residuals(at_gains.back(), wanted_, kCycles * scene.trajectory.period, residual);
     }
-    const Verdict verdict = judge(at_gains, wanted_, file_.gait);
+    const Verdict verdict = judge(at_gains, wanted_, file_.gait,
+                                  with_step_over(default_limits(), file_.margins.step_over));
     return {Eigen::Map<const VectorXd>(residual.data(), static_cast<Eigen::Index>(residual.size())),
             verdict.pass, verdict.line};
   }
@@ -230,7 +232,7 @@ TaskFile scaled_task(const TaskFile& task, const std::vector<GaitScalar>& scalar
     const double factor = factors[static_cast<Eigen::Index>(i)];
     if (name == "speed") out.velocity *= factor;
     if (name == "turn_rate") out.turn_rate *= factor;
-    if (name == "swing_height") out.margins.swing_height *= factor;
+    if (name == "swing_height" && out.margins.swing_height) *out.margins.swing_height *= factor;
     if (name == "period") out.period *= factor;
     if (name == "margins") {  // farther from the edges of the cone
       out.margins.friction /= factor;

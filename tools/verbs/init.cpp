@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "mjcf/input_error.hpp"
+#include "mjcf/legs.hpp"
 #include "mjcf/proposals.hpp"
 #include "tools/io/atomic_file.hpp"
 #include "tools/io/clean_text.hpp"
@@ -49,8 +50,10 @@ std::string limb_text(const StudiedRobot& found, const Limb& limb) {
                         limit_text(found.model.servos[static_cast<std::size_t>(k) - 1]));
   }
   const Foot& foot = morphology.feet[static_cast<std::size_t>(limb.foot)];
-  return text + fmt::format("      {:24} ball of {:.3g} m at {:.3f} {:.3f} {:.3f} m\n", foot.name,
-                            foot.radius, limb.home.x(), limb.home.y(), limb.home.z());
+  const std::string shape =
+      foot.radius > 0.0 ? fmt::format("ball of {:.3g} m", foot.radius) : "point of a foot";
+  return text + fmt::format("      {:24} {} at {:.3f} {:.3f} {:.3f} m\n", foot.name, shape,
+                            limb.home.x(), limb.home.y(), limb.home.z());
 }
 
 std::string tree_text(const StudiedRobot& found) {
@@ -70,7 +73,7 @@ std::string tree_text(const StudiedRobot& found) {
     if (limb.partner >= 0)
       text += limb_text(found, found.limbs[static_cast<std::size_t>(limb.partner)]);
   }
-  return text;
+  return text + held_text(found.model.structure);
 }
 
 std::string proposals_text(const StudiedRobot& found) {
@@ -106,6 +109,9 @@ Json to_json(const StudiedRobot& found, const std::string& written) {
                      {"partner", limb.partner < 0 ? Json(nullptr) : Json(limb.partner)},
                      {"home_m", {limb.home.x(), limb.home.y(), limb.home.z()}}});
   }
+  Json held = Json::array();
+  for (const FrozenJoint& frozen : found.model.structure.frozen)
+    held.push_back({{"joint", frozen.name}, {"body", frozen.body}, {"why", frozen.why}});
   Json proposals = Json::array();
   for (const Proposal& p : found.proposals)
     proposals.push_back({{"name", p.name},
@@ -124,6 +130,7 @@ Json to_json(const StudiedRobot& found, const std::string& written) {
           {"mass_kg", morphology.total_mass()},
           {"trunk", found.model.root_body},
           {"limbs", limbs},
+          {"held", held},
           {"declared", declared},
           {"proposals", proposals},
           {"left_out", found.left_out},

@@ -24,6 +24,7 @@ namespace fs = std::filesystem;
 struct TaskOfRun {
   std::string gait;
   WantedMotion wanted;
+  double step_over = 0.0;  // that every foot shall pass over [m]
 };
 
 TaskOfRun read_task(const ResultFolder& folder) {
@@ -33,7 +34,8 @@ TaskOfRun read_task(const ResultFolder& folder) {
     const Json& velocity = task.at("velocity");
     return {task.at("gait").get<std::string>(),
             {{velocity.at(0).get<double>(), velocity.at(1).get<double>()},
-             task.at("turn_rate").get<double>()}};
+             task.at("turn_rate").get<double>()},
+            task.value("step_over_m", 0.0)};
   } catch (const Json::exception& error) {
     throw InputError(
         folder.run_json().string(), 0, "task",
@@ -151,8 +153,10 @@ void write_judged(const ResultFolder& folder, const JudgedRun& judged) {
 }  // namespace
 
 JudgedRun judge_run(const ResultFolder& folder, const std::vector<fs::path>& others,
-                    const JudgeOptions& options) {
+                    const JudgeOptions& asked) {
   const TaskOfRun task = read_task(folder);
+  JudgeOptions options = asked;
+  options.validation.limits = with_step_over(asked.validation.limits, task.step_over);
   JudgedRun judged;
   try {
     std::vector<SceneToValidate> scenes{scene_in(folder.iteration(0)), scene_in(folder.result())};

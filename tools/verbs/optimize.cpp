@@ -31,7 +31,7 @@ namespace fs = std::filesystem;
 constexpr int kToldConstraints = 3;  // of an infeasible plan
 
 struct OptimizeOptions {
-  std::string task, run;
+  std::string task, robot, run;
   bool motion_only = false, no_pictures = false, quiet = false, json = false, force = false;
   bool one_start = false, lbfgs = false, no_certificate = false;
   int max_iterations = CodesignOptions{}.max_iterations;
@@ -205,7 +205,7 @@ void write_end(const ResultFolder& folder, const CodesignProblem& problem,
   outcomes[0].history = recorder.history();
   run["pull"] = recorder.pull_on(found.joint[found.best].label, 0);
   if (found.joint.size() > 1) add_starts(run, found, problem);
-  finish_run(run, status, outcomes[0], effort, problem.robot.space);
+  finish_run(run, status, outcomes[0], effort, problem.robot);
 }
 
 void check_front(const OptimizeOptions& options, const CodesignProblem& problem) {
@@ -259,7 +259,7 @@ void check_not_in_run(const fs::path& root, const RobotFiles& files) {
 }
 
 int optimize(const OptimizeOptions& options) {
-  CodesignProblem problem = read_problem(options.task);
+  CodesignProblem problem = read_problem(options.task, options.robot);
   check_front(options, problem);
   if (!options.quiet) warn(problem);
   const fs::path root = root_of(options, problem);
@@ -312,6 +312,7 @@ void add_optimize(CLI::App& program, Action& action) {
   CLI::App* verb =
       program.add_subcommand("optimize", "Co-design body and gait for a task; write a run folder");
   verb->add_option("TASK", options->task, "task file (TOML), which names its robot")->required();
+  verb->add_option("--robot", options->robot, "MJCF of another robot than the one the task names");
   verb->add_option("-o,--output", options->run, "folder of the run; default: runs/ROBOT-TASK");
   verb->add_flag("--motion-only", options->motion_only,
                  "keep the initial design, optimize its motion");

@@ -84,6 +84,33 @@ TEST_F(TermMeaning, ForceBalanceNoticesMissingWeight) {
       << "one knot without any force misses the whole weight";
 }
 
+TEST_F(TermMeaning, ForceBalanceOnASlopeWantsForcesThatPointUp) {
+  for (const bool printed : {false, true}) {  // masses that grow have a term of their own
+    test::Puppy puppy = test::make_puppy(true);
+    if (printed) test::print_bodies(puppy);
+    Task oblique = task();
+    oblique.up = up_on_slope(oblique.velocity, 0.3, -0.2);
+    const Objective on_slope(puppy.morphology, puppy.space, oblique);
+    VectorXd m = test::standing_motion(on_slope, s_);
+    const auto misfit = [&] {
+      for (const TermValue& term : on_slope.terms(s_, m))
+        if (term.name == "force_balance") return term.value;
+      return -1.0;
+    };
+    EXPECT_GT(misfit(), 1e-2) << printed;  // forces along z
+    const double weight = puppy.morphology.total_mass() * kGravity;
+    for (int i = 0; i < layout().knot_count(); ++i) {
+      std::vector<int> slots;
+      for (int foot = 0; foot < 4; ++foot)
+        if (const int slot = on_slope.layout().force(i, foot); slot >= 0)
+          slots.push_back(slot - on_slope.layout().design_size());
+      for (const int slot : slots)
+        m.segment<3>(slot) = weight / static_cast<double>(slots.size()) * oblique.up;
+    }
+    EXPECT_LT(misfit(), 1e-20) << printed;
+  }
+}
+
 TEST_F(TermMeaning, TorqueBalanceVanishesForFreeFall) {
   // A robot that translates rigidly with no forces at all has a constant angular momentum about its COM.
   for (int i = 0; i <= layout().knot_count(); ++i)

@@ -28,6 +28,42 @@ FootMeasures watch(double from, double to, const Trajectory& trajectory = plan()
   return foot.finish(5.0);
 }
 
+// Five cycles; in each the foot stands for half a second, then steps 0.1 m ahead over `height`. It chatters when it
+// lands: for a few steps it is off again.
+FootMeasures stepping(double height, double lift_of_third = 1.0) {
+  FootWatch foot(plan(), 0, 2.0);
+  for (int n = 0; n <= 5000; ++n) {
+    const double time = n * kStep, phase = std::fmod(time + kStep / 2, kPeriod);
+    const int cycle = static_cast<int>(time + kStep / 2);
+    const double share = std::max(0.0, phase - 0.5) / 0.5;
+    const bool chatter = phase > 0.02 && phase < 0.03 && cycle > 0;
+    const double lift = height * (cycle == 2 ? lift_of_third : 1.0);
+    foot.observe(time, kStep,
+                 {.in_contact = phase < 0.5 && !chatter,
+                  .sole = {0.1 * (cycle + share), 0.0, lift * std::sin(M_PI * share)}});
+  }
+  return foot.finish(5.0);
+}
+
+TEST(FootWatch, AStepPassesOverWhatIsLowerThanItsMiddle) {
+  const FootMeasures foot = stepping(0.03);
+  EXPECT_EQ(foot.swings, 3);
+  EXPECT_NEAR(foot.clearance_min, 0.03, 1e-4);
+  EXPECT_NEAR(foot.clearance_mean, 0.03, 1e-4);
+}
+
+TEST(FootWatch, TheLowestStepCounts) {
+  const FootMeasures foot = stepping(0.03, 0.5);
+  EXPECT_NEAR(foot.clearance_min, 0.015, 1e-4);
+  EXPECT_NEAR(foot.clearance_mean, 0.025, 1e-4);
+}
+
+TEST(FootWatch, AFootThatNeverLiftsPassesOverNothing) {
+  const FootMeasures foot = watch(-0.6, 1.0);
+  EXPECT_GT(foot.swings, 0);
+  EXPECT_EQ(foot.clearance_min, 0.0);
+}
+
 TEST(FootWatch, LateTouchdownIsPositive) {
   const FootMeasures foot = watch(0.03, 0.5);
   EXPECT_EQ(

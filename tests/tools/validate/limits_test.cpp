@@ -52,6 +52,31 @@ TEST(LimitsFile, ExampleKnowsEveryQuantity) {
   EXPECT_FALSE(need_robustness(default_limits()));
 }
 
+TEST(Limits, ATaskThatStepsOverSomethingAsksForIt) {
+  EXPECT_FALSE(with_step_over(default_limits(), 0.0).contains("foot_clearance"));
+  const Limits limits = with_step_over(default_limits(), 0.03);
+  EXPECT_EQ(limits.at("foot_clearance").low, 0.03);
+  const Limits own = with_step_over(parse_limits("foot_clearance.low = 0.02", "my.toml"), 0.03);
+  EXPECT_EQ(own.at("foot_clearance").low, 0.02);
+  Measurements run;
+  run.speed_ratio = 1.0;
+  for (const double clearance : {0.05, 0.029}) {
+    FootMeasures foot;
+    foot.swings = 4;
+    foot.clearance_min = clearance;
+    run.feet.push_back(foot);
+  }
+  const WantedMotion ahead{{0.1, 0.0}, 0.0};
+  Verdict verdict = judge({run}, ahead, "walk", limits);
+  EXPECT_FALSE(verdict.pass);
+  EXPECT_NE(verdict.line.find("steps over no more than 0.029 m"), std::string::npos)
+      << verdict.line;
+  run.feet[1].clearance_min = 0.03;
+  EXPECT_TRUE(judge({run}, ahead, "walk", limits).pass);
+  run.feet.clear();  // nothing was seen to step: that is no pass
+  EXPECT_FALSE(judge({run}, ahead, "walk", limits).pass);
+}
+
 TEST(LimitsFile, ReplacesOnlyWhatItSays) {
   const Limits limits = parse_limits("tilt.high = 0.05\nmargin.delay.high = 0.002\n", "my.toml");
   EXPECT_EQ(limits.at("tilt").high, 0.05);

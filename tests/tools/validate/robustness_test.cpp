@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/validate/robustness.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
+#include "optimizer/motion/task.hpp"
 #include "plugin/spline.hpp"
 #include "tests/tools/io/temporary_folder.hpp"
 #include "tests/tools/simulate/tiny_scene.hpp"
@@ -124,6 +126,27 @@ TEST_F(Disturbed, SlopeSlidesItAsItShould) {
   EXPECT_LT(end_velocity(from, slope, 1).y(), -0.3 * a);  // rising to the left
   slope.slope_across = 0.05;                              // below the angle of friction
   EXPECT_NEAR(end_velocity(from, slope, 1).norm(), 0.0, 2e-2);
+}
+
+TEST_F(Disturbed, ASlopeComesOnTopOfTheScenesOwn) {
+  TinyScene tiny;
+  std::string xml = tiny.xml();
+  const std::size_t end = xml.rfind("</mujoco>");
+  ASSERT_NE(end, std::string::npos);
+  const Eigen::Vector3d own = -kG * up_on_slope({1.0, 0.0}, 0.2, 0.0);
+  xml.insert(end, fmt::format("<option gravity=\"{} {} {}\"/>", own.x(), own.y(), own.z()));
+  write_file(folder_.path() / "slope.xml", xml, Durability::process);
+  const DisturbableScene from(folder_.path() / "slope.xml", Eigen::Vector2d::UnitX());
+  const auto gravity = [&](double along, double across) {
+    Disturbance slope = from.nothing();
+    slope.slope_along = along;
+    slope.slope_across = across;
+    const Scene scene = from.with(slope);
+    return Eigen::Vector3d(scene.model->opt.gravity);
+  };
+  EXPECT_LT((gravity(0.0, 0.0) - own).norm(), 1e-12);
+  EXPECT_LT((gravity(-0.2, 0.0) - Eigen::Vector3d(0, 0, -kG)).norm(), 1e-12);  // level again
+  EXPECT_LT((gravity(0.1, 0.05) + kG * up_on_slope({1.0, 0.0}, 0.3, 0.05)).norm(), 1e-12);
 }
 
 TEST_F(Disturbed, MassWeighsOnTheFloor) {

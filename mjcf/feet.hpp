@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <string>
+#include <vector>
+
+#include "mjcf/affine.hpp"
+#include "mjcf/elements.hpp"
+#include "mjcf/structure.hpp"
+#include "mjcf/xml.hpp"
+
+namespace legwright {
+
+/// Height of the lowest point of a geom in the pose that `data` holds [m].
+double lowest_point(const mjModel& model, const mjData& data, int geom);
+bool collides(const mjModel& model, int geom);
+
+/// The foot among the parts of a leg's last link, in the pose that `data` holds: the colliding geom
+/// that reaches lowest (a ball before others that are about as low), else the lowest site. Without
+/// name. Returns false where there is neither.
+/// @param bodies those that make up the link.
+bool choose_foot(const mjModel& model, const mjData& data, const std::vector<int>& bodies,
+                 FootContact& foot);
+
+/// Body that a foot belongs to.
+int foot_body(const mjModel& model, const FootContact& foot);
+
+/// Centre of a foot's ball in the frame of its body, as a function of the design.
+/// @param stretches of its body; without any the point as it is in the file.
+AffineVector foot_point(const XmlFile& xml, const TreeElements& elements, const mjModel& model,
+                        const FootContact& foot, const std::vector<Stretch>& stretches);
+
+}  // namespace legwright

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+namespace legwright {
+
+/// Where a foot touches the ground: a ball about a point that is fixed to its link. Radius zero: the
+/// point itself, as the middle of a sole.
+struct FootContact {
+  std::string name;  // of the geom in scenes; the file's geom may have none
+  int geom = -1;     // id in the compiled model; −1: a site, for which scenes have a geom
+  int site = -1;
+  Eigen::Vector3d share = Eigen::Vector3d::Zero();  // of the point, along the geom's axes: over its
+                                                    // half sizes; of a mesh in m, in its asset's
+  double radius = 0.0;                              // [m]
+};
+
+/// A joint that the plan holds at its home pose.
+struct FrozenJoint {
+  int joint = -1;          // id in the compiled model
+  std::string name, body;  // of the file; may be empty
+  std::string why;         // "rides along …"
+};
+
+/// What moves in the plan, what is held, and where the robot touches the ground. The same for every
+/// design of a robot.
+struct Structure {
+  int trunk = 0;                    // body id
+  std::vector<bool> moves;          // by joint id: a hinge of a leg
+  std::vector<bool> reads_tendon;   // by tendon id: a linear actuator of a leg
+  std::vector<FootContact> feet;    // in order of their links
+  std::vector<FrozenJoint> frozen;  // in order of joints
+};
+
+}  // namespace legwright

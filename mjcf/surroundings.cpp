@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mjcf/surroundings.hpp"
+
+#include <algorithm>
+
+#include "mjcf/numbers.hpp"
+#include "mjcf/scene_parts.hpp"
+#include "mjcf/xml.hpp"
+
+namespace legwright {
+namespace {
+
+using tinyxml2::XMLElement;
+
+constexpr const char* kPayload = "payload";
+
+void add_payload(const XmlFile& xml, XMLElement& trunk, const Payload& payload) {
+  if (const XmlElement* taken = find_named(xml.root(), "body", kPayload))
+    throw xml.error(*taken, "the task has a payload, whose body takes this name; rename the body");
+  XMLElement& body = add(trunk, "body");
+  body.SetAttribute("name", kPayload);
+  body.SetAttribute("pos", format_numbers(payload.position).c_str());
+  XMLElement& box = add(body, "geom");
+  // All that a default class of the robot may say otherwise.
+  for (const auto& [name, value] : {std::pair{"type", "box"},
+                                    {"contype", "0"},
+                                    {"conaffinity", "0"},
+                                    {"group", "0"},
+                                    {"pos", "0 0 0"},
+                                    {"quat", "1 0 0 0"},
+                                    {"rgba", "0.85 0.55 0.25 1"}})
+    box.SetAttribute(name, value);
+  box.SetAttribute("size", format_numbers(payload.size / 2).c_str());
+  box.SetAttribute("mass", format_number(payload.mass).c_str());
+}
+
+}  // namespace
+
+std::string in_surroundings(const RobotModel& robot, const std::string& robot_xml,
+                            const Task& task) {
+  const bool level = task.up == Eigen::Vector3d::UnitZ();
+  if (level && !task.payload) return robot_xml;
+  const auto xml = load_xml(robot_xml, robot.file);
+  XMLElement& root = *xml->dom.RootElement();
+  if (task.payload) {
+    const XmlElement* trunk = find_named(root, "body", robot.root_body);
+    if (!trunk) throw InputError(robot.file.string(), 0, "", "the text is not of this robot");
+    add_payload(*xml, const_cast<XMLElement&>(*trunk), *task.payload);
+  }
+  if (!level)
+    add(root, "option").SetAttribute("gravity", format_numbers(-kGravity * task.up).c_str());
+  tinyxml2::XMLPrinter printer;
+  xml->dom.Print(&printer);
+  return printer.CStr();
+}
+
+RobotModel with_weaker_servos(RobotModel robot, const Task& task) {
+  for (Servo& servo : robot.servos)
+    if (task.torque_limit && servo.tendon.empty())
+      servo.torque_limit = std::min(servo.torque_limit, *task.torque_limit);
+  return robot;
+}
+
+Eigen::Vector3d up_of(const mjModel& model) {
+  const Eigen::Map<const Eigen::Vector3d> gravity(model.opt.gravity);
+  const double size = gravity.norm();
+  if (size == 0.0 || (gravity.x() == 0.0 && gravity.y() == 0.0)) return Eigen::Vector3d::UnitZ();
+  return -gravity / size;
+}
+
+}  // namespace legwright

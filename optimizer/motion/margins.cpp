@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimizer/motion/margins.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "optimizer/design/morphology.hpp"
+
+namespace legwright {
+namespace {
+
+// Found on robots with legs of 20 cm: 25 mm, 20 mm, 35 ms, 4e-3 s².
+constexpr double kSwingShare = 0.12, kClearanceShare = 0.095, kTouchdownShare = 0.24;
+constexpr double kKnownLeg = 0.21, kKnownTimeSquared = 4e-3;
+
+}  // namespace
+
+double swing_height(const Task& task, double leg_length) {
+  return task.swing_height.value_or(
+      std::max(kSwingShare * leg_length, kSwingOver * task.step_over));
+}
+
+double limb_clearance(const Task& task, double leg_length) {
+  return task.clearance.value_or(kClearanceShare * leg_length);
+}
+
+double touchdown_error(double leg_length) {
+  return kTouchdownShare * std::sqrt(leg_length / kGravity);
+}
+
+double smoothness_time_squared(double leg_length) {
+  return kKnownTimeSquared * (leg_length / kKnownLeg);
+}
+
+}  // namespace legwright

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/report/bought.hpp"
+
+#include "tests/tools/report/hostile_names.hpp"
+#include "tests/tools/report/run_fixture.hpp"
+
+namespace legwright {
+namespace {
+
+/// The fixture's run with figures for both bodies: the first walks as well unless a test says otherwise.
+class Bought : public RunFixture {
+ protected:
+  void SetUp() override {
+    RunFixture::SetUp();
+    edit("result/metrics.json", [](Json& metrics) {
+      metrics["initial"] = metrics["result"];
+      set_power(metrics["initial"], 4.0, 2.0);
+      set_power(metrics["result"], 3.0, 1.5);
+    });
+    edit("result/verdict.json", [](Json& verdict) {
+      verdict["initial"]["pass"] = verdict["result"]["pass"] = true;
+    });
+    edit_run([](Json& run) {
+      run["motion_only"] = false;
+      run["body"] = {{"initial", {{"mass_kg", 2.0}, {"printed_volume_m3", 1e-4}}},
+                     {"final", {{"mass_kg", 1.98}, {"printed_volume_m3", 8e-5}}}};
+    });
+  }
+  static void set_power(Json& side, double power, double torque) {
+    for (auto& [gain, measured] : side.items()) {
+      measured["power_mean_W"] = power;
+      measured["joints"] = {{{"name", "a"}, {"torque_peak_Nm", 0.5 * torque}},
+                            {{"name", "b"}, {"torque_peak_Nm", torque}}};
+      measured["feet"] = {{{"name", "F"}, {"clearance_min_m", 0.02}},
+                          {{"name", "G"}, {"clearance_min_m", 0.01 * torque}}};
+    }
+  }
+  const BoughtRow& row(const std::string& what) {
+    rows_ = bought_rows(read_run(run_));
+    for (const BoughtRow& each : rows_)
+      if (each.what == what) return each;
+    ADD_FAILURE() << "no row: " << what;
+    static const BoughtRow none;
+    return none;
+  }
+  bool has_row(const std::string& what) {
+    for (const BoughtRow& each : bought_rows(read_run(run_)))
+      if (each.what == what) return true;
+    return false;
+  }
+  std::vector<BoughtRow> rows_;
+};
+
+TEST_F(Bought, FiguresStandBesideEachOther) {
+  EXPECT_EQ(row("mechanical power").before, "4 W");
+  EXPECT_EQ(row("mechanical power").after, "3 W");
+  EXPECT_NEAR(*row("mechanical power").change, -0.25, 1e-12);
+  EXPECT_EQ(row("peak torque of a servo").before, "2 N·m");  // of the servo that needs most
+  EXPECT_EQ(row("steps over a bar of").after, "15 mm");      // by the foot that lifts least
+  EXPECT_EQ(row("printed volume").after, "80 cm³");
+  EXPECT_NEAR(*row("mass of the robot").change, -0.01, 1e-12);
+  EXPECT_EQ(row("in MuJoCo").before, "✓ passes");
+}
+
+TEST_F(Bought, WordsNameWhatIsWorthTelling) {
+  const std::string words = bought_words(read_run(run_));
+  EXPECT_EQ(words,
+            "Both bodies do the task in MuJoCo; the co-designed one with 25 % less peak torque of "
+            "a servo, 25 % less mechanical power and 20 % less printed volume.");
+  EXPECT_TRUE(has(body_words(read_run(run_)), "front hip axis roll from 0° to 80.2°"));
+}
+
+TEST_F(Bought, ABodyThatFallsHasNoFigures) {
+  edit("result/metrics.json", [](Json& metrics) {
+    metrics["initial"]["half"]["fall"] = {{"time_s", 1.0}, {"cause", "trunk on the ground"}};
+    metrics["initial"]["default"]["fall"] = metrics["initial"]["half"]["fall"];
+  });
+  edit("result/verdict.json", [](Json& verdict) { verdict["initial"]["pass"] = false; });
+  EXPECT_EQ(row("mechanical power").before, "–");
+  EXPECT_EQ(row("mechanical power").after, "3 W");
+  EXPECT_FALSE(row("mechanical power").change);
+  EXPECT_EQ(row("in MuJoCo").before, "✗ falls at 2 of the gains");
+  EXPECT_EQ(row("steps over a bar of").before, "–");
+  EXPECT_TRUE(has(bought_words(read_run(run_)), "the co-designed one does, with 20 % less printed"));
+}
+
+TEST_F(Bought, SaysSoWhereNothingWasBought) {
+  edit("result/verdict.json", [](Json& verdict) { verdict["result"]["pass"] = false; });
+  EXPECT_TRUE(has(bought_words(read_run(run_)), "nothing was bought"));
+  edit("result/verdict.json", [](Json& verdict) { verdict["initial"]["pass"] = false; });
+  EXPECT_EQ(bought_words(read_run(run_)), "Neither body does the task in MuJoCo.");
+}
+
+TEST_F(Bought, WithoutPhysicsThereAreMassesAndCosts) {
+  for (const char* file : {"metrics.json", "verdict.json"})
+    std::filesystem::remove(run_ / "result" / file);
+  EXPECT_FALSE(has_row("mechanical power"));
+  EXPECT_TRUE(has_row("printed volume"));
+  EXPECT_TRUE(has_row("cost of the gait, F"));
+  EXPECT_EQ(bought_words(read_run(run_)), "");
+  EXPECT_TRUE(has(page(), "has not been measured yet"));
+  expect_well_formed(page());
+}
+
+TEST_F(Bought, ThePageAndTheSummaryAnswer) {
+  const std::string text = page();
+  EXPECT_TRUE(has(text, "What the body changed, and what it bought"));
+  EXPECT_TRUE(has(text, "−25 %"));
+  EXPECT_TRUE(has(text, "+11 %"));  // front thigh, 60 to 66.6 mm
+  expect_well_formed(text);
+  const std::string summary = report_summary(read_run(run_));
+  EXPECT_TRUE(has(summary, "**What the body bought.** Both bodies"));
+  EXPECT_TRUE(has(summary, "| mechanical power | 4 W | 3 W | −25 % |"));
+}
+
+TEST_F(Bought, OfARunThatKeptItsBodyNothingIsSaid) {
+  edit_run([](Json& run) { run["motion_only"] = true; });
+  EXPECT_EQ(body_words(read_run(run_)), "");
+  EXPECT_EQ(bought_words(read_run(run_)), "");
+  EXPECT_FALSE(has(page(), "what it bought"));
+}
+
+TEST_F(Bought, HostileTextStaysText) {
+  const std::size_t plain = tags_of(page());
+  for (const std::string& raw : hostile_names()) {
+    edit_run([&](Json& run) {
+      run["parameters"][0]["name"] = run["outer"]["objective"] = clean_utf8(raw);
+    });
+    const std::string text = page();
+    expect_well_formed(text);
+    EXPECT_LE(tags_of(text), plain + 20) << raw;  // a row for the outer objective
+  }
+}
+
+TEST(ChangeWords, AreShort) {
+  EXPECT_EQ(change_words(-0.314), "−31 %");
+  EXPECT_EQ(change_words(0.042), "+4.2 %");
+  EXPECT_EQ(change_words(1e-5), "as before");
+}
+
+}  // namespace
+}  // namespace legwright

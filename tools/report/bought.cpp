@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/report/bought.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "tools/report/words.hpp"
+
+namespace legwright {
+namespace {
+
+constexpr double kWorthTelling = 0.05;      // relative change of a figure, in a sentence
+constexpr std::size_t kToldParameters = 3;  // likewise
+constexpr const char* kSides[] = {"initial", "result"};
+
+using Value = std::optional<double>;
+using Sides = std::pair<Value, Value>;
+
+/// One body's roll-outs, those that came to their end.
+std::vector<const Json*> walks(const RunData& data, const char* side) {
+  std::vector<const Json*> out;
+  const Json& gains = value_at(data.metrics, {side});
+  if (!gains.is_object()) return out;
+  for (const auto& [gain, measured] : gains.items())
+    if (measured.is_object() && value_at(measured, {"fall"}).is_null()) out.push_back(&measured);
+  return out;
+}
+
+std::size_t falls(const RunData& data, const char* side) {
+  const Json& gains = value_at(data.metrics, {side});
+  std::size_t count = 0;
+  if (!gains.is_object()) return 0;
+  for (const auto& [gain, measured] : gains.items())
+    count += value_at(measured, {"fall"}).is_object() ? 1 : 0;
+  return count;
+}
+
+/// The least or greatest of the gains; none where the body falls at one of them.
+Value over_gains(const RunData& data, const char* side, const char* key, bool greatest) {
+  if (falls(data, side) > 0) return std::nullopt;
+  Value out;
+  for (const Json* measured : walks(data, side)) {
+    const Value value = number_at(*measured, {key});
+    if (!value) return std::nullopt;
+    out = !out ? *value : greatest ? std::max(*out, *value) : std::min(*out, *value);
+  }
+  return out;
+}
+
+/// Of the roll-out at default gains, where it came to its end.
+Value at_default(const RunData& data, const char* side, const std::function<Value(const Json&)>& of) {
+  const Json& measured = value_at(data.metrics, {side, "default"});
+  if (!measured.is_object() || value_at(measured, {"fall"}).is_object()) return std::nullopt;
+  return of(measured);
+}
+
+/// The greatest (or least) of one number over the entries of a list.
+Value extreme(const Json& list, const char* key, bool greatest) {
+  Value out;
+  if (!list.is_array()) return out;
+  for (const Json& entry : list) {
+    const Value value = number_at(entry, {key});
+    if (value) out = !out ? *value : greatest ? std::max(*out, *value) : std::min(*out, *value);
+  }
+  return out;
+}
+
+Value peak_torque(const Json& measured) {
+  return extreme(value_at(measured, {"joints"}), "torque_peak_Nm", true);
+}
+
+Value least_clearance(const RunData& data, const char* side) {
+  if (falls(data, side) > 0) return std::nullopt;
+  Value out;
+  for (const Json* measured : walks(data, side))
+    if (const Value value = extreme(value_at(*measured, {"feet"}), "clearance_min_m", false))
+      out = std::min(out.value_or(*value), *value);
+  return out;
+}
+
+std::string verdict_words(const RunData& data, const char* side) {
+  const Json& pass = value_at(data.verdict, {side, "pass"});
+  if (!pass.is_boolean()) return "–";
+  if (pass.get<bool>()) return "✓ passes";
+  const std::size_t count = falls(data, side);
+  return count == 0 ? "✗ fails" : fmt::format("✗ falls at {} of the gains", count);
+}
+
+class Rows {
+ public:
+  using Show = std::function<std::string(Value)>;
+  void text(const char* what, std::string before, std::string after) {
+    if (before == "–" && after == "–") return;
+    rows_.push_back({what, std::move(before), std::move(after), std::nullopt});
+  }
+  void add(const std::string& what, const Sides& sides, const Show& show) {
+    if (!sides.first && !sides.second) return;
+    BoughtRow row{what, show(sides.first), show(sides.second), std::nullopt};
+    if (sides.first && sides.second && *sides.first != 0.0)
+      row.change = (*sides.second - *sides.first) / std::abs(*sides.first);
+    rows_.push_back(std::move(row));
+  }
+  std::vector<BoughtRow> take() { return std::move(rows_); }
+
+ private:
+  std::vector<BoughtRow> rows_;
+};
+
+Rows::Show in(const std::string& unit) {
+  return [unit](Value value) { return amount_words(value, unit); };
+}
+
+Sides both(const std::function<Value(const char*)>& of) { return {of(kSides[0]), of(kSides[1])}; }
+
+Sides outer_cost(const RunData& data) {
+  if (text_at(data.run, {"outer", "objective"}).empty() || data.iterations.empty()) return {};
+  return {number_at(data.iterations.front(), {"J"}), number_at(data.run, {"final_J"})};
+}
+
+void add_measured(const RunData& data, Rows& rows) {
+  rows.text("in MuJoCo", verdict_words(data, kSides[0]), verdict_words(data, kSides[1]));
+  const auto least = [&](const char* key) {
+    return both([&](const char* side) { return over_gains(data, side, key, false); });
+  };
+  rows.add("of the wanted speed, worst gains", least("speed_ratio"), percent);
+  rows.add("of the wanted turn rate, worst gains", least("turn_ratio"), percent);
+  rows.add("largest tilt", both([&](const char* side) {
+             return over_gains(data, side, "tilt_max_rad", true);
+           }),
+           in("rad"));
+  rows.add("share of the time with a servo at its limit", both([&](const char* side) {
+             return over_gains(data, side, "saturated_share", true);
+           }),
+           percent);
+  const auto standard = [&](const std::function<Value(const Json&)>& of) {
+    return both([&](const char* side) { return at_default(data, side, of); });
+  };
+  const auto number = [](const char* key) {
+    return [key](const Json& measured) { return number_at(measured, {key}); };
+  };
+  rows.add("peak torque of a servo", standard(peak_torque), in("N m"));
+  rows.add("mechanical power", standard(number("power_mean_W")), in("W"));
+  rows.add("cost of transport", standard(number("cost_of_transport")), short_number);
+  rows.add("steps over a bar of",
+           both([&](const char* side) { return least_clearance(data, side); }), in("m"));
+}
+
+/// "31 % less mechanical power"
+std::string gain_words(const BoughtRow& row) {
+  return fmt::format("{} {} {}", percent_whole(std::abs(*row.change)),
+                     *row.change < 0.0 ? "less" : "more", row.what);
+}
+
+std::string joined(const std::vector<std::string>& parts) {
+  std::string out;
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    out += (k == 0 ? "" : k + 1 == parts.size() ? " and " : ", ") + parts[k];
+  return out;
+}
+
+/// Quantities of which there is more or less, not how well something is done.
+bool is_amount(const BoughtRow& row) {
+  for (const char* what : {"peak torque of a servo", "mechanical power", "cost of transport",
+                           "printed volume", "mass of the robot"})
+    if (row.what == what) return true;
+  return false;
+}
+
+std::string amounts(const std::vector<BoughtRow>& rows) {
+  std::vector<std::string> parts;
+  for (const BoughtRow& row : rows)
+    if (is_amount(row) && row.change && std::abs(*row.change) >= kWorthTelling)
+      parts.push_back(gain_words(row));
+  return joined(parts);
+}
+
+}  // namespace
+
+std::string change_words(double change) {
+  if (std::abs(change) < 5e-4) return "as before";
+  const std::string size = std::abs(change) < 0.0995 ? percent(std::abs(change))
+                                                     : percent_whole(std::abs(change));
+  return fmt::format("{}{}", change < 0.0 ? "−" : "+", size);
+}
+
+std::vector<BoughtRow> bought_rows(const RunData& data) {
+  Rows rows;
+  if (!data.metrics.is_null()) add_measured(data, rows);
+  const auto body = [&](const char* key) {
+    return Sides{number_at(data.run, {"body", "initial", key}),
+                 number_at(data.run, {"body", "final", key})};
+  };
+  rows.add("mass of the robot", body("mass_kg"), in("kg"));
+  rows.add("printed volume", body("printed_volume_m3"),
+           [](Value value) { return value ? short_number(*value * 1e6) + " cm³" : "–"; });
+  rows.add("cost of the gait, F",
+           {number_at(data.run, {"motion_only_F"}), number_at(data.run, {"final_F"})},
+           short_number);
+  if (const Sides J = outer_cost(data); J.first || J.second)
+    rows.add("what the body was to lower, " + spaced(text_at(data.run, {"outer", "objective"})), J,
+             short_number);
+  return rows.take();
+}
+
+std::string body_words(const RunData& data) {
+  std::vector<ParameterView> all = parameters_of(data.run);
+  std::erase_if(all, [](const ParameterView& p) { return p.change() == "0"; });
+  if (motion_only(data) || all.empty()) return "";
+  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
+    return a.share_of_range() > b.share_of_range();
+  });
+  std::vector<std::string> parts;
+  for (std::size_t k = 0; k < std::min(all.size(), kToldParameters); ++k)
+    parts.push_back(fmt::format("{} from {} to {}", spaced(all[k].name),
+                                all[k].with_unit(all[k].initial), all[k].with_unit(all[k].final)));
+  return "Most of all " + joined(parts) + ".";
+}
+
+std::string bought_words(const RunData& data) {
+  if (motion_only(data)) return "";
+  const Json& before = value_at(data.verdict, {"initial", "pass"});
+  const Json& after = value_at(data.verdict, {"result", "pass"});
+  if (!before.is_boolean() || !after.is_boolean()) return "";
+  const bool could = before.get<bool>(), can = after.get<bool>();
+  const std::string more = amounts(bought_rows(data));
+  if (could && can)
+    return more.empty() ? "Both bodies do the task in MuJoCo, with much the same effort."
+                        : "Both bodies do the task in MuJoCo; the co-designed one with " + more + ".";
+  if (!could && can)
+    return fmt::format(
+        "The initial body with its own best gait does not do the task in MuJoCo, the co-designed "
+        "one does{}.",
+        more.empty() ? "" : ", with " + more);
+  if (could)
+    return "In MuJoCo the initial body does the task and the co-designed one does not: nothing was "
+           "bought.";
+  return "Neither body does the task in MuJoCo.";
+}
+
+}  // namespace legwright

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/report/run_data.hpp"
+
+namespace legwright {
+
+/// A figure of the initial body, with the gait that is best for it, beside that of the co-designed one.
+struct BoughtRow {
+  std::string what, before, after;  // as people read them; "–" where there is none
+  std::optional<double> change;     // (after − before)/before, where both are numbers and before is not 0
+};
+
+/// What can be compared of a run: what MuJoCo measured, masses, costs. Rows without a number on either side are left
+/// out. Of speeds and tilts the worst of the gains, of torque and power what was measured at default gains.
+std::vector<BoughtRow> bought_rows(const RunData& data);
+
+/// In plain sentences: what changed most in the body, and what that bought. Empty where nothing changed.
+std::string body_words(const RunData& data);
+std::string bought_words(const RunData& data);
+
+/// "−31 %", "+4.2 %", "as before"
+std::string change_words(double change);
+
+}  // namespace legwright

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// What did the body change, and what did it buy: parameters beside figures, before and after.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "tools/report/bought.hpp"
+#include "tools/report/sections.hpp"
+#include "tools/report/words.hpp"
+
+namespace legwright {
+namespace {
+
+constexpr std::size_t kMostParameters = 8;
+
+void open_table(Html& page, const char* title) {
+  page.open("div").element("h3", title).open("table", {{"class", "gains"}});
+  page.open("thead").open("tr").element("th", "");
+  for (const char* head : {"before", "after", "change"})
+    page.element("th", head, {{"class", "n"}});
+  page.close().close().open("tbody");
+}
+
+void add_row(Html& page, const std::string& what, const std::string& before,
+             const std::string& after, const std::string& change) {
+  page.open("tr").element("td", what);
+  for (const std::string& cell : {before, after, change})
+    page.element("td", cell, {{"class", "n"}});
+  page.close();
+}
+
+/// A length by its share, an angle or what began at zero by its amount.
+std::string parameter_change(const ParameterView& p) {
+  if (p.angle || p.initial == 0.0) return p.change();
+  return change_words((p.final - p.initial) / std::abs(p.initial));
+}
+
+void add_parameters(Html& page, const RunData& data) {
+  auto all = parameters_of(data.run);
+  std::erase_if(all, [](const ParameterView& p) { return p.change() == "0"; });
+  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
+    return a.share_of_range() > b.share_of_range();
+  });
+  open_table(page, "The body");
+  for (std::size_t k = 0; k < std::min(all.size(), kMostParameters); ++k)
+    add_row(page, spaced(all[k].name), all[k].with_unit(all[k].initial),
+            all[k].with_unit(all[k].final), parameter_change(all[k]));
+  page.close().close();
+  if (all.size() > kMostParameters)
+    page.element("p", fmt::format("… and {} more, below.", all.size() - kMostParameters),
+                 {{"class", "note"}});
+  page.close();
+}
+
+}  // namespace
+
+void add_bought(Html& page, const RunData& data) {
+  const std::string body = body_words(data);
+  if (body.empty()) return;  // nothing changed
+  page.open("section").element("h2", "What the body changed, and what it bought");
+  page.element("p", fmt::format("{} {}", body, bought_words(data)));
+  page.open("div", {{"class", "charts"}});
+  add_parameters(page, data);
+  open_table(page, "What it does");
+  for (const BoughtRow& row : bought_rows(data))
+    add_row(page, row.what, row.before, row.after, row.change ? change_words(*row.change) : "");
+  page.close().close().close().close();
+  if (data.metrics.is_null())
+    add_hint(page, "What the bodies do in MuJoCo has not been measured yet.", "validate", data);
+  page.element("p",
+               "Before: the initial body with the gait that is best for it, so the difference is "
+               "the body’s. Torque and power are those at default servo gains.",
+               {{"class", "note"}});
+  add_gap_note(page, data.run, "F is");
+  page.close();
+}
+
+}  // namespace legwright
