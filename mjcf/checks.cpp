@@ -8,6 +8,7 @@
 
 #include "mjcf/compile.hpp"
 #include "mjcf/numbers.hpp"
+#include "mjcf/size_limits.hpp"
 #include "optimizer/design/morphology.hpp"
 
 namespace legwright {
@@ -67,12 +68,34 @@ void check_numbers(const XmlFile& xml, const XmlElement& element) {
                            is_listed(kNumberElements, element.Name()) ||
                            (is_tag(element, "numeric") && a->Name() == std::string_view("data"));
     if (!is_number) continue;
-    if (const auto values = parse_numbers(a->Value());
-        !values || (values->empty() && a->Value()[0] != '\0'))
+    const auto values = parse_numbers(a->Value());
+    if (values && values->empty())  // MuJoCo takes it for absent, or for another class's
+      throw xml.error(element, fmt::format("attribute {}: is empty; write a number, or remove it",
+                                           a->Name()));
+    if (!values)
       throw xml.error(element,
                       fmt::format("attribute {}: {}", a->Name(), explain_bad_number(a->Value())));
-    else
-      check_magnitude(xml, element, a->Name(), *values);
+    check_magnitude(xml, element, a->Name(), *values);
+  }
+}
+
+constexpr std::size_t kLongestName = 200;  // [bytes], of a trajectory's columns too
+
+/// References like &#7; bring what no UTF-8 check of the text sees; a terminal would obey it.
+void check_texts(const XmlFile& xml, const XmlElement& element) {
+  for (const tinyxml2::XMLAttribute* a = element.FirstAttribute(); a; a = a->Next()) {
+    const std::string_view value = a->Value();
+    for (const char c : value)
+      if ((static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n' && c != '\r') || c == 0x7F)
+        throw xml.error(element, fmt::format("attribute {}: holds a control character; remove it",
+                                             a->Name()));
+    const bool is_name = a->Name() == std::string_view("name") ||
+                         a->Name() == std::string_view("class") ||
+                         a->Name() == std::string_view("model");
+    if (is_name && value.size() > kLongestName)
+      throw InputError(xml.file.string(), element.GetLineNum(), element.Name(),
+                       fmt::format("attribute {}: {} bytes long; a name may have {}, shorten it",
+                                   a->Name(), value.size(), kLongestName));
   }
 }
 
@@ -133,6 +156,14 @@ void check_has_free_joint(const XmlFile& xml) {
 
 }  // namespace
 
+void check_values(const XmlFile& xml) {
+  for_each_element(xml.root(), [&](const XmlElement& element) {
+    check_texts(xml, element);
+    check_sizes(xml, element);
+    check_numbers(xml, element);
+  });
+}
+
 void check_text(const XmlFile& xml) {
   if (!is_tag(xml.root(), "mujoco"))
     throw xml.error(xml.root(), "the root element of a robot is <mujoco>; is this an MJCF file?");
@@ -145,6 +176,8 @@ void check_text(const XmlFile& xml) {
     if (is_tag(element, "plugin") || is_tag(element, "extension"))
       throw xml.error(element,
                       "a robot with engine plugins is not read; use the elements of plain MJCF");
+    check_texts(xml, element);
+    check_sizes(xml, element);
     check_numbers(xml, element);
     check_axis(xml, element);
     check_scene_needs(xml, element);

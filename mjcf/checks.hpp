@@ -11,6 +11,10 @@ namespace legwright {
 /// InputError.
 void check_text(const XmlFile& xml);
 
+/// The part of check_text() that holds for any model: numbers that MuJoCo would misread, sizes that
+/// fill the memory, control characters. Throws InputError.
+void check_values(const XmlFile& xml);
+
 /// Error at a body, joint or geom of the compiled model; falls back on the file where it has no
 /// name.
 InputError error_at(const XmlFile& xml, const mjModel& model, mjtObj type, int id,

@@ -11,6 +11,7 @@
 #include "mjcf/compile.hpp"
 #include "mjcf/elements.hpp"
 #include "mjcf/growth.hpp"
+#include "mjcf/keyframes.hpp"
 #include "mjcf/linear_actuators.hpp"
 #include "mjcf/mesh_scales.hpp"
 #include "mjcf/numbers.hpp"
@@ -200,6 +201,21 @@ void write_places(const RobotModel& robot, const XmlFile& xml, const StretchMap&
   }
 }
 
+/// Compiles the text and compares it with what it shall be; empty where it is that.
+std::string difference_from_intent(const RobotModel& robot, const VectorXd& s,
+                                   const std::string& text, const std::vector<StandingKey>& keys) {
+  try {
+    const RobotModel written = parse_robot(text, robot.file, &robot.structure);
+    if (written.space.size() != s.size() || written.space.initial() != s) return "declared values";
+    const std::string difference = find_difference(robot.morphology, s, written.morphology, s);
+    if (!difference.empty() || keys.empty()) return difference;
+    return find_lifted_foot(written.structure, keys, *load_xml(text, robot.file),
+                            *compile_mjcf(text, robot.file));
+  } catch (const InputError& error) {
+    return std::string("it is refused: ") + error.what();
+  }
+}
+
 }  // namespace
 
 std::string rewrite_robot(const RobotModel& robot, const VectorXd& s) {
@@ -217,19 +233,19 @@ std::string rewrite_robot(const RobotModel& robot, const VectorXd& s) {
         .run();
   write_places(robot, *xml, all, places, s, edits);
   write_mesh_scales(*xml, *model, find_elements(*xml, *model), all, s, edits);
-  std::string text = edits.apply();
-  std::string difference;
-  try {
-    const RobotModel written = parse_robot(text, robot.file, &robot.structure);
-    const bool same_s = written.space.size() == s.size() && written.space.initial() == s;
-    difference =
-        same_s ? find_difference(robot.morphology, s, written.morphology, s) : "declared values";
-  } catch (const InputError& error) {
-    difference = std::string("it is refused: ") + error.what();
+  // A pose that the robot's reader would refuse is given up; the design itself never is.
+  std::string first;
+  for (const KeyframeEffort effort :
+       {KeyframeEffort::angles, KeyframeEffort::height, KeyframeEffort::none}) {
+    TextEdits with_keys = edits;
+    const std::vector<StandingKey> keys = solve_keyframes(robot, *xml, *model, s, effort);
+    edit_keyframes(*model, keys, with_keys);
+    std::string text = with_keys.apply();
+    const std::string difference = difference_from_intent(robot, s, text, keys);
+    if (difference.empty()) return text;
+    if (first.empty()) first = difference;
   }
-  if (!difference.empty())
-    throw std::logic_error("the rewritten robot is not the intended one: " + difference);
-  return text;
+  throw std::logic_error("the rewritten robot is not the intended one: " + first);
 }
 
 }  // namespace legwright

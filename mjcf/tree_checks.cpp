@@ -22,6 +22,22 @@ const XmlElement& last_with(const XmlFile& xml, const char* tag, const char* nam
   return *found;
 }
 
+/// MuJoCo puts the centre of a body without mass where the body itself is, once more: not on the
+/// body. With boundmass it weighs something there, and what moves the body moves it twice.
+void refuse_mass_from_nowhere(const XmlFile& xml, const mjModel& model, int trunk,
+                              Refusals& reasons) {
+  const XmlElement& compiler = last_with(xml, "compiler", "boundmass");
+  const auto bound = parse_numbers(attribute(compiler, "boundmass"));
+  if (!bound || bound->size() != 1 || !(bound->front() > 0.0)) return;
+  for (int b = 1; b < model.nbody; ++b)
+    if (model.body_rootid[b] == trunk && model.body_mass[b] == bound->front() &&
+        model.body_inertia[3 * b] == 0.0)
+      reasons.add(
+          xml.error(compiler, fmt::format("attribute boundmass: gives mass to body '{}', which has "
+                                          "none; write its <inertial>, or remove boundmass",
+                                          name_of(model, mjOBJ_BODY, b))));
+}
+
 /// The planner knows one gravity; with another the played gait would fall for no visible reason.
 void check_gravity(const XmlFile& xml, const mjModel& model, Refusals& reasons) {
   if (model.opt.disableflags & mjDSBL_GRAVITY)
@@ -118,6 +134,7 @@ void check_surroundings(const XmlFile& xml, const mjModel& model, int trunk, Ref
                  "mocap bodies are moved from outside", reasons);
   refuse_section(xml, static_cast<int>(model.nskin), "asset", "skins are not carried", reasons);
   check_gravity(xml, model, reasons);
+  refuse_mass_from_nowhere(xml, model, trunk, reasons);
   for (int g = 0; g < model.ngeom; ++g) {
     const int root = model.body_rootid[model.geom_bodyid[g]];
     if (root != trunk && !is_free_root(root) &&

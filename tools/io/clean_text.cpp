@@ -63,4 +63,13 @@ std::string terminal_text(std::string_view text) {
   }
 }
 
+std::string plain_name(std::string_view name) {
+  std::string out(name.substr(0, 64));
+  for (char& c : out) {
+    const bool plain = (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+    if (!plain && c != '_' && c != '-') c = '_';
+  }
+  return out;
+}
+
 }  // namespace legwright

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/io/design_folder.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -16,6 +14,7 @@
 #include "optimizer/design/momentum.hpp"
 #include "optimizer/motion/motion.hpp"
 #include "tools/io/robot_folder.hpp"
+#include "tools/io/unfinished_folder.hpp"
 #include "tools/simulate/plan.hpp"
 
 namespace legwright {
@@ -38,29 +37,6 @@ std::vector<double> headings(const MotionView& motion, int knot_count) {
   }
   return result;
 }
-
-/// Removes a half-written folder unless it was handed over.
-class TemporaryFolder {
- public:
-  explicit TemporaryFolder(fs::path path) : path_(std::move(path)) {
-    fs::remove_all(path_);  // of a run that was killed
-    fs::create_directories(path_);
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    if (!path_.empty()) fs::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  const fs::path& path() const { return path_; }
-  void rename_to(const fs::path& target) {
-    fs::rename(path_, target);
-    path_.clear();
-  }
-
- private:
-  fs::path path_;
-};
 
 /// Where the links are at each knot of a plan.
 std::vector<PoseKinematics> poses_of(const Objective& objective, const Eigen::VectorXd& s,
@@ -187,14 +163,13 @@ PlanQuality write_design(const fs::path& folder, const RobotModel& robot,
                          const Objective& objective, const DesignIteration& iteration, int task,
                          Durability durability) {
   const DesignTexts texts = design_texts(robot, objective, iteration.s, iteration.tasks.at(task).m);
-  TemporaryFolder temporary(folder.parent_path() /
-                            fmt::format(".{}.tmp", folder.filename().string()));
+  UnfinishedFolder temporary(folder);
   write_robot_files(temporary.path(), robot.files.with_text(texts.robot_xml), durability);
   write_file(temporary.path() / "scene.xml", texts.scene_xml, durability);
   write_file(temporary.path() / "motion.csv", texts.motion_csv, durability);
   write_json(temporary.path() / "metrics.json",
              iteration_metrics(robot.space, iteration, task, texts.quality), durability);
-  temporary.rename_to(folder);
+  temporary.appear();
   if (durability == Durability::power) sync_folder(folder.parent_path());
   return texts.quality;
 }

@@ -70,6 +70,8 @@ Json provenance(const std::vector<std::string>& argv, const CodesignProblem& pro
   return {{"argv", argv},
           {"versions", versions()},
           {"factorisation", factor_name()},
+          {"files",
+           {{"task.toml", problem.set.file.string()}, {"robot.xml", problem.robot.file.string()}}},
           {"sha256", sums}};
 }
 

@@ -4,63 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace legwright {
 namespace {
-
-const char* warning_text(int kind) {
-  switch (kind) {
-    case mjWARN_INERTIA:
-      return "(nearly) singular inertia matrix";
-    case mjWARN_CONTACTFULL:
-      return "too many contacts";
-    case mjWARN_CNSTRFULL:
-      return "too many constraints";
-    case mjWARN_BADQPOS:
-      return "bad number in the positions";
-    case mjWARN_BADQVEL:
-      return "bad number in the velocities";
-    case mjWARN_BADQACC:
-      return "bad number in the accelerations";
-    case mjWARN_BADCTRL:
-      return "bad number in the controls";
-    default:
-      return "unknown warning";
-  }
-}
-
-// The first time and number of each kind of warning.
-class Health {
- public:
-  void look(const mjData& data, double time) {
-    for (int kind = 0; kind < mjNWARNING; ++kind) {
-      if (data.warning[kind].number > 0 && first_[static_cast<std::size_t>(kind)] < 0) {
-        first_[static_cast<std::size_t>(kind)] = time;
-      }
-    }
-  }
-  static bool diverged(const mjData& data) {
-    return data.warning[mjWARN_BADQPOS].number > 0 || data.warning[mjWARN_BADQVEL].number > 0 ||
-           data.warning[mjWARN_BADQACC].number > 0;
-  }
-  std::vector<HealthWarning> warnings(const mjData& data) const {
-    std::vector<HealthWarning> out;
-    for (int kind = 0; kind < mjNWARNING; ++kind) {
-      const double time = first_[static_cast<std::size_t>(kind)];
-      if (time >= 0) out.push_back({time, warning_text(kind), data.warning[kind].number});
-    }
-    return out;
-  }
-
- private:
-  std::array<double, mjNWARNING> first_ = [] {
-    std::array<double, mjNWARNING> none{};
-    none.fill(-1.0);
-    return none;
-  }();
-};
 
 // Feet may sit on the trunk itself; they are there to touch the ground.
 bool trunk_touches_world(const Scene& scene, const mjData& data) {

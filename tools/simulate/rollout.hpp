@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/simulate/health.hpp"
 #include "tools/simulate/scene.hpp"
 
 namespace legwright {
@@ -38,13 +39,6 @@ struct RolloutOptions {
 struct Fall {
   double time;        // [s]
   std::string cause;  // "tilted by more than 1 rad", …
-};
-
-/// A kind of warning that MuJoCo counts.
-struct HealthWarning {
-  double time;  // of the first [s]
-  std::string text;
-  int count;
 };
 
 struct RolloutFrame {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <numeric>
 
+#include "mjcf/checks.hpp"
 #include "mjcf/compile.hpp"
 #include "mjcf/model_diff.hpp"
 #include "mjcf/robot_files.hpp"
@@ -22,7 +23,10 @@ struct DiffOptions {
 
 ModelPointer compiled(const std::string& file) {
   const RobotFiles files = RobotFiles::read(file);
-  return files.at_their_lines([&] { return compile_mjcf(files.text(), files.file()); });
+  return files.at_their_lines([&] {
+    check_values(*load_xml(files.text(), files.file()));
+    return compile_mjcf(files.text(), files.file());
+  });
 }
 
 double mass_of(const mjModel& model) {

@@ -8,10 +8,13 @@
 #include "mjcf/input_error.hpp"
 #include "optimizer/solve/stopwatch.hpp"
 #include "tools/io/certificate_json.hpp"
+#include "tools/io/clean_text.hpp"
 #include "tools/io/install.hpp"
 #include "tools/io/io_error.hpp"
+#include "tools/io/licence.hpp"
 #include "tools/io/robot_folder.hpp"
 #include "tools/io/run_json.hpp"
+#include "tools/simulate/stand.hpp"
 #include "tools/verbs/close_gap.hpp"
 #include "tools/verbs/feasibility.hpp"
 #include "tools/verbs/joint_folders.hpp"
@@ -35,15 +38,6 @@ struct OptimizeOptions {
   int starts = 0, threads = 0, front = 0, physics_steps = 0;
   std::uint64_t seed = 1;
 };
-
-/// A model may be named anything, "../x" included; a folder may not.
-std::string as_folder_name(std::string name) {
-  for (char& c : name) {
-    const bool plain = (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
-    if (!plain && c != '_' && c != '-') c = '_';
-  }
-  return name;
-}
 
 std::string status_text(SolveStatus status, int signal) {
   if (signal == SIGINT) return "interrupted";
@@ -145,7 +139,7 @@ void warn(const CodesignProblem& problem) {
 fs::path root_of(const OptimizeOptions& options, const CodesignProblem& problem) {
   if (!options.run.empty()) return options.run;
   return fs::path("runs") /
-         (as_folder_name(problem.robot.morphology.name) + "-" + problem.set.name);
+         (plain_name(problem.robot.morphology.name) + "-" + problem.set.name);
 }
 
 /// What stands in the run's folder before anything is solved. @return run.json
@@ -156,6 +150,7 @@ Json write_start(const ResultFolder& folder, const CodesignProblem& problem, boo
   write_json(folder.run_json(), run);
   write_file(folder.inputs() / "task.toml", text_beside_robot(problem.set.text));
   write_robot_files(folder.inputs(), problem.robot.files);
+  copy_licences(problem.robot.files.folder(), folder.inputs());
   return run;
 }
 
@@ -176,12 +171,31 @@ Progress make_progress(const OptimizeOptions& options, const CodesignOptions& se
   return progress;
 }
 
+/// The result plays for a second in MuJoCo; what the engine warns of is told and noted.
+Json engine_warnings(const ResultFolder& folder, const CodesignProblem& problem) {
+  Json found = Json::array();
+  for (int k = 0; k < problem.task_count(); ++k) {
+    const fs::path scene = result_folder(folder, problem, k) / "scene.xml";
+    if (!fs::exists(scene)) continue;
+    for (const HealthWarning& warning : warnings_in_gait(scene)) {
+      found.push_back({{"task", problem.task(k).name},
+                       {"warning", warning.text},
+                       {"count", warning.count},
+                       {"first_s", warning.time}});
+      fmt::print(stderr, "legwright: warning: {}: MuJoCo warns: {}, {} times, first at {:.3g} s\n",
+                 scene.string(), warning.text, warning.count, warning.time);
+    }
+  }
+  return found;
+}
+
 /// Results, and what run.json says of them.
 void write_end(const ResultFolder& folder, const CodesignProblem& problem,
                const MultistartResult& found, int signal, Recorder& recorder, Json& run) {
   std::vector<TaskOutcome> outcomes = write_results(folder, problem, found, recorder);
   RunEffort effort = effort_of(found);
   effort.file_seconds = recorder.seconds();
+  run["engine_warnings"] = engine_warnings(folder, problem);
   const std::string status = status_text(found.winner().status, signal);
   if (problem.set.joint()) {
     finish_joint_run(run, status, found, outcomes, effort, problem);

@@ -37,7 +37,7 @@ TEST(Program, HelpAndVersionAreFineAndNonsenseIsBadInput) {
       << typo.err;
   EXPECT_EQ(call({"optimize", kWalk, "--max-iterations", "many"}).code, 2);
   for (const char* verb :
-       {"init", "check", "optimize", "validate", "render", "report", "play", "diff", "doctor"}) {
+       {"init", "check", "optimize", "validate", "render", "report", "play", "export", "diff", "doctor"}) {
     const Outcome help = call({verb, "--help"});
     EXPECT_EQ(help.code, 0) << verb;
     EXPECT_TRUE(contains(help.out, "--json")) << verb;

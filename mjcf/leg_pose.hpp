@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "optimizer/design/inertia.hpp"
+#include "optimizer/design/morphology.hpp"
+
+namespace legwright {
+
+/// A leg: the joints that move one foot and no other.
+struct LegJoints {
+  int foot = 0;
+  std::vector<int> joints;  // from the trunk down; empty where the foot shares all of its joints
+};
+std::vector<LegJoints> legs_of(const Morphology& morphology);
+
+/// A robot at one design that is put into poses (root position, root rotation vector, joint angles).
+class PosedRobot {
+ public:
+  PosedRobot(const Morphology& morphology, const Eigen::VectorXd& s);
+  /// Centre of a foot, world [m].
+  Eigen::Vector3d foot(const Eigen::VectorXd& pose, int foot) const;
+  /// Centre of a foot as seen from the hinge where its leg hangs on the trunk, world axes [m].
+  Eigen::Vector3d reach(const Eigen::VectorXd& pose, const LegJoints& leg) const;
+  /// Turns a leg's joints in `pose` until the foot's centre is at `height` [m] and, as far as that
+  /// goes, its reach is `reach` in x and y. Joints stay within their ranges, near where they start.
+  /// False where the height is out of reach; `pose` is then of no use.
+  bool solve(Eigen::VectorXd& pose, const LegJoints& leg, double height,
+             const Eigen::Vector2d& reach) const;
+
+ private:
+  struct Sight;
+  class LegSolver;
+  Sight look(const Eigen::VectorXd& pose, const LegJoints& leg) const;
+
+  const Morphology& morphology_;
+  const Eigen::VectorXd s_;
+  const GeometryAtDesign geometry_;
+};
+
+}  // namespace legwright

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mjcf/size_limits.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
+#include "mjcf/numbers.hpp"
+
+namespace legwright {
+namespace {
+
+struct SizeLimit {
+  const char *tag, *attribute;
+  double largest;
+};
+
+/// Far above what robots have, far below what hurts.
+constexpr SizeLimit kLimits[] = {
+    {"size", "nuserdata", 1e5},      {"size", "nuser_body", 100},
+    {"size", "nuser_jnt", 100},      {"size", "nuser_geom", 100},
+    {"size", "nuser_site", 100},     {"size", "nuser_cam", 100},
+    {"size", "nuser_tendon", 100},   {"size", "nuser_actuator", 100},
+    {"size", "nuser_sensor", 100},   {"size", "nkey", 1e4},
+    {"size", "njmax", 1e6},          {"size", "nconmax", 1e6},
+    {"option", "iterations", 1e4},   {"option", "ls_iterations", 1e4},
+    {"option", "noslip_iterations", 1e4}, {"option", "ccd_iterations", 1e4},
+    {"option", "sdf_iterations", 1e4},    {"option", "sdf_initpoints", 1e4},
+    {"quality", "numslices", 1e3},   {"quality", "numstacks", 1e3},
+    {"quality", "numquads", 1e3},    {"quality", "shadowsize", 16384},
+    {"quality", "offsamples", 64},   {"global", "offwidth", 16384},
+    {"global", "offheight", 16384},
+};
+
+constexpr double kMemory = 1e9;  // [bytes] of the engine's stack
+
+/// "10M" as bytes; NaN for what is no such text. "-1" lets MuJoCo decide.
+double bytes_of(std::string_view text) {
+  double unit = 1.0;
+  constexpr std::string_view kUnits = "KMGTPE";
+  if (!text.empty())
+    if (const std::size_t k = kUnits.find(text.back()); k != std::string_view::npos) {
+      unit = std::pow(1024.0, static_cast<double>(k) + 1.0);
+      text.remove_suffix(1);
+    }
+  const auto number = parse_number(text);
+  return number ? unit * *number : std::nan("");
+}
+
+}  // namespace
+
+void check_sizes(const XmlFile& xml, const XmlElement& element) {
+  for (const SizeLimit& limit : kLimits) {
+    if (!is_tag(element, limit.tag) || !has_attribute(element, limit.attribute)) continue;
+    const auto value = parse_numbers(attribute(element, limit.attribute));
+    if (value && !value->empty() && std::abs(value->front()) > limit.largest)
+      throw xml.error(element, fmt::format("attribute {}: {} is beyond any robot (at most {})",
+                                           limit.attribute, value->front(), limit.largest));
+  }
+  if (is_tag(element, "size") && has_attribute(element, "memory") &&
+      !(bytes_of(attribute(element, "memory")) <= kMemory))
+    throw xml.error(element, fmt::format("attribute memory: '{}' is beyond any robot (at most {} "
+                                         "bytes); remove it, MuJoCo takes what it needs",
+                                         attribute(element, "memory"), kMemory));
+}
+
+}  // namespace legwright

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+// legwright export: the robot of a run in a folder of its own.
+#include <gtest/gtest.h>
+#include <mujoco/mujoco.h>
+
+#include <memory>
+#include <set>
+
+#include "tests/tools/verbs/program.hpp"
+#include "tools/io/checksum.hpp"
+#include "tools/io/json_file.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+using test::contains;
+using test::kExamples;
+using test::Outcome;
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
+/// A run of one iteration of a robot that stands in a folder of its own, with a licence.
+class Export : public testing::Test {
+ protected:
+  void SetUp() override { optimize("puppy"); }
+
+  void optimize(const std::string& model) {
+    fs::remove_all(root() / "mine");
+    fs::create_directories(root() / "mine");
+    const fs::path from = kExamples / "puppy";
+    write_file(root() / "mine" / "robot.xml",
+               replaced(read_file(from / "robot.xml"), "model=\"puppy\"", "model=\"" + model + "\""));
+    write_file(root() / "mine" / "task.toml", read_file(from / "sideways.toml"));
+    write_file(root() / "mine" / "LICENSE", "Do what is right.\n");
+    const Outcome done = call({"optimize", "mine/task.toml", "-o", "run", "--force",
+                               "--max-iterations", "1", "--no-pictures", "--no-certificate"});
+    ASSERT_TRUE(done.code == 0 || done.code == 1) << done.err;
+  }
+
+  Outcome call(const std::vector<std::string>& words) const {
+    return test::wait_for(test::start(words, root()), root());
+  }
+  fs::path root() const { return folder_.path(); }
+
+ private:
+  test::TemporaryFolder folder_;
+};
+
+std::set<std::string> files_in(const fs::path& folder) {
+  std::set<std::string> out;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) out.insert(fs::relative(entry.path(), folder).string());
+  return out;
+}
+
+TEST_F(Export, MakesAFolderThatStockMujocoOpens) {
+  const Outcome done = call({"export", "run", "-o", "puppy", "--json"});
+  ASSERT_EQ(done.code, 0) << done.err;
+  const Json told = Json::parse(done.out);
+  EXPECT_EQ(told["schema"], "legwright/export");
+  EXPECT_EQ(told["engine_warnings"], 0);
+  const fs::path folder = root() / "puppy";
+  const std::set<std::string> files = files_in(folder);
+  for (const char* name : {"puppy.xml", "scene.xml", "README.md", "LICENSE"})
+    EXPECT_EQ(files.count(name), 1u) << name;
+  EXPECT_EQ(std::set<std::string>(told["files"].begin(), told["files"].end()), files);
+  EXPECT_EQ(read_file(folder / "puppy.xml"), read_file(root() / "run" / "result" / "robot.xml"));
+  EXPECT_EQ(read_file(folder / "LICENSE"), "Do what is right.\n");
+
+  char error[500] = "";
+  const std::unique_ptr<mjModel, void (*)(mjModel*)> scene(
+      mj_loadXML((folder / "scene.xml").c_str(), nullptr, error, sizeof error), mj_deleteModel);
+  ASSERT_TRUE(scene) << error;
+  EXPECT_EQ(scene->nplugin, 0);
+  EXPECT_EQ(scene->nu, 12);
+  EXPECT_GE(mj_name2id(scene.get(), mjOBJ_GEOM, "floor"), 0);
+  EXPECT_GE(mj_name2id(scene.get(), mjOBJ_KEY, "home"), 0);
+
+  const std::string readme = read_file(folder / "README.md");
+  for (const std::string& part :
+       {std::string("# puppy\n"), sha256_hex(read_file(root() / "mine" / "robot.xml")),
+        sha256_hex(read_file(root() / "mine" / "task.toml")), std::string("mine/robot.xml"),
+        std::string("--max-iterations 1"), std::string("| front\\_thigh\\_length | 0.06 |"),
+        std::string("was not validated"), std::string("no warning of the engine"),
+        std::string("Carried over from beside the robot's file: LICENSE.")})
+    EXPECT_TRUE(contains(readme, part)) << part << " in:\n" << readme;
+}
+
+TEST_F(Export, RefusesToOverwriteAndLeavesNothingBehind) {
+  ASSERT_EQ(call({"export", "run", "-o", "there", "--no-picture"}).code, 0);
+  const auto before = fs::last_write_time(root() / "there" / "README.md");
+  const Outcome again = call({"export", "run", "-o", "there"});
+  EXPECT_EQ(again.code, 3);
+  EXPECT_TRUE(contains(again.err, "exists already; name a new folder")) << again.err;
+  EXPECT_EQ(fs::last_write_time(root() / "there" / "README.md"), before);
+
+  EXPECT_EQ(call({"export", "nowhere", "-o", "other"}).code, 3);
+  // A result that is not the design which it declares.
+  const fs::path result = root() / "run" / "result" / "robot.xml";
+  const std::string good = read_file(result);
+  write_file(result, replaced(good, "mass=\"1\"", "mass=\"1.5\""));
+  const Outcome changed = call({"export", "run", "-o", "other"});
+  EXPECT_EQ(changed.code, 2);
+  EXPECT_TRUE(contains(changed.err, "mass of link trunk")) << changed.err;
+  write_file(result, good);
+  // A robot at the start that the run did not start from.
+  const fs::path input = root() / "run" / "inputs" / "robot.xml";
+  write_file(input, read_file(input) + "\n");
+  EXPECT_TRUE(contains(call({"export", "run", "-o", "other"}).err, "SHA-256"));
+  fs::remove(result);
+  EXPECT_EQ(call({"export", "run", "-o", "other"}).code, 3);
+  EXPECT_FALSE(fs::exists(root() / "other"));
+  for (const auto& entry : fs::directory_iterator(root()))
+    EXPECT_FALSE(contains(entry.path().filename().string(), ".tmp")) << entry.path();
+}
+
+TEST_F(Export, NamesOfModelsAreNoPathsAndNoMarkup) {
+  optimize("../../&lt;b&gt;x|y` [a](b)");
+  const Outcome done = call({"export", "run", "--no-picture"});
+  ASSERT_EQ(done.code, 0) << done.err;
+  const fs::path folder = root() / "exports" / "run";
+  EXPECT_TRUE(fs::exists(folder / "_______b_x_y___a__b_.xml"));
+  const std::string readme = read_file(folder / "README.md");
+  EXPECT_EQ(readme.substr(0, readme.find('\n')),
+            "# ../../&lt;b&gt;x\\|y\\` \\[a\\](b)");
+}
+
+/// Parts and meshes come along, as files of their own: not links into the run.
+TEST_F(Export, ARobotOfSeveralFilesKeepsThem) {
+  fs::create_directories(root() / "mine" / "assets");
+  write_file(root() / "mine" / "assets" / "dot.obj",
+             "v 0 0 0\nv 0.01 0 0\nv 0 0.01 0\nv 0 0 0.01\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+  write_file(root() / "mine" / "skin.xml",
+             "<mujoco><asset><mesh name=\"dot\" file=\"assets/dot.obj\"/></asset></mujoco>\n");
+  const std::string xml = read_file(root() / "mine" / "robot.xml");
+  write_file(root() / "mine" / "robot.xml",
+             replaced(replaced(xml, "<asset>", "<include file=\"skin.xml\"/><asset>"),
+                      "<body name=\"eyes\" pos=\"0.095 0 0\">",
+                      "<body name=\"eyes\" pos=\"0.095 0 0\"><geom type=\"mesh\" mesh=\"dot\"/>"));
+  const Outcome made = call({"optimize", "mine/task.toml", "-o", "run", "--force",
+                             "--max-iterations", "1", "--no-pictures", "--no-certificate"});
+  ASSERT_TRUE(made.code == 0 || made.code == 1) << made.err;
+  const Outcome done = call({"export", "run", "-o", "there", "--no-picture"});
+  ASSERT_EQ(done.code, 0) << done.err;
+  const fs::path folder = root() / "there";
+  EXPECT_EQ(read_file(folder / "skin.xml"), read_file(root() / "mine" / "skin.xml"));
+  EXPECT_EQ(read_file(folder / "assets" / "dot.obj"),
+            read_file(root() / "mine" / "assets" / "dot.obj"));
+  EXPECT_EQ(fs::hard_link_count(folder / "assets" / "dot.obj"), 1u);
+  EXPECT_TRUE(contains(read_file(folder / "puppy.xml"), "<include file=\"skin.xml\"/>"));
+  EXPECT_TRUE(contains(read_file(folder / "README.md"), "assets/dot.obj"));
+  char error[500] = "";
+  const std::unique_ptr<mjModel, void (*)(mjModel*)> scene(
+      mj_loadXML((folder / "scene.xml").c_str(), nullptr, error, sizeof error), mj_deleteModel);
+  ASSERT_TRUE(scene) << error;
+  EXPECT_EQ(scene->nmesh, 1);
+}
+
+TEST_F(Export, ALinkIsNoLicence) {
+  fs::remove(root() / "mine" / "LICENSE");
+  fs::create_symlink("/etc/hostname", root() / "mine" / "LICENSE");
+  const Outcome again = call({"optimize", "mine/task.toml", "-o", "run", "--force",
+                              "--max-iterations", "0", "--no-pictures", "--no-certificate"});
+  ASSERT_TRUE(again.code == 0 || again.code == 1) << again.err;
+  ASSERT_EQ(call({"export", "run", "-o", "there", "--no-picture"}).code, 0);
+  EXPECT_FALSE(fs::exists(root() / "there" / "LICENSE"));
+  EXPECT_TRUE(contains(read_file(root() / "there" / "README.md"), "No licence stood beside"));
+}
+
+}  // namespace
+}  // namespace legwright

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+
+namespace legwright {
+
+/// A folder that is filled and then appears whole under its name, or not at all.
+class UnfinishedFolder {
+ public:
+  /// Makes the hidden folder `.NAME.tmp` beside `target`; one of that name that a killed process
+  /// left goes first. Throws std::filesystem::filesystem_error.
+  explicit UnfinishedFolder(const std::filesystem::path& target);
+  /// Removes what was not handed over.
+  ~UnfinishedFolder();
+  UnfinishedFolder(const UnfinishedFolder&) = delete;
+  UnfinishedFolder& operator=(const UnfinishedFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+  /// Gives it its name. Throws std::filesystem::filesystem_error where a folder with files has it.
+  void appear();
+
+ private:
+  std::filesystem::path target_, path_;
+};
+
+}  // namespace legwright

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/render/portrait.hpp"
+
+#include <algorithm>
+
+#include "tools/render/png.hpp"
+#include "tools/render/poses.hpp"
+
+namespace legwright {
+namespace {
+
+constexpr int kWidth = 960, kHeight = 720;
+constexpr double kAzimuth = 215.0, kElevation = -16.0;
+
+}  // namespace
+
+void draw_portrait(const std::filesystem::path& scene, const std::filesystem::path& png) {
+  const GlContext context;
+  const ModelPointer model = load_scene(scene);
+  const int key = std::max(mj_name2id(model.get(), mjOBJ_KEY, "home"), 0);
+  const double* pose = model->nkey > 0
+                           ? model->key_qpos + static_cast<std::ptrdiff_t>(key) * model->nq
+                           : model->qpos0;
+  const std::vector<double> qpos(pose, pose + model->nq);
+  const View view = frame_robot(*model, {qpos}, kAzimuth, kElevation,
+                                static_cast<double>(kWidth) / kHeight);
+  Renderer renderer(context, *model, kWidth, kHeight, RenderStyle::full);
+  write_png(png, renderer.render(qpos, view));
+}
+
+}  // namespace legwright

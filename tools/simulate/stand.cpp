@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/simulate/stand.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "mjcf/model_diff.hpp"
+#include "tools/simulate/mujoco_host.hpp"
+#include "tools/simulate/rollout.hpp"
+
+namespace legwright {
+namespace {
+
+/// With includes and assets found from its folder.
+MujocoModel load_model(const std::filesystem::path& file) {
+  MujocoMessages messages;
+  std::array<char, 1000> error{};
+  const MujocoSpec spec(
+      mj_parseXML(file.c_str(), nullptr, error.data(), static_cast<int>(error.size())));
+  if (!spec) throw MujocoError(fmt::format("{}: MuJoCo cannot read it: {}", file.string(), error.data()));
+  MujocoModel model(mj_compile(spec.get(), nullptr));
+  if (!model)
+    throw MujocoError(
+        fmt::format("{}: MuJoCo cannot compile it: {}", file.string(), mjs_getError(spec.get())));
+  return model;
+}
+
+int free_body(const mjModel& model) {
+  for (int j = 0; j < model.njnt; ++j)
+    if (model.jnt_type[j] == mjJNT_FREE) return model.jnt_bodyid[j];
+  return model.nbody - 1;
+}
+
+Stand stand(mjModel& model, double seconds) {
+  const MujocoMessages messages;
+  model.opt.disableflags |= mjDSBL_AUTORESET;
+  const MujocoData data = make_data(model);
+  const int home = mj_name2id(&model, mjOBJ_KEY, "home");
+  if (model.nkey > 0) mj_resetDataKeyframe(&model, data.get(), std::max(home, 0));
+  mj_forward(&model, data.get());
+  const int trunk = free_body(model);
+  Stand out;
+  out.trunk_before = data->xpos[3 * trunk + 2];
+  Health health;
+  const auto steps = std::llround(seconds / model.opt.timestep);
+  for (long long n = 1; n <= steps && !out.diverged; ++n) {
+    mj_step(&model, data.get());
+    out.seconds = static_cast<double>(n) * model.opt.timestep;
+    health.look(*data, out.seconds);
+    out.diverged = Health::diverged(*data);
+  }
+  out.trunk_after = data->xpos[3 * trunk + 2];
+  out.warnings = health.warnings(*data);
+  return out;
+}
+
+}  // namespace
+
+Stand stand(const std::filesystem::path& scene, double seconds) {
+  const MujocoModel model = load_model(scene);
+  return stand(*model, seconds);
+}
+
+std::vector<HealthWarning> warnings_in_gait(const std::filesystem::path& file, double seconds) {
+  const Scene scene = load_scene(file);
+  RolloutOptions options;
+  options.cycles = static_cast<int>(std::ceil(seconds / scene.trajectory.period));
+  return rollout(scene, options).warnings;
+}
+
+std::vector<std::string> differences_in_scene(const std::filesystem::path& robot,
+                                              const std::filesystem::path& scene) {
+  const MujocoModel alone = load_model(robot), whole = load_model(scene);
+  std::vector<std::string> out;
+  for (const Difference& difference : model_differences(*alone, *whole))
+    if (difference.quantity != "only in B")
+      out.push_back(difference.element + ": " + difference.quantity);
+  return out;
+}
+
+}  // namespace legwright
