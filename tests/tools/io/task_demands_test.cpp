@@ -20,9 +20,6 @@ std::string text_with(const std::string& rest, const std::string& travel = "velo
          "\n" + rest;
 }
 
-TaskFile file_with(const std::string& rest) {
-  return parse_task_file(text_with(rest), kExamples / "puppy/test.toml");
-}
 
 Task task_with(const std::string& rest, const std::string& travel = "velocity = [0.1, 0.0]") {
   static const RobotModel puppy = read_robot(kExamples / "puppy/robot.xml");
