@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t kMostBytes = 1 << 20;
 constexpr double kSteepest = 1.0;   // [rad]
-constexpr double kSwingOver = 2.0;  // planned height of a swing over what it shall step over
+constexpr double kSwingOver = 2.25;  // planned height of a swing over what it shall step over
 constexpr const char* kRobotBeside = "robot.xml";
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
