@@ -13,7 +13,7 @@ inline constexpr double kKnownLeg = 0.21;
 
 /// Planned height of a swing over what it shall step over: feet are highest late in their step, splines and soft servos
 /// cut the top.
-inline constexpr double kSwingOver = 2.0;
+inline constexpr double kSwingOver = 2.25;
 
 /// How high a foot is lifted [m]: the task's wish, or a share of the leg, or what stepping over a height needs.
 double swing_height(const Task& task, double leg_length);

@@ -163,8 +163,8 @@ std::string joined(const std::vector<std::string>& parts) {
 
 /// Quantities of which there is more or less, not how well something is done.
 bool is_amount(const BoughtRow& row) {
-  for (const char* what : {"peak torque of a servo", "mechanical power", "cost of transport",
-                           "printed volume", "mass of the robot"})
+  for (const char* what : {"peak torque of a servo", "mechanical power", "printed volume",
+                           "mass of the robot"})
     if (row.what == what) return true;
   return false;
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "tools/report/bought.hpp"
 #include "tools/report/html.hpp"
@@ -92,7 +93,7 @@ std::string bought(const RunData& data) {
   std::string out = "**What the body bought.** " + words + "\n\n| | before | after | |\n|---|---:|---:|---:|\n";
   std::size_t shown = 0;
   for (const BoughtRow& row : bought_rows(data)) {
-    if (!row.change || shown == kMostBought) continue;
+    if (!row.change || std::abs(*row.change) < 5e-4 || shown == kMostBought) continue;
     ++shown;
     out += fmt::format("| {} | {} | {} | {} |\n", cell(row.what), cell(row.before), cell(row.after),
                        change_words(*row.change));

@@ -67,11 +67,15 @@ TEST(TaskFile, CommentsInTheExampleNameRealKeys) {
   // Every line that is commented out must be accepted once it is not.
   std::string text = read_file(kPuppy / "sideways.toml");
   for (const std::string key : {"duty", "com_path", "foot_targets", "planted_margin",
-                                "joint_margin", "[weights]", "smoothness"}) {
+                                "joint_margin", "torque_limit", "step_over", "[ground]",
+                                "slope_along", "slope_across", "[payload]", "mass", "position",
+                                "size", "[weights]", "smoothness"}) {
     const std::size_t at = text.find("# " + key);
     ASSERT_NE(at, std::string::npos) << key;
     text.erase(at, 2);
   }
+  EXPECT_NE(complaint(text).find("limits.step_over"), std::string::npos);  // 25 mm are too low
+  text.replace(text.find("swing_height = 0.025"), 20, "swing_height = 0.06 ");
   EXPECT_EQ(complaint(text), "");
   EXPECT_EQ(parse_task_file(text, kPuppy / "test.toml").weights.at("smoothness"), 0.3);
   // A pattern of one's own needs a name of its own as well.
