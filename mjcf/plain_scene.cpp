@@ -3,6 +3,7 @@
 
 #include "mjcf/compile.hpp"
 #include "mjcf/scene_parts.hpp"
+#include "mjcf/surroundings.hpp"
 
 namespace legwright {
 
@@ -10,7 +11,7 @@ std::string plain_scene(const RobotModel& robot, const std::string& robot_xml,
                         const std::string& robot_file, double friction) {
   const ModelPointer model = compile_mjcf(robot_xml, robot.file);
   const SceneView view =
-      scene_view(robot.morphology, robot.space.initial(), Eigen::Vector3d::Zero());
+      scene_view(robot.morphology, robot.space.initial(), Eigen::Vector3d::Zero(), up_of(*model));
   tinyxml2::XMLDocument dom;
   dom.Parse("<mujoco/>");
   tinyxml2::XMLElement& root = *dom.RootElement();

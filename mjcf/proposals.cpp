@@ -220,10 +220,12 @@ class Study {
 
   /// A beam across the trunk, without a hinge of its own, that carries the legs of a row.
   void add_girdle(int id) {
-    if (compiled_->body_parentid[id] != trunk_ || compiled_->body_jntnum[id] > 0) return;
+    const Structure& structure = out_.model.structure;
+    if (compiled_->body_parentid[id] != structure.trunk || compiled_->body_jntnum[id] > 0) return;
     int limbs = 0;
     for (int child = id + 1; child < static_cast<int>(compiled_->nbody); ++child)
-      limbs += compiled_->body_parentid[child] == id && compiled_->body_jntnum[child] > 0;
+      limbs += compiled_->body_parentid[child] == id && compiled_->body_jntnum[child] > 0 &&
+               structure.moves[static_cast<std::size_t>(compiled_->body_jntadr[child])];
     const std::string body = name_of(*compiled_, mjOBJ_BODY, id);
     const auto length = body.empty() ? std::nullopt : length_of(body, "y");
     if (limbs < 2 || !length || *length < kShortestLink) return;
