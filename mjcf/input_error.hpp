@@ -3,6 +3,8 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace legwright {
 
@@ -21,6 +23,12 @@ class InputError : public std::runtime_error {
   explicit InputError(const std::string& message)
       : std::runtime_error(message), message_(message) {}
 
+  /// Several reasons at once, a line each. @param reasons at least one
+  explicit InputError(std::vector<InputError> reasons)
+      : std::runtime_error(lines(reasons)), reasons_(std::move(reasons)) {}
+
+  /// What an error of several reasons consists of; empty for a single one.
+  const std::vector<InputError>& reasons() const { return reasons_; }
   /// The parts that what() is made of; no file, line and place for an error told in one string.
   const std::string& file() const { return file_; }
   int line() const { return line_; }
@@ -36,6 +44,14 @@ class InputError : public std::runtime_error {
     return text.append(message);
   }
 
+  static std::string lines(const std::vector<InputError>& reasons) {
+    std::string text;
+    for (const InputError& reason : reasons)
+      text.append(text.empty() ? "" : "\n").append(reason.what());
+    return text;
+  }
+
+  std::vector<InputError> reasons_;
   std::string file_;
   int line_ = 0;
   std::string where_, message_;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <string>
+#include <string_view>
+#include <vector>
 
 #include "mjcf/input_error.hpp"
 
@@ -12,18 +13,18 @@ namespace legwright {
 class Refusals {
  public:
   void add(const InputError& reason) {
-    const std::string line = reason.what();
-    if (("\n" + text_ + "\n").find("\n" + line + "\n") != std::string::npos) return;
-    text_.append(text_.empty() ? "" : "\n").append(line);
+    for (const InputError& known : reasons_)
+      if (std::string_view(known.what()) == reason.what()) return;
+    reasons_.push_back(reason);
   }
-  bool empty() const { return text_.empty(); }
+  bool empty() const { return reasons_.empty(); }
   /// Throws one InputError with all reasons, if there are some.
   void throw_if_any() const {
-    if (!text_.empty()) throw InputError(text_);
+    if (!reasons_.empty()) throw InputError(reasons_);
   }
 
  private:
-  std::string text_;
+  std::vector<InputError> reasons_;
 };
 
 }  // namespace legwright

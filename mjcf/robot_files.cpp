@@ -172,6 +172,11 @@ RobotFiles::Place RobotFiles::place_of(int line) const {
 }
 
 InputError RobotFiles::located(const InputError& error) const {
+  if (!error.reasons().empty()) {
+    std::vector<InputError> reasons;
+    for (const InputError& reason : error.reasons()) reasons.push_back(located(reason));
+    return InputError(std::move(reasons));
+  }
   if (parts_.size() == 1 || error.line() <= 0 || error.file() != file_.string()) return error;
   const Place place = place_of(error.line());
   // Lines that are told in the words belong to the same text.

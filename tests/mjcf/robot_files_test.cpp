@@ -113,7 +113,8 @@ TEST_F(SplitPuppy, DesignsChangeEachFileForItself) {
       put(folder.path() / included.path, included.text);
     for (const AssetFile& asset : files.assets())
       put(folder.path() / asset.path, test::read_file(asset.source));
-    const RobotModel read = read_robot(folder.path() / "dog.xml");
+    const RobotModel read =
+        parse_robot(RobotFiles::read(folder.path() / "dog.xml"), &robot.structure);
     EXPECT_EQ(read.files.text(), text);
     EXPECT_EQ(read.space.initial(), s);
     EXPECT_TRUE(model_differences(*opened_by_mujoco(folder.path() / "dog.xml"),
@@ -220,6 +221,18 @@ TEST_F(SplitPuppy, FaultsAreToldAtTheLineOfTheirFile) {
     put(file, good);
   }
   EXPECT_EQ(complaint(file_), "accepted");  // control: each was refused for its own fault
+}
+
+/// All reasons at once, each in its file.
+TEST_F(SplitPuppy, SeveralFaultsAreToldInTheirFiles) {
+  const fs::path shank = folder_.path() / "parts/shank.xml";
+  put(shank, test::with(test::read_file(shank), "name=\"FL_knee\" axis",
+                        "type=\"slide\" name=\"FL_knee\" axis"));
+  put(file_, test::with(test::read_file(file_), "name=\"HR_knee\" axis",
+                        "type=\"slide\" name=\"HR_knee\" axis"));
+  const std::string message = complaint(file_);
+  expect_words(message, {fmt::format("{}:{}: ", shank.string(), line_of(shank, "FL_knee")),
+                         fmt::format("\n{}:{}: ", file_.string(), line_of(file_, "HR_knee"))});
 }
 
 TEST_F(SplitPuppy, XmlFaultsAreToldInTheirFile) {
