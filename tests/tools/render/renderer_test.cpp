@@ -11,6 +11,7 @@
 #include "tools/render/iteration_painter.hpp"
 #include "tools/render/png.hpp"
 #include "tools/render/poses.hpp"
+#include "tools/render/scene_parts.hpp"
 
 namespace legwright {
 namespace {
@@ -133,6 +134,40 @@ TEST(Renderer, RobotFillsThePictureFromAnySide) {
     EXPECT_LT(robot, 320 * 240 * 8 / 10) << azimuth;
     EXPECT_GT(orange(with), 500) << azimuth;
   }
+}
+
+/// By how many rows the trunk's right end is higher than its left one; NaN where it is not in the picture.
+double rise(const Image& image) {
+  double row[2] = {0.0, 0.0};
+  int count[2] = {0, 0};
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      const auto* p = image.pixel(x, y);
+      if (!(p[0] > p[2] + 60)) continue;
+      const int side = x < image.width / 2 ? 0 : 1;
+      row[side] += y;
+      ++count[side];
+    }
+  return row[0] / count[0] - row[1] / count[1];
+}
+
+TEST(Renderer, OnASlopeUpIsUp) {
+  LEGWRIGHT_NEEDS_GL();
+  const GlContext context;
+  const ModelPointer level = toy(), slope = toy();
+  slope->opt.gravity[0] = -9.81 * std::sin(0.3);  // the ground rises along +x
+  slope->opt.gravity[2] = -9.81 * std::cos(0.3);
+  EXPECT_TRUE(turn_of_sight(*level).isIdentity(0.0));
+  const auto pose = start_pose(*level);
+  const auto seen = [&](const mjModel& model) {
+    const View view = frame_robot(model, {pose}, 90, -10, 320.0 / 240);
+    Renderer renderer(context, model, 320, 240, RenderStyle::cheap);
+    return renderer.render(pose, view);
+  };
+  const Image flat = seen(*level), steep = seen(*slope);
+  EXPECT_NEAR(rise(flat), 0.0, 1.0);
+  EXPECT_GT(rise(steep), 15.0);  // +x is to the right
+  EXPECT_GT(orange(steep), orange(flat) / 2);  // and it is still in the picture, as large as fits
 }
 
 TEST(Renderer, RowsStartAtTheTopAndLeftIsLeft) {
