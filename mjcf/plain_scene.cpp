@@ -10,7 +10,8 @@ std::string plain_scene(const RobotModel& robot, const std::string& robot_xml,
                         const std::string& robot_file, double friction) {
   const ModelPointer model = compile_mjcf(robot_xml, robot.file);
   const SceneView view =
-      scene_view(robot.morphology, robot.space.initial(), Eigen::Vector3d::Zero());
+      scene_view(robot.morphology, robot.space.initial(), Eigen::Vector3d::Zero(),
+                 Eigen::Vector3d::UnitZ());
   tinyxml2::XMLDocument dom;
   dom.Parse("<mujoco/>");
   tinyxml2::XMLElement& root = *dom.RootElement();

@@ -57,6 +57,25 @@ int number_at(std::string_view text, std::size_t at, std::size_t& end) {
   return number;
 }
 
+/// Several reasons in one error, a line each: those that begin with a place in the text.
+template <class Locate>
+InputError each_located(const std::string& file, const std::string& reasons, const Locate& locate) {
+  const std::string start = file + ":";
+  std::string out;
+  for (std::size_t at = 0; at <= reasons.size();) {
+    const std::size_t end = std::min(reasons.find('\n', at), reasons.size());
+    std::string reason = reasons.substr(at, end - at);
+    std::size_t behind = 0;
+    const int line =
+        reason.compare(0, start.size(), start) == 0 ? number_at(reason, start.size(), behind) : 0;
+    if (line > 0 && reason.compare(behind, 2, ": ") == 0)
+      reason = locate(InputError(file, line, "", reason.substr(behind + 2))).what();
+    out.append(out.empty() ? "" : "\n").append(reason);
+    at = end + 1;
+  }
+  return InputError(out);
+}
+
 /// Whether two texts have as many start tags and the same bytes before, between and behind them.
 bool is_same_between(std::string_view a, const TagScan& in_a, std::string_view b,
                      const TagScan& in_b) {
@@ -172,6 +191,9 @@ RobotFiles::Place RobotFiles::place_of(int line) const {
 }
 
 InputError RobotFiles::located(const InputError& error) const {
+  if (parts_.size() > 1 && error.file().empty())
+    return each_located(file_.string(), error.message(),
+                        [&](const InputError& reason) { return located(reason); });
   if (parts_.size() == 1 || error.line() <= 0 || error.file() != file_.string()) return error;
   const Place place = place_of(error.line());
   // Lines that are told in the words belong to the same text.
