@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 #include <set>
+#include <sstream>
 
 #include "mjcf/checks.hpp"
 #include "mjcf/compile.hpp"
@@ -19,6 +20,23 @@ namespace {
 // A leg ends near the ground: not higher above the lowest foot than this share of the trunk's
 // height, or of half the longest reach where the file draws the robot lying flat.
 constexpr double kNearGround = 0.25;
+// The same for a link that a design parameter names: it was a leg's before, and a keyframe of some designs lifts feet.
+constexpr double kNearGroundIfDeclared = 0.75;
+
+/// Names of bodies and joints that design parameters are bound to, in the words of their <text>.
+std::set<std::string> declared_names(const mjModel& model) {
+  std::set<std::string> names;
+  for (int t = 0; t < static_cast<int>(model.ntext); ++t) {
+    if (name_of(model, mjOBJ_TEXT, t).rfind("legwright/", 0) != 0) continue;
+    std::string words(model.text_data + model.text_adr[t]);
+    const std::size_t colon = words.find(':', words.find('|'));
+    if (colon == std::string::npos) continue;
+    std::istringstream targets(words.substr(colon + 1, words.find('|', colon) - colon - 1));
+    for (std::string word; targets >> word;)
+      names.insert(word.substr(word.find_last_of("~*") + 1));  // npos + 1: the whole word
+  }
+  return names;
+}
 
 class StructureReader {
  public:
@@ -88,6 +106,15 @@ class StructureReader {
     return colliding < kInfinity ? colliding : std::min(drawn, frame);
   }
 
+  bool is_declared(int end, const std::set<std::string>& names) const {
+    for (const int joint : moving_joints(model_, out_, end))
+      if (names.count(name_of(model_, mjOBJ_JOINT, joint))) return true;
+    const std::vector<int> bodies = link_of(end);
+    return std::any_of(bodies.begin(), bodies.end(), [&](int body) {
+      return names.count(name_of(model_, mjOBJ_BODY, body)) > 0;
+    });
+  }
+
   /// Takes away, from their ends, the chains that do not reach the ground.
   void find_legs() {
     double ground = kInfinity, reach = 0.0;
@@ -97,11 +124,13 @@ class StructureReader {
         reach = std::max(reach, std::abs(data_->xpos[3 * end + k] - data_->xpos[3 * out_.trunk + k]));
     }
     const double height = data_->xpos[3 * out_.trunk + 2] - ground;
-    const double near = kNearGround * std::max(height, 0.5 * reach);
+    const double scale = std::max(height, 0.5 * reach);
+    const std::set<std::string> declared = declared_names(model_);
     for (bool changed = true; changed;) {
       changed = false;
       for (const int end : ends()) {
-        if (lowest_of(end) - ground <= near) continue;
+        const double share = is_declared(end, declared) ? kNearGroundIfDeclared : kNearGround;
+        if (lowest_of(end) - ground <= share * scale) continue;
         for (const int joint : moving_joints(model_, out_, end)) freeze(joint, "rides along");
         changed = true;
       }

@@ -112,7 +112,8 @@ Outcome read_and_write(const std::string& xml, int number, char* what) {
     const std::string text = rewrite_robot(robot, design);
     const ModelPointer model = compile_mjcf(text, "written.xml");
     if (model->nq != robot.morphology.joint_count() + 7) return fail(what, "joints are lost");
-    if (rewrite_robot(parse_robot(text, "written.xml"), design) != text)
+    // With the robot's own structure: what a mutant's leg is may hang on how far down it reaches.
+    if (rewrite_robot(parse_robot(text, "written.xml", &robot.structure), design) != text)
       return fail(what, "what was written is not given back byte for byte");
   }
   if (rewrite_robot(robot, robot.space.initial()) != xml)

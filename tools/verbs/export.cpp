@@ -77,7 +77,9 @@ ExportedRun read_run(const fs::path& root) {
     throw InputError(input.string(), 0, "",
                      "is not the robot that the run started from (its SHA-256 in run.json is "
                      "another); run `legwright optimize` again");
-  out.after = read_robot(result);
+  // What was a leg is one: a design may be read otherwise where it is borderline.
+  const RobotFiles files = RobotFiles::read(result);
+  out.after = files.at_their_lines([&] { return parse_robot(files, &out.before.structure); });
   const Eigen::VectorXd s = out.after.space.initial();
   const std::string difference =
       s.size() != out.before.space.size()
