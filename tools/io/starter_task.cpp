@@ -15,10 +15,10 @@
 namespace legwright {
 namespace {
 
-// Of √(g h): a Froude number of 0.04, at which feet need not hurry. Two feet balance at half of that.
-constexpr double kSpeed = 0.2, kTwoFeetSpeed = 0.1;
+// Of √(g h): a Froude number of 0.02, at which feet need not hurry. Two feet balance at less.
+constexpr double kSpeed = 0.15, kTwoFeetSpeed = 0.075;
 // A cycle over √(h/g), by how long feet stand: nothing catches a robot on one pair of feet but its next step.
-constexpr double kQuickCycle = 3.0, kTripodCycle = 5.0, kSlowCycle = 7.0;
+constexpr double kQuickCycle = 3.2, kTripodCycle = 5.0, kSlowCycle = 7.0;
 constexpr double kSlowDuty = 0.65;
 // Pairs that land before the others lift forgive servos that are soft or stiff.
 constexpr double kOverlap = 0.6;
