@@ -31,7 +31,8 @@ TEST_P(OwnRobot, WalksByItsFirstTask) {
   ASSERT_EQ(told.code, 0) << told.err;
   EXPECT_TRUE(contains(told.out, "legwright optimize")) << told.out;
   EXPECT_FALSE(contains(read_file(task), "weights"));
-  ASSERT_EQ(call({"optimize", task.string(), "-o", run.string(), "--no-pictures", "--quiet"}).code, 0);
+  ASSERT_EQ(call({"optimize", task.string(), "-o", run.string(), "--no-pictures", "--quiet"}).code,
+            0);
   const Outcome verdict = call({"validate", "--quick", run.string()});
   EXPECT_EQ(verdict.code, 0) << verdict.out << verdict.err;
 }
@@ -51,7 +52,8 @@ TEST(OwnRobotInit, OverwritesNoTask) {
 TEST(OwnRobotInit, RefusesAGaitOfOtherFeetAndAGaitWithoutATask) {
   const test::TemporaryFolder folder;
   const fs::path robot = copy_of("servo_dog", folder.path()), task = folder.path() / "task.toml";
-  const Outcome tripod = call({"init", robot.string(), "--task", task.string(), "--gait", "tripod"});
+  const Outcome tripod =
+      call({"init", robot.string(), "--task", task.string(), "--gait", "tripod"});
   EXPECT_EQ(tripod.code, 2);
   EXPECT_TRUE(contains(tripod.err, "4 feet")) << tripod.err;
   EXPECT_FALSE(fs::exists(task));
