@@ -20,14 +20,17 @@ namespace {
 using Eigen::Vector3d;
 
 // Bounds within which plans were followed by six robots of 1.5 to 45 kg at half and double gains: legs of 1.6 times
-// their length under a trunk as high as before crouch, and a long, narrow trunk rocks. Who wants more widens them.
-constexpr double kShorterLink = 0.75, kLongerLink = 1.25, kShorterTrunk = 0.9, kLongerTrunk = 1.15;
+// their length under a trunk as high as before crouch, and a long, narrow trunk on two feet rocks; on three it does not,
+// and its legs stand close together. Who wants more widens them.
+constexpr double kShorterLink = 0.75, kLongerLink = 1.25;
+constexpr double kShorterTrunk = 0.95, kLongerTrunk = 1.05;            // up to two rows of legs
+constexpr double kShorterTrunkOfMany = 0.8, kLongerTrunkOfMany = 1.5;  // three rows and more
 constexpr double kNarrowerGirdle = 0.75, kWiderGirdle = 1.5;
 // Of an axis, either way [rad]: a leg whose joints all turn about one direction needs much to leave its plane, one that
 // reaches to all sides as it is need not be twisted.
 constexpr double kTurn = 1.0, kTurnOfAble = 0.25;
 constexpr double kOneDirection = 0.966;  // cosine of 15 degrees
-constexpr double kShortestLink = 0.02;  // [m]: shorter ones are offsets, not legs
+constexpr double kShortestLink = 0.02;   // [m]: shorter ones are offsets, not legs
 constexpr double kAcross =
     0.7;  // cosine: turning an axis about a direction nearer to it does little
 constexpr double kLargestBall = 0.5;      // radius of a foot over the length of its link
@@ -207,10 +210,12 @@ class Study {
 
   void add_trunk() {
     const std::string& body = out_.model.root_body;
+    const double shorter = rows_ > 2 ? kShorterTrunkOfMany : kShorterTrunk;
+    const double longer = rows_ > 2 ? kLongerTrunkOfMany : kLongerTrunk;
     const auto add = [&](const char* direction, const char* name, const char* what) {
       const auto length = length_of(body, direction);
       if (!length || *length < kShortestLink) return;
-      offer({name, *length, kShorterTrunk * *length, kLongerTrunk * *length, "m",
+      offer({name, *length, shorter * *length, longer * *length, "m",
              fmt::format("stretch {}: {}", direction, body), what});
     };
     add("x", "body_length", "Distance from the foremost to the hindmost hips.");

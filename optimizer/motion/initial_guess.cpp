@@ -81,7 +81,8 @@ class WalkWithoutDynamics {
     const double share = static_cast<double>(knot - before) / (after - before);
     const Vector3d from = stand(before, foot), to = stand(after, foot);
     Vector3d place = from + share * share * (3.0 - 2.0 * share) * (to - from);
-    place.z() += swing_height(task_, morphology_.leg_length) * std::pow(std::sin(M_PI * share), 1.5);
+    place.z() +=
+        swing_height(task_, morphology_.leg_length) * std::pow(std::sin(M_PI * share), 1.5);
     return place;
   }
 

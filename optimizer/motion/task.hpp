@@ -38,14 +38,14 @@ struct Task {
       foot_targets;  // per foot, instead of its footprint; a foot without keeps that
 
   // Margins of the plan (physics needs them; see optimizer/README.md).
-  double friction = 0.4;        // of the plan; the floor has more
-  double floor_friction = 0.8;  // of the scene's floor
+  double friction = 0.4;               // of the plan; the floor has more
+  double floor_friction = 0.8;         // of the scene's floor
   std::optional<double> swing_height;  // [m]; not given: a share of the leg (margins.hpp)
-  double min_normal = 0.05;     // least normal force of a stance foot, share of the weight
-  int planted_margin = 1;       // knots planted beyond stance on either side, at least 1
-  double joint_margin = 0.0;    // distance kept from joint limits [rad]
-  double torque_margin = 0.1;   // share of each motor's torque limit that is kept in hand
-  std::optional<double> clearance;  // between the centre lines of limbs, eq (16) [m]; likewise
+  double min_normal = 0.05;            // least normal force of a stance foot, share of the weight
+  int planted_margin = 1;              // knots planted beyond stance on either side, at least 1
+  double joint_margin = 0.0;           // distance kept from joint limits [rad]
+  double torque_margin = 0.1;          // share of each motor's torque limit that is kept in hand
+  std::optional<double> clearance;     // between the centre lines of limbs, eq (16) [m]; likewise
   /// Limb segments to keep apart, by the names of their links or feet; not given: all that are not neighbours.
   std::optional<std::vector<std::pair<std::string, std::string>>> limb_pairs;
   double barrier_edge = 0.02;  // slack below which an inequality's barrier turns into a parabola

@@ -17,8 +17,8 @@
 namespace legwright {
 namespace {
 
-constexpr double kMostHeight = 1.5;        // com_height over the longest leg: the trunk has height
-constexpr double kQuickDuty = 0.6;         // gaits up to this duty have no third foot to catch them
+constexpr double kMostHeight = 1.5;  // com_height over the longest leg: the trunk has height
+constexpr double kQuickDuty = 0.6;   // gaits up to this duty have no third foot to catch them
 
 [[noreturn]] void refuse(const TaskFile& file, const std::string& key, const std::string& message) {
   throw InputError(file.file.string(), file.line(key), key, message);

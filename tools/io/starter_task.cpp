@@ -15,10 +15,10 @@
 namespace legwright {
 namespace {
 
-// Of √(g h): a Froude number of 0.04, at which feet need not hurry. Two feet balance at half of that.
-constexpr double kSpeed = 0.2, kTwoFeetSpeed = 0.1;
+// Of √(g h): a Froude number of 0.02, at which feet need not hurry. Two feet balance at less.
+constexpr double kSpeed = 0.15, kTwoFeetSpeed = 0.075;
 // A cycle over √(h/g), by how long feet stand: nothing catches a robot on one pair of feet but its next step.
-constexpr double kQuickCycle = 3.0, kTripodCycle = 5.0, kSlowCycle = 7.0;
+constexpr double kQuickCycle = 3.2, kTripodCycle = 5.0, kSlowCycle = 7.0;
 constexpr double kSlowDuty = 0.65;
 // Pairs that land before the others lift forgive servos that are soft or stiff.
 constexpr double kOverlap = 0.6;
@@ -41,9 +41,10 @@ std::string usual_gait(int foot_count) {
 GaitPattern find_gait(int foot_count, const std::optional<std::string>& wanted) {
   const std::vector<GaitPattern> library = gait_library(foot_count);
   if (library.empty())
-    throw InputError(fmt::format("the library has no gait for a robot of {} feet; write a task file with a pattern of "
-                                 "your own, [gait] touchdown and duty",
-                                 foot_count));
+    throw InputError(fmt::format(
+        "the library has no gait for a robot of {} feet; write a task file with a pattern of "
+        "your own, [gait] touchdown and duty",
+        foot_count));
   const std::string name = wanted.value_or(usual_gait(foot_count));
   std::vector<std::string> names;
   for (const GaitPattern& pattern : library) {
@@ -52,8 +53,9 @@ GaitPattern find_gait(int foot_count, const std::optional<std::string>& wanted) 
   }
   if (!wanted) return library.front();
   const std::string guess = nearest(name, names);
-  throw InputError(fmt::format("gait '{}' is not in the library for {} feet; {}there are {}", name, foot_count,
-                               guess.empty() ? "" : fmt::format("did you mean '{}'? ", guess), fmt::join(names, ", ")));
+  throw InputError(fmt::format(
+      "gait '{}' is not in the library for {} feet; {}there are {}", name, foot_count,
+      guess.empty() ? "" : fmt::format("did you mean '{}'? ", guess), fmt::join(names, ", ")));
 }
 
 double cycle(int foot_count, double duty) {
@@ -81,18 +83,25 @@ StarterTask starter_task(const RobotModel& robot, const std::optional<std::strin
 
 std::string starter_text(const StarterTask& task, const std::string& robot) {
   std::string out =
-      "# A first task for this robot. SI units; every other key has a default, legwright's examples/puppy/sideways.toml\n"
+      "# A first task for this robot. SI units; every other key has a default, legwright's "
+      "examples/puppy/sideways.toml\n"
       "# explains them all.\n"
       "robot = " +
       quoted(robot) + "\n\n[gait]\n" +
-      fmt::format("name = {:24} # `legwright gaits` draws all that there are\n", quoted(task.gait)) +
-      fmt::format("period = {:22} # s, one cycle: in proportion to the root of the robot's height\n",
-                  two_digits(task.period));
+      fmt::format("name = {:24} # `legwright gaits` draws all that there are\n",
+                  quoted(task.gait)) +
+      fmt::format(
+          "period = {:22} # s, one cycle: in proportion to the root of the robot's height\n",
+          two_digits(task.period));
   if (task.duty)
-    out += fmt::format("duty = {:24} # share of the cycle that a foot stands: pairs land before the others lift\n",
-                       two_digits(*task.duty));
-  out += fmt::format("\n[travel]\nvelocity = [{}, 0.0]{:{}} # m/s forward, left: unhurried for a robot of this size\n",
-                     two_digits(task.speed), "", std::max(0, 13 - static_cast<int>(two_digits(task.speed).size())));
+    out += fmt::format(
+        "duty = {:24} # share of the cycle that a foot stands: pairs land before the others lift\n",
+        two_digits(*task.duty));
+  out += fmt::format(
+      "\n[travel]\nvelocity = [{}, 0.0]{:{}} # m/s forward, left: unhurried for a robot of this "
+      "size\n",
+      two_digits(task.speed), "",
+      std::max(0, 13 - static_cast<int>(two_digits(task.speed).size())));
   return out;
 }
 

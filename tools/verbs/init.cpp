@@ -158,7 +158,8 @@ std::string next_step(const InitOptions& options, const StudiedRobot& found,
   if (!options.task.empty())
     return fmt::format("next: legwright optimize {} -o runs/mine\n", shell_word(options.task));
   if (!written.empty())
-    return "next: a task file (legwright init ROBOT --task FILE writes one), then legwright check TASK\n";
+    return "next: a task file (legwright init ROBOT --task FILE writes one), then legwright check "
+           "TASK\n";
   if (found.proposals.empty()) return "";
   return fmt::format(
       "next: legwright init {} --write --task task.toml   puts them into the file's <custom> "
