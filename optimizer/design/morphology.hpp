@@ -117,7 +117,8 @@ struct Morphology {
   std::vector<int> chain_to(int link) const;
 };
 
-/// Sum over a foot's chain of the distances from hinge to hinge to foot, at design s [m].
+/// Sum over a foot's chain of the distances from hinge to hinge to foot, at design s [m]. A ball round the last hinge is a
+/// sole: the leg then ends at its surface.
 double stretched_limb(const Morphology& morphology, int foot, const Eigen::VectorXd& s);
 
 }  // namespace legwright
