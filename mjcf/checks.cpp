@@ -126,7 +126,10 @@ void check_scene_needs(const XmlFile& xml, const XmlElement& element) {
       is("texture", "legwright_floor") || is("material", "legwright_floor") || is_sensor ||
       is_class)
     throw xml.error(element,
-                    "the scene adds an element of this name; remove it or name it otherwise");
+                    is("geom", "floor")
+                        ? "the scene brings a floor of this name; give the robot's own file, "
+                          "without surroundings, or remove the floor"
+                        : "the scene adds an element of this name; remove it or name it otherwise");
   for (const char* size : {"width", "height", "nrow", "ncol"}) {
     if (!is_tag(element, "texture") && !is_tag(element, "hfield")) break;
     const auto value = parse_numbers(attribute(element, size));

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "optimizer/design/morphology.hpp"
+#include "optimizer/motion/initial_guess.hpp"
 
 namespace legwright {
 namespace {
@@ -13,7 +14,15 @@ namespace {
 constexpr double kSwingShare = 0.12, kClearanceShare = 0.095, kTouchdownShare = 0.24;
 constexpr double kKnownTimeSquared = 4e-3;
 
+// Legs over height of the COM: 1.3 to 1.7 for robots that stand upright or on bent knees, 2 where they crouch.
+constexpr double kCrouch = 1.75;
+
 }  // namespace
+
+double standing_leg(const Morphology& morphology, const Eigen::VectorXd& s) {
+  const double height = home_stance(morphology, s).com_height;
+  return height > 0.0 ? std::min(morphology.leg_length, kCrouch * height) : morphology.leg_length;
+}
 
 double swing_height(const Task& task, double leg_length) {
   return task.swing_height.value_or(

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Core>
+
+#include "optimizer/design/morphology.hpp"
 #include "optimizer/motion/task.hpp"
 
 namespace legwright {
 
 // What a task does not give follows the robot's size, so that a robot twice as large, slower by √2, gets the same plan
-// twice as large. `leg_length` is that of the morphology [m].
+// twice as large. `leg_length` is standing_leg() of the morphology, but for limb_clearance() [m].
 
 /// Leg of the robots on which weights were found that measure in absolute units [m].
 inline constexpr double kKnownLeg = 0.21;
@@ -14,6 +17,10 @@ inline constexpr double kKnownLeg = 0.21;
 /// Planned height of a swing over what it shall step over: feet are highest late in their step, splines and soft servos
 /// cut the top.
 inline constexpr double kSwingOver = 2.25;
+
+/// The leg by whose length a robot moves [m]: as long as stretched out, but at most 1.75 times the height of the COM in
+/// the home pose at design s: one that crouches swings as short a pendulum, and steps as low, as a smaller one.
+double standing_leg(const Morphology& morphology, const Eigen::VectorXd& s);
 
 /// How high a foot is lifted [m]: the task's wish, or a share of the leg, or what stepping over a height needs.
 double swing_height(const Task& task, double leg_length);

@@ -15,7 +15,8 @@ class SwingHeight final : public LinearTerm {
   explicit SwingHeight(const TermContext& context) : length_(context.length) {
     const Layout& layout = context.layout;
     const Gait& gait = context.task.gait;
-    const double top = legwright::swing_height(context.task, context.length);
+    const double top = legwright::swing_height(
+        context.task, standing_leg(context.morphology, context.space.initial()));
     const int margin = layout.planted_margin();
     for (int i = 0; i < layout.knot_count(); ++i)
       for (int j = 0; j < layout.foot_count(); ++j) {
