@@ -70,8 +70,8 @@ void check_numbers(const XmlFile& xml, const XmlElement& element) {
     if (!is_number) continue;
     const auto values = parse_numbers(a->Value());
     if (values && values->empty())  // MuJoCo takes it for absent, or for another class's
-      throw xml.error(element, fmt::format("attribute {}: is empty; write a number, or remove it",
-                                           a->Name()));
+      throw xml.error(
+          element, fmt::format("attribute {}: is empty; write a number, or remove it", a->Name()));
     if (!values)
       throw xml.error(element,
                       fmt::format("attribute {}: {}", a->Name(), explain_bad_number(a->Value())));
@@ -86,9 +86,10 @@ void check_texts(const XmlFile& xml, const XmlElement& element) {
   for (const tinyxml2::XMLAttribute* a = element.FirstAttribute(); a; a = a->Next()) {
     const std::string_view value = a->Value();
     for (const char c : value)
-      if ((static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n' && c != '\r') || c == 0x7F)
-        throw xml.error(element, fmt::format("attribute {}: holds a control character; remove it",
-                                             a->Name()));
+      if ((static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n' && c != '\r') ||
+          c == 0x7F)
+        throw xml.error(
+            element, fmt::format("attribute {}: holds a control character; remove it", a->Name()));
     const bool is_name = a->Name() == std::string_view("name") ||
                          a->Name() == std::string_view("class") ||
                          a->Name() == std::string_view("model");
@@ -122,9 +123,9 @@ void check_scene_needs(const XmlFile& xml, const XmlElement& element) {
   const bool is_class =
       is_tag(element, "default") && attribute(element, "class").substr(0, 13) == "legwright_pd_";
   const bool is_foot = is_tag(element, "site") && name.substr(0, 5) == "foot:";
-  if (is_foot || is("geom", "floor") || is("camera", "side") || is("camera", "track") || is("key", "gait") ||
-      is("texture", "legwright_floor") || is("material", "legwright_floor") || is_sensor ||
-      is_class)
+  if (is_foot || is("geom", "floor") || is("camera", "side") || is("camera", "track") ||
+      is("key", "gait") || is("texture", "legwright_floor") || is("material", "legwright_floor") ||
+      is_sensor || is_class)
     throw xml.error(element,
                     is("geom", "floor")
                         ? "the scene brings a floor of this name; give the robot's own file, "

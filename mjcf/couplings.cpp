@@ -121,7 +121,8 @@ void check_loops(const XmlFile& xml, const mjModel& model, const Structure& stru
     if (!model.eq_active0[e] || type == mjEQ_JOINT || type == mjEQ_TENDON) continue;
     const XmlElement& element = element_in(xml, "equality", e);
     if (type != mjEQ_CONNECT && type != mjEQ_WELD) {
-      reasons.add(xml.error(element, "ties soft bodies, which the planner does not know; remove it"));
+      reasons.add(
+          xml.error(element, "ties soft bodies, which the planner does not know; remove it"));
       continue;
     }
     const int one = body_of(model, model.eq_objtype[e], model.eq_obj1id[e]),

@@ -73,8 +73,7 @@ Quaterniond euler(const Vector3d& angles, const std::string& order) {
   Quaterniond out = Quaterniond::Identity();
   for (int k = 0; k < 3 && k < static_cast<int>(order.size()); ++k) {
     const auto c = static_cast<unsigned char>(order[static_cast<std::size_t>(k)]);
-    const Quaterniond turn(
-        Eigen::AngleAxisd(angles[k], Vector3d::Unit(std::tolower(c) - 'x')));
+    const Quaterniond turn(Eigen::AngleAxisd(angles[k], Vector3d::Unit(std::tolower(c) - 'x')));
     out = std::islower(c) ? out * turn : turn * out;
   }
   return out;
@@ -124,9 +123,8 @@ TreeElements find_elements(const XmlFile& xml, const mjModel& model) {
                     out.joints.size() == static_cast<std::size_t>(model.njnt) &&
                     out.geoms.size() == static_cast<std::size_t>(model.ngeom) &&
                     out.sites.size() == static_cast<std::size_t>(model.nsite) &&
-                    agree(model, mjOBJ_BODY, out.bodies) &&
-                    agree(model, mjOBJ_JOINT, out.joints) && agree(model, mjOBJ_GEOM, out.geoms) &&
-                    agree(model, mjOBJ_SITE, out.sites);
+                    agree(model, mjOBJ_BODY, out.bodies) && agree(model, mjOBJ_JOINT, out.joints) &&
+                    agree(model, mjOBJ_GEOM, out.geoms) && agree(model, mjOBJ_SITE, out.sites);
   if (!same)
     throw xml.error(xml.root(),
                     "MuJoCo's bodies, joints, geoms and sites are not those of the file, in its "

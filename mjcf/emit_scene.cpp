@@ -179,7 +179,8 @@ std::string emit_scene(const RobotModel& robot, const std::string& design_xml,
   if (trunk < 0 || !trunk_element)
     throw std::invalid_argument("scene: the text is not of this robot");
 
-  const SceneView view = scene_view(robot.morphology, robot.space.initial(), settings.travel, up_of(*model));
+  const SceneView view =
+      scene_view(robot.morphology, robot.space.initial(), settings.travel, up_of(*model));
   const mjtNum* q = model->body_quat + 4 * trunk;
   add_followers(const_cast<XmlElement&>(*trunk_element), view,
                 Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix());

@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 using RowMatrix3d = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kFlat = 0.3;       // sine of the angle up to which a face lies flat on the ground
+constexpr double kFlat = 0.3;        // sine of the angle up to which a face lies flat on the ground
 constexpr double kSoleShare = 0.02;  // of a mesh's height: what is no higher belongs to the sole
 constexpr double kBallFirst = 0.5;   // of its radius: a ball may be so much higher than other geoms
 
@@ -64,8 +64,8 @@ double side(double along) { return std::abs(along) > kFlat ? std::copysign(1.0, 
 FootContact contact_of(const mjModel& model, const mjData& data, int geom) {
   FootContact out;
   out.geom = geom;
-  const Vector3d d = down(data, geom), half = half_sizes(model.geom_type[geom],
-                                                         model.geom_size + 3 * geom);
+  const Vector3d d = down(data, geom),
+                 half = half_sizes(model.geom_type[geom], model.geom_size + 3 * geom);
   switch (model.geom_type[geom]) {
     case mjGEOM_SPHERE:
       out.radius = half.x();

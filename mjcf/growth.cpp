@@ -6,7 +6,7 @@
 namespace legwright {
 namespace {
 
-constexpr double kAlong = 1.0 - 1e-9;    // cosine: parallel but for rounding
+constexpr double kAlong = 1.0 - 1e-9;   // cosine: parallel but for rounding
 constexpr double kShareOfLength = 0.5;  // a shorter rod placed by pos is a motor or a pin
 
 }  // namespace

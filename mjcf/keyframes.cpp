@@ -53,9 +53,9 @@ Addresses addresses(const RobotModel& robot, const mjModel& model) {
 }
 
 VectorXd pose_of(const VectorXd& qpos, const Addresses& at) {
-  const Eigen::AngleAxisd turn(Eigen::Quaterniond(qpos[at.root + 3], qpos[at.root + 4],
-                                                  qpos[at.root + 5], qpos[at.root + 6])
-                                   .normalized());
+  const Eigen::AngleAxisd turn(
+      Eigen::Quaterniond(qpos[at.root + 3], qpos[at.root + 4], qpos[at.root + 5], qpos[at.root + 6])
+          .normalized());
   VectorXd pose(6 + static_cast<Eigen::Index>(at.joints.size()));
   pose.head<3>() = qpos.segment<3>(at.root);
   pose.segment<3>(3) = turn.angle() * turn.axis();
@@ -93,8 +93,8 @@ class Solver {
   std::optional<StandingKey> solve(int key, KeyframeEffort effort) {
     StandingKey out;
     out.key = key;
-    out.qpos = VectorXd::Map(model_.key_qpos + static_cast<std::ptrdiff_t>(key) * model_.nq,
-                             model_.nq);
+    out.qpos =
+        VectorXd::Map(model_.key_qpos + static_cast<std::ptrdiff_t>(key) * model_.nq, model_.nq);
     out.ctrl =
         VectorXd::Map(model_.key_ctrl + static_cast<std::ptrdiff_t>(key) * model_.nu, model_.nu);
     const VectorXd old = pose_of(out.qpos, at_);
@@ -142,8 +142,8 @@ class Solver {
       if (rise != 0.0) pose[2] = rounded(old[2] + rise);
       const bool good = std::all_of(legs_.begin(), legs_.end(), [&](const LegJoints& leg) {
         const Vector2d place = before_.reach(old, leg).head<2>();
-        return after_.solve(pose, leg, key.foot_height[leg.foot] + morphology_.feet[leg.foot].radius,
-                            place);
+        return after_.solve(pose, leg,
+                            key.foot_height[leg.foot] + morphology_.feet[leg.foot].radius, place);
       });
       if (good) return pose;
     }
@@ -203,7 +203,8 @@ class Solver {
         if (linear.name != name) continue;
         const auto length = [&](const VectorXd& s, const VectorXd& at) {
           return morphology_.leg_length *
-                 actuator_length(actuator_shape(morphology_, linear, s).value, at[6 + linear.joint]);
+                 actuator_length(actuator_shape(morphology_, linear, s).value,
+                                 at[6 + linear.joint]);
         };
         return length(s_, pose) - length(robot_.space.initial(), old);
       }
@@ -283,8 +284,7 @@ std::string find_lifted_foot(const Structure& structure, const std::vector<Stand
       if (key.every_foot && !(std::abs(miss) <= tolerance))
         return fmt::format("foot {} is {} m too high in keyframe {}", foot.name, miss, key.key);
     }
-    const double miss =
-        lowest - *std::min_element(key.foot_height.begin(), key.foot_height.end());
+    const double miss = lowest - *std::min_element(key.foot_height.begin(), key.foot_height.end());
     if (!(std::abs(miss) <= tolerance))
       return fmt::format("the feet are {} m too high in keyframe {}", miss, key.key);
   }

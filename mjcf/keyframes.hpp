@@ -24,8 +24,8 @@ enum class KeyframeEffort {
 struct StandingKey {
   int key = 0;                          // id in the compiled model
   const XmlElement* element = nullptr;  // of the file, with a qpos of its own
-  Eigen::VectorXd qpos;   // new numbers, as many as the model has
-  Eigen::VectorXd ctrl;   // the same; follows the angles where an actuator is a position servo
+  Eigen::VectorXd qpos;                 // new numbers, as many as the model has
+  Eigen::VectorXd ctrl;  // the same; follows the angles where an actuator is a position servo
   std::vector<double> foot_height;  // lowest point of each foot above the ground, before [m]
   bool every_foot = true;           // all keep their height; else the lowest of them does
 };

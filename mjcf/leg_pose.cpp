@@ -53,15 +53,13 @@ PosedRobot::Sight PosedRobot::look(const VectorXd& pose, const LegJoints& leg) c
   at.compute(morphology_, geometry_, pose, PoseDetail::place);
   Sight out;
   const Foot& foot = morphology_.feet[leg.foot];
-  out.foot =
-      at.origin(foot.link) + at.rotation(foot.link) * geometry_.feet[leg.foot];
+  out.foot = at.origin(foot.link) + at.rotation(foot.link) * geometry_.feet[leg.foot];
   const int first = leg.joints.empty() ? 0 : leg.joints.front() + 1;
   out.reach = out.foot - at.origin(first);
   out.jacobian.resize(3, static_cast<Eigen::Index>(leg.joints.size()));
   for (std::size_t k = 0; k < leg.joints.size(); ++k) {
     const int link = leg.joints[k] + 1;
-    const Vector3d axis =
-        at.rotation(link) * morphology_.links[link].joint.axis.at(s_);
+    const Vector3d axis = at.rotation(link) * morphology_.links[link].joint.axis.at(s_);
     out.jacobian.col(static_cast<Eigen::Index>(k)) = axis.cross(out.foot - at.origin(link));
   }
   return out;

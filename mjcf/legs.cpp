@@ -121,7 +121,8 @@ class StructureReader {
     for (const int end : ends()) {
       ground = std::min(ground, lowest_of(end));
       for (int k = 0; k < 3; ++k)
-        reach = std::max(reach, std::abs(data_->xpos[3 * end + k] - data_->xpos[3 * out_.trunk + k]));
+        reach =
+            std::max(reach, std::abs(data_->xpos[3 * end + k] - data_->xpos[3 * out_.trunk + k]));
     }
     const double height = data_->xpos[3 * out_.trunk + 2] - ground;
     const double scale = std::max(height, 0.5 * reach);
@@ -160,7 +161,8 @@ class StructureReader {
       std::string all;
       bool moves = false;
       for (int b = end; b != out_.trunk; b = model_.body_parentid[b])
-        for (int j = model_.body_jntadr[b]; j < model_.body_jntadr[b] + model_.body_jntnum[b]; ++j) {
+        for (int j = model_.body_jntadr[b]; j < model_.body_jntadr[b] + model_.body_jntnum[b];
+             ++j) {
           moves = moves || out_.moves[at(j)];
           if (!why.count(j)) continue;
           all += fmt::format("{}'{}' by {}", all.empty() ? "" : ", ",

@@ -15,7 +15,8 @@ namespace legwright {
 /// home pose; joints that ride along or are coupled, which are held there; feet. Throws one
 /// InputError with all reasons that stand against the robot.
 /// @param known what was found for another design of the same robot; null: choose legs and feet.
-Structure read_structure(const XmlFile& xml, const mjModel& model, const Structure* known = nullptr);
+Structure read_structure(const XmlFile& xml, const mjModel& model,
+                         const Structure* known = nullptr);
 
 /// Hinges of a body that move in the plan, by joint id.
 std::vector<int> moving_joints(const mjModel& model, const Structure& structure, int body);

@@ -36,8 +36,7 @@ TendonSpan read_tendon(const XmlFile& xml, const mjModel& model, const Structure
     return moving_body(model, structure, model.site_bodyid[site]);
   };
   const auto hangs_on = [&](int low, int up) {
-    return low != structure.trunk && low > 0 &&
-           moving_joints(model, structure, low).size() == 1 &&
+    return low != structure.trunk && low > 0 && moving_joints(model, structure, low).size() == 1 &&
            moving_body(model, structure, model.body_parentid[low]) == up;
   };
   if (hangs_on(mover(upper), mover(lower))) std::swap(upper, lower);

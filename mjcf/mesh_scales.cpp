@@ -30,8 +30,9 @@ Vector3d wanted_scale(const XmlFile& xml, const mjModel& model, const TreeElemen
   if (found == stretches.end() || collides(model, geom) || model.geom_type[geom] != mjGEOM_MESH)
     return Vector3d::Ones();
   const XmlElement& element = *elements.geoms[static_cast<std::size_t>(geom)];
-  const bool weighs = !elements.bodies[static_cast<std::size_t>(body)]->FirstChildElement("inertial") &&
-                      !is_weightless(xml, element);
+  const bool weighs =
+      !elements.bodies[static_cast<std::size_t>(body)]->FirstChildElement("inertial") &&
+      !is_weightless(xml, element);
   if (weighs) return Vector3d::Ones();
   const Eigen::Matrix3d axes = pose_in_body(xml, element).linear();
   Vector3d scale = Vector3d::Ones();

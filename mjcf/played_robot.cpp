@@ -66,8 +66,7 @@ class Player {
     ball->SetAttribute("type", "sphere");
     ball->SetAttribute("size", format_number(foot.radius).c_str());
     // A site in a frame stands where the frame is; its own pos may come from a class.
-    ball->SetAttribute("pos",
-                       format_numbers(pose_of(xml_, site).translation()).c_str());
+    ball->SetAttribute("pos", format_numbers(pose_of(xml_, site).translation()).c_str());
     for (const auto& [name, value] :
          {std::pair{"mass", "0"}, {"contype", "1"}, {"conaffinity", "1"}, {"condim", "3"}})
       ball->SetAttribute(name, value);
@@ -77,14 +76,16 @@ class Player {
   /// a ball of the foot's radius, or a box where that is zero.
   void mark_point(const FootContact& foot) {
     const int body = foot_body(model_, foot);
-    XMLElement* const site = writable(elements_.bodies[static_cast<std::size_t>(body)])
-                                 .InsertNewChildElement("site");
+    XMLElement* const site =
+        writable(elements_.bodies[static_cast<std::size_t>(body)]).InsertNewChildElement("site");
     const double small = 0.002;  // [m], for the eye only
     const bool is_point = foot.radius == 0.0;
     site->SetAttribute("name", (kFootSite + foot.name).c_str());
     site->SetAttribute("type", is_point ? "box" : "sphere");
-    site->SetAttribute("size", format_numbers(Eigen::Vector3d::Constant(is_point ? small : foot.radius)).c_str());
-    site->SetAttribute("pos", format_numbers(foot_point(xml_, elements_, model_, foot, {}).constant).c_str());
+    site->SetAttribute(
+        "size", format_numbers(Eigen::Vector3d::Constant(is_point ? small : foot.radius)).c_str());
+    site->SetAttribute(
+        "pos", format_numbers(foot_point(xml_, elements_, model_, foot, {}).constant).c_str());
     site->SetAttribute("quat", "1 0 0 0");
     site->SetAttribute("group", "4");
   }
@@ -107,7 +108,8 @@ class Player {
     XMLElement& element = writable(elements_.bodies[static_cast<std::size_t>(body)]);
     const Eigen::Isometry3d pose = pose_of(xml_, element) * moved;
     const Eigen::Quaterniond q(pose.linear());
-    for (const char* name : {"euler", "axisangle", "xyaxes", "zaxis"}) element.DeleteAttribute(name);
+    for (const char* name : {"euler", "axisangle", "xyaxes", "zaxis"})
+      element.DeleteAttribute(name);
     element.SetAttribute("pos", format_numbers(pose.translation()).c_str());
     element.SetAttribute("quat",
                          format_numbers(Eigen::Vector4d(q.w(), q.x(), q.y(), q.z())).c_str());
@@ -119,7 +121,8 @@ class Player {
   bool refers_to_gone(const XMLElement& element) const {
     for (const auto& [kind, names] : gone_) {
       for (const char* const suffix : {"", "1", "2", "inparent"})
-        if (const char* name = element.Attribute((kind + suffix).c_str()); name && names.count(name))
+        if (const char* name = element.Attribute((kind + suffix).c_str());
+            name && names.count(name))
           return true;
       for (const auto& [type, object] : {std::pair{"objtype", "objname"}, {"reftype", "refname"}})
         if (const char* name = element.Attribute(object);
@@ -138,9 +141,8 @@ class Player {
            element = next) {
         next = element->NextSiblingElement();
         bool drop = false;
-        for_each_element(*element, [&](const XmlElement& part) {
-          drop = drop || refers_to_gone(part);
-        });
+        for_each_element(*element,
+                         [&](const XmlElement& part) { drop = drop || refers_to_gone(part); });
         if (!drop) continue;
         if (const char* name = element->Attribute("name")) forget(section, name);
         all->DeleteChild(element);

@@ -92,8 +92,8 @@ class Printer {
     const double r = solid.size[0], h = solid.size[1];
     const Vector3d axis = solid.axes.col(2);
     if (solid.from_to) along(solid, axis, true);  // for its check
-    const bool grows = growing_axes(solid.type, {r, r, h}, solid.axes, solid.from_to,
-                                    stretches_)[2] != nullptr;
+    const bool grows =
+        growing_axes(solid.type, {r, r, h}, solid.axes, solid.from_to, stretches_)[2] != nullptr;
     // Its density would change, and with it the share of its round ends.
     refuse_if(grows && solid.mass_given && solid.type == mjGEOM_CAPSULE, solid,
               "a mass of its own for a capsule that grows; give its density");
@@ -154,8 +154,8 @@ double volume_of(int type, const Vector3d& size) {
   }
 }
 
-std::vector<Solid> solids_of(const XmlFile& xml, const mjModel& model,
-                             const TreeElements& elements, int id) {
+std::vector<Solid> solids_of(const XmlFile& xml, const mjModel& model, const TreeElements& elements,
+                             int id) {
   std::vector<Solid> solids;
   const int first = model.body_geomadr[id];
   for (int geom = first; geom < first + model.body_geomnum[id]; ++geom) {
@@ -222,9 +222,10 @@ void add_meshes(const XmlFile& xml, const XmlElement& body, const std::vector<So
   for (const char* setting : {"settotalmass", "boundmass", "boundinertia", "balanceinertia",
                               "inertiagrouprange", "inertiafromgeom"})
     if (!compiler_setting(xml, setting, "").empty())
-      throw xml.error(body, fmt::format("is stretched, has no <inertial>, and a mesh with a weight, "
-                                        "while <compiler {}> changes weights; give it an <inertial>",
-                                        setting));
+      throw xml.error(body,
+                      fmt::format("is stretched, has no <inertial>, and a mesh with a weight, "
+                                  "while <compiler {}> changes weights; give it an <inertial>",
+                                  setting));
   const Vector3d place = pose_in_body(xml, *meshes.front().element).translation();
   for (const Solid& mesh : meshes)
     for (const Stretch& stretch : stretches)

@@ -127,7 +127,8 @@ class Study {
     const int id = mj_name2id(compiled_.get(), mjOBJ_BODY, body.c_str());
     if (id <= 0) return std::nullopt;
     try {
-      return measure_stretch(*xml_, *compiled_, xml_->root(), id, direction, out_.model.structure).length;
+      return measure_stretch(*xml_, *compiled_, xml_->root(), id, direction, out_.model.structure)
+          .length;
     } catch (const InputError&) {
       return std::nullopt;  // it has none, or not where it could be stretched
     }

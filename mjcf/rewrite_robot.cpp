@@ -93,10 +93,10 @@ class BodyRewriter {
     if (!size || (!is_box && !is_rod)) return;
     const auto numbers = parse_numbers(size);
     if (!numbers || numbers->size() < (is_box ? 3u : 2u)) return;
-    const auto grows = growing_axes(
-        is_box ? mjGEOM_BOX : mjGEOM_CYLINDER,
-        half_sizes(is_box ? mjGEOM_BOX : mjGEOM_CYLINDER, numbers->data()),
-        pose_in_body(xml_, part).linear(), false, stretches_);
+    const auto grows =
+        growing_axes(is_box ? mjGEOM_BOX : mjGEOM_CYLINDER,
+                     half_sizes(is_box ? mjGEOM_BOX : mjGEOM_CYLINDER, numbers->data()),
+                     pose_in_body(xml_, part).linear(), false, stretches_);
     VectorXd grown = VectorXd::Map(numbers->data(), static_cast<Eigen::Index>(numbers->size()));
     for (std::size_t k = 0; k < 3; ++k)
       if (grows[k])

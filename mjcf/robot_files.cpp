@@ -18,15 +18,30 @@ namespace {
 namespace fs = std::filesystem;
 
 // What a run's folders hold beside the robot's own files.
-constexpr std::string_view kNamesOfRuns[] = {
-    "robot.xml",           "scene.xml",            "motion.csv",
-    "metrics.json",        "frame.png",            "task.toml",
-    "certificate.json",    "verdict.json",         "comparison.json",
-    "numerics.json",       "robustness.json",      "matrix.json",
-    "front.json",          "overlay.png",          "contact_timeline.png",
-    "gait.webp",           "strip_initial.png",    "strip_result.png",
-    "strip_physics.png",   "strip_before_after.png", "playback_result.csv",
-    "playback_initial.csv", "summary.md",           "README.md"};
+constexpr std::string_view kNamesOfRuns[] = {"robot.xml",
+                                             "scene.xml",
+                                             "motion.csv",
+                                             "metrics.json",
+                                             "frame.png",
+                                             "task.toml",
+                                             "certificate.json",
+                                             "verdict.json",
+                                             "comparison.json",
+                                             "numerics.json",
+                                             "robustness.json",
+                                             "matrix.json",
+                                             "front.json",
+                                             "overlay.png",
+                                             "contact_timeline.png",
+                                             "gait.webp",
+                                             "strip_initial.png",
+                                             "strip_result.png",
+                                             "strip_physics.png",
+                                             "strip_before_after.png",
+                                             "playback_result.csv",
+                                             "playback_initial.csv",
+                                             "summary.md",
+                                             "README.md"};
 
 bool is_name_of_runs(std::string_view name) {
   return std::find(std::begin(kNamesOfRuns), std::end(kNamesOfRuns), name) !=

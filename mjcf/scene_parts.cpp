@@ -91,8 +91,8 @@ XMLElement& section(XMLElement& root, const char* tag) {
   return found ? *found : add(root, tag);
 }
 
-SceneView scene_view(const Morphology& morphology, const Eigen::VectorXd& s,
-                     const Vector3d& travel, const Vector3d& up) {
+SceneView scene_view(const Morphology& morphology, const Eigen::VectorXd& s, const Vector3d& travel,
+                     const Vector3d& up) {
   SceneView view;
   view.leg_length = std::max(morphology.leg_length, 1e-3);
   double reach = 0.0;

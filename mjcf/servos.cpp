@@ -176,9 +176,8 @@ double home_arm(const mjModel& model, const Morphology& morphology, const Eigen:
 
 }  // namespace
 
-std::vector<Servo> read_servos(const XmlFile& xml, const mjModel& model,
-                               const Structure& structure, const Morphology& morphology,
-                               const Eigen::VectorXd& s) {
+std::vector<Servo> read_servos(const XmlFile& xml, const mjModel& model, const Structure& structure,
+                               const Morphology& morphology, const Eigen::VectorXd& s) {
   std::map<std::string, int> actuator_of;
   for (int a = 0; a < model.nactuator; ++a) {
     if (drives_held(model, structure, a)) continue;

@@ -15,8 +15,7 @@ namespace legwright {
 /// limit to take gains from, and for an actuator that drives anything else than one of these
 /// joints, their linear actuators, and what is held in the home pose.
 /// @param s the design that the file holds.
-std::vector<Servo> read_servos(const XmlFile& xml, const mjModel& model,
-                               const Structure& structure,
+std::vector<Servo> read_servos(const XmlFile& xml, const mjModel& model, const Structure& structure,
                                const Morphology& morphology, const Eigen::VectorXd& s);
 
 }  // namespace legwright

@@ -59,12 +59,12 @@ class Splicer {
   void splice(std::size_t part, const XmlFile& xml, std::size_t begin, std::size_t end) {
     std::size_t at = begin;
     for_each_element(xml.root(), [&](const XmlElement& element) {
-        if (!is_include(element)) return;
-        const TagSpan& tag = xml.tag(element);
-        copy(part, xml, at, tag.begin);
-        include(xml, element);
-        at = tag.close_end;
-      });
+      if (!is_include(element)) return;
+      const TagSpan& tag = xml.tag(element);
+      copy(part, xml, at, tag.begin);
+      include(xml, element);
+      at = tag.close_end;
+    });
     copy(part, xml, at, end);
   }
 
@@ -77,9 +77,9 @@ class Splicer {
   void include(const XmlFile& xml, const XmlElement& element) {
     for (const tinyxml2::XMLAttribute* a = element.FirstAttribute(); a; a = a->Next())
       if (a->Name() != std::string_view("file"))
-        throw xml.error(element,
-                        fmt::format("attribute {}: <include> has no attribute but file; remove it",
-                                    a->Name()));
+        throw xml.error(
+            element,
+            fmt::format("attribute {}: <include> has no attribute but file; remove it", a->Name()));
     if (element.FirstChildElement())
       throw xml.error(element, "holds elements; an <include> names a file and holds nothing");
     const std::string reference(attribute(element, "file"));
@@ -104,9 +104,10 @@ class Splicer {
     std::error_code error;
     if (!beside.empty() && beside != path_below(reference) &&
         fs::is_regular_file(file_.parent_path() / beside, error))
-      return fmt::format("'{}': paths start in the folder of the main file, also in an included "
-                         "file; write '{}'",
-                         reference, beside.string());
+      return fmt::format(
+          "'{}': paths start in the folder of the main file, also in an included "
+          "file; write '{}'",
+          reference, beside.string());
     return fmt::format("'{}' {}", reference, fault);
   }
 
@@ -140,8 +141,9 @@ class Splicer {
     const auto own = load_xml(out_.parts.back().text, found.source);
     const XmlElement& root = own->root();
     if (!is_tag(root, "mujoco") && !is_tag(root, "mujocoinclude"))
-      throw own->error(root, "the root element of an included file is <mujocoinclude> or <mujoco>; "
-                             "is this an MJCF file?");
+      throw own->error(root,
+                       "the root element of an included file is <mujocoinclude> or <mujoco>; "
+                       "is this an MJCF file?");
     if (!root.FirstChildElement())
       throw own->error(root,
                        "an included file without elements; write them, or remove the <include>");

@@ -73,7 +73,9 @@ Vector3d distal_point(const XmlFile& xml, const mjModel& model, const XmlElement
     // A foot on a fixed body: that body's origin is the end of the link.
     while (holder > body && model.body_parentid[holder] != body)
       holder = model.body_parentid[holder];
-    if (holder > body && moving_body(model, structure, holder) == moving_body(model, structure, body) && joints_at_origin(model, holder))
+    if (holder > body &&
+        moving_body(model, structure, holder) == moving_body(model, structure, body) &&
+        joints_at_origin(model, holder))
       return vector_at(model.body_pos, holder);
   }
   throw xml.error(
@@ -86,8 +88,7 @@ Vector3d distal_point(const XmlFile& xml, const mjModel& model, const XmlElement
 }  // namespace
 
 StretchMeasure measure_stretch(const XmlFile& xml, const mjModel& model, const XmlElement& place,
-                               int body, const std::string& word,
-                               const Structure& structure) {
+                               int body, const std::string& word, const Structure& structure) {
   const Vector3d axis = word == "x"   ? Vector3d::UnitX()
                         : word == "y" ? Vector3d::UnitY()
                         : word == "z" ? Vector3d::UnitZ()
@@ -110,8 +111,8 @@ StretchMeasure measure_stretch(const XmlFile& xml, const mjModel& model, const X
     throw xml.error(place,
                     fmt::format("body '{}' has no hinge of its own; stretch it along x, y or z",
                                 name_of(model, mjOBJ_BODY, body)));
-  const Vector3d reach = distal_point(xml, model, place, body, structure) -
-                         vector_at(model.jnt_pos, hinges.back());
+  const Vector3d reach =
+      distal_point(xml, model, place, body, structure) - vector_at(model.jnt_pos, hinges.back());
   const double length = word == "link" ? reach.norm() : std::abs(axis.dot(reach));
   if (!(length > 1e-9))
     throw xml.error(place, fmt::format("body '{}' has no length along {}",

@@ -20,8 +20,7 @@ struct StretchMeasure {
 /// foot, `x y z` the same along an axis, for the trunk the spread of its limbs along it. Throws
 /// InputError at `place`.
 StretchMeasure measure_stretch(const XmlFile& xml, const mjModel& model, const XmlElement& place,
-                               int body, const std::string& direction,
-                               const Structure& structure);
+                               int body, const std::string& direction, const Structure& structure);
 
 /// Checks that a body can be stretched by rewriting it: plain parts; an explicit inertial, if there
 /// is one, that MuJoCo uses as written.

@@ -78,8 +78,8 @@ void refuse_section(const XmlFile& xml, int count, const char* section, const ch
   const XmlElement* element = xml.root().FirstChildElement(section);
   const XmlElement& place =
       element && element->FirstChildElement() ? *element->FirstChildElement() : xml.root();
-  reasons.add(xml.error(
-      place, fmt::format("{}; the planner knows trees of hinges only: remove it", what)));
+  reasons.add(
+      xml.error(place, fmt::format("{}; the planner knows trees of hinges only: remove it", what)));
 }
 
 }  // namespace

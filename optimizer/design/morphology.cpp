@@ -56,7 +56,8 @@ double stretched_limb(const Morphology& morphology, int foot, const Eigen::Vecto
   const std::vector<int> chain = morphology.chain_to(morphology.feet[foot].link);
   const double centre = morphology.feet[foot].position.at(s).norm();
   // The middle of a round sole lies above the ankle: there the leg ends at the sole.
-  double sum = centre < morphology.feet[foot].radius ? morphology.feet[foot].radius - centre : centre;
+  double sum =
+      centre < morphology.feet[foot].radius ? morphology.feet[foot].radius - centre : centre;
   for (std::size_t a = 1; a < chain.size(); ++a)
     sum += morphology.links[chain[a]].origin.at(s).norm();
   return sum;

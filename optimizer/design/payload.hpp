@@ -11,7 +11,7 @@ namespace legwright {
 /// A box of even density that a robot carries, fixed to its trunk, its edges along the trunk's axes. Frame of the
 /// trunk.
 struct Payload {
-  double mass = 0.0;  // [kg], > 0
+  double mass = 0.0;                                   // [kg], > 0
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  // of its centre [m]
   Eigen::Vector3d size = Eigen::Vector3d::Zero();      // whole edges [m]
 };

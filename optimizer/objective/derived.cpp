@@ -228,8 +228,12 @@ void DerivedQuantities::evaluate(const Morphology& morphology, const Layout& lay
 
 PoseTriple DerivedQuantities::triple(const DerivedBlock& block, const Workspace& workspace) const {
   const int i = block.knot, before = i > 0 ? i - 1 : knot_count_;  // of pairs
-  return {&workspace.poses[i > 0 ? i - 1 : knot_count_ + 1], &workspace.poses[i],
-          &workspace.poses[i + 1], &workspace.moments[before], &workspace.moments[i], up_};
+  return {&workspace.poses[i > 0 ? i - 1 : knot_count_ + 1],
+          &workspace.poses[i],
+          &workspace.poses[i + 1],
+          &workspace.moments[before],
+          &workspace.moments[i],
+          up_};
 }
 
 void DerivedQuantities::collect_forces(const DerivedBlock& block, const Eigen::VectorXd& extended,

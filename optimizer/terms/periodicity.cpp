@@ -12,9 +12,7 @@ namespace {
 class Periodicity final : public LinearTerm {
  public:
   explicit Periodicity(const TermContext& context)
-      : length_(context.length),
-        height_(context.length / kKnownLeg),
-        weight_(context.weight) {
+      : length_(context.length), height_(context.length / kKnownLeg), weight_(context.weight) {
     const Layout& layout = context.layout;
     const WantedPath& path = context.path;
     const int T = layout.knot_count(), size = layout.pose_size() - 2;

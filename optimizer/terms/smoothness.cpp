@@ -14,7 +14,8 @@ class Smoothness final : public LinearTerm {
  public:
   explicit Smoothness(const TermContext& context) {
     const Layout& layout = context.layout;
-    const double h = context.task.gait.time_step(), leg = standing_leg(context.morphology, context.space.initial()),
+    const double h = context.task.gait.time_step(),
+                 leg = standing_leg(context.morphology, context.space.initial()),
                  scale = smoothness_time_squared(leg) / (h * h);
     const int size = layout.pose_size() - 3;
     for (int i = 0; i < layout.knot_count(); ++i) {

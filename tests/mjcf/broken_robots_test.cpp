@@ -63,11 +63,8 @@ const std::map<std::string, Refusal>& refusals() {
       {"include_itself",
        {5, {"include", "include_itself.xml > include_itself.xml", "remove this <include>"}}},
       {"include_leads_out",
-       {3,
-        {"include", "'../tasks/nan.toml' leads out", "copy the file"},
-        "parts/leads_out.xml"}},
-      {"include_nan",
-       {4, {"geom", "attribute rgba: 'nan'", "write it like"}, "parts/nan.xml"}},
+       {3, {"include", "'../tasks/nan.toml' leads out", "copy the file"}, "parts/leads_out.xml"}},
+      {"include_nan", {4, {"geom", "attribute rgba: 'nan'", "write it like"}, "parts/nan.xml"}},
       {"include_no_elements",
        {2, {"mujocoinclude", "without elements", "remove the <include>"}, "parts/no_elements.xml"}},
       {"include_not_closed", {3, {"XML", "an element is not closed"}, "parts/not_closed.xml"}},
@@ -102,7 +99,8 @@ const std::map<std::string, Refusal>& refusals() {
       {"mesh_empty", {5, {"mesh 'skin'", "parts/empty.stl' is empty", "is the copy complete?"}}},
       {"mesh_file",
        {6, {"mesh 'skin'", "'../../skin.stl' leads out of the folder", "copy the file"}}},
-      {"mesh_fitted_in_stretched", {15, {"geom", "a geom fitted to a mesh", "use a mesh or plain geoms"}}},
+      {"mesh_fitted_in_stretched",
+       {15, {"geom", "a geom fitted to a mesh", "use a mesh or plain geoms"}}},
       {"mesh_folder", {5, {"mesh 'skin'", "'parts' is a folder", "name a regular file"}}},
       {"mesh_url", {5, {"mesh 'skin'", "has a colon", "copy the file"}}},
       {"mesh_words", {5, {"MuJoCo", "STL", "mend the file"}}},
@@ -148,7 +146,9 @@ const std::map<std::string, Refusal>& refusals() {
       {"printed_oblique", {11, {"geom", "oblique to a stretch", "turn it along or across"}}},
       {"target_named_twice", {32, {"'legwright/hip_yaw'", "names 'hip' twice", "name it once"}}},
       {"tendon",
-       {13, {"body 'shank'", "no joint moves by itself", "fixed tendon 'cable'", "remove what couples"}}},
+       {13,
+        {"body 'shank'", "no joint moves by itself", "fixed tendon 'cable'",
+         "remove what couples"}}},
       {"tendon_over_two_hinges",
        {28, {"spatial 'piston'", "must span exactly one hinge", "two links"}}},
       {"text_without_numeric", {31, {"text 'legwright/hip_yaw'", "no <numeric>", "add one"}}},
@@ -231,9 +231,8 @@ TEST(BrokenRobots, EachIsRefusedWithPlaceFaultAndCure) {
       ADD_FAILURE() << name << " was accepted";
     } catch (const InputError& error) {
       const std::string message = error.what();
-      const std::string place =
-          (refusal.file.empty() ? file : folder / refusal.file).string() +
-          (refusal.line ? ":" + std::to_string(refusal.line) : "") + ": ";
+      const std::string place = (refusal.file.empty() ? file : folder / refusal.file).string() +
+                                (refusal.line ? ":" + std::to_string(refusal.line) : "") + ": ";
       EXPECT_EQ(message.substr(0, place.size()), place) << message;
       for (const std::string& part : refusal.parts)
         EXPECT_NE(message.find(part), std::string::npos)

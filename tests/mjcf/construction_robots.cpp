@@ -257,9 +257,10 @@ std::string quadruped_with_arm() {
                        joints[k], k == 0 ? 0.292 : 0.12, k == 0 ? 0.188 : 0.0,
                        k == 0 || k == 3 || k == 5 ? "0 0 1" : "0 1 0");
     ends += "</body>";
-    servos += fmt::format("\n    <position name=\"{0}\" joint=\"{0}\" kp=\"100\" kv=\"3\" "
-                          "inheritrange=\"1\"/>",
-                          joints[k]);
+    servos += fmt::format(
+        "\n    <position name=\"{0}\" joint=\"{0}\" kp=\"100\" kv=\"3\" "
+        "inheritrange=\"1\"/>",
+        joints[k]);
   }
   return R"(<mujoco model="quadruped_with_arm">
   <compiler angle="radian" autolimits="true"/>

@@ -82,9 +82,9 @@ TEST_P(Construction, EachDesignIsTheIntendedOneInMujoco) {
         test::state_of(robot.morphology, s, pose.played_qpos, pose.played_qvel);
     Morphology no_feet = robot.morphology;
     no_feet.feet.clear();
-    ASSERT_LT(difference_but_feet(test::MujocoRobot(text).state(no_feet, pose.qpos, pose.qvel),
-                                  planned),
-              1e-9)
+    ASSERT_LT(
+        difference_but_feet(test::MujocoRobot(text).state(no_feet, pose.qpos, pose.qvel), planned),
+        1e-9)
         << "trial " << trial;
     // As it is played: the same robot without what is held, feet by name.
     const std::string played = played_robot(robot, text);
@@ -112,10 +112,9 @@ TEST_P(WithRiders, WeighWhereTheyAreHeld) {
   Morphology no_feet = robot.morphology;
   no_feet.feet.clear();
   const auto error = [&] {
-    return difference_but_feet(
-        test::MujocoRobot(robot.xml).state(no_feet, pose.qpos, pose.qvel),
-        test::state_of(robot.morphology, robot.space.initial(), pose.played_qpos,
-                       pose.played_qvel));
+    return difference_but_feet(test::MujocoRobot(robot.xml).state(no_feet, pose.qpos, pose.qvel),
+                               test::state_of(robot.morphology, robot.space.initial(),
+                                              pose.played_qpos, pose.played_qvel));
   };
   EXPECT_LT(error(), 1e-9);
   pose.qpos[model->jnt_qposadr[robot.structure.frozen.front().joint]] += 0.5;
@@ -125,8 +124,7 @@ TEST_P(WithRiders, WeighWhereTheyAreHeld) {
 
 INSTANTIATE_TEST_SUITE_P(Robots, Construction,
                          testing::Values("armed_biped", "classed_quadruped", "quadruped_with_arm"));
-INSTANTIATE_TEST_SUITE_P(Robots, WithRiders,
-                         testing::Values("armed_biped", "quadruped_with_arm"));
+INSTANTIATE_TEST_SUITE_P(Robots, WithRiders, testing::Values("armed_biped", "quadruped_with_arm"));
 
 TEST(Riding, ArmAndLidarAreHeldAndToldApartFromLegs) {
   const RobotModel robot = parse_robot(test::armed_biped(), "robot.xml");
@@ -151,9 +149,10 @@ TEST(Riding, ALegThatIsLiftedAtHomeRides) {
 }
 
 TEST(Riding, IsToldToPeople) {
-  EXPECT_EQ(held_text(parse_robot(test::armed_biped(), "robot.xml").structure),
-            "  rides along, held in the home pose: shoulder, a joint of hand, thumb, finger, a joint "
-            "of lidar\n");
+  EXPECT_EQ(
+      held_text(parse_robot(test::armed_biped(), "robot.xml").structure),
+      "  rides along, held in the home pose: shoulder, a joint of hand, thumb, finger, a joint "
+      "of lidar\n");
   EXPECT_EQ(held_text(parse_robot(test::classed_quadruped(), "robot.xml").structure), "");
 }
 
@@ -209,12 +208,13 @@ TEST(Couplings, ACoupledJointOfALegIsHeld) {
     EXPECT_EQ(robot.morphology.joint_count(), 2);
     ASSERT_EQ(robot.structure.frozen.size(), 1u);
     EXPECT_EQ(robot.structure.frozen[0].name, "toe");
-    EXPECT_TRUE(holds(robot.structure.frozen[0].why, "coupled by")) << robot.structure.frozen[0].why;
+    EXPECT_TRUE(holds(robot.structure.frozen[0].why, "coupled by"))
+        << robot.structure.frozen[0].why;
     EXPECT_TRUE(holds(robot.structure.frozen[0].why, "'linkage'"));
     EXPECT_EQ(robot.morphology.feet[0].name, "tip");
     // The toe is bent by 0.3 rad in the shank's frame.
-    const Vector3d tip = Vector3d(0, 0, -0.2) + Eigen::AngleAxisd(0.3, Vector3d::UnitY()) *
-                                                    Vector3d(0.01, 0, -0.03);
+    const Vector3d tip =
+        Vector3d(0, 0, -0.2) + Eigen::AngleAxisd(0.3, Vector3d::UnitY()) * Vector3d(0.01, 0, -0.03);
     EXPECT_LT((robot.morphology.feet[0].position.at(VectorXd()) - tip).norm(), 1e-12);
   }
 }
@@ -223,9 +223,9 @@ TEST(Couplings, ATendonThatOnlyMeasuresHoldsNothing) {
   const std::string measures =
       "<tendon><fixed name=\"sum\"><joint joint=\"hip\" coef=\"1\"/>"
       "<joint joint=\"knee\" coef=\"1\"/></fixed></tendon>";
-  const std::string xml = test::with(
-      test::hopper_with("<geom name=\"tip\" size=\"0.02\" pos=\"0 0 -0.2\"/>"), "<actuator>",
-      measures + "<actuator>");
+  const std::string xml =
+      test::with(test::hopper_with("<geom name=\"tip\" size=\"0.02\" pos=\"0 0 -0.2\"/>"),
+                 "<actuator>", measures + "<actuator>");
   EXPECT_TRUE(parse_robot(xml, "robot.xml").structure.frozen.empty());
   EXPECT_TRUE(holds(complaint(test::with(xml, "name=\"sum\"", "name=\"sum\" range=\"0 1\"")),
                     "no joint moves by itself"));

@@ -25,17 +25,22 @@ TEST(Feet, OfEveryShapeTouchWhereTheyAreLowest) {
   const double r = std::sqrt(0.5);
   const FootCase cases[] = {
       {"<geom size=\"0.02\" pos=\"0.01 0 -0.2\"/>", {0.01, 0, -0.2}, 0.02},
-      {"<geom type=\"capsule\" fromto=\"0 0 0 0.01 0 -0.2\" size=\"0.015\"/>", {0.01, 0, -0.2}, 0.015},
+      {"<geom type=\"capsule\" fromto=\"0 0 0 0.01 0 -0.2\" size=\"0.015\"/>",
+       {0.01, 0, -0.2},
+       0.015},
       {"<geom type=\"capsule\" pos=\"0 0 -0.15\" size=\"0.02 0.05\"/>", {0, 0, -0.2}, 0.02},
-      {"<geom type=\"capsule\" pos=\"0 0 -0.2\" euler=\"1.5707963267948966 0 0\" size=\"0.02 0.05\"/>",
+      {"<geom type=\"capsule\" pos=\"0 0 -0.2\" euler=\"1.5707963267948966 0 0\" size=\"0.02 "
+       "0.05\"/>",
        {0, 0, -0.2},
        0.02},
       {"<geom type=\"box\" pos=\"0.02 0 -0.19\" size=\"0.05 0.03 0.01\"/>", {0.02, 0, -0.2}, 0},
-      {"<geom type=\"box\" pos=\"0 0 -0.2\" euler=\"0 0.7853981633974483 0\" size=\"0.02 0.03 0.02\"/>",
+      {"<geom type=\"box\" pos=\"0 0 -0.2\" euler=\"0 0.7853981633974483 0\" size=\"0.02 0.03 "
+       "0.02\"/>",
        {0, 0, -0.2 - 0.04 * r},
        0},
       {"<geom type=\"cylinder\" pos=\"0 0.01 -0.15\" size=\"0.03 0.05\"/>", {0, 0.01, -0.2}, 0},
-      {"<geom type=\"cylinder\" pos=\"0 0 -0.2\" euler=\"1.5707963267948966 0 0\" size=\"0.04 0.01\"/>",
+      {"<geom type=\"cylinder\" pos=\"0 0 -0.2\" euler=\"1.5707963267948966 0 0\" size=\"0.04 "
+       "0.01\"/>",
        {0, 0, -0.2},
        0.04},
       {"<geom type=\"ellipsoid\" pos=\"0 0 -0.18\" size=\"0.05 0.03 0.02\"/>", {0, 0, -0.2}, 0},
@@ -55,8 +60,8 @@ TEST(Feet, OfEveryShapeTouchWhereTheyAreLowest) {
     EXPECT_TRUE(played->geom_contype[geom]);
     // Tools measure at this site, or at the ball's middle where there is none.
     const int site = mj_name2id(played.get(), mjOBJ_SITE, "foot:shank");
-    const Vector3d marked = Vector3d::Map(site >= 0 ? played->site_pos + 3 * site
-                                                    : played->geom_pos + 3 * geom);
+    const Vector3d marked =
+        Vector3d::Map(site >= 0 ? played->site_pos + 3 * site : played->geom_pos + 3 * geom);
     EXPECT_LT((marked - one.position).norm(), 1e-7) << one.text;
     EXPECT_EQ(site < 0, played->geom_type[geom] == mjGEOM_SPHERE) << one.text;
     EXPECT_EQ(played->body_subtreemass[0], compile_mjcf(xml, "x")->body_subtreemass[0]);
@@ -67,17 +72,19 @@ TEST(Feet, TheLowestCollidingGeomIsItAndABallBeforeItsLike) {
   const auto name = [](const std::string& foot) {
     return parse_robot(test::hopper_with(foot), "robot.xml").morphology.feet[0].name;
   };
-  const std::string ball = "<geom name=\"ball\" size=\"0.02\" pos=\"0 0 -0.2\"/>",
-                    hull = "<geom name=\"hull\" type=\"box\" size=\"0.03 0.03 0.11\" pos=\"0 0 -0.115\"/>",
-                    drawn = "<geom name=\"drawn\" size=\"0.1\" pos=\"0 0 -0.3\" contype=\"0\" conaffinity=\"0\"/>";
+  const std::string
+      ball = "<geom name=\"ball\" size=\"0.02\" pos=\"0 0 -0.2\"/>",
+      hull = "<geom name=\"hull\" type=\"box\" size=\"0.03 0.03 0.11\" pos=\"0 0 -0.115\"/>",
+      drawn =
+          "<geom name=\"drawn\" size=\"0.1\" pos=\"0 0 -0.3\" contype=\"0\" conaffinity=\"0\"/>";
   EXPECT_EQ(name(hull + ball + drawn), "ball");  // 5 mm higher than the hull
   EXPECT_EQ(name(test::with(hull, "0.11\"", "0.13\"") + ball), "hull");
 }
 
 TEST(Feet, KeepTheirPlaceWhenTheLegTurnsAndStretches) {
   // Turned far, another face of the box would be the lowest at home.
-  std::string xml = test::hopper_with(
-      "<geom type=\"box\" pos=\"0.02 0 -0.1\" size=\"0.05 0.03 0.1\"/>", 0.2);
+  std::string xml =
+      test::hopper_with("<geom type=\"box\" pos=\"0.02 0 -0.1\" size=\"0.05 0.03 0.1\"/>", 0.2);
   xml = test::with(
       xml, "<keyframe>",
       "<custom><numeric name=\"legwright/yaw\" data=\"0 -1.5 1.5\"/>"

@@ -120,7 +120,8 @@ TEST(Keyframes, AServoOnATendonIsToldItsLength) {
   mj_fwdPosition(model.get(), data.get());
   for (int i = 0; i < model->nactuator; ++i)
     ctrl += fmt::format("{:.6f} ", data->actuator_length[model->actuator_outadr[i]]);
-  const std::string told = test::with(xml, "<key name=\"home\"", "<key name=\"home\" ctrl=\"" + ctrl + "\"");
+  const std::string told =
+      test::with(xml, "<key name=\"home\"", "<key name=\"home\" ctrl=\"" + ctrl + "\"");
   const RobotModel robot = parse_robot(told, "piston");
   std::mt19937 random(3);
   const ModelPointer after =
@@ -167,11 +168,13 @@ TEST(Keyframes, EveryKeyIsLookedAt) {
 /// Joints that cannot turn: the trunk rises until the longest leg stands, the angles stay.
 TEST(Keyframes, WithoutRangeOnlyTheTrunkRises) {
   std::string xml = test::with(example("puppy"), "range=\"-2.6 2.6\"", "range=\"-2.6 2.6\" ");
-  for (const auto& [joint, range] : {std::pair{"hip", "0.5 0.5001"}, std::pair{"knee", "-1 -0.9999"},
-                                     std::pair{"ankle", "0.6 0.6001"}})
+  for (const auto& [joint, range] :
+       {std::pair{"hip", "0.5 0.5001"}, std::pair{"knee", "-1 -0.9999"},
+        std::pair{"ankle", "0.6 0.6001"}})
     for (const char* leg : {"FL", "FR", "HL", "HR"}) {
       const std::string name = std::string("name=\"") + leg + "_" + joint + "\"";
-      xml = test::with(xml, "<joint " + name, "<joint range=\"" + std::string(range) + "\" " + name);
+      xml =
+          test::with(xml, "<joint " + name, "<joint range=\"" + std::string(range) + "\" " + name);
     }
   const RobotModel robot = parse_robot(xml, "stiff");
   const std::string text = rewrite_robot(robot, longer(robot));
@@ -193,7 +196,8 @@ TEST(Keyframes, AFootAtAnotherHeightIsFound) {
   ASSERT_EQ(keys.size(), 1u);
   EXPECT_EQ(find_lifted_foot(robot.structure, keys, *file, *model), "");
   keys[0].foot_height[2] += 1e-6;
-  EXPECT_NE(find_lifted_foot(robot.structure, keys, *file, *model).find("foot HL"), std::string::npos);
+  EXPECT_NE(find_lifted_foot(robot.structure, keys, *file, *model).find("foot HL"),
+            std::string::npos);
   keys[0].every_foot = false;  // then the lowest counts
   EXPECT_EQ(find_lifted_foot(robot.structure, keys, *file, *model), "");
   for (double& height : keys[0].foot_height) height -= 1e-6;

@@ -17,12 +17,14 @@ namespace {
 using tinyxml2::XMLAttribute;
 using tinyxml2::XMLElement;
 
-const char* const kJunk[] = {"",     "nan", "1e999", "0x10", "1,5",    "abc",  "1 2",
+const char* const kJunk[] = {"",     "nan", "1e999", "0x10", "1,5",    "abc",    "1 2",
                              "-",    " 1 ", "1 1 1", "true", "0 0 0",  "1e-300", "0.1 0.1 0.1 0.1",
                              "auto", "0 1", "2 1",   "1e7",  "-0.001", "3.0.1"};
-const char* const kNames[] = {"../x",  "a b",   "<b>&\"", "\xC3\xBC\xC3\xB1", "%s%n", "a'b",
-                              "floor", "gait",  "home",   "world",            "main", "",
-                              "a|b",   "~knee", "0.5*a",  "legwright/thing",  "1",    "tab\there"};
+const char* const kNames[] = {"../x", "a b",      "<b>&\"", "\xC3\xBC\xC3\xB1",
+                              "%s%n", "a'b",      "floor",  "gait",
+                              "home", "world",    "main",   "",
+                              "a|b",  "~knee",    "0.5*a",  "legwright/thing",
+                              "1",    "tab\there"};
 const double kFactors[] = {0.5, 0.9, 0.99, 1.001, 1.1, 2.0, -1.0, 10.0};
 
 /// Attributes that people add, most of them allowed somewhere.
@@ -144,7 +146,9 @@ class Mutator {
   }
 
   /// Not the root: nothing would be left.
-  XMLElement* element() { return elements_.size() > 1 ? elements_[1 + below(elements_.size() - 1)] : nullptr; }
+  XMLElement* element() {
+    return elements_.size() > 1 ? elements_[1 + below(elements_.size() - 1)] : nullptr;
+  }
 
   void junk() {
     const auto [element, name] = attribute(below(3) > 0);
@@ -236,7 +240,8 @@ class Mutator {
     std::vector<XMLElement*> texts, numerics;
     for (XMLElement* element : elements_) {
       const char* const name = element->Attribute("name");
-      if (!name || std::string_view(name).substr(0, 10) != "legwright/" || !element->Attribute("data"))
+      if (!name || std::string_view(name).substr(0, 10) != "legwright/" ||
+          !element->Attribute("data"))
         continue;
       (std::string_view(element->Name()) == "text" ? texts : numerics).push_back(element);
     }
@@ -249,12 +254,14 @@ class Mutator {
         (*numbers)[1] = (*numbers)[2] = (*numbers)[0];  // frozen
       else
         (*numbers)[below(3)] *= one_of(kFactors);
-      numeric->SetAttribute("data", format_numbers(Eigen::VectorXd::Map(numbers->data(), 3)).c_str());
+      numeric->SetAttribute("data",
+                            format_numbers(Eigen::VectorXd::Map(numbers->data(), 3)).c_str());
       return;
     }
     XMLElement* text = one_of(texts);
     std::vector<std::string> words;
-    for (const std::string_view word : split_words(text->Attribute("data"))) words.emplace_back(word);
+    for (const std::string_view word : split_words(text->Attribute("data")))
+      words.emplace_back(word);
     if (words.size() < 6) return;
     std::string& word = words[2 + below(4)];
     const char* const kWords[] = {"link:", "x:", "y:", "z:", "stretch", "axis", "place", "|", "m"};

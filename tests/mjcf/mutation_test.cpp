@@ -147,8 +147,8 @@ TEST(Mutation, MutantsOfOtherConstructionsCanBeRewrittenAndPlayed) {
     if (!accepted(text)) continue;
     const RobotModel robot = parse_robot(text, "mutant.xml");
     std::string design;
-    ASSERT_NO_THROW(design = rewrite_robot(
-                        robot, 0.5 * (robot.space.lower() + robot.space.upper())))
+    ASSERT_NO_THROW(design =
+                        rewrite_robot(robot, 0.5 * (robot.space.lower() + robot.space.upper())))
         << text;
     ASSERT_NO_THROW(compile_mjcf(played_robot(robot, design), "played.xml")) << text;
     ++played;

@@ -61,7 +61,8 @@ TEST(StudyRobot, ProposesTheWidthOfBeamsThatCarryLegs) {
   EXPECT_EQ(named(found, "front_beam_width").binding, "stretch y: front_beam");
   EXPECT_NEAR(named(found, "middle_beam_width").value, 0.09, 1e-9);
   for (const Proposal& proposal : study(bare(example("puppy"))).proposals)
-    EXPECT_EQ(proposal.name.find("servo"), std::string::npos) << "no legs hang on a motor: " << proposal.name;
+    EXPECT_EQ(proposal.name.find("servo"), std::string::npos)
+        << "no legs hang on a motor: " << proposal.name;
 }
 
 TEST(StudyRobot, TurnsAxesALittleWhereLegsReachToAllSides) {

@@ -67,9 +67,8 @@ TEST_F(SplitPuppy, IsTheRobotThatMujocoReads) {
   EXPECT_EQ(paths(files.includes()),
             (std::vector<std::string>{"parts/defaults.xml", "parts/front_left.xml",
                                       "parts/shank.xml", "parts/drives.xml"}));
-  EXPECT_EQ(paths(files.assets()),
-            (std::vector<std::string>{"assets/ear.stl", "assets/nose.obj",
-                                      "assets/pictures/fur.png"}));
+  EXPECT_EQ(paths(files.assets()), (std::vector<std::string>{"assets/ear.stl", "assets/nose.obj",
+                                                             "assets/pictures/fur.png"}));
   EXPECT_EQ(files.main_text(), test::read_file(file_));
   for (const IncludedFile& included : files.includes())
     EXPECT_EQ(included.text, test::read_file(folder_.path() / included.path));
@@ -91,8 +90,7 @@ TEST_F(SplitPuppy, IsTheSameRobotAsInOneFile) {
 
 TEST_F(SplitPuppy, InitialDesignGivesEveryFileBack) {
   const RobotModel robot = read_robot(file_);
-  const RobotFiles same =
-      robot.files.with_text(rewrite_robot(robot, robot.space.initial()));
+  const RobotFiles same = robot.files.with_text(rewrite_robot(robot, robot.space.initial()));
   EXPECT_EQ(same.main_text(), robot.files.main_text());
   for (std::size_t k = 0; k < same.includes().size(); ++k)
     EXPECT_EQ(same.includes()[k].text, robot.files.includes()[k].text);
@@ -215,9 +213,9 @@ TEST_F(SplitPuppy, FaultsAreToldAtTheLineOfTheirFile) {
     const fs::path file = folder_.path() / fault.file;
     const std::string good = test::read_file(file);
     put(file, test::with(good, fault.good, fault.bad));
-    expect_words(complaint(file_),
-                 {file.string() + ":" + std::to_string(line_of(file, fault.bad)) + ": ",
-                  fault.words});
+    expect_words(
+        complaint(file_),
+        {file.string() + ":" + std::to_string(line_of(file, fault.bad)) + ": ", fault.words});
     put(file, good);
   }
   EXPECT_EQ(complaint(file_), "accepted");  // control: each was refused for its own fault

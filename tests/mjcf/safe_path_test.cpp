@@ -220,8 +220,8 @@ TEST_F(SafePath, AssetsAreThoseThatMujocoReads) {
 
 TEST_F(SafePath, OtherElementsNameNoFiles) {
   put(home_ / "a.xml", "<mujoco><worldbody/></mujoco>");
-  EXPECT_TRUE(has(refusal("<mujoco><asset><model file=\"a.xml\"/></asset></mujoco>"),
-                  "write it out here"));
+  EXPECT_TRUE(
+      has(refusal("<mujoco><asset><model file=\"a.xml\"/></asset></mujoco>"), "write it out here"));
   EXPECT_TRUE(has(refusal("<mujoco><asset><mesh file=\"/etc/passwd\"/></asset></mujoco>"),
                   "absolute path"));
   EXPECT_TRUE(has(refusal("<mujoco><compiler meshdir=\"/etc\"/><asset><mesh file=\"passwd\"/>"
@@ -273,8 +273,7 @@ TEST_F(SafePath, AFileIsIncludedOrAnAsset) {
 /// A packed picture unpacks to any size.
 TEST_F(SafePath, HugePicturesAreRefused) {
   std::string png = test::one_pixel_png();
-  const std::string text =
-      "<mujoco><asset><texture type=\"2d\" file=\"t.png\"/></asset></mujoco>";
+  const std::string text = "<mujoco><asset><texture type=\"2d\" file=\"t.png\"/></asset></mujoco>";
   put(home_ / "t.png", png);
   EXPECT_EQ(refusal(text), "accepted");
   png[17] = '\x10';

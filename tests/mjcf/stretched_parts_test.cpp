@@ -17,11 +17,12 @@ using test::complaint;
 using test::holds;
 
 std::string calf(const std::string& parts) {
-  return test::with(test::hopper_with(parts + "<geom name=\"tip\" size=\"0.02\" pos=\"0 0 -0.2\"/>"),
-                    "<keyframe>",
-                    "<custom><numeric name=\"legwright/long\" data=\"0.2 0.1 0.4\"/>"
-                    "<text name=\"legwright/long\" data=\"m | stretch link: shank | l\"/>"
-                    "</custom><keyframe>");
+  return test::with(
+      test::hopper_with(parts + "<geom name=\"tip\" size=\"0.02\" pos=\"0 0 -0.2\"/>"),
+      "<keyframe>",
+      "<custom><numeric name=\"legwright/long\" data=\"0.2 0.1 0.4\"/>"
+      "<text name=\"legwright/long\" data=\"m | stretch link: shank | l\"/>"
+      "</custom><keyframe>");
 }
 
 std::string stretched(const std::string& xml, double length) {
@@ -31,7 +32,8 @@ std::string stretched(const std::string& xml, double length) {
 TEST(Stretched, FramesMoveAndTheirPartsWithThem) {
   const std::string text = stretched(
       calf("<frame name=\"f\" pos=\"0.01 0 -0.1\" euler=\"0 1.5707963267948966 0\">"
-           "<geom type=\"box\" pos=\"0.05 0 0.02\" size=\"0.03 0.01 0.02\" contype=\"0\" conaffinity=\"0\"/>"
+           "<geom type=\"box\" pos=\"0.05 0 0.02\" size=\"0.03 0.01 0.02\" contype=\"0\" "
+           "conaffinity=\"0\"/>"
            "<frame pos=\"0.01 0 0\"><camera name=\"c\" pos=\"0.03 0 0\"/></frame></frame>"),
       0.4);
   // The frame's x is the body's −z: what lies along it grows, its z stays.
@@ -46,7 +48,8 @@ TEST(Stretched, FramesMoveAndTheirPartsWithThem) {
 
 TEST(Stretched, DrawnMeshesScaleWhereAllThatShowThemAgree) {
   const std::string mesh =
-      "<geom type=\"mesh\" mesh=\"shoe\" mass=\"0\" contype=\"0\" conaffinity=\"0\" pos=\"0 0 -0.1\"/>";
+      "<geom type=\"mesh\" mesh=\"shoe\" mass=\"0\" contype=\"0\" conaffinity=\"0\" pos=\"0 0 "
+      "-0.1\"/>";
   EXPECT_TRUE(holds(stretched(calf(mesh), 0.4), "<mesh name=\"shoe\" vertex="));
   const auto scale = [](const std::string& text) {
     const std::size_t at = text.find(" scale=\"");
@@ -62,11 +65,12 @@ TEST(Stretched, DrawnMeshesScaleWhereAllThatShowThemAgree) {
   EXPECT_EQ(scale(stretched(calf(turned), 0.4)), "2 1 1");
   EXPECT_EQ(scale(stretched(calf(mesh + turned), 0.4)), "");  // they disagree
   EXPECT_EQ(scale(stretched(calf(test::with(mesh, "pos=", "euler=\"0 0.3 0\" pos=")), 0.4)), "");
-  EXPECT_EQ(scale(stretched(test::with(calf(mesh), "<body name=\"thigh\">",
-                                       mesh + "<body name=\"thigh\">"),
-                            0.4)),
-            "");  // the trunk shows it too
-  EXPECT_EQ(scale(stretched(calf("<geom type=\"mesh\" mesh=\"shoe\" pos=\"0 0 -0.1\"/>"), 0.4)), "");
+  EXPECT_EQ(
+      scale(stretched(
+          test::with(calf(mesh), "<body name=\"thigh\">", mesh + "<body name=\"thigh\">"), 0.4)),
+      "");  // the trunk shows it too
+  EXPECT_EQ(scale(stretched(calf("<geom type=\"mesh\" mesh=\"shoe\" pos=\"0 0 -0.1\"/>"), 0.4)),
+            "");
 }
 
 TEST(Stretched, RodsPlacedByPosGrowWhereTheyMakeUpTheLink) {
@@ -76,16 +80,19 @@ TEST(Stretched, RodsPlacedByPosGrowWhereTheyMakeUpTheLink) {
   };
   EXPECT_EQ(size("<geom type=\"cylinder\" size=\"0.01 0.09\" pos=\"0 0 -0.09\"/>"), 0.18);
   EXPECT_EQ(size("<geom type=\"capsule\" size=\"0.01 0.09\" pos=\"0 0 -0.09\"/>"), 0.18);
-  EXPECT_EQ(size("<geom type=\"cylinder\" size=\"0.02 0.02\" pos=\"0 0 -0.09\"/>"), 0.02);  // a motor
-  EXPECT_EQ(size("<geom type=\"cylinder\" size=\"0.02 0.09\" pos=\"0 0 -0.05\" euler=\"1.57 0 0\"/>"),
-            0.09);
+  EXPECT_EQ(size("<geom type=\"cylinder\" size=\"0.02 0.02\" pos=\"0 0 -0.09\"/>"),
+            0.02);  // a motor
+  EXPECT_EQ(
+      size("<geom type=\"cylinder\" size=\"0.02 0.09\" pos=\"0 0 -0.05\" euler=\"1.57 0 0\"/>"),
+      0.09);
 }
 
 TEST(Stretched, APrintedBodyKeepsTheWeightOfMeshesAndOfWhatHasAMass) {
   std::string xml = calf(
       "<geom type=\"capsule\" size=\"0.01 0.09\" pos=\"0 0 -0.1\"/>"
       "<geom type=\"box\" size=\"0.01 0.02 0.03\" pos=\"0 0 -0.05\" mass=\"0.2\"/>"
-      "<geom type=\"mesh\" mesh=\"shoe\" pos=\"0.01 0 -0.15\" euler=\"0.2 0.1 0\" contype=\"0\" conaffinity=\"0\"/>");
+      "<geom type=\"mesh\" mesh=\"shoe\" pos=\"0.01 0 -0.15\" euler=\"0.2 0.1 0\" contype=\"0\" "
+      "conaffinity=\"0\"/>");
   xml = test::with(xml,
                    "<joint name=\"knee\" axis=\"0 1 0\"/>\n          <inertial pos=\"0 0 -0.1\" "
                    "mass=\"0.1\" diaginertia=\"1e-4 1e-4 1e-5\"/>",
@@ -97,16 +104,16 @@ TEST(Stretched, APrintedBodyKeepsTheWeightOfMeshesAndOfWhatHasAMass) {
     const double grown = 1000 * M_PI * 1e-4 * 0.18 * (length / 0.2 - 1);
     EXPECT_NEAR(after - before, grown, 1e-12);
   }
-  const std::string two = test::with(
-      xml, "<geom type=\"capsule\"",
-      "<geom type=\"mesh\" mesh=\"shoe\" pos=\"0 0 -0.1\"/><geom type=\"capsule\"");
+  const std::string two =
+      test::with(xml, "<geom type=\"capsule\"",
+                 "<geom type=\"mesh\" mesh=\"shoe\" pos=\"0 0 -0.1\"/><geom type=\"capsule\"");
   EXPECT_TRUE(holds(complaint(two), "one of several meshes with a weight"));
   EXPECT_EQ(complaint(test::with(two, "pos=\"0 0 -0.1\"/><geom type=\"capsule\"",
                                  "pos=\"0.1 0 -0.15\"/><geom type=\"capsule\"")),
             "");
-  EXPECT_TRUE(holds(complaint(test::with(xml, "autolimits=\"true\"",
-                                         "autolimits=\"true\" settotalmass=\"3\"")),
-                    "settotalmass"));
+  EXPECT_TRUE(holds(
+      complaint(test::with(xml, "autolimits=\"true\"", "autolimits=\"true\" settotalmass=\"3\"")),
+      "settotalmass"));
 }
 
 TEST(Angles, AreThoseOfTheFileAlsoWhereRefShiftsThem) {

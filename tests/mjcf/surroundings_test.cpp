@@ -32,8 +32,7 @@ TEST(Surroundings, PlanAndSceneWeighTheSame) {
   for (const char* name : {"puppy", "piston_puppy", "crooked", "crooked_printed"}) {
     const RobotModel robot = robot_named(name);
     const Task task = with_payload();
-    const ModelPointer scene =
-        compile_mjcf(in_surroundings(robot, robot.xml, task), robot.file);
+    const ModelPointer scene = compile_mjcf(in_surroundings(robot, robot.xml, task), robot.file);
     const ModelPointer bare = compile_mjcf(robot.xml, robot.file);
     const GeometryAtDesign plan(as_in_task(robot.morphology, task), robot.space.initial());
     const int trunk = mj_name2id(scene.get(), mjOBJ_BODY, robot.root_body.c_str());

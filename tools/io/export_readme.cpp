@@ -26,8 +26,7 @@ std::string escaped(const std::string& text) {
         out += "&gt;";
         break;
       default:
-        if (std::string_view("\\`*_{}[]#!|~").find(c) != std::string_view::npos)
-          out += '\\';
+        if (std::string_view("\\`*_{}[]#!|~").find(c) != std::string_view::npos) out += '\\';
         out += c;
     }
   }
@@ -47,7 +46,8 @@ std::string provenance(const ExportFacts& facts) {
   out += row("its SHA-256", escaped(facts.robot_sha256));
   out += row("task", escaped(facts.task_file));
   out += row("its SHA-256", escaped(facts.task_sha256));
-  out += row("made by", "Legwright " + escaped(facts.version) + ", MuJoCo " + escaped(facts.engine));
+  out +=
+      row("made by", "Legwright " + escaped(facts.version) + ", MuJoCo " + escaped(facts.engine));
   out += row("the search ended", escaped(facts.status));
   return out + "\nThe command was:\n\n" + code_block(facts.command);
 }
@@ -63,11 +63,13 @@ std::string changes(const ExportFacts& facts) {
       "| parameter | before | after | change | unit | what it is |\n|---|---:|---:|---:|---|---|\n";
   for (const ExportedParameter& p : facts.parameters) {
     const double change = p.after - p.before;
-    out += fmt::format("| {} | {} | {} | {} | {} | {} |\n", escaped(p.name), number(p.before),
-                       number(p.after), std::abs(change) > 1e-12 ? fmt::format("{:+.6g}", change) : "",
-                       escaped(p.unit), escaped(p.sentence));
+    out +=
+        fmt::format("| {} | {} | {} | {} | {} | {} |\n", escaped(p.name), number(p.before),
+                    number(p.after), std::abs(change) > 1e-12 ? fmt::format("{:+.6g}", change) : "",
+                    escaped(p.unit), escaped(p.sentence));
   }
-  if (facts.parameters.empty()) out += "| none | | | | | the robot declares no design parameter |\n";
+  if (facts.parameters.empty())
+    out += "| none | | | | | the robot declares no design parameter |\n";
   return out + fmt::format("\nMass: {:.6g} kg before, {:.6g} kg after.\n", facts.mass_before,
                            facts.mass_after);
 }
@@ -89,7 +91,8 @@ std::string list(const std::vector<std::string>& names) {
 }  // namespace
 
 std::string export_readme(const ExportFacts& facts) {
-  std::string out = fmt::format("# {}\n\n", escaped(facts.model.empty() ? facts.name : facts.model));
+  std::string out =
+      fmt::format("# {}\n\n", escaped(facts.model.empty() ? facts.name : facts.model));
   if (!facts.picture.empty())
     out += fmt::format("![The robot in its home pose]({})\n\n", facts.picture);
   out += fmt::format(

@@ -14,8 +14,8 @@ struct ExportedParameter {
 
 /// What the README of an exported robot tells.
 struct ExportFacts {
-  std::string name;                     // of the robot's file, without .xml
-  std::string model;                    // as the file calls itself
+  std::string name;                      // of the robot's file, without .xml
+  std::string model;                     // as the file calls itself
   std::string robot_file, robot_sha256;  // where it comes from
   std::string task_file, task_sha256;
   std::string version, engine;  // of Legwright and of MuJoCo

@@ -99,7 +99,8 @@ void add_effort(Json& run, const RunEffort& effort) {
 
 void add_final_design(Json& run, const RobotModel& robot, const Eigen::VectorXd& s) {
   for (int k = 0; k < robot.space.size(); ++k) run["parameters"][k]["final"] = s[k];
-  run["body"] = {{"initial", body_json(robot, robot.space.initial())}, {"final", body_json(robot, s)}};
+  run["body"] = {{"initial", body_json(robot, robot.space.initial())},
+                 {"final", body_json(robot, s)}};
 }
 
 Json task_values(const CodesignProblem& problem, const RunLabel& label,

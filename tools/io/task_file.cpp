@@ -20,7 +20,7 @@ namespace legwright {
 namespace {
 
 constexpr std::size_t kMostBytes = 1 << 20;
-constexpr double kSteepest = 1.0;   // [rad]
+constexpr double kSteepest = 1.0;  // [rad]
 constexpr const char* kRobotBeside = "robot.xml";
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -65,11 +65,11 @@ void read_swing(TableReader& in, TaskFile& task, Problems& problems) {
       in.number("step_over", {0.0, 0.7, true, false, "m"}).value_or(margins.step_over);
   if (!margins.swing_height || *margins.swing_height >= margins.step_over) return;
   const char* key = in.has("swing_height") ? "swing_height" : "step_over";
-  problems.add(in.line_of(key), in.full(key),
-               fmt::format("steps over {} m are asked for (limits.step_over) with a swing height "
-                           "of {} m; raise limits.swing_height, or leave it out for {:.3g} m",
-                           margins.step_over, *margins.swing_height,
-                           kSwingOver * margins.step_over));
+  problems.add(
+      in.line_of(key), in.full(key),
+      fmt::format("steps over {} m are asked for (limits.step_over) with a swing height "
+                  "of {} m; raise limits.swing_height, or leave it out for {:.3g} m",
+                  margins.step_over, *margins.swing_height, kSwingOver * margins.step_over));
 }
 
 void read_limits(TableReader in, TaskFile& task, Problems& problems) {

@@ -32,7 +32,8 @@ struct TaskFile {
 
   Eigen::Vector2d velocity = Eigen::Vector2d::Zero();
   double turn_rate = 0.0;
-  double slope_along = 0.0, slope_across = 0.0;  // the ground rises on the way, to the left of it [rad]
+  double slope_along = 0.0,
+         slope_across = 0.0;  // the ground rises on the way, to the left of it [rad]
 
   std::optional<double> com_height;       // or
   std::vector<double> com_heights;        // over the cycle
@@ -40,7 +41,7 @@ struct TaskFile {
   std::map<std::string, std::vector<Eigen::Vector2d>>
       foot_targets;  // by the foot's name, over the cycle
   std::vector<Eigen::Vector2d>
-      footprint;                         // in footfall order; one entry: half length and half width
+      footprint;  // in footfall order; one entry: half length and half width
   Task margins;  // friction … limb_pairs, payload, torque_limit and step_over over Task's defaults
   std::optional<double> planted_margin;  // [s]
   std::map<std::string, double> weights;

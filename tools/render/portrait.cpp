@@ -22,8 +22,8 @@ void draw_portrait(const std::filesystem::path& scene, const std::filesystem::pa
                            ? model->key_qpos + static_cast<std::ptrdiff_t>(key) * model->nq
                            : model->qpos0;
   const std::vector<double> qpos(pose, pose + model->nq);
-  const View view = frame_robot(*model, {qpos}, kAzimuth, kElevation,
-                                static_cast<double>(kWidth) / kHeight);
+  const View view =
+      frame_robot(*model, {qpos}, kAzimuth, kElevation, static_cast<double>(kWidth) / kHeight);
   Renderer renderer(context, *model, kWidth, kHeight, RenderStyle::full);
   write_png(png, renderer.render(qpos, view));
 }

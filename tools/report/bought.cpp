@@ -51,7 +51,8 @@ Value over_gains(const RunData& data, const char* side, const char* key, bool gr
 }
 
 /// Of the roll-out at default gains, where it came to its end.
-Value at_default(const RunData& data, const char* side, const std::function<Value(const Json&)>& of) {
+Value at_default(const RunData& data, const char* side,
+                 const std::function<Value(const Json&)>& of) {
   const Json& measured = value_at(data.metrics, {side, "default"});
   if (!measured.is_object() || value_at(measured, {"fall"}).is_object()) return std::nullopt;
   return of(measured);
@@ -127,13 +128,11 @@ void add_measured(const RunData& data, Rows& rows) {
   };
   rows.add("of the wanted speed, worst gains", least("speed_ratio"), percent);
   rows.add("of the wanted turn rate, worst gains", least("turn_ratio"), percent);
-  rows.add("largest tilt", both([&](const char* side) {
-             return over_gains(data, side, "tilt_max_rad", true);
-           }),
+  rows.add("largest tilt",
+           both([&](const char* side) { return over_gains(data, side, "tilt_max_rad", true); }),
            in("rad"));
-  rows.add("share of the time with a servo at its limit", both([&](const char* side) {
-             return over_gains(data, side, "saturated_share", true);
-           }),
+  rows.add("share of the time with a servo at its limit",
+           both([&](const char* side) { return over_gains(data, side, "saturated_share", true); }),
            percent);
   const auto standard = [&](const std::function<Value(const Json&)>& of) {
     return both([&](const char* side) { return at_default(data, side, of); });
@@ -163,8 +162,8 @@ std::string joined(const std::vector<std::string>& parts) {
 
 /// Quantities of which there is more or less, not how well something is done.
 bool is_amount(const BoughtRow& row) {
-  for (const char* what : {"peak torque of a servo", "mechanical power", "printed volume",
-                           "mass of the robot"})
+  for (const char* what :
+       {"peak torque of a servo", "mechanical power", "printed volume", "mass of the robot"})
     if (row.what == what) return true;
   return false;
 }
@@ -181,8 +180,8 @@ std::string amounts(const std::vector<BoughtRow>& rows) {
 
 std::string change_words(double change) {
   if (std::abs(change) < 5e-4) return "as before";
-  const std::string size = std::abs(change) < 0.0995 ? percent(std::abs(change))
-                                                     : percent_whole(std::abs(change));
+  const std::string size =
+      std::abs(change) < 0.0995 ? percent(std::abs(change)) : percent_whole(std::abs(change));
   return fmt::format("{}{}", change < 0.0 ? "−" : "+", size);
 }
 
@@ -227,8 +226,9 @@ std::string bought_words(const RunData& data) {
   const bool could = before.get<bool>(), can = after.get<bool>();
   const std::string more = amounts(bought_rows(data));
   if (could && can)
-    return more.empty() ? "Both bodies do the task in MuJoCo, with much the same effort."
-                        : "Both bodies do the task in MuJoCo; the co-designed one with " + more + ".";
+    return more.empty()
+               ? "Both bodies do the task in MuJoCo, with much the same effort."
+               : "Both bodies do the task in MuJoCo; the co-designed one with " + more + ".";
   if (!could && can)
     return fmt::format(
         "The initial body with its own best gait does not do the task in MuJoCo, the co-designed "

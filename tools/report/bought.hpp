@@ -12,7 +12,8 @@ namespace legwright {
 /// A figure of the initial body, with the gait that is best for it, beside that of the co-designed one.
 struct BoughtRow {
   std::string what, before, after;  // as people read them; "–" where there is none
-  std::optional<double> change;     // (after − before)/before, where both are numbers and before is not 0
+  std::optional<double>
+      change;  // (after − before)/before, where both are numbers and before is not 0
 };
 
 /// What can be compared of a run: what MuJoCo measured, masses, costs. Rows without a number on either side are left

@@ -90,7 +90,8 @@ std::string margins(const RunData& data) {
 std::string bought(const RunData& data) {
   const std::string words = bought_words(data);
   if (words.empty()) return "";
-  std::string out = "**What the body bought.** " + words + "\n\n| | before | after | |\n|---|---:|---:|---:|\n";
+  std::string out =
+      "**What the body bought.** " + words + "\n\n| | before | after | |\n|---|---:|---:|---:|\n";
   std::size_t shown = 0;
   for (const BoughtRow& row : bought_rows(data)) {
     if (!row.change || std::abs(*row.change) < 5e-4 || shown == kMostBought) continue;

@@ -16,8 +16,7 @@ constexpr std::size_t kMostParameters = 8;
 void open_table(Html& page, const char* title) {
   page.open("div").element("h3", title).open("table", {{"class", "gains"}});
   page.open("thead").open("tr").element("th", "");
-  for (const char* head : {"before", "after", "change"})
-    page.element("th", head, {{"class", "n"}});
+  for (const char* head : {"before", "after", "change"}) page.element("th", head, {{"class", "n"}});
   page.close().close().open("tbody");
 }
 

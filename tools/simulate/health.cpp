@@ -41,7 +41,8 @@ std::vector<HealthWarning> Health::warnings(const mjData& data) const {
   std::vector<HealthWarning> out;
   for (std::size_t kind = 0; kind < mjNWARNING; ++kind)
     if (first_[kind] >= 0)
-      out.push_back({first_[kind], warning_text(static_cast<int>(kind)), data.warning[kind].number});
+      out.push_back(
+          {first_[kind], warning_text(static_cast<int>(kind)), data.warning[kind].number});
   return out;
 }
 

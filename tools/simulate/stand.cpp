@@ -20,7 +20,8 @@ MujocoModel load_model(const std::filesystem::path& file) {
   std::array<char, 1000> error{};
   const MujocoSpec spec(
       mj_parseXML(file.c_str(), nullptr, error.data(), static_cast<int>(error.size())));
-  if (!spec) throw MujocoError(fmt::format("{}: MuJoCo cannot read it: {}", file.string(), error.data()));
+  if (!spec)
+    throw MujocoError(fmt::format("{}: MuJoCo cannot read it: {}", file.string(), error.data()));
   MujocoModel model(mj_compile(spec.get(), nullptr));
   if (!model)
     throw MujocoError(

@@ -11,7 +11,7 @@ namespace legwright {
 
 /// What became of a robot that was left to stand.
 struct Stand {
-  double seconds = 0.0;  // simulated
+  double seconds = 0.0;   // simulated
   bool diverged = false;  // a state that is no number: stopped there
   std::vector<HealthWarning> warnings;
   double trunk_before = 0.0, trunk_after = 0.0;  // height of the body with the free joint [m]

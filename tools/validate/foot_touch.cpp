@@ -36,8 +36,8 @@ Eigen::Vector3d foot_position(const mjModel& model, const mjData& data, int geom
 FootMotion foot_motion(const mjModel& model, const mjData& data, int geom) {
   mjtNum velocity[6];
   mj_objectVelocity(&model, &data, mjOBJ_GEOM, geom, velocity, 0);
-  const Vector3 bottom = foot_position(model, data, geom) -
-                         foot_radius(model, geom) * Vector3::UnitZ();
+  const Vector3 bottom =
+      foot_position(model, data, geom) - foot_radius(model, geom) * Vector3::UnitZ();
   const Vector3 arm = bottom - ConstVector3(data.geom_xpos + 3 * geom);
   return {ConstVector3(velocity + 3) + ConstVector3(velocity).cross(arm),
           {velocity[0], velocity[1]},

@@ -28,8 +28,9 @@ struct FootMeasures {
   double landing_max = 0.0;
   double roll_mean = 0.0;  // angle by which the foot rolled on the ground during one stance [rad]
   double roll_max = 0.0;
-  int swings = 0;  // planned ones that were looked at; then how high a bar across each step may be (FlightPath),
-                   // 0 where the foot never left the ground [m]
+  int swings =
+      0;  // planned ones that were looked at; then how high a bar across each step may be (FlightPath),
+          // 0 where the foot never left the ground [m]
   double clearance_mean = 0.0, clearance_min = 0.0;
   /// Stances of the plan in the first cycle, [touchdown, last knot with force] [s]; the second may
   /// exceed the period.

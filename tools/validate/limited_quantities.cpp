@@ -32,8 +32,7 @@ double peak_torque_share(const Measurements& run) {
 std::optional<double> least_clearance(const Measurements& run) {
   std::optional<double> least;
   for (const auto& foot : run.feet)
-    if (foot.swings > 0)
-      least = std::min(least.value_or(foot.clearance_min), foot.clearance_min);
+    if (foot.swings > 0) least = std::min(least.value_or(foot.clearance_min), foot.clearance_min);
   return least;
 }
 

@@ -143,11 +143,12 @@ std::string demands_text(const Finding& found) {
     text += fmt::format("ground  rises by {:.3g} rad on the way, by {:.3g} rad to its left\n",
                         slope.along, slope.across);
   if (task.payload)
-    text += fmt::format("payload {} kg at {:.3g}, {:.3g}, {:.3g} m of the trunk, {:.0f} % of the "
-                        "robot's own mass\n",
-                        task.payload->mass, task.payload->position.x(), task.payload->position.y(),
-                        task.payload->position.z(),
-                        100.0 * task.payload->mass / found.robot.morphology.total_mass());
+    text += fmt::format(
+        "payload {} kg at {:.3g}, {:.3g}, {:.3g} m of the trunk, {:.0f} % of the "
+        "robot's own mass\n",
+        task.payload->mass, task.payload->position.x(), task.payload->position.y(),
+        task.payload->position.z(),
+        100.0 * task.payload->mass / found.robot.morphology.total_mass());
   if (task.torque_limit)
     text += fmt::format("motors  no more than {} N m each\n", *task.torque_limit);
   if (task.step_over > 0.0)
@@ -224,7 +225,8 @@ Json to_json(const Finding& found) {
 }
 
 int check_all_gradients(const CheckOptions& options) {
-  const std::vector<GradientCheck> checks = check_gradients(read_problem(options.task, options.robot));
+  const std::vector<GradientCheck> checks =
+      check_gradients(read_problem(options.task, options.robot));
   if (options.json)
     fmt::print("{}", to_text(Json{{"schema", "legwright/gradients"},
                                   {"version", 1},

@@ -117,8 +117,8 @@ class GapCloser {
     std::vector<Measurements> at_gains;
     std::vector<double> residual;
     for (const double gain : kGains) {
-      const Scene scene = parse_scene(texts.scene_xml, "scene.xml", gain,
-                                      problem_.robot.files.folder());
+      const Scene scene =
+          parse_scene(texts.scene_xml, "scene.xml", gain, problem_.robot.files.folder());
       RolloutOptions options;
       options.cycles = kCycles;
       at_gains.push_back(measure(scene, wanted_, texts.quality.planned_velocity, options));

@@ -69,8 +69,8 @@ ExportedRun read_run(const fs::path& root) {
   out.run = read_json(folder.run_json());
   const fs::path input = folder.inputs() / "robot.xml", result = folder.result() / "robot.xml";
   if (!fs::exists(result))
-    throw IoError(result.string() + ": no such file; the run has no result yet, finish `legwright " +
-                  "optimize`");
+    throw IoError(result.string() +
+                  ": no such file; the run has no result yet, finish `legwright " + "optimize`");
   out.before = read_robot(input);
   const std::string wanted = text_in(out.run, {"sha256", "robot.xml"});
   if (!wanted.empty() && wanted != sha256_hex(out.before.files.main_text()))
@@ -120,9 +120,8 @@ double friction_of(const Json& run) {
 }
 
 std::string describe(const Stand& stand) {
-  std::string out =
-      fmt::format("Left to stand on the floor of `scene.xml` for {:.3g} s in its home pose: ",
-                  stand.seconds);
+  std::string out = fmt::format(
+      "Left to stand on the floor of `scene.xml` for {:.3g} s in its home pose: ", stand.seconds);
   if (stand.warnings.empty()) out += "no warning of the engine";
   for (std::size_t k = 0; k < stand.warnings.size(); ++k)
     out += fmt::format("{}{} ({} times, first at {:.3g} s)", k ? ", " : "", stand.warnings[k].text,
@@ -194,8 +193,8 @@ fs::path target_of(const ExportOptions& options) {
                      ? fs::path("exports") / fs::absolute(options.run).lexically_normal().filename()
                      : fs::path(options.output);
   if (options.output.empty() && out.filename().empty())  // RUN ended with a slash
-    out = fs::path("exports") /
-          fs::absolute(options.run).lexically_normal().parent_path().filename();
+    out =
+        fs::path("exports") / fs::absolute(options.run).lexically_normal().parent_path().filename();
   if (out.filename().empty()) out = out.parent_path();
   if (fs::exists(fs::symlink_status(out)))
     throw IoError(out.string() + ": exists already; name a new folder with -o, or remove it");

@@ -99,8 +99,8 @@ void write_task_runs(const ResultFolder& folder, const CodesignProblem& problem,
   for (TaskOutcome& outcome : outcomes)
     write_task_run(folder, problem, run, found, outcome, recorder);
   fs::create_directories(folder.result());
-  write_robot_files(folder.result(), problem.robot.files.with_text(rewrite_robot(
-                                         problem.robot, found.winner().best.s)));
+  write_robot_files(folder.result(), problem.robot.files.with_text(
+                                         rewrite_robot(problem.robot, found.winner().best.s)));
 }
 
 Json write_front(const ResultFolder& folder, const CodesignProblem& problem,

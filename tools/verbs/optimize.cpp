@@ -138,8 +138,7 @@ void warn(const CodesignProblem& problem) {
 
 fs::path root_of(const OptimizeOptions& options, const CodesignProblem& problem) {
   if (!options.run.empty()) return options.run;
-  return fs::path("runs") /
-         (plain_name(problem.robot.morphology.name) + "-" + problem.set.name);
+  return fs::path("runs") / (plain_name(problem.robot.morphology.name) + "-" + problem.set.name);
 }
 
 /// What stands in the run's folder before anything is solved. @return run.json
@@ -252,9 +251,10 @@ void check_not_in_run(const fs::path& root, const RobotFiles& files) {
   for (const AssetFile& asset : files.assets()) {
     const fs::path inside = fs::weakly_canonical(asset.source).lexically_relative(run);
     if (!inside.empty() && *inside.begin() != "..")
-      throw IoError(fmt::format("{}: the robot's own files lie in it, like {}; choose another folder "
-                                "with -o, or copy the robot elsewhere first",
-                                root.string(), inside.string()));
+      throw IoError(
+          fmt::format("{}: the robot's own files lie in it, like {}; choose another folder "
+                      "with -o, or copy the robot elsewhere first",
+                      root.string(), inside.string()));
   }
 }
 

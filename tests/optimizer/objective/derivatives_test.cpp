@@ -37,7 +37,8 @@ Objective make_objective(const std::string& only = "", bool printed = false) {
   Task task = test::make_sideways_task(true, 8);
   task.velocity = {0.05, 0.1};
   task.turn_rate = 0.6;
-  task.up = up_on_slope(task.velocity, 0.2, -0.1);  // no derivative may think that gravity is along z
+  task.up =
+      up_on_slope(task.velocity, 0.2, -0.1);  // no derivative may think that gravity is along z
   if (!only.empty())
     for (const TermEntry& entry : term_registry())
       task.weights[std::string(entry.name)] = entry.name == only ? 1.0 : 0.0;

@@ -65,7 +65,7 @@ TEST(MakeTask, LimbPairsAndMarginsReachTheTask) {
   const std::string walk = "name = \"walk\"\nperiod = 1.0";
   const Task plain = task_from(walk);
   EXPECT_FALSE(plain.limb_pairs);
-  EXPECT_NEAR(plain.clearance.value(), 0.02, 1e-4);     // by the leg of 21 cm
+  EXPECT_NEAR(plain.clearance.value(), 0.02, 1e-4);  // by the leg of 21 cm
   EXPECT_NEAR(plain.swing_height.value(), 0.025, 3e-4);
   EXPECT_EQ(plain.torque_margin, 0.1);
   const Task task = task_from(walk,

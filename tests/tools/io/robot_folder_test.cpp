@@ -57,7 +57,8 @@ TEST_F(RobotFolder, FilesOfTheUserAreCopiedThoseOfTheRunLinked) {
 /// Another file system cannot link.
 TEST_F(RobotFolder, WhereLinksAreImpossibleFilesAreCopied) {
   const fs::path memory = "/dev/shm";
-  struct stat here {}, there {};
+  struct stat here {
+  }, there{};
   if (::stat(folder_.path().c_str(), &here) != 0 || ::stat(memory.c_str(), &there) != 0 ||
       here.st_dev == there.st_dev)
     GTEST_SKIP() << "one file system only";

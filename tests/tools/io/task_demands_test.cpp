@@ -15,18 +15,19 @@ namespace {
 namespace fs = std::filesystem;
 const fs::path kExamples = fs::path(LEGWRIGHT_SOURCE_DIR) / "examples";
 
-std::string text_with(const std::string& rest, const std::string& travel = "velocity = [0.1, 0.0]") {
+std::string text_with(const std::string& rest,
+                      const std::string& travel = "velocity = [0.1, 0.0]") {
   return "robot = \"robot.xml\"\n[gait]\nname = \"walk\"\nperiod = 1.0\n[travel]\n" + travel +
          "\n" + rest;
 }
-
 
 Task task_with(const std::string& rest, const std::string& travel = "velocity = [0.1, 0.0]") {
   static const RobotModel puppy = read_robot(kExamples / "puppy/robot.xml");
   return make_task(parse_task_file(text_with(rest, travel), kExamples / "puppy/test.toml"), puppy);
 }
 
-std::string complaint(const std::string& rest, const std::string& travel = "velocity = [0.1, 0.0]") {
+std::string complaint(const std::string& rest,
+                      const std::string& travel = "velocity = [0.1, 0.0]") {
   try {
     task_with(rest, travel);
   } catch (const InputError& error) {
@@ -79,7 +80,8 @@ TEST(TaskDemands, ALowBarLeavesTheSwingAsItIs) {
 TEST(TaskDemands, HoldForAllTasksOfAFileThatDoNotSayOtherwise) {
   const TaskSet set = parse_task_set(
       "robot = \"robot.xml\"\n[payload]\nmass = 0.4\n[ground]\nslope_along = 0.1\n"
-      "[[task]]\nname = \"up\"\ngait = {name = \"walk\", period = 1}\ntravel = {velocity = [0.1, 0]}\n"
+      "[[task]]\nname = \"up\"\ngait = {name = \"walk\", period = 1}\ntravel = {velocity = [0.1, "
+      "0]}\n"
       "[[task]]\nname = \"down\"\ngait = {name = \"walk\", period = 1}\n"
       "travel = {velocity = [0.1, 0]}\nground = {slope_along = -0.1}\npayload = {mass = 0.2}\n",
       kExamples / "puppy/test.toml");
@@ -91,7 +93,8 @@ TEST(TaskDemands, HoldForAllTasksOfAFileThatDoNotSayOtherwise) {
 
 TEST(TaskDemands, WrongOnesAreRefusedWithKeyAndLine) {
   expect_complaint("[ground]\nslope_along = 1.2\n", "8: ground.slope_along: is 1.2; expected");
-  expect_complaint("[ground]\nslope = 0.1\n", "8: ground.slope: unknown key; known here: slope_along");
+  expect_complaint("[ground]\nslope = 0.1\n",
+                   "8: ground.slope: unknown key; known here: slope_along");
   expect_complaint("[payload]\nmass = 0\n", "8: payload.mass: is 0; expected 0 < mass");
   expect_complaint("[payload]\nmass = nan\n", "8: payload.mass:");
   expect_complaint("[payload]\nmass = 1\nposition = [0, 0]\n", "9: payload.position: ");

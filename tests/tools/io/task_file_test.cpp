@@ -66,10 +66,10 @@ TEST(TaskFile, ReadsTheTrotExample) {
 TEST(TaskFile, CommentsInTheExampleNameRealKeys) {
   // Every line that is commented out must be accepted once it is not.
   std::string text = read_file(kPuppy / "sideways.toml");
-  for (const std::string key : {"duty", "com_path", "foot_targets", "planted_margin",
-                                "joint_margin", "torque_limit", "step_over", "[ground]",
-                                "slope_along", "slope_across", "[payload]", "mass", "position",
-                                "size", "[weights]", "smoothness"}) {
+  for (const std::string key :
+       {"duty", "com_path", "foot_targets", "planted_margin", "joint_margin", "torque_limit",
+        "step_over", "[ground]", "slope_along", "slope_across", "[payload]", "mass", "position",
+        "size", "[weights]", "smoothness"}) {
     const std::size_t at = text.find("# " + key);
     ASSERT_NE(at, std::string::npos) << key;
     text.erase(at, 2);

@@ -166,7 +166,7 @@ TEST(Renderer, OnASlopeUpIsUp) {
   };
   const Image flat = seen(*level), steep = seen(*slope);
   EXPECT_NEAR(rise(flat), 0.0, 1.0);
-  EXPECT_GT(rise(steep), 15.0);  // +x is to the right
+  EXPECT_GT(rise(steep), 15.0);                // +x is to the right
   EXPECT_GT(orange(steep), orange(flat) / 2);  // and it is still in the picture, as large as fits
 }
 

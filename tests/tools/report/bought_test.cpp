@@ -18,9 +18,8 @@ class Bought : public RunFixture {
       set_power(metrics["initial"], 4.0, 2.0);
       set_power(metrics["result"], 3.0, 1.5);
     });
-    edit("result/verdict.json", [](Json& verdict) {
-      verdict["initial"]["pass"] = verdict["result"]["pass"] = true;
-    });
+    edit("result/verdict.json",
+         [](Json& verdict) { verdict["initial"]["pass"] = verdict["result"]["pass"] = true; });
     edit_run([](Json& run) {
       run["motion_only"] = false;
       run["body"] = {{"initial", {{"mass_kg", 2.0}, {"printed_volume_m3", 1e-4}}},
@@ -82,7 +81,8 @@ TEST_F(Bought, ABodyThatFallsHasNoFigures) {
   EXPECT_FALSE(row("mechanical power").change);
   EXPECT_EQ(row("in MuJoCo").before, "✗ falls at 2 of the gains");
   EXPECT_EQ(row("steps over a bar of").before, "–");
-  EXPECT_TRUE(has(bought_words(read_run(run_)), "the co-designed one does, with 20 % less printed"));
+  EXPECT_TRUE(
+      has(bought_words(read_run(run_)), "the co-designed one does, with 20 % less printed"));
 }
 
 TEST_F(Bought, SaysSoWhereNothingWasBought) {

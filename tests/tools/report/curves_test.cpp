@@ -33,24 +33,24 @@ class CurvesTest : public testing::Test {
                "velocity = [0.1, 0.0]\n" +
                    run.weights);
     write_file(root / "inputs/robot.xml", "<mujoco/>");
-    write_json(root / "run.json",
-               {{"schema", "legwright/run"},
-                {"version", 1},
-                {"robot", "ant"},
-                {"motion_only", run.motion_only},
-                {"design_size", 1},
-                {"task", {{"gait", "tripod"}, {"velocity", {run.speed, 0.0}}, {"turn_rate", 0.0}}},
-                {"sha256",
-                 {{"robot.xml", run.robot}, {"parts/leg.xml", run.leg}, {"task.toml", name}}},
-                {"final_F", 2.5},
-                {"parameters",
-                 {{{"name", "shin_length"},
-                   {"unit", "m"},
-                   {"sentence", run.sentence},
-                   {"initial", 0.1},
-                   {"lower", 0.05},
-                   {"upper", 0.2},
-                   {"final", 0.1 + run.speed / 10}}}}});
+    write_json(
+        root / "run.json",
+        {{"schema", "legwright/run"},
+         {"version", 1},
+         {"robot", "ant"},
+         {"motion_only", run.motion_only},
+         {"design_size", 1},
+         {"task", {{"gait", "tripod"}, {"velocity", {run.speed, 0.0}}, {"turn_rate", 0.0}}},
+         {"sha256", {{"robot.xml", run.robot}, {"parts/leg.xml", run.leg}, {"task.toml", name}}},
+         {"final_F", 2.5},
+         {"parameters",
+          {{{"name", "shin_length"},
+            {"unit", "m"},
+            {"sentence", run.sentence},
+            {"initial", 0.1},
+            {"lower", 0.05},
+            {"upper", 0.2},
+            {"final", 0.1 + run.speed / 10}}}}});
     Json gains = Json::object();
     for (const char* gain : kGains)
       gains[gain] = {{"fall", run.falls ? Json{{"time_s", 1.5}} : Json(nullptr)},
@@ -119,7 +119,7 @@ TEST_F(CurvesTest, RefusesWhatDoesNotBelongTogether) {
   const fs::path a = make("a", {});
   EXPECT_NE(complaint({a, make("b", {.robot = "bb"})}).find("another robot"), std::string::npos);
   EXPECT_NE(complaint({a, make("b2", {.speed = 0.2, .leg = "dd"})}).find("another robot"),
-            std::string::npos);  // an included file differs
+            std::string::npos);                               // an included file differs
   EXPECT_EQ(complaint({a, make("b3", {.speed = 0.2})}), "");  // only the task differs
   EXPECT_NE(complaint({a, make("c", {})}).find("--variant"), std::string::npos);
   EXPECT_EQ(complaint({a}, {{"other", {make("d", {})}}}), "");  // by another name they do

@@ -15,8 +15,8 @@ namespace {
 MujocoModel box_foot(const std::string& site) {
   return compile_model(R"(<mujoco><worldbody><body pos="0 0 1"><joint name="ankle" axis="0 1 0"/>
     <geom name="sole" type="box" pos="0.02 0 -0.29" size="0.05 0.03 0.01"/>)" +
-                          site + "</body></worldbody></mujoco>",
-                      "foot.xml");
+                           site + "</body></worldbody></mujoco>",
+                       "foot.xml");
 }
 
 TEST(FootTouch, AFootThatIsNoBallIsWhereItsSiteIs) {

@@ -49,11 +49,11 @@ TEST(BrokenRobots, EveryVerbRefusesEachAndWritesNothing) {
     fs::copy_file(robot, folder.path() / "robot.xml");
     write_file(folder.path() / "task.toml", task);
     const auto before = bytes_below(folder.path());
-    for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
-             {"init", "robot.xml", "--write"},
-             {"init", "robot.xml", "-o", "new.xml"},
-             {"check", "task.toml"},
-             {"optimize", "task.toml", "-o", "run"}}) {
+    for (const std::vector<std::string>& words :
+         std::vector<std::vector<std::string>>{{"init", "robot.xml", "--write"},
+                                               {"init", "robot.xml", "-o", "new.xml"},
+                                               {"check", "task.toml"},
+                                               {"optimize", "task.toml", "-o", "run"}}) {
       const auto start = std::chrono::steady_clock::now();
       const Outcome outcome = call_in(folder.path(), words);
       const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;

@@ -33,8 +33,9 @@ class Export : public testing::Test {
     fs::remove_all(root() / "mine");
     fs::create_directories(root() / "mine");
     const fs::path from = kExamples / "puppy";
-    write_file(root() / "mine" / "robot.xml",
-               replaced(read_file(from / "robot.xml"), "model=\"puppy\"", "model=\"" + model + "\""));
+    write_file(
+        root() / "mine" / "robot.xml",
+        replaced(read_file(from / "robot.xml"), "model=\"puppy\"", "model=\"" + model + "\""));
     write_file(root() / "mine" / "task.toml", read_file(from / "sideways.toml"));
     write_file(root() / "mine" / "LICENSE", "Do what is right.\n");
     const Outcome done = call({"optimize", "mine/task.toml", "-o", "run", "--force",
@@ -126,8 +127,7 @@ TEST_F(Export, NamesOfModelsAreNoPathsAndNoMarkup) {
   const fs::path folder = root() / "exports" / "run";
   EXPECT_TRUE(fs::exists(folder / "_______b_x_y___a__b_.xml"));
   const std::string readme = read_file(folder / "README.md");
-  EXPECT_EQ(readme.substr(0, readme.find('\n')),
-            "# ../../&lt;b&gt;x\\|y\\` \\[a\\](b)");
+  EXPECT_EQ(readme.substr(0, readme.find('\n')), "# ../../&lt;b&gt;x\\|y\\` \\[a\\](b)");
 }
 
 /// Parts and meshes come along, as files of their own: not links into the run.

@@ -36,8 +36,8 @@ TEST(Program, HelpAndVersionAreFineAndNonsenseIsBadInput) {
       contains(typo.err, "unknown verb 'optimise'; the verbs are init, check, optimize, validate"))
       << typo.err;
   EXPECT_EQ(call({"optimize", kWalk, "--max-iterations", "many"}).code, 2);
-  for (const char* verb :
-       {"init", "check", "optimize", "validate", "render", "report", "play", "export", "diff", "doctor"}) {
+  for (const char* verb : {"init", "check", "optimize", "validate", "render", "report", "play",
+                           "export", "diff", "doctor"}) {
     const Outcome help = call({verb, "--help"});
     EXPECT_EQ(help.code, 0) << verb;
     EXPECT_TRUE(contains(help.out, "--json")) << verb;

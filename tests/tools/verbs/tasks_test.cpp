@@ -76,7 +76,8 @@ TEST_F(TaskOnAnotherRobot, OverABarAndThatIsMeasured) {
   write_file(folder_.path() / "limits.toml", "foot_clearance.low = 0.06\n");
   const test::Outcome higher = call({"validate", "run", "--quick", "--limits", "limits.toml"});
   EXPECT_EQ(higher.code, 1);
-  EXPECT_TRUE(contains(higher.out, "co-designed robot:  FAIL  walk forward at 0.100 m/s: steps over"))
+  EXPECT_TRUE(
+      contains(higher.out, "co-designed robot:  FAIL  walk forward at 0.100 m/s: steps over"))
       << higher.out;
 }
 
@@ -90,8 +91,8 @@ TEST_F(TaskOnAnotherRobot, WithWeakerMotorsWhereItIsPlayed) {
 }
 
 TEST(RobotOption, NamesAFileThatMustBeThere) {
-  const test::Outcome outcome =
-      test::call({"optimize", (test::kExamples / "tasks/slope.toml").string(), "--robot", "no.xml"});
+  const test::Outcome outcome = test::call(
+      {"optimize", (test::kExamples / "tasks/slope.toml").string(), "--robot", "no.xml"});
   EXPECT_EQ(outcome.code, 2);
   EXPECT_TRUE(contains(outcome.err, "no.xml: no such file")) << outcome.err;
 }
