@@ -210,7 +210,9 @@ class Solver {
       }
       return 0.0;
     }
-    if (model_.actuator_trntype[actuator] != mjTRN_JOINT) return 0.0;
+    if (model_.actuator_trntype[actuator] != mjTRN_JOINT &&
+        model_.actuator_trntype[actuator] != mjTRN_JOINTINPARENT)  // the same for a hinge
+      return 0.0;
     for (std::size_t a = 0; a < at_.joints.size(); ++a)
       if (model_.jnt_qposadr[target] == at_.joints[a])
         return pose[static_cast<Eigen::Index>(6 + a)] - old[static_cast<Eigen::Index>(6 + a)];

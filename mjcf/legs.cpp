@@ -46,7 +46,7 @@ class StructureReader {
     out_.trunk = find_trunk(xml_, model_, reasons_);
     if (out_.trunk < 0) reasons_.throw_if_any();
     check_surroundings(xml_, model_, out_.trunk, reasons_);
-    if (known && known->moves.size() == static_cast<std::size_t>(model_.njnt)) {
+    if (known && has_parts_of(model_, *known)) {
       out_ = *known;
       reasons_.throw_if_any();
       return std::move(out_);
@@ -239,6 +239,15 @@ class StructureReader {
 };
 
 }  // namespace
+
+bool has_parts_of(const mjModel& model, const Structure& structure) {
+  return structure.moves.size() == static_cast<std::size_t>(model.njnt) &&
+         structure.reads_tendon.size() == static_cast<std::size_t>(model.ntendon) &&
+         structure.trunk < model.nbody &&
+         std::all_of(structure.feet.begin(), structure.feet.end(), [&](const FootContact& foot) {
+           return foot.geom < model.ngeom && foot.site < model.nsite;
+         });
+}
 
 Structure read_structure(const XmlFile& xml, const mjModel& model, const Structure* known) {
   return StructureReader(xml, model).run(known);

@@ -11,6 +11,9 @@
 
 namespace legwright {
 
+/// Whether the ids of a structure are ids of the model; they are for every design of its robot.
+bool has_parts_of(const mjModel& model, const Structure& structure);
+
 /// Studies how a compiled robot is built: the trunk; legs, whose ends are near the ground in the
 /// home pose; joints that ride along or are coupled, which are held there; feet. Throws one
 /// InputError with all reasons that stand against the robot.

@@ -93,12 +93,17 @@ class Player {
   /// Takes a body's held joints away and draws it where they hold it.
   void hold(int body) {
     Eigen::Isometry3d moved = Eigen::Isometry3d::Identity();
+    std::vector<int> before;  // joints that go on moving, declared before a held one
     bool any = false;
     for (int j = model_.body_jntadr[body]; j < model_.body_jntadr[body] + model_.body_jntnum[body];
          ++j) {
-      if (structure_.moves[static_cast<std::size_t>(j)] || model_.jnt_type[j] == mjJNT_FREE)
+      if (structure_.moves[static_cast<std::size_t>(j)] || model_.jnt_type[j] == mjJNT_FREE) {
+        before.push_back(j);
         continue;
-      moved = moved * held_displacement(model_, j);
+      }
+      const Eigen::Isometry3d held = held_displacement(model_, j);
+      moved = moved * held;
+      for (const int earlier : before) seen_from_behind(earlier, held);
       XMLElement& joint = writable(elements_.joints[static_cast<std::size_t>(j)]);
       if (joint.Attribute("name")) forget("joint", joint.Attribute("name"));
       joint.Parent()->DeleteChild(&joint);
@@ -113,6 +118,20 @@ class Player {
     element.SetAttribute("pos", format_numbers(pose.translation()).c_str());
     element.SetAttribute("quat",
                          format_numbers(Eigen::Vector4d(q.w(), q.x(), q.y(), q.z())).c_str());
+  }
+
+  /// The body's own frame now has the held displacement in it, and a hinge declared before it turns about the same line
+  /// of the parent all the same: D₀D₁ = D₁(D₁⁻¹D₀D₁).
+  void seen_from_behind(int joint, const Eigen::Isometry3d& held) {
+    const auto found = lines_.try_emplace(joint, Eigen::Vector3d(model_.jnt_axis + 3 * joint),
+                                          Eigen::Vector3d(model_.jnt_pos + 3 * joint));
+    auto& [axis, anchor] = found.first->second;
+    if (held.isApprox(Eigen::Isometry3d::Identity(), 0.0)) return;
+    axis = held.linear().transpose() * axis;
+    anchor = held.inverse() * anchor;
+    XMLElement& element = writable(elements_.joints[static_cast<std::size_t>(joint)]);
+    element.SetAttribute("axis", format_numbers(axis).c_str());
+    element.SetAttribute("pos", format_numbers(anchor).c_str());
   }
 
   void forget(const std::string& kind, const std::string& name) { gone_[kind].insert(name); }
@@ -198,16 +217,8 @@ class Player {
   const TreeElements elements_;
   XMLElement& root_;
   Names gone_;
+  std::map<int, std::pair<Eigen::Vector3d, Eigen::Vector3d>> lines_;  // of joints: axis, anchor
 };
-
-bool has_parts_of(const mjModel& model, const Structure& structure) {
-  return structure.moves.size() == static_cast<std::size_t>(model.njnt) &&
-         structure.reads_tendon.size() == static_cast<std::size_t>(model.ntendon) &&
-         structure.trunk < model.nbody &&
-         std::all_of(structure.feet.begin(), structure.feet.end(), [&](const FootContact& foot) {
-           return foot.geom < model.ngeom && foot.site < model.nsite;
-         });
-}
 
 bool is_played_as_it_is(const mjModel& model, const Structure& structure) {
   const auto& reads = structure.reads_tendon;

@@ -44,8 +44,9 @@ constexpr std::string_view kNamesOfRuns[] = {"robot.xml",
                                              "README.md"};
 
 bool is_name_of_runs(std::string_view name) {
-  return std::find(std::begin(kNamesOfRuns), std::end(kNamesOfRuns), name) !=
-         std::end(kNamesOfRuns);
+  return name.substr(0, 6) == "still_" ||  // of `render --phase`
+         std::find(std::begin(kNamesOfRuns), std::end(kNamesOfRuns), name) !=
+             std::end(kNamesOfRuns);
 }
 
 /// Offset of the first byte of a line, counted from 1.

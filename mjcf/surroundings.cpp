@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mjcf/surroundings.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "mjcf/compile.hpp"
 #include "mjcf/numbers.hpp"
 #include "mjcf/scene_parts.hpp"
 #include "mjcf/xml.hpp"
@@ -20,6 +24,15 @@ void add_payload(const XmlFile& xml, XMLElement& trunk, const Payload& payload) 
   XMLElement& body = add(trunk, "body");
   body.SetAttribute("name", kPayload);
   body.SetAttribute("pos", format_numbers(payload.position).c_str());
+  // Given outright, so that it weighs the same whatever geoms count by the robot's <compiler>.
+  const Eigen::Vector3d squares = payload.size.cwiseAbs2();
+  XMLElement& weight = add(body, "inertial");
+  weight.SetAttribute("pos", "0 0 0");
+  weight.SetAttribute("mass", format_number(payload.mass).c_str());
+  weight.SetAttribute(
+      "diaginertia",
+      format_numbers(payload.mass / 12.0 * (Eigen::Vector3d::Constant(squares.sum()) - squares))
+          .c_str());
   XMLElement& box = add(body, "geom");
   // All that a default class of the robot may say otherwise.
   for (const auto& [name, value] : {std::pair{"type", "box"},
@@ -32,6 +45,17 @@ void add_payload(const XmlFile& xml, XMLElement& trunk, const Payload& payload) 
     box.SetAttribute(name, value);
   box.SetAttribute("size", format_numbers(payload.size / 2).c_str());
   box.SetAttribute("mass", format_number(payload.mass).c_str());
+}
+
+/// What a robot's <compiler> says of all masses holds for the payload too.
+void check_payload(const RobotModel& robot, const std::string& text, const Payload& payload) {
+  const ModelPointer model = compile_mjcf(text, robot.file);
+  const int body = mj_name2id(model.get(), mjOBJ_BODY, kPayload);
+  if (body < 0 || std::abs(model->body_mass[body] - payload.mass) > 1e-9 * payload.mass)
+    throw InputError(robot.file.string(), 0, "compiler",
+                     fmt::format("changes what the payload of {} kg weighs; remove settotalmass, "
+                                 "boundmass, inertiafromgeom and inertiagrouprange",
+                                 payload.mass));
 }
 
 }  // namespace
@@ -51,6 +75,7 @@ std::string in_surroundings(const RobotModel& robot, const std::string& robot_xm
     add(root, "option").SetAttribute("gravity", format_numbers(-kGravity * task.up).c_str());
   tinyxml2::XMLPrinter printer;
   xml->dom.Print(&printer);
+  if (task.payload) check_payload(robot, printer.CStr(), *task.payload);
   return printer.CStr();
 }
 

@@ -219,6 +219,32 @@ TEST(Couplings, ACoupledJointOfALegIsHeld) {
   }
 }
 
+TEST(Couplings, AHeldHingeBehindAMovingOneLeavesItsLineWhereItIs) {
+  std::string xml = test::hopper_with("<geom name=\"tip\" size=\"0.02\" pos=\"0 0 -0.2\"/>");
+  xml = test::with(xml, "<joint name=\"hip\" axis=\"0 1 0\"/>",
+                   "<joint name=\"hip\" axis=\"0 1 0\" pos=\"0.01 0.02 0\"/>"
+                   "<joint name=\"roll\" axis=\"1 0 0\"/>");
+  xml = test::with(xml, "0 0 0 0 ", "0 0 0 0 0.3 ");
+  xml = test::with(xml, "<actuator>",
+                   "<equality><joint name=\"linkage\" joint1=\"roll\"/></equality><actuator>");
+  const RobotModel robot = parse_robot(xml, "robot.xml");
+  ASSERT_EQ(robot.morphology.joint_count(), 2);
+  const ModelPointer whole = compile_mjcf(xml, "whole.xml");
+  const ModelPointer played = compile_mjcf(played_robot(robot, xml), "played.xml");
+  ASSERT_EQ(whole->nq, 10);
+  ASSERT_EQ(played->nq, 9);
+  const double at_whole[] = {0, 0, 0.5, 1, 0, 0, 0, 0.5, 0.3, -0.7};
+  const double at_played[] = {0, 0, 0.5, 1, 0, 0, 0, 0.5, -0.7};
+  const DataPointer a = kinematics_at(*whole, at_whole, "whole.xml");
+  const DataPointer b = kinematics_at(*played, at_played, "played.xml");
+  for (const char* body : {"thigh", "shank"}) {
+    const int in_a = mj_name2id(whole.get(), mjOBJ_BODY, body),
+              in_b = mj_name2id(played.get(), mjOBJ_BODY, body);
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(a->xpos[3 * in_a + k], b->xpos[3 * in_b + k], 1e-12);
+    for (int k = 0; k < 9; ++k) EXPECT_NEAR(a->xmat[9 * in_a + k], b->xmat[9 * in_b + k], 1e-12);
+  }
+}
+
 TEST(Couplings, ATendonThatOnlyMeasuresHoldsNothing) {
   const std::string measures =
       "<tendon><fixed name=\"sum\"><joint joint=\"hip\" coef=\"1\"/>"

@@ -41,6 +41,22 @@ TEST(Surroundings, PlanAndSceneWeighTheSame) {
   }
 }
 
+TEST(Surroundings, ThePayloadWeighsWhatItShallUnderAnyCompiler) {
+  const auto with_compiler = [](const std::string& words) {
+    std::string xml = test::named_robot("puppy");
+    return xml.insert(xml.find('>', xml.find("<mujoco")) + 1, "<compiler " + words + "/>");
+  };
+  const RobotModel robot = robot_named("puppy");
+  for (const char* words : {"inertiagrouprange=\"1 5\"", "inertiafromgeom=\"auto\""}) {
+    const ModelPointer scene =
+        compile_mjcf(in_surroundings(robot, with_compiler(words), with_payload()), robot.file);
+    const int body = mj_name2id(scene.get(), mjOBJ_BODY, "payload");
+    EXPECT_NEAR(scene->body_mass[body], 0.7, 1e-12) << words;
+  }
+  EXPECT_THROW(in_surroundings(robot, with_compiler("settotalmass=\"2\""), with_payload()),
+               InputError);
+}
+
 TEST(Surroundings, ThePayloadIsSeenAndTouchesNothing) {
   const RobotModel robot = robot_named("puppy");
   const ModelPointer scene =

@@ -97,7 +97,8 @@ std::string export_readme(const ExportFacts& facts) {
     out += fmt::format("![The robot in its home pose]({})\n\n", facts.picture);
   out += fmt::format(
       "A legged robot in MJCF, co-designed with a gait. `{0}.xml` is the robot, `scene.xml` adds a "
-      "floor and the numerics it was judged with; both open in MuJoCo without any plugin:\n\n"
+      "level floor and the numerics it was judged with, but nothing else of its task: no payload, "
+      "slope or weaker motors; both open in MuJoCo without any plugin:\n\n"
       "    python -m mujoco.viewer --mjcf=scene.xml\n\n",
       facts.name);
   if (!facts.others.empty()) out += "The robot also consists of: " + list(facts.others) + ".\n\n";

@@ -2,6 +2,7 @@
 #include "tools/io/unfinished_folder.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <system_error>
 
@@ -9,11 +10,16 @@ namespace legwright {
 
 namespace fs = std::filesystem;
 
-UnfinishedFolder::UnfinishedFolder(const fs::path& target)
-    : target_(target),
-      path_(target.parent_path() / fmt::format(".{}.tmp", target.filename().string())) {
-  fs::remove_all(path_);
-  fs::create_directories(path_);
+UnfinishedFolder::UnfinishedFolder(const fs::path& target) : target_(target) {
+  if (!target.parent_path().empty()) fs::create_directories(target.parent_path());
+  // Never a folder that is there already: it may be somebody's, or another process is filling it.
+  const std::string stem = fmt::format(".{}.{}", target.filename().string(), getpid());
+  for (int n = 0;; ++n) {
+    const fs::path path = target.parent_path() / fmt::format("{}.{}.tmp", stem, n);
+    if (!fs::create_directory(path)) continue;
+    path_ = path;
+    return;
+  }
 }
 
 UnfinishedFolder::~UnfinishedFolder() {

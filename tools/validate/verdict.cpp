@@ -70,6 +70,20 @@ std::optional<std::string> turned_away(const std::vector<Measurements>& at_gains
       "its plan turns the trunk by {:.2f} rad, and speed counts along its own heading", *turned);
 }
 
+constexpr double kToldContact = 0.05;  // share of the time
+
+/// What the planner does not see: geoms of a robot that meet. No fault by itself, but often why it fails.
+std::optional<std::string> touched_itself(const std::vector<Measurements>& at_gains) {
+  const auto worst = std::max_element(at_gains.begin(), at_gains.end(),
+                                      [](const Measurements& a, const Measurements& b) {
+                                        return a.self_contact.share < b.self_contact.share;
+                                      });
+  const SelfContact& touch = worst->self_contact;
+  if (touch.share < kToldContact || touch.first.empty()) return std::nullopt;
+  return fmt::format("touches itself for {:.0f} % of the time at {} gains, hardest {} on {}",
+                     100.0 * touch.share, gain_name(worst->gain_scale), touch.first, touch.second);
+}
+
 std::string range(const std::vector<Measurements>& at_gains,
                   const std::function<double(const Measurements&)>& quantity, const char* unit) {
   double low = INFINITY, high = -INFINITY;
@@ -143,6 +157,8 @@ Verdict judge(const std::vector<Measurements>& at_gains, const WantedMotion& wan
       if (auto why = turned_away(at_gains)) verdict.reasons.push_back(*std::move(why));
     verdict.reasons.push_back(row.reason);
   }
+  if (!verdict.pass)
+    if (auto why = touched_itself(at_gains)) verdict.reasons.push_back(*std::move(why));
   verdict.line = (verdict.pass ? "PASS  " : "FAIL  ") + describe(wanted, gait) + ": ";
   if (verdict.pass) {
     verdict.line += praise(at_gains, wanted);

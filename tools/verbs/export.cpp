@@ -48,12 +48,18 @@ std::string text_in(const Json& document, std::initializer_list<const char*> pat
   return at->is_string() ? at->get<std::string>() : std::string();
 }
 
+/// The last part of an absolute path: what is passed on tells nothing of its author's folders.
+std::string without_folders(const std::string& word) {
+  return fs::path(word).is_absolute() ? fs::path(word).filename().string() : word;
+}
+
 std::string command_of(const Json& run) {
   std::string out;
   if (run.is_object() && run.contains("argv") && run["argv"].is_array())
     for (const Json& word : run["argv"])
       if (word.is_string())
-        out += (out.empty() ? "legwright" : " " + shell_word(word.get<std::string>()));
+        out += (out.empty() ? "legwright"
+                            : " " + shell_word(without_folders(word.get<std::string>())));
   return out;
 }
 
@@ -157,9 +163,9 @@ ExportFacts facts_of(const ExportedRun& from, const fs::path& root, const std::s
   ExportFacts facts;
   facts.name = name;
   facts.model = from.after.morphology.name;
-  facts.robot_file = text_in(from.run, {"files", "robot.xml"});
+  facts.robot_file = without_folders(text_in(from.run, {"files", "robot.xml"}));
   facts.robot_sha256 = sha256_hex(from.before.files.main_text());
-  facts.task_file = text_in(from.run, {"files", "task.toml"});
+  facts.task_file = without_folders(text_in(from.run, {"files", "task.toml"}));
   facts.task_sha256 = text_in(from.run, {"sha256", "task.toml"});
   facts.version = text_in(from.run, {"versions", "legwright"});
   facts.engine = text_in(from.run, {"versions", "mujoco"});
@@ -221,7 +227,9 @@ int export_run(const ExportOptions& options) {
   facts.standing = describe(stood);
   facts.others = others;
   std::string left_out;
-  if (!options.no_picture) facts.picture = draw(scene, name + ".png", left_out);
+  std::string picture = name + ".png";
+  while (fs::exists(folder.path() / picture)) picture.insert(0, "picture_of_");  // a texture's
+  if (!options.no_picture) facts.picture = draw(scene, picture, left_out);
   facts.licences = copy_licences(ResultFolder::open(options.run).inputs(), folder.path());
   write_file(folder.path() / "README.md", export_readme(facts));
   std::vector<std::string> files;

@@ -146,6 +146,8 @@ std::string task_text(const InitOptions& options, const StudiedRobot& found,
                       const std::string& robot) {
   if (fs::exists(options.task))
     throw IoError(options.task + ": exists already; name a new file, or remove it");
+  if (fs::weakly_canonical(fs::absolute(options.task)) == fs::weakly_canonical(fs::absolute(robot)))
+    throw IoError(options.task + ": the robot is written there; name another file for the task");
   const std::optional<std::string> gait =
       options.gait.empty() ? std::nullopt : std::optional(options.gait);
   const fs::path folder = fs::absolute(options.task).lexically_normal().parent_path();
@@ -170,8 +172,8 @@ std::string next_step(const InitOptions& options, const StudiedRobot& found,
 /// Other files are named by paths from the main file's folder.
 void check_output(const InitOptions& options, const RobotFiles& files) {
   if (options.output.empty() || (files.includes().empty() && files.assets().empty())) return;
-  const fs::path from = fs::weakly_canonical(files.file()).parent_path(),
-                 to = fs::weakly_canonical(options.output).parent_path();
+  const fs::path from = fs::weakly_canonical(fs::absolute(files.file())).parent_path(),
+                 to = fs::weakly_canonical(fs::absolute(options.output)).parent_path();
   if (from != to)
     throw InputError(options.output, 0, "",
                      fmt::format("the robot includes other files or has meshes, which are found "

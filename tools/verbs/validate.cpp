@@ -63,6 +63,11 @@ std::function<void(int, int)> live_progress() {
 void print_judged(const JudgedRun& judged, bool same, const std::string& indent) {
   fmt::print("{0}initial design:     {1}\n{0}{2}  {3}\n", indent, judged.designs[0].verdict.line,
              same ? "the same, as result:" : "co-designed robot:", judged.designs[1].verdict.line);
+  if (!same && judged.designs[0].verdict.pass && !judged.designs[1].verdict.pass)
+    fmt::print(
+        "{}the body as it was passes, the designed one does not: a lower F promises no steadier "
+        "gait; try --starts,\n{}--physics-steps, or fewer free parameters ([design] freeze)\n",
+        indent, indent);
   if (const auto& comparison = judged.designs[1].comparison)
     fmt::print("{}{}\n", indent, describe(*comparison));
   if (judged.numerics) fmt::print("{}{}\n", indent, describe(*judged.numerics));

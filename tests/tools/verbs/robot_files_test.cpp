@@ -74,6 +74,16 @@ class RobotFilesRun : public testing::Test {
   fs::path home_ = folder_.path() / "home", run_ = folder_.path() / "run";
 };
 
+TEST_F(RobotFilesRun, InitWritesBesideTheMainFileByABareName) {
+  const Outcome bare =
+      test::wait_for(test::start({"init", "dog.xml", "-o", "new.xml"}, home_), home_);
+  EXPECT_EQ(bare.code, 0) << bare.err;
+  EXPECT_TRUE(fs::exists(home_ / "new.xml"));
+  const Outcome elsewhere = here({"init", "home/dog.xml", "-o", "new.xml"});
+  EXPECT_EQ(elsewhere.code, 2) << elsewhere.err;
+  EXPECT_FALSE(fs::exists(folder_.path() / "new.xml"));
+}
+
 TEST_F(RobotFilesRun, EveryFolderHoldsTheWholeRobotAndOpens) {
   optimize("home/sideways.toml", "run");
   // The user's files are as they were, and the initial design is them, file by file.
