@@ -123,9 +123,8 @@ void check_scene_needs(const XmlFile& xml, const XmlElement& element) {
   const bool is_class =
       is_tag(element, "default") && attribute(element, "class").substr(0, 13) == "legwright_pd_";
   const bool is_foot = is_tag(element, "site") && name.substr(0, 5) == "foot:";
-  if (is_foot || is("geom", "floor") || is("camera", "side") || is("camera", "track") ||
-      is("key", "gait") || is("texture", "legwright_floor") || is("material", "legwright_floor") ||
-      is_sensor || is_class)
+  if (is_foot || is("geom", "floor") || is("key", "gait") || is("texture", "legwright_floor") ||
+      is("material", "legwright_floor") || is_sensor || is_class)
     throw xml.error(element,
                     is("geom", "floor")
                         ? "the scene brings a floor of this name; give the robot's own file, "

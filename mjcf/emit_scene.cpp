@@ -165,6 +165,13 @@ void write_keyframes(XMLElement& root, const SceneSettings& settings) {
   gait.SetAttribute("qvel", format_numbers(settings.start_qvel).c_str());
 }
 
+/// A robot's own cameras of these names, which are common, make room for the scene's.
+void remove_cameras_of_its_views(XMLElement& root) {
+  for (const char* name : {"side", "track"})
+    while (const XmlElement* camera = find_named(root, "camera", name))
+      const_cast<XmlElement&>(*camera).Parent()->DeleteChild(const_cast<XmlElement*>(camera));
+}
+
 }  // namespace
 
 std::string emit_scene(const RobotModel& robot, const std::string& design_xml,
@@ -181,6 +188,7 @@ std::string emit_scene(const RobotModel& robot, const std::string& design_xml,
 
   const SceneView view =
       scene_view(robot.morphology, robot.space.initial(), settings.travel, up_of(*model));
+  remove_cameras_of_its_views(root);
   const mjtNum* q = model->body_quat + 4 * trunk;
   add_followers(const_cast<XmlElement&>(*trunk_element), view,
                 Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix());

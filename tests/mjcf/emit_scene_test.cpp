@@ -76,6 +76,21 @@ TEST(EmitScene, ABodyMayBeNamedAsAFootElsewhere) {
   EXPECT_GE(mj_name2id(scene.get(), mjOBJ_SENSOR, "gait:measured_contact"), 0);
 }
 
+TEST(EmitScene, TheRobotsOwnCamerasMakeRoomForItsViews) {
+  const std::string own =
+      "<camera name=\"track\" pos=\"0 0 9\" mode=\"fixed\"/><camera name=\"eye\"/>";
+  const RobotModel robot =
+      parse_robot(test::with(test::named_robot("puppy"), "<body name=\"FL_hip_servo\"",
+                             own + "<body name=\"FL_hip_servo\""),
+                  "puppy.xml");
+  const ModelPointer scene = compile_scene(emit_scene(robot, robot.xml, settings_for(robot)));
+  EXPECT_EQ(scene->ncam, 3);  // side, track, eye
+  const int track = mj_name2id(scene.get(), mjOBJ_CAMERA, "track");
+  ASSERT_GE(track, 0);
+  EXPECT_EQ(scene->cam_mode[track], mjCAMLIGHT_TRACKCOM);
+  EXPECT_GE(mj_name2id(scene.get(), mjOBJ_CAMERA, "eye"), 0);
+}
+
 TEST(EmitScene, HoldsWhatRidesAndNamesFeet) {
   const RobotModel robot = parse_robot(test::armed_biped(), "biped.xml");
   const ModelPointer scene = compile_scene(emit_scene(robot, robot.xml, settings_for(robot)));
