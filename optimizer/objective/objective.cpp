@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "optimizer/objective/objective.hpp"
 
-#include <algorithm>
-#include <limits>
 #include <map>
 #include <stdexcept>
 #include <string>
 
 #include "optimizer/design/inertia.hpp"
-#include "optimizer/design/kinematics.hpp"
 #include "optimizer/motion/initial_guess.hpp"
 #include "optimizer/objective/parts.hpp"
 
