@@ -88,7 +88,7 @@ th { font-size: .8rem; color: var(--pale); font-weight: 600; white-space: nowrap
 .before { fill: var(--paper); stroke: var(--pale); stroke-width: 1.5; } .after { fill: var(--c1); }
 .bars { width: 40%; min-width: 7rem; padding-top: .7rem; } .share { display: block; width: 100%; height: 6px; margin-bottom: 3px; }
 .share .b1 { fill: var(--c1); } .share .b2 { fill: var(--c2); } .sum td { font-weight: 700; }
-.gains td:first-child { min-width: 11rem; } .changes { margin: .3rem 0 0; padding-left: 1.3rem; } .origin td:first-child { white-space: nowrap; color: var(--pale); width: 1%; }
+.gains td:first-child { min-width: 11rem; overflow-wrap: anywhere; } .changes { margin: .3rem 0 0; padding-left: 1.3rem; } .origin td:first-child { white-space: nowrap; color: var(--pale); width: 1%; }
 .why { color: var(--ink); } .mark { width: 1.6rem; font-weight: 700; } .good { color: var(--good); } .bad { color: var(--bad); }
 a { color: var(--c1); } .proof .n { padding-right: 0; } .proof td:nth-child(2) { width: 100%; }
 details { margin: 1.2rem 0 0; } summary { cursor: pointer; font-weight: 600; font-size: .95rem; } details table { margin-top: .5rem; }
@@ -111,7 +111,7 @@ footer { color: var(--pale); font-size: .85rem; border-top: 1px solid var(--line
   .stack td { border: 0; padding: 0; text-align: left; white-space: normal; min-width: 0 !important; overflow-wrap: anywhere; } .stack .head, .stack .margin, .stack .bar { grid-column: 1 / -1; width: auto; }
   .stack td[data-label]::before { content: attr(data-label); display: block; color: var(--pale); font-size: .78rem; line-height: 1.25; }
   .limits.stack:not(.pair) tr { position: relative; padding-left: 1.6rem; } .limits .mark { position: absolute; left: .2rem; top: .5rem; }
-  .gains { font-size: .84rem; } .gains td:first-child { min-width: 0; } .gains td, .gains th { padding-right: .45rem; }
+  .gains { font-size: .84rem; } .gains td:first-child { min-width: 0; } .gains td, .gains th { padding-right: .45rem; white-space: normal; }
   .multiples { grid-template-columns: repeat(auto-fill, minmax(9.5rem, 1fr)); gap: .2rem .6rem; } .margins td:last-child { grid-column: 1 / -1; } .origin.stack tr { grid-template-columns: 1fr; }
   .matrix, .matrix tbody { display: block; } .matrix thead { display: none; } .matrix tr { display: grid; grid-template-columns: repeat(auto-fit, minmax(8rem, 1fr)); gap: 2px; padding: .5rem 0; border-bottom: 1px solid var(--line); }
   .matrix td { border-bottom: 0; padding: .3rem .5rem; } .matrix td:first-child { grid-column: 1 / -1; } .matrix .cell::before { content: attr(data-label); color: var(--pale); font-size: .8rem; }
