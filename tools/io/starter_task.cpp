@@ -18,7 +18,7 @@ namespace {
 // Of √(g h): a Froude number of 0.02, at which feet need not hurry. Two feet balance at less.
 constexpr double kSpeed = 0.15, kTwoFeetSpeed = 0.075;
 // A cycle over √(h/g), by how long feet stand: nothing catches a robot on one pair of feet but its next step.
-constexpr double kQuickCycle = 3.2, kTripodCycle = 5.0, kSlowCycle = 7.0;
+constexpr double kQuickCycle = 3.7, kTripodCycle = 5.0, kSlowCycle = 7.0;
 constexpr double kSlowDuty = 0.65;
 // Pairs that land before the others lift forgive servos that are soft or stiff.
 constexpr double kOverlap = 0.6;
@@ -82,6 +82,7 @@ StarterTask starter_task(const RobotModel& robot, const std::optional<std::strin
   task.speed = (feet == 2 ? kTwoFeetSpeed : kSpeed) * std::sqrt(kGravity * height);
   const bool flies = support_range(pattern).least == 0;
   if (feet == 4 && !flies && longest < kOverlap) task.duty = kOverlap;
+  task.sag = servo_sag(robot);
   return task;
 }
 
@@ -106,6 +107,13 @@ std::string starter_text(const StarterTask& task, const std::string& robot) {
       "size\n",
       two_digits(task.speed), "",
       std::max(0, 13 - static_cast<int>(two_digits(task.speed).size())));
+  if (task.sag.soft())
+    out += fmt::format(
+        "\n[servos]\nkp = {:26} # N m/rad, of those that are softer: the file's ({:.4g}) give in "
+        "by "
+        "{:.2g} rad when it only stands, too\n{:32}# much to follow a planned gait; without this "
+        "section they are played as they are\n",
+        fmt::format("{}", task.sag.stiff_kp()), task.sag.kp, task.sag.angle, "");
   return out;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "mjcf/read_robot.hpp"
+#include "tools/io/servo_sag.hpp"
 
 namespace legwright {
 
@@ -14,6 +15,7 @@ struct StarterTask {
   double period = 0.0;         // [s]
   std::optional<double> duty;  // where it is more than the library's
   double speed = 0.0;          // ahead [m/s]
+  ServoSag sag;                // of the file's servos; the task plays soft ones stiffer
 };
 
 /// Period in proportion to √(h/g) and speed to √(g h), with the height h of the COM in the home pose: what swings and

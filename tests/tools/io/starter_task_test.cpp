@@ -48,12 +48,48 @@ TEST(StarterTask, FollowsTheRobotsHeight) {
               1e-9);  // both go with the root of the height
 }
 
+TEST(StarterTask, PlaysServosThatGiveInStiffer) {
+  RobotModel model = robot("servo_dog");
+  const ServoSag firm = starter_task(model, std::nullopt).sag;
+  EXPECT_FALSE(firm.soft());
+  EXPECT_EQ(starter_text(starter_task(model, std::nullopt), "robot.xml").find("[servos]"),
+            std::string::npos);
+  for (Servo& servo : model.servos) servo.kp /= 20.0;
+  const StarterTask starter = starter_task(model, std::nullopt);
+  ASSERT_TRUE(starter.sag.soft());
+  EXPECT_NEAR(starter.sag.angle, 20.0 * firm.angle, 1e-12);
+  EXPECT_EQ(starter.sag.joint, firm.joint);
+  const fs::path place = kSource / "tests/robots/servo_dog/task.toml";
+  const std::string text = starter_text(starter, "robot.xml");
+  const Task task = make_task(parse_task_file(text, place), model);
+  ASSERT_TRUE(task.servo_kp) << text;
+  EXPECT_EQ(task.servo_kp, starter.sag.stiff_kp());
+  EXPECT_EQ(task_warnings(task, model).size(), 1u) << "only that it declares no parameters";
+  // A task of one's own that says nothing of servos is warned of instead.
+  const std::string bare = text.substr(0, text.find("[servos]"));
+  const std::vector<std::string> warnings =
+      task_warnings(make_task(parse_task_file(bare, place), model), model);
+  ASSERT_EQ(warnings.size(), 2u);
+  EXPECT_NE(warnings[0].find("soft servos: standing alone bends joint '" + firm.joint),
+            std::string::npos)
+      << warnings[0];
+}
+
+TEST(StarterTask, AStiffServoSagsByAThirdOfWhatIsSoft) {
+  ServoSag sag{"knee", 0.05, 90.0, 4.5};
+  EXPECT_EQ(sag.stiff_kp(), 450.0);
+  sag.torque = 4.51;
+  EXPECT_EQ(sag.stiff_kp(), 460.0) << "two digits, rounded up";
+  sag.torque = 123.0;
+  EXPECT_EQ(sag.stiff_kp(), 13000.0);
+}
+
 TEST(StarterTask, TakesAnotherGaitAndRefusesOneThatThereIsNot) {
   const RobotModel model = robot("servo_dog");
   const StarterTask walk = starter_task(model, "walk");
   EXPECT_EQ(walk.gait, "walk");
   EXPECT_FALSE(walk.duty);
-  EXPECT_GT(walk.period, 2.0 * starter_task(model, "trot").period);
+  EXPECT_GT(walk.period, 1.8 * starter_task(model, "trot").period);
   EXPECT_LT(starter_task(model, "pronk").duty.value_or(0.5), 0.55) << "a flight stays a flight";
   try {
     starter_task(model, "tripod");
@@ -66,7 +102,7 @@ TEST(StarterTask, TakesAnotherGaitAndRefusesOneThatThereIsNot) {
 }
 
 TEST(StarterTask, QuotesTheRobotsName) {
-  const std::string text = starter_text({"trot", 0.5, {}, 0.3}, "a \"b\\c.xml");
+  const std::string text = starter_text({"trot", 0.5, {}, 0.3, {}}, "a \"b\\c.xml");
   EXPECT_NE(text.find(R"(robot = "a \"b\\c.xml")"), std::string::npos) << text;
   EXPECT_EQ(text.find("duty"), std::string::npos);
 }
