@@ -31,7 +31,7 @@ std::string boxer() {
             "<body " + head + "_thigh\" pos=\"0 " + y + "0.08 0\"><joint " + head +
             "_pitch\" axis=\"0 1 0\"/><geom " + head +
             "_rod\" type=\"capsule\" fromto=\"0 0 -0.03 0 0 -0.17\" size=\"0.02\"/><geom " + head +
-            "_ring\" type=\"box\" pos=\"0.01 0 -0.1\" size=\"0.01 0.02 0.03\"/><body " + head +
+            "_ring\" type=\"ellipsoid\" pos=\"0.01 0 -0.1\" size=\"0.01 0.02 0.03\"/><body " + head +
             "_shank\" pos=\"0 0 -0.2\"><joint " + head + "_knee\" axis=\"0 1 0\"/><geom " + head +
             "_foot\" size=\"0.02\" pos=\"0 0 -0.2\"/></body></body></body>";
   }
