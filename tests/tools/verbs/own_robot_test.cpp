@@ -39,6 +39,34 @@ TEST_P(OwnRobot, WalksByItsFirstTask) {
 
 INSTANTIATE_TEST_SUITE_P(Robots, OwnRobot, testing::Values("servo_dog", "strider", "ox"));
 
+/// The courser with a wide trunk, whose thighs hang 13 mm beside it.
+void expect_clear_of_trunk(bool clear) {
+  const test::TemporaryFolder folder;
+  const fs::path robot = folder.path() / "robot.xml", task = folder.path() / "task.toml",
+                 run = folder.path() / "run";
+  std::string xml = read_file(fs::path(LEGWRIGHT_SOURCE_DIR) / "tests/robots/courser/robot.xml");
+  const std::string slim = "size=\"0.18 0.045 0.055\"";
+  ASSERT_NE(xml.find(slim), std::string::npos);
+  write_file(robot, xml.replace(xml.find(slim), slim.size(), "size=\"0.21 0.1 0.055\""));
+  ASSERT_EQ(call({"init", robot.string(), "--write", "--task", task.string()}).code, 0);
+  if (!clear) {
+    const std::string text = read_file(task) + "\n[weights]\nlimb_clearance = 0.0\n";
+    fs::remove(task);
+    write_file(task, text);
+  }
+  ASSERT_EQ(call({"optimize", task.string(), "-o", run.string(), "--no-pictures", "--quiet"}).code,
+            0);
+  const Outcome verdict = call({"validate", "--quick", run.string()});
+  EXPECT_EQ(verdict.code, clear ? 0 : 1) << verdict.out << verdict.err;
+  EXPECT_EQ(contains(verdict.out, "touches itself"), !clear) << verdict.out;
+}
+
+TEST(OwnRobotBesideItsTrunk, KeepsItsThighsClearOfIt) { expect_clear_of_trunk(true); }
+
+TEST(OwnRobotBesideItsTrunk, DrivesItsThighsIntoItWithoutLimbClearance) {
+  expect_clear_of_trunk(false);
+}
+
 TEST(OwnRobotInit, OverwritesNoTask) {
   const test::TemporaryFolder folder;
   const fs::path robot = copy_of("servo_dog", folder.path()), task = folder.path() / "task.toml";
