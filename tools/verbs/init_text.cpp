@@ -46,7 +46,9 @@ std::string servo_text(const Servo& servo) {
   const std::string limit = std::isfinite(servo.torque_limit)
                                 ? fmt::format("{:.4g} {}", servo.torque_limit, linear ? "N" : "N m")
                                 : "no limit";
-  return fmt::format("{:9} kp {:.4g} {}", limit, servo.kp, linear ? "N/m" : "N m/rad");
+  const std::string kp =
+      servo.kp < 1e3 ? fmt::format("{:.4g}", servo.kp) : fmt::format("{:.0f}", servo.kp);
+  return fmt::format("{:9} kp {} {}", limit, kp, linear ? "N/m" : "N m/rad");
 }
 
 std::string joint_text(const StudiedRobot& found, int link) {
@@ -188,8 +190,8 @@ std::string proposal_table(const StudiedRobot& found) {
   if (!declared.empty())
     text += list_text(fmt::format("declared  {}: ", declared.size()), declared);
   if (count > 0)
-    text += fmt::format("{} design parameter{} {}\n", count, count == 1 ? "" : "s",
-                        declared.empty() ? "proposed:" : "more could be added:") +
+    text += fmt::format("{}{} design parameter{} {}:\n", count, declared.empty() ? "" : " more",
+                        count == 1 ? "" : "s", declared.empty() ? "proposed" : "could be added") +
             table_of(found.proposals);
   else if (declared.empty())
     text += "no design parameter can be proposed: the body stays, only the motion is planned\n";
