@@ -48,7 +48,7 @@ std::string servo_text(const Servo& servo) {
                                 : "no limit";
   const std::string kp =
       servo.kp < 1e3 ? fmt::format("{:.4g}", servo.kp) : fmt::format("{:.0f}", servo.kp);
-  return fmt::format("{:9} kp {} {}", limit, kp, linear ? "N/m" : "N m/rad");
+  return fmt::format("{:10} kp {} {}", limit, kp, linear ? "N/m" : "N m/rad");
 }
 
 std::string joint_text(const StudiedRobot& found, int link) {
@@ -128,18 +128,37 @@ std::pair<std::string, std::string> split(const std::string& left_out) {
   return {left_out.substr(0, colon), left_out.substr(colon + 2)};
 }
 
+/// "front_thigh_length (thigh_length)" for a proposal that was left out because the file declares the same by another
+/// name; else empty.
+std::string other_name(const std::string& name, const std::string& why) {
+  const std::string start = "text 'legwright/", clash = "already stretched";
+  const std::size_t end = why.find('\'', start.size());
+  if (why.rfind(start, 0) != 0 || end == std::string::npos ||
+      why.find(clash) == std::string::npos ||
+      why.find("by 'legwright/" + name + "'") == std::string::npos)
+    return "";
+  return fmt::format("{} ({})", name, why.substr(start.size(), end - start.size()));
+}
+
 std::string left_out_text(const std::vector<std::string>& left_out) {
   std::vector<std::pair<std::string, std::vector<std::string>>> reasons;
+  std::vector<std::string> others;
   for (const std::string& line : left_out) {
     const auto [name, why] = split(line);
-    const auto same = std::find_if(reasons.begin(), reasons.end(),
-                                   [&](const auto& reason) { return reason.first == why; });
+    if (const std::string other = other_name(name, why); !other.empty()) {
+      others.push_back(other);
+      continue;
+    }
+    const auto same =
+        std::find_if(reasons.begin(), reasons.end(),
+                     [&, &because = why](const auto& reason) { return reason.first == because; });
     if (same == reasons.end())
       reasons.push_back({why, {name}});
     else
       same->second.push_back(name);
   }
   std::string text;
+  if (!others.empty()) text += list_text("declared  by other names: ", others);
   for (const auto& [why, names] : reasons)
     text += list_text("left out  ", names) + "          " + why + "\n";
   return text;

@@ -129,6 +129,18 @@ TEST(OwnRobotInit, WritesParametersButNoTaskWhereThereIsNoGait) {
   EXPECT_EQ(check.code, 0) << check.err;
 }
 
+TEST(OwnRobotInit, TellsWhatTheFileDeclaresByOtherNames) {
+  const std::string puppy = (test::kExamples / "piston_puppy/robot.xml").string();
+  const Outcome told = call({"init", puppy});
+  EXPECT_TRUE(contains(told.out, "declared  by other names: front_thigh_length (thigh_length),"))
+      << told.out;
+  EXPECT_FALSE(contains(told.out, "nearly this direction")) << told.out;
+  EXPECT_TRUE(contains(told.out, "12 more design parameters could be added:")) << told.out;
+  const Outcome biped = call({"init", (test::kExamples / "biped/robot.xml").string()});
+  EXPECT_TRUE(contains(biped.out, "left out  foot_length\n          the foot is a round sole"))
+      << "other reasons are told: " << biped.out;
+}
+
 TEST(OwnRobotInit, TellsTheTreeTheTableAndTheNextCommand) {
   const test::TemporaryFolder folder;
   const fs::path robot = copy_of("octopod", folder.path());
@@ -137,7 +149,7 @@ TEST(OwnRobotInit, TellsTheTreeTheTableAndTheNextCommand) {
   const std::string& out = told.out;
   const std::size_t tree = out.find("trunk hull\n  row 1 of 4, pair, left | right\n"),
                     joint = out.find("    L1_swing | R1_swing  yaw "),
-                    servo = out.find("18 N m    kp 400 N m/rad"),
+                    servo = out.find("18 N m     kp 400 N m/rad"),
                     foot =
                         out.find("L1_foot | R1_foot    foot     ball of 14 mm at 0.489, +-0.309"),
                     table = out.find("38 design parameters proposed:\n  name "),
