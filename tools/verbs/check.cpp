@@ -165,14 +165,15 @@ std::string demands_text(const Finding& found) {
   return text;
 }
 
+/// The weights that the task changes; all of them are in the JSON document.
 std::string weights_text(const Finding& found) {
-  std::string text = "cost    weight of each term; [weights] in the task file changes them\n";
+  std::string text = "cost    every term of F at its default weight";
+  text += found.task.weights.empty() ? " (--json lists them)\n" : " but these of the task file:\n";
   for (const TermEntry& entry : term_registry()) {
     const auto own = found.task.weights.find(std::string(entry.name));
-    const bool changed = own != found.task.weights.end();
-    text += fmt::format("  {:20} {:5} {}{}\n", entry.name, entry.equation,
-                        changed ? own->second : entry.default_weight,
-                        changed ? fmt::format("  (task file; else {})", entry.default_weight) : "");
+    if (own != found.task.weights.end())
+      text += fmt::format("  {:20} {:5} {}  (else {})\n", entry.name, entry.equation, own->second,
+                          entry.default_weight);
   }
   return text;
 }

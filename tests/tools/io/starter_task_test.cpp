@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "mjcf/input_error.hpp"
+#include "optimizer/motion/initial_guess.hpp"
 #include "tools/io/task_file.hpp"
 
 namespace legwright {
@@ -19,13 +20,14 @@ RobotModel robot(const std::string& name) {
   return read_robot(kSource / "tests/robots" / name / "robot.xml");
 }
 
-TEST(StarterTask, IsATaskForEachOfTheSixRobots) {
-  for (const char* name : {"courser", "goat", "mule", "ox", "servo_dog", "strider"}) {
+TEST(StarterTask, IsATaskForEachOfTheRobots) {
+  for (const char* name : {"courser", "goat", "mule", "ox", "servo_dog", "strider", "octopod"}) {
     const RobotModel model = robot(name);
     const StarterTask starter = starter_task(model, std::nullopt);
     const std::string text = starter_text(starter, "robot.xml");
     const TaskFile file = parse_task_file(text, kSource / "tests/robots" / name / "task.toml");
-    EXPECT_EQ(file.gait, std::string(name) == "strider" ? "tripod" : "trot");
+    const int feet = model.morphology.foot_count();
+    EXPECT_EQ(file.gait, feet == 8 ? "tetrapod" : feet == 6 ? "tripod" : "trot");
     EXPECT_TRUE(file.weights.empty()) << name;
     EXPECT_FALSE(file.margins.swing_height) << name;
     EXPECT_NEAR(file.period, starter.period, 0.06 * starter.period) << "two digits";
@@ -99,6 +101,41 @@ TEST(StarterTask, TakesAnotherGaitAndRefusesOneThatThereIsNot) {
               std::string::npos)
         << error.what();
   }
+}
+
+TEST(StarterTask, ListsTheGaitsOfEightFeet) {
+  const RobotModel model = robot("octopod");
+  EXPECT_EQ(starter_task(model, "wave").gait, "wave");
+  try {
+    starter_task(model, "tripod");
+    FAIL() << "eight feet have no tripod";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("for 8 feet"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("there are tetrapod, ripple, wave"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(StarterTask, IsLivelierWhereThreeOrFourFeetStandAtATime) {
+  const auto froude = [](const RobotModel& model, const StarterTask& task) {
+    const double height = home_stance(model.morphology, model.space.initial()).com_height;
+    return task.speed / std::sqrt(kGravity * height);
+  };
+  for (const char* name : {"strider", "octopod"}) {
+    const RobotModel model = robot(name);
+    EXPECT_NEAR(froude(model, starter_task(model, std::nullopt)), 0.25, 1e-12) << name;
+    EXPECT_NEAR(froude(model, starter_task(model, "wave")), 0.15, 1e-12) << name;
+  }
+  const RobotModel dog = robot("servo_dog");
+  EXPECT_NEAR(froude(dog, starter_task(dog, std::nullopt)), 0.15, 1e-12);
+}
+
+TEST(StarterTask, TellsHowToDeclareAGaitThatTheLibraryLacks) {
+  const std::string three = no_gait_text(3);
+  EXPECT_NE(three.find("no gait for a robot of 3 feet"), std::string::npos) << three;
+  EXPECT_NE(three.find("touchdown = [0, 0.33, 0.67]"), std::string::npos) << three;
+  EXPECT_NE(three.find("duty = 0.83"), std::string::npos) << three;
+  for (const int feet : gait_library_feet()) EXPECT_EQ(no_gait_text(feet), "") << feet;
 }
 
 TEST(StarterTask, QuotesTheRobotsName) {
