@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "mjcf/growth.hpp"
+#include "mjcf/mesh_assets.hpp"
 
 namespace legwright {
 namespace {
@@ -126,8 +127,8 @@ double lowest_point(const mjModel& model, const mjData& data, int geom) {
   }
 }
 
-bool choose_foot(const mjModel& model, const mjData& data, const std::vector<int>& bodies,
-                 FootContact& foot) {
+bool choose_foot(const XmlFile& xml, const mjModel& model, const mjData& data,
+                 const std::vector<int>& bodies, FootContact& foot) {
   const auto among = [&](int body) {
     return std::find(bodies.begin(), bodies.end(), body) != bodies.end();
   };
@@ -143,6 +144,11 @@ bool choose_foot(const mjModel& model, const mjData& data, const std::vector<int
   if (ball >= 0 && low(ball) - low(geom) <= kBallFirst * model.geom_size[3 * ball]) geom = ball;
   if (geom >= 0) {
     foot = contact_of(model, data, geom);
+    if (is_mesh(model, geom)) {
+      const TreeElements elements = find_elements(xml, model);
+      const MeshAsset asset = mesh_of(xml, *elements.geoms[static_cast<std::size_t>(geom)]);
+      foot.share = asset.turn * foot.share.cwiseQuotient(asset.scale);
+    }
     return true;
   }
   int site = -1;
@@ -173,8 +179,11 @@ AffineVector foot_point(const XmlFile& xml, const TreeElements& elements, const 
     const int mesh = model.geom_dataid[g];
     axes = (axes * rotation_of(model.mesh_quat + 4 * mesh).transpose()).eval();
     centre -= axes * Vector3d::Map(model.mesh_pos + 3 * mesh);
+    const XmlElement& element = *elements.geoms[static_cast<std::size_t>(g)];
+    const Vector3d arm = axes * (mesh_of(xml, element).shown() * foot.share);
+    if (mesh_grows(xml, element)) return stretched_point(centre + arm, stretches);
     AffineVector out = stretched_point(centre, stretches);
-    out.constant += axes * foot.share;
+    out.constant += arm;
     return out;
   }
   const Vector3d half = half_sizes(model.geom_type[g], model.geom_size + 3 * g);
