@@ -127,6 +127,16 @@ class BodyRewriter {
     write(part, "size", *numbers, grown);
   }
 
+  /// MuJoCo refuses a plate whose largest moment is, by rounding, more than the sum of the others.
+  static Vector3d of_a_body(const Vector3d& moments) {
+    Vector3d out = rounded(moments);
+    Eigen::Index most = 0;
+    const double largest = out.maxCoeff(&most);
+    const double others = out[(most + 1) % 3] + out[(most + 2) % 3];
+    if (largest > others && largest - others < 1e-11 * largest) out[most] = (1 - 1e-11) * others;
+    return out;
+  }
+
   /// Centre and second moments are mapped like point masses; the mass stays.
   void inertial(const XmlElement& part) {
     if (map_ == Matrix3d::Identity()) return;
@@ -144,7 +154,7 @@ class BodyRewriter {
                                                      std::abs(inertia(1, 2)) <=
                                                  1e-15 * inertia.trace();
     if (diagonal) {
-      edits_.set_numbers(part, "diaginertia", inertia.diagonal());
+      edits_.set_numbers(part, "diaginertia", of_a_body(inertia.diagonal()));
       return;
     }
     for (const char* name : {"diaginertia", "quat", "euler", "axisangle", "xyaxes", "zaxis"})

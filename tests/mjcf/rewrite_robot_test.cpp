@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
+#include "mjcf/numbers.hpp"
 #include "mjcf/text_scan.hpp"
 #include "mjcf/verify.hpp"
 #include "tests/mjcf/point_mass_robot.hpp"
@@ -120,6 +122,80 @@ TEST(RewriteRobot, AddsWhatWasInheritedAndFillsTheInertia) {
   // The trunk's box is drawn turned by 90 degrees: its second side lies along x.
   EXPECT_NE(text.find("size=\"0.1 0.1 0.02\" euler=\"0 0 90\""), std::string::npos)
       << text.substr(0, 900);
+}
+
+/// Longest number of a text that a design changed, without sign and exponent [characters].
+std::size_t longest_new_number(const std::string& before, const std::string& after) {
+  const TagScan old = scan_tags(before), now = scan_tags(after);
+  std::size_t longest = 0;
+  for (std::size_t k = 0; k < now.tags.size(); ++k)
+    for (const AttributeSpan& span : now.tags[k].attributes) {
+      const std::string value = after.substr(span.value_begin, span.value_end - span.value_begin);
+      bool is_old = false;
+      for (const AttributeSpan& other : old.tags[k].attributes)
+        is_old = is_old ||
+                 (other.name == span.name &&
+                  before.substr(other.value_begin, other.value_end - other.value_begin) == value);
+      if (is_old) continue;
+      for (const std::string_view word : split_words(value)) {
+        const std::string_view digits = word.substr(0, word.find('e'));
+        longest = std::max(longest, digits.size() - (digits[0] == '-' ? 1 : 0));
+      }
+    }
+  return longest;
+}
+
+TEST(RewriteRobot, WritesTwelveDigitsAndTheDesignThatTheyMean) {
+  for (const char* name :
+       {"puppy", "crooked", "piston_puppy", "crooked_piston", "crooked_printed"}) {
+    const RobotModel robot = parse_robot(test::named_robot(name), "robot.xml");
+    std::mt19937 random(9);
+    const VectorXd s = test::random_design(robot.space, random);
+    const std::string text = rewrite_robot(robot, s);
+    const std::size_t longest = longest_new_number(robot.xml, text);
+    EXPECT_LE(longest, 16u) << name;  // 0.000 and twelve digits
+    EXPECT_GE(longest, 13u);          // twin: there are numbers that were rounded
+    const RobotModel written = parse_robot(text, "robot.xml", &robot.structure);
+    const VectorXd told = written.space.initial();
+    EXPECT_TRUE(told.isApprox(s, 1e-11));
+    EXPECT_NE(told, s);
+    for (const double value : told) EXPECT_EQ(value, rounded(value));
+    // Geometry and declared values agree, and what they say gives the same file.
+    EXPECT_EQ(find_difference(robot.morphology, told, written.morphology, told), "") << name;
+    EXPECT_TRUE(rewrite_robot(robot, told) == text);
+    EXPECT_TRUE(rewrite_robot(written, told) == text);
+  }
+}
+
+/// A bound of more digits: rounded, the design would lie outside.
+TEST(RewriteRobot, ABoundOfManyDigitsIsReachedAndNotPassed) {
+  const std::string xml = test::with(test::read_file(test::puppy_file()), "0.06 0.036 0.096",
+                                     "0.06 0.036 0.0933333333333333");
+  const RobotModel robot = parse_robot(xml, "robot.xml");
+  const std::string text = rewrite_robot(robot, robot.space.upper());
+  EXPECT_TRUE(parse_robot(text, "robot.xml").space.initial() == robot.space.upper());
+}
+
+/// A design that differs by nothing but rounding is the initial one.
+TEST(RewriteRobot, ADesignWithinRoundingOfTheInitialIsTheFile) {
+  const RobotModel robot = read_robot(test::puppy_file());
+  VectorXd s = robot.space.initial();
+  s[0] *= 1 + 1e-14;
+  EXPECT_TRUE(rewrite_robot(robot, s) == robot.xml);
+  s[0] *= 1 + 1e-10;
+  EXPECT_FALSE(rewrite_robot(robot, s) == robot.xml);
+}
+
+/// The moments of a plate: the largest is the sum of the others, also after rounding.
+TEST(RewriteRobot, APlateStaysABody) {
+  std::string xml = test::read_file(test::puppy_file());
+  const std::string thigh = "<joint name=\"FL_hip\" axis=\"0 1 0\"/>";
+  const std::size_t at = xml.find("diaginertia=\"", xml.find(thigh)) + 13;
+  xml.replace(at, xml.find('"', at + 1) + 1 - at, "\"2.1e-5 2.4e-5 3e-6\"");
+  const RobotModel robot = parse_robot(xml, "robot.xml");
+  std::mt19937 random(2);
+  for (int trial = 0; trial < 50; ++trial)
+    EXPECT_NO_THROW(rewrite_robot(robot, test::random_design(robot.space, random)));
 }
 
 TEST(RewriteRobot, RefusesDesignsOutsideOfTheBounds) {
