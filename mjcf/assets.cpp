@@ -3,10 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "mjcf/safe_path.hpp"
+#include "mjcf/size_limits.hpp"
 
 namespace legwright {
 namespace {
@@ -47,10 +50,11 @@ unsigned big_endian(std::string_view bytes, std::size_t at) {
   return value;
 }
 
-bool is_huge_picture(const fs::path& file) {
+/// Of a PNG file; nothing for others, which are not packed.
+std::optional<PictureSize> picture_size(const fs::path& file) {
   const std::string head = read_regular_file(file, 32);
-  if (head.size() < 24 || head.compare(1, 3, "PNG") != 0) return false;
-  return big_endian(head, 16) > kMostPixels || big_endian(head, 20) > kMostPixels;
+  if (head.size() < 24 || head.compare(1, 3, "PNG") != 0) return std::nullopt;
+  return PictureSize{1.0 * big_endian(head, 16), 1.0 * big_endian(head, 20)};
 }
 
 }  // namespace
@@ -59,7 +63,8 @@ std::vector<FoundAsset> find_assets(const XmlFile& xml, const fs::path& folder) 
   const AssetFolders folders = asset_folders(xml);
   std::vector<FoundAsset> out;
   std::uintmax_t together = 0;
-  const auto add = [&](const XmlElement& element, std::string reference) {
+  PictureMemory pictures;
+  const auto add = [&](const XmlElement& element, std::string reference, bool is_face) {
     const bool is_texture = is_tag(element, "texture");
     if (folders.strips) reference.erase(0, reference.find_last_of("/\\") + 1);
     const std::string& place = is_texture ? folders.textures : folders.meshes;
@@ -72,20 +77,25 @@ std::vector<FoundAsset> find_assets(const XmlFile& xml, const fs::path& folder) 
       throw xml.error(element, fmt::format("the file '{}': the files of the robot are together "
                                            "larger than {} MB; make them smaller",
                                            reference, kMostBytesTogether >> 20));
-    if (is_huge_picture(found.source))
-      throw xml.error(element,
-                      fmt::format("the file '{}': a picture of more than {} pixels a side; make it "
-                                  "smaller",
-                                  reference, kMostPixels));
+    if (auto picture = picture_size(found.source)) {
+      if (std::max(picture->width, picture->height) > kMostPixels)
+        throw xml.error(element,
+                        fmt::format("the file '{}': a picture of more than {} pixels a side; make "
+                                    "it smaller",
+                                    reference, kMostPixels));
+      picture->is_face = is_face;
+      pictures.add(xml, element, *picture);
+    }
     out.push_back({&element, {found.path, found.source, found.bytes, false}});
   };
   for_each_element(xml.root(), [&](const XmlElement& element) {
     const bool is_asset = is_tag(element, "mesh") || is_tag(element, "texture") ||
                           is_tag(element, "hfield") || is_tag(element, "skin");
+    pictures.add(xml, element);
     for (const tinyxml2::XMLAttribute* a = element.FirstAttribute(); a; a = a->Next()) {
       if (std::string_view(a->Name()).substr(0, 4) != "file" || a->Value()[0] == '\0') continue;
       if (is_asset)
-        add(element, a->Value());
+        add(element, a->Value(), a->Name() != std::string_view("file"));
       else
         throw xml.error(element, fmt::format("refers to the file '{}'; only <include>, meshes, "
                                              "textures and height fields may: write it out here",

@@ -110,7 +110,7 @@ void check_axis(const XmlFile& xml, const XmlElement& element) {
         "about, like 0 1 0");
 }
 
-/// Names that scene.xml needs for itself, and sizes that would eat the memory.
+/// Names that scene.xml needs for itself.
 void check_scene_needs(const XmlFile& xml, const XmlElement& element) {
   const std::string_view name = attribute(element, "name");
   const auto is = [&](const char* tag, std::string_view reserved) {
@@ -130,13 +130,6 @@ void check_scene_needs(const XmlFile& xml, const XmlElement& element) {
                         ? "the scene brings a floor of this name; give the robot's own file, "
                           "without surroundings, or remove the floor"
                         : "the scene adds an element of this name; remove it or name it otherwise");
-  for (const char* size : {"width", "height", "nrow", "ncol"}) {
-    if (!is_tag(element, "texture") && !is_tag(element, "hfield")) break;
-    const auto value = parse_numbers(attribute(element, size));
-    if (value && !value->empty() && value->front() > 16384)
-      throw xml.error(element,
-                      fmt::format("attribute {}: larger than 16384; make it smaller", size));
-  }
 }
 
 /// Told before MuJoCo stumbles over a keyframe that does not fit a robot without free joint.

@@ -3,39 +3,28 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <set>
-
 #include "mjcf/compile.hpp"
+#include "mjcf/elements.hpp"
 #include "mjcf/legs.hpp"
 
 namespace legwright {
 namespace {
-
-/// The element of this place in all sections of a tag.
-const XmlElement& element_in(const XmlFile& xml, const char* tag, int place) {
-  for (const XmlElement* section = xml.root().FirstChildElement(tag); section;
-       section = section->NextSiblingElement(tag))
-    for (const XmlElement* element = section->FirstChildElement(); element;
-         element = element->NextSiblingElement())
-      if (place-- == 0) return *element;
-  return xml.root();
-}
 
 std::string title(const mjModel& model, mjtObj type, int id, const std::string& kind) {
   const std::string name = name_of(model, type, id);
   return name.empty() ? kind : fmt::format("{} '{}'", kind, name);
 }
 
-/// Whether something acts along the tendon; else it only measures.
-bool acts(const mjModel& model, int tendon) {
-  if (model.tendon_limited[tendon] || model.tendon_stiffness[tendon] != 0.0 ||
-      model.tendon_damping[tendon] != 0.0 || model.tendon_frictionloss[tendon] != 0.0)
-    return true;
+/// Whether something acts along each tendon; else it only measures.
+std::vector<bool> acting_tendons(const mjModel& model) {
+  std::vector<bool> out;
+  for (int t = 0; t < static_cast<int>(model.ntendon); ++t)
+    out.push_back(model.tendon_limited[t] || model.tendon_stiffness[t] != 0.0 ||
+                  model.tendon_damping[t] != 0.0 || model.tendon_frictionloss[t] != 0.0);
   for (int a = 0; a < model.nactuator; ++a)
-    if (model.actuator_trntype[a] == mjTRN_TENDON && model.actuator_trnid[2 * a] == tendon)
-      return true;
-  return false;
+    if (model.actuator_trntype[a] == mjTRN_TENDON)
+      out[static_cast<std::size_t>(model.actuator_trnid[2 * a])] = true;
+  return out;
 }
 
 /// Joints from a body up to the world.
@@ -62,7 +51,12 @@ bool joins_two_sites(const mjModel& model, int tendon) {
 
 std::vector<int> joints_under(const mjModel& model, int tendon) {
   std::vector<int> out;
-  std::vector<std::vector<int>> chains;
+  int bodies = 0;
+  std::map<int, int> below;  // by joint: how many of the tendon's bodies hang on it
+  const auto add = [&](int body) {
+    ++bodies;
+    for (const int joint : joints_above(model, body)) ++below[joint];
+  };
   for (int k = 0; k < model.tendon_num[tendon]; ++k) {
     const int wrap = model.tendon_adr[tendon] + k, object = model.wrap_objid[wrap];
     switch (model.wrap_type[wrap]) {
@@ -70,23 +64,19 @@ std::vector<int> joints_under(const mjModel& model, int tendon) {
         out.push_back(object);
         break;
       case mjWRAP_SITE:
-        chains.push_back(joints_above(model, model.site_bodyid[object]));
+        add(model.site_bodyid[object]);
         break;
       case mjWRAP_SPHERE:
       case mjWRAP_CYLINDER:
-        chains.push_back(joints_above(model, model.geom_bodyid[object]));
+        add(model.geom_bodyid[object]);
         break;
       default:
         break;
     }
   }
   // What all bodies have above them does not bend the tendon.
-  std::set<int> bending;
-  for (const auto& chain : chains)
-    for (const int joint : chain)
-      for (const auto& other : chains)
-        if (std::find(other.begin(), other.end(), joint) == other.end()) bending.insert(joint);
-  out.insert(out.end(), bending.begin(), bending.end());
+  for (const auto& [joint, count] : below)
+    if (count < bodies) out.push_back(joint);
   return out;
 }
 
@@ -95,11 +85,12 @@ std::map<int, std::string> coupled_joints(const XmlFile& xml, const mjModel& mod
   const auto couple_tendon = [&](int tendon, const std::string& by) {
     for (const int joint : joints_under(model, tendon)) out.emplace(joint, by);
   };
+  const SectionElements constraints(xml, "equality"), tendons(xml, "tendon");
+  const std::vector<bool> acts = acting_tendons(model);
   for (int e = 0; e < model.neq; ++e) {
     if (!model.eq_active0[e]) continue;
-    const std::string by =
-        title(model, mjOBJ_EQUALITY, e,
-              fmt::format("equality constraint ({})", element_in(xml, "equality", e).Name()));
+    const std::string by = title(model, mjOBJ_EQUALITY, e,
+                                 fmt::format("equality constraint ({})", constraints[e].Name()));
     for (const int id : {model.eq_obj1id[e], model.eq_obj2id[e]}) {
       if (id < 0) continue;
       if (model.eq_type[e] == mjEQ_JOINT) out.emplace(id, by);
@@ -107,19 +98,19 @@ std::map<int, std::string> coupled_joints(const XmlFile& xml, const mjModel& mod
     }
   }
   for (int t = 0; t < static_cast<int>(model.ntendon); ++t) {
-    if (joins_two_sites(model, t) || !acts(model, t)) continue;
-    couple_tendon(t, title(model, mjOBJ_TENDON, t,
-                           std::string(element_in(xml, "tendon", t).Name()) + " tendon"));
+    if (joins_two_sites(model, t) || !acts[static_cast<std::size_t>(t)]) continue;
+    couple_tendon(t, title(model, mjOBJ_TENDON, t, std::string(tendons[t].Name()) + " tendon"));
   }
   return out;
 }
 
 void check_loops(const XmlFile& xml, const mjModel& model, const Structure& structure,
                  Refusals& reasons) {
+  const SectionElements constraints(xml, "equality");
   for (int e = 0; e < model.neq; ++e) {
     const int type = model.eq_type[e];
     if (!model.eq_active0[e] || type == mjEQ_JOINT || type == mjEQ_TENDON) continue;
-    const XmlElement& element = element_in(xml, "equality", e);
+    const XmlElement& element = constraints[e];
     if (type != mjEQ_CONNECT && type != mjEQ_WELD) {
       reasons.add(
           xml.error(element, "ties soft bodies, which the planner does not know; remove it"));

@@ -80,8 +80,14 @@ Quaterniond euler(const Vector3d& angles, const std::string& order) {
 }
 
 Matrix3d orientation_of(const XmlFile& xml, const XmlElement& element) {
+  // What the element says itself holds before what its class says in another way; only a quat
+  // gives way to either.
+  bool says_itself = false;
+  for (const char* const name : {"axisangle", "euler", "xyaxes", "zaxis"})
+    says_itself = says_itself || has_attribute(element, name);
   const auto read = [&](const char* name) {
-    const char* const text = inherited_attribute(xml, element, name);
+    const char* const text =
+        says_itself ? element.Attribute(name) : inherited_attribute(xml, element, name);
     return text ? parse_numbers(text).value_or(std::vector<double>{}) : std::vector<double>{};
   };
   const double unit = compiler_setting(xml, "angle", "degree") == "radian" ? 1.0 : EIGEN_PI / 180;
@@ -130,6 +136,19 @@ TreeElements find_elements(const XmlFile& xml, const mjModel& model) {
                     "MuJoCo's bodies, joints, geoms and sites are not those of the file, in its "
                     "order; write generated parts out as plain elements");
   return out;
+}
+
+SectionElements::SectionElements(const XmlFile& xml, const char* section) : root_(xml.root()) {
+  for (const XmlElement* one = root_.FirstChildElement(section); one;
+       one = one->NextSiblingElement(section))
+    for (const XmlElement* element = one->FirstChildElement(); element;
+         element = element->NextSiblingElement())
+      elements_.push_back(element);
+}
+
+const XmlElement& SectionElements::operator[](int id) const {
+  const auto at = static_cast<std::size_t>(id);
+  return at < elements_.size() ? *elements_[at] : root_;
 }
 
 Eigen::Isometry3d pose_of(const XmlFile& xml, const XmlElement& element) {

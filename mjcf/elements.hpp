@@ -20,6 +20,19 @@ struct TreeElements {
 /// not, as in files with generated parts.
 TreeElements find_elements(const XmlFile& xml, const mjModel& model);
 
+/// The elements in all sections of a tag (<tendon>, <actuator>, <equality>) by their ids in the
+/// compiled model: they may have no names, their order counts.
+class SectionElements {
+ public:
+  SectionElements(const XmlFile& xml, const char* section);
+  /// The root where there is none.
+  const XmlElement& operator[](int id) const;
+
+ private:
+  const XmlElement& root_;
+  std::vector<const XmlElement*> elements_;
+};
+
 /// Pose of an element (body, frame, geom, site) in the element it stands in, from its own
 /// attributes, its default class and the settings of <compiler>. `fromto` is not looked at.
 Eigen::Isometry3d pose_of(const XmlFile& xml, const XmlElement& element);

@@ -7,6 +7,8 @@
 #include <limits>
 
 #include "mjcf/growth.hpp"
+#include "mjcf/mesh_assets.hpp"
+#include "mjcf/model_arrays.hpp"
 
 namespace legwright {
 namespace {
@@ -19,10 +21,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kFlat = 0.3;        // sine of the angle up to which a face lies flat on the ground
 constexpr double kSoleShare = 0.02;  // of a mesh's height: what is no higher belongs to the sole
 constexpr double kBallFirst = 0.5;   // of its radius: a ball may be so much higher than other geoms
-
-Matrix3d rotation_of(const mjtNum* q) {
-  return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix();
-}
 
 /// Vertices of a geom's mesh in its frame.
 Eigen::Map<const Eigen::Matrix<float, 3, Eigen::Dynamic>> vertices_of(const mjModel& model,
@@ -54,8 +52,8 @@ Vector3d sole_of_mesh(const mjModel& model, const mjData& data, int geom) {
   Vector3d middle = (least + most) / 2;
   middle.z() = low;
   const int mesh = model.geom_dataid[geom];
-  return Vector3d::Map(model.mesh_pos + 3 * mesh) +
-         rotation_of(model.mesh_quat + 4 * mesh) * (world.transpose() * middle);
+  return vector_at(model.mesh_pos, mesh) +
+         rotation_at(model.mesh_quat, mesh) * (world.transpose() * middle);
 }
 
 /// −1, 0 or 1: to which side along an axis a shape touches the ground.
@@ -126,8 +124,8 @@ double lowest_point(const mjModel& model, const mjData& data, int geom) {
   }
 }
 
-bool choose_foot(const mjModel& model, const mjData& data, const std::vector<int>& bodies,
-                 FootContact& foot) {
+bool choose_foot(const XmlFile& xml, const mjModel& model, const mjData& data,
+                 const std::vector<int>& bodies, FootContact& foot) {
   const auto among = [&](int body) {
     return std::find(bodies.begin(), bodies.end(), body) != bodies.end();
   };
@@ -143,6 +141,11 @@ bool choose_foot(const mjModel& model, const mjData& data, const std::vector<int
   if (ball >= 0 && low(ball) - low(geom) <= kBallFirst * model.geom_size[3 * ball]) geom = ball;
   if (geom >= 0) {
     foot = contact_of(model, data, geom);
+    if (is_mesh(model, geom)) {
+      const TreeElements elements = find_elements(xml, model);
+      const MeshAsset asset = mesh_of(xml, *elements.geoms[static_cast<std::size_t>(geom)]);
+      foot.share = asset.turn * foot.share.cwiseQuotient(asset.scale);
+    }
     return true;
   }
   int site = -1;
@@ -163,18 +166,20 @@ int foot_body(const mjModel& model, const FootContact& foot) {
 
 AffineVector foot_point(const XmlFile& xml, const TreeElements& elements, const mjModel& model,
                         const FootContact& foot, const std::vector<Stretch>& stretches) {
-  if (foot.geom < 0)
-    return stretched_point(Vector3d::Map(model.site_pos + 3 * foot.site), stretches);
+  if (foot.geom < 0) return stretched_point(vector_at(model.site_pos, foot.site), stretches);
   const int g = foot.geom;
-  Vector3d centre = Vector3d::Map(model.geom_pos + 3 * g);
-  Matrix3d axes = rotation_of(model.geom_quat + 4 * g);
+  Vector3d centre = vector_at(model.geom_pos, g);
+  Matrix3d axes = rotation_at(model.geom_quat, g);
   if (is_mesh(model, g)) {
     // From MuJoCo's frame of the geom, at the mesh's centre, to the one that the file places.
     const int mesh = model.geom_dataid[g];
-    axes = (axes * rotation_of(model.mesh_quat + 4 * mesh).transpose()).eval();
-    centre -= axes * Vector3d::Map(model.mesh_pos + 3 * mesh);
+    axes = (axes * rotation_at(model.mesh_quat, mesh).transpose()).eval();
+    centre -= axes * vector_at(model.mesh_pos, mesh);
+    const XmlElement& element = *elements.geoms[static_cast<std::size_t>(g)];
+    const Vector3d arm = axes * (mesh_of(xml, element).shown() * foot.share);
+    if (mesh_grows(xml, element)) return stretched_point(centre + arm, stretches);
     AffineVector out = stretched_point(centre, stretches);
-    out.constant += axes * foot.share;
+    out.constant += arm;
     return out;
   }
   const Vector3d half = half_sizes(model.geom_type[g], model.geom_size + 3 * g);

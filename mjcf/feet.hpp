@@ -21,8 +21,8 @@ bool collides(const mjModel& model, int geom);
 /// that reaches lowest (a ball before others that are about as low), else the lowest site. Without
 /// name. Returns false where there is neither.
 /// @param bodies those that make up the link.
-bool choose_foot(const mjModel& model, const mjData& data, const std::vector<int>& bodies,
-                 FootContact& foot);
+bool choose_foot(const XmlFile& xml, const mjModel& model, const mjData& data,
+                 const std::vector<int>& bodies, FootContact& foot);
 
 /// Body that a foot belongs to.
 int foot_body(const mjModel& model, const FootContact& foot);

@@ -183,7 +183,7 @@ class StructureReader {
 
   void add_foot(int end) {
     FootContact foot;
-    if (!choose_foot(model_, *data_, link_of(end), foot)) {
+    if (!choose_foot(xml_, model_, *data_, link_of(end), foot)) {
       reasons_.add(error_at(xml_, model_, mjOBJ_BODY, end,
                             "ends a leg without a foot; add <geom type=\"sphere\"> that collides "
                             "(contype=\"1\") at its end, or a <site> where a ball shall be"));

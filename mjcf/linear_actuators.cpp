@@ -8,26 +8,15 @@
 
 #include "mjcf/checks.hpp"
 #include "mjcf/compile.hpp"
+#include "mjcf/elements.hpp"
 #include "mjcf/legs.hpp"
 #include "optimizer/design/actuator_length.hpp"
 
 namespace legwright {
 namespace {
 
-/// Element of a tendon: its place in the section counts, as it may have no name.
-const XmlElement& tendon_element(const XmlFile& xml, int tendon) {
-  int next = 0;
-  for (const XmlElement* section = xml.root().FirstChildElement("tendon"); section;
-       section = section->NextSiblingElement("tendon"))
-    for (const XmlElement* element = section->FirstChildElement(); element;
-         element = element->NextSiblingElement())
-      if (next++ == tendon) return *element;
-  return xml.root();
-}
-
-TendonSpan read_tendon(const XmlFile& xml, const mjModel& model, const Structure& structure,
-                       int t) {
-  const XmlElement& element = tendon_element(xml, t);
+TendonSpan read_tendon(const XmlFile& xml, const mjModel& model, const Structure& structure, int t,
+                       const XmlElement& element) {
   const int first = model.tendon_adr[t];
   if (name_of(model, mjOBJ_TENDON, t).empty())
     throw xml.error(element, "has no name; give the linear actuator's tendon one");
@@ -52,10 +41,11 @@ TendonSpan read_tendon(const XmlFile& xml, const mjModel& model, const Structure
 
 std::vector<TendonSpan> read_tendons(const XmlFile& xml, const mjModel& model,
                                      const Structure& structure) {
+  const SectionElements elements(xml, "tendon");
   std::vector<TendonSpan> spans;
   for (int t = 0; t < static_cast<int>(model.ntendon); ++t)
     if (structure.reads_tendon[static_cast<std::size_t>(t)])
-      spans.push_back(read_tendon(xml, model, structure, t));
+      spans.push_back(read_tendon(xml, model, structure, t, elements[t]));
   return spans;
 }
 
@@ -67,7 +57,7 @@ void check_arms(const XmlFile& xml, const std::vector<TendonSpan>& tendons,
     const double home = morphology.links[actuator.joint + 1].joint.nominal;
     // Written so that NaN, of a length of zero, is a fault.
     if (!(std::abs(moment_arm(shape, home)) > 1e-9))
-      throw xml.error(tendon_element(xml, tendons[k].tendon),
+      throw xml.error(SectionElements(xml, "tendon")[tendons[k].tendon],
                       "has no moment arm about its hinge in the home pose; move its sites off the "
                       "line through the hinge, or change the keyframe 'home'");
   }

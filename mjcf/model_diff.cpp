@@ -7,9 +7,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <string_view>
+#include <tuple>
 
 #include "mjcf/compile.hpp"
 
@@ -31,6 +33,18 @@ struct Quantity {
 Values row(const mjtNum* array, int id, int width) {
   return {array + static_cast<std::ptrdiff_t>(id) * width,
           array + static_cast<std::ptrdiff_t>(id + 1) * width};
+}
+
+/// Infinite where there are not as many numbers.
+double largest_difference(const Values& before, const Values& after) {
+  if (before.size() != after.size()) return std::numeric_limits<double>::infinity();
+  double largest = 0.0;
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    const double one = std::abs(after[k] - before[k]);
+    if (!(one <= largest)) largest = one;
+    if (std::isnan(largest)) break;
+  }
+  return largest;
 }
 
 class Comparison {
@@ -103,7 +117,7 @@ class Comparison {
 
   static double distance(const Difference& d) {
     const bool angle = std::string_view(d.unit) == "rad";
-    if (d.before.size() != d.after.size()) return std::numeric_limits<double>::infinity();
+    if (d.before.size() != d.after.size()) return largest_difference(d.before, d.after);
     if (angle && d.before.size() == 4) {
       const auto orientation = [](const Values& q) {
         return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized();
@@ -115,13 +129,7 @@ class Comparison {
                             two = Eigen::Vector3d::Map(d.after.data());
       return std::atan2(one.cross(two).norm(), one.dot(two));
     }
-    double largest = 0.0;
-    for (std::size_t k = 0; k < d.before.size(); ++k) {
-      const double one = std::abs(d.after[k] - d.before[k]);
-      if (!(one <= largest)) largest = one;
-      if (std::isnan(largest)) break;
-    }
-    return largest;
+    return largest_difference(d.before, d.after);
   }
 
   const mjModel &before_, &after_;
@@ -192,6 +200,77 @@ const std::vector<Quantity> kKey{
     {"time", "s", [](const mjModel& m, int i) { return row(m.key_time, i, 1); }},
 };
 
+constexpr std::string_view kPrefix = "legwright/";
+
+/// Declared design parameters, as compiled: id of the number, and of what is said about it.
+struct Declared {
+  int numeric = -1;
+  std::string unit, binding;
+};
+
+std::string trimmed(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(" \t\r\n");
+  if (begin == std::string_view::npos) return {};
+  return std::string(text.substr(begin, text.find_last_not_of(" \t\r\n") + 1 - begin));
+}
+
+std::map<std::string, Declared> declared_in(const mjModel& model) {
+  std::map<std::string, Declared> out;
+  for (int id = 0; id < model.nnumeric; ++id) {
+    const std::string name = name_of(model, mjOBJ_NUMERIC, id);
+    if (name.compare(0, kPrefix.size(), kPrefix) != 0) continue;
+    Declared found{id, "", ""};
+    if (const int text = mj_name2id(&model, mjOBJ_TEXT, name.c_str()); text >= 0) {
+      const std::string_view words = model.text_data + model.text_adr[text];
+      const std::size_t first = words.find('|'), second = words.find('|', first + 1);
+      found.unit = trimmed(words.substr(0, first));
+      if (first != std::string_view::npos)
+        found.binding = trimmed(words.substr(first + 1, second - first - 1));
+    }
+    out.emplace(name.substr(kPrefix.size()), found);
+  }
+  return out;
+}
+
+Values numbers_of(const mjModel& model, int numeric, int begin, int end) {
+  const mjtNum* const data = model.numeric_data + model.numeric_adr[numeric];
+  const int size = model.numeric_size[numeric];
+  return {data + std::min(begin, size), data + std::min(end, size)};
+}
+
+std::vector<Difference> parameter_differences(const mjModel& a, const mjModel& b,
+                                              double tolerance) {
+  std::vector<Difference> out;
+  const auto ours = declared_in(a), theirs = declared_in(b);
+  const auto whole = [&](const std::string& name, const std::string& what) {
+    out.push_back({fmt::format("parameter '{}'", name), what, "", {}, {}, 0.0});
+  };
+  for (const auto& [name, one] : ours) {
+    const auto found = theirs.find(name);
+    if (found == theirs.end()) {
+      whole(name, "only in A");
+      continue;
+    }
+    const Declared& other = found->second;
+    for (const auto& [what, begin, end] : {std::tuple("value", 0, 1), std::tuple("bounds", 1, 3)}) {
+      Difference d{fmt::format("parameter '{}'", name),
+                   what,
+                   one.unit,
+                   numbers_of(a, one.numeric, begin, end),
+                   numbers_of(b, other.numeric, begin, end),
+                   0.0};
+      d.size = largest_difference(d.before, d.after);
+      if (!(d.size <= tolerance)) out.push_back(std::move(d));
+    }
+    if (one.unit != other.unit || one.binding != other.binding)
+      whole(name, fmt::format("is '{} | {}', then '{} | {}'", one.unit, one.binding, other.unit,
+                              other.binding));
+  }
+  for (const auto& [name, one] : theirs)
+    if (ours.count(name) == 0) whole(name, "only in B");
+  return out;
+}
+
 }  // namespace
 
 std::vector<Difference> model_differences(const mjModel& a, const mjModel& b, double tolerance) {
@@ -203,7 +282,11 @@ std::vector<Difference> model_differences(const mjModel& a, const mjModel& b, do
   comparison.compare("tendon", mjOBJ_TENDON, a.ntendon, b.ntendon, kTendon);
   comparison.compare("actuator", mjOBJ_ACTUATOR, a.nactuator, b.nactuator, kActuator);
   comparison.compare("key", mjOBJ_KEY, a.nkey, b.nkey, kKey);
-  return comparison.take();
+  std::vector<Difference> out = comparison.take(),
+                          declared = parameter_differences(a, b, tolerance);
+  out.insert(out.end(), std::make_move_iterator(declared.begin()),
+             std::make_move_iterator(declared.end()));
+  return out;
 }
 
 }  // namespace legwright

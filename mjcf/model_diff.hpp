@@ -22,8 +22,8 @@ struct Difference {
 /// What differs between two compiled models, element by element, matched by name (unnamed ones by
 /// their order on a body of the same name). Bodies: mass, inertia, place, parent. Joints: type, axis,
 /// anchor, range, limits, stiffness, damping, armature. Geoms: type, place, size, friction, what
-/// they collide with. Sites, tendons, actuators (force range, gear, gain, bias), keyframes. Lengths
-/// in m, angles in rad. Materials, assets and options are not compared.
+/// they collide with. Sites, tendons, actuators (force range, gear, gain, bias), keyframes. Declared
+/// design parameters: value, bounds, unit and binding. Lengths in m, angles in rad. Materials, assets and options are not compared.
 /// @param tolerance differences up to it, in units of each quantity, are none.
 std::vector<Difference> model_differences(const mjModel& before, const mjModel& after,
                                           double tolerance = 1e-9);

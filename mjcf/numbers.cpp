@@ -52,6 +52,14 @@ std::string explain_bad_number(std::string_view text) {
 
 std::string format_number(double value) { return fmt::format("{}", value == 0.0 ? 0.0 : value); }
 
+double rounded(double value) { return parse_number(fmt::format("{:.12g}", value)).value_or(value); }
+
+Eigen::VectorXd rounded(const Eigen::Ref<const Eigen::VectorXd>& values) {
+  constexpr double kNoise = 1e-15;
+  const double floor = values.size() > 0 ? kNoise * values.cwiseAbs().maxCoeff() : 0.0;
+  return values.unaryExpr([&](double x) { return std::abs(x) < floor ? 0.0 : rounded(x); });
+}
+
 std::string format_numbers(const Eigen::Ref<const Eigen::VectorXd>& values) {
   std::string text;
   for (Eigen::Index i = 0; i < values.size(); ++i) {

@@ -28,4 +28,12 @@ std::string format_number(double value);
 /// Numbers separated by one blank.
 std::string format_numbers(const Eigen::Ref<const Eigen::VectorXd>& values);
 
+/// The number rounded to 12 significant digits: a length to less than 1e-11 of itself, without the
+/// digits that are rounding errors.
+double rounded(double value);
+
+/// Numbers of one thing, each rounded; zero where one is nothing but the rounding error of the
+/// largest.
+Eigen::VectorXd rounded(const Eigen::Ref<const Eigen::VectorXd>& values);
+
 }  // namespace legwright

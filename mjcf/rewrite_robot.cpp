@@ -26,42 +26,56 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
+using RigidMap = std::map<const XmlElement*, Vector3d>;
+
 /// One stretched body: how its points move, and how to write that into its elements.
 class BodyRewriter {
  public:
   BodyRewriter(const XmlFile& xml, const mjModel& model, const XmlElement& body,
                const std::vector<Stretch>& stretches, const PlaceMap& places, const VectorXd& s,
-               TextEdits& edits)
+               const RigidMap& rigid, TextEdits& edits)
       : xml_(xml),
         model_(model),
         body_(body),
         stretches_(stretches),
         places_(places),
         s_(s),
+        rigid_(rigid),
         map_(stretch_matrix(stretches, s)),
         id_(mj_name2id(&model, mjOBJ_BODY, body.Attribute("name"))),
         edits_(edits) {}
 
-  void run() { parts(body_, Matrix3d::Identity()); }
+  void run() { parts(body_, Eigen::Isometry3d::Identity()); }
 
  private:
   /// What stands in the body, or in a frame of it.
   /// @param frame body ← frame: the frame's origin moves with the body, its axes stay.
-  void parts(const XmlElement& holder, const Matrix3d& frame) {
-    const Matrix3d map = frame.transpose() * map_ * frame;
+  void parts(const XmlElement& holder, const Eigen::Isometry3d& frame) {
+    const Matrix3d map = frame.linear().transpose() * map_ * frame.linear();
     for (const XmlElement* part = holder.FirstChildElement(); part;
          part = part->NextSiblingElement()) {
       if (is_tag(*part, "inertial")) inertial(*part);
       if (is_tag(*part, "body") || is_tag(*part, "frame"))
         if (has_attribute(*part, "pos")) move(*part, "pos", map);
-      if (is_tag(*part, "frame")) parts(*part, frame * pose_of(xml_, *part).linear());
+      if (is_tag(*part, "frame")) parts(*part, frame * pose_of(xml_, *part));
       const bool is_geom = is_tag(*part, "geom");
       const bool is_placed = is_tag(*part, "site") && has_attribute(*part, "name") &&
                              places_.count(part->Attribute("name")) > 0;  // write_places
-      if (is_geom || (is_tag(*part, "site") && !is_placed)) shape(*part, map);
-      if (is_tag(*part, "camera") || is_tag(*part, "light") || is_tag(*part, "joint"))
+      if (const auto foot = rigid_.find(part); foot != rigid_.end())
+        shift(*part, frame.linear().transpose() *
+                         (foot->second - (map_ * frame.translation() - frame.translation())));
+      else if (is_geom || (is_tag(*part, "site") && !is_placed))
+        shape(*part, map);
+      const bool is_view = (is_tag(*part, "camera") || is_tag(*part, "light")) && is_fixed(*part);
+      if (is_view || is_tag(*part, "joint"))
         if (inherited_attribute(xml_, *part, "pos")) move(*part, "pos", map);
     }
+  }
+
+  /// Cameras and lights that follow the robot or turn to it look at it from outside.
+  bool is_fixed(const XmlElement& view) const {
+    const char* const mode = inherited_attribute(xml_, view, "mode");
+    return !mode || mode == std::string_view("fixed");
   }
 
   /// Writes mapped points; an attribute whose numbers stay is left alone, also where a class holds
@@ -73,6 +87,14 @@ class BodyRewriter {
     for (Eigen::Index i = 0; i + 2 < moved.size(); i += 3)
       moved.segment<3>(i) = map * moved.segment<3>(i);
     write(part, name, *numbers, moved);
+  }
+
+  /// Moves a part by a distance in the axes of what it stands in.
+  void shift(const XmlElement& part, const Vector3d& distance) {
+    const char* const pos = inherited_attribute(xml_, part, "pos");
+    const auto numbers = parse_numbers(pos ? pos : "0 0 0");
+    if (numbers && numbers->size() == 3)
+      write(part, "pos", *numbers, Vector3d::Map(numbers->data()) + distance);
   }
 
   void write(const XmlElement& part, const char* name, const std::vector<double>& before,
@@ -105,6 +127,16 @@ class BodyRewriter {
     write(part, "size", *numbers, grown);
   }
 
+  /// MuJoCo refuses a plate whose largest moment is, by rounding, more than the sum of the others.
+  static Vector3d of_a_body(const Vector3d& moments) {
+    Vector3d out = rounded(moments);
+    Eigen::Index most = 0;
+    const double largest = out.maxCoeff(&most);
+    const double others = out[(most + 1) % 3] + out[(most + 2) % 3];
+    if (largest > others && largest - others < 1e-11 * largest) out[most] = (1 - 1e-11) * others;
+    return out;
+  }
+
   /// Centre and second moments are mapped like point masses; the mass stays.
   void inertial(const XmlElement& part) {
     if (map_ == Matrix3d::Identity()) return;
@@ -122,7 +154,7 @@ class BodyRewriter {
                                                      std::abs(inertia(1, 2)) <=
                                                  1e-15 * inertia.trace();
     if (diagonal) {
-      edits_.set_numbers(part, "diaginertia", inertia.diagonal());
+      edits_.set_numbers(part, "diaginertia", of_a_body(inertia.diagonal()));
       return;
     }
     for (const char* name : {"diaginertia", "quat", "euler", "axisangle", "xyaxes", "zaxis"})
@@ -139,6 +171,7 @@ class BodyRewriter {
   const std::vector<Stretch>& stretches_;
   const PlaceMap& places_;
   const VectorXd& s_;
+  const RigidMap& rigid_;
   const Matrix3d map_;
   const int id_;
   TextEdits& edits_;
@@ -155,6 +188,15 @@ void check_design(const DesignSpace& space, const VectorXd& s) {
                       space.parameters[k].lower, space.parameters[k].upper));
 }
 
+/// The design that the file will tell: values that differ from the file's are rounded as all other
+/// numbers are, so that geometry and declared values agree.
+VectorXd told_design(const DesignSpace& space, const VectorXd& s) {
+  VectorXd told = space.initial();
+  for (int k = 0; k < space.size(); ++k)
+    if (const double value = rounded(s[k]); value != rounded(told[k])) told[k] = value;
+  return space.clamp(told);
+}
+
 /// The bounds stay those of the file: a task may have narrowed the robot's.
 void write_values(const RobotModel& robot, const XmlFile& xml, const VectorXd& s,
                   TextEdits& edits) {
@@ -162,7 +204,7 @@ void write_values(const RobotModel& robot, const XmlFile& xml, const VectorXd& s
     const DesignParameter& parameter = robot.space.parameters[k];
     const XmlElement& numeric = *find_declaration(xml, parameter.name).numeric;
     const auto numbers = parse_numbers(attribute(numeric, "data"));
-    edits.set_numbers(numeric, "data", Vector3d(s[k], (*numbers)[1], (*numbers)[2]));
+    edits.set_exactly(numeric, "data", Vector3d(s[k], (*numbers)[1], (*numbers)[2]));
   }
 }
 
@@ -218,8 +260,9 @@ std::string difference_from_intent(const RobotModel& robot, const VectorXd& s,
 
 }  // namespace
 
-std::string rewrite_robot(const RobotModel& robot, const VectorXd& s) {
-  check_design(robot.space, s);
+std::string rewrite_robot(const RobotModel& robot, const VectorXd& design) {
+  check_design(robot.space, design);
+  const VectorXd s = told_design(robot.space, design);
   if (s == robot.space.initial()) return robot.xml;
   const auto xml = load_xml(robot.xml, robot.file);
   const ModelPointer model = compile_mjcf(robot.xml, robot.file);
@@ -228,11 +271,14 @@ std::string rewrite_robot(const RobotModel& robot, const VectorXd& s) {
   write_axes(robot, *xml, s, edits);
   const StretchMap all = collect_stretches(robot.space, robot.bindings, robot.file);
   const PlaceMap places = collect_places(robot.space, robot.bindings, robot.file);
+  const TreeElements elements = find_elements(*xml, *model);
+  const RigidMap rigid = rigid_feet(*xml, *model, elements, robot.structure, all, s);
   for (const auto& [body, stretches] : all)
-    BodyRewriter(*xml, *model, *find_named(xml->root(), "body", body), stretches, places, s, edits)
+    BodyRewriter(*xml, *model, *find_named(xml->root(), "body", body), stretches, places, s, rigid,
+                 edits)
         .run();
   write_places(robot, *xml, all, places, s, edits);
-  write_mesh_scales(*xml, *model, find_elements(*xml, *model), all, s, edits);
+  write_mesh_scales(*xml, *model, elements, all, rigid, s, edits);
   // A pose that the robot's reader would refuse is given up; the design itself never is.
   std::string first;
   for (const KeyframeEffort effort :

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "mjcf/assets.hpp"
+#include "mjcf/mesh_copies.hpp"
 #include "mjcf/splice.hpp"
 #include "mjcf/text_scan.hpp"
 
@@ -124,6 +125,15 @@ RobotFiles RobotFiles::from_text(std::string text, const fs::path& file) {
 }
 
 RobotFiles RobotFiles::with_text(const std::string& text) const {
+  const std::vector<TextRange> added = find_added_meshes(text_, text);
+  if (added.empty()) return with_attributes(text);
+  RobotFiles out = with_attributes(without(text, added));
+  put_back(added, text, out.parts_, out.segments_);
+  out.text_ = text;
+  return out;
+}
+
+RobotFiles RobotFiles::with_attributes(const std::string& text) const {
   RobotFiles out = *this;
   out.text_ = text;
   if (parts_.size() == 1) {

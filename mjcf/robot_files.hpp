@@ -67,8 +67,9 @@ class RobotFiles {
   /// By path; no file twice.
   const std::vector<AssetFile>& assets() const { return assets_; }
 
-  /// The files with a changed text: the same elements in the same order, other attributes. Bytes
-  /// between start tags must be as they are. Throws std::logic_error where that is not so.
+  /// The files with a changed text: the same elements in the same order, other attributes, and new
+  /// mesh assets behind elements (mesh_copies.hpp). Bytes between start tags must be as they are.
+  /// Throws std::logic_error where that is not so.
   RobotFiles with_text(const std::string& text) const;
   /// The files where they were copied to, as `file` and beside it, by somebody who will not change
   /// them: assets may be linked from there.
@@ -95,7 +96,8 @@ class RobotFiles {
     std::filesystem::path file;
     int line = 0;
   };
-  Place place_of(int line) const;  // of a line of text()
+  Place place_of(int line) const;                             // of a line of text()
+  RobotFiles with_attributes(const std::string& text) const;  // with_text without new elements
 
   std::filesystem::path file_;
   std::vector<IncludedFile> parts_{1};  // the main file first

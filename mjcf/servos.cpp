@@ -10,6 +10,7 @@
 
 #include "mjcf/checks.hpp"
 #include "mjcf/compile.hpp"
+#include "mjcf/elements.hpp"
 #include "optimizer/design/actuator_length.hpp"
 
 namespace legwright {
@@ -46,17 +47,6 @@ void refuse_what_the_scene_drops(const XmlFile& xml, const mjModel& model, int a
          "has dynamics of its own (timeconst, dyntype, an integral or a slew limit)");
 }
 
-/// Element of an actuator: its place in the section counts where it has no name.
-const XmlElement& actuator_element(const XmlFile& xml, int actuator) {
-  int next = 0;
-  for (const XmlElement* section = xml.root().FirstChildElement("actuator"); section;
-       section = section->NextSiblingElement("actuator"))
-    for (const XmlElement* element = section->FirstChildElement(); element;
-         element = element->NextSiblingElement())
-      if (next++ == actuator) return *element;
-  return xml.root();
-}
-
 /// What limits the actuator's force besides its own forcerange, at its joint or tendon.
 double outer_limit(const mjModel& model, int actuator) {
   const int t = model.actuator_trnid[2 * actuator];
@@ -66,9 +56,8 @@ double outer_limit(const mjModel& model, int actuator) {
 }
 
 /// @param full_force_error error of angle or length at which a servo without gains gives all it has.
-Servo read_servo(const XmlFile& xml, const mjModel& model, int actuator, const std::string& joint,
-                 double full_force_error) {
-  const XmlElement& element = actuator_element(xml, actuator);
+Servo read_servo(const XmlFile& xml, const mjModel& model, int actuator, const XmlElement& element,
+                 const std::string& joint, double full_force_error) {
   const mjtNum* gain = model.actuator_gainprm + mjNGAIN * actuator;
   const mjtNum* bias = model.actuator_biasprm + mjNBIAS * actuator;
   const double gear = model.actuator_gear[6 * model.actuator_outadr[actuator]];
@@ -176,10 +165,11 @@ double home_arm(const mjModel& model, const Morphology& morphology, const Eigen:
 
 std::vector<Servo> read_servos(const XmlFile& xml, const mjModel& model, const Structure& structure,
                                const Morphology& morphology, const Eigen::VectorXd& s) {
+  const SectionElements elements(xml, "actuator");
   std::map<std::string, int> actuator_of;
   for (int a = 0; a < model.nactuator; ++a) {
     if (drives_held(model, structure, a)) continue;
-    const XmlElement& element = actuator_element(xml, a);
+    const XmlElement& element = elements[a];
     const std::string name = driven_joint(model, morphology, a);
     if (name.empty())
       throw xml.error(element,
@@ -197,7 +187,7 @@ std::vector<Servo> read_servos(const XmlFile& xml, const mjModel& model, const S
           xml, model, mjOBJ_JOINT, mj_name2id(&model, mjOBJ_JOINT, joint.c_str()),
           fmt::format("has no actuator; add <position joint=\"{}\" kp= kv= forcerange=/>", joint));
     const int actuator = found->second;
-    servos.push_back(read_servo(xml, model, actuator, joint,
+    servos.push_back(read_servo(xml, model, actuator, elements[actuator], joint,
                                 kFullTorqueError * home_arm(model, morphology, s, actuator)));
     if (model.actuator_trntype[actuator] == mjTRN_TENDON)
       servos.back().tendon = name_of(model, mjOBJ_TENDON, model.actuator_trnid[2 * actuator]);

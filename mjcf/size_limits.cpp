@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -60,7 +61,47 @@ double bytes_of(std::string_view text) {
   return number ? unit * *number : std::nan("");
 }
 
+constexpr double kLongestSide = 16384;               // [pixels]
+constexpr double kMostPictures = 512 * 1024 * 1024;  // [bytes]; MuJoCo holds them several times
+
+double number_in(const XmlElement& element, const char* name, double otherwise) {
+  const auto value = parse_numbers(attribute(element, name));
+  return value && !value->empty() ? value->front() : otherwise;
+}
+
+/// Bytes of a texture of one picture, or of one that MuJoCo makes.
+double texture_bytes(const XmlElement& element, PictureSize picture) {
+  const double channels = number_in(element, "nchannel", 3.0);
+  const std::string_view type = attribute(element, "type");
+  if (type == "2d" || picture.is_face) return channels * picture.width * picture.height;
+  const auto grid = parse_numbers(attribute(element, "gridsize"));
+  const double side = picture.width / (grid && grid->size() == 2 ? std::max((*grid)[1], 1.0) : 1.0);
+  return 6 * channels * side * side;  // a cube's faces
+}
+
 }  // namespace
+
+void PictureMemory::add(const XmlFile& xml, const XmlElement& element) {
+  const bool is_texture = is_tag(element, "texture");
+  if (!is_texture && !is_tag(element, "hfield")) return;
+  for (const char* const side : {"width", "height", "nrow", "ncol"})
+    if (number_in(element, side, 0.0) > kLongestSide)
+      throw xml.error(element, fmt::format("attribute {}: larger than {}; make it smaller", side,
+                                           kLongestSide));
+  add(xml, element,
+      is_texture ? PictureSize{number_in(element, "width", 0.0), number_in(element, "height", 0.0)}
+                 : PictureSize{number_in(element, "ncol", 0.0), number_in(element, "nrow", 0.0)});
+}
+
+void PictureMemory::add(const XmlFile& xml, const XmlElement& element, PictureSize picture) {
+  constexpr double kHeightBytes = 4.0;
+  bytes_ += is_tag(element, "texture") ? texture_bytes(element, picture)
+                                       : kHeightBytes * picture.width * picture.height;
+  if (bytes_ > kMostPictures)
+    throw xml.error(element, fmt::format("the textures and height fields of the robot together "
+                                         "take more than {} MB unpacked; make them smaller",
+                                         kMostPictures / (1024 * 1024)));
+}
 
 void check_sizes(const XmlFile& xml, const XmlElement& element) {
   for (const SizeLimit& limit : kLimits) {

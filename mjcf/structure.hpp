@@ -14,7 +14,8 @@ struct FootContact {
   int geom = -1;     // id in the compiled model; −1: a site, for which scenes have a geom
   int site = -1;
   Eigen::Vector3d share = Eigen::Vector3d::Zero();  // of the point, along the geom's axes: over its
-                                                    // half sizes; of a mesh in m, in its asset's
+                                                    // half sizes; of a mesh along the axes and in
+                                                    // the units of its file, whatever its scale
   double radius = 0.0;                              // [m]
 };
 

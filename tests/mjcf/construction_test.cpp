@@ -5,9 +5,11 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "mjcf/compile.hpp"
+#include "mjcf/couplings.hpp"
 #include "mjcf/legs.hpp"
 #include "mjcf/played_robot.hpp"
 #include "mjcf/rewrite_robot.hpp"
@@ -217,6 +219,39 @@ TEST(Couplings, ACoupledJointOfALegIsHeld) {
         Vector3d(0, 0, -0.2) + Eigen::AngleAxisd(0.3, Vector3d::UnitY()) * Vector3d(0.01, 0, -0.03);
     EXPECT_LT((robot.morphology.feet[0].position.at(VectorXd()) - tip).norm(), 1e-12);
   }
+}
+
+/// What bends a tendon is between its bodies, in a time that grows with their number alone.
+TEST(Couplings, ATendonOverManySitesIsReadAtOnce) {
+  const auto rope = [](int turns, const char* one, const char* other) {
+    std::string sites;
+    for (int k = 0; k < turns; ++k)
+      sites += fmt::format("<site site=\"{}\"/><site site=\"{}\"/>", one, other);
+    std::string xml = test::hopper_with(
+        "<geom name=\"tip\" size=\"0.02\" pos=\"0 0 -0.2\"/><site name=\"low\" pos=\"0 0.01 "
+        "-0.1\"/>");
+    xml = test::with(xml, "<body name=\"shank\"",
+                     "<site name=\"mid\" pos=\"0 0.01 -0.1\"/><body name=\"shank\"");
+    xml = test::with(xml, "<body name=\"thigh\">", "<site name=\"top\"/><body name=\"thigh\">");
+    return compile_mjcf(
+        test::with(xml, "<actuator>",
+                   "<tendon><spatial name=\"rope\">" + sites + "</spatial></tendon><actuator>"),
+        "rope.xml");
+  };
+  const auto between = [&](const char* one, const char* other) {
+    std::string names;
+    const ModelPointer model = rope(1, one, other);
+    for (const int joint : joints_under(*model, 0)) names += name_of(*model, mjOBJ_JOINT, joint);
+    return names;
+  };
+  EXPECT_EQ(between("top", "low"), "hipknee");
+  EXPECT_EQ(between("mid", "low"), "knee");
+  EXPECT_EQ(between("top", "mid"), "hip");
+  const ModelPointer model = rope(9000, "top", "low");
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_EQ(joints_under(*model, 0).size(), 2u);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  EXPECT_LT(taken.count(), 1.0);
 }
 
 TEST(Couplings, AHeldHingeBehindAMovingOneLeavesItsLineWhereItIs) {

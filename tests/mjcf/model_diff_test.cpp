@@ -113,6 +113,41 @@ TEST(ModelDiff, TellsWhatOnlyOneHas) {
   EXPECT_NE(find(renamed, "geom 'top'", "only in B"), nullptr);
 }
 
+/// A value that is declared otherwise need not change anything else.
+TEST(ModelDiff, TellsDeclaredParameters) {
+  const std::string one =
+      test::with(kArm, "</mujoco>",
+                 "<custom><numeric name=\"legwright/long\" data=\"1 0.5 2\"/>"
+                 "<text name=\"legwright/long\" data=\"m | stretch link: arm | Length.\"/>"
+                 "<numeric name=\"other\" data=\"1\"/></custom></mujoco>");
+  const auto between = [&](const std::string& a, const std::string& b) {
+    return model_differences(*compile_mjcf(a, "a.xml"), *compile_mjcf(b, "b.xml"));
+  };
+  EXPECT_TRUE(between(one, one).empty());
+  const auto value = between(one, test::with(one, "\"1 0.5 2\"", "\"1.25 0.5 2\""));
+  ASSERT_EQ(value.size(), 1u);
+  EXPECT_EQ(value[0].element, "parameter 'long'");
+  EXPECT_EQ(value[0].quantity, "value");
+  EXPECT_EQ(value[0].unit, "m");
+  EXPECT_EQ(value[0].after, std::vector<double>{1.25});
+  EXPECT_EQ(value[0].size, 0.25);
+  const auto bounds = between(one, test::with(one, "\"1 0.5 2\"", "\"1 0.5 3\""));
+  ASSERT_EQ(bounds.size(), 1u);
+  EXPECT_EQ(bounds[0].quantity, "bounds");
+  EXPECT_EQ(bounds[0].before, (std::vector<double>{0.5, 2}));
+  const auto binding = between(one, test::with(one, "stretch link: arm", "stretch z: arm"));
+  ASSERT_EQ(binding.size(), 1u);
+  EXPECT_EQ(binding[0].quantity, "is 'm | stretch link: arm', then 'm | stretch z: arm'");
+  EXPECT_TRUE(binding[0].whole());
+  // The sentence is for people, and other numbers are not ours.
+  EXPECT_TRUE(between(one, test::with(one, "Length.", "How long.")).empty());
+  EXPECT_TRUE(
+      between(one, test::with(one, "name=\"other\" data=\"1\"", "name=\"other\" data=\"2\""))
+          .empty());
+  EXPECT_NE(find(between(one, kArm), "parameter 'long'", "only in A"), nullptr);
+  EXPECT_NE(find(between(kArm, one), "parameter 'long'", "only in B"), nullptr);
+}
+
 TEST(ModelDiff, LooksAwayBelowItsTolerance) {
   const std::string moved = test::with(kArm, "<site name=\"end\" pos=\"0 0 -1\"/>",
                                        "<site name=\"end\" pos=\"0 0 -1.001\"/>");

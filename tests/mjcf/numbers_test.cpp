@@ -61,5 +61,27 @@ TEST(Numbers, WrittenNumbersReadBackAsTheSameBits) {
   EXPECT_EQ(format_numbers(Eigen::Vector3d(1, -0.5, 1e-7)), "1 -0.5 1e-07");
 }
 
+TEST(Numbers, RoundingLeavesTwelveDigits) {
+  EXPECT_EQ(format_number(rounded(0.8400000000000001)), "0.84");
+  EXPECT_EQ(format_number(rounded(0.1 + 0.2)), "0.3");
+  EXPECT_EQ(format_number(rounded(-1234.567890123456)), "-1234.56789012");
+  EXPECT_EQ(format_number(rounded(1.00000000001)), "1.00000000001");  // a digit that is kept
+  EXPECT_EQ(format_number(rounded(1.0000000000001)), "1");
+  EXPECT_EQ(rounded(0.0), 0.0);
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> uniform(-1e3, 1e3);
+  for (int k = 0; k < 10000; ++k) {
+    const double value = uniform(random), once = rounded(value);
+    EXPECT_LE(std::abs(once - value), 5.1e-12 * std::abs(value));
+    EXPECT_EQ(rounded(once), once);
+    EXPECT_LE(format_number(once).size(), 18u);
+  }
+}
+
+TEST(Numbers, OfOneThingLoseTheRoundingErrorOfTheLargest) {
+  EXPECT_EQ(format_numbers(rounded(Eigen::Vector3d(0.2, 1e-17, -3e-17))), "0.2 0 0");
+  EXPECT_EQ(format_numbers(rounded(Eigen::Vector3d(1e-9, 1e-17, 0.0))), "1e-09 1e-17 0");
+}
+
 }  // namespace
 }  // namespace legwright

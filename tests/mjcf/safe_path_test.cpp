@@ -281,6 +281,37 @@ TEST_F(SafePath, HugePicturesAreRefused) {
   EXPECT_TRUE(has(refusal(text), "more than 16384 pixels"));
 }
 
+/// Each is allowed; all of them would take gigabytes.
+TEST_F(SafePath, PicturesAreLimitedTogether) {
+  const auto textures = [](int count, const std::string& what) {
+    std::string text = "<mujoco><asset>";
+    for (int k = 0; k < count; ++k) text += fmt::format("\n<texture name=\"t{}\" {}/>", k, what);
+    return text + "</asset></mujoco>";
+  };
+  const std::string flat = "type=\"2d\" builtin=\"flat\" width=\"8192\" height=\"8192\"";
+  EXPECT_EQ(refusal(textures(2, flat)), "accepted");
+  EXPECT_TRUE(has(refusal(textures(3, flat)),
+                  "robot.xml:4: texture 't2': the textures and height fields of the robot together "
+                  "take more than 512 MB unpacked; make them smaller"))
+      << refusal(textures(3, flat));
+  const std::string sky = "type=\"skybox\" builtin=\"gradient\" width=\"4096\" height=\"4096\"";
+  EXPECT_EQ(refusal(textures(1, sky)), "accepted");  // six faces
+  EXPECT_TRUE(has(refusal(textures(2, sky)), "texture 't1': the textures"));
+  const std::string grey =
+      "type=\"2d\" builtin=\"flat\" nchannel=\"1\" width=\"8192\" height=\"8192\"";
+  EXPECT_EQ(refusal(textures(8, grey)), "accepted");
+  EXPECT_NE(refusal(textures(9, grey)), "accepted");
+  // Pictures that are packed, and height fields.
+  std::string png = test::one_pixel_png();
+  png[18] = png[22] = '\x30';  // 12288 pixels a side and some
+  put(home_ / "t.png", png);
+  EXPECT_EQ(refusal(textures(1, "type=\"2d\" file=\"t.png\"")), "accepted");
+  EXPECT_TRUE(has(refusal(textures(2, "type=\"2d\" file=\"t.png\"")), "'t1': the textures"));
+  const std::string field = "<hfield name=\"h\" nrow=\"10000\" ncol=\"10000\" size=\"1 1 1 1\"/>";
+  EXPECT_EQ(refusal("<mujoco><asset>" + field + "</asset></mujoco>"), "accepted");
+  EXPECT_TRUE(has(refusal("<mujoco><asset>" + field + field + "</asset></mujoco>"), "hfield 'h'"));
+}
+
 /// The folder of a run has files of these names.
 TEST_F(SafePath, NamesOfRunsAreNotForParts) {
   const std::string robot = test::read_file(test::puppy_file());

@@ -46,7 +46,7 @@ TEST(Stretched, FramesMoveAndTheirPartsWithThem) {
   EXPECT_NEAR(model->cam_pos[2], 2 * (-0.1 - 0.04), 1e-12);
 }
 
-TEST(Stretched, DrawnMeshesScaleWhereAllThatShowThemAgree) {
+TEST(Stretched, MeshesScaleInTheirAssets) {
   const std::string mesh =
       "<geom type=\"mesh\" mesh=\"shoe\" mass=\"0\" contype=\"0\" conaffinity=\"0\" pos=\"0 0 "
       "-0.1\"/>";
@@ -63,14 +63,19 @@ TEST(Stretched, DrawnMeshesScaleWhereAllThatShowThemAgree) {
   EXPECT_EQ(scale(stretched(calf(mesh + mesh), 0.4)), "1 1 2");
   const std::string turned = test::with(mesh, "pos=", "euler=\"0 1.5707963267948966 0\" pos=");
   EXPECT_EQ(scale(stretched(calf(turned), 0.4)), "2 1 1");
-  EXPECT_EQ(scale(stretched(calf(mesh + turned), 0.4)), "");  // they disagree
-  EXPECT_EQ(scale(stretched(calf(test::with(mesh, "pos=", "euler=\"0 0.3 0\" pos=")), 0.4)), "");
-  EXPECT_EQ(
-      scale(stretched(
-          test::with(calf(mesh), "<body name=\"thigh\">", mesh + "<body name=\"thigh\">"), 0.4)),
-      "");  // the trunk shows it too
+  // They disagree: another asset for the second.
+  const std::string two = stretched(calf(mesh + turned), 0.4);
+  EXPECT_TRUE(holds(two, "<mesh name=\"shoe_2\" vertex=")) << two;
+  EXPECT_EQ(scale(two), "1 1 2");
+  EXPECT_TRUE(holds(two, "scale=\"2 1 1\"/>"));
+  // The trunk shows it too, and keeps the element.
+  const std::string both = stretched(
+      test::with(calf(mesh), "<body name=\"thigh\">", mesh + "<body name=\"thigh\">"), 0.4);
+  EXPECT_TRUE(holds(both, "-0.01 0 0.06  0.01 0 0.06\"/>\n    <mesh name=\"shoe_2\"")) << both;
+  EXPECT_EQ(scale(both), "1 1 2");
+  // What collides grows as boxes do.
   EXPECT_EQ(scale(stretched(calf("<geom type=\"mesh\" mesh=\"shoe\" pos=\"0 0 -0.1\"/>"), 0.4)),
-            "");
+            "1 1 2");
 }
 
 TEST(Stretched, RodsPlacedByPosGrowWhereTheyMakeUpTheLink) {

@@ -99,7 +99,7 @@ void add_diff(CLI::App& program, Action& action) {
   verb->footer(
       "Both files are compiled by MuJoCo and compared element by element, by name: bodies, joints, "
       "geoms, sites, tendons,\n"
-      "actuators and keyframes; not materials, assets and options.\n"
+      "actuators, keyframes and declared design parameters; not materials, assets and options.\n"
       "Exit code: 0 nothing differs, 1 something does, 2 a file is no model.");
   verb->callback([&action, options] { action = [options] { return diff(*options); }; });
 }

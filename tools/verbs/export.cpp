@@ -5,6 +5,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <memory>
+#include <set>
 #include <stdexcept>
 
 #include "mjcf/input_error.hpp"
@@ -63,6 +64,30 @@ std::string command_of(const Json& run) {
   return out;
 }
 
+/// A file that run.json knows by another SHA-256; one that it does not know passes.
+void check_sum(const Json& run, const std::string& name, const std::string& bytes,
+               const fs::path& file) {
+  const std::string wanted = text_in(run, {"sha256", name.c_str()});
+  if (!wanted.empty() && wanted != sha256_hex(bytes))
+    throw InputError(file.string(), 0, "",
+                     "is not what the run started from (its SHA-256 in run.json is another); run "
+                     "`legwright optimize` again");
+}
+
+void check_assets(const Json& run, const RobotFiles& files) {
+  for (const AssetFile& asset : files.assets())
+    check_sum(run, asset.path.generic_string(), read_regular_file(asset.source, asset.bytes),
+              asset.source);
+}
+
+/// All files of the robot that the run started from.
+void check_sums(const Json& run, const RobotFiles& files) {
+  check_sum(run, "robot.xml", files.main_text(), files.file());
+  for (const IncludedFile& part : files.includes())
+    check_sum(run, part.path.generic_string(), part.text, files.folder() / part.path);
+  check_assets(run, files);
+}
+
 /// The robot of a run, before and after.
 struct ExportedRun {
   Json run;
@@ -78,13 +103,10 @@ ExportedRun read_run(const fs::path& root) {
     throw IoError(result.string() +
                   ": no such file; the run has no result yet, finish `legwright " + "optimize`");
   out.before = read_robot(input);
-  const std::string wanted = text_in(out.run, {"sha256", "robot.xml"});
-  if (!wanted.empty() && wanted != sha256_hex(out.before.files.main_text()))
-    throw InputError(input.string(), 0, "",
-                     "is not the robot that the run started from (its SHA-256 in run.json is "
-                     "another); run `legwright optimize` again");
+  check_sums(out.run, out.before.files);
   // What was a leg is one: a design may be read otherwise where it is borderline.
   const RobotFiles files = RobotFiles::read(result);
+  check_assets(out.run, files);
   out.after = files.at_their_lines([&] { return parse_robot(files, &out.before.structure); });
   const Eigen::VectorXd s = out.after.space.initial();
   const std::string difference =
@@ -136,6 +158,15 @@ std::string describe(const Stand& stand) {
     out += fmt::format("; its trunk went from {:.3f} to {:.3f} m", stand.trunk_before,
                        stand.trunk_after);
   return out + ".";
+}
+
+/// A name for the main file that none of the robot's other files has.
+std::string free_name(std::string name, const RobotFiles& files) {
+  std::set<std::string> taken;  // at the top of the folder, files and folders
+  for (const IncludedFile& part : files.includes()) taken.insert(part.path.begin()->string());
+  for (const AssetFile& asset : files.assets()) taken.insert(asset.path.begin()->string());
+  while (taken.count(name + ".xml") > 0) name += "_robot";
+  return name;
 }
 
 /// The robot's files as they are, the main one under `name`. @return all but that
@@ -213,6 +244,7 @@ int export_run(const ExportOptions& options) {
   std::string name = plain_name(from.after.morphology.name);
   if (name.empty()) name = "robot";
   if (name == "scene") name = "scene_robot";
+  name = free_name(std::move(name), from.after.files);
   UnfinishedFolder folder(target);
   const fs::path robot = folder.path() / (name + ".xml"), scene = folder.path() / "scene.xml";
   const std::vector<std::string> others =

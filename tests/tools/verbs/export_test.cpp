@@ -161,6 +161,43 @@ TEST_F(Export, ARobotOfSeveralFilesKeepsThem) {
   EXPECT_EQ(scene->nmesh, 1);
 }
 
+/// A part that is called like the model keeps its name; parts that are no longer what the run read are
+/// refused.
+TEST_F(Export, PartsKeepTheirNamesAndTheirSums) {
+  write_file(root() / "mine" / "dot.obj",
+             "v 0 0 0\nv 0.01 0 0\nv 0 0.01 0\nv 0 0 0.01\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+  write_file(root() / "mine" / "puppy.xml",
+             "<mujoco><asset><mesh name=\"dot\" file=\"dot.obj\"/></asset></mujoco>\n");
+  const std::string xml = read_file(root() / "mine" / "robot.xml");
+  write_file(root() / "mine" / "robot.xml",
+             replaced(replaced(xml, "<asset>", "<include file=\"puppy.xml\"/><asset>"),
+                      "<body name=\"eyes\" pos=\"0.095 0 0\">",
+                      "<body name=\"eyes\" pos=\"0.095 0 0\"><geom type=\"mesh\" mesh=\"dot\"/>"));
+  const Outcome made = call({"optimize", "mine/task.toml", "-o", "run", "--force",
+                             "--max-iterations", "0", "--no-pictures", "--no-certificate"});
+  ASSERT_TRUE(made.code == 0 || made.code == 1) << made.err;
+  const Outcome done = call({"export", "run", "-o", "there", "--no-picture", "--json"});
+  ASSERT_EQ(done.code, 0) << done.err;
+  EXPECT_EQ(Json::parse(done.out)["robot"], "puppy_robot.xml");
+  EXPECT_EQ(read_file(root() / "there" / "puppy.xml"), read_file(root() / "mine" / "puppy.xml"));
+  EXPECT_TRUE(contains(read_file(root() / "there" / "scene.xml"), "puppy_robot.xml"));
+
+  for (const fs::path& part :
+       {fs::path("inputs/puppy.xml"), fs::path("inputs/dot.obj"), fs::path("result/dot.obj")}) {
+    const fs::path file = root() / "run" / part;
+    const std::string good = read_file(file);
+    fs::remove(file);  // the run's folders share assets as hard links
+    write_file(file, good + (part.extension() == ".obj" ? "# more\n" : "<!-- more -->\n"));
+    const Outcome refused = call({"export", "run", "-o", "other", "--no-picture"});
+    EXPECT_EQ(refused.code, 2) << part;
+    EXPECT_TRUE(
+        contains(refused.err, part.filename().string() + ": is not what the run started from"))
+        << refused.err;
+    write_file(file, good);
+  }
+  EXPECT_EQ(call({"export", "run", "-o", "other", "--no-picture"}).code, 0);  // control
+}
+
 TEST_F(Export, ALinkIsNoLicence) {
   fs::remove(root() / "mine" / "LICENSE");
   fs::create_symlink("/etc/hostname", root() / "mine" / "LICENSE");
