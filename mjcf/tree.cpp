@@ -4,7 +4,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <map>
 
+#include "mjcf/capsules.hpp"
+#include "mjcf/collisions.hpp"
 #include "mjcf/compile.hpp"
 #include "mjcf/elements.hpp"
 #include "mjcf/feet.hpp"
@@ -15,6 +18,9 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
+
+// Rounded edges leave out less than half of that, share of the leg.
+constexpr double kSharpEdge = 0.03;
 
 Vector3d vector_at(const mjtNum* array, int index) { return Vector3d::Map(array + 3 * index); }
 
@@ -68,6 +74,8 @@ class Builder {
           {foot.name, at.link, sum(at.origin, rotated(at.rotation, own)), foot.radius});
     }
     for (const TendonSpan& span : tendons) add_linear_actuator(span);
+    out_.leg_length = stretched_limb(out_, 0, space_.initial());
+    add_capsules(xml, elements);
     return std::move(out_);
   }
 
@@ -174,6 +182,34 @@ class Builder {
     out_.linear_actuators.push_back(std::move(out));
   }
 
+  /// What covers the geoms of trunk and limbs that can collide with each other, and its pairs.
+  void add_capsules(const XmlFile& xml, const TreeElements& elements) {
+    std::map<int, std::pair<int, int>> of_geom;  // first capsule and the one behind the last
+    const auto cover = [&](int geom, CoverDetail detail) {
+      const auto [found, is_new] = of_geom.emplace(geom, std::pair(0, 0));
+      if (!is_new) return found->second;
+      const int body = model_.geom_bodyid[geom];
+      const Placement& at = placements_[static_cast<std::size_t>(body)];
+      found->second.first = static_cast<int>(out_.capsules.size());
+      for (Capsule capsule : capsules_of(xml, elements, model_, geom, stretches_of(body),
+                                         kSharpEdge * out_.leg_length, detail)) {
+        capsule.link = at.link;
+        capsule.part = geom;
+        for (AffineVector* end : {&capsule.from, &capsule.to})
+          *end = sum(at.origin, rotated(at.rotation, *end));
+        out_.capsules.push_back(std::move(capsule));
+      }
+      found->second.second = static_cast<int>(out_.capsules.size());
+      return found->second;
+    };
+    for (const auto& [trunk_geom, limb_geom] : trunk_collisions(model_, structure_)) {
+      const auto trunk = cover(trunk_geom, CoverDetail::edges);
+      const auto limb = cover(limb_geom, CoverDetail::coarse);
+      for (int a = trunk.first; a < trunk.second; ++a)
+        for (int b = limb.first; b < limb.second; ++b) out_.capsule_pairs.emplace_back(a, b);
+    }
+  }
+
   /// A printed body has its own points. Else six equal masses on the principal axes have a body's mass, centre and
   /// inertia.
   void add_masses(int body) {
@@ -243,7 +279,6 @@ Morphology build_morphology(const XmlFile& xml, const mjModel& model, const Stru
   Morphology out =
       Builder(model, structure, space, bindings, stretches, places, printed).build(xml, tendons);
   out.name = std::string(model.names);  // the model's name comes first
-  out.leg_length = stretched_limb(out, 0, space.initial());
   return out;
 }
 

@@ -114,6 +114,8 @@ GeometryAtDesign::GeometryAtDesign(const Morphology& morphology, const Eigen::Ve
   for (std::size_t l = morphology.links.size() - 1; l > 0; --l)
     mass_below[morphology.links[l].parent] += mass_below[l];
   for (const Foot& foot : morphology.feet) feet.push_back(foot.position.at(s));
+  for (const Capsule& capsule : morphology.capsules)
+    for (const AffineVector* end : {&capsule.from, &capsule.to}) capsule_ends.push_back(end->at(s));
 }
 
 }  // namespace legwright

@@ -49,8 +49,9 @@ struct GeometryAtDesign {
   GeometryAtDesign(const Morphology& morphology, const Eigen::VectorXd& s);
 
   std::vector<LinkAtDesign> links;
-  std::vector<Eigen::Vector3d> feet;  // in their link's frame
-  std::vector<double> mass_below;     // of a link and all below it [kg]
+  std::vector<Eigen::Vector3d> feet;          // in their link's frame
+  std::vector<Eigen::Vector3d> capsule_ends;  // from, to of each capsule, in their link's frame
+  std::vector<double> mass_below;             // of a link and all below it [kg]
   double total_mass = 0.0;
   bool grows = false;
 };

@@ -232,6 +232,18 @@ void add_rigid_effects(const PoseKinematics& pose, const Columns& columns, Moves
   }
 }
 
+/// What moves the world point `out.value`, which sits at `own` in the frame of a link.
+void add_point_effects(const Morphology& morphology, const Ancestry& ancestry,
+                       const PoseKinematics& pose, int link, const AffineVector& own,
+                       const Columns& columns, PointDerivatives& out) {
+  add_rigid_effects(
+      pose, columns, [&](const Mover& m) { return ancestry.contains(m.link, link); }, out);
+  if (!pose.with_design()) return;
+  for (const AffineVector::Slope& slope : own.slopes)
+    out.effects.push_back({columns[morphology.pose_size() + slope.parameter], link, false, true,
+                           Vector3d::Zero(), pose.rotation(link) * slope.slope});
+}
+
 }  // namespace
 
 Vector3d foot_place(const Morphology& morphology, const GeometryAtDesign& geometry,
@@ -245,12 +257,22 @@ void foot_from_pose(const Morphology& morphology, const GeometryAtDesign& geomet
                     const Columns& columns, PointDerivatives& out) {
   const Foot& data = morphology.feet[foot];
   out.clear(foot_place(morphology, geometry, pose, foot));
-  add_rigid_effects(
-      pose, columns, [&](const Mover& m) { return ancestry.contains(m.link, data.link); }, out);
-  if (!pose.with_design()) return;
-  for (const AffineVector::Slope& slope : data.position.slopes)
-    out.effects.push_back({columns[morphology.pose_size() + slope.parameter], data.link, false,
-                           true, Vector3d::Zero(), pose.rotation(data.link) * slope.slope});
+  add_point_effects(morphology, ancestry, pose, data.link, data.position, columns, out);
+}
+
+Vector3d capsule_end_place(const Morphology& morphology, const GeometryAtDesign& geometry,
+                           const PoseKinematics& pose, int end) {
+  const int link = morphology.capsules[end / 2].link;
+  return pose.origin(link) + pose.rotation(link) * geometry.capsule_ends[end];
+}
+
+void capsule_end_from_pose(const Morphology& morphology, const GeometryAtDesign& geometry,
+                           const Ancestry& ancestry, const PoseKinematics& pose, int end,
+                           const Columns& columns, PointDerivatives& out) {
+  const Capsule& data = morphology.capsules[end / 2];
+  out.clear(capsule_end_place(morphology, geometry, pose, end));
+  add_point_effects(morphology, ancestry, pose, data.link, end % 2 == 0 ? data.from : data.to,
+                    columns, out);
 }
 
 void anchor_from_pose(const Ancestry& ancestry, const PoseKinematics& pose, int link,

@@ -157,6 +157,14 @@ void foot_from_pose(const Morphology& morphology, const GeometryAtDesign& geomet
                     const Ancestry& ancestry, const PoseKinematics& pose, int foot,
                     const Columns& columns, PointDerivatives& out);
 
+/// An end of a capsule [m, world]: 2 k is `from` of capsule k, 2 k + 1 is `to`.
+Eigen::Vector3d capsule_end_place(const Morphology& morphology, const GeometryAtDesign& geometry,
+                                  const PoseKinematics& pose, int end);
+/// The same with what moves it.
+void capsule_end_from_pose(const Morphology& morphology, const GeometryAtDesign& geometry,
+                           const Ancestry& ancestry, const PoseKinematics& pose, int end,
+                           const Columns& columns, PointDerivatives& out);
+
 /// Where a link's hinge is anchored [m, world]; its own joint does not move it.
 void anchor_from_pose(const Ancestry& ancestry, const PoseKinematics& pose, int link,
                       const Columns& columns, PointDerivatives& out);

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace legwright {
@@ -96,12 +97,23 @@ struct Foot {
   double radius = 0.0;    // [m]
 };
 
+/// A capsule that collides: all points within `radius` of a segment that is fixed to a link. Shapes that are no capsules
+/// are covered by several, which share a `part`.
+struct Capsule {
+  int link = 0;
+  int part = 0;
+  AffineVector from, to;  // ends of the segment, in the link frame; one point for a ball
+  double radius = 0.0;    // [m]
+};
+
 /// The fixed kinematic tree of a robot whose measures depend on s. Joint a of a pose moves link a + 1.
 struct Morphology {
   std::string name;
   std::vector<Link> links;  // parents before children
   std::vector<Foot> feet;
   std::vector<LinearActuator> linear_actuators;
+  std::vector<Capsule> capsules;
+  std::vector<std::pair<int, int>> capsule_pairs;  // a trunk's and a limb's that may not touch
   double leg_length = 0.0;  // unit of length: first limb stretched, at the initial design [m]
 
   int joint_count() const { return static_cast<int>(links.size()) - 1; }

@@ -25,7 +25,9 @@ Layout::Layout(const Morphology& morphology, int design_size, const Gait& gait, 
   torques_ = anchors_ + 3 * joint_count() * (knot_count_ + 1);
   shapes_ = torques_ + joint_count() * knot_count_;
   amounts_ = shapes_ + 3 * static_cast<int>(morphology.linear_actuators.size());
-  extended_size_ = amounts_ + 2;
+  capsules_ = amounts_ + 2;
+  capsule_count_ = static_cast<int>(morphology.capsules.size());
+  extended_size_ = capsules_ + 6 * capsule_count_ * knot_count_;
 }
 
 Eigen::VectorXd Layout::motion_units(double length, double force) const {

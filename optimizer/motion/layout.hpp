@@ -60,6 +60,11 @@ class Layout {
   /// Volume of its printed parts [leg length³], one slot; depends on s alone.
   int printed_volume() const { return amounts_ + 1; }
 
+  /// End 0 or 1 of a capsule in the world, three slots; knots 0 … T − 1.
+  int capsule_end(int knot, int capsule, int end) const {
+    return capsules_ + 6 * (capsule_count_ * knot + capsule) + 3 * end;
+  }
+
   /// Physical unit of each entry of m (leg length, weight, radian): Newton damps in these.
   Eigen::VectorXd motion_units(double length, double force) const;
 
@@ -70,7 +75,8 @@ class Layout {
   };
   std::vector<KnotSlots> knots_;
   int design_size_ = 0, motion_size_ = 0, extended_size_ = 0, derived_ = 0, pair_derived_ = 0;
-  int anchors_ = 0, torques_ = 0, shapes_ = 0, amounts_ = 0;
+  int anchors_ = 0, torques_ = 0, shapes_ = 0, amounts_ = 0, capsules_ = 0;
+  int capsule_count_ = 0;
   int knot_count_ = 0, foot_count_ = 0, pose_size_ = 0, planted_margin_ = 1;
 };
 

@@ -57,6 +57,12 @@ Dependence dependence(const Morphology& morphology, const Ancestry& ancestry, Ki
       out.add_chain(morphology, morphology.links[part].parent);
       out.add_vector(morphology.links[part].origin);
       break;
+    case Kind::capsule_end: {
+      const Capsule& capsule = morphology.capsules[part / 2];
+      out.add_chain(morphology, capsule.link);
+      out.add_vector(part % 2 == 0 ? capsule.from : capsule.to);
+      break;
+    }
     case Kind::joint_torque:
       out.add_chain(morphology, part);
       out.add_subtree(morphology, ancestry, part);
@@ -171,6 +177,9 @@ DerivedQuantities::DerivedQuantities(const Morphology& morphology, const Layout&
       builder.add(Kind::joint_torque, layout.joint_torque(i, a), i, a + 1,
                   {i > 0 ? i - 1 : T - 1, i, i + 1});
   }
+  for (int i = 0; i < T; ++i)
+    for (int end = 0; end < 2 * static_cast<int>(morphology.capsules.size()); ++end)
+      builder.add(Kind::capsule_end, layout.capsule_end(i, end / 2, end % 2), i, end, {i});
   builder.add(Kind::momentum, layout.wrapping_momentum(), T, -1, {T - 1, 0});
   for (int k = 0; k < static_cast<int>(morphology.linear_actuators.size()); ++k)
     builder.add(Kind::actuator, layout.actuator_shape(k), 0, k, {});
@@ -257,6 +266,9 @@ void DerivedQuantities::place_block(const Morphology& morphology, const DerivedB
       break;
     case Kind::anchor:
       value = pose.origin(block.part);
+      break;
+    case Kind::capsule_end:
+      value = capsule_end_place(morphology, geometry, pose, block.part);
       break;
     case Kind::momentum:
       value = workspace.moments[block.knot].swept(0);
@@ -345,6 +357,9 @@ const Eigen::MatrixXd& DerivedQuantities::jacobian(const Morphology& morphology,
     com_from_pose(geometry, ancestry_, pose, block.columns[0], point);
   else if (block.kind == Kind::foot)
     foot_from_pose(morphology, geometry, ancestry_, pose, block.part, block.columns[0], point);
+  else if (block.kind == Kind::capsule_end)
+    capsule_end_from_pose(morphology, geometry, ancestry_, pose, block.part, block.columns[0],
+                          point);
   else
     anchor_from_pose(ancestry_, pose, block.part, block.columns[0], point);
   point.add_jacobian(jacobian);

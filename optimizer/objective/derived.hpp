@@ -22,6 +22,7 @@ struct DerivedBlock {
     com,
     foot,
     anchor,
+    capsule_end,
     momentum,
     foot_turn,
     joint_torque,
@@ -30,9 +31,9 @@ struct DerivedBlock {
     printed_volume
   };
   Kind kind;
-  int slot, size;          // first and number of its slots of the extended vector
-  int knot;                // knot T of a momentum: the wrapping pair
-  int part;                // foot, link of an anchor or of a joint's torque, linear actuator
+  int slot, size;  // first and number of its slots of the extended vector
+  int knot;        // knot T of a momentum: the wrapping pair
+  int part;  // foot, end of a capsule, link of an anchor or of a joint's torque, linear actuator
   std::vector<int> slots;  // column → slot of p; motion columns first
   int motion_columns;
   /// Coordinate of [q; s] → column, for each pose that matters: one; two for pairs; before, at, after for torques.

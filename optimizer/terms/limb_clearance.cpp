@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 #include <stdexcept>
 
 #include "optimizer/design/kinematics.hpp"
@@ -20,19 +22,33 @@ constexpr double kRounding =
     0.25;  // distance below which its root is rounded, share of the clearance
 constexpr double kTouching = 1e-6;  // [m]
 
-/// A limb segment: from a link's hinge to a hinge that it carries or to its foot.
+// Of limbs and the trunk, whose thickness is known: δ is that plus a margin for servos that lag behind, share of the leg.
+constexpr double kTrunkMargin = 0.015, kTrunkRange = 0.05;
+constexpr double kLeastRange = 0.1;  // of both, for a leg that is at home beside its trunk
+constexpr double kReach = 1.5;       // how much longer a limb may get
+
+/// A limb segment, from a link's hinge to a hinge that it carries or to its foot, or the axis of a capsule.
 struct Segment {
   int link;                    // owner
   int child;                   // link at its far end, or −1
   int foot;                    // foot at its far end, or −1
   Vector3d near_end, far_end;  // in the home pose of the initial design
+  int capsule = -1;
+};
+
+struct Pair {
+  int a, b;                 // segments
+  double clearance, range;  // δ, and beyond it where the barrier begins [m]
 };
 
 /// Eq (16), with its inequality the right way round: limbs stay apart, V_iᵏ to V_iˡ at least the clearance δ, measured
 /// between centre lines. Residual (distance − δ)/range, range a tenth of the leg, kept by a barrier that is zero from
 /// one on: pairs farther apart than δ + range are passed over after a bound on their midpoints.
-/// Pairs: those the task names, or all but neighbours: segments that share a point, and segments of one limb that are
-/// within δ + range of each other in the home pose (across a short link), which no motion can part.
+/// Pairs of limbs: those the task names, or all but neighbours: segments that share a point, and segments of one limb
+/// that are within δ + range of each other in the home pose (across a short link), which no motion can part.
+/// Limbs and the trunk: all pairs of capsules that the robot's file lets collide, whatever the task names. Here δ is
+/// the sum of their radii and a margin. A leg nearer to its trunk in the home pose of the initial design has a margin
+/// and range as much smaller, so that the home pose costs nothing; shapes that touch there already are left out.
 class LimbClearance final : public Term {
  public:
   explicit LimbClearance(const TermContext& context)
@@ -41,10 +57,12 @@ class LimbClearance final : public Term {
         range_(kRange * context.length) {
     collect_segments(context.morphology, context.space.initial());
     choose_pairs(context);
+    collect_capsules(context.morphology, context.space.initial());
+    choose_trunk_pairs(context);
     for (int i = 0; i < layout_.knot_count(); ++i)
-      for (const auto& [a, b] : pairs_) {
+      for (const Pair& pair : pairs_) {
         Element element{i, -1, 1, {}};
-        for (int segment : {a, b})
+        for (int segment : {pair.a, pair.b})
           for (int end : {near_slot(i, segment), far_slot(i, segment)})
             for (int k = 0; k < 3; ++k) element.slots.push_back(end + k);
         elements_.push_back(std::move(element));
@@ -56,19 +74,21 @@ class LimbClearance final : public Term {
   std::string_view name() const override { return "limb_clearance"; }
   Penalty penalty() const override { return Penalty::near_only; }
 
-  void residual(int, const VectorXd& z, VectorXd& r) const override {
-    r[0] = (measure(z, false).value - clearance_) / range_;
+  void residual(int element, const VectorXd& z, VectorXd& r) const override {
+    const Pair& pair = pair_of(element);
+    r[0] = (measure(pair, z, false).value - pair.clearance) / pair.range;
   }
-  void jacobian(int, const VectorXd& z, Eigen::MatrixXd& jacobian) const override {
-    jacobian = measure(z, true).gradient.transpose() / range_;
+  void jacobian(int element, const VectorXd& z, Eigen::MatrixXd& jacobian) const override {
+    const Pair& pair = pair_of(element);
+    jacobian = measure(pair, z, true).gradient.transpose() / pair.range;
   }
-  void add_curvature(int, const VectorXd& z, const VectorXd& multiplier,
+  void add_curvature(int element, const VectorXd& z, const VectorXd& multiplier,
                      Eigen::MatrixXd& hessian) const override {
-    hessian += multiplier[0] / range_ * measure(z, true).hessian;
+    const Pair& pair = pair_of(element);
+    hessian += multiplier[0] / pair.range * measure(pair, z, true).hessian;
   }
   bool select_active(const VectorXd& extended, std::vector<int>& active) const override {
     const int count = static_cast<int>(segments_.size());
-    const double limit = clearance_ + range_;
     std::vector<Rod> rods(segments_.size());
     for (int i = 0; i < layout_.knot_count(); ++i) {
       for (int k = 0; k < count; ++k) {
@@ -78,30 +98,32 @@ class LimbClearance final : public Term {
       }
       const int first = i * static_cast<int>(pairs_.size());
       for (std::size_t k = 0; k < pairs_.size(); ++k)
-        if (!far_apart(rods[pairs_[k].first], rods[pairs_[k].second], limit))
+        if (!far_apart(rods[pairs_[k].a], rods[pairs_[k].b], pairs_[k].clearance + pairs_[k].range))
           active.push_back(first + static_cast<int>(k));
     }
     return true;
   }
-  ResidualUnit unit(int, int) const override { return {range_, "m"}; }
+  ResidualUnit unit(int element, int) const override { return {pair_of(element).range, "m"}; }
   std::string subject(int element, int) const override {
-    const auto [a, b] = pairs_[static_cast<std::size_t>(element) % pairs_.size()];
-    return names_[a] + " - " + names_[b];
+    const Pair& pair = pair_of(element);
+    return names_[pair.a] + " - " + names_[pair.b];
   }
-  VectorXd sample(int, std::mt19937& random) const override {
+  VectorXd sample(int element, std::mt19937& random) const override {
     // Crossing segments, an end over a segment, end to end: by turns at random, near the clearance.
     std::uniform_real_distribution<double> uniform;
     std::normal_distribution<double> normal;
     const double place[3] = {0.5, 1.6, 1.6}, across[3] = {0.5, 0.5, 1.7};
     const int which = static_cast<int>(3.0 * uniform(random));
     const double length = range_ / kRange * 0.4;
+    const Pair& pair = pair_of(element);
     VectorXd z(12);
     z.segment<3>(0) = Vector3d::Zero();
     z.segment<3>(3) = length * Vector3d::UnitX();
     const Vector3d direction = length * Vector3d(0.3, 1.0, 0.2);
-    const Vector3d on = length * place[which] * Vector3d::UnitX() +
-                        (clearance_ + range_ * (0.5 * uniform(random) - 0.05)) * Vector3d::UnitZ() -
-                        (place[which] > 1.0 ? 0.6 * length : 0.0) * Vector3d::UnitX();
+    const Vector3d on =
+        length * place[which] * Vector3d::UnitX() +
+        (pair.clearance + pair.range * (0.5 * uniform(random) - 0.05)) * Vector3d::UnitZ() -
+        (place[which] > 1.0 ? 0.6 * length : 0.0) * Vector3d::UnitX();
     z.segment<3>(6) = on - across[which] * direction;
     z.segment<3>(9) = z.segment<3>(6) + direction;
     for (double& value : z) value += 0.003 * length * normal(random);
@@ -126,24 +148,35 @@ class LimbClearance final : public Term {
     return (w + along * b.half).squaredNorm() >= reach * reach;
   }
 
-  SegmentDistance measure(const VectorXd& z, bool with_derivatives) const {
+  const Pair& pair_of(int element) const {
+    return pairs_[static_cast<std::size_t>(element) % pairs_.size()];
+  }
+  static SegmentDistance measure(const Pair& pair, const VectorXd& z, bool with_derivatives) {
     return segment_distance(z.segment<3>(0), z.segment<3>(3), z.segment<3>(6), z.segment<3>(9),
-                            kRounding * clearance_, with_derivatives);
+                            kRounding * pair.clearance, with_derivatives);
   }
   int near_slot(int knot, int segment) const {
-    return layout_.link_anchor(knot, segments_[segment].link);
+    const Segment& s = segments_[segment];
+    return s.capsule >= 0 ? layout_.capsule_end(knot, s.capsule, 0)
+                          : layout_.link_anchor(knot, s.link);
   }
   int far_slot(int knot, int segment) const {
     const Segment& s = segments_[segment];
+    if (s.capsule >= 0) return layout_.capsule_end(knot, s.capsule, 1);
     return s.child >= 0 ? layout_.link_anchor(knot, s.child) : layout_.foot_from_pose(knot, s.foot);
   }
 
-  void collect_segments(const Morphology& morphology, const VectorXd& initial) {
-    const GeometryAtDesign geometry(morphology, initial);
+  static PoseKinematics home_pose(const Morphology& morphology, const GeometryAtDesign& geometry) {
     PoseKinematics home;
     VectorXd q = VectorXd::Zero(morphology.pose_size());
     q.tail(morphology.joint_count()) = morphology.nominal_joints();
     home.compute(morphology, geometry, q, PoseDetail::place);
+    return home;
+  }
+
+  void collect_segments(const Morphology& morphology, const VectorXd& initial) {
+    const GeometryAtDesign geometry(morphology, initial);
+    const PoseKinematics home = home_pose(morphology, geometry);
     const auto add = [&](int link, int child, int foot, const Vector3d& end) {
       if (link > 0 && (end - home.origin(link)).norm() > kTouching)
         segments_.push_back({link, child, foot, home.origin(link), end});
@@ -173,7 +206,7 @@ class LimbClearance final : public Term {
       for (int a = 0; a < count; ++a)
         for (int b = a + 1; b < count; ++b)
           if (!neighbours(context.morphology, segments_[a], segments_[b]))
-            pairs_.emplace_back(a, b);
+            pairs_.push_back({a, b, clearance_, range_});
       return;
     }
     const auto named = [&](const std::string& name) {
@@ -186,18 +219,87 @@ class LimbClearance final : public Term {
         throw std::invalid_argument("limb_pairs: no limb segment belongs to " + name);
       return found;
     };
+    std::set<std::pair<int, int>> wanted;
     for (const auto& [first, second] : *context.task.limb_pairs)
       for (int a : named(first))
         for (int b : named(second))
-          if (a != b) pairs_.emplace_back(std::min(a, b), std::max(a, b));
-    std::sort(pairs_.begin(), pairs_.end());
-    pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
+          if (a != b) wanted.emplace(std::min(a, b), std::max(a, b));
+    for (const auto& [a, b] : wanted) pairs_.push_back({a, b, clearance_, range_});
+  }
+
+  void collect_capsules(const Morphology& morphology, const VectorXd& initial) {
+    first_capsule_ = static_cast<int>(segments_.size());
+    const GeometryAtDesign geometry(morphology, initial);
+    const PoseKinematics home = home_pose(morphology, geometry);
+    for (int k = 0; k < static_cast<int>(morphology.capsules.size()); ++k)
+      segments_.push_back({morphology.capsules[k].link, -1, -1,
+                           capsule_end_place(morphology, geometry, home, 2 * k),
+                           capsule_end_place(morphology, geometry, home, 2 * k + 1), k});
+  }
+
+  /// How far a limb's capsule can get from where the limb hangs on the trunk, and that place, at the initial design.
+  static std::pair<double, Vector3d> reach(const Morphology& morphology, const Capsule& capsule,
+                                           const VectorXd& s) {
+    const std::vector<int> chain = morphology.chain_to(capsule.link);
+    double sum = std::max(capsule.from.at(s).norm(), capsule.to.at(s).norm());
+    for (std::size_t k = 1; k < chain.size(); ++k)
+      sum += morphology.links[chain[k]].origin.at(s).norm();
+    return {sum, morphology.links[chain.front()].origin.at(s)};
+  }
+
+  void choose_trunk_pairs(const TermContext& context) {
+    const Morphology& robot = context.morphology;
+    const double margin = kTrunkMargin * context.length, range = kTrunkRange * context.length;
+    const auto radii = [&](const auto& pair) {
+      return robot.capsules[pair.first].radius + robot.capsules[pair.second].radius;
+    };
+    std::set<std::pair<int, int>> touching;  // parts
+    std::map<int, double> room;  // of a limb, by its first link: between it and the trunk at home
+    const auto parts = [&](const auto& pair) {
+      return std::pair(robot.capsules[pair.first].part, robot.capsules[pair.second].part);
+    };
+    const auto limb_of = [&](const auto& pair) {
+      return robot.chain_to(robot.capsules[pair.second].link).front();
+    };
+    const auto gap = [&](const auto& pair) {
+      const Segment &a = segments_[first_capsule_ + pair.first],
+                    &b = segments_[first_capsule_ + pair.second];
+      return segment_distance(a.near_end, a.far_end, b.near_end, b.far_end, kTouching, false)
+                 .value -
+             radii(pair);
+    };
+    for (const auto& pair : robot.capsule_pairs)
+      if (gap(pair) < kTouching) touching.insert(parts(pair));
+    for (const auto& pair : robot.capsule_pairs) {
+      if (touching.count(parts(pair))) continue;
+      double& least = room.emplace(limb_of(pair), margin + range).first->second;
+      least = std::min(least, gap(pair));
+    }
+    for (const auto& pair : robot.capsule_pairs) {
+      if (touching.count(parts(pair)) || out_of_reach(context, pair, radii(pair) + margin + range))
+        continue;
+      const double at_home = room.at(limb_of(pair));
+      const double own = std::max(at_home / (margin + range), kLeastRange) * range;
+      pairs_.push_back({first_capsule_ + pair.first, first_capsule_ + pair.second,
+                        std::max(radii(pair) + at_home - own, kLeastRange * own), own});
+    }
+  }
+
+  bool out_of_reach(const TermContext& context, const std::pair<int, int>& pair,
+                    double limit) const {
+    const auto [length, hip] = reach(context.morphology, context.morphology.capsules[pair.second],
+                                     context.space.initial());
+    const Segment& trunk = segments_[first_capsule_ + pair.first];
+    const double apart =
+        segment_distance(hip, hip, trunk.near_end, trunk.far_end, kTouching, false).value;
+    return apart > kReach * length + limit;
   }
 
   const Layout layout_;
   double clearance_, range_;
   std::vector<Segment> segments_;
-  std::vector<std::pair<int, int>> pairs_;
+  int first_capsule_ = 0;  // segment
+  std::vector<Pair> pairs_;
   std::vector<std::string> names_;
 };
 

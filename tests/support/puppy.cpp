@@ -135,6 +135,34 @@ void add_pistons(Puppy& puppy) {
   }
 }
 
+void add_capsules(Puppy& puppy, double low, double radius) {
+  Morphology& robot = puppy.morphology;
+  const auto index = [&](const std::string& name) {
+    int k = 0;
+    while (puppy.space.parameters[static_cast<std::size_t>(k)].name != name) ++k;
+    return k;
+  };
+  const int width = index("body_width"), length = index("body_length");
+  int part = 0;
+  for (const double side : {0.3, -0.3}) {
+    const auto end = [&](double front) {
+      return AffineVector{-low * Vector3d::UnitZ(),
+                          {{length, front * Vector3d::UnitX()}, {width, side * Vector3d::UnitY()}}};
+    };
+    robot.capsules.push_back({0, part++, end(0.5), end(-0.5), radius});
+  }
+  for (const Foot& foot : robot.feet) {
+    const int shank = foot.link, thigh = robot.links[static_cast<std::size_t>(shank)].parent;
+    robot.capsules.push_back(
+        {thigh, part++, {}, robot.links[static_cast<std::size_t>(shank)].origin, 0.008});
+    robot.capsules.push_back({shank, part++, {}, foot.position, 0.006});
+  }
+  for (int trunk = 0; trunk < 2; ++trunk)
+    for (int limb = 2; limb < part; ++limb) robot.capsule_pairs.emplace_back(trunk, limb);
+}
+
+void add_thick_capsules(Puppy& puppy) { add_capsules(puppy, -0.05, 0.08); }
+
 void print_bodies(Puppy& puppy) {
   std::vector<Link>& links = puppy.morphology.links;
   const Eigen::VectorXd initial = puppy.space.initial();

@@ -26,6 +26,12 @@ void add_pistons(Puppy& puppy);
 /// Makes the shanks, thighs and the trunk printed: their masses grow with their lengths, the trunk's with two of them.
 void print_bodies(Puppy& puppy);
 
+/// Gives the trunk two capsules along its sides, which follow its width and length, and each thigh and shank one; trunk
+/// and limbs may not touch. `low`: how far below the hips the trunk's are, and their radius [m].
+void add_capsules(Puppy& puppy, double low = 0.035, double radius = 0.02);
+/// The same, thick and above the hips: wide against the step of central differences.
+void add_thick_capsules(Puppy& puppy);
+
 /// Sideways at 0.1 m/s; walk (1 s, duty 0.75) or trot (0.4 s, duty 0.5).
 Task make_sideways_task(bool trot, int knot_count = 24, int planted_margin = 1);
 

@@ -9,7 +9,7 @@ namespace legwright::test {
 /// Everything a TermContext refers to, for tests that build terms by hand: a turning trot of the tied puppy with
 /// limits of angles and torques and pistons, so that every term has elements.
 struct TermSetting {
-  /// @param printed masses depend on the design.
+  /// @param printed masses depend on the design; limbs may not touch the trunk.
   explicit TermSetting(bool printed = false) {
     for (Link& link : puppy.morphology.links) {
       link.joint.lower = -1.2;
@@ -19,6 +19,7 @@ struct TermSetting {
     }
     add_pistons(puppy);
     if (printed) print_bodies(puppy);
+    if (printed) add_thick_capsules(puppy);
     task.velocity = {0.05, 0.1};
     task.turn_rate = 0.6;
     task.clearance = 0.06;  // wide against the step of central differences

@@ -134,6 +134,26 @@ TEST_P(ObjectiveDerivatives, MatchCentralDifferencesOfAPrintedRobot) {
   EXPECT_LT(errors.ss, 3e-6);
 }
 
+/// Limbs that nearly touch a trunk whose shape follows the design.
+TEST(ObjectiveDerivativesOfCapsules, MatchCentralDifferences) {
+  test::Puppy puppy = test::make_puppy(true);
+  test::add_thick_capsules(puppy);
+  Task task = test::make_sideways_task(true, 8);
+  for (const TermEntry& entry : term_registry())
+    task.weights[std::string(entry.name)] = entry.name == "limb_clearance" ? 1.0 : 0.0;
+  task.limb_pairs.emplace();  // of limbs none: those with the trunk alone
+  const Objective objective(puppy.morphology, puppy.space, task);
+  const Point at = random_point(objective, 7);
+  EXPECT_GT(objective.evaluate(at.s, at.m, Order::value).value, 0.0);
+  const Errors errors = check(objective, at, 3);
+  EXPECT_LT(errors.gradient_m, 1e-6);
+  EXPECT_LT(errors.gradient_s, 1e-6);
+  EXPECT_LT(errors.mm, 1e-5);
+  EXPECT_LT(errors.ms, 1e-5);
+  EXPECT_LT(errors.ss, 1e-5);
+  EXPECT_GT(check(objective, at, 3, 1.0001).gradient_s, 1e-6);  // poison is noticed
+}
+
 std::vector<std::string> all_terms() {
   std::vector<std::string> names{""};  // the whole F
   for (const TermEntry& entry : term_registry()) names.emplace_back(entry.name);

@@ -28,6 +28,7 @@ Setting grown(double by) {
   Setting out{test::make_puppy(true), test::make_sideways_task(true, 12, 2)};
   test::add_pistons(out.puppy);
   test::print_bodies(out.puppy);
+  test::add_capsules(out.puppy);
   Morphology& robot = out.puppy.morphology;
   robot.leg_length *= by;
   for (Link& link : robot.links) {
@@ -46,6 +47,11 @@ Setting grown(double by) {
   for (Foot& foot : robot.feet) {
     grow(foot.position, by);
     foot.radius *= by;
+  }
+  for (Capsule& capsule : robot.capsules) {
+    grow(capsule.from, by);
+    grow(capsule.to, by);
+    capsule.radius *= by;
   }
   for (LinearActuator& actuator : robot.linear_actuators) {
     grow(actuator.upper, by);

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <vector>
+
+#include "mjcf/affine.hpp"
+#include "mjcf/elements.hpp"
+#include "mjcf/xml.hpp"
+
+namespace legwright {
+
+/// How closely a shape is covered: each capsule of a trunk meets each of a limb at each knot, and costs.
+enum class CoverDetail {
+  coarse,  // limbs: thin, edges may be rounded
+  edges,   // the trunk: thick, and limbs pass close by its edges
+};
+
+/// The capsules that stand for a geom where it collides, as functions of the design, in the frame of its body; link and
+/// part are left open. Spheres and capsules are themselves. A box, lying cylinder or ellipsoid is a row of capsules along
+/// its longest side, as thick as it is, side by side over its width, none beyond its faces; with `edges` a box thicker
+/// than `sharp` has a thin one in each of its four long edges, too. A mesh is covered as its bounding box about its axes
+/// of inertia, which for parts of legs and trunks is not far off. Other types have none.
+/// @param sharp [m]
+std::vector<Capsule> capsules_of(const XmlFile& xml, const TreeElements& elements,
+                                 const mjModel& model, int geom,
+                                 const std::vector<Stretch>& stretches, double sharp,
+                                 CoverDetail detail);
+
+}  // namespace legwright
