@@ -97,6 +97,36 @@ FootContact contact_of(const mjModel& model, const mjData& data, int geom) {
   return out;
 }
 
+/// From the middle of a plain geom to where it touches, in its body's frame.
+struct Arms {
+  Vector3d growing = Vector3d::Zero();  // as far as it follows the stretches with the geom's size
+  Vector3d rigid = Vector3d::Zero();
+};
+
+Arms arms_of(const XmlFile& xml, const TreeElements& elements, const mjModel& model,
+             const FootContact& foot, const std::vector<Stretch>& stretches) {
+  const int g = foot.geom;
+  const Matrix3d axes = rotation_of(model.geom_quat + 4 * g);
+  const Vector3d half = half_sizes(model.geom_type[g], model.geom_size + 3 * g);
+  const bool from_to =
+      inherited_attribute(xml, *elements.geoms[static_cast<std::size_t>(g)], "fromto") != nullptr;
+  const auto grows = growing_axes(model.geom_type[g], half, axes, from_to, stretches);
+  Arms out;
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    const Vector3d arm = foot.share[k] * half[k] * axes.col(k);
+    // The ends of what is placed by fromto are points of the body, in whatever direction they lie.
+    const bool with_body = grows[static_cast<std::size_t>(k)] != nullptr || (from_to && k == 2);
+    (with_body ? out.growing : out.rigid) += arm;
+  }
+  return out;
+}
+
+bool is_across(const Vector3d& arm, const std::vector<Stretch>& stretches) {
+  return std::all_of(stretches.begin(), stretches.end(), [&](const Stretch& stretch) {
+    return std::abs(stretch.direction.dot(arm)) <= 1e-12;
+  });
+}
+
 }  // namespace
 
 bool collides(const mjModel& model, int geom) {
@@ -186,19 +216,23 @@ AffineVector foot_point(const XmlFile& xml, const TreeElements& elements, const 
     out.constant += arm;
     return out;
   }
-  const Vector3d half = half_sizes(model.geom_type[g], model.geom_size + 3 * g);
-  const bool from_to =
-      inherited_attribute(xml, *elements.geoms[static_cast<std::size_t>(g)], "fromto") != nullptr;
-  const auto grows = growing_axes(model.geom_type[g], half, axes, from_to, stretches);
-  Vector3d moving = centre, rigid = Vector3d::Zero();
-  for (Eigen::Index k = 0; k < 3; ++k) {
-    const Vector3d arm = foot.share[k] * half[k] * axes.col(k);
-    // The ends of what is placed by fromto are points of the body, in whatever direction they lie.
-    const bool with_body = grows[static_cast<std::size_t>(k)] != nullptr || (from_to && k == 2);
-    (with_body ? moving : rigid) += arm;
+  const Arms arms = arms_of(xml, elements, model, foot, stretches);
+  const Vector3d point = centre + arms.growing;
+  if (is_across(arms.rigid, stretches)) {
+    AffineVector out = stretched_point(point, stretches);
+    out.constant += arms.rigid;
+    return out;
   }
-  AffineVector out = stretched_point(moving, stretches);
-  out.constant += rigid;
+  return stretched_point(point + arms.rigid, stretches);
+}
+
+AffineVector foot_shift(const XmlFile& xml, const TreeElements& elements, const mjModel& model,
+                        const FootContact& foot, const std::vector<Stretch>& stretches) {
+  if (foot.geom < 0 || is_mesh(model, foot.geom)) return {};
+  const Vector3d arm = arms_of(xml, elements, model, foot, stretches).rigid;
+  if (is_across(arm, stretches)) return {};
+  AffineVector out = stretched_point(arm, stretches);
+  out.constant -= arm;
   return out;
 }
 

@@ -41,7 +41,7 @@ RobotModel parse_text(const std::string& xml_text, const std::filesystem::path& 
   const PlaceMap places = collect_places(declared.space, declared.bindings, file);
   robot.morphology =
       build_morphology(*xml, *model, structure, declared.space, declared.bindings, stretches,
-                       places, read_printed(*xml, *model, stretches), tendons);
+                       places, read_printed(*xml, *model, structure, stretches), tendons);
   check_home(*xml, *model, robot.morphology);
   check_arms(*xml, tendons, robot.morphology, declared.space);
   robot.servos = read_servos(*xml, *model, structure, robot.morphology, declared.space.initial());
