@@ -12,6 +12,8 @@
 #include "mjcf/checks.hpp"
 #include "mjcf/compile.hpp"
 #include "mjcf/input_error.hpp"
+#include "mjcf/mirror.hpp"
+#include "mjcf/rewrite_robot.hpp"
 #include "mjcf/stretch.hpp"
 
 namespace legwright {
@@ -83,6 +85,7 @@ class Study {
   }
 
   StudiedRobot run() {
+    add_shared();
     for (const Limb& limb : out_.limbs) add_lengths(limb);
     for (const Limb& limb : out_.limbs) add_axes(limb);
     add_trunk();
@@ -134,10 +137,24 @@ class Study {
     }
   }
 
+  /// Joints between the trunk and several legs, as a waist: neither left nor right.
+  void add_shared() {
+    std::set<int> told;
+    for (const Limb& limb : out_.limbs)
+      for (std::size_t k = 0; k < static_cast<std::size_t>(limb.shared); ++k) {
+        const Joint& joint = link(limb.links[k]).joint;
+        if (!told.insert(limb.links[k]).second) continue;
+        leave_out(joint.name + "_axis",
+                  fmt::format("joint '{}' is above several legs, so its axis has no mirror image; "
+                              "declare it by hand if it shall turn",
+                              joint.name));
+      }
+  }
+
   void add_lengths(const Limb& limb) {
     if (!speaks(limb)) return;
     const Limb& other = partner(limb);
-    for (std::size_t k = 0; k < limb.links.size(); ++k) {
+    for (auto k = static_cast<std::size_t>(limb.shared); k < limb.links.size(); ++k) {
       const std::string body = link(limb.links[k]).name, twin = link(other.links[k]).name;
       const auto length = length_of(body, "link"), twin_length = length_of(twin, "link");
       if (!length || *length < kShortestLink) continue;
@@ -175,17 +192,25 @@ class Study {
     return true;
   }
 
+  Vector3d mirrored(const Joint& from, const Joint& to, const Vector3d& turn) const {
+    const auto id = [&](const Joint& joint) {
+      return mj_name2id(compiled_.get(), mjOBJ_JOINT, joint.name.c_str());
+    };
+    return mirrored_turn(*compiled_, out_.model.structure.trunk, id(from), id(to), turn);
+  }
+
   void add_axes(const Limb& limb) {
     if (!speaks(limb)) return;
     const double most = planar(limb) ? kTurn : kTurnOfAble;
     const Limb& other = partner(limb);
     const char* const directions[] = {"x", "y", "z"};
     const char* const turns[] = {"roll", "pitch", "yaw"};
-    for (std::size_t k = 0; k < limb.links.size(); ++k) {
+    for (auto k = static_cast<std::size_t>(limb.shared); k < limb.links.size(); ++k) {
       const Joint &joint = link(limb.links[k]).joint, &twin = link(other.links[k]).joint;
       const Vector3d axis = joint.axis.at(s_), image = twin.axis.at(s_);
       // The mirror image of a line; a joint may turn either way about it.
-      const double alike = std::abs(axis.dot(Vector3d(image.x(), -image.y(), image.z())));
+      const double alike =
+          limb.partner < 0 ? 1.0 : std::abs(mirrored(joint, twin, axis).dot(image));
       std::string own = without_side(joint.name);
       if (own.empty()) own = fmt::format("joint{}", k + 1);
       const std::string where = place(limb);
@@ -194,8 +219,8 @@ class Study {
         const std::string name =
             fmt::format("{}{}{}_axis_{}", where, where.empty() ? "" : "_", own, turns[n]);
         if (limb.partner >= 0 && alike < 1.0 - 1e-9) {
-          leave_out(name, fmt::format("the axes of '{}' and '{}' are no mirror images in their "
-                                      "bodies' frames",
+          leave_out(name, fmt::format("the axes of '{}' and '{}' are no mirror images, seen from "
+                                      "the trunk in the home pose",
                                       joint.name, twin.name));
           continue;
         }
@@ -321,13 +346,39 @@ class Study {
     }
   }
 
-  /// Each was accepted alone; together some may not be, as two stretches that are oblique.
+  /// Why a design at the bounds of these could not be written; empty if it can.
+  std::string unwritable(const std::vector<Proposal>& proposals) const {
+    const std::size_t own = out_.model.space.parameters.size();
+    try {
+      const RobotModel read =
+          parse_robot(with_declarations(text_, xml_->file, proposals), xml_->file);
+      for (const bool upper : {false, true}) {
+        Eigen::VectorXd s = read.space.initial();
+        for (std::size_t k = own; k < read.space.parameters.size(); ++k)
+          s[static_cast<Eigen::Index>(k)] =
+              upper ? read.space.parameters[k].upper : read.space.parameters[k].lower;
+        rewrite_robot(read, s);
+      }
+      return "";
+    } catch (const std::logic_error& error) {
+      return fmt::format(
+          "the file is built so that a design at its bounds would not be the planned one ({})",
+          error.what());
+    } catch (const InputError& error) {
+      return fmt::format("a design at its bounds is refused ({})", error.what());
+    }
+  }
+
+  /// Each was accepted alone; together some may not be, as two stretches that are oblique. And what
+  /// is proposed can be written at both bounds.
   void keep_what_holds() {
     std::vector<Proposal> kept;
-    if (refusal(out_.proposals).empty()) return;
+    if (refusal(out_.proposals).empty() && unwritable(out_.proposals).empty()) return;
     for (Proposal& proposal : out_.proposals) {
       kept.push_back(proposal);
-      if (const std::string fault = refusal(kept); !fault.empty()) {
+      std::string fault = refusal(kept);
+      if (fault.empty()) fault = unwritable(kept);
+      if (!fault.empty()) {
         kept.pop_back();
         leave_out(proposal.name, fault);
       }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "mjcf/input_error.hpp"
 #include "mjcf/legs.hpp"
@@ -40,17 +41,30 @@ std::string limit_text(const Servo& servo) {
          by;
 }
 
-/// One line per joint of a limb, from the trunk down.
+/// One line for a joint of a limb, by its place in the chain from the trunk down.
+std::string joint_text(const StudiedRobot& found, const Limb& limb, std::size_t place) {
+  const auto link = static_cast<std::size_t>(limb.links[place]);
+  const Joint& joint = found.model.morphology.links[link].joint;
+  return fmt::format("      {:24} {:8} {:22} {}\n", joint.name, axis_name(limb.axes[place]),
+                     range_text(joint), limit_text(found.model.servos[link - 1]));
+}
+
+/// Joints between the trunk and several limbs, each once.
+std::string shared_text(const StudiedRobot& found) {
+  std::set<int> told;
+  std::string text;
+  for (const Limb& limb : found.limbs)
+    for (std::size_t k = 0; k < static_cast<std::size_t>(limb.shared); ++k)
+      if (told.insert(limb.links[k]).second) text += joint_text(found, limb, k);
+  return text.empty() ? "" : "  above several limbs\n" + text;
+}
+
+/// One line per joint that moves this limb alone, from the trunk down.
 std::string limb_text(const StudiedRobot& found, const Limb& limb) {
   const Morphology& morphology = found.model.morphology;
-  const Eigen::VectorXd s = found.model.space.initial();
   std::string text;
-  for (const int k : limb.links) {
-    const Joint& joint = morphology.links[static_cast<std::size_t>(k)].joint;
-    text += fmt::format("      {:24} {:8} {:22} {}\n", joint.name, axis_name(joint.axis.at(s)),
-                        range_text(joint),
-                        limit_text(found.model.servos[static_cast<std::size_t>(k) - 1]));
-  }
+  for (auto k = static_cast<std::size_t>(limb.shared); k < limb.links.size(); ++k)
+    text += joint_text(found, limb, k);
   const Foot& foot = morphology.feet[static_cast<std::size_t>(limb.foot)];
   const std::string shape =
       foot.radius > 0.0 ? fmt::format("ball of {:.3g} m", foot.radius) : "point of a foot";
@@ -62,7 +76,8 @@ std::string tree_text(const StudiedRobot& found) {
   const Morphology& morphology = found.model.morphology;
   std::string text = fmt::format("{}: {:.4g} kg, {} limbs, {} joints\n  trunk '{}'\n",
                                  morphology.name, morphology.total_mass(), morphology.foot_count(),
-                                 morphology.joint_count(), found.model.root_body);
+                                 morphology.joint_count(), found.model.root_body) +
+                     shared_text(found);
   const int rows = found.limbs.empty() ? 0 : found.limbs.back().row + 1;
   for (std::size_t k = 0; k < found.limbs.size(); ++k) {
     const Limb& limb = found.limbs[k];
