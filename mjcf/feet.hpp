@@ -18,8 +18,8 @@ double lowest_point(const mjModel& model, const mjData& data, int geom);
 bool collides(const mjModel& model, int geom);
 
 /// The foot among the parts of a leg's last link, in the pose that `data` holds: the colliding geom
-/// that reaches lowest (a ball before others that are about as low), else the lowest site. Without
-/// name. Returns false where there is neither.
+/// that reaches lowest (a ball before others that are about as low; balls of one size that reach as
+/// low together), else the lowest site. Without name. Returns false where there is neither.
 /// @param bodies those that make up the link.
 bool choose_foot(const XmlFile& xml, const mjModel& model, const mjData& data,
                  const std::vector<int>& bodies, FootContact& foot);

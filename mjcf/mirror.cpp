@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "mjcf/legs.hpp"
 #include "mjcf/tree.hpp"
 
 namespace legwright {
@@ -14,7 +15,8 @@ using Eigen::Isometry3d;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kAgree = 0.1;   // [rad]: frames that are mirror images but for the hand that drew them
+constexpr double kAgree =
+    0.1;  // [rad]: frames that are mirror images but for the hand that drew them
 constexpr double kRound = 1e-6;  // a quarter turn but for the digits of the file
 
 Vector3d vector_at(const mjtNum* array, int index) { return Vector3d::Map(array + 3 * index); }
@@ -67,9 +69,18 @@ Matrix3d without_rounding(const Matrix3d& turn) {
 
 Vector3d mirrored_turn(const mjModel& model, int trunk, int from, int to, const Vector3d& n) {
   const Matrix3d turn = disagreement(model, trunk, from, to, Pose::home);
-  if (agrees(turn) || agrees(disagreement(model, trunk, from, to, Pose::drawn)))
-    return mirrored(n);
+  if (agrees(turn) || agrees(disagreement(model, trunk, from, to, Pose::drawn))) return mirrored(n);
   return without_rounding(turn) * mirrored(n);
+}
+
+bool at_mirrored_angles(const mjModel& model, int trunk, int from, int to) {
+  const auto angle = [&](int joint) {
+    const int at = model.jnt_qposadr[joint];
+    return home_qpos(model)[at] - model.qpos0[at];
+  };
+  const Vector3d turn = mirrored_turn(model, trunk, from, to, vector_at(model.jnt_axis, from));
+  const double way = turn.dot(vector_at(model.jnt_axis, to)) < 0.0 ? -1.0 : 1.0;
+  return std::abs(std::remainder(way * angle(to) - angle(from), 2 * EIGEN_PI)) <= kAgree;
 }
 
 int mirror_image(const mjModel& model, int trunk, int joint, const std::vector<int>& among) {

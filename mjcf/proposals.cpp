@@ -14,6 +14,7 @@
 #include "mjcf/input_error.hpp"
 #include "mjcf/mirror.hpp"
 #include "mjcf/rewrite_robot.hpp"
+#include "mjcf/standing.hpp"
 #include "mjcf/stretch.hpp"
 
 namespace legwright {
@@ -85,6 +86,7 @@ class Study {
   }
 
   StudiedRobot run() {
+    out_.not_standing = why_not_standing(*xml_, *compiled_, out_.model.structure);
     add_shared();
     for (const Limb& limb : out_.limbs) add_lengths(limb);
     for (const Limb& limb : out_.limbs) add_axes(limb);
@@ -192,11 +194,24 @@ class Study {
     return true;
   }
 
-  Vector3d mirrored(const Joint& from, const Joint& to, const Vector3d& turn) const {
-    const auto id = [&](const Joint& joint) {
-      return mj_name2id(compiled_.get(), mjOBJ_JOINT, joint.name.c_str());
-    };
-    return mirrored_turn(*compiled_, out_.model.structure.trunk, id(from), id(to), turn);
+  /// Why the axes of two joints cannot be tied as mirror images; empty where they can.
+  std::string unmirrored(const Joint& joint, const Joint& twin) const {
+    const int trunk = out_.model.structure.trunk,
+              from = mj_name2id(compiled_.get(), mjOBJ_JOINT, joint.name.c_str()),
+              to = mj_name2id(compiled_.get(), mjOBJ_JOINT, twin.name.c_str());
+    // The mirror image of a line; a joint may turn either way about it.
+    const Vector3d image = mirrored_turn(*compiled_, trunk, from, to, joint.axis.at(s_));
+    if (std::abs(image.dot(twin.axis.at(s_))) < 1.0 - 1e-9)
+      return fmt::format(
+          "the axes of '{}' and '{}' are no mirror images, seen from the trunk in "
+          "the home pose",
+          joint.name, twin.name);
+    if (!at_mirrored_angles(*compiled_, trunk, from, to))
+      return fmt::format(
+          "joints '{}' and '{}' stand at angles that are no mirror images in the "
+          "home pose, so what they carry would be none with turned axes",
+          joint.name, twin.name);
+    return "";
   }
 
   void add_axes(const Limb& limb) {
@@ -207,10 +222,8 @@ class Study {
     const char* const turns[] = {"roll", "pitch", "yaw"};
     for (auto k = static_cast<std::size_t>(limb.shared); k < limb.links.size(); ++k) {
       const Joint &joint = link(limb.links[k]).joint, &twin = link(other.links[k]).joint;
-      const Vector3d axis = joint.axis.at(s_), image = twin.axis.at(s_);
-      // The mirror image of a line; a joint may turn either way about it.
-      const double alike =
-          limb.partner < 0 ? 1.0 : std::abs(mirrored(joint, twin, axis).dot(image));
+      const Vector3d axis = joint.axis.at(s_);
+      const std::string untied = limb.partner < 0 ? "" : unmirrored(joint, twin);
       std::string own = without_side(joint.name);
       if (own.empty()) own = fmt::format("joint{}", k + 1);
       const std::string where = place(limb);
@@ -218,10 +231,8 @@ class Study {
         if (std::abs(axis[n]) > kAcross) continue;
         const std::string name =
             fmt::format("{}{}{}_axis_{}", where, where.empty() ? "" : "_", own, turns[n]);
-        if (limb.partner >= 0 && alike < 1.0 - 1e-9) {
-          leave_out(name, fmt::format("the axes of '{}' and '{}' are no mirror images, seen from "
-                                      "the trunk in the home pose",
-                                      joint.name, twin.name));
+        if (!untied.empty()) {
+          leave_out(name, untied);
           continue;
         }
         offer({name, 0.0, -most, most, "rad",

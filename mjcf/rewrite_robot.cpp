@@ -111,9 +111,8 @@ class BodyRewriter {
   /// grow with the body. A foot that keeps its thickness moves as its sole does.
   void shape(const XmlElement& part, const Matrix3d& map, const Matrix3d& frame) {
     const auto foot = feet_.find(&part);
-    const Vector3d farther = foot == feet_.end()
-                                 ? Vector3d::Zero().eval()
-                                 : (frame.transpose() * foot->second.at(s_)).eval();
+    const Vector3d farther = foot == feet_.end() ? Vector3d::Zero().eval()
+                                                 : (frame.transpose() * foot->second.at(s_)).eval();
     if (inherited_attribute(xml_, part, "fromto")) return move(part, "fromto", map, farther);
     if (inherited_attribute(xml_, part, "pos"))
       move(part, "pos", map, farther);

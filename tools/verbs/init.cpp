@@ -66,8 +66,11 @@ std::string limb_text(const StudiedRobot& found, const Limb& limb) {
   for (auto k = static_cast<std::size_t>(limb.shared); k < limb.links.size(); ++k)
     text += joint_text(found, limb, k);
   const Foot& foot = morphology.feet[static_cast<std::size_t>(limb.foot)];
-  const std::string shape =
+  std::string shape =
       foot.radius > 0.0 ? fmt::format("ball of {:.3g} m", foot.radius) : "point of a foot";
+  if (const auto& others = found.model.structure.feet[static_cast<std::size_t>(limb.foot)].others;
+      !others.empty())
+    shape = fmt::format("{}, middle of {} alike,", shape, 1 + others.size());
   return text + fmt::format("      {:24} {} at {:.3f} {:.3f} {:.3f} m\n", foot.name, shape,
                             limb.home.x(), limb.home.y(), limb.home.z());
 }
@@ -90,7 +93,8 @@ std::string tree_text(const StudiedRobot& found) {
     if (limb.partner >= 0)
       text += limb_text(found, found.limbs[static_cast<std::size_t>(limb.partner)]);
   }
-  return text + held_text(found.model.structure);
+  text += held_text(found.model.structure);
+  return found.not_standing.empty() ? text : text + "  " + found.not_standing + "\n";
 }
 
 std::string proposals_text(const StudiedRobot& found) {
@@ -148,6 +152,7 @@ Json to_json(const StudiedRobot& found, const std::string& written, const std::s
           {"trunk", found.model.root_body},
           {"limbs", limbs},
           {"held", held},
+          {"not_standing", found.not_standing.empty() ? Json(nullptr) : Json(found.not_standing)},
           {"declared", declared},
           {"proposals", proposals},
           {"left_out", found.left_out},
@@ -163,11 +168,22 @@ std::string task_text(const InitOptions& options, const StudiedRobot& found,
     throw IoError(options.task + ": exists already; name a new file, or remove it");
   if (fs::weakly_canonical(fs::absolute(options.task)) == fs::weakly_canonical(fs::absolute(robot)))
     throw IoError(options.task + ": the robot is written there; name another file for the task");
+  if (!found.not_standing.empty())
+    throw InputError(options.robot, 0, "",
+                     "no task is written, in which the robot would fall at once, nor anything "
+                     "else: " +
+                         found.not_standing);
   const std::optional<std::string> gait =
       options.gait.empty() ? std::nullopt : std::optional(options.gait);
   const fs::path folder = fs::absolute(options.task).lexically_normal().parent_path();
   const fs::path named = fs::absolute(robot).lexically_normal().lexically_proximate(folder);
-  return starter_text(starter_task(found.model, gait), named.generic_string());
+  const StarterTask task = starter_task(found.model, gait);
+  if (!(task.period > 0.0) || !std::isfinite(task.period))
+    throw InputError(options.robot, 0, "",
+                     "no task is written: in the home pose the feet are not below the centre of "
+                     "mass, so a gait has no period; give the file a keyframe named home in which "
+                     "the feet carry the trunk");
+  return starter_text(task, named.generic_string());
 }
 
 std::string next_step(const InitOptions& options, const StudiedRobot& found,
