@@ -8,6 +8,7 @@
 
 #include "mjcf/growth.hpp"
 #include "mjcf/mesh_assets.hpp"
+#include "mjcf/model_arrays.hpp"
 
 namespace legwright {
 namespace {
@@ -23,10 +24,6 @@ constexpr double kNearEnd = 0.25;  // of the far end's distance: so near to the 
 constexpr double kAsLow = 1e-4;    // [m]: balls that touch together
 constexpr double kSoleShare = 0.02;  // of a mesh's height: what is no higher belongs to the sole
 constexpr double kBallFirst = 0.5;   // of its radius: a ball may be so much higher than other geoms
-
-Matrix3d rotation_of(const mjtNum* q) {
-  return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix();
-}
 
 /// Vertices of a geom's mesh in its frame.
 Eigen::Map<const Eigen::Matrix<float, 3, Eigen::Dynamic>> vertices_of(const mjModel& model,
@@ -58,8 +55,8 @@ Vector3d sole_of_mesh(const mjModel& model, const mjData& data, int geom) {
   Vector3d middle = (least + most) / 2;
   middle.z() = low;
   const int mesh = model.geom_dataid[geom];
-  return Vector3d::Map(model.mesh_pos + 3 * mesh) +
-         rotation_of(model.mesh_quat + 4 * mesh) * (world.transpose() * middle);
+  return vector_at(model.mesh_pos, mesh) +
+         rotation_at(model.mesh_quat, mesh) * (world.transpose() * middle);
 }
 
 /// −1, 0 or 1: to which side along an axis a shape touches the ground.
@@ -124,7 +121,7 @@ struct Arms {
 Arms arms_of(const XmlFile& xml, const TreeElements& elements, const mjModel& model,
              const FootContact& foot, const std::vector<Stretch>& stretches) {
   const int g = foot.geom;
-  const Matrix3d axes = rotation_of(model.geom_quat + 4 * g);
+  const Matrix3d axes = rotation_at(model.geom_quat, g);
   const Vector3d half = half_sizes(model.geom_type[g], model.geom_size + 3 * g);
   const bool from_to =
       inherited_attribute(xml, *elements.geoms[static_cast<std::size_t>(g)], "fromto") != nullptr;
@@ -226,20 +223,19 @@ int foot_body(const mjModel& model, const FootContact& foot) {
 
 AffineVector foot_point(const XmlFile& xml, const TreeElements& elements, const mjModel& model,
                         const FootContact& foot, const std::vector<Stretch>& stretches) {
-  if (foot.geom < 0)
-    return stretched_point(Vector3d::Map(model.site_pos + 3 * foot.site), stretches);
+  if (foot.geom < 0) return stretched_point(vector_at(model.site_pos, foot.site), stretches);
   const int g = foot.geom;
-  Vector3d centre = Vector3d::Map(model.geom_pos + 3 * g);
+  Vector3d centre = vector_at(model.geom_pos, g);
   if (!foot.others.empty()) {
-    for (const int other : foot.others) centre += Vector3d::Map(model.geom_pos + 3 * other);
+    for (const int other : foot.others) centre += vector_at(model.geom_pos, other);
     return stretched_point(centre / static_cast<double>(1 + foot.others.size()), stretches);
   }
-  Matrix3d axes = rotation_of(model.geom_quat + 4 * g);
+  Matrix3d axes = rotation_at(model.geom_quat, g);
   if (is_mesh(model, g)) {
     // From MuJoCo's frame of the geom, at the mesh's centre, to the one that the file places.
     const int mesh = model.geom_dataid[g];
-    axes = (axes * rotation_of(model.mesh_quat + 4 * mesh).transpose()).eval();
-    centre -= axes * Vector3d::Map(model.mesh_pos + 3 * mesh);
+    axes = (axes * rotation_at(model.mesh_quat, mesh).transpose()).eval();
+    centre -= axes * vector_at(model.mesh_pos, mesh);
     const XmlElement& element = *elements.geoms[static_cast<std::size_t>(g)];
     const Vector3d arm = axes * (mesh_of(xml, element).shown() * foot.share);
     if (mesh_grows(xml, element)) return stretched_point(centre + arm, stretches);

@@ -25,6 +25,15 @@ MeshAsset read_mesh(const XmlFile& xml, const XmlElement& element) {
   return out;
 }
 
+template <typename Visit>
+void for_each_mesh(const XmlFile& xml, const Visit& visit) {
+  for (const XmlElement* section = xml.root().FirstChildElement("asset"); section;
+       section = section->NextSiblingElement("asset"))
+    for (const XmlElement* mesh = section->FirstChildElement("mesh"); mesh;
+         mesh = mesh->NextSiblingElement("mesh"))
+      visit(*mesh);
+}
+
 /// The body that holds a part, through the frames around it.
 const XmlElement* body_of(const XmlElement& part) {
   const XmlElement* above = part.Parent()->ToElement();
@@ -36,20 +45,19 @@ const XmlElement* body_of(const XmlElement& part) {
 
 std::map<std::string, MeshAsset> find_meshes(const XmlFile& xml) {
   std::map<std::string, MeshAsset> out;
-  for (const XmlElement* section = xml.root().FirstChildElement("asset"); section;
-       section = section->NextSiblingElement("asset"))
-    for (const XmlElement* mesh = section->FirstChildElement("mesh"); mesh;
-         mesh = mesh->NextSiblingElement("mesh"))
-      out.emplace(name_of_mesh(*mesh), read_mesh(xml, *mesh));
+  for_each_mesh(
+      xml, [&](const XmlElement& mesh) { out.emplace(name_of_mesh(mesh), read_mesh(xml, mesh)); });
   return out;
 }
 
 MeshAsset mesh_of(const XmlFile& xml, const XmlElement& geom) {
   const char* const name = inherited_attribute(xml, geom, "mesh");
   if (!name) return {};
-  const auto meshes = find_meshes(xml);
-  const auto found = meshes.find(name);
-  return found == meshes.end() ? MeshAsset{} : found->second;
+  const XmlElement* found = nullptr;
+  for_each_mesh(xml, [&](const XmlElement& mesh) {
+    if (!found && name_of_mesh(mesh) == name) found = &mesh;
+  });
+  return found ? read_mesh(xml, *found) : MeshAsset{};
 }
 
 bool is_weightless(const XmlFile& xml, const XmlElement& geom) {

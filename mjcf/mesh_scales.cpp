@@ -13,6 +13,7 @@
 #include "mjcf/compile.hpp"
 #include "mjcf/feet.hpp"
 #include "mjcf/mesh_assets.hpp"
+#include "mjcf/model_arrays.hpp"
 #include "mjcf/numbers.hpp"
 
 namespace legwright {
@@ -42,11 +43,6 @@ struct Group {
   Wish wish;  // of the first; geom_turn is of each its own
   std::vector<std::pair<const XmlElement*, Wish>> geoms;
 };
-
-Matrix3d rotation_of(const mjModel& model, int geom) {
-  const mjtNum* const q = model.geom_quat + 4 * geom;
-  return Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix();
-}
 
 bool is_same(const Wish& a, const Wish& b) {
   return a.is_new == b.is_new && a.scale.isApprox(b.scale, kSame) &&
@@ -238,16 +234,16 @@ double extent_along(const mjModel& model, int geom, const Vector3d& direction) {
   const Eigen::Map<const Eigen::Matrix<float, 3, Eigen::Dynamic>> corners(
       model.mesh_vert + 3 * model.mesh_vertadr[mesh], 3, model.mesh_vertnum[mesh]);
   const Eigen::RowVectorXd along =
-      (rotation_of(model, geom).transpose() * direction).transpose() * corners.cast<double>();
+      (rotation_at(model.geom_quat, geom).transpose() * direction).transpose() *
+      corners.cast<double>();
   return along.size() > 0 ? along.maxCoeff() - along.minCoeff() : 0.0;
 }
 
 bool is_same_place(const mjModel& model, int a, int b) {
   return model.geom_bodyid[a] == model.geom_bodyid[b] &&
          model.geom_dataid[a] == model.geom_dataid[b] &&
-         (Vector3d::Map(model.geom_pos + 3 * a) - Vector3d::Map(model.geom_pos + 3 * b))
-             .isZero(1e-9) &&
-         rotation_of(model, a).isApprox(rotation_of(model, b), 1e-9);
+         (vector_at(model.geom_pos, a) - vector_at(model.geom_pos, b)).isZero(1e-9) &&
+         rotation_at(model.geom_quat, a).isApprox(rotation_at(model.geom_quat, b), 1e-9);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "mjcf/elements.hpp"
 #include "mjcf/feet.hpp"
 #include "mjcf/legs.hpp"
+#include "mjcf/model_arrays.hpp"
 #include "mjcf/numbers.hpp"
 
 namespace legwright {
@@ -18,8 +19,6 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-Vector3d vector_at(const mjtNum* array, int index) { return Vector3d::Map(array + 3 * index); }
 
 /// Direct child bodies that carry a moving joint somewhere: for a trunk the roots of its limbs.
 std::vector<int> limb_children(const mjModel& model, const Structure& structure, int body) {
@@ -143,8 +142,7 @@ BodyInertia inertia_of(const XmlElement& inertial, const mjModel& model, int bod
     const std::vector<double>& f = *full;
     out.inertia << f[0], f[3], f[4], f[3], f[1], f[5], f[4], f[5], f[2];
   } else {
-    const mjtNum* q = model.body_iquat + 4 * body;
-    const Matrix3d axes = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
+    const Matrix3d axes = rotation_at(model.body_iquat, body);
     out.inertia = axes * vector_at(model.body_inertia, body).asDiagonal() * axes.transpose();
   }
   return out;
@@ -177,8 +175,7 @@ void check_stretchable(const XmlFile& xml, const mjModel& model, const XmlElemen
   if (!inertial) return;  // printed: read_printed checks its geoms
   const auto mass = parse_numbers(attribute(*inertial, "mass"));
   const BodyInertia written = inertia_of(*inertial, model, id);
-  const mjtNum* q = model.body_iquat + 4 * id;
-  const Matrix3d axes = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
+  const Matrix3d axes = rotation_at(model.body_iquat, id);
   const Matrix3d used = axes * vector_at(model.body_inertia, id).asDiagonal() * axes.transpose();
   const auto pos = parse_numbers(attribute(*inertial, "pos"));
   const bool same = mass && mass->size() == 1 &&

@@ -213,6 +213,7 @@ const std::map<std::string, Refusal>& refusals() {
       {"parameter_name_too_long", {31, {"at most 80", "rename it"}}},
       {"text_after_the_root", {35, {"XML", "markup that readers understand differently"}}},
       {"texture_too_large", {5, {"texture 'sky'", "larger than 16384", "make it smaller"}}},
+      {"textures_together", {8, {"texture 'sand'", "more than 512 MB", "make them smaller"}}},
       {"two_free_joints", {6, {"more than 6 dofs in body 'trunk'", "mend the file"}}},
       {"unknown_attribute", {14, {"unrecognized attribute: 'colour'", "mend the file"}}},
       {"unknown_class", {14, {"unknown default class name 'soft'", "mend the file"}}},

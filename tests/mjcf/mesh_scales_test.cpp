@@ -237,6 +237,31 @@ TEST(MeshFeet, AShankThatIsOneMeshWithItsFootGrowsWithItsLength) {
       1e-9);
 }
 
+/// A foot that keeps its shape, in a frame which the stretch moves by itself. That the foot is where
+/// it shall be is what rewrite_robot() looks at.
+TEST(MeshFeet, AFootInAFrameMovesAsItsSoleDoes) {
+  const RobotModel robot = parse_robot(
+      test::declared(test::hopper_with(
+          "<frame pos=\"0.01 0 -0.05\" euler=\"0 0.1 0\"><frame pos=\"0 0 -0.1\" euler=\"0 0 0.5\">"
+          "<geom name=\"tip\" type=\"mesh\" mesh=\"shoe\" pos=\"0 0.01 -0.05\"/></frame></frame>")),
+      "robot.xml");
+  VectorXd s = robot.space.initial();
+  s[index_of(robot.space, "shank")] *= 1.2;
+  const std::string text = rewrite_robot(robot, s);
+  const ModelPointer before = compile_mjcf(robot.xml, "a"), after = compile_mjcf(text, "b");
+  const int tip = robot.structure.feet[0].geom;
+  for (int k = 0; k < 6; ++k)
+    EXPECT_EQ(after->geom_aabb[6 * tip + k], before->geom_aabb[6 * tip + k]);
+  EXPECT_FALSE(holds(text, "scale="));
+  const Vector3d moved = robot.morphology.feet[0].position.at(s) -
+                         robot.morphology.feet[0].position.at(robot.space.initial());
+  EXPECT_GT(moved.norm(), 0.04);
+  EXPECT_LT(
+      (Vector3d::Map(after->geom_pos + 3 * tip) - Vector3d::Map(before->geom_pos + 3 * tip) - moved)
+          .norm(),
+      1e-9);
+}
+
 /// Scales that differ along the axes of an oblique mesh, and an orientation that a class tells.
 TEST(MeshTurns, AnyScaleAndAnyOrientationCanBeStretchedObliquely) {
   for (const char* const scale : {"1 1 1", "1 2 0.5", "1 -2 0.5", "-1 1 1", "-1 -1 -1"})

@@ -124,7 +124,15 @@ TEST(RewriteRobot, AddsWhatWasInheritedAndFillsTheInertia) {
       << text.substr(0, 900);
 }
 
-/// Longest number of a text that a design changed, without sign and exponent [characters].
+/// Digits of a number from the first that is not zero.
+std::size_t digits_of(std::string_view number) {
+  std::string digits;
+  for (const char c : number.substr(0, number.find('e')))
+    if (c >= '0' && c <= '9' && (c != '0' || !digits.empty())) digits += c;
+  return digits.size();
+}
+
+/// Most digits of a number that a design changed.
 std::size_t longest_new_number(const std::string& before, const std::string& after) {
   const TagScan old = scan_tags(before), now = scan_tags(after);
   std::size_t longest = 0;
@@ -137,10 +145,8 @@ std::size_t longest_new_number(const std::string& before, const std::string& aft
                  (other.name == span.name &&
                   before.substr(other.value_begin, other.value_end - other.value_begin) == value);
       if (is_old) continue;
-      for (const std::string_view word : split_words(value)) {
-        const std::string_view digits = word.substr(0, word.find('e'));
-        longest = std::max(longest, digits.size() - (digits[0] == '-' ? 1 : 0));
-      }
+      for (const std::string_view word : split_words(value))
+        longest = std::max(longest, digits_of(word));
     }
   return longest;
 }
@@ -153,8 +159,7 @@ TEST(RewriteRobot, WritesTwelveDigitsAndTheDesignThatTheyMean) {
     const VectorXd s = test::random_design(robot.space, random);
     const std::string text = rewrite_robot(robot, s);
     const std::size_t longest = longest_new_number(robot.xml, text);
-    EXPECT_LE(longest, 16u) << name;  // 0.000 and twelve digits
-    EXPECT_GE(longest, 13u);          // twin: there are numbers that were rounded
+    EXPECT_EQ(longest, 12u) << name;  // there are numbers that were rounded
     const RobotModel written = parse_robot(text, "robot.xml", &robot.structure);
     const VectorXd told = written.space.initial();
     EXPECT_TRUE(told.isApprox(s, 1e-11));
@@ -167,13 +172,18 @@ TEST(RewriteRobot, WritesTwelveDigitsAndTheDesignThatTheyMean) {
   }
 }
 
-/// A bound of more digits: rounded, the design would lie outside.
-TEST(RewriteRobot, ABoundOfManyDigitsIsReachedAndNotPassed) {
-  const std::string xml = test::with(test::read_file(test::puppy_file()), "0.06 0.036 0.096",
-                                     "0.06 0.036 0.0933333333333333");
-  const RobotModel robot = parse_robot(xml, "robot.xml");
-  const std::string text = rewrite_robot(robot, robot.space.upper());
-  EXPECT_TRUE(parse_robot(text, "robot.xml").space.initial() == robot.space.upper());
+/// A bound of more digits: rounded up, the design would lie outside.
+TEST(RewriteRobot, ABoundOfManyDigitsIsNotPassed) {
+  for (const double bound : {0.0933333333333333, 0.0966666666666667}) {
+    const std::string xml = test::with(test::read_file(test::puppy_file()), "0.06 0.036 0.096",
+                                       "0.06 0.036 " + format_number(bound));
+    const RobotModel robot = parse_robot(xml, "robot.xml");
+    const std::string text = rewrite_robot(robot, robot.space.upper());
+    const double value = parse_robot(text, "robot.xml").space.initial()[0];
+    EXPECT_EQ(value, std::min(rounded(bound), bound));
+    EXPECT_NEAR(value, bound, 1e-12);
+  }
+  EXPECT_GT(rounded(0.0966666666666667), 0.0966666666666667);  // else this shows nothing
 }
 
 /// A design that differs by nothing but rounding is the initial one.
@@ -191,7 +201,7 @@ TEST(RewriteRobot, APlateStaysABody) {
   std::string xml = test::read_file(test::puppy_file());
   const std::string thigh = "<joint name=\"FL_hip\" axis=\"0 1 0\"/>";
   const std::size_t at = xml.find("diaginertia=\"", xml.find(thigh)) + 13;
-  xml.replace(at, xml.find('"', at + 1) + 1 - at, "\"2.1e-5 2.4e-5 3e-6\"");
+  xml.replace(at, xml.find('"', at + 1) + 1 - at, "2.1e-5 2.4e-5 3e-6\"");
   const RobotModel robot = parse_robot(xml, "robot.xml");
   std::mt19937 random(2);
   for (int trial = 0; trial < 50; ++trial)
