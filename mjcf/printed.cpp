@@ -117,7 +117,7 @@ class Printer {
   /// it does not; `arms` along the geom's axes, those that `grows` names with their stretch.
   void add_part(const Solid& solid, double volume, const Vector3d& base, const Vector3d& offset,
                 const Vector3d& arms, const std::array<bool, 3>& grows) {
-    // A part with a mass of its own keeps it, whatever its size becomes.
+    // A part with a mass of its own keeps it, whatever its size becomes: a servo, bought and not printed.
     std::vector<PointMass::Growth> growth;
     for (int k = 0; k < 3 && !solid.mass_given; ++k) {
       if (!grows[k]) continue;
@@ -132,7 +132,8 @@ class Printer {
         const Vector3d arm = sign * arms[k] * solid.axes.col(k);
         const AffineVector out =
             grows[k] ? stretched_point(arm, stretches_) : AffineVector{arm, {}};
-        masses_.push_back({solid.density * volume / 6, sum(centre, out), growth, volume / 6});
+        masses_.push_back({solid.density * volume / 6, sum(centre, out), growth,
+                           solid.mass_given ? 0.0 : volume / 6});
       }
   }
 

@@ -17,8 +17,6 @@ namespace legwright {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kFullTorqueError = 0.0375;  // [rad]: angle error at which a servo gives all it has
-constexpr double kDampingTime = 0.01;        // [s]: kd over kp of an actuator that has no gains
 
 /// The part of a range that serves both directions; infinite if nothing limits.
 double symmetric(bool limited, const mjtNum* range) {

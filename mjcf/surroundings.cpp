@@ -79,10 +79,16 @@ std::string in_surroundings(const RobotModel& robot, const std::string& robot_xm
   return printer.CStr();
 }
 
-RobotModel with_weaker_servos(RobotModel robot, const Task& task) {
-  for (Servo& servo : robot.servos)
-    if (task.torque_limit && servo.tendon.empty())
-      servo.torque_limit = std::min(servo.torque_limit, *task.torque_limit);
+RobotModel with_task_servos(RobotModel robot, const Task& task) {
+  for (Servo& servo : robot.servos) {
+    if (!servo.tendon.empty()) continue;
+    if (task.torque_limit) servo.torque_limit = std::min(servo.torque_limit, *task.torque_limit);
+    if (!task.servo_kp) continue;
+    const double kp = std::min(*task.servo_kp, servo.torque_limit / kFullTorqueError);
+    if (servo.kp >= kp) continue;
+    servo.kp = kp;
+    servo.kd = std::max(servo.kd, task.servo_kd.value_or(kDampingTime * kp));
+  }
   return robot;
 }
 

@@ -17,8 +17,8 @@ namespace legwright {
 std::string in_surroundings(const RobotModel& robot, const std::string& robot_xml,
                             const Task& task);
 
-/// The same robot with servos no stronger than the task allows; those of linear actuators stay.
-RobotModel with_weaker_servos(RobotModel robot, const Task& task);
+/// The same robot with servos no stronger, and played no softer, than the task says; those of linear actuators stay.
+RobotModel with_task_servos(RobotModel robot, const Task& task);
 
 /// Against gravity in a model, unit vector; exactly z where gravity is along z.
 Eigen::Vector3d up_of(const mjModel& model);

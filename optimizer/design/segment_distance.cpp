@@ -12,10 +12,11 @@ constexpr double kClamp = 0.05;      // half width of a rounded clamp edge, shar
 constexpr double kParallel = 0.03;   // sin² below which 1/sin² is continued
 constexpr double kNoLength = 1e-20;  // squared length of a point [m²]
 
-/// A number with its first and second derivatives in the six products of the segments' vectors.
+/// A number with its first derivatives in the six products of the segments' vectors, and its second ones if kSecond.
+template <bool kSecond>
 struct Jet {
   using Gradient = Eigen::Matrix<double, 6, 1>;
-  using Hessian = Eigen::Matrix<double, 6, 6>;
+  using Hessian = Eigen::Matrix<double, kSecond ? 6 : 0, kSecond ? 6 : 0>;
 
   double v;
   Gradient g = Gradient::Zero();
@@ -28,26 +29,34 @@ struct Jet {
   Jet through(double f, double f1, double f2) const {
     Jet out(f);
     out.g = f1 * g;
-    out.h = f1 * h + f2 * g * g.transpose();
+    if constexpr (kSecond) out.h = f1 * h + f2 * g * g.transpose();
     return out;
   }
 };
 
-Jet operator+(const Jet& a, const Jet& b) {
-  Jet out(a.v + b.v);
+template <bool kSecond>
+Jet<kSecond> operator+(const Jet<kSecond>& a, const Jet<kSecond>& b) {
+  Jet<kSecond> out(a.v + b.v);
   out.g = a.g + b.g;
-  out.h = a.h + b.h;
+  if constexpr (kSecond) out.h = a.h + b.h;
   return out;
 }
-Jet operator*(const Jet& a, const Jet& b) {
-  Jet out(a.v * b.v);
+template <bool kSecond>
+Jet<kSecond> operator*(const Jet<kSecond>& a, const Jet<kSecond>& b) {
+  Jet<kSecond> out(a.v * b.v);
   out.g = a.v * b.g + b.v * a.g;
-  const Jet::Hessian mixed = a.g * b.g.transpose();
-  out.h = a.v * b.h + b.v * a.h + mixed + mixed.transpose();
+  if constexpr (kSecond) {
+    const typename Jet<kSecond>::Hessian mixed = a.g * b.g.transpose();
+    out.h = a.v * b.h + b.v * a.h + mixed + mixed.transpose();
+  }
   return out;
 }
-Jet operator-(const Jet& a, const Jet& b) { return a + Jet(-1.0) * b; }
-Jet inverse(const Jet& a) {
+template <bool kSecond>
+Jet<kSecond> operator-(const Jet<kSecond>& a, const Jet<kSecond>& b) {
+  return a + Jet<kSecond>(-1.0) * b;
+}
+template <bool kSecond>
+Jet<kSecond> inverse(const Jet<kSecond>& a) {
   const double i = 1.0 / a.v;
   return a.through(i, -i * i, 2.0 * i * i * i);
 }
@@ -55,9 +64,15 @@ Jet inverse(const Jet& a) {
 // The same in plain numbers, where no derivatives are wanted.
 double inverse(double a) { return 1.0 / a; }
 double through(double, double f, double, double) { return f; }
-Jet through(const Jet& x, double f, double f1, double f2) { return x.through(f, f1, f2); }
+template <bool kSecond>
+Jet<kSecond> through(const Jet<kSecond>& x, double f, double f1, double f2) {
+  return x.through(f, f1, f2);
+}
 double value_of(double x) { return x; }
-double value_of(const Jet& x) { return x.v; }
+template <bool kSecond>
+double value_of(const Jet<kSecond>& x) {
+  return x.v;
+}
 
 /// max(0, x), rounded between −kClamp and kClamp.
 template <class Number>
@@ -113,26 +128,53 @@ Number distance(const Number& a, const Number& b, const Number& c, const Number&
                  rounding / edge * (0.5 - 0.25 * y), -0.25 * rounding / (edge * edge));
 }
 
+using Products = Eigen::Matrix<double, 6, 1>;
+
+template <bool kSecond>
+Jet<kSecond> distance_of(const Products& p, double rounding) {
+  using J = Jet<kSecond>;
+  return distance(J(p[0], 0), J(p[1], 1), J(p[2], 2), J(p[3], 3), J(p[4], 4), J(p[5], 5), rounding);
+}
+
 }  // namespace
 
 SegmentDistance segment_distance(const Vector3d& p1, const Vector3d& q1, const Vector3d& p2,
-                                 const Vector3d& q2, double rounding, bool with_derivatives) {
+                                 const Vector3d& q2, double rounding, DistanceDetail detail) {
   const Vector3d u = q1 - p1, v = q2 - p2, w = p1 - p2;
-  const double products[6]{u.dot(u), u.dot(v), v.dot(v), u.dot(w), v.dot(w), w.dot(w)};
+  Products products;
+  products << u.dot(u), u.dot(v), v.dot(v), u.dot(w), v.dot(w), w.dot(w);
   SegmentDistance out;
-  if (!with_derivatives) {
+  if (detail == DistanceDetail::value) {
     out.value = distance(products[0], products[1], products[2], products[3], products[4],
                          products[5], rounding);
     return out;
   }
-  const Jet at = distance(Jet(products[0], 0), Jet(products[1], 1), Jet(products[2], 2),
-                          Jet(products[3], 3), Jet(products[4], 4), Jet(products[5], 5), rounding);
-  out.value = at.v;
   // Chain rule: products → (u, v, w) → ends.
   Eigen::Matrix<double, 9, 6> slopes;
   slopes << 2 * u, v, Vector3d::Zero(), w, Vector3d::Zero(), Vector3d::Zero(),  //
       Vector3d::Zero(), u, 2 * v, Vector3d::Zero(), w, Vector3d::Zero(),        //
       Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero(), u, v, 2 * w;
+  // u = q₁ − p₁, v = q₂ − p₂, w = p₁ − p₂.
+  const auto to_ends = [](const auto& of_u, const auto& of_v, const auto& of_w, auto&& put) {
+    put(0, of_w - of_u);
+    put(3, of_u);
+    put(6, -of_v - of_w);
+    put(9, of_v);
+  };
+  const auto set_gradient = [&](const Products& g) {
+    const Eigen::Matrix<double, 9, 1> along = slopes * g;
+    to_ends(along.segment<3>(0), along.segment<3>(3), along.segment<3>(6),
+            [&](int row, const auto& part) { out.gradient.segment<3>(row) = part; });
+  };
+  if (detail == DistanceDetail::gradient) {
+    const Jet<false> at = distance_of<false>(products, rounding);
+    out.value = at.v;
+    set_gradient(at.g);
+    return out;
+  }
+  const Jet<true> at = distance_of<true>(products, rounding);
+  out.value = at.v;
+  set_gradient(at.g);
   Eigen::Matrix3d second;  // ∂²products, weighted; times the identity of the coordinates
   second << 2 * at.g[0], at.g[1], at.g[3], at.g[1], 2 * at.g[2], at.g[4], at.g[3], at.g[4],
       2 * at.g[5];
@@ -140,17 +182,11 @@ SegmentDistance segment_distance(const Vector3d& p1, const Vector3d& q1, const V
   for (int k = 0; k < 3; ++k)
     for (int l = 0; l < 3; ++l)
       for (int x = 0; x < 3; ++x) hessian(3 * k + x, 3 * l + x) += second(k, l);
-  Eigen::Matrix<double, 9, 12> ends = Eigen::Matrix<double, 9, 12>::Zero();
-  for (int x = 0; x < 3; ++x) {
-    ends(x, x) = -1.0;
-    ends(x, 3 + x) = 1.0;
-    ends(3 + x, 6 + x) = -1.0;
-    ends(3 + x, 9 + x) = 1.0;
-    ends(6 + x, x) = 1.0;
-    ends(6 + x, 6 + x) = -1.0;
-  }
-  out.gradient = ends.transpose() * (slopes * at.g);
-  out.hessian = ends.transpose() * hessian * ends;
+  Eigen::Matrix<double, 12, 9> half;
+  to_ends(hessian.middleRows<3>(0), hessian.middleRows<3>(3), hessian.middleRows<3>(6),
+          [&](int row, const auto& part) { half.middleRows<3>(row) = part; });
+  to_ends(half.middleCols<3>(0), half.middleCols<3>(3), half.middleCols<3>(6),
+          [&](int column, const auto& part) { out.hessian.middleCols<3>(column) = part; });
   return out;
 }
 

@@ -5,6 +5,9 @@
 
 namespace legwright {
 
+/// How much of a distance is worked out.
+enum class DistanceDetail { value, gradient, hessian };
+
 /// Distance of eq (16) between two segments, p₁q₁ and p₂q₂, as a function of their four ends (p₁, q₁, p₂, q₂).
 struct SegmentDistance {
   double value = 0.0;                     // [m]
@@ -23,9 +26,9 @@ struct SegmentDistance {
 ///   segments, where the distance itself has a ridge, the nearest points so glide from end to end;
 /// - below `rounding` the root of the squared distance is continued by the parabola in it with the same value and two
 ///   derivatives, finite and level where the segments cross.
-/// A segment without length counts as a point. @param with_derivatives false leaves gradient and hessian alone.
+/// A segment without length counts as a point. @param detail what it does not name is left alone.
 SegmentDistance segment_distance(const Eigen::Vector3d& p1, const Eigen::Vector3d& q1,
                                  const Eigen::Vector3d& p2, const Eigen::Vector3d& q2,
-                                 double rounding, bool with_derivatives = true);
+                                 double rounding, DistanceDetail detail = DistanceDetail::hessian);
 
 }  // namespace legwright

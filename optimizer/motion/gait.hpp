@@ -29,10 +29,13 @@ struct SupportRange {
   bool operator==(const SupportRange&) const = default;
 };
 
-/// The library's patterns for a robot of `foot_count` feet; empty if there is none.
+/// The library's patterns for a robot of `foot_count` feet; empty if there is none: for one and for three feet. Five, seven and more than eight have a wave only.
 std::vector<GaitPattern> gait_library(int foot_count);
 
-/// Short names of the places in footfall order: FL, FR, HL, HR for four feet; "1", "2", … where
+/// Numbers of feet with gaits, up to eight: those that are worth being told.
+std::vector<int> gait_library_feet();
+
+/// Short names of the places in footfall order: FL, FR, HL, HR for four feet, L1, R1, L2 … for eight; "1", "2", … where
 /// there are no usual ones.
 std::vector<std::string> footfall_places(int foot_count);
 

@@ -10,6 +10,7 @@
 //     its side lifts.
 //   Wilson 1966, Annu. Rev. Entomol. 11: a hexapod's sides are half a cycle apart, on each the wave runs from hind to front,
 //     and its delay is the swing's duration.
+//   Wilson 1967, J. Exp. Biol. 47: eight legs step in two fours, each the odd legs of one side with the even ones of the other.
 // Within the ranges that they give, duties are those that suit small robots.
 #include <algorithm>
 
@@ -19,6 +20,8 @@ namespace legwright {
 namespace {
 
 constexpr double kPhaseTolerance = 1e-9;  // phases closer than this are the same
+constexpr int kMostTold = 8;
+constexpr int kFewestForAWave = 5;  // with one foot in the air four stand
 
 std::vector<GaitPattern> biped_gaits() {  // left, right
   return {
@@ -62,6 +65,28 @@ std::vector<GaitPattern> hexapod_gaits() {  // front, middle, hind; left before 
   };
 }
 
+std::vector<GaitPattern> octopod_gaits() {  // four rows from front to hind; left before right
+  const std::vector<double> ripple{0.75, 0.25, 0.5, 0.0, 0.25, 0.75, 0.0, 0.5};
+  const std::vector<double> wave{0.375, 0.875, 0.25, 0.75, 0.125, 0.625, 0.0, 0.5};
+  return {
+      {"tetrapod",
+       {0.0, 0.5, 0.5, 0.0, 0.0, 0.5, 0.5, 0.0},
+       0.5,
+       {},
+       "fours by turns (Wilson 1967)"},
+      {"ripple", ripple, 0.75, {}, "a wave on each side, two feet swing (Wilson 1967)"},
+      {"wave", wave, 0.875, {}, "one foot at a time, hind to front (Wilson 1967)"},
+  };
+}
+
+/// Feet whose places have no names: on five and more legs one may swing, and those that stand still surround the COM.
+std::vector<GaitPattern> wave_only(int foot_count) {
+  GaitPattern wave{"wave", {}, 1.0 - 1.0 / foot_count, {}, "one foot at a time, hind to front"};
+  for (int place = 0; place < foot_count; ++place)
+    wave.touchdown.push_back(static_cast<double>(foot_count - 1 - place) / foot_count);
+  return {wave};
+}
+
 }  // namespace
 
 std::vector<GaitPattern> gait_library(int foot_count) {
@@ -72,9 +97,18 @@ std::vector<GaitPattern> gait_library(int foot_count) {
       return quadruped_gaits();
     case 6:
       return hexapod_gaits();
+    case 8:
+      return octopod_gaits();
     default:
-      return {};
+      return foot_count >= kFewestForAWave ? wave_only(foot_count) : std::vector<GaitPattern>{};
   }
+}
+
+std::vector<int> gait_library_feet() {
+  std::vector<int> counts;
+  for (int feet = 1; feet <= kMostTold; ++feet)
+    if (!gait_library(feet).empty()) counts.push_back(feet);
+  return counts;
 }
 
 std::vector<std::string> footfall_places(int foot_count) {
@@ -85,6 +119,8 @@ std::vector<std::string> footfall_places(int foot_count) {
       return {"FL", "FR", "HL", "HR"};
     case 6:
       return {"FL", "FR", "ML", "MR", "HL", "HR"};
+    case 8:
+      return {"L1", "R1", "L2", "R2", "L3", "R3", "L4", "R4"};
     default:
       break;
   }

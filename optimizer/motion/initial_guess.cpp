@@ -10,6 +10,7 @@
 #include "optimizer/motion/margins.hpp"
 #include "optimizer/motion/over_cycle.hpp"
 #include "optimizer/motion/reach.hpp"
+#include "optimizer/motion/standing.hpp"
 
 namespace legwright {
 namespace {
@@ -92,27 +93,6 @@ class WalkWithoutDynamics {
   const WantedPath& path_;
   const StyleTargets& style_;
 };
-
-/// Forces of stance feet against gravity that carry the weight without tipping the robot about its COM, the
-/// smallest in the sense of least squares, none below `least`. @param com along gravity on the ground
-std::vector<double> shares_of_weight(const Vector3d& com, const std::vector<Vector3d>& stance,
-                                     double weight, double length, double least) {
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-  const auto lever = [&](const Vector3d& foot) {
-    return Vector3d(1.0, (foot.x() - com.x()) / length, (foot.y() - com.y()) / length);
-  };
-  for (const Vector3d& foot : stance) normal += lever(foot) * lever(foot).transpose();
-  normal.diagonal().array() += 1e-3;  // two feet in line with the COM, or one
-  const Vector3d multiplier = normal.inverse() * Vector3d(weight, 0.0, 0.0);
-  std::vector<double> force;
-  double sum = 0.0;
-  for (const Vector3d& foot : stance) {
-    force.push_back(std::max(least, multiplier.dot(lever(foot))));
-    sum += force.back();
-  }
-  for (double& f : force) f *= weight / sum;
-  return force;
-}
 
 void share_weight(const Morphology& morphology, const Layout& layout, const Task& task, int knot,
                   const Reach::Places& wanted, VectorXd& m) {

@@ -25,6 +25,9 @@ struct Task {
   std::optional<Payload> payload;                 // fixed to the trunk
   /// Each motor has no more than this, if it has more [N m]; linear actuators keep their force.
   std::optional<double> torque_limit;
+  /// Servos at joints that are softer are played as stiff as this [N m/rad], as far as their torque limit bears it, and
+  /// damped so [N m s/rad]; the plan knows nothing of it. Not given: servos are as the robot's file has them.
+  std::optional<double> servo_kp, servo_kd;
   double step_over = 0.0;  // height over which every swing shall step; validation measures it [m]
 
   // Style targets, eqs (10): what is not given is taken from the home pose of the initial design.

@@ -76,16 +76,16 @@ class LimbClearance final : public Term {
 
   void residual(int element, const VectorXd& z, VectorXd& r) const override {
     const Pair& pair = pair_of(element);
-    r[0] = (measure(pair, z, false).value - pair.clearance) / pair.range;
+    r[0] = (measure(pair, z, DistanceDetail::value).value - pair.clearance) / pair.range;
   }
   void jacobian(int element, const VectorXd& z, Eigen::MatrixXd& jacobian) const override {
     const Pair& pair = pair_of(element);
-    jacobian = measure(pair, z, true).gradient.transpose() / pair.range;
+    jacobian = measure(pair, z, DistanceDetail::gradient).gradient.transpose() / pair.range;
   }
   void add_curvature(int element, const VectorXd& z, const VectorXd& multiplier,
                      Eigen::MatrixXd& hessian) const override {
     const Pair& pair = pair_of(element);
-    hessian += multiplier[0] / pair.range * measure(pair, z, true).hessian;
+    hessian += multiplier[0] / pair.range * measure(pair, z, DistanceDetail::hessian).hessian;
   }
   bool select_active(const VectorXd& extended, std::vector<int>& active) const override {
     const int count = static_cast<int>(segments_.size());
@@ -151,9 +151,9 @@ class LimbClearance final : public Term {
   const Pair& pair_of(int element) const {
     return pairs_[static_cast<std::size_t>(element) % pairs_.size()];
   }
-  static SegmentDistance measure(const Pair& pair, const VectorXd& z, bool with_derivatives) {
+  static SegmentDistance measure(const Pair& pair, const VectorXd& z, DistanceDetail detail) {
     return segment_distance(z.segment<3>(0), z.segment<3>(3), z.segment<3>(6), z.segment<3>(9),
-                            kRounding * pair.clearance, with_derivatives);
+                            kRounding * pair.clearance, detail);
   }
   int near_slot(int knot, int segment) const {
     const Segment& s = segments_[segment];
@@ -195,7 +195,7 @@ class LimbClearance final : public Term {
         if ((x - y).norm() < kTouching) return true;
     if (morphology.chain_to(a.link).front() != morphology.chain_to(b.link).front()) return false;
     const double home = segment_distance(a.near_end, a.far_end, b.near_end, b.far_end,
-                                         kRounding * clearance_, false)
+                                         kRounding * clearance_, DistanceDetail::value)
                             .value;
     return home < clearance_ + range_;
   }
@@ -264,7 +264,8 @@ class LimbClearance final : public Term {
     const auto gap = [&](const auto& pair) {
       const Segment &a = segments_[first_capsule_ + pair.first],
                     &b = segments_[first_capsule_ + pair.second];
-      return segment_distance(a.near_end, a.far_end, b.near_end, b.far_end, kTouching, false)
+      return segment_distance(a.near_end, a.far_end, b.near_end, b.far_end, kTouching,
+                              DistanceDetail::value)
                  .value -
              radii(pair);
     };
@@ -291,7 +292,8 @@ class LimbClearance final : public Term {
                                      context.space.initial());
     const Segment& trunk = segments_[first_capsule_ + pair.first];
     const double apart =
-        segment_distance(hip, hip, trunk.near_end, trunk.far_end, kTouching, false).value;
+        segment_distance(hip, hip, trunk.near_end, trunk.far_end, kTouching, DistanceDetail::value)
+            .value;
     return apart > kReach * length + limit;
   }
 

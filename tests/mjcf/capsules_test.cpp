@@ -31,9 +31,9 @@ std::string boxer() {
             "<body " + head + "_thigh\" pos=\"0 " + y + "0.08 0\"><joint " + head +
             "_pitch\" axis=\"0 1 0\"/><geom " + head +
             "_rod\" type=\"capsule\" fromto=\"0 0 -0.03 0 0 -0.17\" size=\"0.02\"/><geom " + head +
-            "_ring\" type=\"ellipsoid\" pos=\"0.01 0 -0.1\" size=\"0.01 0.02 0.03\"/><body " + head +
-            "_shank\" pos=\"0 0 -0.2\"><joint " + head + "_knee\" axis=\"0 1 0\"/><geom " + head +
-            "_foot\" size=\"0.02\" pos=\"0 0 -0.2\"/></body></body></body>";
+            "_ring\" type=\"ellipsoid\" pos=\"0.01 0 -0.1\" size=\"0.01 0.02 0.03\"/><body " +
+            head + "_shank\" pos=\"0 0 -0.2\"><joint " + head + "_knee\" axis=\"0 1 0\"/><geom " +
+            head + "_foot\" size=\"0.02\" pos=\"0 0 -0.2\"/></body></body></body>";
   }
   return R"(<mujoco model="boxer"><compiler angle="radian"/>
 <asset><mesh name="wedge" vertex="-0.05 -0.02 0  0.07 -0.02 0  -0.05 0.02 0  0.07 0.02 0  -0.01 0 0.06"/></asset>

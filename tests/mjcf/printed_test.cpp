@@ -40,6 +40,29 @@ TEST(Printed, MassAndVolumeGrowWithTheStretch) {
   EXPECT_FALSE(parse_robot(test::named_robot("puppy"), "p").morphology.grows());
 }
 
+TEST(Printed, APartWithAMassOfItsOwnWeighsButIsNotPrinted) {
+  const std::string inertial =
+      "<inertial pos=\"0 0 -0.05307692308\" mass=\"0.104\" diaginertia=\"2.481538462e-05 "
+      "2.481538462e-05 2e-06\"/>\n        <geom class=\"rod\" fromto=\"0 0 0 0 0 -0.06\"/>";
+  const std::string rod = "<geom class=\"rod\" density=\"1200\" fromto=\"0 0 0 0 0 -0.06\"/>";
+  const auto with_servo = [&](const std::string& weight) {
+    return parse_robot(test::with(test::named_robot("puppy"), inertial,
+                                  rod + "<geom type=\"sphere\" size=\"0.01\" " + weight +
+                                      " contype=\"0\" "
+                                      "conaffinity=\"0\"/>"),
+                       "p");
+  };
+  const double ball = 4.0 / 3 * M_PI * 1e-6;
+  const auto sum = [](const RobotModel& robot, Amount amount) {
+    return growth_sum(robot.morphology, amount, robot.space.initial()).value;
+  };
+  const RobotModel bought = with_servo("mass=\"0.05\""), printed = with_servo("density=\"1200\"");
+  EXPECT_NEAR(sum(printed, Amount::printed_volume) - sum(bought, Amount::printed_volume), ball,
+              1e-15);
+  EXPECT_NEAR(bought.morphology.total_mass() - printed.morphology.total_mass(), 0.05 - 1200 * ball,
+              1e-9);
+}
+
 TEST(Printed, WhatDoesNotKeepItsShapeIsRefused) {
   const std::string good = test::named_robot("crooked_printed");
   EXPECT_EQ(complaint(good), "");

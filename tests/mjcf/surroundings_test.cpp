@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "mjcf/compile.hpp"
 #include "mjcf/input_error.hpp"
 #include "optimizer/design/inertia.hpp"
@@ -105,7 +107,7 @@ TEST(Surroundings, ServosAreNoStrongerThanTheTaskAllows) {
   const RobotModel robot = robot_named("piston_puppy");
   Task task;
   task.torque_limit = 1.0;
-  const RobotModel weaker = with_weaker_servos(robot, task);
+  const RobotModel weaker = with_task_servos(robot, task);
   int rotary = 0;
   for (std::size_t a = 0; a < robot.servos.size(); ++a) {
     const bool linear = !robot.servos[a].tendon.empty();
@@ -115,7 +117,37 @@ TEST(Surroundings, ServosAreNoStrongerThanTheTaskAllows) {
   }
   EXPECT_EQ(rotary, 8);
   task.torque_limit = 100.0;
-  EXPECT_EQ(with_weaker_servos(robot, task).servos[0].torque_limit, robot.servos[0].torque_limit);
+  EXPECT_EQ(with_task_servos(robot, task).servos[0].torque_limit, robot.servos[0].torque_limit);
+}
+
+TEST(Surroundings, SoftServosArePlayedAsStiffAsTheTaskSaysAndTheMotorBears) {
+  const RobotModel robot = robot_named("piston_puppy");  // kp 80, 3 N m
+  Task task;
+  EXPECT_EQ(with_task_servos(robot, task).servos[0].kp, robot.servos[0].kp);
+  const auto rotary = [&](const RobotModel& of) {
+    return *std::find_if(of.servos.begin(), of.servos.end(),
+                         [](const Servo& servo) { return servo.tendon.empty(); });
+  };
+  const Servo own = rotary(robot);
+  const auto played = [&](double limit, double kp, std::optional<double> kd) {
+    RobotModel changed = robot;
+    for (Servo& servo : changed.servos) servo.torque_limit = limit;
+    task.servo_kp = kp;
+    task.servo_kd = kd;
+    return with_task_servos(changed, task);
+  };
+  const Servo stiff = rotary(played(30.0, 2.0 * own.kp, std::nullopt));
+  EXPECT_EQ(stiff.kp, 2.0 * own.kp);
+  EXPECT_NEAR(stiff.kd, std::max(own.kd, 0.01 * stiff.kp), 1e-12);
+  EXPECT_EQ(rotary(played(30.0, 2.0 * own.kp, 7.0)).kd, 7.0);
+  EXPECT_EQ(rotary(played(30.0, 0.5 * own.kp, 7.0)).kp, own.kp) << "none gets softer";
+  EXPECT_EQ(rotary(played(30.0, 0.5 * own.kp, 7.0)).kd, own.kd);
+  EXPECT_NEAR(rotary(played(0.0375 * 1.5 * own.kp, 1e4, std::nullopt)).kp, 1.5 * own.kp, 1e-9)
+      << "full torque at 0.0375 rad";
+  for (std::size_t a = 0; a < robot.servos.size(); ++a) {
+    if (robot.servos[a].tendon.empty()) continue;
+    EXPECT_EQ(played(30.0, 1e4, 7.0).servos[a].kp, robot.servos[a].kp) << "pistons stay";
+  }
 }
 
 }  // namespace

@@ -154,7 +154,7 @@ DesignTexts design_texts(const RobotModel& robot, const Objective& objective,
   scene.start_qpos = plan.start_qpos;
   scene.start_qvel = plan.start_qvel;
   scene.floor_friction = objective.task().floor_friction;
-  texts.scene_xml = emit_scene(with_weaker_servos(robot, objective.task()), played, scene);
+  texts.scene_xml = emit_scene(with_task_servos(robot, objective.task()), played, scene);
   texts.motion_csv = plan.motion_csv;
   return texts;
 }

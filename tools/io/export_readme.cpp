@@ -98,7 +98,7 @@ std::string export_readme(const ExportFacts& facts) {
   out += fmt::format(
       "A legged robot in MJCF, co-designed with a gait. `{0}.xml` is the robot, `scene.xml` adds a "
       "level floor and the numerics it was judged with, but nothing else of its task: no payload, "
-      "slope or weaker motors; both open in MuJoCo without any plugin:\n\n"
+      "slope, weaker motors or stiffer servos; both open in MuJoCo without any plugin:\n\n"
       "    python -m mujoco.viewer --mjcf=scene.xml\n\n",
       facts.name);
   if (!facts.others.empty()) out += "The robot also consists of: " + list(facts.others) + ".\n\n";

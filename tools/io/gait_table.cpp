@@ -55,7 +55,7 @@ GaitPattern library_pattern(const TaskFile& file, int foot_count) {
            fmt::format("the library has no gait for {} feet; give gait.touchdown and gait.duty",
                        foot_count));
   std::string others;  // feet for which there is a gait of that name
-  for (const int feet : {2, 4, 6})
+  for (const int feet : gait_library_feet())
     for (const GaitPattern& pattern : gait_library(feet))
       if (pattern.name == file.gait)
         others += fmt::format("{}{}", others.empty() ? "" : ", ", feet);

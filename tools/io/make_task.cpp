@@ -7,9 +7,11 @@
 #include <stdexcept>
 
 #include "mjcf/input_error.hpp"
+#include "mjcf/surroundings.hpp"
 #include "optimizer/motion/margins.hpp"
 #include "optimizer/terms/registry.hpp"
 #include "tools/io/gait_table.hpp"
+#include "tools/io/servo_sag.hpp"
 #include "tools/io/style_table.hpp"
 #include "tools/io/task_file.hpp"
 #include "tools/io/toml_reader.hpp"
@@ -188,6 +190,15 @@ std::vector<std::string> task_warnings(const Task& task, const RobotModel& robot
         "at times no foot is on the ground: nothing steers the robot while it plays such a gait, "
         "and "
         "most fall; raise gait.duty for steadier ones");
+  RobotModel played = with_task_servos(robot, task);
+  played.morphology = as_in_task(robot.morphology, task);
+  if (const ServoSag sag = servo_sag(played);
+      sag.soft() && task.servo_kp.value_or(0.0) < sag.stiff_kp())
+    warnings.push_back(
+        fmt::format("soft servos: standing alone bends joint '{}' by {:.2g} rad (kp {:.4g} N "
+                    "m/rad), and a planned gait is not "
+                    "followed well; [servos] kp = {} in the task file plays it stiffer",
+                    sag.joint, sag.angle, sag.kp, sag.stiff_kp()));
   if (robot.space.size() == 0)
     warnings.push_back(
         "the robot declares no design parameters: only its motion will be optimized");

@@ -30,6 +30,7 @@ Json task_json(const Task& task) {
                        {"position_m", numbers_of(task.payload->position)},
                        {"size_m", numbers_of(task.payload->size)}};
   if (task.torque_limit) json["torque_limit_Nm"] = *task.torque_limit;
+  if (task.servo_kp) json["servo_kp_Nm_per_rad"] = *task.servo_kp;
   if (task.step_over > 0.0) json["step_over_m"] = task.step_over;
   return json;
 }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "mjcf/read_robot.hpp"
+#include "tools/io/servo_sag.hpp"
 
 namespace legwright {
 
@@ -14,12 +15,17 @@ struct StarterTask {
   double period = 0.0;         // [s]
   std::optional<double> duty;  // where it is more than the library's
   double speed = 0.0;          // ahead [m/s]
+  ServoSag sag;                // of the file's servos; the task plays soft ones stiffer
 };
 
 /// Period in proportion to √(h/g) and speed to √(g h), with the height h of the COM in the home pose: what swings and
-/// tips under gravity is slower in a larger robot. Without `gait`: trot for four feet, tripod for six, else the first of
-/// the library. Throws InputError where the library has no gait for that many feet, or none of that name.
+/// tips under gravity is slower in a larger robot. Without `gait`: trot for four feet, else the first of the library:
+/// walk, tripod, tetrapod, wave. Throws InputError where the library has no gait for that many feet (no_gait_text()), or
+/// none of that name.
 StarterTask starter_task(const RobotModel& robot, const std::optional<std::string>& gait);
+
+/// What to do where the library has no gait for so many feet: how a task file declares one. Empty where there is a gait.
+std::string no_gait_text(int foot_count);
 
 /// The task file with its comments. `robot` is the path that it names, from the folder of the task file.
 std::string starter_text(const StarterTask& task, const std::string& robot);

@@ -122,6 +122,16 @@ void read_payload(TableReader in, TaskFile& task) {
   task.margins.payload = payload;
 }
 
+/// How stiff servos are played that the robot's file has softer.
+void read_servos(TableReader in, TaskFile& task) {
+  if (const auto kp = in.number("kp", {0.0, 1e6, true, false, "N m/rad"}))
+    task.margins.servo_kp = kp;
+  if (const auto kd = in.number("kd", {0.0, 1e5, false, false, "N m s/rad"}))
+    task.margins.servo_kd = kd;
+  if (in.has("kd")) in.require(in.has("kp"), "kp", "kp = 300.0  # N m/rad");
+  in.finish();
+}
+
 /// @param name as the task file or the command line has it, already from the working directory
 std::filesystem::path given_robot(const std::filesystem::path& path) {
   std::error_code error;
@@ -207,6 +217,7 @@ void read_shared_tables(TableReader& in, TaskFile& task, Problems& problems) {
   read_limits(section("limits"), task, problems);
   read_ground(section("ground"), task);
   read_payload(section("payload"), task);
+  read_servos(section("servos"), task);
   for (const auto& [name, weight] :
        in.numbers_by_name("weights", {0.0, kInfinity, false, false, ""}))
     task.weights[name] = weight;

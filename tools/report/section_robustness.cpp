@@ -114,12 +114,12 @@ ShownUnit unit_of(const RobustnessFactor& factor) {
 std::string margin_words(const RobustnessFactor& factor) {
   const ShownUnit unit = unit_of(factor);
   if (!factor.low && !factor.high)
-    return fmt::format("walks from {} to {}, all that was tried", unit.words(factor.tested_low),
+    return fmt::format("survives from {} to {}, all that was tried", unit.words(factor.tested_low),
                        unit.words(factor.tested_high));
   const bool one_sided = factor.nominal && *factor.nominal <= factor.tested_low;
-  if (!factor.low && one_sided) return "walks up to " + unit.words(factor.high);
+  if (!factor.low && one_sided) return "survives up to " + unit.words(factor.high);
   return fmt::format(
-      "walks from {} to {}",
+      "survives from {} to {}",
       factor.low ? unit.words(factor.low) : unit.words(factor.tested_low) + " or less",
       factor.high ? unit.words(factor.high) : unit.words(factor.tested_high) + " or more");
 }
@@ -136,7 +136,7 @@ std::string survival_words(const Json& monte_carlo) {
              high = number_at(monte_carlo, {"share_high"});
   if (!samples || *samples < 1.0 || !survived || !share) return "";
   std::string out =
-      fmt::format("{:.0f} of {:.0f} draws walked: {}", *survived, *samples, percent(share));
+      fmt::format("{:.0f} of {:.0f} draws survived: {}", *survived, *samples, percent(share));
   if (low && high) out += fmt::format(" (95 % interval {} … {})", percent(low), percent(high));
   return out + ".";
 }
@@ -153,13 +153,16 @@ void add_robustness(Html& page, const RunData& data) {
     return;
   }
   if (!data.factors.empty()) {
-    page.element(
-        "p",
-        "One thing at a time is changed until the robot falls or strays; all else stays as "
-        "the task says.",
-        {{"class", "note"}});
+    page.element("p",
+                 "One thing at a time is changed until the robot falls, or goes at less than half "
+                 "or more than "
+                 "twice the wanted speed; all else stays as the task says. To survive is less than "
+                 "to pass the "
+                 "verdict.",
+                 {{"class", "note"}});
     page.raw(
-        "<p class=\"legend\"><span><i class=\"key area b3\"></i>walks</span> <span><i class=\"key "
+        "<p class=\"legend\"><span><i class=\"key area b3\"></i>survives</span> <span><i "
+        "class=\"key "
         "area bad-key\"></i>fails</span> <span><i class=\"key dot\"></i>nominal</span></p>\n");
     page.open("table", {{"class", "margins stack"}}).open("tbody");
     for (const RobustnessFactor& factor : data.factors) add_factor(page, factor);

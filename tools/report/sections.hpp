@@ -53,9 +53,9 @@ std::string measured_words(const LimitRow& row);
 std::string bound_words(const LimitRow& row);
 /// The unit in which a factor's values are told.
 ShownUnit unit_of(const RobustnessFactor& factor);
-/// "walks from 0.3 to 1.6"
+/// "survives from 0.3 to 1.6"
 std::string margin_words(const RobustnessFactor& factor);
-/// "187 of 200 draws walked: 93.5 % (95 % interval 89.2 % … 96.2 %)."; empty without numbers.
+/// "187 of 200 draws survived: 93.5 % (95 % interval 89.2 % … 96.2 %)."; empty without numbers.
 std::string survival_words(const Json& monte_carlo);
 /// Why there are no margins, if the gait fails undisturbed; empty otherwise.
 std::string no_margins_words(const Json& robustness);

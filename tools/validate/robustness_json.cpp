@@ -71,7 +71,8 @@ std::string shown(double value, const std::string& unit, bool with_unit = true) 
   return text(value, unit == "1" ? "" : unit.c_str(), 2);
 }
 
-/// "friction of the floor (0.8)", "walks from 0.155 to 2 (tested)"
+/// "friction of the floor (0.8)", "survives from 0.155 to 2 (tested)": it neither falls nor stays behind, which is less than a
+/// verdict that passes.
 std::pair<std::string, std::string> margin_words(const Margin& margin) {
   const DisturbanceFactor& factor = margin.factor;
   std::string label = factor.label;
@@ -80,24 +81,24 @@ std::pair<std::string, std::string> margin_words(const Margin& margin) {
   const auto side = [&](const std::optional<double>& value, double tested) {
     return shown(value.value_or(tested), factor.unit) + (value ? "" : " (tested)");
   };
-  std::string out = "walks ";
+  std::string out = "survives ";
   if (factor.tested_low < margin.nominal)
     out += "from " + side(margin.low, factor.tested_low) + " ";
   if (!margin.low && !margin.high && factor.tested_low < margin.nominal)
-    return {label, "walks from " + shown(factor.tested_low, factor.unit) + " to " +
+    return {label, "survives from " + shown(factor.tested_low, factor.unit) + " to " +
                        shown(factor.tested_high, factor.unit) + ", all that was tested"};
   return {label, out + (factor.tested_low < margin.nominal ? "to " : "up to ") +
                      side(margin.high, factor.tested_high)};
 }
 
 JudgedLimit survival_limit(const SurvivalShare& survival, const Bounds& bounds) {
-  JudgedLimit out{"survival", "share of disturbed walks that go on", "1", bounds, {}, "", false,
+  JudgedLimit out{"survival", "share of disturbed walks that survive", "1", bounds, {}, "", false,
                   ""};
   if (survival.samples > 0) out.value = survival.share();
   out.where = fmt::format("{} samples", survival.samples);
   out.pass = within(out.value, bounds);
   if (!out.pass)
-    out.reason = fmt::format("{} of {} disturbed walks go on ({})", survival.survived,
+    out.reason = fmt::format("{} of {} disturbed walks survive ({})", survival.survived,
                              survival.samples, what_passes(bounds, "1", Told::percent, false));
   return out;
 }
@@ -108,7 +109,7 @@ JudgedLimit margin_limit(const Margin& margin, bool low, double asked) {
   const auto& last_good = low ? margin.low : margin.high;
   JudgedLimit out;
   out.name = kMargin + factor.name + (low ? ".low" : ".high");
-  out.what = factor.label + (low ? ": walks down to" : ": walks up to");
+  out.what = factor.label + (low ? ": survives down to" : ": survives up to");
   out.unit = factor.unit;
   (low ? out.bounds.high : out.bounds.low) = asked;
   out.value = last_good.value_or(low ? factor.tested_low : factor.tested_high);
@@ -144,12 +145,12 @@ std::vector<std::string> robustness_lines(const Robustness& robustness) {
     return {"no margins: started from rest it fails undisturbed, " + *robustness.nominal_cause};
   std::vector<std::string> out;
   for (const auto& margin : robustness.margins) {
-    const auto [label, walks] = margin_words(margin);
-    out.push_back(fmt::format("{:<50}  {}", label, walks));
+    const auto [label, words] = margin_words(margin);
+    out.push_back(fmt::format("{:<50}  {}", label, words));
   }
   const SurvivalShare& survival = robustness.survival;
   if (survival.samples == 0) return out;
-  std::string line = fmt::format("{} of {} disturbed walks go on: {:.1f} % ({:.0f} to {:.0f} %)",
+  std::string line = fmt::format("{} of {} disturbed walks survive: {:.1f} % ({:.0f} to {:.0f} %)",
                                  survival.survived, survival.samples, 100 * survival.share(),
                                  100 * survival.low, 100 * survival.high);
   std::string causes;

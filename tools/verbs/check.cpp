@@ -5,9 +5,11 @@
 #include <memory>
 
 #include "mjcf/legs.hpp"
+#include "mjcf/surroundings.hpp"
 #include "optimizer/terms/registry.hpp"
 #include "tools/io/json_file.hpp"
 #include "tools/io/problem.hpp"
+#include "tools/io/servo_sag.hpp"
 #include "tools/verbs/gradients.hpp"
 #include "tools/verbs/summary.hpp"
 #include "tools/verbs/verbs.hpp"
@@ -151,20 +153,27 @@ std::string demands_text(const Finding& found) {
         100.0 * task.payload->mass / found.robot.morphology.total_mass());
   if (task.torque_limit)
     text += fmt::format("motors  no more than {} N m each\n", *task.torque_limit);
+  const ServoSag sag = servo_sag(with_task_servos(found.robot, task));
+  if (!sag.joint.empty())
+    text += fmt::format(
+        "servos  {}standing bends joint '{}' the most, by {:.2g} rad at kp {:.4g} N m/rad\n",
+        task.servo_kp ? fmt::format("kp at least {} N m/rad for this task; ", *task.servo_kp) : "",
+        sag.joint, sag.angle, sag.kp);
   if (task.step_over > 0.0)
     text += fmt::format("step    over {:.3g} mm; swings are planned {:.3g} mm high\n",
                         1e3 * task.step_over, 1e3 * task.swing_height.value_or(0.0));
   return text;
 }
 
+/// The weights that the task changes; all of them are in the JSON document.
 std::string weights_text(const Finding& found) {
-  std::string text = "cost    weight of each term; [weights] in the task file changes them\n";
+  std::string text = "cost    every term of F at its default weight";
+  text += found.task.weights.empty() ? " (--json lists them)\n" : " but these of the task file:\n";
   for (const TermEntry& entry : term_registry()) {
     const auto own = found.task.weights.find(std::string(entry.name));
-    const bool changed = own != found.task.weights.end();
-    text += fmt::format("  {:20} {:5} {}{}\n", entry.name, entry.equation,
-                        changed ? own->second : entry.default_weight,
-                        changed ? fmt::format("  (task file; else {})", entry.default_weight) : "");
+    if (own != found.task.weights.end())
+      text += fmt::format("  {:20} {:5} {}  (else {})\n", entry.name, entry.equation, own->second,
+                          entry.default_weight);
   }
   return text;
 }

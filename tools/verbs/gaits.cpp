@@ -14,7 +14,6 @@ namespace legwright {
 namespace {
 
 constexpr int kColumns = 60;  // per cycle: thirds, quarters and tenths fall on whole columns
-constexpr int kFootCounts[] = {2, 4, 6};
 
 struct GaitsOptions {
   std::string name;
@@ -32,7 +31,7 @@ struct Entry {
 std::vector<Entry> choose(const GaitsOptions& options) {
   std::vector<Entry> exact, alike;
   std::vector<std::string> names;
-  for (int feet : kFootCounts) {
+  for (const int feet : gait_library_feet()) {
     if (options.feet != 0 && options.feet != feet) continue;
     for (const GaitPattern& pattern : gait_library(feet)) {
       if (std::find(names.begin(), names.end(), pattern.name) == names.end())
@@ -163,8 +162,8 @@ void add_gaits(CLI::App& program, Action& action) {
   CLI::App* verb =
       program.add_subcommand("gaits", "Draw the gaits of the library as footfall diagrams");
   verb->add_option("NAME", options->name, "one gait only, for instance trot");
-  verb->add_option("--feet", options->feet, "of robots with so many feet only: 2, 4 or 6")
-      ->check(CLI::IsMember({2, 4, 6}));
+  verb->add_option("--feet", options->feet, "of robots with so many feet only: 2 or 4 to 8")
+      ->check(CLI::IsMember(gait_library_feet()));
   verb->add_flag("--json", options->json, "print one JSON document");
   verb->callback([&action, options] { action = [options] { return gaits(*options); }; });
 }

@@ -4,16 +4,15 @@
 #include <cmath>
 #include <memory>
 #include <optional>
-#include <set>
 
 #include "mjcf/input_error.hpp"
-#include "mjcf/legs.hpp"
 #include "mjcf/proposals.hpp"
 #include "tools/io/atomic_file.hpp"
 #include "tools/io/clean_text.hpp"
 #include "tools/io/io_error.hpp"
 #include "tools/io/json_file.hpp"
 #include "tools/io/starter_task.hpp"
+#include "tools/verbs/init_text.hpp"
 #include "tools/verbs/summary.hpp"
 #include "tools/verbs/verbs.hpp"
 
@@ -26,96 +25,6 @@ struct InitOptions {
   std::string robot, output, task, gait;
   bool write = false, json = false;
 };
-
-std::string range_text(const Joint& joint) {
-  if (!std::isfinite(joint.lower) && !std::isfinite(joint.upper)) return "any angle";
-  return fmt::format("{:.3g} to {:.3g} rad", joint.lower, joint.upper);
-}
-
-std::string limit_text(const Servo& servo) {
-  const char* const unit = servo.tendon.empty() ? "N m" : "N";
-  const std::string by = servo.tendon.empty() ? "" : fmt::format(" along tendon {}", servo.tendon);
-  return (std::isfinite(servo.torque_limit)
-              ? fmt::format("up to {:.4g} {}", servo.torque_limit, unit)
-              : "no limit") +
-         by;
-}
-
-/// One line for a joint of a limb, by its place in the chain from the trunk down.
-std::string joint_text(const StudiedRobot& found, const Limb& limb, std::size_t place) {
-  const auto link = static_cast<std::size_t>(limb.links[place]);
-  const Joint& joint = found.model.morphology.links[link].joint;
-  return fmt::format("      {:24} {:8} {:22} {}\n", joint.name, axis_name(limb.axes[place]),
-                     range_text(joint), limit_text(found.model.servos[link - 1]));
-}
-
-/// Joints between the trunk and several limbs, each once.
-std::string shared_text(const StudiedRobot& found) {
-  std::set<int> told;
-  std::string text;
-  for (const Limb& limb : found.limbs)
-    for (std::size_t k = 0; k < static_cast<std::size_t>(limb.shared); ++k)
-      if (told.insert(limb.links[k]).second) text += joint_text(found, limb, k);
-  return text.empty() ? "" : "  above several limbs\n" + text;
-}
-
-/// One line per joint that moves this limb alone, from the trunk down.
-std::string limb_text(const StudiedRobot& found, const Limb& limb) {
-  const Morphology& morphology = found.model.morphology;
-  std::string text;
-  for (auto k = static_cast<std::size_t>(limb.shared); k < limb.links.size(); ++k)
-    text += joint_text(found, limb, k);
-  const Foot& foot = morphology.feet[static_cast<std::size_t>(limb.foot)];
-  std::string shape =
-      foot.radius > 0.0 ? fmt::format("ball of {:.3g} m", foot.radius) : "point of a foot";
-  if (const auto& others = found.model.structure.feet[static_cast<std::size_t>(limb.foot)].others;
-      !others.empty())
-    shape = fmt::format("{}, middle of {} alike,", shape, 1 + others.size());
-  return text + fmt::format("      {:24} {} at {:.3f} {:.3f} {:.3f} m\n", foot.name, shape,
-                            limb.home.x(), limb.home.y(), limb.home.z());
-}
-
-std::string tree_text(const StudiedRobot& found) {
-  const Morphology& morphology = found.model.morphology;
-  std::string text = fmt::format("{}: {:.4g} kg, {} limbs, {} joints\n  trunk '{}'\n",
-                                 morphology.name, morphology.total_mass(), morphology.foot_count(),
-                                 morphology.joint_count(), found.model.root_body) +
-                     shared_text(found);
-  const int rows = found.limbs.empty() ? 0 : found.limbs.back().row + 1;
-  for (std::size_t k = 0; k < found.limbs.size(); ++k) {
-    const Limb& limb = found.limbs[k];
-    if (limb.partner >= 0 && limb.partner < static_cast<int>(k)) continue;  // told with the other
-    const std::string row = row_name(limb.row, rows);
-    const std::string pair = limb.partner < 0
-                                 ? "limb without a mirror image"
-                                 : (row.empty() ? "pair of limbs" : row + " pair of limbs");
-    text += fmt::format("  {}\n{}", pair, limb_text(found, limb));
-    if (limb.partner >= 0)
-      text += limb_text(found, found.limbs[static_cast<std::size_t>(limb.partner)]);
-  }
-  text += held_text(found.model.structure);
-  return found.not_standing.empty() ? text : text + "  " + found.not_standing + "\n";
-}
-
-std::string proposals_text(const StudiedRobot& found) {
-  std::string text;
-  if (found.model.space.size() > 0) {
-    text +=
-        fmt::format("the file declares {} design parameters already:", found.model.space.size());
-    for (const DesignParameter& parameter : found.model.space.parameters)
-      text += " " + parameter.name;
-    text += "\n";
-  }
-  text += fmt::format("{} design parameters {}:\n", found.proposals.size(),
-                      found.model.space.size() > 0 ? "could be added" : "are proposed");
-  std::size_t width = 0;
-  for (const Proposal& p : found.proposals) width = std::max(width, p.name.size());
-  for (const Proposal& p : found.proposals)
-    text += fmt::format("  {:{}}  {:8.4f}  {:8.4f} to {:8.4f} {:3}  {}\n", p.name, width, p.value,
-                        p.lower, p.upper, p.unit, p.sentence);
-  for (const std::string& line : found.left_out) text += "  left out  " + line + "\n";
-  return text;
-}
 
 Json to_json(const StudiedRobot& found, const std::string& written, const std::string& task) {
   const Morphology& morphology = found.model.morphology;
@@ -186,18 +95,28 @@ std::string task_text(const InitOptions& options, const StudiedRobot& found,
   return starter_text(task, named.generic_string());
 }
 
+/// A robot for which the library has no gait gets its parameters all the same, but no task.
+bool lacks_gait(const InitOptions& options, const StudiedRobot& found) {
+  return options.gait.empty() && !no_gait_text(found.model.morphology.foot_count()).empty();
+}
+
 std::string next_step(const InitOptions& options, const StudiedRobot& found,
-                      const std::string& written) {
-  if (!options.task.empty())
-    return fmt::format("next: legwright optimize {} -o runs/mine\n", shell_word(options.task));
-  if (!written.empty())
-    return "next: a task file (legwright init ROBOT --task FILE writes one), then legwright check "
-           "TASK\n";
-  if (found.proposals.empty()) return "";
-  return fmt::format(
-      "next: legwright init {} --write --task task.toml   puts them into the file's <custom> "
-      "section and writes a first task\n",
-      shell_word(options.robot));
+                      const std::string& written, const std::string& task) {
+  if (!task.empty())
+    return fmt::format("next: legwright optimize {} -o runs/mine\n", shell_word(task));
+  const bool adds = written.empty() && !found.proposals.empty();
+  if (lacks_gait(options, found)) {
+    const std::string gait = no_gait_text(found.model.morphology.foot_count());
+    return (adds ? fmt::format(
+                       "next: legwright init {} --write   puts them into the file's <custom> "
+                       "section\nthen: ",
+                       shell_word(options.robot))
+                 : "next: ") +
+           gait + "; then legwright check TASK\n";
+  }
+  return fmt::format("next: legwright init {}{} --task task.toml   {}writes a first task\n",
+                     shell_word(written.empty() ? options.robot : written), adds ? " --write" : "",
+                     adds ? "puts them into the file's <custom> section and " : "");
 }
 
 /// Other files are named by paths from the main file's folder.
@@ -220,7 +139,7 @@ int init(const InitOptions& options) {
   const StudiedRobot found = files.at_their_lines([&] { return study_robot(files.text(), file); });
   check_output(options, files);
   const std::string task =
-      options.task.empty()
+      options.task.empty() || lacks_gait(options, found)
           ? ""
           : task_text(options, found, options.output.empty() ? options.robot : options.output);
   std::string written;
@@ -234,16 +153,21 @@ int init(const InitOptions& options) {
     else
       write_file(written, with_declarations(files.main_text(), file, found.proposals));
   }
+  const std::string written_task = task.empty() ? "" : options.task;
   if (!task.empty()) write_file(options.task, task);
+  const int code = task.empty() && !options.task.empty() ? kInfeasible : kOk;
+  if (code != kOk)
+    fmt::print(stderr, "legwright: {} is not written: {}\n", options.task,
+               no_gait_text(found.model.morphology.foot_count()));
   if (options.json) {
-    fmt::print("{}", to_text(to_json(found, written, options.task)));
-    return kOk;
+    fmt::print("{}", to_text(to_json(found, written, written_task)));
+    return code;
   }
-  fmt::print("{}", terminal_text(tree_text(found) + proposals_text(found)));
-  for (const std::string& path : {written, options.task})
+  fmt::print("{}\n", terminal_text(robot_tree(found) + proposal_table(found)));
+  for (const std::string& path : {written, written_task})
     if (!path.empty()) fmt::print("written  {}\n", shell_word(path));
-  fmt::print("{}", next_step(options, found, written));
-  return kOk;
+  fmt::print("{}", next_step(options, found, written, written_task));
+  return code;
 }
 
 }  // namespace
@@ -258,16 +182,21 @@ void add_init(CLI::App& program, Action& action) {
   verb->add_option("-o,--output", options->output, "write to this new file instead");
   verb->add_option("--task", options->task,
                    "write a first task for the robot, by its size, to this new file");
-  verb->add_option("--gait", options->gait,
-                   "of that task; default: trot for four feet, tripod for six, walk for two");
+  verb->add_option(
+      "--gait", options->gait,
+      "of that task; default: walk for two feet, trot for four, tripod for six, tetrapod for "
+      "eight, wave for others");
   verb->add_flag("--json", options->json, "print one JSON document");
   verb->footer(
-      "Prints the tree that was found (limbs front to hind, mirror images as pairs) and proposes: "
-      "lengths of links,\n"
+      "Prints the tree that was found (legs front to hind, mirror images side by side) and "
+      "proposes: lengths of links,\n"
       "directions of joint axes, length and width of the trunk, attachments of linear actuators. "
       "What the file's\n"
-      "construction does not allow is left out, with the reason. Edit bounds, or delete what shall "
-      "not change.");
+      "construction does not allow is left out, with the reason. A sentence on each goes into the "
+      "file, and into --json.\n"
+      "Edit bounds there, or delete what shall not change. Where the library has no gait for so "
+      "many feet, parameters\n"
+      "are written and the task is not: exit code 1.");
   verb->callback([&action, options] { action = [options] { return init(*options); }; });
 }
 

@@ -72,7 +72,10 @@ void print_judged(const JudgedRun& judged, bool same, const std::string& indent)
     fmt::print("{}{}\n", indent, describe(*comparison));
   if (judged.numerics) fmt::print("{}{}\n", indent, describe(*judged.numerics));
   if (!judged.robustness) return;
-  fmt::print("{}robustness, each factor alone until it fails:\n", indent);
+  fmt::print(
+      "{}robustness, each factor alone until it falls, or goes at less than half or more than "
+      "twice its speed:\n",
+      indent);
   for (const std::string& line : robustness_lines(*judged.robustness))
     fmt::print("{}  {}\n", indent, line);
 }

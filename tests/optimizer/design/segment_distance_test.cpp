@@ -17,9 +17,9 @@ using Ends = Eigen::Matrix<double, 12, 1>;
 
 constexpr double kRounding = 0.005;
 
-SegmentDistance measure(const Ends& z, bool with_derivatives = true) {
+SegmentDistance measure(const Ends& z, DistanceDetail detail = DistanceDetail::hessian) {
   return segment_distance(z.segment<3>(0), z.segment<3>(3), z.segment<3>(6), z.segment<3>(9),
-                          kRounding, with_derivatives);
+                          kRounding, detail);
 }
 
 double point_to_segment(const Vector3d& x, const Vector3d& p, const Vector3d& q) {
@@ -58,7 +58,7 @@ TEST(SegmentDistance, IsNeverBelowAndHardlyAboveTheDistance) {
   double excess = 0.0;  // of the square, in lengths²
   for (int repeat = 0; repeat < 20000; ++repeat) {
     const Ends z = random_ends(random);
-    const double expected = by_cases(z), found = measure(z, false).value;
+    const double expected = by_cases(z), found = measure(z, DistanceDetail::value).value;
     if (expected < kRounding) continue;
     ASSERT_GT(found, expected - 1e-13);
     const double longest = std::max((z.segment<3>(3) - z.segment<3>(0)).norm(),
@@ -96,7 +96,10 @@ TEST(SegmentDistance, KnowsEveryCaseExactly) {
   for (const Case& c : cases) {
     const SegmentDistance at = measure(c.ends);
     EXPECT_NEAR(at.value, c.distance, 1e-12) << c.what;
-    EXPECT_EQ(at.value, measure(c.ends, false).value) << c.what;
+    EXPECT_EQ(at.value, measure(c.ends, DistanceDetail::value).value) << c.what;
+    const SegmentDistance slope = measure(c.ends, DistanceDetail::gradient);
+    EXPECT_EQ(at.value, slope.value) << c.what;
+    EXPECT_EQ(at.gradient, slope.gradient) << c.what;
     EXPECT_TRUE(at.gradient.allFinite() && at.hessian.allFinite()) << c.what;
   }
 }
@@ -195,7 +198,7 @@ TEST(SegmentDistanceControl, AClampWithoutRoundingWouldJump) {
     }
     return jump;
   };
-  const auto smooth = [](const Ends& z) { return measure(z, false).value; };
+  const auto smooth = [](const Ends& z) { return measure(z, DistanceDetail::value).value; };
   EXPECT_GT(largest(by_cases, 1000), 20 * largest(smooth, 1000));
 }
 

@@ -13,7 +13,7 @@
 namespace legwright {
 namespace {
 
-constexpr int kKnots = 240;  // quarters, sixths, eighths, tenths and their multiples fall on knots
+constexpr int kKnots = 840;  // fifths, sixths, sevenths, eighths and their multiples fall on knots
 
 struct Known {
   int feet;
@@ -43,6 +43,11 @@ const Known kTable[] = {
     {6, "tripod", 0.5, "FL+MR+HL FR+ML+HR", 3, 3},
     {6, "ripple", 2.0 / 3.0, "HL FR ML HR FL MR", 4, 4},
     {6, "wave", 5.0 / 6.0, "HL ML FL HR MR FR", 5, 5},
+    {5, "wave", 4.0 / 5.0, "5 4 3 2 1", 4, 4},
+    {7, "wave", 6.0 / 7.0, "7 6 5 4 3 2 1", 6, 6},
+    {8, "tetrapod", 0.5, "L1+R2+L3+R4 R1+L2+R3+L4", 4, 4},
+    {8, "ripple", 0.75, "R2+L4 R1+L3 L2+R4 L1+R3", 6, 6},
+    {8, "wave", 7.0 / 8.0, "L4 L3 L2 L1 R4 R3 R2 R1", 7, 7},
 };
 
 std::vector<int> identity(int count) {
@@ -125,6 +130,20 @@ TEST(GaitLibraryTable, ListsEveryGaitOnce) {
   for (int feet = 0; feet <= 8; ++feet)
     for (const GaitPattern& p : gait_library(feet)) library[feet].insert(p.name);
   EXPECT_EQ(library, table);
+}
+
+TEST(GaitLibraryTable, TellsTheNumbersOfFeetThatHaveGaits) {
+  EXPECT_EQ(gait_library_feet(), (std::vector<int>{2, 4, 5, 6, 7, 8}));
+  EXPECT_TRUE(gait_library(3).empty())
+      << "two feet on the ground, and one that takes a third of the cycle";
+  ASSERT_EQ(gait_library(12).size(), 1u) << "more than eight feet have a wave as well";
+  EXPECT_EQ(support_range(gait_library(12)[0]), (SupportRange{11, 11}));
+}
+
+TEST(GaitLibraryTable, EightFeetAreMirroredHalfACycleLater) {
+  for (const GaitPattern& p : gait_library(8))
+    for (std::size_t row = 0; row < 4; ++row)
+      EXPECT_DOUBLE_EQ(std::abs(p.touchdown[2 * row] - p.touchdown[2 * row + 1]), 0.5) << p.name;
 }
 
 TEST(GaitLibraryTable, SymmetricalGaitsHaveHildebrandsLags) {

@@ -14,11 +14,20 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// Foreign outer cost J(s, m) = ½ ‖m/unit − 1‖² + ½ ‖s/scale‖²: neither zero nor stationary at m*.
-class PuppyAdjoint : public testing::Test {
+/// Its thighs hang freely, or so near the trunk that (16) has a say.
+class PuppyAdjoint : public testing::TestWithParam<bool> {
  protected:
-  PuppyAdjoint()
-      : puppy_(test::make_puppy(true)),
-        objective_(puppy_.morphology, puppy_.space, test::make_sideways_task(false, 8)) {
+  static test::Puppy make() {
+    test::Puppy puppy = test::make_puppy(true);
+    if (GetParam()) test::add_capsules(puppy, 0.0, 0.04);
+    return puppy;
+  }
+  static Task task() {
+    Task task = test::make_sideways_task(false, 8);
+    if (GetParam()) task.limb_pairs.emplace();  // of (16) the trunk alone
+    return task;
+  }
+  PuppyAdjoint() : puppy_(make()), objective_(puppy_.morphology, puppy_.space, task()) {
     s_ = puppy_.space.initial();
     s_[6] = 0.5;   // front hips turned outwards: a body that can step sideways
     s_[12] = 0.5;  // hind hips
@@ -49,7 +58,11 @@ class PuppyAdjoint : public testing::Test {
   VectorXd s_, m_;
 };
 
-TEST_F(PuppyAdjoint, ForeignCostMatchesDifferencesOfTheResolvedMotion) {
+TEST_P(PuppyAdjoint, ForeignCostMatchesDifferencesOfTheResolvedMotion) {
+  for (const TermValue& term : objective_.terms(s_, m_))
+    if (GetParam() && term.name == "limb_clearance") {
+      EXPECT_GT(term.value, 1e-9);
+    }
   const AdjointResult result = adjoint_at(s_, m_);
   ASSERT_EQ(result.status, SolveStatus::converged);
   const VectorXd scale = puppy_.space.scale();
@@ -68,6 +81,10 @@ TEST_F(PuppyAdjoint, ForeignCostMatchesDifferencesOfTheResolvedMotion) {
   const VectorXd partial = s_.cwiseQuotient(scale);
   EXPECT_GT((scale.cwiseProduct(differences) - partial).lpNorm<Eigen::Infinity>() / size, 1e-2);
 }
+
+INSTANTIATE_TEST_SUITE_P(Robots, PuppyAdjoint, testing::Bool(), [](const auto& instance) {
+  return instance.param ? "BesideItsTrunk" : "Free";
+});
 
 }  // namespace
 }  // namespace legwright

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "mjcf/input_error.hpp"
+#include "optimizer/motion/initial_guess.hpp"
 #include "tools/io/task_file.hpp"
 
 namespace legwright {
@@ -19,13 +20,14 @@ RobotModel robot(const std::string& name) {
   return read_robot(kSource / "tests/robots" / name / "robot.xml");
 }
 
-TEST(StarterTask, IsATaskForEachOfTheSixRobots) {
-  for (const char* name : {"courser", "goat", "mule", "ox", "servo_dog", "strider"}) {
+TEST(StarterTask, IsATaskForEachOfTheRobots) {
+  for (const char* name : {"courser", "goat", "mule", "ox", "servo_dog", "strider", "octopod"}) {
     const RobotModel model = robot(name);
     const StarterTask starter = starter_task(model, std::nullopt);
     const std::string text = starter_text(starter, "robot.xml");
     const TaskFile file = parse_task_file(text, kSource / "tests/robots" / name / "task.toml");
-    EXPECT_EQ(file.gait, std::string(name) == "strider" ? "tripod" : "trot");
+    const int feet = model.morphology.foot_count();
+    EXPECT_EQ(file.gait, feet == 8 ? "tetrapod" : feet == 6 ? "tripod" : "trot");
     EXPECT_TRUE(file.weights.empty()) << name;
     EXPECT_FALSE(file.margins.swing_height) << name;
     EXPECT_NEAR(file.period, starter.period, 0.06 * starter.period) << "two digits";
@@ -48,12 +50,48 @@ TEST(StarterTask, FollowsTheRobotsHeight) {
               1e-9);  // both go with the root of the height
 }
 
+TEST(StarterTask, PlaysServosThatGiveInStiffer) {
+  RobotModel model = robot("servo_dog");
+  const ServoSag firm = starter_task(model, std::nullopt).sag;
+  EXPECT_FALSE(firm.soft());
+  EXPECT_EQ(starter_text(starter_task(model, std::nullopt), "robot.xml").find("[servos]"),
+            std::string::npos);
+  for (Servo& servo : model.servos) servo.kp /= 20.0;
+  const StarterTask starter = starter_task(model, std::nullopt);
+  ASSERT_TRUE(starter.sag.soft());
+  EXPECT_NEAR(starter.sag.angle, 20.0 * firm.angle, 1e-12);
+  EXPECT_EQ(starter.sag.joint, firm.joint);
+  const fs::path place = kSource / "tests/robots/servo_dog/task.toml";
+  const std::string text = starter_text(starter, "robot.xml");
+  const Task task = make_task(parse_task_file(text, place), model);
+  ASSERT_TRUE(task.servo_kp) << text;
+  EXPECT_EQ(task.servo_kp, starter.sag.stiff_kp());
+  EXPECT_EQ(task_warnings(task, model).size(), 1u) << "only that it declares no parameters";
+  // A task of one's own that says nothing of servos is warned of instead.
+  const std::string bare = text.substr(0, text.find("[servos]"));
+  const std::vector<std::string> warnings =
+      task_warnings(make_task(parse_task_file(bare, place), model), model);
+  ASSERT_EQ(warnings.size(), 2u);
+  EXPECT_NE(warnings[0].find("soft servos: standing alone bends joint '" + firm.joint),
+            std::string::npos)
+      << warnings[0];
+}
+
+TEST(StarterTask, AStiffServoSagsByAThirdOfWhatIsSoft) {
+  ServoSag sag{"knee", 0.05, 90.0, 4.5};
+  EXPECT_EQ(sag.stiff_kp(), 450.0);
+  sag.torque = 4.51;
+  EXPECT_EQ(sag.stiff_kp(), 460.0) << "two digits, rounded up";
+  sag.torque = 123.0;
+  EXPECT_EQ(sag.stiff_kp(), 13000.0);
+}
+
 TEST(StarterTask, TakesAnotherGaitAndRefusesOneThatThereIsNot) {
   const RobotModel model = robot("servo_dog");
   const StarterTask walk = starter_task(model, "walk");
   EXPECT_EQ(walk.gait, "walk");
   EXPECT_FALSE(walk.duty);
-  EXPECT_GT(walk.period, 2.0 * starter_task(model, "trot").period);
+  EXPECT_GT(walk.period, 1.8 * starter_task(model, "trot").period);
   EXPECT_LT(starter_task(model, "pronk").duty.value_or(0.5), 0.55) << "a flight stays a flight";
   try {
     starter_task(model, "tripod");
@@ -65,8 +103,43 @@ TEST(StarterTask, TakesAnotherGaitAndRefusesOneThatThereIsNot) {
   }
 }
 
+TEST(StarterTask, ListsTheGaitsOfEightFeet) {
+  const RobotModel model = robot("octopod");
+  EXPECT_EQ(starter_task(model, "wave").gait, "wave");
+  try {
+    starter_task(model, "tripod");
+    FAIL() << "eight feet have no tripod";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("for 8 feet"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("there are tetrapod, ripple, wave"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(StarterTask, IsLivelierWhereThreeOrFourFeetStandAtATime) {
+  const auto froude = [](const RobotModel& model, const StarterTask& task) {
+    const double height = home_stance(model.morphology, model.space.initial()).com_height;
+    return task.speed / std::sqrt(kGravity * height);
+  };
+  for (const char* name : {"strider", "octopod"}) {
+    const RobotModel model = robot(name);
+    EXPECT_NEAR(froude(model, starter_task(model, std::nullopt)), 0.25, 1e-12) << name;
+    EXPECT_NEAR(froude(model, starter_task(model, "wave")), 0.15, 1e-12) << name;
+  }
+  const RobotModel dog = robot("servo_dog");
+  EXPECT_NEAR(froude(dog, starter_task(dog, std::nullopt)), 0.15, 1e-12);
+}
+
+TEST(StarterTask, TellsHowToDeclareAGaitThatTheLibraryLacks) {
+  const std::string three = no_gait_text(3);
+  EXPECT_NE(three.find("no gait for a robot of 3 feet"), std::string::npos) << three;
+  EXPECT_NE(three.find("touchdown = [0, 0.33, 0.67]"), std::string::npos) << three;
+  EXPECT_NE(three.find("duty = 0.83"), std::string::npos) << three;
+  for (const int feet : gait_library_feet()) EXPECT_EQ(no_gait_text(feet), "") << feet;
+}
+
 TEST(StarterTask, QuotesTheRobotsName) {
-  const std::string text = starter_text({"trot", 0.5, {}, 0.3}, "a \"b\\c.xml");
+  const std::string text = starter_text({"trot", 0.5, {}, 0.3, {}}, "a \"b\\c.xml");
   EXPECT_NE(text.find(R"(robot = "a \"b\\c.xml")"), std::string::npos) << text;
   EXPECT_EQ(text.find("duty"), std::string::npos);
 }

@@ -47,13 +47,16 @@ TEST(TaskDemands, AreNoneByDefault) {
   EXPECT_FALSE(task.payload);
   EXPECT_FALSE(task.torque_limit);
   EXPECT_EQ(task.step_over, 0.0);
+  EXPECT_FALSE(task.servo_kp);
 }
 
 TEST(TaskDemands, AreRead) {
   const Task task = task_with(
       "[ground]\nslope_along = 0.2\nslope_across = -0.1\n"
       "[payload]\nmass = 0.5\nposition = [0.0, 0.01, 0.06]\nsize = [0.1, 0.08, 0.06]\n"
-      "[limits]\ntorque_limit = 1.5\nstep_over = 0.03\n");
+      "[limits]\ntorque_limit = 1.5\nstep_over = 0.03\n[servos]\nkp = 120\nkd = 1.5\n");
+  EXPECT_EQ(task.servo_kp, 120.0);
+  EXPECT_EQ(task.servo_kd, 1.5);
   const SlopeAngles slope = slope_of(task.velocity, task.up);
   EXPECT_NEAR(slope.along, 0.2, 1e-14);
   EXPECT_NEAR(slope.across, -0.1, 1e-14);
@@ -101,6 +104,8 @@ TEST(TaskDemands, WrongOnesAreRefusedWithKeyAndLine) {
   expect_complaint("[payload]\nmass = 1\nsize = [0.1, 0, 0.1]\n", "9: payload.size");
   expect_complaint("[payload]\nsize = [0.1, 0.1, 0.1]\n", "7: payload.mass: is missing");
   expect_complaint("[limits]\ntorque_limit = 0\n", "8: limits.torque_limit: is 0; expected 0 <");
+  expect_complaint("[servos]\nkp = 0\n", "8: servos.kp: is 0; expected 0 <");
+  expect_complaint("[servos]\nkd = 1\n", "7: servos.kp: is missing");
   expect_complaint("[limits]\nstep_over = -0.01\n", "8: limits.step_over: ");
   expect_complaint("[limits]\nswing_height = 0.02\nstep_over = 0.03\n",
                    "8: limits.swing_height: steps over 0.03 m are asked for");
@@ -150,7 +155,8 @@ TEST(TaskDemands, StandInRunJsonOnlyWhereThereAreAny) {
               read_task_file(kExamples / "tasks/slope.toml").slope_along, 1e-12);
   EXPECT_FALSE(with.contains("payload"));
   const Json without = start_of_run({}, read_problem(kExamples / "puppy/sideways.toml"), 0)["task"];
-  for (const char* key : {"slope_rad", "payload", "torque_limit_Nm", "step_over_m"})
+  for (const char* key :
+       {"slope_rad", "payload", "torque_limit_Nm", "servo_kp_Nm_per_rad", "step_over_m"})
     EXPECT_FALSE(without.contains(key)) << key;
   const Json bar = start_of_run({}, read_problem(kExamples / "tasks/step_over.toml"), 0)["task"];
   EXPECT_GT(bar["step_over_m"].get<double>(), 0.0);

@@ -43,11 +43,11 @@ TEST_F(JudgedSections, TellWhatTheFilesHold) {
         "Path of the robot from above",
         "Height of the centre of mass",
         "FL hip · 0.663 of 2.5 N·m",
-        "walks from 0.33 to 1.6 or more",
-        "walks up to 13 ms",
-        "walks from −17.8° to 16°",
+        "survives from 0.33 to 1.6 or more",
+        "survives up to 13 ms",
+        "survives from −17.8° to 16°",
         "Above: falls after 2.31 s (tilted by more than 1 rad)",
-        "187 of 200 draws walked: 93.5 % (95 % interval 89.2 % … 96.2 %).",
+        "187 of 200 draws survived: 93.5 % (95 % interval 89.2 % … 96.2 %).",
         "9 × tilted by more than 1 rad",
         "draw 12: ",
         "0.5 ms",
@@ -118,7 +118,7 @@ TEST_F(JudgedSections, NumbersThatAreNotThereBreakLinesAndNothingElse) {
   const std::string page = this->page();
   expect_well_formed(page);
   EXPECT_FALSE(has(page, "nan"));
-  EXPECT_TRUE(has(page, "187 of 200 draws walked: 93.5 %."));
+  EXPECT_TRUE(has(page, "187 of 200 draws survived: 93.5 %."));
 }
 
 TEST_F(JudgedSections, LeaveOutWhatHasAnotherFormWithANote) {

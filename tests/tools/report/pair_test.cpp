@@ -48,8 +48,8 @@ TEST_F(PairTest, ShowsBothAndWhatDiffers) {
   for (const char* part :
        {"A · fixture-puppy · sideways", "B · fixture-puppy · sideways", "task gait",
         "data-label=\"B\">trot</td>", "tail length", "not free", "1000.0 mm",
-        "walks from 0.5 or less to 1.25", "walks from 0.5 or less to 1.62", "B less A",
-        "Cost F by design iteration", "187 of 200 draws walked", "width: 50.00%"})
+        "survives from 0.5 or less to 1.25", "survives from 0.5 or less to 1.62", "B less A",
+        "Cost F by design iteration", "187 of 200 draws survived", "width: 50.00%"})
     EXPECT_TRUE(has(page, part)) << part;
   EXPECT_FALSE(has(page, "href="));
   EXPECT_LT(page.size(), 5'000'000U);
@@ -99,7 +99,7 @@ TEST_F(PairTest, TellsWhatFailsUndisturbedFromWhatWasNotVariedYet) {
   };
   fail(other_);
   EXPECT_TRUE(has(pair(), "B: No margins: " + fails));
-  EXPECT_TRUE(has(pair(), "walks up to 13 ms")) << "of A";
+  EXPECT_TRUE(has(pair(), "survives up to 13 ms")) << "of A";
   fail(run_);
   EXPECT_TRUE(has(pair(), "A: No margins: " + fails));
   EXPECT_FALSE(has(pair(), not_yet));

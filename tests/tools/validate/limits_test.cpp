@@ -201,10 +201,10 @@ TEST(JudgedLimits, VerdictPassesWhenAllRowsDo) {
   EXPECT_EQ(good.limits[0].name, "warnings");
   JudgedLimit survival;
   survival.name = "survival";
-  survival.reason = "3 of 9 disturbed walks go on";
+  survival.reason = "3 of 9 disturbed walks survive";
   const Verdict bad = judge(runs, wanted, "walk", default_limits(), {survival});
   EXPECT_FALSE(bad.pass);
-  EXPECT_EQ(bad.line, "FAIL  walk forward at 0.100 m/s: 3 of 9 disturbed walks go on");
+  EXPECT_EQ(bad.line, "FAIL  walk forward at 0.100 m/s: 3 of 9 disturbed walks survive");
   for (auto& run : runs) run.fall = Fall{1.0, "the trunk sank"};
   const Verdict fallen = judge(runs, wanted, "walk");
   EXPECT_EQ(fallen.reasons.size(), 1U);  // though no other quantity could be measured

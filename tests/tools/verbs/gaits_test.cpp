@@ -21,7 +21,7 @@ TEST(Gaits, DrawsEachGaitWithinEightyColumns) {
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   std::istringstream lines(outcome.out);
   for (std::string line; std::getline(lines, line);) EXPECT_LT(line.size(), 80u) << line;
-  for (int feet : {2, 4, 6})
+  for (const int feet : gait_library_feet())
     for (const GaitPattern& pattern : gait_library(feet))
       EXPECT_TRUE(contains(outcome.out, "\n" + pattern.name + ": " + pattern.about + "\n"));
 }
@@ -61,7 +61,10 @@ TEST(Gaits, TakesPartOfANameAndTeachesWhereThereIsNone) {
   const Outcome elsewhere = call({"gaits", "trot", "--feet", "6"});
   EXPECT_EQ(elsewhere.code, 2);
   EXPECT_TRUE(contains(elsewhere.err, "for 6 feet")) << elsewhere.err;
-  EXPECT_EQ(call({"gaits", "--feet", "5"}).code, 2);
+  EXPECT_EQ(call({"gaits", "--feet", "3"}).code, 2);
+  const Outcome eight = call({"gaits", "--feet", "8"});
+  EXPECT_EQ(eight.code, 0) << eight.err;
+  EXPECT_TRUE(contains(eight.out, "order L1+R2+L3+R4, R1+L2+R3+L4")) << eight.out;
 }
 
 }  // namespace

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a newcomer does with a robot of their own: init, optimize, validate, without a hand edit or a weight. All six:
-// tests/robots/walk.
+// What a newcomer does with a robot of their own: init, optimize, validate, without a hand edit or a weight. All of
+// tests/robots: tests/robots/walk.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "tests/tools/verbs/program.hpp"
@@ -16,18 +18,17 @@ using test::contains;
 using test::Outcome;
 
 fs::path copy_of(const std::string& robot, const fs::path& folder) {
-  const fs::path file = folder / "robot.xml";
-  fs::copy_file(fs::path(LEGWRIGHT_SOURCE_DIR) / "tests/robots" / robot / "robot.xml", file);
-  return file;
+  fs::copy(fs::path(LEGWRIGHT_SOURCE_DIR) / "tests/robots" / robot,
+           folder);  // with what it includes
+  return folder / "robot.xml";
 }
 
-class OwnRobot : public testing::TestWithParam<const char*> {};
-
-TEST_P(OwnRobot, WalksByItsFirstTask) {
-  const test::TemporaryFolder folder;
-  const fs::path robot = copy_of(GetParam(), folder.path()), task = folder.path() / "task.toml",
-                 run = folder.path() / "run";
-  const Outcome told = call({"init", robot.string(), "--write", "--task", task.string()});
+/// init, optimize, validate: what a newcomer types. @param gait of the first task; empty: the usual one
+void expect_first_task_passes(const fs::path& robot, const std::string& gait = "") {
+  const fs::path task = robot.parent_path() / "task.toml", run = robot.parent_path() / "run";
+  std::vector<std::string> words{"init", robot.string(), "--write", "--task", task.string()};
+  if (!gait.empty()) words.insert(words.end(), {"--gait", gait});
+  const Outcome told = call(words);
   ASSERT_EQ(told.code, 0) << told.err;
   EXPECT_TRUE(contains(told.out, "legwright optimize")) << told.out;
   EXPECT_FALSE(contains(read_file(task), "weights"));
@@ -37,7 +38,162 @@ TEST_P(OwnRobot, WalksByItsFirstTask) {
   EXPECT_EQ(verdict.code, 0) << verdict.out << verdict.err;
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, OwnRobot, testing::Values("servo_dog", "strider", "ox"));
+/// A disc with `count` legs of three joints all around it, the first one ahead.
+std::string star(int count) {
+  std::string legs, servos, pose;
+  for (int k = 0; k < count; ++k) {
+    const double turn = 2.0 * M_PI * k / count;
+    legs += fmt::format(
+        R"(<body name="coxa{0}" pos="{1:.6f} {2:.6f} 0" euler="0 0 {3:.6f}">
+          <joint name="yaw{0}" axis="0 0 1" range="-0.8 0.8"/>
+          <inertial pos="0.02 0 0" mass="0.1" diaginertia="2e-5 4e-5 4e-5"/>
+          <body name="femur{0}" pos="0.045 0 0">
+            <joint name="lift{0}" axis="0 1 0" range="-1.4 1.2"/>
+            <inertial pos="0.05 0 0" mass="0.15" diaginertia="3e-5 2e-4 2e-4"/>
+            <body name="tibia{0}" pos="0.09 0 0">
+              <joint name="knee{0}" axis="0 1 0" range="-0.8 1.7"/>
+              <inertial pos="0 0 -0.06" mass="0.07" diaginertia="1.5e-4 1.5e-4 1e-5"/>
+              <geom name="tip{0}" size="0.01" pos="0 0 -0.14"/>
+            </body>
+          </body>
+        </body>)",
+        k, 0.09 * std::cos(turn), 0.09 * std::sin(turn), turn);
+    for (const char* joint : {"yaw", "lift", "knee"})
+      servos += fmt::format(R"(<position name="{0}{1}" joint="{0}{1}"/>)", joint, k);
+    pose += " 0 -0.5 0.5";
+  }
+  return fmt::format(
+      R"(<mujoco model="star"><compiler angle="radian" autolimits="true"/>
+      <default><joint damping="0.03" armature="0.003"/>
+        <position kp="150" kv="2" forcerange="-6 6"/></default>
+      <worldbody><body name="disc" pos="0 0 0.107"><freejoint/>
+        <inertial pos="0 0 0.005" mass="2" diaginertia="0.006 0.006 0.011"/>{}</body></worldbody>
+      <actuator>{}</actuator>
+      <keyframe><key name="home" qpos="0 0 0.107 1 0 0 0{}"/></keyframe></mujoco>
+)",
+      legs, servos, pose);
+}
+
+class OwnRobot : public testing::TestWithParam<const char*> {};
+
+TEST_P(OwnRobot, WalksByItsFirstTask) {
+  const test::TemporaryFolder folder;
+  expect_first_task_passes(copy_of(GetParam(), folder.path()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, OwnRobot,
+                         testing::Values("servo_dog", "strider", "ox", "octopod"));
+
+class OctopodGait : public testing::TestWithParam<const char*> {};
+
+TEST_P(OctopodGait, WalksOnEightFeet) {
+  const test::TemporaryFolder folder;
+  expect_first_task_passes(copy_of("octopod", folder.path()), GetParam());
+}
+
+INSTANTIATE_TEST_SUITE_P(Library, OctopodGait, testing::Values("ripple", "wave"));
+
+class Star : public testing::TestWithParam<int> {};
+
+TEST_P(Star, WalksOnAnOddNumberOfFeetByAWave) {
+  const test::TemporaryFolder folder;
+  const fs::path robot = folder.path() / "star.xml";
+  write_file(robot, star(GetParam()));
+  expect_first_task_passes(robot);
+}
+
+INSTANTIATE_TEST_SUITE_P(Odd, Star, testing::Values(5, 7));
+
+TEST(OwnRobotInit, WritesParametersButNoTaskWhereThereIsNoGait) {
+  const test::TemporaryFolder folder;
+  const fs::path robot = folder.path() / "star.xml", task = folder.path() / "task.toml";
+  write_file(robot, star(3));
+  const Outcome studied = call({"init", robot.string()});
+  EXPECT_EQ(studied.code, 0) << studied.err;
+  EXPECT_TRUE(contains(studied.out, "--write ")) << studied.out;
+  EXPECT_FALSE(contains(studied.out, "--task")) << "what would be refused is not proposed";
+  const Outcome named =
+      call({"init", robot.string(), "--write", "--task", task.string(), "--gait", "wave"});
+  EXPECT_EQ(named.code, 2);
+  EXPECT_FALSE(contains(read_file(robot), "legwright/")) << "nothing half-written";
+
+  const Outcome told = call({"init", robot.string(), "--write", "--task", task.string()});
+  EXPECT_EQ(told.code, 1);
+  EXPECT_TRUE(contains(told.err, "touchdown = [0, 0.33, 0.67]")) << told.err;
+  EXPECT_TRUE(contains(read_file(robot), "legwright/"));
+  EXPECT_FALSE(fs::exists(task));
+  write_file(task,
+             "robot = \"star.xml\"\n[gait]\nperiod = 1.0\ntouchdown = [0, 0.33, 0.67]\n"
+             "duty = 0.83\n[travel]\nvelocity = [0.02, 0.0]\n");
+  const Outcome check = call({"check", task.string()});  // what it told to write is accepted
+  EXPECT_EQ(check.code, 0) << check.err;
+}
+
+TEST(OwnRobotInit, TellsWhatTheFileDeclaresByOtherNames) {
+  const std::string puppy = (test::kExamples / "piston_puppy/robot.xml").string();
+  const Outcome told = call({"init", puppy});
+  EXPECT_TRUE(contains(told.out, "declared  by other names: front_thigh_length (thigh_length),"))
+      << told.out;
+  EXPECT_FALSE(contains(told.out, "nearly this direction")) << told.out;
+  EXPECT_TRUE(contains(told.out, "12 more design parameters could be added:")) << told.out;
+  const Outcome biped = call({"init", (test::kExamples / "biped/robot.xml").string()});
+  EXPECT_TRUE(contains(biped.out, "left out  foot_length\n          the foot is a round sole"))
+      << "other reasons are told: " << biped.out;
+}
+
+TEST(OwnRobotInit, TellsTheTreeTheTableAndTheNextCommand) {
+  const test::TemporaryFolder folder;
+  const fs::path robot = copy_of("octopod", folder.path());
+  const Outcome told = call({"init", robot.string()});
+  ASSERT_EQ(told.code, 0) << told.err;
+  const std::string& out = told.out;
+  const std::size_t tree = out.find("trunk hull\n  row 1 of 4, pair, left | right\n"),
+                    joint = out.find("    L1_swing | R1_swing  yaw "),
+                    servo = out.find("18 N m     kp 400 N m/rad"),
+                    foot =
+                        out.find("L1_foot | R1_foot    foot     ball of 14 mm at 0.489, +-0.309"),
+                    table = out.find("38 design parameters proposed:\n  name "),
+                    row = out.find("m    stretch link: L1_femur R1_femur\n"),
+                    next = out.find("next: legwright init");
+  for (const std::size_t place : {tree, joint, servo, foot, table, row, next})
+    ASSERT_NE(place, std::string::npos) << out;
+  EXPECT_TRUE(tree < joint && joint < servo && servo < foot && foot < table && table < row &&
+              row < next)
+      << out;
+  ASSERT_EQ(call({"init", robot.string(), "--write"}).code, 0);
+  const Outcome again = call({"init", robot.string()});
+  EXPECT_TRUE(contains(again.out, "declared  38: front_coxa_length,")) << again.out;
+  EXPECT_FALSE(contains(again.out, "0 design parameters")) << again.out;
+  EXPECT_FALSE(contains(again.out, "--write")) << "there is nothing to write: " << again.out;
+}
+
+/// The courser with a wide trunk, whose thighs hang 13 mm beside it.
+void expect_clear_of_trunk(bool clear) {
+  const test::TemporaryFolder folder;
+  const fs::path robot = folder.path() / "robot.xml", task = folder.path() / "task.toml",
+                 run = folder.path() / "run";
+  std::string xml = read_file(fs::path(LEGWRIGHT_SOURCE_DIR) / "tests/robots/courser/robot.xml");
+  const std::string slim = "size=\"0.18 0.045 0.055\"";
+  ASSERT_NE(xml.find(slim), std::string::npos);
+  write_file(robot, xml.replace(xml.find(slim), slim.size(), "size=\"0.21 0.1 0.055\""));
+  ASSERT_EQ(call({"init", robot.string(), "--write", "--task", task.string()}).code, 0);
+  if (!clear) {
+    const std::string text = read_file(task) + "\n[weights]\nlimb_clearance = 0.0\n";
+    fs::remove(task);
+    write_file(task, text);
+  }
+  ASSERT_EQ(call({"optimize", task.string(), "-o", run.string(), "--no-pictures", "--quiet"}).code,
+            0);
+  const Outcome verdict = call({"validate", "--quick", run.string()});
+  EXPECT_EQ(verdict.code, clear ? 0 : 1) << verdict.out << verdict.err;
+  EXPECT_EQ(contains(verdict.out, "touches itself"), !clear) << verdict.out;
+}
+
+TEST(OwnRobotBesideItsTrunk, KeepsItsThighsClearOfIt) { expect_clear_of_trunk(true); }
+
+TEST(OwnRobotBesideItsTrunk, DrivesItsThighsIntoItWithoutLimbClearance) {
+  expect_clear_of_trunk(false);
+}
 
 TEST(OwnRobotInit, OverwritesNoTask) {
   const test::TemporaryFolder folder;

@@ -48,8 +48,21 @@ TEST(Check, ExplainsThePuppy) {
   const Outcome outcome = call({"check", kWalk});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   for (const char* part : {"puppy", "4 feet", "12 motors", "body_width", "######", "walk",
-                           "0.1 m per cycle", "friction_cone", "next: legwright optimize"})
+                           "0.1 m per cycle", "default weight", "next: legwright optimize"})
     EXPECT_TRUE(contains(outcome.out, part)) << part << " in:\n" << outcome.out;
+  EXPECT_FALSE(contains(outcome.out, "friction_cone")) << "only weights that the task changes";
+}
+
+TEST(Check, TellsTheWeightsThatATaskChanges) {
+  const test::TemporaryFolder folder;
+  const fs::path task = folder.path() / "task.toml";
+  write_file(task, "robot = \"" + (kExamples / "puppy/robot.xml").string() +
+                       "\"\n[gait]\nname = \"walk\"\nperiod = 1.0\n[travel]\nvelocity = [0.0, "
+                       "0.1]\n[weights]\nstyle_foot = 0.7\n");
+  const Outcome outcome = call({"check", task.string()});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, "style_foot           (10)  0.7  (else 0.3)")) << outcome.out;
+  EXPECT_FALSE(contains(outcome.out, "friction_cone")) << outcome.out;
 }
 
 TEST(Check, GivesOneJsonDocument) {
@@ -62,6 +75,7 @@ TEST(Check, GivesOneJsonDocument) {
   EXPECT_EQ(json["parameters"].size(), 20u);
   EXPECT_EQ(json["gait"]["contact"].size(), 4u);
   EXPECT_TRUE(json["warnings"].empty());
+  EXPECT_TRUE(json["weights"].contains("friction_cone"));
 }
 
 TEST(Check, RefusesEveryBrokenTaskWithExitCode2) {

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "mjcf/read_robot.hpp"
+
+namespace legwright {
+
+/// Sag above which servos are called soft [rad]: gaits of robots that bend more were not followed, those of robots that
+/// bend less were, from half their gains on (tools/README.md).
+inline constexpr double kSoftSag = 0.03;
+
+/// How far standing still in the home pose bends the servo at a joint that gives in most, without feed-forward.
+struct ServoSag {
+  std::string joint;    // empty: the robot has no servo at a joint
+  double angle = 0.0;   // [rad]
+  double kp = 0.0;      // of this servo [N m/rad]
+  double torque = 0.0;  // the largest of any servo at a joint that stands [N m]
+  bool soft() const { return angle > kSoftSag; }
+  /// Gain with which no servo sags by more than a third of what is soft, two digits [N m/rad].
+  double stiff_kp() const;
+};
+
+/// @param robot with servos and masses as they are played
+ServoSag servo_sag(const RobotModel& robot);
+
+}  // namespace legwright
