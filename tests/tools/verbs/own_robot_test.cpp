@@ -195,6 +195,30 @@ TEST(OwnRobotBesideItsTrunk, DrivesItsThighsIntoItWithoutLimbClearance) {
   expect_clear_of_trunk(false);
 }
 
+TEST(OwnRobotInit, WritesNothingForARobotThatDoesNotStand) {
+  const test::TemporaryFolder folder;
+  std::string text = read_file(fs::path(LEGWRIGHT_SOURCE_DIR) / "tests/robots/servo_dog/robot.xml");
+  const std::size_t key = text.find("<keyframe>"), end = text.find("</keyframe>");
+  ASSERT_NE(key, std::string::npos);
+  const std::string before = text;
+  const std::size_t upright = text.find(" 1 0 0 0 ", key);
+  ASSERT_LT(upright, end);
+  text.replace(upright, 9, " 0 1 0 0 ");  // on its back
+  const fs::path robot = folder.path() / "robot.xml", task = folder.path() / "task.toml";
+  write_file(robot, text);
+  const Outcome told = call({"init", robot.string(), "--write", "--task", task.string()});
+  EXPECT_EQ(told.code, 2);
+  EXPECT_TRUE(contains(told.err, "does not stand in its home pose")) << told.err;
+  EXPECT_TRUE(contains(told.err, "keyframe named home")) << told.err;
+  EXPECT_EQ(read_file(robot), text);
+  EXPECT_FALSE(fs::exists(task));
+  const Outcome only_told = call({"init", robot.string()});
+  EXPECT_EQ(only_told.code, 0);
+  EXPECT_TRUE(contains(only_told.out, "does not stand in its home pose")) << only_told.out;
+  write_file(robot, before);
+  EXPECT_EQ(call({"init", robot.string(), "--write", "--task", task.string()}).code, 0);  // twin
+}
+
 TEST(OwnRobotInit, OverwritesNoTask) {
   const test::TemporaryFolder folder;
   const fs::path robot = copy_of("servo_dog", folder.path()), task = folder.path() / "task.toml";
