@@ -13,7 +13,7 @@
 #include "mjcf/compile.hpp"
 #include "mjcf/input_error.hpp"
 #include "mjcf/mirror.hpp"
-#include "mjcf/rewrite_robot.hpp"
+#include "mjcf/proposal_trial.hpp"
 #include "mjcf/standing.hpp"
 #include "mjcf/stretch.hpp"
 
@@ -341,43 +341,11 @@ class Study {
     out_.proposals.push_back(std::move(proposal));
   }
 
-  /// Why the file with these declarations would not be read; empty if it would.
   std::string refusal(const std::vector<Proposal>& proposals) const {
-    try {
-      const RobotModel read =
-          parse_robot(with_declarations(text_, xml_->file, proposals), xml_->file);
-      const int wanted = out_.model.space.size() + static_cast<int>(proposals.size());
-      return read.space.size() == wanted ? "" : "what is written into the file is not read again";
-    } catch (const InputError& error) {
-      // The place is in a text that nobody has seen; what is wrong stands behind it.
-      const std::string all = error.what(), prefix = xml_->file.string() + ":";
-      if (all.compare(0, prefix.size(), prefix) != 0) return all;
-      const std::size_t cut = all.find(": ", prefix.size());
-      return cut == std::string::npos ? all : all.substr(cut + 2);
-    }
+    return refusal_of(text_, xml_->file, out_.model.space.size(), proposals);
   }
-
-  /// Why a design at the bounds of these could not be written; empty if it can.
   std::string unwritable(const std::vector<Proposal>& proposals) const {
-    const std::size_t own = out_.model.space.parameters.size();
-    try {
-      const RobotModel read =
-          parse_robot(with_declarations(text_, xml_->file, proposals), xml_->file);
-      for (const bool upper : {false, true}) {
-        Eigen::VectorXd s = read.space.initial();
-        for (std::size_t k = own; k < read.space.parameters.size(); ++k)
-          s[static_cast<Eigen::Index>(k)] =
-              upper ? read.space.parameters[k].upper : read.space.parameters[k].lower;
-        rewrite_robot(read, s);
-      }
-      return "";
-    } catch (const std::logic_error& error) {
-      return fmt::format(
-          "the file is built so that a design at its bounds would not be the planned one ({})",
-          error.what());
-    } catch (const InputError& error) {
-      return fmt::format("a design at its bounds is refused ({})", error.what());
-    }
+    return fault_at_bounds(text_, xml_->file, out_.model.space.size(), proposals);
   }
 
   /// Each was accepted alone; together some may not be, as two stretches that are oblique. And what
