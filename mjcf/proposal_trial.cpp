@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "mjcf/input_error.hpp"
@@ -27,13 +28,17 @@ std::string refusal_of(const std::string& text, const std::filesystem::path& fil
 }
 
 std::string fault_at_bounds(const std::string& text, const std::filesystem::path& file,
-                            int declared, const std::vector<Proposal>& proposals) {
+                            const std::vector<Proposal>& proposals) {
   try {
     const RobotModel read = parse_robot(with_declarations(text, file, proposals), file);
     for (const bool upper : {false, true}) {
       Eigen::VectorXd s = read.space.initial();
-      const Eigen::VectorXd bounds = upper ? read.space.upper() : read.space.lower();
-      s.tail(s.size() - declared) = bounds.tail(s.size() - declared);
+      for (int k = 0; k < read.space.size(); ++k) {
+        const DesignParameter& parameter = read.space.parameters[static_cast<std::size_t>(k)];
+        if (std::any_of(proposals.begin(), proposals.end(),
+                        [&](const Proposal& one) { return one.name == parameter.name; }))
+          s[k] = upper ? parameter.upper : parameter.lower;
+      }
       rewrite_robot(read, s);
     }
     return "";

@@ -17,6 +17,6 @@ std::string refusal_of(const std::string& text, const std::filesystem::path& fil
 /// Why a design at the lower or the upper bounds of these could not be written and read again;
 /// empty if both can.
 std::string fault_at_bounds(const std::string& text, const std::filesystem::path& file,
-                            int declared, const std::vector<Proposal>& proposals);
+                            const std::vector<Proposal>& proposals);
 
 }  // namespace legwright

@@ -345,7 +345,7 @@ class Study {
     return refusal_of(text_, xml_->file, out_.model.space.size(), proposals);
   }
   std::string unwritable(const std::vector<Proposal>& proposals) const {
-    return fault_at_bounds(text_, xml_->file, out_.model.space.size(), proposals);
+    return fault_at_bounds(text_, xml_->file, proposals);
   }
 
   /// Each was accepted alone; together some may not be, as two stretches that are oblique. And what
