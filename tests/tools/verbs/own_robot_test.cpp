@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "tests/tools/verbs/program.hpp"
+#include "tools/io/json_file.hpp"
 
 namespace legwright {
 namespace {
