@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "mjcf/growth.hpp"
+#include "mjcf/mesh_assets.hpp"
 
 namespace legwright {
 namespace {
@@ -121,14 +122,21 @@ Shape shape_of(const XmlFile& xml, const TreeElements& elements, const mjModel& 
             {}};
   const Vector3d place = Vector3d::Map(model.geom_pos + 3 * geom);
   if (type == mjGEOM_MESH) {
-    // The stretch moves the mesh's own origin and leaves its size; MuJoCo's frame is at its centre of mass.
+    // MuJoCo's frame is at the mesh's centre of mass, its box about another place.
+    const mjtNum* box = model.geom_aabb + 6 * geom;  // centre, half sizes
+    out.half = Vector3d::Map(box + 3);
+    const Vector3d centre = out.axes * Vector3d::Map(box);
+    if (mesh_grows(xml, *elements.geoms[static_cast<std::size_t>(geom)])) {
+      out.middle = stretched_point(place + centre, stretches);
+      out.moves = {true, true, true};
+      return out;
+    }
+    // The stretch moves the mesh's own origin and leaves its size.
     const int mesh = model.geom_dataid[geom];
     const Vector3d origin = place - out.axes * rotation_of(model.mesh_quat + 4 * mesh).transpose() *
                                         Vector3d::Map(model.mesh_pos + 3 * mesh);
     out.middle = stretched_point(origin, stretches);
-    const mjtNum* box = model.geom_aabb + 6 * geom;  // centre, half sizes
-    out.middle.constant += place - origin + out.axes * Vector3d::Map(box);
-    out.half = Vector3d::Map(box + 3);
+    out.middle.constant += place - origin + centre;
     return out;
   }
   const bool from_to = inherited_attribute(xml, *elements.geoms[static_cast<std::size_t>(geom)],

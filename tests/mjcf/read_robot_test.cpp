@@ -127,7 +127,7 @@ TEST(ReadRobot, ReadsGeneralTrees) {
   EXPECT_EQ(robot.servos[0].actuator, "swing");
   EXPECT_NEAR(robot.servos[0].torque_limit, 3.0, 1e-12);
   EXPECT_NEAR(robot.servos[0].kp, 80.0, 1e-9);
-  EXPECT_NEAR(robot.servos[0].kd, 0.8, 1e-9);
+  EXPECT_NEAR(robot.servos[0].kd, 0.015 * robot.servos[0].kp, 1e-9);
   EXPECT_EQ(robot.servos[1].torque_limit, 4.0);  // the smaller side
   EXPECT_NEAR(robot.servos[2].kp, 180.0, 1e-9);  // gear² × 20
   EXPECT_TRUE(std::isinf(robot.servos[2].torque_limit));

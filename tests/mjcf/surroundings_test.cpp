@@ -138,7 +138,7 @@ TEST(Surroundings, SoftServosArePlayedAsStiffAsTheTaskSaysAndTheMotorBears) {
   };
   const Servo stiff = rotary(played(30.0, 2.0 * own.kp, std::nullopt));
   EXPECT_EQ(stiff.kp, 2.0 * own.kp);
-  EXPECT_NEAR(stiff.kd, std::max(own.kd, 0.01 * stiff.kp), 1e-12);
+  EXPECT_NEAR(stiff.kd, std::max(own.kd, kDampingTime * stiff.kp), 1e-12);
   EXPECT_EQ(rotary(played(30.0, 2.0 * own.kp, 7.0)).kd, 7.0);
   EXPECT_EQ(rotary(played(30.0, 0.5 * own.kp, 7.0)).kp, own.kp) << "none gets softer";
   EXPECT_EQ(rotary(played(30.0, 0.5 * own.kp, 7.0)).kd, own.kd);

@@ -9,7 +9,7 @@
 namespace legwright {
 
 double ServoSag::stiff_kp() const {
-  const double least = torque / (kSoftSag / 3.0);
+  const double least = torque / kFirmSag;
   const double unit = std::pow(10.0, std::floor(std::log10(least)) - 1.0);
   return std::ceil(least / unit - 1e-9) * unit;
 }

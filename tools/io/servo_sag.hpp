@@ -7,9 +7,10 @@
 
 namespace legwright {
 
-/// Sag above which servos are called soft [rad]: gaits of robots that bend more were not followed, those of robots that
-/// bend less were, from half their gains on (tools/README.md).
-inline constexpr double kSoftSag = 0.03;
+/// Sag above which servos are called soft, and that of those that are stiff enough [rad]: trots of robots that bend by
+/// 0.02 to 0.3 rad were followed badly or only just, those of robots that bend by up to 0.01 rad were, from half their
+/// gains on (tools/README.md).
+inline constexpr double kSoftSag = 0.015, kFirmSag = 0.01;
 
 /// How far standing still in the home pose bends the servo at a joint that gives in most, without feed-forward.
 struct ServoSag {
@@ -18,7 +19,7 @@ struct ServoSag {
   double kp = 0.0;      // of this servo [N m/rad]
   double torque = 0.0;  // the largest of any servo at a joint that stands [N m]
   bool soft() const { return angle > kSoftSag; }
-  /// Gain with which no servo sags by more than a third of what is soft, two digits [N m/rad].
+  /// Gain with which no servo sags by more than kFirmSag, two digits [N m/rad].
   double stiff_kp() const;
 };
 

@@ -77,7 +77,7 @@ TEST(StarterTask, PlaysServosThatGiveInStiffer) {
       << warnings[0];
 }
 
-TEST(StarterTask, AStiffServoSagsByAThirdOfWhatIsSoft) {
+TEST(StarterTask, AStiffServoSagsByLessThanWhatIsSoft) {
   ServoSag sag{"knee", 0.05, 90.0, 4.5};
   EXPECT_EQ(sag.stiff_kp(), 450.0);
   sag.torque = 4.51;
