@@ -12,6 +12,7 @@
 
 #include "mjcf/compile.hpp"
 #include "mjcf/linear_actuators.hpp"
+#include "mjcf/mirror.hpp"
 #include "mjcf/numbers.hpp"
 #include "mjcf/stretch.hpp"
 
@@ -204,6 +205,21 @@ Binding::Target resolve_stretch(const XmlFile& xml, const mjModel& model,
   return {word.name, false, word.factor, at.text->GetLineNum(), measure.direction};
 }
 
+/// The direction that a word means for a joint: mirrored from that target without ~ whose mirror
+/// image the joint is.
+Eigen::Vector3d turn_of(const mjModel& model, const Structure& structure, const Declared& declared,
+                        const TargetWord& word, int joint) {
+  const Eigen::Vector3d n = Eigen::Vector3d::Unit(declared.direction[0] - 'x');
+  if (!word.mirrored) return n;
+  std::vector<int> others;
+  for (const TargetWord& other : declared.targets)
+    if (!other.mirrored) others.push_back(mj_name2id(&model, mjOBJ_JOINT, other.name.c_str()));
+  others.erase(std::remove(others.begin(), others.end(), -1), others.end());
+  const int image = mirror_image(model, structure.trunk, joint, others);
+  if (image < 0) return {-n.x(), n.y(), -n.z()};
+  return mirrored_turn(model, structure.trunk, image, joint, n);
+}
+
 Binding::Target resolve_axis(const XmlFile& xml, const mjModel& model,
                              const DeclarationElements& at, const Declared& declared,
                              const TargetWord& word, const Structure& structure) {
@@ -229,9 +245,8 @@ Binding::Target resolve_axis(const XmlFile& xml, const mjModel& model,
   if (!is_tag(*element->Parent()->ToElement(), "body"))
     throw xml.error(
         *element, "a joint whose axis is designed must stand directly in its body, not in a frame");
-  Eigen::Vector3d n = Eigen::Vector3d::Unit(declared.direction[0] - 'x');
-  if (word.mirrored) n = Eigen::Vector3d(-n.x(), n.y(), -n.z());
-  return {word.name, word.mirrored, word.factor, at.text->GetLineNum(), n};
+  return {word.name, word.mirrored, word.factor, at.text->GetLineNum(),
+          turn_of(model, structure, declared, word, joint)};
 }
 
 /// The site is an end of a linear actuator and says its place itself.
@@ -282,9 +297,9 @@ Binding resolve(const XmlFile& xml, const mjModel& model, const DeclarationEleme
     binding.targets.push_back(std::move(target));
   }
   const Binding::Target& front = binding.targets.front();
-  const Eigen::Vector3d& d = front.direction;
-  const bool turned_back = front.mirrored && parameter.kind == ParameterKind::axis_angle;
-  binding.direction = turned_back ? Eigen::Vector3d(-d.x(), d.y(), -d.z()) : d;
+  binding.direction = parameter.kind == ParameterKind::axis_angle
+                          ? Eigen::Vector3d::Unit(declared.direction[0] - 'x').eval()
+                          : front.direction;
   return binding;
 }
 

@@ -111,7 +111,7 @@ void check_axis(const XmlFile& xml, const XmlElement& element) {
 }
 
 /// Names that scene.xml needs for itself.
-void check_scene_needs(const XmlFile& xml, const XmlElement& element) {
+void check_scene_needs(const XmlFile& xml, const XmlElement& element, Refusals& reasons) {
   const std::string_view name = attribute(element, "name");
   const auto is = [&](const char* tag, std::string_view reserved) {
     return is_tag(element, tag) && name == reserved;
@@ -125,11 +125,11 @@ void check_scene_needs(const XmlFile& xml, const XmlElement& element) {
   const bool is_foot = is_tag(element, "site") && name.substr(0, 5) == "foot:";
   if (is_foot || is("geom", "floor") || is("key", "gait") || is("texture", "legwright_floor") ||
       is("material", "legwright_floor") || is_sensor || is_class)
-    throw xml.error(element,
-                    is("geom", "floor")
-                        ? "the scene brings a floor of this name; give the robot's own file, "
-                          "without surroundings, or remove the floor"
-                        : "the scene adds an element of this name; remove it or name it otherwise");
+    reasons.add(xml.error(
+        element, is("geom", "floor")
+                     ? "the scene brings a floor of this name; give the robot's own file, "
+                       "without surroundings, or remove the floor"
+                     : "the scene adds an element of this name; remove it or name it otherwise"));
 }
 
 /// Told before MuJoCo stumbles over a keyframe that does not fit a robot without free joint.
@@ -160,7 +160,7 @@ void check_values(const XmlFile& xml) {
   });
 }
 
-void check_text(const XmlFile& xml) {
+void check_text(const XmlFile& xml, Refusals& reasons) {
   if (!is_tag(xml.root(), "mujoco"))
     throw xml.error(xml.root(), "the root element of a robot is <mujoco>; is this an MJCF file?");
   for_each_element(xml.root(), [&](const XmlElement& element) {
@@ -176,7 +176,7 @@ void check_text(const XmlFile& xml) {
     check_sizes(xml, element);
     check_numbers(xml, element);
     check_axis(xml, element);
-    check_scene_needs(xml, element);
+    check_scene_needs(xml, element, reasons);
   });
   check_has_free_joint(xml);
 }

@@ -18,7 +18,10 @@ using Eigen::Vector3d;
 using RowMatrix3d = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kFlat = 0.3;        // sine of the angle up to which a face lies flat on the ground
+constexpr double kFlat = 0.3;      // sine of the angle up to which a face lies flat on the ground
+constexpr double kLevel = 0.035;   // the same for what lies on its side: else its lower end touches
+constexpr double kNearEnd = 0.25;  // of the far end's distance: so near to the hinge a link begins
+constexpr double kAsLow = 1e-4;    // [m]: balls that touch together
 constexpr double kSoleShare = 0.02;  // of a mesh's height: what is no higher belongs to the sole
 constexpr double kBallFirst = 0.5;   // of its radius: a ball may be so much higher than other geoms
 
@@ -57,9 +60,24 @@ Vector3d sole_of_mesh(const mjModel& model, const mjData& data, int geom) {
 }
 
 /// −1, 0 or 1: to which side along an axis a shape touches the ground.
-double side(double along) { return std::abs(along) > kFlat ? std::copysign(1.0, along) : 0.0; }
+double side(double along, double level = kFlat) {
+  return std::abs(along) > level ? std::copysign(1.0, along) : 0.0;
+}
 
-FootContact contact_of(const mjModel& model, const mjData& data, int geom) {
+/// The end of a capsule or cylinder that touches: the lower one; of a level one the middle, but of
+/// one that is the link itself, from the hinge on, the far end.
+double end_of_rod(const mjModel& model, const mjData& data, int geom, const Vector3d& hinge) {
+  const Matrix3d axes = RowMatrix3d::Map(data.geom_xmat + 9 * geom);
+  const double lower = side(-axes(2, 2), kLevel);
+  if (lower != 0.0) return lower;
+  const Vector3d end = model.geom_size[3 * geom + 1] * axes.col(2),
+                 centre = Vector3d::Map(data.geom_xpos + 3 * geom) - hinge;
+  const double ahead = (centre + end).norm(), behind = (centre - end).norm();
+  if (std::min(ahead, behind) > kNearEnd * std::max(ahead, behind)) return 0.0;
+  return ahead > behind ? 1.0 : -1.0;
+}
+
+FootContact contact_of(const mjModel& model, const mjData& data, int geom, const Vector3d& hinge) {
   FootContact out;
   out.geom = geom;
   const Vector3d d = down(data, geom),
@@ -70,17 +88,17 @@ FootContact contact_of(const mjModel& model, const mjData& data, int geom) {
       break;
     case mjGEOM_CAPSULE:
       out.radius = half.x();
-      out.share.z() = side(d.z());
+      out.share.z() = end_of_rod(model, data, geom, hinge);
       break;
     case mjGEOM_CYLINDER:
-      out.share.z() = side(d.z());
-      if (out.share.z() == 0.0)
+      out.share.z() = end_of_rod(model, data, geom, hinge);
+      if (side(d.z()) == 0.0)
         out.radius = half.x();  // lies and rolls like a ball
       else if (const double across = d.head<2>().norm(); across > kFlat)
         out.share.head<2>() = d.head<2>() / across;
       break;
     case mjGEOM_BOX:
-      out.share = d.unaryExpr(&side);
+      out.share = d.unaryExpr([](double along) { return side(along); });
       break;
     case mjGEOM_ELLIPSOID:
       out.share = half.cwiseProduct(d).normalized();
@@ -92,6 +110,36 @@ FootContact contact_of(const mjModel& model, const mjData& data, int geom) {
       break;
   }
   return out;
+}
+
+/// From the middle of a plain geom to where it touches, in its body's frame.
+struct Arms {
+  Vector3d growing = Vector3d::Zero();  // as far as it follows the stretches with the geom's size
+  Vector3d rigid = Vector3d::Zero();
+};
+
+Arms arms_of(const XmlFile& xml, const TreeElements& elements, const mjModel& model,
+             const FootContact& foot, const std::vector<Stretch>& stretches) {
+  const int g = foot.geom;
+  const Matrix3d axes = rotation_at(model.geom_quat, g);
+  const Vector3d half = half_sizes(model.geom_type[g], model.geom_size + 3 * g);
+  const bool from_to =
+      inherited_attribute(xml, *elements.geoms[static_cast<std::size_t>(g)], "fromto") != nullptr;
+  const auto grows = growing_axes(model.geom_type[g], half, axes, from_to, stretches);
+  Arms out;
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    const Vector3d arm = foot.share[k] * half[k] * axes.col(k);
+    // The ends of what is placed by fromto are points of the body, in whatever direction they lie.
+    const bool with_body = grows[static_cast<std::size_t>(k)] != nullptr || (from_to && k == 2);
+    (with_body ? out.growing : out.rigid) += arm;
+  }
+  return out;
+}
+
+bool is_across(const Vector3d& arm, const std::vector<Stretch>& stretches) {
+  return std::all_of(stretches.begin(), stretches.end(), [&](const Stretch& stretch) {
+    return std::abs(stretch.direction.dot(arm)) <= 1e-12;
+  });
 }
 
 }  // namespace
@@ -140,7 +188,16 @@ bool choose_foot(const XmlFile& xml, const mjModel& model, const mjData& data,
   }
   if (ball >= 0 && low(ball) - low(geom) <= kBallFirst * model.geom_size[3 * ball]) geom = ball;
   if (geom >= 0) {
-    foot = contact_of(model, data, geom);
+    // The balls of one sole that touch together are one foot.
+    std::vector<int> others;
+    for (int g = 0; g < model.ngeom && geom == ball; ++g)
+      if (g != ball && model.geom_type[g] == mjGEOM_SPHERE && collides(model, g) &&
+          model.geom_bodyid[g] == model.geom_bodyid[ball] &&
+          model.geom_size[3 * g] == model.geom_size[3 * ball] && low(g) - low(ball) <= kAsLow)
+        others.push_back(g);
+    const int last = model.body_jntadr[bodies.front()] + model.body_jntnum[bodies.front()] - 1;
+    foot = contact_of(model, data, geom, Vector3d::Map(data.xanchor + 3 * last));
+    foot.others = std::move(others);
     if (is_mesh(model, geom)) {
       const TreeElements elements = find_elements(xml, model);
       const MeshAsset asset = mesh_of(xml, *elements.geoms[static_cast<std::size_t>(geom)]);
@@ -169,6 +226,10 @@ AffineVector foot_point(const XmlFile& xml, const TreeElements& elements, const 
   if (foot.geom < 0) return stretched_point(vector_at(model.site_pos, foot.site), stretches);
   const int g = foot.geom;
   Vector3d centre = vector_at(model.geom_pos, g);
+  if (!foot.others.empty()) {
+    for (const int other : foot.others) centre += vector_at(model.geom_pos, other);
+    return stretched_point(centre / static_cast<double>(1 + foot.others.size()), stretches);
+  }
   Matrix3d axes = rotation_at(model.geom_quat, g);
   if (is_mesh(model, g)) {
     // From MuJoCo's frame of the geom, at the mesh's centre, to the one that the file places.
@@ -182,19 +243,23 @@ AffineVector foot_point(const XmlFile& xml, const TreeElements& elements, const 
     out.constant += arm;
     return out;
   }
-  const Vector3d half = half_sizes(model.geom_type[g], model.geom_size + 3 * g);
-  const bool from_to =
-      inherited_attribute(xml, *elements.geoms[static_cast<std::size_t>(g)], "fromto") != nullptr;
-  const auto grows = growing_axes(model.geom_type[g], half, axes, from_to, stretches);
-  Vector3d moving = centre, rigid = Vector3d::Zero();
-  for (Eigen::Index k = 0; k < 3; ++k) {
-    const Vector3d arm = foot.share[k] * half[k] * axes.col(k);
-    // The ends of what is placed by fromto are points of the body, in whatever direction they lie.
-    const bool with_body = grows[static_cast<std::size_t>(k)] != nullptr || (from_to && k == 2);
-    (with_body ? moving : rigid) += arm;
+  const Arms arms = arms_of(xml, elements, model, foot, stretches);
+  const Vector3d point = centre + arms.growing;
+  if (is_across(arms.rigid, stretches)) {
+    AffineVector out = stretched_point(point, stretches);
+    out.constant += arms.rigid;
+    return out;
   }
-  AffineVector out = stretched_point(moving, stretches);
-  out.constant += rigid;
+  return stretched_point(point + arms.rigid, stretches);
+}
+
+AffineVector foot_shift(const XmlFile& xml, const TreeElements& elements, const mjModel& model,
+                        const FootContact& foot, const std::vector<Stretch>& stretches) {
+  if (foot.geom < 0 || is_mesh(model, foot.geom)) return {};
+  const Vector3d arm = arms_of(xml, elements, model, foot, stretches).rigid;
+  if (is_across(arm, stretches)) return {};
+  AffineVector out = stretched_point(arm, stretches);
+  out.constant -= arm;
   return out;
 }
 

@@ -18,8 +18,8 @@ double lowest_point(const mjModel& model, const mjData& data, int geom);
 bool collides(const mjModel& model, int geom);
 
 /// The foot among the parts of a leg's last link, in the pose that `data` holds: the colliding geom
-/// that reaches lowest (a ball before others that are about as low), else the lowest site. Without
-/// name. Returns false where there is neither.
+/// that reaches lowest (a ball before others that are about as low; balls of one size that reach as
+/// low together), else the lowest site. Without name. Returns false where there is neither.
 /// @param bodies those that make up the link.
 bool choose_foot(const XmlFile& xml, const mjModel& model, const mjData& data,
                  const std::vector<int>& bodies, FootContact& foot);
@@ -27,9 +27,16 @@ bool choose_foot(const XmlFile& xml, const mjModel& model, const mjData& data,
 /// Body that a foot belongs to.
 int foot_body(const mjModel& model, const FootContact& foot);
 
-/// Centre of a foot's ball in the frame of its body, as a function of the design.
+/// Centre of a foot's ball, or the middle of its sole, in the frame of its body, as a function of the
+/// design: a point of the body, which goes where the stretches take it.
 /// @param stretches of its body; without any the point as it is in the file.
 AffineVector foot_point(const XmlFile& xml, const TreeElements& elements, const mjModel& model,
+                        const FootContact& foot, const std::vector<Stretch>& stretches);
+
+/// How much farther than its own place the geom of a foot moves, so that where it touches is such a
+/// point although the geom keeps its thickness: in its body's frame, as a function of the design.
+/// Nothing for a ball, a mesh, a thickness that grows or lies across the stretches.
+AffineVector foot_shift(const XmlFile& xml, const TreeElements& elements, const mjModel& model,
                         const FootContact& foot, const std::vector<Stretch>& stretches);
 
 }  // namespace legwright

@@ -245,7 +245,8 @@ bool has_parts_of(const mjModel& model, const Structure& structure) {
          structure.reads_tendon.size() == static_cast<std::size_t>(model.ntendon) &&
          structure.trunk < model.nbody &&
          std::all_of(structure.feet.begin(), structure.feet.end(), [&](const FootContact& foot) {
-           return foot.geom < model.ngeom && foot.site < model.nsite;
+           return foot.geom < model.ngeom && foot.site < model.nsite &&
+                  (foot.others.empty() || foot.others.back() < model.ngeom);
          });
 }
 

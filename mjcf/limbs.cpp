@@ -20,8 +20,8 @@ constexpr double kAlike = 0.01;    // of the leg length: mirrored feet may diffe
 constexpr double kRowShare = 0.2;  // of the feet's longer spread: closer along x, they share a row
 constexpr double kNearAxis = 0.966;  // cosine of 15 degrees
 
-/// Where the feet are in the home pose, in the trunk's frame.
-std::vector<Vector3d> feet_at_home(const Morphology& morphology, const VectorXd& s) {
+/// The frames of the links in the home pose, seen from the trunk.
+std::vector<Isometry3d> frames_at_home(const Morphology& morphology, const VectorXd& s) {
   std::vector<Isometry3d> frames(morphology.links.size(), Isometry3d::Identity());
   for (std::size_t i = 1; i < morphology.links.size(); ++i) {
     const Link& link = morphology.links[i];
@@ -30,16 +30,30 @@ std::vector<Vector3d> feet_at_home(const Morphology& morphology, const VectorXd&
     frames[i].rotate(link.orientation);
     frames[i].rotate(Eigen::AngleAxisd(link.joint.nominal, link.joint.axis.at(s)));
   }
-  std::vector<Vector3d> feet;
-  for (const Foot& foot : morphology.feet)
-    feet.push_back(frames[static_cast<std::size_t>(foot.link)] * foot.position.at(s));
-  return feet;
+  return frames;
+}
+
+/// How many links of a chain, from the trunk on, others hang on too.
+int shared_links(const Morphology& morphology, const std::vector<int>& chain) {
+  int shared = 0;
+  for (const int link : chain) {
+    int feet = 0;
+    for (const Foot& foot : morphology.feet) {
+      const std::vector<int> other = morphology.chain_to(foot.link);
+      feet += std::count(other.begin(), other.end(), link) > 0;
+    }
+    if (feet > 1) ++shared;
+  }
+  return shared;
 }
 
 }  // namespace
 
 std::vector<Limb> find_limbs(const Morphology& morphology, const VectorXd& s) {
-  const std::vector<Vector3d> feet = feet_at_home(morphology, s);
+  const std::vector<Isometry3d> frames = frames_at_home(morphology, s);
+  std::vector<Vector3d> feet;
+  for (const Foot& foot : morphology.feet)
+    feet.push_back(frames[static_cast<std::size_t>(foot.link)] * foot.position.at(s));
   double spread = 0.0;  // the longer one, as footfall_order() has it
   for (const Vector3d& one : feet)
     for (const Vector3d& other : feet)
@@ -49,6 +63,11 @@ std::vector<Limb> find_limbs(const Morphology& morphology, const VectorXd& s) {
     Limb limb;
     limb.foot = foot;
     limb.links = morphology.chain_to(morphology.feet[static_cast<std::size_t>(foot)].link);
+    limb.shared = shared_links(morphology, limb.links);
+    for (const int link : limb.links) {
+      const auto at = static_cast<std::size_t>(link);
+      limb.axes.push_back(frames[at].linear() * morphology.links[at].joint.axis.at(s));
+    }
     limb.home = feet[static_cast<std::size_t>(foot)];
     if (!limbs.empty()) {
       const bool next = limbs.back().home.x() - limb.home.x() > kRowShare * spread;

@@ -12,6 +12,8 @@ namespace legwright {
 struct Limb {
   int foot = 0;            // of the morphology
   std::vector<int> links;  // from the trunk's child down to the foot's
+  int shared = 0;          // so many of them, from the first on, carry other limbs too: a waist
+  std::vector<Eigen::Vector3d> axes;  // of the links' joints, trunk's frame, home pose
   Eigen::Vector3d home =
       Eigen::Vector3d::Zero();  // centre of the foot, trunk's frame, home pose [m]
   int row = 0;                  // from front to hind
@@ -26,7 +28,7 @@ std::vector<Limb> find_limbs(const Morphology& morphology, const Eigen::VectorXd
 /// What the rows are called: front and hind, front, middle and hind; nothing for one row.
 std::string row_name(int row, int rows);
 
-/// "roll", "pitch" or "yaw" for an axis near x, y or z of its link; else "oblique".
+/// "roll", "pitch" or "yaw" for an axis near x, y or z of the trunk; else "oblique".
 std::string axis_name(const Eigen::Vector3d& axis);
 
 }  // namespace legwright

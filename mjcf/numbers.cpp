@@ -20,6 +20,8 @@ std::vector<std::string_view> split_words(std::string_view text) {
 }
 
 std::optional<double> parse_number(std::string_view word) {
+  // from_chars takes no plus sign; behind one it would take a minus.
+  if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
   double value = 0.0;
   const char* const end = word.data() + word.size();
   const auto [stop, error] = std::from_chars(word.data(), end, value);

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "mjcf/elements.hpp"
+#include "mjcf/feet.hpp"
 #include "mjcf/growth.hpp"
 #include "mjcf/numbers.hpp"
 
@@ -29,6 +30,7 @@ struct Solid {
   bool from_to;
   double density;  // [kg/m³]
   bool mass_given;
+  AffineVector shift;  // of a foot, besides that of its centre
 };
 
 class Printer {
@@ -124,6 +126,7 @@ class Printer {
     }
     AffineVector centre = stretched_point(base, stretches_);
     centre.constant += offset;
+    if (!solid.shift.slopes.empty()) centre = sum(centre, solid.shift);
     for (int k = 0; k < 3; ++k)
       for (const double sign : {1.0, -1.0}) {
         const Vector3d arm = sign * arms[k] * solid.axes.col(k);
@@ -169,7 +172,8 @@ std::vector<Solid> solids_of(const XmlFile& xml, const mjModel& model, const Tre
                 Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix(),
                 inherited_attribute(xml, *part, "fromto") != nullptr,
                 1000.0,
-                false};
+                false,
+                {}};
     if (const char* text = inherited_attribute(xml, *part, "density"))
       solid.density = parse_numbers(text)->front();
     if (const char* text = inherited_attribute(xml, *part, "mass")) {
@@ -267,7 +271,8 @@ void check_weight(const XmlFile& xml, const XmlElement& body, const std::vector<
 
 }  // namespace
 
-PrintedMap read_printed(const XmlFile& xml, const mjModel& model, const StretchMap& stretches) {
+PrintedMap read_printed(const XmlFile& xml, const mjModel& model, const Structure& structure,
+                        const StretchMap& stretches) {
   PrintedMap printed;
   if (stretches.empty()) return printed;
   const TreeElements elements = find_elements(xml, model);
@@ -277,7 +282,10 @@ PrintedMap read_printed(const XmlFile& xml, const mjModel& model, const StretchM
     const int id = mj_name2id(&model, mjOBJ_BODY, name.c_str());
     Printer printer(xml, own);
     std::vector<Solid> meshes;
-    for (const Solid& solid : solids_of(xml, model, elements, id)) {
+    for (Solid& solid : solids_of(xml, model, elements, id)) {
+      for (const FootContact& foot : structure.feet)
+        if (foot.geom >= 0 && elements.geoms[static_cast<std::size_t>(foot.geom)] == solid.element)
+          solid.shift = foot_shift(xml, elements, model, foot, own);
       if (solid.type != mjGEOM_MESH)
         printer.add(solid);
       else if (solid.density > 0.0)

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mjcf/affine.hpp"
+#include "mjcf/structure.hpp"
 #include "mjcf/xml.hpp"
 
 namespace legwright {
@@ -19,6 +20,7 @@ using PrintedMap = std::map<std::string, std::vector<PointMass>>;
 /// their own axes, cylinders and capsules placed by `fromto` along theirs (the round ends of a capsule do not), the rest
 /// keeps its size. Exactly what MuJoCo will compute of the rewritten file. Throws InputError for a geom that would not
 /// keep its shape, and where MuJoCo weighs the body otherwise.
-PrintedMap read_printed(const XmlFile& xml, const mjModel& model, const StretchMap& stretches);
+PrintedMap read_printed(const XmlFile& xml, const mjModel& model, const Structure& structure,
+                        const StretchMap& stretches);
 
 }  // namespace legwright

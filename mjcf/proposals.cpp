@@ -12,6 +12,9 @@
 #include "mjcf/checks.hpp"
 #include "mjcf/compile.hpp"
 #include "mjcf/input_error.hpp"
+#include "mjcf/mirror.hpp"
+#include "mjcf/proposal_trial.hpp"
+#include "mjcf/standing.hpp"
 #include "mjcf/stretch.hpp"
 
 namespace legwright {
@@ -83,6 +86,8 @@ class Study {
   }
 
   StudiedRobot run() {
+    out_.not_standing = why_not_standing(*xml_, *compiled_, out_.model.structure);
+    add_shared();
     for (const Limb& limb : out_.limbs) add_lengths(limb);
     for (const Limb& limb : out_.limbs) add_axes(limb);
     add_trunk();
@@ -134,10 +139,24 @@ class Study {
     }
   }
 
+  /// Joints between the trunk and several legs, as a waist: neither left nor right.
+  void add_shared() {
+    std::set<int> told;
+    for (const Limb& limb : out_.limbs)
+      for (std::size_t k = 0; k < static_cast<std::size_t>(limb.shared); ++k) {
+        const Joint& joint = link(limb.links[k]).joint;
+        if (!told.insert(limb.links[k]).second) continue;
+        leave_out(joint.name + "_axis",
+                  fmt::format("joint '{}' is above several legs, so its axis has no mirror image; "
+                              "declare it by hand if it shall turn",
+                              joint.name));
+      }
+  }
+
   void add_lengths(const Limb& limb) {
     if (!speaks(limb)) return;
     const Limb& other = partner(limb);
-    for (std::size_t k = 0; k < limb.links.size(); ++k) {
+    for (auto k = static_cast<std::size_t>(limb.shared); k < limb.links.size(); ++k) {
       const std::string body = link(limb.links[k]).name, twin = link(other.links[k]).name;
       const auto length = length_of(body, "link"), twin_length = length_of(twin, "link");
       if (!length || *length < kShortestLink) continue;
@@ -175,17 +194,36 @@ class Study {
     return true;
   }
 
+  /// Why the axes of two joints cannot be tied as mirror images; empty where they can.
+  std::string unmirrored(const Joint& joint, const Joint& twin) const {
+    const int trunk = out_.model.structure.trunk,
+              from = mj_name2id(compiled_.get(), mjOBJ_JOINT, joint.name.c_str()),
+              to = mj_name2id(compiled_.get(), mjOBJ_JOINT, twin.name.c_str());
+    // The mirror image of a line; a joint may turn either way about it.
+    const Vector3d image = mirrored_turn(*compiled_, trunk, from, to, joint.axis.at(s_));
+    if (std::abs(image.dot(twin.axis.at(s_))) < 1.0 - 1e-9)
+      return fmt::format(
+          "the axes of '{}' and '{}' are no mirror images, seen from the trunk in "
+          "the home pose",
+          joint.name, twin.name);
+    if (!at_mirrored_angles(*compiled_, trunk, from, to))
+      return fmt::format(
+          "joints '{}' and '{}' stand at angles that are no mirror images in the "
+          "home pose, so what they carry would be none with turned axes",
+          joint.name, twin.name);
+    return "";
+  }
+
   void add_axes(const Limb& limb) {
     if (!speaks(limb)) return;
     const double most = planar(limb) ? kTurn : kTurnOfAble;
     const Limb& other = partner(limb);
     const char* const directions[] = {"x", "y", "z"};
     const char* const turns[] = {"roll", "pitch", "yaw"};
-    for (std::size_t k = 0; k < limb.links.size(); ++k) {
+    for (auto k = static_cast<std::size_t>(limb.shared); k < limb.links.size(); ++k) {
       const Joint &joint = link(limb.links[k]).joint, &twin = link(other.links[k]).joint;
-      const Vector3d axis = joint.axis.at(s_), image = twin.axis.at(s_);
-      // The mirror image of a line; a joint may turn either way about it.
-      const double alike = std::abs(axis.dot(Vector3d(image.x(), -image.y(), image.z())));
+      const Vector3d axis = joint.axis.at(s_);
+      const std::string untied = limb.partner < 0 ? "" : unmirrored(joint, twin);
       std::string own = without_side(joint.name);
       if (own.empty()) own = fmt::format("joint{}", k + 1);
       const std::string where = place(limb);
@@ -193,10 +231,8 @@ class Study {
         if (std::abs(axis[n]) > kAcross) continue;
         const std::string name =
             fmt::format("{}{}{}_axis_{}", where, where.empty() ? "" : "_", own, turns[n]);
-        if (limb.partner >= 0 && alike < 1.0 - 1e-9) {
-          leave_out(name, fmt::format("the axes of '{}' and '{}' are no mirror images in their "
-                                      "bodies' frames",
-                                      joint.name, twin.name));
+        if (!untied.empty()) {
+          leave_out(name, untied);
           continue;
         }
         offer({name, 0.0, -most, most, "rad",
@@ -305,29 +341,23 @@ class Study {
     out_.proposals.push_back(std::move(proposal));
   }
 
-  /// Why the file with these declarations would not be read; empty if it would.
   std::string refusal(const std::vector<Proposal>& proposals) const {
-    try {
-      const RobotModel read =
-          parse_robot(with_declarations(text_, xml_->file, proposals), xml_->file);
-      const int wanted = out_.model.space.size() + static_cast<int>(proposals.size());
-      return read.space.size() == wanted ? "" : "what is written into the file is not read again";
-    } catch (const InputError& error) {
-      // The place is in a text that nobody has seen; what is wrong stands behind it.
-      const std::string all = error.what(), prefix = xml_->file.string() + ":";
-      if (all.compare(0, prefix.size(), prefix) != 0) return all;
-      const std::size_t cut = all.find(": ", prefix.size());
-      return cut == std::string::npos ? all : all.substr(cut + 2);
-    }
+    return refusal_of(text_, xml_->file, out_.model.space.size(), proposals);
+  }
+  std::string unwritable(const std::vector<Proposal>& proposals) const {
+    return fault_at_bounds(text_, xml_->file, proposals);
   }
 
-  /// Each was accepted alone; together some may not be, as two stretches that are oblique.
+  /// Each was accepted alone; together some may not be, as two stretches that are oblique. And what
+  /// is proposed can be written at both bounds.
   void keep_what_holds() {
     std::vector<Proposal> kept;
-    if (refusal(out_.proposals).empty()) return;
+    if (refusal(out_.proposals).empty() && unwritable(out_.proposals).empty()) return;
     for (Proposal& proposal : out_.proposals) {
       kept.push_back(proposal);
-      if (const std::string fault = refusal(kept); !fault.empty()) {
+      std::string fault = refusal(kept);
+      if (fault.empty()) fault = unwritable(kept);
+      if (!fault.empty()) {
         kept.pop_back();
         leave_out(proposal.name, fault);
       }

@@ -24,6 +24,7 @@ struct StudiedRobot {
   std::vector<Limb> limbs;
   std::vector<Proposal> proposals;    // each and all of them together are accepted by parse_robot
   std::vector<std::string> left_out;  // "front_thigh_length: why", one each
+  std::string not_standing;           // why the home pose is none to walk from; empty where it is
 };
 
 /// Reads a robot and proposes its design parameters: length of each link of a leg, left and right

@@ -28,12 +28,31 @@ void check_home(const XmlFile& xml, const mjModel& model, const Morphology& morp
   }
 }
 
+/// Does some work; what it refuses is told together with reasons that are known already.
+template <class Work>
+auto together_with(Refusals& reasons, const Work& work) {
+  try {
+    auto out = work();
+    reasons.throw_if_any();
+    return out;
+  } catch (const InputError& error) {
+    if (reasons.empty()) throw;
+    if (error.reasons().empty()) reasons.add(error);
+    for (const InputError& reason : error.reasons()) reasons.add(reason);
+  }
+  throw InputError(reasons.all());
+}
+
 RobotModel parse_text(const std::string& xml_text, const std::filesystem::path& file,
                       const Structure* known) {
   const auto xml = load_xml(xml_text, file);
-  check_text(*xml);
-  const ModelPointer model = compile_mjcf(xml->text, file);
-  Structure structure = read_structure(*xml, *model, known);
+  Refusals reasons;
+  check_text(*xml, reasons);
+  ModelPointer model;
+  Structure structure = together_with(reasons, [&] {
+    model = compile_mjcf(xml->text, file);
+    return read_structure(*xml, *model, known);
+  });
   const std::vector<TendonSpan> tendons = read_tendons(*xml, *model, structure);
   Declarations declared = read_declarations(*xml, *model, structure);
   const StretchMap stretches = collect_stretches(declared.space, declared.bindings, file);
@@ -41,7 +60,7 @@ RobotModel parse_text(const std::string& xml_text, const std::filesystem::path& 
   const PlaceMap places = collect_places(declared.space, declared.bindings, file);
   robot.morphology =
       build_morphology(*xml, *model, structure, declared.space, declared.bindings, stretches,
-                       places, read_printed(*xml, *model, stretches), tendons);
+                       places, read_printed(*xml, *model, structure, stretches), tendons);
   check_home(*xml, *model, robot.morphology);
   check_arms(*xml, tendons, robot.morphology, declared.space);
   robot.servos = read_servos(*xml, *model, structure, robot.morphology, declared.space.initial());

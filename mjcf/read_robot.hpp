@@ -16,11 +16,10 @@ namespace legwright {
 /// What one design parameter changes in the file, by MJCF names.
 struct Binding {
   struct Target {
-    std::string name;  // body (stretch), joint (axis) or site (place)
-    bool mirrored =
-        false;  // the turn's direction n became (−n_x, n_y, −n_z): axes are pseudo-vectors
-    double factor = 1.0;  // this target has so many times the number: scaled tie, mirrored place
-    int line = 0;         // of the <text> that declares it
+    std::string name;       // body (stretch), joint (axis) or site (place)
+    bool mirrored = false;  // ~: the turn's direction was mirrored (mirrored_turn)
+    double factor = 1.0;    // this target has so many times the number: scaled tie, mirrored place
+    int line = 0;           // of the <text> that declares it
     Eigen::Vector3d direction =
         Eigen::Vector3d::Zero();  // as it holds for this target, its body's frame, unit
   };

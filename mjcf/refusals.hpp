@@ -18,6 +18,7 @@ class Refusals {
     reasons_.push_back(reason);
   }
   bool empty() const { return reasons_.empty(); }
+  const std::vector<InputError>& all() const { return reasons_; }
   /// Throws one InputError with all reasons, if there are some.
   void throw_if_any() const {
     if (!reasons_.empty()) throw InputError(reasons_);

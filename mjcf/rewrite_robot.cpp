@@ -10,6 +10,7 @@
 #include "mjcf/bindings.hpp"
 #include "mjcf/compile.hpp"
 #include "mjcf/elements.hpp"
+#include "mjcf/feet.hpp"
 #include "mjcf/growth.hpp"
 #include "mjcf/keyframes.hpp"
 #include "mjcf/linear_actuators.hpp"
@@ -27,13 +28,14 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 using RigidMap = std::map<const XmlElement*, Vector3d>;
+using ShiftMap = std::map<const XmlElement*, AffineVector>;
 
 /// One stretched body: how its points move, and how to write that into its elements.
 class BodyRewriter {
  public:
   BodyRewriter(const XmlFile& xml, const mjModel& model, const XmlElement& body,
                const std::vector<Stretch>& stretches, const PlaceMap& places, const VectorXd& s,
-               const RigidMap& rigid, TextEdits& edits)
+               const RigidMap& rigid, const ShiftMap& feet, TextEdits& edits)
       : xml_(xml),
         model_(model),
         body_(body),
@@ -41,6 +43,7 @@ class BodyRewriter {
         places_(places),
         s_(s),
         rigid_(rigid),
+        feet_(feet),
         map_(stretch_matrix(stretches, s)),
         id_(mj_name2id(&model, mjOBJ_BODY, body.Attribute("name"))),
         edits_(edits) {}
@@ -65,7 +68,7 @@ class BodyRewriter {
         shift(*part, frame.linear().transpose() *
                          (foot->second - (map_ * frame.translation() - frame.translation())));
       else if (is_geom || (is_tag(*part, "site") && !is_placed))
-        shape(*part, map);
+        shape(*part, map, frame.linear());
       const bool is_view = (is_tag(*part, "camera") || is_tag(*part, "light")) && is_fixed(*part);
       if (is_view || is_tag(*part, "joint"))
         if (inherited_attribute(xml_, *part, "pos")) move(*part, "pos", map);
@@ -80,12 +83,13 @@ class BodyRewriter {
 
   /// Writes mapped points; an attribute whose numbers stay is left alone, also where a class holds
   /// it.
-  void move(const XmlElement& part, const char* name, const Matrix3d& map) {
+  void move(const XmlElement& part, const char* name, const Matrix3d& map,
+            const Vector3d& farther = Vector3d::Zero()) {
     const auto numbers = parse_numbers(inherited_attribute(xml_, part, name));
     if (!numbers || numbers->size() % 3 != 0) return;
     VectorXd moved = VectorXd::Map(numbers->data(), static_cast<Eigen::Index>(numbers->size()));
     for (Eigen::Index i = 0; i + 2 < moved.size(); i += 3)
-      moved.segment<3>(i) = map * moved.segment<3>(i);
+      moved.segment<3>(i) = map * moved.segment<3>(i) + farther;
     write(part, name, *numbers, moved);
   }
 
@@ -104,10 +108,16 @@ class BodyRewriter {
   }
 
   /// A geom or site: end points if it has some, else its place, and its size along the axes that
-  /// grow with the body.
-  void shape(const XmlElement& part, const Matrix3d& map) {
-    if (inherited_attribute(xml_, part, "fromto")) return move(part, "fromto", map);
-    if (inherited_attribute(xml_, part, "pos")) move(part, "pos", map);
+  /// grow with the body. A foot that keeps its thickness moves as its sole does.
+  void shape(const XmlElement& part, const Matrix3d& map, const Matrix3d& frame) {
+    const auto foot = feet_.find(&part);
+    const Vector3d farther = foot == feet_.end() ? Vector3d::Zero().eval()
+                                                 : (frame.transpose() * foot->second.at(s_)).eval();
+    if (inherited_attribute(xml_, part, "fromto")) return move(part, "fromto", map, farther);
+    if (inherited_attribute(xml_, part, "pos"))
+      move(part, "pos", map, farther);
+    else if (foot != feet_.end())
+      shift(part, farther);
     const char* type = inherited_attribute(xml_, part, "type");
     const char* size = inherited_attribute(xml_, part, "size");
     const std::string_view name = type ? type : "sphere";
@@ -172,6 +182,7 @@ class BodyRewriter {
   const PlaceMap& places_;
   const VectorXd& s_;
   const RigidMap& rigid_;
+  const ShiftMap& feet_;
   const Matrix3d map_;
   const int id_;
   TextEdits& edits_;
@@ -195,6 +206,19 @@ VectorXd told_design(const DesignSpace& space, const VectorXd& s) {
   for (int k = 0; k < space.size(); ++k)
     if (const double value = rounded(s[k]); value != rounded(told[k])) told[k] = value;
   return space.clamp(told);
+}
+
+ShiftMap shifted_feet(const XmlFile& xml, const mjModel& model, const TreeElements& elements,
+                      const Structure& structure, const StretchMap& stretches) {
+  ShiftMap out;
+  for (const FootContact& foot : structure.feet) {
+    const auto own = stretches.find(name_of(model, mjOBJ_BODY, foot_body(model, foot)));
+    if (foot.geom < 0 || own == stretches.end()) continue;
+    AffineVector shift = foot_shift(xml, elements, model, foot, own->second);
+    if (!shift.slopes.empty())
+      out.emplace(elements.geoms[static_cast<std::size_t>(foot.geom)], std::move(shift));
+  }
+  return out;
 }
 
 /// The bounds stay those of the file: a task may have narrowed the robot's.
@@ -275,7 +299,7 @@ std::string rewrite_robot(const RobotModel& robot, const VectorXd& design) {
   const RigidMap rigid = rigid_feet(*xml, *model, elements, robot.structure, all, s);
   for (const auto& [body, stretches] : all)
     BodyRewriter(*xml, *model, *find_named(xml->root(), "body", body), stretches, places, s, rigid,
-                 edits)
+                 shifted_feet(*xml, *model, elements, robot.structure, all), edits)
         .run();
   write_places(robot, *xml, all, places, s, edits);
   write_mesh_scales(*xml, *model, elements, all, rigid, s, edits);

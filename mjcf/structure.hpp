@@ -17,6 +17,7 @@ struct FootContact {
                                                     // half sizes; of a mesh along the axes and in
                                                     // the units of its file, whatever its scale
   double radius = 0.0;                              // [m]
+  std::vector<int> others;  // balls of one sole as low as this one: the point is the middle of all
 };
 
 /// A joint that the plan holds at its home pose.

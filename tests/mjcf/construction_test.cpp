@@ -302,6 +302,17 @@ TEST(Couplings, LoopsAmongWhatIsHeldAreNone) {
   EXPECT_TRUE(holds(complaint(test::with(tied, " body2=\"pelvis\"", "")), "in the world"));
 }
 
+TEST(Refusals, AFloorHidesNothingElseAndIsToldOnce) {
+  std::string xml = test::hopper_with("<geom name=\"tip\" size=\"0.02\" pos=\"0 0 -0.2\"/>");
+  xml = test::with(xml, "<worldbody>",
+                   "<option gravity=\"0 0 -9.8\"/><worldbody>"
+                   "<geom name=\"floor\" type=\"plane\" size=\"0 0 1\"/>");
+  const std::string all = complaint(xml);
+  EXPECT_TRUE(holds(all, "geom 'floor': the scene brings a floor of this name")) << all;
+  EXPECT_TRUE(holds(all, "attribute gravity: 0 0 -9.8")) << all;
+  EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 1) << all;
+}
+
 TEST(Refusals, AllReasonsAreToldAtOnceEachWithItsLine) {
   std::string xml = test::hopper_with("<geom name=\"tip\" size=\"0.02\" pos=\"0 0 -0.2\"/>");
   xml = test::with(xml, "<joint name=\"knee\" axis=\"0 1 0\"/>",

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -101,6 +102,102 @@ TEST(Feet, KeepTheirPlaceWhenTheLegTurnsAndStretches) {
     EXPECT_NEAR(robot.morphology.feet[0].position.at(s).z(),
                 model->geom_pos[2] - model->geom_size[2], 1e-11);
   }
+}
+
+/// A sole keeps its thickness while its place moves: the point where it touches goes with the body.
+TEST(Feet, APointOfASoleIsAPointOfTheStretchedBody) {
+  for (const char* foot :
+       {"<geom type=\"box\" pos=\"0.05 0 -0.04\" size=\"0.06 0.03 0.015\"/>",
+        "<geom type=\"box\" pos=\"0.05 0 -0.04\" euler=\"0 0.1 0.2\" size=\"0.06 0.03 0.015\"/>",
+        "<geom type=\"capsule\" pos=\"0.02 0 -0.15\" size=\"0.01 0.02\"/>",
+        "<geom type=\"cylinder\" pos=\"0.02 0 -0.1\" size=\"0.03 0.005\"/>",
+        "<geom type=\"ellipsoid\" pos=\"0.03 0 -0.1\" size=\"0.05 0.03 0.02\"/>",
+        "<frame pos=\"0.02 0 -0.05\" euler=\"0 0 1\"><geom type=\"box\" size=\"0.05 0.03 "
+        "0.01\"/></frame>"})
+    for (const bool printed : {false, true}) {
+      std::string xml = test::hopper_with(foot);
+      const std::size_t inertial = xml.rfind("<inertial");
+      if (printed) xml.erase(inertial, xml.find("/>", inertial) + 2 - inertial);
+      const RobotModel bare = parse_robot(xml, "robot.xml");
+      const Vector3d point = bare.morphology.feet[0].position.constant;
+      xml = test::with(
+          xml, "<keyframe>",
+          fmt::format("<custom><numeric name=\"legwright/long\" data=\"{0} {1} {2}\"/>"
+                      "<text name=\"legwright/long\" data=\"m | stretch link: shank | l\"/>"
+                      "</custom><keyframe>",
+                      point.norm(), 0.75 * point.norm(), 1.25 * point.norm()));
+      const RobotModel robot = parse_robot(xml, "robot.xml");
+      for (const VectorXd& s : {robot.space.lower(), robot.space.upper()}) {
+        std::string text;
+        ASSERT_NO_THROW(text = rewrite_robot(robot, s)) << foot << printed;
+        const RobotModel read = parse_robot(text, "robot.xml", &robot.structure);
+        EXPECT_LT((read.morphology.feet[0].position.at(s) - point * s[0] / point.norm()).norm(),
+                  1e-9)
+            << foot;
+      }
+    }
+}
+
+TEST(Feet, OfARodThatIsNotLevelTheLowerEndTouches) {
+  const auto foot = [](const std::string& type, double tilt, double x = 0.0) {
+    const std::string geom =
+        fmt::format("<geom type=\"{}\" pos=\"{} 0 -0.2\" euler=\"0 {} 0\" size=\"0.02 0.1\"/>",
+                    type, x, EIGEN_PI / 2 + tilt);
+    return parse_robot(test::hopper_with(geom), "robot.xml").morphology.feet[0];
+  };
+  for (const char* type : {"capsule", "cylinder"}) {
+    EXPECT_NEAR(foot(type, 0.02).position.constant.x(), 0.0, 1e-9) << type;  // level
+    EXPECT_NEAR(foot(type, 0.19).position.constant.x(), 0.1 * std::cos(0.19), 1e-9) << type;
+    EXPECT_NEAR(foot(type, -0.19).position.constant.x(), -0.1 * std::cos(0.19), 1e-9) << type;
+    EXPECT_EQ(foot(type, 0.19).radius, 0.02) << type;
+  }
+}
+
+TEST(Feet, ALinkThatLiesTouchesAtItsFarEnd) {
+  const auto at = [](const char* rod) {
+    return parse_robot(test::hopper_with(rod), "robot.xml")
+        .morphology.feet[0]
+        .position.constant.x();
+  };
+  EXPECT_NEAR(at("<geom type=\"capsule\" fromto=\"0 0 0 0.2 0 0\" size=\"0.02\"/>"), 0.2, 1e-9);
+  EXPECT_NEAR(at("<geom type=\"capsule\" fromto=\"0.2 0 0 0 0 0\" size=\"0.02\"/>"), 0.2, 1e-9);
+  // Under the ankle it is a sole, which touches with both ends.
+  EXPECT_NEAR(at("<geom type=\"capsule\" fromto=\"-0.05 0 -0.03 0.1 0 -0.03\" size=\"0.02\"/>"),
+              0.025, 1e-9);
+}
+
+TEST(Feet, BallsThatTouchTogetherAreOneFootInTheirMiddle) {
+  const std::string heel =
+                        "<geom size=\"0.01\" pos=\"-0.05 0.02 -0.2\"/>"
+                        "<geom size=\"0.01\" pos=\"-0.05 -0.02 -0.2\"/>",
+                    toes =
+                        "<geom size=\"0.01\" pos=\"0.1 0.03 -0.2\"/>"
+                        "<geom size=\"0.01\" pos=\"0.1 -0.03 -0.2\"/>";
+  const RobotModel robot = parse_robot(test::hopper_with(heel + toes), "robot.xml");
+  const Foot& foot = robot.morphology.feet[0];
+  EXPECT_LT((foot.position.constant - Vector3d(0.025, 0, -0.2)).norm(), 1e-9);
+  EXPECT_EQ(foot.radius, 0.01);
+  EXPECT_EQ(robot.structure.feet[0].others.size(), 3u);
+  const ModelPointer played = compile_mjcf(played_robot(robot, robot.xml), "played.xml");
+  const int site = mj_name2id(played.get(), mjOBJ_SITE, ("foot:" + foot.name).c_str());
+  ASSERT_GE(site, 0);
+  EXPECT_NEAR(played->site_pos[3 * site], 0.025, 1e-9);
+  // A heel that is lower is the foot alone.
+  const RobotModel tilted = parse_robot(test::hopper_with(heel + toes, 0.1), "robot.xml");
+  EXPECT_EQ(tilted.structure.feet[0].others.size(), 1u);
+  EXPECT_NEAR(tilted.morphology.feet[0].position.constant.y(), 0.0, 1e-9);
+}
+
+TEST(Feet, PlusSignsAreReadAndStay) {
+  const std::string plus = "<geom size=\"+0.02\" pos=\"+0.01 0 -0.2\"/>";
+  const std::string xml = test::with(
+      test::hopper_with(plus), "<keyframe>",
+      "<custom><numeric name=\"legwright/long\" data=\"0.2 0.1 0.4\"/>"
+      "<text name=\"legwright/long\" data=\"m | stretch z: shank | l\"/></custom><keyframe>");
+  const RobotModel robot = parse_robot(xml, "robot.xml");
+  EXPECT_EQ(robot.morphology.feet[0].radius, 0.02);
+  EXPECT_TRUE(test::holds(rewrite_robot(robot, robot.space.upper()),
+                          "<geom size=\"+0.02\" pos=\"+0.01 0 -0.4\"/>"));
 }
 
 TEST(Feet, NamesThatAreTakenAreNotTakenAgain) {

@@ -19,6 +19,7 @@
 #include "mjcf/input_error.hpp"
 #include "mjcf/proposals.hpp"
 #include "mjcf/rewrite_robot.hpp"
+#include "mjcf/robot_files.hpp"
 #include "tests/mjcf/mutate_robot.hpp"
 #include "tests/mjcf/robots.hpp"
 
@@ -63,10 +64,11 @@ const std::vector<std::pair<std::string, std::string>>& bases() {
       for (const auto& entry : std::filesystem::recursive_directory_iterator(more))
         if (entry.path().filename() == "robot.xml") files.push_back(entry.path());
     std::sort(files.begin(), files.end());
-    for (const auto& file : files)  // they declare nothing: what init proposes is put in
+    for (const auto& file : files) {  // they declare nothing: what init proposes is put in
+      const std::string text = RobotFiles::read(file).text();  // with what it includes
       out.emplace_back(file.parent_path().filename(),
-                       with_declarations(test::read_file(file), file,
-                                         study_robot(test::read_file(file), file).proposals));
+                       with_declarations(text, file, study_robot(text, file).proposals));
+    }
     return out;
   }();
   return all;

@@ -17,6 +17,8 @@ TEST(Numbers, ReadsPlainDecimals) {
   EXPECT_EQ(parse_number("-3"), -3.0);
   EXPECT_EQ(parse_number("1e-3"), 1e-3);
   EXPECT_EQ(parse_number(".5"), 0.5);
+  EXPECT_EQ(parse_number("+0.04"), 0.04);
+  EXPECT_EQ(parse_number("+1e+3"), 1e3);
   const auto list = parse_numbers(" 1\t2\n 3 ");
   ASSERT_TRUE(list);
   EXPECT_EQ(*list, (std::vector<double>{1, 2, 3}));
@@ -24,8 +26,9 @@ TEST(Numbers, ReadsPlainDecimals) {
 }
 
 TEST(Numbers, RefusesEverythingElse) {
-  for (const char* word : {"", "nan", "NaN", "inf", "-inf", "infinity", "0x10", "1,5", "1.5abc",
-                           "1e999", "+1", "1 2", "1e", "--1", "1_000", "½", "1.5.2"})
+  for (const char* word : {"",       "nan",   "NaN", "inf",   "-inf", "infinity", "0x10", "1,5",
+                           "1.5abc", "1e999", "+-1", "++1",   "+",    "+inf",     "+nan", "+0x10",
+                           "1 2",    "1e",    "--1", "1_000", "½",    "1.5.2"})
     EXPECT_FALSE(parse_number(word)) << word;
   EXPECT_FALSE(parse_numbers("1 2 nan"));
 }

@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 #include <string>
 
 #include "mjcf/input_error.hpp"
 #include "mjcf/rewrite_robot.hpp"
+#include "tests/mjcf/construction_robots.hpp"
 #include "tests/mjcf/robots.hpp"
 
 namespace legwright {
@@ -110,6 +112,23 @@ TEST(StudyRobot, SaysWhyItLeavesOut) {
     EXPECT_NO_THROW(parse_robot(with_declarations(xml, "r.xml", found.proposals), "r.xml")) << name;
     for (const std::string& line : found.left_out) EXPECT_GT(line.size(), line.find(": ") + 10);
   }
+}
+
+/// A mesh that gives its body the weight keeps its size, and where it touches is no point of the body.
+TEST(StudyRobot, LeavesOutWhatCouldNotBeWrittenAtItsBounds) {
+  const auto lengths = [](bool weighs) {
+    std::string xml = test::hopper_with(
+        "<geom type=\"mesh\" mesh=\"shoe\" pos=\"0.03 0 -0.2\" euler=\"0 0.1 0\"/>");
+    const std::size_t inertial = xml.rfind("<inertial");
+    if (weighs) xml.erase(inertial, xml.find("/>", inertial) + 2 - inertial);
+    const StudiedRobot found = study(xml);
+    for (const std::string& line : found.left_out)
+      EXPECT_NE(line.find("at its bounds would not be read back"), std::string::npos) << line;
+    return std::count_if(found.proposals.begin(), found.proposals.end(),
+                         [](const Proposal& p) { return p.binding == "stretch link: shank"; });
+  };
+  EXPECT_EQ(lengths(true), 0);
+  EXPECT_EQ(lengths(false), 1);
 }
 
 TEST(StudyRobot, ProposesNothingTwice) {

@@ -233,6 +233,26 @@ TEST_F(SplitPuppy, SeveralFaultsAreToldInTheirFiles) {
                          fmt::format("\n{}:{}: ", file_.string(), line_of(file_, "HR_knee"))});
 }
 
+TEST_F(SplitPuppy, ASceneNamesTheFileOfItsRobot) {
+  const auto told = [&](const std::string& included) {
+    const fs::path scene = folder_.path() / "scene.xml";
+    test::put(scene, "<mujoco><include file=\"" + included +
+                         "\"/><worldbody><geom name=\"floor\" type=\"plane\" size=\"0 0 1\"/>"
+                         "</worldbody></mujoco>");
+    try {
+      read_robot(scene);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(told("dog.xml").find("this is a scene around 'dog.xml', so give that file; a home "
+                                 "keyframe of the scene is not read"),
+            std::string::npos)
+      << told("dog.xml");
+  EXPECT_EQ(told("parts/defaults.xml").find("this is a scene"), std::string::npos);
+}
+
 TEST_F(SplitPuppy, XmlFaultsAreToldInTheirFile) {
   const fs::path shank = folder_.path() / "parts/shank.xml";
   put(shank, "<mujoco>\n<body>\n</mujoco>");

@@ -14,10 +14,18 @@ using Vector3 = Eigen::Vector3d;
 using ConstVector3 = Eigen::Map<const Eigen::Vector3d>;
 using ConstFrame = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
 
-/// Site at the planned point of a foot that is no ball; −1 where there is none.
+/// Site at the planned point of a foot that is no single ball; −1 where there is none.
 int foot_site(const mjModel& model, int geom) {
   const char* const name = mj_id2name(&model, mjOBJ_GEOM, geom);
   return name ? mj_name2id(&model, mjOBJ_SITE, (kFootSite + std::string(name)).c_str()) : -1;
+}
+
+/// Whether a geom is the foot's, or another ball of a sole of several.
+bool belongs_to(const mjModel& model, int geom, int foot) {
+  if (geom == foot) return true;
+  return model.geom_bodyid[geom] == model.geom_bodyid[foot] &&
+         model.geom_type[geom] == mjGEOM_SPHERE && model.geom_type[foot] == mjGEOM_SPHERE &&
+         model.geom_size[3 * geom] == model.geom_size[3 * foot] && foot_site(model, foot) >= 0;
 }
 
 }  // namespace
@@ -29,7 +37,7 @@ double foot_radius(const mjModel& model, int geom) {
 }
 
 Eigen::Vector3d foot_position(const mjModel& model, const mjData& data, int geom) {
-  const int site = model.geom_type[geom] == mjGEOM_SPHERE ? -1 : foot_site(model, geom);
+  const int site = foot_site(model, geom);
   return ConstVector3(site >= 0 ? data.site_xpos + 3 * site : data.geom_xpos + 3 * geom);
 }
 
@@ -55,7 +63,8 @@ double read_foot_touches(const Scene& scene, const mjData& data, std::vector<Foo
     if (!first_is_world && model.geom_bodyid[contact.geom[1]] != 0) continue;
     depth = std::max(depth, -contact.dist);
     const int geom = contact.geom[first_is_world ? 1 : 0];
-    const auto found = std::find(scene.foot_geom.begin(), scene.foot_geom.end(), geom);
+    const auto found = std::find_if(scene.foot_geom.begin(), scene.foot_geom.end(),
+                                    [&](int foot) { return belongs_to(model, geom, foot); });
     if (found == scene.foot_geom.end()) continue;
     mjtNum force[6], velocity[6];
     mj_contactForce(&model, &data, c, force);

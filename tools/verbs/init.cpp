@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -60,6 +61,7 @@ Json to_json(const StudiedRobot& found, const std::string& written, const std::s
           {"trunk", found.model.root_body},
           {"limbs", limbs},
           {"held", held},
+          {"not_standing", found.not_standing.empty() ? Json(nullptr) : Json(found.not_standing)},
           {"declared", declared},
           {"proposals", proposals},
           {"left_out", found.left_out},
@@ -75,11 +77,22 @@ std::string task_text(const InitOptions& options, const StudiedRobot& found,
     throw IoError(options.task + ": exists already; name a new file, or remove it");
   if (fs::weakly_canonical(fs::absolute(options.task)) == fs::weakly_canonical(fs::absolute(robot)))
     throw IoError(options.task + ": the robot is written there; name another file for the task");
+  if (!found.not_standing.empty())
+    throw InputError(options.robot, 0, "",
+                     "no task is written, in which the robot would fall at once, nor anything "
+                     "else: " +
+                         found.not_standing);
   const std::optional<std::string> gait =
       options.gait.empty() ? std::nullopt : std::optional(options.gait);
   const fs::path folder = fs::absolute(options.task).lexically_normal().parent_path();
   const fs::path named = fs::absolute(robot).lexically_normal().lexically_proximate(folder);
-  return starter_text(starter_task(found.model, gait), named.generic_string());
+  const StarterTask task = starter_task(found.model, gait);
+  if (!(task.period > 0.0) || !std::isfinite(task.period))
+    throw InputError(options.robot, 0, "",
+                     "no task is written: in the home pose the feet are not below the centre of "
+                     "mass, so a gait has no period; give the file a keyframe named home in which "
+                     "the feet carry the trunk");
+  return starter_text(task, named.generic_string());
 }
 
 /// A robot for which the library has no gait gets its parameters all the same, but no task.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -51,11 +52,28 @@ std::string servo_text(const Servo& servo) {
   return fmt::format("{:10} kp {} {}", limit, kp, linear ? "N/m" : "N m/rad");
 }
 
-std::string joint_text(const StudiedRobot& found, int link) {
-  const Joint& joint = found.model.morphology.links[static_cast<std::size_t>(link)].joint;
-  return fmt::format("{:8} {:21} {}", axis_name(joint.axis.at(found.model.space.initial())),
-                     range_text(joint),
-                     servo_text(found.model.servos[static_cast<std::size_t>(link) - 1]));
+/// @param place in the chain of the leg, from the trunk down
+std::string joint_text(const StudiedRobot& found, const Limb& limb, std::size_t place) {
+  const auto link = static_cast<std::size_t>(limb.links[place]);
+  return fmt::format("{:8} {:21} {}", axis_name(limb.axes[place]),
+                     range_text(found.model.morphology.links[link].joint),
+                     servo_text(found.model.servos[link - 1]));
+}
+
+/// Where a leg has joints of its own; those above it are told with all legs that they carry.
+std::size_t own_joints(const Limb& limb) { return static_cast<std::size_t>(limb.shared); }
+
+/// Joints between the trunk and several legs, as a waist, each once.
+std::vector<TreeLine> shared_joints(const StudiedRobot& found) {
+  std::vector<TreeLine> lines;
+  std::set<int> told;
+  for (const Limb& limb : found.limbs)
+    for (std::size_t k = 0; k < own_joints(limb); ++k)
+      if (told.insert(limb.links[k]).second)
+        lines.push_back(
+            {found.model.morphology.links[static_cast<std::size_t>(limb.links[k])].joint.name,
+             joint_text(found, limb, k)});
+  return lines;
 }
 
 const Foot& foot_of(const StudiedRobot& found, const Limb& limb) {
@@ -65,8 +83,13 @@ const Foot& foot_of(const StudiedRobot& found, const Limb& limb) {
 /// @param side in front of y where it stands for both legs of a pair: "+-", else "".
 std::string foot_text(const StudiedRobot& found, const Limb& limb, const std::string& side) {
   const Foot& foot = foot_of(found, limb);
+  const std::size_t balls =
+      1 + found.model.structure.feet[static_cast<std::size_t>(limb.foot)].others.size();
   const std::string shape =
-      foot.radius > 0.0 ? fmt::format("ball of {:.3g} mm", 1e3 * foot.radius) : "point";
+      foot.radius > 0.0 ? fmt::format("{} of {:.3g} mm",
+                                      balls > 1 ? fmt::format("middle of {} balls", balls) : "ball",
+                                      1e3 * foot.radius)
+                        : "point";
   const auto shown = [](double metres) {  // no minus in front of zero
     return std::abs(metres) < kSamePlace ? 0.0 : metres;
   };
@@ -77,8 +100,9 @@ std::string foot_text(const StudiedRobot& found, const Limb& limb, const std::st
 
 void add_leg(const StudiedRobot& found, const Limb& limb, std::vector<TreeLine>& lines) {
   const auto& links = found.model.morphology.links;
-  for (const int k : limb.links)
-    lines.push_back({links[static_cast<std::size_t>(k)].joint.name, joint_text(found, k)});
+  for (std::size_t k = own_joints(limb); k < limb.links.size(); ++k)
+    lines.push_back(
+        {links[static_cast<std::size_t>(limb.links[k])].joint.name, joint_text(found, limb, k)});
   lines.push_back({foot_of(found, limb).name, foot_text(found, limb, "")});
 }
 
@@ -95,11 +119,9 @@ void add_pair(const StudiedRobot& found, const Limb& left, const Limb& right,
     lines.push_back({a, a_is});
     lines.push_back({b, b_is});
   };
-  for (std::size_t k = 0; k < left.links.size(); ++k) {
-    const int a = left.links[k], b = right.links[k];
-    add(links[static_cast<std::size_t>(a)].joint.name, joint_text(found, a),
-        links[static_cast<std::size_t>(b)].joint.name, joint_text(found, b));
-  }
+  for (std::size_t k = own_joints(left); k < left.links.size(); ++k)
+    add(links[static_cast<std::size_t>(left.links[k])].joint.name, joint_text(found, left, k),
+        links[static_cast<std::size_t>(right.links[k])].joint.name, joint_text(found, right, k));
   const Eigen::Vector3d image(right.home.x(), -right.home.y(), right.home.z());
   const std::string side = (left.home - image).norm() < kSamePlace ? "+-" : "";
   add(foot_of(found, left).name, foot_text(found, left, side), foot_of(found, right).name,
@@ -179,6 +201,8 @@ std::string table_of(const std::vector<Proposal>& proposals) {
 
 std::string robot_tree(const StudiedRobot& found) {
   std::vector<std::pair<std::string, std::vector<TreeLine>>> legs;
+  if (std::vector<TreeLine> shared = shared_joints(found); !shared.empty())
+    legs.emplace_back("above several legs", std::move(shared));
   for (std::size_t k = 0; k < found.limbs.size(); ++k) {
     const Limb& limb = found.limbs[k];
     if (limb.partner >= 0 && limb.partner < static_cast<int>(k)) continue;  // beside the other
@@ -197,7 +221,8 @@ std::string robot_tree(const StudiedRobot& found) {
     for (const TreeLine& line : lines)
       text += fmt::format("    {:{}}  {}\n", line.names, width, line.what);
   }
-  return text + held_text(found.model.structure);
+  text += held_text(found.model.structure);
+  return found.not_standing.empty() ? text : text + "  " + found.not_standing + "\n";
 }
 
 std::string proposal_table(const StudiedRobot& found) {

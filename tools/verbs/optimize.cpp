@@ -262,14 +262,9 @@ void check_not_in_run(const fs::path& root, const RobotFiles& files) {
   }
 }
 
-int optimize(const OptimizeOptions& options) {
-  CodesignProblem problem = read_problem(options.task, options.robot);
-  check_front(options, problem);
-  if (!options.quiet) warn(problem);
-  const fs::path root = root_of(options, problem);
-  if (options.force) check_not_in_run(root, problem.robot.files);
-  const ResultFolder folder = ResultFolder::create(root, options.force);
-  Json run = write_start(folder, problem, options.motion_only);
+/// Solves the problem of a run that has started, and writes what comes of it. @return exit code
+int solve_run(const OptimizeOptions& options, CodesignProblem& problem, const fs::path& root,
+              const ResultFolder& folder, Json& run) {
   // From here on the run has files of its own: what becomes of the user's does not matter to it.
   problem.robot.files = problem.robot.files.moved_to(folder.inputs() / "robot.xml");
   problem.robot.file = problem.robot.files.file();
@@ -307,6 +302,33 @@ int optimize(const OptimizeOptions& options) {
   std::fflush(stdout);
   if (StopSignals::received() == 0) draw_rest(recorder.pictures(), options.quiet);
   return exit_code(StopSignals::received(), run["reasons"]);
+}
+
+/// Whoever follows a run need not wait for one that was given up.
+void note_failure(const ResultFolder& folder, Json& run, const char* why) {
+  if (run["status"] != "running") return;
+  run["status"] = "failed";
+  run["failure"] = clean_utf8(why);
+  try {
+    write_json(folder.run_json(), run);
+  } catch (const std::exception&) {  // what went wrong first is told
+  }
+}
+
+int optimize(const OptimizeOptions& options) {
+  CodesignProblem problem = read_problem(options.task, options.robot);
+  check_front(options, problem);
+  if (!options.quiet) warn(problem);
+  const fs::path root = root_of(options, problem);
+  if (options.force) check_not_in_run(root, problem.robot.files);
+  const ResultFolder folder = ResultFolder::create(root, options.force);
+  Json run = write_start(folder, problem, options.motion_only);
+  try {
+    return solve_run(options, problem, root, folder, run);
+  } catch (const std::exception& error) {
+    note_failure(folder, run, error.what());
+    throw;
+  }
 }
 
 }  // namespace

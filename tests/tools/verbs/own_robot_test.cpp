@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "tests/tools/verbs/program.hpp"
+#include "tools/io/json_file.hpp"
 
 namespace legwright {
 namespace {
@@ -193,6 +194,84 @@ TEST(OwnRobotBesideItsTrunk, KeepsItsThighsClearOfIt) { expect_clear_of_trunk(tr
 
 TEST(OwnRobotBesideItsTrunk, DrivesItsThighsIntoItWithoutLimbClearance) {
   expect_clear_of_trunk(false);
+}
+
+TEST(OwnRobotInit, WritesNothingForARobotThatDoesNotStand) {
+  const test::TemporaryFolder folder;
+  std::string text = read_file(fs::path(LEGWRIGHT_SOURCE_DIR) / "tests/robots/servo_dog/robot.xml");
+  const std::size_t key = text.find("<keyframe>"), end = text.find("</keyframe>");
+  ASSERT_NE(key, std::string::npos);
+  const std::string before = text;
+  const std::size_t upright = text.find(" 1 0 0 0 ", key);
+  ASSERT_LT(upright, end);
+  text.replace(upright, 9, " 0 1 0 0 ");  // on its back
+  const fs::path robot = folder.path() / "robot.xml", task = folder.path() / "task.toml";
+  write_file(robot, text);
+  const Outcome told = call({"init", robot.string(), "--write", "--task", task.string()});
+  EXPECT_EQ(told.code, 2);
+  EXPECT_TRUE(contains(told.err, "does not stand in its home pose")) << told.err;
+  EXPECT_TRUE(contains(told.err, "keyframe named home")) << told.err;
+  EXPECT_EQ(read_file(robot), text);
+  EXPECT_FALSE(fs::exists(task));
+  const Outcome only_told = call({"init", robot.string()});
+  EXPECT_EQ(only_told.code, 0);
+  EXPECT_TRUE(contains(only_told.out, "does not stand in its home pose")) << only_told.out;
+  write_file(robot, before);
+  EXPECT_EQ(call({"init", robot.string(), "--write", "--task", task.string()}).code, 0);  // twin
+}
+
+/// The mesh that gives the shank its weight stays as it is, and its sole with it: not what was planned.
+TEST(OwnRobotOptimize, ARunThatIsGivenUpSaysSo) {
+  const test::TemporaryFolder folder;
+  write_file(folder.path() / "robot.xml", R"(<mujoco model="hopper">
+  <asset>
+    <mesh name="shoe" vertex="-0.05 -0.02 0  0.07 -0.02 0  -0.05 0.02 0  0.07 0.02 0  -0.01 0 0.06
+      0.01 0 0.06"/>
+  </asset>
+  <worldbody>
+    <body name="trunk" pos="0 0 0.5">
+      <freejoint/>
+      <inertial pos="0 0 0" mass="1" diaginertia="0.001 0.001 0.001"/>
+      <body name="thigh">
+        <joint name="hip" axis="0 1 0"/>
+        <inertial pos="0 0 -0.1" mass="0.1" diaginertia="1e-4 1e-4 1e-5"/>
+        <body name="shank" pos="0 0 -0.2">
+          <joint name="knee" axis="0 1 0"/>
+          <geom type="mesh" mesh="shoe" pos="0.03 0 -0.2" euler="0 6 0"/>
+        </body>
+      </body>
+    </body>
+  </worldbody>
+  <actuator>
+    <position joint="hip" kp="80" forcerange="-30 30"/>
+    <position joint="knee" kp="80" forcerange="-30 30"/>
+  </actuator>
+  <custom>
+    <numeric name="legwright/long" data="0.2 0.1 0.3"/>
+    <text name="legwright/long" data="m | stretch z: shank | Length of the shank."/>
+  </custom>
+</mujoco>
+)");
+  const std::string task =
+      "robot = \"robot.xml\"\n[gait]\ntouchdown = [0]\nduty = 0.6\nperiod = 0.4\n"
+      "[travel]\nvelocity = [0.05, 0.0]\n";
+  write_file(folder.path() / "task.toml", task);
+  const std::string run = (folder.path() / "run").string();
+  // The length that the file has: the one that check wants to be declared.
+  const std::string wanted = call({"check", (folder.path() / "task.toml").string()}).err;
+  const std::size_t at = wanted.find("measures ");
+  ASSERT_NE(at, std::string::npos) << wanted;
+  const std::string length = wanted.substr(at + 9, wanted.find(' ', at + 9) - at - 9);
+  std::string robot = read_file(folder.path() / "robot.xml");
+  robot.replace(robot.find("\"0.2 0.1 0.3\"") + 1, 3, length);
+  write_file(folder.path() / "robot.xml", robot);
+  const Outcome told =
+      call({"optimize", (folder.path() / "task.toml").string(), "-o", run, "--no-pictures",
+            "--no-certificate", "--quiet", "--max-iterations", "2"});
+  ASSERT_EQ(told.code, 4) << told.err;
+  const Json after = read_json(fs::path(run) / "run.json");
+  EXPECT_EQ(after["status"], "failed");
+  EXPECT_TRUE(contains(after["failure"].get<std::string>(), "not the intended one"));
 }
 
 TEST(OwnRobotInit, OverwritesNoTask) {
