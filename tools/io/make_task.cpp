@@ -19,6 +19,8 @@
 namespace legwright {
 namespace {
 
+constexpr double kRolyPoly =
+    1.0;  // radius of round soles over the leg, from which a robot rights itself
 constexpr double kMostHeight = 1.5;  // com_height over the longest leg: the trunk has height
 constexpr double kQuickDuty = 0.6;   // gaits up to this duty have no third foot to catch them
 
@@ -199,6 +201,13 @@ std::vector<std::string> task_warnings(const Task& task, const RobotModel& robot
                     "m/rad), and a planned gait is not "
                     "followed well; [servos] kp = {} in the task file plays it stiffer",
                     sag.joint, sag.angle, sag.kp, sag.stiff_kp()));
+  if (const std::vector<Foot>& feet = robot.morphology.feet;
+      feet.size() == 2 &&
+      std::min(feet[0].radius, feet[1].radius) < kRolyPoly * robot.morphology.leg_length)
+    warnings.push_back(
+        "two small feet: the plan knows a foot as a point or ball and not how a sole lies, and "
+        "nothing balances the robot while it plays; of robots on two feet only those with large "
+        "round soles were seen to walk so");
   if (robot.space.size() == 0)
     warnings.push_back(
         "the robot declares no design parameters: only its motion will be optimized");

@@ -285,5 +285,16 @@ TEST(TaskWarnings, AreSilentForTheExamplesAndSpeakUpForDoubts) {
   EXPECT_EQ(task_warnings(task, puppy()).size(), 2u);
 }
 
+TEST(MakeTask, WarnsOfTwoFeetThatDoNotBalance) {
+  const fs::path biped = fs::path(LEGWRIGHT_SOURCE_DIR) / "examples/biped";
+  RobotModel robot = read_robot(biped / "robot.xml");
+  const Task task = make_task(read_task_file(biped / "walk.toml"), robot);
+  EXPECT_TRUE(task_warnings(task, robot).empty()) << "round soles of 35 cm right it";
+  for (Foot& foot : robot.morphology.feet) foot.radius = 0.02;
+  const std::vector<std::string> warnings = task_warnings(task, robot);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("two small feet"), std::string::npos) << warnings[0];
+}
+
 }  // namespace
 }  // namespace legwright
