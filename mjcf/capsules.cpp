@@ -51,9 +51,8 @@ struct Order {
 std::vector<Cover> row_of(const Vector3d& half, bool oval, int most) {
   const Order axes(half);
   const double thick = half[axes.shortest], wide = half[axes.middle];
-  const int wanted =
-      wide < kEven * thick ? 1 : 1 + static_cast<int>(std::ceil((wide - thick) / thick));
-  const int count = std::min(wanted, std::max(most, 1));
+  const double wanted = wide < kEven * thick ? 1.0 : 1.0 + std::ceil((wide - thick) / thick);
+  const int count = static_cast<int>(std::min<double>(wanted, std::max(most, 1)));
   std::vector<Cover> out;
   for (int k = 0; k < count; ++k) {
     const double across = count == 1 ? 0.0 : 2.0 * k / (count - 1) - 1.0;

@@ -201,6 +201,10 @@ bool choose_foot(const XmlFile& xml, const mjModel& model, const mjData& data,
     if (is_mesh(model, geom)) {
       const TreeElements elements = find_elements(xml, model);
       const MeshAsset asset = mesh_of(xml, *elements.geoms[static_cast<std::size_t>(geom)]);
+      if (asset.scale.cwiseAbs().minCoeff() == 0.0)
+        throw xml.error(*asset.element,
+                        "attribute scale: is zero along an axis, and a foot shows it; give all "
+                        "three numbers another value, like 0.001");
       foot.share = asset.turn * foot.share.cwiseQuotient(asset.scale);
     }
     return true;

@@ -27,8 +27,9 @@ using Eigen::Vector3d;
 // rounding of a hand-written angle; where a foot touches must be what the planner thinks.
 constexpr double kAlongDrawn = 5e-5, kAlongColliding = 1e-12;
 constexpr double kSame = 1e-12;
-constexpr double kShareOfLength = 0.5;     // of the link: a foot that is longer is the link itself
-constexpr std::size_t kLongestStem = 150;  // [bytes] of a name that a copy adds to
+constexpr double kShareOfLength = 0.5;  // of the link: a foot that is longer is the link itself
+constexpr std::size_t kMostCopied = 8 * 1024 * 1024;  // [bytes] of numbers of meshes in the file
+constexpr std::size_t kLongestStem = 150;             // [bytes] of a name that a copy adds to
 
 /// How a geom wants its asset, and how it is then turned itself.
 struct Wish {
@@ -201,6 +202,7 @@ class Writer {
         if (group.wish.is_turned)
           edits_.set_numbers(*asset.element, "refquat", numbers_of(group.wish.turn));
       } else {
+        check_room(*asset.element);
         const std::string own = new_name(name);
         std::map<std::string, std::string> values{
             {"name", own}, {"scale", format_numbers(rounded(group.wish.scale))}};
@@ -215,6 +217,18 @@ class Writer {
   }
 
  private:
+  /// A mesh may have its vertices in the element, and each copy of that repeats them.
+  void check_room(const XmlElement& element) {
+    for (const char* const list : {"vertex", "normal", "texcoord", "face"})
+      copied_ += std::string_view(attribute(element, list)).size();
+    if (copied_ > kMostCopied)
+      throw xml_.error(element,
+                       fmt::format("its numbers stand in the file, and the copies for parts "
+                                   "that stretch differently would take more than {} bytes; "
+                                   "keep it in a mesh file, or let fewer geoms show it",
+                                   kMostCopied));
+  }
+
   std::string new_name(const std::string& name) {
     const std::string stem = name.size() <= kLongestStem ? name : "mesh";
     for (int number = 2;; ++number) {
@@ -226,6 +240,7 @@ class Writer {
   const XmlFile& xml_;
   TextEdits& edits_;
   std::set<std::string> names_;
+  std::size_t copied_ = 0;  // [bytes]
 };
 
 /// Length of a mesh along a direction of its geom's body [m].

@@ -69,12 +69,20 @@ double number_in(const XmlElement& element, const char* name, double otherwise) 
   return value && !value->empty() ? value->front() : otherwise;
 }
 
+/// Never below zero: what MuJoCo refuses later must not make room for others.
+double side_in(const XmlElement& element, const char* name) {
+  return std::max(number_in(element, name, 0.0), 0.0);
+}
+
 /// Bytes of a texture of one picture, or of one that MuJoCo makes.
 double texture_bytes(const XmlElement& element, PictureSize picture) {
-  const double channels = number_in(element, "nchannel", 3.0);
+  const double channels = std::max(number_in(element, "nchannel", 3.0), 1.0);
   const std::string_view type = attribute(element, "type");
   if (type == "2d" || picture.is_face) return channels * picture.width * picture.height;
-  const auto grid = parse_numbers(attribute(element, "gridsize"));
+  // A picture in a file may hold the faces in a grid; what MuJoCo makes itself has all sides full size.
+  const std::string_view made = attribute(element, "builtin");
+  const auto grid =
+      made.empty() || made == "none" ? parse_numbers(attribute(element, "gridsize")) : std::nullopt;
   const double side = picture.width / (grid && grid->size() == 2 ? std::max((*grid)[1], 1.0) : 1.0);
   return 6 * channels * side * side;  // a cube's faces
 }
@@ -89,8 +97,8 @@ void PictureMemory::add(const XmlFile& xml, const XmlElement& element) {
       throw xml.error(element, fmt::format("attribute {}: larger than {}; make it smaller", side,
                                            kLongestSide));
   add(xml, element,
-      is_texture ? PictureSize{number_in(element, "width", 0.0), number_in(element, "height", 0.0)}
-                 : PictureSize{number_in(element, "ncol", 0.0), number_in(element, "nrow", 0.0)});
+      is_texture ? PictureSize{side_in(element, "width"), side_in(element, "height")}
+                 : PictureSize{side_in(element, "ncol"), side_in(element, "nrow")});
 }
 
 void PictureMemory::add(const XmlFile& xml, const XmlElement& element, PictureSize picture) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mjcf/tree.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -11,6 +13,7 @@
 #include "mjcf/compile.hpp"
 #include "mjcf/elements.hpp"
 #include "mjcf/feet.hpp"
+#include "mjcf/input_error.hpp"
 #include "mjcf/legs.hpp"
 
 namespace legwright {
@@ -21,6 +24,7 @@ using Eigen::Vector3d;
 
 // Rounded edges leave out less than half of that, share of the leg.
 constexpr double kSharpEdge = 0.03;
+constexpr std::size_t kMostCapsulePairs = 20000;  // a robot of many shapes has some thousand
 
 Vector3d vector_at(const mjtNum* array, int index) { return Vector3d::Map(array + 3 * index); }
 
@@ -207,6 +211,12 @@ class Builder {
       const auto limb = cover(limb_geom, CoverDetail::coarse);
       for (int a = trunk.first; a < trunk.second; ++a)
         for (int b = limb.first; b < limb.second; ++b) out_.capsule_pairs.emplace_back(a, b);
+      if (out_.capsule_pairs.size() > kMostCapsulePairs)
+        throw InputError(xml.file.string(), 0, "",
+                         fmt::format("more than {} pairs of shapes of the trunk and of legs can "
+                                     "touch; let fewer of them collide: contype=\"0\" "
+                                     "conaffinity=\"0\" on the small ones, or <exclude>",
+                                     kMostCapsulePairs));
     }
   }
 

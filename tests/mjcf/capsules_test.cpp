@@ -199,5 +199,26 @@ TEST(Capsules, FollowTheDesignAsTheRewrittenFileDoes) {
   }
 }
 
+TEST(Capsules, AreLimitedInNumberAndAThinPlateCounts) {
+  const auto with_parts = [](int count, const std::string& size) {
+    std::string parts, text = boxer();
+    for (int k = 0; k < count; ++k)
+      parts += "<geom type=\"box\" mass=\"0\" size=\"" + size + "\"/>";
+    return text.insert(text.find("<geom name=\"cone\""), parts);
+  };
+  const auto pairs = [&](int count, const std::string& size) {
+    return parse_robot(with_parts(count, size), "boxer.xml").morphology.capsule_pairs.size();
+  };
+  const std::size_t few = pairs(0, ""), more = pairs(10, "0.05 0.05 1e-13");
+  EXPECT_GT(more, few) << "so thin that its width over it is no int";
+  EXPECT_LT(more, 20000u);
+  try {
+    pairs(5000, "0.05 0.05 0.05");
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("pairs of shapes"), std::string::npos) << error.what();
+  }
+}
+
 }  // namespace
 }  // namespace legwright

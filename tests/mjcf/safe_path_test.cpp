@@ -310,6 +310,13 @@ TEST_F(SafePath, PicturesAreLimitedTogether) {
   const std::string field = "<hfield name=\"h\" nrow=\"10000\" ncol=\"10000\" size=\"1 1 1 1\"/>";
   EXPECT_EQ(refusal("<mujoco><asset>" + field + "</asset></mujoco>"), "accepted");
   EXPECT_TRUE(has(refusal("<mujoco><asset>" + field + field + "</asset></mujoco>"), "hfield 'h'"));
+  // A grid of faces is that of a picture in a file, and no size makes room for others.
+  const std::string cube = "type=\"cube\" builtin=\"flat\" width=\"12288\" height=\"12288\"";
+  EXPECT_NE(refusal(textures(1, cube)), "accepted");
+  EXPECT_EQ(refusal(textures(1, cube + " gridsize=\"1 12\"")), refusal(textures(1, cube)));
+  const std::string negative = "<hfield name=\"n\" nrow=\"-9999\" ncol=\"9999\" size=\"1 1 1 1\"/>";
+  EXPECT_TRUE(has(refusal("<mujoco><asset>" + negative + field + field + "</asset></mujoco>"),
+                  "hfield 'h'"));
 }
 
 /// The folder of a run has files of these names.

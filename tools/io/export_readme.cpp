@@ -79,6 +79,13 @@ std::string judgement(const ExportFacts& facts) {
   for (const std::string& verdict : facts.verdicts) out += "- " + escaped(verdict) + "\n";
   if (facts.verdicts.empty())
     out += "- The gait of this design was not validated (`legwright validate`).\n";
+  if (facts.servo_kp)
+    out += fmt::format(
+        "- **Judged with firmer servos than this file has**: those that are softer were played "
+        "with kp {0} N m/rad, as far "
+        "as their torque limits go. With the file's own gains the gait is not promised; raise kp "
+        "here, or command the joints so.\n",
+        *facts.servo_kp);
   return out + "- " + escaped(facts.standing) + "\n";
 }
 

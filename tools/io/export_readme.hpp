@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct ExportFacts {
   std::vector<ExportedParameter> parameters;
   double mass_before = 0.0, mass_after = 0.0;  // [kg]
   std::vector<std::string> verdicts;           // of physics; none: it was not validated
+  std::optional<double> servo_kp;              // least that the gait was judged with [N m/rad]
   std::string standing;                        // what a second of standing showed
   std::string picture;                         // file, or empty
   std::vector<std::string> licences;           // files

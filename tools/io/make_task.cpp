@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "mjcf/input_error.hpp"
-#include "mjcf/surroundings.hpp"
 #include "optimizer/motion/margins.hpp"
 #include "optimizer/terms/registry.hpp"
 #include "tools/io/gait_table.hpp"
@@ -192,15 +191,18 @@ std::vector<std::string> task_warnings(const Task& task, const RobotModel& robot
         "at times no foot is on the ground: nothing steers the robot while it plays such a gait, "
         "and "
         "most fall; raise gait.duty for steadier ones");
-  RobotModel played = with_task_servos(robot, task);
-  played.morphology = as_in_task(robot.morphology, task);
-  if (const ServoSag sag = servo_sag(played);
-      sag.soft() && task.servo_kp.value_or(0.0) < sag.stiff_kp())
+  if (const ServoSag sag = servo_sag(robot, task); sag.soft() && sag.can_be_stiffer())
     warnings.push_back(
         fmt::format("soft servos: standing alone bends joint '{}' by {:.2g} rad (kp {:.4g} N "
-                    "m/rad), and a planned gait is not "
-                    "followed well; [servos] kp = {} in the task file plays it stiffer",
+                    "m/rad), and a planned gait is not followed well; [servos] kp = {} in the task "
+                    "file plays it stiffer",
                     sag.joint, sag.angle, sag.kp, sag.stiff_kp()));
+  else if (sag.soft())
+    warnings.push_back(
+        fmt::format("weak motors: standing alone takes {:.2g} of the {:.3g} N m of joint '{}' and "
+                    "bends it by {:.2g} rad (kp {:.4g} N m/rad); a stronger motor, shorter legs or "
+                    "less weight would help",
+                    sag.load, sag.limit, sag.joint, sag.angle, sag.kp));
   if (const std::vector<Foot>& feet = robot.morphology.feet;
       feet.size() == 2 &&
       std::min(feet[0].radius, feet[1].radius) < kRolyPoly * robot.morphology.leg_length)

@@ -4,14 +4,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mjcf/surroundings.hpp"
 #include "optimizer/motion/standing.hpp"
 
 namespace legwright {
 
 double ServoSag::stiff_kp() const {
   const double least = torque / kFirmSag;
-  const double unit = std::pow(10.0, std::floor(std::log10(least)) - 1.0);
-  return std::ceil(least / unit - 1e-9) * unit;
+  const int power = static_cast<int>(std::floor(std::log10(least))) - 1;
+  const double digits = std::ceil(least / std::pow(10.0, power) - 1e-9);
+  return power < 0 ? digits / std::pow(10.0, -power) : digits * std::pow(10.0, power);
+}
+
+bool ServoSag::can_be_stiffer() const {
+  return std::min(stiff_kp(), limit / kFullTorqueError) > 1.001 * kp;
 }
 
 ServoSag servo_sag(const RobotModel& robot) {
@@ -26,8 +32,16 @@ ServoSag servo_sag(const RobotModel& robot) {
     sag.joint = servo.joint;
     sag.angle = torque / servo.kp;
     sag.kp = servo.kp;
+    sag.load = torque;
+    sag.limit = servo.torque_limit;
   }
   return sag;
+}
+
+ServoSag servo_sag(const RobotModel& robot, const Task& task) {
+  RobotModel played = with_task_servos(robot, task);
+  played.morphology = as_in_task(robot.morphology, task);
+  return servo_sag(played);
 }
 
 }  // namespace legwright

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "mjcf/read_robot.hpp"
+#include "optimizer/motion/task.hpp"
 
 namespace legwright {
 
@@ -17,13 +18,19 @@ struct ServoSag {
   std::string joint;    // empty: the robot has no servo at a joint
   double angle = 0.0;   // [rad]
   double kp = 0.0;      // of this servo [N m/rad]
+  double load = 0.0;    // that it bears [N m]
+  double limit = 0.0;   // what it can bear [N m]
   double torque = 0.0;  // the largest of any servo at a joint that stands [N m]
   bool soft() const { return angle > kSoftSag; }
   /// Gain with which no servo sags by more than kFirmSag, two digits [N m/rad].
   double stiff_kp() const;
+  /// Whether a servo of stiff_kp() would be any stiffer, as far as the torque limit bears it.
+  bool can_be_stiffer() const;
 };
 
 /// @param robot with servos and masses as they are played
 ServoSag servo_sag(const RobotModel& robot);
+/// The same of a robot as a task has it played: its payload, its motors and servos.
+ServoSag servo_sag(const RobotModel& robot, const Task& task);
 
 }  // namespace legwright

@@ -23,6 +23,8 @@ constexpr double kQuickCycle = 3.7, kTripodCycle = 5.0, kSlowCycle = 7.0;
 constexpr double kSlowDuty = 0.65;
 // Pairs that land before the others lift forgive servos that are soft or stiff.
 constexpr double kOverlap = 0.6;
+// Of a swing, two of which the planted margin takes; and of a cycle, where the task does not say.
+constexpr double kSwingKnots = 5.0, kUsualKnots = 24.0;
 
 std::string two_digits(double value) { return fmt::format("{:.2g}", value); }
 
@@ -79,6 +81,8 @@ StarterTask starter_task(const RobotModel& robot, const std::optional<std::strin
   task.speed = speed(feet, longest) * std::sqrt(kGravity * height);
   const bool flies = support_range(pattern).least == 0;
   if (feet == 4 && !flies && longest < kOverlap) task.duty = kOverlap;
+  if ((1.0 - longest) * kUsualKnots < kSwingKnots - 1e-9)
+    task.knots = static_cast<int>(std::ceil(kSwingKnots / (1.0 - longest) - 1e-9));
   task.sag = servo_sag(robot);
   return task;
 }
@@ -108,6 +112,10 @@ std::string starter_text(const StarterTask& task, const std::string& robot) {
       fmt::format(
           "period = {:22} # s, one cycle: in proportion to the root of the robot's height\n",
           two_digits(task.period));
+  if (task.knots)
+    out +=
+        fmt::format("knots = {:<23} # points per cycle: so short a swing has few of the usual 24\n",
+                    *task.knots);
   if (task.duty)
     out += fmt::format(
         "duty = {:24} # share of the cycle that a foot stands: pairs land before the others lift\n",
@@ -117,7 +125,7 @@ std::string starter_text(const StarterTask& task, const std::string& robot) {
       "size\n",
       two_digits(task.speed), "",
       std::max(0, 13 - static_cast<int>(two_digits(task.speed).size())));
-  if (task.sag.soft())
+  if (task.sag.soft() && task.sag.can_be_stiffer())
     out += fmt::format(
         "\n[servos]\nkp = {:26} # N m/rad, of those that are softer: the file's ({:.4g}) give in "
         "by "

@@ -15,6 +15,7 @@ struct StarterTask {
   double period = 0.0;         // [s]
   std::optional<double> duty;  // where it is more than the library's
   double speed = 0.0;          // ahead [m/s]
+  std::optional<int> knots;    // where swings are too short for the usual ones
   ServoSag sag;                // of the file's servos; the task plays soft ones stiffer
 };
 

@@ -124,9 +124,9 @@ void read_payload(TableReader in, TaskFile& task) {
 
 /// How stiff servos are played that the robot's file has softer.
 void read_servos(TableReader in, TaskFile& task) {
-  if (const auto kp = in.number("kp", {0.0, 1e6, true, false, "N m/rad"}))
+  if (const auto kp = in.number("kp", {0.0, 1e9, true, false, "N m/rad"}))
     task.margins.servo_kp = kp;
-  if (const auto kd = in.number("kd", {0.0, 1e5, false, false, "N m s/rad"}))
+  if (const auto kd = in.number("kd", {0.0, 1e9, false, false, "N m s/rad"}))
     task.margins.servo_kd = kd;
   if (in.has("kd")) in.require(in.has("kp"), "kp", "kp = 300.0  # N m/rad");
   in.finish();

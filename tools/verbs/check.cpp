@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "mjcf/legs.hpp"
-#include "mjcf/surroundings.hpp"
 #include "optimizer/terms/registry.hpp"
 #include "tools/io/json_file.hpp"
 #include "tools/io/problem.hpp"
@@ -153,7 +152,7 @@ std::string demands_text(const Finding& found) {
         100.0 * task.payload->mass / found.robot.morphology.total_mass());
   if (task.torque_limit)
     text += fmt::format("motors  no more than {} N m each\n", *task.torque_limit);
-  const ServoSag sag = servo_sag(with_task_servos(found.robot, task));
+  const ServoSag sag = servo_sag(found.robot, task);
   if (!sag.joint.empty())
     text += fmt::format(
         "servos  {}standing bends joint '{}' the most, by {:.2g} rad at kp {:.4g} N m/rad\n",

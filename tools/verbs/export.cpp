@@ -40,13 +40,19 @@ struct ExportOptions {
 };
 
 /// A text in a JSON document that others may have written; empty where there is none.
-std::string text_in(const Json& document, std::initializer_list<const char*> path) {
+/// Null where there is nothing.
+Json value_in(const Json& document, std::initializer_list<const char*> path) {
   const Json* at = &document;
   for (const char* const key : path) {
     if (!at->is_object() || !at->contains(key)) return {};
     at = &at->at(key);
   }
-  return at->is_string() ? at->get<std::string>() : std::string();
+  return *at;
+}
+
+std::string text_in(const Json& document, std::initializer_list<const char*> path) {
+  const Json value = value_in(document, path);
+  return value.is_string() ? value.get<std::string>() : std::string();
 }
 
 /// The last part of an absolute path: what is passed on tells nothing of its author's folders.
@@ -210,6 +216,8 @@ ExportFacts facts_of(const ExportedRun& from, const fs::path& root, const std::s
   facts.mass_before = from.before.morphology.total_mass();
   facts.mass_after = from.after.morphology.total_mass();
   facts.verdicts = verdicts_of(root);
+  if (const Json kp = value_in(from.run, {"task", "servo_kp_Nm_per_rad"}); kp.is_number())
+    facts.servo_kp = kp.get<double>();
   return facts;
 }
 

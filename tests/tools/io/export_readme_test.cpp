@@ -31,6 +31,9 @@ TEST(ExportReadme, TellsWhatChanged) {
   EXPECT_TRUE(contains(text, "was not validated"));
   facts.verdicts = {"PASS  trot"};
   EXPECT_FALSE(contains(export_readme(facts), "was not validated"));
+  EXPECT_FALSE(contains(export_readme(facts), "firmer servos"));
+  facts.servo_kp = 310.0;
+  EXPECT_TRUE(contains(export_readme(facts), "played with kp 310 N m/rad"));
 }
 
 TEST(ExportReadme, TextsBringNoMarkupAndNoNewRows) {

@@ -77,13 +77,49 @@ TEST(StarterTask, PlaysServosThatGiveInStiffer) {
       << warnings[0];
 }
 
+TEST(StarterTask, WeakMotorsAreToldInsteadOfPlayedStiffer) {
+  RobotModel model = robot("servo_dog");
+  const double load = starter_task(model, std::nullopt).sag.load;
+  for (Servo& servo : model.servos) {
+    servo.torque_limit = 1.2 * load;
+    servo.kp = servo.torque_limit / kFullTorqueError;  // as a motor without gains has it
+  }
+  const StarterTask starter = starter_task(model, std::nullopt);
+  EXPECT_TRUE(starter.sag.soft());
+  const std::string text = starter_text(starter, "robot.xml");
+  EXPECT_EQ(text.find("[servos]"), std::string::npos) << text;
+  const Task task =
+      make_task(parse_task_file(text, kSource / "tests/robots/servo_dog/t.toml"), model);
+  const std::vector<std::string> warnings = task_warnings(task, model);
+  ASSERT_FALSE(warnings.empty());
+  EXPECT_NE(warnings[0].find("weak motors: standing alone takes"), std::string::npos)
+      << warnings[0];
+}
+
+TEST(StarterTask, ShortSwingsHaveKnotsEnough) {
+  const RobotModel strider = robot("strider");
+  EXPECT_FALSE(starter_task(strider, "tripod").knots);
+  const StarterTask wave = starter_task(strider, "wave");
+  ASSERT_TRUE(wave.knots);
+  const TaskFile file =
+      parse_task_file(starter_text(wave, "robot.xml"), kSource / "tests/robots/strider/t.toml");
+  EXPECT_EQ(file.knots, *wave.knots);
+  for (const std::string& warning : task_warnings(make_task(file, strider), strider))
+    EXPECT_EQ(warning.find("fewer than three knots"), std::string::npos) << warning;
+}
+
 TEST(StarterTask, AStiffServoSagsByLessThanWhatIsSoft) {
-  ServoSag sag{"knee", 0.05, 90.0, 4.5};
+  ServoSag sag{"knee", 0.05, 90.0, 4.5, 23.0, 4.5};
+  EXPECT_TRUE(sag.can_be_stiffer());
+  sag.limit = 0.0375 * 90.0;
+  EXPECT_FALSE(sag.can_be_stiffer()) << "as stiff as its torque limit bears";
   EXPECT_EQ(sag.stiff_kp(), 450.0);
   sag.torque = 4.51;
   EXPECT_EQ(sag.stiff_kp(), 460.0) << "two digits, rounded up";
   sag.torque = 123.0;
   EXPECT_EQ(sag.stiff_kp(), 13000.0);
+  sag.torque = 0.0115;
+  EXPECT_EQ(sag.stiff_kp(), 1.2) << "no digits of dust";
 }
 
 TEST(StarterTask, TakesAnotherGaitAndRefusesOneThatThereIsNot) {
@@ -139,7 +175,7 @@ TEST(StarterTask, TellsHowToDeclareAGaitThatTheLibraryLacks) {
 }
 
 TEST(StarterTask, QuotesTheRobotsName) {
-  const std::string text = starter_text({"trot", 0.5, {}, 0.3, {}}, "a \"b\\c.xml");
+  const std::string text = starter_text({"trot", 0.5, {}, 0.3, {}, {}}, "a \"b\\c.xml");
   EXPECT_NE(text.find(R"(robot = "a \"b\\c.xml")"), std::string::npos) << text;
   EXPECT_EQ(text.find("duty"), std::string::npos);
 }
