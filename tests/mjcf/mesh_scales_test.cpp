@@ -334,7 +334,7 @@ TEST(MeshCopies, StandInTheFileOfTheirOriginal) {
   const RobotFiles files = robot.files.with_text(text);
   EXPECT_EQ(files.text(), text);
   ASSERT_EQ(files.includes().size(), 2u);
-  const std::string& meshes = files.includes()[0].text;
+  const std::string meshes = files.includes()[0].text;
   for (const char* const name : {"\"upper_2\"", "\"lower_2\""}) {
     EXPECT_TRUE(holds(meshes, name)) << name << meshes;
     EXPECT_FALSE(holds(files.main_text(), "name=" + std::string(name))) << name;

@@ -60,6 +60,15 @@ std::function<void(int, int)> live_progress() {
   };
 }
 
+/// That the gait was played on servos which the robot's file does not have.
+void print_servos(const Json& task, const std::string& indent) {
+  if (const auto kp = task.find("servo_kp_Nm_per_rad"); kp != task.end() && kp->is_number())
+    fmt::print(
+        "{}servos:             softer ones than {} N m/rad played so stiff ([servos] of the "
+        "task)\n",
+        indent, kp->get<double>());
+}
+
 void print_judged(const JudgedRun& judged, bool same, const std::string& indent) {
   fmt::print("{0}initial design:     {1}\n{0}{2}  {3}\n", indent, judged.designs[0].verdict.line,
              same ? "the same, as result:" : "co-designed robot:", judged.designs[1].verdict.line);
@@ -106,6 +115,7 @@ int validate_joint(const ResultFolder& folder, const Json& run, const RunHead& h
   } else {
     for (std::size_t k = 0; k < judged.size(); ++k) {
       fmt::print("{}\n", suites[k].name);
+      print_servos(run["tasks"][k], "  ");
       print_judged(judged[k], head.motion_only, "  ");
     }
     print_matrix(matrix);
@@ -144,6 +154,8 @@ int validate(Options options) {
     if (judged.numerics) document["numerics"] = numerics_json(*judged.numerics);
     fmt::print("{}", to_text(document));
   } else {
+    if (const auto task = run.find("task"); task != run.end() && task->is_object())
+      print_servos(*task, "");
     print_judged(judged, head.motion_only, "");
   }
   return verdict.pass ? kOk : kInfeasible;
