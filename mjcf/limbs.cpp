@@ -3,35 +3,21 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
+#include "optimizer/design/kinematics.hpp"
 #include "optimizer/motion/gait.hpp"
 
 namespace legwright {
 namespace {
 
-using Eigen::Isometry3d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr double kAlike = 0.01;    // of the leg length: mirrored feet may differ by so much
 constexpr double kRowShare = 0.2;  // of the feet's longer spread: closer along x, they share a row
 constexpr double kNearAxis = 0.966;  // cosine of 15 degrees
-
-/// The frames of the links in the home pose, seen from the trunk.
-std::vector<Isometry3d> frames_at_home(const Morphology& morphology, const VectorXd& s) {
-  std::vector<Isometry3d> frames(morphology.links.size(), Isometry3d::Identity());
-  for (std::size_t i = 1; i < morphology.links.size(); ++i) {
-    const Link& link = morphology.links[i];
-    frames[i] = frames[static_cast<std::size_t>(link.parent)];
-    frames[i].translate(link.origin.at(s));
-    frames[i].rotate(link.orientation);
-    frames[i].rotate(Eigen::AngleAxisd(link.joint.nominal, link.joint.axis.at(s)));
-  }
-  return frames;
-}
 
 /// How many links of a chain, from the trunk on, others hang on too.
 int shared_links(const Morphology& morphology, const std::vector<int>& chain) {
@@ -50,10 +36,11 @@ int shared_links(const Morphology& morphology, const std::vector<int>& chain) {
 }  // namespace
 
 std::vector<Limb> find_limbs(const Morphology& morphology, const VectorXd& s) {
-  const std::vector<Isometry3d> frames = frames_at_home(morphology, s);
+  const GeometryAtDesign geometry(morphology, s);
+  const PoseKinematics home = home_pose(morphology, geometry);
   std::vector<Vector3d> feet;
-  for (const Foot& foot : morphology.feet)
-    feet.push_back(frames[static_cast<std::size_t>(foot.link)] * foot.position.at(s));
+  for (int foot = 0; foot < morphology.foot_count(); ++foot)
+    feet.push_back(foot_place(morphology, geometry, home, foot));
   double spread = 0.0;  // the longer one, as footfall_order() has it
   for (const Vector3d& one : feet)
     for (const Vector3d& other : feet)
@@ -64,10 +51,9 @@ std::vector<Limb> find_limbs(const Morphology& morphology, const VectorXd& s) {
     limb.foot = foot;
     limb.links = morphology.chain_to(morphology.feet[static_cast<std::size_t>(foot)].link);
     limb.shared = shared_links(morphology, limb.links);
-    for (const int link : limb.links) {
-      const auto at = static_cast<std::size_t>(link);
-      limb.axes.push_back(frames[at].linear() * morphology.links[at].joint.axis.at(s));
-    }
+    for (const int link : limb.links)
+      limb.axes.push_back(home.rotation(link) *
+                          geometry.links[static_cast<std::size_t>(link)].axis.axis);
     limb.home = feet[static_cast<std::size_t>(foot)];
     if (!limbs.empty()) {
       const bool next = limbs.back().home.x() - limb.home.x() > kRowShare * spread;

@@ -15,6 +15,14 @@ using Eigen::Vector3d;
 
 }  // namespace
 
+PoseKinematics home_pose(const Morphology& morphology, const GeometryAtDesign& geometry) {
+  Eigen::VectorXd q = Eigen::VectorXd::Zero(morphology.pose_size());
+  q.tail(morphology.joint_count()) = morphology.nominal_joints();
+  PoseKinematics home;
+  home.compute(morphology, geometry, q, PoseDetail::place);
+  return home;
+}
+
 Ancestry::Ancestry(const Morphology& morphology) {
   const int n = static_cast<int>(morphology.links.size());
   table_.setConstant(n, n, false);

@@ -78,6 +78,9 @@ class PoseKinematics {
   PoseDetail detail_ = PoseDetail::place;
 };
 
+/// The robot in its home pose, seen from its trunk: the world's frame is the trunk's. Places only, no movers.
+PoseKinematics home_pose(const Morphology& morphology, const GeometryAtDesign& geometry);
+
 /// True where link `upper` is `lower` or one of its ancestors; built once per morphology.
 class Ancestry {
  public:

@@ -165,10 +165,7 @@ std::vector<VectorXd> reaching_poses(const Morphology& morphology, const Geometr
 
 StyleTargets home_stance(const Morphology& morphology, const VectorXd& s) {
   const GeometryAtDesign geometry(morphology, s);
-  PoseKinematics pose;
-  VectorXd q = VectorXd::Zero(morphology.pose_size());
-  q.tail(morphology.joint_count()) = morphology.nominal_joints();
-  pose.compute(morphology, geometry, q, PoseDetail::place);
+  const PoseKinematics pose = home_pose(morphology, geometry);
   const Vector3d com = pose.first_moment(0) / geometry.total_mass;
   StyleTargets stance{0.0, {}};
   double ground = std::numeric_limits<double>::infinity();

@@ -32,10 +32,7 @@ std::vector<double> shares_of_weight(const Vector3d& com, const std::vector<Vect
 
 VectorXd standing_torques(const Morphology& morphology, const VectorXd& s) {
   const GeometryAtDesign geometry(morphology, s);
-  VectorXd q = VectorXd::Zero(morphology.pose_size());
-  q.tail(morphology.joint_count()) = morphology.nominal_joints();
-  PoseKinematics home;
-  home.compute(morphology, geometry, q, PoseDetail::place);
+  const PoseKinematics home = home_pose(morphology, geometry);
   PairMoments still;  // from the pose to itself: nothing swings
   still.compute(morphology, home, home);
   std::vector<Vector3d> feet;

@@ -166,14 +166,6 @@ class LimbClearance final : public Term {
     return s.child >= 0 ? layout_.link_anchor(knot, s.child) : layout_.foot_from_pose(knot, s.foot);
   }
 
-  static PoseKinematics home_pose(const Morphology& morphology, const GeometryAtDesign& geometry) {
-    PoseKinematics home;
-    VectorXd q = VectorXd::Zero(morphology.pose_size());
-    q.tail(morphology.joint_count()) = morphology.nominal_joints();
-    home.compute(morphology, geometry, q, PoseDetail::place);
-    return home;
-  }
-
   void collect_segments(const Morphology& morphology, const VectorXd& initial) {
     const GeometryAtDesign geometry(morphology, initial);
     const PoseKinematics home = home_pose(morphology, geometry);

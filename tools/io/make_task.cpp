@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "mjcf/input_error.hpp"
+#include "optimizer/design/kinematics.hpp"
 #include "optimizer/motion/margins.hpp"
 #include "optimizer/terms/registry.hpp"
 #include "tools/io/gait_table.hpp"
@@ -131,16 +131,11 @@ int planted_margin_knots(std::optional<double> seconds, double duty, double time
 }
 
 std::vector<Eigen::Vector3d> home_feet(const Morphology& morphology, const Eigen::VectorXd& s) {
-  std::vector<Eigen::Isometry3d> frames(morphology.links.size(), Eigen::Isometry3d::Identity());
-  for (std::size_t i = 1; i < morphology.links.size(); ++i) {
-    const Link& link = morphology.links[i];
-    frames[i] = frames[link.parent];
-    frames[i].translate(link.origin.at(s));
-    frames[i].rotate(link.orientation);
-    frames[i].rotate(Eigen::AngleAxisd(link.joint.nominal, link.joint.axis.at(s)));
-  }
+  const GeometryAtDesign geometry(morphology, s);
+  const PoseKinematics home = home_pose(morphology, geometry);
   std::vector<Eigen::Vector3d> feet;
-  for (const Foot& foot : morphology.feet) feet.push_back(frames[foot.link] * foot.position.at(s));
+  for (int foot = 0; foot < morphology.foot_count(); ++foot)
+    feet.push_back(foot_place(morphology, geometry, home, foot));
   return feet;
 }
 
