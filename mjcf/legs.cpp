@@ -12,6 +12,7 @@
 #include "mjcf/compile.hpp"
 #include "mjcf/couplings.hpp"
 #include "mjcf/feet.hpp"
+#include "mjcf/soles.hpp"
 #include "mjcf/tree_checks.hpp"
 
 namespace legwright {
@@ -193,7 +194,22 @@ class StructureReader {
     if (const std::string why = fault_of_name(foot.name); !why.empty())
       reasons_.add(foot.geom >= 0 ? error_at(xml_, model_, mjOBJ_GEOM, foot.geom, why)
                                   : error_at(xml_, model_, mjOBJ_BODY, end, why));
+    foot.normal = sole_normal(foot, end);
     out_.feet.push_back(foot);
+  }
+
+  /// Of a foot that its leg can lay flat on the ground, in its body's frame.
+  std::optional<Eigen::Vector3d> sole_normal(const FootContact& foot, int end) const {
+    if (foot.geom < 0) return std::nullopt;
+    const std::vector<Eigen::Vector3d> points = ground_points(model_, *data_, link_of(end));
+    const std::optional<Eigen::Vector3d> normal = normal_of_sole(points);
+    if (!normal) return std::nullopt;
+    std::vector<int> joints;
+    for (int b = end; b != out_.trunk; b = model_.body_parentid[b])
+      for (const int joint : moving_joints(model_, out_, b)) joints.push_back(joint);
+    const double height = data_->xpos[3 * out_.trunk + 2] - points.front().z();
+    if (!can_lay_down(*data_, joints, points.front(), height)) return std::nullopt;
+    return RowMatrix3d::Map(data_->xmat + 9 * foot_body(model_, foot)).transpose() * *normal;
   }
 
   /// A geom's own name; else that of its body, of the link or of the joint, not yet a geom's.
@@ -230,6 +246,7 @@ class StructureReader {
     }
   }
 
+  using RowMatrix3d = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const XmlFile& xml_;
   const mjModel& model_;

@@ -170,6 +170,10 @@ class Study {
         leave_out(name, "the foot is a round sole, not the end of a leg of that length");
         continue;
       }
+      if (last && out_.model.morphology.feet[static_cast<std::size_t>(limb.foot)].sole) {
+        leave_out(name, "the foot is flat, and its sole would tilt");
+        continue;
+      }
       const std::string from = link(limb.links[k]).joint.name,
                         to = last ? "the foot" : "joint " + link(limb.links[k + 1]).joint.name;
       offer({name, *length, kShorterLink * *length, kLongerLink * *length, "m",

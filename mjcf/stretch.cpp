@@ -20,6 +20,8 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
+constexpr double kOblique = 1e-3;  // cosine: what is nearer to right angles is drawn so
+
 /// Direct child bodies that carry a moving joint somewhere: for a trunk the roots of its limbs.
 std::vector<int> limb_children(const mjModel& model, const Structure& structure, int body) {
   std::vector<int> children;
@@ -84,6 +86,21 @@ Vector3d distal_point(const XmlFile& xml, const mjModel& model, const XmlElement
                   name));
 }
 
+/// What is stretched obliquely tilts the plane in which it stands.
+void check_sole(const XmlFile& xml, const mjModel& model, const XmlElement& place, int body,
+                const Vector3d& direction, const Structure& structure) {
+  for (const FootContact& foot : structure.feet) {
+    if (!foot.normal || foot_body(model, foot) != body) continue;
+    const double along = std::abs(direction.dot(*foot.normal));
+    if (along > kOblique && along < 1.0 - kOblique)
+      throw xml.error(
+          place, fmt::format("body '{}' is a flat foot, whose sole this stretch would tilt; leave "
+                             "it out, or stretch along x, y or z, whichever lie in the sole or "
+                             "across it",
+                             name_of(model, mjOBJ_BODY, body)));
+  }
+}
+
 }  // namespace
 
 StretchMeasure measure_stretch(const XmlFile& xml, const mjModel& model, const XmlElement& place,
@@ -125,6 +142,7 @@ StretchMeasure measure_stretch(const XmlFile& xml, const mjModel& model, const X
                       "the origin of body '{}' there, so that the joint needs no pos",
                       name_of(model, mjOBJ_BODY, body), name_of(model, mjOBJ_JOINT, j),
                       name_of(model, mjOBJ_BODY, body)));
+  check_sole(xml, model, place, body, direction, structure);
   return {direction, length};
 }
 

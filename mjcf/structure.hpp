@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,8 @@ struct FootContact {
                                                     // half sizes; of a mesh along the axes and in
                                                     // the units of its file, whatever its scale
   double radius = 0.0;                              // [m]
+  /// Of a flat foot whose leg has hinges enough to lay it down: its sole's upward normal, in its body's frame.
+  std::optional<Eigen::Vector3d> normal = {};
   std::vector<int> others;  // balls of one sole as low as this one: the point is the middle of all
 };
 

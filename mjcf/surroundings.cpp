@@ -83,6 +83,7 @@ RobotModel with_task_servos(RobotModel robot, const Task& task) {
   for (Servo& servo : robot.servos) {
     if (!servo.tendon.empty()) continue;
     if (task.torque_limit) servo.torque_limit = std::min(servo.torque_limit, *task.torque_limit);
+    if (task.servo_kd) servo.kd = std::max(servo.kd, *task.servo_kd);
     if (!task.servo_kp) continue;
     const double kp = std::min(*task.servo_kp, servo.torque_limit / kFullTorqueError);
     if (servo.kp >= kp) continue;

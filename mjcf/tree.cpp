@@ -37,6 +37,16 @@ bool belongs_to(const mjModel& model, int body, int trunk) {
   return model.body_rootid[body] == trunk;
 }
 
+/// @param link_from_body turns a body's directions into its link's.
+std::optional<Sole> sole_of(const FootContact& foot, const Matrix3d& link_from_body) {
+  if (!foot.normal) return std::nullopt;
+  Eigen::Index across = 0;
+  foot.normal->cwiseAbs().minCoeff(&across);
+  const Vector3d ahead =
+      (Vector3d::Unit(across) - (*foot.normal)[across] * *foot.normal).normalized();
+  return Sole{link_from_body * ahead, link_from_body * foot.normal->cross(ahead)};
+}
+
 /// Where a body is, as seen from the link it belongs to.
 struct Placement {
   int link = 0;
@@ -74,8 +84,8 @@ class Builder {
       const int body = foot_body(model_, foot);
       const Placement& at = placements_[static_cast<std::size_t>(body)];
       const AffineVector own = foot_point(xml, elements, model_, foot, stretches_of(body));
-      out_.feet.push_back(
-          {foot.name, at.link, sum(at.origin, rotated(at.rotation, own)), foot.radius});
+      out_.feet.push_back({foot.name, at.link, sum(at.origin, rotated(at.rotation, own)),
+                           foot.radius, sole_of(foot, at.rotation)});
     }
     for (const TendonSpan& span : tendons) add_linear_actuator(span);
     out_.leg_length = stretched_limb(out_, 0, space_.initial());

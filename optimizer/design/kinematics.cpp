@@ -268,6 +268,24 @@ void foot_from_pose(const Morphology& morphology, const GeometryAtDesign& geomet
   add_point_effects(morphology, ancestry, pose, data.link, data.position, columns, out);
 }
 
+void direction_from_pose(const Ancestry& ancestry, const PoseKinematics& pose, int link,
+                         const Vector3d& own, const Columns& columns, PointDerivatives& out) {
+  out.clear(pose.rotation(link) * own);
+  const auto turns = [&](const Mover& m) {
+    return m.kind == Mover::Kind::rotation && ancestry.contains(m.link, link);
+  };
+  for (const Mover& mover : pose.movers())
+    if (turns(mover))
+      out.effects.push_back({columns[mover.coordinate], mover.link, true, false, mover.turn,
+                             mover.turn.cross(out.value)});
+  for (const SameLinkSecond& second : pose.same_link_seconds()) {
+    const Mover &a = pose.movers()[second.a], &b = pose.movers()[second.b];
+    if (turns(a))
+      out.seconds.push_back({columns[a.coordinate], columns[b.coordinate],
+                             second.second * out.value, second.a == second.b});
+  }
+}
+
 Vector3d capsule_end_place(const Morphology& morphology, const GeometryAtDesign& geometry,
                            const PoseKinematics& pose, int end) {
   const int link = morphology.capsules[end / 2].link;

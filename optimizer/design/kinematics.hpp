@@ -160,6 +160,10 @@ void foot_from_pose(const Morphology& morphology, const GeometryAtDesign& geomet
                     const Ancestry& ancestry, const PoseKinematics& pose, int foot,
                     const Columns& columns, PointDerivatives& out);
 
+/// The direction of a unit vector that is fixed to a link, in the world.
+void direction_from_pose(const Ancestry& ancestry, const PoseKinematics& pose, int link,
+                         const Eigen::Vector3d& own, const Columns& columns, PointDerivatives& out);
+
 /// An end of a capsule [m, world]: 2 k is `from` of capsule k, 2 k + 1 is `to`.
 Eigen::Vector3d capsule_end_place(const Morphology& morphology, const GeometryAtDesign& geometry,
                                   const PoseKinematics& pose, int end);

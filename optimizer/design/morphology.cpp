@@ -63,4 +63,9 @@ double stretched_limb(const Morphology& morphology, int foot, const Eigen::Vecto
   return sum;
 }
 
+bool stands_on_soles(const Morphology& morphology) {
+  return std::all_of(morphology.feet.begin(), morphology.feet.end(),
+                     [](const Foot& foot) { return foot.sole.has_value(); });
+}
+
 }  // namespace legwright

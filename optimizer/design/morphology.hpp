@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -89,12 +90,19 @@ struct LinearActuator {
   double force_limit = std::numeric_limits<double>::infinity();  // [N]
 };
 
-/// A ball foot at the end of a limb.
+/// The plane in which a flat foot stands: perpendicular unit vectors in the frame of its link. Stretches leave them alone.
+struct Sole {
+  Eigen::Vector3d ahead = Eigen::Vector3d::UnitX();
+  Eigen::Vector3d beside = Eigen::Vector3d::UnitY();
+};
+
+/// A ball foot at the end of a limb, or the middle of a flat one's sole.
 struct Foot {
   std::string name;
   int link = 0;
-  AffineVector position;  // centre of the ball, in the link frame
-  double radius = 0.0;    // [m]
+  AffineVector position;          // centre of the ball, in the link frame
+  double radius = 0.0;            // [m]
+  std::optional<Sole> sole = {};  // of a flat foot on a limb with hinges enough to lay it down
 };
 
 /// A capsule that collides: all points within `radius` of a segment that is fixed to a link. Shapes that are no capsules
@@ -132,5 +140,8 @@ struct Morphology {
 /// Sum over a foot's chain of the distances from hinge to hinge to foot, at design s [m]. A ball round the last hinge is a
 /// sole: the leg then ends at its surface.
 double stretched_limb(const Morphology& morphology, int foot, const Eigen::VectorXd& s);
+
+/// Whether all feet are flat.
+bool stands_on_soles(const Morphology& morphology);
 
 }  // namespace legwright

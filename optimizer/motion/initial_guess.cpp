@@ -33,6 +33,7 @@ class WalkWithoutDynamics {
   Reach::Places at(int knot) const {
     Reach::Places wanted{com(knot), {}};
     for (int j = 0; j < layout_.foot_count(); ++j) wanted.feet.push_back(foot(knot, j));
+    wanted.heading = path_.heading(time(knot));
     return wanted;
   }
 
@@ -176,6 +177,14 @@ StyleTargets home_stance(const Morphology& morphology, const VectorXd& s) {
   }
   stance.com_height = com.z() - ground;
   return stance;
+}
+
+StyleTargets style_targets(const Morphology& morphology, const VectorXd& initial,
+                           const Task& task) {
+  StyleTargets home = home_stance(morphology, initial);
+  const double height = task.com_height.value_or(home.com_height);
+  for (Vector2d& foot : home.footprint) foot -= height / task.up.z() * task.up.head<2>();
+  return {height, task.footprint.value_or(home.footprint)};
 }
 
 VectorXd initial_guess(const Morphology& morphology, const Layout& layout, const Task& task,

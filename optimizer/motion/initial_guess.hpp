@@ -20,6 +20,11 @@ struct StyleTargets {
 /// The robot standing in its home pose at the design s: COM and feet under a level trunk.
 StyleTargets home_stance(const Morphology& morphology, const Eigen::VectorXd& s);
 
+/// The home stance of the initial design with what the task says instead. On a slope its feet are moved downhill below
+/// the COM, until gravity's line through the COM meets the ground where it would on the level.
+StyleTargets style_targets(const Morphology& morphology, const Eigen::VectorXd& initial,
+                           const Task& task);
+
 /// m₀, a walk without dynamics: the COM glides along the wanted path; each foot stands still where its
 /// footprint passes in the middle of its stance, and swings from there to the next along the wanted
 /// profile; the trunk is level and faces the heading; joints reach for the feet (inverse kinematics

@@ -27,7 +27,8 @@ Layout::Layout(const Morphology& morphology, int design_size, const Gait& gait, 
   amounts_ = shapes_ + 3 * static_cast<int>(morphology.linear_actuators.size());
   capsules_ = amounts_ + 2;
   capsule_count_ = static_cast<int>(morphology.capsules.size());
-  extended_size_ = capsules_ + 6 * capsule_count_ * knot_count_;
+  soles_ = capsules_ + 6 * capsule_count_ * knot_count_;
+  extended_size_ = soles_ + 6 * foot_count_ * (knot_count_ + 1);
 }
 
 Eigen::VectorXd Layout::motion_units(double length, double force) const {

@@ -65,6 +65,11 @@ class Layout {
     return capsules_ + 6 * (capsule_count_ * knot + capsule) + 3 * end;
   }
 
+  /// Where a foot's sole points ahead (0) or beside (1), a unit vector in the world; knots 0 … T.
+  int sole_direction(int knot, int foot, int which) const {
+    return soles_ + 6 * (foot_count_ * knot + foot) + 3 * which;
+  }
+
   /// Physical unit of each entry of m (leg length, weight, radian): Newton damps in these.
   Eigen::VectorXd motion_units(double length, double force) const;
 
@@ -75,7 +80,7 @@ class Layout {
   };
   std::vector<KnotSlots> knots_;
   int design_size_ = 0, motion_size_ = 0, extended_size_ = 0, derived_ = 0, pair_derived_ = 0;
-  int anchors_ = 0, torques_ = 0, shapes_ = 0, amounts_ = 0, capsules_ = 0;
+  int anchors_ = 0, torques_ = 0, shapes_ = 0, amounts_ = 0, capsules_ = 0, soles_ = 0;
   int capsule_count_ = 0;
   int knot_count_ = 0, foot_count_ = 0, pose_size_ = 0, planted_margin_ = 1;
 };

@@ -2,7 +2,9 @@
 #include "optimizer/motion/reach.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace legwright {
@@ -23,6 +25,27 @@ Reach::Reach(const Morphology& morphology, const GeometryAtDesign& geometry,
       nominal_(morphology.nominal_joints()) {
   columns_.resize(morphology.pose_size());
   std::iota(columns_.begin(), columns_.end(), 0);
+  Eigen::VectorXd home = Eigen::VectorXd::Zero(morphology.pose_size());
+  home.tail(morphology.joint_count()) = nominal_;
+  pose_.compute(morphology, geometry, home, PoseDetail::place);
+  for (const Foot& foot : morphology.feet) {
+    const Eigen::Vector3d ahead =
+        foot.sole ? Eigen::Vector3d(pose_.rotation(foot.link) * foot.sole->ahead)
+                  : Eigen::Vector3d::UnitX();
+    splay_.push_back(std::atan2(ahead.y(), ahead.x()));
+  }
+}
+
+template <class Visit>
+void Reach::for_each_sole_direction(double heading, const Visit& visit) const {
+  for (std::size_t j = 0; j < morphology_.feet.size(); ++j) {
+    const Foot& foot = morphology_.feet[j];
+    if (!foot.sole) continue;
+    const double angle = heading + splay_[j];
+    const Eigen::Vector3d ahead(std::cos(angle), std::sin(angle), 0.0);
+    visit(foot.link, foot.sole->ahead, ahead);
+    visit(foot.link, foot.sole->beside, Eigen::Vector3d::UnitZ().cross(ahead).eval());
+  }
 }
 
 double Reach::misfit(const Places& wanted, const Eigen::VectorXd& q) {
@@ -35,7 +58,11 @@ double Reach::misfit(const Places& wanted, const Eigen::VectorXd& q) {
   double sum = miss(com - wanted.com, weights_.com);
   for (int j = 0; j < morphology_.foot_count(); ++j)
     sum += miss(foot_place(morphology_, geometry_, pose_, j) - wanted.feet[j], weights_.foot);
-  return sum / (length * length) +
+  double tilt = 0.0;
+  for_each_sole_direction(wanted.heading, [&](int link, const auto& own, const auto& direction) {
+    tilt += weights_.sole * (pose_.rotation(link) * own - direction).squaredNorm();
+  });
+  return sum / (length * length) + tilt +
          weights_.pose * (q.tail(morphology_.joint_count()) - nominal_).squaredNorm();
 }
 
@@ -61,6 +88,10 @@ void Reach::linearise(const Places& wanted, const Eigen::VectorXd& q) {
     foot_from_pose(morphology_, geometry_, ancestry_, pose_, j, columns_, point_);
     add_point(point_, wanted.feet[j], scale * weights_.foot);
   }
+  for_each_sole_direction(wanted.heading, [&](int link, const auto& own, const auto& direction) {
+    direction_from_pose(ancestry_, pose_, link, own, columns_, point_);
+    add_point(point_, direction, Eigen::Vector3d::Constant(weights_.sole));
+  });
   normal_.diagonal().tail(joints).array() += weights_.pose;
   slope_.tail(joints) += weights_.pose * (q.tail(joints) - nominal_);
 }

@@ -12,6 +12,7 @@ namespace legwright {
 struct ReachWeights {
   Eigen::Vector3d com = Eigen::Vector3d::Constant(10.0);  // of (miss/leg length)²
   Eigen::Vector3d foot = Eigen::Vector3d::Ones();         // of each foot's (miss/leg length)²
+  double sole = 1.0;                                      // of each direction of a flat foot's sole
   double pose = 1e-3;                                     // of (q − home)² over the joints
 };
 
@@ -27,6 +28,7 @@ class Reach {
   struct Places {
     Eigen::Vector3d com;                // [m, world]
     std::vector<Eigen::Vector3d> feet;  // centres [m, world]
+    double heading = 0.0;               // of flat feet [rad]
   };
   /// Moves root position and joints of pose q, at most `steps` steps. Joints stay in their ranges.
   void improve(const Places& wanted, int steps, Eigen::VectorXd& q);
@@ -38,6 +40,9 @@ class Reach {
   void linearise(const Places& wanted, const Eigen::VectorXd& q);
   void add_point(const PointDerivatives& point, const Eigen::Vector3d& wanted,
                  const Eigen::Vector3d& weight);
+  /// Calls visit(link, own, wanted) for both directions of each flat foot.
+  template <class Visit>
+  void for_each_sole_direction(double heading, const Visit& visit) const;
   Eigen::VectorXd stepped(const Eigen::VectorXd& q, double damping) const;
 
   const Morphology& morphology_;
@@ -46,6 +51,7 @@ class Reach {
   Ancestry ancestry_;
   Columns columns_;  // root position, then joints; −1: the root's rotation
   Eigen::VectorXd nominal_;
+  std::vector<double> splay_;  // of flat feet in the home pose: heading of the sole [rad]
   PoseKinematics pose_;
   PointDerivatives point_;
   Eigen::MatrixXd jacobian_, normal_;

@@ -63,6 +63,9 @@ Dependence dependence(const Morphology& morphology, const Ancestry& ancestry, Ki
       out.add_vector(part % 2 == 0 ? capsule.from : capsule.to);
       break;
     }
+    case Kind::sole_direction:
+      out.add_chain(morphology, morphology.feet[part / 2].link);
+      break;
     case Kind::joint_torque:
       out.add_chain(morphology, part);
       out.add_subtree(morphology, ancestry, part);
@@ -77,6 +80,11 @@ Dependence dependence(const Morphology& morphology, const Ancestry& ancestry, Ki
       break;
   }
   return out;
+}
+
+const Eigen::Vector3d& sole_axis(const Morphology& morphology, const DerivedBlock& block) {
+  const Sole& sole = *morphology.feet[block.part / 2].sole;
+  return block.part % 2 == 0 ? sole.ahead : sole.beside;
 }
 
 }  // namespace
@@ -180,6 +188,11 @@ DerivedQuantities::DerivedQuantities(const Morphology& morphology, const Layout&
   for (int i = 0; i < T; ++i)
     for (int end = 0; end < 2 * static_cast<int>(morphology.capsules.size()); ++end)
       builder.add(Kind::capsule_end, layout.capsule_end(i, end / 2, end % 2), i, end, {i});
+  for (int i = 0; i <= T; ++i)
+    for (int j = 0; j < feet; ++j)
+      for (int which = 0; which < 2 && morphology.feet[j].sole; ++which)
+        builder.add(Kind::sole_direction, layout.sole_direction(i, j, which), i, 2 * j + which,
+                    {i});
   builder.add(Kind::momentum, layout.wrapping_momentum(), T, -1, {T - 1, 0});
   for (int k = 0; k < static_cast<int>(morphology.linear_actuators.size()); ++k)
     builder.add(Kind::actuator, layout.actuator_shape(k), 0, k, {});
@@ -269,6 +282,9 @@ void DerivedQuantities::place_block(const Morphology& morphology, const DerivedB
       break;
     case Kind::capsule_end:
       value = capsule_end_place(morphology, geometry, pose, block.part);
+      break;
+    case Kind::sole_direction:
+      value = pose.rotation(morphology.feet[block.part / 2].link) * sole_axis(morphology, block);
       break;
     case Kind::momentum:
       value = workspace.moments[block.knot].swept(0);
@@ -360,6 +376,9 @@ const Eigen::MatrixXd& DerivedQuantities::jacobian(const Morphology& morphology,
   else if (block.kind == Kind::capsule_end)
     capsule_end_from_pose(morphology, geometry, ancestry_, pose, block.part, block.columns[0],
                           point);
+  else if (block.kind == Kind::sole_direction)
+    direction_from_pose(ancestry_, pose, morphology.feet[block.part / 2].link,
+                        sole_axis(morphology, block), block.columns[0], point);
   else
     anchor_from_pose(ancestry_, pose, block.part, block.columns[0], point);
   point.add_jacobian(jacobian);

@@ -23,6 +23,7 @@ struct DerivedBlock {
     foot,
     anchor,
     capsule_end,
+    sole_direction,
     momentum,
     foot_turn,
     joint_torque,
@@ -33,7 +34,7 @@ struct DerivedBlock {
   Kind kind;
   int slot, size;  // first and number of its slots of the extended vector
   int knot;        // knot T of a momentum: the wrapping pair
-  int part;  // foot, end of a capsule, link of an anchor or of a joint's torque, linear actuator
+  int part;  // foot, end of a capsule, direction of a sole, link of an anchor or of a joint's torque, linear actuator
   std::vector<int> slots;  // column → slot of p; motion columns first
   int motion_columns;
   /// Coordinate of [q; s] → column, for each pose that matters: one; two for pairs; before, at, after for torques.

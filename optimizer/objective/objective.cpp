@@ -18,16 +18,6 @@ using Eigen::VectorXd;
 bool has_second(Order order) { return order == Order::hessian || order == Order::design; }
 bool has_design(Order order) { return order == Order::gradients || order == Order::design; }
 
-/// On a slope the home stance is moved downhill below the COM, until gravity's line through the COM meets the ground
-/// where it would on the level.
-StyleTargets style_targets(const Morphology& morphology, const DesignSpace& space,
-                           const Task& task) {
-  StyleTargets home = home_stance(morphology, space.initial());
-  const double height = task.com_height.value_or(home.com_height);
-  for (Eigen::Vector2d& foot : home.footprint) foot -= height / task.up.z() * task.up.head<2>();
-  return {task.com_height.value_or(home.com_height), task.footprint.value_or(home.footprint)};
-}
-
 std::vector<double> term_weights(const Task& task) {
   std::map<std::string, double> wanted = task.weights;
   std::vector<double> weights;
@@ -47,7 +37,7 @@ Objective::Workspace::Workspace() : parts_(std::make_unique<Parts>()) {}
 Objective::Workspace::~Workspace() = default;
 
 void Objective::Impl::build() {
-  const StyleTargets style = style_targets(morphology, space, task);
+  const StyleTargets style = style_targets(morphology, space.initial(), task);
   const double mass = morphology.total_mass();
   const TermContext context{
       layout,          morphology,       space,          task, path, morphology.leg_length, mass,
@@ -365,7 +355,7 @@ std::vector<TermValue> Objective::terms(const VectorXd& s, const VectorXd& m) co
 VectorXd initial_guess(const Objective& objective, const VectorXd& s) {
   return initial_guess(
       objective.morphology(), objective.layout(), objective.task(), objective.path(),
-      style_targets(objective.morphology(), objective.space(), objective.task()), s);
+      style_targets(objective.morphology(), objective.space().initial(), objective.task()), s);
 }
 
 }  // namespace legwright

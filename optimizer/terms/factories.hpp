@@ -25,6 +25,7 @@ std::unique_ptr<Term> make_limb_clearance(const TermContext& context);
 std::unique_ptr<Term> make_periodicity(const TermContext& context);
 std::unique_ptr<Term> make_ground_height(const TermContext& context);
 std::unique_ptr<Term> make_swing_height(const TermContext& context);
+std::unique_ptr<Term> make_flat_foot(const TermContext& context);
 std::unique_ptr<Term> make_least_normal_force(const TermContext& context);
 std::unique_ptr<Term> make_joint_limits(const TermContext& context);
 std::unique_ptr<Term> make_torque_limits(const TermContext& context);

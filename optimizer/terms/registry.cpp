@@ -26,6 +26,7 @@ const std::vector<TermEntry>& term_registry() {
       {"periodicity", "(17)", 1e4, make_periodicity, TermRole::constraint},
       {"ground_height", "-", 1e4, make_ground_height, TermRole::constraint},
       {"swing_height", "-", 1e3, make_swing_height, TermRole::constraint},
+      {"flat_foot", "-", 1e4, make_flat_foot, TermRole::constraint},
       {"least_normal_force", "-", 1e-3, make_least_normal_force, TermRole::constraint},
       {"joint_limits", "-", 1e-3, make_joint_limits, TermRole::constraint},
       {"torque_limits", "-", 1e-3, make_torque_limits, TermRole::constraint},

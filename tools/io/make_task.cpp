@@ -7,19 +7,20 @@
 
 #include "mjcf/input_error.hpp"
 #include "optimizer/design/kinematics.hpp"
+#include "optimizer/motion/initial_guess.hpp"
 #include "optimizer/motion/margins.hpp"
+#include "optimizer/motion/pendulum.hpp"
 #include "optimizer/terms/registry.hpp"
 #include "tools/io/gait_table.hpp"
 #include "tools/io/servo_sag.hpp"
 #include "tools/io/style_table.hpp"
 #include "tools/io/task_file.hpp"
 #include "tools/io/toml_reader.hpp"
+#include "tools/io/two_feet.hpp"
 
 namespace legwright {
 namespace {
 
-constexpr double kRolyPoly =
-    1.0;  // radius of round soles over the leg, from which a robot rights itself
 constexpr double kMostHeight = 1.5;  // com_height over the longest leg: the trunk has height
 constexpr double kQuickDuty = 0.6;   // gaits up to this duty have no third foot to catch them
 
@@ -198,13 +199,18 @@ std::vector<std::string> task_warnings(const Task& task, const RobotModel& robot
                     "bends it by {:.2g} rad (kp {:.4g} N m/rad); a stronger motor, shorter legs or "
                     "less weight would help",
                     sag.load, sag.limit, sag.joint, sag.angle, sag.kp));
-  if (const std::vector<Foot>& feet = robot.morphology.feet;
-      feet.size() == 2 &&
-      std::min(feet[0].radius, feet[1].radius) < kRolyPoly * robot.morphology.leg_length)
-    warnings.push_back(
-        "two small feet: the plan knows a foot as a point or ball and not how a sole lies, and "
-        "nothing balances the robot while it plays; of robots on two feet only those with large "
-        "round soles were seen to walk so");
+  if (const TwoFeet feet = two_feet(robot, task); !feet.why_it_falls().empty())
+    warnings.push_back(feet.why_it_falls());
+  else if (feet.soft())
+    warnings.push_back(fmt::format(
+        "soft ankles: gravity tips the robot over its feet with {:.3g} N m/rad, and joint '{}' has "
+        "a servo of {:.4g}; [servos] kp = {} in the task file plays it stiffer",
+        feet.toppling, feet.ankle, feet.kp, feet.upright_kp()));
+  else if (feet.rocks())
+    warnings.push_back(fmt::format(
+        "little damping: on flat feet a robot rocks over its ankles, the longer the more; [servos] "
+        "kd = {} in the task file damps servos that have less",
+        feet.upright_kd()));
   if (robot.space.size() == 0)
     warnings.push_back(
         "the robot declares no design parameters: only its motion will be optimized");
@@ -231,6 +237,10 @@ Task make_task(const TaskFile& file, const RobotModel& robot) {
   task.swing_height = swing_height(task, leg);
   task.clearance = limb_clearance(task, robot.morphology.leg_length);
   task.weights = file.weights;
+  if (task.com_path.empty() && stands_on_soles(robot.morphology)) {
+    const StyleTargets style = style_targets(robot.morphology, robot.space.initial(), task);
+    task.com_path = pendulum_path(task, style.footprint, style.com_height);
+  }
   check_reach(file, task, robot);
   return task;
 }

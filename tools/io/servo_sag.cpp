@@ -9,12 +9,13 @@
 
 namespace legwright {
 
-double ServoSag::stiff_kp() const {
-  const double least = torque / kFirmSag;
+double two_digits_up(double least) {
   const int power = static_cast<int>(std::floor(std::log10(least))) - 1;
   const double digits = std::ceil(least / std::pow(10.0, power) - 1e-9);
   return power < 0 ? digits / std::pow(10.0, -power) : digits * std::pow(10.0, power);
 }
+
+double ServoSag::stiff_kp() const { return two_digits_up(torque / kFirmSag); }
 
 bool ServoSag::can_be_stiffer() const {
   return std::min(stiff_kp(), limit / kFullTorqueError) > 1.001 * kp;

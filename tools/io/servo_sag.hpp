@@ -28,6 +28,9 @@ struct ServoSag {
   bool can_be_stiffer() const;
 };
 
+/// A positive number rounded up to two digits, as task files have gains.
+double two_digits_up(double least);
+
 /// @param robot with servos and masses as they are played
 ServoSag servo_sag(const RobotModel& robot);
 /// The same of a robot as a task has it played: its payload, its motors and servos.

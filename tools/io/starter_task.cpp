@@ -21,6 +21,10 @@ constexpr double kSpeed = 0.15, kTwoFeetSpeed = 0.075, kTripodSpeed = 0.25;
 // A cycle over √(h/g), by how long feet stand: nothing catches a robot on one pair of feet but its next step.
 constexpr double kQuickCycle = 3.7, kTripodCycle = 5.0, kSlowCycle = 7.0;
 constexpr double kSlowDuty = 0.65;
+// Flat feet: slow and low, as their ankles have to hold what sways above them.
+constexpr double kFlatFeetSpeed = 0.06, kFlatFeetCycle = 4.65;
+constexpr double kFlatFeetSwing = 0.045;  // of h
+constexpr int kFlatFeetKnots = 28;
 // Pairs that land before the others lift forgive servos that are soft or stiff.
 constexpr double kOverlap = 0.6;
 // Of a swing, two of which the planted margin takes; and of a cycle, where the task does not say.
@@ -56,14 +60,46 @@ GaitPattern find_gait(int foot_count, const std::optional<std::string>& wanted) 
       guess.empty() ? "" : fmt::format("did you mean '{}'? ", guess), fmt::join(names, ", ")));
 }
 
-double speed(int foot_count, double duty) {
+double speed(int foot_count, double duty, bool flat) {
+  if (flat) return kFlatFeetSpeed;
   if (foot_count >= 6 && duty < kSlowDuty) return kTripodSpeed;
   return foot_count == 2 ? kTwoFeetSpeed : kSpeed;
 }
 
-double cycle(int foot_count, double duty) {
+double cycle(int foot_count, double duty, bool flat) {
+  if (flat) return kFlatFeetCycle;
   if (duty >= kSlowDuty) return kSlowCycle;
   return foot_count >= 6 ? kTripodCycle : kQuickCycle;
+}
+
+/// The section that plays servos stiffer than the file has them; empty where it need not.
+std::string servos_text(const StarterTask& task) {
+  const bool sags = task.sag.soft() && task.sag.can_be_stiffer();
+  const double stiff = sags ? task.sag.stiff_kp() : 0.0;
+  const TwoFeet& feet = task.two_feet;
+  std::string why;
+  if (sags)
+    why = fmt::format(
+        "the file's ({:.4g}) give in by {:.2g} rad when it only stands, too\n{:32}# much to follow "
+        "a planned gait",
+        task.sag.kp, task.sag.angle, "");
+  const bool tips = feet.kind == TwoFeet::Kind::flat &&
+                    (feet.kp < feet.upright_kp() || feet.kd < feet.upright_kd());
+  if (tips && feet.upright_kp() > stiff)
+    why = fmt::format(
+        "gravity tips the robot over its ankles with {:.3g} N m/rad,\n{:32}# and the file's servos "
+        "have {:.4g}",
+        feet.toppling, "", feet.kp);
+  if (why.empty()) return "";
+  const double kp = tips ? std::max(stiff, feet.upright_kp()) : stiff;
+  std::string out = fmt::format(
+      "\n[servos]\nkp = {:26} # N m/rad, of those that are softer: {}; without this section they "
+      "are played as they are\n",
+      fmt::format("{}", kp), why);
+  if (tips)
+    out += fmt::format("kd = {:26} # N m s/rad at least: it rocks on flat feet with less\n",
+                       fmt::format("{}", feet.upright_kd()));
+  return out;
 }
 
 }  // namespace
@@ -76,9 +112,15 @@ StarterTask starter_task(const RobotModel& robot, const std::optional<std::strin
     longest = std::max(longest, pattern.duty_of(place));
   const double height = home_stance(robot.morphology, robot.space.initial()).com_height;
   StarterTask task;
+  task.two_feet = two_feet(robot);
+  const bool flat = task.two_feet.kind == TwoFeet::Kind::flat;
+  if (flat) {
+    task.swing_height = kFlatFeetSwing * height;
+    task.knots = kFlatFeetKnots;
+  }
   task.gait = pattern.name;
-  task.period = cycle(feet, longest) * std::sqrt(height / kGravity);
-  task.speed = speed(feet, longest) * std::sqrt(kGravity * height);
+  task.period = cycle(feet, longest, flat) * std::sqrt(height / kGravity);
+  task.speed = speed(feet, longest, flat) * std::sqrt(kGravity * height);
   const bool flies = support_range(pattern).least == 0;
   if (feet == 4 && !flies && longest < kOverlap) task.duty = kOverlap;
   if ((1.0 - longest) * kUsualKnots < kSwingKnots - 1e-9)
@@ -100,6 +142,13 @@ std::string no_gait_text(int foot_count) {
       foot_count > 1 ? 1.0 - 0.5 / foot_count : 0.5);
 }
 
+std::string no_task_text(const RobotModel& robot) {
+  const std::string gait = no_gait_text(robot.morphology.foot_count());
+  if (!gait.empty()) return gait;
+  const std::string falls = two_feet(robot).why_it_falls();
+  return falls.empty() ? "" : falls + "; --gait walk writes a task all the same";
+}
+
 std::string starter_text(const StarterTask& task, const std::string& robot) {
   std::string out =
       "# A first task for this robot. SI units; every other key has a default, legwright's "
@@ -113,9 +162,8 @@ std::string starter_text(const StarterTask& task, const std::string& robot) {
           "period = {:22} # s, one cycle: in proportion to the root of the robot's height\n",
           two_digits(task.period));
   if (task.knots)
-    out +=
-        fmt::format("knots = {:<23} # points per cycle: so short a swing has few of the usual 24\n",
-                    *task.knots);
+    out += fmt::format(
+        "knots = {:<23} # points per cycle: of the usual 24 too few are in a swing\n", *task.knots);
   if (task.duty)
     out += fmt::format(
         "duty = {:24} # share of the cycle that a foot stands: pairs land before the others lift\n",
@@ -125,14 +173,10 @@ std::string starter_text(const StarterTask& task, const std::string& robot) {
       "size\n",
       two_digits(task.speed), "",
       std::max(0, 13 - static_cast<int>(two_digits(task.speed).size())));
-  if (task.sag.soft() && task.sag.can_be_stiffer())
-    out += fmt::format(
-        "\n[servos]\nkp = {:26} # N m/rad, of those that are softer: the file's ({:.4g}) give in "
-        "by "
-        "{:.2g} rad when it only stands, too\n{:32}# much to follow a planned gait; without this "
-        "section they are played as they are\n",
-        fmt::format("{}", task.sag.stiff_kp()), task.sag.kp, task.sag.angle, "");
-  return out;
+  if (task.swing_height)
+    out += fmt::format("\n[limits]\nswing_height = {:16} # m: flat feet stay low\n",
+                       two_digits(*task.swing_height));
+  return out + servos_text(task);
 }
 
 }  // namespace legwright

@@ -95,9 +95,9 @@ std::string task_text(const InitOptions& options, const StudiedRobot& found,
   return starter_text(task, named.generic_string());
 }
 
-/// A robot for which the library has no gait gets its parameters all the same, but no task.
-bool lacks_gait(const InitOptions& options, const StudiedRobot& found) {
-  return options.gait.empty() && !no_gait_text(found.model.morphology.foot_count()).empty();
+/// A robot for which the library has no gait, or that would fall with any, gets its parameters all the same, but no task.
+bool lacks_task(const InitOptions& options, const StudiedRobot& found) {
+  return options.gait.empty() && !no_task_text(found.model).empty();
 }
 
 std::string next_step(const InitOptions& options, const StudiedRobot& found,
@@ -105,14 +105,15 @@ std::string next_step(const InitOptions& options, const StudiedRobot& found,
   if (!task.empty())
     return fmt::format("next: legwright optimize {} -o runs/mine\n", shell_word(task));
   const bool adds = written.empty() && !found.proposals.empty();
-  if (lacks_gait(options, found)) {
-    const std::string gait = no_gait_text(found.model.morphology.foot_count());
+  if (lacks_task(options, found)) {
+    const std::string why = no_task_text(found.model);
     return (adds ? fmt::format(
                        "next: legwright init {} --write   puts them into the file's <custom> "
                        "section\nthen: ",
                        shell_word(options.robot))
                  : "next: ") +
-           gait + "; then legwright check TASK\n";
+           why +
+           (found.model.morphology.foot_count() == 2 ? "\n" : "; then legwright check TASK\n");
   }
   return fmt::format("next: legwright init {}{} --task task.toml   {}writes a first task\n",
                      shell_word(written.empty() ? options.robot : written), adds ? " --write" : "",
@@ -139,7 +140,7 @@ int init(const InitOptions& options) {
   const StudiedRobot found = files.at_their_lines([&] { return study_robot(files.text(), file); });
   check_output(options, files);
   const std::string task =
-      options.task.empty() || lacks_gait(options, found)
+      options.task.empty() || lacks_task(options, found)
           ? ""
           : task_text(options, found, options.output.empty() ? options.robot : options.output);
   std::string written;
@@ -158,7 +159,7 @@ int init(const InitOptions& options) {
   const int code = task.empty() && !options.task.empty() ? kInfeasible : kOk;
   if (code != kOk)
     fmt::print(stderr, "legwright: {} is not written: {}\n", options.task,
-               no_gait_text(found.model.morphology.foot_count()));
+               no_task_text(found.model));
   if (options.json) {
     fmt::print("{}", to_text(to_json(found, written, written_task)));
     return code;
