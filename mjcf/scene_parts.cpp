@@ -175,12 +175,19 @@ void add_floor(XMLElement& root, const mjModel& robot, const SceneView& view, do
                view.up);
 }
 
-void add_followers(XMLElement& trunk, const SceneView& view, const Matrix3d& orientation) {
+bool has_light(const mjModel& robot) {
+  return std::any_of(robot.light_active, robot.light_active + robot.nlight,
+                     [](mjtBool active) { return active; });
+}
+
+void add_followers(XMLElement& trunk, const SceneView& view, const Matrix3d& orientation,
+                   bool lit) {
   const Matrix3d to_trunk = orientation.transpose();
   XMLElement& camera = add(trunk, "camera");
   place_camera(camera, "track", to_trunk * (view.distance * view.back), to_trunk * view.right,
                to_trunk * view.up);
   set(camera, "mode", "trackcom");
+  if (lit) return;
   const Vector3d from(0.35, -0.5, 1.0);
   XMLElement& light = add(trunk, "light");
   set(light, "mode", "trackcom");

@@ -39,8 +39,7 @@ struct ExportOptions {
   bool no_picture = false, json = false;
 };
 
-/// A text in a JSON document that others may have written; empty where there is none.
-/// Null where there is nothing.
+/// What stands at a path in a JSON document; null where there is nothing.
 Json value_in(const Json& document, std::initializer_list<const char*> path) {
   const Json* at = &document;
   for (const char* const key : path) {
@@ -50,6 +49,7 @@ Json value_in(const Json& document, std::initializer_list<const char*> path) {
   return *at;
 }
 
+/// A text in a JSON document that others may have written; empty where there is none.
 std::string text_in(const Json& document, std::initializer_list<const char*> path) {
   const Json value = value_in(document, path);
   return value.is_string() ? value.get<std::string>() : std::string();

@@ -29,8 +29,8 @@ struct JudgeOptions {
 };
 
 /// Plays the initial design and the result of a run of one task, and any other designs for the same
-/// task; writes metrics.json, verdict.json, comparison.json, numerics.json,
-/// robustness.json and the two playbacks into result/; of what was not asked for no old file stays. Throws InputError for a
+/// task; writes metrics.json, verdict.json, comparison.json, numerics.json, robustness.json and the
+/// two playbacks into result/; of what was not asked for no old file stays. Throws InputError for a
 /// scene that cannot be played, IoError where the run has none.
 /// @param others folders of designs: scene.xml and motion.csv
 JudgedRun judge_run(const ResultFolder& folder, const std::vector<std::filesystem::path>& others,
