@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tools/report/bought.hpp"
+#include "tools/report/changed_parameters.hpp"
 #include "tools/report/html.hpp"
 #include "tools/report/report.hpp"
 #include "tools/report/sections.hpp"
@@ -115,15 +116,13 @@ std::string closing(const RunData& data) {
 }
 
 std::string parameters(const RunData& data) {
-  auto all = parameters_of(data.run);
-  std::erase_if(all, [](const ParameterView& p) { return p.change() == "0"; });
+  const ChangedParameters changed = changed_parameters(data.run);
+  const std::vector<ChangedParameter>& all = changed.list;
   if (all.empty()) return "";
-  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
-    return a.share_of_range() > b.share_of_range();
-  });
-  std::string out = "| changed most | before | after | bounds |\n|---|---:|---:|---|\n";
+  std::string out = fmt::format("| {} | before | after | bounds |\n|---|---:|---:|---|\n",
+                                changed.by_cost ? "lowered F most" : "changed most");
   for (std::size_t k = 0; k < std::min(all.size(), kMostParameters); ++k) {
-    const ParameterView& p = all[k];
+    const ParameterView& p = all[k].view;
     out += fmt::format("| {} | {} | {} | {} … {}{} |\n", cell(spaced(p.name)),
                        p.with_unit(p.initial), p.with_unit(p.final), p.with_unit(p.lower),
                        p.with_unit(p.upper), p.at_bound().empty() ? "" : ", at " + p.at_bound());
