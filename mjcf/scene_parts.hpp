@@ -25,7 +25,8 @@ struct SceneView {
 SceneView scene_view(const Morphology& morphology, const Eigen::VectorXd& s,
                      const Eigen::Vector3d& travel, const Eigen::Vector3d& up);
 
-/// Adds <option>, <visual>, <statistic>. An arrow of the robot's weight is 2.5 legs long.
+/// Adds <option>, <visual>, <statistic>. An arrow of the robot's weight is 2.5 legs long. The head light is the
+/// robot's where it brings a light.
 void add_settings(tinyxml2::XMLElement& root, const mjModel& robot, const SceneView& view);
 /// Adds floor, sky and the still camera "side". The floor's contact settings hold against any of
 /// the robot's.

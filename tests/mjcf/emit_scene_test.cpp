@@ -99,11 +99,16 @@ TEST(EmitScene, BringsALightOnlyWhereTheRobotHasNone) {
         test::with(test::named_robot("puppy"), "<worldbody>", "<worldbody>" + own), "puppy.xml");
     const std::string plain = plain_scene(robot, robot.xml, "puppy.xml", 0.8);
     const ModelPointer scene = compile_scene(emit_scene(robot, robot.xml, settings_for(robot)));
-    return std::pair(static_cast<int>(scene->nlight), plain.find("<light") != std::string::npos);
+    EXPECT_EQ(scene->vis.headlight.ambient[0] > 0.3F,
+              plain.find("<headlight") != std::string::npos);
+    return std::tuple(static_cast<int>(scene->nlight), plain.find("<light") != std::string::npos,
+                      scene->vis.headlight.ambient[0] > 0.3F);
   };
-  EXPECT_EQ(lights(""), std::pair(1, true));
-  EXPECT_EQ(lights("<light name=\"lamp\" pos=\"0 0 3\" dir=\"0 0 -1\"/>"), std::pair(1, false));
-  EXPECT_EQ(lights("<light pos=\"0 0 3\" active=\"false\"/>"), std::pair(2, true));  // it is dark
+  EXPECT_EQ(lights(""), std::tuple(1, true, true));
+  EXPECT_EQ(lights("<light name=\"lamp\" pos=\"0 0 3\" dir=\"0 0 -1\"/>"),
+            std::tuple(1, false, false));
+  EXPECT_EQ(lights("<light pos=\"0 0 3\" active=\"false\"/>"),
+            std::tuple(2, true, true));  // it is dark
 }
 
 TEST(EmitScene, HoldsWhatRidesAndNamesFeet) {

@@ -177,7 +177,7 @@ int init(const InitOptions& options) {
                                                    proposal_summary(found)));
   if (!written_task.empty()) fmt::print("written  {}: {}\n", shell_word(written_task), task.words);
   if (writes)
-    fmt::print("shown by legwright init {}: its legs, servos{}\n",
+    fmt::print("more     legwright init {}   shows its legs and servos{}\n",
                shell_word(written.empty() ? options.robot : written),
                found.left_out.empty() ? ""
                                       : fmt::format(", and why {} more parameters were left out",

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "mjcf/home_touches.hpp"
 #include "tools/io/json_file.hpp"
 #include "tools/io/result_folder.hpp"
 #include "tools/validate/numerics.hpp"
@@ -19,6 +20,7 @@ struct JudgedRun {
   std::vector<SceneValidation> designs;   // initial body, result, then the others
   std::optional<SecondOpinion> numerics;  // on the result
   std::optional<Robustness> robustness;   // of the result
+  std::vector<HomeTouch> home_touches;    // of the designed body, which the initial one has not
 };
 
 struct JudgeOptions {

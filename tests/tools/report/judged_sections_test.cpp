@@ -116,6 +116,18 @@ TEST_F(JudgedSections, AChartWithoutAUnitHasNoCommaInItsPlace) {
   EXPECT_FALSE(has(page, " , over"));
 }
 
+TEST_F(JudgedSections, ABodyThatTouchesItselfIsWarnedOf) {
+  EXPECT_FALSE(has(page(), "Warning"));
+  edit(kVerdict, [](Json& file) {
+    file["home_touches"] = {{"line", "geom '<b>knee</b>' and 'x' touch"}, {"pairs", Json::array()}};
+  });
+  EXPECT_TRUE(has(page(), "Warning: geom '&lt;b&gt;knee&lt;/b&gt;' and 'x' touch."));
+  EXPECT_TRUE(has(report_summary(read_run(run_)), "**Warning.** geom "));
+  edit(kVerdict, [](Json& file) { file["home_touches"] = 3; });
+  EXPECT_FALSE(has(page(), "Warning"));
+  expect_well_formed(page());
+}
+
 TEST_F(JudgedSections, DrawEachFootAndTheInitialBodyToo) {
   edit(kComparison, [](Json& file) { file["initial"] = file["result"]; });
   EXPECT_TRUE(has(page(), "Contact forces before, with the initial body"));

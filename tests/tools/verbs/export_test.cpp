@@ -195,6 +195,39 @@ TEST_F(Export, PartsKeepTheirNamesAndTheirSums) {
   EXPECT_EQ(call({"export", "run", "-o", "other", "--no-picture"}).code, 0);  // control
 }
 
+/// Balls about both left hips, 2 mm apart, which meet once the body gets shorter.
+TEST_F(Export, LegsThatCameTogetherAreToldOf) {
+  const Outcome clear = call({"export", "run", "-o", "clear", "--no-picture"});
+  EXPECT_FALSE(contains(clear.err + read_file(root() / "clear" / "README.md"), "touches itself"));
+
+  std::string xml = read_file(root() / "mine" / "robot.xml");
+  for (const std::string leg : {"FL", "HL"}) {
+    const std::string thigh = "<body name=\"" + leg + "_thigh\"";
+    const std::size_t end = xml.find('>', xml.find(thigh)) + 1;
+    xml.insert(end, "<geom name=\"" + leg +
+                        "_hub\" type=\"sphere\" size=\"0.119\" mass=\"1e-3\" contype=\"1\" "
+                        "conaffinity=\"1\"/>");
+  }
+  write_file(root() / "mine" / "robot.xml", xml);
+  const Outcome made = call({"optimize", "mine/task.toml", "-o", "run", "--force",
+                             "--max-iterations", "3", "--no-pictures", "--no-certificate"});
+  ASSERT_TRUE(made.code == 0 || made.code == 1) << made.err;
+  for (const Json& p : read_json(root() / "run" / "run.json")["parameters"]) {
+    if (p["name"] != "body_length") continue;
+    EXPECT_LT(p["final"].get<double>(), 0.237);
+  }
+  const std::string hubs = "geom 'FL_hub' of 'FL_thigh' and geom 'HL_hub' of 'HL_thigh'";
+  const Outcome done = call({"export", "run", "-o", "there", "--no-picture"});
+  EXPECT_TRUE(contains(done.err, hubs)) << done.err;
+  EXPECT_TRUE(contains(read_file(root() / "there" / "README.md"), "**It touches itself**"));
+  const Outcome judged = call({"validate", "run", "--quick", "--cycles", "4"});
+  EXPECT_TRUE(contains(judged.out, "warning: in its home pose the designed body touches itself"))
+      << judged.out;
+  EXPECT_TRUE(contains(judged.out, hubs)) << judged.out;
+  const Json verdict = read_json(root() / "run" / "result" / "verdict.json");
+  EXPECT_GT(verdict["home_touches"]["pairs"][0]["depth_m"], 1e-3);
+}
+
 TEST_F(Export, ALinkIsNoLicence) {
   fs::remove(root() / "mine" / "LICENSE");
   fs::create_symlink("/etc/hostname", root() / "mine" / "LICENSE");

@@ -47,8 +47,10 @@ TEST(Program, HelpAndVersionAreFineAndNonsenseIsBadInput) {
 TEST(Check, ExplainsThePuppy) {
   const Outcome outcome = call({"check", kWalk});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
-  for (const char* part : {"puppy", "4 feet", "12 motors", "body_width", "######", "walk",
-                           "0.1 m per cycle", "default weight", "next: legwright optimize"})
+  for (const char* part :
+       {"puppy", "4 feet", "12 motors", "body_width", "######", "walk", "0.1 m per cycle",
+        "default weight", "twice the longest leg that the bounds allow, is refused",
+        "next: legwright optimize"})
     EXPECT_TRUE(contains(outcome.out, part)) << part << " in:\n" << outcome.out;
   EXPECT_FALSE(contains(outcome.out, "friction_cone")) << "only weights that the task changes";
 }
