@@ -4,6 +4,7 @@
 #include <cctype>
 #include <string>
 
+#include "mjcf/model_arrays.hpp"
 #include "mjcf/numbers.hpp"
 
 namespace legwright {
@@ -107,8 +108,7 @@ Matrix3d orientation_of(const XmlFile& xml, const XmlElement& element) {
   if (const auto z = read("zaxis"); z.size() == 3)
     return Quaterniond::FromTwoVectors(Vector3d::UnitZ(), Vector3d(z[0], z[1], z[2]))
         .toRotationMatrix();
-  if (const auto q = read("quat"); q.size() == 4)
-    return Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix();
+  if (const auto q = read("quat"); q.size() == 4) return rotation_of(q.data());
   return Matrix3d::Identity();
 }
 

@@ -3,13 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <cmath>
 #include <map>
 #include <stdexcept>
 #include <vector>
 
 #include "mjcf/compile.hpp"
+#include "mjcf/model_arrays.hpp"
 #include "mjcf/numbers.hpp"
 #include "mjcf/played_robot.hpp"
 #include "mjcf/scene_parts.hpp"
@@ -189,9 +189,8 @@ std::string emit_scene(const RobotModel& robot, const std::string& design_xml,
   const SceneView view =
       scene_view(robot.morphology, robot.space.initial(), settings.travel, up_of(*model));
   remove_cameras_of_its_views(root);
-  const mjtNum* q = model->body_quat + 4 * trunk;
-  add_followers(const_cast<XmlElement&>(*trunk_element), view,
-                Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix());
+  add_followers(const_cast<XmlElement&>(*trunk_element), view, rotation_at(model->body_quat, trunk),
+                has_light(*model));
   replace_servos(root, robot, settings.gain_scale);
   add_settings(root, *model, view);
   add_floor(root, *model, view, settings.floor_friction);

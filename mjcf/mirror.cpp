@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "mjcf/legs.hpp"
+#include "mjcf/model_arrays.hpp"
 #include "mjcf/tree.hpp"
 
 namespace legwright {
@@ -19,13 +20,10 @@ constexpr double kAgree =
     0.1;  // [rad]: frames that are mirror images but for the hand that drew them
 constexpr double kRound = 1e-6;  // a quarter turn but for the digits of the file
 
-Vector3d vector_at(const mjtNum* array, int index) { return Vector3d::Map(array + 3 * index); }
-
 Isometry3d placed(const mjModel& model, int body) {
-  const mjtNum* q = model.body_quat + 4 * body;
   Isometry3d out = Isometry3d::Identity();
   out.translation() = vector_at(model.body_pos, body);
-  out.linear() = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix();
+  out.linear() = rotation_at(model.body_quat, body);
   return out;
 }
 

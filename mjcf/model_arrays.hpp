@@ -13,10 +13,19 @@ inline Eigen::Vector3d vector_at(const mjtNum* array, int id) {
   return Eigen::Vector3d::Map(array + static_cast<std::ptrdiff_t>(3) * id);
 }
 
+/// A quaternion in MuJoCo's order, w x y z, made a unit one.
+inline Eigen::Quaterniond quaternion_of(const mjtNum* wxyz) {
+  return Eigen::Quaterniond(wxyz[0], wxyz[1], wxyz[2], wxyz[3]).normalized();
+}
+
+/// The rotation of such a quaternion.
+inline Eigen::Matrix3d rotation_of(const mjtNum* wxyz) {
+  return quaternion_of(wxyz).toRotationMatrix();
+}
+
 /// Rotation of an object by an array of mjModel that holds a quaternion for each.
 inline Eigen::Matrix3d rotation_at(const mjtNum* array, int id) {
-  const mjtNum* const q = array + static_cast<std::ptrdiff_t>(4) * id;
-  return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix();
+  return rotation_of(array + static_cast<std::ptrdiff_t>(4) * id);
 }
 
 }  // namespace legwright

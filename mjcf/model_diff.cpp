@@ -14,6 +14,7 @@
 #include <tuple>
 
 #include "mjcf/compile.hpp"
+#include "mjcf/model_arrays.hpp"
 
 namespace legwright {
 namespace {
@@ -22,6 +23,8 @@ namespace {
 using Names = std::map<std::string, int>;
 
 using Values = std::vector<double>;
+
+constexpr double kSmallInertia = 1e-6;  // [kg m²]: that of a link of a palm-sized robot
 
 /// Numbers that an element has, as many in both models as a rule.
 struct Quantity {
@@ -118,12 +121,8 @@ class Comparison {
   static double distance(const Difference& d) {
     const bool angle = std::string_view(d.unit) == "rad";
     if (d.before.size() != d.after.size()) return largest_difference(d.before, d.after);
-    if (angle && d.before.size() == 4) {
-      const auto orientation = [](const Values& q) {
-        return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized();
-      };
-      return orientation(d.before).angularDistance(orientation(d.after));
-    }
+    if (angle && d.before.size() == 4)
+      return quaternion_of(d.before.data()).angularDistance(quaternion_of(d.after.data()));
     if (d.quantity == "axis") {
       const Eigen::Vector3d one = Eigen::Vector3d::Map(d.before.data()),
                             two = Eigen::Vector3d::Map(d.after.data());
@@ -272,6 +271,14 @@ std::vector<Difference> parameter_differences(const mjModel& a, const mjModel& b
 }
 
 }  // namespace
+
+bool is_dust(const Difference& difference, double tolerance) {
+  if (difference.whole()) return false;
+  double scale = difference.unit == "kg m²" ? kSmallInertia : 1.0;
+  for (const Values* values : {&difference.before, &difference.after})
+    for (const double value : *values) scale = std::max(scale, std::abs(value));
+  return difference.size <= tolerance * scale;  // NaN is none
+}
 
 std::vector<Difference> model_differences(const mjModel& a, const mjModel& b, double tolerance) {
   Comparison comparison(a, b, tolerance);

@@ -6,6 +6,19 @@
 #include "mjcf/surroundings.hpp"
 
 namespace legwright {
+namespace {
+
+void add_light(tinyxml2::XMLElement& world) {
+  tinyxml2::XMLElement& light = add(world, "light");
+  light.SetAttribute("type", "directional");
+  light.SetAttribute("pos", "0 0 3");
+  light.SetAttribute("dir", "-0.3 0.4 -0.9");
+  light.SetAttribute("diffuse", "0.5 0.5 0.5");
+  light.SetAttribute("specular", "0.2 0.2 0.2");
+  light.SetAttribute("castshadow", "true");
+}
+
+}  // namespace
 
 std::string plain_scene(const RobotModel& robot, const std::string& robot_xml,
                         const std::string& robot_file, double friction) {
@@ -19,13 +32,7 @@ std::string plain_scene(const RobotModel& robot, const std::string& robot_xml,
   add(root, "include").SetAttribute("file", robot_file.c_str());
   add_settings(root, *model, view);
   add_floor(root, *model, view, friction);
-  tinyxml2::XMLElement& light = add(*root.FirstChildElement("worldbody"), "light");
-  light.SetAttribute("type", "directional");
-  light.SetAttribute("pos", "0 0 3");
-  light.SetAttribute("dir", "-0.3 0.4 -0.9");
-  light.SetAttribute("diffuse", "0.5 0.5 0.5");
-  light.SetAttribute("specular", "0.2 0.2 0.2");
-  light.SetAttribute("castshadow", "true");
+  if (!has_light(*model)) add_light(*root.FirstChildElement("worldbody"));
   tinyxml2::XMLPrinter printer;
   dom.Print(&printer);
   return printer.CStr();

@@ -11,6 +11,7 @@
 #include "mjcf/elements.hpp"
 #include "mjcf/feet.hpp"
 #include "mjcf/growth.hpp"
+#include "mjcf/model_arrays.hpp"
 #include "mjcf/numbers.hpp"
 
 namespace legwright {
@@ -164,12 +165,11 @@ std::vector<Solid> solids_of(const XmlFile& xml, const mjModel& model, const Tre
   const int first = model.body_geomadr[id];
   for (int geom = first; geom < first + model.body_geomnum[id]; ++geom) {
     const XmlElement* part = elements.geoms[static_cast<std::size_t>(geom)];
-    const mjtNum* q = model.geom_quat + 4 * geom;
     Solid solid{part,
                 model.geom_type[geom],
-                Vector3d::Map(model.geom_size + 3 * geom),
-                Vector3d::Map(model.geom_pos + 3 * geom),
-                Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix(),
+                vector_at(model.geom_size, geom),
+                vector_at(model.geom_pos, geom),
+                rotation_at(model.geom_quat, geom),
                 inherited_attribute(xml, *part, "fromto") != nullptr,
                 1000.0,
                 false,
@@ -188,10 +188,9 @@ std::vector<Solid> solids_of(const XmlFile& xml, const mjModel& model, const Tre
 /// Σ m p̂ p̂ᵀ of MuJoCo's body in its frame.
 Eigen::Matrix4d moments_of(const mjModel& model, int id) {
   const double mass = model.body_mass[id];
-  const Vector3d inertia = Vector3d::Map(model.body_inertia + 3 * id),
-                 centre = Vector3d::Map(model.body_ipos + 3 * id);
-  const mjtNum* q = model.body_iquat + 4 * id;
-  const Matrix3d axes = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix();
+  const Vector3d inertia = vector_at(model.body_inertia, id),
+                 centre = vector_at(model.body_ipos, id);
+  const Matrix3d axes = rotation_at(model.body_iquat, id);
   const Vector3d second = Vector3d::Constant(inertia.sum() / 2) - inertia;
   Eigen::Matrix4d out;
   out.topLeftCorner<3, 3>() =

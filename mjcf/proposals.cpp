@@ -11,10 +11,10 @@
 
 #include "mjcf/checks.hpp"
 #include "mjcf/compile.hpp"
+#include "mjcf/home_stance_check.hpp"
 #include "mjcf/input_error.hpp"
 #include "mjcf/mirror.hpp"
 #include "mjcf/proposal_trial.hpp"
-#include "mjcf/standing.hpp"
 #include "mjcf/stretch.hpp"
 
 namespace legwright {

@@ -112,6 +112,11 @@ SceneView scene_view(const Morphology& morphology, const Eigen::VectorXd& s, con
   return view;
 }
 
+bool has_light(const mjModel& robot) {
+  return std::any_of(robot.light_active, robot.light_active + robot.nlight,
+                     [](mjtBool active) { return active; });
+}
+
 void add_settings(XMLElement& root, const mjModel& robot, const SceneView& view) {
   XMLElement& option = add(root, "option");
   for (const auto& [name, value] : {std::pair{"timestep", "0.001"},
@@ -126,10 +131,12 @@ void add_settings(XMLElement& root, const mjModel& robot, const SceneView& view)
   XMLElement& quality = add(visual, "quality");
   set(quality, "shadowsize", "2048");
   set(quality, "offsamples", "4");
-  XMLElement& headlight = add(visual, "headlight");
-  set(headlight, "ambient", "0.35 0.35 0.35");
-  set(headlight, "diffuse", "0.35 0.35 0.35");
-  set(headlight, "specular", "0.1 0.1 0.1");
+  if (!has_light(robot)) {
+    XMLElement& headlight = add(visual, "headlight");
+    set(headlight, "ambient", "0.35 0.35 0.35");
+    set(headlight, "diffuse", "0.35 0.35 0.35");
+    set(headlight, "specular", "0.1 0.1 0.1");
+  }
   XMLElement& map = add(visual, "map");
   set(map, "znear", "0.02");
   set(map, "zfar", "100");
@@ -175,12 +182,14 @@ void add_floor(XMLElement& root, const mjModel& robot, const SceneView& view, do
                view.up);
 }
 
-void add_followers(XMLElement& trunk, const SceneView& view, const Matrix3d& orientation) {
+void add_followers(XMLElement& trunk, const SceneView& view, const Matrix3d& orientation,
+                   bool lit) {
   const Matrix3d to_trunk = orientation.transpose();
   XMLElement& camera = add(trunk, "camera");
   place_camera(camera, "track", to_trunk * (view.distance * view.back), to_trunk * view.right,
                to_trunk * view.up);
   set(camera, "mode", "trackcom");
+  if (lit) return;
   const Vector3d from(0.35, -0.5, 1.0);
   XMLElement& light = add(trunk, "light");
   set(light, "mode", "trackcom");

@@ -15,6 +15,7 @@
 #include "mjcf/feet.hpp"
 #include "mjcf/input_error.hpp"
 #include "mjcf/legs.hpp"
+#include "mjcf/model_arrays.hpp"
 
 namespace legwright {
 namespace {
@@ -25,13 +26,6 @@ using Eigen::Vector3d;
 // Rounded edges leave out less than half of that, share of the leg.
 constexpr double kSharpEdge = 0.03;
 constexpr std::size_t kMostCapsulePairs = 20000;  // a robot of many shapes has some thousand
-
-Vector3d vector_at(const mjtNum* array, int index) { return Vector3d::Map(array + 3 * index); }
-
-Matrix3d rotation_at(const mjtNum* array, int index) {
-  const mjtNum* q = array + 4 * index;
-  return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix();
-}
 
 bool belongs_to(const mjModel& model, int body, int trunk) {
   return model.body_rootid[body] == trunk;
@@ -278,7 +272,7 @@ Eigen::Isometry3d held_motion(const mjModel& model, int j) {
   if (model.jnt_type[j] == mjJNT_SLIDE)
     out.translation() = (q[0] - q0[0]) * axis;
   else if (model.jnt_type[j] == mjJNT_BALL)
-    out.linear() = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix();
+    out.linear() = rotation_of(q);
   else if (q[0] != q0[0])
     out.linear() = Eigen::AngleAxisd(q[0] - q0[0], axis).toRotationMatrix();
   return out;

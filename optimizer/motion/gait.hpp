@@ -29,7 +29,8 @@ struct SupportRange {
   bool operator==(const SupportRange&) const = default;
 };
 
-/// The library's patterns for a robot of `foot_count` feet; empty if there is none: for one and for three feet. Five, seven and more than eight have a wave only.
+/// The library's patterns for a robot of `foot_count` feet; empty if there is none: for one and for three feet. Five,
+/// seven and more than eight have a wave only.
 std::vector<GaitPattern> gait_library(int foot_count);
 
 /// Numbers of feet with gaits, up to eight: those that are worth being told.

@@ -298,7 +298,7 @@ std::string quadruped_with_arm() {
 )";
 }
 
-std::string hopper_with(const std::string& foot, double knee) {
+std::string hopper_with(const std::string& foot, double knee, bool weighed_by_foot) {
   return fmt::format(R"(<mujoco model="hopper">
   <compiler angle="radian" autolimits="true"/>
   <asset>
@@ -314,7 +314,7 @@ std::string hopper_with(const std::string& foot, double knee) {
         <inertial pos="0 0 -0.1" mass="0.1" diaginertia="1e-4 1e-4 1e-5"/>
         <body name="shank" pos="0 0 -0.2">
           <joint name="knee" axis="0 1 0"/>
-          <inertial pos="0 0 -0.1" mass="0.1" diaginertia="1e-4 1e-4 1e-5"/>
+          {}
           {}
         </body>
       </body>
@@ -327,6 +327,9 @@ std::string hopper_with(const std::string& foot, double knee) {
   <keyframe><key name="home" qpos="0 0 0.5 1 0 0 0 0 {}"/></keyframe>
 </mujoco>
 )",
+                     weighed_by_foot
+                         ? ""
+                         : R"(<inertial pos="0 0 -0.1" mass="0.1" diaginertia="1e-4 1e-4 1e-5"/>)",
                      foot, knee);
 }
 

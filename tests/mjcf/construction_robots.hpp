@@ -19,8 +19,9 @@ std::string classed_quadruped();
 std::string quadruped_with_arm();
 
 /// One leg under a trunk; `foot` is the content of its shank, 0.2 m below the knee; at home the
-/// shank leans by `knee` [rad].
-std::string hopper_with(const std::string& foot, double knee = 0.0);
+/// shank leans by `knee` [rad]. A mesh `shoe` is there to be used.
+/// @param weighed_by_foot whether the shank has no <inertial>
+std::string hopper_with(const std::string& foot, double knee = 0.0, bool weighed_by_foot = false);
 
 /// The robot with the parameters that `legwright init` proposes.
 std::string declared(const std::string& xml);

@@ -10,6 +10,7 @@
 #include <filesystem>
 
 #include "mjcf/compile.hpp"
+#include "mjcf/plain_scene.hpp"
 #include "mjcf/played_robot.hpp"
 #include "mjcf/rewrite_robot.hpp"
 #include "mjcf/xml.hpp"
@@ -89,6 +90,25 @@ TEST(EmitScene, TheRobotsOwnCamerasMakeRoomForItsViews) {
   ASSERT_GE(track, 0);
   EXPECT_EQ(scene->cam_mode[track], mjCAMLIGHT_TRACKCOM);
   EXPECT_GE(mj_name2id(scene.get(), mjOBJ_CAMERA, "eye"), 0);
+}
+
+/// With the scene's light on top of the robot's own everything would be white.
+TEST(EmitScene, BringsALightOnlyWhereTheRobotHasNone) {
+  const auto lights = [](const std::string& own) {
+    const RobotModel robot = parse_robot(
+        test::with(test::named_robot("puppy"), "<worldbody>", "<worldbody>" + own), "puppy.xml");
+    const std::string plain = plain_scene(robot, robot.xml, "puppy.xml", 0.8);
+    const ModelPointer scene = compile_scene(emit_scene(robot, robot.xml, settings_for(robot)));
+    EXPECT_EQ(scene->vis.headlight.ambient[0] > 0.3F,
+              plain.find("<headlight") != std::string::npos);
+    return std::tuple(static_cast<int>(scene->nlight), plain.find("<light") != std::string::npos,
+                      scene->vis.headlight.ambient[0] > 0.3F);
+  };
+  EXPECT_EQ(lights(""), std::tuple(1, true, true));
+  EXPECT_EQ(lights("<light name=\"lamp\" pos=\"0 0 3\" dir=\"0 0 -1\"/>"),
+            std::tuple(1, false, false));
+  EXPECT_EQ(lights("<light pos=\"0 0 3\" active=\"false\"/>"),
+            std::tuple(2, true, true));  // it is dark
 }
 
 TEST(EmitScene, HoldsWhatRidesAndNamesFeet) {

@@ -155,6 +155,23 @@ TEST(ModelDiff, LooksAwayBelowItsTolerance) {
   EXPECT_TRUE(differences(moved, 0.01).empty());
 }
 
+/// Ends of a tape measure: rounding of a large or small number is none, the same step of a small one is a change.
+TEST(ModelDiff, KnowsRoundingErrors) {
+  const auto differs = [](const char* unit, double before, double after) {
+    Difference d{"body 'a'", "mass", unit, {before}, {after}, std::abs(after - before)};
+    return !is_dust(d, 1e-9);
+  };
+  EXPECT_FALSE(differs("m", 0.0, 1e-17));
+  EXPECT_FALSE(differs("m", 0.2, 0.2 + 1e-10));
+  EXPECT_TRUE(differs("m", 0.2, 0.2 + 1e-8));
+  EXPECT_FALSE(differs("N m/rad or N/m", 24000.0, 24000.0 + 1e-6));
+  EXPECT_TRUE(differs("N m/rad or N/m", 24.0, 24.0 + 1e-6));
+  EXPECT_FALSE(differs("kg m²", 2e-6, 2e-6 + 1e-16));
+  EXPECT_TRUE(differs("kg m²", 2e-6, 2.0005e-6));
+  EXPECT_TRUE(differs("kg", 1.0, std::nan("")));
+  EXPECT_FALSE(is_dust({"body 'a'", "only in A", "", {}, {}, 0.0}, 1e-9));
+}
+
 TEST(ModelDiff, ADesignDiffersWhereItsParameterPoints) {
   const RobotModel puppy = parse_robot(test::named_robot("puppy"), "puppy.xml");
   Eigen::VectorXd s = puppy.space.initial();

@@ -86,6 +86,7 @@ std::string judgement(const ExportFacts& facts) {
         "as their torque limits go. With the file's own gains the gait is not promised; raise kp "
         "here, or command the joints so.\n",
         *facts.servo_kp);
+  if (!facts.touches.empty()) out += "- **It touches itself**: " + escaped(facts.touches) + ".\n";
   return out + "- " + escaped(facts.standing) + "\n";
 }
 

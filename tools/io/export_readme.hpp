@@ -27,9 +27,10 @@ struct ExportFacts {
   std::vector<std::string> verdicts;           // of physics; none: it was not validated
   std::optional<double> servo_kp;              // least that the gait was judged with [N m/rad]
   std::string standing;                        // what a second of standing showed
-  std::string picture;                         // file, or empty
-  std::vector<std::string> licences;           // files
-  std::vector<std::string> others;             // files that the robot's names: parts and assets
+  std::string touches;  // what of its body touches itself at home, which did not before; or empty
+  std::string picture;  // file, or empty
+  std::vector<std::string> licences;  // files
+  std::vector<std::string> others;    // files that the robot's names: parts and assets
 };
 
 /// README.md of an exported robot: what it is, where it comes from, what changed. Texts from files

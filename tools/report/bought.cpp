@@ -7,13 +7,16 @@
 #include <cmath>
 #include <functional>
 
+#include "tools/report/changed_parameters.hpp"
 #include "tools/report/words.hpp"
 
 namespace legwright {
 namespace {
 
-constexpr double kWorthTelling = 0.05;      // relative change of a figure, in a sentence
-constexpr std::size_t kToldParameters = 3;  // likewise
+constexpr double kWorthTelling = 0.05;       // relative change of a figure, in a sentence
+constexpr double kTiltWorthTelling = 0.01;   // [rad], for the worse
+constexpr double kShareWorthTelling = 0.01;  // of the time, likewise
+constexpr std::size_t kToldParameters = 3;   // likewise
 constexpr const char* kSides[] = {"initial", "result"};
 
 using Value = std::optional<double>;
@@ -90,18 +93,38 @@ std::string verdict_words(const RunData& data, const char* side) {
   return count == 0 ? "✗ fails" : fmt::format("✗ falls at {} of the gains", count);
 }
 
+/// What is better of a quantity.
+enum class Better { less, more, near_one, neither };
+
+/// How much worse a quantity got, as a share of what it was; 0 where it did not, or by less than `least`.
+double worsening(double before, double after, Better better, double least) {
+  if (better == Better::near_one) {
+    before = std::abs(before - 1.0);
+    after = std::abs(after - 1.0);
+    return after - before >= std::max(least, kWorthTelling) ? after - before : 0.0;
+  }
+  const double by = better == Better::less   ? after - before
+                    : better == Better::more ? before - after
+                                             : 0.0;
+  return before != 0.0 && by >= least ? std::max(0.0, by / std::abs(before)) : 0.0;
+}
+
 class Rows {
  public:
   using Show = std::function<std::string(Value)>;
   void text(const char* what, std::string before, std::string after) {
     if (before == "–" && after == "–") return;
-    rows_.push_back({what, std::move(before), std::move(after), std::nullopt});
+    rows_.push_back({what, std::move(before), std::move(after)});
   }
-  void add(const std::string& what, const Sides& sides, const Show& show) {
+  /// @param least difference that is worth a word where it is for the worse
+  void add(const std::string& what, const Sides& sides, const Show& show, Better better,
+           double least = 0.0) {
     if (!sides.first && !sides.second) return;
-    BoughtRow row{what, show(sides.first), show(sides.second), std::nullopt};
+    BoughtRow row{what, show(sides.first), show(sides.second)};
     if (sides.first && sides.second && *sides.first != 0.0)
       row.change = (*sides.second - *sides.first) / std::abs(*sides.first);
+    if (sides.first && sides.second)
+      row.worse = worsening(*sides.first, *sides.second, better, least);
     rows_.push_back(std::move(row));
   }
   std::vector<BoughtRow> take() { return std::move(rows_); }
@@ -126,29 +149,30 @@ void add_measured(const RunData& data, Rows& rows) {
   const auto least = [&](const char* key) {
     return both([&](const char* side) { return over_gains(data, side, key, false); });
   };
-  rows.add("of the wanted speed, worst gains", least("speed_ratio"), percent);
-  rows.add("of the wanted turn rate, worst gains", least("turn_ratio"), percent);
+  rows.add("of the wanted speed, worst gains", least("speed_ratio"), percent, Better::near_one);
+  rows.add("of the wanted turn rate, worst gains", least("turn_ratio"), percent, Better::near_one);
   rows.add("largest tilt",
            both([&](const char* side) { return over_gains(data, side, "tilt_max_rad", true); }),
-           in("rad"));
+           in("rad"), Better::less, kTiltWorthTelling);
   rows.add("share of the time with a servo at its limit",
            both([&](const char* side) { return over_gains(data, side, "saturated_share", true); }),
-           percent);
+           percent, Better::less, kShareWorthTelling);
   const auto standard = [&](const std::function<Value(const Json&)>& of) {
     return both([&](const char* side) { return at_default(data, side, of); });
   };
   const auto number = [](const char* key) {
     return [key](const Json& measured) { return number_at(measured, {key}); };
   };
-  rows.add("peak torque of a servo", standard(peak_torque), in("N m"));
-  rows.add("mechanical power", standard(number("power_mean_W")), in("W"));
-  rows.add("cost of transport", standard(number("cost_of_transport")), short_number);
+  rows.add("peak torque of a servo", standard(peak_torque), in("N m"), Better::less);
+  rows.add("mechanical power", standard(number("power_mean_W")), in("W"), Better::less);
+  rows.add("cost of transport", standard(number("cost_of_transport")), short_number, Better::less);
   rows.add("steps over a bar of",
-           both([&](const char* side) { return least_clearance(data, side); }), in("m"));
+           both([&](const char* side) { return least_clearance(data, side); }), in("m"),
+           number_at(data.run, {"task", "step_over_m"}) ? Better::more : Better::neither);
 }
 
 /// "31 % less mechanical power"
-std::string gain_words(const BoughtRow& row) {
+std::string amount_change(const BoughtRow& row) {
   return fmt::format("{} {} {}", percent_whole(std::abs(*row.change)),
                      *row.change < 0.0 ? "less" : "more", row.what);
 }
@@ -168,12 +192,33 @@ bool is_amount(const BoughtRow& row) {
   return false;
 }
 
-std::string amounts(const std::vector<BoughtRow>& rows) {
-  std::vector<std::string> parts;
-  for (const BoughtRow& row : rows)
-    if (is_amount(row) && row.change && std::abs(*row.change) >= kWorthTelling)
-      parts.push_back(gain_words(row));
-  return joined(parts);
+/// What got less, and what got worse most of all: "25 % less mechanical power, but 22 % more printed volume".
+/// Empty where nothing is worth telling.
+std::string balance(const std::vector<BoughtRow>& rows) {
+  std::vector<std::string> gains;
+  const BoughtRow* worst = nullptr;
+  for (const BoughtRow& row : rows) {
+    if (is_amount(row) && row.change && *row.change <= -kWorthTelling)
+      gains.push_back(amount_change(row));
+    if (row.worse >= kWorthTelling && (worst == nullptr || row.worse > worst->worse)) worst = &row;
+  }
+  const std::string gained = joined(gains);
+  if (worst == nullptr) return gained;
+  const std::string lost = is_amount(*worst) ? amount_change(*worst)
+                                             : fmt::format("{} {} instead of {}", worst->what,
+                                                           worst->after, worst->before);
+  return gained.empty() ? lost : gained + ", but " + lost;
+}
+
+/// Whether the weights of links go with their lengths; empty where no length changed.
+std::string mass_words(const RunData& data, const ChangedParameters& changed) {
+  if (std::none_of(changed.list.begin(), changed.list.end(),
+                   [](const ChangedParameter& each) { return !each.view.angle; }))
+    return "";
+  if (!number_at(data.run, {"body", "initial", "mass_kg"})) return "";  // of an old run
+  return number_at(data.run, {"body", "initial", "printed_volume_m3"})
+             ? "Printed parts weigh more the longer they are; all others keep their mass."
+             : "No part is printed, so links keep their mass however long they are.";
 }
 
 }  // namespace
@@ -192,30 +237,34 @@ std::vector<BoughtRow> bought_rows(const RunData& data) {
     return Sides{number_at(data.run, {"body", "initial", key}),
                  number_at(data.run, {"body", "final", key})};
   };
-  rows.add("mass of the robot", body("mass_kg"), in("kg"));
-  rows.add("printed volume", body("printed_volume_m3"),
-           [](Value value) { return value ? short_number(*value * 1e6) + " cm³" : "–"; });
+  rows.add("mass of the robot", body("mass_kg"), in("kg"), Better::less);
+  rows.add(
+      "printed volume", body("printed_volume_m3"),
+      [](Value value) { return value ? short_number(*value * 1e6) + " cm³" : "–"; }, Better::less);
   rows.add("cost of the gait, F",
-           {number_at(data.run, {"motion_only_F"}), number_at(data.run, {"final_F"})},
-           short_number);
+           {number_at(data.run, {"motion_only_F"}), number_at(data.run, {"final_F"})}, short_number,
+           Better::less);
   if (const Sides J = outer_cost(data); J.first || J.second)
     rows.add("what the body was to lower, " + spaced(text_at(data.run, {"outer", "objective"})), J,
-             short_number);
+             short_number, Better::less);
   return rows.take();
 }
 
 std::string body_words(const RunData& data) {
-  std::vector<ParameterView> all = parameters_of(data.run);
-  std::erase_if(all, [](const ParameterView& p) { return p.change() == "0"; });
-  if (motion_only(data) || all.empty()) return "";
-  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
-    return a.share_of_range() > b.share_of_range();
-  });
+  const ChangedParameters changed = changed_parameters(data.run);
+  if (motion_only(data) || changed.list.empty()) return "";
   std::vector<std::string> parts;
-  for (std::size_t k = 0; k < std::min(all.size(), kToldParameters); ++k)
-    parts.push_back(fmt::format("{} from {} to {}", spaced(all[k].name),
-                                all[k].with_unit(all[k].initial), all[k].with_unit(all[k].final)));
-  return "Most of all " + joined(parts) + ".";
+  for (std::size_t k = 0; k < std::min(changed.list.size(), kToldParameters); ++k) {
+    const auto& [view, lowered] = changed.list[k];
+    if (changed.by_cost && k > 0 && lowered < kWorthTelling * changed.list.front().lowered) break;
+    parts.push_back(fmt::format("{} from {} to {}", spaced(view.name), view.with_unit(view.initial),
+                                view.with_unit(view.final)));
+  }
+  std::string out =
+      (changed.by_cost ? "What lowered the cost most: " : "Most of all ") + joined(parts) + ".";
+  for (const std::string& more : {changed.bound_words(), mass_words(data, changed)})
+    if (!more.empty()) out += " " + more;
+  return out;
 }
 
 std::string bought_words(const RunData& data) {
@@ -224,7 +273,7 @@ std::string bought_words(const RunData& data) {
   const Json& after = value_at(data.verdict, {"result", "pass"});
   if (!before.is_boolean() || !after.is_boolean()) return "";
   const bool could = before.get<bool>(), can = after.get<bool>();
-  const std::string more = amounts(bought_rows(data));
+  const std::string more = balance(bought_rows(data));
   if (could && can)
     return more.empty()
                ? "Both bodies do the task in MuJoCo, with much the same effort."

@@ -162,6 +162,8 @@ std::vector<RobustnessFactor> factors_of(const Json& robustness, std::vector<std
                             .nominal = number_at(*json, {"nominal"}),
                             .low = number_at(*json, {"low"}),
                             .high = number_at(*json, {"high"}),
+                            .low_fails = number_at(*json, {"low_fails"}),
+                            .high_fails = number_at(*json, {"high_fails"}),
                             .low_cause = text_at(*json, {"low_cause"}),
                             .high_cause = text_at(*json, {"high_cause"})};
     const auto low = number_at(*json, {"tested_low"}), high = number_at(*json, {"tested_high"});

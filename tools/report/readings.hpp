@@ -59,7 +59,8 @@ std::optional<ComparisonView> comparison_of(const Json& document, const char* si
 /// One factor of result/robustness.json.
 struct RobustnessFactor {
   std::string name, label, unit;
-  std::optional<double> nominal, low, high;  // low, high: the last values that walk
+  std::optional<double> nominal, low, high;     // low, high: the last values that walk
+  std::optional<double> low_fails, high_fails;  // the first that do not
   double tested_low = 0.0, tested_high = 0.0;
   std::string low_cause, high_cause;
 };

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tools/report/bought.hpp"
+#include "tools/report/changed_parameters.hpp"
 #include "tools/report/html.hpp"
 #include "tools/report/report.hpp"
 #include "tools/report/sections.hpp"
@@ -16,12 +17,13 @@ namespace {
 
 // Rows of each table: all of them together stay below 60 lines.
 constexpr std::size_t kMostFailing = 6, kMostFactors = 8, kMostParameters = 6, kMostBought = 8;
-constexpr std::size_t kLongest = 160;  // characters of a cell
+constexpr std::size_t kLongest = 160;      // characters of a cell
+constexpr std::size_t kLongestLine = 600;  // of a line of its own
 
 /// Text from a file as a cell: nothing in it is markup, and it ends somewhere.
-std::string cell(const std::string& text) {
-  if (text.size() <= kLongest) return escape_markdown(text);
-  std::string head = text.substr(0, kLongest);
+std::string cell(const std::string& text, std::size_t most = kLongest) {
+  if (text.size() <= most) return escape_markdown(text);
+  std::string head = text.substr(0, most);
   while (!head.empty() && (static_cast<unsigned char>(head.back()) & 0xC0) == 0x80) head.pop_back();
   if (!head.empty() && static_cast<unsigned char>(head.back()) >= 0xC0) head.pop_back();
   return escape_markdown(head) + "…";
@@ -41,12 +43,18 @@ std::string verdict_row(const RunData& data, const char* key, const char* head) 
   return fmt::format("| {} | {} | {} |\n", head, mark, cell(words));
 }
 
+std::string home_touches(const RunData& data) {
+  const std::string line = text_at(data.verdict, {"home_touches", "line"});
+  return line.empty() ? "" : "**Warning.** " + cell(line, kLongestLine) + "\n\n";
+}
+
 std::string verdicts(const RunData& data) {
   const std::string head = "| | verdict | |\n|---|---|---|\n";
   if (motion_only(data))
     return head + verdict_row(data, "result", "initial body, only its gait optimised") + "\n";
   return head + verdict_row(data, "initial", "before: initial body, its gait optimised") +
-         verdict_row(data, "result", "after: body and gait co-designed") + "\n";
+         verdict_row(data, "result", "after: body and gait co-designed") + "\n" +
+         home_touches(data);
 }
 
 std::string limits(const std::vector<LimitRow>& rows) {
@@ -115,15 +123,13 @@ std::string closing(const RunData& data) {
 }
 
 std::string parameters(const RunData& data) {
-  auto all = parameters_of(data.run);
-  std::erase_if(all, [](const ParameterView& p) { return p.change() == "0"; });
+  const ChangedParameters changed = changed_parameters(data.run);
+  const std::vector<ChangedParameter>& all = changed.list;
   if (all.empty()) return "";
-  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
-    return a.share_of_range() > b.share_of_range();
-  });
-  std::string out = "| changed most | before | after | bounds |\n|---|---:|---:|---|\n";
+  std::string out = fmt::format("| {} | before | after | bounds |\n|---|---:|---:|---|\n",
+                                changed.by_cost ? "lowered F most" : "changed most");
   for (std::size_t k = 0; k < std::min(all.size(), kMostParameters); ++k) {
-    const ParameterView& p = all[k];
+    const ParameterView& p = all[k].view;
     out += fmt::format("| {} | {} | {} | {} … {}{} |\n", cell(spaced(p.name)),
                        p.with_unit(p.initial), p.with_unit(p.final), p.with_unit(p.lower),
                        p.with_unit(p.upper), p.at_bound().empty() ? "" : ", at " + p.at_bound());

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "tools/report/bought.hpp"
+#include "tools/report/changed_parameters.hpp"
 #include "tools/report/sections.hpp"
 #include "tools/report/words.hpp"
 
@@ -35,15 +36,13 @@ std::string parameter_change(const ParameterView& p) {
 }
 
 void add_parameters(Html& page, const RunData& data) {
-  auto all = parameters_of(data.run);
-  std::erase_if(all, [](const ParameterView& p) { return p.change() == "0"; });
-  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
-    return a.share_of_range() > b.share_of_range();
-  });
+  const std::vector<ChangedParameter> all = changed_parameters(data.run).list;
   open_table(page, "The body");
-  for (std::size_t k = 0; k < std::min(all.size(), kMostParameters); ++k)
-    add_row(page, spaced(all[k].name), all[k].with_unit(all[k].initial),
-            all[k].with_unit(all[k].final), parameter_change(all[k]));
+  for (std::size_t k = 0; k < std::min(all.size(), kMostParameters); ++k) {
+    const ParameterView& p = all[k].view;
+    add_row(page, spaced(p.name), p.with_unit(p.initial), p.with_unit(p.final),
+            parameter_change(p));
+  }
   page.close().close();
   if (all.size() > kMostParameters)
     page.element("p", fmt::format("… and {} more, below.", all.size() - kMostParameters),

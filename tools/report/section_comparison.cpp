@@ -13,7 +13,7 @@ namespace legwright {
 namespace {
 
 constexpr const char* kPhaseLabel = "share of the cycle";
-constexpr const char* kOverPhase = ", over the share of the cycle";
+constexpr const char* kOverCycle = "over the share of the cycle";
 constexpr std::pair<double, double> kCycle{0.0, 1.0};
 constexpr double kWorthTelling = 0.05;  // of the worst: closer to the mean it says nothing new
 
@@ -70,12 +70,13 @@ std::string foot_panels(const ComparisonView& compared, Band ComparedFoot::*quan
   std::vector<PlotPanel> panels;
   for (const ComparedFoot& foot : compared.feet)
     panels.push_back({foot.name, lines_of(compared.phases, foot.*quantity, unit.scale)});
-  return small_multiples(panels, {.title = title,
-                                  .y_label = unit.name + kOverPhase,
-                                  .y_from_zero = true,
-                                  .x_span = kCycle,
-                                  .width = 220,
-                                  .height = 150});
+  return small_multiples(panels,
+                         {.title = title,
+                          .y_label = unit.name.empty() ? kOverCycle : unit.name + ", " + kOverCycle,
+                          .y_from_zero = true,
+                          .x_span = kCycle,
+                          .width = 220,
+                          .height = 150});
 }
 
 std::string joint_panels(const ComparisonView& compared) {
@@ -143,16 +144,20 @@ std::string path_chart(const ComparisonView& compared) {
                                          .equal_axes = true});
 }
 
-/// The mean, and the worst below it.
-void add_mean_worst(Html& page, const MeanWorst& value, const char* unit, const char* head) {
+/// The mean, and the worst below it. @param timed whether it is an error in time, whose worst has no direction
+void add_mean_worst(Html& page, const MeanWorst& value, const char* unit, const char* head,
+                    bool timed) {
   const double most =
       std::max(std::abs(value.mean.value_or(0.0)), std::abs(value.worst.value_or(0.0)));
   const ShownUnit shown = shown_unit(unit, most);
-  page.open("td", {{"class", "n"}, {"data-label", head}}).text(shown.words(value.mean));
+  page.open("td", {{"class", "n"}, {"data-label", head}})
+      .text(timed ? early_or_late(value.mean) : shown.words(value.mean));
   const double apart =
       std::abs(std::abs(value.worst.value_or(0.0)) - std::abs(value.mean.value_or(0.0)));
   if (value.worst && apart > kWorthTelling * most)
-    page.element("small", "worst " + shown.words(value.worst));
+    page.element("small",
+                 timed ? fmt::format("at worst off by {}", shown.words(std::abs(*value.worst)))
+                       : "worst " + shown.words(value.worst));
   if (value.planned) page.element("small", "planned " + shown.words(value.planned));
   page.close();
 }
@@ -162,9 +167,10 @@ void add_timing(Html& page, const ComparisonView& compared) {
     const char* head;
     MeanWorst ComparedFoot::*value;
     const char* unit;
+    bool timed = false;
   };
-  static constexpr Column kColumns[] = {{"touches down late by", &ComparedFoot::touchdown, "s"},
-                                        {"lifts off late by", &ComparedFoot::liftoff, "s"},
+  static constexpr Column kColumns[] = {{"touches down", &ComparedFoot::touchdown, "s", true},
+                                        {"lifts off", &ComparedFoot::liftoff, "s", true},
                                         {"landing speed", &ComparedFoot::landing_speed, "m/s"},
                                         {"slip per stance", &ComparedFoot::slip, "m"},
                                         {"rolls by", &ComparedFoot::roll, "rad"}};
@@ -176,13 +182,12 @@ void add_timing(Html& page, const ComparisonView& compared) {
   for (const ComparedFoot& foot : compared.feet) {
     page.open("tr").open("td", {{"class", "head"}}).element("b", foot.name).close();
     for (const Column& column : kColumns)
-      add_mean_worst(page, foot.*column.value, column.unit, column.head);
+      add_mean_worst(page, foot.*column.value, column.unit, column.head, column.timed);
     page.close();
   }
   page.close().close();
   page.element("p",
-               "Means over the strides, the worst stride and the plan below; a time below zero is "
-               "early. A plan "
+               "Means over the strides, the worst stride and the plan below. A plan "
                "keeps its feet on the ground for a while before they bear and after, so that some "
                "30 ms early and late are as planned.",
                {{"class", "note"}});

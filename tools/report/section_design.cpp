@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "tools/report/changed_parameters.hpp"
 #include "tools/report/pull_words.hpp"
 #include "tools/report/sections.hpp"
 #include "tools/report/svg_bars.hpp"
@@ -15,6 +16,7 @@ namespace {
 
 constexpr double kSmallTerm = 0.01;        // of F: smaller terms are folded away
 constexpr std::size_t kFewParameters = 6;  // so many are shown without unfolding
+constexpr std::size_t kMostTold = 4;       // of the largest changes
 
 /// What pulled a parameter, in words; empty where it is not known.
 using Reason = std::function<std::string(const std::string& parameter)>;
@@ -50,6 +52,24 @@ void add_table(Html& page, const std::vector<ParameterView>& parameters, bool an
     page.close().close().close();
   }
   page.close().close().close();
+}
+
+void add_largest(Html& page, const ChangedParameters& changed) {
+  page.element("p",
+               changed.by_cost ? "The changes that lowered F most, the motion following:"
+                               : "The largest changes, by share of the allowed range:",
+               {{"class", "note"}});
+  page.open("ol", {{"class", "changes"}});
+  for (std::size_t i = 0; i < std::min(kMostTold, changed.list.size()); ++i) {
+    const auto& [p, lowered] = changed.list[i];
+    page.open("li").element("b", fmt::format("{} {}", spaced(p.name), p.change()));
+    page.text(fmt::format(", from {} to {}", p.with_unit(p.initial), p.with_unit(p.final)));
+    if (!p.at_bound().empty()) page.text(", at its " + p.at_bound());
+    if (changed.by_cost) page.text(fmt::format(": F {}", change_of_F(-lowered)));
+    page.close();
+  }
+  page.close();
+  if (const std::string bound = changed.bound_words(); !bound.empty()) page.element("p", bound);
 }
 
 /// One sentence on all parameters, and how to read the others.
@@ -113,21 +133,7 @@ void add_design_change(Html& page, const RunData& data) {
     page.element("p", "run.json lists no design parameters.", {{"class", "note"}}).close();
     return;
   }
-  auto largest = parameters;
-  std::stable_sort(largest.begin(), largest.end(), [](const auto& a, const auto& b) {
-    return a.share_of_range() > b.share_of_range();
-  });
-  page.element("p", "The largest changes, by share of the allowed range:", {{"class", "note"}});
-  page.open("ol", {{"class", "changes"}});
-  for (std::size_t i = 0; i < std::min<std::size_t>(4, largest.size()); ++i) {
-    const ParameterView& p = largest[i];
-    if (p.change() == "0") break;
-    page.open("li").element("b", fmt::format("{} {}", spaced(p.name), p.change()));
-    page.text(fmt::format(", from {} to {}", p.with_unit(p.initial), p.with_unit(p.final)));
-    if (!p.at_bound().empty()) page.text(", at its " + p.at_bound());
-    page.close();
-  }
-  page.close();
+  add_largest(page, changed_parameters(data.run));
   const auto pulls = pulls_of(value_at(data.run, {"pull"}));
   add_why(page, data, pulls);
   const Reason reason = [&, scale = largest_share(pulls)](const std::string& parameter) {

@@ -68,9 +68,9 @@ const std::vector<Quantity>& quantities() {
          return scaled(number_at(m, {"feet_summary", "slip_mean_m"}), 1e3, " mm");
        },
        true},
-      {"touchdown error, mean",
+      {"touchdown, mean",
        [](const Json& m) {
-         return scaled(number_at(m, {"feet_summary", "touchdown_error_mean_s"}), 1e3, " ms");
+         return early_or_late(number_at(m, {"feet_summary", "touchdown_error_mean_s"}));
        },
        true},
       {"joint tracking, RMS",

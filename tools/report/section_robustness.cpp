@@ -116,12 +116,17 @@ std::string margin_words(const RobustnessFactor& factor) {
   if (!factor.low && !factor.high)
     return fmt::format("survives from {} to {}, all that was tried", unit.words(factor.tested_low),
                        unit.words(factor.tested_high));
+  const auto side = [&](const std::optional<double>& value, const std::optional<double>& fails,
+                        double tested, const char* beyond) {
+    if (!value) return unit.words(tested) + beyond;
+    return unit.words(value) +
+           (fails == tested ? " (all tried but " + unit.words(tested) + ")" : "");
+  };
+  const std::string high = side(factor.high, factor.high_fails, factor.tested_high, " or more");
   const bool one_sided = factor.nominal && *factor.nominal <= factor.tested_low;
-  if (!factor.low && one_sided) return "survives up to " + unit.words(factor.high);
-  return fmt::format(
-      "survives from {} to {}",
-      factor.low ? unit.words(factor.low) : unit.words(factor.tested_low) + " or less",
-      factor.high ? unit.words(factor.high) : unit.words(factor.tested_high) + " or more");
+  if (!factor.low && one_sided) return "survives up to " + high;
+  return fmt::format("survives from {} to {}",
+                     side(factor.low, factor.low_fails, factor.tested_low, " or less"), high);
 }
 
 std::string no_margins_words(const Json& robustness) {

@@ -113,6 +113,8 @@ void add_plan_notes(Html& page, const RunData& data) {
       if (reason.is_string()) page.element("li", reason.get<std::string>());
     page.close().close();
   }
+  if (const std::string touches = text_at(data.verdict, {"home_touches", "line"}); !touches.empty())
+    page.element("p", "Warning: " + touches + ".", {{"class", "note wide"}});
   if (gait_was_stepped(data.run))
     page.element("p",
                  "The gait was changed after the optimisation, see “Closing the gap”: verdicts, "

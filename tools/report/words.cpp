@@ -238,6 +238,14 @@ std::string amount_words(std::optional<double> value, const std::string& unit) {
   return shown_unit(unit, std::abs(value.value_or(0.0))).words(value);
 }
 
+std::string early_or_late(std::optional<double> error) {
+  if (!error || !std::isfinite(*error)) return "–";
+  const ShownUnit unit = shown_unit("s", std::abs(*error));
+  const std::string size = unit.words(std::abs(*error));
+  if (size == unit.words(0.0)) return "on time";
+  return size + (*error < 0.0 ? " early" : " late");
+}
+
 double ParameterView::shown(double value) const {
   return angle ? value * 180.0 / std::numbers::pi : value * 1000.0;
 }

@@ -45,6 +45,8 @@ struct ShownUnit {
 ShownUnit shown_unit(const std::string& unit, double largest);
 /// A value in the unit in which people read it; "–" for none.
 std::string amount_words(std::optional<double> value, const std::string& unit);
+/// An error in time [s] by its direction: "17 ms early", "4.2 ms late", "on time"; "–" for none.
+std::string early_or_late(std::optional<double> error);
 
 /// A design parameter as run.json has it, in the units people think in.
 struct ParameterView {

@@ -71,24 +71,29 @@ std::string shown(double value, const std::string& unit, bool with_unit = true) 
   return text(value, unit == "1" ? "" : unit.c_str(), 2);
 }
 
-/// "friction of the floor (0.8)", "survives from 0.155 to 2 (tested)": it neither falls nor stays behind, which is less than a
-/// verdict that passes.
+/// "friction of the floor (0.8)", "survives from 0.155 to 2 (tested)": it neither falls nor stays behind, which is less
+/// than a verdict that passes. Where of all that was tried only the end of the range fails, it is named: "from 0.011 (all
+/// tried but 0.01)".
 std::pair<std::string, std::string> margin_words(const Margin& margin) {
   const DisturbanceFactor& factor = margin.factor;
   std::string label = factor.label;
   if (margin.nominal != 0.0 && margin.nominal != 1.0)
     label += " (" + shown(margin.nominal, factor.unit) + ")";
-  const auto side = [&](const std::optional<double>& value, double tested) {
-    return shown(value.value_or(tested), factor.unit) + (value ? "" : " (tested)");
+  const auto side = [&](const std::optional<double>& value, const std::optional<double>& fails,
+                        double tested) {
+    return shown(value.value_or(tested), factor.unit) +
+           (!value            ? " (tested)"
+            : fails == tested ? " (all tried but " + shown(tested, factor.unit) + ")"
+                              : "");
   };
   std::string out = "survives ";
   if (factor.tested_low < margin.nominal)
-    out += "from " + side(margin.low, factor.tested_low) + " ";
+    out += "from " + side(margin.low, margin.low_fails, factor.tested_low) + " ";
   if (!margin.low && !margin.high && factor.tested_low < margin.nominal)
     return {label, "survives from " + shown(factor.tested_low, factor.unit) + " to " +
                        shown(factor.tested_high, factor.unit) + ", all that was tested"};
   return {label, out + (factor.tested_low < margin.nominal ? "to " : "up to ") +
-                     side(margin.high, factor.tested_high)};
+                     side(margin.high, margin.high_fails, factor.tested_high)};
 }
 
 JudgedLimit survival_limit(const SurvivalShare& survival, const Bounds& bounds) {

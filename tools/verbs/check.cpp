@@ -129,8 +129,8 @@ std::string style_text(const Finding& found) {
 std::string travel_text(const Finding& found) {
   return fmt::format(
       "travel  {} m/s forward, {} m/s left, {} rad/s: {:.4g} m per cycle, {:.4g} m while a foot "
-      "stands "
-      "(longest possible {:.4g} m)\n",
+      "stands (more than {:.4g} m, "
+      "twice the longest leg that the bounds allow, is refused)\n",
       found.task.velocity.x(), found.task.velocity.y(), found.task.turn_rate,
       found.stride.per_cycle, found.stride.per_stance, found.stride.longest);
 }

@@ -33,17 +33,47 @@ double mass_of(const mjModel& model) {
   return std::accumulate(model.body_mass, model.body_mass + model.nbody, 0.0);
 }
 
-std::string numbers(const std::vector<double>& values) {
+/// What differs, without the rounding errors.
+struct Found {
+  std::vector<Difference> differences;
+  std::size_t passed_over = 0;
+};
+
+Found compare(const mjModel& a, const mjModel& b, double tolerance) {
+  Found out;
+  out.differences = model_differences(a, b, 0.0);
+  out.passed_over = std::erase_if(out.differences, [&](const Difference& difference) {
+    return is_dust(difference, tolerance);
+  });
+  return out;
+}
+
+/// @param noise numbers no larger are rounding errors beside the others, and told as 0
+std::string numbers(const std::vector<double>& values, int digits, double noise) {
   std::string text;
   for (const double value : values)
-    text += fmt::format("{}{:.6g}", text.empty() ? "" : " ", value == 0.0 ? 0.0 : value);
+    text += fmt::format("{}{:.{}g}", text.empty() ? "" : " ",
+                        std::abs(value) <= noise ? 0.0 : value, digits);
   return text;
 }
 
-Json to_json(const DiffOptions& options, const mjModel& a, const mjModel& b,
-             const std::vector<Difference>& found) {
+/// "0.1 0 0 -> 0.2 0 0", with more digits where six would tell the same twice.
+std::string before_and_after(const Difference& d, double tolerance) {
+  double largest = 0.0;
+  for (const std::vector<double>* values : {&d.before, &d.after})
+    for (const double value : *values) largest = std::max(largest, std::abs(value));
+  std::string before, after;
+  for (const int digits : {6, 12, 17}) {
+    before = numbers(d.before, digits, tolerance * largest);
+    after = numbers(d.after, digits, tolerance * largest);
+    if (before != after) break;
+  }
+  return before + " -> " + after;
+}
+
+Json to_json(const DiffOptions& options, const mjModel& a, const mjModel& b, const Found& found) {
   Json list = Json::array();
-  for (const Difference& d : found)
+  for (const Difference& d : found.differences)
     list.push_back({{"element", d.element},
                     {"quantity", d.quantity},
                     {"unit", d.unit},
@@ -55,33 +85,37 @@ Json to_json(const DiffOptions& options, const mjModel& a, const mjModel& b,
           {"before", options.before},
           {"after", options.after},
           {"mass_kg", {{"before", mass_of(a)}, {"after", mass_of(b)}}},
-          {"differences", list}};
+          {"differences", list},
+          {"passed_over", found.passed_over}};
 }
 
 /// 0 where nothing differs, 1 where something does, as `diff` has it.
 int diff(const DiffOptions& options) {
   const ModelPointer a = compiled(options.before), b = compiled(options.after);
-  const std::vector<Difference> found = model_differences(*a, *b, options.tolerance);
+  const Found found = compare(*a, *b, options.tolerance);
+  const bool same = found.differences.empty();
   if (options.json) {
     fmt::print("{}", to_text(to_json(options, *a, *b, found)));
-    return found.empty() ? kOk : kInfeasible;
+    return same ? kOk : kInfeasible;
   }
   std::string element;
-  for (const Difference& d : found) {
+  for (const Difference& d : found.differences) {
     if (d.element != element) fmt::print("{}\n", clean_utf8(d.element));
     element = d.element;
     if (d.whole())
       fmt::print("  {}\n", clean_utf8(d.quantity));
     else if (d.before.size() == 4 || d.quantity == "axis")
       fmt::print("  {:18} turned by {:.6g} {}{}\n", d.quantity, d.size, d.unit,
-                 d.before.size() == 4
-                     ? ""
-                     : fmt::format(": {} -> {}", numbers(d.before), numbers(d.after)));
+                 d.before.size() == 4 ? "" : ": " + before_and_after(d, options.tolerance));
     else
-      fmt::print("  {:18} {} -> {} {}\n", d.quantity, numbers(d.before), numbers(d.after), d.unit);
+      fmt::print("  {:18} {} {}\n", d.quantity, before_and_after(d, options.tolerance), d.unit);
   }
-  fmt::print("{} differences; mass {:.6g} -> {:.6g} kg\n", found.size(), mass_of(*a), mass_of(*b));
-  return found.empty() ? kOk : kInfeasible;
+  fmt::print("{} differences; mass {:.6g} -> {:.6g} kg\n", found.differences.size(), mass_of(*a),
+             mass_of(*b));
+  if (found.passed_over > 0)
+    fmt::print("{} more below {:g} of their quantity passed over (--tolerance 0 lists them)\n",
+               found.passed_over, options.tolerance);
+  return same ? kOk : kInfeasible;
 }
 
 }  // namespace
@@ -92,7 +126,9 @@ void add_diff(CLI::App& program, Action& action) {
       "diff", "What differs between two models, in metres, radians and kilograms");
   verb->add_option("A", options->before, "MJCF file")->required();
   verb->add_option("B", options->after, "MJCF file")->required();
-  verb->add_option("--tolerance", options->tolerance, "differences up to it are none")
+  verb->add_option("--tolerance", options->tolerance,
+                   "share of a quantity up to which differences are none (of 1 m, rad, kg … where "
+                   "it is less)")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   verb->add_flag("--json", options->json, "print one JSON document");

@@ -8,6 +8,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "mjcf/compile.hpp"
+#include "mjcf/home_touches.hpp"
 #include "mjcf/input_error.hpp"
 #include "mjcf/plain_scene.hpp"
 #include "mjcf/robot_files.hpp"
@@ -39,8 +41,7 @@ struct ExportOptions {
   bool no_picture = false, json = false;
 };
 
-/// A text in a JSON document that others may have written; empty where there is none.
-/// Null where there is nothing.
+/// What stands at a path in a JSON document; null where there is nothing.
 Json value_in(const Json& document, std::initializer_list<const char*> path) {
   const Json* at = &document;
   for (const char* const key : path) {
@@ -50,6 +51,7 @@ Json value_in(const Json& document, std::initializer_list<const char*> path) {
   return *at;
 }
 
+/// A text in a JSON document that others may have written; empty where there is none.
 std::string text_in(const Json& document, std::initializer_list<const char*> path) {
   const Json value = value_in(document, path);
   return value.is_string() ? value.get<std::string>() : std::string();
@@ -221,6 +223,11 @@ ExportFacts facts_of(const ExportedRun& from, const fs::path& root, const std::s
   return facts;
 }
 
+std::vector<HomeTouch> home_touches(const ExportedRun& run) {
+  return new_home_touches(*compile_mjcf(run.before.xml, run.before.file),
+                          *compile_mjcf(run.after.xml, run.after.file), run.after.file);
+}
+
 /// Draws it, or says why not: a machine without OpenGL exports all the same.
 std::string draw(const fs::path& scene, const std::string& png, std::string& left_out) {
   try {
@@ -266,6 +273,8 @@ int export_run(const ExportOptions& options) {
   ExportFacts facts = facts_of(from, options.run, name);
   facts.standing = describe(stood);
   facts.others = others;
+  const std::vector<HomeTouch> touches = home_touches(from);
+  facts.touches = describe(touches);
   std::string left_out;
   std::string picture = name + ".png";
   while (fs::exists(folder.path() / picture)) picture.insert(0, "picture_of_");  // a texture's
@@ -281,6 +290,8 @@ int export_run(const ExportOptions& options) {
 
   const bool healthy = stood.warnings.empty() && !stood.diverged;
   if (!left_out.empty()) fmt::print(stderr, "legwright: warning: no picture: {}\n", left_out);
+  if (!touches.empty())
+    fmt::print(stderr, "legwright: warning: {}\n", terminal_text(facts.touches));
   if (!healthy) fmt::print(stderr, "legwright: warning: {}\n", terminal_text(facts.standing));
   if (options.json) {
     fmt::print("{}", to_text({{"schema", "legwright/export"},
@@ -290,6 +301,7 @@ int export_run(const ExportOptions& options) {
                               {"robot", name + ".xml"},
                               {"files", files},
                               {"verdicts", facts.verdicts},
+                              {"home_touches", touches.size()},
                               {"engine_warnings", stood.warnings.size()}}));
   } else {
     fmt::print("{}\n", terminal_text(facts.standing));

@@ -69,10 +69,14 @@ Json to_json(const StudiedRobot& found, const std::string& written, const std::s
           {"task", task.empty() ? Json(nullptr) : Json(task)}};
 }
 
-/// The text of the starter task, which names `robot` from the folder of the task file. Throws IoError where the file
-/// exists already.
-std::string task_text(const InitOptions& options, const StudiedRobot& found,
-                      const std::string& robot) {
+/// The file of the starter task, and what it asks for in words.
+struct FirstTask {
+  std::string text, words;
+};
+
+/// It names `robot` from the folder of the task file. Throws IoError where the file exists already.
+FirstTask first_task(const InitOptions& options, const StudiedRobot& found,
+                     const std::string& robot) {
   if (fs::exists(options.task))
     throw IoError(options.task + ": exists already; name a new file, or remove it");
   if (fs::weakly_canonical(fs::absolute(options.task)) == fs::weakly_canonical(fs::absolute(robot)))
@@ -92,7 +96,8 @@ std::string task_text(const InitOptions& options, const StudiedRobot& found,
                      "no task is written: in the home pose the feet are not below the centre of "
                      "mass, so a gait has no period; give the file a keyframe named home in which "
                      "the feet carry the trunk");
-  return starter_text(task, named.generic_string());
+  return {starter_text(task, named.generic_string()),
+          fmt::format("{} at {:.2g} m/s, a cycle of {:.2g} s", task.gait, task.speed, task.period)};
 }
 
 /// A robot for which the library has no gait, or that would fall with any, gets its parameters all the same, but no task.
@@ -139,12 +144,13 @@ int init(const InitOptions& options) {
   const RobotFiles files = RobotFiles::read(file);
   const StudiedRobot found = files.at_their_lines([&] { return study_robot(files.text(), file); });
   check_output(options, files);
-  const std::string task =
+  const bool writes = options.write || !options.output.empty();
+  const FirstTask task =
       options.task.empty() || lacks_task(options, found)
-          ? ""
-          : task_text(options, found, options.output.empty() ? options.robot : options.output);
+          ? FirstTask{}
+          : first_task(options, found, options.output.empty() ? options.robot : options.output);
   std::string written;
-  if (options.write || !options.output.empty()) {
+  if (writes) {
     written = options.output.empty() ? options.robot : options.output;
     if (!options.output.empty() && fs::exists(options.output) &&
         !fs::equivalent(options.output, file))
@@ -154,9 +160,9 @@ int init(const InitOptions& options) {
     else
       write_file(written, with_declarations(files.main_text(), file, found.proposals));
   }
-  const std::string written_task = task.empty() ? "" : options.task;
-  if (!task.empty()) write_file(options.task, task);
-  const int code = task.empty() && !options.task.empty() ? kInfeasible : kOk;
+  const std::string written_task = task.text.empty() ? "" : options.task;
+  if (!task.text.empty()) write_file(options.task, task.text);
+  const int code = task.text.empty() && !options.task.empty() ? kInfeasible : kOk;
   if (code != kOk)
     fmt::print(stderr, "legwright: {} is not written: {}\n", options.task,
                no_task_text(found.model));
@@ -164,9 +170,19 @@ int init(const InitOptions& options) {
     fmt::print("{}", to_text(to_json(found, written, written_task)));
     return code;
   }
-  fmt::print("{}\n", terminal_text(robot_tree(found) + proposal_table(found)));
-  for (const std::string& path : {written, written_task})
-    if (!path.empty()) fmt::print("written  {}\n", shell_word(path));
+  fmt::print("{}", terminal_text(writes ? robot_summary(found)
+                                        : robot_tree(found) + proposal_table(found) + "\n"));
+  if (writes)
+    fmt::print("{}", written.empty() ? declared_summary(found)
+                                     : fmt::format("written  {}: {}", shell_word(written),
+                                                   proposal_summary(found)));
+  if (!written_task.empty()) fmt::print("written  {}: {}\n", shell_word(written_task), task.words);
+  if (writes)
+    fmt::print("more     legwright init {}   shows its legs and servos{}\n",
+               shell_word(written.empty() ? options.robot : written),
+               found.left_out.empty() ? ""
+                                      : fmt::format(", and why {} more parameters were left out",
+                                                    found.left_out.size()));
   fmt::print("{}", next_step(options, found, written, written_task));
   return code;
 }
@@ -195,7 +211,8 @@ void add_init(CLI::App& program, Action& action) {
       "What the file's\n"
       "construction does not allow is left out, with the reason. A sentence on each goes into the "
       "file, and into --json.\n"
-      "Edit bounds there, or delete what shall not change. Where the library has no gait for so "
+      "Edit bounds there, or delete what shall not change. What writes tells in short what was "
+      "written. Where the library has no gait for so "
       "many feet, parameters\n"
       "are written and the task is not: exit code 1.");
   verb->callback([&action, options] { action = [options] { return init(*options); }; });

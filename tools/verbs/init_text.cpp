@@ -225,6 +225,29 @@ std::string robot_tree(const StudiedRobot& found) {
   return found.not_standing.empty() ? text : text + "  " + found.not_standing + "\n";
 }
 
+std::string robot_summary(const StudiedRobot& found) {
+  const std::string text = title(found) + held_text(found.model.structure);
+  return found.not_standing.empty() ? text : text + "  " + found.not_standing + "\n";
+}
+
+std::string proposal_summary(const StudiedRobot& found) {
+  const auto lengths = std::count_if(found.proposals.begin(), found.proposals.end(),
+                                     [](const Proposal& p) { return p.unit == "m"; });
+  const auto angles = static_cast<std::ptrdiff_t>(found.proposals.size()) - lengths;
+  const int had = found.model.space.size();
+  return fmt::format("{} design parameter{} ({} length{}, {} angle{}) in its <custom> section{}\n",
+                     found.proposals.size(), found.proposals.size() == 1 ? "" : "s", lengths,
+                     lengths == 1 ? "" : "s", angles, angles == 1 ? "" : "s",
+                     had > 0 ? fmt::format(", beside the {} that were there", had) : "");
+}
+
+std::string declared_summary(const StudiedRobot& found) {
+  const int had = found.model.space.size();
+  return had == 0 ? "nothing to write: no design parameter can be proposed\n"
+                  : fmt::format("nothing to add: the file declares {} design parameter{}\n", had,
+                                had == 1 ? "" : "s");
+}
+
 std::string proposal_table(const StudiedRobot& found) {
   const std::size_t count = found.proposals.size();
   std::vector<std::string> declared;

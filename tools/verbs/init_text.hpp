@@ -11,6 +11,15 @@ namespace legwright {
 /// rides along. For people, not yet cleaned for a terminal.
 std::string robot_tree(const StudiedRobot& found);
 
+/// The robot in a line, and what of it is held or keeps it from standing.
+std::string robot_summary(const StudiedRobot& found);
+
+/// "26 design parameters (10 lengths, 16 angles) in its <custom> section"; what the file had already besides.
+std::string proposal_summary(const StudiedRobot& found);
+
+/// That nothing was to be added to the file.
+std::string declared_summary(const StudiedRobot& found);
+
 /// The proposals as a table, what the file declares already, and what was left out, reason by reason.
 std::string proposal_table(const StudiedRobot& found);
 

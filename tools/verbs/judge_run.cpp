@@ -127,6 +127,23 @@ void judge_further(const TaskOfRun& task, const SceneToValidate& scene, const Ju
     result.verdict = judge(result.at_gains, task.wanted, task.gait, limits, further);
 }
 
+/// Null where there are none.
+Json home_touches_json(const std::vector<HomeTouch>& touches) {
+  if (touches.empty()) return nullptr;
+  Json pairs = Json::array();
+  for (const HomeTouch& touch : touches)
+    pairs.push_back({{"first", touch.first}, {"second", touch.second}, {"depth_m", touch.depth}});
+  return {{"line", describe(touches)}, {"pairs", pairs}};
+}
+
+/// What of the designed body touches itself in the home pose that did not before. A run without the robots' files, as
+/// older programs wrote them, tells nothing.
+std::vector<HomeTouch> home_touches_of(const ResultFolder& folder) {
+  const fs::path before = folder.iteration(0) / "robot.xml", after = folder.result() / "robot.xml";
+  if (!fs::is_regular_file(before) || !fs::is_regular_file(after)) return {};
+  return new_home_touches(before, after);
+}
+
 void write_or_remove(const fs::path& file, const std::optional<Json>& document) {
   if (document)
     write_json(file, *document);
@@ -164,6 +181,7 @@ JudgedRun judge_run(const ResultFolder& folder, const std::vector<fs::path>& oth
     judged.designs = validate_scenes(scenes, task.wanted, task.gait, options.validation);
     judged.metrics = metrics_json(task, options.validation, scenes, judged.designs);
     judge_further(task, scenes[1], options, judged);
+    judged.home_touches = home_touches_of(folder);
   } catch (const MujocoError& error) {
     throw InputError(error.what());
   } catch (const TrajectoryError& error) {
@@ -174,7 +192,8 @@ JudgedRun judge_run(const ResultFolder& folder, const std::vector<fs::path>& oth
                     {"version", 1},
                     {"initial", verdict_json(initial.verdict)},
                     {"result", verdict_json(result.verdict)},
-                    {"pass", result.verdict.pass}};
+                    {"pass", result.verdict.pass},
+                    {"home_touches", home_touches_json(judged.home_touches)}};
   write_judged(folder, judged);
   return judged;
 }

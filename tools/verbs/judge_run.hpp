@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "mjcf/home_touches.hpp"
 #include "tools/io/json_file.hpp"
 #include "tools/io/result_folder.hpp"
 #include "tools/validate/numerics.hpp"
@@ -19,6 +20,7 @@ struct JudgedRun {
   std::vector<SceneValidation> designs;   // initial body, result, then the others
   std::optional<SecondOpinion> numerics;  // on the result
   std::optional<Robustness> robustness;   // of the result
+  std::vector<HomeTouch> home_touches;    // of the designed body, which the initial one has not
 };
 
 struct JudgeOptions {
@@ -29,8 +31,8 @@ struct JudgeOptions {
 };
 
 /// Plays the initial design and the result of a run of one task, and any other designs for the same
-/// task; writes metrics.json, verdict.json, comparison.json, numerics.json,
-/// robustness.json and the two playbacks into result/; of what was not asked for no old file stays. Throws InputError for a
+/// task; writes metrics.json, verdict.json, comparison.json, numerics.json, robustness.json and the
+/// two playbacks into result/; of what was not asked for no old file stays. Throws InputError for a
 /// scene that cannot be played, IoError where the run has none.
 /// @param others folders of designs: scene.xml and motion.csv
 JudgedRun judge_run(const ResultFolder& folder, const std::vector<std::filesystem::path>& others,

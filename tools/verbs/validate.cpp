@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "mjcf/input_error.hpp"
+#include "tools/io/clean_text.hpp"
 #include "tools/io/result_folder.hpp"
 #include "tools/validate/junit.hpp"
 #include "tools/validate/limits_file.hpp"
@@ -77,6 +78,8 @@ void print_judged(const JudgedRun& judged, bool same, const std::string& indent)
         "{}the body as it was passes, the designed one does not: a lower F promises no steadier "
         "gait; try --starts,\n{}--physics-steps, or fewer free parameters ([design] freeze)\n",
         indent, indent);
+  if (!judged.home_touches.empty())
+    fmt::print("{}warning: {}\n", indent, terminal_text(describe(judged.home_touches)));
   if (const auto& comparison = judged.designs[1].comparison)
     fmt::print("{}{}\n", indent, describe(*comparison));
   if (judged.numerics) fmt::print("{}{}\n", indent, describe(*judged.numerics));

@@ -32,6 +32,9 @@ TEST(ExportReadme, TellsWhatChanged) {
   facts.verdicts = {"PASS  trot"};
   EXPECT_FALSE(contains(export_readme(facts), "was not validated"));
   EXPECT_FALSE(contains(export_readme(facts), "firmer servos"));
+  EXPECT_FALSE(contains(export_readme(facts), "touches itself"));
+  facts.touches = "a box of 'left' and a box of 'right'";
+  EXPECT_TRUE(contains(export_readme(facts), "**It touches itself**: a box of 'left'"));
   facts.servo_kp = 310.0;
   EXPECT_TRUE(contains(export_readme(facts), "played with kp 310 N m/rad"));
 }

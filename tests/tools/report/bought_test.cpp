@@ -67,7 +67,63 @@ TEST_F(Bought, WordsNameWhatIsWorthTelling) {
   EXPECT_EQ(words,
             "Both bodies do the task in MuJoCo; the co-designed one with 25 % less peak torque of "
             "a servo, 25 % less mechanical power and 20 % less printed volume.");
-  EXPECT_TRUE(has(body_words(read_run(run_)), "front hip axis roll from 0° to 80.2°"));
+}
+
+/// The order and its words are those of "What changed in the body": by how much F fell.
+TEST_F(Bought, TheBodyIsToldByWhatLoweredTheCost) {
+  EXPECT_EQ(body_words(read_run(run_)),
+            "What lowered the cost most: front hip axis roll from 0° to 80.2°. Of 4 parameters "
+            "that changed 1 stands at a bound: there the bound decided how far, not the cost. "
+            "Printed parts weigh more the longer they are; all others keep their mass.");
+  const std::string text = page();
+  EXPECT_TRUE(has(text, "The changes that lowered F most"));
+  EXPECT_TRUE(has(text, "at its upper bound: F −10.5"));
+  EXPECT_LT(text.find("front hip axis roll +80.2°"), text.find("front thigh length +6.6 mm"));
+  EXPECT_TRUE(has(report_summary(read_run(run_)), "| lowered F most |"));
+}
+
+TEST_F(Bought, WithoutPullsTheBodyIsToldByShareOfTheRange) {
+  edit_run([](Json& run) {
+    run.erase("pull");
+    run["body"]["initial"].erase("printed_volume_m3");
+    run["parameters"][2]["final"] = 1.3;
+  });
+  const std::string words = body_words(read_run(run_));
+  EXPECT_EQ(words,
+            "Most of all front hip axis roll from 0° to 74.5°, body width from 140.0 mm to 115.3 "
+            "mm and front thigh length from 60.0 mm to 66.6 mm. No part is printed, so links keep "
+            "their mass however long they are.");
+  EXPECT_TRUE(has(page(), "by share of the allowed range"));
+  edit_run([](Json& run) {  // twin: without a length nothing is said of masses
+    for (const int k : {0, 3}) run["parameters"][k]["final"] = run["parameters"][k]["initial"];
+  });
+  EXPECT_FALSE(has(body_words(read_run(run_)), "mass"));
+}
+
+TEST_F(Bought, TheHeadlineNamesWhatGotWorseMostOfAll) {
+  edit_run([](Json& run) {
+    run["body"]["final"]["printed_volume_m3"] = 1.22e-4;
+    run["body"]["final"]["mass_kg"] = 2.2;
+  });
+  EXPECT_EQ(bought_words(read_run(run_)),
+            "Both bodies do the task in MuJoCo; the co-designed one with 25 % less peak torque of "
+            "a servo and 25 % less mechanical power, but 22 % more printed volume.");
+  edit("result/metrics.json", [](Json& metrics) {
+    for (auto& [gain, measured] : metrics["initial"].items()) measured["tilt_max_rad"] = 0.03;
+    for (auto& [gain, measured] : metrics["result"].items()) measured["tilt_max_rad"] = 0.05;
+  });
+  EXPECT_TRUE(has(bought_words(read_run(run_)), ", but largest tilt 2.86° instead of 1.72°."));
+  edit("result/metrics.json", [](Json& metrics) {  // twin: too little to be worth a word
+    for (auto& [gain, measured] : metrics["result"].items()) measured["tilt_max_rad"] = 0.038;
+  });
+  EXPECT_TRUE(has(bought_words(read_run(run_)), "but 22 % more printed volume."));
+}
+
+TEST_F(Bought, AStepThatIsLowerIsWorseWhereTheTaskAsksForOne) {
+  EXPECT_FALSE(has(bought_words(read_run(run_)), "steps over"));
+  edit_run([](Json& run) { run["task"]["step_over_m"] = 0.01; });
+  EXPECT_TRUE(has(bought_words(read_run(run_)),
+                  "printed volume, but steps over a bar of 15 mm instead of 20 mm."));
 }
 
 TEST_F(Bought, ABodyThatFallsHasNoFigures) {

@@ -38,8 +38,8 @@ TEST_F(JudgedSections, TellWhatTheFilesHold) {
         "The plan uses 0.45 of friction, where the floor gives 0.8",
         "The least load of a foot that is meant to bear is 3.02 N, 6.2 % of the weight at HR",
         "Contact forces, foot by foot",
-        "−4.2 ms",
-        "worst −11 ms",
+        "4.2 ms early",
+        "at worst off by 11 ms",
         "Path of the robot from above",
         "Height of the centre of mass",
         "FL hip · 0.663 of 2.5 N·m",
@@ -95,6 +95,37 @@ TEST_F(JudgedSections, AGaitThatFailsUndisturbedHasNoMargins) {
     EXPECT_TRUE(has(text, "the gait fails undisturbed: falls after 2.87 s."));
     EXPECT_FALSE(has(text, "0 of 0"));
   }
+}
+
+/// Only the end of what was tried fails: the margin is no finding of its own.
+TEST_F(JudgedSections, AMarginThatEndsWithTheRangeSaysSo) {
+  edit(kRobustness, [](Json& file) {
+    file["factors"][0]["low"] = 0.115;
+    file["factors"][0]["low_fails"] = 0.1;
+  });
+  EXPECT_TRUE(has(page(), "survives from 0.115 (all tried but 0.1) to 1.6 or more"));
+  edit(kRobustness, [](Json& file) { file["factors"][0]["low_fails"] = 0.11; });  // twin
+  EXPECT_TRUE(has(page(), "survives from 0.115 to 1.6 or more"));
+}
+
+TEST_F(JudgedSections, AChartWithoutAUnitHasNoCommaInItsPlace) {
+  const std::string page = this->page();
+  EXPECT_TRUE(has(page, ">N, over the share of the cycle<"));  // twin: with a unit
+  EXPECT_TRUE(has(page, ">over the share of the cycle<"));
+  EXPECT_FALSE(has(page, ">, over"));
+  EXPECT_FALSE(has(page, " , over"));
+}
+
+TEST_F(JudgedSections, ABodyThatTouchesItselfIsWarnedOf) {
+  EXPECT_FALSE(has(page(), "Warning"));
+  edit(kVerdict, [](Json& file) {
+    file["home_touches"] = {{"line", "geom '<b>knee</b>' and 'x' touch"}, {"pairs", Json::array()}};
+  });
+  EXPECT_TRUE(has(page(), "Warning: geom '&lt;b&gt;knee&lt;/b&gt;' and 'x' touch."));
+  EXPECT_TRUE(has(report_summary(read_run(run_)), "**Warning.** geom "));
+  edit(kVerdict, [](Json& file) { file["home_touches"] = 3; });
+  EXPECT_FALSE(has(page(), "Warning"));
+  expect_well_formed(page());
 }
 
 TEST_F(JudgedSections, DrawEachFootAndTheInitialBodyToo) {

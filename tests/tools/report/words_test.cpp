@@ -37,6 +37,14 @@ TEST(TaskWords, TellTheWayAndThePace) {
   EXPECT_EQ(task_words(Json::object()), "");
 }
 
+TEST(Times, AreEarlyOrLate) {
+  EXPECT_EQ(early_or_late(-0.017), "17 ms early");
+  EXPECT_EQ(early_or_late(0.0042), "4.2 ms late");
+  EXPECT_EQ(early_or_late(1e-12), "on time");
+  EXPECT_EQ(early_or_late(-0.0), "on time");
+  EXPECT_EQ(early_or_late(std::nullopt), "–");
+}
+
 TEST(Parameters, ShowPeopleTheirUnitsAndBounds) {
   const Json run{{"parameters",
                   {{{"name", "a"},

@@ -43,6 +43,20 @@ class Export : public testing::Test {
     ASSERT_TRUE(done.code == 0 || done.code == 1) << done.err;
   }
 
+  /// A mesh on the robot's eyes: `part`, which it includes, names it, `shape` holds it.
+  void give_mesh(const std::string& part, const std::string& shape) const {
+    const fs::path mine = root() / "mine";
+    fs::create_directories((mine / shape).parent_path());
+    write_file(mine / shape,
+               "v 0 0 0\nv 0.01 0 0\nv 0 0.01 0\nv 0 0 0.01\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+    write_file(mine / part,
+               "<mujoco><asset><mesh name=\"dot\" file=\"" + shape + "\"/></asset></mujoco>\n");
+    const std::string eyes = "<body name=\"eyes\" pos=\"0.095 0 0\">";
+    write_file(mine / "robot.xml", replaced(replaced(read_file(mine / "robot.xml"), "<asset>",
+                                                     "<include file=\"" + part + "\"/><asset>"),
+                                            eyes, eyes + "<geom type=\"mesh\" mesh=\"dot\"/>"));
+  }
+
   Outcome call(const std::vector<std::string>& words) const {
     return test::wait_for(test::start(words, root()), root());
   }
@@ -132,16 +146,7 @@ TEST_F(Export, NamesOfModelsAreNoPathsAndNoMarkup) {
 
 /// Parts and meshes come along, as files of their own: not links into the run.
 TEST_F(Export, ARobotOfSeveralFilesKeepsThem) {
-  fs::create_directories(root() / "mine" / "assets");
-  write_file(root() / "mine" / "assets" / "dot.obj",
-             "v 0 0 0\nv 0.01 0 0\nv 0 0.01 0\nv 0 0 0.01\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
-  write_file(root() / "mine" / "skin.xml",
-             "<mujoco><asset><mesh name=\"dot\" file=\"assets/dot.obj\"/></asset></mujoco>\n");
-  const std::string xml = read_file(root() / "mine" / "robot.xml");
-  write_file(root() / "mine" / "robot.xml",
-             replaced(replaced(xml, "<asset>", "<include file=\"skin.xml\"/><asset>"),
-                      "<body name=\"eyes\" pos=\"0.095 0 0\">",
-                      "<body name=\"eyes\" pos=\"0.095 0 0\"><geom type=\"mesh\" mesh=\"dot\"/>"));
+  give_mesh("skin.xml", "assets/dot.obj");
   const Outcome made = call({"optimize", "mine/task.toml", "-o", "run", "--force",
                              "--max-iterations", "1", "--no-pictures", "--no-certificate"});
   ASSERT_TRUE(made.code == 0 || made.code == 1) << made.err;
@@ -164,15 +169,7 @@ TEST_F(Export, ARobotOfSeveralFilesKeepsThem) {
 /// A part that is called like the model keeps its name; parts that are no longer what the run read are
 /// refused.
 TEST_F(Export, PartsKeepTheirNamesAndTheirSums) {
-  write_file(root() / "mine" / "dot.obj",
-             "v 0 0 0\nv 0.01 0 0\nv 0 0.01 0\nv 0 0 0.01\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
-  write_file(root() / "mine" / "puppy.xml",
-             "<mujoco><asset><mesh name=\"dot\" file=\"dot.obj\"/></asset></mujoco>\n");
-  const std::string xml = read_file(root() / "mine" / "robot.xml");
-  write_file(root() / "mine" / "robot.xml",
-             replaced(replaced(xml, "<asset>", "<include file=\"puppy.xml\"/><asset>"),
-                      "<body name=\"eyes\" pos=\"0.095 0 0\">",
-                      "<body name=\"eyes\" pos=\"0.095 0 0\"><geom type=\"mesh\" mesh=\"dot\"/>"));
+  give_mesh("puppy.xml", "dot.obj");
   const Outcome made = call({"optimize", "mine/task.toml", "-o", "run", "--force",
                              "--max-iterations", "0", "--no-pictures", "--no-certificate"});
   ASSERT_TRUE(made.code == 0 || made.code == 1) << made.err;
@@ -196,6 +193,39 @@ TEST_F(Export, PartsKeepTheirNamesAndTheirSums) {
     write_file(file, good);
   }
   EXPECT_EQ(call({"export", "run", "-o", "other", "--no-picture"}).code, 0);  // control
+}
+
+/// Balls about both left hips, 2 mm apart, which meet once the body gets shorter.
+TEST_F(Export, LegsThatCameTogetherAreToldOf) {
+  const Outcome clear = call({"export", "run", "-o", "clear", "--no-picture"});
+  EXPECT_FALSE(contains(clear.err + read_file(root() / "clear" / "README.md"), "touches itself"));
+
+  std::string xml = read_file(root() / "mine" / "robot.xml");
+  for (const std::string leg : {"FL", "HL"}) {
+    const std::string thigh = "<body name=\"" + leg + "_thigh\"";
+    const std::size_t end = xml.find('>', xml.find(thigh)) + 1;
+    xml.insert(end, "<geom name=\"" + leg +
+                        "_hub\" type=\"sphere\" size=\"0.119\" mass=\"1e-3\" contype=\"1\" "
+                        "conaffinity=\"1\"/>");
+  }
+  write_file(root() / "mine" / "robot.xml", xml);
+  const Outcome made = call({"optimize", "mine/task.toml", "-o", "run", "--force",
+                             "--max-iterations", "3", "--no-pictures", "--no-certificate"});
+  ASSERT_TRUE(made.code == 0 || made.code == 1) << made.err;
+  for (const Json& p : read_json(root() / "run" / "run.json")["parameters"]) {
+    if (p["name"] != "body_length") continue;
+    EXPECT_LT(p["final"].get<double>(), 0.237);
+  }
+  const std::string hubs = "geom 'FL_hub' of 'FL_thigh' and geom 'HL_hub' of 'HL_thigh'";
+  const Outcome done = call({"export", "run", "-o", "there", "--no-picture"});
+  EXPECT_TRUE(contains(done.err, hubs)) << done.err;
+  EXPECT_TRUE(contains(read_file(root() / "there" / "README.md"), "**It touches itself**"));
+  const Outcome judged = call({"validate", "run", "--quick", "--cycles", "4"});
+  EXPECT_TRUE(contains(judged.out, "warning: in its home pose the designed body touches itself"))
+      << judged.out;
+  EXPECT_TRUE(contains(judged.out, hubs)) << judged.out;
+  const Json verdict = read_json(root() / "run" / "result" / "verdict.json");
+  EXPECT_GT(verdict["home_touches"]["pairs"][0]["depth_m"], 1e-3);
 }
 
 TEST_F(Export, ALinkIsNoLicence) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "tests/mjcf/construction_robots.hpp"
 #include "tests/tools/verbs/program.hpp"
 #include "tools/io/json_file.hpp"
 
@@ -223,35 +224,14 @@ TEST(OwnRobotInit, WritesNothingForARobotThatDoesNotStand) {
 /// The mesh that gives the shank its weight stays as it is, and its sole with it: not what was planned.
 TEST(OwnRobotOptimize, ARunThatIsGivenUpSaysSo) {
   const test::TemporaryFolder folder;
-  write_file(folder.path() / "robot.xml", R"(<mujoco model="hopper">
-  <asset>
-    <mesh name="shoe" vertex="-0.05 -0.02 0  0.07 -0.02 0  -0.05 0.02 0  0.07 0.02 0  -0.01 0 0.06
-      0.01 0 0.06"/>
-  </asset>
-  <worldbody>
-    <body name="trunk" pos="0 0 0.5">
-      <freejoint/>
-      <inertial pos="0 0 0" mass="1" diaginertia="0.001 0.001 0.001"/>
-      <body name="thigh">
-        <joint name="hip" axis="0 1 0"/>
-        <inertial pos="0 0 -0.1" mass="0.1" diaginertia="1e-4 1e-4 1e-5"/>
-        <body name="shank" pos="0 0 -0.2">
-          <joint name="knee" axis="0 1 0"/>
-          <geom type="mesh" mesh="shoe" pos="0.03 0 -0.2" euler="0 6 0"/>
-        </body>
-      </body>
-    </body>
-  </worldbody>
-  <actuator>
-    <position joint="hip" kp="80" forcerange="-30 30"/>
-    <position joint="knee" kp="80" forcerange="-30 30"/>
-  </actuator>
-  <custom>
+  std::string robot = test::hopper_with(
+      R"(<geom type="mesh" mesh="shoe" pos="0.03 0 -0.2" euler="0 0.105 0"/>)", 0.0, true);
+  robot.insert(robot.rfind("</mujoco>"), R"(<custom>
     <numeric name="legwright/long" data="0.2 0.1 0.3"/>
     <text name="legwright/long" data="m | stretch z: shank | Length of the shank."/>
   </custom>
-</mujoco>
 )");
+  write_file(folder.path() / "robot.xml", robot);
   const std::string task =
       "robot = \"robot.xml\"\n[gait]\ntouchdown = [0]\nduty = 0.6\nperiod = 0.4\n"
       "[travel]\nvelocity = [0.05, 0.0]\n";
@@ -262,7 +242,6 @@ TEST(OwnRobotOptimize, ARunThatIsGivenUpSaysSo) {
   const std::size_t at = wanted.find("measures ");
   ASSERT_NE(at, std::string::npos) << wanted;
   const std::string length = wanted.substr(at + 9, wanted.find(' ', at + 9) - at - 9);
-  std::string robot = read_file(folder.path() / "robot.xml");
   robot.replace(robot.find("\"0.2 0.1 0.3\"") + 1, 3, length);
   write_file(folder.path() / "robot.xml", robot);
   const Outcome told =

@@ -47,8 +47,10 @@ TEST(Program, HelpAndVersionAreFineAndNonsenseIsBadInput) {
 TEST(Check, ExplainsThePuppy) {
   const Outcome outcome = call({"check", kWalk});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
-  for (const char* part : {"puppy", "4 feet", "12 motors", "body_width", "######", "walk",
-                           "0.1 m per cycle", "default weight", "next: legwright optimize"})
+  for (const char* part :
+       {"puppy", "4 feet", "12 motors", "body_width", "######", "walk", "0.1 m per cycle",
+        "default weight", "twice the longest leg that the bounds allow, is refused",
+        "next: legwright optimize"})
     EXPECT_TRUE(contains(outcome.out, part)) << part << " in:\n" << outcome.out;
   EXPECT_FALSE(contains(outcome.out, "friction_cone")) << "only weights that the task changes";
 }
@@ -240,10 +242,22 @@ TEST(Init, WritesProposalsAndNothingElse) {
   EXPECT_EQ(told.code, 0) << told.err;
   EXPECT_TRUE(contains(told.out, "front_thigh_length")) << told.out;
   EXPECT_EQ(read_file(robot), bare);  // only told so far
-  EXPECT_EQ(call({"init", robot.string(), "--write"}).code, 0);
+  const Outcome wrote =
+      call({"init", robot.string(), "--write", "--task", (folder.path() / "t.toml").string()});
+  EXPECT_EQ(wrote.code, 0);
   const std::string written = read_file(robot);
   EXPECT_NE(written, bare);
-  EXPECT_EQ(call({"init", robot.string(), "--write"}).code, 0);
+  // What was written, in short: the table was to be read before.
+  EXPECT_FALSE(contains(wrote.out, "front_thigh_length")) << wrote.out;
+  EXPECT_TRUE(contains(wrote.out, "robot.xml: 20 design parameters (8 lengths, 12 angles) in its"))
+      << wrote.out;
+  EXPECT_TRUE(contains(wrote.out, "t.toml: trot at 0.")) << wrote.out;
+  EXPECT_TRUE(contains(wrote.out, "next: legwright optimize ")) << wrote.out;
+  EXPECT_LT(std::count(wrote.out.begin(), wrote.out.end(), '\n'), 8) << wrote.out;
+  const Outcome again = call({"init", robot.string(), "--write"});
+  EXPECT_EQ(again.code, 0);
+  EXPECT_TRUE(contains(again.out, "nothing to add: the file declares 20 design parameters"))
+      << again.out;
   EXPECT_EQ(read_file(robot), written);  // nothing is left to propose
   EXPECT_EQ(call({"init", robot.string(), "-o", robot.string() + "2"}).code, 0);
   EXPECT_EQ(call({"init", (folder.path() / "robot.xml2").string(), "-o", robot.string()}).code, 3);
@@ -280,6 +294,32 @@ TEST(Diff, TellsWhatADesignChanged) {
   EXPECT_TRUE(contains(other.out, "only in A")) << other.out;
   EXPECT_EQ(Json::parse(call({"diff", puppy, biped, "--json"}).out)["schema"], "legwright/diff");
   EXPECT_EQ(call({"diff", puppy, "/nowhere.xml"}).code, 2);
+}
+
+TEST(Diff, PassesOverRoundingErrorsAndSaysSo) {
+  const test::TemporaryFolder folder;
+  const std::string puppy = (kExamples / "puppy" / "robot.xml").string(),
+                    other = (folder.path() / "other.xml").string();
+  const auto moved_to = [&](const std::string& place) {
+    std::string xml = read_file(puppy);
+    const std::string from = "<body name=\"eyes\" pos=\"0.095 0 0\">";
+    const std::size_t at = xml.find(from);
+    EXPECT_NE(at, std::string::npos);
+    write_file(other, xml.replace(at, from.size(), "<body name=\"eyes\" pos=\"" + place + "\">"));
+    return call({"diff", puppy, other});
+  };
+  const Outcome dust = moved_to("0.095 1e-17 0");
+  EXPECT_EQ(dust.code, 0);
+  EXPECT_TRUE(contains(dust.out, "0 differences; mass")) << dust.out;
+  EXPECT_TRUE(contains(dust.out, " more below 1e-09 of their quantity passed over")) << dust.out;
+  EXPECT_EQ(call({"diff", puppy, other, "--tolerance", "0"}).code, 1);
+  EXPECT_GE(Json::parse(call({"diff", puppy, other, "--json"}).out)["passed_over"], 1);
+
+  const Outcome moved = moved_to("0.1 1e-17 0");  // twin; what is rounding beside it is told as 0
+  EXPECT_EQ(moved.code, 1);
+  EXPECT_TRUE(contains(moved.out, "0.095 0 0 -> 0.1 0 0 m")) << moved.out;
+  const Outcome little = moved_to("0.09500001 0 0");  // what six digits cannot tell
+  EXPECT_TRUE(contains(little.out, "0.095 0 0 -> 0.09500001 0 0 m")) << little.out;
 }
 
 TEST(Doctor, FindsThePlugin) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mjcf/standing.hpp"
+#include "mjcf/home_stance_check.hpp"
 
 #include <gtest/gtest.h>
 

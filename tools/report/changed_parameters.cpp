@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/report/changed_parameters.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "tools/report/pull_words.hpp"
+
+namespace legwright {
+
+std::size_t ChangedParameters::at_bound() const {
+  return static_cast<std::size_t>(
+      std::count_if(list.begin(), list.end(),
+                    [](const ChangedParameter& each) { return !each.view.at_bound().empty(); }));
+}
+
+std::string ChangedParameters::bound_words() const {
+  const std::size_t bound = at_bound(), all = list.size();
+  if (bound == 0) return "";
+  if (bound == all)
+    return fmt::format("{} at a bound: the bound{} decided how far, not the cost.",
+                       all == 1 ? "It stands" : fmt::format("All {} that changed stand", all),
+                       all == 1 ? "" : "s");
+  return fmt::format(
+      "Of {} parameters that changed {} {} at a bound: there the bound decided how far, not the "
+      "cost.",
+      all, bound, bound == 1 ? "stands" : "stand");
+}
+
+ChangedParameters changed_parameters(const Json& run) {
+  ChangedParameters out;
+  std::map<std::string, double> lowered;
+  for (const ParameterPull& pull : pulls_of(value_at(run, {"pull"}))) {
+    lowered[pull.parameter] = pull.total();
+    out.by_cost = out.by_cost || pull.total() != 0.0;
+  }
+  for (ParameterView& view : parameters_of(run)) {
+    if (view.change() == "0") continue;
+    const auto found = lowered.find(view.name);
+    out.list.push_back({std::move(view), found == lowered.end() ? 0.0 : found->second});
+  }
+  std::stable_sort(
+      out.list.begin(), out.list.end(), [](const ChangedParameter& a, const ChangedParameter& b) {
+        return a.lowered != b.lowered ? a.lowered > b.lowered
+                                      : a.view.share_of_range() > b.view.share_of_range();
+      });
+  return out;
+}
+
+}  // namespace legwright

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tools/report/run_data.hpp"
+#include "tools/report/words.hpp"
+
+namespace legwright {
+
+/// A design parameter that is not what it was, and what that brought.
+struct ChangedParameter {
+  ParameterView view;
+  double lowered = 0.0;  // by how much its change lowered F, the motion following; 0: not known
+};
+
+/// The design parameters of a run that changed, in the one order in which all parts of a report tell them.
+struct ChangedParameters {
+  std::vector<ChangedParameter> list;
+  /// Whether that order is by how much each lowered F (run.json's `pull`, equal ones by their share of the allowed
+  /// range), or by that share alone.
+  bool by_cost = false;
+
+  std::size_t at_bound() const;
+  /// "1 of the 4 changed parameters stands at a bound: there the bound decided how far it went, not the cost.";
+  /// empty where none does.
+  std::string bound_words() const;
+};
+
+ChangedParameters changed_parameters(const Json& run);
+
+}  // namespace legwright
