@@ -202,10 +202,11 @@ class Builder {
       }
       of_geom[geom] = {first, static_cast<int>(out_.capsules.size())};
     }
-    for (const auto& [trunk_geom, limb_geom] : found.pairs) {
-      const auto trunk = of_geom.at(trunk_geom), limb = of_geom.at(limb_geom);
+    for (const GeomPair& pair : found.pairs) {
+      const auto trunk = of_geom.at(pair.trunk), limb = of_geom.at(pair.limb);
       for (int a = trunk.first; a < trunk.second; ++a)
-        for (int b = limb.first; b < limb.second; ++b) out_.capsule_pairs.emplace_back(a, b);
+        for (int b = limb.first; b < limb.second; ++b)
+          out_.capsule_pairs.push_back({a, b, pair.hidden});
       if (out_.capsule_pairs.size() > kMostCapsulePairs)
         throw InputError(xml.file.string(), 0, "",
                          fmt::format("more than {} pairs of shapes of the trunk and of legs can "

@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 
 // A box's edges are covered where rounded ones would leave out more than half of that, share of the leg.
 constexpr double kSharpEdge = 0.03;
-constexpr double kNear = 0.25;      // shapes no farther apart are fitted, share of the leg
+constexpr double kNear = 0.25;      // shapes no farther apart are measured, share of the leg
 constexpr double kRounding = 1e-6;  // of a distance of capsules [m]
 
 class Builder {
@@ -36,14 +36,18 @@ class Builder {
         length_(length) {}
 
   TrunkCapsules run() {
-    out_.pairs = trunk_collisions(model_, structure_);
-    for (const auto& [trunk, limb] : out_.pairs) {
+    data_ = kinematics_at(model_, home_qpos(model_), xml_.file);
+    for (const auto& [trunk, limb] : trunk_collisions(model_, structure_)) {
       cover(trunk, CoverDetail::edges);
       cover(limb, CoverDetail::coarse);
+      double hidden = 0.0;
+      if (is_mesh(trunk) || is_mesh(limb)) {
+        const double limit = kNear * length_, apart = distance(trunk, limb, limit);
+        if (apart <= 0.0) continue;
+        if (apart < limit) hidden = std::max(0.0, gap(trunk, limb) - apart);
+      }
+      out_.pairs.push_back({trunk, limb, hidden});
     }
-    if (std::any_of(out_.pairs.begin(), out_.pairs.end(),
-                    [&](const auto& pair) { return is_mesh(pair.first) || is_mesh(pair.second); }))
-      fit();
     return std::move(out_);
   }
 
@@ -58,46 +62,24 @@ class Builder {
                       kSharpEdge * length_, detail);
   }
 
-  void fit() {
-    data_ = kinematics_at(model_, home_qpos(model_), xml_.file);
-    std::map<int, double> spare;  // of a mesh: how much thicker it may be
-    std::vector<std::pair<int, int>> apart;
-    for (const auto& pair : out_.pairs) {
-      const int meshes = int{is_mesh(pair.first)} + int{is_mesh(pair.second)};
-      const double limit = kNear * length_, own = meshes > 0 ? distance(pair, limit) : limit;
-      if (own > 0.0) apart.push_back(pair);
-      if (own <= 0.0 || own >= limit) continue;
-      const double more = std::max(0.0, (gap(pair) - own) / meshes);
-      for (const int geom : {pair.first, pair.second})
-        if (is_mesh(geom)) {
-          double& least = spare.emplace(geom, more).first->second;
-          least = std::min(least, more);
-        }
-    }
-    for (const auto& [geom, more] : spare)
-      for (Capsule& capsule : out_.of_geom.at(geom)) capsule.radius += more;
-    out_.pairs = std::move(apart);
-  }
-
   /// Between the shapes as the engine collides them; `limit` where that is less.
-  double distance(const std::pair<int, int>& pair, double limit) const {
+  double distance(int trunk, int limb, double limit) const {
     double found = limit;
     call_engine(xml_.file, [&] {
-      found = mj_geomDistance(&model_, data_.get(), pair.first, pair.second, limit, nullptr);
+      found = mj_geomDistance(&model_, data_.get(), trunk, limb, limit, nullptr);
     });
     return found;
   }
 
-  double gap(const std::pair<int, int>& pair) const {
+  double gap(int trunk, int limb) const {
     double least = std::numeric_limits<double>::infinity();
-    for (const Capsule& a : out_.of_geom.at(pair.first))
-      for (const Capsule& b : out_.of_geom.at(pair.second))
-        least =
-            std::min(least, segment_distance(place(pair.first, a.from), place(pair.first, a.to),
-                                             place(pair.second, b.from), place(pair.second, b.to),
-                                             kRounding, DistanceDetail::value)
-                                    .value -
-                                a.radius - b.radius);
+    for (const Capsule& a : out_.of_geom.at(trunk))
+      for (const Capsule& b : out_.of_geom.at(limb))
+        least = std::min(
+            least, segment_distance(place(trunk, a.from), place(trunk, a.to), place(limb, b.from),
+                                    place(limb, b.to), kRounding, DistanceDetail::value)
+                           .value -
+                       a.radius - b.radius);
     return least;
   }
 

@@ -15,16 +15,22 @@
 
 namespace legwright {
 
+/// Geoms of the trunk and of a limb that can meet.
+struct GeomPair {
+  int trunk, limb;
+  double
+      hidden;  // how much nearer the shapes are than their capsules, in the home pose of the file [m]
+};
+
 /// What stands for the shapes of trunk and limbs that can meet.
 struct TrunkCapsules {
   std::map<int, std::vector<Capsule>> of_geom;  // in the frame of its body; link is left open
-  std::vector<std::pair<int, int>> pairs;       // geoms (trunk, limb), rising
+  std::vector<GeomPair> pairs;                  // rising
 };
 
-/// Covers the geoms of the pairs that can collide (`trunk_collisions`, `capsules_of`). Pairs with a mesh are fitted to
-/// the home pose of the file: capsules within hulls leave out what is beside them, so those of a mesh are made as much
-/// thicker as no pair that is near there gets nearer than MuJoCo finds its hulls; pairs whose hulls touch there are
-/// left out, as no plan parts them.
+/// Covers the geoms of the pairs that can collide (`trunk_collisions`, `capsules_of`). Capsules within hulls leave out
+/// what is beside them: pairs with a mesh are measured against the hulls as MuJoCo finds them in the home pose of the
+/// file, where they are near each other; pairs whose hulls touch there are left out, as no plan parts them.
 /// @param stretches_of by body id. @param initial the design of the file. @param length of a leg [m].
 TrunkCapsules trunk_capsules(const XmlFile& xml, const TreeElements& elements, const mjModel& model,
                              const Structure& structure,

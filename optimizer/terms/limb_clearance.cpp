@@ -250,47 +250,46 @@ class LimbClearance final : public Term {
   void choose_trunk_pairs(const TermContext& context) {
     const Morphology& robot = context.morphology;
     const double margin = kTrunkMargin * context.length, range = kTrunkRange * context.length;
-    const auto radii = [&](const auto& pair) {
-      return robot.capsules[pair.first].radius + robot.capsules[pair.second].radius;
+    const auto radii = [&](const CapsulePair& pair) {
+      return robot.capsules[pair.trunk].radius + robot.capsules[pair.limb].radius + pair.hidden;
     };
     std::set<std::pair<int, int>> touching;  // parts
     std::map<int, double> room;  // of a limb, by its first link: between it and the trunk at home
-    const auto parts = [&](const auto& pair) {
-      return std::pair(robot.capsules[pair.first].part, robot.capsules[pair.second].part);
+    const auto parts = [&](const CapsulePair& pair) {
+      return std::pair(robot.capsules[pair.trunk].part, robot.capsules[pair.limb].part);
     };
-    const auto limb_of = [&](const auto& pair) {
-      return robot.chain_to(robot.capsules[pair.second].link).front();
+    const auto limb_of = [&](const CapsulePair& pair) {
+      return robot.chain_to(robot.capsules[pair.limb].link).front();
     };
-    const auto gap = [&](const auto& pair) {
-      const Segment &a = segments_[first_capsule_ + pair.first],
-                    &b = segments_[first_capsule_ + pair.second];
+    const auto gap = [&](const CapsulePair& pair) {
+      const Segment &a = segments_[first_capsule_ + pair.trunk],
+                    &b = segments_[first_capsule_ + pair.limb];
       return segment_distance(a.near_end, a.far_end, b.near_end, b.far_end, kTouching,
                               DistanceDetail::value)
                  .value -
              radii(pair);
     };
-    for (const auto& pair : robot.capsule_pairs)
+    for (const CapsulePair& pair : robot.capsule_pairs)
       if (gap(pair) < kTouching) touching.insert(parts(pair));
-    for (const auto& pair : robot.capsule_pairs) {
+    for (const CapsulePair& pair : robot.capsule_pairs) {
       if (touching.count(parts(pair))) continue;
       double& least = room.emplace(limb_of(pair), margin + range).first->second;
       least = std::min(least, gap(pair));
     }
-    for (const auto& pair : robot.capsule_pairs) {
+    for (const CapsulePair& pair : robot.capsule_pairs) {
       if (touching.count(parts(pair)) || out_of_reach(context, pair, radii(pair) + margin + range))
         continue;
       const double at_home = room.at(limb_of(pair));
       const double own = std::max(at_home / (margin + range), kLeastRange) * range;
-      pairs_.push_back({first_capsule_ + pair.first, first_capsule_ + pair.second,
+      pairs_.push_back({first_capsule_ + pair.trunk, first_capsule_ + pair.limb,
                         std::max(radii(pair) + at_home - own, kLeastRange * own), own});
     }
   }
 
-  bool out_of_reach(const TermContext& context, const std::pair<int, int>& pair,
-                    double limit) const {
-    const auto [length, hip] = reach(context.morphology, context.morphology.capsules[pair.second],
-                                     context.space.initial());
-    const Segment& trunk = segments_[first_capsule_ + pair.first];
+  bool out_of_reach(const TermContext& context, const CapsulePair& pair, double limit) const {
+    const auto [length, hip] =
+        reach(context.morphology, context.morphology.capsules[pair.limb], context.space.initial());
+    const Segment& trunk = segments_[first_capsule_ + pair.trunk];
     const double apart =
         segment_distance(hip, hip, trunk.near_end, trunk.far_end, kTouching, DistanceDetail::value)
             .value;

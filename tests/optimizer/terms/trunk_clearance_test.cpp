@@ -57,7 +57,7 @@ TEST(TermMeaningOfTrunk, WhatTouchesAtHomeIsLeftAlone) {
     test::add_capsules(puppy, 0.035, radius);
     auto& pairs = puppy.morphology.capsule_pairs;  // of the thighs alone
     pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
-                               [](const auto& pair) { return pair.second % 2 == 1; }),
+                               [](const auto& pair) { return pair.limb % 2 == 1; }),
                 pairs.end());
     EXPECT_LT(closeness_of_trunk(puppy, 0.0), 1e-20);
     if (radius < 0.05)
