@@ -24,8 +24,10 @@ constexpr double kTouching = 1e-6;  // [m]
 
 // Of limbs and the trunk, whose thickness is known: δ is that plus a margin for servos that lag behind, share of the leg.
 constexpr double kTrunkMargin = 0.015, kTrunkRange = 0.05;
-constexpr double kLeastRange = 0.1;  // of both, for a leg that is at home beside its trunk
-constexpr double kReach = 1.5;       // how much longer a limb may get
+// Share of the range that is left to shapes with little room between them at home: of capsules no distance is known
+// better. With less room than the margin the home pose costs, and a design may make room.
+constexpr double kLeastRange = 0.25;
+constexpr double kReach = 1.5;  // how much longer a limb may get
 
 /// A limb segment, from a link's hinge to a hinge that it carries or to its foot, or the axis of a capsule.
 struct Segment {
@@ -253,13 +255,10 @@ class LimbClearance final : public Term {
     const auto radii = [&](const CapsulePair& pair) {
       return robot.capsules[pair.trunk].radius + robot.capsules[pair.limb].radius + pair.hidden;
     };
-    std::set<std::pair<int, int>> touching;  // parts
-    std::map<int, double> room;  // of a limb, by its first link: between it and the trunk at home
+    std::set<std::pair<int, int>> touching;      // parts
+    std::map<std::pair<int, int>, double> room;  // between two parts, at home
     const auto parts = [&](const CapsulePair& pair) {
       return std::pair(robot.capsules[pair.trunk].part, robot.capsules[pair.limb].part);
-    };
-    const auto limb_of = [&](const CapsulePair& pair) {
-      return robot.chain_to(robot.capsules[pair.limb].link).front();
     };
     const auto gap = [&](const CapsulePair& pair) {
       const Segment &a = segments_[first_capsule_ + pair.trunk],
@@ -273,16 +272,16 @@ class LimbClearance final : public Term {
       if (gap(pair) < kTouching) touching.insert(parts(pair));
     for (const CapsulePair& pair : robot.capsule_pairs) {
       if (touching.count(parts(pair))) continue;
-      double& least = room.emplace(limb_of(pair), margin + range).first->second;
+      double& least = room.emplace(parts(pair), margin + range).first->second;
       least = std::min(least, gap(pair));
     }
     for (const CapsulePair& pair : robot.capsule_pairs) {
       if (touching.count(parts(pair)) || out_of_reach(context, pair, radii(pair) + margin + range))
         continue;
-      const double at_home = room.at(limb_of(pair));
-      const double own = std::max(at_home / (margin + range), kLeastRange) * range;
+      const double share = room.at(parts(pair)) / (margin + range);
+      const double own = std::max(share, kLeastRange) * range;
       pairs_.push_back({first_capsule_ + pair.trunk, first_capsule_ + pair.limb,
-                        std::max(radii(pair) + at_home - own, kLeastRange * own), own});
+                        std::max(radii(pair) + share * margin, kLeastRange * own), own});
     }
   }
 
