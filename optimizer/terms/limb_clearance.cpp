@@ -24,10 +24,8 @@ constexpr double kTouching = 1e-6;  // [m]
 
 // Of limbs and the trunk, whose thickness is known: δ is that plus a margin for servos that lag behind, share of the leg.
 constexpr double kTrunkMargin = 0.015, kTrunkRange = 0.05;
-// Share of the range that is left to shapes with little room between them at home: of capsules no distance is known
-// better. With less room than the margin the home pose costs, and a design may make room.
-constexpr double kLeastRange = 0.25;
-constexpr double kReach = 1.5;  // how much longer a limb may get
+constexpr double kLeastRange = 0.1;  // of the range, for a leg that is at home beside its trunk
+constexpr double kReach = 1.5;       // how much longer a limb may get
 
 /// A limb segment, from a link's hinge to a hinge that it carries or to its foot, or the axis of a capsule.
 struct Segment {
@@ -49,8 +47,9 @@ struct Pair {
 /// Pairs of limbs: those the task names, or all but neighbours: segments that share a point, and segments of one limb
 /// that are within δ + range of each other in the home pose (across a short link), which no motion can part.
 /// Limbs and the trunk: all pairs of capsules that the robot's file lets collide, whatever the task names. Here δ is
-/// the sum of their radii and a margin. A leg nearer to its trunk in the home pose of the initial design has a margin
-/// and range as much smaller, so that the home pose costs nothing; shapes that touch there already are left out.
+/// the sum of their radii, what they hide of their shapes, and a margin. Shapes nearer to each other in the home pose of
+/// the initial design have a margin and range as much smaller, so that the home pose costs nothing, unless the room
+/// there is less than what is hidden; shapes that touch there already are left out.
 class LimbClearance final : public Term {
  public:
   explicit LimbClearance(const TermContext& context)
@@ -278,11 +277,20 @@ class LimbClearance final : public Term {
     for (const CapsulePair& pair : robot.capsule_pairs) {
       if (touching.count(parts(pair)) || out_of_reach(context, pair, radii(pair) + margin + range))
         continue;
-      const double share = room.at(parts(pair)) / (margin + range);
-      const double own = std::max(share, kLeastRange) * range;
+      const auto [clearance, own] = barrier(room.at(parts(pair)), margin, range, pair.hidden);
       pairs_.push_back({first_capsule_ + pair.trunk, first_capsule_ + pair.limb,
-                        std::max(radii(pair) + share * margin, kLeastRange * own), own});
+                        std::max(radii(pair) + clearance, kLeastRange * own), own});
     }
+  }
+
+  /// Distance of the surfaces at the wall, and range, of shapes with `room` between them at home. Where that is less than
+  /// the margin and the range, both shrink with it. Of shapes that capsules do not fill the distance is known no better
+  /// than what those hide: the barrier begins as far off, if need be beyond the room at home, and a design may make some.
+  static std::pair<double, double> barrier(double room, double margin, double range,
+                                           double hidden) {
+    const double share = room / (margin + range), own = std::max(share, kLeastRange) * range;
+    if (hidden > 0.0) return {share * margin, std::max(own, std::min(hidden, range))};
+    return {room - own, own};
   }
 
   bool out_of_reach(const TermContext& context, const CapsulePair& pair, double limit) const {

@@ -67,5 +67,19 @@ TEST(TermMeaningOfTrunk, WhatTouchesAtHomeIsLeftAlone) {
   }
 }
 
+/// Capsules that hide some of their shapes: no distance is known better than that, so what is so near at home costs.
+TEST(TermMeaningOfTrunk, WhatCapsulesHideIsAddedAndWantsRoom) {
+  const auto closeness = [](double hidden, double bend) {
+    test::Puppy puppy = test::make_puppy(true);
+    test::add_capsules(puppy, 0.045);
+    for (CapsulePair& pair : puppy.morphology.capsule_pairs) pair.hidden = hidden;
+    return closeness_of_trunk(puppy, bend);
+  };
+  EXPECT_LT(closeness(0.0, 0.0), 1e-20);
+  EXPECT_GT(closeness(0.0015, 0.0), closeness(0.0, 0.0) + 1e-3);
+  EXPECT_GT(closeness(0.0015, 0.2), closeness(0.0, 0.2));
+  EXPECT_EQ(closeness(0.5, 0.8), 0.0);  // shapes that touch at home
+}
+
 }  // namespace
 }  // namespace legwright
