@@ -76,8 +76,8 @@ TEST(TermMeaningOfTrunk, WhatCapsulesHideIsAddedAndWantsRoom) {
     return closeness_of_trunk(puppy, bend);
   };
   EXPECT_LT(closeness(0.0, 0.0), 1e-20);
-  EXPECT_GT(closeness(0.0015, 0.0), closeness(0.0, 0.0) + 1e-3);
-  EXPECT_GT(closeness(0.0015, 0.2), closeness(0.0, 0.2));
+  EXPECT_GT(closeness(0.0002, 0.0), closeness(0.0, 0.0) + 1e-3);
+  EXPECT_GT(closeness(0.0002, 0.2), closeness(0.0, 0.2));
   EXPECT_EQ(closeness(0.5, 0.8), 0.0);  // shapes that touch at home
 }
 
