@@ -24,6 +24,12 @@ constexpr double kNearGround = 0.25;
 // The same for a link that a design parameter names: it was a leg's before, and a keyframe of some designs lifts feet.
 constexpr double kNearGroundIfDeclared = 0.75;
 
+constexpr double kAlike =
+    0.01;  // chains of lengths closer than that share, and of as many hinges, are built alike
+constexpr const char* kLifted =
+    "rides along, built as a leg is but up in the air (if it is one, bend it to the ground in the "
+    "keyframe 'home')";
+
 /// Names of bodies and joints that design parameters are bound to, in the words of their <text>.
 std::set<std::string> declared_names(const mjModel& model) {
   std::set<std::string> names;
@@ -116,8 +122,41 @@ class StructureReader {
     });
   }
 
+  /// A chain as it is built: its hinges from the trunk on, and its length from its first body to its last [m].
+  struct Chain {
+    std::vector<int> joints;
+    double length = 0.0;
+    bool is_like(const Chain& other) const {
+      return joints.size() == other.joints.size() &&
+             std::abs(length - other.length) <= kAlike * other.length;
+    }
+  };
+  Chain chain_to(int end) const {
+    Chain out;
+    for (int b = end; b != out_.trunk; b = model_.body_parentid[b]) {
+      const std::vector<int> own = moving_joints(model_, out_, b);
+      out.joints.insert(out.joints.begin(), own.begin(), own.end());
+      if (model_.body_parentid[b] != out_.trunk) out.length += mju_norm3(model_.body_pos + 3 * b);
+    }
+    return out;
+  }
+
+  /// A chain built as a leg is, but up in the air: perhaps a home pose with a wrong sign.
+  void tell_lifted(const std::vector<Chain>& chains) {
+    const auto stays = [&](const Chain& chain) { return out_.moves[at(chain.joints.back())]; };
+    for (const Chain& chain : chains)
+      if (!stays(chain) && std::any_of(chains.begin(), chains.end(), [&](const Chain& leg) {
+            return stays(leg) && chain.is_like(leg);
+          }))
+        for (FrozenJoint& frozen : out_.frozen)
+          if (std::count(chain.joints.begin(), chain.joints.end(), frozen.joint))
+            frozen.why = kLifted;
+  }
+
   /// Takes away, from their ends, the chains that do not reach the ground.
   void find_legs() {
+    std::vector<Chain> chains;
+    for (const int end : ends()) chains.push_back(chain_to(end));
     double ground = kInfinity, reach = 0.0;
     for (const int end : ends()) {
       ground = std::min(ground, lowest_of(end));
@@ -137,6 +176,7 @@ class StructureReader {
         changed = true;
       }
     }
+    tell_lifted(chains);
   }
 
   void freeze(int joint, const std::string& why) {

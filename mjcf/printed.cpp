@@ -21,6 +21,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double kPi = 3.14159265358979323846;
+constexpr double kOff = 1e-6;  // [m]; a declared length may be as wrong
 
 /// A geom of a stretched body.
 struct Solid {
@@ -253,6 +254,23 @@ void add_meshes(const XmlFile& xml, const XmlElement& body, const std::vector<So
     }
 }
 
+/// A foot that is a mesh with a weight keeps its size and moves as its origin does, so its sole only where it should if
+/// it is off that across the stretches alone.
+void check_sole(const XmlFile& xml, const mjModel& model, const TreeElements& elements,
+                const FootContact& foot, const std::vector<Stretch>& stretches) {
+  const XmlElement& element = *elements.geoms[static_cast<std::size_t>(foot.geom)];
+  const Vector3d arm = foot_point(xml, elements, model, foot, {}).constant -
+                       pose_in_body(xml, element).translation();
+  for (const Stretch& stretch : stretches)
+    if (const double off = arm.dot(stretch.direction); std::abs(off) > kOff)
+      throw xml.error(
+          element, fmt::format("is a foot that gives its body, which has no <inertial>, a weight: "
+                               "it keeps its size, and its sole, {:.3g} m along the stretch from "
+                               "the mesh's origin, would not go where the stretch takes it; give "
+                               "the body an <inertial>, or put a ball as a foot there",
+                               off));
+}
+
 void check_weight(const XmlFile& xml, const XmlElement& body, const std::vector<PointMass>& masses,
                   const std::vector<Stretch>& stretches, const mjModel& model, int id) {
   const Eigen::Matrix4d wanted = moments_of(model, id), found = moments_of(masses, stretches);
@@ -282,9 +300,13 @@ PrintedMap read_printed(const XmlFile& xml, const mjModel& model, const Structur
     Printer printer(xml, own);
     std::vector<Solid> meshes;
     for (Solid& solid : solids_of(xml, model, elements, id)) {
-      for (const FootContact& foot : structure.feet)
-        if (foot.geom >= 0 && elements.geoms[static_cast<std::size_t>(foot.geom)] == solid.element)
-          solid.shift = foot_shift(xml, elements, model, foot, own);
+      for (const FootContact& foot : structure.feet) {
+        if (foot.geom < 0 || elements.geoms[static_cast<std::size_t>(foot.geom)] != solid.element)
+          continue;
+        solid.shift = foot_shift(xml, elements, model, foot, own);
+        if (solid.type == mjGEOM_MESH && solid.density > 0.0)
+          check_sole(xml, model, elements, foot, own);
+      }
       if (solid.type != mjGEOM_MESH)
         printer.add(solid);
       else if (solid.density > 0.0)

@@ -8,14 +8,13 @@
 #include <cmath>
 #include <map>
 
-#include "mjcf/capsules.hpp"
-#include "mjcf/collisions.hpp"
 #include "mjcf/compile.hpp"
 #include "mjcf/elements.hpp"
 #include "mjcf/feet.hpp"
 #include "mjcf/input_error.hpp"
 #include "mjcf/legs.hpp"
 #include "mjcf/model_arrays.hpp"
+#include "mjcf/trunk_capsules.hpp"
 
 namespace legwright {
 namespace {
@@ -23,8 +22,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Rounded edges leave out less than half of that, share of the leg.
-constexpr double kSharpEdge = 0.03;
 constexpr std::size_t kMostCapsulePairs = 20000;  // a robot of many shapes has some thousand
 
 bool belongs_to(const mjModel& model, int body, int trunk) {
@@ -192,29 +189,28 @@ class Builder {
 
   /// What covers the geoms of trunk and limbs that can collide with each other, and its pairs.
   void add_capsules(const XmlFile& xml, const TreeElements& elements) {
+    const TrunkCapsules found = trunk_capsules(
+        xml, elements, model_, structure_,
+        [&](int body) -> const std::vector<Stretch>& { return stretches_of(body); },
+        space_.initial(), out_.leg_length);
     std::map<int, std::pair<int, int>> of_geom;  // first capsule and the one behind the last
-    const auto cover = [&](int geom, CoverDetail detail) {
-      const auto [found, is_new] = of_geom.emplace(geom, std::pair(0, 0));
-      if (!is_new) return found->second;
-      const int body = model_.geom_bodyid[geom];
-      const Placement& at = placements_[static_cast<std::size_t>(body)];
-      found->second.first = static_cast<int>(out_.capsules.size());
-      for (Capsule capsule : capsules_of(xml, elements, model_, geom, stretches_of(body),
-                                         kSharpEdge * out_.leg_length, detail)) {
+    for (const auto& [geom, capsules] : found.of_geom) {
+      const Placement& at = placements_[static_cast<std::size_t>(model_.geom_bodyid[geom])];
+      const int first = static_cast<int>(out_.capsules.size());
+      for (Capsule capsule : capsules) {
         capsule.link = at.link;
         capsule.part = geom;
         for (AffineVector* end : {&capsule.from, &capsule.to})
           *end = sum(at.origin, rotated(at.rotation, *end));
         out_.capsules.push_back(std::move(capsule));
       }
-      found->second.second = static_cast<int>(out_.capsules.size());
-      return found->second;
-    };
-    for (const auto& [trunk_geom, limb_geom] : trunk_collisions(model_, structure_)) {
-      const auto trunk = cover(trunk_geom, CoverDetail::edges);
-      const auto limb = cover(limb_geom, CoverDetail::coarse);
+      of_geom[geom] = {first, static_cast<int>(out_.capsules.size())};
+    }
+    for (const GeomPair& pair : found.pairs) {
+      const auto trunk = of_geom.at(pair.trunk), limb = of_geom.at(pair.limb);
       for (int a = trunk.first; a < trunk.second; ++a)
-        for (int b = limb.first; b < limb.second; ++b) out_.capsule_pairs.emplace_back(a, b);
+        for (int b = limb.first; b < limb.second; ++b)
+          out_.capsule_pairs.push_back({a, b, pair.hidden});
       if (out_.capsule_pairs.size() > kMostCapsulePairs)
         throw InputError(xml.file.string(), 0, "",
                          fmt::format("more than {} pairs of shapes of the trunk and of legs can "

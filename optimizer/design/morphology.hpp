@@ -114,6 +114,12 @@ struct Capsule {
   double radius = 0.0;    // [m]
 };
 
+/// A capsule of the trunk and one of a limb that may not touch.
+struct CapsulePair {
+  int trunk = 0, limb = 0;
+  double hidden = 0.0;  // how much nearer the shapes are than the capsules that stand for them [m]
+};
+
 /// The fixed kinematic tree of a robot whose measures depend on s. Joint a of a pose moves link a + 1.
 struct Morphology {
   std::string name;
@@ -121,7 +127,7 @@ struct Morphology {
   std::vector<Foot> feet;
   std::vector<LinearActuator> linear_actuators;
   std::vector<Capsule> capsules;
-  std::vector<std::pair<int, int>> capsule_pairs;  // a trunk's and a limb's that may not touch
+  std::vector<CapsulePair> capsule_pairs;
   double leg_length = 0.0;  // unit of length: first limb stretched, at the initial design [m]
 
   int joint_count() const { return static_cast<int>(links.size()) - 1; }

@@ -24,7 +24,7 @@ constexpr double kTouching = 1e-6;  // [m]
 
 // Of limbs and the trunk, whose thickness is known: δ is that plus a margin for servos that lag behind, share of the leg.
 constexpr double kTrunkMargin = 0.015, kTrunkRange = 0.05;
-constexpr double kLeastRange = 0.1;  // of both, for a leg that is at home beside its trunk
+constexpr double kLeastRange = 0.1;  // of the range, for a leg that is at home beside its trunk
 constexpr double kReach = 1.5;       // how much longer a limb may get
 
 /// A limb segment, from a link's hinge to a hinge that it carries or to its foot, or the axis of a capsule.
@@ -47,8 +47,9 @@ struct Pair {
 /// Pairs of limbs: those the task names, or all but neighbours: segments that share a point, and segments of one limb
 /// that are within δ + range of each other in the home pose (across a short link), which no motion can part.
 /// Limbs and the trunk: all pairs of capsules that the robot's file lets collide, whatever the task names. Here δ is
-/// the sum of their radii and a margin. A leg nearer to its trunk in the home pose of the initial design has a margin
-/// and range as much smaller, so that the home pose costs nothing; shapes that touch there already are left out.
+/// the sum of their radii, what they hide of their shapes, and a margin. Shapes nearer to each other in the home pose of
+/// the initial design have a margin and range as much smaller, so that the home pose costs nothing, unless the room
+/// there is less than what is hidden; shapes that touch there already are left out.
 class LimbClearance final : public Term {
  public:
   explicit LimbClearance(const TermContext& context)
@@ -242,47 +243,52 @@ class LimbClearance final : public Term {
   void choose_trunk_pairs(const TermContext& context) {
     const Morphology& robot = context.morphology;
     const double margin = kTrunkMargin * context.length, range = kTrunkRange * context.length;
-    const auto radii = [&](const auto& pair) {
-      return robot.capsules[pair.first].radius + robot.capsules[pair.second].radius;
+    const auto radii = [&](const CapsulePair& pair) {
+      return robot.capsules[pair.trunk].radius + robot.capsules[pair.limb].radius + pair.hidden;
     };
-    std::set<std::pair<int, int>> touching;  // parts
-    std::map<int, double> room;  // of a limb, by its first link: between it and the trunk at home
-    const auto parts = [&](const auto& pair) {
-      return std::pair(robot.capsules[pair.first].part, robot.capsules[pair.second].part);
+    std::set<std::pair<int, int>> touching;      // parts
+    std::map<std::pair<int, int>, double> room;  // between two parts, at home
+    const auto parts = [&](const CapsulePair& pair) {
+      return std::pair(robot.capsules[pair.trunk].part, robot.capsules[pair.limb].part);
     };
-    const auto limb_of = [&](const auto& pair) {
-      return robot.chain_to(robot.capsules[pair.second].link).front();
-    };
-    const auto gap = [&](const auto& pair) {
-      const Segment &a = segments_[first_capsule_ + pair.first],
-                    &b = segments_[first_capsule_ + pair.second];
+    const auto gap = [&](const CapsulePair& pair) {
+      const Segment &a = segments_[first_capsule_ + pair.trunk],
+                    &b = segments_[first_capsule_ + pair.limb];
       return segment_distance(a.near_end, a.far_end, b.near_end, b.far_end, kTouching,
                               DistanceDetail::value)
                  .value -
              radii(pair);
     };
-    for (const auto& pair : robot.capsule_pairs)
+    for (const CapsulePair& pair : robot.capsule_pairs)
       if (gap(pair) < kTouching) touching.insert(parts(pair));
-    for (const auto& pair : robot.capsule_pairs) {
+    for (const CapsulePair& pair : robot.capsule_pairs) {
       if (touching.count(parts(pair))) continue;
-      double& least = room.emplace(limb_of(pair), margin + range).first->second;
+      double& least = room.emplace(parts(pair), margin + range).first->second;
       least = std::min(least, gap(pair));
     }
-    for (const auto& pair : robot.capsule_pairs) {
+    for (const CapsulePair& pair : robot.capsule_pairs) {
       if (touching.count(parts(pair)) || out_of_reach(context, pair, radii(pair) + margin + range))
         continue;
-      const double at_home = room.at(limb_of(pair));
-      const double own = std::max(at_home / (margin + range), kLeastRange) * range;
-      pairs_.push_back({first_capsule_ + pair.first, first_capsule_ + pair.second,
-                        std::max(radii(pair) + at_home - own, kLeastRange * own), own});
+      const auto [clearance, own] = barrier(room.at(parts(pair)), margin, range, pair.hidden);
+      pairs_.push_back({first_capsule_ + pair.trunk, first_capsule_ + pair.limb,
+                        std::max(radii(pair) + clearance, kLeastRange * own), own});
     }
   }
 
-  bool out_of_reach(const TermContext& context, const std::pair<int, int>& pair,
-                    double limit) const {
-    const auto [length, hip] = reach(context.morphology, context.morphology.capsules[pair.second],
-                                     context.space.initial());
-    const Segment& trunk = segments_[first_capsule_ + pair.first];
+  /// Distance of the surfaces at the wall, and range, of shapes with `room` between them at home. Where that is less than
+  /// the margin and the range, both shrink with it. Of shapes that capsules do not fill the distance is known no better
+  /// than what those hide: the barrier begins as far off, if need be beyond the room at home, and a design may make some.
+  static std::pair<double, double> barrier(double room, double margin, double range,
+                                           double hidden) {
+    const double share = room / (margin + range), own = std::max(share, kLeastRange) * range;
+    if (hidden > 0.0) return {share * margin, std::max(own, std::min(hidden, range))};
+    return {room - own, own};
+  }
+
+  bool out_of_reach(const TermContext& context, const CapsulePair& pair, double limit) const {
+    const auto [length, hip] =
+        reach(context.morphology, context.morphology.capsules[pair.limb], context.space.initial());
+    const Segment& trunk = segments_[first_capsule_ + pair.trunk];
     const double apart =
         segment_distance(hip, hip, trunk.near_end, trunk.far_end, kTouching, DistanceDetail::value)
             .value;

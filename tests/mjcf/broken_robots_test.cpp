@@ -101,6 +101,8 @@ const std::map<std::string, Refusal>& refusals() {
        {6, {"mesh 'skin'", "'../../skin.stl' leads out of the folder", "copy the file"}}},
       {"mesh_fitted_in_stretched",
        {15, {"geom", "a geom fitted to a mesh", "use a mesh or plain geoms"}}},
+      {"mesh_foot_with_weight",
+       {17, {"geom 'foot'", "its sole, -0.1 m along the stretch", "give the body an <inertial>"}}},
       {"mesh_folder", {5, {"mesh 'skin'", "'parts' is a folder", "name a regular file"}}},
       {"mesh_url", {5, {"mesh 'skin'", "has a colon", "copy the file"}}},
       {"mesh_words", {5, {"MuJoCo", "STL", "mend the file"}}},

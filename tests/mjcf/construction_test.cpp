@@ -15,6 +15,7 @@
 #include "mjcf/rewrite_robot.hpp"
 #include "mjcf/verify.hpp"
 #include "tests/mjcf/construction_robots.hpp"
+#include "tests/mjcf/mesh_quadruped.hpp"
 #include "tests/mjcf/point_mass_robot.hpp"
 #include "tests/mjcf/robots.hpp"
 
@@ -156,6 +157,19 @@ TEST(Riding, IsToldToPeople) {
       "  rides along, held in the home pose: shoulder, a joint of hand, thumb, finger, a joint "
       "of lidar\n");
   EXPECT_EQ(held_text(parse_robot(test::classed_quadruped(), "robot.xml").structure), "");
+}
+
+/// A leg that the home pose lifts is none, but it is told that it is built as one: a sign may be wrong.
+TEST(Riding, ALegInTheAirIsToldFromAnArm) {
+  const RobotModel stands = parse_robot(test::mesh_quadruped(), "robot.xml");
+  EXPECT_EQ(stands.morphology.foot_count(), 4);
+  EXPECT_TRUE(stands.structure.frozen.empty());
+  const RobotModel lifts =
+      parse_robot(test::with(test::mesh_quadruped(), "1 0 0 0  0 0.8 -2.1", "1 0 0 0  0 2.9 -0.3"),
+                  "robot.xml");
+  EXPECT_EQ(lifts.morphology.foot_count(), 3);
+  EXPECT_TRUE(holds(held_text(lifts.structure), "built as a leg is but up in the air"));
+  EXPECT_TRUE(holds(held_text(lifts.structure), "fl_hx, fl_hy, fl_kn"));
 }
 
 TEST(Riding, TheHomePoseIsTheOnlyKeyframeWhateverItsName) {

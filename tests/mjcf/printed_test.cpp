@@ -2,11 +2,14 @@
 // Masses from density times geometry: their sums against MuJoCo's are in read_robot_test and rewrite_robot_test.
 #include "mjcf/printed.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "mjcf/input_error.hpp"
 #include "mjcf/read_robot.hpp"
+#include "mjcf/rewrite_robot.hpp"
 #include "optimizer/design/growth.hpp"
+#include "tests/mjcf/construction_robots.hpp"
 #include "tests/mjcf/robots.hpp"
 
 namespace legwright {
@@ -82,6 +85,36 @@ TEST(Printed, WhatDoesNotKeepItsShapeIsRefused) {
                                  "size=\"0.012\" density=\"700\" shellinertia=\"true\""))
                 .find("weigh"),
             std::string::npos);
+}
+
+/// A mesh that gives its body a weight keeps its size: its sole goes where a stretch takes it only across that.
+TEST(PrintedFeet, AMeshWithAWeightIsRefusedUnlessItsSoleIsAcrossTheStretch) {
+  const auto robot = [](double deep, const std::string& inertial) {
+    std::string xml = test::with(
+        test::hopper_with(fmt::format(
+            "<geom name=\"tip\" type=\"mesh\" mesh=\"shoe\" pos=\"0 0 {}\"/>", -0.2 + deep)),
+        "</actuator>",
+        "</actuator><custom><numeric name=\"legwright/shank\" data=\"0.2 0.1 0.3\"/>"
+        "<text name=\"legwright/shank\" data=\"m | stretch z: shank | l\"/></custom>");
+    xml = test::with(xml, "<mesh name=\"shoe\"",
+                     fmt::format("<mesh name=\"shoe\" refpos=\"0 0 {}\"", deep));
+    const std::string own =
+        "<inertial pos=\"0 0 -0.1\" mass=\"0.1\" diaginertia=\"1e-4 1e-4 1e-5\"/>";
+    const std::size_t shank = xml.rfind(own);
+    return xml.replace(shank, own.size(), inertial);
+  };
+  // refpos: vertices are told from there, so the sole is as far below the origin as that is above it.
+  const std::string refused = complaint(robot(0.03, ""));
+  EXPECT_TRUE(test::holds(refused, "gives its body, which has no <inertial>, a weight")) << refused;
+  EXPECT_TRUE(test::holds(refused, "-0.03 m along the stretch")) << refused;
+  EXPECT_EQ(complaint(robot(
+                0.03, "<inertial pos=\"0 0 -0.1\" mass=\"0.1\" diaginertia=\"1e-4 1e-4 1e-5\"/>")),
+            "");
+  const RobotModel taken = parse_robot(robot(0.0, ""), "robot.xml");
+  Eigen::VectorXd s = taken.space.initial();
+  s[0] *= 1.2;
+  EXPECT_NO_THROW(
+      rewrite_robot(taken, s));  // which compares the written robot with the planned one
 }
 
 }  // namespace

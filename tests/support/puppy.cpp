@@ -158,7 +158,7 @@ void add_capsules(Puppy& puppy, double low, double radius) {
     robot.capsules.push_back({shank, part++, {}, foot.position, 0.006});
   }
   for (int trunk = 0; trunk < 2; ++trunk)
-    for (int limb = 2; limb < part; ++limb) robot.capsule_pairs.emplace_back(trunk, limb);
+    for (int limb = 2; limb < part; ++limb) robot.capsule_pairs.push_back({trunk, limb});
 }
 
 void add_thick_capsules(Puppy& puppy) { add_capsules(puppy, -0.05, 0.08); }

@@ -57,7 +57,7 @@ TEST(TermMeaningOfTrunk, WhatTouchesAtHomeIsLeftAlone) {
     test::add_capsules(puppy, 0.035, radius);
     auto& pairs = puppy.morphology.capsule_pairs;  // of the thighs alone
     pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
-                               [](const auto& pair) { return pair.second % 2 == 1; }),
+                               [](const auto& pair) { return pair.limb % 2 == 1; }),
                 pairs.end());
     EXPECT_LT(closeness_of_trunk(puppy, 0.0), 1e-20);
     if (radius < 0.05)
@@ -65,6 +65,20 @@ TEST(TermMeaningOfTrunk, WhatTouchesAtHomeIsLeftAlone) {
     else
       EXPECT_EQ(closeness_of_trunk(puppy, 0.8), 0.0);
   }
+}
+
+/// Capsules that hide some of their shapes: no distance is known better than that, so what is so near at home costs.
+TEST(TermMeaningOfTrunk, WhatCapsulesHideIsAddedAndWantsRoom) {
+  const auto closeness = [](double hidden, double bend) {
+    test::Puppy puppy = test::make_puppy(true);
+    test::add_capsules(puppy, 0.045);
+    for (CapsulePair& pair : puppy.morphology.capsule_pairs) pair.hidden = hidden;
+    return closeness_of_trunk(puppy, bend);
+  };
+  EXPECT_LT(closeness(0.0, 0.0), 1e-20);
+  EXPECT_GT(closeness(0.0002, 0.0), closeness(0.0, 0.0) + 1e-3);
+  EXPECT_GT(closeness(0.0002, 0.2), closeness(0.0, 0.2));
+  EXPECT_EQ(closeness(0.5, 0.8), 0.0);  // shapes that touch at home
 }
 
 }  // namespace
