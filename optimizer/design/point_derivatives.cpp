@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: Apache-2.0
+// How points, directions and sums over masses move with [q; s]; the poses they belong to are in kinematics.cpp.
+#include <Eigen/Geometry>
+
+#include "optimizer/design/kinematics.hpp"
+
+namespace legwright {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+void PointDerivatives::clear(const Vector3d& at) {
+  value = at;
+  effects.clear();
+  seconds.clear();
+  growths.clear();
+  growth_seconds.clear();
+}
+
+void PointDerivatives::add_jacobian(Eigen::MatrixXd& jacobian) const {
+  for (const Effect& effect : effects)
+    for (int k = 0; k < 3; ++k) jacobian(effect.column, k) += effect.rate[k];
+  for (const Growth& growth : growths)
+    for (int k = 0; k < 3; ++k) jacobian(growth.column, k) -= growth.slope * value[k];
+}
+
+void PointDerivatives::add_quotient_curvature(const Vector3d& multiplier,
+                                              Eigen::MatrixXd& hessian) const {
+  // y = N/M: y_kl = (N_kl − y_k M_l − y_l M_k − y M_kl)/M.
+  Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(hessian.rows(), 3);
+  add_jacobian(jacobian);
+  const Eigen::VectorXd pulled = jacobian * multiplier;
+  for (const Growth& growth : growths)
+    for (int c = 0; c < pulled.size(); ++c)
+      if (pulled[c] != 0.0) add_pair(hessian, c, growth.column, -growth.slope * pulled[c]);
+  const double along = multiplier.dot(value);
+  for (const GrowthSecond& second : growth_seconds) {
+    if (second.same)
+      hessian(second.a, second.a) -= along * second.second;
+    else
+      add_pair(hessian, second.a, second.b, -along * second.second);
+  }
+}
+
+void PointDerivatives::add_curvature(const Ancestry& ancestry, const Vector3d& multiplier,
+                                     Eigen::MatrixXd& hessian) const {
+  for (std::size_t k = 0; k < effects.size(); ++k) {
+    const Effect& lower = effects[k];
+    const Vector3d lever = lower.rate.cross(multiplier);  // μ·(turn × rate) = turn·(rate × μ)
+    const bool* above = ancestry.above(lower.link);
+    for (std::size_t l = 0; l < k; ++l) {  // upper movers come first
+      const Effect& upper = effects[l];
+      if (upper.rotates && above[upper.link] && (lower.inner || upper.link != lower.link))
+        add_pair(hessian, upper.column, lower.column, lever.dot(upper.turn));
+      if (lower.growth != 0.0 && above[upper.link] && !upper.inner)
+        add_pair(hessian, upper.column, lower.column, lower.growth * multiplier.dot(upper.shift));
+    }
+  }
+  if (!growths.empty()) add_quotient_curvature(multiplier, hessian);
+  for (const Second& second : seconds) {
+    const double curvature = multiplier.dot(second.rate);
+    if (second.same)
+      hessian(second.a, second.a) += curvature;
+    else
+      add_pair(hessian, second.a, second.b, curvature);
+  }
+}
+
+namespace {
+
+/// What the movers of `pose` for which `moves(link)` do to the world point `out.value`.
+template <class Moves>
+void add_rigid_effects(const PoseKinematics& pose, const Columns& columns, Moves moves,
+                       PointDerivatives& out) {
+  const Vector3d p = out.value;
+  for (const Mover& mover : pose.movers()) {
+    if (mover.kind == Mover::Kind::inner || !moves(mover)) continue;
+    out.effects.push_back({columns[mover.coordinate], mover.link,
+                           mover.kind == Mover::Kind::rotation, false, mover.turn,
+                           mover.turn.cross(p) + mover.shift});
+  }
+  for (const SameLinkSecond& second : pose.same_link_seconds()) {
+    const Mover &a = pose.movers()[second.a], &b = pose.movers()[second.b];
+    if (!moves(a)) continue;
+    out.seconds.push_back({columns[a.coordinate], columns[b.coordinate],
+                           second.second * (p - pose.origin(a.link)), second.a == second.b});
+  }
+}
+
+/// What moves the world point `out.value`, which sits at `own` in the frame of a link.
+void add_point_effects(const Morphology& morphology, const Ancestry& ancestry,
+                       const PoseKinematics& pose, int link, const AffineVector& own,
+                       const Columns& columns, PointDerivatives& out) {
+  add_rigid_effects(
+      pose, columns, [&](const Mover& m) { return ancestry.contains(m.link, link); }, out);
+  if (!pose.with_design()) return;
+  for (const AffineVector::Slope& slope : own.slopes)
+    out.effects.push_back({columns[morphology.pose_size() + slope.parameter], link, false, true,
+                           Vector3d::Zero(), pose.rotation(link) * slope.slope});
+}
+
+}  // namespace
+
+Vector3d foot_place(const Morphology& morphology, const GeometryAtDesign& geometry,
+                    const PoseKinematics& pose, int foot) {
+  const int link = morphology.feet[foot].link;
+  return pose.origin(link) + pose.rotation(link) * geometry.feet[foot];
+}
+
+void foot_from_pose(const Morphology& morphology, const GeometryAtDesign& geometry,
+                    const Ancestry& ancestry, const PoseKinematics& pose, int foot,
+                    const Columns& columns, PointDerivatives& out) {
+  const Foot& data = morphology.feet[foot];
+  out.clear(foot_place(morphology, geometry, pose, foot));
+  add_point_effects(morphology, ancestry, pose, data.link, data.position, columns, out);
+}
+
+void direction_from_pose(const Ancestry& ancestry, const PoseKinematics& pose, int link,
+                         const Vector3d& own, const Columns& columns, PointDerivatives& out) {
+  out.clear(pose.rotation(link) * own);
+  const auto turns = [&](const Mover& m) {
+    return m.kind == Mover::Kind::rotation && ancestry.contains(m.link, link);
+  };
+  for (const Mover& mover : pose.movers())
+    if (turns(mover))
+      out.effects.push_back({columns[mover.coordinate], mover.link, true, false, mover.turn,
+                             mover.turn.cross(out.value)});
+  for (const SameLinkSecond& second : pose.same_link_seconds()) {
+    const Mover &a = pose.movers()[second.a], &b = pose.movers()[second.b];
+    if (turns(a))
+      out.seconds.push_back({columns[a.coordinate], columns[b.coordinate],
+                             second.second * out.value, second.a == second.b});
+  }
+}
+
+Vector3d capsule_end_place(const Morphology& morphology, const GeometryAtDesign& geometry,
+                           const PoseKinematics& pose, int end) {
+  const int link = morphology.capsules[end / 2].link;
+  return pose.origin(link) + pose.rotation(link) * geometry.capsule_ends[end];
+}
+
+void capsule_end_from_pose(const Morphology& morphology, const GeometryAtDesign& geometry,
+                           const Ancestry& ancestry, const PoseKinematics& pose, int end,
+                           const Columns& columns, PointDerivatives& out) {
+  const Capsule& data = morphology.capsules[end / 2];
+  out.clear(capsule_end_place(morphology, geometry, pose, end));
+  add_point_effects(morphology, ancestry, pose, data.link, end % 2 == 0 ? data.from : data.to,
+                    columns, out);
+}
+
+void anchor_from_pose(const Ancestry& ancestry, const PoseKinematics& pose, int link,
+                      const Columns& columns, PointDerivatives& out) {
+  out.clear(pose.origin(link));
+  add_rigid_effects(
+      pose, columns,
+      [&](const Mover& m) {
+        return ancestry.strictly_above(m.link, link) ||
+               (m.link == link && m.kind == Mover::Kind::translation);
+      },
+      out);
+}
+
+void axis_from_pose(const Morphology& morphology, const GeometryAtDesign& geometry,
+                    const Ancestry& ancestry, const PoseKinematics& pose, int link,
+                    const Columns& columns, PointDerivatives& out) {
+  const AxisAtDesign& axis = geometry.links[link].axis;
+  const Matrix3d& before = pose.before(link);
+  out.clear(before * axis.axis);
+  const auto turns = [&](const Mover& m) {
+    return m.kind == Mover::Kind::rotation && ancestry.strictly_above(m.link, link);
+  };
+  for (const Mover& mover : pose.movers())
+    if (turns(mover))
+      out.effects.push_back({columns[mover.coordinate], mover.link, true, false, mover.turn,
+                             mover.turn.cross(out.value)});
+  for (const SameLinkSecond& second : pose.same_link_seconds()) {
+    const Mover &a = pose.movers()[second.a], &b = pose.movers()[second.b];
+    if (turns(a))
+      out.seconds.push_back({columns[a.coordinate], columns[b.coordinate],
+                             second.second * out.value, second.a == second.b});
+  }
+  if (!pose.with_design()) return;
+  for (std::size_t k = 0; k < axis.parameters.size(); ++k) {
+    const int column = columns[morphology.pose_size() + axis.parameters[k]];
+    out.effects.push_back({column, link, false, false, Vector3d::Zero(), before * axis.first[k]});
+    for (std::size_t l = k; l < axis.parameters.size(); ++l)
+      out.seconds.push_back({column, columns[morphology.pose_size() + axis.parameters[l]],
+                             before * axis.second[k][l], k == l});
+  }
+}
+
+void first_moment_from_pose(const GeometryAtDesign& geometry, const Ancestry& ancestry,
+                            const PoseKinematics& pose, int link, double scale,
+                            const Columns& columns, PointDerivatives& out) {
+  out.clear(scale * pose.first_moment(link));
+  for (const Mover& mover : pose.movers()) {
+    if (mover.kind == Mover::Kind::inner) {
+      if (!ancestry.contains(link, mover.link)) continue;
+      const auto in_world = [&](const Eigen::Vector4d& v) -> Vector3d {
+        return scale * (pose.rotation(mover.link) * v.head<3>() + v[3] * pose.origin(mover.link));
+      };
+      const LinkAtDesign& at = geometry.links[mover.link];
+      const InnerMotion& motion = at.inner[mover.inner_index];
+      out.effects.push_back({columns[mover.coordinate], mover.link, false, true, Vector3d::Zero(),
+                             in_world(motion.first), Vector3d::Zero(), scale * motion.first[3]});
+      for (int l = mover.inner_index; at.grows && l < static_cast<int>(at.inner.size()); ++l) {
+        const Mover& other =
+            (&mover)[l - mover.inner_index];  // inner movers of a link are in a row
+        out.seconds.push_back({columns[mover.coordinate], columns[other.coordinate],
+                               in_world(motion.second_first(at.inner[l], mover.inner_index, l)),
+                               &other == &mover});
+      }
+    } else if (ancestry.related(link, mover.link)) {
+      const int lower = std::max(link, mover.link);  // children come after their parents
+      out.effects.push_back({columns[mover.coordinate], mover.link,
+                             mover.kind == Mover::Kind::rotation, false, mover.turn,
+                             scale * (mover.turn.cross(pose.first_moment(lower)) +
+                                      geometry.mass_below[lower] * mover.shift),
+                             mover.shift});
+    }
+  }
+  for (const SameLinkSecond& second : pose.same_link_seconds()) {
+    const Mover &a = pose.movers()[second.a], &b = pose.movers()[second.b];
+    if (!ancestry.related(link, a.link)) continue;
+    const int lower = std::max(link, a.link);
+    const Vector3d arm =
+        pose.first_moment(lower) - geometry.mass_below[lower] * pose.origin(a.link);
+    out.seconds.push_back({columns[a.coordinate], columns[b.coordinate],
+                           scale * (second.second * arm), second.a == second.b});
+  }
+}
+
+void com_from_pose(const GeometryAtDesign& geometry, const Ancestry& ancestry,
+                   const PoseKinematics& pose, const Columns& columns, PointDerivatives& out) {
+  const double scale = 1.0 / geometry.total_mass;
+  first_moment_from_pose(geometry, ancestry, pose, 0, scale, columns, out);
+  mass_from_pose(geometry, ancestry, pose, 0, scale, columns, out.growths, out.growth_seconds);
+}
+
+void mass_from_pose(const GeometryAtDesign& geometry, const Ancestry& ancestry,
+                    const PoseKinematics& pose, int link, double scale, const Columns& columns,
+                    std::vector<PointDerivatives::Growth>& slopes,
+                    std::vector<PointDerivatives::GrowthSecond>& seconds) {
+  slopes.clear();
+  seconds.clear();
+  if (!geometry.grows || !pose.with_design()) return;
+  for (const Mover& mover : pose.movers()) {
+    if (mover.kind != Mover::Kind::inner || !geometry.links[mover.link].grows ||
+        !ancestry.contains(link, mover.link))
+      continue;
+    const LinkAtDesign& at = geometry.links[mover.link];
+    const InnerMotion& motion = at.inner[mover.inner_index];
+    slopes.push_back({columns[mover.coordinate], scale * motion.first[3]});
+    for (int l = mover.inner_index; l < static_cast<int>(at.inner.size()); ++l) {
+      const Mover& other = (&mover)[l - mover.inner_index];
+      seconds.push_back({columns[mover.coordinate], columns[other.coordinate],
+                         scale * motion.second_first(at.inner[l], mover.inner_index, l)[3],
+                         &other == &mover});
+    }
+  }
+}
+
+}  // namespace legwright
