@@ -125,6 +125,7 @@ std::vector<Cover> cover_of_mesh(const mjModel& model, int geom, const Vector3d&
                                              shares[1].cwiseProduct(half) + middle - capsule.to},
                      capsule.radius);
   }
+  if (out.empty()) return row_of(half, false, most);  // no hull
   return out;
 }
 
