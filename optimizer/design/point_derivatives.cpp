@@ -87,6 +87,23 @@ void add_rigid_effects(const PoseKinematics& pose, const Columns& columns, Moves
   }
 }
 
+/// What the rotations of `pose` for which `moves(mover)` do to the direction `out.value`.
+template <class Moves>
+void add_turns(const PoseKinematics& pose, const Columns& columns, Moves moves,
+               PointDerivatives& out) {
+  const auto turns = [&](const Mover& m) { return m.kind == Mover::Kind::rotation && moves(m); };
+  for (const Mover& mover : pose.movers())
+    if (turns(mover))
+      out.effects.push_back({columns[mover.coordinate], mover.link, true, false, mover.turn,
+                             mover.turn.cross(out.value)});
+  for (const SameLinkSecond& second : pose.same_link_seconds()) {
+    const Mover &a = pose.movers()[second.a], &b = pose.movers()[second.b];
+    if (turns(a))
+      out.seconds.push_back({columns[a.coordinate], columns[b.coordinate],
+                             second.second * out.value, second.a == second.b});
+  }
+}
+
 /// What moves the world point `out.value`, which sits at `own` in the frame of a link.
 void add_point_effects(const Morphology& morphology, const Ancestry& ancestry,
                        const PoseKinematics& pose, int link, const AffineVector& own,
@@ -118,19 +135,8 @@ void foot_from_pose(const Morphology& morphology, const GeometryAtDesign& geomet
 void direction_from_pose(const Ancestry& ancestry, const PoseKinematics& pose, int link,
                          const Vector3d& own, const Columns& columns, PointDerivatives& out) {
   out.clear(pose.rotation(link) * own);
-  const auto turns = [&](const Mover& m) {
-    return m.kind == Mover::Kind::rotation && ancestry.contains(m.link, link);
-  };
-  for (const Mover& mover : pose.movers())
-    if (turns(mover))
-      out.effects.push_back({columns[mover.coordinate], mover.link, true, false, mover.turn,
-                             mover.turn.cross(out.value)});
-  for (const SameLinkSecond& second : pose.same_link_seconds()) {
-    const Mover &a = pose.movers()[second.a], &b = pose.movers()[second.b];
-    if (turns(a))
-      out.seconds.push_back({columns[a.coordinate], columns[b.coordinate],
-                             second.second * out.value, second.a == second.b});
-  }
+  add_turns(
+      pose, columns, [&](const Mover& m) { return ancestry.contains(m.link, link); }, out);
 }
 
 Vector3d capsule_end_place(const Morphology& morphology, const GeometryAtDesign& geometry,
@@ -166,19 +172,8 @@ void axis_from_pose(const Morphology& morphology, const GeometryAtDesign& geomet
   const AxisAtDesign& axis = geometry.links[link].axis;
   const Matrix3d& before = pose.before(link);
   out.clear(before * axis.axis);
-  const auto turns = [&](const Mover& m) {
-    return m.kind == Mover::Kind::rotation && ancestry.strictly_above(m.link, link);
-  };
-  for (const Mover& mover : pose.movers())
-    if (turns(mover))
-      out.effects.push_back({columns[mover.coordinate], mover.link, true, false, mover.turn,
-                             mover.turn.cross(out.value)});
-  for (const SameLinkSecond& second : pose.same_link_seconds()) {
-    const Mover &a = pose.movers()[second.a], &b = pose.movers()[second.b];
-    if (turns(a))
-      out.seconds.push_back({columns[a.coordinate], columns[b.coordinate],
-                             second.second * out.value, second.a == second.b});
-  }
+  add_turns(
+      pose, columns, [&](const Mover& m) { return ancestry.strictly_above(m.link, link); }, out);
   if (!pose.with_design()) return;
   for (std::size_t k = 0; k < axis.parameters.size(); ++k) {
     const int column = columns[morphology.pose_size() + axis.parameters[k]];

@@ -84,7 +84,7 @@ TEST_P(OwnRobot, WalksByItsFirstTask) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, OwnRobot,
-                         testing::Values("servo_dog", "strider", "ox", "octopod"));
+                         testing::Values("servo_dog", "strider", "ox", "octopod", "porter"));
 
 class OctopodGait : public testing::TestWithParam<const char*> {};
 
