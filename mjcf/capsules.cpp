@@ -19,7 +19,8 @@ using Eigen::Vector3d;
 // Capsules side by side touch each other, up to so many: between those of a wide, thin plate a limb, which has a
 // thickness itself, does not get through either.
 constexpr int kMostOfTrunk = 5, kMostOfLimb = 2;
-constexpr int kMostOfTrunkMesh = 8, kMostOfLimbMesh = 4;  // a hull has corners and rims
+// A hull has corners and rims.
+constexpr int kMostOfTrunkMesh = 8, kMostOfLimbMesh = 4, kMostOfRoughMesh = 2;
 constexpr double kLeastRoom =
     0.05;  // beside a ball that fills a mesh, along an axis, share of its half size
 constexpr double kEdgeRadius = 0.2;  // of the thickness
@@ -111,7 +112,9 @@ std::vector<Cover> cover_of(int type, const Vector3d& half, double sharp, CoverD
 /// Within the hull; the surface of a ball at an end stretches as far as the end is off the middle.
 std::vector<Cover> cover_of_mesh(const mjModel& model, int geom, const Vector3d& half,
                                  double enough, CoverDetail detail) {
-  const int most = detail == CoverDetail::edges ? kMostOfTrunkMesh : kMostOfLimbMesh;
+  const int most = detail == CoverDetail::edges    ? kMostOfTrunkMesh
+                   : detail == CoverDetail::coarse ? kMostOfLimbMesh
+                                                   : kMostOfRoughMesh;
   const Vector3d middle = Vector3d::Map(model.geom_aabb + 6 * geom);
   std::vector<Cover> out;
   for (const HullCapsule& capsule : cover_hull(model, model.geom_dataid[geom], most, enough)) {
@@ -125,6 +128,7 @@ std::vector<Cover> cover_of_mesh(const mjModel& model, int geom, const Vector3d&
                                              shares[1].cwiseProduct(half) + middle - capsule.to},
                      capsule.radius);
   }
+  if (out.empty()) return row_of(half, false, most);  // no hull
   return out;
 }
 

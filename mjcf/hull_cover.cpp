@@ -151,11 +151,17 @@ class Survey {
   std::vector<Ball> balls_;
 };
 
-double beside(const HullCapsule& capsule, const Vector3d& p) {
-  const Vector3d u = capsule.to - capsule.from, w = p - capsule.from;
-  const double square = u.squaredNorm();
-  const double t = square > 0.0 ? std::clamp(w.dot(u) / square, 0.0, 1.0) : 0.0;
-  return std::max(0.0, (w - t * u).norm() - capsule.radius);
+/// How far points, a row each, are off a capsule; zero inside. Many are asked for: in single precision, all at once.
+Eigen::ArrayXf beside(const HullCapsule& capsule, const Eigen::ArrayX3f& points) {
+  const Eigen::Array3f from = capsule.from.cast<float>().array(),
+                       along = (capsule.to - capsule.from).cast<float>().array();
+  const float square = along.matrix().squaredNorm();
+  const Eigen::ArrayX3f offset = points.rowwise() - from.transpose();
+  Eigen::ArrayXf share = Eigen::ArrayXf::Zero(points.rows());
+  if (square > 0.0f)
+    share = ((offset.matrix() * along.matrix()).array() / square).max(0.0f).min(1.0f);
+  const auto off = [&](int k) { return (offset.col(k) - along[k] * share).square(); };
+  return ((off(0) + off(1) + off(2)).sqrt() - static_cast<float>(capsule.radius)).max(0.0f);
 }
 
 }  // namespace
@@ -171,22 +177,23 @@ std::vector<HullCapsule> cover_hull(const mjModel& model, int mesh, int most, do
       if (radius > kNoRoom && radius >= kUnlike * std::max(from.radius, to.radius))
         choice.push_back({from.middle, to.middle, radius});
     }
-  const auto points = static_cast<Eigen::Index>(survey.surface().size());
-  Eigen::MatrixXd gaps(points, static_cast<Eigen::Index>(choice.size()));
+  Eigen::ArrayX3f points(static_cast<Eigen::Index>(survey.surface().size()), 3);
+  for (Eigen::Index p = 0; p < points.rows(); ++p)
+    points.row(p) = survey.surface()[static_cast<std::size_t>(p)].cast<float>().array().transpose();
+  Eigen::ArrayXXf gaps(points.rows(), static_cast<Eigen::Index>(choice.size()));
   for (Eigen::Index k = 0; k < gaps.cols(); ++k)
-    for (Eigen::Index p = 0; p < points; ++p)
-      gaps(p, k) = beside(choice[static_cast<std::size_t>(k)],
-                          survey.surface()[static_cast<std::size_t>(p)]);
-  VectorXd left = VectorXd::Constant(points, std::numeric_limits<double>::max());
-  while (static_cast<int>(out.size()) < most && gaps.cols() > 0 && left.maxCoeff() > enough) {
+    gaps.col(k) = beside(choice[static_cast<std::size_t>(k)], points);
+  Eigen::ArrayXf left = Eigen::ArrayXf::Constant(points.rows(), 1e9f);
+  while (static_cast<int>(out.size()) < most && gaps.cols() > 0 &&
+         left.maxCoeff() > static_cast<float>(enough)) {
     Eigen::Index best = 0;
-    double least = std::numeric_limits<double>::infinity();
+    float least = std::numeric_limits<float>::infinity();
     for (Eigen::Index k = 0; k < gaps.cols(); ++k)
-      if (const double sum = gaps.col(k).cwiseMin(left).squaredNorm(); sum < least) {
+      if (const float sum = gaps.col(k).min(left).square().sum(); sum < least) {
         least = sum;
         best = k;
       }
-    left = left.cwiseMin(gaps.col(best));
+    left = left.min(gaps.col(best)).eval();
     out.push_back(choice[static_cast<std::size_t>(best)]);
   }
   return out;

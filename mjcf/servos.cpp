@@ -191,6 +191,8 @@ std::vector<Servo> read_servos(const XmlFile& xml, const mjModel& model, const S
                                 kFullTorqueError * home_arm(model, morphology, s, actuator)));
     if (model.actuator_trntype[actuator] == mjTRN_TENDON)
       servos.back().tendon = name_of(model, mjOBJ_TENDON, model.actuator_trnid[2 * actuator]);
+    const int id = mj_name2id(&model, mjOBJ_JOINT, joint.c_str());
+    servos.back().joint_damping = model.dof_damping[model.jnt_dofadr[id]];
   }
   check_each_tendon_drives(xml, morphology, servos);
   return servos;

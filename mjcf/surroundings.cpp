@@ -88,7 +88,8 @@ RobotModel with_task_servos(RobotModel robot, const Task& task) {
     const double kp = std::min(*task.servo_kp, servo.torque_limit / kFullTorqueError);
     if (servo.kp >= kp) continue;
     servo.kp = kp;
-    servo.kd = std::max(servo.kd, task.servo_kd.value_or(kDampingTime * kp));
+    // A joint that is slow by itself shall not be braked once more: what disturbs it would last.
+    servo.kd = std::max(servo.kd, task.servo_kd.value_or(kDampingTime * kp - servo.joint_damping));
   }
   return robot;
 }

@@ -18,7 +18,9 @@ using Eigen::Vector3d;
 
 // A box's edges are covered where rounded ones would leave out more than half of that, share of the leg.
 constexpr double kSharpEdge = 0.03;
-constexpr double kNear = 0.25;      // shapes no farther apart are measured, share of the leg
+constexpr std::size_t kMany =
+    600;  // pairs of shapes; fewer have all 32 pairs of capsules that two meshes may
+constexpr double kFarthest = 10.0;  // to which distances are looked for, share of the leg
 constexpr double kRounding = 1e-6;  // of a distance of capsules [m]
 
 class Builder {
@@ -37,14 +39,17 @@ class Builder {
 
   TrunkCapsules run() {
     data_ = kinematics_at(model_, home_qpos(model_), xml_.file);
-    for (const auto& [trunk, limb] : trunk_collisions(model_, structure_)) {
-      cover(trunk, CoverDetail::edges);
-      cover(limb, CoverDetail::coarse);
+    const auto pairs = trunk_collisions(model_, structure_);
+    const bool many = pairs.size() > kMany;
+    for (const auto& [trunk, limb] : pairs) {
+      cover(trunk, many ? CoverDetail::coarse : CoverDetail::edges);
+      cover(limb, many ? CoverDetail::rough : CoverDetail::coarse);
+      if (out_.of_geom.at(trunk).empty() || out_.of_geom.at(limb).empty()) continue;
       double hidden = 0.0;
       if (is_mesh(trunk) || is_mesh(limb)) {
-        const double limit = kNear * length_, apart = distance(trunk, limb, limit);
+        const double apart = distance(trunk, limb);
         if (apart <= 0.0) continue;
-        if (apart < limit) hidden = std::max(0.0, gap(trunk, limb) - apart);
+        hidden = std::max(0.0, gap(trunk, limb) - apart);
       }
       out_.pairs.push_back({trunk, limb, hidden});
     }
@@ -62,8 +67,9 @@ class Builder {
                       kSharpEdge * length_, detail);
   }
 
-  /// Between the shapes as the engine collides them; `limit` where that is less.
-  double distance(int trunk, int limb, double limit) const {
+  /// Between the shapes as the engine collides them.
+  double distance(int trunk, int limb) const {
+    const double limit = kFarthest * length_;
     double found = limit;
     call_engine(xml_.file, [&] {
       found = mj_geomDistance(&model_, data_.get(), trunk, limb, limit, nullptr);

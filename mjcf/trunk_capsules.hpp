@@ -30,7 +30,7 @@ struct TrunkCapsules {
 
 /// Covers the geoms of the pairs that can collide (`trunk_collisions`, `capsules_of`). Capsules within hulls leave out
 /// what is beside them: pairs with a mesh are measured against the hulls as MuJoCo finds them in the home pose of the
-/// file, where they are near each other; pairs whose hulls touch there are left out, as no plan parts them.
+/// file; pairs whose hulls touch there are left out, as no plan parts them.
 /// @param stretches_of by body id. @param initial the design of the file. @param length of a leg [m].
 TrunkCapsules trunk_capsules(const XmlFile& xml, const TreeElements& elements, const mjModel& model,
                              const Structure& structure,

@@ -172,6 +172,19 @@ TEST(TrunkCapsules, OfMeshesAreAsFarApartAtHomeAsMujocoFindsTheHulls) {
   }
 }
 
+TEST(TrunkCapsules, OfVeryManyMeshesAreFewer) {
+  const auto each = [](int count) {
+    std::string parts, xml = beside(0.03);
+    for (int k = 0; k < count; ++k)
+      parts += "<geom type=\"mesh\" mesh=\"hull\" pos=\"0 0 0.2\" mass=\"0\"/>";
+    xml.insert(xml.find("<body name=\"L_hip\""), parts);
+    return static_cast<double>(parse_robot(xml, "robot.xml").morphology.capsule_pairs.size()) /
+           (count + 1);
+  };
+  EXPECT_EQ(each(1), each(100));  // 404 pairs of shapes
+  EXPECT_LT(each(200), 0.5 * each(100));
+}
+
 TEST(TrunkCapsules, HullsThatTouchAtHomeAreLeftOut) {
   const auto pairs = [](double gap) {
     return parse_robot(beside(gap), "robot.xml").morphology.capsule_pairs.size();

@@ -167,8 +167,8 @@ std::vector<std::string> task_warnings(const Task& task, const RobotModel& robot
   const StrideBound bound = stride_bound(task, robot);
   if (bound.per_stance > 0.4 * bound.longest)
     warnings.push_back(fmt::format(
-        "long strides: {:.3g} m per stance, the longest possible is {:.3g} m; a shorter "
-        "period is easier",
+        "long strides: {:.3g} m while a foot stands, with legs that the bounds let reach over "
+        "{:.3g} m at most; a shorter period is easier",
         bound.per_stance, bound.longest));
   if (task.velocity.norm() == 0.0 && task.turn_rate == 0.0)
     warnings.push_back("the wanted velocity is zero: the robot will step on the spot");
