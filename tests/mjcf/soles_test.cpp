@@ -167,18 +167,51 @@ std::vector<Vector3d> balls_of(const mjModel& model, const char* foot) {
   return balls;
 }
 
-TEST(Soles, LieInDesignsAsInTheFile) {
+/// Feet of other measures on shanks of other lengths, below ankles whose axes are turned.
+test::FlatBiped designed(const std::string& foot) {
   test::FlatBiped how;
-  how.foot = test::foot_geoms("four_balls");
+  how.foot = foot;
   how.custom =
+      R"(<numeric name="legwright/shank" data="0.25 0.2 0.3"/>
+      <text name="legwright/shank" data="m | stretch link: left_shank right_shank | l"/>
+      <numeric name="legwright/turn" data="0 -0.25 0.25"/>
+      <text name="legwright/turn" data="rad | axis z: left_ankle_pitch ~right_ankle_pitch | a"/>)";
+  return how;
+}
+
+/// Of both feet in the home pose [rad].
+double most_tilted(const std::string& xml) {
+  const ModelPointer model = compile_mjcf(xml, "r.xml");
+  const DataPointer data = kinematics_at(*model, model->key_qpos, "r.xml");
+  double most = 0.0;
+  for (const char* foot : {"left_foot", "right_foot"}) {
+    const mjtNum* axes = data->xmat + 9 * mj_name2id(model.get(), mjOBJ_BODY, foot);
+    most = std::max(most, std::hypot(axes[2], axes[5]));
+  }
+  return most;
+}
+
+TEST(Soles, StandLevelAtHomeInEveryDesign) {
+  const RobotModel flat = biped(designed(test::foot_geoms("box"))),
+                   point = biped(designed(R"(<geom size="0.01" pos="0.02 0 -0.04"/>)"));
+  EXPECT_EQ(rewrite_robot(flat, flat.space.initial()), flat.xml);
+  std::mt19937 random(4);
+  double tilted = 0.0;
+  for (int k = 0; k < 6; ++k) {
+    const VectorXd s = test::random_design(flat.space, random);
+    EXPECT_LT(most_tilted(rewrite_robot(flat, s)), 1e-8) << s.transpose();
+    tilted = std::max(tilted, most_tilted(rewrite_robot(point, s)));
+  }
+  EXPECT_GT(tilted, 0.02) << "a ball does not mind";
+}
+
+TEST(Soles, LieInDesignsAsInTheFile) {
+  test::FlatBiped how = designed(test::foot_geoms("four_balls"));
+  how.custom +=
       R"(<numeric name="legwright/tall" data="0.04 0.03 0.09"/>
       <text name="legwright/tall" data="m | stretch z: left_foot right_foot | t"/>
       <numeric name="legwright/long" data="0.02 0.01 0.03"/>
-      <text name="legwright/long" data="m | stretch x: left_foot right_foot | l"/>
-      <numeric name="legwright/shank" data="0.25 0.2 0.3"/>
-      <text name="legwright/shank" data="m | stretch link: left_shank right_shank | l"/>
-      <numeric name="legwright/turn" data="0 -0.4 0.4"/>
-      <text name="legwright/turn" data="rad | axis z: left_ankle_pitch ~right_ankle_pitch | a"/>)";
+      <text name="legwright/long" data="m | stretch x: left_foot right_foot | l"/>)";
   const RobotModel robot = biped(how);
   std::mt19937 random(3);
   const ModelPointer before = compile_mjcf(robot.xml, "r.xml");
