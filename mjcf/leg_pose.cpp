@@ -204,6 +204,13 @@ class PosedRobot::LegSolver {
       MatrixXd level(3, count_);
       level << rows.row(2), rows.row(5), rows.row(8);
       VectorXd turn = -level.completeOrthogonalDecomposition().solve(miss);
+      bool held = false;
+      for (Eigen::Index k = 0; k < count_; ++k) {
+        if (is_free(k, turn[k])) continue;
+        held = true;
+        level.col(k).setZero();
+      }
+      if (held) turn = -level.completeOrthogonalDecomposition().solve(miss);
       turn *= std::min(1.0, kLargestTurn / std::max(turn.norm(), kLargestTurn));
       angles_ = (angles_ + turn).cwiseMax(lower_).cwiseMin(upper_);
       sight_ = put(angles_);

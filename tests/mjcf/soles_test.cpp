@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <utility>
 
 #include "mjcf/compile.hpp"
 #include "mjcf/proposals.hpp"
@@ -203,6 +204,40 @@ TEST(Soles, StandLevelAtHomeInEveryDesign) {
     tilted = std::max(tilted, most_tilted(rewrite_robot(point, s)));
   }
   EXPECT_GT(tilted, 0.02) << "a ball does not mind";
+}
+
+/// The biped of designed() with hinges that hardly turn from where they are at home.
+std::string held_biped(const std::vector<std::pair<std::string, double>>& hinges) {
+  std::string xml = test::flat_biped(designed(test::foot_geoms("box")));
+  for (const char* side : {"left", "right"})
+    for (const auto& [hinge, angle] : hinges) {
+      const std::string joint = std::string("<joint name=\"") + side + "_" + hinge + "\" ";
+      xml = test::with(xml, joint,
+                       joint + "range=\"" + std::to_string(angle - 0.001) + " " +
+                           std::to_string(angle + 0.001) + "\" ");
+    }
+  return xml;
+}
+
+double ankle_roll_at_home(const std::string& xml) {
+  const ModelPointer model = compile_mjcf(xml, "r.xml");
+  const int roll = mj_name2id(model.get(), mjOBJ_JOINT, "left_ankle_roll");
+  return std::abs(model->key_qpos[model->jnt_qposadr[roll]]);
+}
+
+TEST(Soles, AreLaidDownAtHomeByTheHipWhereAnklesHardlyRoll) {
+  const auto design = [](const std::string& xml) {
+    const RobotModel robot = parse_robot(xml, "r.xml");
+    return rewrite_robot(robot, Eigen::Vector2d(0.28, 0.25));
+  };
+  const std::string held = design(held_biped({{"ankle_roll", 0.0}}));
+  EXPECT_LT(most_tilted(held), 1e-8);
+  EXPECT_LT(ankle_roll_at_home(held), 0.001 + 1e-9);
+  EXPECT_GT(ankle_roll_at_home(design(held_biped({}))), 0.005) << "which would have turned";
+  // Where nothing is left to lay them down the robot stands all the same; rewrite_robot compares its height.
+  EXPECT_GT(most_tilted(design(
+                held_biped({{"ankle_roll", 0.0}, {"roll", 0.0}, {"yaw", 0.0}, {"pitch", -0.3}}))),
+            0.005);
 }
 
 TEST(Soles, LieInDesignsAsInTheFile) {
