@@ -175,11 +175,7 @@ TEST(StarterTask, TellsHowToDeclareAGaitThatTheLibraryLacks) {
 }
 
 TEST(StarterTask, QuotesTheRobotsName) {
-  StarterTask task;
-  task.gait = "trot";
-  task.period = 0.5;
-  task.speed = 0.3;
-  const std::string text = starter_text(task, "a \"b\\c.xml");
+  const std::string text = starter_text({"trot", 0.5, {}, 0.3, {}, {}, {}, {}}, "a \"b\\c.xml");
   EXPECT_NE(text.find(R"(robot = "a \"b\\c.xml")"), std::string::npos) << text;
   EXPECT_EQ(text.find("duty"), std::string::npos);
 }
