@@ -143,7 +143,8 @@ class Solver {
       const bool good = std::all_of(legs_.begin(), legs_.end(), [&](const LegJoints& leg) {
         const Vector2d place = before_.reach(old, leg).head<2>();
         return after_.solve(pose, leg,
-                            key.foot_height[leg.foot] + morphology_.feet[leg.foot].radius, place);
+                            {key.foot_height[leg.foot] + morphology_.feet[leg.foot].radius, place,
+                             before_.sole(old, leg.foot)});
       });
       if (good) return pose;
     }

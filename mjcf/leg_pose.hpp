@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "optimizer/design/inertia.hpp"
@@ -24,11 +25,19 @@ class PosedRobot {
   Eigen::Vector3d foot(const Eigen::VectorXd& pose, int foot) const;
   /// Centre of a foot as seen from the hinge where its leg hangs on the trunk, world axes [m].
   Eigen::Vector3d reach(const Eigen::VectorXd& pose, const LegJoints& leg) const;
-  /// Turns a leg's joints in `pose` until the foot's centre is at `height` [m] and, as far as that
-  /// goes, its reach is `reach` in x and y. Joints stay within their ranges, near where they start.
-  /// False where the height is out of reach; `pose` is then of no use.
-  bool solve(Eigen::VectorXd& pose, const LegJoints& leg, double height,
-             const Eigen::Vector2d& reach) const;
+  /// Where the sole of a flat foot points, world axes; nothing for other feet.
+  std::optional<Sole> sole(const Eigen::VectorXd& pose, int foot) const;
+
+  /// How a leg shall stand.
+  struct Stand {
+    double height = 0.0;       // of the foot's centre [m]
+    Eigen::Vector2d reach;     // in x and y [m]
+    std::optional<Sole> sole;  // of a flat foot
+  };
+  /// Turns a leg's joints in `pose` until the foot's centre is at its height, a flat foot's sole is as level as wanted and,
+  /// as far as that goes, its reach and the sole's heading are as wanted. Joints stay within their ranges, near where they
+  /// start. False where the height is out of reach; `pose` is then of no use. A sole that no angles lay down stays tilted.
+  bool solve(Eigen::VectorXd& pose, const LegJoints& leg, const Stand& stand) const;
 
  private:
   struct Sight;

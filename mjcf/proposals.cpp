@@ -158,20 +158,22 @@ class Study {
     const Limb& other = partner(limb);
     for (auto k = static_cast<std::size_t>(limb.shared); k < limb.links.size(); ++k) {
       const std::string body = link(limb.links[k]).name, twin = link(other.links[k]).name;
+      const std::string name = title(limb, static_cast<int>(k)) + "_length";
+      const bool last = k + 1 == limb.links.size();
+      if (last && out_.model.morphology.feet[static_cast<std::size_t>(limb.foot)].sole) {
+        leave_out(name,
+                  "the foot is flat, and stretched obliquely its sole would tilt; declare "
+                  "x, y or z by hand");
+        continue;
+      }
       const auto length = length_of(body, "link"), twin_length = length_of(twin, "link");
       if (!length || *length < kShortestLink) continue;
-      const std::string name = title(limb, static_cast<int>(k)) + "_length";
       if (!twin_length || std::abs(*twin_length - *length) > 1e-6) {
         leave_out(name, fmt::format("bodies '{}' and '{}' differ in length", body, twin));
         continue;
       }
-      const bool last = k + 1 == limb.links.size();
       if (last && foot_radius(limb) > kLargestBall * *length) {
         leave_out(name, "the foot is a round sole, not the end of a leg of that length");
-        continue;
-      }
-      if (last && out_.model.morphology.feet[static_cast<std::size_t>(limb.foot)].sole) {
-        leave_out(name, "the foot is flat, and its sole would tilt");
         continue;
       }
       const std::string from = link(limb.links[k]).joint.name,

@@ -59,7 +59,8 @@ Vector2d centre_of_pressure(const Task& task, const std::vector<Vector2d>& footp
 std::vector<Vector2d> pendulum_path(const Task& task, const std::vector<Vector2d>& footprint,
                                     double com_height) {
   const int T = task.gait.knot_count();
-  const double h = task.gait.time_step(), rate = h * h * kGravity / com_height;
+  const double h = task.gait.time_step();
+  const double rate = h * h * kGravity * task.up.z() / com_height;  // what presses on the ground
   // x_{i−1} − (2 + rate) x_i + x_{i+1} = −rate p_i, once round the cycle.
   Eigen::MatrixXd pendulum = Eigen::MatrixXd::Zero(T, T);
   Eigen::MatrixX2d pressure(T, 2);

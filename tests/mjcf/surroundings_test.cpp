@@ -141,13 +141,39 @@ TEST(Surroundings, SoftServosArePlayedAsStiffAsTheTaskSaysAndTheMotorBears) {
   EXPECT_NEAR(stiff.kd, std::max(own.kd, kDampingTime * stiff.kp), 1e-12);
   EXPECT_EQ(rotary(played(30.0, 2.0 * own.kp, 7.0)).kd, 7.0);
   EXPECT_EQ(rotary(played(30.0, 0.5 * own.kp, 7.0)).kp, own.kp) << "none gets softer";
-  EXPECT_EQ(rotary(played(30.0, 0.5 * own.kp, 7.0)).kd, own.kd);
+  EXPECT_EQ(rotary(played(30.0, 0.5 * own.kp, std::nullopt)).kd, own.kd);
+  EXPECT_EQ(rotary(played(30.0, 0.5 * own.kp, 7.0)).kd, 7.0) << "damping is asked for by itself";
   EXPECT_NEAR(rotary(played(0.0375 * 1.5 * own.kp, 1e4, std::nullopt)).kp, 1.5 * own.kp, 1e-9)
       << "full torque at 0.0375 rad";
   for (std::size_t a = 0; a < robot.servos.size(); ++a) {
     if (robot.servos[a].tendon.empty()) continue;
     EXPECT_EQ(played(30.0, 1e4, 7.0).servos[a].kp, robot.servos[a].kp) << "pistons stay";
   }
+}
+
+TEST(Surroundings, ServosAreDampedAtLeastAsTheTaskSays) {
+  const RobotModel robot = robot_named("piston_puppy");
+  const auto rotary = [&](const Task& task) {
+    const RobotModel played = with_task_servos(robot, task);
+    for (std::size_t a = 0; a < robot.servos.size(); ++a)
+      if (!robot.servos[a].tendon.empty()) {
+        EXPECT_EQ(played.servos[a].kd, robot.servos[a].kd) << "linear actuators stay";
+      }
+    return played.servos[0];
+  };
+  ASSERT_TRUE(robot.servos[0].tendon.empty());
+  const Servo own = robot.servos[0];
+  Task task;
+  task.servo_kp = 0.5 * own.kp;  // no stiffer than it is
+  EXPECT_EQ(rotary(task).kd, own.kd);
+  task.servo_kd = 3.0 * own.kd + 1.0;
+  EXPECT_EQ(rotary(task).kp, own.kp);
+  EXPECT_EQ(rotary(task).kd, 3.0 * own.kd + 1.0) << "also where its kp is kept";
+  task.servo_kd = 0.5 * own.kd;
+  EXPECT_EQ(rotary(task).kd, own.kd) << "never less than the file has";
+  task.servo_kp.reset();
+  task.servo_kd = own.kd + 2.0;
+  EXPECT_EQ(rotary(task).kd, own.kd + 2.0);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/puppy.hpp"
 
+#include <Eigen/Geometry>
 #include <string>
 
 namespace legwright::test {
@@ -162,6 +163,15 @@ void add_capsules(Puppy& puppy, double low, double radius) {
 }
 
 void add_thick_capsules(Puppy& puppy) { add_capsules(puppy, -0.05, 0.08); }
+
+void add_soles(Puppy& puppy) {
+  double turn = 0.2;
+  for (Foot& foot : puppy.morphology.feet) {
+    const Eigen::Quaterniond askew(Eigen::AngleAxisd(turn, Vector3d(1.0, -2.0, 0.5).normalized()));
+    foot.sole = Sole{askew * Vector3d::UnitX(), askew * Vector3d::UnitY()};
+    turn += 0.3;
+  }
+}
 
 void print_bodies(Puppy& puppy) {
   std::vector<Link>& links = puppy.morphology.links;

@@ -32,6 +32,9 @@ void add_capsules(Puppy& puppy, double low = 0.035, double radius = 0.02);
 /// The same, thick and above the hips: wide against the step of central differences.
 void add_thick_capsules(Puppy& puppy);
 
+/// Makes the feet flat: soles askew in their links, each in its own way.
+void add_soles(Puppy& puppy);
+
 /// Sideways at 0.1 m/s; walk (1 s, duty 0.75) or trot (0.4 s, duty 0.5).
 Task make_sideways_task(bool trot, int knot_count = 24, int planted_margin = 1);
 

@@ -7,7 +7,7 @@
 namespace legwright::test {
 
 /// Everything a TermContext refers to, for tests that build terms by hand: a turning trot of the tied puppy with
-/// limits of angles and torques and pistons, so that every term has elements.
+/// limits of angles and torques, pistons and soles, so that every term has elements.
 struct TermSetting {
   /// @param printed masses depend on the design; limbs may not touch the trunk.
   explicit TermSetting(bool printed = false) {
@@ -18,6 +18,7 @@ struct TermSetting {
       link.joint.armature = 2e-4;
     }
     add_pistons(puppy);
+    add_soles(puppy);
     if (printed) print_bodies(puppy);
     if (printed) add_thick_capsules(puppy);
     task.velocity = {0.05, 0.1};

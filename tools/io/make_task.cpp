@@ -203,9 +203,9 @@ std::vector<std::string> task_warnings(const Task& task, const RobotModel& robot
     warnings.push_back(feet.why_it_falls());
   else if (feet.soft())
     warnings.push_back(fmt::format(
-        "soft ankles: gravity tips the robot over its feet with {:.3g} N m/rad, and joint '{}' has "
-        "a servo of {:.4g}; [servos] kp = {} in the task file plays it stiffer",
-        feet.toppling, feet.ankle, feet.kp, feet.upright_kp()));
+        "soft ankles: gravity tips the robot over its feet with {:.3g} N m/rad, and the softest "
+        "servo of its ankles has {:.4g}; [servos] kp = {} in the task file plays it stiffer",
+        feet.toppling, feet.kp, feet.upright_kp()));
   else if (feet.rocks())
     warnings.push_back(fmt::format(
         "little damping: on flat feet a robot rocks over its ankles, the longer the more; [servos] "

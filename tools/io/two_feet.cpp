@@ -71,10 +71,10 @@ TwoFeet two_feet(const RobotModel& robot) {
     for (std::size_t k = from; k < chain.size(); ++k) {
       const Servo& servo = robot.servos[static_cast<std::size_t>(chain[k] - 1)];
       if (!servo.tendon.empty()) continue;  // an actuator's gain is along it
+      out.kp = std::min(out.kp, servo.kp);
       out.kd = std::min(out.kd, servo.kd);
-      if (servo.torque_limit >= out.limit) continue;
+      if (!out.ankle.empty() && servo.torque_limit >= out.limit) continue;
       out.ankle = servo.joint;
-      out.kp = servo.kp;
       out.limit = servo.torque_limit;
     }
   }

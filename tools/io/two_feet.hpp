@@ -15,10 +15,10 @@ struct TwoFeet {
   Kind kind = Kind::no;
   double height = 0.0;    // h, of the COM [m]
   double toppling = 0.0;  // M g h: torque with which gravity tips it over its ankles [N m/rad]
-  std::string ankle;      // hinge of those next to a flat foot that can hold least
-  double kp = 0.0;        // of its servo [N m/rad]
+  std::string ankle;      // hinge of those next to a foot with the weakest motor
+  double limit = 0.0;     // of that motor; infinite for servos without limits [N m]
+  double kp = 0.0;        // least of the ankles' [N m/rad]
   double kd = 0.0;        // least of the ankles' [N m s/rad]
-  double limit = 0.0;     // of its motor [N m]
 
   /// Gain with which ankles hold the robot at half of it, too, and damping in which it does not rock from step to step:
   /// two digits [N m/rad, N m s/rad].

@@ -33,6 +33,7 @@ TEST(Layout, EverySlotIsUsedOnce) {
       use(layout.foot(i, j), 3);
       use(layout.foot_from_pose(i, j), 3);
       use(layout.foot_turn(i, j), 3);
+      for (int which = 0; which < 2; ++which) use(layout.sole_direction(i, j, which), 3);
       EXPECT_EQ(layout.force(i, j) >= 0, task.gait.in_contact(i, j));
       if (layout.force(i, j) >= 0) use(layout.force(i, j), 3);
     }

@@ -26,6 +26,7 @@ struct Point {
 Objective make_objective(const std::string& only = "", bool printed = false) {
   test::Puppy puppy = test::make_puppy(true);
   test::add_pistons(puppy);
+  test::add_soles(puppy);
   if (printed) test::print_bodies(puppy);
   Morphology morphology = puppy.morphology;
   for (Link& link : morphology.links) {  // so that limits of angles and torques have elements
