@@ -94,6 +94,12 @@ RobotModel with_task_servos(RobotModel robot, const Task& task) {
   return robot;
 }
 
+RobotModel as_played(const RobotModel& robot, const Task& task) {
+  RobotModel played = with_task_servos(robot, task);
+  played.morphology = as_in_task(robot.morphology, task);
+  return played;
+}
+
 Eigen::Vector3d up_of(const mjModel& model) {
   const Eigen::Map<const Eigen::Vector3d> gravity(model.opt.gravity);
   const double size = gravity.norm();

@@ -19,6 +19,8 @@ std::string in_surroundings(const RobotModel& robot, const std::string& robot_xm
 
 /// The same robot with servos no stronger, and played no softer, than the task says; those of linear actuators stay.
 RobotModel with_task_servos(RobotModel robot, const Task& task);
+/// The same with the payload and the weaker motors of the task, too: the robot that stands and walks.
+RobotModel as_played(const RobotModel& robot, const Task& task);
 
 /// Against gravity in a model, unit vector; exactly z where gravity is along z.
 Eigen::Vector3d up_of(const mjModel& model);

@@ -40,9 +40,7 @@ ServoSag servo_sag(const RobotModel& robot) {
 }
 
 ServoSag servo_sag(const RobotModel& robot, const Task& task) {
-  RobotModel played = with_task_servos(robot, task);
-  played.morphology = as_in_task(robot.morphology, task);
-  return servo_sag(played);
+  return servo_sag(as_played(robot, task));
 }
 
 }  // namespace legwright

@@ -82,9 +82,7 @@ TwoFeet two_feet(const RobotModel& robot) {
 }
 
 TwoFeet two_feet(const RobotModel& robot, const Task& task) {
-  RobotModel played = with_task_servos(robot, task);
-  played.morphology = as_in_task(robot.morphology, task);
-  return two_feet(played);
+  return two_feet(as_played(robot, task));
 }
 
 }  // namespace legwright
