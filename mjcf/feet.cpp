@@ -228,6 +228,7 @@ int foot_body(const mjModel& model, const FootContact& foot) {
 AffineVector foot_point(const XmlFile& xml, const TreeElements& elements, const mjModel& model,
                         const FootContact& foot, const std::vector<Stretch>& stretches) {
   if (foot.geom < 0) return stretched_point(vector_at(model.site_pos, foot.site), stretches);
+  if (foot.middle) return stretched_point(*foot.middle, stretches);
   const int g = foot.geom;
   Vector3d centre = vector_at(model.geom_pos, g);
   if (!foot.others.empty()) {
@@ -259,7 +260,7 @@ AffineVector foot_point(const XmlFile& xml, const TreeElements& elements, const 
 
 AffineVector foot_shift(const XmlFile& xml, const TreeElements& elements, const mjModel& model,
                         const FootContact& foot, const std::vector<Stretch>& stretches) {
-  if (foot.geom < 0 || is_mesh(model, foot.geom)) return {};
+  if (foot.geom < 0 || foot.middle || is_mesh(model, foot.geom)) return {};
   const Vector3d arm = arms_of(xml, elements, model, foot, stretches).rigid;
   if (is_across(arm, stretches)) return {};
   AffineVector out = stretched_point(arm, stretches);

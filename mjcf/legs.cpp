@@ -234,22 +234,35 @@ class StructureReader {
     if (const std::string why = fault_of_name(foot.name); !why.empty())
       reasons_.add(foot.geom >= 0 ? error_at(xml_, model_, mjOBJ_GEOM, foot.geom, why)
                                   : error_at(xml_, model_, mjOBJ_BODY, end, why));
-    foot.normal = sole_normal(foot, end);
+    find_sole(end, foot);
     out_.feet.push_back(foot);
   }
 
-  /// Of a foot that its leg can lay flat on the ground, in its body's frame.
-  std::optional<Eigen::Vector3d> sole_normal(const FootContact& foot, int end) const {
-    if (foot.geom < 0) return std::nullopt;
+  /// Gives a foot that its leg can lay flat on the ground its normal, and a middle where it is made up of several geoms.
+  void find_sole(int end, FootContact& foot) const {
+    if (foot.geom < 0) return;
     const std::vector<Eigen::Vector3d> points = ground_points(model_, *data_, link_of(end));
     const std::optional<Eigen::Vector3d> normal = normal_of_sole(points);
-    if (!normal) return std::nullopt;
+    if (!normal) return;
     std::vector<int> joints;
     for (int b = end; b != out_.trunk; b = model_.body_parentid[b])
       for (const int joint : moving_joints(model_, out_, b)) joints.push_back(joint);
     const double height = data_->xpos[3 * out_.trunk + 2] - points.front().z();
-    if (!can_lay_down(*data_, joints, points.front(), height)) return std::nullopt;
-    return RowMatrix3d::Map(data_->xmat + 9 * foot_body(model_, foot)).transpose() * *normal;
+    if (!can_lay_down(*data_, joints, points.front(), height)) return;
+    const int body = foot_body(model_, foot);
+    const auto world = RowMatrix3d::Map(data_->xmat + 9 * body);
+    foot.normal = world.transpose() * *normal;
+    const std::vector<int> geoms = ground_geoms(model_, *data_, link_of(end));
+    const bool known = std::all_of(geoms.begin(), geoms.end(), [&](int geom) {
+      return geom == foot.geom ||
+             std::find(foot.others.begin(), foot.others.end(), geom) != foot.others.end();
+    });
+    if (known) return;
+    const Eigen::Vector3d ahead = RowMatrix3d::Map(data_->xmat + 9 * out_.trunk).col(0);
+    foot.middle = world.transpose() * (middle_of_sole(points, *normal, ahead) -
+                                       Eigen::Vector3d::Map(data_->xpos + 3 * body));
+    foot.radius = 0.0;
+    foot.others.clear();
   }
 
   /// A geom's own name; else that of its body, of the link or of the joint, not yet a geom's.

@@ -22,7 +22,8 @@ XMLElement& writable(const XmlElement* element) { return *const_cast<XMLElement*
 
 /// Whether the plan's foot is the geom itself.
 bool is_ball(const mjModel& model, const FootContact& foot) {
-  return foot.geom >= 0 && model.geom_type[foot.geom] == mjGEOM_SPHERE && foot.others.empty();
+  return foot.geom >= 0 && model.geom_type[foot.geom] == mjGEOM_SPHERE && foot.others.empty() &&
+         !foot.middle;
 }
 
 /// Names by the attribute that refers to them.

@@ -75,6 +75,10 @@ Servo read_servo(const XmlFile& xml, const mjModel& model, int actuator, const X
       model.actuator_biastype[actuator] == mjBIAS_AFFINE &&
       (is_pid || (is_fixed_gain && gain[0] > 0.0 && std::abs(bias[1] + gain[0]) <= 1e-9 * gain[0]));
   const int control = model.actuator_ctrladr[actuator];
+  if (is_fixed_gain && model.actuator_biastype[actuator] == mjBIAS_AFFINE && gain[0] < 0.0)
+    throw xml.error(element, fmt::format("has a gain of {}, which drives its joint away from where "
+                                         "it shall be; a servo needs a positive kp",
+                                         gain[0]));
   if (is_position) {
     servo.kp = gear * gear * -bias[1];
     servo.kd = gear * gear * std::max(0.0, -bias[2]);

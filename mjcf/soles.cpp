@@ -61,29 +61,69 @@ void add_surface_points(const mjModel& model, const mjData& data, int geom,
   }
 }
 
-}  // namespace
+struct GroundPoint {
+  Vector3d place;
+  int geom;
+};
 
-std::vector<Vector3d> ground_points(const mjModel& model, const mjData& data,
-                                    const std::vector<int>& bodies) {
-  std::vector<Vector3d> points;
+std::vector<GroundPoint> find_ground_points(const mjModel& model, const mjData& data,
+                                            const std::vector<int>& bodies) {
+  std::vector<GroundPoint> points;
   for (const int body : bodies)
     for (int k = 0; k < model.body_geomnum[body]; ++k) {
       const int geom = model.body_geomadr[body] + k;
-      if (collides(model, geom)) add_surface_points(model, data, geom, points);
+      if (!collides(model, geom)) continue;
+      std::vector<Vector3d> own;
+      add_surface_points(model, data, geom, own);
+      for (const Vector3d& place : own) points.push_back({place, geom});
     }
   if (points.empty()) return points;
   double low = std::numeric_limits<double>::infinity();
   Vector3d least = Vector3d::Constant(low), most = -least;
-  for (const Vector3d& point : points) {
-    low = std::min(low, point.z());
-    least = least.cwiseMin(point);
-    most = most.cwiseMax(point);
+  for (const GroundPoint& point : points) {
+    low = std::min(low, point.place.z());
+    least = least.cwiseMin(point.place);
+    most = most.cwiseMax(point.place);
   }
   const double width = (most - least).head<2>().minCoeff();
-  points.erase(std::remove_if(points.begin(), points.end(),
-                              [&](const Vector3d& p) { return p.z() > low + kTilt * width; }),
-               points.end());
+  points.erase(
+      std::remove_if(points.begin(), points.end(),
+                     [&](const GroundPoint& p) { return p.place.z() > low + kTilt * width; }),
+      points.end());
   return points;
+}
+
+}  // namespace
+
+std::vector<Vector3d> ground_points(const mjModel& model, const mjData& data,
+                                    const std::vector<int>& bodies) {
+  std::vector<Vector3d> out;
+  for (const GroundPoint& point : find_ground_points(model, data, bodies))
+    out.push_back(point.place);
+  return out;
+}
+
+std::vector<int> ground_geoms(const mjModel& model, const mjData& data,
+                              const std::vector<int>& bodies) {
+  std::vector<int> out;
+  for (const GroundPoint& point : find_ground_points(model, data, bodies))
+    if (out.empty() || out.back() != point.geom) out.push_back(point.geom);
+  return out;
+}
+
+Vector3d middle_of_sole(const std::vector<Vector3d>& points, const Vector3d& normal,
+                        const Vector3d& ahead) {
+  const Vector3d beside = normal.cross(ahead).normalized(), along = beside.cross(normal);
+  Vector3d least = Vector3d::Constant(std::numeric_limits<double>::infinity()), most = -least;
+  double height = 0.0;
+  for (const Vector3d& point : points) {
+    const Vector3d seen(along.dot(point), beside.dot(point), 0.0);
+    least = least.cwiseMin(seen);
+    most = most.cwiseMax(seen);
+    height += normal.dot(point) / static_cast<double>(points.size());
+  }
+  const Vector3d middle = 0.5 * (least + most);
+  return middle.x() * along + middle.y() * beside + height * normal;
 }
 
 std::optional<Vector3d> normal_of_sole(const std::vector<Vector3d>& points) {

@@ -15,6 +15,15 @@ namespace legwright {
 std::vector<Eigen::Vector3d> ground_points(const mjModel& model, const mjData& data,
                                            const std::vector<int>& bodies);
 
+/// Those geoms of a link that such points belong to.
+std::vector<int> ground_geoms(const mjModel& model, const mjData& data,
+                              const std::vector<int>& bodies);
+
+/// The middle of the box around points that has an edge along `ahead`, a level direction, in their plane: as far from the
+/// front of a sole as from its heel, however many points either has.
+Eigen::Vector3d middle_of_sole(const std::vector<Eigen::Vector3d>& points,
+                               const Eigen::Vector3d& normal, const Eigen::Vector3d& ahead);
+
 /// The upward normal of the plane through ground points, where they span a face and no mere line: a flat foot [world].
 std::optional<Eigen::Vector3d> normal_of_sole(const std::vector<Eigen::Vector3d>& points);
 

@@ -92,12 +92,12 @@ void check_sole(const XmlFile& xml, const mjModel& model, const XmlElement& plac
   for (const FootContact& foot : structure.feet) {
     if (!foot.normal || foot_body(model, foot) != body) continue;
     const double along = std::abs(direction.dot(*foot.normal));
-    if (along > kOblique && along < 1.0 - kOblique)
+    // Parts of a sole keep their thickness, each its own.
+    if (along > kOblique && (foot.middle || along < 1.0 - kOblique))
       throw xml.error(
           place, fmt::format("body '{}' is a flat foot, whose sole this stretch would tilt; leave "
-                             "it out, or stretch along x, y or z, whichever lie in the sole or "
-                             "across it",
-                             name_of(model, mjOBJ_BODY, body)));
+                             "it out, or stretch along x, y or z, whichever lie in the sole{}",
+                             name_of(model, mjOBJ_BODY, body), foot.middle ? "" : " or across it"));
   }
 }
 

@@ -20,6 +20,9 @@ struct FootContact {
   double radius = 0.0;                              // [m]
   /// Of a flat foot whose leg has hinges enough to lay it down: its sole's upward normal, in its body's frame.
   std::optional<Eigen::Vector3d> normal = {};
+  /// Where several geoms make up such a foot that are no balls of one size: the middle of the face with which they touch,
+  /// in the same frame; `share` is not used.
+  std::optional<Eigen::Vector3d> middle = {};
   std::vector<int> others;  // balls of one sole as low as this one: the point is the middle of all
 };
 

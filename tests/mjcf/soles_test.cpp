@@ -68,6 +68,45 @@ TEST(Soles, LieLevelInTheHomePose) {
   }
 }
 
+/// Whichever geom is the lowest one, a sole of several carries in the middle of all.
+TEST(Soles, OfSeveralGeomsCarryInTheMiddleOfAll) {
+  struct Parts {
+    const char* geoms;
+    double x, y;
+  };
+  const Parts parts[] = {
+      {R"(<geom type="capsule" size="0.01" fromto="-0.04 0.03 -0.04 0.1 0.03 -0.04"/>
+          <geom type="capsule" size="0.01" fromto="-0.04 -0.03 -0.04 0.1 -0.03 -0.04"/>)",
+       0.03, 0.0},
+      {R"(<geom type="capsule" size="0.01" fromto="-0.05 -0.03 -0.04 -0.05 0.03 -0.04"/>
+          <geom type="capsule" size="0.01" fromto="0.09 -0.03 -0.04 0.09 0.03 -0.04"/>)",
+       0.02, 0.0},
+      {R"(<geom type="box" size="0.02 0.04 0.01" pos="-0.04 0 -0.04"/>
+          <geom type="box" size="0.03 0.04 0.01" pos="0.09 0 -0.04"/>)",
+       0.03, 0.0},
+      {R"(<geom type="box" size="0.04 0.04 0.01" pos="0 0 -0.04"/>
+          <body pos="0.08 0 0"><geom type="box" size="0.04 0.04 0.01" pos="0 0 -0.04"/></body>)",
+       0.04, 0.0},
+  };
+  for (const Parts& own : parts) {
+    const RobotModel robot = on(own.geoms);
+    ASSERT_TRUE(stands_on_soles(robot.morphology)) << own.geoms;
+    const GeometryAtDesign geometry(robot.morphology, robot.space.initial());
+    const PoseKinematics home = home_pose(robot.morphology, geometry);
+    for (int j = 0; j < 2; ++j) {
+      const Foot& foot = robot.morphology.feet[static_cast<std::size_t>(j)];
+      EXPECT_EQ(foot.radius, 0.0) << own.geoms;
+      const Vector3d ankle = home.origin(foot.link),
+                     from_ankle = foot_place(robot.morphology, geometry, home, j) - ankle;
+      EXPECT_LT((from_ankle - Vector3d(own.x, own.y, -0.05)).norm(), 1e-9)
+          << own.geoms << from_ankle.transpose();
+    }
+  }
+  // A single box needs no such point: it carries in its own middle.
+  const RobotModel box = biped({});
+  EXPECT_FALSE(box.structure.feet[0].middle);
+}
+
 TEST(Soles, ThatAreDrawnAskewHaveNormalsOfTheirOwn) {
   for (const char* euler : {"0 0.05 0", "0.05 0 0"}) {
     const bool pitched = euler[2] == '0' && euler[3] == '.';

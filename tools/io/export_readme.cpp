@@ -83,8 +83,9 @@ std::string judgement(const ExportFacts& facts) {
     out += fmt::format(
         "- **Judged with firmer servos than this file has**: those that are softer were played "
         "with kp {0} N m/rad, as far "
-        "as their torque limits go. With the file's own gains the gait is not promised; raise kp "
-        "here, or command the joints so.\n",
+        "as their torque limits go. With the file's own gains, or motors that nobody commands, the "
+        "gait "
+        "is not promised; raise kp here, or command the joints so.\n",
         *facts.servo_kp);
   if (!facts.touches.empty()) out += "- **It touches itself**: " + escaped(facts.touches) + ".\n";
   return out + "- " + escaped(facts.standing) + "\n";

@@ -87,8 +87,8 @@ std::string servos_text(const StarterTask& task) {
                     (feet.kp < feet.upright_kp() || feet.kd < feet.upright_kd());
   if (tips && feet.upright_kp() > stiff)
     why = fmt::format(
-        "gravity tips the robot over its ankles with {:.3g} N m/rad,\n{:32}# and the file's servos "
-        "have {:.4g}",
+        "gravity tips the robot over its ankles with {:.3g} N m/rad,\n{:32}# and its servos have "
+        "{:.4g}",
         feet.toppling, "", feet.kp);
   if (why.empty()) return "";
   const double kp = tips ? std::max(stiff, feet.upright_kp()) : stiff;

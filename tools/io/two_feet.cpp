@@ -23,6 +23,10 @@ constexpr double kUpright = 8.0, kLeast = 2.15;
 constexpr double kDamping = 4.0 / 3.0, kLeastDamping = 0.9;
 constexpr std::size_t kAnkleHinges = 2;  // next to the foot: one pitches, one rolls
 
+std::string three_digits(double value) {
+  return value < 100.0 ? fmt::format("{:.3g}", value) : fmt::format("{:.0f}", value);
+}
+
 }  // namespace
 
 double TwoFeet::upright_kp() const { return two_digits_up(kUpright * toppling); }
@@ -42,15 +46,16 @@ bool TwoFeet::can_be_stiffer() const { return limit / kFullTorqueError >= kLeast
 std::string TwoFeet::why_it_falls() const {
   if (kind == Kind::neither)
     return "two small feet: nothing balances a robot while a plan is played but round soles as "
-           "large as its legs, on which it rights itself, or flat feet on ankles that both pitch "
-           "and roll, which keep them level";
+           "large as its legs, on which it rights itself, or flat feet, level in the home pose, "
+           "on ankles that both pitch and roll, which keep them so";
   if (soft() && !can_be_stiffer())
     return fmt::format(
-        "weak ankles: gravity tips this robot over its feet with {:.3g} N m/rad, and the motor of "
-        "joint '{}' ({:.3g} N m) holds it with no more than {:.3g} of {:.3g} N m/rad, so that "
-        "it would fall at half of that; {:.3g} N m, or a lower or lighter body, would do",
-        toppling, ankle, limit, limit / kFullTorqueError, kLeast * toppling,
-        kLeast * toppling * kFullTorqueError);
+        "weak ankles: to hold this robot over its feet (M g h = {} N m/rad), at half its gains "
+        "too, "
+        "takes motors of {} N m there, and joint '{}' has {}; a stronger one, or a lower or "
+        "lighter body, would do",
+        three_digits(toppling), three_digits(kLeast * toppling * kFullTorqueError), ankle,
+        three_digits(limit));
   return "";
 }
 

@@ -119,7 +119,8 @@ std::string demand_words(const Json& task) {
   if (const auto limit = number_at(task, {"torque_limit_Nm"}))
     out += ", with motors of " + quantity_words(*limit, "N m");
   if (const auto kp = number_at(task, {"servo_kp_Nm_per_rad"}))
-    out += fmt::format(", servos at least as stiff as {} N m/rad", short_number(*kp));
+    out += fmt::format(", servos as stiff as {} N m/rad or as their torque limits bear",
+                       short_number(*kp));
   return out;
 }
 

@@ -70,7 +70,7 @@ std::optional<std::string> turned_away(const std::vector<Measurements>& at_gains
       "its plan turns the trunk by {:.2f} rad, and speed counts along its own heading", *turned);
 }
 
-constexpr double kToldContact = 0.05;  // share of the time
+constexpr double kToldContact = 0.01;  // share of the time
 
 /// What the planner does not see: geoms of a robot that meet. No fault by itself, but often why it fails.
 std::optional<std::string> touched_itself(const std::vector<Measurements>& at_gains) {
@@ -118,7 +118,9 @@ std::string praise(const std::vector<Measurements>& at_gains, const WantedMotion
   facts.push_back(fmt::format("tilt {:.2f} rad", tilt));
   std::string out;
   for (const auto& fact : facts) out += fact + ", ";
-  return out + fmt::format("no fall ({} cycles; {} gains)", at_gains.front().cycles, listed(gains));
+  out += fmt::format("no fall ({} cycles; {} gains)", at_gains.front().cycles, listed(gains));
+  if (const auto touch = touched_itself(at_gains)) out += "; " + *touch;
+  return out;
 }
 
 }  // namespace

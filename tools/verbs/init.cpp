@@ -111,14 +111,17 @@ std::string next_step(const InitOptions& options, const StudiedRobot& found,
     return fmt::format("next: legwright optimize {} -o runs/mine\n", shell_word(task));
   const bool adds = written.empty() && !found.proposals.empty();
   if (lacks_task(options, found)) {
-    const std::string why = no_task_text(found.model);
-    return (adds ? fmt::format(
-                       "next: legwright init {} --write   puts them into the file's <custom> "
-                       "section\nthen: ",
-                       shell_word(options.robot))
-                 : "next: ") +
-           why +
-           (found.model.morphology.foot_count() == 2 ? "\n" : "; then legwright check TASK\n");
+    const std::string gait = no_gait_text(found.model.morphology.foot_count());
+    std::string text;
+    if (adds)
+      text = fmt::format(
+          "next: legwright init {} --write   puts them into the file's <custom> section\n",
+          shell_word(options.robot));
+    if (!gait.empty())
+      text += fmt::format("{}: {}; then legwright check TASK\n", adds ? "then" : "next", gait);
+    else if (options.task.empty())  // else stderr has it
+      text += fmt::format("no task  {}\n", no_task_text(found.model));
+    return text;
   }
   return fmt::format("next: legwright init {}{} --task task.toml   {}writes a first task\n",
                      shell_word(written.empty() ? options.robot : written), adds ? " --write" : "",

@@ -86,10 +86,12 @@ std::string foot_text(const StudiedRobot& found, const Limb& limb, const std::st
   const std::size_t balls =
       1 + found.model.structure.feet[static_cast<std::size_t>(limb.foot)].others.size();
   const std::string shape =
-      foot.radius > 0.0 ? fmt::format("{} of {:.3g} mm",
-                                      balls > 1 ? fmt::format("middle of {} balls", balls) : "ball",
-                                      1e3 * foot.radius)
-                        : "point";
+      foot.sole && foot.radius == 0.0 ? "middle of its sole"
+      : foot.radius > 0.0
+          ? fmt::format("{} of {:.3g} mm",
+                        balls > 1 ? fmt::format("middle of {} balls", balls) : "ball",
+                        1e3 * foot.radius)
+          : "point";
   const auto shown = [](double metres) {  // no minus in front of zero
     return std::abs(metres) < kSamePlace ? 0.0 : metres;
   };

@@ -65,8 +65,8 @@ std::function<void(int, int)> live_progress() {
 void print_servos(const Json& task, const std::string& indent) {
   if (const auto kp = task.find("servo_kp_Nm_per_rad"); kp != task.end() && kp->is_number())
     fmt::print(
-        "{}servos:             softer ones than {} N m/rad played so stiff ([servos] of the "
-        "task)\n",
+        "{}servos:             softer ones than {} N m/rad played so stiff, as far as their torque "
+        "limits bear it ([servos] of the task)\n",
         indent, kp->get<double>());
 }
 

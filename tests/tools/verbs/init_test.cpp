@@ -53,7 +53,7 @@ TEST_F(InitOnTwoFeet, WritesNoneForThoseThatWouldFall) {
   EXPECT_EQ(weak_ones.code, 1);
   EXPECT_FALSE(fs::exists(task_));
   EXPECT_TRUE(contains(weak_ones.err, "task.toml is not written: weak ankles")) << weak_ones.err;
-  EXPECT_TRUE(contains(weak_ones.err, "(5 N m)")) << weak_ones.err;
+  EXPECT_TRUE(contains(weak_ones.err, "has 5;")) << weak_ones.err;
   EXPECT_FALSE(contains(weak_ones.out, "next: legwright optimize")) << weak_ones.out;
   const Outcome points = init(pointed());
   EXPECT_EQ(points.code, 1);
