@@ -45,7 +45,9 @@ FloorLine path_until(const Act& act, double time) {
 }
 
 std::string note_of(const Act& act, const char* what) {
-  return act.fell ? fmt::format("{}: falls after {:.2f} s", what, *act.fell) : what;
+  if (!act.fell) return what;
+  return fmt::format("{}: falls after {:.2f} s{}", what, *act.fell,
+                     act.falls_in_playback() ? "" : ", later than shown");
 }
 
 /// The last moment shown [s]: the end of the record, but where nobody falls not so late that a
