@@ -23,7 +23,7 @@ Stance stance_around(const Gait& gait, int knot, int foot) {
   return stance;
 }
 
-/// Knots at which more feet stand than at the fewest: each is given or taken its load over so many.
+/// Half the knots at which a foot stands beside others: over so many it takes its load, and gives it.
 int overlap(const Gait& gait, int foot) {
   int knots = 0;
   for (int i = 0; i < gait.knot_count(); ++i) {
