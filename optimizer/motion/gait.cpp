@@ -64,6 +64,14 @@ bool Gait::planted(int knot, int foot, int margin) const {
   return false;
 }
 
+Stance Gait::stance_around(int knot, int foot, int margin) const {
+  Stance stance{knot, knot};
+  while (knot - stance.first < knot_count_ && planted(stance.first - 1, foot, margin))
+    --stance.first;
+  while (stance.last - knot < knot_count_ && planted(stance.last + 1, foot, margin)) ++stance.last;
+  return stance;
+}
+
 SupportRange support_range(const Gait& gait) {
   SupportRange range{gait.foot_count(), 0};
   for (int knot = 0; knot < gait.knot_count(); ++knot) {

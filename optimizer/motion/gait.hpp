@@ -46,6 +46,11 @@ std::vector<std::vector<int>> touchdown_order(const GaitPattern& pattern);
 /// Least and most feet on the ground at any time of the cycle, from the phases themselves.
 SupportRange support_range(const GaitPattern& pattern);
 
+/// Knots of a stance, both included; beyond 0 … T − 1 where it passes the end of the cycle.
+struct Stance {
+  int first = 0, last = 0;
+};
+
 /// c_i^j over one cycle as data: knots × feet, in the robot's foot order. Knot `knot_count` is knot 0.
 class Gait {
  public:
@@ -61,6 +66,8 @@ class Gait {
   bool in_contact(int knot, int foot) const { return contact_(wrap(knot), foot); }
   /// Contact widened by `margin` knots on both sides: the two halves of eq (14) and a margin of time.
   bool planted(int knot, int foot, int margin) const;
+  /// The stance, widened so, that a planted knot belongs to; of a foot that never lifts a cycle to either side.
+  Stance stance_around(int knot, int foot, int margin) const;
 
  private:
   int wrap(int knot) const { return ((knot % knot_count_) + knot_count_) % knot_count_; }

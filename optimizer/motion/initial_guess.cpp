@@ -68,11 +68,8 @@ class WalkWithoutDynamics {
 
   /// The footprint in the middle of the stance that a planted knot belongs to.
   Vector3d stand(int knot, int foot) const {
-    int first = knot, last = knot;
-    const int most = layout_.knot_count();  // of a foot that never lifts
-    while (knot - first < most && planted(first - 1, foot)) --first;
-    while (last - knot < most && planted(last + 1, foot)) ++last;
-    return footprint(0.5 * (first + last), foot);
+    const Stance stance = task_.gait.stance_around(knot, foot, layout_.planted_margin());
+    return footprint(0.5 * (stance.first + stance.last), foot);
   }
 
   Vector3d foot(int knot, int foot) const {

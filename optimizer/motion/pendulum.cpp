@@ -11,18 +11,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-struct Stance {
-  int first, last;  // knots, around the one that was asked for
-};
-
-Stance stance_around(const Gait& gait, int knot, int foot) {
-  Stance stance{knot, knot};
-  const int most = gait.knot_count();  // of a foot that never lifts
-  while (knot - stance.first < most && gait.in_contact(stance.first - 1, foot)) --stance.first;
-  while (stance.last - knot < most && gait.in_contact(stance.last + 1, foot)) ++stance.last;
-  return stance;
-}
-
 /// Half the knots at which a foot stands beside others: over so many it takes its load, and gives it.
 int overlap(const Gait& gait, int foot) {
   int knots = 0;
@@ -41,7 +29,7 @@ Vector2d centre_of_pressure(const Task& task, const std::vector<Vector2d>& footp
   double load = 0.0;
   for (int foot = 0; foot < task.gait.foot_count(); ++foot) {
     if (!task.gait.in_contact(knot, foot)) continue;
-    const Stance stance = stance_around(task.gait, knot, foot);
+    const Stance stance = task.gait.stance_around(knot, foot, 0);
     const double full = overlap(task.gait, foot) + 1.0;
     const double share =
         std::min({1.0, (knot - stance.first + 1) / full, (stance.last - knot + 1) / full});
