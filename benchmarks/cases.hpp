@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/io/problem.hpp"
+#include "tools/task/problem.hpp"
 
 namespace legwright::bench {
 

@@ -4,7 +4,7 @@
 
 #include "benchmarks/figures.hpp"
 #include "benchmarks/timing.hpp"
-#include "optimizer/solve/stopwatch.hpp"
+#include "optimizer/base/stopwatch.hpp"
 
 namespace legwright::bench {
 namespace {

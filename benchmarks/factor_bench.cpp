@@ -7,11 +7,11 @@
 #include <memory>
 
 #include "benchmarks/timing.hpp"
-#include "mjcf/read_robot.hpp"
+#include "mjcf/read/read_robot.hpp"
 #include "optimizer/solve/hessian_factor.hpp"
 #include "optimizer/solve/newton.hpp"
 #include "tests/optimizer/solve/random_sparse.hpp"
-#include "tools/io/task_file.hpp"
+#include "tools/task/task_file.hpp"
 
 namespace legwright {
 namespace {

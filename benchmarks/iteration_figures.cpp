@@ -5,7 +5,7 @@
 
 #include "benchmarks/figures.hpp"
 #include "benchmarks/timing.hpp"
-#include "tools/io/task_file.hpp"
+#include "tools/task/task_file.hpp"
 
 namespace legwright::bench {
 namespace {

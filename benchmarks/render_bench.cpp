@@ -11,7 +11,7 @@
 #include <exception>
 
 #include "benchmarks/timing.hpp"
-#include "tools/render/png.hpp"
+#include "tools/image/png.hpp"
 #include "tools/render/poses.hpp"
 #include "tools/simulate/mujoco_host.hpp"
 

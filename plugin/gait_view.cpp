@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plugin/feet.hpp"
+#include "plugin/model_feet.hpp"
 
 namespace legwright {
 namespace {

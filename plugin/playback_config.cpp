@@ -7,7 +7,7 @@
 #include <functional>
 #include <mutex>
 
-#include "plugin/numbers.hpp"
+#include "plugin/number_text.hpp"
 
 namespace legwright {
 namespace {

@@ -9,8 +9,8 @@
 #include <memory>
 #include <optional>
 
-#include "plugin/feet.hpp"
-#include "plugin/numbers.hpp"
+#include "plugin/model_feet.hpp"
+#include "plugin/number_text.hpp"
 #include "plugin/planned_motion.hpp"
 
 namespace legwright {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "plugin/numbers.hpp"
+#include "plugin/number_text.hpp"
 
 namespace legwright {
 namespace {

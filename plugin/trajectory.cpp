@@ -7,7 +7,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "plugin/numbers.hpp"
+#include "plugin/number_text.hpp"
 
 namespace legwright {
 namespace {

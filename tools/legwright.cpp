@@ -8,10 +8,10 @@
 #include <string>
 #include <system_error>
 
-#include "mjcf/input_error.hpp"
-#include "tools/io/clean_text.hpp"
-#include "tools/io/install.hpp"
-#include "tools/io/io_error.hpp"
+#include "mjcf/text/input_error.hpp"
+#include "tools/files/clean_text.hpp"
+#include "tools/files/io_error.hpp"
+#include "tools/run/install.hpp"
 #include "tools/verbs/verbs.hpp"
 
 namespace {

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <limits>
 
+#include "optimizer/base/parallel.hpp"
 #include "optimizer/solve/adjoint.hpp"
 #include "optimizer/solve/lbfgs.hpp"
 #include "optimizer/solve/newton.hpp"
-#include "optimizer/solve/parallel.hpp"
 #include "optimizer/solve/predictor.hpp"
 
 namespace legwright {

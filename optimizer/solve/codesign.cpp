@@ -7,10 +7,10 @@
 #include <memory>
 #include <utility>
 
+#include "optimizer/base/parallel.hpp"
+#include "optimizer/base/stopwatch.hpp"
 #include "optimizer/solve/lbfgs.hpp"
-#include "optimizer/solve/parallel.hpp"
 #include "optimizer/solve/reduced_step.hpp"
-#include "optimizer/solve/stopwatch.hpp"
 
 namespace legwright {
 namespace {

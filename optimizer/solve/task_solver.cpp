@@ -6,9 +6,9 @@
 #include <limits>
 #include <utility>
 
+#include "optimizer/base/stopwatch.hpp"
 #include "optimizer/solve/adjoint.hpp"
 #include "optimizer/solve/predictor.hpp"
-#include "optimizer/solve/stopwatch.hpp"
 
 namespace legwright {
 namespace {

@@ -8,10 +8,10 @@
 #include <memory>
 #include <stdexcept>
 
-#include "tools/io/json_file.hpp"
-#include "tools/render/png.hpp"
+#include "tools/files/json_file.hpp"
+#include "tools/image/png.hpp"
 #include "tools/render/poses.hpp"
-#include "tools/report/tables.hpp"
+#include "tools/run/motion_csv.hpp"
 
 namespace legwright::golden {
 namespace {
@@ -79,7 +79,7 @@ std::vector<double> Robot::twin(const Pose& pose, double angle) const {
 Robot read_robot(const std::string& name) {
   Robot robot;
   robot.name = name;
-  robot.model = load_scene(folder() / name / "scene.xml");
+  robot.model = load_drawn_scene(folder() / name / "scene.xml");
   const Json told = read_json(folder() / name / "poses.json");
   const Json& view = told.at("view");
   robot.view = {view.at("lookat_m").get<std::array<double, 3>>(), view.at("distance_m"),
@@ -97,7 +97,7 @@ void adopt(const fs::path& run, const std::string& name) {
   const fs::path target = folder() / name, scene = target / "scene.xml";
   fs::create_directories(target);
   write_plain_scene(run / "result" / "robot.xml", scene);
-  const ModelPointer model = load_scene(scene);
+  const ModelPointer model = load_drawn_scene(scene);
   const Trajectory plan = read_motion_csv(run / "result" / "motion.csv");
   Poses poses = planned_poses(*model, plan, kPhases, scene);
   for (std::size_t k = 0; k < poses.size(); ++k)  // the camera stands still, so does the robot

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "tools/render/id_image.hpp"
+#include "tools/image/id_image.hpp"
+#include "tools/render/posing.hpp"
 #include "tools/render/renderer.hpp"
-#include "tools/render/scene_parts.hpp"
 
 /// Stored pictures of gaits, and what is compared with them.
 namespace legwright::golden {

@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/tools/io/temporary_folder.hpp"
+#include "tests/tools/files/temporary_folder.hpp"
 #include "tests/tools/render/toy_scene.hpp"
-#include "tools/render/png.hpp"
+#include "tools/image/png.hpp"
 
 namespace legwright {
 namespace {

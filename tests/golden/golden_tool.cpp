@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tests/golden/golden.hpp"
-#include "tools/render/png.hpp"
+#include "tools/image/png.hpp"
 
 namespace {
 

@@ -78,7 +78,8 @@ int draw_legend(Image& image, int x, int top, Renderer& letters) {
   return x;
 }
 
-void draw_block(Image& image, const TimeAxis& axis, const Act& act, int top, Renderer& letters) {
+void draw_block(Image& image, const TimeAxis& axis, const GaitClip& act, int top,
+                Renderer& letters) {
   const Mask title = letters.text(act.title, true);
   if (act.passed) draw_dot(image, 13.0, top + 0.5 * kTitle, 6.0, *act.passed ? kGood : kBad);
   const int left = act.passed ? 29 : 7;
@@ -120,16 +121,16 @@ Intervals repeated(const Intervals& of_one_cycle, double period, double end) {
   return all;
 }
 
-Image contact_timeline(const std::vector<Act>& acts, Renderer& letters) {
+Image contact_timeline(const std::vector<GaitClip>& acts, Renderer& letters) {
   TimeAxis axis{0.0};
   int height = kTitle;
-  for (const Act& act : acts) {
+  for (const GaitClip& act : acts) {
     axis.end = std::max(axis.end, act.playback->time.back());
     height += kTitle + kFoot * static_cast<int>(act.feet.size()) + kAxis;
   }
   Image image(kStripWidth, height, kPaper);
   int top = 0;
-  for (const Act& act : acts) {
+  for (const GaitClip& act : acts) {
     draw_block(image, axis, act, top, letters);
     top += kTitle + kFoot * static_cast<int>(act.feet.size()) + kAxis;
   }

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "tools/render/act.hpp"
+#include "tools/render/gait_clip.hpp"
 
 namespace legwright {
 
@@ -17,6 +17,6 @@ std::vector<std::pair<double, double>> repeated(
 /// Bars over time for each foot: above when the plan has it stand, below when it touched the ground
 /// in the simulation, in another colour where the plan has it swing. One block for each act; all
 /// need feet and a playback. `letters` draws the text.
-Image contact_timeline(const std::vector<Act>& acts, Renderer& letters);
+Image contact_timeline(const std::vector<GaitClip>& acts, Renderer& letters);
 
 }  // namespace legwright

@@ -6,9 +6,9 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "mjcf/surroundings.hpp"
+#include "mjcf/scene/surroundings.hpp"
+#include "tools/render/posing.hpp"
 #include "tools/render/renderer.hpp"
-#include "tools/render/scene_parts.hpp"
 
 namespace legwright {
 namespace {
@@ -42,7 +42,7 @@ struct Range {
 
 }  // namespace
 
-Eigen::Matrix3d turn_of_sight(const mjModel& model) {
+Eigen::Matrix3d view_rotation(const mjModel& model) {
   return Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), up_of(model))
       .toRotationMatrix();
 }
@@ -67,7 +67,7 @@ View frame_robots(std::span<const PosedModel> robots, double azimuth, double ele
 
   const double degree = std::numbers::pi / 180.0;
   const double a = azimuth * degree, e = elevation * degree;
-  const Eigen::Matrix3d turned = turn_of_sight(*robots.front().model);
+  const Eigen::Matrix3d turned = view_rotation(*robots.front().model);
   const Eigen::Vector3d forward =
       turned * Eigen::Vector3d(std::cos(a) * std::cos(e), std::sin(a) * std::cos(e), std::sin(e));
   const Eigen::Vector3d right = forward.cross(turned.col(2)).normalized();

@@ -45,7 +45,7 @@ ModelPointer with_floor(const mjModel& model, const LoopFloor& floor) {
 /// Where the poses come from: the simulation once it passed, otherwise the plan.
 class Source {
  public:
-  explicit Source(const Act& act) : act_(act), period_(act.plan.period) {
+  explicit Source(const GaitClip& act) : act_(act), period_(act.plan.period) {
     const double end = act.playback ? act.playback->time.back() : 0.0;
     whole_ = static_cast<int>(std::floor(end / period_ + 1e-6));
     simulated_ = act.passed.value_or(false) && whole_ >= 2;
@@ -58,7 +58,7 @@ class Source {
   }
 
  private:
-  const Act& act_;
+  const GaitClip& act_;
   double period_;
   int whole_ = 0;
   bool simulated_ = false;
@@ -88,7 +88,7 @@ LoopFloor loop_floor(const std::array<double, 2>& travel, double tile) {
   return {};
 }
 
-Animation animate_gait(const GlContext& context, const Act& act) {
+Animation animate_gait(const GlContext& context, const GaitClip& act) {
   const Source source(act);
   const auto way = [&](int cycles) {
     const auto from = source.pose(0.0, cycles), to = source.pose(cycles * act.plan.period, cycles);

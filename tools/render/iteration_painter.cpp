@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "tools/render/png.hpp"
+#include "tools/image/png.hpp"
 #include "tools/render/poses.hpp"
 
 namespace legwright {
@@ -15,7 +15,7 @@ constexpr double kAzimuth = 215.0, kElevation = -16.0, kMargin = 0.22;  // room 
 }  // namespace
 
 IterationPainter::IterationPainter(const std::filesystem::path& first_scene) {
-  const ModelPointer model = load_scene(first_scene);
+  const ModelPointer model = load_drawn_scene(first_scene);
   // The robot at rest too: its gait may crouch or turn, and later bodies stand otherwise.
   const std::vector<double> rest(model->qpos0, model->qpos0 + model->nq);
   view_ = frame_robot(*model, {start_pose(*model), rest}, kAzimuth, kElevation,
@@ -24,7 +24,7 @@ IterationPainter::IterationPainter(const std::filesystem::path& first_scene) {
 
 void IterationPainter::paint(const std::filesystem::path& scene,
                              const std::filesystem::path& png) const {
-  const ModelPointer model = load_scene(scene);
+  const ModelPointer model = load_drawn_scene(scene);
   Renderer renderer(context_, *model, kWidth, kHeight, RenderStyle::cheap);
   write_png(png, renderer.render(start_pose(*model), view_));
 }

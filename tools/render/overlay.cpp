@@ -14,7 +14,7 @@ constexpr StripLayout kOverlay{6, 260, 200};
 constexpr Rgb kPlan{28, 92, 220};
 
 /// Which cycle to show: the last whole one, or that in which it fell (not its very start).
-int cycle_shown(const Act& act) {
+int cycle_shown(const GaitClip& act) {
   const double period = act.plan.period, end = act.playback->time.back();
   const double last = act.falls_in_playback() ? std::floor(end / period - 0.25)
                                               : std::floor(end / period + 1e-6) - 1;
@@ -27,7 +27,7 @@ struct Cells {
   Poses planned, simulated;
 };
 
-Cells cells_of(const Act& act) {
+Cells cells_of(const GaitClip& act) {
   Cells cells;
   for (int k = 0; k < kOverlay.cells; ++k) {
     const double share = static_cast<double>(k) / kOverlay.cells;
@@ -65,9 +65,9 @@ void draw_outline(const mjModel& model, const IdImage& seen, Image& image) {
 
 }  // namespace
 
-Image overlay_strip(const GlContext& context, const std::vector<Act>& acts) {
+Image overlay_strip(const GlContext& context, const std::vector<GaitClip>& acts) {
   std::vector<Cells> cells;
-  for (const Act& act : acts) cells.push_back(cells_of(act));
+  for (const GaitClip& act : acts) cells.push_back(cells_of(act));
   std::vector<PosedModel> robots;
   for (std::size_t i = 0; i < acts.size(); ++i) {
     robots.push_back({acts[i].model.get(), &cells[i].planned});

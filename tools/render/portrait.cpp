@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "tools/render/png.hpp"
+#include "tools/image/png.hpp"
 #include "tools/render/poses.hpp"
 
 namespace legwright {
@@ -16,7 +16,7 @@ constexpr double kAzimuth = 215.0, kElevation = -16.0;
 
 void draw_portrait(const std::filesystem::path& scene, const std::filesystem::path& png) {
   const GlContext context;
-  const ModelPointer model = load_scene(scene);
+  const ModelPointer model = load_drawn_scene(scene);
   const int key = std::max(mj_name2id(model.get(), mjOBJ_KEY, "home"), 0);
   const double* pose = model->nkey > 0
                            ? model->key_qpos + static_cast<std::ptrdiff_t>(key) * model->nq

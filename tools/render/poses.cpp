@@ -5,11 +5,11 @@
 #include <cmath>
 #include <cstddef>
 
-#include "mjcf/input_error.hpp"
+#include "mjcf/text/input_error.hpp"
 #include "plugin/planned_motion.hpp"
 #include "plugin/spline.hpp"
-#include "tools/io/atomic_file.hpp"
-#include "tools/report/tables.hpp"
+#include "tools/files/atomic_file.hpp"
+#include "tools/files/csv_table.hpp"
 
 namespace legwright {
 namespace {
@@ -18,7 +18,7 @@ constexpr const char* kOptimizeAgain = "the file is damaged: run `legwright opti
 
 }  // namespace
 
-ModelPointer load_scene(const std::filesystem::path& file) {
+ModelPointer load_drawn_scene(const std::filesystem::path& file) {
   char message[1000] = "";
   ModelPointer model(mj_loadXML(file.c_str(), nullptr, message, sizeof message));
   if (!model) {

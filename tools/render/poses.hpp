@@ -6,14 +6,14 @@
 #include <vector>
 
 #include "plugin/trajectory.hpp"
+#include "tools/render/posing.hpp"
 #include "tools/render/renderer.hpp"
-#include "tools/render/scene_parts.hpp"
 
 namespace legwright {
 
 /// Compiles a scene. Plugins that it names must have been loaded before.
 /// Throws InputError with MuJoCo's message.
-ModelPointer load_scene(const std::filesystem::path& file);
+ModelPointer load_drawn_scene(const std::filesystem::path& file);
 
 /// Where the scene starts: its keyframe "gait", else its first, else the model's own reference
 /// pose.

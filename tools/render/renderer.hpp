@@ -10,9 +10,9 @@
 #include <string_view>
 #include <vector>
 
+#include "tools/image/id_image.hpp"
+#include "tools/image/image.hpp"
 #include "tools/render/gl_context.hpp"
-#include "tools/render/id_image.hpp"
-#include "tools/render/image.hpp"
 
 namespace legwright {
 

@@ -7,14 +7,14 @@
 #include <chrono>
 #include <span>
 
-#include "tools/io/atomic_file.hpp"
-#include "tools/io/io_error.hpp"
-#include "tools/io/result_folder.hpp"
+#include "tools/files/atomic_file.hpp"
+#include "tools/files/io_error.hpp"
+#include "tools/image/png.hpp"
 #include "tools/render/contact_timeline.hpp"
 #include "tools/render/gait_animation.hpp"
 #include "tools/render/iteration_painter.hpp"
-#include "tools/render/png.hpp"
 #include "tools/render/strips.hpp"
+#include "tools/run/result_folder.hpp"
 
 namespace legwright {
 namespace {
@@ -35,7 +35,7 @@ class RunDrawing {
           "pictures of the result: the run has none yet; finish legwright optimize");
       return std::move(out_);
     }
-    const std::vector<Act> acts = load_acts(run_);
+    const std::vector<GaitClip> acts = load_clips(run_);
     draw_phases(acts);
     if (options_.only_phases) return std::move(out_);
     draw_planned(acts);
@@ -78,7 +78,7 @@ class RunDrawing {
     }
   }
 
-  void draw_phases(const std::vector<Act>& acts) {
+  void draw_phases(const std::vector<GaitClip>& acts) {
     for (const double phase : options_.phases) {
       finish(fmt::format("still_{}.png", phase),
              [&](const fs::path& file) { write_png(file, still(context(), acts.back(), phase)); });
@@ -89,7 +89,7 @@ class RunDrawing {
     }
   }
 
-  void draw_planned(const std::vector<Act>& acts) {
+  void draw_planned(const std::vector<GaitClip>& acts) {
     PlannedStrip strip;
     const auto compose = [&](std::span<const StripRow> rows) {
       Renderer letters = cell_renderer(context(), *acts[0].model, strip.layout);
@@ -105,9 +105,9 @@ class RunDrawing {
            [&](const fs::path& file) { write_png(file, compose(strip.rows)); });
   }
 
-  void draw_simulated(const std::vector<Act>& acts) {
+  void draw_simulated(const std::vector<GaitClip>& acts) {
     const auto every = [&](auto has) { return std::all_of(acts.begin(), acts.end(), has); };
-    if (!every([](const Act& act) { return act.playback.has_value(); })) {
+    if (!every([](const GaitClip& act) { return act.playback.has_value(); })) {
       for (const char* name : {"strip_physics.png", "overlay.png", "contact_timeline.png"})
         out_.left_out.push_back(std::string(name) + ": run legwright validate first");
       return;
@@ -116,7 +116,7 @@ class RunDrawing {
            [&](const fs::path& file) { write_png(file, physics_strip(context(), acts)); });
     finish("overlay.png",
            [&](const fs::path& file) { write_png(file, overlay_strip(context(), acts)); });
-    if (!every([](const Act& act) { return !act.feet.empty(); })) {
+    if (!every([](const GaitClip& act) { return !act.feet.empty(); })) {
       out_.left_out.push_back(
           "contact_timeline.png: metrics.json does not tell of the feet; run legwright validate "
           "again");

@@ -18,7 +18,7 @@ constexpr int kStillWidth = 1280, kStillHeight = 960;
 double moment(double end, int k) { return end * k / (kMoments.cells - 1); }
 
 /// Across the way the plan goes, where the trunk was at first.
-FloorLine line_at_start(const Act& act) {
+FloorLine line_at_start(const GaitClip& act) {
   const auto& first = act.playback->qpos.front();
   const double x = act.plan.travel[0], y = act.plan.travel[1],
                length = std::max(std::hypot(x, y), 1e-9);
@@ -32,7 +32,7 @@ FloorLine line_at_start(const Act& act) {
 }
 
 /// Where the trunk went, on the floor.
-FloorLine path_until(const Act& act, double time) {
+FloorLine path_until(const GaitClip& act, double time) {
   FloorLine line;
   for (std::size_t i = 0; i < act.playback->time.size() && act.playback->time[i] <= time + 1e-9;
        i += 4) {
@@ -44,7 +44,7 @@ FloorLine path_until(const Act& act, double time) {
   return line;
 }
 
-std::string note_of(const Act& act, const char* what) {
+std::string note_of(const GaitClip& act, const char* what) {
   if (!act.fell) return what;
   return fmt::format("{}: falls after {:.2f} s{}", what, *act.fell,
                      act.falls_in_playback() ? "" : ", later than shown");
@@ -52,11 +52,11 @@ std::string note_of(const Act& act, const char* what) {
 
 /// The last moment shown [s]: the end of the record, but where nobody falls not so late that a
 /// fast robot would be small in the picture of its way.
-double end_shown(const std::vector<Act>& acts) {
+double end_shown(const std::vector<GaitClip>& acts) {
   constexpr double kLongestWay = 1.0;  // [m]
   double end = 0.0;
   bool falls = false;
-  for (const Act& act : acts) {
+  for (const GaitClip& act : acts) {
     end = std::max(end, act.playback->time.back());
     falls = falls || act.falls_in_playback();
   }
@@ -66,7 +66,7 @@ double end_shown(const std::vector<Act>& acts) {
   return std::min(end, std::max(2.0 * plan.period, kLongestWay / speed));
 }
 
-StripRow physics_row(const GlContext& context, const Act& act, double end, const View& view) {
+StripRow physics_row(const GlContext& context, const GaitClip& act, double end, const View& view) {
   StripRow row;
   row.title = act.title;
   row.note = note_of(act, "simulated by MuJoCo");
@@ -89,10 +89,10 @@ StripRow physics_row(const GlContext& context, const Act& act, double end, const
 
 }  // namespace
 
-PlannedStrip planned_strip(const GlContext& context, const std::vector<Act>& acts) {
+PlannedStrip planned_strip(const GlContext& context, const std::vector<GaitClip>& acts) {
   PlannedStrip strip{{}, {}, kPhases};
   std::vector<Poses> poses, at_home;  // the latter without the way: the camera goes along
-  for (const Act& act : acts) {
+  for (const GaitClip& act : acts) {
     poses.push_back(planned_poses(*act.model, act.plan, kPhases.cells, act.scene));
     at_home.push_back(poses.back());
     for (std::size_t k = 0; k < at_home.back().size(); ++k)
@@ -121,7 +121,7 @@ PlannedStrip planned_strip(const GlContext& context, const std::vector<Act>& act
   return strip;
 }
 
-Image physics_strip(const GlContext& context, const std::vector<Act>& acts) {
+Image physics_strip(const GlContext& context, const std::vector<GaitClip>& acts) {
   const double end = end_shown(acts);
   std::vector<Poses> poses(acts.size());
   std::vector<PosedModel> robots;
@@ -133,7 +133,7 @@ Image physics_strip(const GlContext& context, const std::vector<Act>& acts) {
   const View view =
       frame_robots(robots, side_view(acts.back().plan), kSideElevation, aspect(kMoments), 0.06);
   std::vector<StripRow> rows;
-  for (const Act& act : acts) rows.push_back(physics_row(context, act, end, view));
+  for (const GaitClip& act : acts) rows.push_back(physics_row(context, act, end, view));
   std::vector<std::string> captions;
   for (int k = 0; k < kMoments.cells; ++k)
     captions.push_back(fmt::format("{:.1f} s", moment(end, k)));
@@ -141,7 +141,7 @@ Image physics_strip(const GlContext& context, const std::vector<Act>& acts) {
   return compose_strip(kMoments, rows, captions, letters);
 }
 
-Image still(const GlContext& context, const Act& act, double phase) {
+Image still(const GlContext& context, const GaitClip& act, double phase) {
   const auto pose = act.planned_at(phase * act.plan.period);
   const View view = frame_robot(*act.model, {pose}, side_view(act.plan), kSideElevation,
                                 static_cast<double>(kStillWidth) / kStillHeight);
@@ -149,10 +149,11 @@ Image still(const GlContext& context, const Act& act, double phase) {
   return renderer.render(pose, view);
 }
 
-Image still_side_by_side(const GlContext& context, const std::vector<Act>& acts, double phase) {
+Image still_side_by_side(const GlContext& context, const std::vector<GaitClip>& acts,
+                         double phase) {
   std::vector<Poses> poses;
   std::vector<PosedModel> robots;
-  for (const Act& act : acts) poses.push_back({act.planned_at(phase * act.plan.period)});
+  for (const GaitClip& act : acts) poses.push_back({act.planned_at(phase * act.plan.period)});
   for (std::size_t i = 0; i < acts.size(); ++i) robots.push_back({acts[i].model.get(), &poses[i]});
   const View view =
       frame_robots(robots, side_view(acts.back().plan), kSideElevation, aspect(kPair));

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/render/act.hpp"
+#include "tools/render/gait_clip.hpp"
 
 namespace legwright {
 
@@ -15,19 +15,19 @@ struct PlannedStrip {
   std::vector<std::string> captions;
   StripLayout layout;
 };
-PlannedStrip planned_strip(const GlContext& context, const std::vector<Act>& acts);
+PlannedStrip planned_strip(const GlContext& context, const std::vector<GaitClip>& acts);
 
 /// What the simulation did, at five moments from its start on: by one camera that stands
 /// still, the way drawn on the floor. Every act needs a playback.
-Image physics_strip(const GlContext& context, const std::vector<Act>& acts);
+Image physics_strip(const GlContext& context, const std::vector<GaitClip>& acts);
 
 /// What the simulation did over the plan's ghost, at six phases of one late cycle: of the last
 /// whole one that was recorded, where it fell of the one in which it fell. Every act needs a playback.
-Image overlay_strip(const GlContext& context, const std::vector<Act>& acts);
+Image overlay_strip(const GlContext& context, const std::vector<GaitClip>& acts);
 
 /// One phase (0 … 1) of the planned gait, 1280 × 960.
-Image still(const GlContext& context, const Act& act, double phase);
+Image still(const GlContext& context, const GaitClip& act, double phase);
 /// The acts side by side at one phase, by the same camera.
-Image still_side_by_side(const GlContext& context, const std::vector<Act>& acts, double phase);
+Image still_side_by_side(const GlContext& context, const std::vector<GaitClip>& acts, double phase);
 
 }  // namespace legwright

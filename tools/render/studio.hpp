@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "tools/render/posing.hpp"
 #include "tools/render/renderer.hpp"
-#include "tools/render/scene_parts.hpp"
 
 namespace legwright {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "tools/io/json_file.hpp"
+#include "tools/files/json_file.hpp"
 #include "tools/report/curves_data.hpp"
 
 namespace legwright {

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mjcf/input_error.hpp"
+#include "mjcf/text/input_error.hpp"
 #include "optimizer/terms/registry.hpp"
-#include "tools/io/result_folder.hpp"
-#include "tools/io/task_file.hpp"
 #include "tools/report/run_data.hpp"
+#include "tools/run/result_folder.hpp"
+#include "tools/task/task_file.hpp"
 
 namespace legwright {
 namespace {

@@ -1,31 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
 #include <initializer_list>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "tools/io/clean_text.hpp"
+#include "tools/files/escape.hpp"
 
 namespace legwright {
-
-// One escape per context; each takes any bytes and gives clean UTF-8.
-/// For text between tags.
-std::string escape_text(std::string_view text);
-/// For an attribute's value in double quotes.
-std::string escape_attribute(std::string_view text);
-/// For JSON that stands in a <script> element: the same document, with < > & and line separators as
-/// \uXXXX.
-std::string escape_json_island(std::string_view json);
-/// For a paragraph of Markdown: nothing in it is markup.
-std::string escape_markdown(std::string_view text);
-
-/// data: URI of some bytes.
-std::string data_uri(std::string_view media_type, std::span<const std::uint8_t> bytes);
 
 /// Writes markup that is HTML and well-formed XML at once. Everything is escaped but for raw().
 class Html {

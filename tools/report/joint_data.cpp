@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "tools/io/task_folders.hpp"
+#include "tools/run/task_folders.hpp"
 
 namespace legwright {
 namespace {

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <span>
 
-#include "tools/io/atomic_file.hpp"
+#include "tools/files/atomic_file.hpp"
 
 namespace legwright {
 

@@ -3,7 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "mjcf/input_error.hpp"
+#include "mjcf/text/input_error.hpp"
+#include "tools/files/clean_text.hpp"
 #include "tools/report/joint_data.hpp"
 #include "tools/report/page.hpp"
 #include "tools/report/words.hpp"

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tools/io/json_file.hpp"
+#include "tools/files/json_file.hpp"
 
 namespace legwright {
 

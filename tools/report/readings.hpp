@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/io/json_file.hpp"
+#include "tools/files/json_file.hpp"
 
 namespace legwright {
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "tools/io/atomic_file.hpp"
+#include "tools/files/atomic_file.hpp"
 #include "tools/report/page.hpp"
 #include "tools/report/sections.hpp"
 #include "tools/report/words.hpp"

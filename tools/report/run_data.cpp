@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "tools/io/events.hpp"
-#include "tools/io/result_folder.hpp"
-#include "tools/report/tables.hpp"
+#include "tools/run/events.hpp"
+#include "tools/run/motion_csv.hpp"
+#include "tools/run/result_folder.hpp"
 
 namespace legwright {
 namespace {

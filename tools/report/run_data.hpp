@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "plugin/trajectory.hpp"
-#include "tools/io/json_file.hpp"
+#include "tools/files/json_file.hpp"
 #include "tools/report/readings.hpp"
 
 namespace legwright {

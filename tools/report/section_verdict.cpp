@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tools/io/atomic_file.hpp"
-#include "tools/render/png.hpp"
+#include "tools/files/atomic_file.hpp"
+#include "tools/image/png.hpp"
 #include "tools/report/sections.hpp"
 #include "tools/report/words.hpp"
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/files/clean_text.hpp"
 #include "tools/report/html.hpp"
 
 namespace legwright {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "plugin/numbers.hpp"
+#include "plugin/number_text.hpp"
 #include "tools/simulate/scene.hpp"
 
 namespace legwright {

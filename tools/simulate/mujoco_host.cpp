@@ -110,15 +110,15 @@ void load_gait_plugin() {
       searched);
 }
 
-MujocoModel compile_model(const std::string& xml, const std::string& name,
-                          const std::filesystem::path& folder) {
+ModelPointer compile_model(const std::string& xml, const std::string& name,
+                           const std::filesystem::path& folder) {
   MujocoMessages messages;
   std::array<char, 1000> error{};
-  const MujocoSpec spec(
+  const SpecPointer spec(
       mj_parseXMLString(xml.c_str(), nullptr, error.data(), static_cast<int>(error.size())));
   if (!spec) throw MujocoError(name + ": MuJoCo cannot read it: " + reason(error.data(), messages));
   if (!folder.empty()) mjs_setString(spec->modelfiledir, (folder.string() + "/").c_str());
-  MujocoModel model(mj_compile(spec.get(), nullptr));
+  ModelPointer model(mj_compile(spec.get(), nullptr));
   if (!model) {
     throw MujocoError(name +
                       ": MuJoCo cannot compile it: " + reason(mjs_getError(spec.get()), messages));
@@ -137,9 +137,9 @@ void require_gait_plugin(const mjModel& model, const std::string& name) {
       ": nothing would move the robot; play the scene.xml that `legwright optimize` writes");
 }
 
-MujocoData make_data(const mjModel& model) {
+DataPointer make_data(const mjModel& model) {
   const MujocoMessages messages;
-  MujocoData data(mj_makeData(&model));
+  DataPointer data(mj_makeData(&model));
   if (!data) throw MujocoError("MuJoCo cannot make the data of a model: out of memory?");
   return data;
 }

@@ -4,12 +4,12 @@
 #include <mujoco/mujoco.h>
 
 #include <filesystem>
-#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "tools/io/io_error.hpp"
+#include "mjcf/text/mujoco_pointers.hpp"
+#include "tools/files/io_error.hpp"
 
 namespace legwright {
 
@@ -25,15 +25,6 @@ class PluginError : public IoError {
  public:
   using IoError::IoError;
 };
-
-struct MujocoDeleter {
-  void operator()(mjModel* model) const { mj_deleteModel(model); }
-  void operator()(mjData* data) const { mj_deleteData(data); }
-  void operator()(mjSpec* spec) const { mj_deleteSpec(spec); }
-};
-using MujocoModel = std::unique_ptr<mjModel, MujocoDeleter>;
-using MujocoData = std::unique_ptr<mjData, MujocoDeleter>;
-using MujocoSpec = std::unique_ptr<mjSpec, MujocoDeleter>;
 
 /// Takes over MuJoCo's messages for this process: nothing is printed, no MUJOCO_LOG.TXT is written.
 /// While a MujocoMessages lives on a thread, warnings of that thread are kept there and an error
@@ -67,8 +58,8 @@ void load_gait_plugin();
 
 /// Compiles MJCF text. Throws MujocoError with MuJoCo's reason, led by `name`.
 /// @param folder against which the text's asset paths are meant; may be empty.
-MujocoModel compile_model(const std::string& xml, const std::string& name,
-                          const std::filesystem::path& folder = {});
+ModelPointer compile_model(const std::string& xml, const std::string& name,
+                           const std::filesystem::path& folder = {});
 
 /// Throws MujocoError unless `xml` asks for the plugin legwright.gait: a robot alone has no gait to
 /// play.
@@ -76,6 +67,6 @@ MujocoModel compile_model(const std::string& xml, const std::string& name,
 void require_gait_plugin(const mjModel& model, const std::string& name);
 
 /// Throws MujocoError where MuJoCo cannot make it.
-MujocoData make_data(const mjModel& model);
+DataPointer make_data(const mjModel& model);
 
 }  // namespace legwright

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "mjcf/input_error.hpp"
-#include "mjcf/played_robot.hpp"
+#include "mjcf/scene/played_robot.hpp"
+#include "mjcf/text/input_error.hpp"
 #include "optimizer/motion/motion.hpp"
 #include "plugin/trajectory.hpp"
 #include "tools/simulate/feed_forward.hpp"
@@ -104,7 +104,7 @@ PlayablePlan make_playable(const Morphology& morphology, const std::string& robo
                            const std::filesystem::path& folder) {
   try {
     Trajectory trajectory = make_trajectory(morphology, layout, gait, m);
-    const MujocoModel model = compile_model(robot_xml, morphology.name, folder);
+    const ModelPointer model = compile_model(robot_xml, morphology.name, folder);
     const RootResidual residual = fill_feed_forward(*model, feet_on_links(morphology), trajectory);
     const JointMap map = map_joints(*model, trajectory.joint_names);
     const PlayedState start = played_state(*model, map, trajectory, 0.0);

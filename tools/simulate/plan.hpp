@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "mjcf/read_robot.hpp"
+#include "mjcf/read/read_robot.hpp"
 #include "optimizer/objective/objective.hpp"
 
 namespace legwright {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "plugin/spline.hpp"
-#include "tools/simulate/planned_motion.hpp"
+#include "tools/simulate/planned_vectors.hpp"
 
 namespace legwright {
 namespace {
@@ -18,8 +18,8 @@ void set_state(const PlayedState& state, mjData& data) {
 
 // Contact, limit and friction forces are not part of the plan: the inverse without constraints is
 // M q̈ + bias − passive.
-MujocoModel without_constraints(const mjModel& model) {
-  MujocoModel copy(mj_copyModel(nullptr, &model));
+ModelPointer without_constraints(const mjModel& model) {
+  ModelPointer copy(mj_copyModel(nullptr, &model));
   if (!copy) throw MujocoError("MuJoCo cannot copy a model: out of memory?");
   copy->opt.disableflags |= mjDSBL_CONSTRAINT | mjDSBL_ACTUATION;
   copy->opt.enableflags &= ~mjENBL_INVDISCRETE;

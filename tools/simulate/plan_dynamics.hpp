@@ -38,8 +38,8 @@ class PlanDynamics {
 
  private:
   const Trajectory& plan_;
-  MujocoModel model_;
-  MujocoData data_;
+  ModelPointer model_;
+  DataPointer data_;
   JointMap map_;
   std::vector<FootOnBody> feet_;
   double weight_ = 0.0;

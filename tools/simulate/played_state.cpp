@@ -5,7 +5,7 @@
 
 #include "plugin/spline.hpp"
 #include "tools/simulate/mujoco_host.hpp"
-#include "tools/simulate/planned_motion.hpp"
+#include "tools/simulate/planned_vectors.hpp"
 #include "tools/simulate/root_motion.hpp"
 
 namespace legwright {

@@ -45,7 +45,7 @@ Rollout rollout(const Scene& scene, const RolloutOptions& options,
                 const std::function<void(const RolloutSample&)>& observe) {
   const MujocoMessages messages;
   const mjModel& model = *scene.model;
-  const MujocoData data = make_data(model);
+  const DataPointer data = make_data(model);
   mj_resetDataKeyframe(&model, data.get(), scene.start_key);
   if (options.prepare) options.prepare(*data);
   const auto steps = std::llround(options.cycles * scene.trajectory.period / model.opt.timestep);

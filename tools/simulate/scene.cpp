@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "plugin/numbers.hpp"
-#include "tools/io/atomic_file.hpp"
+#include "plugin/number_text.hpp"
+#include "tools/files/atomic_file.hpp"
 
 namespace legwright {
 namespace {

@@ -16,7 +16,7 @@ namespace legwright {
 /// roll-outs may share it.
 struct Scene {
   std::string name;  // for messages
-  MujocoModel model;
+  ModelPointer model;
   Trajectory trajectory;  // as the plugin has it; travel and turn where the scene states them
   double t0 = 0.0;        // the plugin plays time + t0 [s]; its `speed` is in the plan already
   double gain_scale = 1.0;

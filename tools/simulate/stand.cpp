@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "mjcf/model_diff.hpp"
+#include "mjcf/write/model_diff.hpp"
 #include "tools/simulate/mujoco_host.hpp"
 #include "tools/simulate/rollout.hpp"
 
@@ -15,14 +15,14 @@ namespace legwright {
 namespace {
 
 /// With includes and assets found from its folder.
-MujocoModel load_model(const std::filesystem::path& file) {
+ModelPointer load_model(const std::filesystem::path& file) {
   MujocoMessages messages;
   std::array<char, 1000> error{};
-  const MujocoSpec spec(
+  const SpecPointer spec(
       mj_parseXML(file.c_str(), nullptr, error.data(), static_cast<int>(error.size())));
   if (!spec)
     throw MujocoError(fmt::format("{}: MuJoCo cannot read it: {}", file.string(), error.data()));
-  MujocoModel model(mj_compile(spec.get(), nullptr));
+  ModelPointer model(mj_compile(spec.get(), nullptr));
   if (!model)
     throw MujocoError(
         fmt::format("{}: MuJoCo cannot compile it: {}", file.string(), mjs_getError(spec.get())));
@@ -38,7 +38,7 @@ int free_body(const mjModel& model) {
 Stand stand(mjModel& model, double seconds) {
   const MujocoMessages messages;
   model.opt.disableflags |= mjDSBL_AUTORESET;
-  const MujocoData data = make_data(model);
+  const DataPointer data = make_data(model);
   const int home = mj_name2id(&model, mjOBJ_KEY, "home");
   if (model.nkey > 0) mj_resetDataKeyframe(&model, data.get(), std::max(home, 0));
   mj_forward(&model, data.get());
@@ -61,7 +61,7 @@ Stand stand(mjModel& model, double seconds) {
 }  // namespace
 
 Stand stand(const std::filesystem::path& scene, double seconds) {
-  const MujocoModel model = load_model(scene);
+  const ModelPointer model = load_model(scene);
   return stand(*model, seconds);
 }
 
@@ -74,7 +74,7 @@ std::vector<HealthWarning> warnings_in_gait(const std::filesystem::path& file, d
 
 std::vector<std::string> differences_in_scene(const std::filesystem::path& robot,
                                               const std::filesystem::path& scene) {
-  const MujocoModel alone = load_model(robot), whole = load_model(scene);
+  const ModelPointer alone = load_model(robot), whole = load_model(scene);
   std::vector<std::string> out;
   for (const Difference& difference : model_differences(*alone, *whole))
     if (difference.quantity != "only in B")

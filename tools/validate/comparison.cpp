@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "plugin/spline.hpp"
-#include "tools/simulate/planned_motion.hpp"
+#include "tools/simulate/planned_vectors.hpp"
 #include "tools/validate/planned_curves.hpp"
 #include "tools/validate/saturation.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "tools/io/json_file.hpp"
+#include "tools/files/json_file.hpp"
 #include "tools/validate/comparison.hpp"
 
 namespace legwright {

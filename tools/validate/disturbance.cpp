@@ -6,9 +6,9 @@
 #include <cmath>
 #include <memory>
 
-#include "mjcf/surroundings.hpp"
+#include "mjcf/scene/surroundings.hpp"
 #include "optimizer/motion/task.hpp"
-#include "tools/io/atomic_file.hpp"
+#include "tools/files/atomic_file.hpp"
 #include "tools/validate/delayed_servos.hpp"
 #include "tools/validate/floor_friction.hpp"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string>
 
-#include "mjcf/played_robot.hpp"
+#include "mjcf/scene/played_robot.hpp"
 
 namespace legwright {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "tools/report/html.hpp"
+#include "tools/files/escape.hpp"
 
 namespace legwright {
 namespace {

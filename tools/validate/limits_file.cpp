@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <system_error>
 
-#include "mjcf/input_error.hpp"
-#include "tools/io/atomic_file.hpp"
-#include "tools/io/io_error.hpp"
-#include "tools/io/toml_reader.hpp"
+#include "mjcf/text/input_error.hpp"
+#include "tools/files/atomic_file.hpp"
+#include "tools/files/io_error.hpp"
+#include "tools/task/toml_reader.hpp"
 #include "tools/validate/robustness_json.hpp"
 
 namespace legwright {
@@ -64,8 +64,7 @@ class Reader {
     const std::string full = prefix + one.name;
     TableReader in(table, full, problems_, lines_);
     // A view of the name itself: a conditional with "" would make a string that dies here.
-    const std::string_view unit =
-        one.unit == "1" ? std::string_view() : std::string_view(one.unit);
+    const std::string_view unit = one.unit == "1" ? std::string_view() : std::string_view(one.unit);
     const Range range{one.low, one.high, false, false, unit};
     const Bounds read{in.number("low", range), in.number("high", range)};
     if (!read.any() && !in.has("low") && !in.has("high"))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "tools/io/json_file.hpp"
+#include "tools/files/json_file.hpp"
 #include "tools/validate/validation.hpp"
 
 namespace legwright {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "optimizer/solve/parallel.hpp"
+#include "optimizer/base/parallel.hpp"
 
 namespace legwright {
 namespace {

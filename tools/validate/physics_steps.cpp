@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "optimizer/solve/parallel.hpp"
+#include "optimizer/base/parallel.hpp"
 
 namespace legwright {
 namespace {

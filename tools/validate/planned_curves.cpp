@@ -8,7 +8,7 @@
 
 #include "optimizer/motion/path.hpp"
 #include "plugin/spline.hpp"
-#include "tools/simulate/planned_motion.hpp"
+#include "tools/simulate/planned_vectors.hpp"
 #include "tools/validate/compared_rows.hpp"
 #include "tools/validate/foot_touch.hpp"
 

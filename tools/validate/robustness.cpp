@@ -8,7 +8,7 @@
 #include <mutex>
 #include <random>
 
-#include "optimizer/solve/parallel.hpp"
+#include "optimizer/base/parallel.hpp"
 
 namespace legwright {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/io/json_file.hpp"
+#include "tools/files/json_file.hpp"
 #include "tools/validate/limits.hpp"
 #include "tools/validate/robustness.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "optimizer/solve/parallel.hpp"
+#include "optimizer/base/parallel.hpp"
 
 namespace legwright {
 namespace {

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <memory>
 
-#include "mjcf/legs.hpp"
+#include "mjcf/read/legs.hpp"
 #include "optimizer/terms/registry.hpp"
-#include "tools/io/json_file.hpp"
-#include "tools/io/problem.hpp"
-#include "tools/io/servo_sag.hpp"
+#include "tools/files/json_file.hpp"
+#include "tools/task/problem.hpp"
+#include "tools/task/servo_sag.hpp"
 #include "tools/verbs/gradients.hpp"
 #include "tools/verbs/summary.hpp"
 #include "tools/verbs/verbs.hpp"

@@ -10,10 +10,10 @@
 #include <memory>
 #include <system_error>
 
-#include "mjcf/input_error.hpp"
-#include "optimizer/solve/stopwatch.hpp"
+#include "mjcf/text/input_error.hpp"
+#include "optimizer/base/stopwatch.hpp"
 #include "optimizer/solve/task_solver.hpp"
-#include "tools/io/design_folder.hpp"
+#include "tools/run/design_folder.hpp"
 #include "tools/simulate/mujoco_host.hpp"
 #include "tools/simulate/scene.hpp"
 #include "tools/validate/limits.hpp"

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "tools/io/json_file.hpp"
-#include "tools/io/problem.hpp"
-#include "tools/io/result_folder.hpp"
+#include "tools/files/json_file.hpp"
+#include "tools/run/result_folder.hpp"
+#include "tools/task/problem.hpp"
 #include "tools/validate/physics_steps.hpp"
 
 namespace legwright {

@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
-#include "mjcf/input_error.hpp"
-#include "tools/io/atomic_file.hpp"
+#include "mjcf/text/input_error.hpp"
+#include "tools/files/atomic_file.hpp"
 #include "tools/report/curves.hpp"
 #include "tools/verbs/verbs.hpp"
 

@@ -4,12 +4,12 @@
 #include <memory>
 #include <numeric>
 
-#include "mjcf/checks.hpp"
-#include "mjcf/compile.hpp"
-#include "mjcf/model_diff.hpp"
-#include "mjcf/robot_files.hpp"
-#include "tools/io/clean_text.hpp"
-#include "tools/io/json_file.hpp"
+#include "mjcf/read/checks.hpp"
+#include "mjcf/text/compile.hpp"
+#include "mjcf/text/robot_files.hpp"
+#include "mjcf/write/model_diff.hpp"
+#include "tools/files/clean_text.hpp"
+#include "tools/files/json_file.hpp"
 #include "tools/verbs/verbs.hpp"
 
 namespace legwright {

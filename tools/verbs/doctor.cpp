@@ -5,11 +5,11 @@
 #include <cstdlib>
 #include <memory>
 
-#include "tools/io/install.hpp"
-#include "tools/io/json_file.hpp"
+#include "tools/files/json_file.hpp"
+#include "tools/run/install.hpp"
 #include "tools/simulate/mujoco_host.hpp"
 #include "tools/verbs/verbs.hpp"
-#include "tools/verbs/viewer.hpp"
+#include "tools/verbs/viewer_programs.hpp"
 
 namespace legwright {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/io/design_folder.hpp"
+#include "tools/run/design_folder.hpp"
 
 namespace legwright {
 

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <memory>
 
-#include "mjcf/input_error.hpp"
+#include "mjcf/text/input_error.hpp"
 #include "optimizer/motion/gait.hpp"
-#include "tools/io/json_file.hpp"
-#include "tools/io/toml_reader.hpp"
+#include "tools/files/json_file.hpp"
+#include "tools/task/toml_reader.hpp"
 #include "tools/verbs/verbs.hpp"
 
 namespace legwright {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "tools/io/json_file.hpp"
-#include "tools/io/problem.hpp"
+#include "tools/files/json_file.hpp"
+#include "tools/task/problem.hpp"
 
 namespace legwright {
 

@@ -5,13 +5,13 @@
 #include <memory>
 #include <optional>
 
-#include "mjcf/input_error.hpp"
-#include "mjcf/proposals.hpp"
-#include "tools/io/atomic_file.hpp"
-#include "tools/io/clean_text.hpp"
-#include "tools/io/io_error.hpp"
-#include "tools/io/json_file.hpp"
-#include "tools/io/starter_task.hpp"
+#include "mjcf/propose/proposals.hpp"
+#include "mjcf/text/input_error.hpp"
+#include "tools/files/atomic_file.hpp"
+#include "tools/files/clean_text.hpp"
+#include "tools/files/io_error.hpp"
+#include "tools/files/json_file.hpp"
+#include "tools/task/starter_task.hpp"
 #include "tools/verbs/init_text.hpp"
 #include "tools/verbs/summary.hpp"
 #include "tools/verbs/verbs.hpp"

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "mjcf/legs.hpp"
+#include "mjcf/read/legs.hpp"
 
 namespace legwright {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "mjcf/proposals.hpp"
+#include "mjcf/propose/proposals.hpp"
 
 namespace legwright {
 

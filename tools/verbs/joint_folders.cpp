@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/verbs/joint_folders.hpp"
+#include "tools/run/design_json.hpp"
 
 #include <fmt/format.h>
 
-#include "mjcf/rewrite_robot.hpp"
-#include "tools/io/atomic_file.hpp"
-#include "tools/io/events.hpp"
-#include "tools/io/robot_folder.hpp"
+#include "mjcf/write/rewrite_robot.hpp"
+#include "tools/files/atomic_file.hpp"
+#include "tools/run/events.hpp"
+#include "tools/run/robot_folder.hpp"
 
 namespace legwright {
 namespace {

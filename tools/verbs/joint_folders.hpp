@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "optimizer/solve/multistart.hpp"
-#include "tools/io/problem.hpp"
-#include "tools/io/result_folder.hpp"
-#include "tools/io/run_json.hpp"
+#include "tools/run/result_folder.hpp"
+#include "tools/run/run_json.hpp"
+#include "tools/task/problem.hpp"
 #include "tools/verbs/recorder.hpp"
 
 namespace legwright {

@@ -5,12 +5,12 @@
 
 #include <Eigen/Geometry>
 
-#include "mjcf/input_error.hpp"
+#include "mjcf/text/input_error.hpp"
 #include "optimizer/motion/path.hpp"
-#include "tools/io/install.hpp"
-#include "tools/io/io_error.hpp"
-#include "tools/io/task_folders.hpp"
-#include "tools/report/tables.hpp"
+#include "tools/files/io_error.hpp"
+#include "tools/run/install.hpp"
+#include "tools/run/motion_csv.hpp"
+#include "tools/run/task_folders.hpp"
 #include "tools/simulate/mujoco_host.hpp"
 #include "tools/validate/comparison_json.hpp"
 #include "tools/validate/metrics_json.hpp"

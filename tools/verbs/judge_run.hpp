@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "mjcf/home_touches.hpp"
-#include "tools/io/json_file.hpp"
-#include "tools/io/result_folder.hpp"
+#include "mjcf/propose/home_touches.hpp"
+#include "tools/files/json_file.hpp"
+#include "tools/run/result_folder.hpp"
 #include "tools/validate/numerics.hpp"
 #include "tools/validate/robustness.hpp"
 #include "tools/validate/validation.hpp"

@@ -4,16 +4,16 @@
 #include <cstdlib>
 #include <memory>
 
-#include "mjcf/input_error.hpp"
-#include "tools/io/install.hpp"
-#include "tools/io/io_error.hpp"
-#include "tools/io/json_file.hpp"
-#include "tools/io/result_folder.hpp"
-#include "tools/io/task_folders.hpp"
+#include "mjcf/text/input_error.hpp"
+#include "tools/files/io_error.hpp"
+#include "tools/files/json_file.hpp"
+#include "tools/run/install.hpp"
+#include "tools/run/result_folder.hpp"
+#include "tools/run/task_folders.hpp"
 #include "tools/simulate/mujoco_host.hpp"
 #include "tools/verbs/summary.hpp"
 #include "tools/verbs/verbs.hpp"
-#include "tools/verbs/viewer.hpp"
+#include "tools/verbs/viewer_programs.hpp"
 
 namespace legwright {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "optimizer/solve/multistart.hpp"
-#include "tools/io/design_folder.hpp"
+#include "tools/run/design_folder.hpp"
 
 namespace legwright {
 

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "optimizer/solve/stopwatch.hpp"
-#include "tools/io/run_json.hpp"
+#include "optimizer/base/stopwatch.hpp"
+#include "tools/run/run_json.hpp"
 #include "tools/verbs/stop_signals.hpp"
 
 namespace legwright {

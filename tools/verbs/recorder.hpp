@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "optimizer/solve/multistart.hpp"
-#include "tools/io/design_folder.hpp"
-#include "tools/io/events.hpp"
-#include "tools/io/problem.hpp"
-#include "tools/io/pull.hpp"
-#include "tools/io/result_folder.hpp"
+#include "tools/run/design_folder.hpp"
+#include "tools/run/events.hpp"
+#include "tools/run/pull.hpp"
+#include "tools/run/result_folder.hpp"
+#include "tools/task/problem.hpp"
 #include "tools/verbs/picture_queue.hpp"
 #include "tools/verbs/progress.hpp"
 

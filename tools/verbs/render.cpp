@@ -5,11 +5,11 @@
 #include <filesystem>
 #include <memory>
 
-#include "tools/io/io_error.hpp"
-#include "tools/io/json_file.hpp"
-#include "tools/io/task_folders.hpp"
+#include "tools/files/io_error.hpp"
+#include "tools/files/json_file.hpp"
 #include "tools/render/gl_context.hpp"
 #include "tools/render/run_pictures.hpp"
+#include "tools/run/task_folders.hpp"
 #include "tools/simulate/mujoco_host.hpp"
 #include "tools/verbs/verbs.hpp"
 

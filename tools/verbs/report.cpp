@@ -6,9 +6,9 @@
 #include <memory>
 #include <vector>
 
-#include "mjcf/input_error.hpp"
-#include "tools/io/atomic_file.hpp"
-#include "tools/io/json_file.hpp"
+#include "mjcf/text/input_error.hpp"
+#include "tools/files/atomic_file.hpp"
+#include "tools/files/json_file.hpp"
 #include "tools/report/pair_report.hpp"
 #include "tools/report/report.hpp"
 #include "tools/verbs/verbs.hpp"

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "tools/io/json_file.hpp"
+#include "tools/files/json_file.hpp"
 
 namespace legwright {
 

@@ -6,9 +6,9 @@
 #include <memory>
 #include <thread>
 
-#include "mjcf/input_error.hpp"
-#include "tools/io/clean_text.hpp"
-#include "tools/io/result_folder.hpp"
+#include "mjcf/text/input_error.hpp"
+#include "tools/files/clean_text.hpp"
+#include "tools/run/result_folder.hpp"
 #include "tools/validate/junit.hpp"
 #include "tools/validate/limits_file.hpp"
 #include "tools/validate/robustness_json.hpp"

@@ -4,18 +4,9 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 
-namespace legwright {
+#include "tools/files/exit_code.hpp"
 
-/// Exit codes of the program.
-enum ExitCode : int {
-  kOk = 0,
-  kInfeasible = 1,  // not feasible, or verdict fail
-  kBadInput = 2,
-  kIoError = 3,
-  kInternal = 4,
-  kStoppedEarly = 75,
-  kInterrupted = 130,
-};
+namespace legwright {
 
 /// What a parsed command line asks for; returns an exit code. May throw InputError (2), std::system_error
 /// and std::filesystem::filesystem_error (3), anything else (4): main() turns them into a message and the code.

@@ -7,8 +7,8 @@
 #include <exception>
 #include <system_error>
 
-#include "tools/io/json_file.hpp"
-#include "tools/io/task_folders.hpp"
+#include "tools/files/json_file.hpp"
+#include "tools/run/task_folders.hpp"
 
 namespace legwright {
 namespace {

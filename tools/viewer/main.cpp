@@ -5,12 +5,12 @@
 
 #include <CLI/CLI.hpp>
 
-#include "tools/io/clean_text.hpp"
-#include "tools/io/install.hpp"
+#include "tools/files/clean_text.hpp"
+#include "tools/files/exit_code.hpp"
+#include "tools/run/install.hpp"
 #include "tools/simulate/mujoco_host.hpp"
-#include "tools/verbs/verbs.hpp"
+#include "tools/viewer/message_lines.hpp"
 #include "tools/viewer/viewer.hpp"
-#include "tools/viewer/words.hpp"
 
 namespace {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/viewer/viewer.hpp"
-#include "tools/io/clean_text.hpp"
+#include "tools/files/clean_text.hpp"
 
 #include <fmt/format.h>
 #include <simulate.h>
@@ -13,9 +13,9 @@
 
 #include "tools/simulate/mujoco_host.hpp"
 #include "tools/viewer/follow.hpp"
+#include "tools/viewer/message_lines.hpp"
 #include "tools/viewer/pace.hpp"
 #include "tools/viewer/window.hpp"
-#include "tools/viewer/words.hpp"
 
 namespace legwright {
 namespace {
@@ -67,8 +67,8 @@ class Session {
   mjvPerturb push_{};
   Window* window_ = nullptr;  // owned by the viewer
   mujoco::Simulate viewer_;
-  MujocoModel model_;  // of the second thread
-  MujocoData data_;
+  ModelPointer model_;  // of the second thread
+  DataPointer data_;
   fs::path scene_;  // what model_ was made of
   Pace pace_;
   Clock::time_point looked_{};
@@ -164,8 +164,8 @@ void Session::tell(const std::string& message) {
 }
 
 bool Session::load(const fs::path& scene, const std::vector<Fact>& facts) {
-  MujocoModel model;
-  MujocoData data;
+  ModelPointer model;
+  DataPointer data;
   try {
     const MujocoMessages messages;
     std::array<char, 1000> error{};

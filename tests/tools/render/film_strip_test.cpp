@@ -4,9 +4,9 @@
 #include <cmath>
 #include <filesystem>
 
-#include "mjcf/input_error.hpp"
+#include "mjcf/text/input_error.hpp"
 #include "tests/tools/render/toy_scene.hpp"
-#include "tools/io/atomic_file.hpp"
+#include "tools/files/atomic_file.hpp"
 #include "tools/render/poses.hpp"
 #include "tools/simulate/played_state.hpp"
 
@@ -32,7 +32,7 @@ Trajectory toy_plan(double heading = 0.3) {
 ModelPointer toy() {
   const auto file = std::filesystem::path(testing::TempDir()) / "toy_strip.xml";
   write_file(file, kToyScene);
-  return load_scene(file);
+  return load_drawn_scene(file);
 }
 
 TEST(PlannedPoses, AreTheSplineInTheOrderOfTheModel) {

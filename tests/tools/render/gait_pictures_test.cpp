@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "tests/tools/render/toy_scene.hpp"
-#include "tools/io/atomic_file.hpp"
+#include "tools/files/atomic_file.hpp"
 #include "tools/render/contact_timeline.hpp"
 #include "tools/render/gait_animation.hpp"
 #include "tools/render/strips.hpp"
@@ -12,12 +12,12 @@ namespace legwright {
 namespace {
 
 /// A toy that walks to the left by 0.2 m a cycle and was simulated 5 cm beside its plan.
-Act toy_act(bool fell = false) {
-  Act act;
+GaitClip toy_act(bool fell = false) {
+  GaitClip act;
   act.title = "After";
   act.scene = std::filesystem::path(testing::TempDir()) / "toy_act.xml";
   write_file(act.scene, kToyScene);
-  act.model = load_scene(act.scene);
+  act.model = load_drawn_scene(act.scene);
   act.plan = blank_trajectory({"left", "right"}, {"L", "R"}, 8, 0.8);
   act.plan.travel = {0.0, 0.2, 0.0};
   for (int k = 0; k < 8; ++k) {
@@ -48,7 +48,7 @@ int count_of(const Image& image, Rgb colour) {
 }
 
 TEST(PoseAt, LiesBetweenTheRecords) {
-  const Act act = toy_act();
+  const GaitClip act = toy_act();
   const auto between = pose_at(*act.model, *act.playback, 0.15);
   const auto &before = act.playback->qpos[1], &after = act.playback->qpos[2];
   for (std::size_t i = 0; i < between.size(); ++i)
@@ -78,20 +78,20 @@ TEST(LoopFloor, JoinsAfterWholePatterns) {
 TEST(GaitAnimation, LastsItsCyclesAndMoves) {
   LEGWRIGHT_NEEDS_GL();
   const GlContext context;
-  const Act act = toy_act();
+  const GaitClip act = toy_act();
   const Animation animation = animate_gait(context, act);
   ASSERT_EQ(animation.frames.size(), 19U);  // 0.8 s
   EXPECT_EQ(animation.end_ms.back(), 800);
   EXPECT_GT(different_pixels(animation.frames[0], animation.frames[5]), 100);
   EXPECT_EQ(animate_gait(context, act).frames, animation.frames);
-  Act failed = toy_act(true);  // shows the plan, and says so
+  GaitClip failed = toy_act(true);  // shows the plan, and says so
   EXPECT_GT(different_pixels(animate_gait(context, failed).frames[0], animation.frames[0]), 50);
 }
 
 TEST(OverlayStrip, GhostAndOutlineLieOverTheSimulation) {
   LEGWRIGHT_NEEDS_GL();
   const GlContext context;
-  std::vector<Act> acts;
+  std::vector<GaitClip> acts;
   acts.push_back(toy_act());
   const Image strip = overlay_strip(context, acts);
   acts[0].playback->qpos[16][7] += 0.2;  // start of the last whole cycle, 1.6 s: the simulated leg
@@ -105,7 +105,7 @@ TEST(OverlayStrip, GhostAndOutlineLieOverTheSimulation) {
 TEST(PhysicsStrip, WhatComesAfterAFallIsPale) {
   LEGWRIGHT_NEEDS_GL();
   const GlContext context;
-  std::vector<Act> acts;
+  std::vector<GaitClip> acts;
   acts.push_back(toy_act(true));
   acts.push_back(toy_act());
   const Image strip = physics_strip(context, acts);
@@ -133,7 +133,7 @@ TEST(ContactTimeline, CountsWhatIsCovered) {
 TEST(ContactTimeline, TellsTouchInSwingFromStance) {
   LEGWRIGHT_NEEDS_GL();
   const GlContext context;
-  std::vector<Act> acts;
+  std::vector<GaitClip> acts;
   acts.push_back(toy_act());
   Renderer letters(context, *acts[0].model, 64, 48, RenderStyle::cheap);
   const Rgb touches_in_swing{221, 110, 20};
@@ -144,7 +144,7 @@ TEST(ContactTimeline, TellsTouchInSwingFromStance) {
   const int right = count_of(contact_timeline(acts, letters), touches_in_swing);
   EXPECT_GT(wrong, right + 4000);
   const Rgb red{207, 34, 46};
-  std::vector<Act> both;
+  std::vector<GaitClip> both;
   both.push_back(toy_act(true));
   both.push_back(toy_act());
   EXPECT_GT(count_of(contact_timeline(both, letters), red), 200);  // the end of the one that fell
@@ -154,7 +154,7 @@ TEST(ContactTimeline, TellsTouchInSwingFromStance) {
 TEST(Stills, ShowThePhaseAskedFor) {
   LEGWRIGHT_NEEDS_GL();
   const GlContext context;
-  std::vector<Act> acts;
+  std::vector<GaitClip> acts;
   acts.push_back(toy_act());
   acts.push_back(toy_act());
   EXPECT_EQ(still(context, acts[0], 0.25).width, 1280);

@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "tests/tools/io/temporary_folder.hpp"
-#include "tools/io/atomic_file.hpp"
+#include "tests/tools/files/temporary_folder.hpp"
+#include "tools/files/atomic_file.hpp"
 
 namespace legwright {
 namespace {

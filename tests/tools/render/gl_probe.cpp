@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "tests/tools/render/toy_scene.hpp"
-#include "tools/io/atomic_file.hpp"
-#include "tools/render/png.hpp"
+#include "tools/files/atomic_file.hpp"
+#include "tools/image/png.hpp"
 #include "tools/render/poses.hpp"
 
 int main(int count, char** words) {
@@ -15,7 +15,7 @@ int main(int count, char** words) {
   try {
     const std::filesystem::path png = words[1];
     write_file(png.parent_path() / "probe.xml", kToyScene);
-    const ModelPointer model = load_scene(png.parent_path() / "probe.xml");
+    const ModelPointer model = load_drawn_scene(png.parent_path() / "probe.xml");
     std::string platform;
     for (int turn = 0; turn < 2; ++turn) {  // a second context of the process works like the first
       const GlContext context;

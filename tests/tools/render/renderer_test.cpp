@@ -5,13 +5,13 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/tools/io/temporary_folder.hpp"
+#include "tests/tools/files/temporary_folder.hpp"
 #include "tests/tools/render/toy_scene.hpp"
-#include "tools/io/atomic_file.hpp"
+#include "tools/files/atomic_file.hpp"
+#include "tools/image/png.hpp"
 #include "tools/render/iteration_painter.hpp"
-#include "tools/render/png.hpp"
 #include "tools/render/poses.hpp"
-#include "tools/render/scene_parts.hpp"
+#include "tools/render/posing.hpp"
 
 namespace legwright {
 namespace {
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 ModelPointer toy() {
   const fs::path file = fs::path(testing::TempDir()) / "toy_scene.xml";
   write_file(file, kToyScene);
-  return load_scene(file);
+  return load_drawn_scene(file);
 }
 
 /// Pixels that differ by more than `least` in a channel.
@@ -96,7 +96,7 @@ TEST(Renderer, NoBlackBeyondTheFloorOrAboveTheHorizon) {
   const auto drawn = [&](const std::string& xml, double elevation) {
     const fs::path file = fs::path(testing::TempDir()) / "floor_scene.xml";
     write_file(file, xml);
-    const ModelPointer model = load_scene(file);
+    const ModelPointer model = load_drawn_scene(file);
     const auto pose = start_pose(*model);
     const View view = frame_robot(*model, {pose}, 120, elevation, 320.0 / 240);
     return Renderer(context, *model, 320, 240, RenderStyle::full).render(pose, view);
@@ -157,7 +157,7 @@ TEST(Renderer, OnASlopeUpIsUp) {
   const ModelPointer level = toy(), slope = toy();
   slope->opt.gravity[0] = -9.81 * std::sin(0.3);  // the ground rises along +x
   slope->opt.gravity[2] = -9.81 * std::cos(0.3);
-  EXPECT_TRUE(turn_of_sight(*level).isIdentity(0.0));
+  EXPECT_TRUE(view_rotation(*level).isIdentity(0.0));
   const auto pose = start_pose(*level);
   const auto seen = [&](const mjModel& model) {
     const View view = frame_robot(model, {pose}, 90, -10, 320.0 / 240);
@@ -231,10 +231,10 @@ TEST(StartPose, IsTheGaitsKeyframeNotTheHomeOne) {
   const std::size_t at = scene.find("<key ");
   scene.insert(at, "<key name=\"home\" qpos=\"0 0 9 1 0 0 0 0 0\"/>");
   write_file(file, scene);
-  EXPECT_EQ(start_pose(*load_scene(file))[2], 0.28);
+  EXPECT_EQ(start_pose(*load_drawn_scene(file))[2], 0.28);
   scene.replace(scene.find("name=\"gait\""), 11, "name=\"other\"");
   write_file(file, scene);
-  EXPECT_EQ(start_pose(*load_scene(file))[2], 9.0);
+  EXPECT_EQ(start_pose(*load_drawn_scene(file))[2], 9.0);
 }
 
 TEST(FrameRobot, LooksAtAllPosesOfAllRobots) {

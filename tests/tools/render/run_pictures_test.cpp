@@ -4,13 +4,13 @@
 #include <filesystem>
 #include <map>
 
-#include "mjcf/input_error.hpp"
+#include "mjcf/text/input_error.hpp"
 #include "plugin/trajectory.hpp"
 #include "tests/tools/render/toy_scene.hpp"
-#include "tools/io/atomic_file.hpp"
-#include "tools/io/io_error.hpp"
-#include "tools/render/act.hpp"
-#include "tools/render/png.hpp"
+#include "tools/files/atomic_file.hpp"
+#include "tools/files/io_error.hpp"
+#include "tools/image/png.hpp"
+#include "tools/render/gait_clip.hpp"
 
 namespace legwright {
 namespace {
@@ -108,7 +108,7 @@ TEST(RunPictures, MotionOnlyHasOneRobot) {
   EXPECT_LT(one_row.height, two_rows.height);
   EXPECT_EQ(one_row, read_png(run / "result" / "strip_result.png"));
   EXPECT_FALSE(fs::exists(run / "result" / "still_before_after_0.5.png"));
-  EXPECT_EQ(load_acts(run).front().title.find("co-designed"), std::string::npos);
+  EXPECT_EQ(load_clips(run).front().title.find("co-designed"), std::string::npos);
 }
 
 TEST(RunPictures, TellWhatTheyLeaveOut) {
@@ -134,13 +134,13 @@ TEST(RunPictures, NeedARun) {
 
 TEST(RunPictures, AVerdictThatIsNoObjectIsToldAndOneThatLacksPartsIsNot) {
   const fs::path run = toy_run("pictures_no_verdict", true);
-  EXPECT_EQ(load_acts(run).back().passed, true);
+  EXPECT_EQ(load_clips(run).back().passed, true);
   for (const char* name : {"verdict.json", "metrics.json"}) {
     for (const char* damaged : {"[1]", "null", "\"PASS\""}) {
       toy_run("pictures_no_verdict", true);
       write_file(run / "result" / name, damaged);
       try {
-        load_acts(run);
+        load_clips(run);
         FAIL() << name << " " << damaged;
       } catch (const InputError& error) {
         for (const std::string& part :
@@ -155,7 +155,7 @@ TEST(RunPictures, AVerdictThatIsNoObjectIsToldAndOneThatLacksPartsIsNot) {
        {R"({"result":[1]})", R"({"result":null})", "{}", R"({"result":{"pass":"yes"}})"}) {
     write_file(run / "result" / "verdict.json", part);
     write_file(run / "result" / "metrics.json", R"({"result":[]})");
-    const auto acts = load_acts(run);
+    const auto acts = load_clips(run);
     EXPECT_EQ(acts.size(), 2U) << part;
     EXPECT_FALSE(acts.back().passed) << part;
   }

@@ -3,7 +3,7 @@
 
 #include "tests/tools/report/hostile_names.hpp"
 #include "tests/tools/report/run_fixture.hpp"
-#include "tools/io/clean_text.hpp"
+#include "tools/files/clean_text.hpp"
 
 namespace legwright {
 namespace {

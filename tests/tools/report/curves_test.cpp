@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/report/curves.hpp"
+#include "tools/files/clean_text.hpp"
 
 #include <gtest/gtest.h>
 #include <tinyxml2.h>
 
-#include "mjcf/input_error.hpp"
-#include "tests/tools/io/temporary_folder.hpp"
+#include "mjcf/text/input_error.hpp"
+#include "tests/tools/files/temporary_folder.hpp"
 #include "tests/tools/report/hostile_names.hpp"
-#include "tools/io/atomic_file.hpp"
+#include "tools/files/atomic_file.hpp"
 #include "tools/report/html.hpp"
 
 namespace legwright {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/report/html.hpp"
+#include "tools/files/clean_text.hpp"
 
 #include <gtest/gtest.h>
 #include <tinyxml2.h>

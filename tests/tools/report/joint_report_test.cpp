@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "mjcf/input_error.hpp"
+#include "mjcf/text/input_error.hpp"
 #include "tests/tools/report/hostile_names.hpp"
 #include "tests/tools/report/run_fixture.hpp"
-#include "tools/io/atomic_file.hpp"
-#include "tools/render/png.hpp"
+#include "tools/files/atomic_file.hpp"
+#include "tools/files/clean_text.hpp"
+#include "tools/image/png.hpp"
 #include "tools/report/html.hpp"
 #include "tools/report/report.hpp"
 

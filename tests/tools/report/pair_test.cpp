@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "mjcf/input_error.hpp"
+#include "mjcf/text/input_error.hpp"
 #include "tests/tools/report/hostile_names.hpp"
 #include "tests/tools/report/run_fixture.hpp"
-#include "tools/io/io_error.hpp"
+#include "tools/files/clean_text.hpp"
+#include "tools/files/io_error.hpp"
 #include "tools/report/html.hpp"
 #include "tools/report/pair_report.hpp"
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/report/report.hpp"
+#include "tools/files/clean_text.hpp"
 
 #include <filesystem>
 
 #include "tests/tools/report/hostile_names.hpp"
 #include "tests/tools/report/run_fixture.hpp"
-#include "tools/io/io_error.hpp"
+#include "tools/files/io_error.hpp"
 #include "tools/report/html.hpp"
 
 namespace legwright {

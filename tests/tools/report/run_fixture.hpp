@@ -8,9 +8,9 @@
 #include <functional>
 #include <string>
 
-#include "tools/io/atomic_file.hpp"
-#include "tools/io/json_file.hpp"
-#include "tools/render/png.hpp"
+#include "tools/files/atomic_file.hpp"
+#include "tools/files/json_file.hpp"
+#include "tools/image/png.hpp"
 #include "tools/report/report.hpp"
 
 namespace legwright {

@@ -5,6 +5,7 @@
 
 #include "tests/tools/report/hostile_names.hpp"
 #include "tests/tools/report/run_fixture.hpp"
+#include "tools/files/clean_text.hpp"
 #include "tools/report/html.hpp"
 
 namespace legwright {

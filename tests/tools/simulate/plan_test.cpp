@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mjcf/emit_scene.hpp"
-#include "mjcf/input_error.hpp"
+#include "mjcf/scene/emit_scene.hpp"
+#include "mjcf/text/input_error.hpp"
 #include "plugin/trajectory.hpp"
 #include "tests/tools/simulate/standing_puppy.hpp"
 #include "tools/simulate/mujoco_host.hpp"

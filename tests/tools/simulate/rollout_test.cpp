@@ -8,7 +8,7 @@
 #include <filesystem>
 
 #include "tests/tools/simulate/tiny_scene.hpp"
-#include "tools/io/atomic_file.hpp"
+#include "tools/files/atomic_file.hpp"
 #include "tools/validate/measure.hpp"
 #include "tools/validate/metrics_json.hpp"
 #include "tools/validate/validation.hpp"

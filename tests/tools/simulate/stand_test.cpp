@@ -3,11 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include "mjcf/plain_scene.hpp"
-#include "mjcf/rewrite_robot.hpp"
-#include "tests/tools/io/temporary_folder.hpp"
+#include "mjcf/scene/plain_scene.hpp"
+#include "mjcf/write/rewrite_robot.hpp"
+#include "tests/tools/files/temporary_folder.hpp"
 #include "tests/tools/simulate/tiny_scene.hpp"
-#include "tools/io/atomic_file.hpp"
+#include "tools/files/atomic_file.hpp"
 #include "tools/simulate/mujoco_host.hpp"
 
 namespace legwright {

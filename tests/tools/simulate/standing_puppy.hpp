@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "mjcf/read_robot.hpp"
+#include "mjcf/read/read_robot.hpp"
 #include "optimizer/motion/gait.hpp"
 #include "optimizer/motion/layout.hpp"
 

@@ -12,7 +12,7 @@ namespace {
 
 /// A box foot 0.3 m below its hinge, with and without the site that scenes put where the plan has
 /// the foot.
-MujocoModel box_foot(const std::string& site) {
+ModelPointer box_foot(const std::string& site) {
   return compile_model(R"(<mujoco><worldbody><body pos="0 0 1"><joint name="ankle" axis="0 1 0"/>
     <geom name="sole" type="box" pos="0.02 0 -0.29" size="0.05 0.03 0.01"/>)" +
                            site + "</body></worldbody></mujoco>",
@@ -20,9 +20,9 @@ MujocoModel box_foot(const std::string& site) {
 }
 
 TEST(FootTouch, AFootThatIsNoBallIsWhereItsSiteIs) {
-  const MujocoModel marked = box_foot(
+  const ModelPointer marked = box_foot(
       "<site name=\"foot:sole\" type=\"box\" size=\"0.002 0.002 0.002\" pos=\"0.02 0 -0.3\"/>");
-  const MujocoModel plain = box_foot("");
+  const ModelPointer plain = box_foot("");
   for (const mjModel* model : {marked.get(), plain.get()}) {
     const auto data = make_data(*model);
     data->qvel[0] = 2.0;
@@ -39,7 +39,7 @@ TEST(FootTouch, AFootThatIsNoBallIsWhereItsSiteIs) {
 }
 
 TEST(FootTouch, AnEndOfACapsuleIsABall) {
-  const MujocoModel model = compile_model(
+  const ModelPointer model = compile_model(
       R"(<mujoco><worldbody><body><joint axis="0 1 0"/>
     <geom name="toe" type="capsule" pos="0 0 -0.2" size="0.02 0.1"/>
     <site name="foot:toe" size="0.02" pos="0 0 -0.3"/></body></worldbody></mujoco>)",

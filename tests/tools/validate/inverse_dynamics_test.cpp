@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "mjcf/emit_scene.hpp"
+#include "mjcf/scene/emit_scene.hpp"
 #include "plugin/spline.hpp"
 #include "tests/tools/simulate/standing_puppy.hpp"
 #include "tools/simulate/plan.hpp"

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "mjcf/input_error.hpp"
-#include "tools/io/atomic_file.hpp"
+#include "mjcf/text/input_error.hpp"
+#include "tools/files/atomic_file.hpp"
 #include "tools/validate/limits_file.hpp"
 #include "tools/validate/metrics_json.hpp"
 #include "tools/validate/robustness_json.hpp"

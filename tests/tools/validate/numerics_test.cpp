@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/tools/io/temporary_folder.hpp"
+#include "tests/tools/files/temporary_folder.hpp"
 #include "tests/tools/simulate/tiny_scene.hpp"
-#include "tools/io/atomic_file.hpp"
+#include "tools/files/atomic_file.hpp"
 
 namespace legwright {
 namespace {

@@ -9,9 +9,9 @@
 
 #include "optimizer/motion/task.hpp"
 #include "plugin/spline.hpp"
-#include "tests/tools/io/temporary_folder.hpp"
+#include "tests/tools/files/temporary_folder.hpp"
 #include "tests/tools/simulate/tiny_scene.hpp"
-#include "tools/io/atomic_file.hpp"
+#include "tools/files/atomic_file.hpp"
 #include "tools/validate/floor_friction.hpp"
 #include "tools/validate/robustness_json.hpp"
 
@@ -175,7 +175,7 @@ TEST_F(Disturbed, TiltedStartStandsOnItsLowestFoot) {
   tilt.roll = 0.2;
   tilt.pitch = -0.1;
   Scene tilted = from.with(tilt);
-  const MujocoData data = make_data(*tilted.model);
+  const DataPointer data = make_data(*tilted.model);
   mj_resetDataKeyframe(tilted.model.get(), data.get(), tilted.start_key);
   disturbed_rollout(tilted, tilt, 1, 0.1).prepare(*data);
   mj_kinematics(tilted.model.get(), data.get());

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/tools/verbs/program.hpp"
-#include "tools/io/json_file.hpp"
+#include "tools/files/json_file.hpp"
 
 namespace legwright {
 namespace {

@@ -7,8 +7,8 @@
 #include <set>
 
 #include "tests/tools/verbs/program.hpp"
-#include "tools/io/checksum.hpp"
-#include "tools/io/json_file.hpp"
+#include "tools/files/checksum.hpp"
+#include "tools/files/json_file.hpp"
 
 namespace legwright {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "optimizer/motion/gait.hpp"
 #include "tests/tools/verbs/program.hpp"
-#include "tools/io/json_file.hpp"
+#include "tools/files/json_file.hpp"
 
 namespace legwright {
 namespace {

@@ -2,9 +2,9 @@
 // `legwright init --task` of robots on two feet: those that would fall get no task but the reason.
 #include <gtest/gtest.h>
 
-#include "tests/mjcf/flat_biped.hpp"
+#include "tests/mjcf/robots/flat_biped.hpp"
 #include "tests/tools/verbs/program.hpp"
-#include "tools/io/json_file.hpp"
+#include "tools/files/json_file.hpp"
 
 namespace legwright {
 namespace {

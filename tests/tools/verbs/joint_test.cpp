@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "tests/tools/verbs/program.hpp"
-#include "tools/io/events.hpp"
+#include "tools/run/events.hpp"
 
 namespace legwright {
 namespace {

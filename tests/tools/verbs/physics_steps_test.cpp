@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "tests/tools/verbs/program.hpp"
-#include "tools/io/json_file.hpp"
+#include "tools/files/json_file.hpp"
 
 namespace legwright {
 namespace {

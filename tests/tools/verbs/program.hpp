@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "tests/tools/io/temporary_folder.hpp"
-#include "tools/io/atomic_file.hpp"
+#include "tests/tools/files/temporary_folder.hpp"
+#include "tools/files/atomic_file.hpp"
 
 /// The built program, called as people call it.
 namespace legwright::test {

@@ -7,9 +7,9 @@
 #include <map>
 #include <thread>
 
-#include "tests/tools/io/temporary_folder.hpp"
+#include "tests/tools/files/temporary_folder.hpp"
 #include "tests/tools/verbs/program.hpp"
-#include "tools/io/events.hpp"
+#include "tools/run/events.hpp"
 
 namespace legwright {
 namespace {

@@ -5,12 +5,12 @@
 
 #include <map>
 
-#include "mjcf/compile.hpp"
-#include "tests/mjcf/robots.hpp"
-#include "tests/mjcf/split_robot.hpp"
+#include "mjcf/text/compile.hpp"
+#include "tests/mjcf/robots/robots.hpp"
+#include "tests/mjcf/robots/split_robot.hpp"
 #include "tests/tools/verbs/program.hpp"
-#include "tools/io/checksum.hpp"
-#include "tools/io/json_file.hpp"
+#include "tools/files/checksum.hpp"
+#include "tools/files/json_file.hpp"
 
 namespace legwright {
 namespace {

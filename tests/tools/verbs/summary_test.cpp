@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tools/verbs/viewer.hpp"
+#include "tools/verbs/viewer_programs.hpp"
 
 namespace legwright {
 namespace {

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "tests/tools/verbs/program.hpp"
-#include "tools/io/json_file.hpp"
+#include "tools/files/json_file.hpp"
 
 namespace legwright {
 namespace {

@@ -15,7 +15,7 @@
 #include <thread>
 #include <utility>
 
-#include "tools/io/atomic_file.hpp"
+#include "tools/files/atomic_file.hpp"
 
 namespace legwright::test {
 namespace {

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/tools/io/temporary_folder.hpp"
+#include "tests/tools/files/temporary_folder.hpp"
 
 struct _XDisplay;
 

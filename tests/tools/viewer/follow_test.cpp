@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/viewer/follow.hpp"
-#include "tools/io/clean_text.hpp"
+#include "tools/files/clean_text.hpp"
 
 #include <gtest/gtest.h>
 
 #include <chrono>
 
-#include "tests/tools/io/temporary_folder.hpp"
-#include "tools/io/json_file.hpp"
-#include "tools/viewer/words.hpp"
+#include "tests/tools/files/temporary_folder.hpp"
+#include "tools/files/json_file.hpp"
+#include "tools/viewer/message_lines.hpp"
 
 namespace legwright {
 namespace {

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "tests/tools/viewer/display.hpp"
-#include "tools/io/atomic_file.hpp"
+#include "tools/files/atomic_file.hpp"
 
 namespace legwright {
 namespace {

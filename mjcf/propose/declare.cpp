@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "mjcf/propose/proposals.hpp"
+#include "mjcf/text/numbers.hpp"
+#include "mjcf/text/xml.hpp"
+
+namespace legwright {
+namespace {
+
+/// For an attribute in double quotes.
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else if (c == '"')
+      out += "&quot;";
+    else
+      out += c;
+  }
+  return out;
+}
+
+/// Nine digits are enough for a nanometre, and can be read.
+std::string rounded(double value) {
+  const std::string text = fmt::format("{:.9g}", value);
+  return text == "-0" ? "0" : text;
+}
+
+std::string declarations(const std::vector<Proposal>& proposals, const std::string& indent,
+                         const std::string& end) {
+  std::string out;
+  for (const Proposal& p : proposals) {
+    const std::string name = escaped("legwright/" + p.name);
+    out += fmt::format("{}<numeric name=\"{}\" data=\"{} {} {}\"/>{}", indent, name,
+                       rounded(p.value), rounded(p.lower), rounded(p.upper), end);
+    out += fmt::format("{}<text name=\"{}\"{}{}      data=\"{} | {} | {}\"/>{}", indent, name, end,
+                       indent, p.unit, escaped(p.binding), escaped(p.sentence), end);
+  }
+  return out;
+}
+
+std::string without_last(std::string text, const std::string& end) {
+  return text.substr(0, text.size() - end.size());
+}
+
+/// Behind the start tag of the file's <custom> section; npos where there is none that is open.
+std::size_t inside_custom(const XmlFile& xml) {
+  const XmlElement* custom = xml.root().FirstChildElement("custom");
+  if (!custom) return std::string::npos;
+  const TagSpan& tag = xml.tag(*custom);
+  const std::size_t from = tag.attributes.empty() ? tag.name_end : tag.attributes.back().end;
+  const std::size_t close = xml.text.find('>', from);
+  return xml.text[close - 1] == '/' ? std::string::npos : close + 1;
+}
+
+/// Where the root's end tag starts: the last one of that name that is not in a comment.
+std::size_t end_tag(const XmlFile& xml) {
+  const std::string& text = xml.text;
+  const TagSpan& last = xml.scan.tags.back();
+  std::size_t at = last.attributes.empty() ? last.name_end : last.attributes.back().end;
+  std::size_t found = std::string::npos;
+  while ((at = text.find('<', at)) != std::string::npos) {
+    const auto skip = [&](std::string_view open, std::string_view close) {
+      if (text.compare(at, open.size(), open) != 0) return false;
+      const std::size_t end = text.find(close, at + open.size());
+      at = end == std::string::npos ? text.size() : end + close.size();
+      return true;
+    };
+    if (skip("<!--", "-->") || skip("<![CDATA[", "]]>") || skip("<?", "?>")) continue;
+    if (text.compare(at, 8, "</mujoco") == 0) found = at;
+    ++at;
+  }
+  return found;
+}
+
+}  // namespace
+
+std::string with_declarations(const std::string& text, const std::filesystem::path& file,
+                              const std::vector<Proposal>& proposals) {
+  if (proposals.empty()) return text;
+  const auto xml = load_xml(text, file);
+  const std::string end = text.find("\r\n") == std::string::npos ? "\n" : "\r\n";
+  std::string out = xml->text;
+  if (const std::size_t at = inside_custom(*xml); at != std::string::npos)
+    return out.insert(at, end + without_last(declarations(proposals, "    ", end), end));
+  const std::size_t close = end_tag(*xml);
+  if (close == std::string::npos)
+    throw xml->error(xml->root(), "has no end tag </mujoco>; a robot is a <body> in <worldbody>");
+  // Before the last line's end tag: on a line of its own, as it mostly stands already.
+  const bool own_line = close == 0 || out[close - 1] == '\n';
+  return out.insert(close, (own_line ? "" : end) + "  <custom>" + end +
+                               declarations(proposals, "    ", end) + "  </custom>" + end);
+}
+
+}  // namespace legwright

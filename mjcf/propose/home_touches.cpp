@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mjcf/propose/home_touches.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "mjcf/read/legs.hpp"
+#include "mjcf/text/compile.hpp"
+#include "mjcf/text/robot_files.hpp"
+
+namespace legwright {
+namespace {
+
+constexpr double kDeep = 1e-6;        // [m]: less is rounding
+constexpr std::size_t kMostTold = 4;  // of them
+
+using Depths = std::map<std::pair<int, int>, double>;  // of two geoms, the smaller id first [m]
+
+Depths home_depths(const mjModel& model, const std::filesystem::path& file) {
+  const DataPointer data = kinematics_at(model, home_qpos(model), file);
+  call_engine(file, [&] { mj_forward(&model, data.get()); });
+  Depths out;
+  for (int c = 0; c < data->ncon; ++c) {
+    const mjContact& contact = data->contact[c];
+    if (contact.geom[0] < 0 || contact.geom[1] < 0 || contact.dist > -kDeep) continue;
+    const auto fixed = [&](int geom) { return model.body_weldid[model.geom_bodyid[geom]] == 0; };
+    if (fixed(contact.geom[0]) || fixed(contact.geom[1])) continue;
+    double& depth = out[std::minmax({contact.geom[0], contact.geom[1]})];
+    depth = std::max(depth, -contact.dist);
+  }
+  return out;
+}
+
+std::string words_for(const mjModel& model, int geom) {
+  static const std::map<int, const char*> kinds{
+      {mjGEOM_SPHERE, "a sphere"}, {mjGEOM_CAPSULE, "a capsule"},
+      {mjGEOM_BOX, "a box"},       {mjGEOM_CYLINDER, "a cylinder"},
+      {mjGEOM_MESH, "a mesh"},     {mjGEOM_ELLIPSOID, "an ellipsoid"}};
+  const std::string name = name_of(model, mjOBJ_GEOM, geom),
+                    body = name_of(model, mjOBJ_BODY, model.geom_bodyid[geom]);
+  const auto kind = kinds.find(model.geom_type[geom]);
+  const std::string of = body.empty() ? "a body without name" : "'" + body + "'";
+  if (!name.empty()) return fmt::format("geom '{}' of {}", name, of);
+  return fmt::format("{} of {}", kind == kinds.end() ? "a geom" : kind->second, of);
+}
+
+ModelPointer compiled(const std::filesystem::path& file) {
+  const RobotFiles files = RobotFiles::read(file);
+  return files.at_their_lines([&] { return compile_mjcf(files.text(), files.file()); });
+}
+
+}  // namespace
+
+std::vector<HomeTouch> new_home_touches(const mjModel& before, const mjModel& after,
+                                        const std::filesystem::path& file) {
+  const Depths then = home_depths(before, file), now = home_depths(after, file);
+  std::vector<HomeTouch> out;
+  for (const auto& [geoms, depth] : now)
+    if (then.count(geoms) == 0)
+      out.push_back({words_for(after, geoms.first), words_for(after, geoms.second), depth});
+  std::stable_sort(out.begin(), out.end(),
+                   [](const HomeTouch& a, const HomeTouch& b) { return a.depth > b.depth; });
+  return out;
+}
+
+std::vector<HomeTouch> new_home_touches(const std::filesystem::path& before,
+                                        const std::filesystem::path& after) {
+  return new_home_touches(*compiled(before), *compiled(after), after);
+}
+
+std::string describe(const std::vector<HomeTouch>& touches) {
+  if (touches.empty()) return "";
+  std::string pairs;
+  for (std::size_t k = 0; k < std::min(kMostTold, touches.size()); ++k)
+    pairs += fmt::format("{}{} and {}, {:.2g} mm deep", k > 0 ? "; " : "", touches[k].first,
+                         touches[k].second, 1e3 * touches[k].depth);
+  if (touches.size() > kMostTold) pairs += fmt::format("; and {} more", touches.size() - kMostTold);
+  return fmt::format(
+      "in its home pose the designed body touches itself where the initial one does not: {}; "
+      "narrow the bounds of what brought them together ([design.bounds] of the task)",
+      pairs);
+}
+
+}  // namespace legwright

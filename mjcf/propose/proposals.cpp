@@ -1,0 +1,389 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mjcf/propose/proposals.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "mjcf/propose/home_stance_check.hpp"
+#include "mjcf/propose/proposal_trial.hpp"
+#include "mjcf/read/checks.hpp"
+#include "mjcf/read/mirror.hpp"
+#include "mjcf/read/stretch.hpp"
+#include "mjcf/text/compile.hpp"
+#include "mjcf/text/input_error.hpp"
+
+namespace legwright {
+namespace {
+
+using Eigen::Vector3d;
+
+// Bounds within which plans were followed by six robots of 1.5 to 45 kg at half and double gains: legs of 1.6 times
+// their length under a trunk as high as before crouch, and a long, narrow trunk on two feet rocks; on three it does not,
+// and its legs stand close together. Who wants more widens them.
+constexpr double kShorterLink = 0.75, kLongerLink = 1.25;
+constexpr double kShorterTrunk = 0.95, kLongerTrunk = 1.05;            // up to two rows of legs
+constexpr double kShorterTrunkOfMany = 0.8, kLongerTrunkOfMany = 1.5;  // three rows and more
+constexpr double kNarrowerGirdle = 0.75, kWiderGirdle = 1.5;
+// Of an axis, either way [rad]: a leg whose joints all turn about one direction needs much to leave its plane, one that
+// reaches to all sides as it is need not be twisted.
+constexpr double kTurn = 1.0, kTurnOfAble = 0.25;
+constexpr double kOneDirection = 0.966;  // cosine of 15 degrees
+constexpr double kShortestLink = 0.02;   // [m]: shorter ones are offsets, not legs
+constexpr double kAcross =
+    0.7;  // cosine: turning an axis about a direction nearer to it does little
+constexpr double kLargestBall = 0.5;      // radius of a foot over the length of its link
+constexpr double kAttachmentShare = 0.3;  // of its distance from the hinge, either way
+constexpr double kShortestMove = 0.01;    // [m]
+
+bool is_side_word(const std::string& word) {
+  static const std::set<std::string> words{
+      "fl",   "fr",     "hl",  "hr", "rl", "rr",   "lf",    "rf",    "lh",   "rh",
+      "lr",   "l",      "r",   "f",  "h",  "left", "right", "front", "hind", "rear",
+      "back", "middle", "mid", "lm", "rm", "ml",   "mr",    "fore"};
+  return words.count(word) > 0;
+}
+
+/// "FL_thigh" and "thigh_front_left" are both a thigh. Empty where nothing is left.
+std::string without_side(const std::string& name) {
+  std::string out, word;
+  const auto end_word = [&] {
+    std::string low = word;
+    std::transform(low.begin(), low.end(), low.begin(), [](unsigned char c) {
+      return static_cast<char>(c < 128 ? std::tolower(c) : c);
+    });
+    while (!low.empty() && low.back() >= '0' && low.back() <= '9') low.pop_back();
+    if (!word.empty() && !is_side_word(low) && !low.empty()) out += (out.empty() ? "" : "_") + word;
+    word.clear();
+  };
+  for (const char c : name) {
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    if (letter)
+      word += c;
+    else
+      end_word();
+  }
+  end_word();
+  return out;
+}
+
+/// Collects proposals and tries each on the file itself.
+class Study {
+ public:
+  Study(const std::string& xml_text, const std::filesystem::path& file)
+      : text_(xml_text), xml_(load_xml(xml_text, file)) {
+    out_.model = parse_robot(xml_text, file);
+    compiled_ = compile_mjcf(xml_->text, file);
+    s_ = out_.model.space.initial();
+    out_.limbs = find_limbs(out_.model.morphology, s_);
+    rows_ = out_.limbs.empty() ? 0 : out_.limbs.back().row + 1;
+    for (const DesignParameter& parameter : out_.model.space.parameters)
+      taken_.insert(parameter.name);
+  }
+
+  StudiedRobot run() {
+    out_.not_standing = why_not_standing(*xml_, *compiled_, out_.model.structure);
+    add_shared();
+    for (const Limb& limb : out_.limbs) add_lengths(limb);
+    for (const Limb& limb : out_.limbs) add_axes(limb);
+    add_trunk();
+    for (const LinearActuator& actuator : out_.model.morphology.linear_actuators)
+      add_attachments(actuator);
+    keep_what_holds();
+    return std::move(out_);
+  }
+
+ private:
+  const Link& link(int index) const {
+    return out_.model.morphology.links[static_cast<std::size_t>(index)];
+  }
+  /// The other side's limb; the limb itself where it stands alone.
+  const Limb& partner(const Limb& limb) const {
+    return limb.partner < 0 ? limb : out_.limbs[static_cast<std::size_t>(limb.partner)];
+  }
+  /// Of a pair the left limb is listed first and speaks for both.
+  bool speaks(const Limb& limb) const {
+    return limb.partner < 0 || limb.partner > static_cast<int>(&limb - out_.limbs.data());
+  }
+  /// "front", or the foot's name where a limb has no partner.
+  std::string place(const Limb& limb) const {
+    if (limb.partner >= 0) return row_name(limb.row, rows_);
+    return out_.model.morphology.feet[static_cast<std::size_t>(limb.foot)].name;
+  }
+  std::string title(const Limb& limb, int k) const {
+    const std::string own = without_side(link(limb.links[static_cast<std::size_t>(k)]).name);
+    const std::string where = place(limb);
+    return (where.empty() ? "" : where + "_") + (own.empty() ? fmt::format("link{}", k + 1) : own);
+  }
+  double foot_radius(const Limb& limb) const {
+    return out_.model.morphology.feet[static_cast<std::size_t>(limb.foot)].radius;
+  }
+  std::string words(const Limb& limb) const {
+    const std::string where = row_name(limb.row, rows_);
+    if (limb.partner >= 0) return fmt::format("{}{}legs", where, where.empty() ? "" : " ");
+    return "leg of " + place(limb);
+  }
+
+  std::optional<double> length_of(const std::string& body, const char* direction) const {
+    const int id = mj_name2id(compiled_.get(), mjOBJ_BODY, body.c_str());
+    if (id <= 0) return std::nullopt;
+    try {
+      return measure_stretch(*xml_, *compiled_, xml_->root(), id, direction, out_.model.structure)
+          .length;
+    } catch (const InputError&) {
+      return std::nullopt;  // it has none, or not where it could be stretched
+    }
+  }
+
+  /// Joints between the trunk and several legs, as a waist: neither left nor right.
+  void add_shared() {
+    std::set<int> told;
+    for (const Limb& limb : out_.limbs)
+      for (std::size_t k = 0; k < static_cast<std::size_t>(limb.shared); ++k) {
+        const Joint& joint = link(limb.links[k]).joint;
+        if (!told.insert(limb.links[k]).second) continue;
+        leave_out(joint.name + "_axis",
+                  fmt::format("joint '{}' is above several legs, so its axis has no mirror image; "
+                              "declare it by hand if it shall turn",
+                              joint.name));
+      }
+  }
+
+  void add_lengths(const Limb& limb) {
+    if (!speaks(limb)) return;
+    const Limb& other = partner(limb);
+    for (auto k = static_cast<std::size_t>(limb.shared); k < limb.links.size(); ++k) {
+      const std::string body = link(limb.links[k]).name, twin = link(other.links[k]).name;
+      const std::string name = title(limb, static_cast<int>(k)) + "_length";
+      const bool last = k + 1 == limb.links.size();
+      if (last && out_.model.morphology.feet[static_cast<std::size_t>(limb.foot)].sole) {
+        leave_out(name,
+                  "the foot is flat, and stretched obliquely its sole would tilt; declare "
+                  "x, y or z by hand");
+        continue;
+      }
+      const auto length = length_of(body, "link"), twin_length = length_of(twin, "link");
+      if (!length || *length < kShortestLink) continue;
+      if (!twin_length || std::abs(*twin_length - *length) > 1e-6) {
+        leave_out(name, fmt::format("bodies '{}' and '{}' differ in length", body, twin));
+        continue;
+      }
+      if (last && foot_radius(limb) > kLargestBall * *length) {
+        leave_out(name, "the foot is a round sole, not the end of a leg of that length");
+        continue;
+      }
+      const std::string from = link(limb.links[k]).joint.name,
+                        to = last ? "the foot" : "joint " + link(limb.links[k + 1]).joint.name;
+      offer({name, *length, kShorterLink * *length, kLongerLink * *length, "m",
+             "stretch link: " + body + (limb.partner < 0 ? "" : " " + twin),
+             fmt::format("Length of the {} from joint {} to {}{}.", words(limb), from, to,
+                         limb.partner < 0 ? "" : "; left and right alike")});
+    }
+  }
+
+  /// Whether all joints of a limb turn about one direction in the home pose.
+  bool planar(const Limb& limb) const {
+    Eigen::Matrix3d frame = Eigen::Matrix3d::Identity();
+    Vector3d first = Vector3d::Zero();
+    for (const int k : limb.links) {
+      const Joint& joint = link(k).joint;
+      const Vector3d axis = joint.axis.at(s_);
+      frame *= link(k).orientation;
+      if (first.isZero()) first = frame * axis;
+      if (std::abs(first.dot(frame * axis)) < kOneDirection) return false;
+      frame *= Eigen::AngleAxisd(joint.nominal, axis).toRotationMatrix();
+    }
+    return true;
+  }
+
+  /// Why the axes of two joints cannot be tied as mirror images; empty where they can.
+  std::string unmirrored(const Joint& joint, const Joint& twin) const {
+    const int trunk = out_.model.structure.trunk,
+              from = mj_name2id(compiled_.get(), mjOBJ_JOINT, joint.name.c_str()),
+              to = mj_name2id(compiled_.get(), mjOBJ_JOINT, twin.name.c_str());
+    // The mirror image of a line; a joint may turn either way about it.
+    const Vector3d image = mirrored_turn(*compiled_, trunk, from, to, joint.axis.at(s_));
+    if (std::abs(image.dot(twin.axis.at(s_))) < 1.0 - 1e-9)
+      return fmt::format(
+          "the axes of '{}' and '{}' are no mirror images, seen from the trunk in "
+          "the home pose",
+          joint.name, twin.name);
+    if (!at_mirrored_angles(*compiled_, trunk, from, to))
+      return fmt::format(
+          "joints '{}' and '{}' stand at angles that are no mirror images in the "
+          "home pose, so what they carry would be none with turned axes",
+          joint.name, twin.name);
+    return "";
+  }
+
+  void add_axes(const Limb& limb) {
+    if (!speaks(limb)) return;
+    const double most = planar(limb) ? kTurn : kTurnOfAble;
+    const Limb& other = partner(limb);
+    const char* const directions[] = {"x", "y", "z"};
+    const char* const turns[] = {"roll", "pitch", "yaw"};
+    for (auto k = static_cast<std::size_t>(limb.shared); k < limb.links.size(); ++k) {
+      const Joint &joint = link(limb.links[k]).joint, &twin = link(other.links[k]).joint;
+      const Vector3d axis = joint.axis.at(s_);
+      const std::string untied = limb.partner < 0 ? "" : unmirrored(joint, twin);
+      std::string own = without_side(joint.name);
+      if (own.empty()) own = fmt::format("joint{}", k + 1);
+      const std::string where = place(limb);
+      for (int n = 2; n >= 0; --n) {
+        if (std::abs(axis[n]) > kAcross) continue;
+        const std::string name =
+            fmt::format("{}{}{}_axis_{}", where, where.empty() ? "" : "_", own, turns[n]);
+        if (!untied.empty()) {
+          leave_out(name, untied);
+          continue;
+        }
+        offer({name, 0.0, -most, most, "rad",
+               fmt::format("axis {}: {}{}", directions[n], joint.name,
+                           limb.partner < 0 ? "" : " ~" + twin.name),
+               fmt::format("Turn of the axis of joint {} of the {} about the body's {}{}.",
+                           joint.name, words(limb), directions[n],
+                           limb.partner < 0 ? "" : "; left and right mirror each other")});
+      }
+    }
+  }
+
+  void add_trunk() {
+    const std::string& body = out_.model.root_body;
+    const double shorter = rows_ > 2 ? kShorterTrunkOfMany : kShorterTrunk;
+    const double longer = rows_ > 2 ? kLongerTrunkOfMany : kLongerTrunk;
+    const auto add = [&](const char* direction, const char* name, const char* what) {
+      const auto length = length_of(body, direction);
+      if (!length || *length < kShortestLink) return;
+      offer({name, *length, shorter * *length, longer * *length, "m",
+             fmt::format("stretch {}: {}", direction, body), what});
+    };
+    add("x", "body_length", "Distance from the foremost to the hindmost hips.");
+    add("y", "body_width", "Distance from the left to the right hips.");
+    for (int id = 1; id < static_cast<int>(compiled_->nbody); ++id) add_girdle(id);
+  }
+
+  /// A beam across the trunk, without a hinge of its own, that carries the legs of a row.
+  void add_girdle(int id) {
+    const Structure& structure = out_.model.structure;
+    if (compiled_->body_parentid[id] != structure.trunk || compiled_->body_jntnum[id] > 0) return;
+    int limbs = 0;
+    for (int child = id + 1; child < static_cast<int>(compiled_->nbody); ++child)
+      limbs += compiled_->body_parentid[child] == id && compiled_->body_jntnum[child] > 0 &&
+               structure.moves[static_cast<std::size_t>(compiled_->body_jntadr[child])];
+    const std::string body = name_of(*compiled_, mjOBJ_BODY, id);
+    const auto length = body.empty() ? std::nullopt : length_of(body, "y");
+    if (limbs < 2 || !length || *length < kShortestLink) return;
+    offer({body + "_width", *length, kNarrowerGirdle * *length, kWiderGirdle * *length, "m",
+           "stretch y: " + body, "Distance from the left to the right hips on body " + body + "."});
+  }
+
+  /// The linear actuator of the mirrored joint; null where there is none.
+  const LinearActuator* twin_of(const LinearActuator& actuator) const {
+    for (const Limb& limb : out_.limbs) {
+      const auto at = std::find(limb.links.begin(), limb.links.end(), actuator.joint + 1);
+      if (at == limb.links.end() || limb.partner < 0) continue;
+      const int joint = partner(limb).links[static_cast<std::size_t>(at - limb.links.begin())] - 1;
+      for (const LinearActuator& other : out_.model.morphology.linear_actuators)
+        if (other.joint == joint) return &other;
+    }
+    return nullptr;
+  }
+
+  int site_of(const LinearActuator& actuator, int end) const {
+    const int tendon = mj_name2id(compiled_.get(), mjOBJ_TENDON, actuator.name.c_str());
+    return compiled_->wrap_objid[compiled_->tendon_adr[tendon] + end];
+  }
+
+  std::string row_of(const LinearActuator& actuator) const {
+    for (const Limb& limb : out_.limbs)
+      if (std::count(limb.links.begin(), limb.links.end(), actuator.joint + 1) > 0)
+        return row_name(limb.row, rows_);
+    return "";
+  }
+
+  /// Both ends of a linear actuator may move in the plane across the hinge, left and right alike.
+  void add_attachments(const LinearActuator& actuator) {
+    const LinearActuator* twin = twin_of(actuator);
+    if (twin && twin->joint < actuator.joint) return;  // told with the other side
+    for (int end = 0; end < 2; ++end) {
+      const int site = site_of(actuator, end), other = twin ? site_of(*twin, end) : -1;
+      const std::string name = name_of(*compiled_, mjOBJ_SITE, site),
+                        row = twin ? row_of(actuator) : "";
+      const std::string own = twin ? without_side(name) : name;
+      for (const int n : {0, 2}) {
+        const char* const axis = n == 0 ? "x" : "z";
+        const double at = compiled_->site_pos[3 * site + n];
+        const double most = std::max(kShortestMove, kAttachmentShare * std::abs(at));
+        offer({fmt::format("{}{}{}_{}", row, row.empty() ? "" : "_", own, axis), at, at - most,
+               at + most, "m",
+               fmt::format("place {}: {}{}", axis, name,
+                           twin ? " ~" + name_of(*compiled_, mjOBJ_SITE, other) : ""),
+               fmt::format("Where the linear actuator {} is attached, along the body's {}{}.",
+                           actuator.name, axis, twin ? "; left and right mirror each other" : "")});
+      }
+    }
+  }
+
+  void leave_out(const std::string& name, const std::string& why) {
+    out_.left_out.push_back(name + ": " + why);
+  }
+
+  /// Takes a proposal that the file bears by itself.
+  void offer(Proposal proposal) {
+    std::string name = proposal.name;
+    for (int n = 2; taken_.count(proposal.name) > 0; ++n) {
+      if (out_.model.space.size() > 0) return;  // the file has it already
+      proposal.name = fmt::format("{}_{}", name, n);
+    }
+    if (const std::string fault = refusal({proposal}); !fault.empty()) {
+      leave_out(proposal.name, fault);
+      return;
+    }
+    taken_.insert(proposal.name);
+    out_.proposals.push_back(std::move(proposal));
+  }
+
+  std::string refusal(const std::vector<Proposal>& proposals) const {
+    return refusal_of(text_, xml_->file, out_.model.space.size(), proposals);
+  }
+  std::string unwritable(const std::vector<Proposal>& proposals) const {
+    return fault_at_bounds(text_, xml_->file, proposals);
+  }
+
+  /// Each was accepted alone; together some may not be, as two stretches that are oblique. And what
+  /// is proposed can be written at both bounds.
+  void keep_what_holds() {
+    std::vector<Proposal> kept;
+    if (refusal(out_.proposals).empty() && unwritable(out_.proposals).empty()) return;
+    for (Proposal& proposal : out_.proposals) {
+      kept.push_back(proposal);
+      std::string fault = refusal(kept);
+      if (fault.empty()) fault = unwritable(kept);
+      if (!fault.empty()) {
+        kept.pop_back();
+        leave_out(proposal.name, fault);
+      }
+    }
+    out_.proposals = std::move(kept);
+  }
+
+  const std::string& text_;
+  std::unique_ptr<XmlFile> xml_;
+  ModelPointer compiled_;
+  int rows_ = 0;
+  Eigen::VectorXd s_;
+  std::set<std::string> taken_;
+  StudiedRobot out_;
+};
+
+}  // namespace
+
+StudiedRobot study_robot(const std::string& xml, const std::filesystem::path& file) {
+  return Study(xml, file).run();
+}
+
+}  // namespace legwright

@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mjcf/read/bindings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "mjcf/read/linear_actuators.hpp"
+#include "mjcf/read/mirror.hpp"
+#include "mjcf/read/stretch.hpp"
+#include "mjcf/text/compile.hpp"
+#include "mjcf/text/numbers.hpp"
+
+namespace legwright {
+namespace {
+
+constexpr std::string_view kPrefix = "legwright/";
+constexpr const char* kShape =
+    "expected \"UNIT | BINDING | SENTENCE\", like "
+    "\"m | stretch link: left_shank right_shank | Length of the shanks.\"";
+
+std::string_view trimmed(std::string_view text) {
+  const auto words = split_words(text);
+  return words.empty()
+             ? std::string_view()
+             : text.substr(words.front().data() - text.data(),
+                           words.back().data() + words.back().size() - words.front().data());
+}
+
+/// Declared names in order of their numeric elements.
+struct Pairs {
+  std::vector<std::string> order;
+  std::map<std::string, DeclarationElements> elements;
+};
+
+void check_name(const XmlFile& xml, const XmlElement& element, const std::string& name) {
+  const bool plain = !name.empty() && name.size() <= 80 &&
+                     std::all_of(name.begin(), name.end(), [](unsigned char c) {
+                       return std::isalnum(c) || c == '_' || c == '-' || c == '.';
+                     });
+  if (!plain)
+    throw xml.error(
+        element,
+        "a parameter's name is made of letters, digits, _ - and . only (at most 80); rename it");
+}
+
+Pairs collect_pairs(const XmlFile& xml) {
+  Pairs pairs;
+  for_each_element(xml.root(), [&](const XmlElement& element) {
+    const bool is_numeric = is_tag(element, "numeric");
+    if (!is_numeric && !is_tag(element, "text")) return;
+    const std::string_view full = attribute(element, "name");
+    if (full.substr(0, kPrefix.size()) != kPrefix) return;
+    const std::string name(full.substr(kPrefix.size()));
+    check_name(xml, element, name);
+    DeclarationElements& both = pairs.elements[name];
+    const XmlElement*& own = is_numeric ? both.numeric : both.text;
+    if (own)
+      throw xml.error(element, fmt::format("is declared twice, first in line {}; remove one",
+                                           own->GetLineNum()));
+    own = &element;
+    if (is_numeric) pairs.order.push_back(name);
+  });
+  return pairs;
+}
+
+void read_values(const XmlFile& xml, const XmlElement& numeric, DesignParameter& parameter) {
+  const std::string_view data = attribute(numeric, "data");
+  const auto values = parse_numbers(data);
+  if (!values) throw xml.error(numeric, "attribute data: " + explain_bad_number(data));
+  if (values->size() != 3)
+    throw xml.error(
+        numeric,
+        fmt::format("attribute data: {} numbers; expected three: value, lower and upper bound",
+                    values->size()));
+  parameter.initial = (*values)[0];
+  parameter.lower = (*values)[1];
+  parameter.upper = (*values)[2];
+  if (parameter.lower > parameter.upper)
+    throw xml.error(numeric, fmt::format("bounds are crossed: lower {} > upper {}; exchange them",
+                                         parameter.lower, parameter.upper));
+  if (parameter.initial < parameter.lower || parameter.initial > parameter.upper)
+    throw xml.error(
+        numeric,
+        fmt::format("the value {} lies outside of its bounds {} to {}; widen the bounds or change "
+                    "the robot",
+                    parameter.initial, parameter.lower, parameter.upper));
+}
+
+/// One word behind the colon: [FACTOR*][~]NAME.
+struct TargetWord {
+  std::string text, name;
+  bool mirrored = false;
+  double factor = 1.0;
+};
+
+/// UNIT | BINDING | SENTENCE taken apart.
+struct Declared {
+  std::string verb, direction;
+  std::vector<TargetWord> targets;
+};
+
+TargetWord read_target(const XmlFile& xml, const XmlElement& text, std::string_view word) {
+  TargetWord out;
+  out.text = word;
+  if (const std::size_t star = word.find('*'); star != std::string_view::npos) {
+    const auto factor = parse_number(word.substr(0, star));
+    if (!factor || *factor == 0.0 || std::abs(*factor) > 1e3)
+      throw xml.error(text, fmt::format("'{}': expected a factor before the *, not zero and at "
+                                        "most 1000, like 0.8*left_thigh",
+                                        word));
+    out.factor = *factor;
+    word.remove_prefix(star + 1);
+  }
+  out.mirrored = !word.empty() && word[0] == '~';
+  if (out.mirrored) word.remove_prefix(1);
+  if (word.empty())
+    throw xml.error(text, fmt::format("'{}' holds no name; write the name behind it", out.text));
+  out.name = word;
+  return out;
+}
+
+Declared read_text(const XmlFile& xml, const XmlElement& text, DesignParameter& parameter) {
+  const std::string_view data = attribute(text, "data");
+  const std::size_t first = data.find('|');
+  const std::size_t second = first == std::string_view::npos ? first : data.find('|', first + 1);
+  if (second == std::string_view::npos)
+    throw xml.error(text, fmt::format("attribute data: {}", kShape));
+  parameter.unit = trimmed(data.substr(0, first));
+  parameter.sentence = trimmed(data.substr(second + 1));
+  if (parameter.unit != "m" && parameter.unit != "rad")
+    throw xml.error(text, fmt::format("unknown unit '{}'; write m for a length or rad for an angle",
+                                      parameter.unit));
+  if (parameter.sentence.empty())
+    throw xml.error(text, fmt::format("says nothing for people; {}", kShape));
+  const std::string_view binding = trimmed(data.substr(first + 1, second - first - 1));
+  const std::size_t colon = binding.find(':');
+  const auto head = split_words(binding.substr(0, colon));
+  if (colon == std::string_view::npos || head.size() != 2)
+    throw xml.error(
+        text, fmt::format("binding '{}' is not understood; write 'stretch DIRECTION: BODY …', "
+                          "'axis DIRECTION: JOINT …' or 'place DIRECTION: SITE …'",
+                          binding));
+  Declared out{std::string(head[0]), std::string(head[1]), {}};
+  const bool is_stretch = out.verb == "stretch", is_axis = out.verb == "axis";
+  if (!is_stretch && !is_axis && out.verb != "place")
+    throw xml.error(
+        text,
+        fmt::format("binding '{}' is unknown; there are 'stretch', 'axis' and 'place'", out.verb));
+  const bool is_axis_word = out.direction == "x" || out.direction == "y" || out.direction == "z";
+  if (!is_axis_word && !(is_stretch && out.direction == "link"))
+    throw xml.error(text, fmt::format("direction '{}' is unknown; write {}", out.direction,
+                                      is_stretch ? "link, x, y or z" : "x, y or z"));
+  parameter.kind = is_stretch ? ParameterKind::length
+                   : is_axis  ? ParameterKind::axis_angle
+                              : ParameterKind::position;
+  if ((parameter.unit == "rad") != is_axis)
+    throw xml.error(
+        text, fmt::format("unit '{}' does not fit '{}'; a stretch and a place are in m, an axis in "
+                          "rad",
+                          parameter.unit, out.verb));
+  for (const std::string_view word : split_words(binding.substr(colon + 1)))
+    out.targets.push_back(read_target(xml, text, word));
+  if (out.targets.empty())
+    throw xml.error(text, "names no body, joint or site; write their names behind the colon");
+  return out;
+}
+
+Binding::Target resolve_stretch(const XmlFile& xml, const mjModel& model,
+                                const DeclarationElements& at, const Declared& declared,
+                                const DesignParameter& parameter, const TargetWord& word,
+                                const Structure& structure) {
+  if (word.mirrored)
+    throw xml.error(
+        *at.text,
+        fmt::format("'{}': ~ mirrors axes and places; a stretch needs none, remove it", word.text));
+  if (word.factor < 0.0)
+    throw xml.error(
+        *at.text, fmt::format("'{}': a length stays positive; write a positive factor", word.text));
+  const int body = mj_name2id(&model, mjOBJ_BODY, word.name.c_str());
+  const XmlElement* element = find_named(xml.root(), "body", word.name);
+  if (body <= 0 || !element)
+    throw xml.error(
+        *at.text,
+        fmt::format("names the body '{}', which is not in the model; correct the name", word.name));
+  const StretchMeasure measure =
+      measure_stretch(xml, model, *at.text, body, declared.direction, structure);
+  if (std::abs(measure.length - word.factor * parameter.initial) >
+      1e-6 * std::min(1.0, word.factor))
+    throw xml.error(
+        *at.numeric,
+        fmt::format("declares {} m, but body '{}' measures {} m along {}; write that number{}",
+                    word.factor * parameter.initial, word.name, measure.length, declared.direction,
+                    word.factor == 1.0 ? "" : fmt::format(" divided by {}", word.factor)));
+  if (parameter.lower <= 0.0)
+    throw xml.error(
+        *at.numeric,
+        fmt::format("a length must stay positive; the lower bound {} is not", parameter.lower));
+  check_stretchable(xml, model, *element);
+  return {word.name, false, word.factor, at.text->GetLineNum(), measure.direction};
+}
+
+/// The direction that a word means for a joint: mirrored from that target without ~ whose mirror
+/// image the joint is.
+Eigen::Vector3d turn_of(const mjModel& model, const Structure& structure, const Declared& declared,
+                        const TargetWord& word, int joint) {
+  const Eigen::Vector3d n = Eigen::Vector3d::Unit(declared.direction[0] - 'x');
+  if (!word.mirrored) return n;
+  std::vector<int> others;
+  for (const TargetWord& other : declared.targets)
+    if (!other.mirrored) others.push_back(mj_name2id(&model, mjOBJ_JOINT, other.name.c_str()));
+  others.erase(std::remove(others.begin(), others.end(), -1), others.end());
+  const int image = mirror_image(model, structure.trunk, joint, others);
+  if (image < 0) return {-n.x(), n.y(), -n.z()};
+  return mirrored_turn(model, structure.trunk, image, joint, n);
+}
+
+Binding::Target resolve_axis(const XmlFile& xml, const mjModel& model,
+                             const DeclarationElements& at, const Declared& declared,
+                             const TargetWord& word, const Structure& structure) {
+  const int joint = mj_name2id(&model, mjOBJ_JOINT, word.name.c_str());
+  const XmlElement* element = find_named(xml.root(), "joint", word.name);
+  if (joint < 0 || !element)
+    throw xml.error(*at.text,
+                    fmt::format("names the joint '{}', which is not in the model; correct the name",
+                                word.name));
+  if (model.jnt_type[joint] != mjJNT_HINGE)
+    throw xml.error(
+        *at.text, fmt::format("joint '{}' is no hinge, so its axis cannot be turned; name a hinge",
+                              word.name));
+  for (const FrozenJoint& frozen : structure.frozen)
+    if (frozen.joint == joint)
+      throw xml.error(*at.text, fmt::format("joint '{}' is held in its home pose ({}), so its axis "
+                                            "is no part of the plan; name a joint of a leg",
+                                            word.name, frozen.why));
+  if (model.qpos0[model.jnt_qposadr[joint]] != 0.0)
+    throw xml.error(*element,
+                    "attribute ref: a joint whose axis is designed has the angle zero where the "
+                    "file draws the robot; remove ref");
+  if (!is_tag(*element->Parent()->ToElement(), "body"))
+    throw xml.error(
+        *element, "a joint whose axis is designed must stand directly in its body, not in a frame");
+  return {word.name, word.mirrored, word.factor, at.text->GetLineNum(),
+          turn_of(model, structure, declared, word, joint)};
+}
+
+/// The site is an end of a linear actuator and says its place itself.
+Binding::Target resolve_place(const XmlFile& xml, const mjModel& model,
+                              const DeclarationElements& at, const Declared& declared,
+                              const DesignParameter& parameter, const TargetWord& word) {
+  const int site = mj_name2id(&model, mjOBJ_SITE, word.name.c_str());
+  const XmlElement* element = find_named(xml.root(), "site", word.name);
+  if (site < 0 || !element)
+    throw xml.error(
+        *at.text,
+        fmt::format("names the site '{}', which is not in the model; correct the name", word.name));
+  if (!is_tag(*element->Parent()->ToElement(), "body") || !has_attribute(*element, "pos") ||
+      inherited_attribute(xml, *element, "fromto"))
+    throw xml.error(*element,
+                    "a site that is placed stands directly in its body and has a pos of its own, "
+                    "not a fromto; write it so");
+  if (!is_tendon_end(model, site))
+    throw xml.error(*at.text, fmt::format("site '{}' is no end of a tendon, so placing it changes "
+                                          "nothing; name the site of a linear actuator",
+                                          word.name));
+  const int axis = declared.direction[0] - 'x';
+  // Left and right are mirror images in the x-z plane.
+  const double factor = (word.mirrored && axis == 1 ? -1.0 : 1.0) * word.factor;
+  const double found = model.site_pos[3 * site + axis];
+  if (std::abs(found - factor * parameter.initial) > 1e-6)
+    throw xml.error(*at.numeric,
+                    fmt::format("declares {} m, but site '{}' is at {} = {} m; write numbers that "
+                                "agree",
+                                factor * parameter.initial, word.name, declared.direction, found));
+  return {word.name, word.mirrored, factor, at.text->GetLineNum(), Eigen::Vector3d::Unit(axis)};
+}
+
+Binding resolve(const XmlFile& xml, const mjModel& model, const DeclarationElements& at,
+                const Declared& declared, const DesignParameter& parameter,
+                const Structure& structure) {
+  Binding binding;
+  std::set<std::string> seen;
+  for (const TargetWord& word : declared.targets) {
+    Binding::Target target =
+        parameter.kind == ParameterKind::length
+            ? resolve_stretch(xml, model, at, declared, parameter, word, structure)
+        : parameter.kind == ParameterKind::axis_angle
+            ? resolve_axis(xml, model, at, declared, word, structure)
+            : resolve_place(xml, model, at, declared, parameter, word);
+    if (!seen.insert(target.name).second)
+      throw xml.error(*at.text, fmt::format("names '{}' twice; name it once", target.name));
+    binding.targets.push_back(std::move(target));
+  }
+  const Binding::Target& front = binding.targets.front();
+  binding.direction = parameter.kind == ParameterKind::axis_angle
+                          ? Eigen::Vector3d::Unit(declared.direction[0] - 'x').eval()
+                          : front.direction;
+  return binding;
+}
+
+}  // namespace
+
+Declarations read_declarations(const XmlFile& xml, const mjModel& model,
+                               const Structure& structure) {
+  const Pairs pairs = collect_pairs(xml);
+  for (const auto& [name, both] : pairs.elements)
+    if (!both.numeric)
+      throw xml.error(*both.text,
+                      "has no <numeric> of the same name; add one with data=\"value lower upper\"");
+  if (pairs.order.size() > 500)
+    throw InputError(xml.file.string(), 0, "custom", "more than 500 design parameters");
+  Declarations out;
+  for (const std::string& name : pairs.order) {
+    const DeclarationElements& at = pairs.elements.at(name);
+    if (!at.text)
+      throw xml.error(*at.numeric, fmt::format("has no <text> of the same name; {}", kShape));
+    DesignParameter parameter;
+    parameter.name = name;
+    read_values(xml, *at.numeric, parameter);
+    const Declared declared = read_text(xml, *at.text, parameter);
+    Binding binding = resolve(xml, model, at, declared, parameter, structure);
+    parameter.tied_count = static_cast<int>(binding.targets.size());
+    out.space.parameters.push_back(std::move(parameter));
+    out.bindings.push_back(std::move(binding));
+  }
+  // For their checks:
+  check_places(xml, model, collect_places(out.space, out.bindings, xml.file),
+               collect_stretches(out.space, out.bindings, xml.file));
+  return out;
+}
+
+DeclarationElements find_declaration(const XmlFile& xml, const std::string& name) {
+  const std::string full = std::string(kPrefix) + name;
+  return {find_named(xml.root(), "numeric", full), find_named(xml.root(), "text", full)};
+}
+
+}  // namespace legwright

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include "mjcf/read/read_robot.hpp"
+#include "mjcf/text/xml.hpp"
+
+namespace legwright {
+
+/// What the <custom> section declares.
+struct Declarations {
+  DesignSpace space;
+  std::vector<Binding> bindings;
+};
+
+/// Reads the pairs <numeric name="legwright/NAME"> and <text name="legwright/NAME"> and resolves
+/// what they name in the compiled model. Throws InputError for anything that is not understood or
+/// does not fit.
+Declarations read_declarations(const XmlFile& xml, const mjModel& model,
+                               const Structure& structure);
+
+/// Elements of a declared parameter; both null if it is not declared.
+struct DeclarationElements {
+  const XmlElement* numeric = nullptr;
+  const XmlElement* text = nullptr;
+};
+DeclarationElements find_declaration(const XmlFile& xml, const std::string& name);
+
+}  // namespace legwright

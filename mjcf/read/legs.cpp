@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mjcf/read/legs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+#include <sstream>
+
+#include "mjcf/read/checks.hpp"
+#include "mjcf/read/couplings.hpp"
+#include "mjcf/read/feet.hpp"
+#include "mjcf/read/soles.hpp"
+#include "mjcf/read/tree_checks.hpp"
+#include "mjcf/text/compile.hpp"
+
+namespace legwright {
+namespace {
+
+// A leg ends near the ground: not higher above the lowest foot than this share of the trunk's
+// height, or of half the longest reach where the file draws the robot lying flat.
+constexpr double kNearGround = 0.25;
+// The same for a link that a design parameter names: it was a leg's before, and a keyframe of some designs lifts feet.
+constexpr double kNearGroundIfDeclared = 0.75;
+
+constexpr double kAlike =
+    0.01;  // chains of lengths closer than that share, and of as many hinges, are built alike
+constexpr const char* kLifted =
+    "rides along, built as a leg is but up in the air (if it is one, bend it to the ground in the "
+    "keyframe 'home')";
+
+/// Names of bodies and joints that design parameters are bound to, in the words of their <text>.
+std::set<std::string> declared_names(const mjModel& model) {
+  std::set<std::string> names;
+  for (int t = 0; t < static_cast<int>(model.ntext); ++t) {
+    if (name_of(model, mjOBJ_TEXT, t).rfind("legwright/", 0) != 0) continue;
+    std::string words(model.text_data + model.text_adr[t]);
+    const std::size_t colon = words.find(':', words.find('|'));
+    if (colon == std::string::npos) continue;
+    std::istringstream targets(words.substr(colon + 1, words.find('|', colon) - colon - 1));
+    for (std::string word; targets >> word;)
+      names.insert(word.substr(word.find_last_of("~*") + 1));  // npos + 1: the whole word
+  }
+  return names;
+}
+
+class StructureReader {
+ public:
+  StructureReader(const XmlFile& xml, const mjModel& model) : xml_(xml), model_(model) {}
+
+  Structure run(const Structure* known) {
+    out_.trunk = find_trunk(xml_, model_, reasons_);
+    if (out_.trunk < 0) reasons_.throw_if_any();
+    check_surroundings(xml_, model_, out_.trunk, reasons_);
+    if (known && has_parts_of(model_, *known)) {
+      out_ = *known;
+      reasons_.throw_if_any();
+      return std::move(out_);
+    }
+    data_ = kinematics_at(model_, home_qpos(model_), xml_.file);
+    out_.moves.assign(static_cast<std::size_t>(model_.njnt), false);
+    for (int j = 0; j < model_.njnt; ++j) out_.moves[at(j)] = hangs_on_trunk(j);
+    find_legs();
+    freeze_coupled();
+    for (int j = 0; j < model_.njnt; ++j)
+      if (out_.moves[at(j)]) check_leg_joint(xml_, model_, j, reasons_);
+    check_loops(xml_, model_, out_, reasons_);
+    for (const int end : ends()) add_foot(end);
+    read_tendons();
+    reasons_.throw_if_any();
+    return std::move(out_);
+  }
+
+ private:
+  static std::size_t at(int index) { return static_cast<std::size_t>(index); }
+  bool hangs_on_trunk(int joint) const {
+    const int body = model_.jnt_bodyid[joint];
+    return body != out_.trunk && model_.body_rootid[body] == out_.trunk;
+  }
+
+  /// Bodies that end a chain: nothing below them moves in the plan.
+  std::vector<int> ends() const {
+    std::vector<bool> carries(at(model_.nbody), false);
+    std::vector<int> found;
+    for (int b = model_.nbody - 1; b > out_.trunk; --b) {
+      if (model_.body_rootid[b] != out_.trunk || moving_joints(model_, out_, b).empty()) continue;
+      if (!carries[at(b)]) found.insert(found.begin(), b);
+      carries[at(moving_body(model_, out_, model_.body_parentid[b]))] = true;
+    }
+    return found;
+  }
+
+  std::vector<int> link_of(int end) const {
+    std::vector<int> bodies;
+    for (int b = end; b < model_.nbody; ++b)
+      if (model_.body_rootid[b] == out_.trunk && moving_body(model_, out_, b) == end)
+        bodies.push_back(b);
+    return bodies;
+  }
+
+  /// Height of the lowest part of a link: what collides, else what is drawn, else its frame.
+  double lowest_of(int end) const {
+    double colliding = kInfinity, drawn = kInfinity, frame = kInfinity;
+    for (const int body : link_of(end)) {
+      frame = std::min(frame, data_->xpos[3 * body + 2]);
+      for (int k = 0; k < model_.body_geomnum[body]; ++k) {
+        const int geom = model_.body_geomadr[body] + k;
+        double& low = collides(model_, geom) ? colliding : drawn;
+        low = std::min(low, lowest_point(model_, *data_, geom));
+      }
+    }
+    return colliding < kInfinity ? colliding : std::min(drawn, frame);
+  }
+
+  bool is_declared(int end, const std::set<std::string>& names) const {
+    for (const int joint : moving_joints(model_, out_, end))
+      if (names.count(name_of(model_, mjOBJ_JOINT, joint))) return true;
+    const std::vector<int> bodies = link_of(end);
+    return std::any_of(bodies.begin(), bodies.end(), [&](int body) {
+      return names.count(name_of(model_, mjOBJ_BODY, body)) > 0;
+    });
+  }
+
+  /// A chain as it is built: its hinges from the trunk on, and its length from its first body to its last [m].
+  struct Chain {
+    std::vector<int> joints;
+    double length = 0.0;
+    bool is_like(const Chain& other) const {
+      return joints.size() == other.joints.size() &&
+             std::abs(length - other.length) <= kAlike * other.length;
+    }
+  };
+  Chain chain_to(int end) const {
+    Chain out;
+    for (int b = end; b != out_.trunk; b = model_.body_parentid[b]) {
+      const std::vector<int> own = moving_joints(model_, out_, b);
+      out.joints.insert(out.joints.begin(), own.begin(), own.end());
+      if (model_.body_parentid[b] != out_.trunk) out.length += mju_norm3(model_.body_pos + 3 * b);
+    }
+    return out;
+  }
+
+  /// A chain built as a leg is, but up in the air: perhaps a home pose with a wrong sign.
+  void tell_lifted(const std::vector<Chain>& chains) {
+    const auto stays = [&](const Chain& chain) { return out_.moves[at(chain.joints.back())]; };
+    for (const Chain& chain : chains)
+      if (!stays(chain) && std::any_of(chains.begin(), chains.end(), [&](const Chain& leg) {
+            return stays(leg) && chain.is_like(leg);
+          }))
+        for (FrozenJoint& frozen : out_.frozen)
+          if (std::count(chain.joints.begin(), chain.joints.end(), frozen.joint))
+            frozen.why = kLifted;
+  }
+
+  /// Takes away, from their ends, the chains that do not reach the ground.
+  void find_legs() {
+    std::vector<Chain> chains;
+    for (const int end : ends()) chains.push_back(chain_to(end));
+    double ground = kInfinity, reach = 0.0;
+    for (const int end : ends()) {
+      ground = std::min(ground, lowest_of(end));
+      for (int k = 0; k < 3; ++k)
+        reach =
+            std::max(reach, std::abs(data_->xpos[3 * end + k] - data_->xpos[3 * out_.trunk + k]));
+    }
+    const double height = data_->xpos[3 * out_.trunk + 2] - ground;
+    const double scale = std::max(height, 0.5 * reach);
+    const std::set<std::string> declared = declared_names(model_);
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (const int end : ends()) {
+        const double share = is_declared(end, declared) ? kNearGroundIfDeclared : kNearGround;
+        if (lowest_of(end) - ground <= share * scale) continue;
+        for (const int joint : moving_joints(model_, out_, end)) freeze(joint, "rides along");
+        changed = true;
+      }
+    }
+    tell_lifted(chains);
+  }
+
+  void freeze(int joint, const std::string& why) {
+    out_.moves[at(joint)] = false;
+    const int body = model_.jnt_bodyid[joint];
+    const FrozenJoint frozen{joint, name_of(model_, mjOBJ_JOINT, joint),
+                             name_of(model_, mjOBJ_BODY, body), why};
+    const auto behind = std::find_if(out_.frozen.begin(), out_.frozen.end(),
+                                     [&](const FrozenJoint& other) { return other.joint > joint; });
+    out_.frozen.insert(behind, frozen);
+  }
+
+  /// Coupled joints of legs are held; a leg that nothing else moves is no leg.
+  void freeze_coupled() {
+    const std::vector<int> leg_ends = ends();
+    std::map<int, std::string> why;
+    for (const auto& [joint, by] : coupled_joints(xml_, model_)) {
+      if (!out_.moves[at(joint)]) continue;
+      why.emplace(joint, by);
+      freeze(joint, "coupled by " + by);
+    }
+    for (const int end : leg_ends) {
+      std::string all;
+      bool moves = false;
+      for (int b = end; b != out_.trunk; b = model_.body_parentid[b])
+        for (int j = model_.body_jntadr[b]; j < model_.body_jntadr[b] + model_.body_jntnum[b];
+             ++j) {
+          moves = moves || out_.moves[at(j)];
+          if (!why.count(j)) continue;
+          all += fmt::format("{}'{}' by {}", all.empty() ? "" : ", ",
+                             name_of(model_, mjOBJ_JOINT, j), why.at(j));
+        }
+      if (!moves)
+        reasons_.add(error_at(
+            xml_, model_, mjOBJ_BODY, end,
+            fmt::format("ends a leg of which no joint moves by itself, and coupled joints are held "
+                        "in the home pose ({}); remove what couples them, or give each hinge an "
+                        "actuator of its own",
+                        all)));
+    }
+    if (leg_ends.empty())
+      reasons_.add(error_at(xml_, model_, mjOBJ_BODY, out_.trunk,
+                            "has no limb: no hinge hangs on the trunk; add legs"));
+  }
+
+  void add_foot(int end) {
+    FootContact foot;
+    if (!choose_foot(xml_, model_, *data_, link_of(end), foot)) {
+      reasons_.add(error_at(xml_, model_, mjOBJ_BODY, end,
+                            "ends a leg without a foot; add <geom type=\"sphere\"> that collides "
+                            "(contype=\"1\") at its end, or a <site> where a ball shall be"));
+      return;
+    }
+    foot.name = name_of_foot(foot, end);
+    if (const std::string why = fault_of_name(foot.name); !why.empty())
+      reasons_.add(foot.geom >= 0 ? error_at(xml_, model_, mjOBJ_GEOM, foot.geom, why)
+                                  : error_at(xml_, model_, mjOBJ_BODY, end, why));
+    find_sole(end, foot);
+    out_.feet.push_back(foot);
+  }
+
+  /// Gives a foot that its leg can lay flat on the ground its normal, and a middle where it is made up of several geoms.
+  void find_sole(int end, FootContact& foot) const {
+    if (foot.geom < 0) return;
+    const std::vector<Eigen::Vector3d> points = ground_points(model_, *data_, link_of(end));
+    const std::optional<Eigen::Vector3d> normal = normal_of_sole(points);
+    if (!normal) return;
+    std::vector<int> joints;
+    for (int b = end; b != out_.trunk; b = model_.body_parentid[b])
+      for (const int joint : moving_joints(model_, out_, b)) joints.push_back(joint);
+    const double height = data_->xpos[3 * out_.trunk + 2] - points.front().z();
+    if (!can_lay_down(*data_, joints, points.front(), height)) return;
+    const int body = foot_body(model_, foot);
+    const auto world = RowMatrix3d::Map(data_->xmat + 9 * body);
+    foot.normal = world.transpose() * *normal;
+    const std::vector<int> geoms = ground_geoms(model_, *data_, link_of(end));
+    const bool known = std::all_of(geoms.begin(), geoms.end(), [&](int geom) {
+      return geom == foot.geom ||
+             std::find(foot.others.begin(), foot.others.end(), geom) != foot.others.end();
+    });
+    if (known) return;
+    const Eigen::Vector3d ahead = RowMatrix3d::Map(data_->xmat + 9 * out_.trunk).col(0);
+    foot.middle = world.transpose() * (middle_of_sole(points, *normal, ahead) -
+                                       Eigen::Vector3d::Map(data_->xpos + 3 * body));
+    foot.radius = 0.0;
+    foot.others.clear();
+  }
+
+  /// A geom's own name; else that of its body, of the link or of the joint, not yet a geom's.
+  std::string name_of_foot(const FootContact& foot, int end) const {
+    if (foot.geom >= 0)
+      if (const std::string own = name_of(model_, mjOBJ_GEOM, foot.geom); !own.empty()) return own;
+    std::vector<std::string> names;
+    if (foot.site >= 0) names.push_back(name_of(model_, mjOBJ_SITE, foot.site));
+    names.push_back(name_of(model_, mjOBJ_BODY, foot_body(model_, foot)));
+    names.push_back(name_of(model_, mjOBJ_BODY, end));
+    names.push_back(name_of(model_, mjOBJ_JOINT, moving_joints(model_, out_, end).back()));
+    const auto base = std::find_if(names.begin(), names.end(),
+                                   [](const std::string& name) { return !name.empty(); });
+    std::string name = base == names.end() ? "foot" : *base;
+    const std::string stem = name;
+    for (int n = 1; is_taken(name); ++n)
+      name = n == 1 ? stem + "_foot" : fmt::format("{}_foot{}", stem, n);
+    return name;
+  }
+  bool is_taken(const std::string& name) const {
+    return name == "floor" || mj_name2id(&model_, mjOBJ_GEOM, name.c_str()) >= 0 ||
+           std::any_of(out_.feet.begin(), out_.feet.end(),
+                       [&](const FootContact& foot) { return foot.name == name; });
+  }
+
+  /// A straight tendon over joints of a leg is to be a linear actuator; others are held or measure.
+  void read_tendons() {
+    for (int t = 0; t < static_cast<int>(model_.ntendon); ++t) {
+      const std::vector<int> joints = joints_under(model_, t);
+      out_.reads_tendon.push_back(
+          joins_two_sites(model_, t) &&
+          (joints.empty() || std::any_of(joints.begin(), joints.end(),
+                                         [&](int joint) { return out_.moves[at(joint)]; })));
+    }
+  }
+
+  using RowMatrix3d = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const XmlFile& xml_;
+  const mjModel& model_;
+  DataPointer data_;
+  Refusals reasons_;
+  Structure out_;
+};
+
+}  // namespace
+
+bool has_parts_of(const mjModel& model, const Structure& structure) {
+  return structure.moves.size() == static_cast<std::size_t>(model.njnt) &&
+         structure.reads_tendon.size() == static_cast<std::size_t>(model.ntendon) &&
+         structure.trunk < model.nbody &&
+         std::all_of(structure.feet.begin(), structure.feet.end(), [&](const FootContact& foot) {
+           return foot.geom < model.ngeom && foot.site < model.nsite &&
+                  (foot.others.empty() || foot.others.back() < model.ngeom);
+         });
+}
+
+Structure read_structure(const XmlFile& xml, const mjModel& model, const Structure* known) {
+  return StructureReader(xml, model).run(known);
+}
+
+std::vector<int> moving_joints(const mjModel& model, const Structure& structure, int body) {
+  std::vector<int> out;
+  for (int j = model.body_jntadr[body]; j < model.body_jntadr[body] + model.body_jntnum[body]; ++j)
+    if (structure.moves[static_cast<std::size_t>(j)]) out.push_back(j);
+  return out;
+}
+
+int moving_body(const mjModel& model, const Structure& structure, int body) {
+  while (body > 0 && body != structure.trunk && moving_joints(model, structure, body).empty())
+    body = model.body_parentid[body];
+  return body;
+}
+
+std::string held_text(const Structure& structure) {
+  std::vector<std::pair<std::string, std::string>> lines;
+  for (const FrozenJoint& frozen : structure.frozen) {
+    const std::string title = !frozen.name.empty()   ? frozen.name
+                              : !frozen.body.empty() ? fmt::format("a joint of {}", frozen.body)
+                                                     : "an unnamed joint";
+    const auto same = std::find_if(lines.begin(), lines.end(),
+                                   [&](const auto& line) { return line.first == frozen.why; });
+    if (same == lines.end())
+      lines.emplace_back(frozen.why, title);
+    else
+      same->second += ", " + title;
+  }
+  std::string text;
+  for (const auto& [why, joints] : lines)
+    text += fmt::format("  {}, held in the home pose: {}\n", why, joints);
+  return text;
+}
+
+int home_keyframe(const mjModel& model) {
+  const int home = mj_name2id(&model, mjOBJ_KEY, "home");
+  return home < 0 && model.nkey == 1 ? 0 : home;
+}
+
+const mjtNum* home_qpos(const mjModel& model) {
+  const int home = home_keyframe(model);
+  return home >= 0 ? model.key_qpos + home * model.nq : model.qpos0;
+}
+
+}  // namespace legwright

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mjcf/read/limbs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "optimizer/design/kinematics.hpp"
+#include "optimizer/motion/gait.hpp"
+
+namespace legwright {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr double kAlike = 0.01;    // of the leg length: mirrored feet may differ by so much
+constexpr double kRowShare = 0.2;  // of the feet's longer spread: closer along x, they share a row
+constexpr double kNearAxis = 0.966;  // cosine of 15 degrees
+
+/// How many links of a chain, from the trunk on, others hang on too.
+int shared_links(const Morphology& morphology, const std::vector<int>& chain) {
+  int shared = 0;
+  for (const int link : chain) {
+    int feet = 0;
+    for (const Foot& foot : morphology.feet) {
+      const std::vector<int> other = morphology.chain_to(foot.link);
+      feet += std::count(other.begin(), other.end(), link) > 0;
+    }
+    if (feet > 1) ++shared;
+  }
+  return shared;
+}
+
+}  // namespace
+
+std::vector<Limb> find_limbs(const Morphology& morphology, const VectorXd& s) {
+  const GeometryAtDesign geometry(morphology, s);
+  const PoseKinematics home = home_pose(morphology, geometry);
+  std::vector<Vector3d> feet;
+  for (int foot = 0; foot < morphology.foot_count(); ++foot)
+    feet.push_back(foot_place(morphology, geometry, home, foot));
+  double spread = 0.0;  // the longer one, as footfall_order() has it
+  for (const Vector3d& one : feet)
+    for (const Vector3d& other : feet)
+      spread = std::max(spread, (one - other).head<2>().lpNorm<Eigen::Infinity>());
+  std::vector<Limb> limbs;
+  for (const int foot : footfall_order(feet)) {
+    Limb limb;
+    limb.foot = foot;
+    limb.links = morphology.chain_to(morphology.feet[static_cast<std::size_t>(foot)].link);
+    limb.shared = shared_links(morphology, limb.links);
+    for (const int link : limb.links)
+      limb.axes.push_back(home.rotation(link) *
+                          geometry.links[static_cast<std::size_t>(link)].axis.axis);
+    limb.home = feet[static_cast<std::size_t>(foot)];
+    if (!limbs.empty()) {
+      const bool next = limbs.back().home.x() - limb.home.x() > kRowShare * spread;
+      limb.row = limbs.back().row + (next ? 1 : 0);
+    }
+    limbs.push_back(std::move(limb));
+  }
+  for (std::size_t a = 0; a < limbs.size(); ++a)
+    for (std::size_t b = a + 1; b < limbs.size(); ++b) {
+      const Vector3d image(limbs[b].home.x(), -limbs[b].home.y(), limbs[b].home.z());
+      const double leg = stretched_limb(morphology, limbs[a].foot, s);
+      if (limbs[a].partner >= 0 || limbs[b].partner >= 0 ||
+          limbs[a].links.size() != limbs[b].links.size() ||
+          (limbs[a].home - image).norm() > kAlike * leg)
+        continue;
+      limbs[a].partner = static_cast<int>(b);
+      limbs[b].partner = static_cast<int>(a);
+    }
+  return limbs;
+}
+
+std::string row_name(int row, int rows) {
+  if (rows == 1) return "";
+  if (row == 0) return "front";
+  if (row == rows - 1) return "hind";
+  return rows == 3 ? "middle" : fmt::format("row{}", row + 1);
+}
+
+std::string axis_name(const Vector3d& axis) {
+  const char* const names[] = {"roll", "pitch", "yaw"};
+  for (int k = 0; k < 3; ++k)
+    if (std::abs(axis[k]) >= kNearAxis) return names[k];
+  return "oblique";
+}
+
+}  // namespace legwright

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mjcf/read/read_robot.hpp"
+
+namespace legwright {
+
+/// A leg as a chain of links from the trunk to a foot, and where it stands among the others.
+struct Limb {
+  int foot = 0;            // of the morphology
+  std::vector<int> links;  // from the trunk's child down to the foot's
+  int shared = 0;          // so many of them, from the first on, carry other limbs too: a waist
+  std::vector<Eigen::Vector3d> axes;  // of the links' joints, trunk's frame, home pose
+  Eigen::Vector3d home =
+      Eigen::Vector3d::Zero();  // centre of the foot, trunk's frame, home pose [m]
+  int row = 0;                  // from front to hind
+  int partner = -1;             // index of its mirror image in the x-z plane, −1: there is none
+};
+
+/// The limbs of a robot, front to hind, left before right: rows by where the feet stand in the home
+/// pose, partners by geometry (same number of joints, feet mirrored to a hundredth of the leg).
+/// @param s the design.
+std::vector<Limb> find_limbs(const Morphology& morphology, const Eigen::VectorXd& s);
+
+/// What the rows are called: front and hind, front, middle and hind; nothing for one row.
+std::string row_name(int row, int rows);
+
+/// "roll", "pitch" or "yaw" for an axis near x, y or z of the trunk; else "oblique".
+std::string axis_name(const Eigen::Vector3d& axis);
+
+}  // namespace legwright

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include "mjcf/read/affine.hpp"
+#include "mjcf/read/read_robot.hpp"
+#include "mjcf/read/structure.hpp"
+#include "mjcf/text/xml.hpp"
+
+namespace legwright {
+
+/// A tendon as a linear actuator: its two sites by their id in the model, the one on the upper link
+/// first, and the hinge between them.
+struct TendonSpan {
+  int tendon, upper_site, lower_site, joint;
+};
+
+/// The linear actuators among the tendons: those of `structure`. Throws InputError for one that is
+/// not over exactly one hinge.
+std::vector<TendonSpan> read_tendons(const XmlFile& xml, const mjModel& model,
+                                     const Structure& structure);
+
+/// Checks that each actuator has a moment arm in the home pose; its stroke is the planner's concern.
+/// Throws InputError.
+void check_arms(const XmlFile& xml, const std::vector<TendonSpan>& tendons,
+                const Morphology& morphology, const DesignSpace& space);
+
+/// Whether a site is an end of a tendon.
+bool is_tendon_end(const mjModel& model, int site);
+
+/// All placed coordinates by site. Throws InputError where one is placed twice.
+PlaceMap collect_places(const DesignSpace& space, const std::vector<Binding>& bindings,
+                        const std::filesystem::path& file);
+/// Throws InputError for a placed coordinate that a stretch of its body moves obliquely: then the
+/// site's place would not be told by its numbers alone.
+void check_places(const XmlFile& xml, const mjModel& model, const PlaceMap& places,
+                  const StretchMap& stretches);
+
+}  // namespace legwright

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mjcf/read/read_robot.hpp"
+
+#include <fmt/format.h>
+
+#include "mjcf/read/bindings.hpp"
+#include "mjcf/read/checks.hpp"
+#include "mjcf/read/legs.hpp"
+#include "mjcf/read/linear_actuators.hpp"
+#include "mjcf/read/servos.hpp"
+#include "mjcf/read/stretch.hpp"
+#include "mjcf/read/tree.hpp"
+#include "mjcf/text/compile.hpp"
+
+namespace legwright {
+namespace {
+
+void check_home(const XmlFile& xml, const mjModel& model, const Morphology& morphology) {
+  for (int a = 0; a < morphology.joint_count(); ++a) {
+    const Joint& joint = morphology.links[a + 1].joint;
+    if (joint.nominal < joint.lower || joint.nominal > joint.upper)
+      throw error_at(
+          xml, model, mjOBJ_JOINT, mj_name2id(&model, mjOBJ_JOINT, joint.name.c_str()),
+          fmt::format(
+              "the home pose has {} rad, outside of its range {} to {}; change the range or the "
+              "keyframe 'home'",
+              joint.nominal, joint.lower, joint.upper));
+  }
+}
+
+/// Does some work; what it refuses is told together with reasons that are known already.
+template <class Work>
+auto together_with(Refusals& reasons, const Work& work) {
+  try {
+    auto out = work();
+    reasons.throw_if_any();
+    return out;
+  } catch (const InputError& error) {
+    if (reasons.empty()) throw;
+    if (error.reasons().empty()) reasons.add(error);
+    for (const InputError& reason : error.reasons()) reasons.add(reason);
+  }
+  throw InputError(reasons.all());
+}
+
+RobotModel parse_text(const std::string& xml_text, const std::filesystem::path& file,
+                      const Structure* known) {
+  const auto xml = load_xml(xml_text, file);
+  Refusals reasons;
+  check_text(*xml, reasons);
+  ModelPointer model;
+  Structure structure = together_with(reasons, [&] {
+    model = compile_mjcf(xml->text, file);
+    return read_structure(*xml, *model, known);
+  });
+  const std::vector<TendonSpan> tendons = read_tendons(*xml, *model, structure);
+  Declarations declared = read_declarations(*xml, *model, structure);
+  const StretchMap stretches = collect_stretches(declared.space, declared.bindings, file);
+  RobotModel robot;
+  const PlaceMap places = collect_places(declared.space, declared.bindings, file);
+  robot.morphology =
+      build_morphology(*xml, *model, structure, declared.space, declared.bindings, stretches,
+                       places, read_printed(*xml, *model, structure, stretches), tendons);
+  check_home(*xml, *model, robot.morphology);
+  check_arms(*xml, tendons, robot.morphology, declared.space);
+  robot.servos = read_servos(*xml, *model, structure, robot.morphology, declared.space.initial());
+  for (int a = 0; a < robot.morphology.joint_count(); ++a)
+    if (robot.servos[a].tendon.empty())
+      robot.morphology.links[a + 1].joint.torque_limit = robot.servos[a].torque_limit;
+  for (LinearActuator& actuator : robot.morphology.linear_actuators)
+    actuator.force_limit = robot.servos[actuator.joint].torque_limit;
+  robot.file = file;
+  robot.xml = xml_text;
+  robot.space = std::move(declared.space);
+  robot.bindings = std::move(declared.bindings);
+  robot.root_body = name_of(*model, mjOBJ_BODY, structure.trunk);
+  robot.structure = std::move(structure);
+  return robot;
+}
+
+}  // namespace
+
+RobotModel read_robot(const std::filesystem::path& file) {
+  return parse_robot(RobotFiles::read(file));
+}
+
+RobotModel parse_robot(const std::string& xml_text, const std::filesystem::path& file,
+                       const Structure* known) {
+  return parse_robot(RobotFiles::from_text(xml_text, file), known);
+}
+
+RobotModel parse_robot(const RobotFiles& files, const Structure* known) {
+  files.check_names_of_runs();
+  RobotModel robot =
+      files.at_their_lines([&] { return parse_text(files.text(), files.file(), known); });
+  robot.files = files;
+  return robot;
+}
+
+}  // namespace legwright

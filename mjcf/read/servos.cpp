@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mjcf/read/servos.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "mjcf/read/checks.hpp"
+#include "mjcf/text/compile.hpp"
+#include "mjcf/text/elements.hpp"
+#include "optimizer/design/actuator_length.hpp"
+
+namespace legwright {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// The part of a range that serves both directions; infinite if nothing limits.
+double symmetric(bool limited, const mjtNum* range) {
+  return limited ? std::min(-range[0], range[1]) : kInfinity;
+}
+
+/// What the plugin's servo would not do must not get lost in silence.
+void refuse_what_the_scene_drops(const XmlFile& xml, const mjModel& model, int actuator,
+                                 const XmlElement& element) {
+  const auto refuse = [&](bool present, const char* what) {
+    if (present)
+      throw xml.error(element,
+                      fmt::format("{}, which the gait's servos do not have; remove it", what));
+  };
+  const mjtNum* poly = model.actuator_dampingpoly + mjNPOLY * actuator;
+  const bool damps = model.actuator_damping[actuator] != 0.0 ||
+                     std::any_of(poly, poly + mjNPOLY, [](mjtNum x) { return x != 0.0; });
+  if (model.actuator_armature[actuator] != 0.0)
+    throw xml.error(element,
+                    "attribute armature: the scene brings actuators of its own; write armature "
+                    "(times the square of gear) at the joint");
+  if (damps)
+    throw xml.error(element,
+                    "attribute damping: the scene brings actuators of its own; write damping "
+                    "(times the square of gear) at the joint");
+  refuse(model.actuator_delay[actuator] != 0.0, "attribute delay: delays its control");
+  refuse(model.actuator_dyntype[actuator] != mjDYN_NONE || model.actuator_actnum[actuator] != 0,
+         "has dynamics of its own (timeconst, dyntype, an integral or a slew limit)");
+}
+
+/// What limits the actuator's force besides its own forcerange, at its joint or tendon.
+double outer_limit(const mjModel& model, int actuator) {
+  const int t = model.actuator_trnid[2 * actuator];
+  return model.actuator_trntype[actuator] == mjTRN_TENDON
+             ? symmetric(model.tendon_actfrclimited[t], model.tendon_actfrcrange + 2 * t)
+             : symmetric(model.jnt_actfrclimited[t], model.jnt_actfrcrange + 2 * t);
+}
+
+/// @param full_force_error error of angle or length at which a servo without gains gives all it has.
+Servo read_servo(const XmlFile& xml, const mjModel& model, int actuator, const XmlElement& element,
+                 const std::string& joint, double full_force_error) {
+  const mjtNum* gain = model.actuator_gainprm + mjNGAIN * actuator;
+  const mjtNum* bias = model.actuator_biasprm + mjNBIAS * actuator;
+  const double gear = model.actuator_gear[6 * model.actuator_outadr[actuator]];
+  if (!(std::abs(gear) > 1e-9))
+    throw xml.error(element, "attribute gear: is zero, so the actuator drives nothing");
+  refuse_what_the_scene_drops(xml, model, actuator, element);
+  Servo servo{name_of(model, mjOBJ_ACTUATOR, actuator), joint, 0.0, 0.0, 0.0, ""};
+  if (servo.actuator.empty()) servo.actuator = joint;
+  servo.torque_limit = std::abs(gear) * symmetric(model.actuator_forcelimited[actuator],
+                                                  model.actuator_forcerange + 2 * actuator);
+  servo.torque_limit = std::min(servo.torque_limit, outer_limit(model, actuator));
+  const bool is_fixed_gain = model.actuator_gaintype[actuator] == mjGAIN_FIXED;
+  const bool is_pid = model.actuator_gaintype[actuator] == mjGAIN_PID && bias[1] < 0.0;
+  const bool is_position =
+      model.actuator_biastype[actuator] == mjBIAS_AFFINE &&
+      (is_pid || (is_fixed_gain && gain[0] > 0.0 && std::abs(bias[1] + gain[0]) <= 1e-9 * gain[0]));
+  const int control = model.actuator_ctrladr[actuator];
+  if (is_fixed_gain && model.actuator_biastype[actuator] == mjBIAS_AFFINE && gain[0] < 0.0)
+    throw xml.error(element, fmt::format("has a gain of {}, which drives its joint away from where "
+                                         "it shall be; a servo needs a positive kp",
+                                         gain[0]));
+  if (is_position) {
+    servo.kp = gear * gear * -bias[1];
+    servo.kd = gear * gear * std::max(0.0, -bias[2]);
+  } else if (is_fixed_gain && model.actuator_biastype[actuator] == mjBIAS_NONE &&
+             model.actuator_ctrllimited[control]) {
+    servo.torque_limit =
+        std::min(servo.torque_limit, std::abs(gear * gain[0]) *
+                                         symmetric(true, model.actuator_ctrlrange + 2 * control));
+  }
+  if (!(servo.torque_limit > 0.0))
+    throw xml.error(
+        element, "its torque limit does not hold zero inside; write forcerange=\"-LIMIT LIMIT\"");
+  if (!is_position) {
+    if (!std::isfinite(servo.torque_limit))
+      throw xml.error(
+          element,
+          "has no torque limit to take gains from; add forcerange=\"-LIMIT LIMIT\" (N m, along a "
+          "tendon N), or use <position kp= kv=>");
+    servo.kp = servo.torque_limit / full_force_error;
+    servo.kd = kDampingTime * servo.kp;
+  }
+  return servo;
+}
+
+/// Whether an actuator pulls at what the plan holds in its home pose: a joint, or a tendon that is
+/// no linear actuator of a leg.
+bool drives_held(const mjModel& model, const Structure& structure, int actuator) {
+  const auto target = static_cast<std::size_t>(model.actuator_trnid[2 * actuator]);
+  switch (model.actuator_trntype[actuator]) {
+    case mjTRN_JOINT:
+    case mjTRN_JOINTINPARENT:
+      return !structure.moves[target] && model.jnt_type[target] != mjJNT_FREE;
+    case mjTRN_TENDON:
+      return !structure.reads_tendon[target];
+    default:
+      return false;
+  }
+}
+
+const LinearActuator& linear_actuator(const mjModel& model, const Morphology& morphology,
+                                      int tendon) {
+  const std::string name = name_of(model, mjOBJ_TENDON, tendon);
+  return *std::find_if(morphology.linear_actuators.begin(), morphology.linear_actuators.end(),
+                       [&](const LinearActuator& actuator) { return actuator.name == name; });
+}
+
+/// Name of the hinge that an actuator drives, itself or through its tendon; empty if there is none.
+std::string driven_joint(const mjModel& model, const Morphology& morphology, int actuator) {
+  const int target = model.actuator_trnid[2 * actuator];
+  switch (model.actuator_trntype[actuator]) {
+    case mjTRN_JOINT:
+    case mjTRN_JOINTINPARENT:
+      return model.jnt_type[target] == mjJNT_HINGE ? name_of(model, mjOBJ_JOINT, target) : "";
+    case mjTRN_TENDON:
+      return morphology.links[linear_actuator(model, morphology, target).joint + 1].joint.name;
+    default:
+      return "";
+  }
+}
+
+/// A tendon without actuator would be a cable that the planner does not know.
+void check_each_tendon_drives(const XmlFile& xml, const Morphology& morphology,
+                              const std::vector<Servo>& servos) {
+  for (const LinearActuator& actuator : morphology.linear_actuators) {
+    const std::string& name = actuator.name;
+    const bool drives = std::any_of(servos.begin(), servos.end(),
+                                    [&](const Servo& servo) { return servo.tendon == name; });
+    if (!drives)
+      throw InputError(xml.file.string(), 0, fmt::format("tendon '{}'", name),
+                       fmt::format("has no actuator; add <position tendon=\"{}\" kp= kv= "
+                                   "forcerange=/>, or remove it",
+                                   name));
+  }
+}
+
+/// Moment arm of an actuator in the home pose [m]; one for a servo at its joint [-].
+double home_arm(const mjModel& model, const Morphology& morphology, const Eigen::VectorXd& s,
+                int actuator) {
+  if (model.actuator_trntype[actuator] != mjTRN_TENDON) return 1.0;
+  const LinearActuator& linear =
+      linear_actuator(model, morphology, model.actuator_trnid[2 * actuator]);
+  return morphology.leg_length *
+         std::abs(moment_arm(actuator_shape(morphology, linear, s).value,
+                             morphology.links[linear.joint + 1].joint.nominal));
+}
+
+}  // namespace
+
+std::vector<Servo> read_servos(const XmlFile& xml, const mjModel& model, const Structure& structure,
+                               const Morphology& morphology, const Eigen::VectorXd& s) {
+  const SectionElements elements(xml, "actuator");
+  std::map<std::string, int> actuator_of;
+  for (int a = 0; a < model.nactuator; ++a) {
+    if (drives_held(model, structure, a)) continue;
+    const XmlElement& element = elements[a];
+    const std::string name = driven_joint(model, morphology, a);
+    if (name.empty())
+      throw xml.error(element,
+                      "drives no hinge of a limb; the gait plays on servos at hinges and on "
+                      "tendons between two links only, remove it");
+    if (!actuator_of.emplace(name, a).second)
+      throw xml.error(element, fmt::format("is a second actuator of joint '{}'; leave one", name));
+  }
+  std::vector<Servo> servos;
+  for (int a = 0; a < morphology.joint_count(); ++a) {
+    const std::string& joint = morphology.links[a + 1].joint.name;
+    const auto found = actuator_of.find(joint);
+    if (found == actuator_of.end())
+      throw error_at(
+          xml, model, mjOBJ_JOINT, mj_name2id(&model, mjOBJ_JOINT, joint.c_str()),
+          fmt::format("has no actuator; add <position joint=\"{}\" kp= kv= forcerange=/>", joint));
+    const int actuator = found->second;
+    servos.push_back(read_servo(xml, model, actuator, elements[actuator], joint,
+                                kFullTorqueError * home_arm(model, morphology, s, actuator)));
+    if (model.actuator_trntype[actuator] == mjTRN_TENDON)
+      servos.back().tendon = name_of(model, mjOBJ_TENDON, model.actuator_trnid[2 * actuator]);
+    const int id = mj_name2id(&model, mjOBJ_JOINT, joint.c_str());
+    servos.back().joint_damping = model.dof_damping[model.jnt_dofadr[id]];
+  }
+  check_each_tendon_drives(xml, morphology, servos);
+  return servos;
+}
+
+}  // namespace legwright

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include "mjcf/read/read_robot.hpp"
+#include "mjcf/read/structure.hpp"
+#include "mjcf/text/xml.hpp"
+
+namespace legwright {
+
+/// The servo of each joint of the morphology, in its order: gains and torque limit at the joint,
+/// for a linear actuator along its tendon.
+/// Throws InputError for a joint without actuator, with several, or with one that has no torque
+/// limit to take gains from, and for an actuator that drives anything else than one of these
+/// joints, their linear actuators, and what is held in the home pose.
+/// @param s the design that the file holds.
+std::vector<Servo> read_servos(const XmlFile& xml, const mjModel& model, const Structure& structure,
+                               const Morphology& morphology, const Eigen::VectorXd& s);
+
+}  // namespace legwright

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mjcf/read/tree.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "mjcf/read/feet.hpp"
+#include "mjcf/read/legs.hpp"
+#include "mjcf/read/trunk_capsules.hpp"
+#include "mjcf/text/compile.hpp"
+#include "mjcf/text/elements.hpp"
+#include "mjcf/text/input_error.hpp"
+#include "mjcf/text/model_arrays.hpp"
+
+namespace legwright {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr std::size_t kMostCapsulePairs = 20000;  // a robot of many shapes has some thousand
+
+bool belongs_to(const mjModel& model, int body, int trunk) {
+  return model.body_rootid[body] == trunk;
+}
+
+/// @param link_from_body turns a body's directions into its link's.
+std::optional<Sole> sole_of(const FootContact& foot, const Matrix3d& link_from_body) {
+  if (!foot.normal) return std::nullopt;
+  Eigen::Index across = 0;
+  foot.normal->cwiseAbs().minCoeff(&across);
+  const Vector3d ahead =
+      (Vector3d::Unit(across) - (*foot.normal)[across] * *foot.normal).normalized();
+  return Sole{link_from_body * ahead, link_from_body * foot.normal->cross(ahead)};
+}
+
+/// Where a body is, as seen from the link it belongs to.
+struct Placement {
+  int link = 0;
+  AffineVector origin;
+  Matrix3d rotation = Matrix3d::Identity();
+};
+
+class Builder {
+ public:
+  Builder(const mjModel& model, const Structure& structure, const DesignSpace& space,
+          const std::vector<Binding>& bindings, const StretchMap& stretches, const PlaceMap& places,
+          const PrintedMap& printed)
+      : model_(model),
+        structure_(structure),
+        trunk_(structure.trunk),
+        space_(space),
+        bindings_(bindings),
+        stretches_(stretches),
+        places_(places),
+        printed_(printed),
+        placements_(static_cast<std::size_t>(model.nbody)) {}
+
+  /// @param xml the file that was compiled.
+  Morphology build(const XmlFile& xml, const std::vector<TendonSpan>& tendons) {
+    Link trunk;
+    trunk.name = name_of(model_, mjOBJ_BODY, trunk_);
+    out_.links.push_back(std::move(trunk));
+    for (int b = trunk_; b < model_.nbody; ++b) {
+      if (!belongs_to(model_, b, trunk_)) continue;
+      if (b != trunk_) place(b);
+      add_masses(b);
+    }
+    const TreeElements elements = find_elements(xml, model_);
+    for (const FootContact& foot : structure_.feet) {
+      const int body = foot_body(model_, foot);
+      const Placement& at = placements_[static_cast<std::size_t>(body)];
+      const AffineVector own = foot_point(xml, elements, model_, foot, stretches_of(body));
+      out_.feet.push_back({foot.name, at.link, sum(at.origin, rotated(at.rotation, own)),
+                           foot.radius, sole_of(foot, at.rotation)});
+    }
+    for (const TendonSpan& span : tendons) add_linear_actuator(span);
+    out_.leg_length = stretched_limb(out_, 0, space_.initial());
+    add_capsules(xml, elements);
+    return std::move(out_);
+  }
+
+ private:
+  const std::vector<Stretch>& stretches_of(int body) const {
+    static const std::vector<Stretch> none;
+    const auto found = stretches_.find(name_of(model_, mjOBJ_BODY, body));
+    return found == stretches_.end() ? none : found->second;
+  }
+
+  /// A point of a body's frame in the frame of its link.
+  AffineVector point(int body, const Vector3d& p) const {
+    const Placement& at = placements_[body];
+    return sum(at.origin, rotated(at.rotation, stretched_point(p, stretches_of(body))));
+  }
+
+  /// Finds the link of a body; each of its hinges starts a new one, whose frame sits at the hinge's
+  /// anchor. Joints that are held turn and shift the body within its link.
+  void place(int body) {
+    const int parent = model_.body_parentid[body];
+    Placement at{placements_[parent].link, point(parent, vector_at(model_.body_pos, body)),
+                 placements_[parent].rotation * rotation_at(model_.body_quat, body)};
+    const int first = model_.body_jntadr[body], count = model_.body_jntnum[body];
+    const std::vector<int> moving = moving_joints(model_, structure_, body);
+    for (int j = first; j < first + count; ++j) {
+      const AffineVector anchor = stretched_point(vector_at(model_.jnt_pos, j), stretches_of(body));
+      if (!structure_.moves[static_cast<std::size_t>(j)]) {
+        hold(held_motion(model_, j), anchor, at);
+        continue;
+      }
+      Link link;
+      const std::string name = name_of(model_, mjOBJ_BODY, body);
+      link.joint = joint(j);
+      link.name = j != moving.back() ? link.joint.name : name.empty() ? link.joint.name : name;
+      link.parent = at.link;
+      link.origin = sum(at.origin, rotated(at.rotation, anchor));
+      // The file draws the body at the angle `ref`; a link's own frame is that of angle zero.
+      link.orientation = at.rotation;
+      if (const double ref = model_.qpos0[model_.jnt_qposadr[j]]; ref != 0.0)
+        link.orientation =
+            at.rotation * Eigen::AngleAxisd(-ref, vector_at(model_.jnt_axis, j)).toRotationMatrix();
+      out_.links.push_back(std::move(link));
+      at = {static_cast<int>(out_.links.size()) - 1, negative(anchor), Matrix3d::Identity()};
+    }
+    placements_[body] = at;
+  }
+
+  static void hold(const Eigen::Isometry3d& moved, const AffineVector& anchor, Placement& at) {
+    AffineVector shift = sum(anchor, negative(rotated(moved.linear(), anchor)));
+    shift.constant += moved.translation();
+    at.origin = sum(at.origin, rotated(at.rotation, shift));
+    at.rotation = at.rotation * moved.linear();
+  }
+
+  Joint joint(int j) const {
+    Joint out;
+    out.name = name_of(model_, mjOBJ_JOINT, j);
+    out.axis = axis(j, out.name);
+    out.nominal = home_qpos(model_)[model_.jnt_qposadr[j]];
+    if (model_.jnt_limited[j]) {
+      out.lower = model_.jnt_range[2 * j];
+      out.upper = model_.jnt_range[2 * j + 1];
+    }
+    out.armature = model_.dof_armature[model_.jnt_dofadr[j]];
+    return out;
+  }
+
+  JointAxis axis(int j, const std::string& name) const {
+    JointAxis out;
+    for (int k = 0; k < space_.size(); ++k) {
+      if (space_.parameters[k].kind != ParameterKind::axis_angle) continue;
+      for (const Binding::Target& target : bindings_[k].targets)
+        if (target.name == name) out.turns.push_back({k, target.direction, target.factor});
+    }
+    // The file's axis has the file's turns in it, outermost first; take them back in this order.
+    out.reference = vector_at(model_.jnt_axis, j);
+    for (const JointAxis::Turn& turn : out.turns)
+      out.reference =
+          Eigen::AngleAxisd(-turn.factor * space_.parameters[turn.parameter].initial, turn.about) *
+          out.reference;
+    out.reference.normalize();
+    return out;
+  }
+
+  AffineVector attachment(int site) const {
+    const int body = model_.site_bodyid[site];
+    const auto found = places_.find(name_of(model_, mjOBJ_SITE, site));
+    const AffineVector own =
+        placed_point(vector_at(model_.site_pos, site), stretches_of(body),
+                     found == places_.end() ? std::vector<Place>{} : found->second);
+    return sum(placements_[body].origin, rotated(placements_[body].rotation, own));
+  }
+
+  void add_linear_actuator(const TendonSpan& span) {
+    LinearActuator out;
+    out.name = name_of(model_, mjOBJ_TENDON, span.tendon);
+    out.joint = placements_[model_.site_bodyid[span.lower_site]].link - 1;
+    out.upper = attachment(span.upper_site);
+    out.lower = attachment(span.lower_site);
+    if (model_.tendon_limited[span.tendon]) {
+      out.shortest = model_.tendon_range[2 * span.tendon];
+      out.longest = model_.tendon_range[2 * span.tendon + 1];
+    }
+    out_.linear_actuators.push_back(std::move(out));
+  }
+
+  /// What covers the geoms of trunk and limbs that can collide with each other, and its pairs.
+  void add_capsules(const XmlFile& xml, const TreeElements& elements) {
+    const TrunkCapsules found = trunk_capsules(
+        xml, elements, model_, structure_,
+        [&](int body) -> const std::vector<Stretch>& { return stretches_of(body); },
+        space_.initial(), out_.leg_length);
+    std::map<int, std::pair<int, int>> of_geom;  // first capsule and the one behind the last
+    for (const auto& [geom, capsules] : found.of_geom) {
+      const Placement& at = placements_[static_cast<std::size_t>(model_.geom_bodyid[geom])];
+      const int first = static_cast<int>(out_.capsules.size());
+      for (Capsule capsule : capsules) {
+        capsule.link = at.link;
+        capsule.part = geom;
+        for (AffineVector* end : {&capsule.from, &capsule.to})
+          *end = sum(at.origin, rotated(at.rotation, *end));
+        out_.capsules.push_back(std::move(capsule));
+      }
+      of_geom[geom] = {first, static_cast<int>(out_.capsules.size())};
+    }
+    for (const GeomPair& pair : found.pairs) {
+      const auto trunk = of_geom.at(pair.trunk), limb = of_geom.at(pair.limb);
+      for (int a = trunk.first; a < trunk.second; ++a)
+        for (int b = limb.first; b < limb.second; ++b)
+          out_.capsule_pairs.push_back({a, b, pair.hidden});
+      if (out_.capsule_pairs.size() > kMostCapsulePairs)
+        throw InputError(xml.file.string(), 0, "",
+                         fmt::format("more than {} pairs of shapes of the trunk and of legs can "
+                                     "touch; let fewer of them collide: contype=\"0\" "
+                                     "conaffinity=\"0\" on the small ones, or <exclude>",
+                                     kMostCapsulePairs));
+    }
+  }
+
+  /// A printed body has its own points. Else six equal masses on the principal axes have a body's mass, centre and
+  /// inertia.
+  void add_masses(int body) {
+    const auto found = printed_.find(name_of(model_, mjOBJ_BODY, body));
+    if (found != printed_.end()) {
+      const Placement& at = placements_[body];
+      for (PointMass point : found->second) {
+        point.position = sum(at.origin, rotated(at.rotation, point.position));
+        out_.links[at.link].masses.push_back(std::move(point));
+      }
+      return;
+    }
+    const double mass = model_.body_mass[body];
+    if (!(mass > 0.0)) return;
+    const Vector3d inertia = vector_at(model_.body_inertia, body),
+                   centre = vector_at(model_.body_ipos, body);
+    const Matrix3d axes = rotation_at(model_.body_iquat, body);
+    for (int k = 0; k < 3; ++k) {
+      const double second_moment = std::max(0.0, inertia.sum() / 2 - inertia[k]);
+      const Vector3d arm = std::sqrt(3 * second_moment / mass) * axes.col(k);
+      for (const double sign : {1.0, -1.0})
+        out_.links[placements_[body].link].masses.push_back(
+            {mass / 6, point(body, centre + sign * arm)});
+    }
+  }
+
+  const mjModel& model_;
+  const Structure& structure_;
+  const int trunk_;
+  const DesignSpace& space_;
+  const std::vector<Binding>& bindings_;
+  const StretchMap& stretches_;
+  const PlaceMap& places_;
+  const PrintedMap& printed_;
+  std::vector<Placement> placements_;  // by body id
+  Morphology out_;
+};
+
+}  // namespace
+
+Eigen::Isometry3d held_motion(const mjModel& model, int j) {
+  const mjtNum *q = home_qpos(model) + model.jnt_qposadr[j],
+               *q0 = model.qpos0 + model.jnt_qposadr[j];
+  const Vector3d axis = vector_at(model.jnt_axis, j);
+  Eigen::Isometry3d out = Eigen::Isometry3d::Identity();
+  if (model.jnt_type[j] == mjJNT_SLIDE)
+    out.translation() = (q[0] - q0[0]) * axis;
+  else if (model.jnt_type[j] == mjJNT_BALL)
+    out.linear() = rotation_of(q);
+  else if (q[0] != q0[0])
+    out.linear() = Eigen::AngleAxisd(q[0] - q0[0], axis).toRotationMatrix();
+  return out;
+}
+
+Eigen::Isometry3d held_displacement(const mjModel& model, int joint) {
+  const Vector3d anchor = vector_at(model.jnt_pos, joint);
+  const Eigen::Isometry3d moved = held_motion(model, joint);
+  Eigen::Isometry3d out = moved;
+  out.translation() += anchor - moved.linear() * anchor;
+  return out;
+}
+
+Morphology build_morphology(const XmlFile& xml, const mjModel& model, const Structure& structure,
+                            const DesignSpace& space, const std::vector<Binding>& bindings,
+                            const StretchMap& stretches, const PlaceMap& places,
+                            const PrintedMap& printed, const std::vector<TendonSpan>& tendons) {
+  Morphology out =
+      Builder(model, structure, space, bindings, stretches, places, printed).build(xml, tendons);
+  out.name = std::string(model.names);  // the model's name comes first
+  return out;
+}
+
+}  // namespace legwright

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "mjcf/read/affine.hpp"
+#include "mjcf/read/linear_actuators.hpp"
+#include "mjcf/read/printed.hpp"
+#include "mjcf/read/read_robot.hpp"
+#include "mjcf/read/structure.hpp"
+#include "mjcf/text/xml.hpp"
+
+namespace legwright {
+
+/// Builds the kinematic tree of the compiled robot with the stretches, turns and places of its
+/// design parameters. Held joints are rigid, in their home pose.
+Morphology build_morphology(const XmlFile& xml, const mjModel& model, const Structure& structure,
+                            const DesignSpace& space, const std::vector<Binding>& bindings,
+                            const StretchMap& stretches, const PlaceMap& places,
+                            const PrintedMap& printed, const std::vector<TendonSpan>& tendons);
+
+/// How the home pose turns (hinge, ball) or shifts (slide) what a joint moves, against the pose that
+/// the file draws: in the body's frame, about the joint's anchor.
+Eigen::Isometry3d held_motion(const mjModel& model, int joint);
+/// The same about the origin of the body's frame.
+Eigen::Isometry3d held_displacement(const mjModel& model, int joint);
+
+}  // namespace legwright

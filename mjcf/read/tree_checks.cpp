@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mjcf/read/tree_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "mjcf/read/checks.hpp"
+#include "mjcf/text/compile.hpp"
+#include "mjcf/text/numbers.hpp"
+#include "optimizer/design/morphology.hpp"
+
+namespace legwright {
+namespace {
+
+/// The last element of a tag that has an attribute, as it is the one that holds; else the root.
+const XmlElement& last_with(const XmlFile& xml, const char* tag, const char* name) {
+  const XmlElement* found = &xml.root();
+  for_each_element(xml.root(), [&](const XmlElement& element) {
+    if (is_tag(element, tag) && has_attribute(element, name)) found = &element;
+  });
+  return *found;
+}
+
+/// MuJoCo puts the centre of a body without mass where the body itself is, once more: not on the
+/// body. With boundmass it weighs something there, and what moves the body moves it twice.
+void refuse_mass_from_nowhere(const XmlFile& xml, const mjModel& model, int trunk,
+                              Refusals& reasons) {
+  const XmlElement& compiler = last_with(xml, "compiler", "boundmass");
+  const auto bound = parse_numbers(attribute(compiler, "boundmass"));
+  if (!bound || bound->size() != 1 || !(bound->front() > 0.0)) return;
+  for (int b = 1; b < model.nbody; ++b)
+    if (model.body_rootid[b] == trunk && model.body_mass[b] == bound->front() &&
+        model.body_inertia[3 * b] == 0.0)
+      reasons.add(
+          xml.error(compiler, fmt::format("attribute boundmass: gives mass to body '{}', which has "
+                                          "none; write its <inertial>, or remove boundmass",
+                                          name_of(model, mjOBJ_BODY, b))));
+}
+
+/// The planner knows one gravity; with another the played gait would fall for no visible reason.
+void check_gravity(const XmlFile& xml, const mjModel& model, Refusals& reasons) {
+  if (model.opt.disableflags & mjDSBL_GRAVITY)
+    reasons.add(xml.error(last_with(xml, "flag", "gravity"),
+                          "attribute gravity: is switched off, but gaits are planned for gravity; "
+                          "remove the attribute"));
+  const mjtNum* g = model.opt.gravity;
+  if (g[0] != 0.0 || g[1] != 0.0 || std::abs(g[2] + kGravity) > 1e-9)
+    reasons.add(
+        xml.error(last_with(xml, "option", "gravity"),
+                  fmt::format("attribute gravity: {} {} {}, but gaits are planned for 0 0 -{}; "
+                              "write that or remove the attribute",
+                              g[0], g[1], g[2], kGravity)));
+  for (int b = 1; b < model.nbody; ++b)
+    if (model.body_gravcomp[b] != 0.0)
+      reasons.add(error_at(xml, model, mjOBJ_BODY, b,
+                           "attribute gravcomp: gaits are planned for bodies with their full "
+                           "weight; remove it"));
+}
+
+/// MuJoCo fills up keyframes that are too short.
+void check_keyframes(const XmlFile& xml, const mjModel& model, Refusals& reasons) {
+  for_each_element(xml.root(), [&](const XmlElement& element) {
+    if (!is_tag(element, "key")) return;
+    for (const auto& [name, count] : {std::pair{"qpos", model.nq}, {"qvel", model.nv}}) {
+      if (!has_attribute(element, name)) continue;
+      const std::size_t given = parse_numbers(attribute(element, name))->size();
+      if (given != static_cast<std::size_t>(count))
+        reasons.add(xml.error(element, fmt::format("attribute {}: {} numbers, the robot has {}",
+                                                   name, given, count)));
+    }
+  });
+}
+
+void refuse_section(const XmlFile& xml, int count, const char* section, const char* what,
+                    Refusals& reasons) {
+  if (count == 0) return;
+  const XmlElement* element = xml.root().FirstChildElement(section);
+  const XmlElement& place =
+      element && element->FirstChildElement() ? *element->FirstChildElement() : xml.root();
+  reasons.add(
+      xml.error(place, fmt::format("{}; the planner knows trees of hinges only: remove it", what)));
+}
+
+}  // namespace
+
+std::string fault_of_name(const std::string& name) {
+  if (name.empty()) return "has no name; trajectories name it, give it one";
+  if (name.find_first_of(" \t\r\n;,|~") != std::string::npos)
+    return "the name holds a blank or one of ; , | ~, which trajectories cannot name; rename it";
+  return "";
+}
+
+int find_trunk(const XmlFile& xml, const mjModel& model, Refusals& reasons) {
+  if (model.nbody > 256) {
+    reasons.add(InputError(xml.file.string(), 0, "", "more than 256 bodies; this is no robot"));
+    return -1;
+  }
+  std::vector<int> roots;
+  for (int j = 0; j < model.njnt; ++j)
+    if (model.jnt_type[j] == mjJNT_FREE) roots.push_back(model.jnt_bodyid[j]);
+  if (roots.empty()) {
+    reasons.add(InputError(xml.file.string(), 0, "worldbody",
+                           "no body has a free joint; add <freejoint/> to the trunk"));
+    return -1;
+  }
+  for (std::size_t k = 1; k < roots.size(); ++k)
+    reasons.add(error_at(
+        xml, model, mjOBJ_BODY, roots[k],
+        fmt::format(
+            "a second free root besides body '{}'; a file holds one robot, remove the other",
+            name_of(model, mjOBJ_BODY, roots.front()))));
+  if (name_of(model, mjOBJ_BODY, roots.front()).empty())
+    reasons.add(InputError(xml.file.string(), 0, "body with the free joint",
+                           "has no name; give it one, like name=\"trunk\""));
+  return roots.front();
+}
+
+void check_surroundings(const XmlFile& xml, const mjModel& model, int trunk, Refusals& reasons) {
+  const auto is_free_root = [&](int body) {
+    return model.body_jntnum[body] == 1 && model.jnt_type[model.body_jntadr[body]] == mjJNT_FREE;
+  };
+  for (int j = 0; j < model.njnt; ++j) {
+    const int body = model.jnt_bodyid[j], root = model.body_rootid[body];
+    if (root != trunk && !is_free_root(root))
+      reasons.add(error_at(xml, model, mjOBJ_JOINT, j,
+                           "moves a body that does not hang on the trunk; hang it there or remove "
+                           "it"));
+    if (body == trunk && model.jnt_type[j] != mjJNT_FREE)
+      reasons.add(error_at(xml, model, mjOBJ_JOINT, j,
+                           "the trunk has a free joint and no other; remove this one"));
+  }
+  refuse_section(xml, static_cast<int>(model.nmocap), "worldbody",
+                 "mocap bodies are moved from outside", reasons);
+  refuse_section(xml, static_cast<int>(model.nskin), "asset", "skins are not carried", reasons);
+  check_gravity(xml, model, reasons);
+  refuse_mass_from_nowhere(xml, model, trunk, reasons);
+  for (int g = 0; g < model.ngeom; ++g) {
+    const int root = model.body_rootid[model.geom_bodyid[g]];
+    const bool is_told = name_of(model, mjOBJ_GEOM, g) == "floor";  // by check_text
+    if (root != trunk && !is_free_root(root) && !is_told &&
+        (model.geom_contype[g] || model.geom_conaffinity[g]))
+      reasons.add(error_at(xml, model, mjOBJ_GEOM, g,
+                           "collides but does not belong to the robot; the scene adds its own "
+                           "floor, remove this one"));
+  }
+  check_keyframes(xml, model, reasons);
+}
+
+void check_leg_joint(const XmlFile& xml, const mjModel& model, int j, Refusals& reasons) {
+  const auto fault = [&](const std::string& message) {
+    reasons.add(error_at(xml, model, mjOBJ_JOINT, j, message));
+  };
+  if (model.jnt_type[j] == mjJNT_SLIDE)
+    return fault("slide joints are not supported in limbs; use a hinge");
+  if (model.jnt_type[j] == mjJNT_BALL)
+    return fault("ball joints are not supported in limbs; use three hinges in one body");
+  if (const std::string why = fault_of_name(name_of(model, mjOBJ_JOINT, j)); !why.empty())
+    fault(why);
+}
+
+}  // namespace legwright

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mjcf/scene/played_robot.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include "mjcf/read/feet.hpp"
+#include "mjcf/read/legs.hpp"
+#include "mjcf/read/tree.hpp"
+#include "mjcf/text/compile.hpp"
+#include "mjcf/text/elements.hpp"
+#include "mjcf/text/numbers.hpp"
+
+namespace legwright {
+namespace {
+
+using tinyxml2::XMLElement;
+
+XMLElement& writable(const XmlElement* element) { return *const_cast<XMLElement*>(element); }
+
+/// Whether the plan's foot is the geom itself.
+bool is_ball(const mjModel& model, const FootContact& foot) {
+  return foot.geom >= 0 && model.geom_type[foot.geom] == mjGEOM_SPHERE && foot.others.empty() &&
+         !foot.middle;
+}
+
+/// Names by the attribute that refers to them.
+using Names = std::map<std::string, std::set<std::string>>;
+
+class Player {
+ public:
+  Player(XmlFile& xml, const mjModel& model, const Structure& structure)
+      : xml_(xml),
+        model_(model),
+        structure_(structure),
+        elements_(find_elements(xml, model)),
+        root_(*xml.dom.RootElement()) {}
+
+  void run() {
+    for (const FootContact& foot : structure_.feet) name_foot(foot);
+    if (!structure_.frozen.empty()) {
+      trim_keyframes();
+      for (int b = 1; b < model_.nbody; ++b) hold(b);
+      while (XMLElement* all = root_.FirstChildElement("equality")) root_.DeleteChild(all);
+    }
+    drop_other_tendons();
+    drop_references("actuator");
+    drop_references("sensor");
+    drop_references("custom");
+  }
+
+ private:
+  void name_foot(const FootContact& foot) {
+    if (foot.geom >= 0) {
+      writable(elements_.geoms[static_cast<std::size_t>(foot.geom)])
+          .SetAttribute("name", foot.name.c_str());
+      if (!is_ball(model_, foot)) mark_point(foot);
+      return;
+    }
+    // A ball at the site, without weight.
+    XMLElement& site = writable(elements_.sites[static_cast<std::size_t>(foot.site)]);
+    XMLElement* const ball = xml_.dom.NewElement("geom");
+    site.Parent()->InsertAfterChild(&site, ball);
+    ball->SetAttribute("name", foot.name.c_str());
+    ball->SetAttribute("type", "sphere");
+    ball->SetAttribute("size", format_number(foot.radius).c_str());
+    // A site in a frame stands where the frame is; its own pos may come from a class.
+    ball->SetAttribute("pos", format_numbers(pose_of(xml_, site).translation()).c_str());
+    for (const auto& [name, value] :
+         {std::pair{"mass", "0"}, {"contype", "1"}, {"conaffinity", "1"}, {"condim", "3"}})
+      ball->SetAttribute(name, value);
+  }
+
+  /// The point of a foot that the plan moves, where it is not the middle of a ball: a site, which is
+  /// a ball of the foot's radius, or a box where that is zero.
+  void mark_point(const FootContact& foot) {
+    const int body = foot_body(model_, foot);
+    XMLElement* const site =
+        writable(elements_.bodies[static_cast<std::size_t>(body)]).InsertNewChildElement("site");
+    const double small = 0.002;  // [m], for the eye only
+    const bool is_point = foot.radius == 0.0;
+    site->SetAttribute("name", (kFootSite + foot.name).c_str());
+    site->SetAttribute("type", is_point ? "box" : "sphere");
+    site->SetAttribute(
+        "size", format_numbers(Eigen::Vector3d::Constant(is_point ? small : foot.radius)).c_str());
+    site->SetAttribute(
+        "pos", format_numbers(foot_point(xml_, elements_, model_, foot, {}).constant).c_str());
+    site->SetAttribute("quat", "1 0 0 0");
+    site->SetAttribute("group", "4");
+  }
+
+  /// Takes a body's held joints away and draws it where they hold it.
+  void hold(int body) {
+    Eigen::Isometry3d moved = Eigen::Isometry3d::Identity();
+    std::vector<int> before;  // joints that go on moving, declared before a held one
+    bool any = false;
+    for (int j = model_.body_jntadr[body]; j < model_.body_jntadr[body] + model_.body_jntnum[body];
+         ++j) {
+      if (structure_.moves[static_cast<std::size_t>(j)] || model_.jnt_type[j] == mjJNT_FREE) {
+        before.push_back(j);
+        continue;
+      }
+      const Eigen::Isometry3d held = held_displacement(model_, j);
+      moved = moved * held;
+      for (const int earlier : before) seen_from_behind(earlier, held);
+      XMLElement& joint = writable(elements_.joints[static_cast<std::size_t>(j)]);
+      if (joint.Attribute("name")) forget("joint", joint.Attribute("name"));
+      joint.Parent()->DeleteChild(&joint);
+      any = true;
+    }
+    if (!any || moved.isApprox(Eigen::Isometry3d::Identity(), 0.0)) return;
+    XMLElement& element = writable(elements_.bodies[static_cast<std::size_t>(body)]);
+    const Eigen::Isometry3d pose = pose_of(xml_, element) * moved;
+    const Eigen::Quaterniond q(pose.linear());
+    for (const char* name : {"euler", "axisangle", "xyaxes", "zaxis"})
+      element.DeleteAttribute(name);
+    element.SetAttribute("pos", format_numbers(pose.translation()).c_str());
+    element.SetAttribute("quat",
+                         format_numbers(Eigen::Vector4d(q.w(), q.x(), q.y(), q.z())).c_str());
+  }
+
+  /// The body's own frame now has the held displacement in it, and a hinge declared before it turns about the same line
+  /// of the parent all the same: D₀D₁ = D₁(D₁⁻¹D₀D₁).
+  void seen_from_behind(int joint, const Eigen::Isometry3d& held) {
+    const auto found = lines_.try_emplace(joint, Eigen::Vector3d(model_.jnt_axis + 3 * joint),
+                                          Eigen::Vector3d(model_.jnt_pos + 3 * joint));
+    auto& [axis, anchor] = found.first->second;
+    if (held.isApprox(Eigen::Isometry3d::Identity(), 0.0)) return;
+    axis = held.linear().transpose() * axis;
+    anchor = held.inverse() * anchor;
+    XMLElement& element = writable(elements_.joints[static_cast<std::size_t>(joint)]);
+    element.SetAttribute("axis", format_numbers(axis).c_str());
+    element.SetAttribute("pos", format_numbers(anchor).c_str());
+  }
+
+  void forget(const std::string& kind, const std::string& name) { gone_[kind].insert(name); }
+
+  /// Whether an element names something that is gone: joint="…", site1="…", objtype/objname.
+  bool refers_to_gone(const XMLElement& element) const {
+    for (const auto& [kind, names] : gone_) {
+      for (const char* const suffix : {"", "1", "2", "inparent"})
+        if (const char* name = element.Attribute((kind + suffix).c_str());
+            name && names.count(name))
+          return true;
+      for (const auto& [type, object] : {std::pair{"objtype", "objname"}, {"reftype", "refname"}})
+        if (const char* name = element.Attribute(object);
+            name && element.Attribute(type, kind.c_str()) && names.count(name))
+          return true;
+    }
+    return false;
+  }
+
+  /// Drops the elements of a section that name something that is gone, they or one in them; then
+  /// their own names are gone too.
+  void drop_references(const char* section) {
+    for (XMLElement* all = root_.FirstChildElement(section); all;
+         all = all->NextSiblingElement(section))
+      for (XMLElement *element = all->FirstChildElement(), *next = nullptr; element;
+           element = next) {
+        next = element->NextSiblingElement();
+        bool drop = false;
+        for_each_element(*element,
+                         [&](const XmlElement& part) { drop = drop || refers_to_gone(part); });
+        if (!drop) continue;
+        if (const char* name = element->Attribute("name")) forget(section, name);
+        all->DeleteChild(element);
+      }
+  }
+
+  /// Only linear actuators pull at something; the others hold, or measure, what no longer moves.
+  void drop_other_tendons() {
+    std::size_t tendon = 0;
+    for (XMLElement* all = root_.FirstChildElement("tendon"); all;
+         all = all->NextSiblingElement("tendon"))
+      for (XMLElement *element = all->FirstChildElement(), *next = nullptr; element;
+           element = next, ++tendon) {
+        next = element->NextSiblingElement();
+        if (structure_.reads_tendon[tendon]) continue;
+        if (const char* name = element->Attribute("name")) forget("tendon", name);
+        all->DeleteChild(element);
+      }
+  }
+
+  /// Leaves out the numbers of the joints that go, and controls, whose actuators go.
+  void trim_keyframes() {
+    std::vector<bool> keep_q(static_cast<std::size_t>(model_.nq), true),
+        keep_v(static_cast<std::size_t>(model_.nv), true);
+    for (const FrozenJoint& frozen : structure_.frozen) {
+      const int j = frozen.joint, type = model_.jnt_type[j];
+      const int q = type == mjJNT_BALL ? 4 : 1, v = type == mjJNT_BALL ? 3 : 1;
+      std::fill_n(keep_q.begin() + model_.jnt_qposadr[j], q, false);
+      std::fill_n(keep_v.begin() + model_.jnt_dofadr[j], v, false);
+    }
+    const auto trim = [](XMLElement& key, const char* name, const std::vector<bool>& keep) {
+      if (!key.Attribute(name)) return;
+      const auto numbers = parse_numbers(key.Attribute(name));
+      std::string text;
+      for (std::size_t k = 0; k < keep.size(); ++k)
+        if (keep[k]) text.append(text.empty() ? "" : " ").append(format_number((*numbers)[k]));
+      key.SetAttribute(name, text.c_str());
+    };
+    for (XMLElement* keys = root_.FirstChildElement("keyframe"); keys;
+         keys = keys->NextSiblingElement("keyframe"))
+      for (XMLElement* key = keys->FirstChildElement("key"); key;
+           key = key->NextSiblingElement("key")) {
+        trim(*key, "qpos", keep_q);
+        trim(*key, "qvel", keep_v);
+        key->DeleteAttribute("ctrl");
+        key->DeleteAttribute("act");
+      }
+  }
+
+  XmlFile& xml_;
+  const mjModel& model_;
+  const Structure& structure_;
+  const TreeElements elements_;
+  XMLElement& root_;
+  Names gone_;
+  std::map<int, std::pair<Eigen::Vector3d, Eigen::Vector3d>> lines_;  // of joints: axis, anchor
+};
+
+bool is_played_as_it_is(const mjModel& model, const Structure& structure) {
+  const auto& reads = structure.reads_tendon;
+  return structure.frozen.empty() && std::count(reads.begin(), reads.end(), false) == 0 &&
+         std::all_of(structure.feet.begin(), structure.feet.end(), [&](const FootContact& foot) {
+           return is_ball(model, foot) && name_of(model, mjOBJ_GEOM, foot.geom) == foot.name;
+         });
+}
+
+}  // namespace
+
+std::string played_robot(const RobotModel& robot, const std::string& robot_xml) {
+  const ModelPointer model = compile_mjcf(robot_xml, robot.file);
+  if (!has_parts_of(*model, robot.structure))
+    throw std::invalid_argument("scene: the text is not of this robot");
+  if (is_played_as_it_is(*model, robot.structure)) return robot_xml;
+  const auto xml = load_xml(robot_xml, robot.file);
+  Player(*xml, *model, robot.structure).run();
+  tinyxml2::XMLPrinter printer;
+  xml->dom.Print(&printer);
+  return printer.CStr();
+}
+
+}  // namespace legwright

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mjcf/text/assets.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "mjcf/text/safe_path.hpp"
+#include "mjcf/text/size_limits.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t kMostBytes = std::uintmax_t{256} << 20;
+constexpr std::uintmax_t kMostBytesTogether = std::uintmax_t{1} << 30;
+constexpr unsigned kMostPixels = 16384;  // a side; packed pictures unpack to any size
+
+/// Where MuJoCo looks for the files of a model: what is said last holds.
+struct AssetFolders {
+  std::string meshes, textures;
+  bool strips = false;  // of a path only the last part counts
+};
+
+AssetFolders asset_folders(const XmlFile& xml) {
+  AssetFolders folders;
+  for_each_element(xml.root(), [&](const XmlElement& element) {
+    if (!is_tag(element, "compiler")) return;
+    const auto take = [&](const char* name, std::string& folder) {
+      if (has_attribute(element, name)) folder = attribute(element, name);
+    };
+    take("assetdir", folders.meshes);
+    take("assetdir", folders.textures);
+    take("meshdir", folders.meshes);
+    take("texturedir", folders.textures);
+    if (has_attribute(element, "strippath"))
+      folders.strips = attribute(element, "strippath") == "true";
+  });
+  return folders;
+}
+
+unsigned big_endian(std::string_view bytes, std::size_t at) {
+  unsigned value = 0;
+  for (std::size_t k = 0; k < 4; ++k)
+    value = value << 8 | static_cast<unsigned char>(bytes[at + k]);
+  return value;
+}
+
+/// Of a PNG file; nothing for others, which are not packed.
+std::optional<PictureSize> picture_size(const fs::path& file) {
+  const std::string head = read_regular_file(file, 32);
+  if (head.size() < 24 || head.compare(1, 3, "PNG") != 0) return std::nullopt;
+  return PictureSize{1.0 * big_endian(head, 16), 1.0 * big_endian(head, 20)};
+}
+
+}  // namespace
+
+std::vector<FoundAsset> find_assets(const XmlFile& xml, const fs::path& folder) {
+  const AssetFolders folders = asset_folders(xml);
+  std::vector<FoundAsset> out;
+  std::uintmax_t together = 0;
+  PictureMemory pictures;
+  const auto add = [&](const XmlElement& element, std::string reference, bool is_face) {
+    const bool is_texture = is_tag(element, "texture");
+    if (folders.strips) reference.erase(0, reference.find_last_of("/\\") + 1);
+    const std::string& place = is_texture ? folders.textures : folders.meshes;
+    if (!place.empty() && !fs::path(reference).is_absolute()) reference = place + "/" + reference;
+    const FoundFile found = find_in_folder(folder, reference, kMostBytes);
+    if (!found.fault.empty())
+      throw xml.error(element, fmt::format("the file '{}' {}", reference, found.fault));
+    together += found.bytes;
+    if (together > kMostBytesTogether)
+      throw xml.error(element, fmt::format("the file '{}': the files of the robot are together "
+                                           "larger than {} MB; make them smaller",
+                                           reference, kMostBytesTogether >> 20));
+    if (auto picture = picture_size(found.source)) {
+      if (std::max(picture->width, picture->height) > kMostPixels)
+        throw xml.error(element,
+                        fmt::format("the file '{}': a picture of more than {} pixels a side; make "
+                                    "it smaller",
+                                    reference, kMostPixels));
+      picture->is_face = is_face;
+      pictures.add(xml, element, *picture);
+    }
+    out.push_back({&element, {found.path, found.source, found.bytes, false}});
+  };
+  for_each_element(xml.root(), [&](const XmlElement& element) {
+    const bool is_asset = is_tag(element, "mesh") || is_tag(element, "texture") ||
+                          is_tag(element, "hfield") || is_tag(element, "skin");
+    pictures.add(xml, element);
+    for (const tinyxml2::XMLAttribute* a = element.FirstAttribute(); a; a = a->Next()) {
+      if (std::string_view(a->Name()).substr(0, 4) != "file" || a->Value()[0] == '\0') continue;
+      if (is_asset)
+        add(element, a->Value(), a->Name() != std::string_view("file"));
+      else
+        throw xml.error(element, fmt::format("refers to the file '{}'; only <include>, meshes, "
+                                             "textures and height fields may: write it out here",
+                                             a->Value()));
+    }
+  });
+  return out;
+}
+
+}  // namespace legwright

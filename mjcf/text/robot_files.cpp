@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mjcf/text/robot_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <stdexcept>
+#include <string_view>
+
+#include "mjcf/text/assets.hpp"
+#include "mjcf/text/mesh_copies.hpp"
+#include "mjcf/text/splice.hpp"
+#include "mjcf/text/text_scan.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What a run's folders hold beside the robot's own files.
+constexpr std::string_view kNamesOfRuns[] = {"robot.xml",
+                                             "scene.xml",
+                                             "motion.csv",
+                                             "metrics.json",
+                                             "frame.png",
+                                             "task.toml",
+                                             "certificate.json",
+                                             "verdict.json",
+                                             "comparison.json",
+                                             "numerics.json",
+                                             "robustness.json",
+                                             "matrix.json",
+                                             "front.json",
+                                             "overlay.png",
+                                             "contact_timeline.png",
+                                             "gait.webp",
+                                             "strip_initial.png",
+                                             "strip_result.png",
+                                             "strip_physics.png",
+                                             "strip_before_after.png",
+                                             "playback_result.csv",
+                                             "playback_initial.csv",
+                                             "summary.md",
+                                             "README.md"};
+
+bool is_name_of_runs(std::string_view name) {
+  return name.substr(0, 6) == "still_" ||  // of `render --phase`
+         std::find(std::begin(kNamesOfRuns), std::end(kNamesOfRuns), name) !=
+             std::end(kNamesOfRuns);
+}
+
+/// Offset of the first byte of a line, counted from 1.
+std::size_t begin_of_line(std::string_view text, int line) {
+  std::size_t at = 0;
+  for (int k = 1; k < line; ++k) {
+    const std::size_t end = text.find('\n', at);
+    if (end == std::string_view::npos) break;
+    at = end + 1;
+  }
+  return at;
+}
+
+int line_at(std::string_view text, std::size_t at) {
+  return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<long>(at), '\n'));
+}
+
+/// Digits behind "line " at `at`; 0 if there are none.
+int number_at(std::string_view text, std::size_t at, std::size_t& end) {
+  int number = 0;
+  for (end = at; end < text.size() && text[end] >= '0' && text[end] <= '9' && number < 100000000;
+       ++end)
+    number = 10 * number + (text[end] - '0');
+  return number;
+}
+
+/// Whether two texts have as many start tags and the same bytes before, between and behind them.
+bool is_same_between(std::string_view a, const TagScan& in_a, std::string_view b,
+                     const TagScan& in_b) {
+  if (in_a.tags.size() != in_b.tags.size()) return false;
+  std::size_t at_a = 0, at_b = 0;
+  for (std::size_t k = 0; k < in_a.tags.size(); ++k) {
+    const TagSpan &tag_a = in_a.tags[k], &tag_b = in_b.tags[k];
+    if (tag_a.name != tag_b.name ||
+        a.substr(at_a, tag_a.begin - at_a) != b.substr(at_b, tag_b.begin - at_b))
+      return false;
+    at_a = tag_a.end;
+    at_b = tag_b.end;
+  }
+  return a.substr(at_a) == b.substr(at_b);
+}
+
+}  // namespace
+
+RobotFiles RobotFiles::read(const fs::path& file) { return from_text(read_main_file(file), file); }
+
+RobotFiles RobotFiles::from_text(std::string text, const fs::path& file) {
+  RobotFiles out;
+  out.file_ = file;
+  SplicedText spliced = splice_includes(std::move(text), file);
+  out.parts_ = std::move(spliced.parts);
+  out.text_ = std::move(spliced.text);
+  out.segments_ = std::move(spliced.segments);
+  out.mentions_ = std::move(spliced.mentions);
+  out.at_their_lines([&] {
+    const auto xml = spliced.main ? std::move(spliced.main) : load_xml(out.text_, file);
+    for (FoundAsset& asset : find_assets(*xml, out.folder())) {
+      const InputError place = out.located(xml->error(*asset.element, ""));
+      for (std::size_t k = 1; k < out.parts_.size(); ++k)
+        if (out.parts_[k].path == asset.file.path)
+          throw xml->error(*asset.element,
+                           fmt::format("the file '{}' is included as well; a copy of the robot "
+                                       "could not change it as MJCF and keep it here",
+                                       asset.file.path.string()));
+      out.mentions_.push_back({asset.file.path, place.file(), place.line(), place.where()});
+      out.assets_.push_back(std::move(asset.file));
+    }
+  });
+  std::sort(out.assets_.begin(), out.assets_.end(),
+            [](const AssetFile& a, const AssetFile& b) { return a.path < b.path; });
+  const auto last = std::unique(out.assets_.begin(), out.assets_.end(),
+                                [](const auto& a, const auto& b) { return a.path == b.path; });
+  out.assets_.erase(last, out.assets_.end());
+  return out;
+}
+
+RobotFiles RobotFiles::with_text(const std::string& text) const {
+  const std::vector<TextRange> added = find_added_meshes(text_, text);
+  if (added.empty()) return with_attributes(text);
+  RobotFiles out = with_attributes(without(text, added));
+  put_back(added, text, out.parts_, out.segments_);
+  out.text_ = text;
+  return out;
+}
+
+RobotFiles RobotFiles::with_attributes(const std::string& text) const {
+  RobotFiles out = *this;
+  out.text_ = text;
+  if (parts_.size() == 1) {
+    out.parts_.front().text = text;
+    out.segments_ = {{0, text.size(), 0, 0}};
+    return out;
+  }
+  const TagScan before = scan_tags(text_), after = scan_tags(text);
+  const auto fail = [] {
+    return std::logic_error("the changed text has other elements than the robot's files");
+  };
+  if (!is_same_between(text_, before, text, after)) throw fail();
+  // Only start tags change, so the bytes since the last one tell where a segment ends.
+  std::size_t tag = 0;
+  const auto moved = [&](std::size_t at) {
+    while (tag < before.tags.size() && before.tags[tag].end <= at) ++tag;
+    return tag == 0 ? at : after.tags[tag - 1].end + (at - before.tags[tag - 1].end);
+  };
+  std::vector<std::string> texts(parts_.size());
+  std::vector<std::size_t> copied(parts_.size(), 0);  // of the old text of each file
+  std::string whole;
+  for (std::size_t k = 0; k < segments_.size(); ++k) {
+    const TextSegment& old = segments_[k];
+    TextSegment& own = out.segments_[k];
+    own.begin = moved(old.begin);
+    const std::size_t end = moved(old.begin + old.size);
+    if (end < own.begin || end > text.size()) throw fail();
+    own.size = end - own.begin;
+    std::string& file = texts[old.part];
+    file.append(parts_[old.part].text, copied[old.part], old.source - copied[old.part]);
+    copied[old.part] = old.source + old.size;
+    own.source = file.size();
+    file.append(text, own.begin, own.size);
+    whole.append(k == 0 ? "" : "\n").append(text, own.begin, own.size);
+  }
+  if (whole != text) throw fail();
+  for (std::size_t part = 0; part < parts_.size(); ++part) {
+    texts[part].append(parts_[part].text, copied[part], std::string::npos);
+    out.parts_[part].text = std::move(texts[part]);
+  }
+  return out;
+}
+
+RobotFiles RobotFiles::moved_to(const fs::path& file) const {
+  RobotFiles out = *this;
+  out.file_ = file;
+  for (AssetFile& asset : out.assets_) {
+    asset.source = file.parent_path() / asset.path;
+    asset.may_link = true;
+  }
+  return out;
+}
+
+RobotFiles::Place RobotFiles::place_of(int line) const {
+  const std::size_t at = begin_of_line(text_, line);
+  const TextSegment* own = &segments_.front();
+  for (const TextSegment& segment : segments_)
+    if (segment.begin <= at) own = &segment;
+  const IncludedFile& part = parts_[own->part];
+  return {own->part == 0 ? file_ : folder() / part.path,
+          line_at(part.text, std::min(part.text.size(), own->source + (at - own->begin)))};
+}
+
+InputError RobotFiles::located(const InputError& error) const {
+  if (!error.reasons().empty()) {
+    std::vector<InputError> reasons;
+    for (const InputError& reason : error.reasons()) reasons.push_back(located(reason));
+    return InputError(std::move(reasons));
+  }
+  if (parts_.size() == 1 || error.line() <= 0 || error.file() != file_.string()) return error;
+  const Place place = place_of(error.line());
+  // Lines that are told in the words belong to the same text.
+  std::string words;
+  const std::string& message = error.message();
+  std::size_t copied = 0;
+  for (std::size_t at = message.find("line "); at != std::string::npos;
+       at = message.find("line ", at + 1)) {
+    std::size_t end = 0;
+    const int line = number_at(message, at + 5, end);
+    if (line == 0) continue;
+    const Place other = place_of(line);
+    words.append(message, copied, at - copied);
+    words += fmt::format("line {}", other.line);
+    if (other.file != place.file) words += " of " + other.file.string();
+    copied = end;
+  }
+  words.append(message, copied, std::string::npos);
+  if (place.file == file_ && error.where() == "geom 'floor'") words += robot_of_scene();
+  return InputError(place.file.string(), place.line, error.where(), words);
+}
+
+std::string RobotFiles::robot_of_scene() const {
+  const auto is_robot = [](const std::string& text) {
+    return text.find("<freejoint") != std::string::npos ||
+           text.find("type=\"free\"") != std::string::npos;
+  };
+  if (is_robot(main_text())) return "";
+  for (const IncludedFile& part : includes())
+    if (is_robot(part.text))
+      return fmt::format(
+          ": this is a scene around '{}', so give that file; a home keyframe of the scene is not "
+          "read then, copy it there",
+          part.path.string());
+  return "";
+}
+
+void RobotFiles::check_names_of_runs() const {
+  for (const FileMention& mention : mentions_) {
+    const std::string first = mention.path.begin()->string();
+    if (is_name_of_runs(first))
+      throw InputError(
+          mention.file, mention.line, mention.where,
+          fmt::format("the folders of a run hold a file of their own named {}; name this one "
+                      "otherwise, or put it into a folder below",
+                      first));
+  }
+}
+
+}  // namespace legwright

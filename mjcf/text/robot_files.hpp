@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "mjcf/text/input_error.hpp"
+
+namespace legwright {
+
+/// A file whose elements an <include> puts into the robot.
+struct IncludedFile {
+  std::filesystem::path path;  // below the folder of the main file, without `.` and `..`
+  std::string text;
+};
+
+/// A mesh, texture, height field or skin.
+struct AssetFile {
+  std::filesystem::path path;    // below the folder of the main file: where a copy must have it
+  std::filesystem::path source;  // where it is read
+  std::uintmax_t bytes = 0;
+  bool may_link = false;  // nobody changes the source: a hard link is as good as a copy
+};
+
+/// Bytes of a robot's text that come from one of its files. Between two segments stands a line end
+/// that is in no file, so that each line comes from one.
+struct TextSegment {
+  std::size_t begin = 0, size = 0;  // in the text
+  std::size_t part = 0;             // 0: the main file, else the included ones in their order
+  std::size_t source = 0;           // offset in that file
+};
+
+/// Where a file is named: by an <include> or an asset.
+struct FileMention {
+  std::filesystem::path path;
+  std::string file;
+  int line = 0;
+  std::string where;
+};
+
+/// The files that a robot consists of, and their one text: the main file with the elements of the
+/// included files in the place of the <include> elements, as MuJoCo understands it. All that reads
+/// or changes a robot works on that text; here its lines are led back to their files, and a changed
+/// text is taken apart into files again.
+///
+/// Paths start in the folder of the main file, also those in included files. What is not a regular
+/// file in that folder or below is refused, also behind a symbolic link. Each file may be included
+/// once.
+class RobotFiles {
+ public:
+  RobotFiles() = default;
+  /// Throws InputError at the element that names a file which cannot be read, or at a fault in the
+  /// XML of one of the files; std::system_error where the disk fails.
+  static RobotFiles read(const std::filesystem::path& file);
+  /// The same from text that is not yet in the main file `file`.
+  static RobotFiles from_text(std::string text, const std::filesystem::path& file);
+
+  const std::filesystem::path& file() const { return file_; }
+  /// Of the main file; empty: the current folder.
+  std::filesystem::path folder() const { return file_.parent_path(); }
+  const std::string& text() const { return text_; }
+  const std::string& main_text() const { return parts_.front().text; }
+  /// In the order in which they stand in the text; no file twice.
+  std::vector<IncludedFile> includes() const { return {parts_.begin() + 1, parts_.end()}; }
+  /// By path; no file twice.
+  const std::vector<AssetFile>& assets() const { return assets_; }
+
+  /// The files with a changed text: the same elements in the same order, other attributes, and new
+  /// mesh assets behind elements (mesh_copies.hpp). Bytes between start tags must be as they are.
+  /// Throws std::logic_error where that is not so.
+  RobotFiles with_text(const std::string& text) const;
+  /// The files where they were copied to, as `file` and beside it, by somebody who will not change
+  /// them: assets may be linked from there.
+  RobotFiles moved_to(const std::filesystem::path& file) const;
+
+  /// An error that names a line of text(), told with the file and the line where that stands.
+  InputError located(const InputError& error) const;
+  /// Does some work on text(); its errors are located.
+  template <class Work>
+  auto at_their_lines(Work&& work) const {
+    try {
+      return work();
+    } catch (const InputError& error) {
+      throw located(error);
+    }
+  }
+
+  /// Throws InputError at an <include> or asset whose path a run needs for a file of its own, like
+  /// scene.xml.
+  void check_names_of_runs() const;
+
+ private:
+  struct Place {
+    std::filesystem::path file;
+    int line = 0;
+  };
+  Place place_of(int line) const;      // of a line of text()
+  std::string robot_of_scene() const;  // where the main file is a scene: which file to give
+  RobotFiles with_attributes(const std::string& text) const;  // with_text without new elements
+
+  std::filesystem::path file_;
+  std::vector<IncludedFile> parts_{1};  // the main file first
+  std::string text_;
+  std::vector<TextSegment> segments_;
+  std::vector<AssetFile> assets_;
+  std::vector<FileMention> mentions_;  // of each file but the main one
+};
+
+}  // namespace legwright

@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mjcf/write/mesh_scales.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <set>
+
+#include "mjcf/read/feet.hpp"
+#include "mjcf/read/mesh_assets.hpp"
+#include "mjcf/text/compile.hpp"
+#include "mjcf/text/model_arrays.hpp"
+#include "mjcf/text/numbers.hpp"
+
+namespace legwright {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+// Sine of the angle up to which a stretch runs along an axis of a mesh. A picture may be off by the
+// rounding of a hand-written angle; where a foot touches must be what the planner thinks.
+constexpr double kAlongDrawn = 5e-5, kAlongColliding = 1e-12;
+constexpr double kSame = 1e-12;
+constexpr double kShareOfLength = 0.5;  // of the link: a foot that is longer is the link itself
+constexpr std::size_t kMostCopied = 8 * 1024 * 1024;  // [bytes] of numbers of meshes in the file
+constexpr std::size_t kLongestStem = 150;             // [bytes] of a name that a copy adds to
+
+/// How a geom wants its asset, and how it is then turned itself.
+struct Wish {
+  Vector3d scale = Vector3d::Ones();
+  Quaterniond turn = Quaterniond::Identity();  // the asset's refquat
+  Matrix3d geom_turn = Matrix3d::Identity();   // old axes of the geom ← new ones
+  bool is_new = false, is_turned = false;
+};
+
+/// Geoms that want an asset alike.
+struct Group {
+  Wish wish;  // of the first; geom_turn is of each its own
+  std::vector<std::pair<const XmlElement*, Wish>> geoms;
+};
+
+bool is_same(const Wish& a, const Wish& b) {
+  return a.is_new == b.is_new && a.scale.isApprox(b.scale, kSame) &&
+         a.turn.toRotationMatrix().isApprox(b.turn.toRotationMatrix(), kSame);
+}
+
+/// Axis of a frame that is nearest to a direction.
+Eigen::Index nearest_axis(const Vector3d& direction) {
+  Eigen::Index axis = 0;
+  direction.cwiseAbs().maxCoeff(&axis);
+  return axis;
+}
+
+/// The rotation, as small as may be, that brings axes of a frame into perpendicular directions.
+Matrix3d turned_into(const std::vector<Vector3d>& directions) {
+  Matrix3d out = Matrix3d::Identity();
+  for (const Vector3d& direction : directions) {
+    const Vector3d own = out.transpose() * direction;
+    const Eigen::Index axis = nearest_axis(own);
+    const Vector3d from = std::copysign(1.0, own[axis]) * Vector3d::Unit(axis);
+    out = (out * Quaterniond::FromTwoVectors(from, own).toRotationMatrix()).eval();
+  }
+  return out;
+}
+
+/// Scale and turns whose product is what the mesh shall look like, R S Qᵀ.
+void decompose(const Matrix3d& wanted, Wish& wish) {
+  const Eigen::JacobiSVD<Eigen::MatrixXd> parts(wanted, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Matrix3d u = parts.matrixU(), v = parts.matrixV();
+  wish.scale = parts.singularValues();
+  for (Matrix3d* const turn : {&u, &v})
+    if (turn->determinant() < 0.0) {
+      turn->col(2) *= -1.0;
+      wish.scale[2] *= -1.0;
+    }
+  wish.geom_turn = u;
+  wish.turn = Quaterniond(v);
+}
+
+/// What one geom wants of its asset at design s.
+class Wisher {
+ public:
+  Wisher(const XmlFile& xml, const mjModel& model, const TreeElements& elements,
+         const StretchMap& stretches, const std::map<const XmlElement*, Vector3d>& rigid,
+         const Eigen::VectorXd& s)
+      : xml_(xml),
+        model_(model),
+        elements_(elements),
+        stretches_(stretches),
+        rigid_(rigid),
+        s_(s) {}
+
+  Wish of(int geom, const MeshAsset& asset) const {
+    Wish wish{asset.scale, asset.turn, Matrix3d::Identity(), false, false};
+    const XmlElement& element = *elements_.geoms[static_cast<std::size_t>(geom)];
+    const auto found = stretches_.find(name_of(model_, mjOBJ_BODY, model_.geom_bodyid[geom]));
+    if (found == stretches_.end() || !mesh_grows(xml_, element) || rigid_.count(&element) > 0)
+      return wish;
+    const Matrix3d axes = pose_in_body(xml_, element).linear();
+    const double along = collides(model_, geom) ? kAlongColliding : kAlongDrawn;
+    std::vector<Vector3d> directions;  // of what changes, in the geom's axes
+    Vector3d growth = Vector3d::Ones();
+    bool is_oblique = false;
+    for (const Stretch& stretch : found->second) {
+      const double factor = s_[stretch.parameter] / stretch.initial;
+      if (factor == 1.0) continue;
+      directions.push_back(axes.transpose() * stretch.direction);
+      const Eigen::Index axis = nearest_axis(directions.back());
+      growth[axis] *= factor;
+      Vector3d rest = directions.back();
+      rest[axis] = 0.0;
+      is_oblique = is_oblique || rest.norm() > along;
+    }
+    if (directions.empty()) return wish;
+    wish.is_new = true;
+    wish.is_turned = is_oblique;
+    if (!is_oblique)
+      wish.scale = asset.scale.cwiseProduct(growth);
+    else
+      turn(asset, directions, axes.transpose() * stretch_matrix(found->second, s_) * axes, wish);
+    return wish;
+  }
+
+ private:
+  static void turn(const MeshAsset& asset, const std::vector<Vector3d>& directions,
+                   const Matrix3d& growth, Wish& wish) {
+    const Vector3d size = asset.scale.cwiseAbs();
+    if (size.maxCoeff() - size.minCoeff() > kSame * size.maxCoeff())
+      return decompose(growth * asset.shown(), wish);
+    // A mesh of one scale: R D Rᵀ S = R (D S) (S⁻¹ Rᵀ S), where the last is a rotation as well.
+    const Vector3d sign = asset.scale / size[0];
+    const Matrix3d r = turned_into(directions);
+    wish.geom_turn = r;
+    wish.scale = (r.transpose() * growth * r).diagonal().cwiseProduct(asset.scale);
+    const Matrix3d mirrored = sign.asDiagonal() * r * sign.asDiagonal();
+    wish.turn = asset.turn * Quaterniond(mirrored);
+  }
+
+  const XmlFile& xml_;
+  const mjModel& model_;
+  const TreeElements& elements_;
+  const StretchMap& stretches_;
+  const std::map<const XmlElement*, Vector3d>& rigid_;
+  const Eigen::VectorXd& s_;
+};
+
+Eigen::Vector4d numbers_of(const Quaterniond& q) {
+  const double sign = q.w() < 0.0 ? -1.0 : 1.0;
+  return sign * Eigen::Vector4d(q.w(), q.x(), q.y(), q.z());
+}
+
+/// Turns a geom in its own axes. A class may say its orientation in another way, which would hold
+/// before a quat.
+void turn_geom(const XmlFile& xml, const XmlElement& geom, const Matrix3d& turn, TextEdits& edits) {
+  const Matrix3d axes = pose_of(xml, geom).linear() * turn;
+  constexpr const char* kWays[] = {"euler", "axisangle", "xyaxes", "zaxis", "quat"};
+  const bool is_told_by_class =
+      std::any_of(std::begin(kWays), std::end(kWays) - 1, [&](const char* name) {
+        return !has_attribute(geom, name) && inherited_attribute(xml, geom, name);
+      });
+  const std::string_view own = is_told_by_class ? "xyaxes" : "quat";
+  for (const char* const name : kWays)
+    if (name != own) edits.remove(geom, name);
+  if (!is_told_by_class) return edits.set_numbers(geom, "quat", numbers_of(Quaterniond(axes)));
+  Eigen::VectorXd xy(6);
+  xy << axes.col(0), axes.col(1);
+  edits.set_numbers(geom, "xyaxes", xy);
+}
+
+/// The largest group whose asset stays, else the largest at all, keeps the element.
+std::size_t keeper_of(const std::vector<Group>& groups) {
+  std::size_t best = 0;
+  for (std::size_t k = 1; k < groups.size(); ++k) {
+    const Group &one = groups[k], &other = groups[best];
+    if (one.wish.is_new != other.wish.is_new ? !one.wish.is_new
+                                             : one.geoms.size() > other.geoms.size())
+      best = k;
+  }
+  return best;
+}
+
+class Writer {
+ public:
+  Writer(const XmlFile& xml, const std::map<std::string, MeshAsset>& meshes, TextEdits& edits)
+      : xml_(xml), edits_(edits) {
+    for (const auto& [name, mesh] : meshes) names_.insert(name);
+  }
+
+  void write(const std::string& name, const MeshAsset& asset, const std::vector<Group>& groups) {
+    const std::size_t keeper = keeper_of(groups);
+    for (std::size_t k = 0; k < groups.size(); ++k) {
+      const Group& group = groups[k];
+      if (k == keeper) {
+        if (!group.wish.is_new) continue;
+        edits_.set_numbers(*asset.element, "scale", group.wish.scale);
+        if (group.wish.is_turned)
+          edits_.set_numbers(*asset.element, "refquat", numbers_of(group.wish.turn));
+      } else {
+        check_room(*asset.element);
+        const std::string own = new_name(name);
+        std::map<std::string, std::string> values{
+            {"name", own}, {"scale", format_numbers(rounded(group.wish.scale))}};
+        if (group.wish.is_turned)
+          values.emplace("refquat", format_numbers(rounded(numbers_of(group.wish.turn))));
+        edits_.copy_behind(*asset.element, values);
+        for (const auto& [geom, wish] : group.geoms) edits_.set(*geom, "mesh", own);
+      }
+      for (const auto& [geom, wish] : group.geoms)
+        if (wish.is_turned) turn_geom(xml_, *geom, wish.geom_turn, edits_);
+    }
+  }
+
+ private:
+  /// A mesh may have its vertices in the element, and each copy of that repeats them.
+  void check_room(const XmlElement& element) {
+    for (const char* const list : {"vertex", "normal", "texcoord", "face"})
+      copied_ += std::string_view(attribute(element, list)).size();
+    if (copied_ > kMostCopied)
+      throw xml_.error(element,
+                       fmt::format("its numbers stand in the file, and the copies for parts "
+                                   "that stretch differently would take more than {} bytes; "
+                                   "keep it in a mesh file, or let fewer geoms show it",
+                                   kMostCopied));
+  }
+
+  std::string new_name(const std::string& name) {
+    const std::string stem = name.size() <= kLongestStem ? name : "mesh";
+    for (int number = 2;; ++number) {
+      std::string found = fmt::format("{}_{}", stem, number);
+      if (names_.insert(found).second) return found;
+    }
+  }
+
+  const XmlFile& xml_;
+  TextEdits& edits_;
+  std::set<std::string> names_;
+  std::size_t copied_ = 0;  // [bytes]
+};
+
+/// Length of a mesh along a direction of its geom's body [m].
+double extent_along(const mjModel& model, int geom, const Vector3d& direction) {
+  const int mesh = model.geom_dataid[geom];
+  const Eigen::Map<const Eigen::Matrix<float, 3, Eigen::Dynamic>> corners(
+      model.mesh_vert + 3 * model.mesh_vertadr[mesh], 3, model.mesh_vertnum[mesh]);
+  const Eigen::RowVectorXd along =
+      (rotation_at(model.geom_quat, geom).transpose() * direction).transpose() *
+      corners.cast<double>();
+  return along.size() > 0 ? along.maxCoeff() - along.minCoeff() : 0.0;
+}
+
+bool is_same_place(const mjModel& model, int a, int b) {
+  return model.geom_bodyid[a] == model.geom_bodyid[b] &&
+         model.geom_dataid[a] == model.geom_dataid[b] &&
+         (vector_at(model.geom_pos, a) - vector_at(model.geom_pos, b)).isZero(1e-9) &&
+         rotation_at(model.geom_quat, a).isApprox(rotation_at(model.geom_quat, b), 1e-9);
+}
+
+}  // namespace
+
+std::map<const XmlElement*, Vector3d> rigid_feet(const XmlFile& xml, const mjModel& model,
+                                                 const TreeElements& elements,
+                                                 const Structure& structure,
+                                                 const StretchMap& stretches,
+                                                 const Eigen::VectorXd& s) {
+  std::map<const XmlElement*, Vector3d> out;
+  for (const FootContact& foot : structure.feet) {
+    if (foot.geom < 0 || model.geom_type[foot.geom] != mjGEOM_MESH) continue;
+    const auto own = stretches.find(name_of(model, mjOBJ_BODY, model.geom_bodyid[foot.geom]));
+    if (own == stretches.end()) continue;
+    const bool is_short =
+        std::all_of(own->second.begin(), own->second.end(), [&](const Stretch& stretch) {
+          return extent_along(model, foot.geom, stretch.direction) <=
+                 kShareOfLength * stretch.initial;
+        });
+    if (!is_short) continue;
+    const Vector3d point = foot_point(xml, elements, model, foot, {}).constant;
+    const Vector3d move = stretch_matrix(own->second, s) * point - point;
+    for (int g = 0; g < model.ngeom; ++g) {
+      const XmlElement& element = *elements.geoms[static_cast<std::size_t>(g)];
+      if (model.geom_type[g] == mjGEOM_MESH && is_same_place(model, g, foot.geom) &&
+          mesh_grows(xml, element))
+        out.emplace(&element, move);
+    }
+  }
+  return out;
+}
+
+void write_mesh_scales(const XmlFile& xml, const mjModel& model, const TreeElements& elements,
+                       const StretchMap& stretches,
+                       const std::map<const XmlElement*, Vector3d>& rigid, const Eigen::VectorXd& s,
+                       TextEdits& edits) {
+  const std::map<std::string, MeshAsset> meshes = find_meshes(xml);
+  const Wisher wisher(xml, model, elements, stretches, rigid, s);
+  std::map<std::string, std::vector<Group>> wanted;  // by asset
+  for (int g = 0; g < model.ngeom; ++g) {
+    const XmlElement* const element = elements.geoms[static_cast<std::size_t>(g)];
+    const char* const mesh = inherited_attribute(xml, *element, "mesh");
+    const auto asset = mesh ? meshes.find(mesh) : meshes.end();
+    if (asset == meshes.end()) continue;
+    const Wish wish = wisher.of(g, asset->second);
+    std::vector<Group>& groups = wanted[mesh];
+    auto group = std::find_if(groups.begin(), groups.end(),
+                              [&](const Group& one) { return is_same(one.wish, wish); });
+    if (group == groups.end()) group = groups.insert(groups.end(), Group{wish, {}});
+    group->geoms.emplace_back(element, wish);
+  }
+  Writer writer(xml, meshes, edits);
+  for (const auto& [name, groups] : wanted) writer.write(name, meshes.at(name), groups);
+}
+
+}  // namespace legwright

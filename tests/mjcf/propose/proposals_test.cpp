@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mjcf/propose/proposals.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <string>
+
+#include "mjcf/text/input_error.hpp"
+#include "mjcf/write/rewrite_robot.hpp"
+#include "tests/mjcf/robots/construction_robots.hpp"
+#include "tests/mjcf/robots/robots.hpp"
+
+namespace legwright {
+namespace {
+
+std::string example(const std::string& robot) {
+  return test::read_file(test::source_path("examples/" + robot + "/robot.xml"));
+}
+
+/// The robot without what it declares.
+std::string bare(std::string xml) {
+  const std::size_t from = xml.find("  <custom>"), to = xml.find("</custom>\n", from);
+  if (from != std::string::npos) xml.erase(from, to + 10 - from);
+  return xml;
+}
+
+StudiedRobot study(const std::string& xml) { return study_robot(xml, "r.xml"); }
+
+const Proposal& named(const StudiedRobot& found, const std::string& name) {
+  for (const Proposal& proposal : found.proposals)
+    if (proposal.name == name) return proposal;
+  ADD_FAILURE() << "no proposal " << name;
+  static const Proposal none;
+  return none;
+}
+
+TEST(StudyRobot, ProposesForThePuppyWhatItsAuthorDeclared) {
+  const std::string xml = example("puppy");
+  const StudiedRobot found = study(bare(xml));
+  const RobotModel declared = parse_robot(xml, "r.xml");
+  EXPECT_TRUE(found.left_out.empty()) << found.left_out.front();
+  EXPECT_EQ(found.proposals.size(), declared.space.parameters.size());
+  for (const DesignParameter& parameter : declared.space.parameters)
+    EXPECT_NEAR(named(found, parameter.name).value, parameter.initial, 1e-9) << parameter.name;
+}
+
+TEST(StudyRobot, FindsRowsAndMirrorImagesByGeometry) {
+  const StudiedRobot found = study(bare(example("hexapod")));
+  ASSERT_EQ(found.limbs.size(), 6u);
+  for (std::size_t k = 0; k < 6; ++k) {
+    EXPECT_EQ(found.limbs[k].row, static_cast<int>(k / 2));
+    EXPECT_EQ(found.limbs[k].partner, static_cast<int>(k ^ 1));
+    EXPECT_GT(found.limbs[k].home.y() * (k % 2 == 0 ? 1 : -1), 0.0);
+  }
+  EXPECT_EQ(named(found, "middle_femur_length").binding, "stretch link: ML_femur MR_femur");
+  EXPECT_EQ(named(found, "hind_knee_axis_yaw").binding, "axis z: HL_knee ~HR_knee");
+}
+
+TEST(StudyRobot, ProposesTheWidthOfBeamsThatCarryLegs) {
+  const StudiedRobot found = study(bare(example("hexapod")));
+  EXPECT_EQ(named(found, "front_beam_width").binding, "stretch y: front_beam");
+  EXPECT_NEAR(named(found, "middle_beam_width").value, 0.09, 1e-9);
+  for (const Proposal& proposal : study(bare(example("puppy"))).proposals)
+    EXPECT_EQ(proposal.name.find("servo"), std::string::npos)
+        << "no legs hang on a motor: " << proposal.name;
+}
+
+TEST(StudyRobot, TurnsAxesALittleWhereLegsReachToAllSides) {
+  // The hexapod's legs swing and lift; all axes of the puppy's are lateral, so they must turn much to leave their plane.
+  EXPECT_LT(named(study(bare(example("hexapod"))), "front_knee_axis_yaw").upper, 0.5);
+  EXPECT_GE(named(study(bare(example("puppy"))), "front_knee_axis_yaw").upper, 1.0);
+}
+
+TEST(StudyRobot, TiesNothingThatIsNoMirrorImage) {
+  // One shank is longer than the other: no pair any more, so each leg speaks for itself.
+  const std::string xml = test::with(bare(example("quadruped")), "class=\"foot\" pos=\"0 0 -0.1\"",
+                                     "class=\"foot\" pos=\"0 0 -0.12\"");
+  const StudiedRobot found = study(xml);
+  for (const Proposal& proposal : found.proposals)
+    EXPECT_TRUE(proposal.binding.find("FL_shank FR_shank") == std::string::npos)
+        << proposal.binding;
+}
+
+TEST(StudyRobot, ProposesTheEndsOfPistons) {
+  const StudiedRobot found = study(bare(example("piston_puppy")));
+  EXPECT_EQ(named(found, "front_piston_top_x").binding, "place x: FL_piston_top ~FR_piston_top");
+}
+
+TEST(StudyRobot, EveryDesignWithinTheProposedBoundsCanBeWritten) {
+  std::mt19937 random(7);
+  for (const char* robot : {"puppy", "quadruped", "hexapod", "biped", "piston_puppy"}) {
+    const std::string xml = bare(example(robot));
+    const std::string text = with_declarations(xml, "r.xml", study(xml).proposals);
+    const RobotModel model = parse_robot(text, "r.xml");
+    EXPECT_EQ(rewrite_robot(model, model.space.initial()), text) << robot;
+    for (int k = 0; k < 5; ++k)
+      EXPECT_NO_THROW(rewrite_robot(model, test::random_design(model.space, random))) << robot;
+  }
+}
+
+TEST(StudyRobot, SaysWhyItLeavesOut) {
+  const StudiedRobot biped = study(bare(example("biped")));
+  ASSERT_EQ(biped.left_out.size(), 1u);
+  EXPECT_EQ(biped.left_out[0],
+            "foot_length: the foot is a round sole, not the end of a leg of that length");
+  // A general robot: whatever is proposed is accepted, whatever is not has a reason.
+  for (const char* name : {"crooked", "crooked_piston", "crooked_printed"}) {
+    const std::string xml = bare(test::named_robot(name));
+    const StudiedRobot found = study(xml);
+    EXPECT_NO_THROW(parse_robot(with_declarations(xml, "r.xml", found.proposals), "r.xml")) << name;
+    for (const std::string& line : found.left_out) EXPECT_GT(line.size(), line.find(": ") + 10);
+  }
+}
+
+/// A mesh that gives its body the weight keeps its size, and where it touches is no point of the body.
+TEST(StudyRobot, LeavesOutALengthThatAFootWithAWeightWouldNotFollow) {
+  const auto lengths = [](bool weighs) {
+    std::string xml = test::hopper_with(
+        "<geom type=\"mesh\" mesh=\"shoe\" pos=\"0.03 0 -0.2\" euler=\"0 0.1 0\"/>");
+    const std::size_t inertial = xml.rfind("<inertial");
+    if (weighs) xml.erase(inertial, xml.find("/>", inertial) + 2 - inertial);
+    const StudiedRobot found = study(xml);
+    for (const std::string& line : found.left_out)
+      EXPECT_NE(line.find("is a foot that gives its body"), std::string::npos) << line;
+    return std::count_if(found.proposals.begin(), found.proposals.end(),
+                         [](const Proposal& p) { return p.binding == "stretch link: shank"; });
+  };
+  EXPECT_EQ(lengths(true), 0);
+  EXPECT_EQ(lengths(false), 1);
+}
+
+TEST(StudyRobot, ProposesNothingTwice) {
+  const StudiedRobot found = study(example("puppy"));
+  EXPECT_TRUE(found.proposals.empty()) << found.proposals.front().name;
+  EXPECT_EQ(found.model.space.size(), 20);
+}
+
+TEST(StudyRobot, RefusesWhatIsNoRobot) {
+  EXPECT_THROW(study("<mujoco/>"), InputError);
+  EXPECT_THROW(study("no xml"), InputError);
+}
+
+TEST(WithDeclarations, LeaveEveryOtherByte) {
+  const std::string xml = bare(example("puppy"));
+  const StudiedRobot found = study(xml);
+  std::string text = with_declarations(xml, "r.xml", found.proposals);
+  EXPECT_EQ(bare(text), xml);
+  EXPECT_NE(text, xml);
+  EXPECT_EQ(with_declarations(xml, "r.xml", {}), xml);
+}
+
+TEST(WithDeclarations, UseTheSectionThatIsThere) {
+  std::string xml = bare(example("puppy"));
+  xml.insert(xml.rfind("</mujoco>"),
+             "  <custom>\n    <numeric name=\"own\" data=\"1\"/>\n  </custom>\n");
+  const std::string text = with_declarations(xml, "r.xml", study(xml).proposals);
+  EXPECT_EQ(text.find("<custom>"), text.rfind("<custom>"));
+  EXPECT_NE(text.find("\n    <numeric name=\"own\""), std::string::npos);
+  EXPECT_EQ(text.find("\n\n    <numeric"), std::string::npos);
+  EXPECT_EQ(parse_robot(text, "r.xml").space.size(), 20);
+}
+
+TEST(WithDeclarations, KeepTheLineEndsOfTheFile) {
+  std::string dos;
+  for (const char c : bare(example("puppy"))) dos += c == '\n' ? "\r\n" : std::string(1, c);
+  const std::string text = with_declarations(dos, "r.xml", study(dos).proposals);
+  for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 1))
+    ASSERT_EQ(text[at - 1], '\r') << text.substr(at > 60 ? at - 60 : 0, 60);
+}
+
+TEST(WithDeclarations, AreNotPutIntoAComment) {
+  const std::string xml = bare(example("puppy")) + "<!-- old: </mujoco> -->\n";
+  const std::string text = with_declarations(xml, "r.xml", study(xml).proposals);
+  EXPECT_EQ(parse_robot(text, "r.xml").space.size(), 20);
+}
+
+TEST(StudyRobot, FeetThatAreAHairApartShareARow) {
+  const std::string xml = test::with(bare(example("biped")), "name=\"L_thigh\" pos=\"0 0.04",
+                                     "name=\"L_thigh\" pos=\"1e-9 0.04");
+  const StudiedRobot found = study(xml);
+  EXPECT_EQ(found.limbs.back().row, 0);
+  EXPECT_EQ(named(found, "thigh_length").unit, "m");
+}
+
+TEST(WithDeclarations, EscapeHostileNames) {
+  const Proposal hostile{"a", 1, 0, 2, "m", "stretch x: <&\"", "Says <b>&\"."};
+  const std::string text = with_declarations("<mujoco>\n</mujoco>\n", "r.xml", {hostile});
+  EXPECT_NE(text.find("data=\"m | stretch x: &lt;&amp;&quot; | Says &lt;b>&amp;&quot;.\""),
+            std::string::npos)
+      << text;
+}
+
+}  // namespace
+}  // namespace legwright

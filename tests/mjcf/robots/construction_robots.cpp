@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/mjcf/robots/construction_robots.hpp"
+
+#include <fmt/format.h>
+
+#include "mjcf/propose/proposals.hpp"
+#include "mjcf/read/read_robot.hpp"
+#include "mjcf/text/input_error.hpp"
+
+namespace legwright::test {
+namespace {
+
+/// A box as the vertices of a mesh.
+std::string box_vertices(double x, double y, double z_low, double z_high) {
+  std::string text;
+  for (const double a : {-x, x})
+    for (const double b : {-y, y})
+      for (const double c : {z_low, z_high})
+        text += fmt::format("{}{} {} {}", text.empty() ? "" : "  ", a, b, c);
+  return text;
+}
+
+std::string biped_leg(const char* side, int sign) {
+  return fmt::format(R"(
+      <body name="{0}_hip" pos="0 {1} -0.05">
+        <joint name="{0}_roll" axis="1 0 0" range="-0.5 0.5"/>
+        <inertial pos="0 0 0" mass="0.4" diaginertia="0.0004 0.0004 0.0004"/>
+        <body name="{0}_thigh">
+          <joint name="{0}_pitch" axis="0 1 0" range="-1.5 1.5"/>
+          <inertial pos="0 0 -0.15" mass="1.2" diaginertia="0.012 0.012 0.001"/>
+          <geom type="capsule" fromto="0 0 0 0 0 -0.3" size="0.03" class="drawn"/>
+          <body name="{0}_shank" pos="0 0 -0.3">
+            <joint name="{0}_knee" axis="0 1 0" range="0 2.4"/>
+            <inertial pos="0 0 -0.15" mass="0.8" diaginertia="0.008 0.008 0.0006"/>
+            <geom type="cylinder" pos="0 0 -0.15" size="0.02 0.15" class="drawn"/>
+            <body name="{0}_foot" pos="0 0 -0.3">
+              <joint name="{0}_ankle" axis="0 1 0" range="-1 1"/>
+              <geom type="box" pos="0.03 0 -0.03" size="0.09 0.04 0.01"/>
+              <geom type="box" pos="-0.03 0 0" size="0.01 0.01 0.01" mass="0.1"/>
+            </body>
+          </body>
+        </body>
+      </body>)",
+                     side, 0.1 * sign);
+}
+
+std::string quadruped_leg(const char* name, int front, int left) {
+  return fmt::format(R"(
+      <body name="{0}_hip" pos="{1} {2} 0">
+        <inertial mass="0.68" pos="{3} {4} 0" quat="0.507528 0.506268 0.491507 0.494499"
+          diaginertia="0.000734064 0.000468438 0.000398719"/>
+        <joint class="abduction" name="{0}_hip_joint"/>
+        <geom class="drawn" mesh="hip" quat="1 0 0 {5}"/>
+        <geom class="collision" type="cylinder" size="0.046 0.02" pos="0 {6} 0" quat="1 1 0 0"/>
+        <body name="{0}_thigh" pos="0 {6} 0">
+          <inertial mass="1.009" pos="-0.003 {7} -0.033" diaginertia="0.0045 0.0044 0.001"/>
+          <joint class="hip" name="{0}_thigh_joint"/>
+          <geom class="drawn" mesh="thigh"/>
+          <geom class="collision" type="capsule" size="0.015 0.08" pos="0 0 -0.1065"/>
+          <body name="{0}_calf" pos="0 0 -0.213">
+            <inertial mass="0.1958" pos="0.0065 0 -0.107" diaginertia="0.0015 0.0015 3e-05"/>
+            <joint class="knee" name="{0}_calf_joint"/>
+            <geom class="drawn" mesh="calf"/>
+            <frame pos="0 0 -0.1" euler="0 0 {5}">
+              <geom class="collision" type="box" size="0.01 0.01 0.06"/>
+              <site name="{0}_imu" pos="0.01 0 -0.02"/>
+            </frame>
+            <geom class="foot"/>
+          </body>
+        </body>
+      </body>)",
+                     name, 0.1881 * front, 0.04675 * left, -0.005 * front, 0.004 * left,
+                     front > 0 ? 0 : 1, 0.08 * left, -0.022 * left);
+}
+
+std::string armed_quadruped_leg(const char* name, int front, int left) {
+  return fmt::format(R"(
+      <body name="{0}_hip" pos="{1} {2} 0">
+        <inertial mass="1.7" pos="0 0 0" diaginertia="0.002 0.002 0.002"/>
+        <joint class="hx" name="{0}_hx"/>
+        <body name="{0}_upper" pos="0 {3} 0">
+          <inertial mass="2.3" pos="0 0 -0.1" diaginertia="0.02 0.02 0.002"/>
+          <joint class="hy" name="{0}_hy"/>
+          <geom class="drawn" type="capsule" fromto="0 0 0 0 0 -0.32" size="0.03"/>
+          <body name="{0}_lower" pos="0 0 -0.32">
+            <inertial mass="0.33" pos="0 0 -0.15" diaginertia="0.004 0.004 0.0001"/>
+            <joint class="kn" name="{0}_kn"/>
+            <geom type="capsule" size="0.02" fromto="0 0 0 0 0 -0.3"/>
+            <geom class="foot" name="{0}"/>
+          </body>
+        </body>
+      </body>)",
+                     name, 0.29785 * front, 0.055 * left, 0.111 * left);
+}
+
+}  // namespace
+
+std::string armed_biped() {
+  return R"(<mujoco model="armed_biped">
+  <compiler angle="radian" autolimits="true"/>
+  <default>
+    <default class="drawn"><geom contype="0" conaffinity="0" group="2" density="0"/></default>
+    <default class="arm"><joint axis="0 1 0" damping="0.1"/><position kp="20"/></default>
+  </default>
+  <worldbody>
+    <body name="pelvis" pos="0 0 0.7">
+      <freejoint/>
+      <inertial pos="0 0 0.1" mass="8" diaginertia="0.1 0.08 0.05"/>
+      <geom type="box" size="0.05 0.08 0.1" pos="0 0 0.1" class="drawn"/>)" +
+         biped_leg("left", 1) + biped_leg("right", -1) + R"(
+      <frame pos="0.02 0 0.2" euler="0.3 0 0.2">
+        <body name="arm" pos="0 0.1 0" euler="0 0.4 0" childclass="arm">
+          <joint name="shoulder" pos="0.01 0 0.02"/>
+          <inertial pos="0 0 -0.1" mass="0.6" diaginertia="0.003 0.003 0.0005"/>
+          <site name="top"/>
+          <body name="hand" pos="0 0 -0.25">
+            <joint type="ball" axis="1 0 0"/>
+            <inertial pos="0.02 0 -0.03" mass="0.2" diaginertia="0.0002 0.0002 0.0002"/>
+            <body name="thumb" pos="0.02 0.02 -0.05">
+              <joint name="thumb" type="slide" axis="0 1 0" range="-0.02 0.02"/>
+              <geom type="box" size="0.005 0.005 0.02" mass="0.03"/>
+            </body>
+            <body name="finger" pos="0.02 -0.02 -0.05">
+              <joint name="finger" type="slide" axis="0 1 0" range="-0.02 0.02"/>
+              <geom type="box" size="0.005 0.005 0.02" mass="0.03"/>
+              <site name="tip"/>
+            </body>
+          </body>
+        </body>
+      </frame>
+      <body name="lidar" pos="0 0 0.25">
+        <joint axis="0 0 1"/>
+        <geom type="cylinder" size="0.03 0.02" mass="0.2"/>
+      </body>
+    </body>
+  </worldbody>
+  <tendon>
+    <fixed name="grip"><joint joint="thumb" coef="1"/><joint joint="finger" coef="-1"/></fixed>
+    <spatial name="sinew" range="0 1"><site site="top"/><site site="tip"/></spatial>
+  </tendon>
+  <equality><joint name="mirror" joint1="thumb" joint2="finger" polycoef="0 -1 0 0 0"/></equality>
+  <actuator>
+    <position name="left_roll" joint="left_roll" kp="200" kv="4" forcerange="-80 80"/>
+    <position name="left_pitch" joint="left_pitch" kp="200" kv="4" forcerange="-80 80"/>
+    <position name="left_knee" joint="left_knee" kp="200" kv="4" forcerange="-80 80"/>
+    <position name="left_ankle" joint="left_ankle" kp="100" kv="2" forcerange="-40 40"/>
+    <position name="shoulder" class="arm" joint="shoulder"/>
+    <position name="right_roll" joint="right_roll" kp="200" kv="4" forcerange="-80 80"/>
+    <position name="right_pitch" joint="right_pitch" kp="200" kv="4" forcerange="-80 80"/>
+    <position name="right_knee" joint="right_knee" kp="200" kv="4" forcerange="-80 80"/>
+    <position name="right_ankle" joint="right_ankle" kp="100" kv="2" forcerange="-40 40"/>
+    <position name="grip" tendon="grip" kp="50"/>
+  </actuator>
+  <sensor>
+    <jointpos name="shoulder_angle" joint="shoulder"/>
+    <actuatorfrc name="grip_force" actuator="grip"/>
+    <tendonpos name="grip_width" tendon="grip"/>
+    <jointpos name="knee_angle" joint="left_knee"/>
+  </sensor>
+  <keyframe>
+    <key name="home" qpos="0 0 0.69 1 0 0 0  0 -0.3 0.6 -0.3  0 -0.3 0.6 -0.3
+      0.7 0.9 0.1 0.2 0.3 0.01 -0.01  0.5"/>
+  </keyframe>
+  <custom>
+    <numeric name="legwright/thigh" data="0.3 0.2 0.4"/>
+    <text name="legwright/thigh" data="m | stretch link: left_thigh right_thigh | Thighs."/>
+    <numeric name="legwright/shank" data="0.3 0.2 0.4"/>
+    <text name="legwright/shank" data="m | stretch link: left_shank right_shank | Shanks."/>
+    <numeric name="legwright/width" data="0.2 0.16 0.3"/>
+    <text name="legwright/width" data="m | stretch y: pelvis | Distance of the hips."/>
+    <numeric name="legwright/knee_yaw" data="0 -0.5 0.5"/>
+    <text name="legwright/knee_yaw" data="rad | axis z: left_knee ~right_knee | Yaw of knees."/>
+    <numeric name="legwright/sole" data="0.03 0.02 0.05"/>
+    <text name="legwright/sole" data="m | stretch x: left_foot right_foot | From ankle to sole."/>
+  </custom>
+</mujoco>
+)";
+}
+
+std::string classed_quadruped() {
+  std::string motors;
+  for (const char* leg : {"FR", "FL", "RR", "RL"})
+    motors += fmt::format(R"(
+    <motor class="abduction" name="{0}_hip" joint="{0}_hip_joint"/>
+    <motor class="hip" name="{0}_thigh" joint="{0}_thigh_joint"/>
+    <motor class="knee" name="{0}_calf" joint="{0}_calf_joint"/>)",
+                          leg);
+  return R"(<mujoco model="classed_quadruped">
+  <compiler angle="radian" autolimits="true"/>
+  <option cone="elliptic" impratio="100"/>
+  <default>
+    <default class="quadruped">
+      <geom friction="0.6" margin="0.001" condim="1"/>
+      <joint axis="0 1 0" armature="0.01" frictionloss="0.02"/>
+      <motor ctrlrange="-23.7 23.7"/>
+      <default class="abduction"><joint axis="1 0 0" range="-0.863 0.863"/></default>
+      <default class="hip"><joint range="-0.686 4.501"/></default>
+      <default class="knee"><joint range="-2.818 -0.888"/><motor ctrlrange="-35.55 35.55"/></default>
+      <default class="drawn">
+        <geom type="mesh" contype="0" conaffinity="0" group="2" density="0"/>
+      </default>
+      <default class="collision">
+        <geom group="3" type="capsule"/>
+        <default class="foot">
+          <geom type="sphere" size="0.023" pos="0 0 -0.213" priority="1" condim="6"
+            friction="0.8 0.02 0.01"/>
+        </default>
+      </default>
+    </default>
+  </default>
+  <asset>
+    <mesh name="trunk" vertex=")" +
+         box_vertices(0.2, 0.05, -0.05, 0.05) + R"("/>
+    <mesh name="hip" vertex=")" +
+         box_vertices(0.03, 0.03, -0.03, 0.03) + R"("/>
+    <mesh name="thigh" scale="1 1 0.5" vertex=")" +
+         box_vertices(0.02, 0.02, -0.426, 0) + R"("/>
+    <mesh name="calf" vertex=")" +
+         box_vertices(0.01, 0.01, -0.213, 0) + R"("/>
+  </asset>
+  <worldbody>
+    <body name="trunk" pos="0 0 0.445" childclass="quadruped">
+      <freejoint/>
+      <inertial mass="5.204" pos="0.0223 0.002 -0.0005" quat="-0.00342088 0.705204 0.000106698 0.708996"
+        diaginertia="0.0716565 0.0630105 0.0168101"/>
+      <geom class="drawn" mesh="trunk"/>
+      <geom class="collision" type="box" size="0.125 0.04 0.057"/>
+      <site name="imu" pos="-0.01592 -0.06659 -0.00617"/>)" +
+         quadruped_leg("FR", 1, -1) + quadruped_leg("FL", 1, 1) + quadruped_leg("RR", -1, -1) +
+         quadruped_leg("RL", -1, 1) + R"(
+    </body>
+  </worldbody>
+  <actuator>)" +
+         motors + R"(
+  </actuator>
+  <keyframe>
+    <key name="home" qpos="0 0 0.27 1 0 0 0 0 0.9 -1.8 0 0.9 -1.8 0 0.9 -1.8 0 0.9 -1.8"/>
+  </keyframe>
+</mujoco>
+)";
+}
+
+std::string quadruped_with_arm() {
+  std::string servos;
+  for (const char* leg : {"fl", "fr", "hl", "hr"})
+    for (const char* joint : {"hx", "hy", "kn"})
+      servos += fmt::format("\n    <position class=\"{1}\" name=\"{0}_{1}\" joint=\"{0}_{1}\"/>",
+                            leg, joint);
+  std::string arm, ends;
+  const char* const joints[] = {"arm_sh0", "arm_sh1", "arm_el0", "arm_el1", "arm_wr0", "arm_wr1"};
+  for (int k = 0; k < 6; ++k) {
+    arm += fmt::format(R"(
+      <body name="{0}" pos="{1} 0 {2}">
+        <inertial mass="1.1" pos="0.05 0 0" diaginertia="0.002 0.003 0.003"/>
+        <joint name="{0}" axis="{3}" range="-3.2 3.2"/>
+        <geom type="capsule" size="0.03" fromto="0 0 0 0.1 0 0"/>)",
+                       joints[k], k == 0 ? 0.292 : 0.12, k == 0 ? 0.188 : 0.0,
+                       k == 0 || k == 3 || k == 5 ? "0 0 1" : "0 1 0");
+    ends += "</body>";
+    servos += fmt::format(
+        "\n    <position name=\"{0}\" joint=\"{0}\" kp=\"100\" kv=\"3\" "
+        "inheritrange=\"1\"/>",
+        joints[k]);
+  }
+  return R"(<mujoco model="quadruped_with_arm">
+  <compiler angle="radian" autolimits="true"/>
+  <default>
+    <default class="legs">
+      <joint damping="2" armature="0.01"/>
+      <geom condim="1" group="3"/>
+      <position kp="500" kv="20" inheritrange="1" forcerange="-1000 1000"/>
+      <default class="hx"><joint axis="1 0 0" range="-0.785 0.785" actuatorfrcrange="-45 45"/></default>
+      <default class="hy"><joint axis="0 1 0" range="-0.9 2.3" actuatorfrcrange="-45 45"/></default>
+      <default class="kn"><joint axis="0 1 0" range="-2.79 -0.25" actuatorfrcrange="-115 115"/></default>
+      <default class="drawn"><geom contype="0" conaffinity="0" group="2"/></default>
+      <default class="foot"><geom type="sphere" size="0.036" pos="0 0 -0.336" priority="1"/></default>
+    </default>
+  </default>
+  <worldbody>
+    <body name="body" pos="0 0 0.7" childclass="legs">
+      <freejoint/>
+      <inertial mass="16.7" pos="0 0 0" diaginertia="0.08 0.3 0.35"/>
+      <geom type="box" size="0.4 0.1 0.08"/>)" +
+         armed_quadruped_leg("fl", 1, 1) + armed_quadruped_leg("fr", 1, -1) +
+         armed_quadruped_leg("hl", -1, 1) + armed_quadruped_leg("hr", -1, -1) + arm + ends + R"(
+    </body>
+  </worldbody>
+  <contact><exclude body1="body" body2="arm_sh0"/><exclude body1="arm_sh0" body2="arm_el0"/></contact>
+  <actuator>)" +
+         servos + R"(
+  </actuator>
+  <keyframe>
+    <key name="home" qpos="0 0 0.46 1 0 0 0 0 1.04 -1.8 0 1.04 -1.8 0 1.04 -1.8 0 1.04 -1.8
+      0 -3.14 3.06 0 0 0"
+      ctrl="0 1.04 -1.8 0 1.04 -1.8 0 1.04 -1.8 0 1.04 -1.8 0 -3.14 3.06 0 0 0"/>
+  </keyframe>
+</mujoco>
+)";
+}
+
+std::string hopper_with(const std::string& foot, double knee, bool weighed_by_foot) {
+  return fmt::format(R"(<mujoco model="hopper">
+  <compiler angle="radian" autolimits="true"/>
+  <asset>
+    <mesh name="shoe" vertex="-0.05 -0.02 0  0.07 -0.02 0  -0.05 0.02 0  0.07 0.02 0
+      -0.01 0 0.06  0.01 0 0.06"/>
+  </asset>
+  <worldbody>
+    <body name="trunk" pos="0 0 0.5">
+      <freejoint/>
+      <inertial pos="0 0 0" mass="1" diaginertia="0.001 0.001 0.001"/>
+      <body name="thigh">
+        <joint name="hip" axis="0 1 0"/>
+        <inertial pos="0 0 -0.1" mass="0.1" diaginertia="1e-4 1e-4 1e-5"/>
+        <body name="shank" pos="0 0 -0.2">
+          <joint name="knee" axis="0 1 0"/>
+          {}
+          {}
+        </body>
+      </body>
+    </body>
+  </worldbody>
+  <actuator>
+    <position name="hip_servo" joint="hip" kp="80" kv="0.8" forcerange="-3 3"/>
+    <position name="knee_servo" joint="knee" kp="80" kv="0.8" forcerange="-3 3"/>
+  </actuator>
+  <keyframe><key name="home" qpos="0 0 0.5 1 0 0 0 0 {}"/></keyframe>
+</mujoco>
+)",
+                     weighed_by_foot
+                         ? ""
+                         : R"(<inertial pos="0 0 -0.1" mass="0.1" diaginertia="1e-4 1e-4 1e-5"/>)",
+                     foot, knee);
+}
+
+std::string declared(const std::string& xml) {
+  return with_declarations(xml, "robot.xml", study_robot(xml, "robot.xml").proposals);
+}
+
+std::string complaint(const std::string& xml) {
+  try {
+    parse_robot(xml, "robot.xml");
+    return "";
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+bool holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace legwright::test

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/mjcf/robots/robots.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+namespace legwright::test {
+
+std::filesystem::path source_path(const std::string& relative) {
+  return std::filesystem::path(LEGWRIGHT_SOURCE_DIR) / relative;
+}
+
+std::string read_file(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  EXPECT_TRUE(stream) << file;
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::filesystem::path puppy_file() { return source_path("examples/puppy/robot.xml"); }
+
+std::string with(std::string text, const std::string& old_part, const std::string& new_part) {
+  const std::size_t at = text.find(old_part);
+  EXPECT_NE(at, std::string::npos) << old_part;
+  return at == std::string::npos ? text : text.replace(at, old_part.size(), new_part);
+}
+
+Eigen::VectorXd random_design(const DesignSpace& space, std::mt19937& random) {
+  Eigen::VectorXd s(space.size());
+  for (int k = 0; k < space.size(); ++k)
+    s[k] = std::uniform_real_distribution<double>(space.parameters[k].lower,
+                                                  space.parameters[k].upper)(random);
+  return s;
+}
+
+std::string crooked_robot() {
+  return R"(<mujoco model="crooked">
+  <compiler angle="degree" autolimits="true" eulerseq="XYZ"/>
+  <default>
+    <geom contype="0" conaffinity="0"/>
+    <default class="lamp"><site pos="0.01 0.02 -0.03" size="0.004"/></default>
+  </default>
+  <worldbody>
+    <body name="trunk" pos="0 0 0.5" euler="0 0 30">
+      <freejoint/>
+      <inertial pos="0.01 0.02 -0.01" mass="2" euler="10 20 30" diaginertia="0.02 0.03 0.04"/>
+      <geom type="box" size="0.1 0.08 0.02" euler="0 0 90"/>
+      <body name="bracket" pos="0.1 0.05 0.01" euler="0 15 0">
+        <inertial pos="0 0.01 0" mass="0.1" diaginertia="1e-5 1e-5 1e-5"/>
+        <geom size="0.01"/>
+        <body name="upper" pos="0.02 0 0" quat="0.9 0.1 0.2 0.3">
+          <joint name="swing" axis="1 0 0.2" pos="0.006 -0.008 0"/>
+          <joint name="lift" axis="0 2 0" pos="0.01 0 0.002" range="-120 120"/>
+          <inertial pos="0.02 0.01 -0.1" mass="0.3"
+                    fullinertia="0.002 0.0021 0.0003 0.0001 -0.0002 0.00005"/>
+          <geom type="capsule" fromto="0.01 0 0.002 0.05 0.03 -0.198" size="0.01"/>
+          <site name="lamp" class="lamp"/>
+          <camera name="eye" pos="0.03 0 -0.05"/>
+          <body name="lower" pos="0.05 0.03 -0.198" euler="0 0 20">
+            <joint name="knee" axis="0 1 0"/>
+            <inertial pos="0 0 -0.08" mass="0.2" diaginertia="0.001 0.001 0.0001"/>
+            <geom type="box" pos="0 0 -0.1" size="0.01 0.01 0.1"/>
+            <geom name="toe" type="sphere" size="0.02" pos="0.01 0 -0.2"
+                  contype="1" conaffinity="1"/>
+          </body>
+        </body>
+      </body>
+      <body name="other" pos="-0.1 -0.07 0">
+        <joint name="swing2" axis="1 0 0"/>
+        <inertial pos="0 0 -0.1" mass="0.2" diaginertia="0.001 0.001 0.0001"/>
+        <geom name="ball" type="sphere" size="0.02" pos="0 0 -0.3" contype="1" conaffinity="1"/>
+      </body>
+    </body>
+  </worldbody>
+  <actuator>
+    <motor joint="swing" gear="2" ctrlrange="-1.5 1.5"/>
+    <position joint="lift" kp="30" kv="0.5" forcerange="-4 5"/>
+    <position joint="knee" kp="20" gear="-3"/>
+    <general joint="swing2" forcerange="-6 6"/>
+  </actuator>
+  <custom>
+    <numeric name="legwright/upper_length" data="0.2061552812808830 0.1 0.3"/>
+    <text name="legwright/upper_length" data="m | stretch link: upper | Length of the upper link."/>
+    <numeric name="legwright/lower_length" data="0.2 0.1 0.3"/>
+    <text name="legwright/lower_length" data="m | stretch z: lower | Height of the lower link."/>
+    <numeric name="legwright/body_length" data="0.2 0.1 0.3"/>
+    <text name="legwright/body_length" data="m | stretch x: trunk | Length of the body."/>
+    <numeric name="legwright/body_width" data="0.12 0.1 0.3"/>
+    <text name="legwright/body_width" data="m | stretch y: trunk | Width of the body."/>
+    <numeric name="legwright/lift_yaw" data="0.3 -1 1"/>
+    <text name="legwright/lift_yaw" data="rad | axis z: lift ~swing2 | Yaw of two axes."/>
+    <numeric name="legwright/lift_roll" data="-0.2 -1 1"/>
+    <text name="legwright/lift_roll" data="rad | axis x: lift knee | Roll of two axes."/>
+    <numeric name="other/number" data="1 2"/>
+  </custom>
+</mujoco>
+)";
+}
+
+std::string crooked_piston_robot() {
+  std::string xml = crooked_robot();
+  // Over the knee, and from a fixed bracket to the other leg.
+  xml = with(xml, "<camera name=\"eye\"",
+             "<site name=\"knee_top\" pos=\"0.06 0.01 -0.08\"/><camera name=\"eye\"");
+  xml = with(xml, "<geom type=\"box\" pos=\"0 0 -0.1\"",
+             "<site name=\"knee_foot\" pos=\"0.03 -0.01 -0.05\"/>"
+             "<geom type=\"box\" pos=\"0 0 -0.1\"");
+  xml = with(xml, "<body name=\"other\"",
+             "<body name=\"hook\" pos=\"-0.1 -0.02 0.02\" euler=\"10 0 40\">"
+             "<geom size=\"0.005\" density=\"0\"/><site name=\"hook\" pos=\"0.01 0 0\"/></body>"
+             "<body name=\"other\"");
+  xml = with(xml, "<geom name=\"ball\"",
+             "<site name=\"other_foot\" pos=\"0.01 0.02 -0.1\"/><geom name=\"ball\"");
+  xml = with(xml, "<actuator>",
+             "<tendon><spatial name=\"at_knee\" range=\"0.01 0.5\">"
+             "<site site=\"knee_foot\"/><site site=\"knee_top\"/></spatial>"
+             "<spatial name=\"at_other\"><site site=\"hook\"/><site site=\"other_foot\"/>"
+             "</spatial></tendon>\n  <actuator>");
+  xml = with(xml, "<position joint=\"knee\" kp=\"20\" gear=\"-3\"/>",
+             "<position tendon=\"at_knee\" kp=\"20000\" kv=\"200\" gear=\"-3\"/>");
+  xml = with(xml, "<general joint=\"swing2\" forcerange=\"-6 6\"/>",
+             "<general tendon=\"at_other\" forcerange=\"-60 60\"/>");
+  xml = with(xml, "| axis z: lift ~swing2 |", "| axis z: lift 0.5*~swing2 |");
+  return with(xml, "<numeric name=\"other/number\"",
+              "<numeric name=\"legwright/end_z\" data=\"-0.05 -0.07 -0.03\"/>"
+              "<text name=\"legwright/end_z\" data=\"m | place z: knee_foot 2*other_foot | z\"/>"
+              "<numeric name=\"legwright/end_y\" data=\"0.01 0.005 0.015\"/>"
+              "<text name=\"legwright/end_y\" data=\"m | place y: ~knee_foot | y\"/>"
+              "<numeric name=\"legwright/hook_x\" data=\"0.01 0.005 0.015\"/>"
+              "<text name=\"legwright/hook_x\" data=\"m | place x: hook | x\"/>"
+              "<numeric name=\"other/number\"");
+}
+
+std::string crooked_printed_robot() {
+  std::string xml = crooked_robot();
+  xml = with(xml,
+             "<inertial pos=\"0.01 0.02 -0.01\" mass=\"2\" euler=\"10 20 30\" "
+             "diaginertia=\"0.02 0.03 0.04\"/>\n",
+             "<geom type=\"capsule\" fromto=\"-0.1 0.05 0 0.1 0.05 0\" size=\"0.012\" "
+             "density=\"700\"/>\n"
+             "<geom type=\"cylinder\" fromto=\"0.02 -0.06 0.01 0.02 0.04 0.01\" size=\"0.01\"/>\n"
+             "<geom type=\"cylinder\" fromto=\"0.02 0.01 -0.05 0.02 0.01 0.01\" size=\"0.01\"/>\n"
+             "<geom type=\"capsule\" pos=\"0.03 0.02 0\" euler=\"20 30 0\" size=\"0.01 0.03\"/>\n"
+             "<geom type=\"ellipsoid\" pos=\"-0.04 0.02 0.03\" euler=\"0 30 10\" "
+             "size=\"0.01 0.02 0.03\" mass=\"0.15\"/>\n"
+             "<geom type=\"box\" pos=\"0.04 0 0.03\" euler=\"0 30 0\" size=\"0.01 0.02 0.03\"/>\n");
+  xml = with(xml,
+             "<inertial pos=\"0.02 0.01 -0.1\" mass=\"0.3\"\n                    "
+             "fullinertia=\"0.002 0.0021 0.0003 0.0001 -0.0002 0.00005\"/>\n",
+             "<geom size=\"0.013\" pos=\"0.02 0.01 -0.1\" density=\"2000\"/>\n");
+  return with(xml,
+              "<inertial pos=\"0 0 -0.08\" mass=\"0.2\" diaginertia=\"0.001 0.001 0.0001\"/>\n",
+              "<geom type=\"box\" size=\"0.1 0.1 0.1\" density=\"0\"/>\n");
+}
+
+std::string named_robot(const std::string& name) {
+  if (name == "puppy") return read_file(puppy_file());
+  if (name == "piston_puppy") return read_file(source_path("examples/piston_puppy/robot.xml"));
+  if (name == "crooked_printed") return crooked_printed_robot();
+  return name == "crooked" ? crooked_robot() : crooked_piston_robot();
+}
+
+}  // namespace legwright::test

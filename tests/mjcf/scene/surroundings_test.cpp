@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mjcf/scene/surroundings.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "mjcf/text/compile.hpp"
+#include "mjcf/text/input_error.hpp"
+#include "optimizer/design/inertia.hpp"
+#include "tests/mjcf/robots/robots.hpp"
+
+namespace legwright {
+namespace {
+
+using Eigen::Vector3d;
+
+Task with_payload() {
+  Task task;
+  task.payload = Payload{0.7, {0.02, -0.01, 0.05}, {0.06, 0.04, 0.1}};
+  return task;
+}
+
+RobotModel robot_named(const std::string& name) {
+  return parse_robot(test::named_robot(name), name + ".xml");
+}
+
+TEST(Surroundings, WithoutAnyTheTextIsTheVerySame) {
+  const RobotModel robot = robot_named("puppy");
+  EXPECT_EQ(in_surroundings(robot, robot.xml, Task{}), robot.xml);
+}
+
+TEST(Surroundings, PlanAndSceneWeighTheSame) {
+  for (const char* name : {"puppy", "piston_puppy", "crooked", "crooked_printed"}) {
+    const RobotModel robot = robot_named(name);
+    const Task task = with_payload();
+    const ModelPointer scene = compile_mjcf(in_surroundings(robot, robot.xml, task), robot.file);
+    const ModelPointer bare = compile_mjcf(robot.xml, robot.file);
+    const GeometryAtDesign plan(as_in_task(robot.morphology, task), robot.space.initial());
+    const int trunk = mj_name2id(scene.get(), mjOBJ_BODY, robot.root_body.c_str());
+    EXPECT_NEAR(scene->body_subtreemass[trunk], plan.total_mass, 1e-9) << name;
+    EXPECT_NEAR(scene->body_subtreemass[trunk], bare->body_subtreemass[trunk] + 0.7, 1e-9) << name;
+  }
+}
+
+TEST(Surroundings, ThePayloadWeighsWhatItShallUnderAnyCompiler) {
+  const auto with_compiler = [](const std::string& words) {
+    std::string xml = test::named_robot("puppy");
+    return xml.insert(xml.find('>', xml.find("<mujoco")) + 1, "<compiler " + words + "/>");
+  };
+  const RobotModel robot = robot_named("puppy");
+  for (const char* words : {"inertiagrouprange=\"1 5\"", "inertiafromgeom=\"auto\""}) {
+    const ModelPointer scene =
+        compile_mjcf(in_surroundings(robot, with_compiler(words), with_payload()), robot.file);
+    const int body = mj_name2id(scene.get(), mjOBJ_BODY, "payload");
+    EXPECT_NEAR(scene->body_mass[body], 0.7, 1e-12) << words;
+  }
+  EXPECT_THROW(in_surroundings(robot, with_compiler("settotalmass=\"2\""), with_payload()),
+               InputError);
+}
+
+TEST(Surroundings, ThePayloadIsSeenAndTouchesNothing) {
+  const RobotModel robot = robot_named("puppy");
+  const ModelPointer scene =
+      compile_mjcf(in_surroundings(robot, robot.xml, with_payload()), robot.file);
+  const int body = mj_name2id(scene.get(), mjOBJ_BODY, "payload");
+  ASSERT_GE(body, 0);
+  EXPECT_EQ(scene->body_parentid[body],
+            mj_name2id(scene.get(), mjOBJ_BODY, robot.root_body.c_str()));
+  const int geom = scene->body_geomadr[body];
+  EXPECT_EQ(scene->geom_contype[geom] | scene->geom_conaffinity[geom], 0);
+  EXPECT_LE(scene->geom_group[geom], 2);
+  EXPECT_GT(scene->geom_rgba[4 * geom + 3], 0.5F);
+  EXPECT_NEAR(scene->geom_size[3 * geom + 2], 0.05, 1e-12);
+  EXPECT_LT((Vector3d::Map(scene->body_pos + 3 * body) - Vector3d(0.02, -0.01, 0.05)).norm(),
+            1e-12);
+  const Vector3d inertia = Vector3d::Map(scene->body_inertia + 3 * body);
+  EXPECT_NEAR(inertia.sum(), 2 * 0.7 / 12 * Vector3d(0.06, 0.04, 0.1).squaredNorm(), 1e-12);
+}
+
+TEST(Surroundings, ASlopeTurnsGravity) {
+  const RobotModel robot = robot_named("puppy");
+  Task task;
+  task.up = up_on_slope({0.1, 0.0}, 0.25, 0.1);
+  const ModelPointer scene = compile_mjcf(in_surroundings(robot, robot.xml, task), robot.file);
+  EXPECT_LT((Vector3d::Map(scene->opt.gravity) + kGravity * task.up).norm(), 1e-12);
+  EXPECT_LT((up_of(*scene) - task.up).norm(), 1e-12);
+  EXPECT_LT(scene->opt.gravity[0], -2.0);  // downhill is backward
+  EXPECT_EQ(up_of(*compile_mjcf(robot.xml, robot.file)), Vector3d::UnitZ());
+}
+
+TEST(Surroundings, ARobotThatHasAPayloadAlreadyIsRefused) {
+  const RobotModel robot = parse_robot(
+      test::with(test::named_robot("puppy"), "<body name=\"eyes\"", "<body name=\"payload\""),
+      "puppy.xml");
+  EXPECT_EQ(in_surroundings(robot, robot.xml, Task{}), robot.xml);
+  try {
+    in_surroundings(robot, robot.xml, with_payload());
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("puppy.xml:"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("rename"), std::string::npos) << error.what();
+  }
+}
+
+TEST(Surroundings, ServosAreNoStrongerThanTheTaskAllows) {
+  const RobotModel robot = robot_named("piston_puppy");
+  Task task;
+  task.torque_limit = 1.0;
+  const RobotModel weaker = with_task_servos(robot, task);
+  int rotary = 0;
+  for (std::size_t a = 0; a < robot.servos.size(); ++a) {
+    const bool linear = !robot.servos[a].tendon.empty();
+    rotary += linear ? 0 : 1;
+    EXPECT_EQ(weaker.servos[a].torque_limit, linear ? robot.servos[a].torque_limit : 1.0);
+    EXPECT_EQ(weaker.servos[a].kp, robot.servos[a].kp);  // what a motor holds on with stays
+  }
+  EXPECT_EQ(rotary, 8);
+  task.torque_limit = 100.0;
+  EXPECT_EQ(with_task_servos(robot, task).servos[0].torque_limit, robot.servos[0].torque_limit);
+}
+
+TEST(Surroundings, SoftServosArePlayedAsStiffAsTheTaskSaysAndTheMotorBears) {
+  const RobotModel robot = robot_named("piston_puppy");  // kp 80, 3 N m
+  Task task;
+  EXPECT_EQ(with_task_servos(robot, task).servos[0].kp, robot.servos[0].kp);
+  const auto rotary = [&](const RobotModel& of) {
+    return *std::find_if(of.servos.begin(), of.servos.end(),
+                         [](const Servo& servo) { return servo.tendon.empty(); });
+  };
+  const Servo own = rotary(robot);
+  const auto played = [&](double limit, double kp, std::optional<double> kd) {
+    RobotModel changed = robot;
+    for (Servo& servo : changed.servos) servo.torque_limit = limit;
+    task.servo_kp = kp;
+    task.servo_kd = kd;
+    return with_task_servos(changed, task);
+  };
+  const Servo stiff = rotary(played(30.0, 2.0 * own.kp, std::nullopt));
+  EXPECT_EQ(stiff.kp, 2.0 * own.kp);
+  EXPECT_NEAR(stiff.kd, std::max(own.kd, kDampingTime * stiff.kp), 1e-12);
+  EXPECT_EQ(rotary(played(30.0, 2.0 * own.kp, 7.0)).kd, 7.0);
+  EXPECT_EQ(rotary(played(30.0, 0.5 * own.kp, 7.0)).kp, own.kp) << "none gets softer";
+  EXPECT_EQ(rotary(played(30.0, 0.5 * own.kp, std::nullopt)).kd, own.kd);
+  EXPECT_EQ(rotary(played(30.0, 0.5 * own.kp, 7.0)).kd, 7.0) << "damping is asked for by itself";
+  EXPECT_NEAR(rotary(played(0.0375 * 1.5 * own.kp, 1e4, std::nullopt)).kp, 1.5 * own.kp, 1e-9)
+      << "full torque at 0.0375 rad";
+  for (std::size_t a = 0; a < robot.servos.size(); ++a) {
+    if (robot.servos[a].tendon.empty()) continue;
+    EXPECT_EQ(played(30.0, 1e4, 7.0).servos[a].kp, robot.servos[a].kp) << "pistons stay";
+  }
+}
+
+TEST(Surroundings, ServosAreDampedAtLeastAsTheTaskSays) {
+  const RobotModel robot = robot_named("piston_puppy");
+  const auto rotary = [&](const Task& task) {
+    const RobotModel played = with_task_servos(robot, task);
+    for (std::size_t a = 0; a < robot.servos.size(); ++a)
+      if (!robot.servos[a].tendon.empty()) {
+        EXPECT_EQ(played.servos[a].kd, robot.servos[a].kd) << "linear actuators stay";
+      }
+    return played.servos[0];
+  };
+  ASSERT_TRUE(robot.servos[0].tendon.empty());
+  const Servo own = robot.servos[0];
+  Task task;
+  task.servo_kp = 0.5 * own.kp;  // no stiffer than it is
+  EXPECT_EQ(rotary(task).kd, own.kd);
+  task.servo_kd = 3.0 * own.kd + 1.0;
+  EXPECT_EQ(rotary(task).kp, own.kp);
+  EXPECT_EQ(rotary(task).kd, 3.0 * own.kd + 1.0) << "also where its kp is kept";
+  task.servo_kd = 0.5 * own.kd;
+  EXPECT_EQ(rotary(task).kd, own.kd) << "never less than the file has";
+  task.servo_kp.reset();
+  task.servo_kd = own.kd + 2.0;
+  EXPECT_EQ(rotary(task).kd, own.kd + 2.0);
+}
+
+}  // namespace
+}  // namespace legwright

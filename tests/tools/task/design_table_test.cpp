@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/task/design_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include "mjcf/text/input_error.hpp"
+#include "mjcf/write/rewrite_robot.hpp"
+#include "tools/files/atomic_file.hpp"
+#include "tools/task/problem.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+const fs::path kPuppy = fs::path(LEGWRIGHT_SOURCE_DIR) / "examples" / "puppy";
+
+TaskSet with_design(const std::string& table) {
+  return parse_task_set(read_file(kPuppy / "sideways.toml") + "\n" + table, kPuppy / "test.toml");
+}
+
+/// The message with which a [design] table is refused for the puppy; empty if it is not.
+std::string complaint(const std::string& table) {
+  try {
+    const TaskSet set = with_design(table);
+    restricted(read_robot(set.robot).space, set.design, set.file.string(), set.lines);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(DesignTable, FreezesAndNarrows) {
+  const TaskSet set = with_design(
+      "[design]\nfreeze = [\"body_width\"]\n[design.bounds]\nbody_length = [0.2, 0.3]\n");
+  const RobotModel robot = read_robot(set.robot);
+  const DesignSpace space = restricted(robot.space, set.design, "test.toml", set.lines);
+  const int width = space.find("body_width"), length = space.find("body_length");
+  ASSERT_EQ(space.size(), robot.space.size());
+  EXPECT_TRUE(space.parameters[width].frozen());
+  EXPECT_EQ(space.parameters[width].lower, 0.14);
+  EXPECT_EQ(space.parameters[length].lower, 0.2);
+  EXPECT_EQ(space.parameters[length].upper, 0.3);
+  EXPECT_FALSE(space.parameters[0].frozen());
+  EXPECT_EQ(space.scale(), robot.space.scale());
+}
+
+/// Bounds of a task are not the robot's: a design that is written keeps those of its file.
+TEST(DesignTable, LeavesTheRobotsFileAlone) {
+  RobotModel robot = read_robot(kPuppy / "robot.xml");
+  const int width = robot.space.find("body_width");
+  robot.space.parameters[width].lower = robot.space.parameters[width].upper = 0.14;
+  Eigen::VectorXd s = robot.space.initial();
+  s[0] = 0.07;
+  const std::string text = rewrite_robot(robot, s);
+  EXPECT_NE(text.find("\"legwright/body_width\" data=\"0.14 0.112 0.182\""), std::string::npos);
+  s[width] = 0.15;
+  EXPECT_THROW(rewrite_robot(robot, s), std::invalid_argument);
+}
+
+TEST(DesignTable, FaultsAreToldWithTheirCure) {
+  EXPECT_EQ(complaint("[design]\nfreeze = [\"body_width\"]\n"), "");
+  EXPECT_NE(complaint("[design]\nfreeze = [\"body_widht\"]\n").find("is 'body_width' meant?"),
+            std::string::npos);
+  EXPECT_NE(complaint("[design]\nfreeze = [3]\n").find("expected names"), std::string::npos);
+  EXPECT_NE(complaint("[design]\nfrozen = []\n").find("design.frozen"), std::string::npos);
+  EXPECT_NE(complaint("[design.bounds]\nbody_width = [0.1, 0.15]\n").find("within the robot's"),
+            std::string::npos);
+  EXPECT_NE(complaint("[design.bounds]\nbody_width = 0.1\n").find("an array of 2 numbers"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace legwright

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+
+#include "mjcf/text/robot_files.hpp"
+#include "tools/files/atomic_file.hpp"
+
+namespace legwright {
+
+/// Writes a robot into an existing folder: the main file as robot.xml, the files that it includes
+/// and its assets at their paths below. Assets that nobody changes (AssetFile::may_link) become
+/// hard links, where the file system has them, and take no space. Throws std::system_error where
+/// the disk fails, InputError for an asset that is no longer there.
+void write_robot_files(const std::filesystem::path& folder, const RobotFiles& files,
+                       Durability durability = Durability::power);
+
+/// Copies the folder of a design of this robot, as fs::copy does, but links what
+/// write_robot_files() would link. Throws std::system_error where the disk fails or `to` exists.
+void copy_design(const std::filesystem::path& from, const std::filesystem::path& to,
+                 const RobotFiles& files);
+
+}  // namespace legwright

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/task/design_table.hpp"
+
+#include <fmt/format.h>
+
+#include "mjcf/text/input_error.hpp"
+
+namespace legwright {
+namespace {
+
+/// Position of a parameter in s, or an error that offers the nearest name.
+int find_parameter(const DesignSpace& space, const std::string& name, const std::string& key,
+                   Problems& problems, int line) {
+  const int k = space.find(name);
+  if (k >= 0) return k;
+  std::vector<std::string> names;
+  for (const DesignParameter& parameter : space.parameters) names.push_back(parameter.name);
+  const std::string near = nearest(name, names);
+  problems.add(line, key,
+               fmt::format("the robot has no design parameter '{}'; {}", name,
+                           !near.empty()   ? fmt::format("is '{}' meant?", near)
+                           : names.empty() ? std::string("it has none at all, remove the key")
+                                           : fmt::format("it has {}", fmt::join(names, ", "))));
+  return -1;
+}
+
+}  // namespace
+
+DesignWishes read_design_table(TableReader in, Problems& problems) {
+  DesignWishes wishes;
+  if (const toml::node* node = in.node("freeze")) {
+    const toml::array* array = node->as_array();
+    bool good = array != nullptr;
+    for (std::size_t i = 0; array && i < array->size(); ++i) {
+      const auto name = array->get(i)->value<std::string>();
+      good = good && name.has_value();
+      if (name) wishes.freeze.push_back(*name);
+    }
+    if (!good)
+      problems.add(in.line_of("freeze"), in.full("freeze"),
+                   "expected names of design parameters: freeze = [\"body_width\"]");
+  }
+  wishes.bounds = in.numbers_of_names("bounds", {-100.0, 100.0, false, false, ""}, 2);
+  in.finish();
+  return wishes;
+}
+
+DesignSpace restricted(const DesignSpace& space, const DesignWishes& wishes,
+                       const std::string& file, const std::map<std::string, int>& lines) {
+  DesignSpace out = space;
+  Problems problems(file);
+  const auto line = [&](const std::string& key) {
+    const auto found = lines.find(key);
+    return found == lines.end() ? 0 : found->second;
+  };
+  for (const auto& [name, bounds] : wishes.bounds) {
+    const std::string key = "design.bounds." + name;
+    const int k = find_parameter(space, name, key, problems, line(key));
+    if (k < 0) continue;
+    DesignParameter& parameter = out.parameters[k];
+    if (!(bounds[0] >= parameter.lower && bounds[0] <= parameter.initial &&
+          parameter.initial <= bounds[1] && bounds[1] <= parameter.upper)) {
+      problems.add(
+          line(key), key,
+          fmt::format("is [{}, {}]; expected bounds within the robot's, {} to {}, around "
+                      "its value {}",
+                      bounds[0], bounds[1], parameter.lower, parameter.upper, parameter.initial));
+      continue;
+    }
+    parameter.lower = bounds[0];
+    parameter.upper = bounds[1];
+  }
+  for (const std::string& name : wishes.freeze) {
+    const int k = find_parameter(space, name, "design.freeze", problems, line("design.freeze"));
+    if (k >= 0) out.parameters[k].lower = out.parameters[k].upper = out.parameters[k].initial;
+  }
+  problems.throw_if_any();
+  return out;
+}
+
+}  // namespace legwright

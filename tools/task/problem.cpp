@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/task/problem.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "mjcf/text/input_error.hpp"
+#include "optimizer/terms/registry.hpp"
+#include "tools/task/design_table.hpp"
+#include "tools/task/toml_reader.hpp"
+
+namespace legwright {
+namespace {
+
+std::unique_ptr<Objective> make_objective(const TaskFile& file, const RobotModel& robot,
+                                          const Task& task) {
+  try {
+    return std::make_unique<Objective>(as_in_task(robot.morphology, task), robot.space, task);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(file.file.string(), 0, "",
+                     std::string(error.what()) + "; robot and task do not fit");
+  }
+}
+
+/// The same task with J in the place of F: one term at the wanted weight, all others off.
+Task outer_task(const TaskSet& set, Task task) {
+  std::vector<std::string> names;
+  for (const TermEntry& entry : term_registry()) {
+    task.weights[std::string(entry.name)] = 0.0;
+    if (entry.default_weight == 0.0) names.emplace_back(entry.name);
+  }
+  if (std::find(names.begin(), names.end(), set.outer) == names.end()) {
+    const auto line = set.lines.find("outer.objective");
+    throw InputError(
+        set.file.string(), line == set.lines.end() ? 0 : line->second, "outer.objective",
+        fmt::format("'{}' is no outer objective; there are {}", set.outer, fmt::join(names, ", ")));
+  }
+  task.weights[set.outer] = set.outer_weight;
+  return task;
+}
+
+}  // namespace
+
+std::string CodesignProblem::speed_unit(int k) const {
+  return objectives[k]->task().velocity.norm() == 0.0 ? "rad/s" : "m/s";
+}
+
+CodesignProblem read_problem(const std::filesystem::path& task_file,
+                             const std::filesystem::path& robot) {
+  CodesignProblem problem;
+  problem.set = read_task_set(task_file, robot);
+  problem.robot = read_robot(problem.set.robot);
+  problem.robot.space = restricted(problem.robot.space, problem.set.design,
+                                   problem.set.file.string(), problem.set.lines);
+  for (const TaskFile& file : problem.set.tasks) {
+    const Task task = make_task(file, problem.robot);
+    problem.objectives.push_back(make_objective(file, problem.robot, task));
+    if (!problem.set.outer.empty())
+      problem.outers.push_back(make_objective(file, problem.robot, outer_task(problem.set, task)));
+  }
+  return problem;
+}
+
+ProblemCosts::ProblemCosts(const CodesignProblem& problem) {
+  for (int k = 0; k < problem.task_count(); ++k) {
+    const Objective& objective = *problem.objectives[k];
+    JointTask task;
+    task.name = problem.task(k).name;
+    task.weight = problem.task(k).weight;
+    task.cost = costs_.emplace_back(std::make_unique<ObjectiveCost>(objective)).get();
+    if (!problem.outers.empty())
+      task.outer = costs_.emplace_back(std::make_unique<ObjectiveCost>(*problem.outers[k])).get();
+    task.guess = [&objective](const Eigen::VectorXd& s) { return initial_guess(objective, s); };
+    tasks_.push_back(std::move(task));
+  }
+}
+
+}  // namespace legwright

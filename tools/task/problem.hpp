@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "mjcf/read/read_robot.hpp"
+#include "optimizer/objective/objective.hpp"
+#include "optimizer/solve/multistart.hpp"
+#include "tools/task/task_file.hpp"
+
+namespace legwright {
+
+/// A robot and all that it shall do, ready to be solved.
+struct CodesignProblem {
+  TaskSet set;
+  RobotModel robot;
+  std::vector<std::unique_ptr<Objective>> objectives;  // F of each task, in the file's order
+  std::vector<std::unique_ptr<Objective>> outers;      // J of each task; empty without one
+
+  const TaskFile& task(int k) const { return set.tasks[k]; }
+  int task_count() const { return static_cast<int>(objectives.size()); }
+  /// What "speed" means for a task: m/s, or rad/s where it only turns.
+  std::string speed_unit(int k) const;
+};
+
+/// Reads a task file and its robot and builds F of each task. Throws InputError with everything that
+/// is wrong. @param robot instead of the one that the task file names
+CodesignProblem read_problem(const std::filesystem::path& task_file,
+                             const std::filesystem::path& robot = {});
+
+/// The costs of a problem, as the solvers want them. Keeps references to the problem.
+class ProblemCosts {
+ public:
+  explicit ProblemCosts(const CodesignProblem& problem);
+  const std::vector<JointTask>& tasks() const { return tasks_; }
+
+ private:
+  std::vector<std::unique_ptr<ObjectiveCost>> costs_;
+  std::vector<JointTask> tasks_;
+};
+
+}  // namespace legwright

@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/task/task_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <system_error>
+
+#include "mjcf/text/input_error.hpp"
+#include "optimizer/motion/margins.hpp"
+#include "tools/files/atomic_file.hpp"
+#include "tools/files/io_error.hpp"
+#include "tools/task/design_table.hpp"
+#include "tools/task/gait_table.hpp"
+#include "tools/task/style_table.hpp"
+#include "tools/task/toml_reader.hpp"
+
+namespace legwright {
+namespace {
+
+constexpr std::size_t kMostBytes = 1 << 20;
+constexpr double kSteepest = 1.0;  // [rad]
+constexpr const char* kRobotBeside = "robot.xml";
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+Eigen::Vector2d vector2(const std::vector<double>& values) { return {values[0], values[1]}; }
+
+void read_travel(TableReader in, TaskFile& task) {
+  const auto velocity = in.numbers("velocity", {-10.0, 10.0, false, false, "m/s"}, 2);
+  in.require(velocity.has_value(), "velocity", "velocity = [0.0, 0.1]  # m/s forward, left");
+  if (velocity) task.velocity = vector2(*velocity);
+  task.turn_rate = in.number("turn_rate", {-10.0, 10.0, false, false, "rad/s"}).value_or(0.0);
+  in.finish();
+}
+
+/// [["one limb", "another"], …]; names are looked up when the robot is known.
+void read_limb_pairs(TableReader& in, Task& margins, Problems& problems) {
+  const toml::node* found = in.node("limb_pairs");
+  if (!found) return;
+  std::vector<std::pair<std::string, std::string>> pairs;
+  const toml::array* rows = found->as_array();
+  for (std::size_t k = 0; rows && k < rows->size(); ++k) {
+    const toml::array* row = rows->get(k)->as_array();
+    if (!row || row->size() != 2) break;
+    const auto first = row->get(0)->value_exact<std::string>();
+    const auto second = row->get(1)->value_exact<std::string>();
+    if (!first || !second) break;
+    pairs.emplace_back(*first, *second);
+  }
+  if (!rows || pairs.size() != rows->size())
+    problems.add(in.line_of("limb_pairs"), in.full("limb_pairs"),
+                 "expected pairs of names of links or feet, for instance limb_pairs = "
+                 "[[\"FL_foot\", \"HL_thigh\"]]; [] for no pair at all");
+  else
+    margins.limb_pairs = std::move(pairs);
+}
+
+/// Without a height of its own the plan swings high enough (margins.hpp).
+void read_swing(TableReader& in, TaskFile& task, Problems& problems) {
+  Task& margins = task.margins;
+  if (const auto height = in.number("swing_height", {0.0, 1.0, false, false, "m"}))
+    margins.swing_height = height;
+  margins.step_over =
+      in.number("step_over", {0.0, 0.7, true, false, "m"}).value_or(margins.step_over);
+  if (!margins.swing_height || *margins.swing_height >= margins.step_over) return;
+  const char* key = in.has("swing_height") ? "swing_height" : "step_over";
+  problems.add(
+      in.line_of(key), in.full(key),
+      fmt::format("steps over {} m are asked for (limits.step_over) with a swing height "
+                  "of {} m; raise limits.swing_height, or leave it out for {:.3g} m",
+                  margins.step_over, *margins.swing_height, kSwingOver * margins.step_over));
+}
+
+void read_limits(TableReader in, TaskFile& task, Problems& problems) {
+  Task& margins = task.margins;
+  constexpr Range friction{0.0, 5.0, true, false, ""};
+  margins.floor_friction = in.number("floor_friction", friction).value_or(margins.floor_friction);
+  margins.friction = in.number("friction", friction).value_or(margins.friction);
+  read_swing(in, task, problems);
+  if (const auto limit = in.number("torque_limit", {0.0, 1e4, true, false, "N m"}))
+    margins.torque_limit = limit;
+  margins.min_normal =
+      in.number("min_normal", {0.0, 0.5, false, false, ""}).value_or(margins.min_normal);
+  margins.joint_margin =
+      in.number("joint_margin", {0.0, 1.5, false, false, "rad"}).value_or(margins.joint_margin);
+  margins.torque_margin =
+      in.number("torque_margin", {0.0, 1.0, false, true, ""}).value_or(margins.torque_margin);
+  if (const auto clearance = in.number("clearance", {0.0, 1.0, true, false, "m"}))
+    margins.clearance = clearance;
+  read_limb_pairs(in, margins, problems);
+  if (const auto margin = in.number("planted_margin", {0.0, 1.0, false, false, "s"}))
+    task.planted_margin = margin;
+  if (margins.friction > margins.floor_friction)
+    problems.add(
+        in.line_of("friction"), in.full("friction"),
+        fmt::format(
+            "the plan would use more friction, {}, than the floor has, {}; plan with about half of "
+            "limits.floor_friction",
+            margins.friction, margins.floor_friction));
+  in.finish();
+}
+
+/// The slope of the ground; up on it is known with the way to go.
+void read_ground(TableReader in, TaskFile& task) {
+  constexpr Range slope{-kSteepest, kSteepest, false, false, "rad"};
+  task.slope_along = in.number("slope_along", slope).value_or(task.slope_along);
+  task.slope_across = in.number("slope_across", slope).value_or(task.slope_across);
+  in.finish();
+}
+
+void read_payload(TableReader in, TaskFile& task) {
+  const auto mass = in.number("mass", {0.0, 1e4, true, false, "kg"});
+  const auto position = in.numbers("position", {-10.0, 10.0, false, false, "m"}, 3);
+  const auto size = in.numbers("size", {0.0, 10.0, true, false, "m"}, 3);
+  if (in.has("position") || in.has("size")) in.require(in.has("mass"), "mass", "mass = 0.5  # kg");
+  in.finish();
+  if (!mass) return;
+  Payload payload{*mass, Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(water_cube(*mass))};
+  if (position) payload.position = Eigen::Vector3d::Map(position->data());
+  if (size) payload.size = Eigen::Vector3d::Map(size->data());
+  task.margins.payload = payload;
+}
+
+/// How stiff servos are played that the robot's file has softer.
+void read_servos(TableReader in, TaskFile& task) {
+  if (const auto kp = in.number("kp", {0.0, 1e9, true, false, "N m/rad"}))
+    task.margins.servo_kp = kp;
+  if (const auto kd = in.number("kd", {0.0, 1e9, false, false, "N m s/rad"}))
+    task.margins.servo_kd = kd;
+  if (in.has("kd")) in.require(in.has("kp"), "kp", "kp = 300.0  # N m/rad");
+  in.finish();
+}
+
+/// @param name as the task file or the command line has it, already from the working directory
+std::filesystem::path given_robot(const std::filesystem::path& path) {
+  std::error_code error;
+  if (std::filesystem::is_regular_file(path, error)) return path.lexically_normal();
+  throw InputError(path.string(), 0, "", "no such file; give the MJCF of a robot after --robot");
+}
+
+std::filesystem::path find_robot(const std::string& name, const std::filesystem::path& task,
+                                 int line) {
+  const std::filesystem::path path = (task.parent_path() / name).lexically_normal();
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error))
+    throw InputError(
+        task.string(), line, "robot",
+        fmt::format("no such file: {}; give the robot's MJCF, relative to the task file",
+                    path.string()));
+  return path;
+}
+
+/// Where a position of the TOML parser, which counts code points, is in the text [bytes].
+std::size_t offset_of(const std::string& text, const toml::source_position& position) {
+  std::size_t at = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+  for (toml::source_index line = 1; line < position.line; ++line) at = text.find('\n', at) + 1;
+  const auto continues = [&] {
+    return at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0) == 0x80;
+  };
+  for (toml::source_index column = 1; column < position.column; ++column)
+    for (++at; continues();) ++at;
+  return std::min(at, text.size());
+}
+
+std::string message_of(const toml::parse_error& error) {
+  std::string text(error.description());
+  if (text.find("','") != std::string::npos)
+    text += " (numbers have a decimal point: 0.4, not 0,4)";
+  return text + "; mend the TOML there, or cut the file back to the last line that is whole";
+}
+
+int line_in(const std::map<std::string, int>& lines, const std::string& key) {
+  const auto found = lines.find(key);
+  if (found != lines.end()) return found->second;
+  const auto section =
+      lines.find(key.substr(0, key.find('.')));  // the table's line, where the key is absent
+  return section != lines.end() ? section->second : 0;
+}
+
+void check_name(TableReader& in, const std::string& name, Problems& problems) {
+  if (name.find_first_of("/\\") == std::string::npos && !name.empty() && name.front() != '.')
+    return;
+  problems.add(in.line_of("name"), in.full("name"),
+               fmt::format("is '{}'; it names a folder, so use letters, digits, _ and -", name));
+}
+
+/// Names of tasks become folders beside those of the starts: "from-NAME", "NAME-alone".
+void check_task_name(TableReader& in, const std::string& name, Problems& problems) {
+  const bool plain = std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '-';
+  });
+  const bool taken = name == "initial" || name.starts_with("random-") ||
+                     name.starts_with("from-") || name.ends_with("-alone");
+  if (plain && name.size() <= 60 && !taken) return;
+  problems.add(in.line_of("name"), in.full("name"),
+               fmt::format("is '{}'; it names a folder, so use up to 60 letters, digits, _ and -, "
+                           "and not initial, random-…, from-… or …-alone, which name starts",
+                           name));
+}
+
+void read_outer(TableReader in, TaskSet& set) {
+  set.outer = in.text("objective").value_or("");
+  if (in.has("weight"))
+    in.require(in.has("objective"), "objective", "objective = \"mechanical_work\"");
+  set.outer_weight = in.number("weight", {0.0, kInfinity, true, false, ""}).value_or(1.0);
+  in.finish();
+}
+
+/// What may stand outside [[task]] and then holds for all.
+void read_shared_tables(TableReader& in, TaskFile& task, Problems& problems) {
+  const auto section = [&](std::string_view key) {
+    return TableReader(in.table(key), in.full(key), problems, task.lines);
+  };
+  read_style(section("style"), task);
+  read_limits(section("limits"), task, problems);
+  read_ground(section("ground"), task);
+  read_payload(section("payload"), task);
+  read_servos(section("servos"), task);
+  for (const auto& [name, weight] :
+       in.numbers_by_name("weights", {0.0, kInfinity, false, false, ""}))
+    task.weights[name] = weight;
+}
+
+void read_task_tables(TableReader& in, TaskFile& task, Problems& problems) {
+  const auto section = [&](std::string_view key) {
+    return TableReader(in.table(key), in.full(key), problems, task.lines);
+  };
+  read_gait(section("gait"), task);
+  read_travel(section("travel"), task);
+  read_shared_tables(in, task, problems);
+}
+
+void read_tasks(const std::vector<const toml::table*>& tables, const TaskFile& shared, TaskSet& set,
+                Problems& problems) {
+  for (const toml::table* table : tables) {
+    TaskFile task = shared;
+    TableReader in(table, "", problems, task.lines);
+    const auto name = in.text("name");
+    in.require(name.has_value(), "name", "name = \"pace\"");
+    task.name = name.value_or("");
+    if (name) check_task_name(in, task.name, problems);
+    const bool taken = std::any_of(set.tasks.begin(), set.tasks.end(),
+                                   [&](const TaskFile& other) { return other.name == task.name; });
+    if (name && taken)
+      problems.add(in.line_of("name"), "name",
+                   fmt::format("another task is named '{}' too; each has a folder of its own, so "
+                               "give different names",
+                               task.name));
+    task.weight = in.number("weight", {0.0, kInfinity, true, false, ""})
+                      .value_or(1.0 / static_cast<double>(tables.size()));
+    read_task_tables(in, task, problems);
+    in.finish();
+    set.tasks.push_back(std::move(task));
+  }
+}
+
+}  // namespace
+
+int TaskFile::line(const std::string& key) const { return line_in(lines, key); }
+
+TaskSet parse_task_set(const std::string& text, const std::filesystem::path& file,
+                       const std::filesystem::path& other_robot) {
+  toml::table root;
+  try {
+    root = toml::parse(text, file.string());
+  } catch (const toml::parse_error& error) {
+    throw InputError(file.string(), static_cast<int>(error.source().begin.line), "",
+                     message_of(error));
+  }
+  TaskSet set;
+  set.file = file;
+  set.text = text;
+  Problems problems(file.string());
+  TableReader in(&root, "", problems, set.lines);
+  const auto robot = in.text("robot");
+  in.require(robot.has_value(), "robot", "robot = \"robot.xml\"");
+  set.name = in.text("name").value_or(file.stem().string());
+  check_name(in, set.name, problems);
+  const auto tables = in.tables("task");
+  read_outer(TableReader(in.table("outer"), "outer", problems, set.lines), set);
+  set.design =
+      read_design_table(TableReader(in.table("design"), "design", problems, set.lines), problems);
+  TaskFile shared;  // what stands outside [[task]]
+  shared.file = file;
+  shared.text = text;
+  shared.name = set.name;
+  if (tables.empty()) {
+    read_task_tables(in, shared, problems);
+    in.finish();
+    set.tasks = {shared};
+  } else {
+    read_shared_tables(in, shared, problems);
+    in.finish();
+    read_tasks(tables, shared, set, problems);
+  }
+  problems.throw_if_any();
+  set.robot = other_robot.empty() ? find_robot(*robot, file, line_in(set.lines, "robot"))
+                                  : given_robot(other_robot);
+  for (TaskFile& task : set.tasks) {
+    task.robot = set.robot;
+    task.lines.insert(set.lines.begin(), set.lines.end());  // of what holds for all
+  }
+  return set;
+}
+
+TaskFile parse_task_file(const std::string& text, const std::filesystem::path& file) {
+  TaskSet set = parse_task_set(text, file);
+  if (set.joint())
+    throw InputError(file.string(), line_in(set.lines, "task"), "task",
+                     "one task was expected here; the file holds several");
+  return std::move(set.tasks.front());
+}
+
+std::string text_beside_robot(const std::string& text) {
+  const toml::table root = toml::parse(text);
+  const toml::node* robot = root.get("robot");
+  if (robot == nullptr || robot->value<std::string>() == kRobotBeside) return text;
+  const std::size_t begin = offset_of(text, robot->source().begin);
+  const std::size_t end = offset_of(text, robot->source().end);
+  return text.substr(0, begin) + '"' + kRobotBeside + '"' + text.substr(end);
+}
+
+namespace {
+
+std::string text_of(const std::filesystem::path& file) {
+  try {
+    return read_file(file, kMostBytes);
+  } catch (const std::system_error& error) {
+    throw InputError(
+        file.string(), 0, "",
+        error.code().message() + "; give the path of a task file, for instance sideways.toml");
+  } catch (const IoError&) {
+    throw InputError(file.string(), 0, "", "larger than 1 MiB; this is no task file");
+  }
+}
+
+}  // namespace
+
+TaskSet read_task_set(const std::filesystem::path& file, const std::filesystem::path& robot) {
+  return parse_task_set(text_of(file), file, robot);
+}
+
+TaskFile read_task_file(const std::filesystem::path& file) {
+  return parse_task_file(text_of(file), file);
+}
+
+}  // namespace legwright
