@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The stored documents: made, written, read and compared."""
+import json
+import pathlib
+
+import numpy as np
+
+import derivatives
+import robot
+import sampling
+from motion import Layout
+from task import BARRIER_EDGE, WEIGHTS
+
+DATA = pathlib.Path(__file__).resolve().parent / 'data'
+SCHEMA, VERSION = 'legwright/oracle-samples', 2
+TOLERANCE = 1e-9  # of a number to itself, of a list's entry to the list's largest
+
+
+def path_of(task, folder=DATA):
+    return folder / f'{task.name}.json'
+
+
+def read(path):
+    return json.loads(path.read_text(encoding='utf-8'))
+
+
+def write(path, document):
+    """As the shortest text that reads back as the same float64."""
+    text = json.dumps(document, allow_nan=False, separators=(',', ':'))
+    path.write_text(text + '\n', encoding='utf-8')
+
+
+def split_design(s):
+    return dict(lengths=s[:12].reshape(4, 3).tolist(), axes=s[12:48].reshape(4, 3, 3).tolist(),
+                body_width=float(s[48]), body_length=float(s[49]))
+
+
+def join_design(design):
+    return np.concatenate([np.ravel(design['lengths']), np.ravel(design['axes']),
+                           [design['body_width'], design['body_length']]])
+
+
+def settings(task, layout):
+    return dict(
+        period=task.period, phase=list(task.phase), duty=task.duty, travel=task.travel.tolist(),
+        knots=task.knots, com_height=task.com_height, footprint=[list(p) for p in task.footprint],
+        swing_height=task.swing_height, friction=task.friction, min_normal=task.min_normal,
+        planted_margin=task.planted_margin, contact=task.contact.astype(int).tolist(),
+        weights=WEIGHTS, gravity=robot.GRAVITY, sides=[list(c) for c in robot.SIDES],
+        nominal=robot.NOMINAL.tolist(), mass=robot.MASS, leg_length=robot.LEG_LENGTH,
+        body_mass=robot.BODY_MASS, body_height=robot.BODY_HEIGHT, motor_mass=robot.MOTOR_MASS,
+        link_density=robot.LINK_DENSITY, foot_mass=robot.FOOT_MASS,
+        foot_radius=robot.FOOT_RADIUS, initial_design=split_design(robot.initial_design()),
+        motion_size=layout.size, barrier_edge=BARRIER_EDGE, slots=layout.slots())
+
+
+def sparse(vector):
+    index = np.flatnonzero(vector)
+    return dict(index=index.tolist(), value=vector[index].tolist())
+
+
+def sample(task, layout, point):
+    at = derivatives.at_point(task, layout, point.s, point.m)
+    out = dict(label=point.label, design=split_design(point.s), m=point.m.tolist(),
+               terms=at.terms, F=at.value, gradient_m=at.gradient_m.tolist(),
+               gradient_s=at.gradient_s.tolist())
+    if point.direction is not None:
+        by_term = derivatives.by_term(task, layout, point.s, point.m)
+        out['term_gradients_m'] = {name: sparse(of_m) for name, (of_m, _) in by_term.items()}
+        out['term_gradients_s'] = {name: sparse(of_s) for name, (_, of_s) in by_term.items()}
+        of_m, of_s = derivatives.hessian_times(task, layout, point.s, point.m, point.direction)
+        out['direction_m'] = point.direction.tolist()
+        out['hessian_mm_direction'], out['hessian_sm_direction'] = of_m.tolist(), of_s.tolist()
+    return out
+
+
+def make(task, stored=None):
+    """The document of a task: at points that are drawn anew, or at those of a stored document."""
+    layout = Layout(task)
+    points = sampling.draw(task, layout) if stored is None else [
+        sampling.Point(s['label'], join_design(s['design']), np.array(s['m']),
+                       np.array(s['direction_m']) if 'direction_m' in s else None)
+        for s in stored['samples']]
+    return dict(schema=SCHEMA, version=VERSION, name=task.name, settings=settings(task, layout),
+                samples=[sample(task, layout, point) for point in points])
+
+
+def differences(found, expected, where='document'):
+    """One line for each place at which two documents differ by more than TOLERANCE."""
+    if isinstance(found, dict) and isinstance(expected, dict):
+        lines = [f'{where}: only one has {key}' for key in sorted(set(found) ^ set(expected))]
+        for key in found:
+            if key in expected:
+                lines += differences(found[key], expected[key], f'{where}.{key}')
+        return lines
+    if isinstance(found, list) and isinstance(expected, list):
+        if len(found) != len(expected):
+            return [f'{where}: {len(found)} entries, {len(expected)} stored']
+        if not all(_is_number(x) for x in found + expected):
+            return [line for k, pair in enumerate(zip(found, expected))
+                    for line in differences(*pair, f'{where}[{k}]')]
+        size = max((abs(x) for x in expected), default=0.0)
+        return [f'{where}[{k}]: {a!r}, {b!r} stored'
+                for k, (a, b) in enumerate(zip(found, expected))
+                if not abs(a - b) <= TOLERANCE * size]
+    if _is_number(found) and _is_number(expected):
+        same = abs(found - expected) <= TOLERANCE * abs(expected)
+    else:
+        same = found == expected
+    return [] if same else [f'{where}: {found!r}, {expected!r} stored']
+
+
+def _is_number(x):
+    return isinstance(x, (int, float)) and not isinstance(x, bool)
