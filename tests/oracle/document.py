@@ -6,10 +6,11 @@ import pathlib
 import numpy as np
 
 import derivatives
+import equipment
 import robot
 import sampling
 from motion import Layout
-from task import BARRIER_EDGE, WEIGHTS
+from task import FOOTPRINT
 
 DATA = pathlib.Path(__file__).resolve().parent / 'data'
 SCHEMA, VERSION = 'legwright/oracle-samples', 2
@@ -31,27 +32,47 @@ def write(path, document):
 
 
 def split_design(s):
-    return dict(lengths=s[:12].reshape(4, 3).tolist(), axes=s[12:48].reshape(4, 3, 3).tolist(),
-                body_width=float(s[48]), body_length=float(s[49]))
+    out = dict(lengths=s[:12].reshape(4, 3).tolist(), axes=s[12:48].reshape(4, 3, 3).tolist(),
+               body_width=float(s[48]), body_length=float(s[49]))
+    return {**out, 'piston_lower': s[50:].tolist()} if s.size > 50 else out
 
 
 def join_design(design):
     return np.concatenate([np.ravel(design['lengths']), np.ravel(design['axes']),
-                           [design['body_width'], design['body_length']]])
+                           [design['body_width'], design['body_length']],
+                           design.get('piston_lower', [])])
 
 
 def settings(task, layout):
-    return dict(
-        period=task.period, phase=list(task.phase), duty=task.duty, travel=task.travel.tolist(),
-        knots=task.knots, com_height=task.com_height, footprint=[list(p) for p in task.footprint],
-        swing_height=task.swing_height, friction=task.friction, min_normal=task.min_normal,
+    out = dict(
+        period=task.period, phase=list(task.phase), duty=task.duty, velocity=list(task.velocity),
+        turn_rate=task.turn_rate, up=task.up.tolist(), knots=task.knots,
         planted_margin=task.planted_margin, contact=task.contact.astype(int).tolist(),
-        weights=WEIGHTS, gravity=robot.GRAVITY, sides=[list(c) for c in robot.SIDES],
-        nominal=robot.NOMINAL.tolist(), mass=robot.MASS, leg_length=robot.LEG_LENGTH,
+        com_height=task.com_height, footprint=FOOTPRINT.tolist(), swing_height=task.swing_height,
+        friction=task.friction, min_normal=task.min_normal, barrier_edge=task.barrier_edge,
+        weights=task.weights, gravity=robot.GRAVITY, sides=[list(c) for c in robot.SIDES],
+        nominal=robot.NOMINAL.tolist(), mass=task.robot.mass, leg_length=robot.LEG_LENGTH,
         body_mass=robot.BODY_MASS, body_height=robot.BODY_HEIGHT, motor_mass=robot.MOTOR_MASS,
         link_density=robot.LINK_DENSITY, foot_mass=robot.FOOT_MASS,
-        foot_radius=robot.FOOT_RADIUS, initial_design=split_design(robot.initial_design()),
-        motion_size=layout.size, barrier_edge=BARRIER_EDGE, slots=layout.slots())
+        foot_radius=robot.FOOT_RADIUS, initial_design=split_design(task.robot.initial_design()),
+        motion_size=layout.size, slots=layout.slots())
+    if task.robot.equipped:
+        out['equipment'] = equipment_settings(task)
+    return out
+
+
+def equipment_settings(task):
+    """null where there is no limit."""
+    def finite(values):
+        return [float(x) if np.isfinite(x) else None for x in values]
+    return dict(
+        payload=equipment.PAYLOAD, joint_lower=finite(equipment.JOINT_LOWER),
+        joint_upper=finite(equipment.JOINT_UPPER), torque_limit=finite(equipment.TORQUE_LIMIT),
+        armature=finite(equipment.ARMATURE), joint_margin=task.joint_margin,
+        torque_margin=task.torque_margin, clearance=task.clearance,
+        com_heights=task.com_heights.tolist(), com_path=task.com_path.tolist(),
+        foot_targets=[task.foot_targets[j].tolist() if j in task.foot_targets else []
+                      for j in range(4)])
 
 
 def sparse(vector):
@@ -59,17 +80,29 @@ def sparse(vector):
     return dict(index=index.tolist(), value=vector[index].tolist())
 
 
+def dense(stored, size):
+    """The list of which the entries that are not zero are stored."""
+    out = np.zeros(size)
+    out[stored['index']] = stored['value']
+    return out.tolist()
+
+
+def split_point(point):
+    return dict(label=point.label, design=split_design(point.s), m=point.m.tolist(),
+                direction_m=None if point.direction is None else point.direction.tolist())
+
+
 def sample(task, layout, point):
     at = derivatives.at_point(task, layout, point.s, point.m)
-    out = dict(label=point.label, design=split_design(point.s), m=point.m.tolist(),
-               terms=at.terms, F=at.value, gradient_m=at.gradient_m.tolist(),
+    out = dict(split_point(point), terms=at.terms, F=at.value, gradient_m=at.gradient_m.tolist(),
                gradient_s=at.gradient_s.tolist())
-    if point.direction is not None:
+    if point.direction is None:
+        del out['direction_m']
+    else:
         by_term = derivatives.by_term(task, layout, point.s, point.m)
         out['term_gradients_m'] = {name: sparse(of_m) for name, (of_m, _) in by_term.items()}
         out['term_gradients_s'] = {name: sparse(of_s) for name, (_, of_s) in by_term.items()}
         of_m, of_s = derivatives.hessian_times(task, layout, point.s, point.m, point.direction)
-        out['direction_m'] = point.direction.tolist()
         out['hessian_mm_direction'], out['hessian_sm_direction'] = of_m.tolist(), of_s.tolist()
     return out
 
@@ -88,6 +121,9 @@ def make(task, stored=None):
 def differences(found, expected, where='document'):
     """One line for each place at which two documents differ by more than TOLERANCE."""
     if isinstance(found, dict) and isinstance(expected, dict):
+        if set(found) == set(expected) == {'index', 'value'}:
+            size = 1 + max(found['index'] + expected['index'], default=0)
+            return differences(dense(found, size), dense(expected, size), where)
         lines = [f'{where}: only one has {key}' for key in sorted(set(found) ^ set(expected))]
         for key in found:
             if key in expected:

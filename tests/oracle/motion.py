@@ -6,8 +6,8 @@ force 3 of each foot in stance, in order of feet.
 """
 import numpy as np
 
-import robot
 import tape
+from robot import FOOT_RADIUS, LEG_LENGTH, NOMINAL, Placed
 
 POSE = 18
 
@@ -18,6 +18,7 @@ class Layout:
 
     def __init__(self, task):
         count, at = task.knots + 1, 0
+        self.robot = task.robot
         self.pose, self.com = np.zeros((count, POSE), int), np.zeros((count, 3), int)
         self.foot, self.force = np.zeros((count, 4, 3), int), np.full((count, 4, 3), -1)
         self.stance = np.array([[task.stands(i, j) for j in range(4)] for i in range(count)])
@@ -35,8 +36,8 @@ class Layout:
         """Size of what each entry of m counts: leg length, weight, radian."""
         out = np.ones(self.size)
         for places in (self.pose[:, :3], self.com, self.foot):
-            out[places] = robot.LEG_LENGTH
-        out[self.force[self.stance]] = robot.WEIGHT
+            out[places] = LEG_LENGTH
+        out[self.force[self.stance]] = self.robot.weight
         return out
 
     def slots(self):
@@ -58,17 +59,16 @@ class Motion:
 def standing(task, layout, s):
     """m of standing in the nominal pose, sliding along at the wanted speed, the weight shared by
     the feet in stance."""
-    home = np.concatenate([np.zeros(6), robot.NOMINAL])
-    placed = robot.Placed(tape.tensor(home[None]), tape.tensor(s))
+    home = np.concatenate([np.zeros(6), NOMINAL])
+    placed = Placed(task.robot, tape.tensor(home[None]), tape.tensor(s))
     com, feet = placed.com().value[0], placed.feet.value[0]
+    lift = np.array([0.0, 0.0, FOOT_RADIUS - feet[:, 2].min()])
     m = np.zeros(layout.size)
     for i in range(task.knots + 1):
-        share = i / task.knots
-        shift = np.array([task.travel[0] * share, task.travel[1] * share,
-                          robot.FOOT_RADIUS - feet[:, 2].min()])
+        shift = task.place(task.knots) * (i / task.knots) + lift
         m[layout.pose[i]] = home
         m[layout.pose[i, :3]] = shift
         m[layout.com[i]], m[layout.foot[i]] = com + shift, feet + shift
         stance = layout.force[i, layout.stance[i]]
-        m[stance[:, 2]] = robot.WEIGHT / max(1, len(stance))
+        m[stance[:, 2]] = task.robot.weight / max(1, len(stance))
     return m

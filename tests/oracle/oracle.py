@@ -11,6 +11,8 @@ import pathlib
 import sys
 
 import document
+import sampling
+from motion import Layout
 from task import TASKS
 
 MOST_LINES = 10
@@ -20,11 +22,9 @@ def check(task, folder):
     """Lines that tell what differs."""
     stored = document.read(document.path_of(task, folder))
     lines = document.differences(document.make(task, stored), stored)
-    drawn = document.make(task)
-    for found, expected in zip(drawn['samples'], stored['samples']):
-        for key in ('label', 'design', 'm', 'direction_m'):
-            lines += document.differences(found.get(key), expected.get(key), f'drawn {key}')
-    return lines
+    drawn = [document.split_point(point) for point in sampling.draw(task, Layout(task))]
+    expected = [{key: sample.get(key) for key in drawn[0]} for sample in stored['samples']]
+    return lines + document.differences(drawn, expected, 'drawn')
 
 
 def main(arguments):

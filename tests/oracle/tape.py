@@ -45,7 +45,10 @@ class Tensor:
     def __getitem__(self, index):
         def scatter(g):
             out = np.zeros(self.shape, g.dtype)
-            np.add.at(out, index, g)
+            if _is_plain(index):
+                out[index] = g
+            else:
+                np.add.at(out, index, g)  # an entry may be picked twice
             return out
         return Tensor(self.value[index], [(self, scatter)])
 
@@ -77,6 +80,12 @@ class Tensor:
         return tensor(other) @ self
 
     __radd__, __rmul__ = __add__, __mul__
+
+
+def _is_plain(index):
+    """Whether an index picks no entry twice: it holds no list of places."""
+    parts = index if isinstance(index, tuple) else (index,)
+    return not any(isinstance(part, (list, np.ndarray)) for part in parts)
 
 
 def tensor(value):
