@@ -10,6 +10,7 @@ import motion
 import robot
 
 LABELS = ('legs all different', 'left and right mirrored', 'legs all different')
+PLAN = 'a plan'
 PLANS = pathlib.Path(__file__).resolve().parent / 'plans'
 
 
@@ -79,5 +80,5 @@ def draw(task, layout):
         check_barriers(task, layout, m)
         points.append(Point(label, s, m, random_direction(layout, random) if k == 0 else None))
     if task.has_plan:
-        points.append(Point('a plan', *read_plan(task), random_direction(layout, random)))
+        points.append(Point(PLAN, *read_plan(task), random_direction(layout, random)))
     return points
