@@ -42,7 +42,8 @@ std::vector<LegJoints> legs_of(const Morphology& morphology) {
   return legs;
 }
 
-struct PosedRobot::Sight {
+/// A leg in a pose.
+struct PosedRobot::LegState {
   Vector3d foot, reach;
   Eigen::Matrix3Xd jacobian;  // of the foot, by the leg's joints
   Eigen::Matrix3Xd axes;      // of the leg's joints, world
@@ -52,12 +53,12 @@ struct PosedRobot::Sight {
 PosedRobot::PosedRobot(const Morphology& morphology, const VectorXd& s)
     : morphology_(morphology), s_(s), geometry_(morphology, s) {}
 
-PosedRobot::Sight PosedRobot::look(const VectorXd& pose, const LegJoints& leg) const {
+PosedRobot::LegState PosedRobot::evaluate(const VectorXd& pose, const LegJoints& leg) const {
   PoseKinematics at;
   at.compute(morphology_, geometry_, pose, PoseDetail::place);
-  Sight out;
+  LegState out;
   const Foot& foot = morphology_.feet[leg.foot];
-  out.foot = at.origin(foot.link) + at.rotation(foot.link) * geometry_.feet[leg.foot];
+  out.foot = foot_place(morphology_, geometry_, at, leg.foot);
   const int first = leg.joints.empty() ? 0 : leg.joints.front() + 1;
   out.reach = out.foot - at.origin(first);
   if (foot.sole)
@@ -75,15 +76,15 @@ PosedRobot::Sight PosedRobot::look(const VectorXd& pose, const LegJoints& leg) c
 }
 
 Vector3d PosedRobot::foot(const VectorXd& pose, int foot) const {
-  return look(pose, {foot, {}}).foot;
+  return evaluate(pose, {foot, {}}).foot;
 }
 
 Vector3d PosedRobot::reach(const VectorXd& pose, const LegJoints& leg) const {
-  return look(pose, leg).reach;
+  return evaluate(pose, leg).reach;
 }
 
 std::optional<Sole> PosedRobot::sole(const VectorXd& pose, int foot) const {
-  return look(pose, {foot, {}}).sole;
+  return evaluate(pose, {foot, {}}).sole;
 }
 
 /// One leg on its way to where it shall stand.
@@ -106,53 +107,53 @@ class PosedRobot::LegSolver {
       upper_[k] = std::max(joint.upper, start_[k]);
     }
     angles_ = start_;
-    sight_ = put(angles_);
+    state_ = put(angles_);
   }
 
   bool run() {
-    if (misses(sight_).norm() <= kExact) return true;
+    if (misses(state_).norm() <= kExact) return true;
     approach();
     if (stand_.sole) lay_down();
     return reach_height();
   }
 
  private:
-  Sight put(const VectorXd& angles) {
+  LegState put(const VectorXd& angles) {
     for (Eigen::Index k = 0; k < count_; ++k) pose_[6 + leg_.joints[k]] = angles[k];
-    return robot_.look(pose_, leg_);
+    return robot_.evaluate(pose_, leg_);
   }
 
   /// How much each direction of a miss counts: of a place the height first, of a sole's directions that they are level.
   static Vector3d weight() { return {1.0, 1.0, kHeightWeight}; }
 
-  VectorXd misses(const Sight& sight) const {
+  VectorXd misses(const LegState& state) const {
     VectorXd out(stand_.sole ? 9 : 3);
-    out.head<3>() = weight().cwiseProduct(Vector3d(sight.reach.x() - stand_.reach.x(),
-                                                   sight.reach.y() - stand_.reach.y(),
-                                                   sight.foot.z() - stand_.height)) /
+    out.head<3>() = weight().cwiseProduct(Vector3d(state.reach.x() - stand_.reach.x(),
+                                                   state.reach.y() - stand_.reach.y(),
+                                                   state.foot.z() - stand_.height)) /
                     unit_;
     if (stand_.sole) {
-      out.segment<3>(3) = weight().cwiseProduct(sight.sole->ahead - stand_.sole->ahead);
-      out.segment<3>(6) = weight().cwiseProduct(sight.sole->beside - stand_.sole->beside);
+      out.segment<3>(3) = weight().cwiseProduct(state.sole->ahead - stand_.sole->ahead);
+      out.segment<3>(6) = weight().cwiseProduct(state.sole->beside - stand_.sole->beside);
     }
     return out;
   }
 
   /// Slopes of the misses.
-  MatrixXd slopes(const Sight& sight) const {
+  MatrixXd slopes(const LegState& state) const {
     MatrixXd rows(stand_.sole ? 9 : 3, count_);
-    rows.topRows<3>() = sight.jacobian / unit_;
+    rows.topRows<3>() = state.jacobian / unit_;
     rows.row(2) *= kHeightWeight;
     for (Eigen::Index k = 0; stand_.sole && k < count_; ++k) {
-      const Vector3d axis = sight.axes.col(k);
-      rows.col(k).segment<3>(3) = weight().cwiseProduct(axis.cross(sight.sole->ahead));
-      rows.col(k).segment<3>(6) = weight().cwiseProduct(axis.cross(sight.sole->beside));
+      const Vector3d axis = state.axes.col(k);
+      rows.col(k).segment<3>(3) = weight().cwiseProduct(axis.cross(state.sole->ahead));
+      rows.col(k).segment<3>(6) = weight().cwiseProduct(axis.cross(state.sole->beside));
     }
     return rows;
   }
 
-  double cost(const Sight& sight, const VectorXd& angles) const {
-    return misses(sight).squaredNorm() + kStay * kStay * (angles - start_).squaredNorm();
+  double cost(const LegState& state, const VectorXd& angles) const {
+    return misses(state).squaredNorm() + kStay * kStay * (angles - start_).squaredNorm();
   }
 
   /// Not held by the end of its range.
@@ -164,8 +165,8 @@ class PosedRobot::LegSolver {
   void approach() {
     double damping = 1e-6, last = 1.0;
     for (int step = 0; step < kMaxSteps && damping < 1e8; ++step) {
-      MatrixXd rows = slopes(sight_);
-      VectorXd slope = rows.transpose() * misses(sight_) + kStay * kStay * (angles_ - start_);
+      MatrixXd rows = slopes(state_);
+      VectorXd slope = rows.transpose() * misses(state_) + kStay * kStay * (angles_ - start_);
       for (Eigen::Index k = 0; k < count_; ++k) {
         if (is_free(k, -slope[k])) continue;
         rows.col(k).setZero();
@@ -175,32 +176,32 @@ class PosedRobot::LegSolver {
       hessian.diagonal().array() += kStay * kStay + damping;
       const VectorXd next =
           (angles_ - hessian.ldlt().solve(slope)).cwiseMax(lower_).cwiseMin(upper_);
-      const Sight there = put(next);
+      const LegState there = put(next);
       const double turned = (next - angles_).norm();
       // Costs tell apart no smaller steps; those go on while each is smaller than the last.
       const bool good =
-          turned < kSmallTurn ? turned < last : cost(there, next) < cost(sight_, angles_);
+          turned < kSmallTurn ? turned < last : cost(there, next) < cost(state_, angles_);
       if (!good && turned < kSmallTurn) break;
       if (!good) {
         damping *= 10;
         continue;
       }
       angles_ = next;
-      sight_ = there;
+      state_ = there;
       last = turned;
       damping = std::max(1e-9, damping / 5);
     }
-    sight_ = put(angles_);
+    state_ = put(angles_);
   }
 
   /// Height and tilt of the sole, exactly, by the least turns; where they are out of reach all stays as it was.
   void lay_down() {
     const VectorXd before = angles_;
     for (int step = 0; step < kMaxSteps; ++step) {
-      const VectorXd all = misses(sight_);
+      const VectorXd all = misses(state_);
       const Vector3d miss(all[2], all[5], all[8]);
       if (miss.norm() <= kHeightWeight * kExact) return;
-      const MatrixXd rows = slopes(sight_);
+      const MatrixXd rows = slopes(state_);
       MatrixXd level(3, count_);
       level << rows.row(2), rows.row(5), rows.row(8);
       VectorXd turn = -level.completeOrthogonalDecomposition().solve(miss);
@@ -213,29 +214,29 @@ class PosedRobot::LegSolver {
       if (held) turn = -level.completeOrthogonalDecomposition().solve(miss);
       turn *= std::min(1.0, kLargestTurn / std::max(turn.norm(), kLargestTurn));
       angles_ = (angles_ + turn).cwiseMax(lower_).cwiseMin(upper_);
-      sight_ = put(angles_);
+      state_ = put(angles_);
     }
-    const VectorXd left = misses(sight_);
+    const VectorXd left = misses(state_);
     if (std::hypot(left[2], left[5], left[8]) <= 1e-9) return;
     angles_ = before;
-    sight_ = put(angles_);
+    state_ = put(angles_);
   }
 
   /// The height alone, exactly, by the least turn.
   bool reach_height() {
     for (int step = 0; step < kMaxSteps; ++step) {
-      const double miss = sight_.foot.z() - stand_.height;
+      const double miss = state_.foot.z() - stand_.height;
       if (std::abs(miss) <= kExact * unit_) return true;
-      VectorXd slope = sight_.jacobian.row(2).transpose();
+      VectorXd slope = state_.jacobian.row(2).transpose();
       for (Eigen::Index k = 0; k < count_; ++k)
         if (!is_free(k, -miss * slope[k])) slope[k] = 0.0;
       if (!(slope.norm() > 1e-6 * unit_)) return false;  // stretched out, or held by its ranges
       VectorXd turn = -miss / slope.squaredNorm() * slope;
       turn *= std::min(1.0, kLargestTurn / turn.norm());
       angles_ = (angles_ + turn).cwiseMax(lower_).cwiseMin(upper_);
-      sight_ = put(angles_);
+      state_ = put(angles_);
     }
-    return std::abs(sight_.foot.z() - stand_.height) <= 1e-11 * unit_;
+    return std::abs(state_.foot.z() - stand_.height) <= 1e-11 * unit_;
   }
 
   const PosedRobot& robot_;
@@ -245,7 +246,7 @@ class PosedRobot::LegSolver {
   const double unit_;
   const Eigen::Index count_;
   VectorXd start_, lower_, upper_, angles_;
-  Sight sight_;
+  LegState state_;
 };
 
 bool PosedRobot::solve(VectorXd& pose, const LegJoints& leg, const Stand& stand) const {

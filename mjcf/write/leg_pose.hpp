@@ -17,7 +17,14 @@ struct LegJoints {
 };
 std::vector<LegJoints> legs_of(const Morphology& morphology);
 
-/// A robot at one design that is put into poses (root position, root rotation vector, joint angles).
+/// A robot at one design that is put into poses (root position, root rotation vector, joint angles),
+/// and inverse kinematics of one leg, for keyframes.
+///
+/// Not motion/whole_body_ik, which makes first guesses for the optimizer: there the trunk moves, COM,
+/// feet and soles compete with weights and a few damped steps are enough. Here the trunk stays where
+/// the keyframe has it, the foot's height and the level of a sole hold to rounding, because MuJoCo
+/// starts from them, and what is left over stays near the angles of the file. Both share the
+/// kinematics (design/kinematics), not the solver.
 class PosedRobot {
  public:
   PosedRobot(const Morphology& morphology, const Eigen::VectorXd& s);
@@ -34,15 +41,16 @@ class PosedRobot {
     Eigen::Vector2d reach;     // in x and y [m]
     std::optional<Sole> sole;  // of a flat foot
   };
-  /// Turns a leg's joints in `pose` until the foot's centre is at its height, a flat foot's sole is as level as wanted and,
-  /// as far as that goes, its reach and the sole's heading are as wanted. Joints stay within their ranges, near where they
-  /// start. False where the height is out of reach; `pose` is then of no use. A sole that no angles lay down stays tilted.
+  /// Turns a leg's joints in `pose` until the foot's centre is at its height, a flat foot's sole is as
+  /// level as wanted and, as far as that goes, its reach and the sole's heading are as wanted. Joints
+  /// stay within their ranges, near where they start. False where the height is out of reach; `pose`
+  /// is then of no use. A sole that no angles lay down stays tilted.
   bool solve(Eigen::VectorXd& pose, const LegJoints& leg, const Stand& stand) const;
 
  private:
-  struct Sight;
+  struct LegState;
   class LegSolver;
-  Sight look(const Eigen::VectorXd& pose, const LegJoints& leg) const;
+  LegState evaluate(const Eigen::VectorXd& pose, const LegJoints& leg) const;
 
   const Morphology& morphology_;
   const Eigen::VectorXd s_;

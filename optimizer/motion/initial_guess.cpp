@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "optimizer/design/inertia.hpp"
 #include "optimizer/motion/margins.hpp"
 #include "optimizer/motion/over_cycle.hpp"
-#include "optimizer/motion/reach.hpp"
 #include "optimizer/motion/standing.hpp"
+#include "optimizer/motion/whole_body_ik.hpp"
 
 namespace legwright {
 namespace {
@@ -30,8 +31,8 @@ class WalkWithoutDynamics {
                       const WantedPath& path, const StyleTargets& style)
       : morphology_(morphology), layout_(layout), task_(task), path_(path), style_(style) {}
 
-  Reach::Places at(int knot) const {
-    Reach::Places wanted{com(knot), {}};
+  WholeBodyIk::Places at(int knot) const {
+    WholeBodyIk::Places wanted{com(knot), {}};
     for (int j = 0; j < layout_.foot_count(); ++j) wanted.feet.push_back(foot(knot, j));
     wanted.heading = path_.heading(time(knot));
     return wanted;
@@ -80,8 +81,7 @@ class WalkWithoutDynamics {
     const double share = static_cast<double>(knot - before) / (after - before);
     const Vector3d from = stand(before, foot), to = stand(after, foot);
     Vector3d place = from + share * share * (3.0 - 2.0 * share) * (to - from);
-    place.z() +=
-        swing_height(task_, morphology_.leg_length) * std::pow(std::sin(M_PI * share), 1.5);
+    place.z() += style_.swing_height * std::pow(std::sin(std::numbers::pi * share), 1.5);
     return place;
   }
 
@@ -93,7 +93,7 @@ class WalkWithoutDynamics {
 };
 
 void share_weight(const Morphology& morphology, const Layout& layout, const Task& task, int knot,
-                  const Reach::Places& wanted, VectorXd& m) {
+                  const WholeBodyIk::Places& wanted, VectorXd& m) {
   const double weight = morphology.total_mass() * kGravity;
   std::vector<Vector3d> stance;
   std::vector<int> slots;
@@ -122,34 +122,34 @@ VectorXd home_at(const Morphology& morphology, const Vector3d& place) {
 /// height.
 StyleTargets reachable(const Morphology& morphology, const GeometryAtDesign& geometry,
                        const StyleTargets& style) {
-  ReachWeights weights;
+  WholeBodyIkWeights weights;
   weights.foot.z() = 100.0;
   weights.pose = kEasyPose;
-  Reach reach(morphology, geometry, weights);
-  Reach::Places wanted{Vector3d(0.0, 0.0, style.com_height), {}};
+  WholeBodyIk ik(morphology, geometry, weights);
+  WholeBodyIk::Places wanted{Vector3d(0.0, 0.0, style.com_height), {}};
   for (std::size_t j = 0; j < morphology.feet.size(); ++j)
     wanted.feet.emplace_back(style.footprint[j].x(), style.footprint[j].y(),
                              morphology.feet[j].radius);
   VectorXd q = home_at(morphology, wanted.com);
-  reach.improve(wanted, kFirstSteps, q);
-  const Reach::Places found = reach.reached(q);
+  ik.improve(wanted, kFirstSteps, q);
+  const WholeBodyIk::Places found = ik.places_at(q);
   StyleTargets result = style;
   for (std::size_t j = 0; j < morphology.feet.size(); ++j)
     result.footprint[j] = (found.feet[j] - found.com).head<2>();
   return result;
 }
 
-/// Poses of knots 0 … T that reach for the wanted places, each from the one before.
-std::vector<VectorXd> reaching_poses(const Morphology& morphology, const GeometryAtDesign& geometry,
-                                     const Task& task, const WantedPath& path,
-                                     const std::vector<Reach::Places>& wanted) {
-  Reach reach(morphology, geometry, {});
+/// Poses of knots 0 … T by inverse kinematics, each from the one before.
+std::vector<VectorXd> poses_at(const Morphology& morphology, const GeometryAtDesign& geometry,
+                               const Task& task, const WantedPath& path,
+                               const std::vector<WholeBodyIk::Places>& wanted) {
+  WholeBodyIk ik(morphology, geometry, {});
   std::vector<VectorXd> poses;
   for (std::size_t i = 0; i + 1 < wanted.size(); ++i) {
     VectorXd q = i == 0 ? home_at(morphology, wanted[0].com) : poses.back();
     if (i > 0) q.head<3>() += wanted[i].com - wanted[i - 1].com;
     q[5] = path.heading(static_cast<double>(i) * task.gait.time_step());
-    reach.improve(wanted[i], i == 0 ? kFirstSteps : kSteps, q);
+    ik.improve(wanted[i], i == 0 ? kFirstSteps : kSteps, q);
     poses.push_back(std::move(q));
   }
   VectorXd last = poses.front();  // one cycle later
@@ -165,7 +165,7 @@ StyleTargets home_stance(const Morphology& morphology, const VectorXd& s) {
   const GeometryAtDesign geometry(morphology, s);
   const PoseKinematics pose = home_pose(morphology, geometry);
   const Vector3d com = pose.first_moment(0) / geometry.total_mass;
-  StyleTargets stance{0.0, {}};
+  StyleTargets stance;
   double ground = std::numeric_limits<double>::infinity();
   for (int j = 0; j < morphology.foot_count(); ++j) {
     const Vector3d foot = foot_place(morphology, geometry, pose, j);
@@ -181,7 +181,8 @@ StyleTargets style_targets(const Morphology& morphology, const VectorXd& initial
   StyleTargets home = home_stance(morphology, initial);
   const double height = task.com_height.value_or(home.com_height);
   for (Vector2d& foot : home.footprint) foot -= height / task.up.z() * task.up.head<2>();
-  return {height, task.footprint.value_or(home.footprint)};
+  return {height, task.footprint.value_or(home.footprint),
+          swing_height(task, standing_leg(morphology, initial))};
 }
 
 VectorXd initial_guess(const Morphology& morphology, const Layout& layout, const Task& task,
@@ -189,9 +190,9 @@ VectorXd initial_guess(const Morphology& morphology, const Layout& layout, const
   const GeometryAtDesign geometry(morphology, s);
   const StyleTargets within_reach = reachable(morphology, geometry, style);
   const WalkWithoutDynamics walk(morphology, layout, task, path, within_reach);
-  std::vector<Reach::Places> wanted;
+  std::vector<WholeBodyIk::Places> wanted;
   for (int i = 0; i <= layout.knot_count(); ++i) wanted.push_back(walk.at(i));
-  const std::vector<VectorXd> poses = reaching_poses(morphology, geometry, task, path, wanted);
+  const std::vector<VectorXd> poses = poses_at(morphology, geometry, task, path, wanted);
   const int n = layout.design_size();
   VectorXd m = VectorXd::Zero(layout.motion_size());
   for (int i = 0; i <= layout.knot_count(); ++i) {

@@ -11,24 +11,26 @@
 
 namespace legwright {
 
-/// What eqs (10) want where the task gives no lists over the cycle.
+/// What eqs (10) and the swing want where the task gives no lists over the cycle.
 struct StyleTargets {
   double com_height = 0.0;                 // [m]
   std::vector<Eigen::Vector2d> footprint;  // foot − COM on the ground at heading zero, per foot [m]
+  double swing_height = 0.0;               // [m]; 0 of a home stance
 };
 
 /// The robot standing in its home pose at the design s: COM and feet under a level trunk.
 StyleTargets home_stance(const Morphology& morphology, const Eigen::VectorXd& s);
 
-/// The home stance of the initial design with what the task says instead. On a slope its feet are moved downhill below
-/// the COM, until gravity's line through the COM meets the ground where it would on the level.
+/// The home stance of the initial design with what the task says instead. On a slope its feet are
+/// moved downhill below the COM, until gravity's line through the COM meets the ground where it would
+/// on the level.
 StyleTargets style_targets(const Morphology& morphology, const Eigen::VectorXd& initial,
                            const Task& task);
 
 /// m₀, a walk without dynamics: the COM glides along the wanted path; each foot stands still where its
 /// footprint passes in the middle of its stance, and swings from there to the next along the wanted
-/// profile; the trunk is level and faces the heading; joints reach for the feet (inverse kinematics
-/// from the home pose, within the joints' ranges, as near as they come); stance feet share the weight
+/// profile; the trunk is level and faces the heading; joints follow by inverse kinematics from the home
+/// pose (motion/whole_body_ik), within their ranges, as near as they come; stance feet share the weight
 /// so that it does not tip. Knot T is knot 0 one cycle later.
 Eigen::VectorXd initial_guess(const Morphology& morphology, const Layout& layout, const Task& task,
                               const WantedPath& path, const StyleTargets& style,

@@ -7,14 +7,14 @@ namespace legwright {
 namespace {
 
 /// The motion and design slots that an element reaches: motion first, both rising.
-Clique reach(const Element& element, const std::vector<DerivedBlock>& blocks,
-             const std::vector<int>& block_at_slot, int design_size, int parameter_count) {
+Clique clique_of(const Element& element, const DerivedBlocks& blocks,
+                 const std::vector<int>& block_at_slot, int design_size, int parameter_count) {
   std::vector<int> slots;
   for (int slot : element.slots) {
     if (slot < parameter_count)
       slots.push_back(slot);
     else if (const int block = block_at_slot[slot]; block >= 0)
-      slots.insert(slots.end(), blocks[block].slots.begin(), blocks[block].slots.end());
+      slots.insert(slots.end(), blocks[block]->slots().begin(), blocks[block]->slots().end());
   }
   std::sort(slots.begin(), slots.end(), [design_size](int a, int b) {
     const bool a_design = a < design_size, b_design = b < design_size;
@@ -27,14 +27,14 @@ Clique reach(const Element& element, const std::vector<DerivedBlock>& blocks,
 }
 
 /// @param column_of slot → clique column.
-std::vector<ElementPlan::Run> runs_of(const DerivedBlock& block, int design_size,
+std::vector<ElementPlan::Run> runs_of(const DerivedQuantity& block, int design_size,
                                       const std::vector<std::pair<int, int>>& column_of) {
   std::vector<ElementPlan::Run> runs;
-  for (std::size_t k = 0; k < block.slots.size(); ++k) {
-    const int slot = block.slots[k], from = static_cast<int>(k);
+  for (std::size_t k = 0; k < block.slots().size(); ++k) {
+    const int slot = block.slots()[k], from = static_cast<int>(k);
     const int to = std::lower_bound(column_of.begin(), column_of.end(), std::pair(slot, 0))->second;
     const bool joins = !runs.empty() && runs.back().to + runs.back().count == to &&
-                       (slot < design_size) == (block.slots[k - 1] < design_size);
+                       (slot < design_size) == (block.slots()[k - 1] < design_size);
     if (joins)
       ++runs.back().count;
     else
@@ -60,12 +60,12 @@ void plan_entries(const Term& term, int index, ElementPlan& plan) {
 
 }  // namespace
 
-ElementPlan plan_element(const Term& term, int index, const std::vector<DerivedBlock>& blocks,
+ElementPlan plan_element(const Term& term, int index, const DerivedBlocks& blocks,
                          const std::vector<int>& block_at_slot, int design_size,
                          int parameter_count) {
   const Element& element = term.elements()[index];
   ElementPlan plan;
-  plan.clique = reach(element, blocks, block_at_slot, design_size, parameter_count);
+  plan.clique = clique_of(element, blocks, block_at_slot, design_size, parameter_count);
   plan.reaches_design = static_cast<int>(plan.clique.slots.size()) > plan.clique.motion_count;
   std::vector<std::pair<int, int>> column_of;
   for (std::size_t k = 0; k < plan.clique.slots.size(); ++k)
@@ -78,7 +78,7 @@ ElementPlan plan_element(const Term& term, int index, const std::vector<DerivedB
           {v, std::lower_bound(column_of.begin(), column_of.end(), std::pair(slot, 0))->second});
     } else if (const int block = block_at_slot[slot]; block >= 0) {
       plan.through.push_back(
-          {v, block, blocks[block].size, runs_of(blocks[block], design_size, column_of)});
+          {v, block, blocks[block]->size(), runs_of(*blocks[block], design_size, column_of)});
     }
   }
   plan_entries(term, index, plan);

@@ -41,7 +41,7 @@ struct ElementPlan {
 
 /// @param block_at_slot derived block that starts at a slot of the extended vector, or −1.
 /// @param parameter_count size of p; slots from there on are derived and must come as whole blocks.
-ElementPlan plan_element(const Term& term, int element, const std::vector<DerivedBlock>& blocks,
+ElementPlan plan_element(const Term& term, int element, const DerivedBlocks& blocks,
                          const std::vector<int>& block_at_slot, int design_size,
                          int parameter_count);
 

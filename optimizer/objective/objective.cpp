@@ -59,7 +59,7 @@ void Objective::Impl::build() {
 void Objective::Impl::plan() {
   std::vector<int> block_at_slot(layout.extended_size(), -1);
   for (std::size_t b = 0; b < derived.blocks().size(); ++b)
-    block_at_slot[derived.blocks()[b].slot] = static_cast<int>(b);
+    block_at_slot[derived.blocks()[b]->slot()] = static_cast<int>(b);
   std::vector<Clique*> cliques;
   for (WeightedTerm& entry : terms) {
     const int count = entry.weight == 0.0 ? 0 : static_cast<int>(entry.term->elements().size());
@@ -67,8 +67,8 @@ void Objective::Impl::plan() {
       entry.plans.push_back(plan_element(*entry.term, e, derived.blocks(), block_at_slot,
                                          layout.design_size(), layout.parameter_count()));
   }
-  for (const DerivedBlock& block : derived.blocks())
-    block_cliques.emplace_back(block.slots, block.motion_columns);
+  for (const auto& block : derived.blocks())
+    block_cliques.emplace_back(block->slots(), block->motion_columns());
   for (WeightedTerm& entry : terms)
     for (ElementPlan& element : entry.plans) cliques.push_back(&element.clique);
   for (Clique& clique : block_cliques) cliques.push_back(&clique);
@@ -209,17 +209,17 @@ void Objective::Impl::add_derived(Order order, Parts& workspace,
                                   const HessianTarget& target) const {
   // Chain rule: what terms want of y is handed on to m and s, and y's own curvature comes in.
   for (std::size_t b = 0; b < derived.blocks().size(); ++b) {
-    const DerivedBlock& block = derived.blocks()[b];
-    const auto multiplier = workspace.gradient.segment(block.slot, block.size);
+    const DerivedQuantity& block = *derived.blocks()[b];
+    const auto multiplier = workspace.gradient.segment(block.slot(), block.size());
     if (multiplier.isZero(0.0)) continue;
     const int index = static_cast<int>(b);
     const Eigen::MatrixXd& jacobian =
         derived.jacobian(morphology, index, workspace.extended, workspace.derived);
     const int columns =
-        has_design(order) ? static_cast<int>(block.slots.size()) : block.motion_columns;
-    for (int d = 0; d < block.size; ++d)
+        has_design(order) ? static_cast<int>(block.slots().size()) : block.motion_columns();
+    for (int d = 0; d < block.size(); ++d)
       for (int k = 0; k < columns; ++k)
-        workspace.gradient[block.slots[k]] += jacobian(k, d) * multiplier[d];
+        workspace.gradient[block.slots()[k]] += jacobian(k, d) * multiplier[d];
     if (!has_second(order)) continue;
     derived.curvature(index, multiplier.data(), workspace.derived);
     scatter(block_cliques[b], workspace.derived.curvature, target);

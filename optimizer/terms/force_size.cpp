@@ -9,7 +9,7 @@ namespace {
 /// Residual f/weight at every stance knot.
 class ForceSize final : public LinearTerm {
  public:
-  explicit ForceSize(const TermContext& context) {
+  explicit ForceSize(const TermContext& context) : weight_(context.weight) {
     const Layout& layout = context.layout;
     for (int i = 0; i < layout.knot_count(); ++i)
       for (int j = 0; j < layout.foot_count(); ++j)
@@ -17,6 +17,10 @@ class ForceSize final : public LinearTerm {
           add(i, j, {{layout.force(i, j), times(1.0 / context.weight)}}, Eigen::Vector3d::Zero());
   }
   std::string_view name() const override { return "force_size"; }
+  ResidualUnit unit(int, int) const override { return {weight_, "N"}; }
+
+ private:
+  double weight_;
 };
 
 }  // namespace

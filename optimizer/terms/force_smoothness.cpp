@@ -9,7 +9,7 @@ namespace {
 /// neighbouring stance knots.
 class ForceSmoothness final : public LinearTerm {
  public:
-  explicit ForceSmoothness(const TermContext& context) {
+  explicit ForceSmoothness(const TermContext& context) : weight_(context.weight) {
     const Layout& layout = context.layout;
     const double scale = 1.0 / context.weight;
     for (int i = 0; i < layout.knot_count(); ++i)
@@ -19,6 +19,10 @@ class ForceSmoothness final : public LinearTerm {
               Eigen::Vector3d::Zero());
   }
   std::string_view name() const override { return "force_smoothness"; }
+  ResidualUnit unit(int, int) const override { return {weight_, "N"}; }
+
+ private:
+  double weight_;
 };
 
 }  // namespace

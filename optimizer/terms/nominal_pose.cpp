@@ -16,6 +16,7 @@ class NominalPose final : public LinearTerm {
       add(i, -1, {{layout.pose(i) + 6, times(1.0, context.morphology.joint_count())}}, nominal);
   }
   std::string_view name() const override { return "nominal_pose"; }
+  ResidualUnit unit(int, int) const override { return {1.0, "rad"}; }
 };
 
 }  // namespace

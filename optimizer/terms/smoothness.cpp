@@ -30,6 +30,7 @@ class Smoothness final : public LinearTerm {
     }
   }
   std::string_view name() const override { return "smoothness"; }
+  ResidualUnit unit(int, int) const override { return {1.0, "rad"}; }
 };
 
 }  // namespace

@@ -10,13 +10,14 @@ namespace {
 /// path, in the heading frame, that the task gives over the cycle. Residual (x_i − x_iᴰ)/length at every knot.
 class StyleCom final : public LinearTerm {
  public:
-  explicit StyleCom(const TermContext& context) {
+  explicit StyleCom(const TermContext& context) : length_(context.length) {
     const Layout& layout = context.layout;
     const double scale = 1.0 / context.length;
     for (int i = 0; i <= layout.knot_count(); ++i)
       add(i, -1, {{layout.com(i), times(scale)}}, scale * target(context, i));
   }
   std::string_view name() const override { return "style_com"; }
+  ResidualUnit unit(int, int) const override { return {length_, "m"}; }
 
  private:
   static Eigen::Vector3d target(const TermContext& context, int knot) {
@@ -30,6 +31,8 @@ class StyleCom final : public LinearTerm {
         task.com_heights.empty() ? context.com_height : over_cycle(task.com_heights, phase);
     return target;
   }
+
+  double length_;
 };
 
 }  // namespace

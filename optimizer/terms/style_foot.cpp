@@ -11,7 +11,7 @@ namespace {
 /// the ground plane, at every knot; x_iᴰ is on the wanted path, without style offsets.
 class StyleFoot final : public LinearTerm {
  public:
-  explicit StyleFoot(const TermContext& context) {
+  explicit StyleFoot(const TermContext& context) : length_(context.length) {
     const Layout& layout = context.layout;
     const double scale = 1.0 / context.length;
     for (int i = 0; i <= layout.knot_count(); ++i) {
@@ -24,6 +24,7 @@ class StyleFoot final : public LinearTerm {
     }
   }
   std::string_view name() const override { return "style_foot"; }
+  ResidualUnit unit(int, int) const override { return {length_, "m"}; }
 
  private:
   static Eigen::Vector2d footprint(const TermContext& context, int knot, int foot) {
@@ -32,6 +33,8 @@ class StyleFoot final : public LinearTerm {
     if (place >= targets.size() || targets[place].empty()) return context.footprint[place];
     return over_cycle(targets[place], static_cast<double>(knot) / context.layout.knot_count());
   }
+
+  double length_;
 };
 
 }  // namespace

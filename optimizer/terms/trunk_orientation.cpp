@@ -16,6 +16,7 @@ class TrunkOrientation final : public LinearTerm {
           Eigen::Vector3d(0, 0, context.path.heading(i * context.task.gait.time_step())));
   }
   std::string_view name() const override { return "trunk_orientation"; }
+  ResidualUnit unit(int, int) const override { return {1.0, "rad"}; }
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 """Checks how the sources hang together. Usage: check_structure.py [PROJECT_ROOT]
 
 - #include lines form no edge besides those in LAYERS and LIBRARIES; quoted includes name files from the root
+- every source stands in a folder that LAYERS names; no two headers have one name
 - each source has an SPDX line, at most 400 lines, and (if .cpp) is named by a CMakeLists.txt
 - optimizer/terms/ and the table in its registry.cpp name the same terms
 - numbers are never read by functions that depend on the locale or stop at the first odd character
@@ -17,29 +18,56 @@ import sys
 LINE_LIMIT = 400
 FOLDERS = ('optimizer', 'mjcf', 'plugin', 'tools', 'tests', 'examples', 'benchmarks', 'cmake', '.ci')
 
-# A layer is the set of files whose path starts with one of these, first match wins.
-PREFIXES = (
-    ('optimizer/design/', 'design'), ('optimizer/motion/', 'motion'), ('optimizer/terms/', 'terms'),
-    ('optimizer/objective/', 'objective'), ('optimizer/solve/', 'solve'), ('mjcf/', 'mjcf'),
-    ('plugin/trajectory.', 'trajectory'), ('plugin/spline.', 'trajectory'), ('plugin/numbers.', 'trajectory'),
-    ('plugin/planned_motion.', 'trajectory'),
-    ('plugin/', 'plugin'), ('tools/', 'tools'), ('tests/', 'tests'), ('benchmarks/', 'tests'))
-OPTIMIZER = {'design', 'motion', 'terms', 'objective', 'solve'}
-LAYERS = {  # layer: layers it may include, besides itself
-    'design': set(), 'motion': {'design'}, 'terms': {'design', 'motion'}, 'objective': {'design', 'motion', 'terms'},
-    'solve': {'design', 'motion', 'terms', 'objective'}, 'mjcf': {'design', 'motion'},
-    'trajectory': set(), 'plugin': {'trajectory'}, 'tools': OPTIMIZER | {'mjcf', 'trajectory'},
-    'tests': OPTIMIZER | {'mjcf', 'trajectory', 'plugin', 'tools'}}
+# Folders from the bottom up. A folder may include itself and those that its row names.
+OPTIMIZER = ('optimizer/base', 'optimizer/design', 'optimizer/motion', 'optimizer/terms', 'optimizer/objective',
+             'optimizer/solve')
+MJCF = ('mjcf/text', 'mjcf/read', 'mjcf/write', 'mjcf/scene', 'mjcf/propose')
+TOOLS = ('tools/files', 'tools/task', 'tools/simulate', 'tools/run', 'tools/image', 'tools/validate', 'tools/render',
+         'tools/report', 'tools/viewer', 'tools/verbs')
+LAYERS = {
+    'optimizer/base': (),
+    'optimizer/design': (),
+    'optimizer/motion': OPTIMIZER[1:2],
+    'optimizer/terms': OPTIMIZER[1:3],
+    'optimizer/objective': OPTIMIZER[1:4],
+    'optimizer/solve': OPTIMIZER[:5],
+    'mjcf/text': ('optimizer/design',),
+    'mjcf/read': ('optimizer/design', 'optimizer/motion', 'mjcf/text'),
+    'mjcf/write': ('optimizer/design', 'optimizer/motion') + MJCF[:2],
+    'mjcf/scene': ('optimizer/design', 'optimizer/motion') + MJCF[:3],
+    'mjcf/propose': ('optimizer/design', 'optimizer/motion') + MJCF[:4],
+    'trajectory': (),
+    'plugin': ('trajectory',),
+    'tools/files': ('mjcf/text',),
+    'tools/task': OPTIMIZER + MJCF + TOOLS[:1],
+    'tools/simulate': OPTIMIZER + MJCF + ('trajectory', 'tools/files'),
+    'tools/run': OPTIMIZER + MJCF + ('trajectory',) + TOOLS[:3],
+    'tools/image': ('tools/files',),
+    'tools/validate': OPTIMIZER + MJCF + ('trajectory',) + TOOLS[:4],
+    'tools/render': ('trajectory', 'mjcf/text', 'mjcf/scene') + TOOLS[:5],
+    'tools/report': ('trajectory', 'mjcf/text', 'tools/files', 'tools/task', 'tools/run', 'tools/image') + OPTIMIZER,
+    'tools/viewer': ('mjcf/text', 'tools/files', 'tools/run', 'tools/simulate'),
+    'tools/verbs': OPTIMIZER + MJCF + ('trajectory',) + TOOLS[:8],
+    'program': OPTIMIZER + MJCF + TOOLS,
+    'tests': OPTIMIZER + MJCF + TOOLS + ('trajectory', 'plugin'),
+}
+# Files whose layer is not their folder: the trajectory's format serves the plugin and the program.
+EXCEPTIONS = (
+    ('plugin/trajectory.', 'trajectory'), ('plugin/spline.', 'trajectory'), ('plugin/number_text.', 'trajectory'),
+    ('plugin/planned_motion.', 'trajectory'), ('plugin/', 'plugin'), ('tools/legwright.cpp', 'program'),
+    ('tests/', 'tests'), ('benchmarks/', 'tests'))
 LIBRARIES = (  # include path: paths that may use it; tests and benchmarks may use all
-    (r'mujoco/', ('mjcf/', 'plugin/', 'tools/simulate/', 'tools/validate/', 'tools/render/', 'tools/viewer/', 'tools/studio/')),
-    (r'tinyxml2\.h', ('mjcf/', 'tools/simulate/')),
+    (r'mujoco/', ('mjcf/', 'plugin/', 'tools/simulate/', 'tools/validate/', 'tools/render/', 'tools/viewer/',
+                  'tools/studio/')),
+    (r'tinyxml2\.h', ('mjcf/text/', 'mjcf/read/', 'mjcf/write/', 'mjcf/scene/', 'mjcf/propose/', 'tools/simulate/')),
     (r'cholmod\.h|suitesparse/', ('optimizer/solve/',)),
     (r'Eigen/|unsupported/Eigen/', ('optimizer/', 'mjcf/', 'tools/')),
     (r'fmt/', ('mjcf/', 'plugin/', 'tools/')),
     (r'toml\+\+/|nlohmann/|CLI/', ('tools/',)),
     (r'simulate\.h|glfw_adapter\.h', ('tools/viewer/',)),
     (r'X11/', ()),
-    (r'GL/|EGL/|lodepng\.h|webp/', ('tools/render/',)),
+    (r'GL/|EGL/', ('tools/render/',)),
+    (r'lodepng\.h|webp/', ('tools/image/',)),
     (r'gtest/|gmock/|benchmark/', ()))
 NOT_TERMS = {'registry', 'term', 'penalty', 'linear_term', 'factories'}  # files of terms/ that are no summand
 
@@ -51,7 +79,11 @@ MAY_PRINT = ('tools/verbs/', 'tools/viewer/main.cpp', 'tools/legwright.cpp', 'te
 
 
 def layer_of(path):
-    return next((layer for prefix, layer in PREFIXES if path.startswith(prefix)), None)
+    for prefix, layer in EXCEPTIONS:
+        if path.startswith(prefix):
+            return layer
+    folder = '/'.join(path.split('/')[:2])
+    return folder if folder in LAYERS else None
 
 
 def uncommented(text):
@@ -93,7 +125,19 @@ class Check:
         for path in sources:
             self.source(path, path.relative_to(self.root).as_posix())
         self.terms()
+        self.header_names([p for p in sources if p.suffix == '.hpp'])
         return self.findings
+
+    def header_names(self, headers):
+        """No two headers outside tests/ share a name: whoever searches for one finds one."""
+        seen = {}
+        for path in headers:
+            name = path.relative_to(self.root).as_posix()
+            if name.startswith('tests/'):
+                continue
+            if path.name in seen:
+                self.report(name, 1, f'a header of this name is there already: {seen[path.name]}')
+            seen.setdefault(path.name, name)
 
     def source(self, path, name):
         text = path.read_text(encoding='utf-8')
@@ -104,6 +148,8 @@ class Check:
             self.report(name, len(lines), f'{len(lines)} lines, at most {LINE_LIMIT}: split it by concept')
         if path.suffix not in ('.cpp', '.hpp', '.h'):
             return
+        if layer_of(name) is None:
+            self.report(name, 1, 'stands in no folder that LAYERS of check_structure.py names')
         for number, line in enumerate(uncommented(text).splitlines(), 1):
             include = re.match(r'\s*#\s*include\s*(["<])([^">]+)[">]', line)
             if include:
@@ -138,10 +184,10 @@ class Check:
             self.report(name, number, f'"{target}" is no file below the project root')
             return
         user, used = layer_of(name), layer_of(target)
-        if used != user and used not in LAYERS.get(user, set()):
-            allowed = ', '.join(sorted(LAYERS.get(user, set()) | {str(user)}))
+        if used != user and used not in LAYERS.get(user, ()):
+            allowed = ', '.join([*LAYERS.get(user, ()), str(user)])
             self.report(name, number, f'{user} must not include {used} ("{target}"); it may include {allowed}')
-        if user == used == 'terms':
+        if user == used == 'optimizer/terms':
             stem = pathlib.PurePosixPath(target).stem
             if stem not in NOT_TERMS and stem != pathlib.PurePosixPath(name).stem:
                 self.report(name, number, f'terms never include each other ("{target}")')

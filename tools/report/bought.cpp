@@ -13,10 +13,8 @@
 namespace legwright {
 namespace {
 
-constexpr double kWorthTelling = 0.05;       // relative change of a figure, in a sentence
-constexpr double kTiltWorthTelling = 0.01;   // [rad], for the worse
-constexpr double kShareWorthTelling = 0.01;  // of the time, likewise
-constexpr std::size_t kToldParameters = 3;   // likewise
+constexpr double kTiltThreshold = 0.01;   // [rad], for the worse
+constexpr double kShareThreshold = 0.01;  // of the time, for the worse
 constexpr const char* kSides[] = {"initial", "result"};
 
 using Value = std::optional<double>;
@@ -93,22 +91,6 @@ std::string verdict_words(const RunData& data, const char* side) {
   return count == 0 ? "✗ fails" : fmt::format("✗ falls at {} of the gains", count);
 }
 
-/// What is better of a quantity.
-enum class Better { less, more, near_one, neither };
-
-/// How much worse a quantity got, as a share of what it was; 0 where it did not, or by less than `least`.
-double worsening(double before, double after, Better better, double least) {
-  if (better == Better::near_one) {
-    before = std::abs(before - 1.0);
-    after = std::abs(after - 1.0);
-    return after - before >= std::max(least, kWorthTelling) ? after - before : 0.0;
-  }
-  const double by = better == Better::less   ? after - before
-                    : better == Better::more ? before - after
-                                             : 0.0;
-  return before != 0.0 && by >= least ? std::max(0.0, by / std::abs(before)) : 0.0;
-}
-
 class Rows {
  public:
   using Show = std::function<std::string(Value)>;
@@ -118,14 +100,14 @@ class Rows {
   }
   /// @param least difference that is worth a word where it is for the worse
   void add(const std::string& what, const Sides& sides, const Show& show, Better better,
-           double least = 0.0) {
+           double least = 0.0, bool amount = false) {
     if (!sides.first && !sides.second) return;
-    BoughtRow row{what, show(sides.first), show(sides.second)};
-    if (sides.first && sides.second && *sides.first != 0.0)
-      row.change = (*sides.second - *sides.first) / std::abs(*sides.first);
-    if (sides.first && sides.second)
-      row.worse = worsening(*sides.first, *sides.second, better, least);
-    rows_.push_back(std::move(row));
+    rows_.push_back({what, show(sides.first), show(sides.second),
+                     effect_of(sides.first, sides.second, better, least), amount});
+  }
+  /// The same of an amount: the less the better.
+  void add_amount(const std::string& what, const Sides& sides, const Show& show) {
+    add(what, sides, show, Better::less, 0.0, true);
   }
   std::vector<BoughtRow> take() { return std::move(rows_); }
 
@@ -153,18 +135,18 @@ void add_measured(const RunData& data, Rows& rows) {
   rows.add("of the wanted turn rate, worst gains", least("turn_ratio"), percent, Better::near_one);
   rows.add("largest tilt",
            both([&](const char* side) { return over_gains(data, side, "tilt_max_rad", true); }),
-           in("rad"), Better::less, kTiltWorthTelling);
+           in("rad"), Better::less, kTiltThreshold);
   rows.add("share of the time with a servo at its limit",
            both([&](const char* side) { return over_gains(data, side, "saturated_share", true); }),
-           percent, Better::less, kShareWorthTelling);
+           percent, Better::less, kShareThreshold);
   const auto standard = [&](const std::function<Value(const Json&)>& of) {
     return both([&](const char* side) { return at_default(data, side, of); });
   };
   const auto number = [](const char* key) {
     return [key](const Json& measured) { return number_at(measured, {key}); };
   };
-  rows.add("peak torque of a servo", standard(peak_torque), in("N m"), Better::less);
-  rows.add("mechanical power", standard(number("power_mean_W")), in("W"), Better::less);
+  rows.add_amount("peak torque of a servo", standard(peak_torque), in("N m"));
+  rows.add_amount("mechanical power", standard(number("power_mean_W")), in("W"));
   rows.add("cost of transport", standard(number("cost_of_transport")), short_number, Better::less);
   rows.add("steps over a bar of",
            both([&](const char* side) { return least_clearance(data, side); }), in("m"),
@@ -173,8 +155,8 @@ void add_measured(const RunData& data, Rows& rows) {
 
 /// "31 % less mechanical power"
 std::string amount_change(const BoughtRow& row) {
-  return fmt::format("{} {} {}", percent_whole(std::abs(*row.change)),
-                     *row.change < 0.0 ? "less" : "more", row.what);
+  return fmt::format("{} {} {}", percent_whole(std::abs(*row.effect.change)),
+                     *row.effect.change < 0.0 ? "less" : "more", row.what);
 }
 
 std::string joined(const std::vector<std::string>& parts) {
@@ -184,29 +166,24 @@ std::string joined(const std::vector<std::string>& parts) {
   return out;
 }
 
-/// Quantities of which there is more or less, not how well something is done.
-bool is_amount(const BoughtRow& row) {
-  for (const char* what :
-       {"peak torque of a servo", "mechanical power", "printed volume", "mass of the robot"})
-    if (row.what == what) return true;
-  return false;
-}
-
 /// What got less, and what got worse most of all: "25 % less mechanical power, but 22 % more printed volume".
-/// Empty where nothing is worth telling.
+/// Empty where neither is worth a word.
 std::string balance(const std::vector<BoughtRow>& rows) {
-  std::vector<std::string> gains;
-  const BoughtRow* worst = nullptr;
+  std::vector<Effect> effects;
+  std::vector<bool> amounts;
   for (const BoughtRow& row : rows) {
-    if (is_amount(row) && row.change && *row.change <= -kWorthTelling)
-      gains.push_back(amount_change(row));
-    if (row.worse >= kWorthTelling && (worst == nullptr || row.worse > worst->worse)) worst = &row;
+    effects.push_back(row.effect);
+    amounts.push_back(row.amount);
   }
+  const MainEffects main = main_effects(effects, amounts);
+  std::vector<std::string> gains;
+  for (const std::size_t k : main.gains) gains.push_back(amount_change(rows[k]));
   const std::string gained = joined(gains);
-  if (worst == nullptr) return gained;
-  const std::string lost = is_amount(*worst) ? amount_change(*worst)
-                                             : fmt::format("{} {} instead of {}", worst->what,
-                                                           worst->after, worst->before);
+  if (!main.worst) return gained;
+  const BoughtRow& worst = rows[*main.worst];
+  const std::string lost =
+      worst.amount ? amount_change(worst)
+                   : fmt::format("{} {} instead of {}", worst.what, worst.after, worst.before);
   return gained.empty() ? lost : gained + ", but " + lost;
 }
 
@@ -237,10 +214,9 @@ std::vector<BoughtRow> bought_rows(const RunData& data) {
     return Sides{number_at(data.run, {"body", "initial", key}),
                  number_at(data.run, {"body", "final", key})};
   };
-  rows.add("mass of the robot", body("mass_kg"), in("kg"), Better::less);
-  rows.add(
-      "printed volume", body("printed_volume_m3"),
-      [](Value value) { return value ? short_number(*value * 1e6) + " cm³" : "–"; }, Better::less);
+  rows.add_amount("mass of the robot", body("mass_kg"), in("kg"));
+  rows.add_amount("printed volume", body("printed_volume_m3"),
+                  [](Value value) { return value ? short_number(*value * 1e6) + " cm³" : "–"; });
   rows.add("cost of the gait, F",
            {number_at(data.run, {"motion_only_F"}), number_at(data.run, {"final_F"})}, short_number,
            Better::less);
@@ -254,9 +230,8 @@ std::string body_words(const RunData& data) {
   const ChangedParameters changed = changed_parameters(data.run);
   if (motion_only(data) || changed.list.empty()) return "";
   std::vector<std::string> parts;
-  for (std::size_t k = 0; k < std::min(changed.list.size(), kToldParameters); ++k) {
-    const auto& [view, lowered] = changed.list[k];
-    if (changed.by_cost && k > 0 && lowered < kWorthTelling * changed.list.front().lowered) break;
+  for (std::size_t k = 0; k < changed.main_count; ++k) {
+    const ParameterView& view = changed.list[k].view;
     parts.push_back(fmt::format("{} from {} to {}", spaced(view.name), view.with_unit(view.initial),
                                 view.with_unit(view.final)));
   }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "optimizer/solve/effect.hpp"
 #include "tools/report/run_data.hpp"
 
 namespace legwright {
@@ -12,9 +12,8 @@ namespace legwright {
 /// A figure of the initial body, with the gait that is best for it, beside that of the co-designed one.
 struct BoughtRow {
   std::string what, before, after;  // as people read them; "–" where there is none
-  /// (after − before)/before, where both are numbers and before is not 0
-  std::optional<double> change = std::nullopt;
-  double worse = 0.0;  // by how much it got worse, as a share; 0 where it did not or nobody can say
+  Effect effect = {};
+  bool amount = false;  // of which there is more or less, not how well something is done
 };
 
 /// What can be compared of a run: what MuJoCo measured, masses, costs. Rows without a number on either side are left

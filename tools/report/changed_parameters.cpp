@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <map>
 
-#include "tools/report/pull_words.hpp"
+#include "tools/run/attribution_json.hpp"
 
 namespace legwright {
 
@@ -32,20 +32,24 @@ std::string ChangedParameters::bound_words() const {
 ChangedParameters changed_parameters(const Json& run) {
   ChangedParameters out;
   std::map<std::string, double> lowered;
-  for (const ParameterPull& pull : pulls_of(value_at(run, {"pull"}))) {
-    lowered[pull.parameter] = pull.total();
-    out.by_cost = out.by_cost || pull.total() != 0.0;
+  for (const Attribution& each : attributions_from_json(value_at(run, {"pull"}))) {
+    lowered[each.parameter] = each.total();
+    out.by_cost = out.by_cost || each.total() != 0.0;
   }
+  std::vector<ChangedParameter> changed;
+  std::vector<ParameterEffect> effects;
   for (ParameterView& view : parameters_of(run)) {
     if (view.change() == "0") continue;
     const auto found = lowered.find(view.name);
-    out.list.push_back({std::move(view), found == lowered.end() ? 0.0 : found->second});
+    effects.push_back({found == lowered.end() ? 0.0 : found->second, view.share_of_range()});
+    changed.push_back({std::move(view), effects.back().decrease});
   }
-  std::stable_sort(
-      out.list.begin(), out.list.end(), [](const ChangedParameter& a, const ChangedParameter& b) {
-        return a.lowered != b.lowered ? a.lowered > b.lowered
-                                      : a.view.share_of_range() > b.view.share_of_range();
-      });
+  std::vector<ParameterEffect> ordered;
+  for (const std::size_t k : order_of_effects(effects)) {
+    out.list.push_back(std::move(changed[k]));
+    ordered.push_back(effects[k]);
+  }
+  out.main_count = count_main_effects(ordered, out.by_cost);
   return out;
 }
 

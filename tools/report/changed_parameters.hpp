@@ -18,9 +18,10 @@ struct ChangedParameter {
 /// The design parameters of a run that changed, in the one order in which all parts of a report tell them.
 struct ChangedParameters {
   std::vector<ChangedParameter> list;
-  /// Whether that order is by how much each lowered F (run.json's `pull`, equal ones by their share of the allowed
-  /// range), or by that share alone.
+  /// Whether that order is by how much each lowered F (run.json's `pull`, equal ones by their share
+  /// of the allowed range), or by that share alone.
   bool by_cost = false;
+  std::size_t main_count = 0;  // so many of the first are worth a sentence
 
   std::size_t at_bound() const;
   /// "1 of the 4 changed parameters stands at a bound: there the bound decided how far it went, not the cost.";

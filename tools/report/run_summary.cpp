@@ -102,10 +102,10 @@ std::string bought(const RunData& data) {
       "**What the body bought.** " + words + "\n\n| | before | after | |\n|---|---:|---:|---:|\n";
   std::size_t shown = 0;
   for (const BoughtRow& row : bought_rows(data)) {
-    if (!row.change || std::abs(*row.change) < 5e-4 || shown == kMostBought) continue;
+    if (!row.effect.change || std::abs(*row.effect.change) < 5e-4 || shown == kMostBought) continue;
     ++shown;
     out += fmt::format("| {} | {} | {} | {} |\n", cell(row.what), cell(row.before), cell(row.after),
-                       change_words(*row.change));
+                       change_words(*row.effect.change));
   }
   return out + "\n";
 }

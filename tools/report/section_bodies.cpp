@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bodies of a joint run side by side, and which task pulled which parameter.
+// The bodies of a joint run side by side, and which task changed which parameter.
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "tools/run/attribution_json.hpp"
 #include "tools/report/pull_words.hpp"
 #include "tools/report/sections.hpp"
 #include "tools/report/svg_bars.hpp"
@@ -45,10 +46,11 @@ void add_bodies_table(Html& page, const JointData& data,
   page.close().close().close();
 }
 
-std::vector<ParameterPull> pulls_of_tasks(const JointData& data) {
-  std::vector<ParameterPull> all;
+std::vector<Attribution> attributions_by_task(const JointData& data) {
+  std::vector<Attribution> all;
   for (const JointTaskData& task : data.tasks)
-    if (task.run) merge_pulls(all, pulls_of(value_at(task.run->run, {"pull"}), task.name));
+    if (task.run)
+      merge_attributions(all, attributions_from_json(value_at(task.run->run, {"pull"}), task.name));
   return all;
 }
 
@@ -57,15 +59,16 @@ std::string change_words(double decrease, double scale) {
   return std::abs(decrease) < 0.002 * scale ? "0" : change_of_F(-decrease);
 }
 
-void add_pull_rows(Html& page, const JointData& data, const std::vector<ParameterPull>& pulls) {
-  const double scale = largest_share(pulls);
-  for (const ParameterPull& pull : pulls) {
-    page.open("tr").open("td").element("b", spaced(pull.parameter)).close();
+void add_attribution_rows(Html& page, const JointData& data,
+                          const std::vector<Attribution>& attributions) {
+  const double scale = largest_share(attributions);
+  for (const Attribution& each : attributions) {
+    page.open("tr").open("td").element("b", spaced(each.parameter)).close();
     for (const JointTaskData& task : data.tasks) {
-      page.element("td", change_words(pull.total(task.name), scale),
+      page.element("td", change_words(each.total(task.name), scale),
                    {{"class", "n"}, {"data-label", spaced(task.name)}});
     }
-    const std::string words = pull_words(pull, scale);
+    const std::string words = attribution_words(each, scale);
     page.element("td", words.empty() ? "hardly any pull" : words, {{"class", "reason"}}).close();
   }
 }
@@ -90,8 +93,8 @@ void add_bodies(Html& page, const JointData& data) {
 }
 
 void add_task_pulls(Html& page, const JointData& data) {
-  const auto pulls = pulls_of_tasks(data);
-  const std::string summary = pull_summary(pulls, fall_of_cost(data.whole.run));
+  const auto attributions = attributions_by_task(data);
+  const std::string summary = attribution_summary(attributions, fall_of_cost(data.whole.run));
   if (summary.empty()) return;
   page.open("section").element("h2", "Why the body changed").element("p", summary);
   std::string note =
@@ -108,7 +111,7 @@ void add_task_pulls(Html& page, const JointData& data) {
   for (const JointTaskData& task : data.tasks)
     page.element("th", spaced(task.name), {{"class", "n"}});
   page.element("th", "what pulled").close().close().open("tbody");
-  add_pull_rows(page, data, pulls);
+  add_attribution_rows(page, data, attributions);
   page.close().close().close();
 }
 

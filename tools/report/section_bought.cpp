@@ -61,7 +61,8 @@ void add_bought(Html& page, const RunData& data) {
   add_parameters(page, data);
   open_table(page, "What it does");
   for (const BoughtRow& row : bought_rows(data))
-    add_row(page, row.what, row.before, row.after, row.change ? change_words(*row.change) : "");
+    add_row(page, row.what, row.before, row.after,
+            row.effect.change ? change_words(*row.effect.change) : "");
   page.close().close().close().close();
   if (data.metrics.is_null())
     add_hint(page, "What the bodies do in MuJoCo has not been measured yet.", "validate", data);

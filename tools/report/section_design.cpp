@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "tools/run/attribution_json.hpp"
 #include "tools/report/changed_parameters.hpp"
 #include "tools/report/pull_words.hpp"
 #include "tools/report/sections.hpp"
@@ -18,7 +19,7 @@ constexpr double kSmallTerm = 0.01;        // of F: smaller terms are folded awa
 constexpr std::size_t kFewParameters = 6;  // so many are shown without unfolding
 constexpr std::size_t kMostTold = 4;       // of the largest changes
 
-/// What pulled a parameter, in words; empty where it is not known.
+/// Why a parameter changed, in words; empty where it is not known.
 using Reason = std::function<std::string(const std::string& parameter)>;
 
 void add_table(Html& page, const std::vector<ParameterView>& parameters, bool angles,
@@ -73,9 +74,10 @@ void add_largest(Html& page, const ChangedParameters& changed) {
 }
 
 /// One sentence on all parameters, and how to read the others.
-void add_why(Html& page, const RunData& data, const std::vector<ParameterPull>& pulls) {
+void add_why(Html& page, const RunData& data, const std::vector<Attribution>& attributions) {
   const bool part = !value_at(data.run, {"joint_run"}).is_null();
-  const std::string summary = pull_summary(pulls, part ? std::nullopt : fall_of_cost(data.run));
+  const std::string summary =
+      attribution_summary(attributions, part ? std::nullopt : fall_of_cost(data.run));
   if (summary.empty()) return;
   page.open("p").element("b", "Why it changed. ").text(summary).close();
   std::string note =
@@ -134,11 +136,11 @@ void add_design_change(Html& page, const RunData& data) {
     return;
   }
   add_largest(page, changed_parameters(data.run));
-  const auto pulls = pulls_of(value_at(data.run, {"pull"}));
-  add_why(page, data, pulls);
-  const Reason reason = [&, scale = largest_share(pulls)](const std::string& parameter) {
-    for (const ParameterPull& pull : pulls)
-      if (pull.parameter == parameter) return pull_words(pull, scale);
+  const auto attributions = attributions_from_json(value_at(data.run, {"pull"}));
+  add_why(page, data, attributions);
+  const Reason reason = [&, scale = largest_share(attributions)](const std::string& parameter) {
+    for (const Attribution& each : attributions)
+      if (each.parameter == parameter) return attribution_words(each, scale);
     return std::string();
   };
   const bool few = parameters.size() <= kFewParameters;

@@ -5,8 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
+
+#include "optimizer/terms/registry.hpp"
 
 namespace legwright {
 namespace {
@@ -35,67 +36,13 @@ std::string title_of(const RunData& data) {
 }
 
 std::string term_words(const std::string& name) {
-  static const std::map<std::string, std::string> words = {
-      {"travel", "distance per cycle"},
-      {"turning", "turn per cycle"},
-      {"style_com", "body where it should be"},
-      {"style_foot", "feet where they should be"},
-      {"trunk_orientation", "trunk stays level"},
-      {"smoothness", "smooth joints"},
-      {"com_position", "centre of mass fits the pose"},
-      {"foot_position", "feet fit the pose"},
-      {"force_balance", "forces carry the body"},
-      {"torque_balance", "forces turn the body"},
-      {"stance_foot", "stance feet do not slip"},
-      {"friction_cone", "forces inside friction cone"},
-      {"limb_clearance", "limbs keep apart"},
-      {"periodicity", "cycle closes"},
-      {"ground_height", "stance feet on the ground"},
-      {"swing_height", "swing feet clear the ground"},
-      {"least_normal_force", "stance feet bear weight"},
-      {"joint_limits", "joints within their range"},
-      {"torque_limits", "torques within limits"},
-      {"mechanical_work", "work of the motors"},
-      {"peak_torque", "highest torque"},
-      {"nominal_pose", "near the home pose"},
-      {"force_smoothness", "smooth forces"},
-      {"force_size", "small forces"},
-      {"design_tether", "near the initial design"},
-  };
-  const auto found = words.find(name);
-  return found != words.end() ? found->second : spaced(name);
+  const TermEntry* term = find_term(name);
+  return term != nullptr ? std::string(term->label) : spaced(name);
 }
 
 std::string cost_words(const std::string& name) {
-  static const std::map<std::string, std::string> words = {
-      {"travel", "distance missed"},
-      {"turning", "turn missed"},
-      {"style_com", "body off its place"},
-      {"style_foot", "feet off their place"},
-      {"trunk_orientation", "tilt of the trunk"},
-      {"smoothness", "jerky joints"},
-      {"com_position", "misfit of centre of mass"},
-      {"foot_position", "misfit of feet and pose"},
-      {"force_balance", "forces out of balance"},
-      {"torque_balance", "torques out of balance"},
-      {"stance_foot", "slip of stance feet"},
-      {"friction_cone", "closeness to the friction limit"},
-      {"limb_clearance", "closeness of limbs"},
-      {"periodicity", "gap where the cycle closes"},
-      {"ground_height", "stance feet off the ground"},
-      {"swing_height", "swing feet off their height"},
-      {"least_normal_force", "stance feet without load"},
-      {"joint_limits", "closeness to joint limits"},
-      {"torque_limits", "closeness to torque limits"},
-      {"mechanical_work", "work of the motors"},
-      {"peak_torque", "highest torque"},
-      {"nominal_pose", "distance from the home pose"},
-      {"force_smoothness", "jerky forces"},
-      {"force_size", "large forces"},
-      {"design_tether", "distance from the initial body"},
-  };
-  const auto found = words.find(name);
-  return found != words.end() ? found->second : spaced(name);
+  const TermEntry* term = find_term(name);
+  return term != nullptr ? std::string(term->cost_label) : spaced(name);
 }
 
 std::string task_words(const Json& run) { return way_words(value_at(run, {"task"})); }

@@ -202,7 +202,7 @@ void write_end(const ResultFolder& folder, const CodesignProblem& problem,
     return;
   }
   outcomes[0].history = recorder.history();
-  run["pull"] = recorder.pull_on(found.joint[found.best].label, 0);
+  run["pull"] = recorder.attribution_to(found.joint[found.best].label, 0);
   if (found.joint.size() > 1) add_starts(run, found, problem);
   finish_run(run, status, outcomes[0], effort, problem.robot);
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "optimizer/base/stopwatch.hpp"
+#include "tools/run/attribution_json.hpp"
 #include "tools/run/run_json.hpp"
 #include "tools/verbs/stop_signals.hpp"
 
@@ -56,9 +57,9 @@ bool Recorder::iteration(const RunLabel& label, const DesignIteration& iteration
       events_.append(event);
     }
     task_events_[{start_folder(problem_, label), task}].push_back(std::move(event));
-    pulls_[{start_folder(problem_, label), task}].add(*problem_.objectives[task], iteration.s,
-                                                      iteration.tasks[k].m,
-                                                      iteration.tasks[k].sensitivity);
+    attributions_[{start_folder(problem_, label), task}].add(*problem_.objectives[task],
+                                                             iteration.s, iteration.tasks[k].m,
+                                                             iteration.tasks[k].sensitivity);
     if (!problem_.set.joint()) pictures_.add(folder);  // else those of the start that wins
   }
   if (problem_.set.joint())
@@ -92,16 +93,16 @@ const std::vector<Json>& Recorder::events_of(const std::string& start, int task)
   return found == task_events_.end() ? none : found->second;
 }
 
-Json Recorder::pull_on(const RunLabel& label, int task) const {
-  PullAlongPath pull;
+Json Recorder::attribution_to(const RunLabel& label, int task) const {
+  AttributionAlongPath path;
   const auto follow = [&](const RunLabel& run) {
-    const auto found = pulls_.find({start_folder(problem_, run), task});
-    if (found != pulls_.end()) pull.follow(found->second);
+    const auto found = attributions_.find({start_folder(problem_, run), task});
+    if (found != attributions_.end()) path.follow(found->second);
   };
   follow(label);
   for (int k = 0; k < problem_.task_count(); ++k)  // the way to a start that is a task's optimum
     if (problem_.set.joint() && problem_.task(k).name == label.start) follow({"initial", {k}});
-  return pull.to_json(problem_.robot.space, problem_.task(task).weight);
+  return to_json(path.by_parameter(problem_.robot.space, problem_.task(task).weight));
 }
 
 }  // namespace legwright

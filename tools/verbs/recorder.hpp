@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "optimizer/solve/attribution.hpp"
 #include "optimizer/solve/multistart.hpp"
 #include "tools/run/design_folder.hpp"
 #include "tools/run/events.hpp"
-#include "tools/run/pull.hpp"
 #include "tools/run/result_folder.hpp"
 #include "tools/task/problem.hpp"
 #include "tools/verbs/picture_queue.hpp"
@@ -42,7 +42,7 @@ class Recorder {
   /// The per-task events of a run, by start folder and task.
   const std::vector<Json>& events_of(const std::string& start, int task) const;
   /// Why the body of a run changed, seen by one task; from the initial body on.
-  Json pull_on(const RunLabel& label, int task) const;
+  Json attribution_to(const RunLabel& label, int task) const;
 
  private:
   std::filesystem::path design_folder(const RunLabel& label, int k, int index);
@@ -55,7 +55,7 @@ class Recorder {
   int count_ = 0;  // iterations so far
   std::vector<double> history_;
   std::map<std::pair<std::string, int>, std::vector<Json>> task_events_;
-  std::map<std::pair<std::string, int>, PullAlongPath> pulls_;
+  std::map<std::pair<std::string, int>, AttributionAlongPath> attributions_;
   double seconds_ = 0.0;
 };
 

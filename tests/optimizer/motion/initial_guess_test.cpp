@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
+#include "optimizer/motion/margins.hpp"
 #include "optimizer/motion/motion.hpp"
-#include "optimizer/motion/reach.hpp"
 #include "optimizer/objective/objective.hpp"
 #include "tests/support/puppy.hpp"
 
@@ -103,47 +103,29 @@ TEST(InitialGuessOfAFootThatNeverLifts, Ends) {
   EXPECT_TRUE(initial_guess(objective, puppy.space.initial()).allFinite());
 }
 
-TEST(Reach, FindsTheFeetOfAPose) {
-  const test::Puppy puppy = test::make_puppy(true);
-  VectorXd s = puppy.space.initial();
-  for (int k = 6; k < 18; ++k) s[k] = 0.3 * (k % 3);  // axes that let feet go anywhere
-  const GeometryAtDesign geometry(puppy.morphology, s);
-  Reach reach(puppy.morphology, geometry, {.pose = 1e-9});
-  VectorXd there = VectorXd::Zero(puppy.morphology.pose_size());
-  there.tail(12) = puppy.morphology.nominal_joints();
-  VectorXd q = there;
-  for (int k = 6; k < 18; ++k) there[k] += k % 2 == 0 ? 0.2 : -0.15;
-  there.head<3>() = Vector3d(0.01, -0.02, 0.2);
-  const Reach::Places wanted = reach.reached(there);
-  const auto miss = [&](const VectorXd& pose) {
-    const Reach::Places at = reach.reached(pose);
-    double most = (at.com - wanted.com).norm();
-    for (int j = 0; j < 4; ++j) most = std::max(most, (at.feet[j] - wanted.feet[j]).norm());
-    return most;
-  };
-  EXPECT_GT(miss(q), 0.05);
-  reach.improve(wanted, 100, q);
-  EXPECT_LT(miss(q), 1e-3);
-  EXPECT_EQ(q.segment<3>(3).norm(), 0.0);
-}
-
-TEST(Reach, StaysWithinTheRangesOfTheJointsAndNeverGetsWorse) {
+/// Where the task gives no height of swings, guess and term agree on it, also of a robot that crouches.
+TEST(InitialGuessOfACrouchingRobot, LiftsFeetAsHighAsTheTermWants) {
   test::Puppy puppy = test::make_puppy(true);
-  for (Link& link : puppy.morphology.links) {
-    link.joint.lower = link.joint.nominal - 0.1;
-    link.joint.upper = link.joint.nominal + 0.1;
+  for (std::size_t l = 1; l < puppy.morphology.links.size(); ++l)
+    puppy.morphology.links[l].joint.nominal = l % 3 == 1 ? 1.3 : l % 3 == 2 ? -2.6 : 2.6;
+  const VectorXd s = puppy.space.initial();
+  ASSERT_LT(standing_leg(puppy.morphology, s), 0.9 * puppy.morphology.leg_length);
+  Task task = test::make_sideways_task(false, knots);
+  task.swing_height.reset();
+  const Objective objective(puppy.morphology, puppy.space, task);
+  const VectorXd m = initial_guess(objective, s);
+  bool seen = false;
+  for (const TermValue& term : objective.terms(s, m)) {
+    if (term.name != "swing_height") continue;
+    seen = true;
+    EXPECT_LT(term.value, 1e-20);
   }
-  const VectorXd s = puppy.space.initial(), home = puppy.morphology.nominal_joints();
-  const GeometryAtDesign geometry(puppy.morphology, s);
-  Reach reach(puppy.morphology, geometry, {});
-  VectorXd q = VectorXd::Zero(puppy.morphology.pose_size());
-  q.tail(12) = home;
-  Reach::Places wanted = reach.reached(q);
-  for (Vector3d& foot : wanted.feet) foot.x() += 0.5;  // out of reach
-  reach.improve(wanted, 50, q);
-  EXPECT_TRUE(q.allFinite());
-  EXPECT_LT((q.tail(12) - home).lpNorm<Eigen::Infinity>(), 0.1 + 1e-12);
-  EXPECT_GT((q.tail(12) - home).lpNorm<Eigen::Infinity>(), 0.05);
+  EXPECT_TRUE(seen);
+  const MotionView motion(objective.layout(), m);
+  double top = 0.0;
+  for (int i = 0; i <= knots; ++i)
+    top = std::max(top, motion.foot_W(i, 0).z() - puppy.morphology.feet[0].radius);
+  EXPECT_NEAR(top, swing_height(task, standing_leg(puppy.morphology, s)), 1e-3);
 }
 
 }  // namespace

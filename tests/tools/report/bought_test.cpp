@@ -54,11 +54,11 @@ class Bought : public RunFixture {
 TEST_F(Bought, FiguresStandBesideEachOther) {
   EXPECT_EQ(row("mechanical power").before, "4 W");
   EXPECT_EQ(row("mechanical power").after, "3 W");
-  EXPECT_NEAR(*row("mechanical power").change, -0.25, 1e-12);
+  EXPECT_NEAR(*row("mechanical power").effect.change, -0.25, 1e-12);
   EXPECT_EQ(row("peak torque of a servo").before, "2 N·m");  // of the servo that needs most
   EXPECT_EQ(row("steps over a bar of").after, "15 mm");      // by the foot that lifts least
   EXPECT_EQ(row("printed volume").after, "80 cm³");
-  EXPECT_NEAR(*row("mass of the robot").change, -0.01, 1e-12);
+  EXPECT_NEAR(*row("mass of the robot").effect.change, -0.01, 1e-12);
   EXPECT_EQ(row("in MuJoCo").before, "✓ passes");
 }
 
@@ -134,7 +134,7 @@ TEST_F(Bought, ABodyThatFallsHasNoFigures) {
   edit("result/verdict.json", [](Json& verdict) { verdict["initial"]["pass"] = false; });
   EXPECT_EQ(row("mechanical power").before, "–");
   EXPECT_EQ(row("mechanical power").after, "3 W");
-  EXPECT_FALSE(row("mechanical power").change);
+  EXPECT_FALSE(row("mechanical power").effect.change);
   EXPECT_EQ(row("in MuJoCo").before, "✗ falls at 2 of the gains");
   EXPECT_EQ(row("steps over a bar of").before, "–");
   EXPECT_TRUE(

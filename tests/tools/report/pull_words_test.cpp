@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tools/run/attribution_json.hpp"
+
 namespace legwright {
 namespace {
 
@@ -14,29 +16,30 @@ const Json kPull = {
     {"worse", 3}};
 
 TEST(PullWords, NamesWhatGainedFirstAndThenWhatItCost) {
-  const auto pulls = pulls_of(kPull);
+  const auto pulls = attributions_from_json(kPull);
   ASSERT_EQ(pulls.size(), 4U);
   const double scale = largest_share(pulls);
   EXPECT_EQ(scale, 14.3);
   EXPECT_EQ(
-      pull_words(pulls[0], scale),
+      attribution_words(pulls[0], scale),
       "slip of stance feet −14.3, at the cost of body off its place +2.60, jerky joints +1.58");
-  EXPECT_EQ(pull_words(pulls[1], scale), "only at the cost of body off its place +0.50");
-  EXPECT_EQ(pull_words(pulls[2], scale), "") << "too little to be worth telling";
-  EXPECT_EQ(pull_words(pulls[3], scale), "");
+  EXPECT_EQ(attribution_words(pulls[1], scale), "only at the cost of body off its place +0.50");
+  EXPECT_EQ(attribution_words(pulls[2], scale), "") << "too little to be worth telling";
+  EXPECT_EQ(attribution_words(pulls[3], scale), "");
 }
 
 TEST(PullWords, SumsUpOverAllParameters) {
-  const auto pulls = pulls_of(kPull);
-  const std::string sum = pull_summary(pulls, 9.73);
+  const auto pulls = attributions_from_json(kPull);
+  const std::string sum = attribution_summary(pulls, 9.73);
   EXPECT_EQ(sum,
             "Taken together, the changes lowered F by 9.73. By term: slip of stance feet −14.3, at "
             "the cost of body off its place +3.10, jerky joints +1.58. Most came with yaw (−10.2) "
             "and idle (−0.01).");
-  EXPECT_EQ(pull_summary(pulls, std::nullopt), sum);
-  EXPECT_EQ(pull_summary(pulls, 100.0).substr(0, 41), "Of the 100 that F fell, 9.73 can be told ");
-  EXPECT_EQ(pull_summary({}, 1.0), "");
-  EXPECT_EQ(pull_summary(pulls_of(Json(3)), 1.0), "");
+  EXPECT_EQ(attribution_summary(pulls, std::nullopt), sum);
+  EXPECT_EQ(attribution_summary(pulls, 100.0).substr(0, 41),
+            "Of the 100 that F fell, 9.73 can be told ");
+  EXPECT_EQ(attribution_summary({}, 1.0), "");
+  EXPECT_EQ(attribution_summary(attributions_from_json(Json(3)), 1.0), "");
 }
 
 TEST(PullWords, ShowsAsManyDigitsAsMatter) {
@@ -46,13 +49,15 @@ TEST(PullWords, ShowsAsManyDigitsAsMatter) {
 }
 
 TEST(PullWords, KeepsTasksApart) {
-  auto pulls = pulls_of({{"yaw", {{"travel", 2.0}}}}, "pace");
-  merge_pulls(pulls, pulls_of({{"yaw", {{"travel", -3.0}}}, {"roll", {{"travel", 1.0}}}}, "walk"));
+  auto pulls = attributions_from_json({{"yaw", {{"travel", 2.0}}}}, "pace");
+  merge_attributions(
+      pulls,
+      attributions_from_json({{"yaw", {{"travel", -3.0}}}, {"roll", {{"travel", 1.0}}}}, "walk"));
   ASSERT_EQ(pulls.size(), 2U);
   EXPECT_EQ(pulls[0].total("pace"), 2.0);
   EXPECT_EQ(pulls[0].total("walk"), -3.0);
   EXPECT_EQ(pulls[0].total(), -1.0);
-  EXPECT_EQ(pull_words(pulls[0], largest_share(pulls)),
+  EXPECT_EQ(attribution_words(pulls[0], largest_share(pulls)),
             "walk: only at the cost of distance missed +3.00; pace: distance missed −2.00");
 }
 

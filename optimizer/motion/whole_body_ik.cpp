@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "optimizer/motion/reach.hpp"
+#include "optimizer/motion/whole_body_ik.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
@@ -16,8 +16,8 @@ constexpr double kEnough = 1e-3;        // step below which it is the last
 
 }  // namespace
 
-Reach::Reach(const Morphology& morphology, const GeometryAtDesign& geometry,
-             const ReachWeights& weights)
+WholeBodyIk::WholeBodyIk(const Morphology& morphology, const GeometryAtDesign& geometry,
+                         const WholeBodyIkWeights& weights)
     : morphology_(morphology),
       geometry_(geometry),
       weights_(weights),
@@ -37,7 +37,7 @@ Reach::Reach(const Morphology& morphology, const GeometryAtDesign& geometry,
 }
 
 template <class Visit>
-void Reach::for_each_sole_direction(double heading, const Visit& visit) const {
+void WholeBodyIk::for_each_sole_direction(double heading, const Visit& visit) const {
   for (std::size_t j = 0; j < morphology_.feet.size(); ++j) {
     const Foot& foot = morphology_.feet[j];
     if (!foot.sole) continue;
@@ -48,7 +48,7 @@ void Reach::for_each_sole_direction(double heading, const Visit& visit) const {
   }
 }
 
-double Reach::misfit(const Places& wanted, const Eigen::VectorXd& q) {
+double WholeBodyIk::misfit(const Places& wanted, const Eigen::VectorXd& q) {
   const double length = morphology_.leg_length;
   pose_.compute(morphology_, geometry_, q, PoseDetail::place);
   const Eigen::Vector3d com = pose_.first_moment(0) / geometry_.total_mass;
@@ -66,8 +66,8 @@ double Reach::misfit(const Places& wanted, const Eigen::VectorXd& q) {
          weights_.pose * (q.tail(morphology_.joint_count()) - nominal_).squaredNorm();
 }
 
-void Reach::add_point(const PointDerivatives& point, const Eigen::Vector3d& wanted,
-                      const Eigen::Vector3d& weight) {
+void WholeBodyIk::add_point(const PointDerivatives& point, const Eigen::Vector3d& wanted,
+                            const Eigen::Vector3d& weight) {
   jacobian_.setZero();
   point.add_jacobian(jacobian_);
   jacobian_.middleRows<3>(3).setZero();  // the trunk's orientation is given
@@ -75,7 +75,7 @@ void Reach::add_point(const PointDerivatives& point, const Eigen::Vector3d& want
   slope_ += jacobian_ * weight.cwiseProduct(point.value - wanted);
 }
 
-void Reach::linearise(const Places& wanted, const Eigen::VectorXd& q) {
+void WholeBodyIk::linearise(const Places& wanted, const Eigen::VectorXd& q) {
   const int joints = morphology_.joint_count(), count = morphology_.pose_size();
   const double scale = 1.0 / (morphology_.leg_length * morphology_.leg_length);
   jacobian_.resize(count, 3);
@@ -96,7 +96,7 @@ void Reach::linearise(const Places& wanted, const Eigen::VectorXd& q) {
   slope_.tail(joints) += weights_.pose * (q.tail(joints) - nominal_);
 }
 
-Eigen::VectorXd Reach::stepped(const Eigen::VectorXd& q, double damping) const {
+Eigen::VectorXd WholeBodyIk::stepped(const Eigen::VectorXd& q, double damping) const {
   const int joints = morphology_.joint_count();
   const double length = morphology_.leg_length;
   Eigen::VectorXd units = Eigen::VectorXd::Ones(slope_.size());
@@ -115,7 +115,7 @@ Eigen::VectorXd Reach::stepped(const Eigen::VectorXd& q, double damping) const {
   return next;
 }
 
-Reach::Places Reach::reached(const Eigen::VectorXd& q) {
+WholeBodyIk::Places WholeBodyIk::places_at(const Eigen::VectorXd& q) {
   pose_.compute(morphology_, geometry_, q, PoseDetail::place);
   Places places{pose_.first_moment(0) / geometry_.total_mass, {}};
   for (int j = 0; j < morphology_.foot_count(); ++j)
@@ -123,7 +123,7 @@ Reach::Places Reach::reached(const Eigen::VectorXd& q) {
   return places;
 }
 
-void Reach::improve(const Places& wanted, int steps, Eigen::VectorXd& q) {
+void WholeBodyIk::improve(const Places& wanted, int steps, Eigen::VectorXd& q) {
   double value = misfit(wanted, q), damping = kLeastDamping;
   for (int k = 0; k < steps; ++k) {
     linearise(wanted, q);

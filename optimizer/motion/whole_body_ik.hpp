@@ -9,7 +9,7 @@
 namespace legwright {
 
 /// How much each miss counts, by direction in the world.
-struct ReachWeights {
+struct WholeBodyIkWeights {
   Eigen::Vector3d com = Eigen::Vector3d::Constant(10.0);  // of (miss/leg length)²
   Eigen::Vector3d foot = Eigen::Vector3d::Ones();         // of each foot's (miss/leg length)²
   double sole = 1.0;                                      // of each direction of a flat foot's sole
@@ -17,13 +17,15 @@ struct ReachWeights {
 };
 
 /// Inverse kinematics of the whole robot, for first guesses: a pose near the home pose whose COM and
-/// feet are as near to wanted places as joints allow. Least squares by Gauss and Newton, damped; the
-/// trunk's orientation is given.
-class Reach {
+/// feet are as near to wanted places as joints allow. Damped Gauss-Newton over root position and all
+/// joints; the trunk's orientation is given. What cannot be met is spread over all wants, and a few
+/// steps are enough, because Newton's method goes on from there. One leg under a trunk that stays
+/// where it is, its foot's height to rounding: mjcf/leg_pose.
+class WholeBodyIk {
  public:
   /// Keeps references.
-  Reach(const Morphology& morphology, const GeometryAtDesign& geometry,
-        const ReachWeights& weights);
+  WholeBodyIk(const Morphology& morphology, const GeometryAtDesign& geometry,
+              const WholeBodyIkWeights& weights);
 
   struct Places {
     Eigen::Vector3d com;                // [m, world]
@@ -32,8 +34,8 @@ class Reach {
   };
   /// Moves root position and joints of pose q, at most `steps` steps. Joints stay in their ranges.
   void improve(const Places& wanted, int steps, Eigen::VectorXd& q);
-  /// Where COM and feet are.
-  Places reached(const Eigen::VectorXd& q);
+  /// Where COM and feet are at pose q.
+  Places places_at(const Eigen::VectorXd& q);
 
  private:
   double misfit(const Places& wanted, const Eigen::VectorXd& q);
@@ -47,7 +49,7 @@ class Reach {
 
   const Morphology& morphology_;
   const GeometryAtDesign& geometry_;
-  const ReachWeights weights_;
+  const WholeBodyIkWeights weights_;
   Ancestry ancestry_;
   Columns columns_;  // root position, then joints; −1: the root's rotation
   Eigen::VectorXd nominal_;

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimizer/objective/derived/quantities.hpp"
+#include "optimizer/objective/derived/vector_quantity.hpp"
+
+namespace legwright {
+namespace {
+
+/// φ_COM(q_i, s) of eq (12): the centre of mass of a pose [m, world].
+class Com final : public PoseQuantity {
+ public:
+  Com(const DerivedSetting& setting, int slot, int knot)
+      : PoseQuantity(setting, slot, knot, on_subtree(setting.morphology, setting.ancestry, 0)) {}
+
+ private:
+  Eigen::Vector3d place(const DerivedInput& input) const override {
+    return pose(input).first_moment(0) / input.robot.geometry.total_mass;
+  }
+  void derive(const DerivedInput& input, PointDerivatives& out) const override {
+    com_from_pose(input.robot.geometry, input.ancestry, pose(input), columns(), out);
+  }
+};
+
+}  // namespace
+
+void list_com(int knot, DerivedList& out) {
+  out.add<Com>(out.setting().layout.com_from_pose(knot), 3, knot);
+}
+
+}  // namespace legwright

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimizer/design/joint_torque.hpp"
+
+#include <array>
+
+#include "optimizer/objective/derived/quantities.hpp"
+
+namespace legwright {
+namespace {
+
+/// Torque of a joint's motor by inverse dynamics at a knot [N m], armature included.
+class MotorTorque final : public DerivedQuantity {
+ public:
+  MotorTorque(const DerivedSetting& setting, int slot, int knot, int link)
+      : DerivedQuantity(setting, slot, 1, knots(setting.layout, knot),
+                        on_chain(setting.morphology, link) |
+                            on_subtree(setting.morphology, setting.ancestry, link),
+                        forces(setting, knot, link)),
+        knot_(knot),
+        last_(setting.layout.knot_count()),
+        link_(link),
+        time_step_(setting.task.gait.time_step()),
+        armature_(setting.morphology.links[link].joint.armature / (time_step_ * time_step_)),
+        up_(setting.task.up) {
+    const std::vector<int> poses = knots(setting.layout, knot);
+    for (std::size_t k = 0; k < 3; ++k) angles_[k] = setting.layout.pose(poses[k]) + 5 + link;
+    for (int j = 0; j < setting.layout.foot_count(); ++j) {
+      const int force = setting.layout.force(knot, j);
+      if (carries(setting, knot, link, j)) forces_.push_back({j, force, column_of(force)});
+    }
+  }
+
+  std::unique_ptr<State> make_state() const override { return std::make_unique<Held>(); }
+  bool needs_moments() const override { return true; }
+
+  void value(const DerivedInput& input, State& state,
+             Eigen::Ref<Eigen::VectorXd> y) const override {
+    std::vector<FootForce>& forces = static_cast<Held&>(state).forces;
+    const Eigen::VectorXd& x = input.extended;
+    forces.clear();
+    for (const Carried& each : forces_) forces.push_back({each.foot, x.segment<3>(each.slot)});
+    y[0] = JointTorque::value(input.morphology, input.robot.geometry, triple(input.robot), link_,
+                              time_step_, forces) +
+           armature_ * (x[angles_[0]] - 2.0 * x[angles_[1]] + x[angles_[2]]);
+  }
+  void jacobian(const DerivedInput& input, State& state, Eigen::MatrixXd& jacobian) const override {
+    Held& held = static_cast<Held&>(state);
+    JointTorque::Slots where{&columns(0), &columns(1), &columns(2), {}};
+    for (const Carried& each : forces_) where.force.push_back(each.column);
+    held.torque.compute(input.morphology, input.robot.geometry, input.ancestry, triple(input.robot),
+                        link_, time_step_, held.forces, where, static_cast<int>(jacobian.rows()));
+    held.torque.add_jacobian(jacobian);
+    for (std::size_t k = 0; k < 3; ++k)
+      jacobian(columns(k)[5 + link_], 0) += (k == 1 ? -2.0 : 1.0) * armature_;
+  }
+  void curvature(const Ancestry& ancestry, const State& state, const double* multiplier,
+                 Eigen::MatrixXd& hessian) const override {
+    static_cast<const Held&>(state).torque.add_curvature(ancestry, multiplier[0], hessian);
+  }
+
+ private:
+  struct Held : State {
+    JointTorque torque;
+    std::vector<FootForce> forces;
+  };
+  /// A force of a foot that the joint carries.
+  struct Carried {
+    int foot, slot, column;
+  };
+
+  static std::vector<int> knots(const Layout& layout, int knot) {
+    return {knot > 0 ? knot - 1 : layout.knot_count() - 1, knot, knot + 1};
+  }
+  static bool carries(const DerivedSetting& setting, int knot, int link, int foot) {
+    return setting.layout.force(knot, foot) >= 0 &&
+           setting.ancestry.contains(link, setting.morphology.feet[foot].link);
+  }
+  static std::vector<int> forces(const DerivedSetting& setting, int knot, int link) {
+    std::vector<int> out;
+    for (int j = 0; j < setting.layout.foot_count(); ++j)
+      if (carries(setting, knot, link, j)) out.push_back(setting.layout.force(knot, j));
+    return out;
+  }
+  PoseTriple triple(const RobotAtPoint& robot) const {
+    const int before = knot_ > 0 ? knot_ - 1 : last_;  // of pairs
+    return {&robot.poses[knot_ > 0 ? knot_ - 1 : last_ + 1],
+            &robot.poses[knot_],
+            &robot.poses[knot_ + 1],
+            &robot.moments[before],
+            &robot.moments[knot_],
+            up_};
+  }
+
+  int knot_, last_, link_;
+  double time_step_;
+  double armature_;            // over h² [kg m²/s²]
+  Eigen::Vector3d up_;         // against gravity
+  std::array<int, 3> angles_;  // slots of the joint's angle before, at and after the knot
+  std::vector<Carried> forces_;
+};
+
+}  // namespace
+
+void list_joint_torques(int knot, DerivedList& out) {
+  const Layout& layout = out.setting().layout;
+  if (knot == layout.knot_count()) return;
+  for (int a = 0; a < layout.joint_count(); ++a)
+    out.add<MotorTorque>(layout.joint_torque(knot, a), 1, knot, a + 1);
+}
+
+}  // namespace legwright
