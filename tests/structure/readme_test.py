@@ -51,7 +51,7 @@ class Readme(unittest.TestCase):
                                     '`code/NAME.cpp` `docs/`'), [])
         (self.readme.ROOT / 'docs/sub').mkdir()
         (self.readme.ROOT / 'docs/sub/x.hpp').touch()
-        (self.readme.ROOT / 'tests/docs/sub').mkdir()
+        (self.readme.ROOT / 'tests/docs/sub').mkdir(parents=True)
         (self.readme.ROOT / 'tests/docs/sub/x_test.cpp').touch()
         self.assertEqual(self.paths('`sub/x` `sub/x_test`'), [])
 
