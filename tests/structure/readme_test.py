@@ -75,6 +75,10 @@ class Readme(unittest.TestCase):
                          '| [a](../code/file.cpp) | [b](https://x.org) |')
         self.assertEqual(self.links(self.readme.relinked(text, self.page)), [])
 
+    def test_seconds_are_those_of_the_whole_command_where_they_are_told(self):
+        self.assertEqual(self.readme.seconds({'seconds': {'command': 6.3, 'motion': 1.3}}), 6.3)
+        self.assertEqual(self.readme.seconds({'seconds': {'total': 1.7}}), 1.7)
+
     def test_stale_blocks_are_told_and_filled(self):
         text = 'x\n<!-- tools/readme: table -->\nold 1\n<!-- /tools/readme -->\ny\n'
         self.page.write_text(text, encoding='utf-8')
