@@ -59,8 +59,7 @@ Item check_opengl() {
 }
 
 Item check_viewer() {
-  Item item{"viewer", true, false, "",
-            "apt-get install libglfw3-dev liblodepng-dev, configure and build again"};
+  Item item{"viewer", true, false, "", viewer_cure()};
   for (const char* program : {kViewerProgram, kSimulateProgram}) {
     const auto file = find_beside(program);
     item.found = item.found && file;

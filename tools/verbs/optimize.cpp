@@ -16,6 +16,7 @@
 #include "tools/run/run_json.hpp"
 #include "tools/simulate/stand.hpp"
 #include "tools/verbs/close_gap.hpp"
+#include "tools/verbs/command_times.hpp"
 #include "tools/verbs/feasibility.hpp"
 #include "tools/verbs/joint_folders.hpp"
 #include "tools/verbs/recorder.hpp"
@@ -264,7 +265,7 @@ void check_not_in_run(const fs::path& root, const RobotFiles& files) {
 
 /// Solves the problem of a run that has started, and writes what comes of it. @return exit code
 int solve_run(const OptimizeOptions& options, CodesignProblem& problem, const fs::path& root,
-              const ResultFolder& folder, Json& run) {
+              const ResultFolder& folder, CommandTimes& times, Json& run) {
   // From here on the run has files of its own: what becomes of the user's does not matter to it.
   problem.robot.files = problem.robot.files.moved_to(folder.inputs() / "robot.xml");
   problem.robot.file = problem.robot.files.file();
@@ -278,29 +279,38 @@ int solve_run(const OptimizeOptions& options, CodesignProblem& problem, const fs
   };
   recorder.start();
   const ProblemCosts costs(problem);
+  times.end_of("reading");
   const MultistartResult found = codesign_from_starts(costs.tasks(), problem.robot.space, settings);
+  times.end_of("search");
   progress.finish();
   const int signal = StopSignals::received();
   write_end(folder, problem, found, signal, recorder, run);
+  times.end_of("results");
   write_json(folder.run_json(), run);  // what follows may take a while, and adds to it
   if (signal == 0 && !options.no_certificate && usable(found.winner().best))
     run["certificate"] = write_certificate(folder, problem, costs.tasks(), found.winner().best,
                                            settings.codesign.threads);
+  times.end_of("certificate");
   if (options.physics_steps > 0 && StopSignals::received() == 0 && usable(found.winner().best))
     close_gaps(folder, problem, found.winner().best, options, run);
+  times.end_of("physics_steps");
   if (options.front > 0 && StopSignals::received() == 0) {
     CodesignOptions rules = settings.codesign;
     rules.on_iteration = [](const DesignIteration&) { return StopSignals::received() == 0; };
     run["front"] = write_front(folder, problem, costs.tasks(), found, options.front, rules);
   }
+  times.end_of("front");
   recorder.end(run);
+  write_json(folder.run_json(), run);  // complete, should the pictures be interrupted
+  if (StopSignals::received() == 0) draw_rest(recorder.pictures(), options.quiet);
+  times.end_of("pictures");
+  times.add_to(run["seconds"]);
   write_json(folder.run_json(), run);
 
   if (options.json) fmt::print("{}", to_text(run));
   if (!options.json && !options.quiet)
     fmt::print("{}", problem.set.joint() ? joint_summary(run, root) : optimize_summary(run, root));
   std::fflush(stdout);
-  if (StopSignals::received() == 0) draw_rest(recorder.pictures(), options.quiet);
   return exit_code(StopSignals::received(), run["reasons"]);
 }
 
@@ -316,6 +326,7 @@ void note_failure(const ResultFolder& folder, Json& run, const char* why) {
 }
 
 int optimize(const OptimizeOptions& options) {
+  CommandTimes times;
   CodesignProblem problem = read_problem(options.task, options.robot);
   check_front(options, problem);
   if (!options.quiet) warn(problem);
@@ -324,7 +335,7 @@ int optimize(const OptimizeOptions& options) {
   const ResultFolder folder = ResultFolder::create(root, options.force);
   Json run = write_start(folder, problem, options.motion_only);
   try {
-    return solve_run(options, problem, root, folder, run);
+    return solve_run(options, problem, root, folder, times, run);
   } catch (const std::exception& error) {
     note_failure(folder, run, error.what());
     throw;

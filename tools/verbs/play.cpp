@@ -77,21 +77,30 @@ fs::path run_to_follow(const PlayOptions& options) {
   return fs::absolute(options.run);
 }
 
-/// Which viewer to open, and its program where it is one of ours.
+[[noreturn]] void refuse_without(const std::string& program, const std::string& otherwise) {
+  throw IoError(fmt::format("{} was not found beside {}; {}{}", program, program_file().string(),
+                            viewer_cure(), otherwise));
+}
+
+/// Which viewer to open. Throws IoError, with the way to get it, where that one is not there.
 std::string choose_viewer(const PlayOptions& options) {
-  const auto legwright = find_beside(kViewerProgram), simulate = find_beside(kSimulateProgram);
+  const bool legwright = find_beside(kViewerProgram).has_value();
+  const bool simulate = find_beside(kSimulateProgram).has_value();
   const std::string best = legwright ? "legwright" : simulate ? "simulate" : "python";
-  const std::string chosen = options.viewer.empty() && options.live ? "legwright"
-                             : options.viewer.empty()               ? best
-                                                                    : options.viewer;
+  const std::string chosen = !options.viewer.empty() ? options.viewer
+                             : options.live          ? "legwright"
+                                                     : best;
   if (options.live && chosen != "legwright")
     throw InputError("--live needs Legwright's own viewer, not --viewer " + chosen);
   if ((chosen == "legwright" && !legwright) || (chosen == "simulate" && !simulate))
-    throw IoError(fmt::format(
-        "{} was not found beside {}; apt-get install libglfw3-dev liblodepng-dev (tools/setup does "
-        "it), configure and build again{}",
-        chosen == "simulate" ? kSimulateProgram : kViewerProgram, program_file().string(),
-        options.live ? "" : ", or use --viewer python"));
+    refuse_without(chosen == "simulate" ? kSimulateProgram : kViewerProgram,
+                   options.live ? "" : ", or use --viewer python");
+  // Python is what is left, and only where it has MuJoCo; else the missing viewer is the fault.
+  const bool only_told = options.print || options.json;
+  if (options.viewer.empty() && chosen == "python" && !only_told && !find_viewer_python())
+    refuse_without(kViewerProgram,
+                   "; or pip install mujoco==" + versions()["mujoco"].get<std::string>() +
+                       " and use --viewer python");
   return chosen;
 }
 

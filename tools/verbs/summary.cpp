@@ -85,6 +85,28 @@ std::string physics_lines(const Json& task, const std::string& indent) {
 
 }  // namespace
 
+namespace {
+
+/// The whole command as the user waits for it, then its parts, those of the solvers in brackets.
+std::string time_line(const Json& seconds) {
+  std::string parts;
+  for (const char* part :
+       {"reading", "search", "results", "certificate", "physics_steps", "front", "pictures"}) {
+    const auto found = seconds.find(part);
+    if (found == seconds.end()) continue;
+    parts += fmt::format("{}{} {:.2f}", parts.empty() ? ": " : ", ",
+                         part == std::string_view("physics_steps") ? "physics steps" : part,
+                         found->get<double>());
+    if (part == std::string_view("search"))
+      parts += fmt::format(" (motion {:.2f}, adjoint {:.2f}, predictor {:.2f}, files {:.2f})",
+                           seconds["motion"].get<double>(), seconds["adjoint"].get<double>(),
+                           seconds["predictor"].get<double>(), seconds["files"].get<double>());
+  }
+  return fmt::format("  time     {:.2f} s{}\n", seconds["command"].get<double>(), parts);
+}
+
+}  // namespace
+
 std::string joint_summary(const Json& run, const std::filesystem::path& root) {
   std::string text = fmt::format("{} {}: {}; best from '{}'\n", run["robot"].get<std::string>(),
                                  run["name"].get<std::string>(),
@@ -107,8 +129,7 @@ std::string joint_summary(const Json& run, const std::filesystem::path& root) {
                         start["tasks"][0].get<std::string>(), start["F_start"].get<double>(),
                         start["F"].get<double>(), start["status"].get<std::string>(),
                         start["seconds"].get<double>());
-  text += fmt::format("  time     {:.2f} s solving, {:.2f} s files\n",
-                      run["seconds"]["total"].get<double>(), run["seconds"]["files"].get<double>());
+  text += time_line(run["seconds"]);
   text += "  body\n" + parameter_lines(run["parameters"]);
   for (const Json& reason : run["reasons"])
     text += "  INFEASIBLE: " + reason.get<std::string>() + "\n";
@@ -119,7 +140,6 @@ std::string joint_summary(const Json& run, const std::filesystem::path& root) {
 }
 
 std::string optimize_summary(const Json& run, const std::filesystem::path& root) {
-  const Json& seconds = run["seconds"];
   const double reached = run["speed_reached"], wanted = run["speed_wanted"];
   std::string text;
   text += fmt::format("{} {}: {} after {} design iterations and {} Newton iterations\n",
@@ -136,11 +156,7 @@ std::string optimize_summary(const Json& run, const std::filesystem::path& root)
   text += fmt::format("  speed    {:.4g} of {:.4g} planned{}\n", reached, wanted,
                       wanted > 0.0 ? fmt::format(" ({:.1f} %)", 100.0 * reached / wanted) : "");
   text += physics_lines(run, "  ");
-  text += fmt::format(
-      "  time     {:.2f} s: motion {:.2f}, adjoint {:.2f}, predictor {:.2f}, files {:.2f}\n",
-      seconds["total"].get<double>(), seconds["motion"].get<double>(),
-      seconds["adjoint"].get<double>(), seconds["predictor"].get<double>(),
-      seconds["files"].get<double>());
+  text += time_line(run["seconds"]);
   text += fmt::format("  memory   {:.0f} MiB\n", run["peak_rss_mib"].get<double>());
   if (!run["parameters"].empty()) text += "  body\n" + parameter_lines(run["parameters"]);
   for (const Json& reason : run["reasons"])

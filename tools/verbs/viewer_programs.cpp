@@ -94,6 +94,8 @@ std::optional<std::filesystem::path> find_beside(const std::string& program) {
   return std::nullopt;
 }
 
+std::string viewer_cure() { return LEGWRIGHT_VIEWER_CURE; }
+
 std::optional<std::filesystem::path> find_plugin() {
   std::error_code error;
   for (const std::filesystem::path& candidate : plugin_candidates())

@@ -29,6 +29,9 @@ inline constexpr const char* kSimulateProgram = "simulate";
 /// The program of that name in the folder of the running one, or nothing.
 std::optional<std::filesystem::path> find_beside(const std::string& program);
 
+/// What to do where they are missing: build them, or what stands in the way of building them.
+std::string viewer_cure();
+
 /// A plugin library that is there, or nothing.
 std::optional<std::filesystem::path> find_plugin();
 

@@ -51,7 +51,7 @@ TEST(TaskFile, ReadsTheWalkExample) {
   EXPECT_EQ(task.margins.floor_friction, 0.8);
   EXPECT_EQ(task.margins.swing_height, 0.025);
   EXPECT_FALSE(task.planted_margin);
-  EXPECT_EQ(task.line("gait.period"), 9);
+  EXPECT_EQ(task.line("gait.period"), 10);
   EXPECT_EQ(task.line("limits.planted_margin"), task.line("limits"));
 }
 

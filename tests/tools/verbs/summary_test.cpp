@@ -15,6 +15,45 @@ TEST(ShellWord, QuotesOnlyWhatNeedsIt) {
   EXPECT_EQ(shell_word(""), "''");
 }
 
+TEST(OptimizeSummary, TellsTheWholeCommandAndItsParts) {
+  const Json run{{"robot", "puppy"},
+                 {"task", {{"name", "walk"}}},
+                 {"status", "converged"},
+                 {"motion_only", false},
+                 {"design_iterations", 3},
+                 {"newton_iterations", 40},
+                 {"motion_only_F", 2.0},
+                 {"final_F", 1.0},
+                 {"speed_reached", 0.1},
+                 {"speed_wanted", 0.1},
+                 {"peak_rss_mib", 100.0},
+                 {"parameters", Json::array()},
+                 {"reasons", Json::array()},
+                 {"feasible", true},
+                 {"seconds",
+                  {{"total", 1.2},
+                   {"motion", 1.0},
+                   {"adjoint", 0.1},
+                   {"predictor", 0.05},
+                   {"files", 0.2},
+                   {"command", 6.25},
+                   {"reading", 0.5},
+                   {"search", 1.5},
+                   {"certificate", 4.25}}}};
+  const std::string text = optimize_summary(run, "runs/a");
+  EXPECT_NE(text.find("  time     6.25 s: reading 0.50, search 1.50 (motion 1.00, adjoint 0.10, "
+                      "predictor 0.05, files 0.20), certificate 4.25\n"),
+            std::string::npos)
+      << text;
+}
+
+TEST(ViewerCure, SaysWhatStandsInTheWay) {
+  const std::string cure = viewer_cure();
+  EXPECT_TRUE(cure.find("--target legwright_viewer") != std::string::npos ||
+              cure.find("configured without viewers: ") != std::string::npos)
+      << cure;
+}
+
 TEST(RunCommand, PassesWordsUntouchedAndTellsTheExitStatus) {
   std::string output;
   EXPECT_EQ(run_command({"printf", "%s|", "a b", "$HOME", "'"}, &output), 0);
