@@ -1,26 +1,27 @@
 # SPDX-License-Identifier: Apache-2.0
 """Which limbs and capsules are to keep apart, and how far. Lengths in m."""
+
 import dataclasses
 import functools
 
-import numpy as np
-
 import equipment
+import numpy as np
 import tape
 from robot import LEG_LENGTH
 from segments import segment_distance
 from vectors import UNIT
 
-LIMB_RANGE = 0.1       # beyond the clearance over which limbs cost, share of the leg
-ROUNDING = 0.25        # distance below which its root is rounded, share of the clearance
+LIMB_RANGE = 0.1  # beyond the clearance over which limbs cost, share of the leg
+ROUNDING = 0.25  # distance below which its root is rounded, share of the clearance
 TRUNK_MARGIN, TRUNK_RANGE = 0.015, 0.05  # of capsules, shares of the leg
-LEAST_RANGE = 0.1      # share of the range that is left to capsules that are near at home
+LEAST_RANGE = 0.1  # share of the range that is left to capsules that are near at home
 TOUCHING = 1e-6
 
 
 @dataclasses.dataclass
 class Pair:
     """first, second: functions of Placed that give the ends of a segment, (n, 3) each."""
+
     first: object
     second: object
     clearance: float
@@ -41,10 +42,12 @@ def pairs(robot, clearance):
 
 def _link(leg, k):
     """The segment from a hinge to the next one, or to the foot."""
+
     def ends(placed):
         joint = 3 * leg + k
         end = placed.anchors[:, joint + 1] if k < 2 else placed.feet[:, leg]
         return placed.anchors[:, joint], end
+
     return ends
 
 
@@ -54,20 +57,22 @@ def _limb_pairs(robot, clearance):
     found, home, reach = [], robot.home(), LIMB_RANGE * LEG_LENGTH
     links = [(leg, k) for leg in range(4) for k in range(3)]
     for a, (leg, k) in enumerate(links):
-        for other, below in links[a + 1:]:
+        for other, below in links[a + 1 :]:
             pair = Pair(_link(leg, k), _link(other, below), clearance, reach)
-            if leg == other:
-                if below == k + 1 or distances([pair], home).value[0, 0] < clearance + reach:
-                    continue
-            found.append(pair)
+            near = below == k + 1 or distances([pair], home).value[0, 0] < clearance + reach
+            if leg != other or not near:
+                found.append(pair)
     return found
 
 
 def _trunk_capsule(side):
     def ends(placed):
         design, low = placed.design, equipment.TRUNK_LOW * UNIT[2]
-        return [placed.on_trunk(front * design.length * UNIT[0]
-                                + side * design.width * UNIT[1] - low) for front in (0.5, -0.5)]
+        return [
+            placed.on_trunk(front * design.length * UNIT[0] + side * design.width * UNIT[1] - low)
+            for front in (0.5, -0.5)
+        ]
+
     return ends
 
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """F and its derivatives at one point (s, m)."""
+
 import dataclasses
 
 import numpy as np
-
 import tape
 from terms import weighted_terms
 
@@ -12,8 +12,8 @@ TINY = 1e-30  # length of the imaginary step: its square vanishes beside any rea
 
 @dataclasses.dataclass
 class Evaluation:
-    terms: dict             # weighted value by name
-    value: float            # F, their sum
+    terms: dict  # weighted value by name
+    value: float  # F, their sum
     gradient_m: np.ndarray  # ∂F/∂m
     gradient_s: np.ndarray  # ∂F/∂s
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the equipped puppy has beyond the plain one. SI units; three numbers: by joint of a leg."""
-import numpy as np
 
+import numpy as np
 import tape
 from vectors import rotation_of
 
@@ -34,5 +34,7 @@ def sole(foot):
 def payload_points():
     """(mass, place): a box has Σ m x² = mass (edge/2)²/3 along each edge."""
     arm = np.array(PAYLOAD['size']) / 2 / np.sqrt(3)
-    return [(PAYLOAD['mass'] / 8, np.array(PAYLOAD['position']) + arm * signs)
-            for signs in np.array(np.meshgrid(*[(-1, 1)] * 3)).reshape(3, 8).T]
+    return [
+        (PAYLOAD['mass'] / 8, np.array(PAYLOAD['position']) + arm * signs)
+        for signs in np.array(np.meshgrid(*[(-1, 1)] * 3)).reshape(3, 8).T
+    ]

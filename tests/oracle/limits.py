@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """The terms that only the equipped puppy has: limits of joints, motors and pistons, flat feet,
 limbs that keep apart, and what motors and bodies cost."""
-import numpy as np
 
 import clearance
 import equipment
+import numpy as np
 import tape
 from penalties import barrier, half_square, near_barrier
 from pistons import LEGS, Piston
@@ -76,7 +76,7 @@ def actuator_force(state):
     total, edge = 0.0, state.task.barrier_edge
     for leg in LEGS:
         knee = 1 + 3 * leg
-        home = Piston(home_design, leg, tape.tensor(NOMINAL[knee:knee + 1])).arm.value[0]
+        home = Piston(home_design, leg, tape.tensor(NOMINAL[knee : knee + 1])).arm.value[0]
         arm = Piston(state.placed.design, leg, state.motion.pose[:-1, 6 + knee]).arm
         reach = state.joint_torques()[:, knee] / allowed
         for sign in (-1.0, 1.0):
@@ -91,19 +91,30 @@ def flat_foot(state):
     for foot, shank in enumerate(state.placed.shanks):
         ahead, beside = (times(shank, direction) for direction in equipment.sole(foot))
         total = total + half_square(ahead[:, 2]) + half_square(beside[:, 2])
-        first = np.array([i for i in range(task.knots)
-                          if task.planted(i, foot) and task.planted(i + 1, foot)])
+        first = np.array(
+            [i for i in range(task.knots) if task.planted(i, foot) and task.planted(i + 1, foot)]
+        )
         total = total + half_square((ahead[first + 1] - ahead[first])[:, :2])
     return total
 
 
 def limb_clearance(state):  # (16), the right way round
     pairs = clearance.pairs(state.robot, state.task.clearance)
-    least, reach = (np.array([[getattr(pair, name)] for pair in pairs])
-                    for name in ('clearance', 'range'))
+    least, reach = (
+        np.array([[getattr(pair, name)] for pair in pairs]) for name in ('clearance', 'range')
+    )
     gap = clearance.distances(pairs, state.placed)[:, :-1] - least
     return near_barrier(gap / reach, state.task.barrier_edge)
 
 
-TERMS = (joint_limits, torque_limits, peak_torque, mechanical_work, printed_volume, stroke_limits,
-         actuator_force, flat_foot, limb_clearance)
+TERMS = (
+    joint_limits,
+    torque_limits,
+    peak_torque,
+    mechanical_work,
+    printed_volume,
+    stroke_limits,
+    actuator_force,
+    flat_foot,
+    limb_clearance,
+)

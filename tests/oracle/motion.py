@@ -4,8 +4,8 @@
 m = knots 0 ... T, each: pose (root position 3, rotation vector 3, 12 angles), COM 3, feet 4 × 3,
 force 3 of each foot in stance, in order of feet.
 """
-import numpy as np
 
+import numpy as np
 import tape
 from robot import FOOT_RADIUS, LEG_LENGTH, NOMINAL, Placed
 
@@ -42,9 +42,15 @@ class Layout:
 
     def slots(self):
         """The first index of each part, knot by knot, as the stored documents tell it."""
-        return [dict(q=int(self.pose[i, 0]), x=int(self.com[i, 0]), e=int(self.foot[i, 0, 0]),
-                     f=[int(self.force[i, j, 0]) if self.stance[i, j] else None for j in range(4)])
-                for i in range(len(self.pose))]
+        return [
+            dict(
+                q=int(self.pose[i, 0]),
+                x=int(self.com[i, 0]),
+                e=int(self.foot[i, 0, 0]),
+                f=[int(self.force[i, j, 0]) if self.stance[i, j] else None for j in range(4)],
+            )
+            for i in range(len(self.pose))
+        ]
 
 
 class Motion:

@@ -7,6 +7,7 @@ check  makes their numbers anew and compares them with the stored ones: the poin
        drawn, and everything else at the stored points.
 Exits 1 if they differ, 2 if a file is missing.
 """
+
 import pathlib
 import sys
 

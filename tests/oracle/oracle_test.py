@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """The oracle's own parts: derivatives against complex steps, comparisons that see what is wrong."""
+
 import contextlib
 import copy
 import io
@@ -8,10 +9,9 @@ import pathlib
 import tempfile
 import unittest
 
-import numpy as np
-
 import derivatives
 import document
+import numpy as np
 import penalties
 import segments
 import tape
@@ -34,8 +34,12 @@ def run(*arguments):
 
 def full_samples():
     """(task, sample) of all that have second derivatives."""
-    return [(task, sample) for task in TASKS for sample in STORED[task]['samples']
-            if 'direction_m' in sample]
+    return [
+        (task, sample)
+        for task in TASKS
+        for sample in STORED[task]['samples']
+        if 'direction_m' in sample
+    ]
 
 
 def point(sample):
@@ -48,8 +52,9 @@ class Derivatives(unittest.TestCase):
         for task, sample in full_samples():
             layout, (s, m) = Layout(task), point(sample)
             ds, dm = random.normal(size=s.size), random.normal(size=m.size)
-            stepped = weighted_terms(task, layout, tape.tensor(s + tiny * ds),
-                                     tape.tensor(m + tiny * dm))
+            stepped = weighted_terms(
+                task, layout, tape.tensor(s + tiny * ds), tape.tensor(m + tiny * dm)
+            )
             for name, (of_m, of_s) in derivatives.by_term(task, layout, s, m).items():
                 slope = stepped[name].value.imag / derivatives.TINY
                 size = np.abs(of_m) @ np.abs(dm) + np.abs(of_s) @ np.abs(ds)
@@ -60,31 +65,37 @@ class Derivatives(unittest.TestCase):
         for task in TASKS:
             sample = STORED[task]['samples'][0]
             layout, (s, m), v = Layout(task), point(sample), np.array(sample['direction_m'])
-            ahead, behind = (derivatives.at_point(task, layout, s, m + sign * 1e-6 * v)
-                             for sign in (1, -1))
+            ahead, behind = (
+                derivatives.at_point(task, layout, s, m + sign * 1e-6 * v) for sign in (1, -1)
+            )
             of_m, of_s = derivatives.hessian_times(task, layout, s, m, v)
             for product, name in ((of_m, 'gradient_m'), (of_s, 'gradient_s')):
                 difference = (getattr(ahead, name) - getattr(behind, name)) / 2e-6
-                self.assertLess(np.linalg.norm(product - difference),
-                                1e-7 * np.linalg.norm(product))
+                self.assertLess(
+                    np.linalg.norm(product - difference), 1e-7 * np.linalg.norm(product)
+                )
 
     def test_pieces_join_with_two_derivatives(self):
         step = 1e-9
-        for function, joins in ((segments.ramp, (-0.05, 0.05)), (segments.clamp, (0.05, 0.95)),
-                                (segments.finite_reciprocal, (0.03,)),
-                                (lambda x: segments.rounded_root(x, 0.2), (0.04,)),
-                                (lambda x: penalties.barrier(x, 0.02), (0.02,)),
-                                (lambda x: penalties.near_barrier(x, 0.02), (0.02, 1.0))):
+        for function, joins in (
+            (segments.ramp, (-0.05, 0.05)),
+            (segments.clamp, (0.05, 0.95)),
+            (segments.finite_reciprocal, (0.03,)),
+            (lambda x: segments.rounded_root(x, 0.2), (0.04,)),
+            (lambda x: penalties.barrier(x, 0.02), (0.02,)),
+            (lambda x: penalties.near_barrier(x, 0.02), (0.02, 1.0)),
+        ):
             for join in joins:
-                below, above = (self.two_derivatives(function, join + side * step)
-                                for side in (-1, 1))
+                below, above = (
+                    self.two_derivatives(function, join + side * step) for side in (-1, 1)
+                )
                 np.testing.assert_allclose(below, above, rtol=1e-6, atol=1e-6)
 
     @staticmethod
     def two_derivatives(function, at):
         x = tape.tensor(np.array([at + 1j * derivatives.TINY]))
         y = function(x)
-        slope, = tape.gradients(y.sum(), [x])
+        (slope,) = tape.gradients(y.sum(), [x])
         return y.value.sum().real, slope[0].real, slope[0].imag / derivatives.TINY
 
     def test_rotations_are_rotations_and_smooth_at_zero(self):
@@ -105,7 +116,7 @@ class Mechanics(unittest.TestCase):
             first, second = p1 + shares * (q1 - p1), p2 + shares * (q2 - p2)
             nearest = np.linalg.norm(first[:, None] - second, axis=2).min()
             length = max(np.linalg.norm(q1 - p1), np.linalg.norm(q2 - p2))
-            self.assertGreater(found.value**2, nearest**2 - (length / 200)**2)
+            self.assertGreater(found.value**2, nearest**2 - (length / 200) ** 2)
             self.assertLess(found.value**2, nearest**2 + 0.001 * length**2)
 
     def test_torques_at_rest_are_slopes_of_potential_energy(self):
@@ -118,7 +129,7 @@ class Mechanics(unittest.TestCase):
         q = tape.tensor(pose[None])
         placed = Placed(task.robot, q, s)
         height = (placed.points * task.up).sum(-1)
-        slope, = tape.gradients((height * placed.masses * GRAVITY).sum(), [q])
+        (slope,) = tape.gradients((height * placed.masses * GRAVITY).sum(), [q])
         np.testing.assert_allclose(torques[4], slope[0, 6:], atol=1e-14)
 
 
@@ -140,10 +151,17 @@ class Comparison(unittest.TestCase):
                 self.assert_noticed(sample['terms'], lambda d, name=name: scale(d, name))
                 for by in ('term_gradients_m', 'term_gradients_s'):
                     if sample[by][name]['value']:
-                        self.assert_noticed(sample[by][name], lambda d: scale(
-                            d['value'], np.argmax(np.abs(d['value']))))
-            for key in ('gradient_m', 'gradient_s', 'hessian_mm_direction', 'hessian_sm_direction',
-                        'm'):
+                        self.assert_noticed(
+                            sample[by][name],
+                            lambda d: scale(d['value'], np.argmax(np.abs(d['value']))),
+                        )
+            for key in (
+                'gradient_m',
+                'gradient_s',
+                'hessian_mm_direction',
+                'hessian_sm_direction',
+                'm',
+            ):
                 self.assert_noticed(sample[key], lambda d: scale(d, np.argmax(np.abs(d))))
 
     def test_plans_are_compared_more_loosely(self):
@@ -155,10 +173,13 @@ class Comparison(unittest.TestCase):
         self.assertEqual(len(document.differences(changed, plan)), 1)
 
     def test_notices_a_change_of_the_document(self):
-        for change in (lambda d: scale(d['settings']['weights'], 'travel'),
-                       lambda d: d['samples'][1].pop('F'), lambda d: d['samples'].pop(),
-                       lambda d: d.update(name='puppy_run'),
-                       lambda d: d['samples'][0].update(F=float('nan'))):
+        for change in (
+            lambda d: scale(d['settings']['weights'], 'travel'),
+            lambda d: d['samples'][1].pop('F'),
+            lambda d: d['samples'].pop(),
+            lambda d: d.update(name='puppy_run'),
+            lambda d: d['samples'][0].update(F=float('nan')),
+        ):
             self.assert_noticed(STORED[WALK], change)
 
     def test_command_fails_on_a_changed_number_or_point(self):
@@ -167,8 +188,10 @@ class Comparison(unittest.TestCase):
             self.assertEqual(run('check', name), 2)
             self.assertEqual(run('make', name), 0)
             self.assertEqual(run('check', name), 0)
-            for change in (lambda d: d['samples'][0]['gradient_s'].__setitem__(3, 0.0),
-                           lambda d: d['samples'][1]['m'].__setitem__(0, 0.5)):
+            for change in (
+                lambda d: d['samples'][0]['gradient_s'].__setitem__(3, 0.0),
+                lambda d: d['samples'][1]['m'].__setitem__(0, 0.5),
+            ):
                 changed = copy.deepcopy(STORED[WALK])
                 change(changed)
                 document.write(document.path_of(WALK, folder), changed)

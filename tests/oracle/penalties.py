@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """How residuals are counted: equalities by their squares, inequalities r >= 0 by barriers."""
-import numpy as np
 
+import numpy as np
 import tape
 
 

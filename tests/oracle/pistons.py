@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The pistons of the equipped puppy, by the places of their ends in the thigh's frame."""
-import numpy as np
 
 import equipment
+import numpy as np
 import tape
 from robot import SIDES
 from vectors import UNIT, cross, dot, rotation_about, times

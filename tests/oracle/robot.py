@@ -4,9 +4,9 @@
 s = 12 link lengths, 36 components of joint axes (leg, joint, xyz), body width, body length; of the
 equipped puppy also the three coordinates of its pistons' lower ends.
 """
-import numpy as np
 
 import equipment
+import numpy as np
 import tape
 from vectors import UNIT, dot, rotation_about, rotation_of, times
 

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """The points at which F is sampled: random ones, and a plan."""
+
 import dataclasses
 import json
 import pathlib
 
-import numpy as np
-
 import motion
+import numpy as np
 import robot
 
 LABELS = ('legs all different', 'left and right mirrored', 'legs all different')
@@ -54,7 +54,7 @@ def random_motion(task, layout, s, random):
 def check_barriers(task, layout, m):
     """Fails unless both barriers are met above and below their edge."""
     force = m[layout.force[:-1][layout.stance[:-1]]] / task.robot.weight
-    tangential = np.sqrt(force[:, 0]**2 + force[:, 1]**2 + 1e-6)
+    tangential = np.sqrt(force[:, 0] ** 2 + force[:, 1] ** 2 + 1e-6)
     for slack in (task.friction * force[:, 2] - tangential, force[:, 2] - task.min_normal):
         above = int((slack > task.barrier_edge).sum())
         if not 5 < above < len(slack) - 5:

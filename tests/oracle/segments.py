@@ -4,10 +4,11 @@
 Nearest point of the two lines on the first segment, clamped; nearest to it on the second, clamped;
 nearest to that on the first, clamped.
 """
+
 import tape
 from vectors import dot
 
-CLAMP = 0.05     # half width of a rounded edge of a clamp, share of the length
+CLAMP = 0.05  # half width of a rounded edge of a clamp, share of the length
 PARALLEL = 0.03  # sin² of the angle of the lines below which 1/sin² is continued
 
 

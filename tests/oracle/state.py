@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Everything that the terms look at, for one s and m, and what several of them do with it."""
-import numpy as np
 
 import equipment
+import numpy as np
 import tape
 from motion import Motion
 from robot import FOOT_RADIUS, GRAVITY, Placed
@@ -49,8 +49,10 @@ class State:
                 arms = placed.points[:-1][:, moved] - anchor[:, None]
                 moment = cross(arms, pull[:, moved] * placed.masses[moved][:, None]).sum(1)
                 moment = moment - cross(contacts[:, leg] - anchor, force[:, leg])
-                torques.append(dot(placed.axes[:-1, joint], moment)
-                               + armature(self.robot, joint) * bends[:, joint])
+                torques.append(
+                    dot(placed.axes[:-1, joint], moment)
+                    + armature(self.robot, joint) * bends[:, joint]
+                )
             self._torques = tape.stack(torques, 1)
         return self._torques
 

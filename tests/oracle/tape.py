@@ -6,6 +6,7 @@ gradient back to it. Values may be complex: at x + i·t·v with a tiny t, the im
 gradient over t is the Hessian times v, to rounding. So no operation here conjugates, and branches
 look at real parts alone.
 """
+
 import itertools
 
 import numpy as np
@@ -27,20 +28,30 @@ class Tensor:
 
     def __add__(self, other):
         other = tensor(other)
-        return Tensor(self.value + other.value, [
-            (self, lambda g: _fold(g, self.shape)), (other, lambda g: _fold(g, other.shape))])
+        return Tensor(
+            self.value + other.value,
+            [(self, lambda g: _fold(g, self.shape)), (other, lambda g: _fold(g, other.shape))],
+        )
 
     def __mul__(self, other):
         other = tensor(other)
-        return Tensor(self.value * other.value, [
-            (self, lambda g: _fold(g * other.value, self.shape)),
-            (other, lambda g: _fold(g * self.value, other.shape))])
+        return Tensor(
+            self.value * other.value,
+            [
+                (self, lambda g: _fold(g * other.value, self.shape)),
+                (other, lambda g: _fold(g * self.value, other.shape)),
+            ],
+        )
 
     def __matmul__(self, other):
         other = tensor(other)
-        return Tensor(self.value @ other.value, [
-            (self, lambda g: _fold(g @ np.swapaxes(other.value, -1, -2), self.shape)),
-            (other, lambda g: _fold(np.swapaxes(self.value, -1, -2) @ g, other.shape))])
+        return Tensor(
+            self.value @ other.value,
+            [
+                (self, lambda g: _fold(g @ np.swapaxes(other.value, -1, -2), self.shape)),
+                (other, lambda g: _fold(np.swapaxes(self.value, -1, -2) @ g, other.shape)),
+            ],
+        )
 
     def __getitem__(self, index):
         def scatter(g):
@@ -50,11 +61,13 @@ class Tensor:
             else:
                 np.add.at(out, index, g)  # an entry may be picked twice
             return out
+
         return Tensor(self.value[index], [(self, scatter)])
 
     def sum(self, axis=None):
         def spread(g):
             return np.broadcast_to(g if axis is None else np.expand_dims(g, axis), self.shape)
+
         return Tensor(self.value.sum(axis=axis), [(self, spread)])
 
     def transpose(self):
@@ -127,9 +140,13 @@ def sqrt(x):
 def where(condition, yes, no):
     """Picks element by element. Whoever calls keeps both sides finite."""
     yes, no = tensor(yes), tensor(no)
-    return Tensor(np.where(condition, yes.value, no.value), [
-        (yes, lambda g: _fold(np.where(condition, g, 0.0), yes.shape)),
-        (no, lambda g: _fold(np.where(condition, 0.0, g), no.shape))])
+    return Tensor(
+        np.where(condition, yes.value, no.value),
+        [
+            (yes, lambda g: _fold(np.where(condition, g, 0.0), yes.shape)),
+            (no, lambda g: _fold(np.where(condition, 0.0, g), no.shape)),
+        ],
+    )
 
 
 def concatenate(parts, axis=0):
@@ -138,8 +155,11 @@ def concatenate(parts, axis=0):
 
     def share(end, size):
         return lambda g: np.take(g, np.arange(end - size, end), axis=axis)
-    return Tensor(np.concatenate([p.value for p in parts], axis=axis),
-                  [(p, share(end, p.shape[axis])) for p, end in zip(parts, ends)])
+
+    return Tensor(
+        np.concatenate([p.value for p in parts], axis=axis),
+        [(p, share(end, p.shape[axis])) for p, end in zip(parts, ends)],
+    )
 
 
 def stack(parts, axis=0):

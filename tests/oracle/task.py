@@ -1,18 +1,42 @@
 # SPDX-License-Identifier: Apache-2.0
 """The tasks: gaits, what is wanted of the motion, and weights."""
-import numpy as np
 
+import numpy as np
 from robot import LEG_LENGTH, Robot
 
 WEIGHTS = dict(
-    travel=1e3, turning=1e3, com_position=1e4, style_com=1.0, trunk_orientation=1.0,
-    nominal_pose=1e-2, foot_position=1e4, style_foot=0.3, force_balance=1e3, torque_balance=1e3,
-    smoothness=0.3, ground_height=1e4, stance_foot=1e4, friction_cone=1e-3,
-    least_normal_force=1e-3, force_size=1e-3, force_smoothness=1e-3, swing_height=1e3,
-    periodicity=1e4, design_tether=0.05)
+    travel=1e3,
+    turning=1e3,
+    com_position=1e4,
+    style_com=1.0,
+    trunk_orientation=1.0,
+    nominal_pose=1e-2,
+    foot_position=1e4,
+    style_foot=0.3,
+    force_balance=1e3,
+    torque_balance=1e3,
+    smoothness=0.3,
+    ground_height=1e4,
+    stance_foot=1e4,
+    friction_cone=1e-3,
+    least_normal_force=1e-3,
+    force_size=1e-3,
+    force_smoothness=1e-3,
+    swing_height=1e3,
+    periodicity=1e4,
+    design_tether=0.05,
+)
 EQUIPPED_WEIGHTS = dict(
-    flat_foot=1e4, joint_limits=1e-3, torque_limits=1e-3, stroke_limits=1e-3, actuator_force=1e-3,
-    limb_clearance=1e-3, mechanical_work=1.0, peak_torque=1e-3, printed_volume=1.0)
+    flat_foot=1e4,
+    joint_limits=1e-3,
+    torque_limits=1e-3,
+    stroke_limits=1e-3,
+    actuator_force=1e-3,
+    limb_clearance=1e-3,
+    mechanical_work=1.0,
+    peak_torque=1e-3,
+    printed_volume=1.0,
+)
 FOOTPRINT = np.array(((0.12, 0.09), (0.12, -0.09), (-0.12, 0.09), (-0.12, -0.09)))  # [m]
 
 
@@ -21,11 +45,11 @@ class Task:
 
     barrier_edge = 0.02
     com_height, swing_height = 0.175, 0.025  # [m]
-    friction, min_normal = 0.4, 0.1          # coefficient; share of the weight
-    joint_margin, torque_margin = 0.0, 0.1   # [rad]; share of the limit
-    clearance = 0.095 * LEG_LENGTH           # of limbs [m]
-    turn_rate = 0.0                          # [rad/s]
-    up = np.array([0.0, 0.0, 1.0])           # against gravity
+    friction, min_normal = 0.4, 0.1  # coefficient; share of the weight
+    joint_margin, torque_margin = 0.0, 0.1  # [rad]; share of the limit
+    clearance = 0.095 * LEG_LENGTH  # of limbs [m]
+    turn_rate = 0.0  # [rad/s]
+    up = np.array([0.0, 0.0, 1.0])  # against gravity
     com_heights = com_path = foot_targets = None  # lists over the cycle
 
     def __init__(self, name, seed, period, phase, duty, velocity, knots=24, planted_margin=1):
@@ -72,10 +96,14 @@ class Task:
         return np.array([c * forward - s * left, s * forward + c * left, 0.0])
 
     def com_target(self, knot):
-        height = self.com_height if self.com_heights is None else over_cycle(
-            self.com_heights, knot / self.knots)
-        sway = np.zeros(2) if self.com_path is None else over_cycle(
-            self.com_path, knot / self.knots)
+        height = (
+            self.com_height
+            if self.com_heights is None
+            else over_cycle(self.com_heights, knot / self.knots)
+        )
+        sway = (
+            np.zeros(2) if self.com_path is None else over_cycle(self.com_path, knot / self.knots)
+        )
         return self.place(knot) + self.turn(knot) @ np.append(sway, height)
 
     def foot_target(self, knot, foot):
@@ -96,8 +124,16 @@ def over_cycle(values, phase):
 
 def equipped_turn():
     """The equipped puppy on a slope and in a curve: everything that the other tasks leave out."""
-    task = Task('equipped_turn', 20180002, 0.8, (0, 0.5, 0.75, 0.25), 0.65, (0.06, 0.08), knots=16,
-                planted_margin=2)
+    task = Task(
+        'equipped_turn',
+        20180002,
+        0.8,
+        (0, 0.5, 0.75, 0.25),
+        0.65,
+        (0.06, 0.08),
+        knots=16,
+        planted_margin=2,
+    )
     task.robot, task.weights, task.has_plan = Robot(True), {**WEIGHTS, **EQUIPPED_WEIGHTS}, False
     task.turn_rate = 0.6
     task.up = np.array([0.1, -0.05, 1.0]) / np.linalg.norm([0.1, -0.05, 1.0])
@@ -108,6 +144,8 @@ def equipped_turn():
     return task
 
 
-TASKS = (Task('puppy_walk', 20180000, 1.0, (0, 0.5, 0.75, 0.25), 0.75, (0.0, 0.1)),
-         Task('puppy_trot', 20180001, 0.4, (0, 0.5, 0.5, 0), 0.5, (0.0, 0.1)),
-         equipped_turn())
+TASKS = (
+    Task('puppy_walk', 20180000, 1.0, (0, 0.5, 0.75, 0.25), 0.75, (0.0, 0.1)),
+    Task('puppy_trot', 20180001, 0.4, (0, 0.5, 0.5, 0), 0.5, (0.0, 0.1)),
+    equipped_turn(),
+)

@@ -4,17 +4,17 @@ the paper's equations.
 
 Residuals are dimensionless: lengths by the leg, forces by the weight, torques by their product.
 """
-import numpy as np
 
 import limits
+import numpy as np
 import tape
 from penalties import barrier, half_square
 from robot import FOOT_RADIUS, GRAVITY, LEG_LENGTH, NOMINAL
 from state import UP, State, bend
 from vectors import cross, times
 
-BEND_TIME = 4e-3   # [s²], makes accelerations of angles dimensionless
-APEX = 1e-3        # at which friction cones are rounded, share of the weight
+BEND_TIME = 4e-3  # [s²], makes accelerations of angles dimensionless
+APEX = 1e-3  # at which friction cones are rounded, share of the weight
 YAW = np.eye(15)[2]  # among the root's rotation vector and the joint angles
 
 
@@ -33,8 +33,9 @@ def style_com(state):  # (10)
 
 
 def style_foot(state):  # (10)
-    wanted = np.array([[state.task.foot_target(i, j) for j in range(4)]
-                       for i in range(state.task.knots + 1)])
+    wanted = np.array(
+        [[state.task.foot_target(i, j) for j in range(4)] for i in range(state.task.knots + 1)]
+    )
     return half_square((state.motion.foot[:, :, :2] - wanted) / LEG_LENGTH)
 
 
@@ -82,11 +83,18 @@ def torque_balance(state):
 def stance_foot(state):  # (14): the centre of a ball moves by r θ × ẑ while its link turns by θ
     task, total = state.task, 0.0
     for foot, shank in enumerate(state.placed.shanks):
-        first = np.array([i for i in range(task.knots)
-                          if task.planted(i, foot) and task.planted(i + 1, foot)])
+        first = np.array(
+            [i for i in range(task.knots) if task.planted(i, foot) and task.planted(i + 1, foot)]
+        )
         turn = shank[first + 1] @ shank[first].transpose()
-        angle = 0.5 * tape.stack([turn[:, 2, 1] - turn[:, 1, 2], turn[:, 0, 2] - turn[:, 2, 0],
-                                  turn[:, 1, 0] - turn[:, 0, 1]], 1)
+        angle = 0.5 * tape.stack(
+            [
+                turn[:, 2, 1] - turn[:, 1, 2],
+                turn[:, 0, 2] - turn[:, 2, 0],
+                turn[:, 1, 0] - turn[:, 0, 1],
+            ],
+            1,
+        )
         centre = state.motion.foot[:, foot]
         roll = FOOT_RADIUS * cross(angle, UP)
         total = total + half_square((centre[first + 1] - centre[first] - roll) / LEG_LENGTH)
@@ -111,8 +119,12 @@ def periodicity(state):  # (17), with root height, feet and forces
     angles = motion.pose[-1, 3:] - motion.pose[0, 3:] - state.turn_angle * YAW
     feet = motion.foot[-1] - times(turn, motion.foot[0]) - state.travel
     force = motion.force[-1] - times(turn, motion.force[0])
-    return (height + half_square(angles) + half_square(feet / LEG_LENGTH)
-            + half_square(force / state.robot.weight))
+    return (
+        height
+        + half_square(angles)
+        + half_square(feet / LEG_LENGTH)
+        + half_square(force / state.robot.weight)
+    )
 
 
 def ground_height(state):
@@ -125,7 +137,7 @@ def swing_height(state):
     knots, feet = state.pairs(lambda i, j: not task.planted(i, j))
     phase = np.array([task.swing_phase(i, j) for i, j in zip(knots, feet)])
     height = state.motion.foot[knots, feet][:, 2] - FOOT_RADIUS
-    return half_square((height - task.swing_height * np.sin(np.pi * phase)**1.5) / LEG_LENGTH)
+    return half_square((height - task.swing_height * np.sin(np.pi * phase) ** 1.5) / LEG_LENGTH)
 
 
 def force_size(state):
@@ -142,16 +154,38 @@ def design_tether(state):
     """Lengths relative to their initial values, axis components as they are, and the pistons' lower
     ends over the leg, once for each of the four pistons."""
     initial = state.robot.initial_design()
-    scale = np.concatenate([initial[:12], np.ones(36), initial[48:50],
-                            np.full(initial.size - 50, LEG_LENGTH / 2)])
+    scale = np.concatenate(
+        [initial[:12], np.ones(36), initial[48:50], np.full(initial.size - 50, LEG_LENGTH / 2)]
+    )
     return half_square((state.s - initial) / scale)
 
 
-TERMS = {term.__name__: term for term in (
-    travel, turning, style_com, style_foot, trunk_orientation, nominal_pose, smoothness,
-    com_position, foot_position, force_balance, torque_balance, stance_foot, friction_cone,
-    periodicity, ground_height, swing_height, least_normal_force, force_size, force_smoothness,
-    design_tether) + limits.TERMS}
+TERMS = {
+    term.__name__: term
+    for term in (
+        travel,
+        turning,
+        style_com,
+        style_foot,
+        trunk_orientation,
+        nominal_pose,
+        smoothness,
+        com_position,
+        foot_position,
+        force_balance,
+        torque_balance,
+        stance_foot,
+        friction_cone,
+        periodicity,
+        ground_height,
+        swing_height,
+        least_normal_force,
+        force_size,
+        force_smoothness,
+        design_tether,
+    )
+    + limits.TERMS
+}
 
 
 def weighted_terms(task, layout, s, m):

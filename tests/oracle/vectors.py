@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Vectors and rotations as tensors: the last axis counts x, y, z; the axes before it are free."""
-import numpy as np
 
+import numpy as np
 import tape
 
 UNIT = np.eye(3)

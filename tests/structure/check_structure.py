@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Checks how the sources hang together. Usage: check_structure.py [PROJECT_ROOT]
 
-- #include lines form no edge besides those in LAYERS and LIBRARIES; quoted includes name files from the root
+- #include lines form no edge besides those in LAYERS and LIBRARIES; quoted includes name files
+from the root
 - every source stands in a folder that LAYERS names; no two headers have one name
 - each source has an SPDX line, at most 400 lines, and (if .cpp) is named by a CMakeLists.txt
 - optimizer/terms/ and the table in its registry.cpp name the same terms
@@ -10,20 +11,47 @@
 - libraries do not print
 Prints one line per finding (file:line: what, and what would be right) and exits 1 if there is any.
 """
+
 import os
 import pathlib
 import re
 import sys
 
 LINE_LIMIT = 400
-FOLDERS = ('optimizer', 'mjcf', 'plugin', 'tools', 'tests', 'examples', 'benchmarks', 'cmake', '.ci')
+FOLDERS = (
+    'optimizer',
+    'mjcf',
+    'plugin',
+    'tools',
+    'tests',
+    'examples',
+    'benchmarks',
+    'cmake',
+    '.ci',
+)
 
 # Folders from the bottom up. A folder may include itself and those that its row names.
-OPTIMIZER = ('optimizer/base', 'optimizer/design', 'optimizer/motion', 'optimizer/terms', 'optimizer/objective',
-             'optimizer/solve')
+OPTIMIZER = (
+    'optimizer/base',
+    'optimizer/design',
+    'optimizer/motion',
+    'optimizer/terms',
+    'optimizer/objective',
+    'optimizer/solve',
+)
 MJCF = ('mjcf/text', 'mjcf/read', 'mjcf/write', 'mjcf/scene', 'mjcf/propose')
-TOOLS = ('tools/files', 'tools/task', 'tools/simulate', 'tools/run', 'tools/image', 'tools/validate', 'tools/render',
-         'tools/report', 'tools/viewer', 'tools/verbs')
+TOOLS = (
+    'tools/files',
+    'tools/task',
+    'tools/simulate',
+    'tools/run',
+    'tools/image',
+    'tools/validate',
+    'tools/render',
+    'tools/report',
+    'tools/viewer',
+    'tools/verbs',
+)
 LAYERS = {
     'optimizer/base': (),
     'optimizer/design': (),
@@ -45,7 +73,15 @@ LAYERS = {
     'tools/image': ('tools/files',),
     'tools/validate': OPTIMIZER + MJCF + ('trajectory',) + TOOLS[:4],
     'tools/render': ('trajectory', 'mjcf/text', 'mjcf/scene') + TOOLS[:5],
-    'tools/report': ('trajectory', 'mjcf/text', 'tools/files', 'tools/task', 'tools/run', 'tools/image') + OPTIMIZER,
+    'tools/report': (
+        'trajectory',
+        'mjcf/text',
+        'tools/files',
+        'tools/task',
+        'tools/run',
+        'tools/image',
+    )
+    + OPTIMIZER,
     'tools/viewer': ('mjcf/text', 'tools/files', 'tools/run', 'tools/simulate'),
     'tools/verbs': OPTIMIZER + MJCF + ('trajectory',) + TOOLS[:8],
     'program': OPTIMIZER + MJCF + TOOLS,
@@ -53,13 +89,39 @@ LAYERS = {
 }
 # Files whose layer is not their folder: the trajectory's format serves the plugin and the program.
 EXCEPTIONS = (
-    ('plugin/trajectory.', 'trajectory'), ('plugin/spline.', 'trajectory'), ('plugin/number_text.', 'trajectory'),
-    ('plugin/planned_motion.', 'trajectory'), ('plugin/', 'plugin'), ('tools/legwright.cpp', 'program'),
-    ('tests/', 'tests'), ('benchmarks/', 'tests'))
+    ('plugin/trajectory.', 'trajectory'),
+    ('plugin/spline.', 'trajectory'),
+    ('plugin/number_text.', 'trajectory'),
+    ('plugin/planned_motion.', 'trajectory'),
+    ('plugin/', 'plugin'),
+    ('tools/legwright.cpp', 'program'),
+    ('tests/', 'tests'),
+    ('benchmarks/', 'tests'),
+)
 LIBRARIES = (  # include path: paths that may use it; tests and benchmarks may use all
-    (r'mujoco/', ('mjcf/', 'plugin/', 'tools/simulate/', 'tools/validate/', 'tools/render/', 'tools/viewer/',
-                  'tools/studio/')),
-    (r'tinyxml2\.h', ('mjcf/text/', 'mjcf/read/', 'mjcf/write/', 'mjcf/scene/', 'mjcf/propose/', 'tools/simulate/')),
+    (
+        r'mujoco/',
+        (
+            'mjcf/',
+            'plugin/',
+            'tools/simulate/',
+            'tools/validate/',
+            'tools/render/',
+            'tools/viewer/',
+            'tools/studio/',
+        ),
+    ),
+    (
+        r'tinyxml2\.h',
+        (
+            'mjcf/text/',
+            'mjcf/read/',
+            'mjcf/write/',
+            'mjcf/scene/',
+            'mjcf/propose/',
+            'tools/simulate/',
+        ),
+    ),
     (r'cholmod\.h|suitesparse/', ('optimizer/solve/',)),
     (r'Eigen/|unsupported/Eigen/', ('optimizer/', 'mjcf/', 'tools/')),
     (r'fmt/', ('mjcf/', 'plugin/', 'tools/')),
@@ -68,14 +130,31 @@ LIBRARIES = (  # include path: paths that may use it; tests and benchmarks may u
     (r'X11/', ()),
     (r'GL/|EGL/', ('tools/render/',)),
     (r'lodepng\.h|webp/', ('tools/image/',)),
-    (r'gtest/|gmock/|benchmark/', ()))
-NOT_TERMS = {'registry', 'term', 'penalty', 'linear_term', 'factories'}  # files of terms/ that are no summand
+    (r'gtest/|gmock/|benchmark/', ()),
+)
+NOT_TERMS = {
+    'registry',
+    'term',
+    'penalty',
+    'linear_term',
+    'factories',
+}  # files of terms/ that are no summand
 
-LAX_NUMBERS = re.compile(r'\b(?:strto(?:d|f|ld|l|ul|ll|ull)|ato[fil]|sto(?:d|f|ld|i|l|ul|ll|ull)|[fs]?scanf|setlocale'
-                         r'|(?:Query)?(?:Double|Float|Int|Unsigned)(?:Attribute|Text|Value))\s*\(')
-PRINTING = re.compile(r'\bstd::(?:cout|cerr|clog|print|printf|puts)\b|(?<![\w:])(?:printf|puts)\s*\(|\bfmt::print\b'
-                      r'|\bf(?:printf|puts)\s*\(')
-MAY_PRINT = ('tools/verbs/', 'tools/viewer/main.cpp', 'tools/legwright.cpp', 'tests/', 'benchmarks/')
+LAX_NUMBERS = re.compile(
+    r'\b(?:strto(?:d|f|ld|l|ul|ll|ull)|ato[fil]|sto(?:d|f|ld|i|l|ul|ll|ull)|[fs]?scanf|setlocale'
+    r'|(?:Query)?(?:Double|Float|Int|Unsigned)(?:Attribute|Text|Value))\s*\('
+)
+PRINTING = re.compile(
+    r'\bstd::(?:cout|cerr|clog|print|printf|puts)\b|(?<![\w:])(?:printf|puts)\s*\(|\bfmt::print\b'
+    r'|\bf(?:printf|puts)\s*\('
+)
+MAY_PRINT = (
+    'tools/verbs/',
+    'tools/viewer/main.cpp',
+    'tools/legwright.cpp',
+    'tests/',
+    'benchmarks/',
+)
 
 
 def layer_of(path):
@@ -87,18 +166,28 @@ def layer_of(path):
 
 
 def uncommented(text):
-    """The text with comments and strings blanked, line numbers kept. #include lines keep their quotes."""
+    """The text with comments and strings blanked, line numbers kept. #include lines keep their
+    quotes."""
+
     def blank(match):
         found = match.group(0)
         if found.lstrip().startswith('#'):
             return found
         return re.sub(r'[^\n]', ' ', found)
-    return re.sub(r'^[ \t]*#[ \t]*include[^\n/]*|//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"', blank, text,
-                  flags=re.DOTALL | re.MULTILINE)
+
+    return re.sub(
+        r'^[ \t]*#[ \t]*include[^\n/]*|//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"',
+        blank,
+        text,
+        flags=re.DOTALL | re.MULTILINE,
+    )
 
 
 def is_source(path):
-    if path.suffix in ('.cpp', '.hpp', '.h', '.py', '.sh', '.cmake') or path.name == 'CMakeLists.txt':
+    if (
+        path.suffix in ('.cpp', '.hpp', '.h', '.py', '.sh', '.cmake')
+        or path.name == 'CMakeLists.txt'
+    ):
         return True
     if path.suffix or path.name.startswith('.'):
         return False
@@ -114,10 +203,16 @@ class Check:
         self.findings.append(f'{path}:{line}: {what}')
 
     def run(self):
-        files = [p for folder in FOLDERS for p in sorted((self.root / folder).rglob('*'))
-                 if p.is_file() and '__pycache__' not in p.parts]
+        files = [
+            p
+            for folder in FOLDERS
+            for p in sorted((self.root / folder).rglob('*'))
+            if p.is_file() and '__pycache__' not in p.parts
+        ]
         files += [p for p in (self.root / 'CMakeLists.txt',) if p.is_file()]
-        self.lists = {p.parent: p.read_text(encoding='utf-8') for p in files if p.name == 'CMakeLists.txt'}
+        self.lists = {
+            p.parent: p.read_text(encoding='utf-8') for p in files if p.name == 'CMakeLists.txt'
+        }
         self.built = self.listed_sources()
         sources = [p for p in files if is_source(p)]
         if not any(p.suffix == '.cpp' for p in sources):
@@ -145,7 +240,9 @@ class Check:
         if not any('SPDX-License-Identifier: Apache-2.0' in line for line in lines[:3]):
             self.report(name, 1, 'no SPDX line among the first three')
         if len(lines) > LINE_LIMIT:
-            self.report(name, len(lines), f'{len(lines)} lines, at most {LINE_LIMIT}: split it by concept')
+            self.report(
+                name, len(lines), f'{len(lines)} lines, at most {LINE_LIMIT}: split it by concept'
+            )
         if path.suffix not in ('.cpp', '.hpp', '.h'):
             return
         if layer_of(name) is None:
@@ -155,11 +252,15 @@ class Check:
             if include:
                 self.include(name, number, include.group(1) == '"', include.group(2))
             if LAX_NUMBERS.search(line) and not name.startswith('tests/'):
-                self.report(name, number, 'reads a number laxly: use the strict std::from_chars readers')
+                self.report(
+                    name, number, 'reads a number laxly: use the strict std::from_chars readers'
+                )
             if PRINTING.search(line) and not name.startswith(MAY_PRINT):
                 self.report(name, number, 'a library prints: return the text or throw')
         if path.suffix == '.cpp' and path not in self.built:
-            self.report(name, 1, 'named by no CMakeLists.txt: list it among the sources of its target')
+            self.report(
+                name, 1, 'named by no CMakeLists.txt: list it among the sources of its target'
+            )
 
     def listed_sources(self):
         """Every .cpp that a CMakeLists.txt names, as resolved paths."""
@@ -167,8 +268,12 @@ class Check:
         for folder, text in self.lists.items():
             text = re.sub(r'#.*', '', text)
             up = os.path.relpath(self.root, folder)  # relative: the root's own path may hold blanks
-            for variable, value in (('PROJECT_SOURCE_DIR', up), ('CMAKE_SOURCE_DIR', up),
-                                    ('CMAKE_CURRENT_SOURCE_DIR', '.'), ('CMAKE_CURRENT_LIST_DIR', '.')):
+            for variable, value in (
+                ('PROJECT_SOURCE_DIR', up),
+                ('CMAKE_SOURCE_DIR', up),
+                ('CMAKE_CURRENT_SOURCE_DIR', '.'),
+                ('CMAKE_CURRENT_LIST_DIR', '.'),
+            ):
                 text = text.replace('${' + variable + '}', value)
             found |= {(folder / name).resolve() for name in re.findall(r'[\w./+-]+\.cpp\b', text)}
         return found
@@ -176,7 +281,9 @@ class Check:
     def include(self, name, number, quoted, target):
         if not quoted:
             for pattern, users in LIBRARIES:
-                if re.match(pattern, target) and not name.startswith(users + ('tests/', 'benchmarks/')):
+                if re.match(pattern, target) and not name.startswith(
+                    users + ('tests/', 'benchmarks/')
+                ):
                     where = ', '.join(users) or 'tests'
                     self.report(name, number, f'<{target}> belongs to {where} alone')
             return
@@ -186,7 +293,11 @@ class Check:
         user, used = layer_of(name), layer_of(target)
         if used != user and used not in LAYERS.get(user, ()):
             allowed = ', '.join([*LAYERS.get(user, ()), str(user)])
-            self.report(name, number, f'{user} must not include {used} ("{target}"); it may include {allowed}')
+            self.report(
+                name,
+                number,
+                f'{user} must not include {used} ("{target}"); it may include {allowed}',
+            )
         if user == used == 'optimizer/terms':
             stem = pathlib.PurePosixPath(target).stem
             if stem not in NOT_TERMS and stem != pathlib.PurePosixPath(name).stem:
@@ -198,12 +309,16 @@ class Check:
             self.report('optimizer/terms/registry.cpp', 0, 'missing')
             return
         # The table's rows start with the name: {"travel", "(9)", 1e3, make_travel}.
-        table = re.findall(r'\{\s*"(\w+)"\s*,', (folder / 'registry.cpp').read_text(encoding='utf-8'))
+        table = re.findall(
+            r'\{\s*"(\w+)"\s*,', (folder / 'registry.cpp').read_text(encoding='utf-8')
+        )
         stems = {p.stem for p in folder.glob('*.cpp')} - NOT_TERMS
         for stem in sorted(stems - set(table)):
             self.report(f'optimizer/terms/{stem}.cpp', 1, 'not in the table of registry.cpp')
         for name in sorted(set(table) - stems):
-            self.report('optimizer/terms/registry.cpp', 1, f'names "{name}", but there is no {name}.cpp')
+            self.report(
+                'optimizer/terms/registry.cpp', 1, f'names "{name}", but there is no {name}.cpp'
+            )
         for name in sorted({n for n in table if table.count(n) > 1}):
             self.report('optimizer/terms/registry.cpp', 1, f'names "{name}" twice')
 

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tests of tools/readme that need no build: links and paths that are not there are found, folded
 output has the shape of unfolded output, links of measured tables lead from where they are put."""
+
 import importlib.machinery
 import importlib.util
 import pathlib
@@ -36,19 +37,27 @@ class Readme(unittest.TestCase):
         return sorted(self.readme.missing_paths(self.page, text))
 
     def test_links_that_lead_somewhere_are_fine(self):
-        self.assertEqual(self.links('[a](other.md), [b](../code/file.cpp), [c](https://x.org/y)\n'
-                                    '[d](other.md#a-heading-with-code)\n\n[e]: other.md\n'), [])
+        self.assertEqual(
+            self.links(
+                '[a](other.md), [b](../code/file.cpp), [c](https://x.org/y)\n'
+                '[d](other.md#a-heading-with-code)\n\n[e]: other.md\n'
+            ),
+            [],
+        )
 
     def test_links_to_missing_files_and_headings_are_found(self):
-        self.assertEqual(self.links('[a](gone.md) [b](other.md#gone)\n\n[e]: lost.md\n'),
-                         ['gone.md', 'lost.md', 'other.md#gone'])
+        self.assertEqual(
+            self.links('[a](gone.md) [b](other.md#gone)\n\n[e]: lost.md\n'),
+            ['gone.md', 'lost.md', 'other.md#gone'],
+        )
 
     def test_links_in_code_are_no_links(self):
         self.assertEqual(self.links('```\n[a](gone.md)\n```\n'), [])
 
     def test_paths_count_from_root_folder_and_tests_with_any_extension(self):
-        self.assertEqual(self.paths('`code/file` `code/file.cpp` `runs/x` '
-                                    '`code/NAME.cpp` `docs/`'), [])
+        self.assertEqual(
+            self.paths('`code/file` `code/file.cpp` `runs/x` `code/NAME.cpp` `docs/`'), []
+        )
         (self.readme.ROOT / 'docs/sub').mkdir()
         (self.readme.ROOT / 'docs/sub/x.hpp').touch()
         (self.readme.ROOT / 'tests/docs/sub').mkdir(parents=True)
@@ -56,23 +65,29 @@ class Readme(unittest.TestCase):
         self.assertEqual(self.paths('`sub/x` `sub/x_test`'), [])
 
     def test_missing_paths_are_found(self):
-        self.assertEqual(self.paths('`code/gone.cpp` and `tools/io/gone`'),
-                         ['code/gone.cpp', 'tools/io/gone'])
+        self.assertEqual(
+            self.paths('`code/gone.cpp` and `tools/io/gone`'), ['code/gone.cpp', 'tools/io/gone']
+        )
 
     def test_folding_changes_no_shape_but_words_do(self):
         line = 'robot: FAILS  ' + 'word ' * 40 + '12 mm'
         folded = self.readme.fenced(line, ' ' * 8)
         self.assertGreater(folded.count('\n'), 3)
         self.assertLessEqual(max(map(len, folded.splitlines())), self.readme.COLUMNS)
-        self.assertEqual(self.readme.shape(folded),
-                         self.readme.shape(f'```text\n{line.replace("12", "7.5")}\n```\n'))
-        self.assertNotEqual(self.readme.shape(folded),
-                            self.readme.shape(f'```text\n{line.replace("mm", "m")}\n```\n'))
+        self.assertEqual(
+            self.readme.shape(folded),
+            self.readme.shape(f'```text\n{line.replace("12", "7.5")}\n```\n'),
+        )
+        self.assertNotEqual(
+            self.readme.shape(folded),
+            self.readme.shape(f'```text\n{line.replace("mm", "m")}\n```\n'),
+        )
 
     def test_links_of_measured_tables_lead_from_their_page(self):
         text = '| [a](code/file.cpp) | [b](https://x.org) |'
-        self.assertEqual(self.readme.relinked(text, self.page),
-                         '| [a](../code/file.cpp) | [b](https://x.org) |')
+        self.assertEqual(
+            self.readme.relinked(text, self.page), '| [a](../code/file.cpp) | [b](https://x.org) |'
+        )
         self.assertEqual(self.links(self.readme.relinked(text, self.page)), [])
 
     def test_seconds_are_those_of_the_whole_command_where_they_are_told(self):
