@@ -59,8 +59,9 @@ def _limb_pairs(robot, clearance):
     for a, (leg, k) in enumerate(links):
         for other, below in links[a + 1 :]:
             pair = Pair(_link(leg, k), _link(other, below), clearance, reach)
-            near = below == k + 1 or distances([pair], home).value[0, 0] < clearance + reach
-            if leg != other or not near:
+            if leg != other or not (
+                below == k + 1 or distances([pair], home).value[0, 0] < clearance + reach
+            ):
                 found.append(pair)
     return found
 
