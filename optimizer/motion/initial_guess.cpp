@@ -118,8 +118,8 @@ VectorXd home_at(const Morphology& morphology, const Vector3d& place) {
   return q;
 }
 
-/// The footprint as near to the wanted one as is easy for the joints: feet on the ground, COM at its
-/// height.
+/// The footprint as near to the wanted one as is easy for the joints: feet on the ground, COM at
+/// its height.
 StyleTargets reachable(const Morphology& morphology, const GeometryAtDesign& geometry,
                        const StyleTargets& style) {
   WholeBodyIkWeights weights;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every term of the registry against a calculation by hand, at an arbitrary point of the extended vector [s; m; y].
-// A term without an entry in the table below fails.
+// Every term of the registry against a calculation by hand, at an arbitrary point of the extended
+// vector [s; m; y]. A term without an entry in the table below fails.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -131,7 +131,8 @@ void friction_cone(Bench& b) {
 }
 
 void limb_clearance(Bench& b) {
-  // Crossing a hand's breadth apart; an end beside an end. The clearance is 6 cm, the range a tenth of the leg.
+  // Crossing a hand's breadth apart; an end beside an end. The clearance is 6 cm, the range a tenth
+  // of the leg.
   const std::vector<int>& slots = b.term->elements()[0].slots;
   const auto put = [&](const Vector3d& from, const Vector3d& to) {
     const Vector3d places[] = {Vector3d::Zero(), {0.1, 0.0, 0.0}, from, to};
