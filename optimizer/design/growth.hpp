@@ -8,7 +8,7 @@
 
 namespace legwright {
 
-/// What of a robot is summed up.
+/// The amount that a sum over point masses counts.
 enum class Amount { mass, printed_volume };
 
 /// A sum over all point masses that depends on the design alone, Σ amount · Π s_k/l_k, with exact

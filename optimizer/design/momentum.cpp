@@ -287,7 +287,7 @@ void PairDerivatives::add_cross_curvature(const Ancestry& ancestry, const Vector
 
 void PairDerivatives::add_curvature(const Ancestry& ancestry, const Vector3d& multiplier,
                                     Eigen::MatrixXd& hessian) const {
-  // With the roles of the poses exchanged the sign changes.
+  // The sign changes where the poses exchange their roles.
   add_side_curvature(first_, ancestry, multiplier, hessian);
   add_side_curvature(second_, ancestry, -multiplier, hessian);
   add_cross_curvature(ancestry, multiplier, hessian);

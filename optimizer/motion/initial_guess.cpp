@@ -24,7 +24,7 @@ using Eigen::VectorXd;
 constexpr int kFirstSteps = 60, kSteps = 12;
 constexpr double kEasyPose = 0.03;  // (q − home)² against (miss/leg length)² of feet on the ground
 
-/// Where COM and feet shall be at each knot.
+/// Wanted places of COM and feet at each knot.
 class WalkWithoutDynamics {
  public:
   WalkWithoutDynamics(const Morphology& morphology, const Layout& layout, const Task& task,

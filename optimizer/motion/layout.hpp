@@ -9,7 +9,7 @@
 
 namespace legwright {
 
-/// Where every number lives: the only index arithmetic of the project. A slot is a position in the
+/// The index of every number: the only index arithmetic of the project. A slot is a position in the
 /// extended vector [s; m; y]: the design, the motion of eq (2), and the derived quantities y(s, m)
 /// that kinematics computes from them (feet, COM and hinges of a pose, angular momentum and foot
 /// roll between two poses, joint torques of three).

@@ -13,7 +13,7 @@
 
 namespace legwright {
 
-/// What the robot shall do: everything of F that is not the robot. SI units.
+/// A task: all of F that is not the robot. SI units.
 struct Task {
   std::string name;
   Gait gait;

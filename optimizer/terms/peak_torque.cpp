@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
+#include "optimizer/motion/limited_motors.hpp"
 #include "optimizer/terms/factories.hpp"
-#include "optimizer/terms/limited_motors.hpp"
 
 namespace legwright {
 namespace {
@@ -14,7 +14,8 @@ namespace {
 /// without a limit count nothing.
 class PeakTorque final : public Term {
  public:
-  explicit PeakTorque(const TermContext& context) : motors_(limited_motors(context)) {
+  explicit PeakTorque(const TermContext& context)
+      : motors_(limited_motors(context.morphology, context.layout)) {
     for (const LimitedMotor& motor : motors_)
       elements_.push_back({motor.knot, -1, 1, {motor.slot}});
   }

@@ -115,7 +115,7 @@ class TorqueBalance final : public Term {
   static constexpr int kAfter = 0, kBefore = 3, kComBefore = 6, kCom = 9, kComAfter = 12, kX = 15,
                        kFeet = 18;
 
-  /// Before knot 0 stands knot T − 1 moved back by one cycle.
+  /// Knot T − 1, moved back by one cycle, stands before knot 0.
   Matrix3d back(int knot) const {
     return knot > 0 ? Matrix3d::Identity() : Matrix3d(path_.turn().transpose());
   }

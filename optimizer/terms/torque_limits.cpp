@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
+#include "optimizer/motion/limited_motors.hpp"
 #include "optimizer/terms/factories.hpp"
-#include "optimizer/terms/limited_motors.hpp"
 #include "optimizer/terms/linear_term.hpp"
 
 namespace legwright {
@@ -16,7 +16,8 @@ constexpr double kRange = 0.3;  // share of the allowed torque over which the ba
 /// motors without a limit have none.
 class TorqueLimits final : public LinearTerm {
  public:
-  explicit TorqueLimits(const TermContext& context) : motors_(limited_motors(context)) {
+  explicit TorqueLimits(const TermContext& context)
+      : motors_(limited_motors(context.morphology, context.layout)) {
     Eigen::MatrixXd sides(2, 1);
     sides << -1.0, 1.0;
     for (LimitedMotor& motor : motors_) {

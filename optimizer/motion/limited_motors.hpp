@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "optimizer/terms/term.hpp"
+#include "optimizer/design/morphology.hpp"
+#include "optimizer/motion/layout.hpp"
 
 namespace legwright {
 
@@ -17,6 +18,6 @@ struct LimitedMotor {
 };
 
 /// All of them, knot by knot; motors without a limit are left out.
-std::vector<LimitedMotor> limited_motors(const TermContext& context);
+std::vector<LimitedMotor> limited_motors(const Morphology& morphology, const Layout& layout);
 
 }  // namespace legwright
