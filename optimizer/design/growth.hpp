@@ -8,10 +8,11 @@
 
 namespace legwright {
 
-/// What of a robot is summed up.
+/// The amount that a sum over point masses counts.
 enum class Amount { mass, printed_volume };
 
-/// A sum over all point masses that depends on the design alone, Σ amount · Π s_k/l_k, with exact derivatives.
+/// A sum over all point masses that depends on the design alone, Σ amount · Π s_k/l_k, with exact
+/// derivatives.
 struct GrowthSum {
   double value = 0.0;        // kg or m³
   Eigen::VectorXd gradient;  // in the order of `parameters`

@@ -8,7 +8,8 @@
 
 namespace legwright {
 
-/// A joint axis at one design, with its exact first and second derivatives in the parameters that turn it.
+/// A joint axis at one design, with its exact first and second derivatives in the parameters that
+/// turn it.
 struct AxisAtDesign {
   Eigen::Vector3d axis;
   std::vector<int> parameters;
@@ -18,8 +19,9 @@ struct AxisAtDesign {
 
 AxisAtDesign axis_at(const JointAxis& joint_axis, const Eigen::VectorXd& s);
 
-/// How a parameter moves the point masses inside their link, and makes them heavier. Mass and place of a point are one
-/// vector of four, v = √m [u; 1], because all that is made of them is a sum of v vᵀ; v_k = ∂v/∂s_k.
+/// How a parameter moves the point masses inside their link, and makes them heavier. Mass and place
+/// of a point are one vector of four, v = √m [u; 1], because all that is made of them is
+/// a sum of v vᵀ; v_k = ∂v/∂s_k.
 struct InnerMotion {
   int parameter;
   Eigen::Vector4d first;    // ∂/∂s_k of Σ m [u; 1]; the last entry is the link's growth
@@ -34,7 +36,8 @@ struct InnerMotion {
   }
 };
 
-/// A link's measures at one design. `moments` = Σ m [u; 1][u; 1]ᵀ holds mass, centre and inertia at once.
+/// A link's measures at one design. `moments` = Σ m [u; 1][u; 1]ᵀ holds mass, centre and inertia at
+/// once.
 struct LinkAtDesign {
   Eigen::Vector3d origin;  // in the parent's frame
   AxisAtDesign axis;

@@ -131,7 +131,8 @@ void JointTorque::add_curvature(const Ancestry& ancestry, double multiplier,
   const Vector3d A = multiplier * axis_.value, o = anchor_.value;
   axis_.add_curvature(ancestry, multiplier * lever_, hessian);
   add_symmetric(multiplier, axis_jacobian_, Eigen::Matrix3d::Identity(), lever_jacobian_, hessian);
-  // A · ∂²N with A held: the swept momenta, the moments by gravity's lever and by K, the anchor, the feet.
+  // A · ∂²N with A held: the swept momenta, the moments by gravity's lever and by K, the anchor,
+  // the feet.
   swept_.add_curvature(ancestry, per_time * A, hessian);
   swept_before_.add_curvature(ancestry, -per_time * A, hessian);
   const Vector3d of_rate = o.cross(A);  // A · (−o × ∂K) = ∂K · (o × A)

@@ -9,8 +9,8 @@
 
 namespace legwright {
 
-/// What a joint's torque at one knot depends on: the poses of the knot before, the knot itself, the knot after, the pair
-/// moments from each to the next; and where up is.
+/// What a joint's torque at one knot depends on: the poses of the knot before, the knot itself, the
+/// knot after, the pair moments from each to the next; and where up is.
 struct PoseTriple {
   const PoseKinematics *before, *at, *after;
   const PairMoments *to_at, *to_after;
@@ -24,15 +24,20 @@ struct FootForce {
 };
 
 /// The torque τ that a joint's motor exerts, by inverse dynamics of the point masses:
-///   τ = Σ_p m_p ∂p/∂q · ((p₋ − 2p + p₊)/h² + g u) + armature q̈ − Σ_j ∂(contact point of foot j)/∂q · f_j
-/// over the masses and feet that the joint moves, u the unit vector against gravity. A ball foot of radius r touches the ground r below its centre e.
-/// With A the joint's axis and o its anchor, ∂p/∂q = A × (p − o), and because p × p = 0 this is A · N + armature q̈ with
-///   N = (S − S₋)/h² + g C × u − o × K − Σ_j (e_j − r ẑ) × f_j,   K = (C₋ − 2C + C₊)/h² + g M u − Σ_j f_j,
-/// S = Σ m p × p₊ the swept momentum, C = Σ m p the first moment, M the mass of what the joint moves.
+///   τ = Σ_p m_p ∂p/∂q · ((p₋ − 2p + p₊)/h² + g u) + armature q̈
+///       − Σ_j ∂(contact point of foot j)/∂q · f_j
+/// over the masses and feet that the joint moves, u the unit vector against gravity. A ball foot of
+/// radius r touches the ground r below its centre e. With A the joint's axis and o its anchor,
+/// ∂p/∂q = A × (p − o), and because p × p = 0 this is A · N + armature q̈ with
+///   N = (S − S₋)/h² + g C × u − o × K − Σ_j (e_j − r ẑ) × f_j,
+///   K = (C₋ − 2C + C₊)/h² + g M u − Σ_j f_j,
+/// S = Σ m p × p₊ the swept momentum, C = Σ m p the first moment, M the mass of what the joint
+/// moves.
 class JointTorque {
  public:
-  /// Columns of the coordinates of [q; s] by pose, of this joint's angle in each, of the first force component by entry
-  /// of `forces`. A coordinate of the design has the same column in all poses.
+  /// Columns of the coordinates of [q; s] by pose, of this joint's angle in each, of the first
+  /// force component by entry of `forces`. A coordinate of the design has the same column in all
+  /// poses.
   struct Slots {
     const Columns *before, *at, *after;
     std::vector<int> force;

@@ -32,25 +32,26 @@ Ancestry::Ancestry(const Morphology& morphology) {
 }
 
 void PoseKinematics::add_translation(int link, int coordinate, const Vector3d& rate) {
-  movers_.push_back({coordinate, Mover::Kind::translation, link, Vector3d::Zero(), rate});
+  twists_.push_back({coordinate, Twist::Kind::translation, link, Vector3d::Zero(), rate});
 }
 
 void PoseKinematics::add_rotation(int link, int coordinate, const Vector3d& turn) {
-  movers_.push_back({coordinate, Mover::Kind::rotation, link, turn, -turn.cross(origin_[link])});
+  twists_.push_back({coordinate, Twist::Kind::rotation, link, turn, -turn.cross(origin_[link])});
 }
 
 void PoseKinematics::add_root(const RotationDerivatives& root) {
   for (int a = 0; a < 3; ++a) add_translation(0, a, Vector3d::Unit(a));
-  const int first = static_cast<int>(movers_.size());
+  const int first = static_cast<int>(twists_.size());
   for (int a = 0; a < 3; ++a) add_rotation(0, 3 + a, root.turn[a]);
   for (int a = 0; a < 3; ++a)
     for (int b = a; b < 3; ++b) seconds_.push_back({first + a, first + b, root.second[a][b]});
 }
 
-void PoseKinematics::add_joint_movers(int index, const AxisAtDesign& at, double angle,
+void PoseKinematics::add_joint_twists(int index, const AxisAtDesign& at, double angle,
                                       int design_start) {
-  // R(a, q) = cos q I + sin q [a]× + (1 − cos q) a aᵀ, its derivatives written as [turn]× R and second · R.
-  const int first = static_cast<int>(movers_.size());
+  // R(a, q) = cos q I + sin q [a]× + (1 − cos q) a aᵀ, its derivatives written as [turn]× R and
+  // second · R.
+  const int first = static_cast<int>(twists_.size());
   const Matrix3d& before = before_[index];
   const Vector3d& a = at.axis;
   const Vector3d axis_W = before * a;
@@ -116,7 +117,7 @@ void PoseKinematics::compute(const Morphology& morphology, const GeometryAtDesig
   const int link_count = static_cast<int>(morphology.links.size());
   const int design_start = morphology.pose_size();
   detail_ = detail;
-  movers_.clear();
+  twists_.clear();
   seconds_.clear();
   rotation_.resize(link_count);
   origin_.resize(link_count);
@@ -133,12 +134,12 @@ void PoseKinematics::compute(const Morphology& morphology, const GeometryAtDesig
       for (const AffineVector::Slope& slope : morphology.links[l].origin.slopes)
         add_translation(l, design_start + slope.parameter,
                         rotation_[morphology.links[l].parent] * slope.slope);
-    add_joint_movers(l, geometry.links[l].axis, q[5 + l], design_start);
+    add_joint_twists(l, geometry.links[l].axis, q[5 + l], design_start);
   }
   if (!with_design()) return;
   for (int l = 0; l < link_count; ++l)
     for (std::size_t k = 0; k < geometry.links[l].inner.size(); ++k)
-      movers_.push_back({design_start + geometry.links[l].inner[k].parameter, Mover::Kind::inner, l,
+      twists_.push_back({design_start + geometry.links[l].inner[k].parameter, Twist::Kind::inner, l,
                          Vector3d::Zero(), Vector3d::Zero(), static_cast<int>(k)});
 }
 
@@ -152,12 +153,12 @@ void PoseKinematics::assign_moved(const PoseKinematics& other, const GeometryAtD
     moments_[l] = turn * other.moments_[l] + shift * geometry.links[l].moments.row(3);
     first_moment_[l] = turn * other.first_moment_[l] + geometry.mass_below[l] * shift;
   }
-  for (Mover& mover : movers_) {
-    mover.turn = turn * mover.turn.eval();
-    if (mover.kind == Mover::Kind::rotation)
-      mover.shift = -mover.turn.cross(origin_[mover.link]);
+  for (Twist& twist : twists_) {
+    twist.turn = turn * twist.turn.eval();
+    if (twist.kind == Twist::Kind::rotation)
+      twist.shift = -twist.turn.cross(origin_[twist.link]);
     else
-      mover.shift = turn * mover.shift.eval();
+      twist.shift = turn * twist.shift.eval();
   }
   for (SameLinkSecond& second : seconds_) second.second = turn * second.second * turn.transpose();
 }

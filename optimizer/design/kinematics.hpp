@@ -10,10 +10,10 @@
 
 namespace legwright {
 
-/// One number that moves a part of the robot, seen at one pose and design. Numbers are counted within
-/// [q; s]: pose first, then design. It moves every world point p below it as one rigid motion,
-/// ∂p/∂c = turn × p + shift, but for inner movers, whose points move each by their own slope.
-struct Mover {
+/// How one coordinate c of [q; s] (pose first, then design) moves the robot, seen at one pose and
+/// design: as a twist, a rigid motion of every world point p below it, ∂p/∂c = turn × p + shift.
+/// Inner ones are no rigid motions: they move the points of one link, each by its own slope.
+struct Twist {
   enum class Kind { translation, rotation, inner };
   int coordinate;  // within [q; s]
   Kind kind;
@@ -23,9 +23,10 @@ struct Mover {
   int inner_index = -1;   // inner: entry of LinkAtDesign::inner
 };
 
-/// Second derivative of a link's own rotation: ∂²R/∂c_a∂c_b Rᵀ in the world frame, for two movers of one link.
+/// Second derivative of a link's own rotation: ∂²R/∂c_a∂c_b Rᵀ in the world frame, for two twists
+/// of one link.
 struct SameLinkSecond {
-  int a, b;  // indices of movers, a ≤ b; both rotations of the same link
+  int a, b;  // indices of twists, a ≤ b; both rotations of the same link
   Eigen::Matrix3d second;
 };
 
@@ -36,21 +37,22 @@ enum class PoseDetail {
   design,  // + coordinates of the design
 };
 
-/// φ of eq (12) before it is summed up: where every link is at pose q and design s, and what moves it.
-/// All outputs of kinematics (feet, COM, angular momentum, joint torques) follow from this by the chain rule,
-/// because a mover acts on everything below it as one rigid motion.
+/// φ of eq (12) before it is summed up: where every link is at pose q and design s, and what moves
+/// it. All outputs of kinematics (feet, COM, angular momentum, joint torques) follow from this by
+/// the chain rule, because a twist acts on everything below it as one rigid motion.
 class PoseKinematics {
  public:
   /// @param q pose (root position, root rotation vector, joint angles)
   void compute(const Morphology& morphology, const GeometryAtDesign& geometry,
                const Eigen::Ref<const Eigen::VectorXd>& q, PoseDetail detail);
 
-  /// Makes this the robot `other` elsewhere: every world point p moved to turn·p + shift. Derivatives follow.
+  /// Makes this the robot `other` elsewhere: every world point p moved to turn·p + shift.
+  /// Derivatives follow.
   void assign_moved(const PoseKinematics& other, const GeometryAtDesign& geometry,
                     const Eigen::Matrix3d& turn, const Eigen::Vector3d& shift);
 
   bool with_design() const { return detail_ == PoseDetail::design; }
-  const std::vector<Mover>& movers() const { return movers_; }
+  const std::vector<Twist>& twists() const { return twists_; }
   const std::vector<SameLinkSecond>& same_link_seconds() const { return seconds_; }
   const Eigen::Matrix3d& rotation(int link) const { return rotation_[link]; }  // world ← link
   const Eigen::Vector3d& origin(int link) const { return origin_[link]; }      // world [m]
@@ -66,19 +68,20 @@ class PoseKinematics {
              const Eigen::Ref<const Eigen::VectorXd>& q);
   void sum_moments(const Morphology& morphology, const GeometryAtDesign& geometry);
   void add_root(const RotationDerivatives& root);
-  void add_joint_movers(int index, const AxisAtDesign& axis, double angle, int design_start);
+  void add_joint_twists(int index, const AxisAtDesign& axis, double angle, int design_start);
   void add_rotation(int link, int coordinate, const Eigen::Vector3d& turn);
   void add_translation(int link, int coordinate, const Eigen::Vector3d& rate);
 
   std::vector<Eigen::Matrix3d> rotation_, before_;
   std::vector<Eigen::Vector3d> origin_, first_moment_;
   std::vector<Eigen::Matrix<double, 3, 4>> moments_;
-  std::vector<Mover> movers_;
+  std::vector<Twist> twists_;
   std::vector<SameLinkSecond> seconds_;
   PoseDetail detail_ = PoseDetail::place;
 };
 
-/// The robot in its home pose, seen from its trunk: the world's frame is the trunk's. Places only, no movers.
+/// The robot in its home pose, seen from its trunk: the world's frame is the trunk's. Places only,
+/// no twists.
 PoseKinematics home_pose(const Morphology& morphology, const GeometryAtDesign& geometry);
 
 /// True where link `upper` is `lower` or one of its ancestors; built once per morphology.
@@ -96,25 +99,26 @@ class Ancestry {
   Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic> table_;
 };
 
-/// A point y of the world as a function of [q; s] with exact derivatives. Columns number the coordinates that
-/// the caller cares about; several effects may share a column (ties).
+/// A point y of the world as a function of [q; s] with exact derivatives. Columns number the
+/// coordinates that the caller cares about; several effects may share a column (ties).
 struct PointDerivatives {
   struct Effect {
     int column;
-    int link;      // of the mover
-    bool rotates;  // mover turns everything below it ...
+    int link;      // of the twist
+    bool rotates;  // twist turns everything below it ...
     bool inner;    // ... or moves points inside its link
     Eigen::Vector3d turn;
     Eigen::Vector3d rate;                             // ∂y/∂c
-    Eigen::Vector3d shift = Eigen::Vector3d::Zero();  // of the mover; sums over masses only
+    Eigen::Vector3d shift = Eigen::Vector3d::Zero();  // of the twist; sums over masses only
     double growth = 0.0;                              // of the mass it sums over, inner only
   };
   struct Second {
-    int a, b;              // columns of two movers of one link
+    int a, b;              // columns of two twists of one link
     Eigen::Vector3d rate;  // ∂²y/∂c_a∂c_b
-    bool same;             // one and the same mover
+    bool same;             // one and the same twist
   };
-  /// Where y is a sum over a mass that grows, divided by it: relative slopes and second derivatives of the mass.
+  /// Where y is a sum over a mass that grows, divided by it: relative slopes and second derivatives
+  /// of the mass.
   struct Growth {
     int column;
     double slope;

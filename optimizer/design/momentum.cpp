@@ -18,8 +18,8 @@ Vector3d cross_of(const Eigen::MatrixBase<Derived>& X) {
   return {X(1, 2) - X(2, 1), X(2, 0) - X(0, 2), X(0, 1) - X(1, 0)};
 }
 
-/// out = [turn]× X + shift sumᵀ, number by number: products of small vectors spend their time waiting for
-/// half-written pairs.
+/// out = [turn]× X + shift sumᵀ, number by number: products of small vectors spend their time
+/// waiting for half-written pairs.
 template <class Derived>
 void sweep(const Vector3d& turn, const Eigen::MatrixBase<Derived>& X, const Vector3d& shift,
            const Vector3d& sum, Eigen::Matrix<double, 3, 4>& out) {
@@ -50,14 +50,15 @@ void PairMoments::compute(const Morphology& morphology, const PoseKinematics& fi
 
 Vector3d PairMoments::swept(int link) const { return cross_of(below_[link]); }
 
-// Places in the world, p̂ = T v of each point; `swept` is Σ (∂p)[p′; 1]ᵀ with the weight in both of them.
+// Places in the world, p̂ = T v of each point; `swept` is Σ (∂p)[p′; 1]ᵀ with the weight in both of
+// them.
 void PairDerivatives::add_inner(const LinkAtDesign& at, const PoseKinematics& own,
                                 const PoseKinematics& other, const Columns& columns,
-                                const Mover& mover, Effect& effect, Side& side) {
-  const Matrix3d& turn = own.rotation(mover.link);
-  const Vector3d& origin = own.origin(mover.link);
-  const Matrix3d& other_turn = other.rotation(mover.link);
-  const Vector3d& other_origin = other.origin(mover.link);
+                                const Twist& twist, Effect& effect, Side& side) {
+  const Matrix3d& turn = own.rotation(twist.link);
+  const Vector3d& origin = own.origin(twist.link);
+  const Matrix3d& other_turn = other.rotation(twist.link);
+  const Vector3d& other_origin = other.origin(twist.link);
   const auto in_world = [&](const Eigen::Matrix4d& v) -> Eigen::Matrix<double, 3, 4> {
     const Eigen::Matrix<double, 3, 4> turned = turn * v.topRows<3>() + origin * v.row(3);
     Eigen::Matrix<double, 3, 4> out;
@@ -66,15 +67,15 @@ void PairDerivatives::add_inner(const LinkAtDesign& at, const PoseKinematics& ow
     out.col(3) = turned.col(3);
     return out;
   };
-  const InnerMotion& motion = at.inner[mover.inner_index];
+  const InnerMotion& motion = at.inner[twist.inner_index];
   effect.swept = in_world(motion.moments);
   if (!at.grows) return;
   effect.growth = other_turn * motion.moments.row(3).head<3>().transpose() +
                   motion.moments(3, 3) * other_origin;
-  for (int l = mover.inner_index; l < static_cast<int>(at.inner.size()); ++l) {
-    const Mover& with = (&mover)[l - mover.inner_index];  // inner movers of a link are in a row
-    side.inner_seconds.push_back({columns[mover.coordinate], columns[with.coordinate],
-                                  in_world(motion.seconds[l]).leftCols<3>(), &with == &mover});
+  for (int l = twist.inner_index; l < static_cast<int>(at.inner.size()); ++l) {
+    const Twist& with = (&twist)[l - twist.inner_index];  // inner twists of a link are in a row
+    side.inner_seconds.push_back({columns[twist.coordinate], columns[with.coordinate],
+                                  in_world(motion.seconds[l]).leftCols<3>(), &with == &twist});
   }
 }
 
@@ -86,38 +87,38 @@ void PairDerivatives::fill_swept(const GeometryAtDesign& geometry, const Ancestr
   side.seconds.clear();
   side.inner_seconds.clear();
   side.arms.clear();
-  for (const Mover& mover : own.movers()) {
-    const bool inner = mover.kind == Mover::Kind::inner;
-    if (inner ? !ancestry.contains(link, mover.link) : !ancestry.related(link, mover.link))
+  for (const Twist& twist : own.twists()) {
+    const bool inner = twist.kind == Twist::Kind::inner;
+    if (inner ? !ancestry.contains(link, twist.link) : !ancestry.related(link, twist.link))
       continue;
     Effect& effect = side.effects.emplace_back();
-    effect.column = columns[mover.coordinate];
-    effect.link = mover.link;
-    effect.rotates = mover.kind == Mover::Kind::rotation;
+    effect.column = columns[twist.coordinate];
+    effect.link = twist.link;
+    effect.rotates = twist.kind == Twist::Kind::rotation;
     effect.inner = inner;
-    effect.turn = mover.turn;
-    effect.shift = mover.shift;
-    effect.inner_index = mover.inner_index;
+    effect.turn = twist.turn;
+    effect.shift = twist.shift;
+    effect.inner_index = twist.inner_index;
     effect.growth.setZero();
     if (inner) {
-      add_inner(geometry.links[mover.link], own, other, columns, mover, effect, side);
+      add_inner(geometry.links[twist.link], own, other, columns, twist, effect, side);
       continue;
     }
-    const int lower = std::max(link, mover.link);  // children come after their parents
+    const int lower = std::max(link, twist.link);  // children come after their parents
     const Vector3d& sum = other.first_moment(lower);
     if (swap)
-      sweep(mover.turn, moments.below(lower).transpose(), mover.shift, sum, effect.swept);
+      sweep(twist.turn, moments.below(lower).transpose(), twist.shift, sum, effect.swept);
     else
-      sweep(mover.turn, moments.below(lower), mover.shift, sum, effect.swept);
+      sweep(twist.turn, moments.below(lower), twist.shift, sum, effect.swept);
     const Vector3d& own_sum = own.first_moment(lower);
     const double mass = geometry.mass_below[lower];
     for (int k = 0, l = 1, n = 2; k < 3; ++k, l = (l + 1) % 3, n = (n + 1) % 3)
       effect.swept(k, 3) =
-          mover.turn[l] * own_sum[n] - mover.turn[n] * own_sum[l] + mass * mover.shift[k];
+          twist.turn[l] * own_sum[n] - twist.turn[n] * own_sum[l] + mass * twist.shift[k];
   }
   int arm_of = -1;
   for (const SameLinkSecond& s : own.same_link_seconds()) {
-    const Mover &a = own.movers()[s.a], &b = own.movers()[s.b];
+    const Twist &a = own.twists()[s.a], &b = own.twists()[s.b];
     if (!ancestry.related(link, a.link)) continue;
     if (a.link != arm_of) {
       arm_of = a.link;
@@ -180,21 +181,21 @@ void PairDerivatives::compute_foot_turn(const Morphology& morphology, const Ance
     side.seconds.clear();
     side.inner_seconds.clear();
     side.arms.assign(1, swept);
-    for (const Mover& mover : own.movers()) {
-      if (mover.kind != Mover::Kind::rotation || !ancestry.contains(mover.link, link)) continue;
+    for (const Twist& twist : own.twists()) {
+      if (twist.kind != Twist::Kind::rotation || !ancestry.contains(twist.link, link)) continue;
       Effect& effect = side.effects.emplace_back();
-      effect.column = columns[mover.coordinate];
-      effect.link = mover.link;
+      effect.column = columns[twist.coordinate];
+      effect.link = twist.link;
       effect.rotates = true;
       effect.inner = false;
-      effect.turn = mover.turn;
+      effect.turn = twist.turn;
       effect.shift.setZero();  // directions turn but do not shift
       effect.growth.setZero();
-      sweep(mover.turn, swept, effect.shift, effect.shift, effect.swept);
+      sweep(twist.turn, swept, effect.shift, effect.shift, effect.swept);
       effect.swept.col(3).setZero();
     }
     for (const SameLinkSecond& s : own.same_link_seconds()) {
-      const Mover &a = own.movers()[s.a], &b = own.movers()[s.b];
+      const Twist &a = own.twists()[s.a], &b = own.twists()[s.b];
       if (!ancestry.contains(a.link, link)) continue;
       side.seconds.push_back(
           {columns[a.coordinate], columns[b.coordinate], &s.second, 0, s.a == s.b});
@@ -217,7 +218,7 @@ void PairDerivatives::add_jacobian(Eigen::MatrixXd& jacobian) const {
 
 void PairDerivatives::add_side_curvature(const Side& side, const Ancestry& ancestry,
                                          const Vector3d& multiplier, Eigen::MatrixXd& hessian) {
-  // An upper rotation turns what the lower mover does. With X = Σ ∂p p′ᵀ of the lower one,
+  // An upper rotation turns what the lower twist does. With X = Σ ∂p p′ᵀ of the lower one,
   // μ · Σ (turn × ∂p) × p′ = turn · (Xᵀ μ − tr X μ).
   for (std::size_t k = 0; k < side.effects.size(); ++k) {
     const Effect& lower = side.effects[k];
@@ -226,7 +227,7 @@ void PairDerivatives::add_side_curvature(const Side& side, const Ancestry& ances
     const bool grown = lower.inner && !lower.growth.isZero(0.0);
     const Vector3d push = lower.growth.cross(multiplier);
     const bool* above = ancestry.above(lower.link);
-    for (std::size_t l = 0; l < k; ++l) {  // upper movers come first
+    for (std::size_t l = 0; l < k; ++l) {  // upper twists come first
       const Effect& upper = side.effects[l];
       if (upper.rotates && above[upper.link] && (lower.inner || upper.link != lower.link))
         add_pair(hessian, upper.column, lower.column, upper.turn.dot(pull));
@@ -259,8 +260,9 @@ void PairDerivatives::add_side_curvature(const Side& side, const Ancestry& ances
 
 void PairDerivatives::add_cross_curvature(const Ancestry& ancestry, const Vector3d& multiplier,
                                           Eigen::MatrixXd& hessian) const {
-  // μ · Σ ∂p × ∂p′ runs over what both movers move: what the lower one of them moves. With [X x] = Σ ∂p′ [p; 1]ᵀ
-  // of the lower one it is turn · (X μ − tr X μ) + shift · (x × μ), turn and shift those of the upper one.
+  // μ · Σ ∂p × ∂p′ runs over what both twists move: what the lower one of them moves. With
+  // [X x] = Σ ∂p′ [p; 1]ᵀ of the lower one it is turn · (X μ − tr X μ) + shift · (x × μ), turn and
+  // shift those of the upper one.
   const auto add = [&](const Side& lowers, const Side& uppers, double sign, bool same_link) {
     for (const Effect& lower : lowers.effects) {
       const auto X = lower.swept.leftCols<3>();
@@ -270,7 +272,7 @@ void PairDerivatives::add_cross_curvature(const Ancestry& ancestry, const Vector
       const bool own_link = same_link || lower.inner;
       for (const Effect& upper : uppers.effects) {
         if (upper.inner) continue;
-        // Two movers of one link are counted once, from the side of the second pose.
+        // Two twists of one link are counted once, from the side of the second pose.
         if (above[upper.link] && (own_link || upper.link != lower.link))
           add_pair(hessian, upper.column, lower.column,
                    upper.turn.dot(pull) + upper.shift.dot(push));
@@ -285,7 +287,7 @@ void PairDerivatives::add_cross_curvature(const Ancestry& ancestry, const Vector
 
 void PairDerivatives::add_curvature(const Ancestry& ancestry, const Vector3d& multiplier,
                                     Eigen::MatrixXd& hessian) const {
-  // With the roles of the poses exchanged the sign changes.
+  // The sign changes where the poses exchange their roles.
   add_side_curvature(first_, ancestry, multiplier, hessian);
   add_side_curvature(second_, ancestry, -multiplier, hessian);
   add_cross_curvature(ancestry, multiplier, hessian);

@@ -10,8 +10,8 @@
 
 namespace legwright {
 
-/// Σ m p p′ᵀ over a link and all below it, for every link of a robot at two poses (p at the first, p′ at the
-/// second): what angular momentum and joint torques are made of.
+/// Σ m p p′ᵀ over a link and all below it, for every link of a robot at two poses (p at the first,
+/// p′ at the second): what angular momentum and joint torques are made of.
 class PairMoments {
  public:
   void compute(const Morphology& morphology, const PoseKinematics& first,
@@ -24,12 +24,14 @@ class PairMoments {
   std::vector<Eigen::Matrix3d> below_;
 };
 
-/// A vector that depends on two poses of one design, y = Σ weight p × p′ (p at the first pose, p′ at the second),
-/// with exact derivatives; the poses must outlive them. Columns: of the first pose, of the second pose; a design coordinate has one column in both.
+/// A vector that depends on two poses of one design, y = Σ weight p × p′ (p at the first pose, p′
+/// at the second), with exact derivatives; the poses must outlive them. Columns: of the first pose,
+/// of the second pose; a design coordinate has one column in both.
 ///
-/// Two outputs have this form. The swept momentum Σ m p_i × p_{i+1} over the point masses of a link and all below
-/// it: because p × p = 0, the rate of angular momentum Σ m p × (p₋ − 2p + p₊) is the difference of two of them. And
-/// the turn of a foot, ½ Σ_k (R e_k) × (R′ e_k) = ½ vee(R′Rᵀ − RR′ᵀ), its rotation vector to second order.
+/// Two outputs have this form. The swept momentum Σ m p_i × p_{i+1} over the point masses of a link
+/// and all below it: because p × p = 0, the rate of angular momentum Σ m p × (p₋ − 2p + p₊) is the
+/// difference of two of them. And the turn of a foot, ½ Σ_k (R e_k) × (R′ e_k) =
+/// ½ vee(R′Rᵀ − RR′ᵀ), its rotation vector to second order.
 class PairDerivatives {
  public:
   Eigen::Vector3d value;
@@ -52,8 +54,8 @@ class PairDerivatives {
                      Eigen::MatrixXd& hessian) const;
 
  private:
-  /// One mover of one pose, with `swept` = Σ weight (∂p/∂c)[p′; 1]ᵀ over what it moves (for the second pose: with
-  /// the roles of p and p′ exchanged).
+  /// One twist of one pose, with `swept` = Σ weight (∂p/∂c)[p′; 1]ᵀ over what it moves (for the
+  /// second pose: with the roles of p and p′ exchanged).
   struct Effect {
     Effect() {}  // all members are set by who adds it
     int column, link;
@@ -71,7 +73,7 @@ class PairDerivatives {
   };
   struct InnerSecond {
     int a, b;
-    Eigen::Matrix3d swept;  // Σ weight (∂²p/∂c_a∂c_b) p′ᵀ of two inner movers of a link that grows
+    Eigen::Matrix3d swept;  // Σ weight (∂²p/∂c_a∂c_b) p′ᵀ of two inner twists of a link that grows
     bool same;
   };
   struct InnerProduct {
@@ -89,7 +91,7 @@ class PairDerivatives {
                   const PairMoments& moments, const PoseKinematics& own,
                   const PoseKinematics& other, const Columns& columns, bool swap, Side& side);
   static void add_inner(const LinkAtDesign& at, const PoseKinematics& own,
-                        const PoseKinematics& other, const Columns& columns, const Mover& mover,
+                        const PoseKinematics& other, const Columns& columns, const Twist& twist,
                         Effect& effect, Side& side);
   void add_inner_products(const GeometryAtDesign& geometry, const PoseKinematics& first,
                           const PoseKinematics& second);

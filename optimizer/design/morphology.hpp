@@ -39,8 +39,9 @@ struct JointAxis {
   Eigen::Vector3d at(const Eigen::VectorXd& s) const;
 };
 
-/// One of the point masses that stand for a body: same mass, centre and inertia. The mass of a printed part grows with
-/// each stretch that makes it longer, m(s) = mass · Π s[parameter]/initial; without growth it is fixed.
+/// One of the point masses that stand for a body: same mass, centre and inertia. The mass of a
+/// printed part grows with each stretch that makes it longer, m(s) = mass · Π s[parameter]/initial;
+/// without growth it is fixed.
 struct PointMass {
   struct Growth {
     int parameter;
@@ -90,7 +91,8 @@ struct LinearActuator {
   double force_limit = std::numeric_limits<double>::infinity();  // [N]
 };
 
-/// The plane in which a flat foot stands: perpendicular unit vectors in the frame of its link. Stretches leave them alone.
+/// The plane in which a flat foot stands: perpendicular unit vectors in the frame of its link.
+/// Stretches leave them alone.
 struct Sole {
   Eigen::Vector3d ahead = Eigen::Vector3d::UnitX();
   Eigen::Vector3d beside = Eigen::Vector3d::UnitY();
@@ -105,8 +107,8 @@ struct Foot {
   std::optional<Sole> sole = {};  // of a flat foot on a limb with hinges enough to lay it down
 };
 
-/// A capsule that collides: all points within `radius` of a segment that is fixed to a link. Shapes that are no capsules
-/// are covered by several, which share a `part`.
+/// A capsule that collides: all points within `radius` of a segment that is fixed to a link. Shapes
+/// that are no capsules are covered by several, which share a `part`.
 struct Capsule {
   int link = 0;
   int part = 0;
@@ -120,7 +122,8 @@ struct CapsulePair {
   double hidden = 0.0;  // how much nearer the shapes are than the capsules that stand for them [m]
 };
 
-/// The fixed kinematic tree of a robot whose measures depend on s. Joint a of a pose moves link a + 1.
+/// The fixed kinematic tree of a robot whose measures depend on s. Joint a of a pose moves link
+/// a + 1.
 struct Morphology {
   std::string name;
   std::vector<Link> links;  // parents before children
@@ -143,8 +146,8 @@ struct Morphology {
   std::vector<int> chain_to(int link) const;
 };
 
-/// Sum over a foot's chain of the distances from hinge to hinge to foot, at design s [m]. A ball round the last hinge is a
-/// sole: the leg then ends at its surface.
+/// Sum over a foot's chain of the distances from hinge to hinge to foot, at design s [m]. A ball
+/// round the last hinge is a sole: the leg then ends at its surface.
 double stretched_limb(const Morphology& morphology, int foot, const Eigen::VectorXd& s);
 
 /// Whether all feet are flat.

@@ -8,8 +8,8 @@
 
 namespace legwright {
 
-/// A box of even density that a robot carries, fixed to its trunk, its edges along the trunk's axes. Frame of the
-/// trunk.
+/// A box of even density that a robot carries, fixed to its trunk, its edges along the trunk's
+/// axes. Frame of the trunk.
 struct Payload {
   double mass = 0.0;                                   // [kg], > 0
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  // of its centre [m]

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How points, directions and sums over masses move with [q; s]; the poses they belong to are in kinematics.cpp.
+// How points, directions and sums over masses move with [q; s]; the poses they belong to are in
+// kinematics.cpp.
 #include <Eigen/Geometry>
 
 #include "optimizer/design/kinematics.hpp"
@@ -48,7 +49,7 @@ void PointDerivatives::add_curvature(const Ancestry& ancestry, const Vector3d& m
     const Effect& lower = effects[k];
     const Vector3d lever = lower.rate.cross(multiplier);  // μ·(turn × rate) = turn·(rate × μ)
     const bool* above = ancestry.above(lower.link);
-    for (std::size_t l = 0; l < k; ++l) {  // upper movers come first
+    for (std::size_t l = 0; l < k; ++l) {  // upper twists come first
       const Effect& upper = effects[l];
       if (upper.rotates && above[upper.link] && (lower.inner || upper.link != lower.link))
         add_pair(hessian, upper.column, lower.column, lever.dot(upper.turn));
@@ -68,36 +69,36 @@ void PointDerivatives::add_curvature(const Ancestry& ancestry, const Vector3d& m
 
 namespace {
 
-/// What the movers of `pose` for which `moves(link)` do to the world point `out.value`.
+/// What the twists of `pose` for which `moves(link)` do to the world point `out.value`.
 template <class Moves>
 void add_rigid_effects(const PoseKinematics& pose, const Columns& columns, Moves moves,
                        PointDerivatives& out) {
   const Vector3d p = out.value;
-  for (const Mover& mover : pose.movers()) {
-    if (mover.kind == Mover::Kind::inner || !moves(mover)) continue;
-    out.effects.push_back({columns[mover.coordinate], mover.link,
-                           mover.kind == Mover::Kind::rotation, false, mover.turn,
-                           mover.turn.cross(p) + mover.shift});
+  for (const Twist& twist : pose.twists()) {
+    if (twist.kind == Twist::Kind::inner || !moves(twist)) continue;
+    out.effects.push_back({columns[twist.coordinate], twist.link,
+                           twist.kind == Twist::Kind::rotation, false, twist.turn,
+                           twist.turn.cross(p) + twist.shift});
   }
   for (const SameLinkSecond& second : pose.same_link_seconds()) {
-    const Mover &a = pose.movers()[second.a], &b = pose.movers()[second.b];
+    const Twist &a = pose.twists()[second.a], &b = pose.twists()[second.b];
     if (!moves(a)) continue;
     out.seconds.push_back({columns[a.coordinate], columns[b.coordinate],
                            second.second * (p - pose.origin(a.link)), second.a == second.b});
   }
 }
 
-/// What the rotations of `pose` for which `moves(mover)` do to the direction `out.value`.
+/// What the rotations of `pose` for which `moves(twist)` do to the direction `out.value`.
 template <class Moves>
 void add_turns(const PoseKinematics& pose, const Columns& columns, Moves moves,
                PointDerivatives& out) {
-  const auto turns = [&](const Mover& m) { return m.kind == Mover::Kind::rotation && moves(m); };
-  for (const Mover& mover : pose.movers())
-    if (turns(mover))
-      out.effects.push_back({columns[mover.coordinate], mover.link, true, false, mover.turn,
-                             mover.turn.cross(out.value)});
+  const auto turns = [&](const Twist& m) { return m.kind == Twist::Kind::rotation && moves(m); };
+  for (const Twist& twist : pose.twists())
+    if (turns(twist))
+      out.effects.push_back({columns[twist.coordinate], twist.link, true, false, twist.turn,
+                             twist.turn.cross(out.value)});
   for (const SameLinkSecond& second : pose.same_link_seconds()) {
-    const Mover &a = pose.movers()[second.a], &b = pose.movers()[second.b];
+    const Twist &a = pose.twists()[second.a], &b = pose.twists()[second.b];
     if (turns(a))
       out.seconds.push_back({columns[a.coordinate], columns[b.coordinate],
                              second.second * out.value, second.a == second.b});
@@ -109,7 +110,7 @@ void add_point_effects(const Morphology& morphology, const Ancestry& ancestry,
                        const PoseKinematics& pose, int link, const AffineVector& own,
                        const Columns& columns, PointDerivatives& out) {
   add_rigid_effects(
-      pose, columns, [&](const Mover& m) { return ancestry.contains(m.link, link); }, out);
+      pose, columns, [&](const Twist& m) { return ancestry.contains(m.link, link); }, out);
   if (!pose.with_design()) return;
   for (const AffineVector::Slope& slope : own.slopes)
     out.effects.push_back({columns[morphology.pose_size() + slope.parameter], link, false, true,
@@ -136,7 +137,7 @@ void direction_from_pose(const Ancestry& ancestry, const PoseKinematics& pose, i
                          const Vector3d& own, const Columns& columns, PointDerivatives& out) {
   out.clear(pose.rotation(link) * own);
   add_turns(
-      pose, columns, [&](const Mover& m) { return ancestry.contains(m.link, link); }, out);
+      pose, columns, [&](const Twist& m) { return ancestry.contains(m.link, link); }, out);
 }
 
 Vector3d capsule_end_place(const Morphology& morphology, const GeometryAtDesign& geometry,
@@ -159,9 +160,9 @@ void anchor_from_pose(const Ancestry& ancestry, const PoseKinematics& pose, int 
   out.clear(pose.origin(link));
   add_rigid_effects(
       pose, columns,
-      [&](const Mover& m) {
+      [&](const Twist& m) {
         return ancestry.strictly_above(m.link, link) ||
-               (m.link == link && m.kind == Mover::Kind::translation);
+               (m.link == link && m.kind == Twist::Kind::translation);
       },
       out);
 }
@@ -173,7 +174,7 @@ void axis_from_pose(const Morphology& morphology, const GeometryAtDesign& geomet
   const Matrix3d& before = pose.before(link);
   out.clear(before * axis.axis);
   add_turns(
-      pose, columns, [&](const Mover& m) { return ancestry.strictly_above(m.link, link); }, out);
+      pose, columns, [&](const Twist& m) { return ancestry.strictly_above(m.link, link); }, out);
   if (!pose.with_design()) return;
   for (std::size_t k = 0; k < axis.parameters.size(); ++k) {
     const int column = columns[morphology.pose_size() + axis.parameters[k]];
@@ -188,34 +189,34 @@ void first_moment_from_pose(const GeometryAtDesign& geometry, const Ancestry& an
                             const PoseKinematics& pose, int link, double scale,
                             const Columns& columns, PointDerivatives& out) {
   out.clear(scale * pose.first_moment(link));
-  for (const Mover& mover : pose.movers()) {
-    if (mover.kind == Mover::Kind::inner) {
-      if (!ancestry.contains(link, mover.link)) continue;
+  for (const Twist& twist : pose.twists()) {
+    if (twist.kind == Twist::Kind::inner) {
+      if (!ancestry.contains(link, twist.link)) continue;
       const auto in_world = [&](const Eigen::Vector4d& v) -> Vector3d {
-        return scale * (pose.rotation(mover.link) * v.head<3>() + v[3] * pose.origin(mover.link));
+        return scale * (pose.rotation(twist.link) * v.head<3>() + v[3] * pose.origin(twist.link));
       };
-      const LinkAtDesign& at = geometry.links[mover.link];
-      const InnerMotion& motion = at.inner[mover.inner_index];
-      out.effects.push_back({columns[mover.coordinate], mover.link, false, true, Vector3d::Zero(),
+      const LinkAtDesign& at = geometry.links[twist.link];
+      const InnerMotion& motion = at.inner[twist.inner_index];
+      out.effects.push_back({columns[twist.coordinate], twist.link, false, true, Vector3d::Zero(),
                              in_world(motion.first), Vector3d::Zero(), scale * motion.first[3]});
-      for (int l = mover.inner_index; at.grows && l < static_cast<int>(at.inner.size()); ++l) {
-        const Mover& other =
-            (&mover)[l - mover.inner_index];  // inner movers of a link are in a row
-        out.seconds.push_back({columns[mover.coordinate], columns[other.coordinate],
-                               in_world(motion.second_first(at.inner[l], mover.inner_index, l)),
-                               &other == &mover});
+      for (int l = twist.inner_index; at.grows && l < static_cast<int>(at.inner.size()); ++l) {
+        const Twist& other =
+            (&twist)[l - twist.inner_index];  // inner twists of a link are in a row
+        out.seconds.push_back({columns[twist.coordinate], columns[other.coordinate],
+                               in_world(motion.second_first(at.inner[l], twist.inner_index, l)),
+                               &other == &twist});
       }
-    } else if (ancestry.related(link, mover.link)) {
-      const int lower = std::max(link, mover.link);  // children come after their parents
-      out.effects.push_back({columns[mover.coordinate], mover.link,
-                             mover.kind == Mover::Kind::rotation, false, mover.turn,
-                             scale * (mover.turn.cross(pose.first_moment(lower)) +
-                                      geometry.mass_below[lower] * mover.shift),
-                             mover.shift});
+    } else if (ancestry.related(link, twist.link)) {
+      const int lower = std::max(link, twist.link);  // children come after their parents
+      out.effects.push_back({columns[twist.coordinate], twist.link,
+                             twist.kind == Twist::Kind::rotation, false, twist.turn,
+                             scale * (twist.turn.cross(pose.first_moment(lower)) +
+                                      geometry.mass_below[lower] * twist.shift),
+                             twist.shift});
     }
   }
   for (const SameLinkSecond& second : pose.same_link_seconds()) {
-    const Mover &a = pose.movers()[second.a], &b = pose.movers()[second.b];
+    const Twist &a = pose.twists()[second.a], &b = pose.twists()[second.b];
     if (!ancestry.related(link, a.link)) continue;
     const int lower = std::max(link, a.link);
     const Vector3d arm =
@@ -239,18 +240,18 @@ void mass_from_pose(const GeometryAtDesign& geometry, const Ancestry& ancestry,
   slopes.clear();
   seconds.clear();
   if (!geometry.grows || !pose.with_design()) return;
-  for (const Mover& mover : pose.movers()) {
-    if (mover.kind != Mover::Kind::inner || !geometry.links[mover.link].grows ||
-        !ancestry.contains(link, mover.link))
+  for (const Twist& twist : pose.twists()) {
+    if (twist.kind != Twist::Kind::inner || !geometry.links[twist.link].grows ||
+        !ancestry.contains(link, twist.link))
       continue;
-    const LinkAtDesign& at = geometry.links[mover.link];
-    const InnerMotion& motion = at.inner[mover.inner_index];
-    slopes.push_back({columns[mover.coordinate], scale * motion.first[3]});
-    for (int l = mover.inner_index; l < static_cast<int>(at.inner.size()); ++l) {
-      const Mover& other = (&mover)[l - mover.inner_index];
-      seconds.push_back({columns[mover.coordinate], columns[other.coordinate],
-                         scale * motion.second_first(at.inner[l], mover.inner_index, l)[3],
-                         &other == &mover});
+    const LinkAtDesign& at = geometry.links[twist.link];
+    const InnerMotion& motion = at.inner[twist.inner_index];
+    slopes.push_back({columns[twist.coordinate], scale * motion.first[3]});
+    for (int l = twist.inner_index; l < static_cast<int>(at.inner.size()); ++l) {
+      const Twist& other = (&twist)[l - twist.inner_index];
+      seconds.push_back({columns[twist.coordinate], columns[other.coordinate],
+                         scale * motion.second_first(at.inner[l], twist.inner_index, l)[3],
+                         &other == &twist});
     }
   }
 }

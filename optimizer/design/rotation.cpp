@@ -17,7 +17,8 @@ struct Coefficients {
 
 Coefficients coefficients(double t2) {
   Coefficients c{};
-  // Each quotient cancels more digits than the one before it; series below the angle where that would show.
+  // Each quotient cancels more digits than the one before it; series below the angle where that
+  // would show.
   if (t2 < 0.05) {
     c.A = 1 - t2 / 6 * (1 - t2 / 20 * (1 - t2 / 42 * (1 - t2 / 72 * (1 - t2 / 110))));
     c.B = 0.5 * (1 - t2 / 12 * (1 - t2 / 30 * (1 - t2 / 56 * (1 - t2 / 90 * (1 - t2 / 132)))));

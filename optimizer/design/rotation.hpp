@@ -13,14 +13,16 @@ Eigen::Matrix3d skew(const Eigen::Vector3d& v);
 Eigen::Vector3d unskew(const Eigen::Matrix3d& m);
 
 /// A rotation as a function of up to three numbers c, with its derivatives written as rotations:
-/// ∂R/∂c_a = [turn_a]× R and ∂²R/∂c_a∂c_b = second_ab R. All in the frame in which R acts from the left.
+/// ∂R/∂c_a = [turn_a]× R and ∂²R/∂c_a∂c_b = second_ab R. All in the frame in which R acts from the
+/// left.
 struct RotationDerivatives {
   Eigen::Matrix3d rotation;
   std::array<Eigen::Vector3d, 3> turn;                   // spatial rate per unit of c_a
   std::array<std::array<Eigen::Matrix3d, 3>, 3> second;  // symmetric in a, b
 };
 
-/// R(o) of a rotation vector o [rad] (Rodrigues), with exact first and second derivatives; smooth at o = 0.
+/// R(o) of a rotation vector o [rad] (Rodrigues), with exact first and second derivatives; smooth
+/// at o = 0.
 /// @param with_second false leaves `second` alone.
 void rotation_of_vector(const Eigen::Vector3d& o, bool with_second, RotationDerivatives& out);
 

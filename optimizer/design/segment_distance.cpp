@@ -12,7 +12,8 @@ constexpr double kClamp = 0.05;      // half width of a rounded clamp edge, shar
 constexpr double kParallel = 0.03;   // sin² below which 1/sin² is continued
 constexpr double kNoLength = 1e-20;  // squared length of a point [m²]
 
-/// A number with its first derivatives in the six products of the segments' vectors, and its second ones if kSecond.
+/// A number with its first derivatives in the six products of the segments' vectors, and its second
+/// ones if kSecond.
 template <bool kSecond>
 struct Jet {
   using Gradient = Eigen::Matrix<double, 6, 1>;

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// Footfall patterns from the literature. A phase is the share of the cycle after the front left foot's touchdown
-// (for hexapods and pairs: after the first listed foot of phase 0).
-//   Muybridge 1887, Animals in Motion: names and supports of the horse's gaits, amble and canter among them.
-//   Hildebrand 1965, Science 150; 1977, J. Mammal. 58; 1989, BioScience 39: a symmetrical gait is two numbers, the duty and
-//     the fore foot's lag behind the hind foot of its side: pace 0, lateral sequence walk 1/4, trot 1/2.
-//   Alexander 1984, Int. J. Robot. Res. 3: relative phases of the gaits of bipeds and quadrupeds; walks have duties above,
-//     runs below one half. Collins and Stewart 1993, J. Nonlinear Sci. 3, give the same table.
-//   McGhee and Frank 1968, Math. Biosci. 3: of all creeping gaits the steadiest has the hind foot land when the fore foot of
-//     its side lifts.
-//   Wilson 1966, Annu. Rev. Entomol. 11: a hexapod's sides are half a cycle apart, on each the wave runs from hind to front,
-//     and its delay is the swing's duration.
-//   Wilson 1967, J. Exp. Biol. 47: eight legs step in two fours, each the odd legs of one side with the even ones of the other.
+// Footfall patterns from the literature. A phase is the share of the cycle after the front left
+// foot's touchdown (for hexapods and pairs: after the first listed foot of phase 0).
+//   Muybridge 1887, Animals in Motion: names and supports of the horse's gaits, amble and canter
+//     among them.
+//   Hildebrand 1965, Science 150; 1977, J. Mammal. 58; 1989, BioScience 39: a symmetrical gait is
+//     two numbers, the duty and the fore foot's lag behind the hind foot of its side: pace 0,
+//     lateral sequence walk 1/4, trot 1/2.
+//   Alexander 1984, Int. J. Robot. Res. 3: relative phases of the gaits of bipeds and quadrupeds;
+//     walks have duties above, runs below one half. Collins and Stewart 1993, J. Nonlinear Sci. 3,
+//     give the same table.
+//   McGhee and Frank 1968, Math. Biosci. 3: of all creeping gaits the steadiest has the hind foot
+//     land when the fore foot of its side lifts.
+//   Wilson 1966, Annu. Rev. Entomol. 11: a hexapod's sides are half a cycle apart, on each the wave
+//     runs from hind to front, and its delay is the swing's duration.
+//   Wilson 1967, J. Exp. Biol. 47: eight legs step in two fours, each the odd legs of one side with
+//     the even ones of the other.
 // Within the ranges that they give, duties are those that suit small robots.
 #include <algorithm>
 
@@ -55,13 +59,13 @@ std::vector<GaitPattern> quadruped_gaits() {  // front left, front right, hind l
 }
 
 std::vector<GaitPattern> hexapod_gaits() {  // front, middle, hind; left before right
-  constexpr double third = 1.0 / 3.0, sixth = 1.0 / 6.0;
-  const std::vector<double> ripple{2 * third, sixth, third, 5 * sixth, 0.0, 0.5};
-  const std::vector<double> wave{third, 5 * sixth, sixth, 2 * third, 0.0, 0.5};
+  constexpr double kThird = 1.0 / 3.0, kSixth = 1.0 / 6.0;
+  const std::vector<double> ripple{2 * kThird, kSixth, kThird, 5 * kSixth, 0.0, 0.5};
+  const std::vector<double> wave{kThird, 5 * kSixth, kSixth, 2 * kThird, 0.0, 0.5};
   return {
       {"tripod", {0.0, 0.5, 0.5, 0.0, 0.0, 0.5}, 0.5, {}, "threes by turns (Wilson 1966)"},
-      {"ripple", ripple, 2 * third, {}, "a wave on each side, two feet swing (Wilson 1966)"},
-      {"wave", wave, 5 * sixth, {}, "one foot at a time, hind to front (Wilson 1966)"},
+      {"ripple", ripple, 2 * kThird, {}, "a wave on each side, two feet swing (Wilson 1966)"},
+      {"wave", wave, 5 * kSixth, {}, "one foot at a time, hind to front (Wilson 1966)"},
   };
 }
 
@@ -79,7 +83,8 @@ std::vector<GaitPattern> octopod_gaits() {  // four rows from front to hind; lef
   };
 }
 
-/// Feet whose places have no names: on five and more legs one may swing, and those that stand still surround the COM.
+/// Feet whose places have no names: on five and more legs one may swing, and those that stand still
+/// surround the COM.
 std::vector<GaitPattern> wave_only(int foot_count) {
   GaitPattern wave{"wave", {}, 1.0 - 1.0 / foot_count, {}, "one foot at a time, hind to front"};
   for (int place = 0; place < foot_count; ++place)
@@ -149,7 +154,7 @@ SupportRange support_range(const GaitPattern& pattern) {
   // Support changes at touchdowns and lift-offs only and is constant from each to the next.
   const std::size_t foot_count = pattern.touchdown.size();
   SupportRange range{static_cast<int>(foot_count), 0};
-  const auto look = [&](double phase) {
+  const auto include = [&](double phase) {
     int support = 0;
     for (std::size_t place = 0; place < foot_count; ++place)
       support += pattern.stands(place, phase);
@@ -157,8 +162,8 @@ SupportRange support_range(const GaitPattern& pattern) {
     range.most = std::max(range.most, support);
   };
   for (std::size_t place = 0; place < foot_count; ++place) {
-    look(pattern.touchdown[place]);
-    look(pattern.touchdown[place] + pattern.duty_of(place));
+    include(pattern.touchdown[place]);
+    include(pattern.touchdown[place] + pattern.duty_of(place));
   }
   return range;
 }

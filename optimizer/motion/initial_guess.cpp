@@ -24,7 +24,7 @@ using Eigen::VectorXd;
 constexpr int kFirstSteps = 60, kSteps = 12;
 constexpr double kEasyPose = 0.03;  // (q − home)² against (miss/leg length)² of feet on the ground
 
-/// Where COM and feet shall be at each knot.
+/// Wanted places of COM and feet at each knot.
 class WalkWithoutDynamics {
  public:
   WalkWithoutDynamics(const Morphology& morphology, const Layout& layout, const Task& task,
@@ -118,8 +118,8 @@ VectorXd home_at(const Morphology& morphology, const Vector3d& place) {
   return q;
 }
 
-/// The footprint as near to the wanted one as is easy for the joints: feet on the ground, COM at its
-/// height.
+/// The footprint as near to the wanted one as is easy for the joints: feet on the ground, COM at
+/// its height.
 StyleTargets reachable(const Morphology& morphology, const GeometryAtDesign& geometry,
                        const StyleTargets& style) {
   WholeBodyIkWeights weights;

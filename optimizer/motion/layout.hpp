@@ -9,12 +9,13 @@
 
 namespace legwright {
 
-/// Where every number lives: the only index arithmetic of the project. A slot is a position in the extended
-/// vector [s; m; y]: the design, the motion of eq (2), and the derived quantities y(s, m) that kinematics
-/// computes from them (feet, COM and hinges of a pose, angular momentum and foot roll between two poses, joint torques
-/// of three).
-/// m = (P_0 … P_T), P_i = (pose, com_W, foot_W of each foot, force_W of each stance foot). Knot T is knot 0 one
-/// cycle later. Swing forces have no slot: they would be free and the Hessian singular.
+/// The index of every number: the only index arithmetic of the project. A slot is a position in the
+/// extended vector [s; m; y]: the design, the motion of eq (2), and the derived quantities y(s, m)
+/// that kinematics computes from them (feet, COM and hinges of a pose, angular momentum and foot
+/// roll between two poses, joint torques of three).
+/// m = (P_0 … P_T), P_i = (pose, com_W, foot_W of each foot, force_W of each stance foot). Knot T
+/// is knot 0 one cycle later. Swing forces have no slot: they would be free and the Hessian
+/// singular.
 class Layout {
  public:
   Layout() = default;
@@ -53,7 +54,8 @@ class Layout {
   }
   /// Torque of a joint's motor by inverse dynamics [N m], one slot; knots 0 … T − 1.
   int joint_torque(int knot, int joint) const { return torques_ + joint_count() * knot + joint; }
-  /// A, B, C of a linear actuator's length (design/actuator_length) [leg length²]; they depend on s alone.
+  /// A, B, C of a linear actuator's length (design/actuator_length) [leg length²]; they depend on s
+  /// alone.
   int actuator_shape(int actuator) const { return shapes_ + 3 * actuator; }
   /// Mass of the robot over that of the initial design, one slot; depends on s alone.
   int mass_share() const { return amounts_; }

@@ -14,7 +14,8 @@ namespace {
 constexpr double kSwingShare = 0.12, kClearanceShare = 0.095, kTouchdownShare = 0.24;
 constexpr double kKnownTimeSquared = 4e-3;
 
-// Legs over height of the COM: 1.3 to 1.7 for robots that stand upright or on bent knees, 2 where they crouch.
+// Ratio of leg and height of the COM: 1.3 to 1.7 for robots that stand upright or on bent knees, 2
+// where they crouch.
 constexpr double kCrouch = 1.75;
 
 }  // namespace

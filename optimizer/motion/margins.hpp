@@ -15,29 +15,29 @@ namespace legwright {
 /// Leg of the robots on which weights were found that measure in absolute units [m].
 inline constexpr double kKnownLeg = 0.21;
 
-/// Planned height of a swing over what it shall step over: feet are highest late in their step, splines
-/// and soft servos cut the top.
+/// Planned height of a swing over what it shall step over: feet are highest late in their step,
+/// splines and soft servos cut the top.
 inline constexpr double kSwingOver = 2.25;
 
 /// The leg by whose length a robot moves [m]: as long as stretched out, but at most 1.75 times the
-/// height of the COM in the home pose at design s: one that crouches swings as short a pendulum, and
-/// steps as low, as a smaller one.
+/// height of the COM in the home pose at design s: one that crouches swings as short a pendulum,
+/// and steps as low, as a smaller one.
 double standing_leg(const Morphology& morphology, const Eigen::VectorXd& s);
 
-/// How high a foot is lifted [m]: what the task says, or a share of the leg, or what stepping over a
-/// height needs.
+/// How high a foot is lifted [m]: what the task says, or a share of the leg, or what stepping over
+/// a height needs.
 double swing_height(const Task& task, double leg_length);
 
-/// Distance to be kept between the centre lines of limbs, eq (16) [m]: what the task says, or a share
-/// of the leg.
+/// Distance to be kept between the centre lines of limbs, eq (16) [m]: what the task says, or a
+/// share of the leg.
 double limb_clearance(const Task& task, double leg_length);
 
 /// How much earlier or later than planned a foot touches down [s]: a share of √(leg length/g), the
 /// time scale of all that tips and falls.
 double touchdown_error(double leg_length);
 
-/// Square of the time that makes angular accelerations dimensionless [s²]: 4e-3 s² for legs of 21 cm,
-/// in proportion to the leg.
+/// Square of the time that makes angular accelerations dimensionless [s²]: 4e-3 s² for legs of 21
+/// cm, in proportion to the leg.
 double smoothness_time_squared(double leg_length);
 
 }  // namespace legwright

@@ -7,7 +7,8 @@
 
 namespace legwright {
 
-/// Named read-only views on a motion vector m, eq (2). World frame, SI units. Keeps references only.
+/// Named read-only views on a motion vector m, eq (2). World frame, SI units. Keeps references
+/// only.
 class MotionView {
  public:
   MotionView(const Layout& layout, const Eigen::VectorXd& m) : layout_(layout), m_(m) {}

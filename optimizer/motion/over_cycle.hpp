@@ -8,9 +8,9 @@
 
 namespace legwright {
 
-/// A quantity given at n evenly spaced times of the cycle, values[k] at phase k/n, straight in between
-/// and from the last back to the first: its value at any phase. With as many values as the gait has
-/// knots these are the values at the knots. Needs at least one value.
+/// A quantity given at n evenly spaced times of the cycle, values[k] at phase k/n, straight in
+/// between and from the last back to the first: its value at any phase. With as many values as the
+/// gait has knots these are the values at the knots. Needs at least one value.
 template <typename Value>
 Value over_cycle(const std::vector<Value>& values, double phase) {
   const auto count = static_cast<double>(values.size());

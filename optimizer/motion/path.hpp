@@ -5,9 +5,9 @@
 
 namespace legwright {
 
-/// The wanted path of the COM on the ground: constant velocity in the heading frame and constant turn rate, starting
-/// at the origin with heading +x. One cycle later everything is the same up to a rigid motion of the plane,
-/// p ↦ turn·p + travel.
+/// The wanted path of the COM on the ground: constant velocity in the heading frame and constant
+/// turn rate, starting at the origin with heading +x. One cycle later everything is the same up to
+/// a rigid motion of the plane, p ↦ turn·p + travel.
 class WantedPath {
  public:
   WantedPath() = default;
@@ -20,9 +20,9 @@ class WantedPath {
   Eigen::Matrix2d heading_rotation(double time) const {
     return yaw_rotation(heading(time)).topLeftCorner<2, 2>();
   }
-  /// The inverse of position(): the constant velocity in the heading frame that leads by `step`, seen in
-  /// the frame at its start, while the heading turns by `angle` at a constant rate. Not a number where
-  /// the turn is a full circle, which leads back whatever the velocity.
+  /// The inverse of position(): the constant velocity in the heading frame that leads by `step`,
+  /// seen in the frame at its start, while the heading turns by `angle` at a constant rate. Not a
+  /// number where the turn is a full circle, which leads back whatever the velocity.
   static Eigen::Vector2d velocity_along_arc(const Eigen::Vector2d& step, double angle, double time);
   static Eigen::Matrix3d yaw_rotation(double angle);
 

@@ -11,7 +11,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Half the knots at which a foot stands beside others: over so many it takes its load, and gives it.
+/// Half the knots at which a foot stands beside others: over so many it takes its load, and gives
+/// it.
 int overlap(const Gait& gait, int foot) {
   int knots = 0;
   for (int i = 0; i < gait.knot_count(); ++i) {
@@ -22,8 +23,8 @@ int overlap(const Gait& gait, int foot) {
   return std::max(1, knots / 2);
 }
 
-/// Between the feet that stand at a knot, seen from the moving path; a foot's load rises after its touchdown and falls
-/// before its lift-off.
+/// Between the feet that stand at a knot, seen from the moving path; a foot's load rises after its
+/// touchdown and falls before its lift-off.
 Vector2d centre_of_pressure(const Task& task, const std::vector<Vector2d>& footprint, int knot) {
   Vector2d sum = Vector2d::Zero();
   double load = 0.0;

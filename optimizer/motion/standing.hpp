@@ -8,8 +8,8 @@
 
 namespace legwright {
 
-/// Forces of stance feet against gravity that carry the weight without tipping the robot about its COM, the
-/// smallest in the sense of least squares, none below `least` [N].
+/// Forces of stance feet against gravity that carry the weight without tipping the robot about its
+/// COM, the smallest in the sense of least squares, none below `least` [N].
 /// @param com along gravity on the ground @param length that makes levers dimensionless [m]
 std::vector<double> shares_of_weight(const Eigen::Vector3d& com,
                                      const std::vector<Eigen::Vector3d>& stance, double weight,

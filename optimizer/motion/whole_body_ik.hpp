@@ -16,11 +16,11 @@ struct WholeBodyIkWeights {
   double pose = 1e-3;                                     // of (q − home)² over the joints
 };
 
-/// Inverse kinematics of the whole robot, for first guesses: a pose near the home pose whose COM and
-/// feet are as near to wanted places as joints allow. Damped Gauss-Newton over root position and all
-/// joints; the trunk's orientation is given. What cannot be met is spread over all wants, and a few
-/// steps are enough, because Newton's method goes on from there. One leg under a trunk that stays
-/// where it is, its foot's height to rounding: mjcf/leg_pose.
+/// Inverse kinematics of the whole robot, for first guesses: a pose near the home pose whose COM
+/// and feet are as near to wanted places as joints allow. Damped Gauss-Newton over root position
+/// and all joints; the trunk's orientation is given. What cannot be met is spread over all wants,
+/// and a few steps are enough, because Newton's method goes on from there. One leg under a trunk
+/// that stays where it is, its foot's height to rounding: mjcf/leg_pose.
 class WholeBodyIk {
  public:
   /// Keeps references.

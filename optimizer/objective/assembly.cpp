@@ -148,8 +148,8 @@ void expand_curvature(const ElementPlan& plan, const std::vector<Eigen::MatrixXd
   for (const ElementPlan::Through& through : plan.through)
     for (int d = 0; d < through.size; ++d)
       rows[through.variable + d] = {-1, &through, jacobians[through.block].col(d).data()};
-  // Most entries of C are zero. Both orders of a pair of variables are visited, so that each column pair of the
-  // lower triangle gets both.
+  // Most entries of C are zero. Both orders of a pair of variables are visited, so that each column
+  // pair of the lower triangle gets both.
   for (int j = 0; j < C.cols(); ++j)
     for (int i = 0; i < C.rows(); ++i)
       if (C(i, j) != 0.0) add_product(C(i, j), rows[i], rows[j], columns, workspace.hessian);

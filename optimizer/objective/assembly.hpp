@@ -10,8 +10,8 @@
 
 namespace legwright {
 
-/// Where one element's local variables go: straight to a column of its clique, or through the Jacobian of a
-/// derived quantity to several (chain rule).
+/// Where one element's local variables go: straight to a column of its clique, or through the
+/// Jacobian of a derived quantity to several (chain rule).
 struct ElementPlan {
   struct Direct {
     int variable, column;
@@ -45,7 +45,8 @@ ElementPlan plan_element(const Term& term, int element, const DerivedBlocks& blo
                          const std::vector<int>& block_at_slot, int design_size,
                          int parameter_count);
 
-/// One local variable as a function of the clique's columns: a unit vector or a column of a block's Jacobian.
+/// One local variable as a function of the clique's columns: a unit vector or a column of a block's
+/// Jacobian.
 struct LocalRow {
   int column = 0;  // of a direct variable
   const ElementPlan::Through* through = nullptr;
@@ -61,17 +62,20 @@ struct ElementWorkspace {
   std::vector<LocalRow> rows;
 };
 
-/// Writes (J·E)ᵀ into workspace.expanded (the first `columns` of the clique × rows), where E is the Jacobian of the
-/// element's local variables in the clique's slots. @param J rows × local variables.
+/// Writes (J·E)ᵀ into workspace.expanded (the first `columns` of the clique × rows), where E is the
+/// Jacobian of the element's local variables in the clique's slots. @param J rows × local
+/// variables.
 /// @param jacobians by derived block, columns × size.
 void expand_jacobian(const ElementPlan& plan, const Eigen::MatrixXd& J,
                      const std::vector<Eigen::MatrixXd>& jacobians, int columns,
                      ElementWorkspace& workspace);
 
-/// Sets the lower triangle of workspace.hessian to Σ_k second_k e_k e_kᵀ, e_k the columns of workspace.expanded.
+/// Sets the lower triangle of workspace.hessian to Σ_k second_k e_k e_kᵀ, e_k the columns of
+/// workspace.expanded.
 void rank_hessian(ElementWorkspace& workspace);
 
-/// Adds Eᵀ C E to the lower triangle of workspace.hessian, C = workspace.curvature in the local variables.
+/// Adds Eᵀ C E to the lower triangle of workspace.hessian, C = workspace.curvature in the local
+/// variables.
 void expand_curvature(const ElementPlan& plan, const std::vector<Eigen::MatrixXd>& jacobians,
                       int columns, ElementWorkspace& workspace);
 

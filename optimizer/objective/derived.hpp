@@ -10,9 +10,9 @@
 
 namespace legwright {
 
-/// y(s, m) with exact derivatives: all of the robot's kinematics. Values come first, for all terms at once; a
-/// quantity's Jacobian and curvature are worked out when something asks for them. Which quantities there are:
-/// objective/derived/quantities.cpp.
+/// y(s, m) with exact derivatives: all of the robot's kinematics. Values come first, for all terms
+/// at once; a quantity's Jacobian and curvature are worked out when something asks for them. Which
+/// quantities there are: objective/derived/quantities.cpp.
 class DerivedQuantities {
  public:
   struct Workspace {
@@ -29,13 +29,15 @@ class DerivedQuantities {
                     const WantedPath& path, const std::vector<char>& wanted);
 
   const DerivedBlocks& blocks() const { return blocks_; }
-  /// Fills the y part of `extended` ([s; m] given). `detail` says which derivatives may be asked for afterwards.
+  /// Fills the y part of `extended` ([s; m] given). `detail` says which derivatives may be asked
+  /// for afterwards.
   void evaluate(const Morphology& morphology, const Layout& layout, PoseDetail detail,
                 Eigen::VectorXd& extended, Workspace& workspace) const;
   /// ∂y of a block at the point just evaluated, columns × size.
   const Eigen::MatrixXd& jacobian(const Morphology& morphology, int block,
                                   const Eigen::VectorXd& extended, Workspace& workspace) const;
-  /// Σ multiplier_k ∂²y_k of a block whose Jacobian is ready, into the lower triangle of workspace.curvature.
+  /// Σ multiplier_k ∂²y_k of a block whose Jacobian is ready, into the lower triangle of
+  /// workspace.curvature.
   void curvature(int block, const double* multiplier, Workspace& workspace) const;
 
  private:

@@ -30,7 +30,7 @@ enum class Order {
   design,     // everything: + ∂F/∂s, ∂G/∂s, ∂²F/∂s², for the adjoint
 };
 
-/// Which term pulls where: each term's share of the first derivatives, weighted. Rows: terms in registry order; they sum
+/// Each term's share of the first derivatives, weighted. Rows: terms in registry order; they sum
 /// to ∂F/∂s and G. Terms of weight zero have rows of zeros.
 struct TermShares {
   std::vector<std::string_view> names;
@@ -50,8 +50,8 @@ struct Evaluation {
   std::shared_ptr<const void> pattern;     // whose pattern hessian_mm has
 };
 
-/// F(s, m) = Σ weight·term for one robot and one task, with exact derivatives. Immutable after construction:
-/// any number of threads may evaluate it, each with its own Evaluation and Workspace.
+/// F(s, m) = Σ weight·term for one robot and one task, with exact derivatives. Immutable after
+/// construction: any number of threads may evaluate it, each with its own Evaluation and Workspace.
 class Objective {
  public:
   /// Scratch memory of one thread; reused between evaluations.

@@ -9,7 +9,8 @@ namespace legwright {
 
 /// A set of slots of p = [s; m] that couple: motion slots first, design slots last, both rising.
 struct Clique {
-  /// Consecutive motion slots: their rows are neighbours in every column of ∂G/∂m that the clique touches.
+  /// Consecutive motion slots: their rows are neighbours in every column of ∂G/∂m that the clique
+  /// touches.
   struct Segment {
     int start, end;  // clique columns
   };
@@ -21,11 +22,12 @@ struct Clique {
   int motion_count = 0;
   std::vector<Segment> segments;  // of the motion slots
   std::vector<int> segment_of;    // motion column → segment
-  /// Motion column by column, for the rest of its own segment and each later one: index among the values of ∂G/∂m of
-  /// its first row at or below the diagonal.
+  /// Motion column by column, for the rest of its own segment and each later one: index among the
+  /// values of ∂G/∂m of its first row at or below the diagonal.
   std::vector<int> positions;
 
-  /// Calls visit(column, first row, row count, index among the values) for every run of the lower triangle.
+  /// Calls visit(column, first row, row count, index among the values) for every run of the lower
+  /// triangle.
   template <class Visit>
   void for_each_run(Visit visit) const {
     const int* position = positions.data();
@@ -37,11 +39,12 @@ struct Clique {
   }
 };
 
-/// The fixed pattern of ∂G/∂m: gait and morphology settle it, so it is built once and every evaluation
-/// scatters straight into the value array.
+/// The fixed pattern of ∂G/∂m: gait and morphology settle it, so it is built once and every
+/// evaluation scatters straight into the value array.
 class Sparsity {
  public:
-  /// Fills in `positions` of each clique. @param design_size number of design slots, which come first in p.
+  /// Fills in `positions` of each clique. @param design_size number of design slots, which come
+  /// first in p.
   static Eigen::SparseMatrix<double> build(int design_size, int motion_size,
                                            const std::vector<Clique*>& cliques);
 };

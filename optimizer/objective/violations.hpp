@@ -23,9 +23,9 @@ struct Violation {
   double relative = 0.0;  // amount in the term's own scale, to compare terms with
 };
 
-/// Each constraint of F (registry role `constraint`, weight above zero) with its worst element, worst first by
-/// `relative`. Equalities: the norm of the residual's rows that share a unit. Inequalities: minus the smallest slack.
-/// Sizes of s and m as in Objective::evaluate.
+/// Each constraint of F (registry role `constraint`, weight above zero) with its worst element,
+/// worst first by `relative`. Equalities: the norm of the residual's rows that share a unit.
+/// Inequalities: minus the smallest slack. Sizes of s and m as in Objective::evaluate.
 std::vector<Violation> worst_violations(const Objective& objective, const Eigen::VectorXd& s,
                                         const Eigen::VectorXd& m);
 

@@ -17,7 +17,8 @@ constexpr std::size_t kMainParameters = 2;     // of a summary
 constexpr std::size_t kMainEffects = 3;        // changed parameters
 constexpr double kMainEffectThreshold = 0.05;  // of the largest decrease
 
-/// Long steps bend: what a term really gave up goes to the parameters in the ratio of their shares.
+/// Derivatives explain a long step in part only: the rest goes to the parameters in the ratio of
+/// their shares.
 /// @return the size of the rest that the shares do not explain
 double spread_rest(double decrease, Eigen::MatrixXd::RowXpr shares) {
   const double size = shares.cwiseAbs().sum(), rest = decrease - shares.sum();
@@ -152,7 +153,7 @@ std::optional<AttributionSummary> summarise(const std::vector<Attribution>& attr
     out.decrease += one.total();
     parameters.emplace_back(one.parameter, one.total());
   }
-  // What lies between two designs is followed to second order only.
+  // Shares follow a step to second order only.
   out.partial = fall && std::abs(*fall - out.decrease) > kUnexplained * std::abs(*fall);
   std::stable_sort(parameters.begin(), parameters.end(),
                    [](const auto& a, const auto& b) { return a.second > b.second; });

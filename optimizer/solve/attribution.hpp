@@ -30,9 +30,10 @@ struct Attribution {
 
 /// Why a body changed: how much of a task's F each term gave up by each parameter's change, summed
 /// along the designs that were accepted. A term's derivative is the total one, along m*(s):
-/// dF_t/ds = ∂F_t/∂s + ∂F_t/∂m dm/ds. All terms together make dF/ds, because ∂F/∂m vanishes. From one
-/// design to the next its share is the mean of both ends times the change, exact to second order; the
-/// rest of what a term really gave up in a long step goes to the parameters in the same ratio.
+/// dF_t/ds = ∂F_t/∂s + ∂F_t/∂m dm/ds. All terms together make dF/ds, because ∂F/∂m vanishes. From
+/// one design to the next its share is the mean of both ends times the change, exact to second
+/// order; the rest of what a term really gave up in a long step goes to the parameters in the same
+/// ratio.
 class AttributionAlongPath {
  public:
   /// The next accepted design and the task's motion there. The first one only sets the start.
@@ -67,8 +68,8 @@ void merge_attributions(std::vector<Attribution>& all, const std::vector<Attribu
 /// The largest share of all, as a scale for what is worth naming.
 double largest_share(const std::vector<Attribution>& attributions);
 
-/// The few shares of a parameter that explain its change: at most three, none below 5 % of the first.
-/// None at all where the first is below 1 % of `scale`. @param scale as of largest_share()
+/// The few shares of a parameter that explain its change: at most three, none below 5 % of the
+/// first. None at all where the first is below 1 % of `scale`. @param scale as of largest_share()
 std::vector<AttributionShare> main_shares(const Attribution& attribution, double scale);
 
 /// All parameters together.
@@ -93,8 +94,8 @@ struct ParameterEffect {
 /// Indices by falling decrease of F; equal ones by falling share of the range.
 std::vector<std::size_t> order_of_effects(const std::vector<ParameterEffect>& effects);
 
-/// How many of the first of `ordered` are worth naming: at most three, and where decreases are known none whose is
-/// below 5 % of the first.
+/// How many of the first of `ordered` are worth naming: at most three, and where decreases are
+/// known none whose is below 5 % of the first.
 std::size_t count_main_effects(const std::vector<ParameterEffect>& ordered, bool decreases_known);
 
 }  // namespace legwright

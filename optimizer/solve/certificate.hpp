@@ -15,7 +15,7 @@ struct CertificateOptions {
   int threads = 1;             // at most one per task is of use
 };
 
-/// What is proven of one task at a design.
+/// The proof of one task at a design.
 struct TaskCertificate {
   double stationarity = 0.0;  // max |G·unit|
   SolveStatus motion_status = SolveStatus::iteration_limit;

@@ -112,7 +112,7 @@ SolveStatus Codesign::optimise() {
   return status == SolveStatus::converged && !at_minimum() ? SolveStatus::stalled : status;
 }
 
-// Only the adjoint at a minimum in m tells that dF/ds vanishes: the gradient at fixed m does not.
+// Only the adjoint at a minimum in m shows that dF/ds vanishes: the gradient at fixed m does not.
 bool Codesign::at_minimum() const {
   return now_.exact_gradient && now_.motion_status() == SolveStatus::converged &&
          now_.projected_gradient_norm < options_.design_tolerance;

@@ -49,11 +49,11 @@ struct CodesignOptions : MotionLimits {
 
   // Decrease of F that a step needs, as a share of what the gradient promises.
   double sufficient_decrease = 1e-4;
-  // Largest change of a parameter, in its natural unit: along steepest descent and as the first trust
-  // radius of Newton's method; and in any step.
+  // Largest change of a parameter, in its natural unit: along steepest descent and as the first
+  // trust radius of Newton's method; and in any step.
   double largest_first_change = 0.1, largest_change = 0.3;
-  // A task's solve is left early when F_joint could come down only if each other task lost more than
-  // this share of its F in one step.
+  // A task's solve is left early when F_joint could come down only if each other task lost more
+  // than this share of its F in one step.
   double largest_task_gain = 0.5;
   bool motion_only = false;  // stop after iteration 0
   /// Called after every accepted iteration, in order; return false to stop (status `stopped`).
@@ -80,13 +80,14 @@ struct CodesignResult {
   std::vector<double> solve_seconds;  // of each motion solve after iteration 0
 };
 
-/// Algorithm 1 for F_joint(s, m₁ … m_k) = Σ wᵢ Fᵢ(s, mᵢ): Newton's method or L-BFGS on s within hard
-/// bounds, exact Newton on each mᵢ, dF/ds by the adjoint equations (7), (8). With an outer objective
-/// Σ wᵢ (Fᵢ + Jᵢ) is minimised over s, and the motions still minimise Fᵢ; L-BFGS then steps s.
-/// `converged`: projected gradient below design_tolerance (motion_only: the motions' status).
-/// `stalled`: F settled to value_tolerance, or no δ₁ helps even along steepest descent; the best
-/// iterate is kept, and its projected_gradient_norm tells how far it is from a minimum.
-/// Deterministic. The status says `converged` only with an exact adjoint gradient at a minimum in m.
+/// Algorithm 1 for F_joint(s, m₁ … m_k) = Σ wᵢ Fᵢ(s, mᵢ): Newton's method or L-BFGS on s within
+/// hard bounds, exact Newton on each mᵢ, dF/ds by the adjoint equations (7), (8). With an outer
+/// objective Σ wᵢ (Fᵢ + Jᵢ) is minimised over s, and the motions still minimise Fᵢ; L-BFGS then
+/// steps s. `converged`: projected gradient below design_tolerance (motion_only: the motions'
+/// status). `stalled`: F settled to value_tolerance, or no δ₁ helps even along steepest descent;
+/// the best iterate is kept, and its projected_gradient_norm tells how far it is from a minimum.
+/// Deterministic. The status says `converged` only with an exact adjoint gradient at a minimum in
+/// m.
 /// @param start design the run starts from, within the space's bounds; initial_motion of each cost
 /// belongs to it.
 [[nodiscard]] CodesignResult codesign(const std::vector<WeightedCost>& tasks,

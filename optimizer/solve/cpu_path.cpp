@@ -9,10 +9,10 @@
 namespace legwright {
 namespace {
 
-constexpr const char* variable = "LEGWRIGHT_CPU_PATH";
+constexpr const char* kVariable = "LEGWRIGHT_CPU_PATH";
 
 [[noreturn]] void refuse(std::string_view found) {
-  std::string message(variable);
+  std::string message(kVariable);
   message.append(" is '").append(found).append("'; this program on this processor has");
   for (const CpuPath path : available_cpu_paths()) message.append(" ").append(to_string(path));
   throw std::invalid_argument(message.append("; unset it to take the fastest"));
@@ -51,7 +51,7 @@ std::vector<CpuPath> available_cpu_paths() {
 
 CpuPath cpu_path() {
   const std::vector<CpuPath> available = available_cpu_paths();
-  const char* wanted = std::getenv(variable);
+  const char* wanted = std::getenv(kVariable);
   if (!wanted || !*wanted) return available.back();
   const std::optional<CpuPath> path = cpu_path_by_name(wanted);
   if (!path || std::find(available.begin(), available.end(), *path) == available.end())

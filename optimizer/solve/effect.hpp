@@ -13,8 +13,8 @@ enum class Better { less, more, near_one, neither };
 struct Effect {
   /// (after − before)/|before|, where both are known and before is not 0.
   std::optional<double> change = std::nullopt;
-  /// By how much it got worse, as a share of what it was; 0 where it did not or nobody can say. Of a figure that is
-  /// best at one: by how much it came away from one, if that is 0.05 or more.
+  /// By how much it got worse, as a share of what it was; 0 where it did not or that is not known.
+  /// Of a figure that is best at one: by how much it came away from one, if that is 0.05 or more.
   double worse = 0.0;
 };
 

@@ -8,7 +8,7 @@
 namespace legwright {
 
 /// A way to factor A = H + diag(shift) that HessianFactor can use. It checks nothing: inputs are
-/// finite and of the right size, solutions are judged by the caller.
+/// finite and of the right size, the caller checks solutions.
 class FactorBackend {
  public:
   virtual ~FactorBackend() = default;
@@ -17,8 +17,8 @@ class FactorBackend {
   virtual void analyse(const SymmetricPattern& pattern) = 0;
 
   /// @param values of H's entries in the order of the pattern, followed by 8 numbers of any value.
-  /// @param diagonal of A and @param shift, both n × 1. Returns −1, or an unknown whose pivot is not
-  /// finite or not above `tolerance` times its entry of `diagonal`: then there is no factor.
+  /// @param diagonal of A and @param shift, both n × 1. Returns −1, or an unknown whose pivot is
+  /// not finite or not above `tolerance` times its entry of `diagonal`: then there is no factor.
   virtual int factor(const double* values, const Eigen::VectorXd& diagonal,
                      const Eigen::VectorXd& shift, double tolerance) = 0;
 

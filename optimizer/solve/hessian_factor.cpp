@@ -16,9 +16,9 @@ namespace {
 
 // A pivot below this share of its diagonal entry is rounding: the matrix is singular to working
 // precision.
-constexpr double pivot_tolerance = 64 * std::numeric_limits<double>::epsilon();
-constexpr double residual_tolerance = 1e-10;
-constexpr double refine_above = 1e-13;
+constexpr double kPivotTolerance = 64 * std::numeric_limits<double>::epsilon();
+constexpr double kResidualTolerance = 1e-10;
+constexpr double kRefineAbove = 1e-13;
 
 std::unique_ptr<FactorBackend> make_backend(FactorMethod method, CpuPath path) {
   if (method == FactorMethod::simplicial) return std::make_unique<SimplicialLdlt>();
@@ -91,17 +91,17 @@ bool HessianFactor::Impl::take_shift(const Eigen::VectorXd& shift_diagonal) {
   return true;
 }
 
-// Judges x = A⁻¹ b, improving it once where that is needed.
+// Checks x = A⁻¹ b by its backward error, and refines it once where that is needed.
 bool HessianFactor::Impl::accept(const Eigen::VectorXd& b, Eigen::VectorXd& x) {
   double error = product.backward_error(values.data(), diagonal, b, x);
-  if (error > refine_above && std::isfinite(error)) {
+  if (error > kRefineAbove && std::isfinite(error)) {
     correction = product.remainder();
     backend->solve(correction);
     x += correction;
     error = product.backward_error(values.data(), diagonal, b, x);
   }
   residual = std::max(residual, error);
-  return error <= residual_tolerance && x.allFinite();
+  return error <= kResidualTolerance && x.allFinite();
 }
 
 HessianFactor::HessianFactor() : HessianFactor(factor_method(), cpu_path()) {}
@@ -138,7 +138,7 @@ bool HessianFactor::factor(const Eigen::SparseMatrix<double>& lower,
     return false;
   my.product.diagonal(my.values.data(), my.diagonal);
   my.diagonal += my.shift;
-  my.bad_pivot = my.backend->factor(my.values.data(), my.diagonal, my.shift, pivot_tolerance);
+  my.bad_pivot = my.backend->factor(my.values.data(), my.diagonal, my.shift, kPivotTolerance);
   my.positive = my.bad_pivot < 0;
   return my.positive;
 }

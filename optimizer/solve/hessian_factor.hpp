@@ -25,7 +25,8 @@ std::string_view to_string(FactorMethod method);
 FactorMethod factor_method();
 
 /// What a HessianFactor uses here: `avx512`, `avx2` or `baseline` (see CpuPath), or `simplicial`.
-/// Bits of a result depend on it. Throws std::invalid_argument as factor_method() and cpu_path() do.
+/// Bits of a result depend on it. Throws std::invalid_argument as factor_method() and cpu_path()
+/// do.
 std::string factor_name();
 
 /// Cholesky factor of H + diag(shift): ordered and analysed once per pattern, factored many times

@@ -9,38 +9,38 @@ namespace {
 void subtract_update(const double* source, int source_stride, int depth, int columns,
                      const RowSegment* segments, int segment_count, const int* place,
                      double* target, int target_stride) {
-  for (int c = 0; c < columns; c += panel_width)
+  for (int c = 0; c < columns; c += kPanelWidth)
     with_width(width_at(c, columns), [&]<int Columns>() {
       subtract_columns<Columns>(source, source_stride, depth, c, segments, segment_count, place,
                                 target, target_stride);
     });
 }
 
-/// Cholesky of the head of a strip of `Columns` columns; further rows in the same vectors are solved
-/// along. Returns the column of a bad pivot or −1.
+/// Cholesky of the head of a strip of `Columns` columns; further rows in the same vectors are
+/// solved along. Returns the column of a bad pivot or −1.
 template <int Columns>
 int factor_head(double* strip, long stride, int rows, const double* least_pivot, double* inverse) {
-  constexpr int vectors = (Columns + lanes - 1) / lanes;
-  const int last = rows < vectors * lanes ? rows - (vectors - 1) * lanes : lanes;
+  constexpr int vectors = (Columns + kLanes - 1) / kLanes;
+  const int last = rows < vectors * kLanes ? rows - (vectors - 1) * kLanes : kLanes;
   Vector x[Columns][vectors];
 #pragma GCC unroll 8
   for (int c = 0; c < Columns; ++c)
 #pragma GCC unroll 2
-    for (int v = 0; v < vectors; ++v) x[c][v] = load(strip + c * stride + v * lanes);
+    for (int v = 0; v < vectors; ++v) x[c][v] = load(strip + c * stride + v * kLanes);
 #pragma GCC unroll 8
   for (int c = 0; c < Columns; ++c) {
-    double head[vectors * lanes];
+    double head[vectors * kLanes];
 #pragma GCC unroll 2
-    for (int v = 0; v < vectors; ++v) store(head + v * lanes, x[c][v]);
+    for (int v = 0; v < vectors; ++v) store(head + v * kLanes, x[c][v]);
     const double pivot = head[c];
     if (!(pivot > least_pivot[c]) || !(pivot < __builtin_inf())) return c;
     inverse[c] = 1.0 / __builtin_sqrt(pivot);
 #pragma GCC unroll 2
     for (int v = 0; v < vectors; ++v) {
       x[c][v] = times(x[c][v], spread(inverse[c]));
-      store(head + v * lanes, x[c][v]);
-      double* const to = strip + c * stride + v * lanes;
-      if (v + 1 < vectors || last == lanes)
+      store(head + v * kLanes, x[c][v]);
+      double* const to = strip + c * stride + v * kLanes;
+      if (v + 1 < vectors || last == kLanes)
         store(to, x[c][v]);
       else
         store_first(to, x[c][v], last);
@@ -56,7 +56,7 @@ int factor_head(double* strip, long stride, int rows, const double* least_pivot,
 /// The rows of a strip below its head: X ← X L₁₁⁻ᵀ.
 template <int Columns>
 void solve_strip(double* strip, long stride, int first, int rows, const double* inverse) {
-  for (int i = first; i < rows; i += lanes) {
+  for (int i = first; i < rows; i += kLanes) {
     Vector x[Columns];
 #pragma GCC unroll 8
     for (int c = 0; c < Columns; ++c) x[c] = load(strip + c * stride + i);
@@ -70,7 +70,7 @@ void solve_strip(double* strip, long stride, int first, int rows, const double* 
     const int count = rows - i;
 #pragma GCC unroll 8
     for (int c = 0; c < Columns; ++c) {
-      if (count >= lanes)
+      if (count >= kLanes)
         store(strip + c * stride + i, x[c]);
       else
         store_first(strip + c * stride + i, x[c], count);
@@ -82,9 +82,9 @@ int factor_panel(double* panel, int panel_stride, int rows, int columns, const d
                  double* inverse_diagonal) {
   const long stride = panel_stride;
   int bad = -1;
-  for (int j = 0; j < columns && bad < 0; j += panel_width)
+  for (int j = 0; j < columns && bad < 0; j += kPanelWidth)
     with_width(width_at(j, columns), [&]<int Columns>() {
-      constexpr int head = (Columns + lanes - 1) / lanes * lanes;
+      constexpr int head = (Columns + kLanes - 1) / kLanes * kLanes;
       double* column[Columns];
       for (int c = 0; c < Columns; ++c) column[c] = panel + (j + c) * stride;
       if (j > 0)
@@ -105,13 +105,13 @@ void forward_strip(const double* strip, long stride, int rows, const double* inv
     y[c] = x[c] *= inverse[c];
     for (int l = c + 1; l < Columns; ++l) x[l] -= strip[c * stride + l] * y[c];
   }
-  for (int i = Columns; i < rows; i += lanes) {
+  for (int i = Columns; i < rows; i += kLanes) {
     Vector sum = load(x + i);
 #pragma GCC unroll 8
     for (int c = 0; c < Columns; ++c)
       sum = minus_product(load(strip + c * stride + i), spread(y[c]), sum);
     const int count = rows - i;
-    if (count >= lanes)
+    if (count >= kLanes)
       store(x + i, sum);
     else
       store_first(x + i, sum, count);
@@ -120,7 +120,7 @@ void forward_strip(const double* strip, long stride, int rows, const double* inv
 
 void forward(const double* panel, int stride, int rows, int columns, const double* inverse_diagonal,
              double* x) {
-  for (int j = 0; j < columns; j += panel_width)
+  for (int j = 0; j < columns; j += kPanelWidth)
     with_width(width_at(j, columns), [&]<int Columns>() {
       forward_strip<Columns>(panel + j * static_cast<long>(stride) + j, stride, rows - j,
                              inverse_diagonal + j, x + j);
@@ -128,10 +128,10 @@ void forward(const double* panel, int stride, int rows, int columns, const doubl
 }
 
 LEGWRIGHT_INLINE double total(Vector v) {
-  double part[lanes];
+  double part[kLanes];
   store(part, v);
   double sum = 0.0;
-  for (int i = 0; i < lanes; ++i) sum += part[i];
+  for (int i = 0; i < kLanes; ++i) sum += part[i];
   return sum;
 }
 
@@ -141,7 +141,7 @@ void backward_strip(const double* strip, long stride, int rows, const double* in
 #pragma GCC unroll 8
   for (int c = 0; c < Columns; ++c) sum[c] = spread(0.0);
   int i = Columns;
-  for (; i + lanes <= rows; i += lanes) {
+  for (; i + kLanes <= rows; i += kLanes) {
     const Vector below = load(x + i);
 #pragma GCC unroll 8
     for (int c = 0; c < Columns; ++c)
@@ -161,11 +161,11 @@ void backward_strip(const double* strip, long stride, int rows, const double* in
   }
 }
 
-LEGWRIGHT_INLINE int last_strip(int columns) { return (columns - 1) / panel_width * panel_width; }
+LEGWRIGHT_INLINE int last_strip(int columns) { return (columns - 1) / kPanelWidth * kPanelWidth; }
 
 void backward(const double* panel, int stride, int rows, int columns,
               const double* inverse_diagonal, double* x) {
-  for (int j = last_strip(columns); j >= 0; j -= panel_width)
+  for (int j = last_strip(columns); j >= 0; j -= kPanelWidth)
     with_width(width_at(j, columns), [&]<int Columns>() {
       backward_strip<Columns>(panel + j * static_cast<long>(stride) + j, stride, rows - j,
                               inverse_diagonal + j, x + j);
@@ -177,14 +177,14 @@ void forward_many(const double* panel, int panel_stride, int rows, int columns,
                   int vectors) {
   const long stride = panel_stride, width = x_stride;
   double* const own = x + row_index[0] * width;
-  const int count = vectors * lanes;
-  for (int j = 0; j < columns; j += panel_width)
+  const int count = vectors * kLanes;
+  for (int j = 0; j < columns; j += kPanelWidth)
     with_width(width_at(j, columns), [&]<int Columns>() {
       double* column[Columns];
       for (int c = 0; c < Columns; ++c) column[c] = own + (j + c) * width;
       if (j > 0) subtract_rows<Columns>(column, 0, count, j, own, width, panel + j, stride);
       const double* const strip = panel + j * stride + j;
-      for (int v = 0; v < count; v += lanes)
+      for (int v = 0; v < count; v += kLanes)
         for (int c = 0; c < Columns; ++c) {
           const Vector y = times(load(column[c] + v), spread(inverse_diagonal[j + c]));
           store(column[c] + v, y);
@@ -193,7 +193,7 @@ void forward_many(const double* panel, int panel_stride, int rows, int columns,
                   minus_product(y, spread(strip[c * stride + l]), load(column[l] + v)));
         }
     });
-  for (int r = columns; r < rows; r += panel_width)
+  for (int r = columns; r < rows; r += kPanelWidth)
     with_width(width_at(r, rows), [&]<int Columns>() {
       double* column[Columns];
       for (int c = 0; c < Columns; ++c) column[c] = x + row_index[r + c] * width;
@@ -206,11 +206,11 @@ void backward_many(const double* panel, int panel_stride, int rows, int columns,
                    int vectors, double* below) {
   const long stride = panel_stride, width = x_stride;
   double* const own = x + row_index[0] * width;
-  const int count = vectors * lanes;
+  const int count = vectors * kLanes;
   for (int r = columns; r < rows; ++r)
-    for (int v = 0; v < count; v += lanes)
+    for (int v = 0; v < count; v += kLanes)
       store(below + (r - columns) * width + v, load(x + row_index[r] * width + v));
-  for (int j = last_strip(columns); j >= 0; j -= panel_width)
+  for (int j = last_strip(columns); j >= 0; j -= kPanelWidth)
     with_width(width_at(j, columns), [&]<int Columns>() {
       double* column[Columns];
       for (int c = 0; c < Columns; ++c) column[c] = own + (j + c) * width;
@@ -220,7 +220,7 @@ void backward_many(const double* panel, int panel_stride, int rows, int columns,
                                    from + after, stride);
       subtract_rows<Columns, true>(column, 0, count, rows - columns, below, width, from + columns,
                                    stride);
-      for (int v = 0; v < count; v += lanes)
+      for (int v = 0; v < count; v += kLanes)
         for (int c = Columns - 1; c >= 0; --c) {
           Vector y = load(column[c] + v);
           for (int l = c + 1; l < Columns; ++l)
@@ -238,8 +238,8 @@ void subtract_symmetric(int size, const int* run_start, const ColumnRun* runs, c
     for (int k = run_start[j]; k < run_start[j + 1]; ++k) {
       const double* a = values + runs[k].value;
       for (int i = runs[k].row, left = runs[k].length; left > 0;
-           i += lanes, left -= lanes, a += lanes) {
-        const bool whole = left >= lanes;
+           i += kLanes, left -= kLanes, a += kLanes) {
+        const bool whole = left >= kLanes;
         const Vector entry = whole ? load(a) : load_first(a, left);
         const Vector positive = absolute(entry), other = load(x + i);
         const Vector rest = minus_product(entry, factor, load(residual + i));
@@ -259,7 +259,7 @@ bool copy_finite(const double* from, long count, double* to) {
   // 0·x is 0 for a finite x and NaN for any other.
   Vector sum = spread(0.0);
   long i = 0;
-  for (; i + lanes <= count; i += lanes) {
+  for (; i + kLanes <= count; i += kLanes) {
     const Vector x = load(from + i);
     store(to + i, x);
     sum = plus_product(x, spread(0.0), sum);
@@ -274,7 +274,7 @@ bool copy_finite(const double* from, long count, double* to) {
 
 }  // namespace
 
-const CholeskyKernels LEGWRIGHT_KERNELS = {lanes,         subtract_update,    factor_panel,
+const CholeskyKernels LEGWRIGHT_KERNELS = {kLanes,        subtract_update,    factor_panel,
                                            forward,       backward,           forward_many,
                                            backward_many, subtract_symmetric, copy_finite};
 

@@ -19,15 +19,16 @@ struct ColumnRun {
   long value;  // the first one's place among the values of the matrix
 };
 
-/// Dense arithmetic on panels. A panel holds the columns of one supernode: column-major, `rows` rows
-/// of which the first `columns` are the triangle L₁₁, the others L₂₁. What lies above the diagonal
-/// is undefined. Vectors of 8 are read whole, so memory must go on for 8 numbers after each panel
-/// and each x; nothing is written there.
+/// Dense arithmetic on panels. A panel holds the columns of one supernode: column-major, `rows`
+/// rows of which the first `columns` are the triangle L₁₁, the others L₂₁. What lies above the
+/// diagonal is undefined. Vectors of 8 are read whole, so memory must go on for 8 numbers after
+/// each panel and each x; nothing is written there.
 struct CholeskyKernels {
   int lanes;  // numbers per vector; `many` right-hand sides come in whole vectors
 
   /// target −= A Bᵀ, A all rows of the segments, B the first `columns` rows of `source`, both of
-  /// `depth` columns. Column c goes to column place[c] of the target, rows as segments or place say.
+  /// `depth` columns. Column c goes to column place[c] of the target, rows as segments or place
+  /// say.
   void (*subtract_update)(const double* source, int source_stride, int depth, int columns,
                           const RowSegment* segments, int segment_count, const int* place,
                           double* target, int target_stride);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// C −= A Bᵀ by tiles that stay in registers: what kernel_bodies.hpp is made of. Included by it alone.
+// C −= A Bᵀ by tiles that stay in registers: what kernel_bodies.hpp is made of. Included by it
+// alone.
 
 namespace legwright {
 namespace {
 
 #define LEGWRIGHT_INLINE [[gnu::always_inline]] inline
 
-constexpr int max_vectors = 3;  // of a tile: 3 × panel_width sums fill the registers
+constexpr int kMaxVectors = 3;  // of a tile: 3 × kPanelWidth sums fill the registers
 
 /// sum −= A Bᵀ over `depth` columns; A is Rows vectors high, B has Columns rows. B is stored as it
 /// is, or transposed.
@@ -16,7 +17,7 @@ LEGWRIGHT_INLINE void subtract_product(Vector (&sum)[Rows][Columns], int depth, 
   for (int l = 0; l < depth; ++l) {
     Vector left[Rows];
 #pragma GCC unroll 3
-    for (int r = 0; r < Rows; ++r) left[r] = load(a + r * lanes);
+    for (int r = 0; r < Rows; ++r) left[r] = load(a + r * kLanes);
 #pragma GCC unroll 8
     for (int c = 0; c < Columns; ++c) {
       const Vector right = spread(Transposed ? b[c * b_stride] : b[c]);
@@ -37,14 +38,14 @@ LEGWRIGHT_INLINE void subtract_tile(double* const* column, long row, int last, i
 #pragma GCC unroll 8
   for (int c = 0; c < Columns; ++c)
 #pragma GCC unroll 3
-    for (int r = 0; r < Rows; ++r) sum[r][c] = load(column[c] + row + r * lanes);
+    for (int r = 0; r < Rows; ++r) sum[r][c] = load(column[c] + row + r * kLanes);
   subtract_product<Rows, Columns, Transposed>(sum, depth, a, a_stride, b, b_stride);
 #pragma GCC unroll 8
   for (int c = 0; c < Columns; ++c) {
 #pragma GCC unroll 3
-    for (int r = 0; r + 1 < Rows; ++r) store(column[c] + row + r * lanes, sum[r][c]);
-    double* const end = column[c] + row + (Rows - 1) * lanes;
-    if (last == lanes)
+    for (int r = 0; r + 1 < Rows; ++r) store(column[c] + row + r * kLanes, sum[r][c]);
+    double* const end = column[c] + row + (Rows - 1) * kLanes;
+    if (last == kLanes)
       store(end, sum[Rows - 1][c]);
     else
       store_first(end, sum[Rows - 1][c], last);
@@ -55,14 +56,14 @@ LEGWRIGHT_INLINE void subtract_tile(double* const* column, long row, int last, i
 template <int Columns, bool Transposed = false>
 void subtract_rows(double* const* column, long row, int rows, int depth, const double* a,
                    long a_stride, const double* b, long b_stride) {
-  constexpr int step = max_vectors * lanes;
+  constexpr int step = kMaxVectors * kLanes;
   for (; rows > step; rows -= step, row += step, a += step)
-    subtract_tile<3, Columns, Transposed>(column, row, lanes, depth, a, a_stride, b, b_stride);
-  if (rows > 2 * lanes)
-    subtract_tile<3, Columns, Transposed>(column, row, rows - 2 * lanes, depth, a, a_stride, b,
+    subtract_tile<3, Columns, Transposed>(column, row, kLanes, depth, a, a_stride, b, b_stride);
+  if (rows > 2 * kLanes)
+    subtract_tile<3, Columns, Transposed>(column, row, rows - 2 * kLanes, depth, a, a_stride, b,
                                           b_stride);
-  else if (rows > lanes)
-    subtract_tile<2, Columns, Transposed>(column, row, rows - lanes, depth, a, a_stride, b,
+  else if (rows > kLanes)
+    subtract_tile<2, Columns, Transposed>(column, row, rows - kLanes, depth, a, a_stride, b,
                                           b_stride);
   else if (rows > 0)
     subtract_tile<1, Columns, Transposed>(column, row, rows, depth, a, a_stride, b, b_stride);
@@ -72,14 +73,14 @@ void subtract_rows(double* const* column, long row, int rows, int depth, const d
 template <int Columns>
 void subtract_scattered(double* const* column, const int* place, int rows, int depth,
                         const double* a, long a_stride, const double* b, long b_stride) {
-  for (int done = 0; done < rows; done += lanes) {
+  for (int done = 0; done < rows; done += kLanes) {
     Vector sum[1][Columns];
 #pragma GCC unroll 8
     for (int c = 0; c < Columns; ++c) sum[0][c] = spread(0.0);
     subtract_product<1, Columns, false>(sum, depth, a + done, a_stride, b, b_stride);
-    const int count = rows - done < lanes ? rows - done : lanes;
+    const int count = rows - done < kLanes ? rows - done : kLanes;
     for (int c = 0; c < Columns; ++c) {
-      double part[lanes];
+      double part[kLanes];
       store(part, sum[0][c]);
       for (int i = 0; i < count; ++i) column[c][place[done + i]] += part[i];
     }
@@ -106,10 +107,10 @@ void subtract_columns(const double* source, long source_stride, int depth, int c
   }
 }
 
-/// Calls body.template operator()<1 … panel_width>.
+/// Calls body.template operator()<1 … kPanelWidth>.
 template <class Body>
 LEGWRIGHT_INLINE void with_width(int columns, const Body& body) {
-  if constexpr (panel_width > 4) {
+  if constexpr (kPanelWidth > 4) {
     switch (columns) {
       case 8:
         return body.template operator()<8>();
@@ -136,7 +137,7 @@ LEGWRIGHT_INLINE void with_width(int columns, const Body& body) {
 }
 
 LEGWRIGHT_INLINE int width_at(int j, int columns) {
-  return columns - j < panel_width ? columns - j : panel_width;
+  return columns - j < kPanelWidth ? columns - j : kPanelWidth;
 }
 
 }  // namespace

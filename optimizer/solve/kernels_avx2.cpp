@@ -7,7 +7,7 @@ namespace legwright {
 namespace {
 
 using Vector = __m256d;
-constexpr int lanes = 4, panel_width = 4;
+constexpr int kLanes = 4, kPanelWidth = 4;
 
 inline Vector load(const double* p) { return _mm256_loadu_pd(p); }
 inline void store(double* p, Vector v) { _mm256_storeu_pd(p, v); }

@@ -7,7 +7,7 @@ namespace legwright {
 namespace {
 
 using Vector = __m512d;
-constexpr int lanes = 8, panel_width = 8;
+constexpr int kLanes = 8, kPanelWidth = 8;
 
 inline Vector load(const double* p) { return _mm512_loadu_pd(p); }
 inline void store(double* p, Vector v) { _mm512_storeu_pd(p, v); }

@@ -6,7 +6,7 @@ namespace legwright {
 namespace {
 
 using Vector = double __attribute__((vector_size(16)));
-constexpr int lanes = 2, panel_width = 4;
+constexpr int kLanes = 2, kPanelWidth = 4;
 
 inline Vector load(const double* p) { return Vector{p[0], p[1]}; }
 inline void store(double* p, Vector v) {

@@ -20,7 +20,8 @@ struct JointTask {
   std::function<Eigen::VectorXd(const Eigen::VectorXd& s)> guess;  // m₀ at a design
 };
 
-/// A task as codesign() and certify() take it. @param motion initial motion; may be empty for certify()
+/// A task as codesign() and certify() take it. @param motion initial motion; may be empty for
+/// certify()
 [[nodiscard]] WeightedCost weighted(const JointTask& task, double weight,
                                     const Eigen::VectorXd& motion);
 
@@ -74,7 +75,8 @@ struct FrontPoint {
 /// its neighbour's design and motions, and keeps the lower F_joint at each. Ends are the optima of
 /// each task alone, as `alone` has them (motion of the other task re-solved at that design).
 /// options.on_iteration is called for every point's iterations; once it says stop, each point keeps
-/// what it has. @param points weights strictly between 0 and 1 that are tried, evenly spaced. Rising weight.
+/// what it has. @param points weights strictly between 0 and 1 that are tried, evenly spaced.
+/// Rising weight.
 [[nodiscard]] std::vector<FrontPoint> trade_off_front(const std::vector<JointTask>& tasks,
                                                       const DesignSpace& space,
                                                       const std::vector<StartedRun>& alone,

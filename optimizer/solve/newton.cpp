@@ -12,7 +12,7 @@ namespace {
 using Eigen::VectorXd;
 
 // F is a sum of many parts: differences below this share of it are rounding.
-constexpr double value_noise = 1e-13;
+constexpr double kValueNoise = 1e-13;
 
 bool finite(const Evaluation& e) { return std::isfinite(e.value) && e.stationarity.allFinite(); }
 
@@ -52,7 +52,7 @@ class Newton {
     ++report_.evaluations;
   }
   double norm(const VectorXd& g) const { return g.cwiseProduct(units_).lpNorm<Eigen::Infinity>(); }
-  double noise() const { return value_noise * std::max(1.0, std::abs(w_.here.value)); }
+  double noise() const { return kValueNoise * std::max(1.0, std::abs(w_.here.value)); }
 
   bool factor(double shift);
   Outcome iterate();
@@ -63,7 +63,7 @@ class Newton {
   void grow(int failures = 0);
   void relax();
   bool stagnated() const;
-  bool hopeless() const;
+  bool beyond_ceiling() const;
   SolveReport certify();
   SolveReport finish(SolveStatus status);
 
@@ -94,7 +94,7 @@ SolveReport Newton::run() {
       report_.stagnated = true;
       return finish(SolveStatus::iteration_limit);
     }
-    if (hopeless()) return finish(SolveStatus::stopped);
+    if (beyond_ceiling()) return finish(SolveStatus::stopped);
     if (iterate() != Outcome::moved) return finish(SolveStatus::stalled);
     ++report_.iterations;
   }
@@ -213,15 +213,15 @@ bool Newton::stagnated() const {
   return before - w_.here.value < options_.stagnation_decrease * std::abs(before);
 }
 
-// What is still to come is guessed from the last three steps: it will not be worth four times as
-// much.
-bool Newton::hopeless() const {
+// F will stay above the ceiling: what is still to come is taken to be less than four times the
+// decrease of the last three steps.
+bool Newton::beyond_ceiling() const {
   if (!(w_.here.value > options_.value_ceiling) || report_.iterations < 4) return false;
   const double recent = history_[history_.size() - 4] - w_.here.value;
   return w_.here.value - 4.0 * recent > options_.value_ceiling;
 }
 
-// G vanishes here; whether it is a minimum, only the exact factor tells.
+// G vanishes here; only the exact factor shows whether it is a minimum.
 SolveReport Newton::certify() {
   return finish(factor(0.0) ? SolveStatus::converged : SolveStatus::not_a_minimum);
 }

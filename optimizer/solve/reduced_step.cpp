@@ -45,8 +45,8 @@ VectorXd reduced_newton_step(const MatrixXd& hessian, const VectorXd& gradient, 
     if (index.empty()) break;
     VectorXd held = step;
     for (int i : index) held[i] = 0.0;
-    const VectorXd pull = g + h * held;
-    const VectorXd p = downhill(h(index, index), pull(index));
+    const VectorXd slope = g + h * held;
+    const VectorXd p = downhill(h(index, index), slope(index));
     bool inside = true;
     for (std::size_t k = 0; k < index.size(); ++k) {
       const int i = index[k];

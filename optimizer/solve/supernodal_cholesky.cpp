@@ -6,7 +6,7 @@
 namespace legwright {
 namespace {
 
-constexpr int slack = 8;  // numbers that kernels may read beyond an end
+constexpr int kSlack = 8;  // numbers that kernels may read beyond an end
 
 int rounded_up(int count, int step) { return (count + step - 1) / step * step; }
 
@@ -34,11 +34,11 @@ void SupernodalCholesky::analyse(const SymmetricPattern& pattern) {
                            static_cast<std::size_t>(stride) * nodes_.columns(j));
   }
   const auto size = static_cast<std::size_t>(pattern.size());
-  panels_.assign(panel_start_.back() + slack, 0.0);
+  panels_.assign(panel_start_.back() + kSlack, 0.0);
   least_pivot_.assign(size, 0.0);
   inverse_diagonal_.assign(size, 0.0);
-  x_.assign(size + slack, 0.0);
-  gathered_.assign(static_cast<std::size_t>(tallest) + slack, 0.0);
+  x_.assign(size + kSlack, 0.0);
+  gathered_.assign(static_cast<std::size_t>(tallest) + kSlack, 0.0);
   many_.clear();
   below_.clear();
   plan_loads(pattern);
@@ -128,14 +128,14 @@ void SupernodalCholesky::solve(Eigen::VectorXd& x) {
 }
 
 void SupernodalCholesky::solve(Eigen::MatrixXd& x) {
-  constexpr int most_vectors = 3;
+  constexpr int kMostVectors = 3;
   const int size = static_cast<int>(inverse_diagonal_.size()), lanes = kernels_->lanes;
   const auto total = static_cast<int>(x.cols());
-  const int widest = std::min(rounded_up(total, lanes), most_vectors * lanes);
-  const std::size_t wanted = static_cast<std::size_t>(size) * widest + slack;
+  const int widest = std::min(rounded_up(total, lanes), kMostVectors * lanes);
+  const std::size_t wanted = static_cast<std::size_t>(size) * widest + kSlack;
   if (many_.size() < wanted) {
     many_.resize(wanted);
-    below_.resize(gathered_.size() * most_vectors * lanes);
+    below_.resize(gathered_.size() * kMostVectors * lanes);
   }
   for (int begin = 0; begin < total; begin += widest) {
     const int count = std::min(widest, total - begin), width = rounded_up(count, lanes);

@@ -47,15 +47,15 @@ Structure factor_structure(const SymmetricPattern& pattern, const std::vector<in
 /// Time of a panel and of all that it updates [ns]: arithmetic, memory that updates touch, and the
 /// fixed price of being one more panel. Only the order of magnitude matters.
 double panel_time(double columns, double height) {
-  constexpr double per_panel = 300.0, per_entry = 0.12, flops_per_nanosecond = 28.0;
+  constexpr double kPerPanel = 300.0, kPerEntry = 0.12, kFlopsPerNanosecond = 28.0;
   const double below = height - columns;
   double flops = 0.0;
   for (double j = 0; j < columns; ++j) flops += (height - j) * (height - j);
-  return per_panel + per_entry * (0.5 * below * below + columns * height) +
-         flops / flops_per_nanosecond;
+  return kPerPanel + kPerEntry * (0.5 * below * below + columns * height) +
+         flops / kFlopsPerNanosecond;
 }
 
-/// A tree of clusters of columns that grow by swallowing their children.
+/// A tree of clusters of columns that grow by merging with their children.
 class Amalgamation {
  public:
   explicit Amalgamation(const Structure& structure)
@@ -72,9 +72,10 @@ class Amalgamation {
   }
 
   void run() {
-    for (int j = 0; j < size_; ++j) swallow(j, [&](int child) { return same_structure(child, j); });
     for (int j = 0; j < size_; ++j)
-      if (owner_[j] == j) swallow(j, [&](int child) { return gain(child, j) > 0.0; });
+      merge_children(j, [&](int child) { return same_structure(child, j); });
+    for (int j = 0; j < size_; ++j)
+      if (owner_[j] == j) merge_children(j, [&](int child) { return gain(child, j) > 0.0; });
   }
 
   double predicted() const {
@@ -121,7 +122,7 @@ class Amalgamation {
   }
 
   template <class Wanted>
-  void swallow(int parent, const Wanted& wanted) {
+  void merge_children(int parent, const Wanted& wanted) {
     for (bool changed = true; changed;) {
       changed = false;
       int best = -1;
@@ -150,11 +151,11 @@ class Amalgamation {
 };
 
 void add_segments(const int* place, int count, std::vector<RowSegment>& segments) {
-  constexpr int shortest = 4;  // neighbours worth an update of their own
+  constexpr int kShortest = 4;  // neighbours worth an update of their own
   for (int i = 0; i < count;) {
     int end = i + 1;
     while (end < count && place[end] == place[end - 1] + 1) ++end;
-    const bool together = end - i >= shortest;
+    const bool together = end - i >= kShortest;
     if (!together && !segments.empty() && i > 0 && segments.back().target < 0)
       segments.back().length += end - i;
     else

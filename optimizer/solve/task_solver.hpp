@@ -22,7 +22,7 @@ struct WeightedCost {
   CostFunction* outer = nullptr;
 };
 
-/// What is known of one task at an accepted design.
+/// The state of one task at an accepted design.
 struct TaskIterate {
   Eigen::VectorXd m;                // m*(s)
   double value = 0.0;               // F(s, m), unweighted by the task's weight

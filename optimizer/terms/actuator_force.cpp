@@ -9,9 +9,10 @@ namespace {
 
 constexpr double kRange = 0.3;  // share of the allowed torque over which the barrier acts
 
-/// Not in the paper: no linear actuator pushes or pulls harder than its limit F, less the task's margin:
-/// |τ| ≤ F |∂L/∂q| with the joint's torque τ of inverse dynamics and the moment arm ∂L/∂q, which keeps the sign it has
-/// in the home pose. Residuals (σ ∂L/∂q ∓ τ/allowed)/(0.3 arm at home) ≥ 0, σ that sign, allowed = (1 − margin) F.
+/// Not in the paper: no linear actuator pushes or pulls harder than its limit F, less the task's
+/// margin: |τ| ≤ F |∂L/∂q| with the joint's torque τ of inverse dynamics and the moment arm ∂L/∂q,
+/// which keeps the sign it has in the home pose. Residuals (σ ∂L/∂q ∓ τ/allowed)/(0.3 arm at
+/// home) ≥ 0, σ that sign, allowed = (1 − margin) F.
 class ActuatorForce final : public Term {
  public:
   explicit ActuatorForce(const TermContext& context) {

@@ -7,9 +7,9 @@
 namespace legwright {
 namespace {
 
-/// Not in the paper: a weak pull of the design towards the initial one; without it legs shrink to nothing.
-/// Residuals: (l − l₀)/l₀ for lengths and (p − p₀)/leg length for positions, once for everything tied to them, and
-/// a(s) − a₀ for each joint axis.
+/// Not in the paper: a weak tether of the design to the initial one; without it legs shrink to
+/// nothing. Residuals: (l − l₀)/l₀ for lengths and (p − p₀)/leg length for positions, once for
+/// everything tied to them, and a(s) − a₀ for each joint axis.
 class DesignTether final : public Term {
  public:
   explicit DesignTether(const TermContext& context) {

@@ -5,10 +5,11 @@
 namespace legwright {
 namespace {
 
-/// Not in the paper, which knows feet as points: a flat foot lies level, on the ground and in the air, and does not turn
-/// about the vertical while it is planted. Its middle carries the force, farthest from all edges, so that nothing tips it.
-/// Residuals [rad]: at every knot the heights of the sole's two directions, u_z; between knots at which the foot is
-/// planted how far the one ahead turns, (u_{i+1} − u_i)_xy.
+/// Not in the paper, which knows feet as points: a flat foot lies level, on the ground and in the
+/// air, and does not turn about the vertical while it is planted. Its middle carries the force,
+/// farthest from all edges, so that nothing tips it. Residuals [rad]: at every knot the heights of
+/// the sole's two directions, u_z; between knots at which the foot is planted how far the one ahead
+/// turns, (u_{i+1} − u_i)_xy.
 class FlatFoot final : public LinearTerm {
  public:
   explicit FlatFoot(const TermContext& context) {

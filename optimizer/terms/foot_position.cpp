@@ -5,7 +5,8 @@
 namespace legwright {
 namespace {
 
-/// Eq (12), second half: φ_EE(q_i)ʲ = e_iʲ. Residual (φ_EE(q_i, s)ʲ − e_iʲ)/length at every knot and foot.
+/// Eq (12), second half: φ_EE(q_i)ʲ = e_iʲ. Residual (φ_EE(q_i, s)ʲ − e_iʲ)/length at every knot
+/// and foot.
 class FootPosition final : public LinearTerm {
  public:
   explicit FootPosition(const TermContext& context) : length_(context.length) {

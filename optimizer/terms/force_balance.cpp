@@ -5,9 +5,9 @@
 namespace legwright {
 namespace {
 
-/// Eq (13), first half, with the gravity that the paper's print leaves out: Σ_j f_iʲ = M (ẍ_i + g), g along the
-/// task's up. Residual over the weight; ẍ_i = (x_{i−1} − 2 x_i + x_{i+1})/h². Before knot 0 stands knot T − 1 moved back by one
-/// cycle.
+/// Eq (13), first half, with the gravity that the paper's print leaves out: Σ_j f_iʲ = M (ẍ_i + g),
+/// g along the task's up. Residual over the weight; ẍ_i = (x_{i−1} − 2 x_i + x_{i+1})/h². Before
+/// knot 0 stands knot T − 1 moved back by one cycle.
 class ForceBalance final : public LinearTerm {
  public:
   explicit ForceBalance(const TermContext& context) : weight_(context.weight) {
@@ -39,7 +39,8 @@ class ForceBalance final : public LinearTerm {
   double weight_;
 };
 
-/// The same for a robot whose mass depends on its design: Σ_j f_iʲ = μ(s) M₀ (ẍ_i + g) with the mass share μ.
+/// The same for a robot whose mass depends on its design: Σ_j f_iʲ = μ(s) M₀ (ẍ_i + g) with the
+/// mass share μ.
 class GrowingForceBalance final : public Term {
  public:
   explicit GrowingForceBalance(const TermContext& context)
@@ -92,7 +93,8 @@ class GrowingForceBalance final : public Term {
  private:
   static constexpr int kForces = 10;
 
-  /// ∂(ẍ M₀/weight) by the place at the knot before, at, after; before knot 0 stands knot T − 1, moved back.
+  /// ∂(ẍ M₀/weight) by the place at the knot before, at, after; before knot 0 stands knot T − 1,
+  /// moved back.
   Eigen::Matrix3d share(int knot, int at) const {
     if (at == 0 && knot == 0) return inertia_ * path_.turn().transpose();
     return (at == 1 ? -2.0 : 1.0) * inertia_ * Eigen::Matrix3d::Identity();

@@ -5,8 +5,8 @@
 namespace legwright {
 namespace {
 
-/// Not in the paper: forces stay small; tiny weight, shares the load among stance feet and keeps H regular.
-/// Residual f/weight at every stance knot.
+/// Not in the paper: forces stay small; tiny weight, shares the load among stance feet and keeps
+/// H regular. Residual f/weight at every stance knot.
 class ForceSize final : public LinearTerm {
  public:
   explicit ForceSize(const TermContext& context) : weight_(context.weight) {

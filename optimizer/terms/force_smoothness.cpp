@@ -5,8 +5,8 @@
 namespace legwright {
 namespace {
 
-/// Not in the paper: forces change slowly; left alone, fast plans hop. Residual (f_{i+1} − f_i)/weight between
-/// neighbouring stance knots.
+/// Not in the paper: forces change slowly; left alone, fast plans hop. Residual
+/// (f_{i+1} − f_i)/weight between neighbouring stance knots.
 class ForceSmoothness final : public LinearTerm {
  public:
   explicit ForceSmoothness(const TermContext& context) : weight_(context.weight) {

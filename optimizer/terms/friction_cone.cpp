@@ -9,8 +9,9 @@ namespace {
 constexpr double kApex = 1e-3;  // rounding of the cone's apex, share of the weight
 
 /// Eq (15): the contact force stays inside the friction cone, ‖f_t‖ ≤ μ f_n.
-/// Residual (μ f_z − √(f_x² + f_y² + ε²))/weight ≥ 0, kept by the barrier. Rounded at the apex, where the paper's norm
-/// has no derivative; not squared, because ‖f_t‖² ≤ μ² f_n² also admits f_n < 0.
+/// Residual (μ f_z − √(f_x² + f_y² + ε²))/weight ≥ 0, kept by the barrier. Rounded at the apex,
+/// where the paper's norm has no derivative; not squared, because ‖f_t‖² ≤ μ² f_n² also admits
+/// f_n < 0.
 class FrictionCone final : public Term {
  public:
   explicit FrictionCone(const TermContext& context)

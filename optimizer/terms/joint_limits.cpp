@@ -7,9 +7,10 @@
 namespace legwright {
 namespace {
 
-/// Not in the paper: joint angles stay inside the range that the robot's file gives, less the task's margin.
-/// Residuals (q − lower − margin)/half ≥ 0 and (upper − margin − q)/half ≥ 0, kept by the barrier, half the range that is
-/// left (so that they are one in its middle) or one radian where one side is open; joints without a range have none.
+/// Not in the paper: joint angles stay inside the range that the robot's file gives, less the
+/// task's margin. Residuals (q − lower − margin)/half ≥ 0 and (upper − margin − q)/half ≥ 0, kept
+/// by the barrier, half the range that is left (so that they are one in its middle) or one radian
+/// where one side is open; joints without a range have none.
 class JointLimits final : public LinearTerm {
  public:
   explicit JointLimits(const TermContext& context) {

@@ -5,8 +5,8 @@
 namespace legwright {
 namespace {
 
-/// Not in the paper: every stance foot carries at least a share of the weight, so that small errors do not lift it.
-/// Residual f_z/weight − share ≥ 0, kept by the barrier.
+/// Not in the paper: every stance foot carries at least a share of the weight, so that small errors
+/// do not lift it. Residual f_z/weight − share ≥ 0, kept by the barrier.
 class LeastNormalForce final : public LinearTerm {
  public:
   explicit LeastNormalForce(const TermContext& context) : weight_(context.weight) {

@@ -22,12 +22,14 @@ constexpr double kRounding =
     0.25;  // distance below which its root is rounded, share of the clearance
 constexpr double kTouching = 1e-6;  // [m]
 
-// Of limbs and the trunk, whose thickness is known: δ is that plus a margin for servos that lag behind, share of the leg.
+// Of limbs and the trunk, whose thickness is known: δ is that plus a margin for servos that lag
+// behind, share of the leg.
 constexpr double kTrunkMargin = 0.015, kTrunkRange = 0.05;
 constexpr double kLeastRange = 0.1;  // of the range, for a leg that is at home beside its trunk
 constexpr double kReach = 1.5;       // how much longer a limb may get
 
-/// A limb segment, from a link's hinge to a hinge that it carries or to its foot, or the axis of a capsule.
+/// A limb segment, from a link's hinge to a hinge that it carries or to its foot, or the axis of a
+/// capsule.
 struct Segment {
   int link;                    // owner
   int child;                   // link at its far end, or −1
@@ -41,15 +43,17 @@ struct Pair {
   double clearance, range;  // δ, and beyond it where the barrier begins [m]
 };
 
-/// Eq (16), with its inequality the right way round: limbs stay apart, V_iᵏ to V_iˡ at least the clearance δ, measured
-/// between centre lines. Residual (distance − δ)/range, range a tenth of the leg, kept by a barrier that is zero from
-/// one on: pairs farther apart than δ + range are passed over after a bound on their midpoints.
-/// Pairs of limbs: those the task names, or all but neighbours: segments that share a point, and segments of one limb
-/// that are within δ + range of each other in the home pose (across a short link), which no motion can part.
-/// Limbs and the trunk: all pairs of capsules that the robot's file lets collide, whatever the task names. Here δ is
-/// the sum of their radii, what they hide of their shapes, and a margin. Shapes nearer to each other in the home pose of
-/// the initial design have a margin and range as much smaller, so that the home pose costs nothing, unless the room
-/// there is less than what is hidden; shapes that touch there already are left out.
+/// Eq (16), with its inequality the right way round: limbs stay apart, V_iᵏ to V_iˡ at least the
+/// clearance δ, measured between centre lines. Residual (distance − δ)/range, range a tenth of the
+/// leg, kept by a barrier that is zero from one on: pairs farther apart than δ + range are passed
+/// over after a bound on their midpoints. Pairs of limbs: those the task names, or all but
+/// neighbours: segments that share a point, and segments of one limb that are within δ + range of
+/// each other in the home pose (across a short link), which no motion can part. Limbs and the
+/// trunk: all pairs of capsules that the robot's file lets collide, whatever the task names.
+/// Here δ is the sum of their radii, what they hide of their shapes, and a margin. Shapes nearer to
+/// each other in the home pose of the initial design have a margin and range as much smaller, so
+/// that the home pose costs nothing, unless the room there is less than what is hidden; shapes that
+/// touch there already are left out.
 class LimbClearance final : public Term {
  public:
   explicit LimbClearance(const TermContext& context)
@@ -137,8 +141,8 @@ class LimbClearance final : public Term {
     double half_length;
   };
 
-  /// True only where the segments are at least `limit` apart: by their midpoints less their half lengths, then by one's
-  /// midpoint to the other segment less its half length.
+  /// True only where the segments are at least `limit` apart: by their midpoints less their half
+  /// lengths, then by one's midpoint to the other segment less its half length.
   static bool far_apart(const Rod& a, const Rod& b, double limit) {
     const Vector3d w = b.middle - a.middle;
     const double sum = a.half_length + b.half_length + limit, apart = w.squaredNorm();
@@ -230,9 +234,10 @@ class LimbClearance final : public Term {
                            capsule_end_place(morphology, geometry, home, 2 * k + 1), k});
   }
 
-  /// How far a limb's capsule can get from where the limb hangs on the trunk, and that place, at the initial design.
-  static std::pair<double, Vector3d> reach(const Morphology& morphology, const Capsule& capsule,
-                                           const VectorXd& s) {
+  /// How far a limb's capsule can get from where the limb hangs on the trunk, and that place, at
+  /// the initial design.
+  static std::pair<double, Vector3d> farthest(const Morphology& morphology, const Capsule& capsule,
+                                              const VectorXd& s) {
     const std::vector<int> chain = morphology.chain_to(capsule.link);
     double sum = std::max(capsule.from.at(s).norm(), capsule.to.at(s).norm());
     for (std::size_t k = 1; k < chain.size(); ++k)
@@ -275,9 +280,10 @@ class LimbClearance final : public Term {
     }
   }
 
-  /// Distance of the surfaces at the wall, and range, of shapes with `room` between them at home. Where that is less than
-  /// the margin and the range, both shrink with it. Of shapes that capsules do not fill the distance is known no better
-  /// than what those hide: the barrier begins as far off, if need be beyond the room at home, and a design may make some.
+  /// Distance of the surfaces at the wall, and range, of shapes with `room` between them at home.
+  /// Where that is less than the margin and the range, both shrink with it. Of shapes that capsules
+  /// do not fill the distance is known no better than what those hide: the barrier begins as far
+  /// off, if need be beyond the room at home, and a design may make some.
   static std::pair<double, double> barrier(double room, double margin, double range,
                                            double hidden) {
     const double share = room / (margin + range), own = std::max(share, kLeastRange) * range;
@@ -286,8 +292,8 @@ class LimbClearance final : public Term {
   }
 
   bool out_of_reach(const TermContext& context, const CapsulePair& pair, double limit) const {
-    const auto [length, hip] =
-        reach(context.morphology, context.morphology.capsules[pair.limb], context.space.initial());
+    const auto [length, hip] = farthest(context.morphology, context.morphology.capsules[pair.limb],
+                                        context.space.initial());
     const Segment& trunk = segments_[first_capsule_ + pair.trunk];
     const double apart =
         segment_distance(hip, hip, trunk.near_end, trunk.far_end, kTouching, DistanceDetail::value)

@@ -9,8 +9,8 @@
 
 namespace legwright {
 
-/// A term whose residuals are linear in their local variables, r = Σ coefficient · z − target. Most terms are:
-/// what bends is in the kinematics, whose outputs have slots of their own.
+/// A term whose residuals are linear in their local variables, r = Σ coefficient · z − target. Most
+/// terms are: what bends is in the kinematics, whose outputs have slots of their own.
 class LinearTerm : public Term {
  public:
   void residual(int element, const Eigen::VectorXd& z, Eigen::VectorXd& r) const override {

@@ -8,10 +8,10 @@ namespace {
 
 constexpr double kRounding = 1e-4;  // of |work| at zero, share of weight times length
 
-/// Not in the paper, for outer objectives (weight zero unless asked for): mechanical work of the motors over one cycle,
-/// Σ |τ_a,i · Δq_a,i| over knots and joints, Δq = (q_{i+1} − q_{i−1})/2; braking counts as much as driving.
-/// Residual (√(x² + ε²) − ε)/(weight · length), x = τ Δq [J], counted as it is: the term's value times weight times
-/// length is the work in joules.
+/// Not in the paper, for outer objectives (weight zero unless asked for): mechanical work of the
+/// motors over one cycle, Σ |τ_a,i · Δq_a,i| over knots and joints, Δq = (q_{i+1} − q_{i−1})/2;
+/// braking counts as much as driving. Residual (√(x² + ε²) − ε)/(weight · length), x = τ Δq [J],
+/// counted as it is: the term's value times weight times length is the work in joules.
 class MechanicalWork final : public Term {
  public:
   explicit MechanicalWork(const TermContext& context) : unit_(context.weight * context.length) {

@@ -5,8 +5,8 @@
 namespace legwright {
 namespace {
 
-/// Not in the paper: joints stay near the home pose; tiny weight, so that no direction of m is free.
-/// Residual q_i − q_home over the joints [rad], at every knot.
+/// Not in the paper: joints stay near the home pose; tiny weight, so that no direction of m is
+/// free. Residual q_i − q_home over the joints [rad], at every knot.
 class NominalPose final : public LinearTerm {
  public:
   explicit NominalPose(const TermContext& context) {

@@ -20,16 +20,18 @@ struct PenaltyValue {
 
 inline PenaltyValue quadratic(double r) { return {0.5 * r * r, r, 1.0}; }
 
-/// −log r above `edge`, continued below it by the parabola with the same value and two derivatives: finite
-/// everywhere, and unlike a hinge it bends before the wall, so Newton's method sees the wall coming.
+/// −log r above `edge`, continued below it by the parabola with the same value and two derivatives:
+/// finite everywhere, and unlike a hinge it bends before the wall, so Newton's method sees the wall
+/// coming.
 inline PenaltyValue relaxed_log_barrier(double r, double edge) {
   if (r > edge) return {-std::log(r), -1.0 / r, 1.0 / (r * r)};
   const double u = (r - 2.0 * edge) / edge;
   return {0.5 * (u * u - 1.0) - std::log(edge), u / edge, 1.0 / (edge * edge)};
 }
 
-/// (−log r)³ between `edge` and 1, zero from 1 on, below the edge the parabola with the same value and two
-/// derivatives. Twice differentiable everywhere; what is far from its wall costs and disturbs nothing.
+/// (−log r)³ between `edge` and 1, zero from 1 on, below the edge the parabola with the same value
+/// and two derivatives. Twice differentiable everywhere; what is far from its wall costs and
+/// disturbs nothing.
 inline PenaltyValue near_barrier(double r, double edge) {
   if (r >= 1.0) return {0.0, 0.0, 0.0};
   const double at = r > edge ? r : edge, u = -std::log(at);

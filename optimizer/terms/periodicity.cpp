@@ -6,9 +6,9 @@
 namespace legwright {
 namespace {
 
-/// Eq (17) and what else must repeat: root height, orientation and joints, feet and forces of knot T are those of knot 0
-/// one cycle later. Residuals in radians, over length, over the weight; the root's height over length/0.21, which is in
-/// metres for legs of 21 cm.
+/// Eq (17) and what else must repeat: root height, orientation and joints, feet and forces of knot
+/// T are those of knot 0 one cycle later. Residuals in radians, over length, over the weight; the
+/// root's height over length/0.21, which is in metres for legs of 21 cm.
 class Periodicity final : public LinearTerm {
  public:
   explicit Periodicity(const TermContext& context)

@@ -5,9 +5,9 @@
 namespace legwright {
 namespace {
 
-/// Not in the paper, for outer objectives (weight zero unless asked for): what must be printed, the volume of all parts
-/// whose mass follows from their density. Residual V/length³, counted as it is: the term's value times length³ is the
-/// volume in cubic metres.
+/// Not in the paper, for outer objectives (weight zero unless asked for): what must be printed, the
+/// volume of all parts whose mass follows from their density. Residual V/length³, counted as it is:
+/// the term's value times length³ is the volume in cubic metres.
 class PrintedVolume final : public LinearTerm {
  public:
   explicit PrintedVolume(const TermContext& context)

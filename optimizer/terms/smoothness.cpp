@@ -6,10 +6,10 @@
 namespace legwright {
 namespace {
 
-/// Eq (11), E_Smooth: second differences of root rotation and joint angles, per time: (q_{i−1} − 2 q_i + q_{i+1})·τ²/h²,
-/// τ² = 4e-3 s² for legs of 21 cm and in proportion to the leg, so that the weight depends neither on the number of knots
-/// nor on the size of the robot. Wraps from knot 0 to knot T − 1 one cycle
-/// earlier. The root's position is left to style_com.
+/// Eq (11), E_Smooth: second differences of root rotation and joint angles, per time:
+/// (q_{i−1} − 2 q_i + q_{i+1})·τ²/h², τ² = 4e-3 s² for legs of 21 cm and in proportion to the leg,
+/// so that the weight depends neither on the number of knots nor on the size of the robot. Wraps
+/// from knot 0 to knot T − 1 one cycle earlier. The root's position is left to style_com.
 class Smoothness final : public LinearTerm {
  public:
   explicit Smoothness(const TermContext& context) {

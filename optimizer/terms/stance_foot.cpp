@@ -5,9 +5,10 @@
 namespace legwright {
 namespace {
 
-/// Eq (14), both halves, for a ball foot: while a foot is planted its centre only rolls, e_{i+1} − e_i = r θ_i × ẑ, with
-/// θ_i the rotation of its link from knot i to i + 1. Both halves of (14) mean that a foot is planted one knot before and
-/// after the knots at which it carries force (or more, Task::planted_margin). Residual over length.
+/// Eq (14), both halves, for a ball foot: while a foot is planted its centre only rolls,
+/// e_{i+1} − e_i = r θ_i × ẑ, with θ_i the rotation of its link from knot i to i + 1. Both halves
+/// of (14) mean that a foot is planted one knot before and after the knots at which it carries
+/// force (or more, Task::planted_margin). Residual over length.
 class StanceFoot final : public LinearTerm {
  public:
   explicit StanceFoot(const TermContext& context) : length_(context.length) {

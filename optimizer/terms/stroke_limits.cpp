@@ -9,8 +9,9 @@ namespace legwright {
 namespace {
 
 /// Not in the paper: linear actuators stay inside their stroke, shortest ≤ L(q, s) ≤ longest with
-/// L² = A + B cos q + C sin q (design/actuator_length). Residuals (L − shortest)/half and (longest − L)/half ≥ 0, kept
-/// by the barrier, half the stroke. Actuators without a range have none.
+/// L² = A + B cos q + C sin q (design/actuator_length). Residuals (L − shortest)/half and
+/// (longest − L)/half ≥ 0, kept by the barrier, half the stroke. Actuators without a range have
+/// none.
 class StrokeLimits final : public Term {
  public:
   explicit StrokeLimits(const TermContext& context) : length_(context.length) {

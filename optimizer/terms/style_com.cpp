@@ -6,8 +6,9 @@
 namespace legwright {
 namespace {
 
-/// Eq (10), E_StyleCOM: the COM follows the wanted path at the wanted height, or the height and the offsets from the
-/// path, in the heading frame, that the task gives over the cycle. Residual (x_i − x_iᴰ)/length at every knot.
+/// Eq (10), E_StyleCOM: the COM follows the wanted path at the wanted height, or the height and the
+/// offsets from the path, in the heading frame, that the task gives over the cycle. Residual
+/// (x_i − x_iᴰ)/length at every knot.
 class StyleCom final : public LinearTerm {
  public:
   explicit StyleCom(const TermContext& context) : length_(context.length) {

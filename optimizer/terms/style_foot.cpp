@@ -6,9 +6,10 @@
 namespace legwright {
 namespace {
 
-/// Eq (10), E_StyleEE: feet stay near the footprint under the moving COM, so that the plan keeps off the edge of its
-/// support polygon, or where the task wants them from there over the cycle. Residual (e_i − x_iᴰ − footprint)/length on
-/// the ground plane, at every knot; x_iᴰ is on the wanted path, without style offsets.
+/// Eq (10), E_StyleEE: feet stay near the footprint under the moving COM, so that the plan keeps
+/// off the edge of its support polygon, or where the task wants them from there over the cycle.
+/// Residual (e_i − x_iᴰ − footprint)/length on the ground plane, at every knot; x_iᴰ is on the
+/// wanted path, without style offsets.
 class StyleFoot final : public LinearTerm {
  public:
   explicit StyleFoot(const TermContext& context) : length_(context.length) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
+#include <numbers>
 
 #include "optimizer/motion/margins.hpp"
 #include "optimizer/terms/factories.hpp"
@@ -8,8 +9,9 @@
 namespace legwright {
 namespace {
 
-/// Not in the paper: between lift-off and touchdown a foot clears the ground, with the profile sin^1.5 of the swing's
-/// phase: lands and leaves gently. Residual (e_z − r − height·sin^1.5(π phase))/length at knots that are not planted.
+/// Not in the paper: between lift-off and touchdown a foot clears the ground, with the profile
+/// sin^1.5 of the swing's phase: lands and leaves gently. Residual (e_z − r − height·sin^1.5(π
+/// phase))/length at knots that are not planted.
 class SwingHeight final : public LinearTerm {
  public:
   explicit SwingHeight(const TermContext& context) : length_(context.length) {
@@ -25,7 +27,7 @@ class SwingHeight final : public LinearTerm {
         while (!gait.planted(first - 1, j, margin)) --first;
         while (!gait.planted(last + 1, j, margin)) ++last;
         const double phase = (i - first + 1.0) / (last - first + 2.0);
-        const double height = top * std::pow(std::sin(M_PI * phase), 1.5);
+        const double height = top * std::pow(std::sin(std::numbers::pi * phase), 1.5);
         add(i, j, {{layout.foot(i, j) + 2, times(1.0 / context.length, 1)}},
             Eigen::VectorXd::Constant(
                 1, (context.morphology.feet[j].radius + height) / context.length));

@@ -16,8 +16,8 @@
 
 namespace legwright {
 
-/// What a term may know when it is built. Residuals are made dimensionless with these units, so that one set of
-/// weights serves robots of any size: lengths by the leg, forces by the weight.
+/// What a term may know when it is built. Residuals are made dimensionless with these units, so
+/// that one set of weights serves robots of any size: lengths by the leg, forces by the weight.
 struct TermContext {
   const Layout& layout;
   const Morphology& morphology;
@@ -45,9 +45,10 @@ struct ResidualUnit {
   std::string_view symbol = "";  // "m", "N", "rad", "N m", or nothing for shares
 };
 
-/// One summand of F: Σ over elements and rows of weight · penalty(r(z)). A term measures, it does not weigh:
-/// the penalty belongs to penalty.hpp, the weight to the objective. It sees only its local variables z, knows no
-/// global index, and its functions are const and thread-safe. Matrices arrive sized and zeroed.
+/// One summand of F: Σ over elements and rows of weight · penalty(r(z)). A term measures, it does
+/// not weigh: the penalty belongs to penalty.hpp, the weight to the objective. It sees only its
+/// local variables z, knows no global index, and its functions are const and thread-safe. Matrices
+/// arrive sized and zeroed.
 class Term {
  public:
   virtual ~Term() = default;
@@ -64,18 +65,21 @@ class Term {
                              Eigen::MatrixXd&) const {}
   /// False where add_curvature does nothing.
   virtual bool curved() const { return true; }
-  /// ∂r/∂z where it is the same everywhere, or none: then F's Hessian has parts that are worked out once.
+  /// ∂r/∂z where it is the same everywhere, or none: then F's Hessian has parts that are worked out
+  /// once.
   virtual const Eigen::MatrixXd* constant_jacobian(int) const { return nullptr; }
-  /// Appends the elements whose penalty may differ from zero at [s; m; y], rising, and returns true; false: all of
-  /// them. A cheap bound that lets crowds of inequalities far from their walls cost nothing.
+  /// Appends the elements whose penalty may differ from zero at [s; m; y], rising, and returns
+  /// true; false: all of them. A cheap bound that lets crowds of inequalities far from their walls
+  /// cost nothing.
   virtual bool select_active(const Eigen::VectorXd&, std::vector<int>&) const { return false; }
 
-  /// For people: the physical unit of a residual, and the joint or pair of limbs an element is about (feet are named by
-  /// Element::foot).
+  /// For people: the physical unit of a residual, and the joint or pair of limbs an element is
+  /// about (feet are named by Element::foot).
   virtual ResidualUnit unit(int, int /*row*/) const { return {}; }
   virtual std::string subject(int, int /*row*/) const { return {}; }
 
-  /// A point to check derivatives at: residuals not zero, inequalities on both sides of the barrier's edge.
+  /// A point to check derivatives at: residuals not zero, inequalities on both sides of the
+  /// barrier's edge.
   virtual Eigen::VectorXd sample(int element, std::mt19937& random) const = 0;
 
  protected:

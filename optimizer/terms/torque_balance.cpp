@@ -11,11 +11,14 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 /// Eq (13), second half, with the angular momentum of the whole robot in place of I ö:
-///   Σ_j (e_iʲ − r_j ẑ − x_i) × f_iʲ = Σ_p m_p (p_i − x_i) × (p_{i−1} − 2 p_i + p_{i+1})/h²   over all point masses p.
+///   Σ_j (e_iʲ − r_j ẑ − x_i) × f_iʲ = Σ_p m_p (p_i − x_i) × (p_{i−1} − 2 p_i + p_{i+1})/h²
+/// over all point masses p.
 /// Forces act where the balls touch the ground, a radius r_j below their centres e_iʲ.
-/// Because p × p = 0 the right-hand side is (A_i − A_{i−1} − M x_i × (c_{i−1} − 2 c_i + c_{i+1}))/h² with the swept
-/// momentum A_i = Σ m p_i × p_{i+1} and c = φ_COM, all of which have slots. Residual over weight times length. Where M
-/// depends on the design its share of the initial mass is the last local variable.
+/// Because p × p = 0 the right-hand side is
+///   (A_i − A_{i−1} − M x_i × (c_{i−1} − 2 c_i + c_{i+1}))/h²
+/// with the swept momentum A_i = Σ m p_i × p_{i+1} and c = φ_COM, all of which have slots. Residual
+/// over weight times length. Where M depends on the design its share of the initial mass is the
+/// last local variable.
 class TorqueBalance final : public Term {
  public:
   explicit TorqueBalance(const TermContext& context)
@@ -107,11 +110,12 @@ class TorqueBalance final : public Term {
   }
 
  private:
-  // Positions of the local variables: A_i, A_{i−1}, c_{i−1}, c_i, c_{i+1}, x_i, then foot and force by turns.
+  // Positions of the local variables: A_i, A_{i−1}, c_{i−1}, c_i, c_{i+1}, x_i, then foot and force
+  // by turns.
   static constexpr int kAfter = 0, kBefore = 3, kComBefore = 6, kCom = 9, kComAfter = 12, kX = 15,
                        kFeet = 18;
 
-  /// Before knot 0 stands knot T − 1 moved back by one cycle.
+  /// Knot T − 1, moved back by one cycle, stands before knot 0.
   Matrix3d back(int knot) const {
     return knot > 0 ? Matrix3d::Identity() : Matrix3d(path_.turn().transpose());
   }

@@ -6,7 +6,8 @@ namespace legwright {
 namespace {
 
 /// Eq (9), E_Travel: over one cycle the COM moves by the wanted displacement.
-/// Residual (x_T − turn·x_0 − travel)/length; turn is the cycle's change of heading, one when walking straight.
+/// Residual (x_T − turn·x_0 − travel)/length; turn is the cycle's change of heading, one when
+/// walking straight.
 class Travel final : public LinearTerm {
  public:
   explicit Travel(const TermContext& context) : length_(context.length) {

@@ -5,8 +5,8 @@
 namespace legwright {
 namespace {
 
-/// Style of the pose, in the spirit of eqs (10): the trunk stays level and faces the wanted heading.
-/// Residual o_i − (0, 0, heading) [rad] at every knot, o the root's rotation vector.
+/// Style of the pose, in the spirit of eqs (10): the trunk stays level and faces the wanted
+/// heading. Residual o_i − (0, 0, heading) [rad] at every knot, o the root's rotation vector.
 class TrunkOrientation final : public LinearTerm {
  public:
   explicit TrunkOrientation(const TermContext& context) {

@@ -5,7 +5,8 @@
 namespace legwright {
 namespace {
 
-/// An end of a capsule that collides, for (16) [m, world]: 2 k is `from` of capsule k, 2 k + 1 is `to`.
+/// An end of a capsule that collides, for (16) [m, world]: 2 k is `from` of capsule k, 2 k + 1 is
+/// `to`.
 class CapsuleEnd final : public PoseQuantity {
  public:
   CapsuleEnd(const DerivedSetting& setting, int slot, int knot, int end)

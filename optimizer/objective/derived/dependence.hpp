@@ -18,7 +18,8 @@ struct Dependence {
 Dependence on_chain(const Morphology& morphology, int link);
 /// A point that is fixed to a link.
 Dependence on_point(const Morphology& morphology, int link, const AffineVector& point);
-/// The masses of a link and all below it, seen from the link's parent, and the feet that they carry.
+/// The masses of a link and all below it, seen from the link's parent, and the feet that they
+/// carry.
 Dependence on_subtree(const Morphology& morphology, const Ancestry& ancestry, int link);
 
 /// Both.

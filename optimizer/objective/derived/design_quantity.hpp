@@ -7,7 +7,8 @@
 
 namespace legwright {
 
-/// A derived quantity that depends on the design alone: worked out once for each s, with all derivatives.
+/// A derived quantity that depends on the design alone: worked out once for each s, with all
+/// derivatives.
 class DesignQuantity : public DerivedQuantity {
  public:
   /// y and its derivatives in the parameters of the Dependence, rising.

@@ -5,7 +5,8 @@
 namespace legwright {
 namespace {
 
-/// Rotation vector of a foot's link from a knot to the next, to second order, for rolling in eq (14) [rad, world].
+/// Rotation vector of a foot's link from a knot to the next, to second order, for rolling in eq
+/// (14) [rad, world].
 class FootTurn final : public VectorQuantity<PairDerivatives> {
  public:
   FootTurn(const DerivedSetting& setting, int slot, int knot, int foot)

@@ -4,7 +4,8 @@
 namespace legwright {
 
 void list_derived(DerivedList& out) {
-  // Kinds of one row stand together knot by knot. The order settles the rounding of F's derivatives.
+  // Kinds of one row stand together knot by knot. The order settles the rounding of F's
+  // derivatives.
   using Kind = void (*)(int knot, DerivedList&);
   static const std::vector<std::vector<Kind>> kTable{
       {list_com, list_feet, list_anchors},

@@ -5,7 +5,8 @@
 
 namespace legwright {
 
-/// Adds all derived quantities of knots 0 … T that are wanted, in the order in which F sums over them.
+/// Adds all derived quantities of knots 0 … T that are wanted, in the order in which F sums over
+/// them.
 void list_derived(DerivedList& out);
 
 // One function for each kind, in the file that bears its name: adds what there is of it at a knot.

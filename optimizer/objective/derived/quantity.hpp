@@ -39,9 +39,9 @@ struct DerivedInput {
   const Eigen::VectorXd& extended;  // [s; m; y]
 };
 
-/// One derived quantity y of Layout at one place (a knot, a foot, a joint): a function of some slots of p = [s; m]
-/// with exact derivatives. Each kind is a class in a file of this folder with a row in registry.cpp. Immutable;
-/// what a thread computes stands in a State of its own.
+/// One derived quantity y of Layout at one place (a knot, a foot, a joint): a function of some
+/// slots of p = [s; m] with exact derivatives. Each kind is a class in a file of this folder with a
+/// row in registry.cpp. Immutable; what a thread computes stands in a State of its own.
 class DerivedQuantity {
  public:
   /// Derivatives of one quantity, kept between evaluations so that memory is reused.
@@ -67,10 +67,12 @@ class DerivedQuantity {
   /// y, `size` entries.
   virtual void value(const DerivedInput& input, State& state,
                      Eigen::Ref<Eigen::VectorXd> y) const = 0;
-  /// ∂y (columns × size; arrives as zeros of all columns, or of the motion's alone), at the point of value().
+  /// ∂y (columns × size; arrives as zeros of all columns, or of the motion's alone), at the point
+  /// of value().
   virtual void jacobian(const DerivedInput& input, State& state,
                         Eigen::MatrixXd& jacobian) const = 0;
-  /// Σ multiplier_k ∂²y_k, into the lower triangle of `hessian`, which arrives as zeros; after jacobian().
+  /// Σ multiplier_k ∂²y_k, into the lower triangle of `hessian`, which arrives as zeros; after
+  /// jacobian().
   virtual void curvature(const Ancestry& ancestry, const State& state, const double* multiplier,
                          Eigen::MatrixXd& hessian) const = 0;
 
@@ -92,10 +94,12 @@ class DerivedQuantity {
 
 using DerivedBlocks = std::vector<std::unique_ptr<const DerivedQuantity>>;
 
-/// The quantities of a robot and task that something needs; filled by the functions of the registry.
+/// The quantities of a robot and task that something needs; filled by the functions of the
+/// registry.
 class DerivedList {
  public:
-  /// @param wanted by slot of the extended vector: only quantities that hold a wanted slot are added
+  /// @param wanted by slot of the extended vector: only quantities that hold a wanted slot are
+  /// added
   DerivedList(const DerivedSetting& setting, const std::vector<char>& wanted)
       : setting_(setting), wanted_(wanted) {}
 

@@ -5,8 +5,8 @@
 namespace legwright {
 namespace {
 
-/// Σ m p × p′ over all point masses from one pose to the next, for the angular momentum of eq (13) [kg m²].
-/// Knot T stands for the pair that wraps: knot T − 1, moved back by one cycle, to knot 0.
+/// Σ m p × p′ over all point masses from one pose to the next, for the angular momentum of eq (13)
+/// [kg m²]. Knot T stands for the pair that wraps: knot T − 1, moved back by one cycle, to knot 0.
 class SweptMomentum final : public VectorQuantity<PairDerivatives> {
  public:
   SweptMomentum(const DerivedSetting& setting, int slot, int knot)

@@ -7,8 +7,8 @@
 
 namespace legwright {
 
-/// A derived vector in space whose derivatives have one of the forms of kinematics. A subclass gives its value and
-/// fills in `Derivatives`, which knows the Jacobian and the curvature.
+/// A derived vector in space whose derivatives have one of the forms of kinematics. A subclass
+/// gives its value and fills in `Derivatives`, which knows the Jacobian and the curvature.
 template <class Derivatives>
 class VectorQuantity : public DerivedQuantity {
  public:

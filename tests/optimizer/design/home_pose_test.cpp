@@ -27,7 +27,8 @@ std::vector<Isometry3d> multiplied_out(const Morphology& morphology, const Vecto
   return frames;
 }
 
-/// The largest distance of a foot, and of an entry of a link's rotation, from what is multiplied out.
+/// The largest distance of a foot, and of an entry of a link's rotation, from what is multiplied
+/// out.
 double error(const Morphology& morphology, const PoseKinematics& home, const VectorXd& s) {
   const GeometryAtDesign geometry(morphology, s);
   const std::vector<Isometry3d> frames = multiplied_out(morphology, s);

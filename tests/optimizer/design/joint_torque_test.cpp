@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A joint's torque against the sum over point masses of d'Alembert's principle, with differences for ∂p/∂q.
-// (Derivatives: objective/derivatives_test; against MuJoCo's inverse dynamics: tests/mjcf.)
+// A joint's torque against the sum over point masses of d'Alembert's principle, with differences
+// for ∂p/∂q. (Derivatives: objective/derivatives_test; against MuJoCo's inverse dynamics:
+// tests/mjcf.)
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>

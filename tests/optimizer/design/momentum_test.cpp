@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Outputs of kinematics against sums over the point masses, one by one. (Derivatives: objective/derivatives_test.)
+// Outputs of kinematics against sums over the point masses, one by one. (Derivatives:
+// objective/derivatives_test.)
 #include "optimizer/design/momentum.hpp"
 
 #include <gtest/gtest.h>

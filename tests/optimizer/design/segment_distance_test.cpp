@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Distance of two segments: exact away from its switches, close and twice differentiable at them, finite always.
+// Distance of two segments: exact away from its switches, close and twice differentiable at them,
+// finite always.
 #include "optimizer/design/segment_distance.hpp"
 
 #include <gtest/gtest.h>
@@ -29,7 +30,8 @@ double point_to_segment(const Vector3d& x, const Vector3d& p, const Vector3d& q)
   return (x - p - t * u).norm();
 }
 
-/// By cases: the lines' nearest points where they are inside, else the nearest of four ends to the other segment.
+/// By cases: the lines' nearest points where they are inside, else the nearest of four ends to the
+/// other segment.
 double by_cases(const Ends& z) {
   const Vector3d p1 = z.segment<3>(0), q1 = z.segment<3>(3), p2 = z.segment<3>(6),
                  q2 = z.segment<3>(9);
@@ -141,8 +143,8 @@ TEST(SegmentDistance, DerivativesMatchCentralDifferences) {
     EXPECT_LT(derivative_error(random_ends(random), 1e-7), 1e-4) << repeat;
 }
 
-/// Walks from one configuration to another and returns the largest jump of the Hessian between neighbours, relative to
-/// the largest Hessian on the way.
+/// Walks from one configuration to another and returns the largest jump of the Hessian between
+/// neighbours, relative to the largest Hessian on the way.
 double largest_jump(const Ends& from, const Ends& to, int steps) {
   double jump = 0.0, largest = 0.0;
   Eigen::Matrix<double, 12, 12> last = measure(from).hessian;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a sole points, its slopes and curvatures along pose and design, against central differences.
+// Where a sole points, its slopes and curvatures along pose and design, against central
+// differences.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The first guess of a robot on flat feet: soles are level and look where the robot goes, knot by knot.
+// The first guess of a robot on flat feet: soles are level and look where the robot goes, knot by
+// knot.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "optimizer/design/kinematics.hpp"
@@ -48,8 +50,8 @@ Askew askew_soles(double toes_out, double turn_rate, bool flat) {
       const double splay = j == 0 ? toes_out : -toes_out;
       out.tilt = std::max(out.tilt, std::acos(std::min(1.0, turn(2, 2))));
       out.turn = std::max(
-          out.turn,
-          std::abs(std::remainder(std::atan2(ahead.y(), ahead.x()) - heading - splay, 2.0 * M_PI)));
+          out.turn, std::abs(std::remainder(std::atan2(ahead.y(), ahead.x()) - heading - splay,
+                                            2.0 * std::numbers::pi)));
     }
   }
   return out;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each gait of the library against a table written down here by hand: duty, order of the footfalls, and how many
-// feet stand. All three are counted from the contact flags of a fine gait, not from the pattern's own numbers.
+// Each gait of the library against a table written down here by hand: duty, order of the footfalls,
+// and how many feet stand. All three are counted from the contact flags of a fine gait, not from
+// the pattern's own numbers.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -16,12 +16,12 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr int knots = 24;
+constexpr int kKnots = 24;
 
 class InitialGuess : public testing::TestWithParam<double> {  // turn rate [rad/s]
  protected:
   static Task task() {
-    Task task = test::make_sideways_task(false, knots);
+    Task task = test::make_sideways_task(false, kKnots);
     task.velocity = {0.06, 0.02};
     task.turn_rate = GetParam();
     return task;
@@ -38,7 +38,7 @@ class InitialGuess : public testing::TestWithParam<double> {  // turn rate [rad/
 TEST_P(InitialGuess, PlantedFeetStandStillOnTheGroundAndOthersAreLifted) {
   const Gait& gait = objective_.task().gait;
   int lifted = 0;
-  for (int i = 0; i < knots; ++i)
+  for (int i = 0; i < kKnots; ++i)
     for (int j = 0; j < 4; ++j) {
       const bool planted = gait.planted(i, j, layout_.planted_margin());
       const Vector3d foot = motion_.foot_W(i, j), next = motion_.foot_W(i + 1, j);
@@ -57,7 +57,7 @@ TEST_P(InitialGuess, PlantedFeetStandStillOnTheGroundAndOthersAreLifted) {
 
 TEST_P(InitialGuess, StanceFeetCarryTheWeight) {
   const double least = objective_.task().min_normal;
-  for (int i = 0; i <= knots; ++i) {
+  for (int i = 0; i <= kKnots; ++i) {
     double force = 0.0;
     for (int j = 0; j < 4; ++j) {
       if (layout_.force(i, j) < 0) continue;
@@ -72,20 +72,20 @@ TEST_P(InitialGuess, StanceFeetCarryTheWeight) {
 
 TEST_P(InitialGuess, RepeatsOneCycleLater) {
   const WantedPath& path = objective_.path();
-  EXPECT_LT((motion_.com_W(knots) - (path.turn() * motion_.com_W(0) + path.travel())).norm(),
+  EXPECT_LT((motion_.com_W(kKnots) - (path.turn() * motion_.com_W(0) + path.travel())).norm(),
             1e-12);
   for (int j = 0; j < 4; ++j)
     EXPECT_LT(
-        (motion_.foot_W(knots, j) - (path.turn() * motion_.foot_W(0, j) + path.travel())).norm(),
+        (motion_.foot_W(kKnots, j) - (path.turn() * motion_.foot_W(0, j) + path.travel())).norm(),
         1e-12);
-  EXPECT_LT((motion_.pose(knots).tail(12) - motion_.pose(0).tail(12)).norm(), 1e-12);
-  EXPECT_NEAR(motion_.pose(knots)[5] - motion_.pose(0)[5], path.turn_angle(), 1e-12);
+  EXPECT_LT((motion_.pose(kKnots).tail(12) - motion_.pose(0).tail(12)).norm(), 1e-12);
+  EXPECT_NEAR(motion_.pose(kKnots)[5] - motion_.pose(0)[5], path.turn_angle(), 1e-12);
 }
 
 // What it is for: far nearer to a motion than a robot that stands in its home pose and slides.
 TEST_P(InitialGuess, BeatsStandingStill) {
   VectorXd standing = m_;
-  for (int i = 0; i <= knots; ++i)
+  for (int i = 0; i <= kKnots; ++i)
     standing.segment(layout_.pose(i) - layout_.design_size() + 6, 12) =
         puppy_.morphology.nominal_joints();
   const double guess = objective_.evaluate(s_, m_, Order::value).value;
@@ -103,14 +103,15 @@ TEST(InitialGuessOfAFootThatNeverLifts, Ends) {
   EXPECT_TRUE(initial_guess(objective, puppy.space.initial()).allFinite());
 }
 
-/// Where the task gives no height of swings, guess and term agree on it, also of a robot that crouches.
+/// Where the task gives no height of swings, guess and term agree on it, also of a robot that
+/// crouches.
 TEST(InitialGuessOfACrouchingRobot, LiftsFeetAsHighAsTheTermWants) {
   test::Puppy puppy = test::make_puppy(true);
   for (std::size_t l = 1; l < puppy.morphology.links.size(); ++l)
     puppy.morphology.links[l].joint.nominal = l % 3 == 1 ? 1.3 : l % 3 == 2 ? -2.6 : 2.6;
   const VectorXd s = puppy.space.initial();
   ASSERT_LT(standing_leg(puppy.morphology, s), 0.9 * puppy.morphology.leg_length);
-  Task task = test::make_sideways_task(false, knots);
+  Task task = test::make_sideways_task(false, kKnots);
   task.swing_height.reset();
   const Objective objective(puppy.morphology, puppy.space, task);
   const VectorXd m = initial_guess(objective, s);
@@ -123,7 +124,7 @@ TEST(InitialGuessOfACrouchingRobot, LiftsFeetAsHighAsTheTermWants) {
   EXPECT_TRUE(seen);
   const MotionView motion(objective.layout(), m);
   double top = 0.0;
-  for (int i = 0; i <= knots; ++i)
+  for (int i = 0; i <= kKnots; ++i)
     top = std::max(top, motion.foot_W(i, 0).z() - puppy.morphology.feet[0].radius);
   EXPECT_NEAR(top, swing_height(task, standing_leg(puppy.morphology, s)), 1e-3);
 }

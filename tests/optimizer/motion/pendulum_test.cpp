@@ -33,7 +33,8 @@ Vector2d acceleration(const Task& task, const std::vector<Vector2d>& path, int i
   return (at(i - 1) - 2.0 * at(i) + at(i + 1)) / (h * h);
 }
 
-/// Where all force can act so that it turns nothing: on the ground, on the line of COM and g up + a.
+/// Where all force can act so that it turns nothing: on the ground, on the line of COM and g
+/// up + a.
 Vector2d balance_point(const Task& task, const std::vector<Vector2d>& path, int i) {
   Vector3d force = kGravity * task.up;
   force.head<2>() += acceleration(task, path, i);
@@ -121,7 +122,8 @@ TEST(PendulumPath, DoesNotSwayWhereBothFeetAlwaysStand) {
     EXPECT_LT((place - Vector2d(0.02, 0.03)).norm(), 1e-12) << "above the middle of the feet";
 }
 
-/// Feet that a slope has moved downhill, so that gravity goes through their middle, leave nothing to sway for.
+/// Feet that a slope has moved downhill, so that gravity goes through their middle, leave nothing
+/// to sway for.
 TEST(PendulumPath, StandsOnASlopeAboveItsFootprint) {
   const test::Puppy biped = test::make_flat_biped();
   Task task = walk(1.0, 24);
@@ -134,8 +136,8 @@ TEST(PendulumPath, StandsOnASlopeAboveItsFootprint) {
     EXPECT_LT((place - middle).norm(), 1e-12);
 }
 
-/// ÿ = (y − p) ω² for p = ±d by turns: y = d (1 − cosh ω(t − P/4)/cosh ωP/4) over the left stance, and ẏ = d ω tanh ωP/4
-/// at touchdown.
+/// ÿ = (y − p) ω² for p = ±d by turns: y = d (1 − cosh ω(t − P/4)/cosh ωP/4) over the left stance,
+/// and ẏ = d ω tanh ωP/4 at touchdown.
 TEST(PendulumPath, SwaysByTheClosedFormForPressureThatJumps) {
   for (const double period : {0.8, 1.3})
     for (const double height : {0.3, 0.9}) {

@@ -44,8 +44,8 @@ TEST(StandingTorques, DoTheWorkThatLiftsTheWeight) {
     VectorXd bent = m.nominal_joints();
     bent[a] += step;
     const Stand there = stand(m, s, bent);
-    // A turn raises masses against gravity and lowers feet that push; the force on a ball is vertical, so it does not
-    // matter how far below its centre it acts.
+    // A turn raises masses against gravity and lowers feet that push; the force on a ball is
+    // vertical, so it does not matter how far below its centre it acts.
     double work = weight * (there.com - home.com).z();
     for (int j = 0; j < m.foot_count(); ++j) work -= shares[j] * (there.feet[j] - home.feet[j]).z();
     EXPECT_NEAR(torques[a], work / step, 1e-5 * weight) << a;

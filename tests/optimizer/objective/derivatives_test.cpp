@@ -71,8 +71,8 @@ struct Errors {
   double gradient_m, gradient_s, mm, ms, ss;
 };
 
-/// @param stride compares every stride-th entry of m. @param s_scale poisons ∂F/∂s by this factor before the
-/// comparison (1: as it is).
+/// @param stride compares every stride-th entry of m. @param s_scale poisons ∂F/∂s by this factor
+/// before the comparison (1: as it is).
 Errors check(const Objective& objective, const Point& at, int stride, double s_scale = 1.0) {
   const Evaluation exact = objective.evaluate(at.s, at.m, Order::design);
   const int n = static_cast<int>(at.m.size()), n_s = static_cast<int>(at.s.size());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// One set of weights and defaults serves robots of any size: a robot twice as large, of eight times the mass, slower by √2
-// and with sixteen times the torque has the same F, term by term, and the same plan twice as large.
+// One set of weights and defaults serves robots of any size: a robot twice as large, of eight times
+// the mass, slower by √2 and with sixteen times the torque has the same F, term by term, and the
+// same plan twice as large.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -83,7 +84,8 @@ struct Placed {
   VectorXd s, m;
 };
 
-/// The same disturbance of design and motion in their own units, so that every term has something to say.
+/// The same disturbance of design and motion in their own units, so that every term has something
+/// to say.
 void disturb(Placed& at) {
   std::mt19937 random(5);
   std::normal_distribution<double> normal;
@@ -105,9 +107,9 @@ TEST(Scale, EveryTermIsTheSameForARobotTwiceAsLarge) {
         << names[k];
   }
   EXPECT_NEAR(b.value, a.value, 1e-9 * a.value);
-  const VectorXd pull_a = a.partial_s.cwiseProduct(small.objective.space().scale());
-  const VectorXd pull_b = b.partial_s.cwiseProduct(large.objective.space().scale());
-  EXPECT_LT((pull_a - pull_b).norm(), 1e-8 * pull_a.norm());
+  const VectorXd share_a = a.partial_s.cwiseProduct(small.objective.space().scale());
+  const VectorXd share_b = b.partial_s.cwiseProduct(large.objective.space().scale());
+  EXPECT_LT((share_a - share_b).norm(), 1e-8 * share_a.norm());
 }
 
 TEST(Scale, ThePlanOfARobotTwiceAsLargeIsTwiceAsLarge) {
@@ -124,7 +126,7 @@ TEST(Scale, ThePlanOfARobotTwiceAsLargeIsTwiceAsLarge) {
             1e-4 * plan.norm());
 }
 
-TEST(Scale, AWishInMetresDoesNotScale) {  // the twin: these tests can fail
+TEST(Scale, ATargetInMetresDoesNotScale) {  // the twin: these tests can fail
   Setting small = grown(1.0), large = grown(2.0);
   small.task.swing_height = large.task.swing_height = 0.025;
   Placed a(small), b(large);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which term pulls where: shares sum to the whole and follow the weights.
+// Each term's share of the derivatives: shares sum to the whole and follow the weights.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -39,17 +39,17 @@ TEST(TermShares, SumToTheDerivativesOfTheWhole) {
   EXPECT_GT(whole.partial_s.norm(), 0.0);
 }
 
-TEST(TermShares, ATermThatKnowsNoDesignPullsNone) {
+TEST(TermShares, ATermThatKnowsNoDesignHasNoShareInIt) {
   const Moving at(test::make_sideways_task(true, 8));
   const TermShares shares = at.objective.shares(at.s, at.m);
   EXPECT_EQ(shares.stationarity.size(), 0);
   for (std::size_t k = 0; k < shares.names.size(); ++k) {
-    const double pull = shares.partial_s.row(static_cast<Eigen::Index>(k)).norm();
+    const double share = shares.partial_s.row(static_cast<Eigen::Index>(k)).norm();
     if (shares.names[k] == "style_com" || shares.names[k] == "force_balance") {
-      EXPECT_EQ(pull, 0.0) << shares.names[k];
+      EXPECT_EQ(share, 0.0) << shares.names[k];
     }
     if (shares.names[k] == "foot_position" || shares.names[k] == "torque_balance") {
-      EXPECT_GT(pull, 0.0) << shares.names[k];
+      EXPECT_GT(share, 0.0) << shares.names[k];
     }
   }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The adjoint on a real F: the puppy standing on the task of walking, with a cost that F does not contain.
+// The adjoint on a real F: the puppy standing on the task of walking, with a cost that F does not
+// contain.
 #include <gtest/gtest.h>
 
 #include "optimizer/solve/adjoint.hpp"

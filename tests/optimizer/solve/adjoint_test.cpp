@@ -16,12 +16,12 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int motion_size = 7, design_size = 3;
+constexpr int kMotionSize = 7, kDesignSize = 3;
 
 /// A cost that is not F: J = ½‖m − t‖² + mᵀEs + sin(s₀).
 struct ForeignCost {
-  VectorXd target = VectorXd::LinSpaced(motion_size, -1.0, 2.0);
-  MatrixXd coupling = MatrixXd::Constant(motion_size, design_size, 0.3);
+  VectorXd target = VectorXd::LinSpaced(kMotionSize, -1.0, 2.0);
+  MatrixXd coupling = MatrixXd::Constant(kMotionSize, kDesignSize, 0.3);
 
   double value(const VectorXd& s, const VectorXd& m) const {
     return 0.5 * (m - target).squaredNorm() + m.dot(coupling * s) + std::sin(s[0]);
@@ -48,9 +48,9 @@ VectorXd resolve(toy::CoupledCost& cost, const VectorXd& s, VectorXd m, const Ve
 /// Largest relative error of `gradient` against central differences of J over re-solved motions.
 double error_of(const VectorXd& gradient, toy::CoupledCost& cost, const ForeignCost& J,
                 const VectorXd& s, const VectorXd& m, const VectorXd& level) {
-  VectorXd expected(design_size);
+  VectorXd expected(kDesignSize);
   const double h = 1e-5;
-  for (int k = 0; k < design_size; ++k) {
+  for (int k = 0; k < kDesignSize; ++k) {
     VectorXd ahead = s, behind = s;
     ahead[k] += h;
     behind[k] -= h;
@@ -62,14 +62,14 @@ double error_of(const VectorXd& gradient, toy::CoupledCost& cost, const ForeignC
 }
 
 struct Point {
-  toy::CoupledCost cost{motion_size, design_size};
+  toy::CoupledCost cost{kMotionSize, kDesignSize};
   VectorXd s = Eigen::Vector3d(0.4, -0.7, 0.9), m;
   Evaluation at;
   HessianFactor factor;
 
   explicit Point(bool converged) {
-    m = VectorXd::LinSpaced(motion_size, 0.5, -0.8);
-    if (converged) m = resolve(cost, s, m, VectorXd::Zero(motion_size));
+    m = VectorXd::LinSpaced(kMotionSize, 0.5, -0.8);
+    if (converged) m = resolve(cost, s, m, VectorXd::Zero(kMotionSize));
     cost.evaluate(s, m, Order::design, at);
   }
 };
@@ -81,7 +81,7 @@ TEST(Adjoint, MatchesResolvedDifferenceForForeignCost) {
       adjoint(p.factor, p.at.hessian_mm, J.dm(p.s, p.m), p.at.hessian_ms, J.ds(p.s, p.m));
   ASSERT_EQ(result.status, SolveStatus::converged);
   EXPECT_LT(result.residual, 1e-13);
-  const VectorXd level = VectorXd::Zero(motion_size);
+  const VectorXd level = VectorXd::Zero(kMotionSize);
   EXPECT_LT(error_of(result.dJ_ds, p.cost, J, p.s, p.m, level), 1e-8);
 
   // Twins that a careless test, with J = F at m*, would let pass.

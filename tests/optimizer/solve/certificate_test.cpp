@@ -10,14 +10,14 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr int motion_size = 8, design_size = 3;
+constexpr int kMotionSize = 8, kDesignSize = 3;
 
-DesignSpace box(double half) { return toy::box(design_size, half); }
+DesignSpace box(double half) { return toy::box(kDesignSize, half); }
 
 WeightedCost task_of(CostFunction& cost) {
   WeightedCost task;
   task.cost = &cost;
-  task.initial_motion = VectorXd::Zero(motion_size);
+  task.initial_motion = VectorXd::Zero(kMotionSize);
   return task;
 }
 
@@ -31,7 +31,7 @@ CodesignResult solve(const WeightedCost& task, double half, bool motion_only = f
 }
 
 TEST(Certificate, ProvesAMinimum) {
-  toy::CoupledCost cost(motion_size, design_size);
+  toy::CoupledCost cost(kMotionSize, kDesignSize);
   const WeightedCost task = task_of(cost);
   const CodesignResult result = solve(task, 10.0);
   const Certificate proof = certify({task}, box(10.0), result.best);
@@ -40,13 +40,13 @@ TEST(Certificate, ProvesAMinimum) {
   EXPECT_TRUE(proof.tasks[0].resolved);
   EXPECT_LT(proof.tasks[0].stationarity, 1e-8);
   EXPECT_LT(proof.projected_gradient_norm, 1e-6);
-  ASSERT_EQ(proof.curvatures.size(), design_size);
+  ASSERT_EQ(proof.curvatures.size(), kDesignSize);
   EXPECT_GT(proof.curvatures.minCoeff(), 0.0);
   EXPECT_TRUE(proof.active.empty());
 }
 
 TEST(Certificate, AdjointAndDifferencesAgreeAwayFromTheMinimum) {
-  toy::CoupledCost cost(motion_size, design_size);
+  toy::CoupledCost cost(kMotionSize, kDesignSize);
   const WeightedCost task = task_of(cost);
   const CodesignResult result = solve(task, 10.0, true);
   const Certificate proof = certify({task}, box(10.0), result.best);
@@ -55,14 +55,14 @@ TEST(Certificate, AdjointAndDifferencesAgreeAwayFromTheMinimum) {
 }
 
 TEST(Certificate, NamesActiveBoundsAndWhatTheyHoldBack) {
-  toy::CoupledCost cost(motion_size, design_size);
+  toy::CoupledCost cost(kMotionSize, kDesignSize);
   const WeightedCost task = task_of(cost);
   const CodesignResult result = solve(task, 0.02);
   const Certificate proof = certify({task}, box(0.02), result.best);
   ASSERT_FALSE(proof.active.empty());
   for (const ActiveBound& bound : proof.active)
     EXPECT_EQ(bound.upper, bound.gradient < 0.0) << "pushes outwards";
-  EXPECT_EQ(proof.curvatures.size() + static_cast<long>(proof.active.size()), design_size);
+  EXPECT_EQ(proof.curvatures.size() + static_cast<long>(proof.active.size()), kDesignSize);
 }
 
 /// ∂F/∂s off by a tenth: a certificate must not be had for it.
@@ -75,7 +75,7 @@ class Wrong final : public CostFunction {
   const VectorXd& motion_units() const override { return inner_.motion_units(); }
 
  private:
-  toy::CoupledCost inner_{motion_size, design_size};
+  toy::CoupledCost inner_{kMotionSize, kDesignSize};
 };
 
 TEST(Certificate, ShowsAWrongGradient) {
@@ -116,7 +116,7 @@ TEST(Certificate, WithoutAMinimumThereIsNone) {
   } cost(saddle);
   DesignIteration iterate;
   iterate.s = box(1.0).initial();
-  iterate.design_gradient = VectorXd::Zero(design_size);
+  iterate.design_gradient = VectorXd::Zero(kDesignSize);
   iterate.tasks.resize(1);
   iterate.tasks[0].m = VectorXd::Zero(2);
   const Certificate proof = certify({task_of(cost)}, box(1.0), iterate);

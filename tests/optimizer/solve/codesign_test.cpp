@@ -14,9 +14,9 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr int motion_size = 8, design_size = 4;
+constexpr int kMotionSize = 8, kDesignSize = 4;
 
-DesignSpace box(double half) { return toy::box(design_size, half); }
+DesignSpace box(double half) { return toy::box(kDesignSize, half); }
 
 CodesignOptions tight() {
   CodesignOptions options;
@@ -31,12 +31,12 @@ const CodesignOptions exact = tight();
 CodesignResult run_one(CostFunction& cost, double half, const CodesignOptions& options = exact) {
   WeightedCost task;
   task.cost = &cost;
-  task.initial_motion = VectorXd::Zero(motion_size);
+  task.initial_motion = VectorXd::Zero(kMotionSize);
   return codesign({task}, box(half), box(half).initial(), options);
 }
 
 CodesignResult run(double half, const CodesignOptions& options = exact) {
-  toy::CoupledCost cost(motion_size, design_size);
+  toy::CoupledCost cost(kMotionSize, kDesignSize);
   return run_one(cost, half, options);
 }
 
@@ -46,7 +46,7 @@ TEST(Codesign, FindsTheMinimumOverDesignAndMotion) {
   EXPECT_EQ(result.best.motion_status(), SolveStatus::converged);
   EXPECT_LT(result.best.value, result.initial.value - 1e-3);
   // All partial derivatives of F vanish there.
-  toy::CoupledCost cost(motion_size, design_size);
+  toy::CoupledCost cost(kMotionSize, kDesignSize);
   Evaluation at;
   cost.evaluate(result.best.s, result.best.tasks[0].m, Order::design, at);
   EXPECT_LT(at.stationarity.norm(), 1e-8);
@@ -66,7 +66,7 @@ TEST(Codesign, BoundsAreHardAtEveryIterate) {
     EXPECT_TRUE((s.array() >= space.lower().array()).all());
     EXPECT_TRUE((s.array() <= space.upper().array()).all());
   }
-  for (int k = 0; k < design_size; ++k)
+  for (int k = 0; k < kDesignSize; ++k)
     touched += result.best.s[k] == space.lower()[k] || result.best.s[k] == space.upper()[k];
   EXPECT_GT(touched, 0);
   EXPECT_LT(result.best.projected_gradient_norm, 1e-7);
@@ -99,10 +99,10 @@ TEST(Codesign, ReportedGradientMatchesResolvedDifferences) {
   options.final_tolerance = 1e-11;
   options.motion_only = true;
   const CodesignResult result = run(10.0, options);
-  toy::CoupledCost cost(motion_size, design_size);
+  toy::CoupledCost cost(kMotionSize, kDesignSize);
   NewtonWorkspace workspace;
   const double h = 1e-5;
-  for (int k = 0; k < design_size; ++k) {
+  for (int k = 0; k < kDesignSize; ++k) {
     double value[2];
     for (const int side : {0, 1}) {
       VectorXd s = result.initial.s, m = result.initial.tasks[0].m;
@@ -143,11 +143,11 @@ TEST(Codesign, SameBitsTwice) {
 }
 
 TEST(Codesign, NaNAtAnyCallEndsWithAFiniteIterate) {
-  toy::CoupledCost clean(motion_size, design_size);
+  toy::CoupledCost clean(kMotionSize, kDesignSize);
   const CodesignResult expected = run_one(clean, 10.0);
   ASSERT_EQ(expected.evaluations, clean.calls);
   for (int k = 1; k <= clean.calls; ++k) {
-    toy::CoupledCost cost(motion_size, design_size);
+    toy::CoupledCost cost(kMotionSize, kDesignSize);
     cost.poisoned_call = k;
     const CodesignResult result = run_one(cost, 10.0);
     EXPECT_TRUE(result.best.s.allFinite() && result.best.tasks[0].m.allFinite());
@@ -173,7 +173,7 @@ class WrongSign final : public CostFunction {
   const VectorXd& motion_units() const override { return inner_.motion_units(); }
 
  private:
-  toy::CoupledCost inner_{motion_size, design_size};
+  toy::CoupledCost inner_{kMotionSize, kDesignSize};
 };
 
 TEST(Codesign, AWrongGradientStallsWithTheInitialDesignKept) {
@@ -197,14 +197,14 @@ TEST(Codesign, BothMethodsFindTheSameMinimumNewtonInFewerSteps) {
 
 /// Two different tasks for one body.
 struct Pair {
-  toy::CoupledCost first{motion_size, design_size, 7}, second{motion_size, design_size, 11};
+  toy::CoupledCost first{kMotionSize, kDesignSize, 7}, second{kMotionSize, kDesignSize, 11};
   std::vector<WeightedCost> tasks(double weight) {
     std::vector<WeightedCost> result(2);
     result[0].cost = &first;
     result[0].weight = weight;
     result[1].cost = &second;
     result[1].weight = 1.0 - weight;
-    for (WeightedCost& task : result) task.initial_motion = VectorXd::Zero(motion_size);
+    for (WeightedCost& task : result) task.initial_motion = VectorXd::Zero(kMotionSize);
     return result;
   }
   CodesignResult run(double weight, const CodesignOptions& options = exact) {
@@ -270,16 +270,16 @@ class Distance final : public CostFunction {
   const VectorXd& motion_units() const override { return units_; }
 
  private:
-  VectorXd units_ = VectorXd::Ones(motion_size);
+  VectorXd units_ = VectorXd::Ones(kMotionSize);
 };
 
 TEST(OuterObjective, IsMinimisedOverDesignsWhoseMotionMinimisesF) {
-  toy::CoupledCost cost(motion_size, design_size);
+  toy::CoupledCost cost(kMotionSize, kDesignSize);
   Distance outer;
   WeightedCost task;
   task.cost = &cost;
   task.outer = &outer;
-  task.initial_motion = VectorXd::Zero(motion_size);
+  task.initial_motion = VectorXd::Zero(kMotionSize);
   const CodesignResult result = codesign({task}, box(10.0), box(10.0).initial(), exact);
   const CodesignResult without = run(10.0);
   ASSERT_EQ(result.status, SolveStatus::converged);
@@ -290,7 +290,7 @@ TEST(OuterObjective, IsMinimisedOverDesignsWhoseMotionMinimisesF) {
   // F + J at re-solved motions is stationary in s: there the adjoint does real work.
   NewtonWorkspace workspace;
   const double h = 1e-5;
-  for (int k = 0; k < design_size; ++k) {
+  for (int k = 0; k < kDesignSize; ++k) {
     double value[2];
     for (const int side : {0, 1}) {
       VectorXd s = result.best.s, m = result.best.tasks[0].m;

@@ -10,19 +10,19 @@
 namespace legwright {
 namespace {
 
-constexpr const char* variable = "LEGWRIGHT_CPU_PATH";
+constexpr const char* kVariable = "LEGWRIGHT_CPU_PATH";
 
 /// Puts the variable back as it was.
 class CpuPathTest : public testing::Test {
  protected:
   CpuPathTest() {
-    if (const char* found = std::getenv(variable)) before_ = found;
+    if (const char* found = std::getenv(kVariable)) before_ = found;
   }
   ~CpuPathTest() override {
     if (before_.empty())
-      unsetenv(variable);
+      unsetenv(kVariable);
     else
-      setenv(variable, before_.c_str(), 1);
+      setenv(kVariable, before_.c_str(), 1);
   }
 
  private:
@@ -30,17 +30,17 @@ class CpuPathTest : public testing::Test {
 };
 
 TEST_F(CpuPathTest, TheFastestIsTakenUnlessOneIsNamed) {
-  ASSERT_EQ(unsetenv(variable), 0);
+  ASSERT_EQ(unsetenv(kVariable), 0);
   EXPECT_EQ(cpu_path(), available_cpu_paths().back());
   for (const CpuPath path : available_cpu_paths()) {
-    ASSERT_EQ(setenv(variable, std::string(to_string(path)).c_str(), 1), 0);
+    ASSERT_EQ(setenv(kVariable, std::string(to_string(path)).c_str(), 1), 0);
     EXPECT_EQ(cpu_path(), path);
     EXPECT_EQ(cpu_path_by_name(to_string(path)), path);
   }
 }
 
 TEST_F(CpuPathTest, AnUnknownNameIsRefusedWithThoseThereAre) {
-  ASSERT_EQ(setenv(variable, "avx1024", 1), 0);
+  ASSERT_EQ(setenv(kVariable, "avx1024", 1), 0);
   EXPECT_FALSE(cpu_path_by_name("avx1024"));
   try {
     cpu_path();

@@ -20,8 +20,8 @@ using Eigen::MatrixXd;
 using Eigen::SparseMatrix;
 using Eigen::VectorXd;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Sparse, diagonally dominant, with entries far from the diagonal; scaled by rows and columns like
 /// motion.
@@ -119,7 +119,7 @@ TEST_P(HessianFactorTest, SingularMatrixIsNotPositiveUntilShifted) {
 TEST_P(HessianFactorTest, RefusesWhatIsNotFinite) {
   const SparseMatrix<double> good = sparse_lower(arrow_band(6));
   VectorXd x;
-  for (const double poison : {nan, infinity, -infinity}) {
+  for (const double poison : {kNan, kInfinity, -kInfinity}) {
     for (int k = 0; k < good.nonZeros(); ++k) {
       SparseMatrix<double> bad = good;
       bad.valuePtr()[k] = poison;
@@ -190,7 +190,7 @@ TEST_P(HessianFactorTest, SolvesManyRightHandSidesLikeOneByOne) {
       ASSERT_TRUE(factor.solve(VectorXd(b.col(c)), alone));
       EXPECT_LE((x.col(c) - alone).norm(), 1e-13 * alone.norm()) << "column " << c;
     }
-    b(5, count - 1) = nan;
+    b(5, count - 1) = kNan;
     EXPECT_FALSE(factor.solve(b, x));
     EXPECT_EQ(x, MatrixXd::Zero(size, count));
   }

@@ -9,7 +9,7 @@
 namespace legwright {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 TEST(LineSearch, TakesTheFullStepWhereItGoesDown) {
   const auto phi = [](double t) { return (t - 1.0) * (t - 1.0); };
@@ -30,7 +30,7 @@ TEST(LineSearch, FindsTheMinimumOfAParabolaInTwoTrials) {
 
 TEST(LineSearch, StepsBackFromWhatIsNotFinite) {
   for (const double poison :
-       {nan, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()}) {
+       {kNan, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()}) {
     const auto phi = [poison](double t) { return t > 0.2 ? poison : -t; };
     const LineSearchResult found = backtrack(0.0, -1.0, 1.0, phi);
     ASSERT_TRUE(found.success);
@@ -56,8 +56,8 @@ TEST(LineSearch, DoesNotTryADirectionThatGoesUp) {
   const auto phi = [&calls](double t) { return ++calls, -t; };
   EXPECT_FALSE(backtrack(0.0, 1.0, 1.0, phi).success);
   EXPECT_FALSE(backtrack(0.0, 0.0, 1.0, phi).success);
-  EXPECT_FALSE(backtrack(0.0, nan, 1.0, phi).success);
-  EXPECT_FALSE(backtrack(nan, -1.0, 1.0, phi).success);
+  EXPECT_FALSE(backtrack(0.0, kNan, 1.0, phi).success);
+  EXPECT_FALSE(backtrack(kNan, -1.0, 1.0, phi).success);
   EXPECT_EQ(calls, 0);
 }
 

@@ -16,7 +16,7 @@ using Eigen::VectorXd;
 using toy::MotionFunction;
 using Derivatives = MotionFunction::Derivatives;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 /// Σ 100 (x_{i+1} − x_i²)² + (1 − x_i)²: a curved valley with stiff walls, like a penalty.
 Derivatives rosenbrock(const VectorXd& x) {
@@ -245,9 +245,9 @@ TEST(Newton, NaNAtAnyCallIsNeverConverged) {
               Derivatives d = rosenbrock(x);
               ++call;
               if (for_ever ? call < k : call != k) return d;
-              if (part == value) d.value = nan;
-              if (part == gradient) d.gradient[2] = nan;
-              if (part == hessian) d.hessian(3, 2) = nan;
+              if (part == value) d.value = kNan;
+              if (part == gradient) d.gradient[2] = kNan;
+              if (part == hessian) d.hessian(3, 2) = kNan;
               return d;
             },
             VectorXd::Ones(5));
@@ -269,7 +269,7 @@ TEST(Newton, NaNAtAnyCallIsNeverConverged) {
   }
 }
 
-TEST(Newton, LeavesAHopelessTrialEarly) {
+TEST(Newton, LeavesATrialThatWillStayAboveTheCeilingEarly) {
   VectorXd full = VectorXd::Constant(20, -1.2), cut = full;
   MotionFunction valley(rosenbrock, VectorXd::Ones(20));
   const SolveReport whole = solve(valley, full);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every term of the registry on its own: residual, Jacobian and curvature in its local variables. A new term is
-// covered as soon as it has its row in the registry.
+// Every term of the registry on its own: residual, Jacobian and curvature in its local variables. A
+// new term is covered as soon as it has its row in the registry.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,7 +30,8 @@ VectorXd residual(const Term& term, int element, const VectorXd& z) {
   return out;
 }
 
-/// Largest relative error of the Jacobian and of the contracted second derivative against central differences.
+/// Largest relative error of the Jacobian and of the contracted second derivative against central
+/// differences.
 double worst_error(const Term& term, int element, const VectorXd& z, std::mt19937& random) {
   const int n = static_cast<int>(z.size()), rows = term.elements()[element].rows;
   std::normal_distribution<double> normal;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the terms of linear actuators mean: zero slack at the ends of the stroke and at the limit of the force.
+// What the terms of linear actuators mean: zero slack at the ends of the stroke and at the limit of
+// the force.
 #include <gtest/gtest.h>
 
 #include <cmath>

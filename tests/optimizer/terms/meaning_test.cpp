@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What each term means: zero where its promise is kept, growing where it is broken, in the unit it claims.
+// What each term means: zero where its promise is kept, growing where it is broken, in the unit it
+// claims.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -112,7 +113,8 @@ TEST_F(TermMeaning, ForceBalanceOnASlopeWantsForcesThatPointUp) {
 }
 
 TEST_F(TermMeaning, TorqueBalanceVanishesForFreeFall) {
-  // A robot that translates rigidly with no forces at all has a constant angular momentum about its COM.
+  // A robot that translates rigidly with no forces at all has a constant angular momentum about its
+  // COM.
   for (int i = 0; i <= layout().knot_count(); ++i)
     for (int foot = 0; foot < 4; ++foot)
       if (const int slot = layout().force(i, foot); slot >= 0) at(slot + 2) = 0.0;
@@ -230,8 +232,8 @@ double value_of(const std::string& name, const Objective& objective, const Vecto
 }
 
 TEST_F(TermMeaning, StyleListsAreMetByTheMotionThatTheyDescribe) {
-  // A walk on a curve whose task says over the cycle where COM and a foot shall be: the motion put there by hand
-  // has no residual, and each list by itself does.
+  // A walk on a curve whose task says over the cycle where COM and a foot shall be: the motion put
+  // there by hand has no residual, and each list by itself does.
   Task curve = task();
   curve.velocity = {0.08, 0.02};
   curve.turn_rate = 0.5;
@@ -323,7 +325,8 @@ TEST(TermMeaningOfLimbs, PairsAreThoseThatTheTaskNames) {
     }
     return names;
   };
-  // 12 segments make 66 pairs; 8 within limbs share a hinge, 4 more are across a link of 8 cm: those stay.
+  // 12 segments make 66 pairs; 8 within limbs share a hinge, 4 more are across a link of 8 cm:
+  // those stay.
   EXPECT_EQ(names_of().size(), 58u);
   task.limb_pairs.emplace();
   task.limb_pairs->emplace_back("foot0", "link2_0");

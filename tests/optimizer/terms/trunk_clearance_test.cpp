@@ -67,7 +67,8 @@ TEST(TermMeaningOfTrunk, WhatTouchesAtHomeIsLeftAlone) {
   }
 }
 
-/// Capsules that hide some of their shapes: no distance is known better than that, so what is so near at home costs.
+/// Capsules that hide some of their shapes: no distance is known better than that, so what is so
+/// near at home costs.
 TEST(TermMeaningOfTrunk, WhatCapsulesHideIsAddedAndWantsRoom) {
   const auto closeness = [](double hidden, double bend) {
     test::Puppy puppy = test::make_puppy(true);
