@@ -87,9 +87,7 @@ std::string choose_viewer(const PlayOptions& options) {
   const bool legwright = find_beside(kViewerProgram).has_value();
   const bool simulate = find_beside(kSimulateProgram).has_value();
   const std::string best = legwright ? "legwright" : simulate ? "simulate" : "python";
-  const std::string chosen = !options.viewer.empty() ? options.viewer
-                             : options.live          ? "legwright"
-                                                     : best;
+  std::string chosen = !options.viewer.empty() ? options.viewer : options.live ? "legwright" : best;
   if (options.live && chosen != "legwright")
     throw InputError("--live needs Legwright's own viewer, not --viewer " + chosen);
   if ((chosen == "legwright" && !legwright) || (chosen == "simulate" && !simulate))
