@@ -115,11 +115,13 @@ class Printer {
     }
   }
 
-  /// Six points that have the mass, centre and second moments of a part: `base` moves with the stretches, `offset` from
-  /// it does not; `arms` along the geom's axes, those that `grows` names with their stretch.
+  /// Six points that have the mass, centre and second moments of a part: `base` moves with the
+  /// stretches, `offset` from it does not; `arms` along the geom's axes, those that `grows` names
+  /// with their stretch.
   void add_part(const Solid& solid, double volume, const Vector3d& base, const Vector3d& offset,
                 const Vector3d& arms, const std::array<bool, 3>& grows) {
-    // A part with a mass of its own keeps it, whatever its size becomes: a servo, bought and not printed.
+    // A part with a mass of its own keeps it, whatever its size becomes: a servo, bought and not
+    // printed.
     std::vector<PointMass::Growth> growth;
     for (int k = 0; k < 3 && !solid.mass_given; ++k) {
       if (!grows[k]) continue;
@@ -219,8 +221,8 @@ Eigen::Matrix4d moments_of(const std::vector<PointMass>& masses,
   return found;
 }
 
-/// Meshes with a weight: what MuJoCo weighs besides the other geoms. They keep it, and ride where the
-/// file places them; several must ride alike, as their weights are known together only.
+/// Meshes with a weight: what MuJoCo weighs besides the other geoms. They keep it, and ride where
+/// the file places them; several must ride alike, as their weights are known together only.
 void add_meshes(const XmlFile& xml, const XmlElement& body, const std::vector<Solid>& meshes,
                 const std::vector<Stretch>& stretches, const Eigen::Matrix4d& rest,
                 std::vector<PointMass>& masses) {
@@ -254,8 +256,8 @@ void add_meshes(const XmlFile& xml, const XmlElement& body, const std::vector<So
     }
 }
 
-/// A foot that is a mesh with a weight keeps its size and moves as its origin does, so its sole only where it should if
-/// it is off that across the stretches alone.
+/// A foot that is a mesh with a weight keeps its size and moves as its origin does, so its sole
+/// only where it should if it is off that across the stretches alone.
 void check_sole(const XmlFile& xml, const mjModel& model, const TreeElements& elements,
                 const FootContact& foot, const std::vector<Stretch>& stretches) {
   const XmlElement& element = *elements.geoms[static_cast<std::size_t>(foot.geom)];

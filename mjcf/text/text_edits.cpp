@@ -19,7 +19,7 @@ std::string escaped(std::string_view value) {
   return out;
 }
 
-double as_it_is(double value) { return value; }
+double unrounded(double value) { return value; }
 
 const AttributeSpan* find_span(const TagSpan& tag, std::string_view name) {
   for (const AttributeSpan& span : tag.attributes)
@@ -55,7 +55,7 @@ void TextEdits::set_numbers(const XmlElement& element, const char* name,
 
 void TextEdits::set_exactly(const XmlElement& element, const char* name,
                             const Eigen::Ref<const Eigen::VectorXd>& values) {
-  set_words(element, name, values, as_it_is);
+  set_words(element, name, values, unrounded);
 }
 
 void TextEdits::set_words(const XmlElement& element, const char* name,

@@ -179,7 +179,7 @@ class Solver {
                : angle;
   }
 
-  /// A position servo is told the angle, or the length of its tendon.
+  /// The control of a position servo is the angle, or the length of its tendon.
   void follow(int actuator, const VectorXd& pose, const VectorXd& old, StandingKey& key) const {
     const mjtNum* bias = model_.actuator_biasprm + mjNBIAS * actuator;
     if (model_.actuator_biastype[actuator] != mjBIAS_AFFINE || !(bias[1] < 0.0)) return;

@@ -189,7 +189,7 @@ Mask Renderer::word(const std::string& word, bool large) {
   const int tall = factor * ((large ? c.charHeightBig : c.charHeight) / factor + 4);
   mjr_label({0, 0, kTextWidth, tall}, large ? mjFONT_BIG : mjFONT_NORMAL, word.c_str(), 0, 0, 0, 1,
             1, 1, 1, &c);
-  const Image drawn = shrink(read_buffer(kTextWidth, tall), factor);
+  const Image drawn = downsample(read_buffer(kTextWidth, tall), factor);
   int left = drawn.width, right = 0;  // ink decides the width; all words keep the same height
   for (int i = 0; i < drawn.width * drawn.height; ++i) {
     if (drawn.rgb[3 * static_cast<std::size_t>(i)] == 0) continue;

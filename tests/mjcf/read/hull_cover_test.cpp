@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands for a mesh is within the hull with which MuJoCo lets it collide, and is as near to other shapes as that.
+// What stands for a mesh is within the hull with which MuJoCo lets it collide, and is as near to
+// other shapes as that.
 #include "mjcf/read/hull_cover.hpp"
 
 #include <fmt/format.h>
@@ -18,7 +19,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Corners of a prism, half as wide as a and b and as high as c, its upper end `taper` times as wide as its lower.
+/// Corners of a prism, half as wide as a and b and as high as c, its upper end `taper` times as
+/// wide as its lower.
 std::string prism(double a, double b, double c, int corners, double taper) {
   std::string text;
   for (const double z : {-c, c})

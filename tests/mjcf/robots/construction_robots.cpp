@@ -334,10 +334,10 @@ std::string hopper_with(const std::string& foot, double knee, bool weighed_by_fo
 }
 
 std::string declared(const std::string& xml) {
-  return with_declarations(xml, "robot.xml", study_robot(xml, "robot.xml").proposals);
+  return with_declarations(xml, "robot.xml", propose_parameters(xml, "robot.xml").proposals);
 }
 
-std::string complaint(const std::string& xml) {
+std::string error_message(const std::string& xml) {
   try {
     parse_robot(xml, "robot.xml");
     return "";

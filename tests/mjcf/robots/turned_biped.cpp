@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kToesOut = 0.3, kPitch = -0.4, kKnee = 0.8;  // at home, of the left leg [rad]
 
-/// @param turn of the hip's frame about z, which its parts take back; @param drawn more of it, which
-/// the yaw hinge takes back
+/// @param turn of the hip's frame about z, which its parts take back; @param drawn more of it,
+/// which the yaw hinge takes back
 std::string leg(const char* side, double y, double turn, double drawn) {
   const double c = std::cos(turn), s = std::sin(turn);
   const auto at = [&](double x, double z) { return fmt::format("{} {} {}", c * x, -s * x, z); };

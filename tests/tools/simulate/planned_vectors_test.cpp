@@ -92,8 +92,8 @@ TEST(PlannedMotion, PlayedRootTurnsAboutTheVertical) {
   };
   for (const double time : {0.1, 0.37}) {
     const Eigen::Quaterniond first = pose(time), later = pose(time + 9 * kPeriod);
-    const Eigen::Quaterniond turned(Eigen::AngleAxisd(9 * kTurn, Vector3d::UnitZ()));
-    EXPECT_LT((turned * first).angularDistance(later), 1e-9);
+    const Eigen::Quaterniond rotated(Eigen::AngleAxisd(9 * kTurn, Vector3d::UnitZ()));
+    EXPECT_LT((rotated * first).angularDistance(later), 1e-9);
     // Up stays as far from the vertical, which adding 9 turns to the rotation vector would not do.
     EXPECT_NEAR((later * Vector3d::UnitZ()).z(), (first * Vector3d::UnitZ()).z(), 1e-12);
   }
