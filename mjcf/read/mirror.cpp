@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "mjcf/read/legs.hpp"
 #include "mjcf/read/tree.hpp"
@@ -79,7 +80,7 @@ bool at_mirrored_angles(const mjModel& model, int trunk, int from, int to) {
   };
   const Vector3d turn = mirrored_turn(model, trunk, from, to, vector_at(model.jnt_axis, from));
   const double way = turn.dot(vector_at(model.jnt_axis, to)) < 0.0 ? -1.0 : 1.0;
-  return std::abs(std::remainder(way * angle(to) - angle(from), 2 * EIGEN_PI)) <= kAgree;
+  return std::abs(std::remainder(way * angle(to) - angle(from), 2 * std::numbers::pi)) <= kAgree;
 }
 
 int mirror_image(const mjModel& model, int trunk, int joint, const std::vector<int>& among) {

@@ -2,6 +2,7 @@
 #include "mjcf/text/elements.hpp"
 
 #include <cctype>
+#include <numbers>
 #include <string>
 
 #include "mjcf/text/model_arrays.hpp"
@@ -91,7 +92,8 @@ Matrix3d orientation_of(const XmlFile& xml, const XmlElement& element) {
         has_own ? element.Attribute(name) : inherited_attribute(xml, element, name);
     return text ? parse_numbers(text).value_or(std::vector<double>{}) : std::vector<double>{};
   };
-  const double unit = compiler_setting(xml, "angle", "degree") == "radian" ? 1.0 : EIGEN_PI / 180;
+  const double unit =
+      compiler_setting(xml, "angle", "degree") == "radian" ? 1.0 : std::numbers::pi / 180;
   if (const auto a = read("axisangle"); a.size() == 4)
     return Eigen::AngleAxisd(unit * a[3], Vector3d(a[0], a[1], a[2]).normalized())
         .toRotationMatrix();

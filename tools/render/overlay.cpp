@@ -85,7 +85,7 @@ Image overlay_strip(const GlContext& context, const std::vector<GaitClip>& clips
                     cycle_shown(clips[i]) + 1);
     Renderer renderer = cell_renderer(context, *clips[i].model, kOverlay);
     for (std::size_t k = 0; k < cells[i].time.size(); ++k) {
-      const Ghost ghost{cells[i].planned[k]};
+      const GhostPose ghost{cells[i].planned[k]};
       Image drawn = renderer.render(cells[i].simulated[k], view, {}, &ghost);
       draw_outline(*clips[i].model, renderer.ids(cells[i].planned[k], view), drawn);
       Image cell = downsample(drawn, kSampling);

@@ -33,7 +33,7 @@ void draw_lines(std::span<const FloorLine> lines, mjvScene& scene) {
   }
 }
 
-void paint_as_ghost(mjvGeom& geom, const Ghost& ghost) {
+void paint_as_ghost(mjvGeom& geom, const GhostPose& ghost) {
   std::copy(ghost.rgba.begin(), ghost.rgba.end(), geom.rgba);
   geom.matid = -1;
   geom.category = mjCAT_DECOR;
@@ -145,7 +145,7 @@ void Renderer::set_scene(std::span<const double> qpos, const View& view) {
 }
 
 Image Renderer::render(std::span<const double> qpos, const View& view,
-                       std::span<const FloorLine> lines, const Ghost* ghost) {
+                       std::span<const FloorLine> lines, const GhostPose* ghost) {
   Parts& p = *parts_;
   set_scene(qpos, view);
   draw_lines(lines, p.scene);

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cmath>
 #include <exception>
+#include <numbers>
 #include <thread>
 
 #include "tools/simulate/mujoco_host.hpp"
@@ -99,7 +100,7 @@ void Session::aim_camera() {
     camera_.elevation = -17.0;
     if (model.ncam > 0) {  // pictures and viewer show the robot from the same side
       const mjtNum* z = viewer_.d_->cam_xmat;  // its third column points at whoever looks
-      const double x_C = z[2], y_C = z[5], z_C = z[8], degrees = 180.0 / mjPI;
+      const double x_C = z[2], y_C = z[5], z_C = z[8], degrees = 180.0 / std::numbers::pi;
       camera_.azimuth = std::atan2(-y_C, -x_C) * degrees;
       camera_.elevation = -std::asin(std::clamp(z_C, -1.0, 1.0)) * degrees;
     }

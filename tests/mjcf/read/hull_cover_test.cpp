@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numbers>
 #include <random>
 
 #include "mjcf/read/read_robot.hpp"
@@ -25,7 +26,7 @@ std::string prism(double a, double b, double c, int corners, double taper) {
   std::string text;
   for (const double z : {-c, c})
     for (int k = 0; k < corners; ++k) {
-      const double turn = 2 * M_PI * (k + 0.5) / corners, wide = z > 0 ? taper : 1.0;
+      const double turn = 2 * std::numbers::pi * (k + 0.5) / corners, wide = z > 0 ? taper : 1.0;
       text += fmt::format("{} {} {}  ", wide * a * std::cos(turn), wide * b * std::sin(turn), z);
     }
   return text;

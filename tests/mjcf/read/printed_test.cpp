@@ -6,8 +6,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "mjcf/read/read_robot.hpp"
-#include "mjcf/text/input_error.hpp"
 #include "mjcf/write/rewrite_robot.hpp"
 #include "optimizer/design/growth.hpp"
 #include "tests/mjcf/robots/construction_robots.hpp"
@@ -16,14 +17,7 @@
 namespace legwright {
 namespace {
 
-std::string error_message(const std::string& xml) {
-  try {
-    parse_robot(xml, "p.xml");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
+using test::error_message;
 
 TEST(Printed, MassAndVolumeGrowWithTheStretch) {
   const std::string xml = test::with(
@@ -35,12 +29,12 @@ TEST(Printed, MassAndVolumeGrowWithTheStretch) {
   Eigen::VectorXd s = robot.space.initial();
   const auto mass = [&] { return growth_sum(robot.morphology, Amount::mass, s).value; };
   const auto volume = [&] { return growth_sum(robot.morphology, Amount::printed_volume, s).value; };
-  const double before = mass(), round = 4.0 / 3 * M_PI * 0.008 * 0.008 * 0.008;
+  const double before = mass(), round = 4.0 / 3 * std::numbers::pi * 0.008 * 0.008 * 0.008;
   EXPECT_TRUE(robot.morphology.grows());
-  EXPECT_NEAR(volume(), M_PI * 0.008 * 0.008 * 0.06 + round, 1e-15);
+  EXPECT_NEAR(volume(), std::numbers::pi * 0.008 * 0.008 * 0.06 + round, 1e-15);
   s[0] = 0.09;  // the round ends stay as they are
-  EXPECT_NEAR(volume(), M_PI * 0.008 * 0.008 * 0.09 + round, 1e-15);
-  EXPECT_NEAR(mass() - before, 1200 * M_PI * 0.008 * 0.008 * 0.03, 1e-12);
+  EXPECT_NEAR(volume(), std::numbers::pi * 0.008 * 0.008 * 0.09 + round, 1e-15);
+  EXPECT_NEAR(mass() - before, 1200 * std::numbers::pi * 0.008 * 0.008 * 0.03, 1e-12);
   EXPECT_FALSE(parse_robot(test::named_robot("puppy"), "p").morphology.grows());
 }
 
@@ -56,7 +50,7 @@ TEST(Printed, APartWithAMassOfItsOwnWeighsButIsNotPrinted) {
                                       "conaffinity=\"0\"/>"),
                        "p");
   };
-  const double ball = 4.0 / 3 * M_PI * 1e-6;
+  const double ball = 4.0 / 3 * std::numbers::pi * 1e-6;
   const auto sum = [](const RobotModel& robot, Amount amount) {
     return growth_sum(robot.morphology, amount, robot.space.initial()).value;
   };

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "mjcf/text/compile.hpp"
 #include "mjcf/write/rewrite_robot.hpp"
@@ -106,7 +107,7 @@ TEST(Stretched, APrintedBodyKeepsTheWeightOfMeshesAndOfWhatHasAMass) {
   const double before = compile_mjcf(xml, "x")->body_mass[3];
   for (const double length : {0.1, 0.15, 0.3, 0.4}) {
     const double after = compile_mjcf(stretched(xml, length), "x")->body_mass[3];
-    const double grown = 1000 * M_PI * 1e-4 * 0.18 * (length / 0.2 - 1);
+    const double grown = 1000 * std::numbers::pi * 1e-4 * 0.18 * (length / 0.2 - 1);
     EXPECT_NEAR(after - before, grown, 1e-12);
   }
   const std::string two =

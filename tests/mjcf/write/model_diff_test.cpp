@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "mjcf/text/compile.hpp"
 #include "mjcf/write/rewrite_robot.hpp"
@@ -47,7 +48,7 @@ TEST(ModelDiff, TellsLengthsAnglesAndMasses) {
   const auto rotated = differences(test::with(kArm, "axis=\"0 1 0\"", "axis=\"0 1 1\""));
   ASSERT_EQ(rotated.size(), 1u);
   EXPECT_EQ(rotated[0].element, "joint 'hinge'");
-  EXPECT_NEAR(rotated[0].size, M_PI / 4, 1e-12);
+  EXPECT_NEAR(rotated[0].size, std::numbers::pi / 4, 1e-12);
 
   const auto heavier = differences(test::with(kArm, "mass=\"2\"", "mass=\"3\""));
   const Difference* mass = find(heavier, "body 'arm'", "mass");
