@@ -81,7 +81,8 @@ HingeLength hinge_length(const mjModel* m, int tendon) {
   if (!hangs_by_one_hinge(m, lower, upper))
     throw std::invalid_argument("does not span exactly one hinge");
 
-  // w from the upper end to the hinge, l from the hinge to the lower end; the link's frame in the file's pose.
+  // w from the upper end to the hinge, l from the hinge to the lower end; the link's frame in the
+  // file's pose.
   const int joint = m->body_jntadr[lower.body];
   const Vector anchor = vector_at(m->jnt_pos, joint), axis = vector_at(m->jnt_axis, joint);
   const Vector hinge =
@@ -98,9 +99,9 @@ HingeLength hinge_length(const mjModel* m, int tendon) {
   } while (body > 0 && m->body_jntnum[body] == 0);
   std::array<double, 4> back;
   mju_negQuat(back.data(), turn.data());
-  Vector turned;
-  mju_rotVecQuat(turned.data(), w.data(), back.data());
-  w = turned;
+  Vector rotated;
+  mju_rotVecQuat(rotated.data(), w.data(), back.data());
+  w = rotated;
   const Vector l = minus(lower.point, anchor);
   const double along = 2.0 * dot(w, axis) * dot(l, axis);
   const double b = 2.0 * dot(w, l) - along, c = 2.0 * dot(w, cross(axis, l));

@@ -22,8 +22,8 @@ ModelFoot find_foot(const mjModel* m, const std::string& name);
 /// All of them. Throws also where two share a geom: its contacts could not be told apart.
 std::vector<ModelFoot> find_feet(const mjModel* m, const std::vector<std::string>& names);
 
-/// The normal force [N] of a contact on a foot from anything but the robot it belongs to, 0 if it is
-/// no such contact. Sets `foot` then. @param foot_of_geom foot of each geom, −1 for none.
+/// The normal force [N] of a contact on a foot from anything but the robot it belongs to, 0 if it
+/// is no such contact. Sets `foot` then. @param foot_of_geom foot of each geom, −1 for none.
 double foot_contact_force(const mjModel* m, const mjData* d, int contact,
                           const std::vector<int>& foot_of_geom, int& foot) noexcept;
 

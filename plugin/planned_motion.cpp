@@ -6,7 +6,7 @@
 namespace legwright {
 namespace {
 
-std::array<double, 2> turned(double x, double y, double angle) noexcept {
+std::array<double, 2> rotated(double x, double y, double angle) noexcept {
   const double c = std::cos(angle), s = std::sin(angle);
   return {c * x - s * y, s * x + c * y};
 }
@@ -40,8 +40,8 @@ Point PlannedMotion::moved(const Point& p, double cycles) const noexcept {
   const double half = std::sin(t.turn / 2.0);
   const double sum = std::abs(half) > 1e-9 ? std::sin(cycles * t.turn / 2.0) / half
                                            : cycles * std::cos((cycles - 1.0) * t.turn / 2.0);
-  const auto way = turned(sum * t.travel[0], sum * t.travel[1], (cycles - 1.0) * t.turn / 2.0);
-  const auto arm = turned(p[0] - pivot_[0], p[1] - pivot_[1], cycles * t.turn);
+  const auto way = rotated(sum * t.travel[0], sum * t.travel[1], (cycles - 1.0) * t.turn / 2.0);
+  const auto arm = rotated(p[0] - pivot_[0], p[1] - pivot_[1], cycles * t.turn);
   return {pivot_[0] + arm[0] + way[0], pivot_[1] + arm[1] + way[1], rise};
 }
 
@@ -70,7 +70,7 @@ MovingPoint PlannedMotion::point(const SplinePhase& phase, int column) const noe
   }
   // The cycle's own points first, then all of them go on: no digits are lost far from the start.
   const auto turn = [&](Point& direction) {
-    const auto ground = turned(direction[0], direction[1], phase.cycle * t.turn);
+    const auto ground = rotated(direction[0], direction[1], phase.cycle * t.turn);
     direction = {ground[0], ground[1], direction[2]};
   };
   out.value = moved(out.value, phase.cycle);
@@ -109,8 +109,8 @@ Point PlannedMotion::force(const SplinePhase& phase, int foot) const noexcept {
   for (std::size_t k = 0; k < 2; ++k) {
     const int knot = phase.knot[k + 1];
     const auto ground =
-        turned(t.at(knot, t.force_column(foot, 0)), t.at(knot, t.force_column(foot, 1)),
-               t.turn * (phase.cycle + phase.wrap[k + 1]));
+        rotated(t.at(knot, t.force_column(foot, 0)), t.at(knot, t.force_column(foot, 1)),
+                t.turn * (phase.cycle + phase.wrap[k + 1]));
     force[0] += weight[k] * ground[0];
     force[1] += weight[k] * ground[1];
     force[2] += weight[k] * t.at(knot, t.force_column(foot, 2));

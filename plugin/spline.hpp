@@ -50,9 +50,9 @@ struct TrajectorySample {
   std::vector<bool> contact;                                      // of the nearest knot
 };
 
-/// Samples everything, each column on its own: where the plan turns, root, COM, feet and forces hold
-/// for cycle 0 only, as later ones drift along a straight line instead of going round the circle;
-/// PlannedMotion has them at any time. Joints hold at any time.
+/// Samples everything, each column on its own: where the plan turns, root, COM, feet and forces
+/// hold for cycle 0 only, as later ones drift along a straight line instead of going round the
+/// circle; PlannedMotion has them at any time. Joints hold at any time.
 /// Allocates only when `out` has other sizes than the trajectory needs.
 void sample(const Trajectory& trajectory, double time, TrajectorySample& out);
 

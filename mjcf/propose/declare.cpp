@@ -3,29 +3,14 @@
 
 #include "mjcf/propose/proposals.hpp"
 #include "mjcf/text/numbers.hpp"
+#include "mjcf/text/text_edits.hpp"
 #include "mjcf/text/xml.hpp"
 
 namespace legwright {
 namespace {
 
-/// For an attribute in double quotes.
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '"')
-      out += "&quot;";
-    else
-      out += c;
-  }
-  return out;
-}
-
 /// Nine digits are enough for a nanometre, and can be read.
-std::string rounded(double value) {
+std::string nine_digits(double value) {
   const std::string text = fmt::format("{:.9g}", value);
   return text == "-0" ? "0" : text;
 }
@@ -34,11 +19,12 @@ std::string declarations(const std::vector<Proposal>& proposals, const std::stri
                          const std::string& end) {
   std::string out;
   for (const Proposal& p : proposals) {
-    const std::string name = escaped("legwright/" + p.name);
+    const std::string name = escape_xml("legwright/" + p.name, "\"");
     out += fmt::format("{}<numeric name=\"{}\" data=\"{} {} {}\"/>{}", indent, name,
-                       rounded(p.value), rounded(p.lower), rounded(p.upper), end);
-    out += fmt::format("{}<text name=\"{}\"{}{}      data=\"{} | {} | {}\"/>{}", indent, name, end,
-                       indent, p.unit, escaped(p.binding), escaped(p.sentence), end);
+                       nine_digits(p.value), nine_digits(p.lower), nine_digits(p.upper), end);
+    out +=
+        fmt::format("{}<text name=\"{}\"{}{}      data=\"{} | {} | {}\"/>{}", indent, name, end,
+                    indent, p.unit, escape_xml(p.binding, "\""), escape_xml(p.sentence, "\""), end);
   }
   return out;
 }

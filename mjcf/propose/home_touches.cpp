@@ -14,8 +14,8 @@
 namespace legwright {
 namespace {
 
-constexpr double kDeep = 1e-6;        // [m]: less is rounding
-constexpr std::size_t kMostTold = 4;  // of them
+constexpr double kDeep = 1e-6;          // [m]: less is rounding
+constexpr std::size_t kMostListed = 4;  // of them
 
 using Depths = std::map<std::pair<int, int>, double>;  // of two geoms, the smaller id first [m]
 
@@ -34,7 +34,7 @@ Depths home_depths(const mjModel& model, const std::filesystem::path& file) {
   return out;
 }
 
-std::string words_for(const mjModel& model, int geom) {
+std::string describe_geom(const mjModel& model, int geom) {
   static const std::map<int, const char*> kinds{
       {mjGEOM_SPHERE, "a sphere"}, {mjGEOM_CAPSULE, "a capsule"},
       {mjGEOM_BOX, "a box"},       {mjGEOM_CYLINDER, "a cylinder"},
@@ -60,7 +60,7 @@ std::vector<HomeTouch> new_home_touches(const mjModel& before, const mjModel& af
   std::vector<HomeTouch> out;
   for (const auto& [geoms, depth] : now)
     if (then.count(geoms) == 0)
-      out.push_back({words_for(after, geoms.first), words_for(after, geoms.second), depth});
+      out.push_back({describe_geom(after, geoms.first), describe_geom(after, geoms.second), depth});
   std::stable_sort(out.begin(), out.end(),
                    [](const HomeTouch& a, const HomeTouch& b) { return a.depth > b.depth; });
   return out;
@@ -74,10 +74,11 @@ std::vector<HomeTouch> new_home_touches(const std::filesystem::path& before,
 std::string describe(const std::vector<HomeTouch>& touches) {
   if (touches.empty()) return "";
   std::string pairs;
-  for (std::size_t k = 0; k < std::min(kMostTold, touches.size()); ++k)
+  for (std::size_t k = 0; k < std::min(kMostListed, touches.size()); ++k)
     pairs += fmt::format("{}{} and {}, {:.2g} mm deep", k > 0 ? "; " : "", touches[k].first,
                          touches[k].second, 1e3 * touches[k].depth);
-  if (touches.size() > kMostTold) pairs += fmt::format("; and {} more", touches.size() - kMostTold);
+  if (touches.size() > kMostListed)
+    pairs += fmt::format("; and {} more", touches.size() - kMostListed);
   return fmt::format(
       "in its home pose the designed body touches itself where the initial one does not: {}; "
       "narrow the bounds of what brought them together ([design.bounds] of the task)",

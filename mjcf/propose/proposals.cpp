@@ -22,15 +22,16 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Bounds within which plans were followed by six robots of 1.5 to 45 kg at half and double gains: legs of 1.6 times
-// their length under a trunk as high as before crouch, and a long, narrow trunk on two feet rocks; on three it does not,
-// and its legs stand close together. Who wants more widens them.
+// Bounds within which plans were followed by six robots of 1.5 to 45 kg at half and double gains:
+// legs of 1.6 times their length under a trunk as high as before crouch, and a long, narrow trunk
+// on two feet rocks; on three it does not, and its legs stand close together. Who wants more widens
+// them.
 constexpr double kShorterLink = 0.75, kLongerLink = 1.25;
 constexpr double kShorterTrunk = 0.95, kLongerTrunk = 1.05;            // up to two rows of legs
 constexpr double kShorterTrunkOfMany = 0.8, kLongerTrunkOfMany = 1.5;  // three rows and more
 constexpr double kNarrowerGirdle = 0.75, kWiderGirdle = 1.5;
-// Of an axis, either way [rad]: a leg whose joints all turn about one direction needs much to leave its plane, one that
-// reaches to all sides as it is need not be twisted.
+// Of an axis, either way [rad]: a leg whose joints all turn about one direction needs much to leave
+// its plane, one that reaches to all sides as it is need not be twisted.
 constexpr double kTurn = 1.0, kTurnOfAble = 0.25;
 constexpr double kOneDirection = 0.966;  // cosine of 15 degrees
 constexpr double kShortestLink = 0.02;   // [m]: shorter ones are offsets, not legs
@@ -72,9 +73,9 @@ std::string without_side(const std::string& name) {
 }
 
 /// Collects proposals and tries each on the file itself.
-class Study {
+class ProposalBuilder {
  public:
-  Study(const std::string& xml_text, const std::filesystem::path& file)
+  ProposalBuilder(const std::string& xml_text, const std::filesystem::path& file)
       : text_(xml_text), xml_(load_xml(xml_text, file)) {
     out_.model = parse_robot(xml_text, file);
     compiled_ = compile_mjcf(xml_->text, file);
@@ -85,7 +86,7 @@ class Study {
       taken_.insert(parameter.name);
   }
 
-  StudiedRobot run() {
+  ProposedParameters run() {
     out_.not_standing = why_not_standing(*xml_, *compiled_, out_.model.structure);
     add_shared();
     for (const Limb& limb : out_.limbs) add_lengths(limb);
@@ -105,8 +106,8 @@ class Study {
   const Limb& partner(const Limb& limb) const {
     return limb.partner < 0 ? limb : out_.limbs[static_cast<std::size_t>(limb.partner)];
   }
-  /// Of a pair the left limb is listed first and speaks for both.
-  bool speaks(const Limb& limb) const {
+  /// Of a pair the left limb is listed first and names the parameters of both.
+  bool names_pair(const Limb& limb) const {
     return limb.partner < 0 || limb.partner > static_cast<int>(&limb - out_.limbs.data());
   }
   /// "front", or the foot's name where a limb has no partner.
@@ -141,11 +142,11 @@ class Study {
 
   /// Joints between the trunk and several legs, as a waist: neither left nor right.
   void add_shared() {
-    std::set<int> told;
+    std::set<int> reported;
     for (const Limb& limb : out_.limbs)
       for (std::size_t k = 0; k < static_cast<std::size_t>(limb.shared); ++k) {
         const Joint& joint = link(limb.links[k]).joint;
-        if (!told.insert(limb.links[k]).second) continue;
+        if (!reported.insert(limb.links[k]).second) continue;
         leave_out(joint.name + "_axis",
                   fmt::format("joint '{}' is above several legs, so its axis has no mirror image; "
                               "declare it by hand if it shall turn",
@@ -154,7 +155,7 @@ class Study {
   }
 
   void add_lengths(const Limb& limb) {
-    if (!speaks(limb)) return;
+    if (!names_pair(limb)) return;
     const Limb& other = partner(limb);
     for (auto k = static_cast<std::size_t>(limb.shared); k < limb.links.size(); ++k) {
       const std::string body = link(limb.links[k]).name, twin = link(other.links[k]).name;
@@ -221,7 +222,7 @@ class Study {
   }
 
   void add_axes(const Limb& limb) {
-    if (!speaks(limb)) return;
+    if (!names_pair(limb)) return;
     const double most = planar(limb) ? kTurn : kTurnOfAble;
     const Limb& other = partner(limb);
     const char* const directions[] = {"x", "y", "z"};
@@ -377,13 +378,13 @@ class Study {
   int rows_ = 0;
   Eigen::VectorXd s_;
   std::set<std::string> taken_;
-  StudiedRobot out_;
+  ProposedParameters out_;
 };
 
 }  // namespace
 
-StudiedRobot study_robot(const std::string& xml, const std::filesystem::path& file) {
-  return Study(xml, file).run();
+ProposedParameters propose_parameters(const std::string& xml, const std::filesystem::path& file) {
+  return ProposalBuilder(xml, file).run();
 }
 
 }  // namespace legwright

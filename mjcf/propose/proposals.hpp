@@ -19,7 +19,7 @@ struct Proposal {
 };
 
 /// A robot that was studied: what it is, what a designer may change, and what was left out.
-struct StudiedRobot {
+struct ProposedParameters {
   RobotModel model;
   std::vector<Limb> limbs;
   std::vector<Proposal> proposals;    // each and all of them together are accepted by parse_robot
@@ -32,11 +32,11 @@ struct StudiedRobot {
 /// attachment of linear actuators. A parameter that the file's construction does not allow is left
 /// out, with the reason. What the file declares already is kept, and nothing of that name proposed.
 /// Throws InputError as parse_robot() does.
-StudiedRobot study_robot(const std::string& xml, const std::filesystem::path& file);
+ProposedParameters propose_parameters(const std::string& xml, const std::filesystem::path& file);
 
 /// The text with declarations of `proposals` in its <custom> section, which is made where there is
-/// none; every other byte stays, line ends are those of the file. Throws InputError for text that is
-/// no MJCF.
+/// none; every other byte stays, line ends are those of the file. Throws InputError for text that
+/// is no MJCF.
 std::string with_declarations(const std::string& xml, const std::filesystem::path& file,
                               const std::vector<Proposal>& proposals);
 

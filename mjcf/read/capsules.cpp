@@ -16,8 +16,8 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Capsules side by side touch each other, up to so many: between those of a wide, thin plate a limb, which has a
-// thickness itself, does not get through either.
+// Capsules side by side touch each other, up to so many: between those of a wide, thin plate a
+// limb, which has a thickness itself, does not get through either.
 constexpr int kMostOfTrunk = 5, kMostOfLimb = 2;
 // A hull has corners and rims.
 constexpr int kMostOfTrunkMesh = 8, kMostOfLimbMesh = 4, kMostOfRoughMesh = 2;
@@ -25,8 +25,8 @@ constexpr double kLeastRoom =
     0.05;  // beside a ball that fills a mesh, along an axis, share of its half size
 constexpr double kEdgeRadius = 0.2;  // of the thickness
 constexpr double kEven = 1.05;       // width over thickness: as round as a rod
-// Of its radius, from the end of a long cylinder to that of its capsule: the rim stands out by an eighth, the end of
-// the capsule by two fifths.
+// Of its radius, from the end of a long cylinder to that of its capsule: the rim stands out by an
+// eighth, the end of the capsule by two fifths.
 constexpr double kCylinderEnd = 0.6;
 
 /// A capsule within a shape: its ends are share ∘ half sizes − depth along the shape's axes.
@@ -54,7 +54,8 @@ struct Order {
   }
 };
 
-/// Capsules as thick as the shape, side by side over its width. @param oval the outline, seen along its shortest axis.
+/// Capsules as thick as the shape, side by side over its width. @param oval the outline, seen along
+/// its shortest axis.
 std::vector<Cover> row_of(const Vector3d& half, bool oval, int most) {
   const Order axes(half);
   const double thick = half[axes.shortest], wide = half[axes.middle];

@@ -21,7 +21,9 @@ class Filter {
     return model_.body_rootid[model_.geom_bodyid[geom]] == structure_.trunk;
   }
   /// The body that moves a geom when the robot is played; held joints are gone then.
-  int mover(int geom) const { return moving_body(model_, structure_, model_.geom_bodyid[geom]); }
+  int moving_body_of(int geom) const {
+    return moving_body(model_, structure_, model_.geom_bodyid[geom]);
+  }
 
   bool collide(int trunk_geom, int limb_geom) const {
     if (wanted_.count(std::minmax(trunk_geom, limb_geom))) return true;
@@ -29,7 +31,8 @@ class Filter {
         (model_.geom_contype[trunk_geom] & model_.geom_conaffinity[limb_geom]) != 0 ||
         (model_.geom_contype[limb_geom] & model_.geom_conaffinity[trunk_geom]) != 0;
     if (!masks) return false;
-    const int above = moving_body(model_, structure_, model_.body_parentid[mover(limb_geom)]);
+    const int above =
+        moving_body(model_, structure_, model_.body_parentid[moving_body_of(limb_geom)]);
     const bool filters = (model_.opt.disableflags & mjDSBL_FILTERPARENT) == 0;
     if (filters && above == structure_.trunk) return false;
     const auto [low, high] =
@@ -52,9 +55,9 @@ std::vector<std::pair<int, int>> trunk_collisions(const mjModel& model,
   if ((model.opt.disableflags & (mjDSBL_CONTACT | mjDSBL_CONSTRAINT)) != 0) return pairs;
   const Filter filter(model, structure);
   for (int a = 0; a < model.ngeom; ++a) {
-    if (!filter.of_robot(a) || filter.mover(a) != structure.trunk) continue;
+    if (!filter.of_robot(a) || filter.moving_body_of(a) != structure.trunk) continue;
     for (int b = 0; b < model.ngeom; ++b)
-      if (filter.of_robot(b) && filter.mover(b) != structure.trunk && filter.collide(a, b))
+      if (filter.of_robot(b) && filter.moving_body_of(b) != structure.trunk && filter.collide(a, b))
         pairs.emplace_back(a, b);
   }
   return pairs;

@@ -27,8 +27,8 @@ bool choose_foot(const XmlFile& xml, const mjModel& model, const mjData& data,
 /// Body that a foot belongs to.
 int foot_body(const mjModel& model, const FootContact& foot);
 
-/// Centre of a foot's ball, or the middle of its sole, in the frame of its body, as a function of the
-/// design: a point of the body, which goes where the stretches take it.
+/// Centre of a foot's ball, or the middle of its sole, in the frame of its body, as a function of
+/// the design: a point of the body, which goes where the stretches take it.
 /// @param stretches of its body; without any the point as it is in the file.
 AffineVector foot_point(const XmlFile& xml, const TreeElements& elements, const mjModel& model,
                         const FootContact& foot, const std::vector<Stretch>& stretches);

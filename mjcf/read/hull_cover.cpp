@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 // Where each side of the bounding box is looked through, from its middle: none of that is an edge.
-constexpr double kLooks[] = {-0.8, -0.4, 0.0, 0.4, 0.8};
+constexpr double kRayOffsets[] = {-0.8, -0.4, 0.0, 0.4, 0.8};
 constexpr int kEach = 2;               // of these, one that a ball touches
 constexpr double kCornerRadius = 0.2;  // of a ball in a corner, of the largest about the middle
 constexpr double kUnlike =
@@ -31,8 +31,8 @@ struct Hull {
   VectorXd room(const Vector3d& x) const { return offsets - normals * x; }
 };
 
-/// As the engine keeps it: numbers of corners and faces, then for each corner its first edge and its vertex, the edges,
-/// the vertices of the faces.
+/// As the engine keeps it: numbers of corners and faces, then for each corner its first edge and
+/// its vertex, the edges, the vertices of the faces.
 Hull hull_of(const mjModel& model, int mesh) {
   Hull hull;
   if (model.mesh_graphadr[mesh] < 0) return hull;
@@ -86,9 +86,9 @@ Ball ball_at(const Hull& hull, Eigen::Index face, const Vector3d& x) {
 }
 
 /// What is looked at of a hull's surface, and balls within the hull that come near it there.
-class Survey {
+class SurfaceSamples {
  public:
-  explicit Survey(const Hull& hull) : hull_(hull) {
+  explicit SurfaceSamples(const Hull& hull) : hull_(hull) {
     Eigen::AlignedBox3d box;
     for (const Vector3d& corner : hull.corners) box.extend(corner);
     if (hull.corners.empty()) return;
@@ -102,20 +102,20 @@ class Survey {
           for (int b = 0; b < 5; ++b) {
             Vector3d ray;
             ray[axis] = side;
-            ray[(axis + 1) % 3] = kLooks[a];
-            ray[(axis + 2) % 3] = kLooks[b];
-            look(half_.cwiseProduct(ray), a % kEach == 0 && b % kEach == 0);
+            ray[(axis + 1) % 3] = kRayOffsets[a];
+            ray[(axis + 2) % 3] = kRayOffsets[b];
+            cast_ray(half_.cwiseProduct(ray), a % kEach == 0 && b % kEach == 0);
           }
     for (int x = -1; x <= 1; ++x)
       for (int y = -1; y <= 1; ++y)
         for (int z = -1; z <= 1; ++z)
-          if (x != 0 || y != 0 || z != 0) look_at_corner(Vector3d(x, y, z).cwiseQuotient(half_));
+          if (x != 0 || y != 0 || z != 0) add_corner(Vector3d(x, y, z).cwiseQuotient(half_));
   }
   const std::vector<Vector3d>& surface() const { return surface_; }
   const std::vector<Ball>& balls() const { return balls_; }
 
  private:
-  void look(const Vector3d& ray, bool with_ball) {
+  void cast_ray(const Vector3d& ray, bool with_ball) {
     const VectorXd rise = hull_.normals * ray;
     Eigen::Index face = -1;
     double reach = std::numeric_limits<double>::infinity();
@@ -129,8 +129,9 @@ class Survey {
     if (with_ball) balls_.push_back(ball_at(hull_, face, surface_.back()));
   }
 
-  /// The corner that is farthest that way, and a small ball as near to it as it gets on the way to the middle.
-  void look_at_corner(const Vector3d& way) {
+  /// The corner that is farthest that way, and a small ball as near to it as it gets on the way to
+  /// the middle.
+  void add_corner(const Vector3d& way) {
     const Vector3d corner = *std::max_element(
         hull_.corners.begin(), hull_.corners.end(),
         [&](const Vector3d& a, const Vector3d& b) { return way.dot(a) < way.dot(b); });
@@ -151,7 +152,8 @@ class Survey {
   std::vector<Ball> balls_;
 };
 
-/// How far points, a row each, are off a capsule; zero inside. Many are asked for: in single precision, all at once.
+/// How far points, a row each, are off a capsule; zero inside. Many are asked for: in single
+/// precision, all at once.
 Eigen::ArrayXf beside(const HullCapsule& capsule, const Eigen::ArrayX3f& points) {
   const Eigen::Array3f from = capsule.from.cast<float>().array(),
                        along = (capsule.to - capsule.from).cast<float>().array();
@@ -168,18 +170,19 @@ Eigen::ArrayXf beside(const HullCapsule& capsule, const Eigen::ArrayX3f& points)
 
 std::vector<HullCapsule> cover_hull(const mjModel& model, int mesh, int most, double enough) {
   const Hull hull = hull_of(model, mesh);
-  const Survey survey(hull);
+  const SurfaceSamples samples(hull);
   std::vector<HullCapsule> choice, out;
-  for (std::size_t a = 0; a < survey.balls().size(); ++a)
-    for (std::size_t b = a; b < survey.balls().size(); ++b) {
-      const Ball &from = survey.balls()[a], &to = survey.balls()[b];
+  for (std::size_t a = 0; a < samples.balls().size(); ++a)
+    for (std::size_t b = a; b < samples.balls().size(); ++b) {
+      const Ball &from = samples.balls()[a], &to = samples.balls()[b];
       const double radius = std::min(from.radius, to.radius);
       if (radius > kNoRoom && radius >= kUnlike * std::max(from.radius, to.radius))
         choice.push_back({from.middle, to.middle, radius});
     }
-  Eigen::ArrayX3f points(static_cast<Eigen::Index>(survey.surface().size()), 3);
+  Eigen::ArrayX3f points(static_cast<Eigen::Index>(samples.surface().size()), 3);
   for (Eigen::Index p = 0; p < points.rows(); ++p)
-    points.row(p) = survey.surface()[static_cast<std::size_t>(p)].cast<float>().array().transpose();
+    points.row(p) =
+        samples.surface()[static_cast<std::size_t>(p)].cast<float>().array().transpose();
   Eigen::ArrayXXf gaps(points.rows(), static_cast<Eigen::Index>(choice.size()));
   for (Eigen::Index k = 0; k < gaps.cols(); ++k)
     gaps.col(k) = beside(choice[static_cast<std::size_t>(k)], points);

@@ -14,10 +14,11 @@ struct HullCapsule {
   double radius;
 };
 
-/// At most so many capsules within the convex hull with which MuJoCo lets a mesh collide, none beyond its faces, that
-/// together come near its surface everywhere: the first the one that fills most, each further one that which best fills
-/// what the others leave, until no point looked at is farther than `enough` from one of them. Corners and edges are
-/// looked at, too. None where the mesh has no hull with room in it.
+/// At most so many capsules within the convex hull with which MuJoCo lets a mesh collide, none
+/// beyond its faces, that together come near its surface everywhere: the first the one that fills
+/// most, each further one that which best fills what the others leave, until no point looked at is
+/// farther than `enough` from one of them. Corners and edges are looked at, too. None where the
+/// mesh has no hull with room in it.
 /// @param enough [m]
 std::vector<HullCapsule> cover_hull(const mjModel& model, int mesh, int most, double enough);
 

@@ -21,7 +21,8 @@ namespace {
 // A leg ends near the ground: not higher above the lowest foot than this share of the trunk's
 // height, or of half the longest reach where the file draws the robot lying flat.
 constexpr double kNearGround = 0.25;
-// The same for a link that a design parameter names: it was a leg's before, and a keyframe of some designs lifts feet.
+// The same for a link that a design parameter names: it was a leg's before, and a keyframe of some
+// designs lifts feet.
 constexpr double kNearGroundIfDeclared = 0.75;
 
 constexpr double kAlike =
@@ -122,7 +123,8 @@ class StructureReader {
     });
   }
 
-  /// A chain as it is built: its hinges from the trunk on, and its length from its first body to its last [m].
+  /// A chain as it is built: its hinges from the trunk on, and its length from its first body to
+  /// its last [m].
   struct Chain {
     std::vector<int> joints;
     double length = 0.0;
@@ -142,7 +144,7 @@ class StructureReader {
   }
 
   /// A chain built as a leg is, but up in the air: perhaps a home pose with a wrong sign.
-  void tell_lifted(const std::vector<Chain>& chains) {
+  void report_lifted(const std::vector<Chain>& chains) {
     const auto stays = [&](const Chain& chain) { return out_.moves[at(chain.joints.back())]; };
     for (const Chain& chain : chains)
       if (!stays(chain) && std::any_of(chains.begin(), chains.end(), [&](const Chain& leg) {
@@ -176,7 +178,7 @@ class StructureReader {
         changed = true;
       }
     }
-    tell_lifted(chains);
+    report_lifted(chains);
   }
 
   void freeze(int joint, const std::string& why) {
@@ -238,7 +240,8 @@ class StructureReader {
     out_.feet.push_back(foot);
   }
 
-  /// Gives a foot that its leg can lay flat on the ground its normal, and a middle where it is made up of several geoms.
+  /// Gives a foot that its leg can lay flat on the ground its normal, and a middle where it is made
+  /// up of several geoms.
   void find_sole(int end, FootContact& foot) const {
     if (foot.geom < 0) return;
     const std::vector<Eigen::Vector3d> points = ground_points(model_, *data_, link_of(end));

@@ -21,20 +21,20 @@ TendonSpan read_tendon(const XmlFile& xml, const mjModel& model, const Structure
   if (name_of(model, mjOBJ_TENDON, t).empty())
     throw xml.error(element, "has no name; give the linear actuator's tendon one");
   int upper = model.wrap_objid[first], lower = model.wrap_objid[first + 1];
-  const auto mover = [&](int site) {
+  const auto moving_body_of = [&](int site) {
     return moving_body(model, structure, model.site_bodyid[site]);
   };
   const auto hangs_on = [&](int low, int up) {
     return low != structure.trunk && low > 0 && moving_joints(model, structure, low).size() == 1 &&
            moving_body(model, structure, model.body_parentid[low]) == up;
   };
-  if (hangs_on(mover(upper), mover(lower))) std::swap(upper, lower);
-  if (!hangs_on(mover(lower), mover(upper)))
+  if (hangs_on(moving_body_of(upper), moving_body_of(lower))) std::swap(upper, lower);
+  if (!hangs_on(moving_body_of(lower), moving_body_of(upper)))
     throw xml.error(
         element, fmt::format("must span exactly one hinge, but runs from site '{}' to site "
                              "'{}'; put them on two links with one hinge between them",
                              name_of(model, mjOBJ_SITE, upper), name_of(model, mjOBJ_SITE, lower)));
-  return {t, upper, lower, moving_joints(model, structure, mover(lower)).front()};
+  return {t, upper, lower, moving_joints(model, structure, moving_body_of(lower)).front()};
 }
 
 }  // namespace

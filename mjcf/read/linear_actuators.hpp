@@ -21,8 +21,8 @@ struct TendonSpan {
 std::vector<TendonSpan> read_tendons(const XmlFile& xml, const mjModel& model,
                                      const Structure& structure);
 
-/// Checks that each actuator has a moment arm in the home pose; its stroke is the planner's concern.
-/// Throws InputError.
+/// Checks that each actuator has a moment arm in the home pose; its stroke is the planner's
+/// concern. Throws InputError.
 void check_arms(const XmlFile& xml, const std::vector<TendonSpan>& tendons,
                 const Morphology& morphology, const DesignSpace& space);
 

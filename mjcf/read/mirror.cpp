@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "mjcf/read/legs.hpp"
 #include "mjcf/read/tree.hpp"
@@ -29,8 +30,8 @@ Isometry3d placed(const mjModel& model, int body) {
 
 enum class Pose { home, drawn };
 
-/// The frame in which a hinge's axis is told, seen from the trunk: its body's before the hinge turns
-/// it. Origin: that of the body.
+/// The frame in which a hinge's axis is given, seen from the trunk: its body's before the hinge
+/// turns it. Origin: that of the body.
 Isometry3d frame_of(const mjModel& model, int trunk, int joint, Pose pose) {
   const auto before = [&](int body, int end) {
     Isometry3d out = placed(model, body);
@@ -48,7 +49,8 @@ Isometry3d frame_of(const mjModel& model, int trunk, int joint, Pose pose) {
 
 Vector3d mirrored(const Vector3d& turn) { return {-turn.x(), turn.y(), -turn.z()}; }
 
-/// From the frame that would be the mirror image to the one that is there: identity where they agree.
+/// From the frame that would be the mirror image to the one that is there: identity where they
+/// agree.
 Matrix3d disagreement(const mjModel& model, int trunk, int from, int to, Pose pose) {
   const Matrix3d image = Vector3d(-1, 1, -1).asDiagonal();
   return frame_of(model, trunk, to, pose).linear().transpose() * image *
@@ -78,7 +80,7 @@ bool at_mirrored_angles(const mjModel& model, int trunk, int from, int to) {
   };
   const Vector3d turn = mirrored_turn(model, trunk, from, to, vector_at(model.jnt_axis, from));
   const double way = turn.dot(vector_at(model.jnt_axis, to)) < 0.0 ? -1.0 : 1.0;
-  return std::abs(std::remainder(way * angle(to) - angle(from), 2 * EIGEN_PI)) <= kAgree;
+  return std::abs(std::remainder(way * angle(to) - angle(from), 2 * std::numbers::pi)) <= kAgree;
 }
 
 int mirror_image(const mjModel& model, int trunk, int joint, const std::vector<int>& among) {

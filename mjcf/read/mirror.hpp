@@ -20,8 +20,8 @@ Eigen::Vector3d mirrored_turn(const mjModel& model, int trunk, int from, int to,
 /// their zero is drawn elsewhere, what they carry is no mirror image once their axes are turned.
 bool at_mirrored_angles(const mjModel& model, int trunk, int from, int to);
 
-/// Of some hinges the one whose anchor is nearest to the mirror image of a hinge's in the home pose;
-/// the first of equals, −1 where there is none.
+/// Of some hinges the one whose anchor is nearest to the mirror image of a hinge's in the home
+/// pose; the first of equals, −1 where there is none.
 int mirror_image(const mjModel& model, int trunk, int joint, const std::vector<int>& among);
 
 }  // namespace legwright

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "mjcf/read/feet.hpp"
 #include "mjcf/read/growing_axes.hpp"
@@ -20,7 +21,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kOff = 1e-6;  // [m]; a declared length may be as wrong
 
 /// A geom of a stretched body.
@@ -44,13 +44,13 @@ class Printer {
     if (!(solid.density > 0.0)) return;
     switch (solid.type) {
       case mjGEOM_SPHERE:
-        return add_part(solid, 4.0 / 3 * kPi * std::pow(solid.size[0], 3), solid.centre,
-                        Vector3d::Zero(), std::sqrt(0.6) * Vector3d::Constant(solid.size[0]),
-                        {false, false, false});
+        return add_part(solid, 4.0 / 3 * std::numbers::pi * std::pow(solid.size[0], 3),
+                        solid.centre, Vector3d::Zero(),
+                        std::sqrt(0.6) * Vector3d::Constant(solid.size[0]), {false, false, false});
       case mjGEOM_ELLIPSOID:
         refuse_if(solid.from_to, solid, "an ellipsoid placed by fromto; use pos and size");
-        return add_part(solid, 4.0 / 3 * kPi * solid.size.prod(), solid.centre, Vector3d::Zero(),
-                        std::sqrt(0.6) * solid.size, {false, false, false});
+        return add_part(solid, 4.0 / 3 * std::numbers::pi * solid.size.prod(), solid.centre,
+                        Vector3d::Zero(), std::sqrt(0.6) * solid.size, {false, false, false});
       case mjGEOM_BOX:
         return add_box(solid);
       case mjGEOM_CYLINDER:
@@ -101,7 +101,7 @@ class Printer {
     // Its density would change, and with it the share of its round ends.
     refuse_if(grows && solid.mass_given && solid.type == mjGEOM_CAPSULE, solid,
               "a mass of its own for a capsule that grows; give its density");
-    add_part(solid, kPi * r * r * 2 * h, solid.centre, Vector3d::Zero(),
+    add_part(solid, std::numbers::pi * r * r * 2 * h, solid.centre, Vector3d::Zero(),
              {std::sqrt(0.75) * r, std::sqrt(0.75) * r, h}, {false, false, grows});
     if (solid.type == mjGEOM_CYLINDER) return;
     // The round ends ride on the ends of the rod; a half ball's centre is 3/8 r off its base.
@@ -109,17 +109,19 @@ class Printer {
     for (const double sign : {1.0, -1.0}) {
       const Vector3d end = sign * h * axis;
       const Vector3d base = grows ? (solid.centre + end).eval() : solid.centre;
-      add_part(solid, 2.0 / 3 * kPi * r * r * r, base,
+      add_part(solid, 2.0 / 3 * std::numbers::pi * r * r * r, base,
                sign * 0.375 * r * axis + (grows ? Vector3d::Zero().eval() : end),
                {across, across, lengthwise}, {false, false, false});
     }
   }
 
-  /// Six points that have the mass, centre and second moments of a part: `base` moves with the stretches, `offset` from
-  /// it does not; `arms` along the geom's axes, those that `grows` names with their stretch.
+  /// Six points that have the mass, centre and second moments of a part: `base` moves with the
+  /// stretches, `offset` from it does not; `arms` along the geom's axes, those that `grows` names
+  /// with their stretch.
   void add_part(const Solid& solid, double volume, const Vector3d& base, const Vector3d& offset,
                 const Vector3d& arms, const std::array<bool, 3>& grows) {
-    // A part with a mass of its own keeps it, whatever its size becomes: a servo, bought and not printed.
+    // A part with a mass of its own keeps it, whatever its size becomes: a servo, bought and not
+    // printed.
     std::vector<PointMass::Growth> growth;
     for (int k = 0; k < 3 && !solid.mass_given; ++k) {
       if (!grows[k]) continue;
@@ -145,18 +147,18 @@ class Printer {
 };
 
 double volume_of(int type, const Vector3d& size) {
-  const double r = size[0], ball = 4.0 / 3 * kPi * r * r * r;
+  const double r = size[0], ball = 4.0 / 3 * std::numbers::pi * r * r * r;
   switch (type) {
     case mjGEOM_SPHERE:
       return ball;
     case mjGEOM_ELLIPSOID:
-      return 4.0 / 3 * kPi * size.prod();
+      return 4.0 / 3 * std::numbers::pi * size.prod();
     case mjGEOM_BOX:
       return 8.0 * size.prod();
     case mjGEOM_CAPSULE:
-      return 2 * kPi * r * r * size[1] + ball;
+      return 2 * std::numbers::pi * r * r * size[1] + ball;
     default:
-      return 2 * kPi * r * r * size[1];
+      return 2 * std::numbers::pi * r * r * size[1];
   }
 }
 
@@ -219,8 +221,8 @@ Eigen::Matrix4d moments_of(const std::vector<PointMass>& masses,
   return found;
 }
 
-/// Meshes with a weight: what MuJoCo weighs besides the other geoms. They keep it, and ride where the
-/// file places them; several must ride alike, as their weights are known together only.
+/// Meshes with a weight: what MuJoCo weighs besides the other geoms. They keep it, and ride where
+/// the file places them; several must ride alike, as their weights are known together only.
 void add_meshes(const XmlFile& xml, const XmlElement& body, const std::vector<Solid>& meshes,
                 const std::vector<Stretch>& stretches, const Eigen::Matrix4d& rest,
                 std::vector<PointMass>& masses) {
@@ -254,8 +256,8 @@ void add_meshes(const XmlFile& xml, const XmlElement& body, const std::vector<So
     }
 }
 
-/// A foot that is a mesh with a weight keeps its size and moves as its origin does, so its sole only where it should if
-/// it is off that across the stretches alone.
+/// A foot that is a mesh with a weight keeps its size and moves as its origin does, so its sole
+/// only where it should if it is off that across the stretches alone.
 void check_sole(const XmlFile& xml, const mjModel& model, const TreeElements& elements,
                 const FootContact& foot, const std::vector<Stretch>& stretches) {
   const XmlElement& element = *elements.geoms[static_cast<std::size_t>(foot.geom)];

@@ -28,7 +28,7 @@ void check_home(const XmlFile& xml, const mjModel& model, const Morphology& morp
   }
 }
 
-/// Does some work; what it refuses is told together with reasons that are known already.
+/// Does some work; what it refuses is reported together with reasons that are known already.
 template <class Work>
 auto together_with(Refusals& reasons, const Work& work) {
   try {

@@ -38,7 +38,8 @@ struct Servo {
   double joint_damping = 0.0;  // of the joint itself, besides kd [N m s/rad]
 };
 
-/// Gains of a servo to which nobody gave any: the error at which it gives all it has [rad], and kd over kp [s].
+/// Gains of a servo to which nobody gave any: the error at which it gives all it has [rad], and kd
+/// over kp [s].
 inline constexpr double kFullTorqueError = 0.0375, kDampingTime = 0.015;
 
 /// A robot as Legwright sees it: the compiled tree, its design parameters, and how to find them in

@@ -24,8 +24,8 @@ double symmetric(bool limited, const mjtNum* range) {
 }
 
 /// What the plugin's servo would not do must not get lost in silence.
-void refuse_what_the_scene_drops(const XmlFile& xml, const mjModel& model, int actuator,
-                                 const XmlElement& element) {
+void refuse_dropped_settings(const XmlFile& xml, const mjModel& model, int actuator,
+                             const XmlElement& element) {
   const auto refuse = [&](bool present, const char* what) {
     if (present)
       throw xml.error(element,
@@ -55,7 +55,8 @@ double outer_limit(const mjModel& model, int actuator) {
              : symmetric(model.jnt_actfrclimited[t], model.jnt_actfrcrange + 2 * t);
 }
 
-/// @param full_force_error error of angle or length at which a servo without gains gives all it has.
+/// @param full_force_error error of angle or length at which a servo without gains gives all it
+/// has.
 Servo read_servo(const XmlFile& xml, const mjModel& model, int actuator, const XmlElement& element,
                  const std::string& joint, double full_force_error) {
   const mjtNum* gain = model.actuator_gainprm + mjNGAIN * actuator;
@@ -63,7 +64,7 @@ Servo read_servo(const XmlFile& xml, const mjModel& model, int actuator, const X
   const double gear = model.actuator_gear[6 * model.actuator_outadr[actuator]];
   if (!(std::abs(gear) > 1e-9))
     throw xml.error(element, "attribute gear: is zero, so the actuator drives nothing");
-  refuse_what_the_scene_drops(xml, model, actuator, element);
+  refuse_dropped_settings(xml, model, actuator, element);
   Servo servo{name_of(model, mjOBJ_ACTUATOR, actuator), joint, 0.0, 0.0, 0.0, ""};
   if (servo.actuator.empty()) servo.actuator = joint;
   servo.torque_limit = std::abs(gear) * symmetric(model.actuator_forcelimited[actuator],

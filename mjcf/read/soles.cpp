@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "mjcf/read/feet.hpp"
 
@@ -38,7 +39,7 @@ void add_surface_points(const mjModel& model, const mjData& data, int geom,
     case mjGEOM_CYLINDER:
       for (const double end : {-1.0, 1.0})
         for (int k = 0; k < kRim; ++k) {
-          const double angle = 2.0 * M_PI * k / kRim;
+          const double angle = 2.0 * std::numbers::pi * k / kRim;
           out.push_back(centre + axes * Vector3d(size.x() * std::cos(angle),
                                                  size.x() * std::sin(angle), end * size.y()));
         }

@@ -150,10 +150,10 @@ BodyInertia inertia_of(const XmlElement& inertial, const mjModel& model, int bod
   BodyInertia out{vector_at(model.body_ipos, body), Matrix3d::Zero(), false};
   const auto diagonal = parse_numbers(attribute(inertial, "diaginertia"));
   const auto full = parse_numbers(attribute(inertial, "fullinertia"));
-  bool turned = false;
+  bool has_orientation = false;
   for (const char* name : {"quat", "euler", "axisangle", "xyaxes", "zaxis"})
-    turned = turned || has_attribute(inertial, name);
-  if (diagonal && diagonal->size() == 3 && !turned) {
+    has_orientation = has_orientation || has_attribute(inertial, name);
+  if (diagonal && diagonal->size() == 3 && !has_orientation) {
     out.inertia.diagonal() = Vector3d::Map(diagonal->data());
     out.diagonal = true;
   } else if (full && full->size() == 6) {

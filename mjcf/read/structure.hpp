@@ -8,8 +8,8 @@
 
 namespace legwright {
 
-/// Where a foot touches the ground: a ball about a point that is fixed to its link. Radius zero: the
-/// point itself, as the middle of a sole.
+/// Where a foot touches the ground: a ball about a point that is fixed to its link. Radius zero:
+/// the point itself, as the middle of a sole.
 struct FootContact {
   std::string name;  // of the geom in scenes; the file's geom may have none
   int geom = -1;     // id in the compiled model; −1: a site, for which scenes have a geom
@@ -18,10 +18,11 @@ struct FootContact {
                                                     // half sizes; of a mesh along the axes and in
                                                     // the units of its file, whatever its scale
   double radius = 0.0;                              // [m]
-  /// Of a flat foot whose leg has hinges enough to lay it down: its sole's upward normal, in its body's frame.
+  /// Of a flat foot whose leg has hinges enough to lay it down: its sole's upward normal, in its
+  /// body's frame.
   std::optional<Eigen::Vector3d> normal = {};
-  /// Where several geoms make up such a foot that are no balls of one size: the middle of the face with which they touch,
-  /// in the same frame; `share` is not used.
+  /// Where several geoms make up such a foot that are no balls of one size: the middle of the face
+  /// with which they touch, in the same frame; `share` is not used.
   std::optional<Eigen::Vector3d> middle = {};
   std::vector<int> others;  // balls of one sole as low as this one: the point is the middle of all
 };

@@ -220,8 +220,8 @@ class Builder {
     }
   }
 
-  /// A printed body has its own points. Else six equal masses on the principal axes have a body's mass, centre and
-  /// inertia.
+  /// A printed body has its own points. Else six equal masses on the principal axes have a body's
+  /// mass, centre and inertia.
   void add_masses(int body) {
     const auto found = printed_.find(name_of(model_, mjOBJ_BODY, body));
     if (found != printed_.end()) {

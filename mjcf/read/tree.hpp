@@ -22,8 +22,8 @@ Morphology build_morphology(const XmlFile& xml, const mjModel& model, const Stru
                             const StretchMap& stretches, const PlaceMap& places,
                             const PrintedMap& printed, const std::vector<TendonSpan>& tendons);
 
-/// How the home pose turns (hinge, ball) or shifts (slide) what a joint moves, against the pose that
-/// the file draws: in the body's frame, about the joint's anchor.
+/// How the home pose turns (hinge, ball) or shifts (slide) what a joint moves, against the pose
+/// that the file draws: in the body's frame, about the joint's anchor.
 Eigen::Isometry3d held_motion(const mjModel& model, int joint);
 /// The same about the origin of the body's frame.
 Eigen::Isometry3d held_displacement(const mjModel& model, int joint);

@@ -137,8 +137,8 @@ void check_surroundings(const XmlFile& xml, const mjModel& model, int trunk, Ref
   refuse_mass_from_nowhere(xml, model, trunk, reasons);
   for (int g = 0; g < model.ngeom; ++g) {
     const int root = model.body_rootid[model.geom_bodyid[g]];
-    const bool is_told = name_of(model, mjOBJ_GEOM, g) == "floor";  // by check_text
-    if (root != trunk && !is_free_root(root) && !is_told &&
+    const bool is_reported = name_of(model, mjOBJ_GEOM, g) == "floor";  // by check_text
+    if (root != trunk && !is_free_root(root) && !is_reported &&
         (model.geom_contype[g] || model.geom_conaffinity[g]))
       reasons.add(error_at(xml, model, mjOBJ_GEOM, g,
                            "collides but does not belong to the robot; the scene adds its own "

@@ -16,7 +16,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// A box's edges are covered where rounded ones would leave out more than half of that, share of the leg.
+// A box's edges are covered where rounded ones would leave out more than half of that, share of the
+// leg.
 constexpr double kSharpEdge = 0.03;
 constexpr std::size_t kMany =
     600;  // pairs of shapes; fewer have all 32 pairs of capsules that two meshes may

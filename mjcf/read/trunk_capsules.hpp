@@ -18,8 +18,8 @@ namespace legwright {
 /// Geoms of the trunk and of a limb that can meet.
 struct GeomPair {
   int trunk, limb;
-  double
-      hidden;  // how much nearer the shapes are than their capsules, in the home pose of the file [m]
+  // How much nearer the shapes are than their capsules, in the home pose of the file [m].
+  double hidden;
 };
 
 /// What stands for the shapes of trunk and limbs that can meet.
@@ -28,10 +28,12 @@ struct TrunkCapsules {
   std::vector<GeomPair> pairs;                  // rising
 };
 
-/// Covers the geoms of the pairs that can collide (`trunk_collisions`, `capsules_of`). Capsules within hulls leave out
-/// what is beside them: pairs with a mesh are measured against the hulls as MuJoCo finds them in the home pose of the
-/// file; pairs whose hulls touch there are left out, as no plan parts them.
-/// @param stretches_of by body id. @param initial the design of the file. @param length of a leg [m].
+/// Covers the geoms of the pairs that can collide (`trunk_collisions`, `capsules_of`). Capsules
+/// within hulls leave out what is beside them: pairs with a mesh are measured against the hulls as
+/// MuJoCo finds them in the home pose of the file; pairs whose hulls touch there are left out, as
+/// no plan parts them.
+/// @param stretches_of by body id. @param initial the design of the file. @param length of a leg
+/// [m].
 TrunkCapsules trunk_capsules(const XmlFile& xml, const TreeElements& elements, const mjModel& model,
                              const Structure& structure,
                              const std::function<const std::vector<Stretch>&(int)>& stretches_of,

@@ -24,7 +24,7 @@ using tinyxml2::XMLElement;
 constexpr const char* kPlugin = "legwright.gait";
 constexpr const char* kSensorPlugin = "legwright.sensor";
 constexpr const char* kInstance = "gait";
-// What the plugin tells of the gait, as sensors "gait:KIND" (plugin/README.md).
+// What the plugin measures of the gait, as sensors "gait:KIND" (plugin/README.md).
 constexpr const char* kSensorKinds[] = {"phase", "planned_contact", "measured_contact",
                                         "base_error", "torque_share"};
 

@@ -25,10 +25,10 @@ struct SceneSettings {
 /// plugin legwright.gait in place of its servos, sensors and a keyframe at the start of the gait.
 /// Compiles only where the plugin is loaded. Names it adds: geom "floor", cameras "side" (still;
 /// the travel goes from left to right) and "track" (the same view, follows the robot), sensors
-/// "tracking", "gait:KIND" and "contact:FOOT", key "gait", instance "gait". The view depends on `robot` and the
-/// direction of travel and of gravity only, so designs of one robot are seen alike.
-/// @param design_xml text of the robot, of `robot` or a design of it, in its surroundings. Throws InputError if it does
-///        not compile, std::invalid_argument for settings that do not fit it.
+/// "tracking", "gait:KIND" and "contact:FOOT", key "gait", instance "gait". The view depends on
+/// `robot` and the direction of travel and of gravity only, so designs of one robot are seen alike.
+/// @param design_xml text of the robot, of `robot` or a design of it, in its surroundings. Throws
+///        InputError if it does not compile, std::invalid_argument for settings that do not fit it.
 std::string emit_scene(const RobotModel& robot, const std::string& design_xml,
                        const SceneSettings& settings);
 

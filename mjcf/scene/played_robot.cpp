@@ -73,8 +73,8 @@ class Player {
       ball->SetAttribute(name, value);
   }
 
-  /// The point of a foot that the plan moves, where it is not the middle of a ball: a site, which is
-  /// a ball of the foot's radius, or a box where that is zero.
+  /// The point of a foot that the plan moves, where it is not the middle of a ball: a site, which
+  /// is a ball of the foot's radius, or a box where that is zero.
   void mark_point(const FootContact& foot) {
     const int body = foot_body(model_, foot);
     XMLElement* const site =
@@ -106,7 +106,7 @@ class Player {
       moved = moved * held;
       for (const int earlier : before) seen_from_behind(earlier, held);
       XMLElement& joint = writable(elements_.joints[static_cast<std::size_t>(j)]);
-      if (joint.Attribute("name")) forget("joint", joint.Attribute("name"));
+      if (joint.Attribute("name")) record_removed("joint", joint.Attribute("name"));
       joint.Parent()->DeleteChild(&joint);
       any = true;
     }
@@ -121,8 +121,8 @@ class Player {
                          format_numbers(Eigen::Vector4d(q.w(), q.x(), q.y(), q.z())).c_str());
   }
 
-  /// The body's own frame now has the held displacement in it, and a hinge declared before it turns about the same line
-  /// of the parent all the same: D₀D₁ = D₁(D₁⁻¹D₀D₁).
+  /// The body's own frame now has the held displacement in it, and a hinge declared before it turns
+  /// about the same line of the parent all the same: D₀D₁ = D₁(D₁⁻¹D₀D₁).
   void seen_from_behind(int joint, const Eigen::Isometry3d& held) {
     const auto found = lines_.try_emplace(joint, Eigen::Vector3d(model_.jnt_axis + 3 * joint),
                                           Eigen::Vector3d(model_.jnt_pos + 3 * joint));
@@ -135,11 +135,13 @@ class Player {
     element.SetAttribute("pos", format_numbers(anchor).c_str());
   }
 
-  void forget(const std::string& kind, const std::string& name) { gone_[kind].insert(name); }
+  void record_removed(const std::string& kind, const std::string& name) {
+    removed_[kind].insert(name);
+  }
 
   /// Whether an element names something that is gone: joint="…", site1="…", objtype/objname.
   bool refers_to_gone(const XMLElement& element) const {
-    for (const auto& [kind, names] : gone_) {
+    for (const auto& [kind, names] : removed_) {
       for (const char* const suffix : {"", "1", "2", "inparent"})
         if (const char* name = element.Attribute((kind + suffix).c_str());
             name && names.count(name))
@@ -164,7 +166,7 @@ class Player {
         for_each_element(*element,
                          [&](const XmlElement& part) { drop = drop || refers_to_gone(part); });
         if (!drop) continue;
-        if (const char* name = element->Attribute("name")) forget(section, name);
+        if (const char* name = element->Attribute("name")) record_removed(section, name);
         all->DeleteChild(element);
       }
   }
@@ -178,7 +180,7 @@ class Player {
            element = next, ++tendon) {
         next = element->NextSiblingElement();
         if (structure_.reads_tendon[tendon]) continue;
-        if (const char* name = element->Attribute("name")) forget("tendon", name);
+        if (const char* name = element->Attribute("name")) record_removed("tendon", name);
         all->DeleteChild(element);
       }
   }
@@ -217,7 +219,7 @@ class Player {
   const Structure& structure_;
   const TreeElements elements_;
   XMLElement& root_;
-  Names gone_;
+  Names removed_;
   std::map<int, std::pair<Eigen::Vector3d, Eigen::Vector3d>> lines_;  // of joints: axis, anchor
 };
 

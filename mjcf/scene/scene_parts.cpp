@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "mjcf/text/numbers.hpp"
 #include "mjcf/text/xml.hpp"
@@ -18,7 +19,6 @@ using Eigen::Vector3d;
 using tinyxml2::XMLElement;
 
 constexpr double kFieldOfView = 30.0;  // [deg], vertical
-constexpr double kPi = 3.14159265358979323846;
 
 /// 1, 2 or 5 times a power of ten, not above x.
 double round_length(double x) {
@@ -108,7 +108,7 @@ SceneView scene_view(const Morphology& morphology, const Eigen::VectorXd& s, con
   view.right = oblique * yaw.col(0);
   view.back = oblique * (std::cos(raised) * -yaw.col(1) + std::sin(raised) * Vector3d::UnitZ());
   view.up = view.back.cross(view.right);
-  view.distance = 1.35 * view.radius / std::tan(kFieldOfView / 2 * kPi / 180);
+  view.distance = 1.35 * view.radius / std::tan(kFieldOfView / 2 * std::numbers::pi / 180);
   return view;
 }
 

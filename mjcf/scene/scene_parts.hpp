@@ -25,14 +25,15 @@ struct SceneView {
 SceneView scene_view(const Morphology& morphology, const Eigen::VectorXd& s,
                      const Eigen::Vector3d& travel, const Eigen::Vector3d& up);
 
-/// Adds <option>, <visual>, <statistic>. An arrow of the robot's weight is 2.5 legs long. The head light is the
-/// robot's where it brings a light.
+/// Adds <option>, <visual>, <statistic>. An arrow of the robot's weight is 2.5 legs long. The head
+/// light is the robot's where it brings a light.
 void add_settings(tinyxml2::XMLElement& root, const mjModel& robot, const SceneView& view);
 /// Adds floor, sky and the still camera "side". The floor's contact settings hold against any of
 /// the robot's.
 void add_floor(tinyxml2::XMLElement& root, const mjModel& robot, const SceneView& view,
                double friction);
-/// Adds to the trunk what follows it: camera "track" and, if the robot brings none, the light that casts its shadow.
+/// Adds to the trunk what follows it: camera "track" and, if the robot brings none, the light that
+/// casts its shadow.
 /// @param trunk_orientation world ← trunk in the file's reference pose.
 /// @param lit whether the robot has a light: with one more the picture is overexposed
 void add_followers(tinyxml2::XMLElement& trunk, const SceneView& view,

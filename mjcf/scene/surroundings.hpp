@@ -11,15 +11,19 @@
 
 namespace legwright {
 
-/// The robot's MJCF text as the task has it: with the payload as a body "payload" on its trunk (a box that is seen and
-/// weighs, but touches nothing) and with gravity as the ground sees it. The very same text where the task has neither.
-/// @param robot_xml text of `robot` or a design of it. Throws InputError where the robot has a body of that name.
+/// The robot's MJCF text as the task has it: with the payload as a body "payload" on its trunk (a
+/// box that is seen and weighs, but touches nothing) and with gravity as the ground sees it. The
+/// very same text where the task has neither.
+/// @param robot_xml text of `robot` or a design of it. Throws InputError where the robot has a body
+/// of that name.
 std::string in_surroundings(const RobotModel& robot, const std::string& robot_xml,
                             const Task& task);
 
-/// The same robot with servos no stronger, and played no softer, than the task says; those of linear actuators stay.
+/// The same robot with servos no stronger, and played no softer, than the task says; those of
+/// linear actuators stay.
 RobotModel with_task_servos(RobotModel robot, const Task& task);
-/// The same with the payload and the weaker motors of the task, too: the robot that stands and walks.
+/// The same with the payload and the weaker motors of the task, too: the robot that stands and
+/// walks.
 RobotModel as_played(const RobotModel& robot, const Task& task);
 
 /// Against gravity in a model, unit vector; exactly z where gravity is along z.

@@ -2,6 +2,7 @@
 #include "mjcf/text/elements.hpp"
 
 #include <cctype>
+#include <numbers>
 #include <string>
 
 #include "mjcf/text/model_arrays.hpp"
@@ -83,15 +84,16 @@ Quaterniond euler(const Vector3d& angles, const std::string& order) {
 Matrix3d orientation_of(const XmlFile& xml, const XmlElement& element) {
   // What the element says itself holds before what its class says in another way; only a quat
   // gives way to either.
-  bool says_itself = false;
+  bool has_own = false;
   for (const char* const name : {"axisangle", "euler", "xyaxes", "zaxis"})
-    says_itself = says_itself || has_attribute(element, name);
+    has_own = has_own || has_attribute(element, name);
   const auto read = [&](const char* name) {
     const char* const text =
-        says_itself ? element.Attribute(name) : inherited_attribute(xml, element, name);
+        has_own ? element.Attribute(name) : inherited_attribute(xml, element, name);
     return text ? parse_numbers(text).value_or(std::vector<double>{}) : std::vector<double>{};
   };
-  const double unit = compiler_setting(xml, "angle", "degree") == "radian" ? 1.0 : EIGEN_PI / 180;
+  const double unit =
+      compiler_setting(xml, "angle", "degree") == "radian" ? 1.0 : std::numbers::pi / 180;
   if (const auto a = read("axisangle"); a.size() == 4)
     return Eigen::AngleAxisd(unit * a[3], Vector3d(a[0], a[1], a[2]).normalized())
         .toRotationMatrix();

@@ -13,8 +13,8 @@ namespace legwright {
 std::vector<std::string_view> split_words(std::string_view text);
 
 /// Reads one decimal number: the whole word, finite, with a point, in no locale, perhaps with one
-/// plus sign in front. Nothing for "nan", "inf", "0x10", "1,5", "1.5abc", "+-1" or a number beyond the
-/// range of double.
+/// plus sign in front. Nothing for "nan", "inf", "0x10", "1,5", "1.5abc", "+-1" or a number beyond
+/// the range of double.
 std::optional<double> parse_number(std::string_view word);
 
 /// Reads a list of numbers between white space; nothing if one of its words is not a number.

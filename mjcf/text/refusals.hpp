@@ -8,7 +8,7 @@
 
 namespace legwright {
 
-/// Reasons to refuse a file, collected so that all are told at once: one line each, every one with
+/// Reasons to refuse a file, collected so that all are reported at once: one line each, every one with
 /// its place and cure.
 class Refusals {
  public:

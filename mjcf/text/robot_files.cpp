@@ -205,7 +205,7 @@ InputError RobotFiles::located(const InputError& error) const {
   }
   if (parts_.size() == 1 || error.line() <= 0 || error.file() != file_.string()) return error;
   const Place place = place_of(error.line());
-  // Lines that are told in the words belong to the same text.
+  // Lines that the message names belong to the same text.
   std::string words;
   const std::string& message = error.message();
   std::size_t copied = 0;

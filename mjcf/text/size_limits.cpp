@@ -79,7 +79,8 @@ double texture_bytes(const XmlElement& element, PictureSize picture) {
   const double channels = std::max(number_in(element, "nchannel", 3.0), 1.0);
   const std::string_view type = attribute(element, "type");
   if (type == "2d" || picture.is_face) return channels * picture.width * picture.height;
-  // A picture in a file may hold the faces in a grid; what MuJoCo makes itself has all sides full size.
+  // A picture in a file may hold the faces in a grid; what MuJoCo makes itself has all sides full
+  // size.
   const std::string_view made = attribute(element, "builtin");
   const auto grid =
       made.empty() || made == "none" ? parse_numbers(attribute(element, "gridsize")) : std::nullopt;

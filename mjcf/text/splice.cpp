@@ -84,7 +84,7 @@ class Splicer {
       throw xml.error(element, "holds elements; an <include> names a file and holds nothing");
     const std::string reference(attribute(element, "file"));
     const FoundFile found = find_in_folder(file_.parent_path(), reference, XmlLimits{}.bytes);
-    if (!found.fault.empty()) throw xml.error(element, told(xml, reference, found.fault));
+    if (!found.fault.empty()) throw xml.error(element, describe_fault(xml, reference, found.fault));
     check_chain(xml, element, reference, found);
     bytes_ += found.bytes;
     if (bytes_ > XmlLimits{}.bytes || out_.parts.size() > kMostFiles)
@@ -96,8 +96,8 @@ class Splicer {
   }
 
   /// MuJoCo looks beside the including file only for some spellings of the main file's path.
-  std::string told(const XmlFile& xml, const std::string& reference,
-                   const std::string& fault) const {
+  std::string describe_fault(const XmlFile& xml, const std::string& reference,
+                             const std::string& fault) const {
     const fs::path from = xml.file.parent_path().lexically_relative(
         file_.has_parent_path() ? file_.parent_path() : fs::path("."));
     const fs::path beside = path_below(from / reference);

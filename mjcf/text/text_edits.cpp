@@ -8,18 +8,7 @@
 namespace legwright {
 namespace {
 
-std::string escaped(std::string_view value) {
-  std::string out;
-  for (const char c : value)
-    out += c == '&'    ? "&amp;"
-           : c == '<'  ? "&lt;"
-           : c == '"'  ? "&quot;"
-           : c == '\'' ? "&apos;"
-                       : std::string(1, c);
-  return out;
-}
-
-double as_it_is(double value) { return value; }
+double unrounded(double value) { return value; }
 
 const AttributeSpan* find_span(const TagSpan& tag, std::string_view name) {
   for (const AttributeSpan& span : tag.attributes)
@@ -28,6 +17,21 @@ const AttributeSpan* find_span(const TagSpan& tag, std::string_view name) {
 }
 
 }  // namespace
+
+std::string escape_xml(std::string_view value, std::string_view quotes) {
+  std::string out;
+  for (const char c : value) {
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else if (quotes.find(c) != std::string_view::npos)
+      out += c == '"' ? "&quot;" : "&apos;";
+    else
+      out += c;
+  }
+  return out;
+}
 
 void TextEdits::replace(std::size_t begin, std::size_t end, std::string text, bool append) {
   const auto [at, is_new] = edits_.try_emplace(begin, Edit{end, text});
@@ -41,11 +45,11 @@ void TextEdits::replace(std::size_t begin, std::size_t end, std::string text, bo
 void TextEdits::set(const XmlElement& element, const char* name, const std::string& value) {
   const TagSpan& tag = xml_.tag(element);
   if (const AttributeSpan* span = find_span(tag, name)) {
-    replace(span->value_begin, span->value_end, escaped(value));
+    replace(span->value_begin, span->value_end, escape_xml(value));
     return;
   }
   const std::size_t at = tag.attributes.empty() ? tag.name_end : tag.attributes.back().end;
-  replace(at, at, fmt::format(" {}=\"{}\"", name, escaped(value)), true);
+  replace(at, at, fmt::format(" {}=\"{}\"", name, escape_xml(value)), true);
 }
 
 void TextEdits::set_numbers(const XmlElement& element, const char* name,
@@ -55,7 +59,7 @@ void TextEdits::set_numbers(const XmlElement& element, const char* name,
 
 void TextEdits::set_exactly(const XmlElement& element, const char* name,
                             const Eigen::Ref<const Eigen::VectorXd>& values) {
-  set_words(element, name, values, as_it_is);
+  set_words(element, name, values, unrounded);
 }
 
 void TextEdits::set_words(const XmlElement& element, const char* name,
@@ -94,11 +98,12 @@ void TextEdits::copy_behind(const XmlElement& element, std::map<std::string, std
       text += xml_.text.substr(span.begin, span.end - span.begin);
       continue;
     }
-    text += xml_.text.substr(span.begin, span.value_begin - span.begin) + escaped(own->second) +
+    text += xml_.text.substr(span.begin, span.value_begin - span.begin) + escape_xml(own->second) +
             span.quote;
     values.erase(own);
   }
-  for (const auto& [name, value] : values) text += fmt::format(" {}=\"{}\"", name, escaped(value));
+  for (const auto& [name, value] : values)
+    text += fmt::format(" {}=\"{}\"", name, escape_xml(value));
   replace(tag.close_end, tag.close_end, text + "/>", true);
 }
 

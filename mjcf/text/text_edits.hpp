@@ -4,10 +4,14 @@
 #include <Eigen/Core>
 #include <map>
 #include <string>
+#include <string_view>
 
 #include "mjcf/text/xml.hpp"
 
 namespace legwright {
+
+/// An attribute's value as XML text: & and < as entities, and each quote that is one of `quotes`.
+std::string escape_xml(std::string_view value, std::string_view quotes = "\"'");
 
 /// Changes of attributes, applied to the text itself: every byte outside of them stays.
 class TextEdits {

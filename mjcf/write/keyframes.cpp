@@ -29,7 +29,7 @@ constexpr double kUpright = 0.5;      // least cosine of the trunk's tilt
 constexpr double kGrain = 1e-10;      // [m], [rad]: numbers that are solved for are this fine
 
 /// By division, so that the number has few digits.
-double rounded(double value) { return std::round(value * 1e10) / 1e10; }
+double rounded_to_grain(double value) { return std::round(value * 1e10) / 1e10; }
 
 bool has_numbers(const XmlElement& element, const char* name, Eigen::Index count) {
   const auto numbers = parse_numbers(attribute(element, name));
@@ -139,7 +139,7 @@ class Solver {
                  least = *std::min_element(grown.begin(), grown.end());
     for (const double rise : {mean, 0.5 * (mean + least), least}) {
       VectorXd pose = old;
-      if (rise != 0.0) pose[2] = rounded(old[2] + rise);
+      if (rise != 0.0) pose[2] = rounded_to_grain(old[2] + rise);
       const bool good = std::all_of(legs_.begin(), legs_.end(), [&](const LegJoints& leg) {
         const Vector2d place = before_.reach(old, leg).head<2>();
         return after_.solve(pose, leg,
@@ -158,7 +158,7 @@ class Solver {
       lowest = std::min(lowest, after_.foot(old, f).z() - morphology_.feet[f].radius);
     const double wanted = *std::min_element(key.foot_height.begin(), key.foot_height.end());
     VectorXd pose = old;
-    if (lowest != wanted) pose[2] = rounded(old[2] + wanted - lowest);
+    if (lowest != wanted) pose[2] = rounded_to_grain(old[2] + wanted - lowest);
     return pose;
   }
 
@@ -166,7 +166,7 @@ class Solver {
     key.qpos[at_.root + 2] = pose[2];
     for (std::size_t a = 0; a < at_.joints.size(); ++a) {
       const auto k = static_cast<Eigen::Index>(6 + a);
-      if (pose[k] != old[k]) key.qpos[at_.joints[a]] = within(a, rounded(pose[k]));
+      if (pose[k] != old[k]) key.qpos[at_.joints[a]] = within(a, rounded_to_grain(pose[k]));
     }
     for (int i = 0; i < model_.nactuator; ++i) follow(i, pose, old, key);
   }
@@ -179,7 +179,7 @@ class Solver {
                : angle;
   }
 
-  /// A position servo is told the angle, or the length of its tendon.
+  /// The control of a position servo is the angle, or the length of its tendon.
   void follow(int actuator, const VectorXd& pose, const VectorXd& old, StandingKey& key) const {
     const mjtNum* bias = model_.actuator_biasprm + mjNBIAS * actuator;
     if (model_.actuator_biastype[actuator] != mjBIAS_AFFINE || !(bias[1] < 0.0)) return;
@@ -190,7 +190,7 @@ class Solver {
     const double gear = model_.actuator_gear[6 * model_.actuator_outadr[actuator]];
     const mjtNum* range = model_.actuator_ctrlrange + 2 * control;
     double& value = key.ctrl[control];
-    value = rounded(before + gear * moved);
+    value = rounded_to_grain(before + gear * moved);
     if (model_.actuator_ctrllimited[control] && before >= range[0] && before <= range[1])
       value = std::clamp(value, range[0], range[1]);
   }

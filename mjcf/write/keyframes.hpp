@@ -33,8 +33,8 @@ struct StandingKey {
 /// The keyframes in which a foot stands near the ground, the trunk upright and clear of it, solved
 /// anew for design s. The trunk keeps its orientation and its place from above; each foot keeps its
 /// height, a flat one its tilt, and, as far as its joints allow, its place from above relative to
-/// where its leg hangs on the trunk; joints stay in their ranges and near the angles that they had. Keyframes that
-/// already fit are among them, with their numbers. All to 1e-10 m and rad.
+/// where its leg hangs on the trunk; joints stay in their ranges and near the angles that they had.
+/// Keyframes that already fit are among them, with their numbers. All to 1e-10 m and rad.
 /// @param model of the file as it is, at the initial design.
 std::vector<StandingKey> solve_keyframes(const RobotModel& robot, const XmlFile& xml,
                                          const mjModel& model, const Eigen::VectorXd& s,

@@ -90,11 +90,11 @@ std::optional<Sole> PosedRobot::sole(const VectorXd& pose, int foot) const {
 /// One leg on its way to where it shall stand.
 class PosedRobot::LegSolver {
  public:
-  LegSolver(const PosedRobot& robot, VectorXd& pose, const LegJoints& leg, const Stand& stand)
+  LegSolver(const PosedRobot& robot, VectorXd& pose, const LegJoints& leg, const LegTarget& target)
       : robot_(robot),
         pose_(pose),
         leg_(leg),
-        stand_(stand),
+        target_(target),
         unit_(robot.morphology_.leg_length),
         count_(static_cast<Eigen::Index>(leg.joints.size())),
         start_(count_),
@@ -113,7 +113,7 @@ class PosedRobot::LegSolver {
   bool run() {
     if (misses(state_).norm() <= kExact) return true;
     approach();
-    if (stand_.sole) lay_down();
+    if (target_.sole) lay_down();
     return reach_height();
   }
 
@@ -123,28 +123,29 @@ class PosedRobot::LegSolver {
     return robot_.evaluate(pose_, leg_);
   }
 
-  /// How much each direction of a miss counts: of a place the height first, of a sole's directions that they are level.
+  /// How much each direction of a miss counts: of a place the height first, of a sole's directions
+  /// that they are level.
   static Vector3d weight() { return {1.0, 1.0, kHeightWeight}; }
 
   VectorXd misses(const LegState& state) const {
-    VectorXd out(stand_.sole ? 9 : 3);
-    out.head<3>() = weight().cwiseProduct(Vector3d(state.reach.x() - stand_.reach.x(),
-                                                   state.reach.y() - stand_.reach.y(),
-                                                   state.foot.z() - stand_.height)) /
+    VectorXd out(target_.sole ? 9 : 3);
+    out.head<3>() = weight().cwiseProduct(Vector3d(state.reach.x() - target_.reach.x(),
+                                                   state.reach.y() - target_.reach.y(),
+                                                   state.foot.z() - target_.height)) /
                     unit_;
-    if (stand_.sole) {
-      out.segment<3>(3) = weight().cwiseProduct(state.sole->ahead - stand_.sole->ahead);
-      out.segment<3>(6) = weight().cwiseProduct(state.sole->beside - stand_.sole->beside);
+    if (target_.sole) {
+      out.segment<3>(3) = weight().cwiseProduct(state.sole->ahead - target_.sole->ahead);
+      out.segment<3>(6) = weight().cwiseProduct(state.sole->beside - target_.sole->beside);
     }
     return out;
   }
 
   /// Slopes of the misses.
   MatrixXd slopes(const LegState& state) const {
-    MatrixXd rows(stand_.sole ? 9 : 3, count_);
+    MatrixXd rows(target_.sole ? 9 : 3, count_);
     rows.topRows<3>() = state.jacobian / unit_;
     rows.row(2) *= kHeightWeight;
-    for (Eigen::Index k = 0; stand_.sole && k < count_; ++k) {
+    for (Eigen::Index k = 0; target_.sole && k < count_; ++k) {
       const Vector3d axis = state.axes.col(k);
       rows.col(k).segment<3>(3) = weight().cwiseProduct(axis.cross(state.sole->ahead));
       rows.col(k).segment<3>(6) = weight().cwiseProduct(axis.cross(state.sole->beside));
@@ -177,24 +178,25 @@ class PosedRobot::LegSolver {
       const VectorXd next =
           (angles_ - hessian.ldlt().solve(slope)).cwiseMax(lower_).cwiseMin(upper_);
       const LegState there = put(next);
-      const double turned = (next - angles_).norm();
+      const double step_norm = (next - angles_).norm();
       // Costs tell apart no smaller steps; those go on while each is smaller than the last.
       const bool good =
-          turned < kSmallTurn ? turned < last : cost(there, next) < cost(state_, angles_);
-      if (!good && turned < kSmallTurn) break;
+          step_norm < kSmallTurn ? step_norm < last : cost(there, next) < cost(state_, angles_);
+      if (!good && step_norm < kSmallTurn) break;
       if (!good) {
         damping *= 10;
         continue;
       }
       angles_ = next;
       state_ = there;
-      last = turned;
+      last = step_norm;
       damping = std::max(1e-9, damping / 5);
     }
     state_ = put(angles_);
   }
 
-  /// Height and tilt of the sole, exactly, by the least turns; where they are out of reach all stays as it was.
+  /// Height and tilt of the sole, exactly, by the least turns; where they are out of reach all
+  /// stays as it was.
   void lay_down() {
     const VectorXd before = angles_;
     for (int step = 0; step < kMaxSteps; ++step) {
@@ -225,7 +227,7 @@ class PosedRobot::LegSolver {
   /// The height alone, exactly, by the least turn.
   bool reach_height() {
     for (int step = 0; step < kMaxSteps; ++step) {
-      const double miss = state_.foot.z() - stand_.height;
+      const double miss = state_.foot.z() - target_.height;
       if (std::abs(miss) <= kExact * unit_) return true;
       VectorXd slope = state_.jacobian.row(2).transpose();
       for (Eigen::Index k = 0; k < count_; ++k)
@@ -236,21 +238,21 @@ class PosedRobot::LegSolver {
       angles_ = (angles_ + turn).cwiseMax(lower_).cwiseMin(upper_);
       state_ = put(angles_);
     }
-    return std::abs(state_.foot.z() - stand_.height) <= 1e-11 * unit_;
+    return std::abs(state_.foot.z() - target_.height) <= 1e-11 * unit_;
   }
 
   const PosedRobot& robot_;
   VectorXd& pose_;
   const LegJoints& leg_;
-  const Stand& stand_;
+  const LegTarget& target_;
   const double unit_;
   const Eigen::Index count_;
   VectorXd start_, lower_, upper_, angles_;
   LegState state_;
 };
 
-bool PosedRobot::solve(VectorXd& pose, const LegJoints& leg, const Stand& stand) const {
-  return LegSolver(*this, pose, leg, stand).run();
+bool PosedRobot::solve(VectorXd& pose, const LegJoints& leg, const LegTarget& target) const {
+  return LegSolver(*this, pose, leg, target).run();
 }
 
 }  // namespace legwright

@@ -17,13 +17,13 @@ struct LegJoints {
 };
 std::vector<LegJoints> legs_of(const Morphology& morphology);
 
-/// A robot at one design that is put into poses (root position, root rotation vector, joint angles),
-/// and inverse kinematics of one leg, for keyframes.
+/// A robot at one design that is put into poses (root position, root rotation vector, joint
+/// angles), and inverse kinematics of one leg, for keyframes.
 ///
-/// Not motion/whole_body_ik, which makes first guesses for the optimizer: there the trunk moves, COM,
-/// feet and soles compete with weights and a few damped steps are enough. Here the trunk stays where
-/// the keyframe has it, the foot's height and the level of a sole hold to rounding, because MuJoCo
-/// starts from them, and what is left over stays near the angles of the file. Both share the
+/// Not motion/whole_body_ik, which makes first guesses for the optimizer: there the trunk moves,
+/// COM, feet and soles compete with weights and a few damped steps are enough. Here the trunk stays
+/// where the keyframe has it, the foot's height and the level of a sole hold to rounding, because
+/// MuJoCo starts from them, and what is left over stays near the angles of the file. Both share the
 /// kinematics (design/kinematics), not the solver.
 class PosedRobot {
  public:
@@ -36,16 +36,16 @@ class PosedRobot {
   std::optional<Sole> sole(const Eigen::VectorXd& pose, int foot) const;
 
   /// How a leg shall stand.
-  struct Stand {
+  struct LegTarget {
     double height = 0.0;       // of the foot's centre [m]
     Eigen::Vector2d reach;     // in x and y [m]
     std::optional<Sole> sole;  // of a flat foot
   };
-  /// Turns a leg's joints in `pose` until the foot's centre is at its height, a flat foot's sole is as
-  /// level as wanted and, as far as that goes, its reach and the sole's heading are as wanted. Joints
-  /// stay within their ranges, near where they start. False where the height is out of reach; `pose`
-  /// is then of no use. A sole that no angles lay down stays tilted.
-  bool solve(Eigen::VectorXd& pose, const LegJoints& leg, const Stand& stand) const;
+  /// Turns a leg's joints in `pose` until the foot's centre is at its height, a flat foot's sole is
+  /// as level as wanted and, as far as that goes, its reach and the sole's heading are as wanted.
+  /// Joints stay within their ranges, near where they start. False where the height is out of
+  /// reach; `pose` is then of no use. A sole that no angles lay down stays tilted.
+  bool solve(Eigen::VectorXd& pose, const LegJoints& leg, const LegTarget& target) const;
 
  private:
   struct LegState;

@@ -32,21 +32,21 @@ constexpr std::size_t kMostCopied = 8 * 1024 * 1024;  // [bytes] of numbers of m
 constexpr std::size_t kLongestStem = 150;             // [bytes] of a name that a copy adds to
 
 /// How a geom wants its asset, and how it is then turned itself.
-struct Wish {
+struct ScaleRequest {
   Vector3d scale = Vector3d::Ones();
-  Quaterniond turn = Quaterniond::Identity();  // the asset's refquat
-  Matrix3d geom_turn = Matrix3d::Identity();   // old axes of the geom ← new ones
-  bool is_new = false, is_turned = false;
+  Quaterniond turn = Quaterniond::Identity();     // the asset's refquat
+  Matrix3d geom_rotation = Matrix3d::Identity();  // old axes of the geom ← new ones
+  bool is_scaled = false, is_rotated = false;
 };
 
 /// Geoms that want an asset alike.
 struct Group {
-  Wish wish;  // of the first; geom_turn is of each its own
-  std::vector<std::pair<const XmlElement*, Wish>> geoms;
+  ScaleRequest request;  // of the first; geom_rotation is of each its own
+  std::vector<std::pair<const XmlElement*, ScaleRequest>> geoms;
 };
 
-bool is_same(const Wish& a, const Wish& b) {
-  return a.is_new == b.is_new && a.scale.isApprox(b.scale, kSame) &&
+bool is_same(const ScaleRequest& a, const ScaleRequest& b) {
+  return a.is_scaled == b.is_scaled && a.scale.isApprox(b.scale, kSame) &&
          a.turn.toRotationMatrix().isApprox(b.turn.toRotationMatrix(), kSame);
 }
 
@@ -57,38 +57,49 @@ Eigen::Index nearest_axis(const Vector3d& direction) {
   return axis;
 }
 
+/// The smallest rotation that takes one direction to another, less than half a turn away.
+/// Eigen's FromTwoVectors computes the same, but its SVD for half turns doubles the compile time.
+Quaterniond smallest_rotation(const Vector3d& from, const Vector3d& to) {
+  const Vector3d a = from.normalized(), b = to.normalized();
+  const double s = std::sqrt((1.0 + b.dot(a)) * 2.0);
+  Quaterniond out;
+  out.vec() = a.cross(b) * (1.0 / s);
+  out.w() = s * 0.5;
+  return out;
+}
+
 /// The rotation, as small as may be, that brings axes of a frame into perpendicular directions.
-Matrix3d turned_into(const std::vector<Vector3d>& directions) {
+Matrix3d rotation_onto(const std::vector<Vector3d>& directions) {
   Matrix3d out = Matrix3d::Identity();
   for (const Vector3d& direction : directions) {
     const Vector3d own = out.transpose() * direction;
     const Eigen::Index axis = nearest_axis(own);
     const Vector3d from = std::copysign(1.0, own[axis]) * Vector3d::Unit(axis);
-    out = (out * Quaterniond::FromTwoVectors(from, own).toRotationMatrix()).eval();
+    out = (out * smallest_rotation(from, own).toRotationMatrix()).eval();
   }
   return out;
 }
 
 /// Scale and turns whose product is what the mesh shall look like, R S Qᵀ.
-void decompose(const Matrix3d& wanted, Wish& wish) {
-  const Eigen::JacobiSVD<Eigen::MatrixXd> parts(wanted, Eigen::ComputeFullU | Eigen::ComputeFullV);
+void decompose(const Matrix3d& wanted, ScaleRequest& request) {
+  const Eigen::JacobiSVD<Matrix3d> parts(wanted, Eigen::ComputeFullU | Eigen::ComputeFullV);
   Matrix3d u = parts.matrixU(), v = parts.matrixV();
-  wish.scale = parts.singularValues();
+  request.scale = parts.singularValues();
   for (Matrix3d* const turn : {&u, &v})
     if (turn->determinant() < 0.0) {
       turn->col(2) *= -1.0;
-      wish.scale[2] *= -1.0;
+      request.scale[2] *= -1.0;
     }
-  wish.geom_turn = u;
-  wish.turn = Quaterniond(v);
+  request.geom_rotation = u;
+  request.turn = Quaterniond(v);
 }
 
 /// What one geom wants of its asset at design s.
-class Wisher {
+class RequestReader {
  public:
-  Wisher(const XmlFile& xml, const mjModel& model, const TreeElements& elements,
-         const StretchMap& stretches, const std::map<const XmlElement*, Vector3d>& rigid,
-         const Eigen::VectorXd& s)
+  RequestReader(const XmlFile& xml, const mjModel& model, const TreeElements& elements,
+                const StretchMap& stretches, const std::map<const XmlElement*, Vector3d>& rigid,
+                const Eigen::VectorXd& s)
       : xml_(xml),
         model_(model),
         elements_(elements),
@@ -96,12 +107,12 @@ class Wisher {
         rigid_(rigid),
         s_(s) {}
 
-  Wish of(int geom, const MeshAsset& asset) const {
-    Wish wish{asset.scale, asset.turn, Matrix3d::Identity(), false, false};
+  ScaleRequest of(int geom, const MeshAsset& asset) const {
+    ScaleRequest request{asset.scale, asset.turn, Matrix3d::Identity(), false, false};
     const XmlElement& element = *elements_.geoms[static_cast<std::size_t>(geom)];
     const auto found = stretches_.find(name_of(model_, mjOBJ_BODY, model_.geom_bodyid[geom]));
     if (found == stretches_.end() || !mesh_grows(xml_, element) || rigid_.count(&element) > 0)
-      return wish;
+      return request;
     const Matrix3d axes = pose_in_body(xml_, element).linear();
     const double along = collides(model_, geom) ? kAlongColliding : kAlongDrawn;
     std::vector<Vector3d> directions;  // of what changes, in the geom's axes
@@ -117,29 +128,29 @@ class Wisher {
       rest[axis] = 0.0;
       is_oblique = is_oblique || rest.norm() > along;
     }
-    if (directions.empty()) return wish;
-    wish.is_new = true;
-    wish.is_turned = is_oblique;
+    if (directions.empty()) return request;
+    request.is_scaled = true;
+    request.is_rotated = is_oblique;
     if (!is_oblique)
-      wish.scale = asset.scale.cwiseProduct(growth);
+      request.scale = asset.scale.cwiseProduct(growth);
     else
-      turn(asset, directions, axes.transpose() * stretch_matrix(found->second, s_) * axes, wish);
-    return wish;
+      turn(asset, directions, axes.transpose() * stretch_matrix(found->second, s_) * axes, request);
+    return request;
   }
 
  private:
   static void turn(const MeshAsset& asset, const std::vector<Vector3d>& directions,
-                   const Matrix3d& growth, Wish& wish) {
+                   const Matrix3d& growth, ScaleRequest& request) {
     const Vector3d size = asset.scale.cwiseAbs();
     if (size.maxCoeff() - size.minCoeff() > kSame * size.maxCoeff())
-      return decompose(growth * asset.shown(), wish);
+      return decompose(growth * asset.shown(), request);
     // A mesh of one scale: R D Rᵀ S = R (D S) (S⁻¹ Rᵀ S), where the last is a rotation as well.
     const Vector3d sign = asset.scale / size[0];
-    const Matrix3d r = turned_into(directions);
-    wish.geom_turn = r;
-    wish.scale = (r.transpose() * growth * r).diagonal().cwiseProduct(asset.scale);
+    const Matrix3d r = rotation_onto(directions);
+    request.geom_rotation = r;
+    request.scale = (r.transpose() * growth * r).diagonal().cwiseProduct(asset.scale);
     const Matrix3d mirrored = sign.asDiagonal() * r * sign.asDiagonal();
-    wish.turn = asset.turn * Quaterniond(mirrored);
+    request.turn = asset.turn * Quaterniond(mirrored);
   }
 
   const XmlFile& xml_;
@@ -157,29 +168,30 @@ Eigen::Vector4d numbers_of(const Quaterniond& q) {
 
 /// Turns a geom in its own axes. A class may say its orientation in another way, which would hold
 /// before a quat.
-void turn_geom(const XmlFile& xml, const XmlElement& geom, const Matrix3d& turn, TextEdits& edits) {
+void rotate_geom(const XmlFile& xml, const XmlElement& geom, const Matrix3d& turn,
+                 TextEdits& edits) {
   const Matrix3d axes = pose_of(xml, geom).linear() * turn;
   constexpr const char* kWays[] = {"euler", "axisangle", "xyaxes", "zaxis", "quat"};
-  const bool is_told_by_class =
+  const bool is_oriented_by_class =
       std::any_of(std::begin(kWays), std::end(kWays) - 1, [&](const char* name) {
         return !has_attribute(geom, name) && inherited_attribute(xml, geom, name);
       });
-  const std::string_view own = is_told_by_class ? "xyaxes" : "quat";
+  const std::string_view own = is_oriented_by_class ? "xyaxes" : "quat";
   for (const char* const name : kWays)
     if (name != own) edits.remove(geom, name);
-  if (!is_told_by_class) return edits.set_numbers(geom, "quat", numbers_of(Quaterniond(axes)));
+  if (!is_oriented_by_class) return edits.set_numbers(geom, "quat", numbers_of(Quaterniond(axes)));
   Eigen::VectorXd xy(6);
   xy << axes.col(0), axes.col(1);
   edits.set_numbers(geom, "xyaxes", xy);
 }
 
 /// The largest group whose asset stays, else the largest at all, keeps the element.
-std::size_t keeper_of(const std::vector<Group>& groups) {
+std::size_t group_of_original(const std::vector<Group>& groups) {
   std::size_t best = 0;
   for (std::size_t k = 1; k < groups.size(); ++k) {
     const Group &one = groups[k], &other = groups[best];
-    if (one.wish.is_new != other.wish.is_new ? !one.wish.is_new
-                                             : one.geoms.size() > other.geoms.size())
+    if (one.request.is_scaled != other.request.is_scaled ? !one.request.is_scaled
+                                                         : one.geoms.size() > other.geoms.size())
       best = k;
   }
   return best;
@@ -193,26 +205,26 @@ class Writer {
   }
 
   void write(const std::string& name, const MeshAsset& asset, const std::vector<Group>& groups) {
-    const std::size_t keeper = keeper_of(groups);
+    const std::size_t original = group_of_original(groups);
     for (std::size_t k = 0; k < groups.size(); ++k) {
       const Group& group = groups[k];
-      if (k == keeper) {
-        if (!group.wish.is_new) continue;
-        edits_.set_numbers(*asset.element, "scale", group.wish.scale);
-        if (group.wish.is_turned)
-          edits_.set_numbers(*asset.element, "refquat", numbers_of(group.wish.turn));
+      if (k == original) {
+        if (!group.request.is_scaled) continue;
+        edits_.set_numbers(*asset.element, "scale", group.request.scale);
+        if (group.request.is_rotated)
+          edits_.set_numbers(*asset.element, "refquat", numbers_of(group.request.turn));
       } else {
         check_room(*asset.element);
         const std::string own = new_name(name);
         std::map<std::string, std::string> values{
-            {"name", own}, {"scale", format_numbers(rounded(group.wish.scale))}};
-        if (group.wish.is_turned)
-          values.emplace("refquat", format_numbers(rounded(numbers_of(group.wish.turn))));
+            {"name", own}, {"scale", format_numbers(rounded(group.request.scale))}};
+        if (group.request.is_rotated)
+          values.emplace("refquat", format_numbers(rounded(numbers_of(group.request.turn))));
         edits_.copy_behind(*asset.element, values);
-        for (const auto& [geom, wish] : group.geoms) edits_.set(*geom, "mesh", own);
+        for (const auto& [geom, request] : group.geoms) edits_.set(*geom, "mesh", own);
       }
-      for (const auto& [geom, wish] : group.geoms)
-        if (wish.is_turned) turn_geom(xml_, *geom, wish.geom_turn, edits_);
+      for (const auto& [geom, request] : group.geoms)
+        if (request.is_rotated) rotate_geom(xml_, *geom, request.geom_rotation, edits_);
     }
   }
 
@@ -296,22 +308,22 @@ void write_mesh_scales(const XmlFile& xml, const mjModel& model, const TreeEleme
                        const std::map<const XmlElement*, Vector3d>& rigid, const Eigen::VectorXd& s,
                        TextEdits& edits) {
   const std::map<std::string, MeshAsset> meshes = find_meshes(xml);
-  const Wisher wisher(xml, model, elements, stretches, rigid, s);
-  std::map<std::string, std::vector<Group>> wanted;  // by asset
+  const RequestReader reader(xml, model, elements, stretches, rigid, s);
+  std::map<std::string, std::vector<Group>> groups_by_mesh;  // by asset
   for (int g = 0; g < model.ngeom; ++g) {
     const XmlElement* const element = elements.geoms[static_cast<std::size_t>(g)];
     const char* const mesh = inherited_attribute(xml, *element, "mesh");
     const auto asset = mesh ? meshes.find(mesh) : meshes.end();
     if (asset == meshes.end()) continue;
-    const Wish wish = wisher.of(g, asset->second);
-    std::vector<Group>& groups = wanted[mesh];
+    const ScaleRequest request = reader.of(g, asset->second);
+    std::vector<Group>& groups = groups_by_mesh[mesh];
     auto group = std::find_if(groups.begin(), groups.end(),
-                              [&](const Group& one) { return is_same(one.wish, wish); });
-    if (group == groups.end()) group = groups.insert(groups.end(), Group{wish, {}});
-    group->geoms.emplace_back(element, wish);
+                              [&](const Group& one) { return is_same(one.request, request); });
+    if (group == groups.end()) group = groups.insert(groups.end(), Group{request, {}});
+    group->geoms.emplace_back(element, request);
   }
   Writer writer(xml, meshes, edits);
-  for (const auto& [name, groups] : wanted) writer.write(name, meshes.at(name), groups);
+  for (const auto& [name, groups] : groups_by_mesh) writer.write(name, meshes.at(name), groups);
 }
 
 }  // namespace legwright

@@ -23,8 +23,8 @@ std::map<const XmlElement*, Eigen::Vector3d> rigid_feet(const XmlFile& xml, cons
                                                         const StretchMap& stretches,
                                                         const Eigen::VectorXd& s);
 
-/// Stretches the mesh geoms of stretched bodies (mesh_grows) by their assets: each vertex goes where
-/// the body's point there goes. Geoms that want an asset alike share it; where others show it
+/// Stretches the mesh geoms of stretched bodies (mesh_grows) by their assets: each vertex goes
+/// where the body's point there goes. Geoms that want an asset alike share it; where others show it
 /// otherwise, they get a copy of its element, of another name, behind it. What keeps the asset as
 /// it is keeps the element, else those that are most. Where the stretch runs along no axis of the
 /// mesh, asset and geom are turned against each other (refquat, quat) until it does.

@@ -201,11 +201,11 @@ void check_design(const DesignSpace& space, const VectorXd& s) {
 
 /// The design that the file will tell: values that differ from the file's are rounded as all other
 /// numbers are, so that geometry and declared values agree.
-VectorXd told_design(const DesignSpace& space, const VectorXd& s) {
-  VectorXd told = space.initial();
+VectorXd written_design(const DesignSpace& space, const VectorXd& s) {
+  VectorXd written = space.initial();
   for (int k = 0; k < space.size(); ++k)
-    if (const double value = rounded(s[k]); value != rounded(told[k])) told[k] = value;
-  return space.clamp(told);
+    if (const double value = rounded(s[k]); value != rounded(written[k])) written[k] = value;
+  return space.clamp(written);
 }
 
 ShiftMap shifted_feet(const XmlFile& xml, const mjModel& model, const TreeElements& elements,
@@ -246,7 +246,8 @@ void write_axes(const RobotModel& robot, const XmlFile& xml, const VectorXd& s, 
   }
 }
 
-/// Attachments: what is placed follows its parameter, the rest of the point the stretch of its body.
+/// Attachments: what is placed follows its parameter, the rest of the point the stretch of its
+/// body.
 void write_places(const RobotModel& robot, const XmlFile& xml, const StretchMap& stretches,
                   const PlaceMap& places, const VectorXd& s, TextEdits& edits) {
   const VectorXd initial = robot.space.initial();
@@ -286,7 +287,7 @@ std::string difference_from_intent(const RobotModel& robot, const VectorXd& s,
 
 std::string rewrite_robot(const RobotModel& robot, const VectorXd& design) {
   check_design(robot.space, design);
-  const VectorXd s = told_design(robot.space, design);
+  const VectorXd s = written_design(robot.space, design);
   if (s == robot.space.initial()) return robot.xml;
   const auto xml = load_xml(robot.xml, robot.file);
   const ModelPointer model = compile_mjcf(robot.xml, robot.file);

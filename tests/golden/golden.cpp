@@ -80,12 +80,12 @@ Robot read_robot(const std::string& name) {
   Robot robot;
   robot.name = name;
   robot.model = load_drawn_scene(folder() / name / "scene.xml");
-  const Json told = read_json(folder() / name / "poses.json");
-  const Json& view = told.at("view");
+  const Json json = read_json(folder() / name / "poses.json");
+  const Json& view = json.at("view");
   robot.view = {view.at("lookat_m").get<std::array<double, 3>>(), view.at("distance_m"),
                 view.at("azimuth_deg"), view.at("elevation_deg")};
-  robot.twin_joint = told.at("twin_joint");
-  for (const Json& pose : told.at("poses")) {
+  robot.twin_joint = json.at("twin_joint");
+  for (const Json& pose : json.at("poses")) {
     robot.poses.push_back({pose.at("name"), pose.at("qpos")});
     if (robot.poses.back().qpos.size() != static_cast<std::size_t>(robot.model->nq))
       throw std::runtime_error(name + "/poses.json: a pose that does not fit scene.xml");
@@ -105,15 +105,15 @@ void adopt(const fs::path& run, const std::string& name) {
       poses[k][axis] -= plan.travel[axis] * static_cast<double>(k) / kPhases;
   const View view =
       frame_robot(*model, poses, kAzimuth, kElevation, static_cast<double>(kWidth) / kHeight, 0.06);
-  Json told{{"schema", "legwright/golden_poses"}, {"version", 1}, {"robot", name}};
-  told["view"] = {{"lookat_m", view.lookat},
+  Json json{{"schema", "legwright/golden_poses"}, {"version", 1}, {"robot", name}};
+  json["view"] = {{"lookat_m", view.lookat},
                   {"distance_m", view.distance},
                   {"azimuth_deg", view.azimuth},
                   {"elevation_deg", view.elevation}};
-  told["twin_joint"] = plan.joint_names.front();
+  json["twin_joint"] = plan.joint_names.front();
   for (std::size_t k = 0; k < poses.size(); ++k)
-    told["poses"].push_back({{"name", fmt::format("phase_{}_{}", k, kPhases)}, {"qpos", poses[k]}});
-  write_json(target / "poses.json", told);
+    json["poses"].push_back({{"name", fmt::format("phase_{}_{}", k, kPhases)}, {"qpos", poses[k]}});
+  write_json(target / "poses.json", json);
 }
 
 std::string Versions::text() const {
@@ -125,8 +125,8 @@ Versions versions_here(const GlContext& context) {
 }
 
 Versions read_versions() {
-  const Json told = read_json(folder() / "versions.json");
-  return {told.at("gl_renderer"), told.at("gl_version"), told.at("mujoco")};
+  const Json json = read_json(folder() / "versions.json");
+  return {json.at("gl_renderer"), json.at("gl_version"), json.at("mujoco")};
 }
 
 void write_versions(const Versions& versions) {
@@ -147,9 +147,9 @@ Image side_by_side(const Image& before, const Image& after) {
     }
   }
   Image all(3 * after.width + 2 * kGap, after.height);
-  paste(all, before, 0, 0);
-  paste(all, after, after.width + kGap, 0);
-  paste(all, difference, 2 * (after.width + kGap), 0);
+  copy_into(all, before, 0, 0);
+  copy_into(all, after, after.width + kGap, 0);
+  copy_into(all, difference, 2 * (after.width + kGap), 0);
   return all;
 }
 

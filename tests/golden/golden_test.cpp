@@ -87,7 +87,7 @@ TEST_P(Golden, TwinMovedByAHundredthOfARadianFailsAndIsShown) {
     EXPECT_GT(shown.width, 3 * golden::kWidth);
     EXPECT_EQ(marked(shown), different_pixels(stored, moved));
     Image before(golden::kWidth, golden::kHeight);
-    paste(before, shown, 0, 0);
+    copy_into(before, shown, 0, 0);
     EXPECT_EQ(before, in_colours(stored));
   }
 }

@@ -151,17 +151,6 @@ TEST_F(ClockTest, BadAttributesAreRefused) {
   }
 }
 
-/// qpos, forces and sensors of steps in a row.
-std::vector<double> roll_out(const mjModel* m, mjData* d, int steps) {
-  std::vector<double> history;
-  for (int i = 0; i < steps; ++i) {
-    mj_step(m, d);
-    history.insert(history.end(), d->qpos, d->qpos + m->nq);
-    history.insert(history.end(), d->sensordata, d->sensordata + m->nsensordata);
-  }
-  return history;
-}
-
 TEST_F(ClockTest, ThreadsResetStateAndJumpsGiveTheSameBits) {
   const Attributes set{0.7, 0.2, 1.3, 0.4};
   const Loaded loaded = load(plugin_chain(options_of(set)));

@@ -66,6 +66,16 @@ Loaded load(const std::string& xml) {
   return {nullptr, mjs_getError(spec.get())};
 }
 
+std::vector<double> roll_out(const mjModel* m, mjData* d, int steps) {
+  std::vector<double> history;
+  for (int i = 0; i < steps; ++i) {
+    mj_step(m, d);
+    history.insert(history.end(), d->qpos, d->qpos + m->nq);
+    history.insert(history.end(), d->sensordata, d->sensordata + m->nsensordata);
+  }
+  return history;
+}
+
 void EngineTest::SetUpTestSuite() {
   mju_setLogHandler(&collect);
   mj_loadPluginLibrary(LEGWRIGHT_PLUGIN_FILE);  // again and again is harmless

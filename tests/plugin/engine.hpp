@@ -28,6 +28,9 @@ struct Loaded {
 };
 Loaded load(const std::string& xml);
 
+/// Steps a model. Returns qpos and the sensors after each step, one after another.
+std::vector<double> roll_out(const mjModel* m, mjData* d, int steps);
+
 /// Loads the plugin's library and routes MuJoCo's log to a list: nothing is printed or written to
 /// files, mju_error throws std::runtime_error, and a warning that the test did not take away fails
 /// it.

@@ -77,7 +77,7 @@ std::string model_of(int number) {
 }
 
 /// Adds everything that the viewer can show to a scene.
-void look(const mjModel* m, mjData* d) {
+void visualize(const mjModel* m, mjData* d) {
   mjvScene scene;
   mjv_defaultScene(&scene);
   mjv_makeScene(m, &scene, 600);
@@ -92,14 +92,14 @@ void look(const mjModel* m, mjData* d) {
 }
 
 /// Load, make, steps, look, reset, copy, delete, as a viewer would do.
-Outcome play(const std::string& xml, bool with_a_look) {
+Outcome play(const std::string& xml, bool with_visualize) {
   try {
     const Loaded loaded = load(xml);
     if (!loaded.model) return loaded.error.size() > 10 ? Outcome::refused : Outcome::mute_refusal;
     const mjModel* const m = loaded.model.get();
     const DataPointer d(mj_makeData(m));
     for (int i = 0; i < 50; ++i) mj_step(m, d.get());
-    if (with_a_look) look(m, d.get());
+    if (with_visualize) visualize(m, d.get());
     const DataPointer copy(mj_copyData(nullptr, m, d.get()));
     mj_resetData(m, d.get());
     mj_step(m, d.get());
@@ -113,7 +113,8 @@ Outcome play(const std::string& xml, bool with_a_look) {
   }
 }
 
-/// Plays cases first … kCases − 1 in a child. Returns the case at which the child died, else kCases.
+/// Plays cases first … kCases − 1 in a child. Returns the case at which the child died, else
+/// kCases.
 int play_in_child(Board& board, int first, const std::function<Outcome(int)>& play_case) {
   const pid_t child = fork();
   if (child == 0) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stands in for the engine of another version under the name of the right one: the only way in which
-// the plugin can meet another engine, because another name keeps the loader from loading it at all.
+// Stands in for the engine of another version under the name of the right one: the only way in
+// which the plugin can meet another engine, because another name keeps the loader from loading it
+// at all.
 #include <mujoco/mujoco.h>
 
 #include <cstdarg>

@@ -4,14 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "plugin/clock.hpp"
 #include "tests/plugin/toy_trajectory.hpp"
 
 namespace legwright {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 Trajectory plan(double turn) {
   Trajectory t = toy_trajectory(2, 2, 10, 0.7, 3, 0.4);
@@ -53,7 +52,7 @@ TEST(PlannedMotion, WithoutTurnIsTheSampledTrajectory) {
 }
 
 TEST(PlannedMotion, OneCycleOnIsTheRigidMotionOfTheGround) {
-  for (const double turn : {0.4, -1.3, kPi, 1e-13, 2 * kPi}) {
+  for (const double turn : {0.4, -1.3, std::numbers::pi, 1e-13, 2 * std::numbers::pi}) {
     const Trajectory t = plan(turn);
     const PlannedMotion motion(t);
     for (const double time : {-2.0, 0.01, 0.3, 0.66}) {
@@ -96,7 +95,7 @@ TEST(PlannedMotion, RatesAreDerivatives) {
 }
 
 TEST(PlannedMotion, CircleCloses) {
-  Trajectory t = plan(2 * kPi / 12);
+  Trajectory t = plan(2 * std::numbers::pi / 12);
   t.travel[2] = 0.0;
   const PlannedMotion motion(t);
   expect_near(motion.com(phase_at(t, 0.2 + 12 * t.period)), motion.com(phase_at(t, 0.2)), 1e-10);

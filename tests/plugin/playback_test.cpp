@@ -27,17 +27,6 @@ ModelPointer compile(const std::string& xml) {
 
 DataPointer make_data(const ModelPointer& m) { return DataPointer(mj_makeData(m.get())); }
 
-/// qpos after `steps` steps, all in between included.
-std::vector<double> roll_out(const mjModel* m, mjData* d, int steps) {
-  std::vector<double> history;
-  for (int i = 0; i < steps; ++i) {
-    mj_step(m, d);
-    history.insert(history.end(), d->qpos, d->qpos + m->nq);
-    history.insert(history.end(), d->sensordata, d->sensordata + m->nsensordata);
-  }
-  return history;
-}
-
 /// What the host of native servos does at each step: targets of the trajectory as controls.
 void drive_native(const mjModel* m, mjData* d, const Trajectory& trajectory, double t0,
                   double offset) {

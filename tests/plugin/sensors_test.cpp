@@ -128,10 +128,10 @@ TEST_F(SensorsTest, BaseErrorIsNoughtOnThePlanCycleAfterCycleAndWhatIsMissingOff
     for (const double value : values("base_error")) EXPECT_NEAR(value, 0.0, 1e-9) << time;
     // Moved and turned in world axes by a known amount: the way back is what the sensor tells.
     const mjtNum axis[3] = {0.6, 0.0, 0.8};
-    mjtNum turn[4], turned[4];
+    mjtNum turn[4], rotated[4];
     mju_axisAngle2Quat(turn, axis, -0.2);
-    mju_mulQuat(turned, turn, data_->qpos + 3);
-    std::copy_n(turned, 4, data_->qpos + 3);
+    mju_mulQuat(rotated, turn, data_->qpos + 3);
+    std::copy_n(rotated, 4, data_->qpos + 3);
     data_->qpos[1] -= 0.05;
     mj_forward(model_.get(), data_.get());
     const double expected[6] = {0.0, 0.05, 0.0, 0.12, 0.0, 0.16};
@@ -249,7 +249,7 @@ TEST_F(SensorsTest, AreRefusedWithTheReason) {
   }
 }
 
-TEST_F(SensorsTest, NeedTheModelOnlyWhereTheyLook) {
+TEST_F(SensorsTest, NeedTheModelOnlyWhereTheyReadIt) {
   WalkerOptions options;
   options.foot_a = "";  // no foot A in the model
   options.sensors = gait_sensor("phase") + gait_sensor("planned_contact") +
@@ -257,7 +257,7 @@ TEST_F(SensorsTest, NeedTheModelOnlyWhereTheyLook) {
   EXPECT_TRUE(load(walker(options)).model);
 }
 
-TEST_F(SensorsTest, FaultOfTheGaitIsToldByTheGait) {
+TEST_F(SensorsTest, FaultOfTheGaitIsReportedByTheGait) {
   for (const char* const kind : kKinds) {
     WalkerOptions options;
     options.sensors = gait_sensor(kind);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Linear actuators: the plugin on a tendon over one hinge, against the engine's own lengths and servo.
+// Linear actuators: the plugin on a tendon over one hinge, against the engine's own lengths and
+// servo.
 #include <cmath>
 
 #include "plugin/spline.hpp"
@@ -14,7 +15,8 @@ std::string with(std::string text, const std::string& old_part, const std::strin
   return at == std::string::npos ? text : text.replace(at, old_part.size(), new_part);
 }
 
-/// The toy chain with a piston over hinge b in place of its servo. Its upper site rides on a fixed body.
+/// The toy chain with a piston over hinge b in place of its servo. Its upper site rides on a fixed
+/// body.
 std::string with_piston(std::string xml, const std::string& lower_body = "middle") {
   xml = with(xml, "<body name=\"middle\"",
              "<body pos=\"0.01 0.002 -0.01\" euler=\"0.3 0.2 -0.4\"><site name=\"top\" "

@@ -7,9 +7,10 @@
 
 namespace legwright::test {
 
-/// A biped on flat feet without a file: hinges yaw, roll, pitch, knee, ankle pitch, ankle roll in each leg, bent at home
-/// with level soles. Design parameters: length of the shanks, turns of the hip pitch and ankle pitch axes about z, of the
-/// ankle roll axes about y; right legs mirror left ones.
+/// A biped on flat feet without a file: hinges yaw, roll, pitch, knee, ankle pitch, ankle roll in
+/// each leg, bent at home with level soles. Design parameters: length of the shanks, turns of the
+/// hip pitch and ankle pitch axes about z, of the ankle roll axes about y; right legs mirror left
+/// ones.
 /// @param toes_out at home [rad]
 Puppy make_flat_biped(double toes_out = 0.0);
 

@@ -9,9 +9,9 @@
 
 namespace legwright::test {
 
-/// A robot in its home pose that slides along its path, weight shared by the stance feet: feet and COM
-/// are where the pose has them, to rounding. Not where Newton's method starts (initial_guess), but
-/// known in every entry.
+/// A robot in its home pose that slides along its path, weight shared by the stance feet: feet and
+/// COM are where the pose has them, to rounding. Not where Newton's method starts (initial_guess),
+/// but known in every entry.
 inline Eigen::VectorXd standing_motion(const Objective& objective, const Eigen::VectorXd& s) {
   const Morphology& robot = objective.morphology();
   const Layout& layout = objective.layout();

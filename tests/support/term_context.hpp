@@ -6,8 +6,9 @@
 
 namespace legwright::test {
 
-/// Everything a TermContext refers to, for tests that build terms by hand: a turning trot of the tied puppy with
-/// limits of angles and torques, pistons and soles, so that every term has elements.
+/// Everything a TermContext refers to, for tests that build terms by hand: a turning trot of the
+/// tied puppy with limits of angles and torques, pistons and soles, so that every term has
+/// elements.
 struct TermSetting {
   /// @param printed masses depend on the design; limbs may not touch the trunk.
   explicit TermSetting(bool printed = false) {

@@ -9,10 +9,10 @@ namespace {
 
 template <typename Word>
 std::string hex(Word word) {
-  static constexpr char digits[] = "0123456789abcdef";
+  static constexpr char kDigits[] = "0123456789abcdef";
   std::string text(2 * sizeof(Word), '0');
   for (auto digit = text.rbegin(); digit != text.rend(); ++digit, word >>= 4)
-    *digit = digits[word & 15];
+    *digit = kDigits[word & 15];
   return text;
 }
 
@@ -65,10 +65,10 @@ void add_block(Sha256State& state, const char* block) {
 }  // namespace
 
 std::uint32_t crc32(std::string_view bytes) {
-  static constexpr auto table = crc_table();
+  static constexpr auto kTable = crc_table();
   std::uint32_t rest = 0xFFFFFFFFu;
   for (char byte : bytes)
-    rest = (rest >> 8) ^ table[(rest ^ static_cast<std::uint8_t>(byte)) & 0xFF];
+    rest = (rest >> 8) ^ kTable[(rest ^ static_cast<std::uint8_t>(byte)) & 0xFF];
   return ~rest;
 }
 

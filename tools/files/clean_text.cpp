@@ -27,7 +27,7 @@ std::size_t sequence_length(std::string_view text, char32_t& code) {
   return code < kLeast[length] || code > 0x10FFFF || surrogate ? 0 : length;
 }
 
-bool unwanted(char32_t code) {
+bool is_unsafe(char32_t code) {
   const bool control = code < 0x20 || (code >= 0x7F && code < 0xA0);
   const bool turns_text = (code >= 0x202A && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
   return control || turns_text || code == 0xFEFF || code == 0xFFFE || code == 0xFFFF;
@@ -42,7 +42,7 @@ std::string clean_utf8(std::string_view text) {
     const std::size_t length = sequence_length(text, code);
     if (code == U'\t' || code == U'\n' || code == U'\r') {
       out += ' ';
-    } else if (length == 0 || unwanted(code)) {
+    } else if (length == 0 || is_unsafe(code)) {
       out += kReplacement;
     } else {
       out += text.substr(0, length);

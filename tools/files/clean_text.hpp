@@ -13,8 +13,8 @@ std::string clean_utf8(std::string_view text);
 /// The same line by line, for a terminal: names in a file may hold escape sequences.
 std::string terminal_text(std::string_view text);
 
-/// A name for a file or folder: of letters, digits, `_` and `-` only, others become `_`; at most 64.
-/// A model may be named anything, "../x" included.
+/// A name for a file or folder: of letters, digits, `_` and `-` only, others become `_`; at most
+/// 64. A model may be named anything, "../x" included.
 std::string plain_name(std::string_view name);
 
 }  // namespace legwright

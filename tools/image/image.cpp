@@ -21,7 +21,7 @@ Image::Image(int w, int h, Rgb colour)
   for (std::size_t i = 0; i < rgb.size(); ++i) rgb[i] = colour[i % 3];
 }
 
-void paste(Image& whole, const Image& part, int x, int y) {
+void copy_into(Image& whole, const Image& part, int x, int y) {
   const int left = std::max(0, -x), right = std::min(part.width, whole.width - x);
   if (left >= right) return;
   for (int row = std::max(0, -y); row < std::min(part.height, whole.height - y); ++row) {
@@ -66,7 +66,7 @@ void fade(Image& image, double share) {
     part = static_cast<std::uint8_t>(std::lround(part + (255.0 - part) * share));
 }
 
-Image shrink(const Image& image, int factor) {
+Image downsample(const Image& image, int factor) {
   Image small(image.width / factor, image.height / factor);
   const int count = factor * factor;
   for (int y = 0; y < small.height; ++y) {

@@ -33,7 +33,7 @@ struct Mask {
 };
 
 /// Copies `part` into `whole` with its top left corner at (x, y); what lies outside is cut off.
-void paste(Image& whole, const Image& part, int x, int y);
+void copy_into(Image& whole, const Image& part, int x, int y);
 /// Lays `colour` over the picture where the mask covers it.
 void stamp(Image& whole, const Mask& mask, int x, int y, Rgb colour);
 /// Fills a rectangle.
@@ -43,6 +43,6 @@ void draw_dot(Image& whole, double x, double y, double radius, Rgb colour, doubl
 /// Blends the whole picture towards white by `share`, 0 … 1.
 void fade(Image& image, double share);
 /// The picture at 1/factor of its size, each pixel the mean of factor × factor.
-Image shrink(const Image& image, int factor);
+Image downsample(const Image& image, int factor);
 
 }  // namespace legwright

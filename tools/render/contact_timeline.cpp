@@ -78,28 +78,28 @@ int draw_legend(Image& image, int x, int top, Renderer& letters) {
   return x;
 }
 
-void draw_block(Image& image, const TimeAxis& axis, const GaitClip& act, int top,
+void draw_block(Image& image, const TimeAxis& axis, const GaitClip& clip, int top,
                 Renderer& letters) {
-  const Mask title = letters.text(act.title, true);
-  if (act.passed) draw_dot(image, 13.0, top + 0.5 * kTitle, 6.0, *act.passed ? kGood : kBad);
-  const int left = act.passed ? 29 : 7;
+  const Mask title = letters.text(clip.title, true);
+  if (clip.passed) draw_dot(image, 13.0, top + 0.5 * kTitle, 6.0, *clip.passed ? kGood : kBad);
+  const int left = clip.passed ? 29 : 7;
   stamp(image, title, left, top + (kTitle - title.height) / 2, kInk);
   std::string note = "contacts of the feet, simulated by MuJoCo";
-  if (act.fell) note += fmt::format(": falls after {:.2f} s", *act.fell);
+  if (clip.fell) note += fmt::format(": falls after {:.2f} s", *clip.fell);
   const Mask paler = letters.text(note);
   stamp(image, paler, left + title.width + 16, top + (kTitle - paler.height) / 2 + 1, kPale);
-  const int first = top + kTitle, bottom = first + kFoot * static_cast<int>(act.feet.size());
-  const double until = act.playback->time.back();
-  for (std::size_t f = 0; f < act.feet.size(); ++f) {
+  const int first = top + kTitle, bottom = first + kFoot * static_cast<int>(clip.feet.size());
+  const double until = clip.playback->time.back();
+  for (std::size_t f = 0; f < clip.feet.size(); ++f) {
     const int y = first + kFoot * static_cast<int>(f);
     if (f % 2 == 0) fill(image, kLeft, y, axis.x(axis.end) - kLeft, kFoot, kBand);
   }
   draw_axis(image, axis, first, bottom, letters);
-  for (std::size_t f = 0; f < act.feet.size(); ++f) {
+  for (std::size_t f = 0; f < clip.feet.size(); ++f) {
     const int y = first + kFoot * static_cast<int>(f);
-    const Mask name = letters.text(act.feet[f].name);
+    const Mask name = letters.text(clip.feet[f].name);
     stamp(image, name, kLeft - 14 - name.width, y + (kFoot - name.height) / 2, kInk);
-    draw_foot(image, axis, act.feet[f], act.plan.period, until, y);
+    draw_foot(image, axis, clip.feet[f], clip.plan.period, until, y);
   }
   if (until < axis.end - 1e-6) fill(image, axis.x(until), first, 3, bottom - first, kBad);
 }
@@ -121,18 +121,18 @@ Intervals repeated(const Intervals& of_one_cycle, double period, double end) {
   return all;
 }
 
-Image contact_timeline(const std::vector<GaitClip>& acts, Renderer& letters) {
+Image contact_timeline(const std::vector<GaitClip>& clips, Renderer& letters) {
   TimeAxis axis{0.0};
   int height = kTitle;
-  for (const GaitClip& act : acts) {
-    axis.end = std::max(axis.end, act.playback->time.back());
-    height += kTitle + kFoot * static_cast<int>(act.feet.size()) + kAxis;
+  for (const GaitClip& clip : clips) {
+    axis.end = std::max(axis.end, clip.playback->time.back());
+    height += kTitle + kFoot * static_cast<int>(clip.feet.size()) + kAxis;
   }
   Image image(kStripWidth, height, kPaper);
   int top = 0;
-  for (const GaitClip& act : acts) {
-    draw_block(image, axis, act, top, letters);
-    top += kTitle + kFoot * static_cast<int>(act.feet.size()) + kAxis;
+  for (const GaitClip& clip : clips) {
+    draw_block(image, axis, clip, top, letters);
+    top += kTitle + kFoot * static_cast<int>(clip.feet.size()) + kAxis;
   }
   draw_legend(image, kLeft, top, letters);
   return image;

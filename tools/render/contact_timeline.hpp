@@ -15,8 +15,8 @@ std::vector<std::pair<double, double>> repeated(
     const std::vector<std::pair<double, double>>& of_one_cycle, double period, double end);
 
 /// Bars over time for each foot: above when the plan has it stand, below when it touched the ground
-/// in the simulation, in another colour where the plan has it swing. One block for each act; all
+/// in the simulation, in another colour where the plan has it swing. One block for each clip; all
 /// need feet and a playback. `letters` draws the text.
-Image contact_timeline(const std::vector<GaitClip>& acts, Renderer& letters);
+Image contact_timeline(const std::vector<GaitClip>& clips, Renderer& letters);
 
 }  // namespace legwright

@@ -120,7 +120,7 @@ Image compose_strip(const StripLayout& layout, const std::vector<StripRow>& rows
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
       const int x = margin + static_cast<int>(i) * (layout.cell_width + gap),
                 y = top + kTitleHeight;
-      paste(strip, row.cells[i], x, y);
+      copy_into(strip, row.cells[i], x, y);
       if (i < row.contact.size()) {
         draw_contact(strip, row.contact[i], x + layout.cell_width, y + layout.cell_height);
       }

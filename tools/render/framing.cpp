@@ -67,10 +67,10 @@ View frame_robots(std::span<const PosedModel> robots, double azimuth, double ele
 
   const double degree = std::numbers::pi / 180.0;
   const double a = azimuth * degree, e = elevation * degree;
-  const Eigen::Matrix3d turned = view_rotation(*robots.front().model);
+  const Eigen::Matrix3d rotation = view_rotation(*robots.front().model);
   const Eigen::Vector3d forward =
-      turned * Eigen::Vector3d(std::cos(a) * std::cos(e), std::sin(a) * std::cos(e), std::sin(e));
-  const Eigen::Vector3d right = forward.cross(turned.col(2)).normalized();
+      rotation * Eigen::Vector3d(std::cos(a) * std::cos(e), std::sin(a) * std::cos(e), std::sin(e));
+  const Eigen::Vector3d right = forward.cross(rotation.col(2)).normalized();
   const Eigen::Vector3d up = right.cross(forward);
   const double half_height = std::tan(0.5 * kFieldOfView * degree) * (1.0 - margin);
   const double half_width = half_height * aspect;

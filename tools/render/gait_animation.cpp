@@ -43,22 +43,22 @@ ModelPointer with_floor(const mjModel& model, const LoopFloor& floor) {
 }
 
 /// Where the poses come from: the simulation once it passed, otherwise the plan.
-class Source {
+class PoseSource {
  public:
-  explicit Source(const GaitClip& act) : act_(act), period_(act.plan.period) {
-    const double end = act.playback ? act.playback->time.back() : 0.0;
+  explicit PoseSource(const GaitClip& clip) : clip_(clip), period_(clip.plan.period) {
+    const double end = clip.playback ? clip.playback->time.back() : 0.0;
     whole_ = static_cast<int>(std::floor(end / period_ + 1e-6));
-    simulated_ = act.passed.value_or(false) && whole_ >= 2;
+    simulated_ = clip.passed.value_or(false) && whole_ >= 2;
   }
   bool simulated() const { return simulated_; }
   int most_cycles() const { return simulated_ ? std::min(kMostCycles, whole_ - 1) : kMostCycles; }
   std::vector<double> pose(double time, int cycles) const {
-    if (!simulated_) return act_.planned_at(time);
-    return pose_at(*act_.model, *act_.playback, (whole_ - cycles) * period_ + time);
+    if (!simulated_) return clip_.planned_at(time);
+    return pose_at(*clip_.model, *clip_.playback, (whole_ - cycles) * period_ + time);
   }
 
  private:
-  const GaitClip& act_;
+  const GaitClip& clip_;
   double period_;
   int whole_ = 0;
   bool simulated_ = false;
@@ -88,17 +88,17 @@ LoopFloor loop_floor(const std::array<double, 2>& travel, double tile) {
   return {};
 }
 
-Animation animate_gait(const GlContext& context, const GaitClip& act) {
-  const Source source(act);
+Animation animate_gait(const GlContext& context, const GaitClip& clip) {
+  const PoseSource source(clip);
   const auto way = [&](int cycles) {
-    const auto from = source.pose(0.0, cycles), to = source.pose(cycles * act.plan.period, cycles);
+    const auto from = source.pose(0.0, cycles), to = source.pose(cycles * clip.plan.period, cycles);
     return std::array<double, 2>{to[0] - from[0], to[1] - from[1]};
   };
-  LoopFloor floor = loop_floor(way(1), floor_tile(*act.model));
-  const bool turns = std::abs(act.plan.turn) > 0.01;  // then no pattern joins
+  LoopFloor floor = loop_floor(way(1), floor_tile(*clip.model));
+  const bool turns = std::abs(clip.plan.turn) > 0.01;  // then no pattern joins
   if (turns || floor.cycles > source.most_cycles()) floor = {};
-  const ModelPointer model = with_floor(*act.model, floor);
-  const double seconds = floor.cycles * act.plan.period;
+  const ModelPointer model = with_floor(*clip.model, floor);
+  const double seconds = floor.cycles * clip.plan.period;
   const int count = std::max(8, static_cast<int>(std::lround(seconds * kFramesPerSecond)));
   const auto travel = way(floor.cycles);
   Poses poses, at_home;  // the latter with the way taken out
@@ -115,8 +115,8 @@ Animation animate_gait(const GlContext& context, const GaitClip& act) {
   for (int k = 0; k < count; ++k) {
     View view = home;
     for (std::size_t axis : {0U, 1U}) view.lookat[axis] += travel[axis] * k / count;
-    if (turns) view.azimuth += act.plan.turn * 180.0 / std::numbers::pi * floor.cycles * k / count;
-    Image frame = shrink(renderer.render(poses[static_cast<std::size_t>(k)], view), kSampling);
+    if (turns) view.azimuth += clip.plan.turn * 180.0 / std::numbers::pi * floor.cycles * k / count;
+    Image frame = downsample(renderer.render(poses[static_cast<std::size_t>(k)], view), kSampling);
     stamp(frame, label, 10, 8, kInk);
     animation.frames.push_back(std::move(frame));
     animation.end_ms.push_back(static_cast<int>(std::lround(1000.0 * seconds * (k + 1) / count)));

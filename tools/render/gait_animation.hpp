@@ -20,7 +20,7 @@ LoopFloor loop_floor(const std::array<double, 2>& travel, double tile);
 
 /// The gait in real time, ready to loop, the camera going along: of the last cycles that were
 /// simulated where that passed its verdict, otherwise as planned. The picture says which.
-Animation animate_gait(const GlContext& context, const GaitClip& act);
+Animation animate_gait(const GlContext& context, const GaitClip& clip);
 
 /// What a file of it may have [bytes].
 inline constexpr std::size_t kAnimationBytes = 500'000;

@@ -17,14 +17,14 @@ namespace fs = std::filesystem;
 
 constexpr double kTurnOfView = 24.0;  // [deg] off the exact side view, for depth
 
-GaitClip load_act(const char* title, const fs::path& folder, const fs::path& playback) {
-  GaitClip act;
-  act.title = title;
-  act.scene = folder / "scene.xml";
-  act.model = load_drawn_scene(act.scene);
-  act.plan = read_motion_csv(folder / "motion.csv");
-  if (fs::exists(playback)) act.playback = read_playback(*act.model, playback);
-  return act;
+GaitClip load_clip(const char* title, const fs::path& folder, const fs::path& playback) {
+  GaitClip clip;
+  clip.title = title;
+  clip.scene = folder / "scene.xml";
+  clip.model = load_drawn_scene(clip.scene);
+  clip.plan = read_motion_csv(folder / "motion.csv");
+  if (fs::exists(playback)) clip.playback = read_playback(*clip.model, playback);
+  return clip;
 }
 
 std::vector<std::pair<double, double>> intervals(const Json& list) {
@@ -35,15 +35,15 @@ std::vector<std::pair<double, double>> intervals(const Json& list) {
 }
 
 /// An object that `validate` wrote, empty where there is none yet.
-Json read_told(const fs::path& file) {
+Json read_object(const fs::path& file) {
   if (!fs::exists(file)) return Json::object();
-  Json told = read_json(file);
-  if (!told.is_object())
+  Json values = read_json(file);
+  if (!values.is_object())
     throw InputError(file.string(), 0, "",
                      fmt::format("found a JSON {}, expected an object; the file is damaged: run "
                                  "`legwright validate` again",
-                                 told.type_name()));
-  return told;
+                                 values.type_name()));
+  return values;
 }
 
 bool is_true(const Json& object, const char* key) {
@@ -52,18 +52,18 @@ bool is_true(const Json& object, const char* key) {
 }
 
 /// What `validate` told of one design; a file of another version may lack any of it.
-void read_metrics(const Json& metrics, const char* design, GaitClip& act) {
+void read_metrics(const Json& metrics, const char* design, GaitClip& clip) {
   try {
-    const Json& told = metrics.at(design).at("default");
-    const Json& fall = told.at("fall");
-    if (fall.is_object()) act.fell = fall.at("time_s").get<double>();
-    for (const Json& foot : told.at("feet")) {
-      act.feet.push_back({foot.at("name").get<std::string>(),
-                          intervals(foot.at("planned_stances_s")),
-                          intervals(foot.at("contacts_s"))});
+    const Json& values = metrics.at(design).at("default");
+    const Json& fall = values.at("fall");
+    if (fall.is_object()) clip.fell = fall.at("time_s").get<double>();
+    for (const Json& foot : values.at("feet")) {
+      clip.feet.push_back({foot.at("name").get<std::string>(),
+                           intervals(foot.at("planned_stances_s")),
+                           intervals(foot.at("contacts_s"))});
     }
   } catch (const Json::exception&) {
-    act.feet.clear();
+    clip.feet.clear();
   }
 }
 
@@ -76,26 +76,27 @@ std::vector<double> GaitClip::planned_at(double time) const {
 std::vector<GaitClip> load_clips(const fs::path& run) {
   const fs::path result = run / "result";
   const bool motion_only = is_true(read_json(run / "run.json"), "motion_only");
-  std::vector<GaitClip> acts;
+  std::vector<GaitClip> clips;
   std::vector<const char*> designs;
   if (!motion_only) {
-    acts.push_back(load_act("Before: the initial body, its gait optimised",
-                            run / "iterations" / "0000", result / "playback_initial.csv"));
+    clips.push_back(load_clip("Before: the initial body, its gait optimised",
+                              run / "iterations" / "0000", result / "playback_initial.csv"));
     designs.push_back("initial");
   }
-  acts.push_back(load_act(
+  clips.push_back(load_clip(
       motion_only ? "The initial body, its gait optimised" : "After: body and gait co-designed",
       result, result / "playback_result.csv"));
   designs.push_back("result");
-  const Json verdict = read_told(result / "verdict.json"),
-             metrics = read_told(result / "metrics.json");
-  for (std::size_t i = 0; i < acts.size(); ++i) {
-    const Json judged = verdict.value(designs[i], Json::object());
-    if (const auto pass = judged.find("pass"); pass != judged.end() && pass->is_boolean())
-      acts[i].passed = pass->get<bool>();
-    read_metrics(metrics, designs[i], acts[i]);
+  const Json verdict = read_object(result / "verdict.json"),
+             metrics = read_object(result / "metrics.json");
+  for (std::size_t i = 0; i < clips.size(); ++i) {
+    const Json verdict_of_design = verdict.value(designs[i], Json::object());
+    if (const auto pass = verdict_of_design.find("pass");
+        pass != verdict_of_design.end() && pass->is_boolean())
+      clips[i].passed = pass->get<bool>();
+    read_metrics(metrics, designs[i], clips[i]);
   }
-  return acts;
+  return clips;
 }
 
 double side_view(const Trajectory& plan) { return side_view(plan.travel[0], plan.travel[1]); }

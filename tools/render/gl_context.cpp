@@ -17,17 +17,17 @@ namespace {
 std::atomic<bool> context_exists{false};
 std::atomic<const char*> platform_of_process{nullptr};  // the first that worked
 
-struct Way {
+struct GlBackend {
   const char* name;
   std::unique_ptr<GlPlatform> (*open)();
 };
-constexpr Way kOsMesa{"osmesa", open_osmesa}, kEgl{"egl", open_egl};
+constexpr GlBackend kOsMesa{"osmesa", open_osmesa}, kEgl{"egl", open_egl};
 
 /// MuJoCo takes EGL wherever its functions are global, even with a context of OSMesa current.
 bool egl_is_global() { return dlsym(RTLD_DEFAULT, "eglGetCurrentContext") != nullptr; }
 
 /// Platforms to try, in order. Throws GlError where the environment names none that there is.
-std::vector<Way> ways() {
+std::vector<GlBackend> backends() {
   const char* given = std::getenv("LEGWRIGHT_GL");
   const std::string_view wanted = given != nullptr ? given : "";
   if (wanted == "none") throw GlError("no off-screen OpenGL: LEGWRIGHT_GL=none rules it out");
@@ -64,11 +64,11 @@ GlContext::GlContext() {
   try {
     pin_rasteriser();
     std::string failures;
-    for (const Way& way : ways()) {
+    for (const GlBackend& backend : backends()) {
       try {
-        platform_ = way.open();
-        platform_name_ = way.name;
-        platform_of_process = way.name;
+        platform_ = backend.open();
+        platform_name_ = backend.name;
+        platform_of_process = backend.name;
         break;
       } catch (const GlError& error) {
         failures += (failures.empty() ? "" : "; ") + std::string(error.what());

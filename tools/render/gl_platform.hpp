@@ -14,7 +14,7 @@ class GlPlatform {
   GlPlatform(const GlPlatform&) = delete;
   GlPlatform& operator=(const GlPlatform&) = delete;
 
-  /// Text that OpenGL tells of itself: `name` is GL_RENDERER or GL_VERSION.
+  /// Text with which OpenGL describes itself: `name` is GL_RENDERER or GL_VERSION.
   std::string text(unsigned name) const;
 
  protected:

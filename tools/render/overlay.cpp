@@ -14,26 +14,26 @@ constexpr StripLayout kOverlay{6, 260, 200};
 constexpr Rgb kPlan{28, 92, 220};
 
 /// Which cycle to show: the last whole one, or that in which it fell (not its very start).
-int cycle_shown(const GaitClip& act) {
-  const double period = act.plan.period, end = act.playback->time.back();
-  const double last = act.falls_in_playback() ? std::floor(end / period - 0.25)
-                                              : std::floor(end / period + 1e-6) - 1;
+int cycle_shown(const GaitClip& clip) {
+  const double period = clip.plan.period, end = clip.playback->time.back();
+  const double last = clip.falls_in_playback() ? std::floor(end / period - 0.25)
+                                               : std::floor(end / period + 1e-6) - 1;
   return static_cast<int>(std::max(0.0, last));
 }
 
-/// The act's cells: times, and poses with the plan's way taken out, so that one camera fits all.
+/// The clip's cells: times, and poses with the plan's way taken out, so that one camera fits all.
 struct Cells {
   std::vector<double> time;
   Poses planned, simulated;
 };
 
-Cells cells_of(const GaitClip& act) {
+Cells cells_of(const GaitClip& clip) {
   Cells cells;
   for (int k = 0; k < kOverlay.cells; ++k) {
     const double share = static_cast<double>(k) / kOverlay.cells;
-    cells.time.push_back((cycle_shown(act) + share) * act.plan.period);
-    cells.planned.push_back(act.planned_at(cells.time.back()));
-    cells.simulated.push_back(pose_at(*act.model, *act.playback, cells.time.back()));
+    cells.time.push_back((cycle_shown(clip) + share) * clip.plan.period);
+    cells.planned.push_back(clip.planned_at(cells.time.back()));
+    cells.simulated.push_back(pose_at(*clip.model, *clip.playback, cells.time.back()));
     auto &plan = cells.planned.back(), &real = cells.simulated.back();
     for (std::size_t axis : {0U, 1U}) {
       real[axis] -= plan[axis];
@@ -65,31 +65,31 @@ void draw_outline(const mjModel& model, const IdImage& seen, Image& image) {
 
 }  // namespace
 
-Image overlay_strip(const GlContext& context, const std::vector<GaitClip>& acts) {
+Image overlay_strip(const GlContext& context, const std::vector<GaitClip>& clips) {
   std::vector<Cells> cells;
-  for (const GaitClip& act : acts) cells.push_back(cells_of(act));
+  for (const GaitClip& clip : clips) cells.push_back(cells_of(clip));
   std::vector<PosedModel> robots;
-  for (std::size_t i = 0; i < acts.size(); ++i) {
-    robots.push_back({acts[i].model.get(), &cells[i].planned});
-    robots.push_back({acts[i].model.get(), &cells[i].simulated});
+  for (std::size_t i = 0; i < clips.size(); ++i) {
+    robots.push_back({clips[i].model.get(), &cells[i].planned});
+    robots.push_back({clips[i].model.get(), &cells[i].simulated});
   }
   const View view =
-      frame_robots(robots, side_view(acts.back().plan), kSideElevation, aspect(kOverlay), 0.08);
+      frame_robots(robots, side_view(clips.back().plan), kSideElevation, aspect(kOverlay), 0.08);
   std::vector<StripRow> rows;
-  for (std::size_t i = 0; i < acts.size(); ++i) {
+  for (std::size_t i = 0; i < clips.size(); ++i) {
     StripRow row;
-    row.title = acts[i].title;
-    row.good = acts[i].passed;
+    row.title = clips[i].title;
+    row.good = clips[i].passed;
     row.note =
         fmt::format("simulated by MuJoCo, cycle {}; blue outline: the plan at the same moment",
-                    cycle_shown(acts[i]) + 1);
-    Renderer renderer = cell_renderer(context, *acts[i].model, kOverlay);
+                    cycle_shown(clips[i]) + 1);
+    Renderer renderer = cell_renderer(context, *clips[i].model, kOverlay);
     for (std::size_t k = 0; k < cells[i].time.size(); ++k) {
-      const Ghost ghost{cells[i].planned[k]};
+      const GhostPose ghost{cells[i].planned[k]};
       Image drawn = renderer.render(cells[i].simulated[k], view, {}, &ghost);
-      draw_outline(*acts[i].model, renderer.ids(cells[i].planned[k], view), drawn);
-      Image cell = shrink(drawn, kSampling);
-      if (cells[i].time[k] > acts[i].playback->time.back() + 0.02) fade(cell, 0.6);
+      draw_outline(*clips[i].model, renderer.ids(cells[i].planned[k], view), drawn);
+      Image cell = downsample(drawn, kSampling);
+      if (cells[i].time[k] > clips[i].playback->time.back() + 0.02) fade(cell, 0.6);
       row.cells.push_back(std::move(cell));
     }
     rows.push_back(std::move(row));
@@ -97,7 +97,7 @@ Image overlay_strip(const GlContext& context, const std::vector<GaitClip>& acts)
   std::vector<std::string> captions;
   for (int k = 0; k < kOverlay.cells; ++k)
     captions.push_back(k == 0 ? "phase 0" : fmt::format("{}/{}", k, kOverlay.cells));
-  Renderer letters = cell_renderer(context, *acts[0].model, kOverlay);
+  Renderer letters = cell_renderer(context, *clips[0].model, kOverlay);
   return compose_strip(kOverlay, rows, captions, letters);
 }
 

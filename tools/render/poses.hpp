@@ -35,8 +35,8 @@ struct Playback {
   std::vector<double> time;  // [s]
   Poses qpos;
 };
-/// Reads a playback: a time column, then qpos. Throws InputError where it is damaged or does not fit
-/// the model, std::system_error if unreadable.
+/// Reads a playback: a time column, then qpos. Throws InputError where it is damaged or does not
+/// fit the model, std::system_error if unreadable.
 Playback read_playback(const mjModel& model, const std::filesystem::path& file);
 
 /// The pose at a time [s] between two records, the nearest record beyond them.

@@ -13,8 +13,8 @@ namespace legwright {
 inline constexpr double kFieldOfView =
     24.0;  // [deg], vertical: a little telephoto, so that links keep their proportions
 
-/// How cameras are turned so that up in a picture is against gravity: of a slope gravity is what is oblique in the
-/// world. Identity where gravity is along z.
+/// How cameras are turned so that up in a picture is against gravity: of a slope gravity is what is
+/// oblique in the world. Identity where gravity is along z.
 Eigen::Matrix3d view_rotation(const mjModel& model);
 
 /// Puts the model in a pose: positions of everything that is drawn, no dynamics (so no solver, no

@@ -33,7 +33,7 @@ void draw_lines(std::span<const FloorLine> lines, mjvScene& scene) {
   }
 }
 
-void paint_as_ghost(mjvGeom& geom, const Ghost& ghost) {
+void paint_as_ghost(mjvGeom& geom, const GhostPose& ghost) {
   std::copy(ghost.rgba.begin(), ghost.rgba.end(), geom.rgba);
   geom.matid = -1;
   geom.category = mjCAT_DECOR;
@@ -145,7 +145,7 @@ void Renderer::set_scene(std::span<const double> qpos, const View& view) {
 }
 
 Image Renderer::render(std::span<const double> qpos, const View& view,
-                       std::span<const FloorLine> lines, const Ghost* ghost) {
+                       std::span<const FloorLine> lines, const GhostPose* ghost) {
   Parts& p = *parts_;
   set_scene(qpos, view);
   draw_lines(lines, p.scene);
@@ -189,7 +189,7 @@ Mask Renderer::word(const std::string& word, bool large) {
   const int tall = factor * ((large ? c.charHeightBig : c.charHeight) / factor + 4);
   mjr_label({0, 0, kTextWidth, tall}, large ? mjFONT_BIG : mjFONT_NORMAL, word.c_str(), 0, 0, 0, 1,
             1, 1, 1, &c);
-  const Image drawn = shrink(read_buffer(kTextWidth, tall), factor);
+  const Image drawn = downsample(read_buffer(kTextWidth, tall), factor);
   int left = drawn.width, right = 0;  // ink decides the width; all words keep the same height
   for (int i = 0; i < drawn.width * drawn.height; ++i) {
     if (drawn.rgb[3 * static_cast<std::size_t>(i)] == 0) continue;

@@ -37,7 +37,7 @@ struct FloorLine {
 };
 
 /// The robot once more, in another pose, translucent and of one colour.
-struct Ghost {
+struct GhostPose {
   std::span<const double> qpos;
   std::array<float, 4> rgba{0.10F, 0.42F, 0.95F, 0.12F};
 };
@@ -74,7 +74,7 @@ class Renderer {
   /// @param qpos model.nq numbers; throws std::invalid_argument for another count or non-finite
   /// ones, of the ghost too.
   Image render(std::span<const double> qpos, const View& view,
-               std::span<const FloorLine> lines = {}, const Ghost* ghost = nullptr);
+               std::span<const FloorLine> lines = {}, const GhostPose* ghost = nullptr);
 
   /// Which geom is seen where: no light, no colour, so it tells a moved joint from another
   /// rasteriser. Throws std::logic_error in style full, whose antialiasing would mix numbers.

@@ -35,13 +35,13 @@ class RunDrawing {
           "pictures of the result: the run has none yet; finish legwright optimize");
       return std::move(out_);
     }
-    const std::vector<GaitClip> acts = load_clips(run_);
-    draw_phases(acts);
+    const std::vector<GaitClip> clips = load_clips(run_);
+    draw_phases(clips);
     if (options_.only_phases) return std::move(out_);
-    draw_planned(acts);
-    draw_simulated(acts);
+    draw_planned(clips);
+    draw_simulated(clips);
     finish("gait.webp", [&](const fs::path& file) {
-      const auto bytes = encode_webp_within(animate_gait(context(), acts.back()), kAnimationBytes);
+      const auto bytes = encode_webp_within(animate_gait(context(), clips.back()), kAnimationBytes);
       write_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     });
     return std::move(out_);
@@ -78,25 +78,25 @@ class RunDrawing {
     }
   }
 
-  void draw_phases(const std::vector<GaitClip>& acts) {
+  void draw_phases(const std::vector<GaitClip>& clips) {
     for (const double phase : options_.phases) {
       finish(fmt::format("still_{}.png", phase),
-             [&](const fs::path& file) { write_png(file, still(context(), acts.back(), phase)); });
-      if (acts.size() < 2) continue;  // nothing before
+             [&](const fs::path& file) { write_png(file, still(context(), clips.back(), phase)); });
+      if (clips.size() < 2) continue;  // nothing before
       finish(fmt::format("still_before_after_{}.png", phase), [&](const fs::path& file) {
-        write_png(file, still_side_by_side(context(), acts, phase));
+        write_png(file, still_side_by_side(context(), clips, phase));
       });
     }
   }
 
-  void draw_planned(const std::vector<GaitClip>& acts) {
+  void draw_planned(const std::vector<GaitClip>& clips) {
     PlannedStrip strip;
     const auto compose = [&](std::span<const StripRow> rows) {
-      Renderer letters = cell_renderer(context(), *acts[0].model, strip.layout);
+      Renderer letters = cell_renderer(context(), *clips[0].model, strip.layout);
       return compose_strip(strip.layout, {rows.begin(), rows.end()}, strip.captions, letters);
     };
     finish("strip_initial.png", [&](const fs::path& file) {
-      strip = planned_strip(context(), acts);
+      strip = planned_strip(context(), clips);
       write_png(file, compose(std::span(strip.rows).first(1)));
     });
     finish("strip_result.png",
@@ -105,26 +105,26 @@ class RunDrawing {
            [&](const fs::path& file) { write_png(file, compose(strip.rows)); });
   }
 
-  void draw_simulated(const std::vector<GaitClip>& acts) {
-    const auto every = [&](auto has) { return std::all_of(acts.begin(), acts.end(), has); };
-    if (!every([](const GaitClip& act) { return act.playback.has_value(); })) {
+  void draw_simulated(const std::vector<GaitClip>& clips) {
+    const auto every = [&](auto has) { return std::all_of(clips.begin(), clips.end(), has); };
+    if (!every([](const GaitClip& clip) { return clip.playback.has_value(); })) {
       for (const char* name : {"strip_physics.png", "overlay.png", "contact_timeline.png"})
         out_.left_out.push_back(std::string(name) + ": run legwright validate first");
       return;
     }
     finish("strip_physics.png",
-           [&](const fs::path& file) { write_png(file, physics_strip(context(), acts)); });
+           [&](const fs::path& file) { write_png(file, physics_strip(context(), clips)); });
     finish("overlay.png",
-           [&](const fs::path& file) { write_png(file, overlay_strip(context(), acts)); });
-    if (!every([](const GaitClip& act) { return !act.feet.empty(); })) {
+           [&](const fs::path& file) { write_png(file, overlay_strip(context(), clips)); });
+    if (!every([](const GaitClip& clip) { return !clip.feet.empty(); })) {
       out_.left_out.push_back(
           "contact_timeline.png: metrics.json does not tell of the feet; run legwright validate "
           "again");
       return;
     }
     finish("contact_timeline.png", [&](const fs::path& file) {
-      Renderer letters(context(), *acts[0].model, 64, 48, RenderStyle::cheap);
-      write_png(file, contact_timeline(acts, letters));
+      Renderer letters(context(), *clips[0].model, 64, 48, RenderStyle::cheap);
+      write_png(file, contact_timeline(clips, letters));
     });
   }
 

@@ -197,7 +197,7 @@ void add_gallery(Html& page, const RunData& data) {
   page.open("div", {{"class", "gallery"}});
   for (const int index : shown) {
     try {
-      const auto bytes = encode_png(shrink(read_png(data.iteration(index) / "frame.png"), 2));
+      const auto bytes = encode_png(downsample(read_png(data.iteration(index) / "frame.png"), 2));
       if (bytes.size() > kMostStill) throw std::runtime_error("too large");
       const std::string name = fmt::format("iteration {}", index);
       page.open("figure").lone("img", {{"src", data_uri("image/png", bytes)}, {"alt", name}});

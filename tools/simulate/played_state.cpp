@@ -36,7 +36,7 @@ namespace {
 // Rotation vectors of the first cycle; later ones are the same seen from a turned world. Adding the
 // turn to a vector instead, as within a cycle, is right for small sums only.
 RootRotation planned_rotation(const Trajectory& trajectory, SplinePhase phase) {
-  const double turned = trajectory.turn * phase.cycle;
+  const double angle = trajectory.turn * phase.cycle;
   phase.cycle = 0.0;
   Eigen::Vector3d o, rate, second;
   for (int k = 0; k < 3; ++k) {
@@ -47,8 +47,8 @@ RootRotation planned_rotation(const Trajectory& trajectory, SplinePhase phase) {
     second[k] = turn.acceleration;
   }
   RootRotation out = root_rotation(o, rate, second);
-  if (turned == 0.0) return out;
-  const double c = std::cos(turned / 2), s = std::sin(turned / 2);
+  if (angle == 0.0) return out;
+  const double c = std::cos(angle / 2), s = std::sin(angle / 2);
   const Eigen::Vector4d q = out.quaternion;
   out.quaternion << c * q[0] - s * q[3], c * q[1] - s * q[2], c * q[2] + s * q[1],
       c * q[3] + s * q[0];

@@ -35,7 +35,7 @@ int free_body(const mjModel& model) {
   return model.nbody - 1;
 }
 
-Stand stand(mjModel& model, double seconds) {
+StandingResult stand(mjModel& model, double seconds) {
   const MujocoMessages messages;
   model.opt.disableflags |= mjDSBL_AUTORESET;
   const DataPointer data = make_data(model);
@@ -43,7 +43,7 @@ Stand stand(mjModel& model, double seconds) {
   if (model.nkey > 0) mj_resetDataKeyframe(&model, data.get(), std::max(home, 0));
   mj_forward(&model, data.get());
   const int trunk = free_body(model);
-  Stand out;
+  StandingResult out;
   out.trunk_before = data->xpos[3 * trunk + 2];
   Health health;
   const auto steps = std::llround(seconds / model.opt.timestep);
@@ -60,7 +60,7 @@ Stand stand(mjModel& model, double seconds) {
 
 }  // namespace
 
-Stand stand(const std::filesystem::path& scene, double seconds) {
+StandingResult stand(const std::filesystem::path& scene, double seconds) {
   const ModelPointer model = load_model(scene);
   return stand(*model, seconds);
 }

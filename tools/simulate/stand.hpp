@@ -10,7 +10,7 @@
 namespace legwright {
 
 /// What became of a robot that was left to stand.
-struct Stand {
+struct StandingResult {
   double seconds = 0.0;   // simulated
   bool diverged = false;  // a state that is no number: stopped there
   std::vector<HealthWarning> warnings;
@@ -20,10 +20,10 @@ struct Stand {
 /// Simulates a model as stock MuJoCo opens it: from its keyframe `home` (else its first, else the
 /// reference pose), with that keyframe's controls. MuJoCo never resets it. The model must have no
 /// plugin. Throws MujocoError where MuJoCo refuses the file.
-Stand stand(const std::filesystem::path& scene, double seconds = 1.0);
+StandingResult stand(const std::filesystem::path& scene, double seconds = 1.0);
 
-/// Plays the gait of a design's scene from its start, for at least so long or until it falls. @return
-/// what MuJoCo warned of. Throws MujocoError where it refuses the scene.
+/// Plays the gait of a design's scene from its start, for at least so long or until it falls.
+/// @return what MuJoCo warned of. Throws MujocoError where it refuses the scene.
 std::vector<HealthWarning> warnings_in_gait(const std::filesystem::path& scene,
                                             double seconds = 1.0);
 

@@ -26,34 +26,34 @@ int find_parameter(const DesignSpace& space, const std::string& name, const std:
 
 }  // namespace
 
-DesignWishes read_design_table(TableReader in, Problems& problems) {
-  DesignWishes wishes;
+DesignTable read_design_table(TableReader in, Problems& problems) {
+  DesignTable table;
   if (const toml::node* node = in.node("freeze")) {
     const toml::array* array = node->as_array();
     bool good = array != nullptr;
     for (std::size_t i = 0; array && i < array->size(); ++i) {
       const auto name = array->get(i)->value<std::string>();
       good = good && name.has_value();
-      if (name) wishes.freeze.push_back(*name);
+      if (name) table.freeze.push_back(*name);
     }
     if (!good)
       problems.add(in.line_of("freeze"), in.full("freeze"),
                    "expected names of design parameters: freeze = [\"body_width\"]");
   }
-  wishes.bounds = in.numbers_of_names("bounds", {-100.0, 100.0, false, false, ""}, 2);
+  table.bounds = in.numbers_of_names("bounds", {-100.0, 100.0, false, false, ""}, 2);
   in.finish();
-  return wishes;
+  return table;
 }
 
-DesignSpace restricted(const DesignSpace& space, const DesignWishes& wishes,
-                       const std::string& file, const std::map<std::string, int>& lines) {
+DesignSpace restricted(const DesignSpace& space, const DesignTable& table, const std::string& file,
+                       const std::map<std::string, int>& lines) {
   DesignSpace out = space;
   Problems problems(file);
   const auto line = [&](const std::string& key) {
     const auto found = lines.find(key);
     return found == lines.end() ? 0 : found->second;
   };
-  for (const auto& [name, bounds] : wishes.bounds) {
+  for (const auto& [name, bounds] : table.bounds) {
     const std::string key = "design.bounds." + name;
     const int k = find_parameter(space, name, key, problems, line(key));
     if (k < 0) continue;
@@ -70,7 +70,7 @@ DesignSpace restricted(const DesignSpace& space, const DesignWishes& wishes,
     parameter.lower = bounds[0];
     parameter.upper = bounds[1];
   }
-  for (const std::string& name : wishes.freeze) {
+  for (const std::string& name : table.freeze) {
     const int k = find_parameter(space, name, "design.freeze", problems, line("design.freeze"));
     if (k >= 0) out.parameters[k].lower = out.parameters[k].upper = out.parameters[k].initial;
   }

@@ -11,12 +11,12 @@
 
 namespace legwright {
 
-DesignWishes read_design_table(TableReader in, Problems& problems);
+DesignTable read_design_table(TableReader in, Problems& problems);
 
 /// The robot's design space with narrower bounds; a frozen parameter stays in it with equal bounds.
-/// Throws InputError, with file and line of the key, for unknown names and for bounds that leave the
-/// robot's or do not hold its value.
-DesignSpace restricted(const DesignSpace& space, const DesignWishes& wishes,
-                       const std::string& file, const std::map<std::string, int>& lines);
+/// Throws InputError, with file and line of the key, for unknown names and for bounds that leave
+/// the robot's or do not hold its value.
+DesignSpace restricted(const DesignSpace& space, const DesignTable& table, const std::string& file,
+                       const std::map<std::string, int>& lines);
 
 }  // namespace legwright

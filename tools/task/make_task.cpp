@@ -206,7 +206,7 @@ std::vector<std::string> task_warnings(const Task& task, const RobotModel& robot
         "soft ankles: gravity tips the robot over its feet with {:.3g} N m/rad, and the softest "
         "servo of its ankles has {:.4g}; [servos] kp = {} in the task file plays it stiffer",
         feet.toppling, feet.kp, feet.upright_kp()));
-  else if (feet.rocks())
+  else if (feet.is_underdamped())
     warnings.push_back(fmt::format(
         "little damping: on flat feet a robot rocks over its ankles, the longer the more; [servos] "
         "kd = {} in the task file damps servos that have less",

@@ -26,8 +26,8 @@ struct CodesignProblem {
   std::string speed_unit(int k) const;
 };
 
-/// Reads a task file and its robot and builds F of each task. Throws InputError with everything that
-/// is wrong. @param robot instead of the one that the task file names
+/// Reads a task file and its robot and builds F of each task. Throws InputError with everything
+/// that is wrong. @param robot instead of the one that the task file names
 CodesignProblem read_problem(const std::filesystem::path& task_file,
                              const std::filesystem::path& robot = {});
 

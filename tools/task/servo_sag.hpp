@@ -8,12 +8,13 @@
 
 namespace legwright {
 
-/// Sag above which servos are called soft, and that of those that are stiff enough [rad]: trots of robots that bend by
-/// 0.02 to 0.3 rad were followed badly or only just, those of robots that bend by up to 0.01 rad were, from half their
-/// gains on (tools/README.md).
+/// Sag above which servos are called soft, and that of those that are stiff enough [rad]: trots of
+/// robots that bend by 0.02 to 0.3 rad were followed badly or only just, those of robots that bend
+/// by up to 0.01 rad were, from half their gains on (tools/README.md).
 inline constexpr double kSoftSag = 0.015, kFirmSag = 0.01;
 
-/// How far standing still in the home pose bends the servo at a joint that gives in most, without feed-forward.
+/// How far standing still in the home pose bends the servo at a joint that gives in most, without
+/// feed-forward.
 struct ServoSag {
   std::string joint;    // empty: the robot has no servo at a joint
   double angle = 0.0;   // [rad]

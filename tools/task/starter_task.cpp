@@ -15,10 +15,12 @@
 namespace legwright {
 namespace {
 
-// Of √(g h): a Froude number of 0.02, at which feet need not hurry. Two feet balance at less. Trots of some robots limp
-// at 0.2; three and four feet at a time carry a robot that does not tip, which follows plans at 0.35 as well as at 0.15.
+// Of √(g h): a Froude number of 0.02, at which feet need not hurry. Two feet balance at less. Trots
+// of some robots limp at 0.2; three and four feet at a time carry a robot that does not tip, which
+// follows plans at 0.35 as well as at 0.15.
 constexpr double kSpeed = 0.15, kTwoFeetSpeed = 0.075, kTripodSpeed = 0.25;
-// A cycle over √(h/g), by how long feet stand: nothing catches a robot on one pair of feet but its next step.
+// A cycle over √(h/g), by how long feet stand: nothing catches a robot on one pair of feet but its
+// next step.
 constexpr double kQuickCycle = 3.7, kTripodCycle = 5.0, kSlowCycle = 7.0;
 constexpr double kSlowDuty = 0.65;
 // Flat feet: slow and low, as their ankles have to hold what sways above them.

@@ -22,18 +22,21 @@ struct StarterTask {
   TwoFeet two_feet;                    // so it does with ankles of flat feet
 };
 
-/// Period in proportion to √(h/g) and speed to √(g h), with the height h of the COM in the home pose: what swings and
-/// tips under gravity is slower in a larger robot. Without `gait`: trot for four feet, else the first of the library:
-/// walk, tripod, tetrapod, wave. Throws InputError where the library has no gait for that many feet (no_gait_text()), or
-/// none of that name.
+/// Period in proportion to √(h/g) and speed to √(g h), with the height h of the COM in the home
+/// pose: what swings and tips under gravity is slower in a larger robot. Without `gait`: trot for
+/// four feet, else the first of the library: walk, tripod, tetrapod, wave. Throws InputError where
+/// the library has no gait for that many feet (no_gait_text()), or none of that name.
 StarterTask starter_task(const RobotModel& robot, const std::optional<std::string>& gait);
 
-/// What to do where the library has no gait for so many feet: how a task file declares one. Empty where there is a gait.
+/// What to do where the library has no gait for so many feet: how a task file declares one. Empty
+/// where there is a gait.
 std::string no_gait_text(int foot_count);
-/// Why there is no first task for a robot, and what to do: it has no gait, or would fall with any. Empty where there is.
+/// Why there is no first task for a robot, and what to do: it has no gait, or would fall with any.
+/// Empty where there is.
 std::string no_task_text(const RobotModel& robot);
 
-/// The task file with its comments. `robot` is the path that it names, from the folder of the task file.
+/// The task file with its comments. `robot` is the path that it names, from the folder of the task
+/// file.
 std::string starter_text(const StarterTask& task, const std::string& robot);
 
 }  // namespace legwright

@@ -10,17 +10,18 @@
 
 namespace legwright {
 
-/// The table [style]: what eqs (10) shall pull COM and feet to, constant or as lists over the cycle. What is wrong
-/// goes to the reader's problems.
+/// The table [style]: what eqs (10) shall pull COM and feet to, constant or as lists over the
+/// cycle. What is wrong goes to the reader's problems.
 void read_style(TableReader in, TaskFile& task);
 
-/// Puts the file's style targets into the task, feet in the robot's order. Throws InputError, with file and line of the
-/// key, where they do not fit the robot's feet.
+/// Puts the file's style targets into the task, feet in the robot's order. Throws InputError, with
+/// file and line of the key, where they do not fit the robot's feet.
 /// @param names of the robot's feet @param order footfall_order() of the robot
 void apply_style(const TaskFile& file, const std::vector<std::string>& names,
                  const std::vector<int>& order, Task& task);
 
-/// The highest com_height that the task asks for at any time [m]; nothing where it is left to the home pose.
+/// The highest com_height that the task asks for at any time [m]; nothing where it is left to the
+/// home pose.
 std::optional<double> highest_com(const Task& task);
 
 }  // namespace legwright

@@ -74,9 +74,9 @@ void read_swing(TableReader& in, TaskFile& task, Problems& problems) {
 
 void read_limits(TableReader in, TaskFile& task, Problems& problems) {
   Task& margins = task.margins;
-  constexpr Range friction{0.0, 5.0, true, false, ""};
-  margins.floor_friction = in.number("floor_friction", friction).value_or(margins.floor_friction);
-  margins.friction = in.number("friction", friction).value_or(margins.friction);
+  constexpr Range kFriction{0.0, 5.0, true, false, ""};
+  margins.floor_friction = in.number("floor_friction", kFriction).value_or(margins.floor_friction);
+  margins.friction = in.number("friction", kFriction).value_or(margins.friction);
   read_swing(in, task, problems);
   if (const auto limit = in.number("torque_limit", {0.0, 1e4, true, false, "N m"}))
     margins.torque_limit = limit;
@@ -103,9 +103,9 @@ void read_limits(TableReader in, TaskFile& task, Problems& problems) {
 
 /// The slope of the ground; up on it is known with the way to go.
 void read_ground(TableReader in, TaskFile& task) {
-  constexpr Range slope{-kSteepest, kSteepest, false, false, "rad"};
-  task.slope_along = in.number("slope_along", slope).value_or(task.slope_along);
-  task.slope_across = in.number("slope_across", slope).value_or(task.slope_across);
+  constexpr Range kSlope{-kSteepest, kSteepest, false, false, "rad"};
+  task.slope_along = in.number("slope_along", kSlope).value_or(task.slope_along);
+  task.slope_across = in.number("slope_across", kSlope).value_or(task.slope_across);
   in.finish();
 }
 

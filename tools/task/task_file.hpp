@@ -54,7 +54,7 @@ struct TaskFile {
 
 /// What a task file says about s: [design] freeze = ["body_width"] and [design.bounds]
 /// body_length = [0.2, 0.3].
-struct DesignWishes {
+struct DesignTable {
   std::vector<std::string> freeze;                    // stay at their initial value
   std::map<std::string, std::vector<double>> bounds;  // lower, upper, within those of the robot
 };
@@ -68,7 +68,7 @@ struct TaskSet {
   std::vector<TaskFile> tasks;       // in the file's order, at least one; names differ
   std::string outer;                 // name of the term that is the outer objective J, or empty
   double outer_weight = 1.0;         // of J in F + weight·J
-  DesignWishes design;               // [design]: what is frozen or bounded
+  DesignTable design;                // [design]: what is frozen or bounded
   std::map<std::string, int> lines;  // of the keys outside [[task]]
 
   bool joint() const { return tasks.size() > 1; }
@@ -82,15 +82,15 @@ TaskSet read_task_set(const std::filesystem::path& file, const std::filesystem::
 TaskSet parse_task_set(const std::string& text, const std::filesystem::path& file,
                        const std::filesystem::path& robot = {});
 
-/// Reads the file of one task strictly: TOML 1.0, known keys only, right types, finite and in range. Throws
-/// InputError with one line for each thing that is wrong; also where the file or its robot is
-/// missing, or where it holds several tasks.
+/// Reads the file of one task strictly: TOML 1.0, known keys only, right types, finite and in
+/// range. Throws InputError with one line for each thing that is wrong; also where the file or its
+/// robot is missing, or where it holds several tasks.
 TaskFile read_task_file(const std::filesystem::path& file);
 /// The same from text; `file` is for messages and to find the robot from.
 TaskFile parse_task_file(const std::string& text, const std::filesystem::path& file);
 
-/// The text of a task file with `robot = "robot.xml"`, everything else byte for byte: what can be run
-/// again beside a copy of the robot under that name.
+/// The text of a task file with `robot = "robot.xml"`, everything else byte for byte: what can be
+/// run again beside a copy of the robot under that name.
 std::string text_beside_robot(const std::string& text);
 
 /// The task for this robot: gait pattern chosen, feet put in the robot's order, seconds turned into
@@ -98,8 +98,9 @@ std::string text_beside_robot(const std::string& text);
 /// speed is out of reach.
 Task make_task(const TaskFile& file, const RobotModel& robot);
 
-/// Knots planted on either side of stance: `seconds` in knots, at least one. Without a wish touchdown_error() of the
-/// leg's length (35 ms for legs of 21 cm) for gaits of duty ≤ 0.6, else one knot.
+/// Knots planted on either side of stance: `seconds` in knots, at least one. Without a margin in
+/// the task touchdown_error() of the leg's length (35 ms for legs of 21 cm) for gaits of duty ≤
+/// 0.6, else one knot.
 int planted_margin_knots(std::optional<double> seconds, double duty, double time_step,
                          double leg_length);
 

@@ -16,11 +16,12 @@ namespace {
 
 constexpr double kRolyPoly =
     1.0;  // radius of round soles over the leg: there a robot rights itself
-// Of M g h: at half gains no less than 1 holds. Robots of 31 and 33 kg walked at half of 2.2 and fell at half of 1.1.
+// Of M g h: at half gains no less than 1 holds. Robots of 31 and 33 kg walked at half of 2.2 and
+// fell at half of 1.1.
 constexpr double kUpright = 8.0, kLeast = 2.15;
-// Of M g h √(h/g), the damping that the robot's own swing over its ankles is critical with. At a third of it, and gains at
-// which that swing takes as long as a cycle, robots rocked till they fell; at two thirds they kept 90 to 98 % of their
-// speed; at 4/3 none rocked.
+// Of M g h √(h/g), the damping that the robot's own swing over its ankles is critical with. At a
+// third of it, and gains at which that swing takes as long as a cycle, robots rocked till they
+// fell; at two thirds they kept 90 to 98 % of their speed; at 4/3 none rocked.
 constexpr double kDamping = 4.0 / 3.0, kLeastDamping = 0.9;
 constexpr std::size_t kAnkleHinges = 2;  // next to the foot: one pitches, one rolls
 
@@ -36,7 +37,7 @@ double TwoFeet::upright_kd() const {
   return two_digits_up(kDamping * toppling * std::sqrt(height / kGravity));
 }
 
-bool TwoFeet::rocks() const {
+bool TwoFeet::is_underdamped() const {
   return kind == Kind::flat && kd < kLeastDamping * toppling * std::sqrt(height / kGravity);
 }
 

@@ -8,8 +8,9 @@
 
 namespace legwright {
 
-/// What keeps a robot on two feet upright while it plays a plan that nothing corrects: round soles as large as the leg, on
-/// which it rights itself, or flat ones on ankles stiffer than gravity tips it.
+/// What keeps a robot on two feet upright while it plays a plan that nothing corrects: round soles
+/// as large as the leg, on which it rights itself, or flat ones on ankles stiffer than gravity tips
+/// it.
 struct TwoFeet {
   enum class Kind { no, round, flat, neither };  // no: the robot has more feet, or one
   Kind kind = Kind::no;
@@ -20,12 +21,12 @@ struct TwoFeet {
   double kp = 0.0;        // least of the ankles' [N m/rad]
   double kd = 0.0;        // least of the ankles' [N m s/rad]
 
-  /// Gain with which ankles hold the robot at half of it, too, and damping in which it does not rock from step to step:
-  /// two digits [N m/rad, N m s/rad].
+  /// Gain with which ankles hold the robot at half of it, too, and damping in which it does not
+  /// rock from step to step: two digits [N m/rad, N m s/rad].
   double upright_kp() const;
   double upright_kd() const;
   bool soft() const;
-  bool rocks() const;
+  bool is_underdamped() const;
   /// Whether its motor bears a stiffness that would hold.
   bool can_be_stiffer() const;
   /// Why it will fall, whatever the plan; empty where it need not.

@@ -155,7 +155,7 @@ double friction_of(const Json& run) {
   return 1.0;
 }
 
-std::string describe(const Stand& stand) {
+std::string describe(const StandingResult& stand) {
   std::string out = fmt::format(
       "Left to stand on the floor of `scene.xml` for {:.3g} s in its home pose: ", stand.seconds);
   if (stand.warnings.empty()) out += "no warning of the engine";
@@ -268,7 +268,7 @@ int export_run(const ExportOptions& options) {
   const std::vector<std::string> lost = differences_in_scene(robot, scene);
   if (!lost.empty())
     throw std::logic_error("the exported scene has another robot: " + lost.front());
-  const Stand stood = stand(scene);
+  const StandingResult stood = stand(scene);
 
   ExportFacts facts = facts_of(from, options.run, name);
   facts.standing = describe(stood);

@@ -26,7 +26,7 @@ struct InitOptions {
   bool write = false, json = false;
 };
 
-Json to_json(const StudiedRobot& found, const std::string& written, const std::string& task) {
+Json to_json(const ProposedParameters& found, const std::string& written, const std::string& task) {
   const Morphology& morphology = found.model.morphology;
   Json limbs = Json::array();
   for (const Limb& limb : found.limbs) {
@@ -75,7 +75,7 @@ struct FirstTask {
 };
 
 /// It names `robot` from the folder of the task file. Throws IoError where the file exists already.
-FirstTask first_task(const InitOptions& options, const StudiedRobot& found,
+FirstTask first_task(const InitOptions& options, const ProposedParameters& found,
                      const std::string& robot) {
   if (fs::exists(options.task))
     throw IoError(options.task + ": exists already; name a new file, or remove it");
@@ -101,11 +101,11 @@ FirstTask first_task(const InitOptions& options, const StudiedRobot& found,
 }
 
 /// A robot for which the library has no gait, or that would fall with any, gets its parameters all the same, but no task.
-bool lacks_task(const InitOptions& options, const StudiedRobot& found) {
+bool lacks_task(const InitOptions& options, const ProposedParameters& found) {
   return options.gait.empty() && !no_task_text(found.model).empty();
 }
 
-std::string next_step(const InitOptions& options, const StudiedRobot& found,
+std::string next_step(const InitOptions& options, const ProposedParameters& found,
                       const std::string& written, const std::string& task) {
   if (!task.empty())
     return fmt::format("next: legwright optimize {} -o runs/mine\n", shell_word(task));
@@ -145,7 +145,8 @@ int init(const InitOptions& options) {
   if (!options.gait.empty() && options.task.empty())
     throw InputError("--gait is for the task file that --task FILE writes; give both");
   const RobotFiles files = RobotFiles::read(file);
-  const StudiedRobot found = files.at_their_lines([&] { return study_robot(files.text(), file); });
+  const ProposedParameters found =
+      files.at_their_lines([&] { return propose_parameters(files.text(), file); });
   check_output(options, files);
   const bool writes = options.write || !options.output.empty();
   const FirstTask task =

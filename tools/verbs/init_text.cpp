@@ -53,7 +53,7 @@ std::string servo_text(const Servo& servo) {
 }
 
 /// @param place in the chain of the leg, from the trunk down
-std::string joint_text(const StudiedRobot& found, const Limb& limb, std::size_t place) {
+std::string joint_text(const ProposedParameters& found, const Limb& limb, std::size_t place) {
   const auto link = static_cast<std::size_t>(limb.links[place]);
   return fmt::format("{:8} {:21} {}", axis_name(limb.axes[place]),
                      range_text(found.model.morphology.links[link].joint),
@@ -64,7 +64,7 @@ std::string joint_text(const StudiedRobot& found, const Limb& limb, std::size_t 
 std::size_t own_joints(const Limb& limb) { return static_cast<std::size_t>(limb.shared); }
 
 /// Joints between the trunk and several legs, as a waist, each once.
-std::vector<TreeLine> shared_joints(const StudiedRobot& found) {
+std::vector<TreeLine> shared_joints(const ProposedParameters& found) {
   std::vector<TreeLine> lines;
   std::set<int> told;
   for (const Limb& limb : found.limbs)
@@ -76,12 +76,12 @@ std::vector<TreeLine> shared_joints(const StudiedRobot& found) {
   return lines;
 }
 
-const Foot& foot_of(const StudiedRobot& found, const Limb& limb) {
+const Foot& foot_of(const ProposedParameters& found, const Limb& limb) {
   return found.model.morphology.feet[static_cast<std::size_t>(limb.foot)];
 }
 
 /// @param side in front of y where it stands for both legs of a pair: "+-", else "".
-std::string foot_text(const StudiedRobot& found, const Limb& limb, const std::string& side) {
+std::string foot_text(const ProposedParameters& found, const Limb& limb, const std::string& side) {
   const Foot& foot = foot_of(found, limb);
   const std::size_t balls =
       1 + found.model.structure.feet[static_cast<std::size_t>(limb.foot)].others.size();
@@ -100,7 +100,7 @@ std::string foot_text(const StudiedRobot& found, const Limb& limb, const std::st
                      shown(limb.home.z()));
 }
 
-void add_leg(const StudiedRobot& found, const Limb& limb, std::vector<TreeLine>& lines) {
+void add_leg(const ProposedParameters& found, const Limb& limb, std::vector<TreeLine>& lines) {
   const auto& links = found.model.morphology.links;
   for (std::size_t k = own_joints(limb); k < limb.links.size(); ++k)
     lines.push_back(
@@ -109,7 +109,7 @@ void add_leg(const StudiedRobot& found, const Limb& limb, std::vector<TreeLine>&
 }
 
 /// A leg and its mirror image, side by side; beneath each other where ranges, servos or feet differ.
-void add_pair(const StudiedRobot& found, const Limb& left, const Limb& right,
+void add_pair(const ProposedParameters& found, const Limb& left, const Limb& right,
               std::vector<TreeLine>& lines) {
   const auto& links = found.model.morphology.links;
   const auto add = [&](const std::string& a, const std::string& a_is, const std::string& b,
@@ -130,7 +130,7 @@ void add_pair(const StudiedRobot& found, const Limb& left, const Limb& right,
       foot_text(found, right, side));
 }
 
-std::string leg_title(const StudiedRobot& found, const Limb& limb) {
+std::string leg_title(const ProposedParameters& found, const Limb& limb) {
   const int rows = found.limbs.back().row + 1;
   std::string row = row_name(limb.row, rows);
   if (rows > 3) row = fmt::format("row {} of {}", limb.row + 1, rows);
@@ -138,7 +138,7 @@ std::string leg_title(const StudiedRobot& found, const Limb& limb) {
   return row.empty() ? "pair, left | right" : row + (rows > 3 ? ", " : " ") + "pair, left | right";
 }
 
-std::string title(const StudiedRobot& found) {
+std::string title(const ProposedParameters& found) {
   const Morphology& morphology = found.model.morphology;
   return fmt::format("{}: {:.4g} kg, {} leg{}, {} joints that move\n", morphology.name,
                      morphology.total_mass(), morphology.foot_count(),
@@ -201,7 +201,7 @@ std::string table_of(const std::vector<Proposal>& proposals) {
 
 }  // namespace
 
-std::string robot_tree(const StudiedRobot& found) {
+std::string robot_tree(const ProposedParameters& found) {
   std::vector<std::pair<std::string, std::vector<TreeLine>>> legs;
   if (std::vector<TreeLine> shared = shared_joints(found); !shared.empty())
     legs.emplace_back("above several legs", std::move(shared));
@@ -227,12 +227,12 @@ std::string robot_tree(const StudiedRobot& found) {
   return found.not_standing.empty() ? text : text + "  " + found.not_standing + "\n";
 }
 
-std::string robot_summary(const StudiedRobot& found) {
+std::string robot_summary(const ProposedParameters& found) {
   const std::string text = title(found) + held_text(found.model.structure);
   return found.not_standing.empty() ? text : text + "  " + found.not_standing + "\n";
 }
 
-std::string proposal_summary(const StudiedRobot& found) {
+std::string proposal_summary(const ProposedParameters& found) {
   const auto lengths = std::count_if(found.proposals.begin(), found.proposals.end(),
                                      [](const Proposal& p) { return p.unit == "m"; });
   const auto angles = static_cast<std::ptrdiff_t>(found.proposals.size()) - lengths;
@@ -243,14 +243,14 @@ std::string proposal_summary(const StudiedRobot& found) {
                      had > 0 ? fmt::format(", beside the {} that were there", had) : "");
 }
 
-std::string declared_summary(const StudiedRobot& found) {
+std::string declared_summary(const ProposedParameters& found) {
   const int had = found.model.space.size();
   return had == 0 ? "nothing to write: no design parameter can be proposed\n"
                   : fmt::format("nothing to add: the file declares {} design parameter{}\n", had,
                                 had == 1 ? "" : "s");
 }
 
-std::string proposal_table(const StudiedRobot& found) {
+std::string proposal_table(const ProposedParameters& found) {
   const std::size_t count = found.proposals.size();
   std::vector<std::string> declared;
   for (const DesignParameter& parameter : found.model.space.parameters)

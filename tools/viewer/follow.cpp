@@ -64,11 +64,11 @@ fs::path without_slash(fs::path folder) {
 
 }  // namespace
 
-LandedDesign design_at(const fs::path& scene) {
+WrittenDesign design_at(const fs::path& scene) {
   return {scene, name_of(fs::absolute(scene).parent_path()), false};
 }
 
-std::vector<Fact> facts_of(const LandedDesign& design) {
+std::vector<Fact> facts_of(const WrittenDesign& design) {
   if (design.name.empty()) return {};
   std::vector<Fact> facts{{"design", design.name}};
   const Json metrics = read_or_nothing(design.scene.parent_path() / "metrics.json");
@@ -100,9 +100,9 @@ std::optional<RunFollower::Candidate> RunFollower::newest() const {
   for (const fs::path& place : places())
     for (const fs::path& folder : entries(place)) {
       std::error_code error;
-      const auto landed = fs::last_write_time(folder / kScene, error);
+      const auto written_at = fs::last_write_time(folder / kScene, error);
       if (error || !is_number(folder.filename().string())) continue;
-      const Candidate candidate{landed, folder};
+      const Candidate candidate{written_at, folder};
       if (!best || candidate > *best) best = candidate;
     }
   return best;
@@ -114,16 +114,16 @@ bool RunFollower::run_has_ended() const {
   return status != run.end() && *status != "running";
 }
 
-std::optional<LandedDesign> RunFollower::next() {
+std::optional<WrittenDesign> RunFollower::next() {
   ended_ = run_has_ended();
   std::error_code error;
   const fs::path result = run_ / "result";
-  const auto landed = fs::last_write_time(result / kScene, error);
+  const auto written_at = fs::last_write_time(result / kScene, error);
   const bool found = ended_ && !error;
-  const std::optional<Candidate> best = found ? Candidate{landed, result} : newest();
+  const std::optional<Candidate> best = found ? Candidate{written_at, result} : newest();
   if (!best || best == shown_) return std::nullopt;
   shown_ = best;
-  return LandedDesign{best->folder / kScene, name_of(best->folder), found};
+  return WrittenDesign{best->folder / kScene, name_of(best->folder), found};
 }
 
 std::string RunFollower::waiting() const {

@@ -9,7 +9,7 @@
 namespace legwright {
 
 /// A finished design of a run, ready to be shown.
-struct LandedDesign {
+struct WrittenDesign {
   std::filesystem::path scene;  // scene.xml of the design
   std::string name;             // "iteration 7", "result"
   bool result = false;          // the run has ended, and this is what it found
@@ -21,11 +21,11 @@ struct Fact {
 };
 
 /// The design that a scene belongs to, by the name of its folder; nameless elsewhere.
-LandedDesign design_at(const std::filesystem::path& scene);
+WrittenDesign design_at(const std::filesystem::path& scene);
 
 /// Cost and planned speed of a design from the metrics.json beside its scene; without them where
 /// that cannot be read, empty for a nameless one.
-std::vector<Fact> facts_of(const LandedDesign& design);
+std::vector<Fact> facts_of(const WrittenDesign& design);
 
 /// Watches the folder of a run, which need not exist yet, for designs that land there. A folder
 /// tasks/NAME of a joint run, which appears only at the end, stands for the designs of its task in
@@ -36,7 +36,7 @@ class RunFollower {
 
   /// The design that landed last, or the result once the run has ended, where it is not the one
   /// that the last call gave; designs that came and went between two calls are passed over.
-  std::optional<LandedDesign> next();
+  std::optional<WrittenDesign> next();
 
   /// Whether the last call of next() found the run ended.
   bool ended() const { return ended_; }
@@ -46,7 +46,7 @@ class RunFollower {
 
  private:
   struct Candidate {
-    std::filesystem::file_time_type landed;
+    std::filesystem::file_time_type written_at;
     std::filesystem::path folder;
     auto operator<=>(const Candidate&) const = default;
   };

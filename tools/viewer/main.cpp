@@ -19,7 +19,7 @@ namespace {
 /// behind them keeps them from going back to the system.
 void keep_big_blocks_off_the_heap() { ::mallopt(M_MMAP_THRESHOLD, 1 << 18); }
 
-/// What is told may hold names from files: none of them shall command the terminal.
+/// Messages may hold names from files: none of them shall command the terminal.
 void print_line(std::FILE* to, const std::string& text) {
   fmt::print(to, "{}\n", legwright::terminal_text(text));
   std::fflush(to);

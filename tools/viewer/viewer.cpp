@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cmath>
 #include <exception>
+#include <numbers>
 #include <thread>
 
 #include "tools/simulate/mujoco_host.hpp"
@@ -28,7 +29,7 @@ constexpr const char* kStartKey = "gait";  // where the emitted scenes have the 
 constexpr int kGhostGroup = 5;             // of geoms, whose switch shows the plugin's ghost
 constexpr const char* kResult = "the run has ended; this is its result";
 constexpr const char* kNoResult = "the run has ended without a result; this is its last design";
-constexpr auto kLookAgain = std::chrono::milliseconds(100);
+constexpr auto kPollInterval = std::chrono::milliseconds(100);
 constexpr int kRoomForBothPanels = 1000;  // [px] of window; with less, the right one starts hidden
 
 /// Two threads: this one draws (window systems want the first), the other loads and steps.
@@ -48,17 +49,17 @@ class Session {
     return window;
   }
   void before_frame();
-  void look_at_robot();
+  void aim_camera();
   void start_anew();
   void set_up();
   void show_panels(bool shown);
 
   void work();
-  void take_requests();
+  void handle_requests();
   void follow();
   void step();
   bool load(const fs::path& scene, const std::vector<Fact>& facts);
-  void tell(const std::string& message);
+  void show_message(const std::string& message);
 
   const ViewerOptions& options_;
   RunFollower follower_;
@@ -71,22 +72,22 @@ class Session {
   DataPointer data_;
   fs::path scene_;  // what model_ was made of
   Pace pace_;
-  Clock::time_point looked_{};
+  Clock::time_point last_poll_{};
   bool result_shown_ = false;
-  std::string state_;  // of the run that is followed, as it was told last
+  std::string state_;  // of the run that is followed, as last reported
   std::exception_ptr failure_;
   std::atomic<bool> working_ = true;
   // Under the viewer's lock:
   std::string message_;
   std::vector<Fact> facts_;
-  bool news_ = false;
+  bool message_changed_ = false;
   bool set_up_ = false, view_done_ = false;
 };
 
 int start_key(const mjModel& model) { return mj_name2id(&model, mjOBJ_KEY, kStartKey); }
 
 /// From the scene's tracking camera's side, if it has one, about the robot that it tracks.
-void Session::look_at_robot() {
+void Session::aim_camera() {
   const mjModel& model = *viewer_.m_;
   for (int body = 1; body < model.nbody; ++body) {
     const int joint = model.body_jntadr[body];
@@ -99,7 +100,7 @@ void Session::look_at_robot() {
     camera_.elevation = -17.0;
     if (model.ncam > 0) {  // pictures and viewer show the robot from the same side
       const mjtNum* z = viewer_.d_->cam_xmat;  // its third column points at whoever looks
-      const double x_C = z[2], y_C = z[5], z_C = z[8], degrees = 180.0 / mjPI;
+      const double x_C = z[2], y_C = z[5], z_C = z[8], degrees = 180.0 / std::numbers::pi;
       camera_.azimuth = std::atan2(-y_C, -x_C) * degrees;
       camera_.elevation = -std::asin(std::clamp(z_C, -1.0, 1.0)) * degrees;
     }
@@ -138,12 +139,12 @@ void Session::before_frame() {
   set_up_ = true;
   if (viewer_.pending_.reset) start_anew();
   if (viewer_.m_ && !view_done_) {
-    look_at_robot();
+    aim_camera();
     show_panels(true);
     view_done_ = true;
   }
-  if (!news_) return;
-  news_ = false;
+  if (!message_changed_) return;
+  message_changed_ = false;
   const std::string text = in_lines(message_, sizeof viewer_.load_error - 1);
   viewer_.load_error[text.copy(viewer_.load_error, sizeof viewer_.load_error - 1)] = '\0';
   viewer_.user_texts_.clear();
@@ -156,11 +157,11 @@ void Session::before_frame() {
   if (!left.empty()) viewer_.user_texts_.emplace_back(mjFONT_NORMAL, mjGRID_TOPRIGHT, left, right);
 }
 
-void Session::tell(const std::string& message) {
+void Session::show_message(const std::string& message) {
   if (!message.empty()) options_.say(message);
   const Lock lock(viewer_.mtx);
   message_ = message;
-  news_ = true;
+  message_changed_ = true;
 }
 
 bool Session::load(const fs::path& scene, const std::vector<Fact>& facts) {
@@ -178,7 +179,7 @@ bool Session::load(const fs::path& scene, const std::vector<Fact>& facts) {
       mj_resetDataKeyframe(model.get(), data.get(), key);
     mj_forward(model.get(), data.get());
   } catch (const MujocoError& error) {
-    tell(scene.string() + ": " + error.what());
+    show_message(scene.string() + ": " + error.what());
     return false;
   }
   {
@@ -187,7 +188,7 @@ bool Session::load(const fs::path& scene, const std::vector<Fact>& facts) {
         terminal_text(fmt::format("Legwright: {}{}{}", model->names, facts.empty() ? "" : ", ",
                                   facts.empty() ? "" : facts.front().value)));
     facts_ = facts;
-    news_ = true;
+    message_changed_ = true;
     viewer_.key = start_key(*model);
   }
   // One name for all designs of a run: by another name MuJoCo would take back the camera.
@@ -200,7 +201,7 @@ bool Session::load(const fs::path& scene, const std::vector<Fact>& facts) {
 }
 
 void Session::follow() {
-  if (Clock::now() - looked_ < kLookAgain) return;
+  if (Clock::now() - last_poll_ < kPollInterval) return;
   const auto design = follower_.next();
   if (design) result_shown_ = design->result;
   const std::string state = !follower_.ended() ? follower_.waiting()
@@ -208,21 +209,21 @@ void Session::follow() {
                                                : kNoResult;
   if (design && load(design->scene, facts_of(*design))) {
     options_.say("loaded " + design->name + ", " + design->scene.string());
-    tell(state);
+    show_message(state);
   } else if (state != state_) {
-    tell(state);
+    show_message(state);
   }
   state_ = state;
-  looked_ = Clock::now();
+  last_poll_ = Clock::now();
 }
 
-void Session::take_requests() {
+void Session::handle_requests() {
   if (viewer_.droploadrequest.exchange(0)) {
     const std::string dropped = viewer_.dropfilename;
-    if (load(dropped, facts_of(design_at(dropped)))) tell("");
+    if (load(dropped, facts_of(design_at(dropped)))) show_message("");
   }
   if (viewer_.uiloadrequest.exchange(0) && !scene_.empty() && load(fs::path(scene_), facts_))
-    tell("");
+    show_message("");
   if (options_.follow) follow();
 }
 
@@ -230,17 +231,17 @@ void Session::step() {
   const Lock lock(viewer_.mtx);
   if (!model_) return;
   const MujocoMessages messages;
-  std::string trouble;
+  std::string faults;
   try {
     pace_.advance(viewer_, *model_, *data_);
   } catch (const MujocoError& error) {
-    trouble = error.what();
+    faults = error.what();
   }
   for (const std::string& warning : messages.warnings())
-    trouble += (trouble.empty() ? "" : "\n") + warning;
-  if (trouble.empty()) return;
+    faults += (faults.empty() ? "" : "\n") + warning;
+  if (faults.empty()) return;
   viewer_.run = 0;
-  tell("paused: " + trouble + "\nReset starts the gait anew");
+  show_message("paused: " + faults + "\nReset starts the gait anew");
 }
 
 void Session::work() {
@@ -248,7 +249,7 @@ void Session::work() {
     if (!options_.follow && load(options_.path, facts_of(design_at(options_.path))))
       options_.say("loaded " + options_.path.string());
     while (!viewer_.exitrequest) {
-      take_requests();
+      handle_requests();
       step();
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }

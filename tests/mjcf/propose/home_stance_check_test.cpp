@@ -11,7 +11,9 @@
 namespace legwright {
 namespace {
 
-std::string fault(const std::string& xml) { return study_robot(xml, "robot.xml").not_standing; }
+std::string fault(const std::string& xml) {
+  return propose_parameters(xml, "robot.xml").not_standing;
+}
 
 TEST(Standing, RobotsOnTheirFeetDo) {
   EXPECT_EQ(fault(test::turned_biped({})), "");

@@ -10,7 +10,8 @@
 namespace legwright {
 namespace {
 
-/// Two legs 10 cm apart, of which the hips turn outwards or inwards; two balls of the right one touch its trunk.
+/// Two legs 10 cm apart, of which the hips turn outwards or inwards; two balls of the right one
+/// touch its trunk.
 const char* const kPair = R"(<mujoco><compiler angle="radian"/><worldbody>
   <geom name="wall" type="box" size="0.01 1 1" pos="0 0 0"/>
   <body name="trunk" pos="0 0 1"><freejoint/><geom type="box" size="0.1 0.02 0.02" mass="1"/>

@@ -26,9 +26,9 @@ std::string bare(std::string xml) {
   return xml;
 }
 
-StudiedRobot study(const std::string& xml) { return study_robot(xml, "r.xml"); }
+ProposedParameters study(const std::string& xml) { return propose_parameters(xml, "r.xml"); }
 
-const Proposal& named(const StudiedRobot& found, const std::string& name) {
+const Proposal& named(const ProposedParameters& found, const std::string& name) {
   for (const Proposal& proposal : found.proposals)
     if (proposal.name == name) return proposal;
   ADD_FAILURE() << "no proposal " << name;
@@ -38,7 +38,7 @@ const Proposal& named(const StudiedRobot& found, const std::string& name) {
 
 TEST(StudyRobot, ProposesForThePuppyWhatItsAuthorDeclared) {
   const std::string xml = example("puppy");
-  const StudiedRobot found = study(bare(xml));
+  const ProposedParameters found = study(bare(xml));
   const RobotModel declared = parse_robot(xml, "r.xml");
   EXPECT_TRUE(found.left_out.empty()) << found.left_out.front();
   EXPECT_EQ(found.proposals.size(), declared.space.parameters.size());
@@ -47,7 +47,7 @@ TEST(StudyRobot, ProposesForThePuppyWhatItsAuthorDeclared) {
 }
 
 TEST(StudyRobot, FindsRowsAndMirrorImagesByGeometry) {
-  const StudiedRobot found = study(bare(example("hexapod")));
+  const ProposedParameters found = study(bare(example("hexapod")));
   ASSERT_EQ(found.limbs.size(), 6u);
   for (std::size_t k = 0; k < 6; ++k) {
     EXPECT_EQ(found.limbs[k].row, static_cast<int>(k / 2));
@@ -59,7 +59,7 @@ TEST(StudyRobot, FindsRowsAndMirrorImagesByGeometry) {
 }
 
 TEST(StudyRobot, ProposesTheWidthOfBeamsThatCarryLegs) {
-  const StudiedRobot found = study(bare(example("hexapod")));
+  const ProposedParameters found = study(bare(example("hexapod")));
   EXPECT_EQ(named(found, "front_beam_width").binding, "stretch y: front_beam");
   EXPECT_NEAR(named(found, "middle_beam_width").value, 0.09, 1e-9);
   for (const Proposal& proposal : study(bare(example("puppy"))).proposals)
@@ -68,7 +68,8 @@ TEST(StudyRobot, ProposesTheWidthOfBeamsThatCarryLegs) {
 }
 
 TEST(StudyRobot, TurnsAxesALittleWhereLegsReachToAllSides) {
-  // The hexapod's legs swing and lift; all axes of the puppy's are lateral, so they must turn much to leave their plane.
+  // The hexapod's legs swing and lift; all axes of the puppy's are lateral, so they must turn much
+  // to leave their plane.
   EXPECT_LT(named(study(bare(example("hexapod"))), "front_knee_axis_yaw").upper, 0.5);
   EXPECT_GE(named(study(bare(example("puppy"))), "front_knee_axis_yaw").upper, 1.0);
 }
@@ -77,14 +78,14 @@ TEST(StudyRobot, TiesNothingThatIsNoMirrorImage) {
   // One shank is longer than the other: no pair any more, so each leg speaks for itself.
   const std::string xml = test::with(bare(example("quadruped")), "class=\"foot\" pos=\"0 0 -0.1\"",
                                      "class=\"foot\" pos=\"0 0 -0.12\"");
-  const StudiedRobot found = study(xml);
+  const ProposedParameters found = study(xml);
   for (const Proposal& proposal : found.proposals)
     EXPECT_TRUE(proposal.binding.find("FL_shank FR_shank") == std::string::npos)
         << proposal.binding;
 }
 
 TEST(StudyRobot, ProposesTheEndsOfPistons) {
-  const StudiedRobot found = study(bare(example("piston_puppy")));
+  const ProposedParameters found = study(bare(example("piston_puppy")));
   EXPECT_EQ(named(found, "front_piston_top_x").binding, "place x: FL_piston_top ~FR_piston_top");
 }
 
@@ -101,27 +102,28 @@ TEST(StudyRobot, EveryDesignWithinTheProposedBoundsCanBeWritten) {
 }
 
 TEST(StudyRobot, SaysWhyItLeavesOut) {
-  const StudiedRobot biped = study(bare(example("biped")));
+  const ProposedParameters biped = study(bare(example("biped")));
   ASSERT_EQ(biped.left_out.size(), 1u);
   EXPECT_EQ(biped.left_out[0],
             "foot_length: the foot is a round sole, not the end of a leg of that length");
   // A general robot: whatever is proposed is accepted, whatever is not has a reason.
   for (const char* name : {"crooked", "crooked_piston", "crooked_printed"}) {
     const std::string xml = bare(test::named_robot(name));
-    const StudiedRobot found = study(xml);
+    const ProposedParameters found = study(xml);
     EXPECT_NO_THROW(parse_robot(with_declarations(xml, "r.xml", found.proposals), "r.xml")) << name;
     for (const std::string& line : found.left_out) EXPECT_GT(line.size(), line.find(": ") + 10);
   }
 }
 
-/// A mesh that gives its body the weight keeps its size, and where it touches is no point of the body.
+/// A mesh that gives its body the weight keeps its size, and where it touches is no point of the
+/// body.
 TEST(StudyRobot, LeavesOutALengthThatAFootWithAWeightWouldNotFollow) {
   const auto lengths = [](bool weighs) {
     std::string xml = test::hopper_with(
         "<geom type=\"mesh\" mesh=\"shoe\" pos=\"0.03 0 -0.2\" euler=\"0 0.1 0\"/>");
     const std::size_t inertial = xml.rfind("<inertial");
     if (weighs) xml.erase(inertial, xml.find("/>", inertial) + 2 - inertial);
-    const StudiedRobot found = study(xml);
+    const ProposedParameters found = study(xml);
     for (const std::string& line : found.left_out)
       EXPECT_NE(line.find("is a foot that gives its body"), std::string::npos) << line;
     return std::count_if(found.proposals.begin(), found.proposals.end(),
@@ -132,7 +134,7 @@ TEST(StudyRobot, LeavesOutALengthThatAFootWithAWeightWouldNotFollow) {
 }
 
 TEST(StudyRobot, ProposesNothingTwice) {
-  const StudiedRobot found = study(example("puppy"));
+  const ProposedParameters found = study(example("puppy"));
   EXPECT_TRUE(found.proposals.empty()) << found.proposals.front().name;
   EXPECT_EQ(found.model.space.size(), 20);
 }
@@ -144,7 +146,7 @@ TEST(StudyRobot, RefusesWhatIsNoRobot) {
 
 TEST(WithDeclarations, LeaveEveryOtherByte) {
   const std::string xml = bare(example("puppy"));
-  const StudiedRobot found = study(xml);
+  const ProposedParameters found = study(xml);
   std::string text = with_declarations(xml, "r.xml", found.proposals);
   EXPECT_EQ(bare(text), xml);
   EXPECT_NE(text, xml);
@@ -179,7 +181,7 @@ TEST(WithDeclarations, AreNotPutIntoAComment) {
 TEST(StudyRobot, FeetThatAreAHairApartShareARow) {
   const std::string xml = test::with(bare(example("biped")), "name=\"L_thigh\" pos=\"0 0.04",
                                      "name=\"L_thigh\" pos=\"1e-9 0.04");
-  const StudiedRobot found = study(xml);
+  const ProposedParameters found = study(xml);
   EXPECT_EQ(found.limbs.back().row, 0);
   EXPECT_EQ(named(found, "thigh_length").unit, "m");
 }

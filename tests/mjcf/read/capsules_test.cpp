@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The shapes of trunk and limbs that the planner keeps apart are those between which MuJoCo makes contacts, and where
-// MuJoCo has them, in the file and in a rewritten design.
+// The shapes of trunk and limbs that the planner keeps apart are those between which MuJoCo makes
+// contacts, and where MuJoCo has them, in the file and in a rewritten design.
 #include "mjcf/read/capsules.hpp"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,8 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// Two legs of three hinges beside a box; a lidar, a tail that is held and a mesh on the trunk; a ring on the thigh.
+/// Two legs of three hinges beside a box; a lidar, a tail that is held and a mesh on the trunk; a
+/// ring on the thigh.
 std::string boxer() {
   std::string legs;
   for (const std::string side : {"L", "R"}) {
@@ -66,7 +67,8 @@ Names planned(const mjModel& model, const Structure& structure) {
   return names;
 }
 
-/// Between trunk and limbs, of MuJoCo's own making: with margins wider than the robot all that can collide does.
+/// Between trunk and limbs, of MuJoCo's own making: with margins wider than the robot all that can
+/// collide does.
 Names of_physics(const mjModel& compiled, const Structure& structure) {
   ModelPointer model(mj_copyModel(nullptr, &compiled));
   for (int g = 0; g < model->ngeom; ++g) model->geom_margin[g] = 5.0;

@@ -25,7 +25,7 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-using test::complaint;
+using test::error_message;
 using test::holds;
 
 std::string named(const std::string& name) {
@@ -129,7 +129,7 @@ INSTANTIATE_TEST_SUITE_P(Robots, Construction,
                          testing::Values("armed_biped", "classed_quadruped", "quadruped_with_arm"));
 INSTANTIATE_TEST_SUITE_P(Robots, WithRiders, testing::Values("armed_biped", "quadruped_with_arm"));
 
-TEST(Riding, ArmAndLidarAreHeldAndToldApartFromLegs) {
+TEST(Riding, ArmAndLidarAreHeldAndDistinguishedFromLegs) {
   const RobotModel robot = parse_robot(test::armed_biped(), "robot.xml");
   EXPECT_EQ(robot.morphology.joint_count(), 8);
   ASSERT_EQ(robot.structure.frozen.size(), 5u);  // shoulder, ball, thumb, finger, lidar
@@ -151,7 +151,7 @@ TEST(Riding, ALegThatIsLiftedAtHomeRides) {
             3);
 }
 
-TEST(Riding, IsToldToPeople) {
+TEST(Riding, IsReportedToPeople) {
   EXPECT_EQ(
       held_text(parse_robot(test::armed_biped(), "robot.xml").structure),
       "  rides along, held in the home pose: shoulder, a joint of hand, thumb, finger, a joint "
@@ -159,8 +159,9 @@ TEST(Riding, IsToldToPeople) {
   EXPECT_EQ(held_text(parse_robot(test::classed_quadruped(), "robot.xml").structure), "");
 }
 
-/// A leg that the home pose lifts is none, but it is told that it is built as one: a sign may be wrong.
-TEST(Riding, ALegInTheAirIsToldFromAnArm) {
+/// A leg that the home pose lifts is none, but it is told that it is built as one: a sign may be
+/// wrong.
+TEST(Riding, ALegInTheAirIsDistinguishedFromAnArm) {
   const RobotModel stands = parse_robot(test::mesh_quadruped(), "robot.xml");
   EXPECT_EQ(stands.morphology.foot_count(), 4);
   EXPECT_TRUE(stands.structure.frozen.empty());
@@ -176,15 +177,15 @@ TEST(Riding, TheHomePoseIsTheOnlyKeyframeWhateverItsName) {
   const std::string other = test::with(test::classed_quadruped(), "\"home\"", "\"standing\"");
   EXPECT_EQ(parse_robot(other, "robot.xml").morphology.links[2].joint.nominal, 0.9);
   const std::string two = test::with(other, "<keyframe>", "<keyframe><key name=\"lying\"/>");
-  EXPECT_TRUE(holds(complaint(two), "outside of its range"));  // then it is the file's own pose
+  EXPECT_TRUE(holds(error_message(two), "outside of its range"));  // then it is the file's own pose
 }
 
 TEST(Riding, DesignsDoNotReachWhatRides) {
   const std::string xml = test::armed_biped();
   const std::string axis = "| axis z: left_knee ~right_knee |";
-  EXPECT_TRUE(holds(complaint(test::with(xml, axis, "| axis z: shoulder |")),
+  EXPECT_TRUE(holds(error_message(test::with(xml, axis, "| axis z: shoulder |")),
                     "held in its home pose (rides along)"));
-  EXPECT_TRUE(holds(complaint(test::with(xml, "| stretch y: pelvis |", "| stretch y: arm |")),
+  EXPECT_TRUE(holds(error_message(test::with(xml, "| stretch y: pelvis |", "| stretch y: arm |")),
                     "not spread along y"));
 }
 
@@ -215,7 +216,8 @@ std::string coupled(const std::string& extra) {
 }
 
 TEST(Couplings, ACoupledJointOfALegIsHeld) {
-  EXPECT_TRUE(holds(complaint(coupled("")), "joint 'toe': has no actuator"));  // negative control
+  EXPECT_TRUE(
+      holds(error_message(coupled("")), "joint 'toe': has no actuator"));  // negative control
   for (const char* extra :
        {"<equality><joint name=\"linkage\" joint1=\"toe\"/></equality>",
         "<tendon><fixed name=\"linkage\" stiffness=\"10\"><joint joint=\"toe\" coef=\"1\"/></fixed>"
@@ -302,7 +304,7 @@ TEST(Couplings, ATendonThatOnlyMeasuresHoldsNothing) {
       test::with(test::hopper_with("<geom name=\"tip\" size=\"0.02\" pos=\"0 0 -0.2\"/>"),
                  "<actuator>", measures + "<actuator>");
   EXPECT_TRUE(parse_robot(xml, "robot.xml").structure.frozen.empty());
-  EXPECT_TRUE(holds(complaint(test::with(xml, "name=\"sum\"", "name=\"sum\" range=\"0 1\"")),
+  EXPECT_TRUE(holds(error_message(test::with(xml, "name=\"sum\"", "name=\"sum\" range=\"0 1\"")),
                     "no joint moves by itself"));
 }
 
@@ -310,24 +312,24 @@ TEST(Couplings, LoopsAmongWhatIsHeldAreNone) {
   const std::string arm = test::armed_biped();
   const std::string tied = test::with(
       arm, "<equality>", "<equality><connect body1=\"hand\" body2=\"pelvis\" anchor=\"0 0 0\"/>");
-  EXPECT_EQ(complaint(tied), "");
-  EXPECT_TRUE(holds(complaint(test::with(tied, "body2=\"pelvis\"", "body2=\"left_shank\"")),
+  EXPECT_EQ(error_message(tied), "");
+  EXPECT_TRUE(holds(error_message(test::with(tied, "body2=\"pelvis\"", "body2=\"left_shank\"")),
                     "close loops"));
-  EXPECT_TRUE(holds(complaint(test::with(tied, " body2=\"pelvis\"", "")), "in the world"));
+  EXPECT_TRUE(holds(error_message(test::with(tied, " body2=\"pelvis\"", "")), "in the world"));
 }
 
-TEST(Refusals, AFloorHidesNothingElseAndIsToldOnce) {
+TEST(Refusals, AFloorHidesNothingElseAndIsReportedOnce) {
   std::string xml = test::hopper_with("<geom name=\"tip\" size=\"0.02\" pos=\"0 0 -0.2\"/>");
   xml = test::with(xml, "<worldbody>",
                    "<option gravity=\"0 0 -9.8\"/><worldbody>"
                    "<geom name=\"floor\" type=\"plane\" size=\"0 0 1\"/>");
-  const std::string all = complaint(xml);
+  const std::string all = error_message(xml);
   EXPECT_TRUE(holds(all, "geom 'floor': the scene brings a floor of this name")) << all;
   EXPECT_TRUE(holds(all, "attribute gravity: 0 0 -9.8")) << all;
   EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 1) << all;
 }
 
-TEST(Refusals, AllReasonsAreToldAtOnceEachWithItsLine) {
+TEST(Refusals, AllReasonsAreReportedAtOnceEachWithItsLine) {
   std::string xml = test::hopper_with("<geom name=\"tip\" size=\"0.02\" pos=\"0 0 -0.2\"/>");
   xml = test::with(xml, "<joint name=\"knee\" axis=\"0 1 0\"/>",
                    "<joint name=\"knee\" axis=\"0 1 0\" type=\"slide\"/>");
@@ -337,7 +339,7 @@ TEST(Refusals, AllReasonsAreToldAtOnceEachWithItsLine) {
                    "  </worldbody>");
   xml = test::with(xml, "  <keyframe><key name=\"home\" qpos=\"0 0 0.5 1 0 0 0 0 0\"/></keyframe>",
                    "  <equality><weld name=\"w\" body1=\"shank\" body2=\"trunk\"/></equality>");
-  const std::string all = complaint(xml);
+  const std::string all = error_message(xml);
   for (const char* part :
        {"robot.xml:11: body 'thigh': attribute gravcomp", "joint 'knee': slide joints",
         "body 'ball': a second free root", "weld 'w': equality constraints close loops"})

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "mjcf/scene/played_robot.hpp"
 #include "mjcf/text/compile.hpp"
@@ -142,7 +143,7 @@ TEST(Feet, OfARodThatIsNotLevelTheLowerEndTouches) {
   const auto foot = [](const std::string& type, double tilt, double x = 0.0) {
     const std::string geom =
         fmt::format("<geom type=\"{}\" pos=\"{} 0 -0.2\" euler=\"0 {} 0\" size=\"0.02 0.1\"/>",
-                    type, x, EIGEN_PI / 2 + tilt);
+                    type, x, std::numbers::pi / 2 + tilt);
     return parse_robot(test::hopper_with(geom), "robot.xml").morphology.feet[0];
   };
   for (const char* type : {"capsule", "cylinder"}) {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands for a mesh is within the hull with which MuJoCo lets it collide, and is as near to other shapes as that.
+// What stands for a mesh is within the hull with which MuJoCo lets it collide, and is as near to
+// other shapes as that.
 #include "mjcf/read/hull_cover.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numbers>
 #include <random>
 
 #include "mjcf/read/read_robot.hpp"
@@ -18,12 +20,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Corners of a prism, half as wide as a and b and as high as c, its upper end `taper` times as wide as its lower.
+/// Corners of a prism, half as wide as a and b and as high as c, its upper end `taper` times as
+/// wide as its lower.
 std::string prism(double a, double b, double c, int corners, double taper) {
   std::string text;
   for (const double z : {-c, c})
     for (int k = 0; k < corners; ++k) {
-      const double turn = 2 * M_PI * (k + 0.5) / corners, wide = z > 0 ? taper : 1.0;
+      const double turn = 2 * std::numbers::pi * (k + 0.5) / corners, wide = z > 0 ? taper : 1.0;
       text += fmt::format("{} {} {}  ", wide * a * std::cos(turn), wide * b * std::sin(turn), z);
     }
   return text;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Joint torques of the optimizer's point masses against MuJoCo's inverse dynamics of the same robot.
+// Joint torques of the optimizer's point masses against MuJoCo's inverse dynamics of the same
+// robot.
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
@@ -57,8 +58,8 @@ class TorqueOfRobot {
   TorqueOfRobot(const std::string& xml, const Task& task) : TorqueOfRobot(xml, task, task) {}
   explicit TorqueOfRobot(const std::string& xml) : TorqueOfRobot(xml, {}) {}
 
-  /// Largest difference of any joint's torque over the largest torque. @param force_scale of the forces that only
-  /// MuJoCo's side feels: 1 is right.
+  /// Largest difference of any joint's torque over the largest torque. @param force_scale of the
+  /// forces that only MuJoCo's side feels: 1 is right.
   double difference(unsigned seed, double force_scale = 1.0) {
     std::mt19937 random(seed);
     std::normal_distribution<double> normal;

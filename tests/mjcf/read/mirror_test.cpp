@@ -25,8 +25,8 @@ using test::turned_biped;
 
 const double kHalf = std::acos(-1.0);
 
-/// How far axes (as lines) and anchors of left and right are from mirror images, at the joint angles
-/// that the home pose of `home` has.
+/// How far axes (as lines) and anchors of left and right are from mirror images, at the joint
+/// angles that the home pose of `home` has.
 double asymmetry(const std::string& xml, const std::string& home) {
   const ModelPointer model = compile_mjcf(xml, "x"), old = compile_mjcf(home, "x");
   const DataPointer data(mj_makeData(model.get()));
@@ -90,7 +90,8 @@ TEST(Mirror, ItsOriginalIsTheHingeOppositeOfIt) {
 }
 
 TEST(Mirror, HingesDrawnAtOtherAnglesAreNotTied) {
-  const StudiedRobot found = study_robot(turned_biped({0.0, kHalf, false}), "robot.xml");
+  const ProposedParameters found =
+      propose_parameters(turned_biped({0.0, kHalf, false}), "robot.xml");
   ASSERT_EQ(found.limbs[0].partner, 1);
   const auto left_out = [&](const std::string& name) {
     return std::any_of(found.left_out.begin(), found.left_out.end(), [&](const std::string& line) {
@@ -100,12 +101,12 @@ TEST(Mirror, HingesDrawnAtOtherAnglesAreNotTied) {
   };
   EXPECT_TRUE(left_out("yaw_axis_roll"));
   EXPECT_FALSE(left_out("pitch_axis_roll"));
-  const StudiedRobot plain = study_robot(turned_biped({0.0, 0.0, false}), "robot.xml");
+  const ProposedParameters plain = propose_parameters(turned_biped({0.0, 0.0, false}), "robot.xml");
   EXPECT_TRUE(plain.left_out.empty()) << plain.left_out.front();  // twin
 }
 
-TEST(Shared, AWaistIsToldOnceAndItsAxisInPlainWords) {
-  const StudiedRobot found = study_robot(turned_biped({0.0, 0.0, true}), "robot.xml");
+TEST(Shared, AWaistIsReportedOnceAndItsAxisInPlainWords) {
+  const ProposedParameters found = propose_parameters(turned_biped({0.0, 0.0, true}), "robot.xml");
   ASSERT_EQ(found.limbs.size(), 2u);
   EXPECT_EQ(found.limbs[0].shared, 1);
   EXPECT_EQ(found.limbs[1].shared, 1);
@@ -116,11 +117,12 @@ TEST(Shared, AWaistIsToldOnceAndItsAxisInPlainWords) {
             1);
   for (const std::string& line : found.left_out)
     EXPECT_EQ(line.find("twice"), std::string::npos) << line;
-  EXPECT_EQ(study_robot(turned_biped({}), "robot.xml").limbs[0].shared, 0);
+  EXPECT_EQ(propose_parameters(turned_biped({}), "robot.xml").limbs[0].shared, 0);
 }
 
 TEST(Limbs, AxesAreSeenFromTheTrunkAtHome) {
-  const StudiedRobot found = study_robot(turned_biped({kHalf / 2, 0.0, false}), "robot.xml");
+  const ProposedParameters found =
+      propose_parameters(turned_biped({kHalf / 2, 0.0, false}), "robot.xml");
   for (const Limb& limb : found.limbs) {
     ASSERT_EQ(limb.axes.size(), 3u);
     EXPECT_EQ(axis_name(limb.axes[0]), "yaw");

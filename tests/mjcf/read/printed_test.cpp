@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Masses from density times geometry: their sums against MuJoCo's are in read_robot_test and rewrite_robot_test.
+// Masses from density times geometry: their sums against MuJoCo's are in read_robot_test and
+// rewrite_robot_test.
 #include "mjcf/read/printed.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "mjcf/read/read_robot.hpp"
-#include "mjcf/text/input_error.hpp"
 #include "mjcf/write/rewrite_robot.hpp"
 #include "optimizer/design/growth.hpp"
 #include "tests/mjcf/robots/construction_robots.hpp"
@@ -15,14 +17,7 @@
 namespace legwright {
 namespace {
 
-std::string complaint(const std::string& xml) {
-  try {
-    parse_robot(xml, "p.xml");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
+using test::error_message;
 
 TEST(Printed, MassAndVolumeGrowWithTheStretch) {
   const std::string xml = test::with(
@@ -34,12 +29,12 @@ TEST(Printed, MassAndVolumeGrowWithTheStretch) {
   Eigen::VectorXd s = robot.space.initial();
   const auto mass = [&] { return growth_sum(robot.morphology, Amount::mass, s).value; };
   const auto volume = [&] { return growth_sum(robot.morphology, Amount::printed_volume, s).value; };
-  const double before = mass(), round = 4.0 / 3 * M_PI * 0.008 * 0.008 * 0.008;
+  const double before = mass(), round = 4.0 / 3 * std::numbers::pi * 0.008 * 0.008 * 0.008;
   EXPECT_TRUE(robot.morphology.grows());
-  EXPECT_NEAR(volume(), M_PI * 0.008 * 0.008 * 0.06 + round, 1e-15);
+  EXPECT_NEAR(volume(), std::numbers::pi * 0.008 * 0.008 * 0.06 + round, 1e-15);
   s[0] = 0.09;  // the round ends stay as they are
-  EXPECT_NEAR(volume(), M_PI * 0.008 * 0.008 * 0.09 + round, 1e-15);
-  EXPECT_NEAR(mass() - before, 1200 * M_PI * 0.008 * 0.008 * 0.03, 1e-12);
+  EXPECT_NEAR(volume(), std::numbers::pi * 0.008 * 0.008 * 0.09 + round, 1e-15);
+  EXPECT_NEAR(mass() - before, 1200 * std::numbers::pi * 0.008 * 0.008 * 0.03, 1e-12);
   EXPECT_FALSE(parse_robot(test::named_robot("puppy"), "p").morphology.grows());
 }
 
@@ -55,39 +50,40 @@ TEST(Printed, APartWithAMassOfItsOwnWeighsButIsNotPrinted) {
                                       "conaffinity=\"0\"/>"),
                        "p");
   };
-  const double ball = 4.0 / 3 * M_PI * 1e-6;
+  const double ball = 4.0 / 3 * std::numbers::pi * 1e-6;
   const auto sum = [](const RobotModel& robot, Amount amount) {
     return growth_sum(robot.morphology, amount, robot.space.initial()).value;
   };
-  const RobotModel bought = with_servo("mass=\"0.05\""), printed = with_servo("density=\"1200\"");
-  EXPECT_NEAR(sum(printed, Amount::printed_volume) - sum(bought, Amount::printed_volume), ball,
+  const RobotModel weighed = with_servo("mass=\"0.05\""), printed = with_servo("density=\"1200\"");
+  EXPECT_NEAR(sum(printed, Amount::printed_volume) - sum(weighed, Amount::printed_volume), ball,
               1e-15);
-  EXPECT_NEAR(bought.morphology.total_mass() - printed.morphology.total_mass(), 0.05 - 1200 * ball,
+  EXPECT_NEAR(weighed.morphology.total_mass() - printed.morphology.total_mass(), 0.05 - 1200 * ball,
               1e-9);
 }
 
 TEST(Printed, WhatDoesNotKeepItsShapeIsRefused) {
   const std::string good = test::named_robot("crooked_printed");
-  EXPECT_EQ(complaint(good), "");
-  EXPECT_NE(complaint(test::with(good, "fromto=\"0.02 -0.06 0.01 0.02 0.04 0.01\"",
-                                 "fromto=\"0.02 -0.06 0.01 0.03 0.04 0.01\""))
+  EXPECT_EQ(error_message(good), "");
+  EXPECT_NE(error_message(test::with(good, "fromto=\"0.02 -0.06 0.01 0.02 0.04 0.01\"",
+                                     "fromto=\"0.02 -0.06 0.01 0.03 0.04 0.01\""))
                 .find("oblique"),
             std::string::npos);
-  EXPECT_NE(
-      complaint(test::with(good, "size=\"0.012\" density=\"700\"", "size=\"0.012\" mass=\"0.7\""))
-          .find("give its density"),
-      std::string::npos);
-  EXPECT_NE(
-      complaint(test::with(good, "autolimits=\"true\"", "autolimits=\"true\" settotalmass=\"3\""))
-          .find("weigh"),
-      std::string::npos);
-  EXPECT_NE(complaint(test::with(good, "size=\"0.012\" density=\"700\"",
-                                 "size=\"0.012\" density=\"700\" shellinertia=\"true\""))
+  EXPECT_NE(error_message(
+                test::with(good, "size=\"0.012\" density=\"700\"", "size=\"0.012\" mass=\"0.7\""))
+                .find("give its density"),
+            std::string::npos);
+  EXPECT_NE(error_message(
+                test::with(good, "autolimits=\"true\"", "autolimits=\"true\" settotalmass=\"3\""))
+                .find("weigh"),
+            std::string::npos);
+  EXPECT_NE(error_message(test::with(good, "size=\"0.012\" density=\"700\"",
+                                     "size=\"0.012\" density=\"700\" shellinertia=\"true\""))
                 .find("weigh"),
             std::string::npos);
 }
 
-/// A mesh that gives its body a weight keeps its size: its sole goes where a stretch takes it only across that.
+/// A mesh that gives its body a weight keeps its size: its sole goes where a stretch takes it only
+/// across that.
 TEST(PrintedFeet, AMeshWithAWeightIsRefusedUnlessItsSoleIsAcrossTheStretch) {
   const auto robot = [](double deep, const std::string& inertial) {
     std::string xml = test::with(
@@ -103,11 +99,12 @@ TEST(PrintedFeet, AMeshWithAWeightIsRefusedUnlessItsSoleIsAcrossTheStretch) {
     const std::size_t shank = xml.rfind(own);
     return xml.replace(shank, own.size(), inertial);
   };
-  // refpos: vertices are told from there, so the sole is as far below the origin as that is above it.
-  const std::string refused = complaint(robot(0.03, ""));
+  // refpos: vertices are told from there, so the sole is as far below the origin as that is above
+  // it.
+  const std::string refused = error_message(robot(0.03, ""));
   EXPECT_TRUE(test::holds(refused, "gives its body, which has no <inertial>, a weight")) << refused;
   EXPECT_TRUE(test::holds(refused, "-0.03 m along the stretch")) << refused;
-  EXPECT_EQ(complaint(robot(
+  EXPECT_EQ(error_message(robot(
                 0.03, "<inertial pos=\"0 0 -0.1\" mass=\"0.1\" diaginertia=\"1e-4 1e-4 1e-5\"/>")),
             "");
   const RobotModel taken = parse_robot(robot(0.0, ""), "robot.xml");

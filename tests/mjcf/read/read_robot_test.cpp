@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 #include <thread>
 
 #include "mjcf/text/compile.hpp"
@@ -121,7 +122,7 @@ TEST(ReadRobot, ReadsGeneralTrees) {
   EXPECT_EQ(m.links[4].parent, 0);
   EXPECT_TRUE(m.links[1].masses.empty());
   EXPECT_EQ(m.links[0].masses.size(), 12u);  // trunk and bracket
-  EXPECT_NEAR(m.links[2].joint.upper, 2 * M_PI / 3, 1e-12);
+  EXPECT_NEAR(m.links[2].joint.upper, 2 * std::numbers::pi / 3, 1e-12);
   EXPECT_TRUE(std::isinf(m.links[3].joint.upper));
   // motor: limit by ctrlrange × gain × gear; gains follow from the limit.
   EXPECT_EQ(robot.servos[0].actuator, "swing");

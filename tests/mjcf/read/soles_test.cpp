@@ -23,7 +23,7 @@ namespace {
 
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-using test::complaint;
+using test::error_message;
 using test::holds;
 
 RobotModel biped(const test::FlatBiped& how) { return parse_robot(test::flat_biped(how), "r.xml"); }
@@ -176,19 +176,20 @@ std::string stretched_foot(const std::string& direction, double length, const st
 
 TEST(Soles, AreNotStretchedAskew) {
   const double askew = std::hypot(0.02, 0.05);
-  const std::string told = complaint(stretched_foot("link", askew, test::FlatBiped{}.foot));
-  EXPECT_TRUE(holds(told, ":5:")) << told;  // the line of the <text>
-  EXPECT_TRUE(holds(told, "body 'left_foot' is a flat foot")) << told;
-  EXPECT_EQ(complaint(stretched_foot("z", 0.05, test::FlatBiped{}.foot)), "");
-  EXPECT_EQ(complaint(stretched_foot("x", 0.02, test::FlatBiped{}.foot)), "");
+  const std::string error_of = error_message(stretched_foot("link", askew, test::FlatBiped{}.foot));
+  EXPECT_TRUE(holds(error_of, ":5:")) << error_of;  // the line of the <text>
+  EXPECT_TRUE(holds(error_of, "body 'left_foot' is a flat foot")) << error_of;
+  EXPECT_EQ(error_message(stretched_foot("z", 0.05, test::FlatBiped{}.foot)), "");
+  EXPECT_EQ(error_message(stretched_foot("x", 0.02, test::FlatBiped{}.foot)), "");
   // A ball has no plane that could tilt.
-  EXPECT_EQ(complaint(stretched_foot("link", askew, R"(<geom size="0.02" pos="0.02 0 -0.05"/>)")),
-            "");
+  EXPECT_EQ(
+      error_message(stretched_foot("link", askew, R"(<geom size="0.02" pos="0.02 0 -0.05"/>)")),
+      "");
   // Of a sole that is drawn askew x and z are oblique, too.
-  const std::string turned =
+  const std::string rotated =
       R"(<geom type="box" size="0.07 0.05 0.01" pos="0.02 0 -0.04" euler="0 0.05 0"/>)";
   for (const char* direction : {"x", "z"})
-    EXPECT_TRUE(holds(complaint(stretched_foot(direction, 0.05, turned)), "is a flat foot"))
+    EXPECT_TRUE(holds(error_message(stretched_foot(direction, 0.05, rotated)), "is a flat foot"))
         << direction;
 }
 
@@ -273,7 +274,8 @@ TEST(Soles, AreLaidDownAtHomeByTheHipWhereAnklesHardlyRoll) {
   EXPECT_LT(most_tilted(held), 1e-8);
   EXPECT_LT(ankle_roll_at_home(held), 0.001 + 1e-9);
   EXPECT_GT(ankle_roll_at_home(design(held_biped({}))), 0.005) << "which would have turned";
-  // Where nothing is left to lay them down the robot stands all the same; rewrite_robot compares its height.
+  // Where nothing is left to lay them down the robot stands all the same; rewrite_robot compares
+  // its height.
   EXPECT_GT(most_tilted(design(
                 held_biped({{"ankle_roll", 0.0}, {"roll", 0.0}, {"yaw", 0.0}, {"pitch", -0.3}}))),
             0.005);
@@ -316,7 +318,7 @@ TEST(StudyRobot, ProposesNoLengthOfAFlatFoot) {
   for (const char* place : {"0.02 0 -0.04", "0 0 -0.04"}) {  // oblique, and right under the ankle
     test::FlatBiped how;
     how.foot = std::string(R"(<geom type="box" size="0.08 0.04 0.01" pos=")") + place + "\"/>";
-    const StudiedRobot found = study_robot(test::flat_biped(how), "r.xml");
+    const ProposedParameters found = propose_parameters(test::flat_biped(how), "r.xml");
     for (const Proposal& proposal : found.proposals)
       EXPECT_FALSE(holds(proposal.binding, "stretch link: left_foot")) << proposal.name;
     EXPECT_EQ(std::count_if(found.left_out.begin(), found.left_out.end(),
@@ -328,7 +330,7 @@ TEST(StudyRobot, ProposesNoLengthOfAFlatFoot) {
   }
   test::FlatBiped pointed;
   pointed.foot = R"(<geom size="0.01" pos="0.02 0 -0.04"/>)";
-  const StudiedRobot found = study_robot(test::flat_biped(pointed), "r.xml");
+  const ProposedParameters found = propose_parameters(test::flat_biped(pointed), "r.xml");
   EXPECT_TRUE(std::any_of(found.proposals.begin(), found.proposals.end(), [](const Proposal& p) {
     return holds(p.binding, "stretch link: left_foot");
   }));

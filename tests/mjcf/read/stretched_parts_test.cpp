@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "mjcf/text/compile.hpp"
 #include "mjcf/write/rewrite_robot.hpp"
@@ -13,7 +14,7 @@ namespace legwright {
 namespace {
 
 using Eigen::VectorXd;
-using test::complaint;
+using test::error_message;
 using test::holds;
 
 std::string calf(const std::string& parts) {
@@ -61,10 +62,10 @@ TEST(Stretched, MeshesScaleInTheirAssets) {
                             0.4)),
             "0.5 1 0.5");
   EXPECT_EQ(scale(stretched(calf(mesh + mesh), 0.4)), "1 1 2");
-  const std::string turned = test::with(mesh, "pos=", "euler=\"0 1.5707963267948966 0\" pos=");
-  EXPECT_EQ(scale(stretched(calf(turned), 0.4)), "2 1 1");
+  const std::string rotated = test::with(mesh, "pos=", "euler=\"0 1.5707963267948966 0\" pos=");
+  EXPECT_EQ(scale(stretched(calf(rotated), 0.4)), "2 1 1");
   // They disagree: another asset for the second.
-  const std::string two = stretched(calf(mesh + turned), 0.4);
+  const std::string two = stretched(calf(mesh + rotated), 0.4);
   EXPECT_TRUE(holds(two, "<mesh name=\"shoe_2\" vertex=")) << two;
   EXPECT_EQ(scale(two), "1 1 2");
   EXPECT_TRUE(holds(two, "scale=\"2 1 1\"/>"));
@@ -106,19 +107,19 @@ TEST(Stretched, APrintedBodyKeepsTheWeightOfMeshesAndOfWhatHasAMass) {
   const double before = compile_mjcf(xml, "x")->body_mass[3];
   for (const double length : {0.1, 0.15, 0.3, 0.4}) {
     const double after = compile_mjcf(stretched(xml, length), "x")->body_mass[3];
-    const double grown = 1000 * M_PI * 1e-4 * 0.18 * (length / 0.2 - 1);
+    const double grown = 1000 * std::numbers::pi * 1e-4 * 0.18 * (length / 0.2 - 1);
     EXPECT_NEAR(after - before, grown, 1e-12);
   }
   const std::string two =
       test::with(xml, "<geom type=\"capsule\"",
                  "<geom type=\"mesh\" mesh=\"shoe\" pos=\"0 0 -0.1\"/><geom type=\"capsule\"");
-  EXPECT_TRUE(holds(complaint(two), "one of several meshes with a weight"));
-  EXPECT_EQ(complaint(test::with(two, "pos=\"0 0 -0.1\"/><geom type=\"capsule\"",
-                                 "pos=\"0.1 0 -0.15\"/><geom type=\"capsule\"")),
+  EXPECT_TRUE(holds(error_message(two), "one of several meshes with a weight"));
+  EXPECT_EQ(error_message(test::with(two, "pos=\"0 0 -0.1\"/><geom type=\"capsule\"",
+                                     "pos=\"0.1 0 -0.15\"/><geom type=\"capsule\"")),
             "");
-  EXPECT_TRUE(holds(
-      complaint(test::with(xml, "autolimits=\"true\"", "autolimits=\"true\" settotalmass=\"3\"")),
-      "settotalmass"));
+  EXPECT_TRUE(holds(error_message(test::with(xml, "autolimits=\"true\"",
+                                             "autolimits=\"true\" settotalmass=\"3\"")),
+                    "settotalmass"));
 }
 
 TEST(Angles, AreThoseOfTheFileAlsoWhereRefShiftsThem) {

@@ -6,91 +6,78 @@
 #include "mjcf/propose/proposals.hpp"
 #include "mjcf/read/read_robot.hpp"
 #include "mjcf/text/input_error.hpp"
+#include "tests/mjcf/robots/mjcf_builder.hpp"
 
 namespace legwright::test {
 namespace {
 
-/// A box as the vertices of a mesh.
-std::string box_vertices(double x, double y, double z_low, double z_high) {
-  std::string text;
-  for (const double a : {-x, x})
-    for (const double b : {-y, y})
-      for (const double c : {z_low, z_high})
-        text += fmt::format("{}{} {} {}", text.empty() ? "" : "  ", a, b, c);
-  return text;
-}
-
-std::string biped_leg(const char* side, int sign) {
-  return fmt::format(R"(
-      <body name="{0}_hip" pos="0 {1} -0.05">
-        <joint name="{0}_roll" axis="1 0 0" range="-0.5 0.5"/>
-        <inertial pos="0 0 0" mass="0.4" diaginertia="0.0004 0.0004 0.0004"/>
-        <body name="{0}_thigh">
-          <joint name="{0}_pitch" axis="0 1 0" range="-1.5 1.5"/>
-          <inertial pos="0 0 -0.15" mass="1.2" diaginertia="0.012 0.012 0.001"/>
-          <geom type="capsule" fromto="0 0 0 0 0 -0.3" size="0.03" class="drawn"/>
-          <body name="{0}_shank" pos="0 0 -0.3">
-            <joint name="{0}_knee" axis="0 1 0" range="0 2.4"/>
-            <inertial pos="0 0 -0.15" mass="0.8" diaginertia="0.008 0.008 0.0006"/>
-            <geom type="cylinder" pos="0 0 -0.15" size="0.02 0.15" class="drawn"/>
-            <body name="{0}_foot" pos="0 0 -0.3">
-              <joint name="{0}_ankle" axis="0 1 0" range="-1 1"/>
-              <geom type="box" pos="0.03 0 -0.03" size="0.09 0.04 0.01"/>
-              <geom type="box" pos="-0.03 0 0" size="0.01 0.01 0.01" mass="0.1"/>
-            </body>
-          </body>
-        </body>
-      </body>)",
-                     side, 0.1 * sign);
+std::string biped_leg(const std::string& side, int sign) {
+  const auto body = [&](const char* part, const std::string& place = "") {
+    return fmt::format("name=\"{}_{}\"{}", side, part, place);
+  };
+  return chain({
+      {body("hip", fmt::format(" pos=\"0 {} -0.05\"", 0.1 * sign)),
+       {hinge(side + "_roll", "1 0 0", R"(range="-0.5 0.5")"),
+        inertial("0 0 0", 0.4, "0.0004 0.0004 0.0004")}},
+      {body("thigh"),
+       {hinge(side + "_pitch", "0 1 0", R"(range="-1.5 1.5")"),
+        inertial("0 0 -0.15", 1.2, "0.012 0.012 0.001"),
+        R"(<geom type="capsule" fromto="0 0 0 0 0 -0.3" size="0.03" class="drawn"/>)"}},
+      {body("shank", " pos=\"0 0 -0.3\""),
+       {hinge(side + "_knee", "0 1 0", R"(range="0 2.4")"),
+        inertial("0 0 -0.15", 0.8, "0.008 0.008 0.0006"),
+        R"(<geom type="cylinder" pos="0 0 -0.15" size="0.02 0.15" class="drawn"/>)"}},
+      {body("foot", " pos=\"0 0 -0.3\""),
+       {hinge(side + "_ankle", "0 1 0", R"(range="-1 1")"),
+        R"(<geom type="box" pos="0.03 0 -0.03" size="0.09 0.04 0.01"/>)",
+        R"(<geom type="box" pos="-0.03 0 0" size="0.01 0.01 0.01" mass="0.1"/>)"}},
+  });
 }
 
 std::string quadruped_leg(const char* name, int front, int left) {
-  return fmt::format(R"(
-      <body name="{0}_hip" pos="{1} {2} 0">
-        <inertial mass="0.68" pos="{3} {4} 0" quat="0.507528 0.506268 0.491507 0.494499"
-          diaginertia="0.000734064 0.000468438 0.000398719"/>
-        <joint class="abduction" name="{0}_hip_joint"/>
-        <geom class="drawn" mesh="hip" quat="1 0 0 {5}"/>
-        <geom class="collision" type="cylinder" size="0.046 0.02" pos="0 {6} 0" quat="1 1 0 0"/>
-        <body name="{0}_thigh" pos="0 {6} 0">
-          <inertial mass="1.009" pos="-0.003 {7} -0.033" diaginertia="0.0045 0.0044 0.001"/>
-          <joint class="hip" name="{0}_thigh_joint"/>
-          <geom class="drawn" mesh="thigh"/>
-          <geom class="collision" type="capsule" size="0.015 0.08" pos="0 0 -0.1065"/>
-          <body name="{0}_calf" pos="0 0 -0.213">
-            <inertial mass="0.1958" pos="0.0065 0 -0.107" diaginertia="0.0015 0.0015 3e-05"/>
-            <joint class="knee" name="{0}_calf_joint"/>
-            <geom class="drawn" mesh="calf"/>
-            <frame pos="0 0 -0.1" euler="0 0 {5}">
-              <geom class="collision" type="box" size="0.01 0.01 0.06"/>
-              <site name="{0}_imu" pos="0.01 0 -0.02"/>
-            </frame>
-            <geom class="foot"/>
-          </body>
-        </body>
-      </body>)",
-                     name, 0.1881 * front, 0.04675 * left, -0.005 * front, 0.004 * left,
-                     front > 0 ? 0 : 1, 0.08 * left, -0.022 * left);
+  const std::string side = fmt::format("0 {} 0", 0.08 * left);
+  const int rear = front > 0 ? 0 : 1;
+  return chain({
+      {fmt::format("name=\"{}_hip\" pos=\"{} {} 0\"", name, 0.1881 * front, 0.04675 * left),
+       {fmt::format(
+            R"(<inertial mass="0.68" pos="{} {} 0" quat="0.507528 0.506268 0.491507 0.494499"
+          diaginertia="0.000734064 0.000468438 0.000398719"/>)",
+            -0.005 * front, 0.004 * left),
+        fmt::format(R"(<joint class="abduction" name="{}_hip_joint"/>)", name),
+        fmt::format(R"(<geom class="drawn" mesh="hip" quat="1 0 0 {}"/>)", rear),
+        fmt::format(R"(<geom class="collision" type="cylinder" size="0.046 0.02" pos="{}" {}/>)",
+                    side, R"(quat="1 1 0 0")")}},
+      {fmt::format("name=\"{}_thigh\" pos=\"{}\"", name, side),
+       {cad_inertial(1.009, fmt::format("-0.003 {} -0.033", -0.022 * left), "0.0045 0.0044 0.001"),
+        fmt::format(R"(<joint class="hip" name="{}_thigh_joint"/>)", name),
+        R"(<geom class="drawn" mesh="thigh"/>)",
+        R"(<geom class="collision" type="capsule" size="0.015 0.08" pos="0 0 -0.1065"/>)"}},
+      {fmt::format("name=\"{}_calf\" pos=\"0 0 -0.213\"", name),
+       {cad_inertial(0.1958, "0.0065 0 -0.107", "0.0015 0.0015 3e-05"),
+        fmt::format(R"(<joint class="knee" name="{}_calf_joint"/>)", name),
+        R"(<geom class="drawn" mesh="calf"/>)",
+        fmt::format(R"(<frame pos="0 0 -0.1" euler="0 0 {}">)", rear),
+        R"(  <geom class="collision" type="box" size="0.01 0.01 0.06"/>)",
+        fmt::format(R"(  <site name="{}_imu" pos="0.01 0 -0.02"/>)", name), "</frame>",
+        R"(<geom class="foot"/>)"}},
+  });
 }
 
 std::string armed_quadruped_leg(const char* name, int front, int left) {
-  return fmt::format(R"(
-      <body name="{0}_hip" pos="{1} {2} 0">
-        <inertial mass="1.7" pos="0 0 0" diaginertia="0.002 0.002 0.002"/>
-        <joint class="hx" name="{0}_hx"/>
-        <body name="{0}_upper" pos="0 {3} 0">
-          <inertial mass="2.3" pos="0 0 -0.1" diaginertia="0.02 0.02 0.002"/>
-          <joint class="hy" name="{0}_hy"/>
-          <geom class="drawn" type="capsule" fromto="0 0 0 0 0 -0.32" size="0.03"/>
-          <body name="{0}_lower" pos="0 0 -0.32">
-            <inertial mass="0.33" pos="0 0 -0.15" diaginertia="0.004 0.004 0.0001"/>
-            <joint class="kn" name="{0}_kn"/>
-            <geom type="capsule" size="0.02" fromto="0 0 0 0 0 -0.3"/>
-            <geom class="foot" name="{0}"/>
-          </body>
-        </body>
-      </body>)",
-                     name, 0.29785 * front, 0.055 * left, 0.111 * left);
+  const auto joint = [&](const char* kind) {
+    return fmt::format(R"(<joint class="{0}" name="{1}_{0}"/>)", kind, name);
+  };
+  return chain({
+      {fmt::format("name=\"{}_hip\" pos=\"{} {} 0\"", name, 0.29785 * front, 0.055 * left),
+       {cad_inertial(1.7, "0 0 0", "0.002 0.002 0.002"), joint("hx")}},
+      {fmt::format("name=\"{}_upper\" pos=\"0 {} 0\"", name, 0.111 * left),
+       {cad_inertial(2.3, "0 0 -0.1", "0.02 0.02 0.002"), joint("hy"),
+        R"(<geom class="drawn" type="capsule" fromto="0 0 0 0 0 -0.32" size="0.03"/>)"}},
+      {fmt::format("name=\"{}_lower\" pos=\"0 0 -0.32\"", name),
+       {cad_inertial(0.33, "0 0 -0.15", "0.004 0.004 0.0001"), joint("kn"),
+        R"(<geom type="capsule" size="0.02" fromto="0 0 0 0 0 -0.3"/>)",
+        fmt::format(R"(<geom class="foot" name="{}"/>)", name)}},
+  });
 }
 
 }  // namespace
@@ -241,11 +228,9 @@ std::string classed_quadruped() {
 }
 
 std::string quadruped_with_arm() {
-  std::string servos;
-  for (const char* leg : {"fl", "fr", "hl", "hr"})
-    for (const char* joint : {"hx", "hy", "kn"})
-      servos += fmt::format("\n    <position class=\"{1}\" name=\"{0}_{1}\" joint=\"{0}_{1}\"/>",
-                            leg, joint);
+  std::string servos =
+      for_each_joint("\n    <position class=\"{1}\" name=\"{0}_{1}\" joint=\"{0}_{1}\"/>",
+                     {"fl", "fr", "hl", "hr"}, {"hx", "hy", "kn"});
   std::string arm, ends;
   const char* const joints[] = {"arm_sh0", "arm_sh1", "arm_el0", "arm_el1", "arm_wr0", "arm_wr1"};
   for (int k = 0; k < 6; ++k) {
@@ -334,10 +319,10 @@ std::string hopper_with(const std::string& foot, double knee, bool weighed_by_fo
 }
 
 std::string declared(const std::string& xml) {
-  return with_declarations(xml, "robot.xml", study_robot(xml, "robot.xml").proposals);
+  return with_declarations(xml, "robot.xml", propose_parameters(xml, "robot.xml").proposals);
 }
 
-std::string complaint(const std::string& xml) {
+std::string error_message(const std::string& xml) {
   try {
     parse_robot(xml, "robot.xml");
     return "";

@@ -15,7 +15,8 @@ std::string armed_biped();
 /// class's ctrlrange, a keyframe.
 std::string classed_quadruped();
 
-/// A quadruped of position servos with `inheritrange` whose arm of six hinges is folded on its back.
+/// A quadruped of position servos with `inheritrange` whose arm of six hinges is folded on its
+/// back.
 std::string quadruped_with_arm();
 
 /// One leg under a trunk; `foot` is the content of its shank, 0.2 m below the knee; at home the
@@ -26,7 +27,7 @@ std::string hopper_with(const std::string& foot, double knee = 0.0, bool weighed
 /// The robot with the parameters that `legwright init` proposes.
 std::string declared(const std::string& xml);
 /// Why a robot is refused; empty if it is not.
-std::string complaint(const std::string& xml);
+std::string error_message(const std::string& xml);
 bool holds(const std::string& text, const std::string& part);
 
 }  // namespace legwright::test

@@ -5,6 +5,8 @@
 
 #include <stdexcept>
 
+#include "tests/mjcf/robots/mjcf_builder.hpp"
+
 namespace legwright::test {
 namespace {
 
@@ -18,36 +20,24 @@ std::string of_side(std::string text, const std::string& side) {
 }
 
 std::string leg(const FlatBiped& how, const std::string& side, double y) {
-  return fmt::format(
-      R"(
-      <body name="{0}_hip" pos="0 {1} -0.05">
-        <joint name="{0}_yaw" axis="0 0 1"/>
-        <inertial pos="0 0 0" mass="0.5" diaginertia="0.0005 0.0005 0.0005"/>
-        <body name="{0}_pelvis">
-          <joint name="{0}_roll" axis="1 0 0"/>
-          <inertial pos="0 0 0" mass="0.5" diaginertia="0.0005 0.0005 0.0005"/>
-          <body name="{0}_thigh">
-            <joint name="{0}_pitch" axis="0 1 0"/>
-            <inertial pos="0 0 -0.12" mass="2" diaginertia="0.012 0.012 0.002"/>
-            <body name="{0}_shank" pos="0 0 -0.25">
-              <joint name="{0}_knee" axis="0 1 0"/>
-              <inertial pos="0 0 -0.12" mass="1.5" diaginertia="0.009 0.009 0.001"/>
-              <body name="{0}_ankle" pos="0 0 -0.25">
-                <joint name="{0}_ankle_pitch" axis="0 1 0"/>
-                <inertial pos="0 0 0" mass="0.3" diaginertia="0.0002 0.0002 0.0002"/>
-                <body name="{0}_foot">
-                  {2}
-                  <inertial pos="0.02 0 -0.03" mass="0.4" diaginertia="0.0004 0.001 0.001"/>
-                  {3}
-                </body>
-              </body>
-            </body>
-          </body>
-        </body>
-      </body>)",
-      side, y,
-      how.ankle_roll ? fmt::format("<joint name=\"{}_ankle_roll\" axis=\"1 0 0\"/>", side) : "",
-      of_side(how.foot, side));
+  const auto body = [&](const char* part, const std::string& place = "") {
+    return fmt::format("name=\"{}_{}\"{}", side, part, place);
+  };
+  return chain({
+      {body("hip", fmt::format(" pos=\"0 {} -0.05\"", y)),
+       {hinge(side + "_yaw", "0 0 1"), inertial("0 0 0", 0.5, "0.0005 0.0005 0.0005")}},
+      {body("pelvis"),
+       {hinge(side + "_roll", "1 0 0"), inertial("0 0 0", 0.5, "0.0005 0.0005 0.0005")}},
+      {body("thigh"),
+       {hinge(side + "_pitch", "0 1 0"), inertial("0 0 -0.12", 2, "0.012 0.012 0.002")}},
+      {body("shank", " pos=\"0 0 -0.25\""),
+       {hinge(side + "_knee", "0 1 0"), inertial("0 0 -0.12", 1.5, "0.009 0.009 0.001")}},
+      {body("ankle", " pos=\"0 0 -0.25\""),
+       {hinge(side + "_ankle_pitch", "0 1 0"), inertial("0 0 0", 0.3, "0.0002 0.0002 0.0002")}},
+      {body("foot"),
+       {how.ankle_roll ? hinge(side + "_ankle_roll", "1 0 0") : "",
+        inertial("0.02 0 -0.03", 0.4, "0.0004 0.001 0.001"), of_side(how.foot, side)}},
+  });
 }
 
 }  // namespace

@@ -8,7 +8,8 @@ namespace legwright::test {
 
 /// How flat_biped() is drawn.
 struct FlatBiped {
-  /// Geoms of each foot, in the frame of the ankle, which is 0.05 m above the ground; SIDE stands for its side.
+  /// Geoms of each foot, in the frame of the ankle, which is 0.05 m above the ground; SIDE stands
+  /// for its side.
   std::string foot =
       R"(<geom name="SIDE_sole" type="box" size="0.08 0.04 0.01" pos="0.02 0 -0.04"/>)";
   bool ankle_roll = true;  // a sixth hinge in each leg
@@ -17,7 +18,8 @@ struct FlatBiped {
   std::string custom = {};  // content of <custom>
 };
 
-/// A biped of hinges yaw, roll, pitch, knee, ankle, ankle roll in each leg, 18.4 kg, bent at home with level soles.
+/// A biped of hinges yaw, roll, pitch, knee, ankle, ankle roll in each leg, 18.4 kg, bent at home
+/// with level soles.
 std::string flat_biped(const FlatBiped& how = {});
 
 /// Feet by name of what they are made of: those that touch with a face, and those that do not.

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "tests/mjcf/robots/mjcf_builder.hpp"
+
 namespace legwright::test {
 namespace {
 
@@ -17,37 +19,30 @@ std::string bar(double wide, double deep, double bottom, double top) {
 }
 
 std::string leg(const char* name, int front, int left) {
-  return fmt::format(R"(
-      <body name="{0}_hip" pos="{1} {2} 0">
-        <inertial mass="0.5" pos="0 0 0" diaginertia="0.0006 0.0006 0.0005"/>
-        <joint class="abduction" name="{0}_hx"/>
-        <body name="{0}_thigh" pos="0 {3} 0">
-          <inertial mass="0.9" pos="0 0 -0.05" diaginertia="0.004 0.004 0.0009"/>
-          <joint class="hip" name="{0}_hy"/>
-          <geom class="drawn" mesh="{4}"/>
-          <body name="{0}_shank" pos="0 0 -0.21">
-            <inertial mass="0.2" pos="0.01 0 -0.1" diaginertia="0.0012 0.0012 3e-05"/>
-            <joint class="knee" name="{0}_kn"/>
-            <geom class="shank" quat="0.970142500145332 0 0.24253562503633297 0"/>
-            <geom name="{0}_paw" class="paw"/>
-            <geom class="drawn" mesh="paw" pos="-0.09 0 -0.18" euler="0 0.2 0"/>
-          </body>
-        </body>
-      </body>)",
-                     name, 0.19 * front, 0.05 * left, 0.08 * left,
-                     left > 0 ? "upper" : "upper_mirrored");
+  const auto joint = [&](const char* kind, const char* axis) {
+    return fmt::format(R"(<joint class="{}" name="{}_{}"/>)", kind, name, axis);
+  };
+  return chain({
+      {fmt::format("name=\"{}_hip\" pos=\"{} {} 0\"", name, 0.19 * front, 0.05 * left),
+       {cad_inertial(0.5, "0 0 0", "0.0006 0.0006 0.0005"), joint("abduction", "hx")}},
+      {fmt::format("name=\"{}_thigh\" pos=\"0 {} 0\"", name, 0.08 * left),
+       {cad_inertial(0.9, "0 0 -0.05", "0.004 0.004 0.0009"), joint("hip", "hy"),
+        fmt::format(R"(<geom class="drawn" mesh="{}"/>)", left > 0 ? "upper" : "upper_mirrored")}},
+      {fmt::format("name=\"{}_shank\" pos=\"0 0 -0.21\"", name),
+       {cad_inertial(0.2, "0.01 0 -0.1", "0.0012 0.0012 3e-05"), joint("knee", "kn"),
+        R"(<geom class="shank" quat="0.970142500145332 0 0.24253562503633297 0"/>)",
+        fmt::format(R"(<geom name="{}_paw" class="paw"/>)", name),
+        R"(<geom class="drawn" mesh="paw" pos="-0.09 0 -0.18" euler="0 0.2 0"/>)"}},
+  });
 }
 
 }  // namespace
 
 std::string mesh_quadruped() {
-  std::string servos;
-  for (const char* const one : {"fl", "fr", "hl", "hr"})
-    for (const char* const joint : {"hx", "hy", "kn"})
-      servos += fmt::format(
-          "\n    <position name=\"{0}_{1}\" joint=\"{0}_{1}\" kp=\"100\" kv=\"1\""
-          " forcerange=\"-25 25\"/>",
-          one, joint);
+  const std::string servos = for_each_joint(
+      "\n    <position name=\"{0}_{1}\" joint=\"{0}_{1}\" kp=\"100\" kv=\"1\""
+      " forcerange=\"-25 25\"/>",
+      {"fl", "fr", "hl", "hr"}, {"hx", "hy", "kn"});
   return R"(<mujoco model="mesh_quadruped">
   <compiler angle="radian" autolimits="true"/>
   <default>

@@ -21,10 +21,11 @@ std::string crooked_robot();
 /// The crooked robot with linear actuators at two hinges, one over a fixed body in between, whose
 /// ends are placed; a scaled length and a scaled turn.
 std::string crooked_piston_robot();
-/// The crooked robot with printed bodies: boxes, capsules, cylinders, balls and ellipsoids along, across and off the
-/// stretches.
+/// The crooked robot with printed bodies: boxes, capsules, cylinders, balls and ellipsoids along,
+/// across and off the stretches.
 std::string crooked_printed_robot();
-/// By the names "crooked_printed", "puppy", "piston_puppy" (of the examples), "crooked", "crooked_piston".
+/// By the names "crooked_printed", "puppy", "piston_puppy" (of the examples), "crooked",
+/// "crooked_piston".
 std::string named_robot(const std::string& name);
 /// Replaces the first occurrence; fails the test if there is none.
 std::string with(std::string text, const std::string& old_part, const std::string& new_part);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 
 #include "mjcf/scene/plain_scene.hpp"
 #include "mjcf/scene/played_robot.hpp"
@@ -248,7 +249,7 @@ TEST(EmitScene, CamerasFrameTheRobotAndTheTravelGoesToTheRight) {
     mj_forward(model.get(), data.get());
     const int side = mj_name2id(model.get(), mjOBJ_CAMERA, "side"),
               track = mj_name2id(model.get(), mjOBJ_CAMERA, "track");
-    const double half = model->cam_fovy[side] / 2 * M_PI / 180;
+    const double half = model->cam_fovy[side] / 2 * std::numbers::pi / 180;
     for (const int camera : {side, track}) {
       double low = 1, high = -1;
       for (int g = 0; g < model->ngeom; ++g) {

@@ -43,7 +43,7 @@ ModelPointer opened_by_mujoco(const fs::path& file) {
   return model;
 }
 
-std::string complaint(const std::function<void()>& work) {
+std::string error_message(const std::function<void()>& work) {
   try {
     work();
   } catch (const InputError& error) {
@@ -52,8 +52,8 @@ std::string complaint(const std::function<void()>& work) {
   return "accepted";
 }
 
-std::string complaint(const fs::path& file) {
-  return complaint([&] { read_robot(file); });
+std::string error_message(const fs::path& file) {
+  return error_message([&] { read_robot(file); });
 }
 
 class SplitPuppy : public testing::Test {
@@ -153,7 +153,7 @@ TEST(RobotFiles, SectionsOfSeveralFilesAreJoinedAsMujocoDoes) {
 <option timestep="0.004" gravity="0 0 -1"/>
 <worldbody><geom name="w" size="1"/></worldbody></mujoco>)");
   put(folder.path() / "class.xml", "<x/>");
-  EXPECT_NE(complaint([&] { RobotFiles::read(main); }), "accepted");
+  EXPECT_NE(error_message([&] { RobotFiles::read(main); }), "accepted");
   put(folder.path() / "class.xml",
       "<mujocoinclude><default class=\"red\"><geom rgba=\"1 0 0 1\"/></default></mujocoinclude>");
   put(folder.path() / "deep/parts.xml", R"(<mujocoinclude>
@@ -192,7 +192,7 @@ int line_of(const fs::path& file, const std::string& word) {
 
 /// Faults of several kinds, each told at its place: what our checks find, what MuJoCo finds, and
 /// what stands behind an included file in the main one.
-TEST_F(SplitPuppy, FaultsAreToldAtTheLineOfTheirFile) {
+TEST_F(SplitPuppy, FaultsAreReportedAtTheLineOfTheirFile) {
   const struct {
     const char *file, *good, *bad, *words;
   } faults[] = {
@@ -214,27 +214,27 @@ TEST_F(SplitPuppy, FaultsAreToldAtTheLineOfTheirFile) {
     const std::string good = test::read_file(file);
     put(file, test::with(good, fault.good, fault.bad));
     expect_words(
-        complaint(file_),
+        error_message(file_),
         {file.string() + ":" + std::to_string(line_of(file, fault.bad)) + ": ", fault.words});
     put(file, good);
   }
-  EXPECT_EQ(complaint(file_), "accepted");  // control: each was refused for its own fault
+  EXPECT_EQ(error_message(file_), "accepted");  // control: each was refused for its own fault
 }
 
 /// All reasons at once, each in its file.
-TEST_F(SplitPuppy, SeveralFaultsAreToldInTheirFiles) {
+TEST_F(SplitPuppy, SeveralFaultsAreReportedInTheirFiles) {
   const fs::path shank = folder_.path() / "parts/shank.xml";
   put(shank, test::with(test::read_file(shank), "name=\"FL_knee\" axis",
                         "type=\"slide\" name=\"FL_knee\" axis"));
   put(file_, test::with(test::read_file(file_), "name=\"HR_knee\" axis",
                         "type=\"slide\" name=\"HR_knee\" axis"));
-  const std::string message = complaint(file_);
+  const std::string message = error_message(file_);
   expect_words(message, {fmt::format("{}:{}: ", shank.string(), line_of(shank, "FL_knee")),
                          fmt::format("\n{}:{}: ", file_.string(), line_of(file_, "HR_knee"))});
 }
 
 TEST_F(SplitPuppy, ASceneNamesTheFileOfItsRobot) {
-  const auto told = [&](const std::string& included) {
+  const auto error_of = [&](const std::string& included) {
     const fs::path scene = folder_.path() / "scene.xml";
     test::put(scene, "<mujoco><include file=\"" + included +
                          "\"/><worldbody><geom name=\"floor\" type=\"plane\" size=\"0 0 1\"/>"
@@ -246,23 +246,23 @@ TEST_F(SplitPuppy, ASceneNamesTheFileOfItsRobot) {
     }
     return std::string();
   };
-  EXPECT_NE(told("dog.xml").find("this is a scene around 'dog.xml', so give that file; a home "
-                                 "keyframe of the scene is not read"),
+  EXPECT_NE(error_of("dog.xml").find("this is a scene around 'dog.xml', so give that file; a home "
+                                     "keyframe of the scene is not read"),
             std::string::npos)
-      << told("dog.xml");
-  EXPECT_EQ(told("parts/defaults.xml").find("this is a scene"), std::string::npos);
+      << error_of("dog.xml");
+  EXPECT_EQ(error_of("parts/defaults.xml").find("this is a scene"), std::string::npos);
 }
 
-TEST_F(SplitPuppy, XmlFaultsAreToldInTheirFile) {
+TEST_F(SplitPuppy, XmlFaultsAreReportedInTheirFile) {
   const fs::path shank = folder_.path() / "parts/shank.xml";
   put(shank, "<mujoco>\n<body>\n</mujoco>");
-  expect_words(complaint(file_), {shank.string() + ":", "an element is not closed"});
+  expect_words(error_message(file_), {shank.string() + ":", "an element is not closed"});
   put(shank, "<!DOCTYPE x>\n<mujoco><body/></mujoco>");
-  expect_words(complaint(file_), {shank.string() + ":1: <!DOCTYPE>"});
+  expect_words(error_message(file_), {shank.string() + ":1: <!DOCTYPE>"});
   put(shank, "<robot><body/></robot>");
-  expect_words(complaint(file_), {shank.string() + ":1: robot: ", "<mujocoinclude>"});
+  expect_words(error_message(file_), {shank.string() + ":1: robot: ", "<mujocoinclude>"});
   put(shank, "<mujoco>\n</mujoco>");
-  expect_words(complaint(file_), {shank.string() + ":1: ", "without elements"});
+  expect_words(error_message(file_), {shank.string() + ":1: ", "without elements"});
 }
 
 /// A line that is told in the words is one of its file, too.
@@ -288,7 +288,7 @@ TEST_F(SplitPuppy, DeclarationsGoIntoTheMainFile) {
   const std::size_t begin = dog.find("  <custom>"), end = dog.find("</custom>\n");
   put(file_, dog.erase(begin, end + 10 - begin));
   const RobotFiles files = RobotFiles::read(file_);
-  const StudiedRobot found = study_robot(files.text(), file_);
+  const ProposedParameters found = propose_parameters(files.text(), file_);
   EXPECT_GT(found.proposals.size(), 10u);
   put(file_, with_declarations(files.main_text(), file_, found.proposals));
   const RobotModel declared = read_robot(file_);

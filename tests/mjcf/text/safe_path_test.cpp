@@ -119,7 +119,7 @@ TEST_F(SafePath, WhatIsNoFileIsRefusedWithoutWaiting) {
   EXPECT_TRUE(has(fault("secret.xml"), "mend its permissions"));
 }
 
-TEST_F(SafePath, CyclesAreToldWithTheirChain) {
+TEST_F(SafePath, CyclesAreReportedWithTheirChain) {
   const std::string main = "<mujoco>\n<include file=\"a.xml\"/></mujoco>";
   put(home_ / "robot.xml", main);
   put(home_ / "a.xml", "<mujoco><include file=\"b.xml\"/></mujoco>");

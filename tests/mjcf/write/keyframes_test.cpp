@@ -110,7 +110,7 @@ TEST(Keyframes, ControlsOfPositionServosFollowTheirAngles) {
             key_text(robot.xml, "ctrl"));
 }
 
-TEST(Keyframes, AServoOnATendonIsToldItsLength) {
+TEST(Keyframes, AServoOnATendonGetsItsLength) {
   const std::string xml = example("piston_puppy");
   const RobotModel bare = parse_robot(xml, "piston");
   const ModelPointer model = compile_mjcf(xml, "piston");
@@ -120,9 +120,9 @@ TEST(Keyframes, AServoOnATendonIsToldItsLength) {
   mj_fwdPosition(model.get(), data.get());
   for (int i = 0; i < model->nactuator; ++i)
     ctrl += fmt::format("{:.6f} ", data->actuator_length[model->actuator_outadr[i]]);
-  const std::string told =
+  const std::string with_length =
       test::with(xml, "<key name=\"home\"", "<key name=\"home\" ctrl=\"" + ctrl + "\"");
-  const RobotModel robot = parse_robot(told, "piston");
+  const RobotModel robot = parse_robot(with_length, "piston");
   std::mt19937 random(3);
   const ModelPointer after =
       compile_mjcf(rewrite_robot(robot, test::random_design(robot.space, random)), "piston");
@@ -153,7 +153,7 @@ TEST(Keyframes, WhereNoFootStandsNothingChanges) {
   }
 }
 
-TEST(Keyframes, EveryKeyIsLookedAt) {
+TEST(Keyframes, EveryKeyIsChecked) {
   const std::string standing =
       "<key name=\"again\" qpos=\"1 2 0.2045118502 1 0 0 0 0.5 -1 0.6 0.5 -1 0.6 0.5 -1 0.6 0.5 -1 "
       "0.6\"/>";

@@ -237,8 +237,8 @@ TEST(MeshFeet, AShankThatIsOneMeshWithItsFootGrowsWithItsLength) {
       1e-9);
 }
 
-/// A foot that keeps its shape, in a frame which the stretch moves by itself. That the foot is where
-/// it shall be is what rewrite_robot() looks at.
+/// A foot that keeps its shape, in a frame which the stretch moves by itself. That the foot is
+/// where it shall be is what rewrite_robot() looks at.
 TEST(MeshFeet, AFootInAFrameMovesAsItsSoleDoes) {
   const RobotModel robot = parse_robot(
       test::declared(test::hopper_with(
@@ -307,8 +307,8 @@ TEST(MeshWeights, AMeshThatGivesTheBodyItsWeightKeepsItsSize) {
   }
 }
 
-/// Assets in an included file: the copy stands in that file, behind its original, even where this is
-/// the last thing in it.
+/// Assets in an included file: the copy stands in that file, behind its original, even where this
+/// is the last thing in it.
 TEST(MeshCopies, StandInTheFileOfTheirOriginal) {
   const test::TemporaryFolder folder;
   std::string xml = test::declared(test::mesh_quadruped());

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "mjcf/text/compile.hpp"
 #include "mjcf/write/rewrite_robot.hpp"
@@ -44,10 +45,10 @@ TEST(ModelDiff, TellsLengthsAnglesAndMasses) {
   EXPECT_EQ(moved[0].unit, "m");
   EXPECT_NEAR(moved[0].size, 0.25, 1e-12);
 
-  const auto turned = differences(test::with(kArm, "axis=\"0 1 0\"", "axis=\"0 1 1\""));
-  ASSERT_EQ(turned.size(), 1u);
-  EXPECT_EQ(turned[0].element, "joint 'hinge'");
-  EXPECT_NEAR(turned[0].size, M_PI / 4, 1e-12);
+  const auto rotated = differences(test::with(kArm, "axis=\"0 1 0\"", "axis=\"0 1 1\""));
+  ASSERT_EQ(rotated.size(), 1u);
+  EXPECT_EQ(rotated[0].element, "joint 'hinge'");
+  EXPECT_NEAR(rotated[0].size, std::numbers::pi / 4, 1e-12);
 
   const auto heavier = differences(test::with(kArm, "mass=\"2\"", "mass=\"3\""));
   const Difference* mass = find(heavier, "body 'arm'", "mass");
@@ -148,14 +149,15 @@ TEST(ModelDiff, TellsDeclaredParameters) {
   EXPECT_NE(find(between(kArm, one), "parameter 'long'", "only in B"), nullptr);
 }
 
-TEST(ModelDiff, LooksAwayBelowItsTolerance) {
+TEST(ModelDiff, ListsNothingBelowItsTolerance) {
   const std::string moved = test::with(kArm, "<site name=\"end\" pos=\"0 0 -1\"/>",
                                        "<site name=\"end\" pos=\"0 0 -1.001\"/>");
   EXPECT_EQ(differences(moved).size(), 1u);
   EXPECT_TRUE(differences(moved, 0.01).empty());
 }
 
-/// Ends of a tape measure: rounding of a large or small number is none, the same step of a small one is a change.
+/// Ends of a tape measure: rounding of a large or small number is none, the same step of a small
+/// one is a change.
 TEST(ModelDiff, KnowsRoundingErrors) {
   const auto differs = [](const char* unit, double before, double after) {
     Difference d{"body 'a'", "mass", unit, {before}, {after}, std::abs(after - before)};

@@ -42,8 +42,8 @@ int case_count() {
 
 enum class Outcome : char { none, refused, written, broken };
 
-/// What the child tells its parent while it runs: the outcome of each case and what broke it; after a
-/// crash the first case without an outcome is to blame.
+/// What the child tells its parent while it runs: the outcome of each case and what broke it; after
+/// a crash the first case without an outcome is to blame.
 struct Board {
   Outcome outcome[kMost];
   char what[kMost][200];
@@ -67,7 +67,7 @@ const std::vector<std::pair<std::string, std::string>>& bases() {
     for (const auto& file : files) {  // they declare nothing: what init proposes is put in
       const std::string text = RobotFiles::read(file).text();  // with what it includes
       out.emplace_back(file.parent_path().filename(),
-                       with_declarations(text, file, study_robot(text, file).proposals));
+                       with_declarations(text, file, propose_parameters(text, file).proposals));
     }
     return out;
   }();
@@ -88,7 +88,7 @@ Outcome fail(char* what, const std::string& why) {
 
 /// Every tenth accepted robot is also studied, as `init --write` would.
 Outcome study(const std::string& xml, char* what) {
-  const StudiedRobot found = study_robot(xml, "mutant.xml");
+  const ProposedParameters found = propose_parameters(xml, "mutant.xml");
   const std::string declared = with_declarations(xml, "mutant.xml", found.proposals);
   const RobotModel again = parse_robot(declared, "mutant.xml");
   if (again.space.size() != found.model.space.size() + static_cast<int>(found.proposals.size()))

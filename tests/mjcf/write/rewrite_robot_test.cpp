@@ -161,14 +161,15 @@ TEST(RewriteRobot, WritesTwelveDigitsAndTheDesignThatTheyMean) {
     const std::size_t longest = longest_new_number(robot.xml, text);
     EXPECT_EQ(longest, 12u) << name;  // there are numbers that were rounded
     const RobotModel written = parse_robot(text, "robot.xml", &robot.structure);
-    const VectorXd told = written.space.initial();
-    EXPECT_TRUE(told.isApprox(s, 1e-11));
-    EXPECT_NE(told, s);
-    for (const double value : told) EXPECT_EQ(value, rounded(value));
+    const VectorXd s_written = written.space.initial();
+    EXPECT_TRUE(s_written.isApprox(s, 1e-11));
+    EXPECT_NE(s_written, s);
+    for (const double value : s_written) EXPECT_EQ(value, rounded(value));
     // Geometry and declared values agree, and what they say gives the same file.
-    EXPECT_EQ(find_difference(robot.morphology, told, written.morphology, told), "") << name;
-    EXPECT_TRUE(rewrite_robot(robot, told) == text);
-    EXPECT_TRUE(rewrite_robot(written, told) == text);
+    EXPECT_EQ(find_difference(robot.morphology, s_written, written.morphology, s_written), "")
+        << name;
+    EXPECT_TRUE(rewrite_robot(robot, s_written) == text);
+    EXPECT_TRUE(rewrite_robot(written, s_written) == text);
   }
 }
 

@@ -47,20 +47,20 @@ TEST(Png, RefusesTornAndForeignBytes) {
 
 TEST(Image, PasteCutsOffWhatLiesOutside) {
   Image whole(4, 4, {0, 0, 0});
-  paste(whole, Image(3, 3, {9, 9, 9}), -1, 2);
+  copy_into(whole, Image(3, 3, {9, 9, 9}), -1, 2);
   EXPECT_EQ(whole.pixel(0, 2)[0], 9);
   EXPECT_EQ(whole.pixel(1, 3)[0], 9);
   EXPECT_EQ(whole.pixel(2, 2)[0], 0);
   EXPECT_EQ(whole.pixel(0, 1)[0], 0);
   const Image before = whole;
-  paste(whole, Image(3, 3), 10, 10);
+  copy_into(whole, Image(3, 3), 10, 10);
   EXPECT_EQ(whole, before);
 }
 
 TEST(Image, ShrinkTakesMeans) {
   Image image(4, 2, {0, 0, 0});
   image.pixel(0, 0)[0] = 200;
-  const Image small = shrink(image, 2);
+  const Image small = downsample(image, 2);
   ASSERT_EQ(small.width, 2);
   ASSERT_EQ(small.height, 1);
   EXPECT_EQ(small.pixel(0, 0)[0], 50);

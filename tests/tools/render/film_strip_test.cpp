@@ -108,18 +108,18 @@ TEST(ContactMarks, ShowFeetWhereTheyAre) {
   EXPECT_NEAR(marks[0].feet[1].left, -1.0, 1e-9);
   for (int turn = 0; turn < 2;
        ++turn) {  // seen from the robot, whichever way it faces in the world
-    Trajectory turned = toy_plan();
+    Trajectory rotated = toy_plan();
     for (int k = 0; k < 8; ++k) {
       const double facing = 0.3 + 1.1 * turn;
-      turned.at(k, turned.root_column(5)) = facing;
+      rotated.at(k, rotated.root_column(5)) = facing;
       for (int f = 0; f < 2; ++f) {
         const double left = f == 0 ? 0.06 : -0.06;
-        turned.at(k, turned.foot_column(f, 0)) = -std::sin(facing) * left;
-        turned.at(k, turned.foot_column(f, 1)) =
-            std::cos(facing) * left + turned.at(k, turned.root_column(1));
+        rotated.at(k, rotated.foot_column(f, 0)) = -std::sin(facing) * left;
+        rotated.at(k, rotated.foot_column(f, 1)) =
+            std::cos(facing) * left + rotated.at(k, rotated.root_column(1));
       }
     }
-    const auto seen = contact_marks(turned, 1);
+    const auto seen = contact_marks(rotated, 1);
     EXPECT_NEAR(seen[0].feet[0].left, 1.0, 1e-9);
     EXPECT_NEAR(seen[0].feet[0].forward, 0.0, 1e-9);
   }

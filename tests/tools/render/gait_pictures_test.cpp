@@ -12,30 +12,30 @@ namespace legwright {
 namespace {
 
 /// A toy that walks to the left by 0.2 m a cycle and was simulated 5 cm beside its plan.
-GaitClip toy_act(bool fell = false) {
-  GaitClip act;
-  act.title = "After";
-  act.scene = std::filesystem::path(testing::TempDir()) / "toy_act.xml";
-  write_file(act.scene, kToyScene);
-  act.model = load_drawn_scene(act.scene);
-  act.plan = blank_trajectory({"left", "right"}, {"L", "R"}, 8, 0.8);
-  act.plan.travel = {0.0, 0.2, 0.0};
+GaitClip toy_clip(bool fell = false) {
+  GaitClip clip;
+  clip.title = "After";
+  clip.scene = std::filesystem::path(testing::TempDir()) / "toy_act.xml";
+  write_file(clip.scene, kToyScene);
+  clip.model = load_drawn_scene(clip.scene);
+  clip.plan = blank_trajectory({"left", "right"}, {"L", "R"}, 8, 0.8);
+  clip.plan.travel = {0.0, 0.2, 0.0};
   for (int k = 0; k < 8; ++k) {
-    act.plan.at(k, act.plan.root_column(1)) = 0.025 * k;
-    act.plan.at(k, act.plan.root_column(2)) = 0.28;
-    act.plan.at(k, act.plan.target_column(0)) = 0.3 * std::sin(k * 0.785398);
+    clip.plan.at(k, clip.plan.root_column(1)) = 0.025 * k;
+    clip.plan.at(k, clip.plan.root_column(2)) = 0.28;
+    clip.plan.at(k, clip.plan.target_column(0)) = 0.3 * std::sin(k * 0.785398);
   }
-  act.playback.emplace();
+  clip.playback.emplace();
   const double end = fell ? 1.0 : 2.4;
   for (int i = 0; i * 0.1 <= end + 1e-9; ++i) {
-    act.playback->time.push_back(0.1 * i);
-    act.playback->qpos.push_back(act.planned_at(0.1 * i));
-    act.playback->qpos.back()[0] += 0.05;
+    clip.playback->time.push_back(0.1 * i);
+    clip.playback->qpos.push_back(clip.planned_at(0.1 * i));
+    clip.playback->qpos.back()[0] += 0.05;
   }
-  act.passed = !fell;
-  if (fell) act.fell = 1.0;
-  act.feet = {{"L", {{0.0, 0.4}}, {{0.0, 0.5}, {0.8, end}}}, {"R", {{0.4, 0.9}}, {{0.4, 0.8}}}};
-  return act;
+  clip.passed = !fell;
+  if (fell) clip.fell = 1.0;
+  clip.feet = {{"L", {{0.0, 0.4}}, {{0.0, 0.5}, {0.8, end}}}, {"R", {{0.4, 0.9}}, {{0.4, 0.8}}}};
+  return clip;
 }
 
 int count_of(const Image& image, Rgb colour) {
@@ -48,13 +48,13 @@ int count_of(const Image& image, Rgb colour) {
 }
 
 TEST(PoseAt, LiesBetweenTheRecords) {
-  const GaitClip act = toy_act();
-  const auto between = pose_at(*act.model, *act.playback, 0.15);
-  const auto &before = act.playback->qpos[1], &after = act.playback->qpos[2];
+  const GaitClip clip = toy_clip();
+  const auto between = pose_at(*clip.model, *clip.playback, 0.15);
+  const auto &before = clip.playback->qpos[1], &after = clip.playback->qpos[2];
   for (std::size_t i = 0; i < between.size(); ++i)
     EXPECT_NEAR(between[i], 0.5 * (before[i] + after[i]), 1e-12) << i;
-  EXPECT_EQ(pose_at(*act.model, *act.playback, -1.0), act.playback->qpos.front());
-  EXPECT_EQ(pose_at(*act.model, *act.playback, 99.0), act.playback->qpos.back());
+  EXPECT_EQ(pose_at(*clip.model, *clip.playback, -1.0), clip.playback->qpos.front());
+  EXPECT_EQ(pose_at(*clip.model, *clip.playback, 99.0), clip.playback->qpos.back());
 }
 
 TEST(LoopFloor, JoinsAfterWholePatterns) {
@@ -78,37 +78,37 @@ TEST(LoopFloor, JoinsAfterWholePatterns) {
 TEST(GaitAnimation, LastsItsCyclesAndMoves) {
   LEGWRIGHT_NEEDS_GL();
   const GlContext context;
-  const GaitClip act = toy_act();
-  const Animation animation = animate_gait(context, act);
+  const GaitClip clip = toy_clip();
+  const Animation animation = animate_gait(context, clip);
   ASSERT_EQ(animation.frames.size(), 19U);  // 0.8 s
   EXPECT_EQ(animation.end_ms.back(), 800);
   EXPECT_GT(different_pixels(animation.frames[0], animation.frames[5]), 100);
-  EXPECT_EQ(animate_gait(context, act).frames, animation.frames);
-  GaitClip failed = toy_act(true);  // shows the plan, and says so
+  EXPECT_EQ(animate_gait(context, clip).frames, animation.frames);
+  GaitClip failed = toy_clip(true);  // shows the plan, and says so
   EXPECT_GT(different_pixels(animate_gait(context, failed).frames[0], animation.frames[0]), 50);
 }
 
 TEST(OverlayStrip, GhostAndOutlineLieOverTheSimulation) {
   LEGWRIGHT_NEEDS_GL();
   const GlContext context;
-  std::vector<GaitClip> acts;
-  acts.push_back(toy_act());
-  const Image strip = overlay_strip(context, acts);
-  acts[0].playback->qpos[16][7] += 0.2;  // start of the last whole cycle, 1.6 s: the simulated leg
-  const Image moved = overlay_strip(context, acts);
+  std::vector<GaitClip> clips;
+  clips.push_back(toy_clip());
+  const Image strip = overlay_strip(context, clips);
+  clips[0].playback->qpos[16][7] += 0.2;  // start of the last whole cycle, 1.6 s: the simulated leg
+  const Image moved = overlay_strip(context, clips);
   EXPECT_GT(different_pixels(strip, moved), 20);
-  for (std::size_t i = 0; i < acts[0].playback->qpos.size(); ++i)
-    acts[0].playback->qpos[i][0] -= 0.05;  // as planned: the ghost is hidden in the robot
-  EXPECT_GT(different_pixels(strip, overlay_strip(context, acts)), 1000);
+  for (std::size_t i = 0; i < clips[0].playback->qpos.size(); ++i)
+    clips[0].playback->qpos[i][0] -= 0.05;  // as planned: the ghost is hidden in the robot
+  EXPECT_GT(different_pixels(strip, overlay_strip(context, clips)), 1000);
 }
 
 TEST(PhysicsStrip, WhatComesAfterAFallIsPale) {
   LEGWRIGHT_NEEDS_GL();
   const GlContext context;
-  std::vector<GaitClip> acts;
-  acts.push_back(toy_act(true));
-  acts.push_back(toy_act());
-  const Image strip = physics_strip(context, acts);
+  std::vector<GaitClip> clips;
+  clips.push_back(toy_clip(true));
+  clips.push_back(toy_clip());
+  const Image strip = physics_strip(context, clips);
   const auto darkest = [&](int cell, int row) {
     int least = 255;
     for (int y = 0; y < 190; ++y)
@@ -133,20 +133,20 @@ TEST(ContactTimeline, CountsWhatIsCovered) {
 TEST(ContactTimeline, TellsTouchInSwingFromStance) {
   LEGWRIGHT_NEEDS_GL();
   const GlContext context;
-  std::vector<GaitClip> acts;
-  acts.push_back(toy_act());
-  Renderer letters(context, *acts[0].model, 64, 48, RenderStyle::cheap);
+  std::vector<GaitClip> clips;
+  clips.push_back(toy_clip());
+  Renderer letters(context, *clips[0].model, 64, 48, RenderStyle::cheap);
   const Rgb touches_in_swing{221, 110, 20};
-  const Image timeline = contact_timeline(acts, letters);
+  const Image timeline = contact_timeline(clips, letters);
   EXPECT_EQ(timeline.width, kStripWidth);
   const int wrong = count_of(timeline, touches_in_swing);
-  acts[0].feet[0].measured = {{0.0, 0.4}, {0.8, 1.2}, {1.6, 2.0}};
-  const int right = count_of(contact_timeline(acts, letters), touches_in_swing);
+  clips[0].feet[0].measured = {{0.0, 0.4}, {0.8, 1.2}, {1.6, 2.0}};
+  const int right = count_of(contact_timeline(clips, letters), touches_in_swing);
   EXPECT_GT(wrong, right + 4000);
   const Rgb red{207, 34, 46};
   std::vector<GaitClip> both;
-  both.push_back(toy_act(true));
-  both.push_back(toy_act());
+  both.push_back(toy_clip(true));
+  both.push_back(toy_clip());
   EXPECT_GT(count_of(contact_timeline(both, letters), red), 200);  // the end of the one that fell
   EXPECT_EQ(count_of(timeline, red), 0);
 }
@@ -154,13 +154,13 @@ TEST(ContactTimeline, TellsTouchInSwingFromStance) {
 TEST(Stills, ShowThePhaseAskedFor) {
   LEGWRIGHT_NEEDS_GL();
   const GlContext context;
-  std::vector<GaitClip> acts;
-  acts.push_back(toy_act());
-  acts.push_back(toy_act());
-  EXPECT_EQ(still(context, acts[0], 0.25).width, 1280);
-  const Image pair = still_side_by_side(context, acts, 0.25);
+  std::vector<GaitClip> clips;
+  clips.push_back(toy_clip());
+  clips.push_back(toy_clip());
+  EXPECT_EQ(still(context, clips[0], 0.25).width, 1280);
+  const Image pair = still_side_by_side(context, clips, 0.25);
   EXPECT_EQ(pair.width, kStripWidth);
-  EXPECT_GT(different_pixels(pair, still_side_by_side(context, acts, 0.75)), 500);
+  EXPECT_GT(different_pixels(pair, still_side_by_side(context, clips, 0.75)), 500);
 }
 
 }  // namespace

@@ -136,7 +136,8 @@ TEST(Renderer, RobotFillsThePictureFromAnySide) {
   }
 }
 
-/// By how many rows the trunk's right end is higher than its left one; NaN where it is not in the picture.
+/// By how many rows the trunk's right end is higher than its left one; NaN where it is not in the
+/// picture.
 double rise(const Image& image) {
   double row[2] = {0.0, 0.0};
   int count[2] = {0, 0};
@@ -237,7 +238,7 @@ TEST(StartPose, IsTheGaitsKeyframeNotTheHomeOne) {
   EXPECT_EQ(start_pose(*load_drawn_scene(file))[2], 9.0);
 }
 
-TEST(FrameRobot, LooksAtAllPosesOfAllRobots) {
+TEST(FrameRobot, ShowsAllPosesOfAllRobots) {
   const ModelPointer model = toy();
   Poses poses{start_pose(*model), start_pose(*model)};
   const View one = frame_robot(*model, {poses[0]}, 90, 0, 1.0);

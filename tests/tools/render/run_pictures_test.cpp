@@ -132,7 +132,7 @@ TEST(RunPictures, NeedARun) {
   EXPECT_THROW(draw_run(run), IoError);
 }
 
-TEST(RunPictures, AVerdictThatIsNoObjectIsToldAndOneThatLacksPartsIsNot) {
+TEST(RunPictures, AVerdictThatIsNoObjectIsReportedAndOneThatLacksPartsIsNot) {
   const fs::path run = toy_run("pictures_no_verdict", true);
   EXPECT_EQ(load_clips(run).back().passed, true);
   for (const char* name : {"verdict.json", "metrics.json"}) {
@@ -155,13 +155,13 @@ TEST(RunPictures, AVerdictThatIsNoObjectIsToldAndOneThatLacksPartsIsNot) {
        {R"({"result":[1]})", R"({"result":null})", "{}", R"({"result":{"pass":"yes"}})"}) {
     write_file(run / "result" / "verdict.json", part);
     write_file(run / "result" / "metrics.json", R"({"result":[]})");
-    const auto acts = load_clips(run);
-    EXPECT_EQ(acts.size(), 2U) << part;
-    EXPECT_FALSE(acts.back().passed) << part;
+    const auto clips = load_clips(run);
+    EXPECT_EQ(clips.size(), 2U) << part;
+    EXPECT_FALSE(clips.back().passed) << part;
   }
 }
 
-TEST(RunPictures, DamagedFilesAreToldWithTheirPathAndAWayOut) {
+TEST(RunPictures, DamagedFilesAreReportedWithTheirPathAndAWayOut) {
   LEGWRIGHT_NEEDS_GL();
   const std::pair<const char*, const char*> files[] = {{"iterations/0000/scene.xml", "optimize"},
                                                        {"result/scene.xml", "optimize"},

@@ -84,13 +84,13 @@ int exit_code_with_plugin(const char* file) {
   return 0;
 }
 
-TEST(GaitPluginDeathTest, MissingPluginIsToldWithThePlaces) {
+TEST(GaitPluginDeathTest, MissingPluginIsReportedWithThePlaces) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   EXPECT_EXIT(std::exit(exit_code_with_plugin("/nonexistent/gait.so")), testing::ExitedWithCode(7),
               "LEGWRIGHT_PLUGIN[^$]*/nonexistent/gait.so");
 }
 
-TEST(GaitPluginDeathTest, FileThatIsNoLibraryIsToldAndDoesNotEndTheProcess) {
+TEST(GaitPluginDeathTest, FileThatIsNoLibraryIsReportedAndDoesNotEndTheProcess) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   EXPECT_EXIT(std::exit(exit_code_with_plugin(LEGWRIGHT_SOURCE_DIR "/README.md")),
               testing::ExitedWithCode(7), "cannot be loaded");
@@ -104,7 +104,8 @@ TEST(Scene, FindsWhatIsMeasured) {
   EXPECT_DOUBLE_EQ(scene.torque_limit[0], 1.0);
 }
 
-/// Clock attributes that someone has put into the scene: the plan that is measured is the one played.
+/// Clock attributes that someone has put into the scene: the plan that is measured is the one
+/// played.
 TEST(Scene, SpeedAndPhaseOfTheClockAreInThePlan) {
   const std::string config = "<config key=\"kp\"";
   const Scene plain = parse_scene(TinyScene{}.xml(), "tiny");

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <numbers>
 
 #include "tools/simulate/mujoco_host.hpp"
 #include "tools/simulate/played_state.hpp"
@@ -55,7 +56,8 @@ TEST(PlannedMotion, TurningPlanStaysOnItsCircle) {
     EXPECT_NEAR(root.acceleration.norm(), speed * speed / kRadius, 2e-3 * speed * speed / kRadius)
         << time;
     const double angle = std::atan2(arm.x(), -arm.y());
-    EXPECT_NEAR(std::remainder(angle - kTurn * time / kPeriod, 2 * M_PI), 0.0, 1e-9) << time;
+    EXPECT_NEAR(std::remainder(angle - kTurn * time / kPeriod, 2 * std::numbers::pi), 0.0, 1e-9)
+        << time;
   }
   // Moving the next cycle without turning it, as a plan that goes straight may, leaves the circle.
   const SplinePhase start = phase_at(plan, 0.0);
@@ -92,8 +94,8 @@ TEST(PlannedMotion, PlayedRootTurnsAboutTheVertical) {
   };
   for (const double time : {0.1, 0.37}) {
     const Eigen::Quaterniond first = pose(time), later = pose(time + 9 * kPeriod);
-    const Eigen::Quaterniond turned(Eigen::AngleAxisd(9 * kTurn, Vector3d::UnitZ()));
-    EXPECT_LT((turned * first).angularDistance(later), 1e-9);
+    const Eigen::Quaterniond rotated(Eigen::AngleAxisd(9 * kTurn, Vector3d::UnitZ()));
+    EXPECT_LT((rotated * first).angularDistance(later), 1e-9);
     // Up stays as far from the vertical, which adding 9 turns to the rotation vector would not do.
     EXPECT_NEAR((later * Vector3d::UnitZ()).z(), (first * Vector3d::UnitZ()).z(), 1e-12);
   }

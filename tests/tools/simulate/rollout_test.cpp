@@ -78,7 +78,8 @@ TEST(Rollout, SpeedIsSeenInTheRobotsOwnHeading) {
 }
 
 TEST(Rollout, TurningAboutTheCentreOfMassIsNoDrift) {
-  // Its tail of 10 g puts the table's COM 1.24 mm behind the trunk's origin, which so runs round it.
+  // Its tail of 10 g puts the table's COM 1.24 mm behind the trunk's origin, which so runs round
+  // it.
   TinyScene tiny;
   tiny.friction = 0.0;
   tiny.wag = 0.0;

@@ -44,7 +44,7 @@ TEST_F(StandTest, RobotsAtRandomDesignsStandWithoutAWarning) {
       const Eigen::VectorXd s =
           robot.space.clamp((1 - share) * robot.space.lower() + share * robot.space.upper());
       const std::filesystem::path scene = scene_of(rewrite_robot(robot, s));
-      const Stand stood = stand(scene);
+      const StandingResult stood = stand(scene);
       EXPECT_EQ(stood.warnings.size(), 0u) << name << share;
       EXPECT_NEAR(stood.seconds, 1.0, 1e-9);
       EXPECT_TRUE(differences_in_scene(this->robot(), scene).empty()) << name;
@@ -53,7 +53,7 @@ TEST_F(StandTest, RobotsAtRandomDesignsStandWithoutAWarning) {
 }
 
 TEST_F(StandTest, ThePuppyStays) {
-  const Stand stood = stand(scene_of(read_file(example("puppy"))));
+  const StandingResult stood = stand(scene_of(read_file(example("puppy"))));
   EXPECT_NEAR(stood.trunk_before, 0.2045, 1e-3);
   EXPECT_NEAR(stood.trunk_after, stood.trunk_before, 0.02);
 }
@@ -67,18 +67,18 @@ TEST_F(StandTest, WithoutFloorItFalls) {
 }
 
 /// Negative control: a robot that starts at 1e12 m/s.
-TEST_F(StandTest, WhatFliesApartIsTold) {
+TEST_F(StandTest, WhatFliesApartIsReported) {
   const std::filesystem::path scene = scene_of(read_file(example("puppy")));
   write_file(robot(), with(read_file(robot()), "<key name=\"home\"",
                            "<key name=\"home\" qvel=\"1e12 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0\""));
-  const Stand stood = stand(scene);
+  const StandingResult stood = stand(scene);
   EXPECT_TRUE(stood.diverged);
   ASSERT_GT(stood.warnings.size(), 0u);
   EXPECT_LT(stood.seconds, 0.1);
   EXPECT_NE(stood.warnings[0].text.find("bad number"), std::string::npos);
 }
 
-TEST_F(StandTest, WarningsOfAGaitAreTold) {
+TEST_F(StandTest, WarningsOfAGaitAreReported) {
   const auto warnings = [&](const TinyScene& tiny) {
     write_file(robot(), tiny.xml());
     return warnings_in_gait(robot());

@@ -4,6 +4,7 @@
 #include <Eigen/QR>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "tools/simulate/mujoco_host.hpp"
 #include "tools/simulate/played_state.hpp"
@@ -11,7 +12,6 @@
 namespace legwright {
 namespace {
 
-constexpr double kPi = 3.141592653589793;
 constexpr int kKnots = 8;
 constexpr double kPeriod = 0.8;
 
@@ -56,7 +56,9 @@ StandingPuppy::StandingPuppy(double bounce)
   const double step = gait.time_step();
   m = Eigen::VectorXd::Zero(layout.motion_size());
   const auto place = [&](int slot) { return slot - layout.design_size(); };
-  const auto height = [&](int knot) { return bounce * std::sin(2 * kPi * knot / kKnots) - lowest; };
+  const auto height = [&](int knot) {
+    return bounce * std::sin(2 * std::numbers::pi * knot / kKnots) - lowest;
+  };
   for (int knot = 0; knot <= kKnots; ++knot) {
     const Eigen::Vector3d shift(0, 0, height(knot));
     const double acceleration =

@@ -19,7 +19,7 @@ TaskSet with_design(const std::string& table) {
 }
 
 /// The message with which a [design] table is refused for the puppy; empty if it is not.
-std::string complaint(const std::string& table) {
+std::string error_message(const std::string& table) {
   try {
     const TaskSet set = with_design(table);
     restricted(read_robot(set.robot).space, set.design, set.file.string(), set.lines);
@@ -57,15 +57,15 @@ TEST(DesignTable, LeavesTheRobotsFileAlone) {
   EXPECT_THROW(rewrite_robot(robot, s), std::invalid_argument);
 }
 
-TEST(DesignTable, FaultsAreToldWithTheirCure) {
-  EXPECT_EQ(complaint("[design]\nfreeze = [\"body_width\"]\n"), "");
-  EXPECT_NE(complaint("[design]\nfreeze = [\"body_widht\"]\n").find("is 'body_width' meant?"),
+TEST(DesignTable, FaultsAreReportedWithTheirCure) {
+  EXPECT_EQ(error_message("[design]\nfreeze = [\"body_width\"]\n"), "");
+  EXPECT_NE(error_message("[design]\nfreeze = [\"body_widht\"]\n").find("is 'body_width' meant?"),
             std::string::npos);
-  EXPECT_NE(complaint("[design]\nfreeze = [3]\n").find("expected names"), std::string::npos);
-  EXPECT_NE(complaint("[design]\nfrozen = []\n").find("design.frozen"), std::string::npos);
-  EXPECT_NE(complaint("[design.bounds]\nbody_width = [0.1, 0.15]\n").find("within the robot's"),
+  EXPECT_NE(error_message("[design]\nfreeze = [3]\n").find("expected names"), std::string::npos);
+  EXPECT_NE(error_message("[design]\nfrozen = []\n").find("design.frozen"), std::string::npos);
+  EXPECT_NE(error_message("[design.bounds]\nbody_width = [0.1, 0.15]\n").find("within the robot's"),
             std::string::npos);
-  EXPECT_NE(complaint("[design.bounds]\nbody_width = 0.1\n").find("an array of 2 numbers"),
+  EXPECT_NE(error_message("[design.bounds]\nbody_width = 0.1\n").find("an array of 2 numbers"),
             std::string::npos);
 }
 

@@ -33,7 +33,7 @@ TEST(PlantedMargin, IsSecondsInKnotsButAtLeastOneKnot) {
   EXPECT_EQ(planted_margin_knots(0.05, 0.75, 0.01, 0.21), 5);
 }
 
-TEST(PlantedMargin, GrowsWithTheRootOfTheLegAndAWishDoesNot) {
+TEST(PlantedMargin, GrowsWithTheRootOfTheLegAndAGivenOneDoesNot) {
   EXPECT_EQ(planted_margin_knots(std::nullopt, 0.5, 0.01, 0.21), 4);      // 35 ms
   EXPECT_EQ(planted_margin_knots(std::nullopt, 0.5, 0.01, 4 * 0.21), 7);  // 70 ms
   EXPECT_EQ(planted_margin_knots(0.03, 0.5, 0.01, 4 * 0.21), 3);
@@ -275,7 +275,7 @@ TEST(MakeTask, SpeedLadderFlipsOnceAndStays) {
   EXPECT_TRUE(refused);
 }
 
-TEST(TaskWarnings, AreSilentForTheExamplesAndSpeakUpForDoubts) {
+TEST(TaskWarnings, AreNoneForTheExamplesAndNameDoubts) {
   for (const char* name : {"sideways.toml", "sideways_trot.toml"})
     EXPECT_TRUE(task_warnings(make_task(read_task_file(kPuppy / name), puppy()), puppy()).empty())
         << name;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The first task that `legwright init --task` writes: few numbers, by the robot's size, and every one of them is accepted.
+// The first task that `legwright init --task` writes: few numbers, by the robot's size, and every
+// one of them is accepted.
 #include "tools/task/starter_task.hpp"
 
 #include <gtest/gtest.h>
@@ -77,7 +78,7 @@ TEST(StarterTask, PlaysServosThatGiveInStiffer) {
       << warnings[0];
 }
 
-TEST(StarterTask, WeakMotorsAreToldInsteadOfPlayedStiffer) {
+TEST(StarterTask, WeakMotorsAreReportedInsteadOfPlayedStiffer) {
   RobotModel model = robot("servo_dog");
   const double load = starter_task(model, std::nullopt).sag.load;
   for (Servo& servo : model.servos) {

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 const fs::path kPuppy = fs::path(LEGWRIGHT_SOURCE_DIR) / "examples" / "puppy";
 const fs::path kBroken = fs::path(LEGWRIGHT_SOURCE_DIR) / "examples" / "broken" / "tasks";
 
-std::string complaint(const std::string& text) {
+std::string error_message(const std::string& text) {
   try {
     parse_task_file(text, kPuppy / "test.toml");
   } catch (const InputError& error) {
@@ -74,9 +74,9 @@ TEST(TaskFile, CommentsInTheExampleNameRealKeys) {
     ASSERT_NE(at, std::string::npos) << key;
     text.erase(at, 2);
   }
-  EXPECT_NE(complaint(text).find("limits.step_over"), std::string::npos);  // 25 mm are too low
+  EXPECT_NE(error_message(text).find("limits.step_over"), std::string::npos);  // 25 mm are too low
   text.replace(text.find("swing_height = 0.025"), 20, "swing_height = 0.06 ");
-  EXPECT_EQ(complaint(text), "");
+  EXPECT_EQ(error_message(text), "");
   EXPECT_EQ(parse_task_file(text, kPuppy / "test.toml").weights.at("smoothness"), 0.3);
   // A pattern of one's own needs a name of its own as well.
   text.erase(text.find("# touchdown"), 2);
@@ -87,7 +87,7 @@ TEST(TaskFile, CommentsInTheExampleNameRealKeys) {
 
 TEST(TaskFile, SaysEverythingThatIsWrongAtOnceInTheOrderOfTheFile) {
   const std::string message =
-      complaint("robot = \"robot.xml\"\n[gait]\nname = \"walk\"\nperiod = -1.0\nknotz = 24\n");
+      error_message("robot = \"robot.xml\"\n[gait]\nname = \"walk\"\nperiod = -1.0\nknotz = 24\n");
   const std::size_t period =
       message.find(":4: gait.period: is -1; expected 0.05 <= period <= 20 s");
   const std::size_t knots = message.find(":5: gait.knotz: unknown key; did you mean 'gait.knots'?");
@@ -131,12 +131,12 @@ TEST(TaskFile, EveryPrefixOfTheExampleIsReadOrRefused) {
   const std::string text = read_file(kPuppy / "sideways.toml");
   int accepted = 0;
   for (std::size_t size = 0; size <= text.size(); ++size) {
-    const std::string message = complaint(text.substr(0, size));
+    const std::string message = error_message(text.substr(0, size));
     accepted += message.empty();
     EXPECT_TRUE(message.empty() || message.find("test.toml") != std::string::npos) << message;
   }
   EXPECT_GT(accepted, 0);
-  EXPECT_NE(complaint(text.substr(0, text.find("velocity"))), "");
+  EXPECT_NE(error_message(text.substr(0, text.find("velocity"))), "");
 }
 
 TEST(TaskFile, EveryDamagedByteOfTheExampleIsReadOrRefused) {
@@ -146,7 +146,7 @@ TEST(TaskFile, EveryDamagedByteOfTheExampleIsReadOrRefused) {
     for (const char byte : {'\0', '\xFF', '"', '[', '=', ',', '9'}) {
       std::string damaged = text;
       damaged[at] = byte;
-      const std::string message = complaint(damaged);  // InputError or success, nothing else
+      const std::string message = error_message(damaged);  // InputError or success, nothing else
       ++(message.empty() ? accepted : refused);
       EXPECT_TRUE(message.empty() || message.find("test.toml") != std::string::npos)
           << "byte " << at << " without its file: " << message;

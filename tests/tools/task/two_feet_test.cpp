@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What keeps robots on two feet upright, in numbers; their first tasks, and what tasks are warned of.
+// What keeps robots on two feet upright, in numbers; their first tasks, and what tasks are warned
+// of.
 #include "tools/task/two_feet.hpp"
 
 #include <fmt/format.h>
@@ -90,7 +91,7 @@ TEST(TwoFeet, ToppleOverTheirAnkles) {
 TEST(TwoFeet, HaveAnklesThatTheServosHold) {
   const TwoFeet firm_ones = two_feet(biped(firm()));
   EXPECT_FALSE(firm_ones.soft());
-  EXPECT_FALSE(firm_ones.rocks());
+  EXPECT_FALSE(firm_ones.is_underdamped());
   EXPECT_EQ(firm_ones.why_it_falls(), "");
   test::FlatBiped how = firm();
   how.kp = 2.1 * firm_ones.toppling;
@@ -100,12 +101,13 @@ TEST(TwoFeet, HaveAnklesThatTheServosHold) {
   EXPECT_FALSE(two_feet(biped(how)).soft());
   const double critical = firm_ones.toppling * std::sqrt(firm_ones.height / 9.81);
   how.kd = 0.85 * critical;
-  EXPECT_TRUE(two_feet(biped(how)).rocks());
+  EXPECT_TRUE(two_feet(biped(how)).is_underdamped());
   how.kd = 0.95 * critical;
-  EXPECT_FALSE(two_feet(biped(how)).rocks());
+  EXPECT_FALSE(two_feet(biped(how)).is_underdamped());
 }
 
-/// The softest servo of the ankles counts, wherever the weakest motor is, also where motors have no limits.
+/// The softest servo of the ankles counts, wherever the weakest motor is, also where motors have no
+/// limits.
 TEST(TwoFeet, AreAsSoftAsTheSoftestAnkle) {
   RobotModel robot = biped(firm());
   const auto servo = [&](const std::string& joint) -> Servo& {
@@ -227,9 +229,9 @@ TEST(MakeTaskOnFlatFeet, LetsTheComSwayUnlessTheTaskSaysHow) {
       })->y();
   EXPECT_GT(widest, 0.01);
   EXPECT_LT(widest, 0.09);
-  const Task told = task_of(walking("[style]\ncom_path = [[0.0, 0.0]]\n"), robot);
-  ASSERT_EQ(told.com_path.size(), 1u);
-  EXPECT_EQ(told.com_path[0].norm(), 0.0);
+  const Task given = task_of(walking("[style]\ncom_path = [[0.0, 0.0]]\n"), robot);
+  ASSERT_EQ(given.com_path.size(), 1u);
+  EXPECT_EQ(given.com_path[0].norm(), 0.0);
   test::FlatBiped how;
   how.foot = test::foot_geoms("ball");
   const RobotModel pointed = biped(how);

@@ -119,7 +119,7 @@ TEST(Facts, ComeFromTheMetricsAndDoWithoutThem) {
   const TemporaryFolder folder;
   const fs::path design = folder.path() / "0012";
   land(design, 0);
-  const LandedDesign landed = design_at(design / "scene.xml");
+  const WrittenDesign landed = design_at(design / "scene.xml");
   EXPECT_EQ(landed.name, "iteration 12");
   EXPECT_EQ(facts_of(landed).size(), 1u);
   write_file(design / "metrics.json", "[1, 2");

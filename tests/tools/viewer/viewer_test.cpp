@@ -82,11 +82,11 @@ TEST(Simulate, ListsThePluginAndLoadsAScene) {
   ASSERT_TRUE(wait_until([&] { return has_title(display, "MuJoCo : puppy") || !play.running(); }));
   ASSERT_TRUE(display.close_window("MuJoCo : puppy")) << play.output();
   EXPECT_EQ(play.wait(), 0);
-  const std::string told = play.output();
-  EXPECT_TRUE(contains(told, kSimulate + " " + run.string())) << told;  // the plain command
-  EXPECT_TRUE(contains(told, "liblegwright.so':")) << told;
-  EXPECT_TRUE(contains(told, "\n    legwright.gait\n")) << told;
-  EXPECT_FALSE(contains(told, "rror")) << told;
+  const std::string output = play.output();
+  EXPECT_TRUE(contains(output, kSimulate + " " + run.string())) << output;  // the plain command
+  EXPECT_TRUE(contains(output, "liblegwright.so':")) << output;
+  EXPECT_TRUE(contains(output, "\n    legwright.gait\n")) << output;
+  EXPECT_FALSE(contains(output, "rror")) << output;
 }
 
 TEST(Viewer, PlaysTheResultFromItsFirstPose) {

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/mjcf/robots/mjcf_builder.hpp"
+
+#include <fmt/format.h>
+
+namespace legwright::test {
+
+std::string chain(const std::vector<BodyText>& bodies, int indent) {
+  std::string out, line = "\n" + std::string(static_cast<std::size_t>(indent), ' ');
+  for (const BodyText& body : bodies) {
+    out += line + "<body " + body.attributes + ">";
+    line += "  ";
+    for (const std::string& element : body.content) out += line + element;
+  }
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    line.resize(line.size() - 2);
+    out += line + "</body>";
+  }
+  return out;
+}
+
+std::string hinge(const std::string& name, const std::string& axis, const std::string& more) {
+  return fmt::format("<joint name=\"{}\" axis=\"{}\"{}{}/>", name, axis, more.empty() ? "" : " ",
+                     more);
+}
+
+std::string inertial(const std::string& pos, double mass, const std::string& diaginertia) {
+  return fmt::format("<inertial pos=\"{}\" mass=\"{}\" diaginertia=\"{}\"/>", pos, mass,
+                     diaginertia);
+}
+
+std::string cad_inertial(double mass, const std::string& pos, const std::string& diaginertia) {
+  return fmt::format("<inertial mass=\"{}\" pos=\"{}\" diaginertia=\"{}\"/>", mass, pos,
+                     diaginertia);
+}
+
+std::string for_each_joint(const char* format, std::initializer_list<const char*> legs,
+                           std::initializer_list<const char*> joints) {
+  std::string out;
+  for (const char* const leg : legs)
+    for (const char* const joint : joints) out += fmt::format(fmt::runtime(format), leg, joint);
+  return out;
+}
+
+std::string box_vertices(double half_x, double half_y, double z_low, double z_high) {
+  std::string text;
+  for (const double x : {-half_x, half_x})
+    for (const double y : {-half_y, half_y})
+      for (const double z : {z_low, z_high})
+        text += fmt::format("{}{} {} {}", text.empty() ? "" : "  ", x, y, z);
+  return text;
+}
+
+}  // namespace legwright::test
