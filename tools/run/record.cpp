@@ -38,6 +38,7 @@ class Writer final : public Fields {
     *at_.back() = Json(Json::array_t(count));
     return count;
   }
+  void fixed_list(std::size_t count) override { list(count); }
   void item(std::size_t index) override { at_.push_back(&(*at_.back())[index]); }
   std::vector<std::string> names(const std::vector<std::string>& present) override {
     *at_.back() = Json::object();
@@ -130,6 +131,10 @@ class Reader final : public Fields {
     fail(list, quoted(here()));
   }
   std::size_t list(std::size_t) override { return expect(here().is_array(), "a list").size(); }
+  void fixed_list(std::size_t count) override {
+    if (!here().is_array() || here().size() != count)
+      fail(fmt::format("a list of {}", count), quoted(here()));
+  }
   void item(std::size_t index) override {
     push(here()[index]);
     path_ += fmt::format("[{}]", index);
@@ -208,9 +213,14 @@ class SchemaWriter final : public Fields {
     type("string");
     for (const char* one : words) (*at_.back())["enum"].push_back(one);
   }
+  bool describes() const override { return true; }
   std::size_t list(std::size_t) override {
     type("array");
     return 1;
+  }
+  void fixed_list(std::size_t count) override {
+    type("array");
+    (*at_.back())["minItems"] = (*at_.back())["maxItems"] = count;
   }
   void item(std::size_t) override { push("items"); }
   std::vector<std::string> names(const std::vector<std::string>&) override {
