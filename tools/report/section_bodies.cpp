@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "tools/report/pull_words.hpp"
+#include "tools/report/attribution_words.hpp"
 #include "tools/report/sections.hpp"
 #include "tools/report/svg_bars.hpp"
 #include "tools/report/words.hpp"

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "tools/report/attribution_words.hpp"
 #include "tools/report/changed_parameters.hpp"
-#include "tools/report/pull_words.hpp"
 #include "tools/report/sections.hpp"
 #include "tools/report/svg_bars.hpp"
 #include "tools/report/words.hpp"
@@ -128,11 +128,10 @@ void add_term(Html& page, const TermRow& row, double most) {
 }  // namespace
 
 void add_design_change(Html& page, const RunData& data) {
-  if (motion_only(data)) return;  // nothing did
-  page.open("section").element("h2", "What changed in the body");
+  page.element("h3", "What changed in the body");
   const auto parameters = parameters_of(data.run);
   if (parameters.empty()) {
-    page.element("p", "run.json lists no design parameters.", {{"class", "note"}}).close();
+    page.element("p", "run.json lists no design parameters.", {{"class", "note"}});
     return;
   }
   add_largest(page, changed_parameters(data.run));
@@ -150,7 +149,6 @@ void add_design_change(Html& page, const RunData& data) {
   add_table(page, parameters, true, reason);
   add_table(page, parameters, false, reason);
   if (!few) page.close();
-  page.close();
 }
 
 void add_terms(Html& page, const RunData& data) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/report/pull_words.hpp"
+#include "tools/report/attribution_words.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ const AttributionRecord kPull = {
     {"idle", {{"stance_foot", 0.01}}},
     {"broken", {{"stance_foot", NAN}}}};
 
-TEST(PullWords, NamesWhatGainedFirstAndThenWhatItCost) {
+TEST(AttributionWords, NamesWhatGainedFirstAndThenWhatItCost) {
   const auto pulls = attributions_of(kPull);
   ASSERT_EQ(pulls.size(), 4U);
   const double scale = largest_share(pulls);
@@ -29,7 +29,7 @@ TEST(PullWords, NamesWhatGainedFirstAndThenWhatItCost) {
   EXPECT_EQ(attribution_words(pulls[3], scale), "");
 }
 
-TEST(PullWords, SumsUpOverAllParameters) {
+TEST(AttributionWords, SumsUpOverAllParameters) {
   const auto pulls = attributions_of(kPull);
   const std::string sum = attribution_summary(pulls, 9.73);
   EXPECT_EQ(sum,
@@ -43,13 +43,13 @@ TEST(PullWords, SumsUpOverAllParameters) {
   EXPECT_EQ(attribution_summary(attributions_of({}), 1.0), "");
 }
 
-TEST(PullWords, ShowsAsManyDigitsAsMatter) {
+TEST(AttributionWords, ShowsAsManyDigitsAsMatter) {
   EXPECT_EQ(change_of_F(-14.28), "−14.3");
   EXPECT_EQ(change_of_F(2.816), "+2.82");
   EXPECT_EQ(change_of_F(0.00427), "+0.004");
 }
 
-TEST(PullWords, KeepsTasksApart) {
+TEST(AttributionWords, KeepsTasksApart) {
   auto pulls = attributions_of(AttributionRecord{{"yaw", {{"travel", 2.0}}}}, "pace");
   merge_attributions(pulls, attributions_of(AttributionRecord{{"yaw", {{"travel", -3.0}}},
                                                               {"roll", {{"travel", 1.0}}}},

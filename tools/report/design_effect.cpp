@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/report/bought.hpp"
+#include "tools/report/design_effect.hpp"
 
 #include <fmt/format.h>
 
@@ -109,10 +109,10 @@ class Rows {
   void add_amount(const std::string& what, const Sides& sides, const Show& show) {
     add(what, sides, show, Better::less, 0.0, true);
   }
-  std::vector<BoughtRow> take() { return std::move(rows_); }
+  std::vector<EffectRow> take() { return std::move(rows_); }
 
  private:
-  std::vector<BoughtRow> rows_;
+  std::vector<EffectRow> rows_;
 };
 
 Rows::Show in(const std::string& unit) {
@@ -154,7 +154,7 @@ void add_measured(const RunData& data, Rows& rows) {
 }
 
 /// "31 % less mechanical power"
-std::string amount_change(const BoughtRow& row) {
+std::string amount_change(const EffectRow& row) {
   return fmt::format("{} {} {}", percent_whole(std::abs(*row.effect.change)),
                      *row.effect.change < 0.0 ? "less" : "more", row.what);
 }
@@ -168,10 +168,10 @@ std::string joined(const std::vector<std::string>& parts) {
 
 /// What got less, and what got worse most of all: "25 % less mechanical power, but 22 % more printed volume".
 /// Empty where neither is worth a word.
-std::string balance(const std::vector<BoughtRow>& rows) {
+std::string balance(const std::vector<EffectRow>& rows) {
   std::vector<Effect> effects;
   std::vector<bool> amounts;
-  for (const BoughtRow& row : rows) {
+  for (const EffectRow& row : rows) {
     effects.push_back(row.effect);
     amounts.push_back(row.amount);
   }
@@ -180,7 +180,7 @@ std::string balance(const std::vector<BoughtRow>& rows) {
   for (const std::size_t k : main.gains) gains.push_back(amount_change(rows[k]));
   const std::string gained = joined(gains);
   if (!main.worst) return gained;
-  const BoughtRow& worst = rows[*main.worst];
+  const EffectRow& worst = rows[*main.worst];
   const std::string lost =
       worst.amount ? amount_change(worst)
                    : fmt::format("{} {} instead of {}", worst.what, worst.after, worst.before);
@@ -207,7 +207,7 @@ std::string change_words(double change) {
   return fmt::format("{}{}", change < 0.0 ? "−" : "+", size);
 }
 
-std::vector<BoughtRow> bought_rows(const RunData& data) {
+std::vector<EffectRow> effect_rows(const RunData& data) {
   Rows rows;
   if (!data.metrics.is_null()) add_measured(data, rows);
   if (const auto& body = data.run.body) {
@@ -239,13 +239,13 @@ std::string body_words(const RunData& data) {
   return out;
 }
 
-std::string bought_words(const RunData& data) {
+std::string effect_words(const RunData& data) {
   if (motion_only(data)) return "";
   const Json& before = value_at(data.verdict, {"initial", "pass"});
   const Json& after = value_at(data.verdict, {"result", "pass"});
   if (!before.is_boolean() || !after.is_boolean()) return "";
   const bool could = before.get<bool>(), can = after.get<bool>();
-  const std::string more = balance(bought_rows(data));
+  const std::string more = balance(effect_rows(data));
   if (could && can)
     return more.empty()
                ? "Both bodies do the task in MuJoCo, with much the same effort."
