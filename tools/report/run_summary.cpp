@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tools/report/bought.hpp"
 #include "tools/report/changed_parameters.hpp"
+#include "tools/report/design_effect.hpp"
 #include "tools/report/html.hpp"
 #include "tools/report/report.hpp"
 #include "tools/report/sections.hpp"
@@ -16,7 +16,7 @@ namespace legwright {
 namespace {
 
 // Rows of each table: all of them together stay below 60 lines.
-constexpr std::size_t kMostFailing = 6, kMostFactors = 8, kMostParameters = 6, kMostBought = 8;
+constexpr std::size_t kMostFailing = 6, kMostFactors = 8, kMostParameters = 6, kMostEffects = 8;
 constexpr std::size_t kLongest = 160;      // characters of a cell
 constexpr std::size_t kLongestLine = 600;  // of a line of its own
 
@@ -95,14 +95,15 @@ std::string margins(const RunData& data) {
   return out;
 }
 
-std::string bought(const RunData& data) {
-  const std::string words = bought_words(data);
+std::string design_effect(const RunData& data) {
+  const std::string words = effect_words(data);
   if (words.empty()) return "";
   std::string out =
       "**What the body bought.** " + words + "\n\n| | before | after | |\n|---|---:|---:|---:|\n";
   std::size_t shown = 0;
-  for (const BoughtRow& row : bought_rows(data)) {
-    if (!row.effect.change || std::abs(*row.effect.change) < 5e-4 || shown == kMostBought) continue;
+  for (const EffectRow& row : effect_rows(data)) {
+    if (!row.effect.change || std::abs(*row.effect.change) < 5e-4 || shown == kMostEffects)
+      continue;
     ++shown;
     out += fmt::format("| {} | {} | {} | {} |\n", cell(row.what), cell(row.before), cell(row.after),
                        change_words(*row.effect.change));
@@ -143,15 +144,14 @@ std::string report_summary(const RunData& data) {
   std::string out = fmt::format("# {}\n\n{}\n\n", cell(title_of(data)), cell(task_words(data.run)));
   out += verdicts(data) + limits(data.limits_result);
   if (motion_only(data)) {
-    out += fmt::format("Cost F {}.\n\n", short_number(number_at(data.run, {"final_F"})));
+    out += fmt::format("Cost F {}.\n\n", short_number(data.run.final_F));
   } else {
     out +=
         fmt::format("Cost F from {} (gait alone) to {} (co-designed) in {} design iterations.\n\n",
-                    short_number(number_at(data.run, {"motion_only_F"})),
-                    short_number(number_at(data.run, {"final_F"})),
-                    short_number(number_at(data.run, {"design_iterations"})));
+                    short_number(data.run.motion_only_F), short_number(data.run.final_F),
+                    short_number(data.run.design_iterations));
   }
-  out += bought(data) + closing(data) + margins(data) + parameters(data);
+  out += design_effect(data) + closing(data) + margins(data) + parameters(data);
   return out + "Pictures, charts and measurements: report.html in the folder above.\n";
 }
 

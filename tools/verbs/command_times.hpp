@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "optimizer/base/stopwatch.hpp"
-#include "tools/files/json_file.hpp"
+#include "tools/run/record.hpp"
 
 namespace legwright {
 
@@ -19,10 +19,10 @@ class CommandTimes {
     last_ = now;
   }
   /// Adds the parts that took any time, and "command", their sum.
-  void add_to(Json& seconds) const {
-    seconds["command"] = watch_.seconds();
+  void add_to(ByName<double>& seconds) const {
+    seconds.of("command") = watch_.seconds();
     for (const auto& [part, duration] : parts_)
-      if (duration > 1e-4) seconds[part] = duration;
+      if (duration > 1e-4) seconds.of(part) = duration;
   }
 
  private:

@@ -209,7 +209,7 @@ struct AloneBody {
 /// Those whose joint run was reached: a run that was stopped may lack some.
 std::vector<AloneBody> bodies_alone(const ResultFolder& folder, const Json& run) {
   std::vector<AloneBody> bodies;
-  for (const TaskFolder& task : task_folders(run))
+  for (const TaskFolder& task : task_folders(record_of<RunRecord>(run, "run.json")))
     for (const Json& start : run.at("starts"))
       if (start.at("start") == task.name &&
           fs::is_directory(folder.root() / "starts" / ("from-" + task.name)))
@@ -222,7 +222,8 @@ Json judge_bodies(const ResultFolder& folder, const Json& run, const JudgeOption
   // Designs, in the order of the matrix: the initial body, the best body of each task alone where
   // the run has looked for them, the joint result.
   const std::vector<AloneBody> bodies = bodies_alone(folder, run);
-  const std::vector<TaskFolder> tasks = task_folders(run);  // checked: nothing outside the run
+  const std::vector<TaskFolder> tasks =
+      task_folders(record_of<RunRecord>(run, "run.json"));  // checked: nothing outside the run
   Json designs = Json::array({{{"name", "initial body"}, {"start", "initial"}}});
   for (const AloneBody& body : bodies)
     designs.push_back({{"name", "for " + body.task + " alone"}, {"start", body.task}});

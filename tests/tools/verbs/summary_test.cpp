@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tools/run/run_record.hpp"
 #include "tools/verbs/viewer_programs.hpp"
 
 namespace legwright {
@@ -16,30 +17,22 @@ TEST(ShellWord, QuotesOnlyWhatNeedsIt) {
 }
 
 TEST(OptimizeSummary, TellsTheWholeCommandAndItsParts) {
-  const Json run{{"robot", "puppy"},
-                 {"task", {{"name", "walk"}}},
-                 {"status", "converged"},
-                 {"motion_only", false},
-                 {"design_iterations", 3},
-                 {"newton_iterations", 40},
-                 {"motion_only_F", 2.0},
-                 {"final_F", 1.0},
-                 {"speed_reached", 0.1},
-                 {"speed_wanted", 0.1},
-                 {"peak_rss_mib", 100.0},
-                 {"parameters", Json::array()},
-                 {"reasons", Json::array()},
-                 {"feasible", true},
-                 {"seconds",
-                  {{"total", 1.2},
-                   {"motion", 1.0},
-                   {"adjoint", 0.1},
-                   {"predictor", 0.05},
-                   {"files", 0.2},
-                   {"command", 6.25},
-                   {"reading", 0.5},
-                   {"search", 1.5},
-                   {"certificate", 4.25}}}};
+  RunRecord run;
+  run.robot = "puppy";
+  run.task.emplace().name = "walk";
+  run.status = "converged";
+  run.motion_only = false;
+  run.design_iterations = 3;
+  run.newton_iterations = 40;
+  run.motion_only_F = 2.0;
+  run.final_F = 1.0;
+  run.speed_reached = run.speed_wanted = 0.1;
+  run.peak_rss_mib = 100.0;
+  run.reasons.emplace();
+  run.feasible = true;
+  run.seconds = {{"total", 1.2},      {"motion", 1.0}, {"adjoint", 0.1},
+                 {"predictor", 0.05}, {"files", 0.2},  {"command", 6.25},
+                 {"reading", 0.5},    {"search", 1.5}, {"certificate", 4.25}};
   const std::string text = optimize_summary(run, "runs/a");
   EXPECT_NE(text.find("  time     6.25 s: reading 0.50, search 1.50 (motion 1.00, adjoint 0.10, "
                       "predictor 0.05, files 0.20), certificate 4.25\n"),

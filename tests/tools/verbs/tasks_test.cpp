@@ -43,7 +43,7 @@ TEST_F(TaskOnAnotherRobot, UpASlope) {
   const std::string summary = read_file(folder / "result/summary.md");
   EXPECT_TRUE(contains(summary, "up a slope of 8.59°")) << summary;
   EXPECT_TRUE(contains(summary, "**What the body bought.** The initial body")) << summary;
-  EXPECT_TRUE(contains(read_file(folder / "report.html"), "and what it bought"));
+  EXPECT_TRUE(contains(read_file(folder / "report.html"), "Why the body changed"));
 }
 
 TEST_F(TaskOnAnotherRobot, WithAPayload) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/report/pull_words.hpp"
+#include "tools/report/attribution_words.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/report/bought.hpp"
+#include "tools/report/design_effect.hpp"
 
 #include <fmt/format.h>
 
@@ -109,10 +109,10 @@ class Rows {
   void add_amount(const std::string& what, const Sides& sides, const Show& show) {
     add(what, sides, show, Better::less, 0.0, true);
   }
-  std::vector<BoughtRow> take() { return std::move(rows_); }
+  std::vector<EffectRow> take() { return std::move(rows_); }
 
  private:
-  std::vector<BoughtRow> rows_;
+  std::vector<EffectRow> rows_;
 };
 
 Rows::Show in(const std::string& unit) {
@@ -122,8 +122,8 @@ Rows::Show in(const std::string& unit) {
 Sides both(const std::function<Value(const char*)>& of) { return {of(kSides[0]), of(kSides[1])}; }
 
 Sides outer_cost(const RunData& data) {
-  if (text_at(data.run, {"outer", "objective"}).empty() || data.iterations.empty()) return {};
-  return {number_at(data.iterations.front(), {"J"}), number_at(data.run, {"final_J"})};
+  if (!data.run.outer || data.iterations.empty()) return {};
+  return {data.iterations.front().J, data.run.final_J};
 }
 
 void add_measured(const RunData& data, Rows& rows) {
@@ -150,11 +150,11 @@ void add_measured(const RunData& data, Rows& rows) {
   rows.add("cost of transport", standard(number("cost_of_transport")), short_number, Better::less);
   rows.add("steps over a bar of",
            both([&](const char* side) { return least_clearance(data, side); }), in("m"),
-           number_at(data.run, {"task", "step_over_m"}) ? Better::more : Better::neither);
+           data.run.task && data.run.task->step_over ? Better::more : Better::neither);
 }
 
 /// "31 % less mechanical power"
-std::string amount_change(const BoughtRow& row) {
+std::string amount_change(const EffectRow& row) {
   return fmt::format("{} {} {}", percent_whole(std::abs(*row.effect.change)),
                      *row.effect.change < 0.0 ? "less" : "more", row.what);
 }
@@ -168,10 +168,10 @@ std::string joined(const std::vector<std::string>& parts) {
 
 /// What got less, and what got worse most of all: "25 % less mechanical power, but 22 % more printed volume".
 /// Empty where neither is worth a word.
-std::string balance(const std::vector<BoughtRow>& rows) {
+std::string balance(const std::vector<EffectRow>& rows) {
   std::vector<Effect> effects;
   std::vector<bool> amounts;
-  for (const BoughtRow& row : rows) {
+  for (const EffectRow& row : rows) {
     effects.push_back(row.effect);
     amounts.push_back(row.amount);
   }
@@ -180,7 +180,7 @@ std::string balance(const std::vector<BoughtRow>& rows) {
   for (const std::size_t k : main.gains) gains.push_back(amount_change(rows[k]));
   const std::string gained = joined(gains);
   if (!main.worst) return gained;
-  const BoughtRow& worst = rows[*main.worst];
+  const EffectRow& worst = rows[*main.worst];
   const std::string lost =
       worst.amount ? amount_change(worst)
                    : fmt::format("{} {} instead of {}", worst.what, worst.after, worst.before);
@@ -192,8 +192,8 @@ std::string mass_words(const RunData& data, const ChangedParameters& changed) {
   if (std::none_of(changed.list.begin(), changed.list.end(),
                    [](const ChangedParameter& each) { return !each.view.angle; }))
     return "";
-  if (!number_at(data.run, {"body", "initial", "mass_kg"})) return "";  // of an old run
-  return number_at(data.run, {"body", "initial", "printed_volume_m3"})
+  if (!data.run.body) return "";
+  return data.run.body->initial.printed_volume
              ? "Printed parts weigh more the longer they are; all others keep their mass."
              : "No part is printed, so links keep their mass however long they are.";
 }
@@ -207,22 +207,19 @@ std::string change_words(double change) {
   return fmt::format("{}{}", change < 0.0 ? "−" : "+", size);
 }
 
-std::vector<BoughtRow> bought_rows(const RunData& data) {
+std::vector<EffectRow> effect_rows(const RunData& data) {
   Rows rows;
   if (!data.metrics.is_null()) add_measured(data, rows);
-  const auto body = [&](const char* key) {
-    return Sides{number_at(data.run, {"body", "initial", key}),
-                 number_at(data.run, {"body", "final", key})};
-  };
-  rows.add_amount("mass of the robot", body("mass_kg"), in("kg"));
-  rows.add_amount("printed volume", body("printed_volume_m3"),
-                  [](Value value) { return value ? short_number(*value * 1e6) + " cm³" : "–"; });
-  rows.add("cost of the gait, F",
-           {number_at(data.run, {"motion_only_F"}), number_at(data.run, {"final_F"})}, short_number,
+  if (const auto& body = data.run.body) {
+    rows.add_amount("mass of the robot", {body->initial.mass, body->final.mass}, in("kg"));
+    rows.add_amount("printed volume", {body->initial.printed_volume, body->final.printed_volume},
+                    [](Value value) { return value ? short_number(*value * 1e6) + " cm³" : "–"; });
+  }
+  rows.add("cost of the gait, F", {data.run.motion_only_F, data.run.final_F}, short_number,
            Better::less);
   if (const Sides J = outer_cost(data); J.first || J.second)
-    rows.add("what the body was to lower, " + spaced(text_at(data.run, {"outer", "objective"})), J,
-             short_number, Better::less);
+    rows.add("what the body was to lower, " + spaced(data.run.outer->objective), J, short_number,
+             Better::less);
   return rows.take();
 }
 
@@ -242,13 +239,13 @@ std::string body_words(const RunData& data) {
   return out;
 }
 
-std::string bought_words(const RunData& data) {
+std::string effect_words(const RunData& data) {
   if (motion_only(data)) return "";
   const Json& before = value_at(data.verdict, {"initial", "pass"});
   const Json& after = value_at(data.verdict, {"result", "pass"});
   if (!before.is_boolean() || !after.is_boolean()) return "";
   const bool could = before.get<bool>(), can = after.get<bool>();
-  const std::string more = balance(bought_rows(data));
+  const std::string more = balance(effect_rows(data));
   if (could && can)
     return more.empty()
                ? "Both bodies do the task in MuJoCo, with much the same effort."

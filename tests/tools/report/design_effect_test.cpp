@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/report/bought.hpp"
+#include "tools/report/design_effect.hpp"
 
 #include "tests/tools/report/hostile_names.hpp"
 #include "tests/tools/report/run_fixture.hpp"
@@ -9,7 +9,7 @@ namespace legwright {
 namespace {
 
 /// The fixture's run with figures for both bodies: the first walks as well unless a test says otherwise.
-class Bought : public RunFixture {
+class DesignEffect : public RunFixture {
  protected:
   void SetUp() override {
     RunFixture::SetUp();
@@ -35,23 +35,23 @@ class Bought : public RunFixture {
                           {{"name", "G"}, {"clearance_min_m", 0.01 * torque}}};
     }
   }
-  const BoughtRow& row(const std::string& what) {
-    rows_ = bought_rows(read_run(run_));
-    for (const BoughtRow& each : rows_)
+  const EffectRow& row(const std::string& what) {
+    rows_ = effect_rows(read_run(run_));
+    for (const EffectRow& each : rows_)
       if (each.what == what) return each;
     ADD_FAILURE() << "no row: " << what;
-    static const BoughtRow none;
+    static const EffectRow none;
     return none;
   }
   bool has_row(const std::string& what) {
-    for (const BoughtRow& each : bought_rows(read_run(run_)))
+    for (const EffectRow& each : effect_rows(read_run(run_)))
       if (each.what == what) return true;
     return false;
   }
-  std::vector<BoughtRow> rows_;
+  std::vector<EffectRow> rows_;
 };
 
-TEST_F(Bought, FiguresStandBesideEachOther) {
+TEST_F(DesignEffect, FiguresStandBesideEachOther) {
   EXPECT_EQ(row("mechanical power").before, "4 W");
   EXPECT_EQ(row("mechanical power").after, "3 W");
   EXPECT_NEAR(*row("mechanical power").effect.change, -0.25, 1e-12);
@@ -62,15 +62,15 @@ TEST_F(Bought, FiguresStandBesideEachOther) {
   EXPECT_EQ(row("in MuJoCo").before, "✓ passes");
 }
 
-TEST_F(Bought, WordsNameWhatIsWorthTelling) {
-  const std::string words = bought_words(read_run(run_));
+TEST_F(DesignEffect, WordsNameWhatIsWorthTelling) {
+  const std::string words = effect_words(read_run(run_));
   EXPECT_EQ(words,
             "Both bodies do the task in MuJoCo; the co-designed one with 25 % less peak torque of "
             "a servo, 25 % less mechanical power and 20 % less printed volume.");
 }
 
 /// The order and its words are those of "What changed in the body": by how much F fell.
-TEST_F(Bought, TheBodyIsToldByWhatLoweredTheCost) {
+TEST_F(DesignEffect, TheBodyIsToldByWhatLoweredTheCost) {
   EXPECT_EQ(body_words(read_run(run_)),
             "What lowered the cost most: front hip axis roll from 0° to 80.2°. Of 4 parameters "
             "that changed 1 stands at a bound: there the bound decided how far, not the cost. "
@@ -82,7 +82,7 @@ TEST_F(Bought, TheBodyIsToldByWhatLoweredTheCost) {
   EXPECT_TRUE(has(report_summary(read_run(run_)), "| lowered F most |"));
 }
 
-TEST_F(Bought, WithoutPullsTheBodyIsToldByShareOfTheRange) {
+TEST_F(DesignEffect, WithoutPullsTheBodyIsToldByShareOfTheRange) {
   edit_run([](Json& run) {
     run.erase("pull");
     run["body"]["initial"].erase("printed_volume_m3");
@@ -100,33 +100,33 @@ TEST_F(Bought, WithoutPullsTheBodyIsToldByShareOfTheRange) {
   EXPECT_FALSE(has(body_words(read_run(run_)), "mass"));
 }
 
-TEST_F(Bought, TheHeadlineNamesWhatGotWorseMostOfAll) {
+TEST_F(DesignEffect, TheHeadlineNamesWhatGotWorseMostOfAll) {
   edit_run([](Json& run) {
     run["body"]["final"]["printed_volume_m3"] = 1.22e-4;
     run["body"]["final"]["mass_kg"] = 2.2;
   });
-  EXPECT_EQ(bought_words(read_run(run_)),
+  EXPECT_EQ(effect_words(read_run(run_)),
             "Both bodies do the task in MuJoCo; the co-designed one with 25 % less peak torque of "
             "a servo and 25 % less mechanical power, but 22 % more printed volume.");
   edit("result/metrics.json", [](Json& metrics) {
     for (auto& [gain, measured] : metrics["initial"].items()) measured["tilt_max_rad"] = 0.03;
     for (auto& [gain, measured] : metrics["result"].items()) measured["tilt_max_rad"] = 0.05;
   });
-  EXPECT_TRUE(has(bought_words(read_run(run_)), ", but largest tilt 2.86° instead of 1.72°."));
+  EXPECT_TRUE(has(effect_words(read_run(run_)), ", but largest tilt 2.86° instead of 1.72°."));
   edit("result/metrics.json", [](Json& metrics) {  // twin: too little to be worth a word
     for (auto& [gain, measured] : metrics["result"].items()) measured["tilt_max_rad"] = 0.038;
   });
-  EXPECT_TRUE(has(bought_words(read_run(run_)), "but 22 % more printed volume."));
+  EXPECT_TRUE(has(effect_words(read_run(run_)), "but 22 % more printed volume."));
 }
 
-TEST_F(Bought, AStepThatIsLowerIsWorseWhereTheTaskAsksForOne) {
-  EXPECT_FALSE(has(bought_words(read_run(run_)), "steps over"));
+TEST_F(DesignEffect, AStepThatIsLowerIsWorseWhereTheTaskAsksForOne) {
+  EXPECT_FALSE(has(effect_words(read_run(run_)), "steps over"));
   edit_run([](Json& run) { run["task"]["step_over_m"] = 0.01; });
-  EXPECT_TRUE(has(bought_words(read_run(run_)),
+  EXPECT_TRUE(has(effect_words(read_run(run_)),
                   "printed volume, but steps over a bar of 15 mm instead of 20 mm."));
 }
 
-TEST_F(Bought, ABodyThatFallsHasNoFigures) {
+TEST_F(DesignEffect, ABodyThatFallsHasNoFigures) {
   edit("result/metrics.json", [](Json& metrics) {
     metrics["initial"]["half"]["fall"] = {{"time_s", 1.0}, {"cause", "trunk on the ground"}};
     metrics["initial"]["default"]["fall"] = metrics["initial"]["half"]["fall"];
@@ -138,30 +138,30 @@ TEST_F(Bought, ABodyThatFallsHasNoFigures) {
   EXPECT_EQ(row("in MuJoCo").before, "✗ falls at 2 of the gains");
   EXPECT_EQ(row("steps over a bar of").before, "–");
   EXPECT_TRUE(
-      has(bought_words(read_run(run_)), "the co-designed one does, with 20 % less printed"));
+      has(effect_words(read_run(run_)), "the co-designed one does, with 20 % less printed"));
 }
 
-TEST_F(Bought, SaysSoWhereNothingWasBought) {
+TEST_F(DesignEffect, SaysSoWhereNothingWasBought) {
   edit("result/verdict.json", [](Json& verdict) { verdict["result"]["pass"] = false; });
-  EXPECT_TRUE(has(bought_words(read_run(run_)), "nothing was bought"));
+  EXPECT_TRUE(has(effect_words(read_run(run_)), "nothing was bought"));
   edit("result/verdict.json", [](Json& verdict) { verdict["initial"]["pass"] = false; });
-  EXPECT_EQ(bought_words(read_run(run_)), "Neither body does the task in MuJoCo.");
+  EXPECT_EQ(effect_words(read_run(run_)), "Neither body does the task in MuJoCo.");
 }
 
-TEST_F(Bought, WithoutPhysicsThereAreMassesAndCosts) {
+TEST_F(DesignEffect, WithoutPhysicsThereAreMassesAndCosts) {
   for (const char* file : {"metrics.json", "verdict.json"})
     std::filesystem::remove(run_ / "result" / file);
   EXPECT_FALSE(has_row("mechanical power"));
   EXPECT_TRUE(has_row("printed volume"));
   EXPECT_TRUE(has_row("cost of the gait, F"));
-  EXPECT_EQ(bought_words(read_run(run_)), "");
+  EXPECT_EQ(effect_words(read_run(run_)), "");
   EXPECT_TRUE(has(page(), "has not been measured yet"));
   expect_well_formed(page());
 }
 
-TEST_F(Bought, ThePageAndTheSummaryAnswer) {
+TEST_F(DesignEffect, ThePageAndTheSummaryAnswer) {
   const std::string text = page();
-  EXPECT_TRUE(has(text, "What the body changed, and what it bought"));
+  EXPECT_TRUE(has(text, "<h2>Why the body changed</h2>"));
   EXPECT_TRUE(has(text, "−25 %"));
   EXPECT_TRUE(has(text, "+11 %"));  // front thigh, 60 to 66.6 mm
   expect_well_formed(text);
@@ -170,18 +170,19 @@ TEST_F(Bought, ThePageAndTheSummaryAnswer) {
   EXPECT_TRUE(has(summary, "| mechanical power | 4 W | 3 W | −25 % |"));
 }
 
-TEST_F(Bought, OfARunThatKeptItsBodyNothingIsSaid) {
+TEST_F(DesignEffect, OfARunThatKeptItsBodyNothingIsSaid) {
   edit_run([](Json& run) { run["motion_only"] = true; });
   EXPECT_EQ(body_words(read_run(run_)), "");
-  EXPECT_EQ(bought_words(read_run(run_)), "");
-  EXPECT_FALSE(has(page(), "what it bought"));
+  EXPECT_EQ(effect_words(read_run(run_)), "");
+  EXPECT_FALSE(has(page(), "Why the body changed"));
 }
 
-TEST_F(Bought, HostileTextStaysText) {
+TEST_F(DesignEffect, HostileTextStaysText) {
   const std::size_t plain = tags_of(page());
   for (const std::string& raw : hostile_names()) {
     edit_run([&](Json& run) {
-      run["parameters"][0]["name"] = run["outer"]["objective"] = clean_utf8(raw);
+      run["parameters"][0]["name"] = clean_utf8(raw);
+      run["outer"] = {{"objective", clean_utf8(raw)}, {"weight", 1.0}};
     });
     const std::string text = page();
     expect_well_formed(text);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What did the body change, and what did it buy: parameters beside figures, before and after.
+// Why the body changed: parameters beside figures, before and after, and what each parameter brought.
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "tools/report/bought.hpp"
 #include "tools/report/changed_parameters.hpp"
+#include "tools/report/design_effect.hpp"
 #include "tools/report/sections.hpp"
 #include "tools/report/words.hpp"
 
@@ -50,17 +50,15 @@ void add_parameters(Html& page, const RunData& data) {
   page.close();
 }
 
-}  // namespace
-
-void add_bought(Html& page, const RunData& data) {
+/// Parameters beside figures, before and after.
+void add_effect(Html& page, const RunData& data) {
   const std::string body = body_words(data);
   if (body.empty()) return;  // nothing changed
-  page.open("section").element("h2", "What the body changed, and what it bought");
-  page.element("p", fmt::format("{} {}", body, bought_words(data)));
+  page.element("p", fmt::format("{} {}", body, effect_words(data)));
   page.open("div", {{"class", "charts"}});
   add_parameters(page, data);
   open_table(page, "What it does");
-  for (const BoughtRow& row : bought_rows(data))
+  for (const EffectRow& row : effect_rows(data))
     add_row(page, row.what, row.before, row.after,
             row.effect.change ? change_words(*row.effect.change) : "");
   page.close().close().close().close();
@@ -71,6 +69,15 @@ void add_bought(Html& page, const RunData& data) {
                "the body’s. Torque and power are those at default servo gains.",
                {{"class", "note"}});
   add_gap_note(page, data.run, "F is");
+}
+
+}  // namespace
+
+void add_attribution(Html& page, const RunData& data) {
+  if (data.run.motion_only) return;  // nothing did
+  page.open("section").element("h2", "Why the body changed");
+  add_effect(page, data);
+  add_design_change(page, data);
   page.close();
 }
 

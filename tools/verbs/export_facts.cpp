@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/verbs/export_facts.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "mjcf/text/compile.hpp"
+#include "mjcf/text/input_error.hpp"
+#include "mjcf/text/safe_path.hpp"
+#include "mjcf/write/verify.hpp"
+#include "tools/files/checksum.hpp"
+#include "tools/files/io_error.hpp"
+#include "tools/files/json_file.hpp"
+#include "tools/run/result_folder.hpp"
+#include "tools/run/task_folders.hpp"
+#include "tools/verbs/summary.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string value_or_empty(const ByName<std::string>& list, const char* name) {
+  const std::string* const found = list.find(name);
+  return found != nullptr ? *found : "";
+}
+
+/// The last part of an absolute path: what is passed on tells nothing of its author's folders.
+std::string without_folders(const std::string& word) {
+  return fs::path(word).is_absolute() ? fs::path(word).filename().string() : word;
+}
+
+std::string command_of(const RunRecord& run) {
+  std::string out;
+  for (const std::string& word : run.argv)
+    out += out.empty() ? "legwright" : " " + shell_word(without_folders(word));
+  return out;
+}
+
+/// A file that run.json knows by another SHA-256; one that it does not know passes.
+void check_sum(const RunRecord& run, const std::string& name, const std::string& bytes,
+               const fs::path& file) {
+  const std::string* const wanted = run.sha256.find(name);
+  if (wanted != nullptr && *wanted != sha256_hex(bytes))
+    throw InputError(file.string(), 0, "",
+                     "is not what the run started from (its SHA-256 in run.json is another); run "
+                     "`legwright optimize` again");
+}
+
+void check_assets(const RunRecord& run, const RobotFiles& files) {
+  for (const AssetFile& asset : files.assets())
+    check_sum(run, asset.path.generic_string(), read_regular_file(asset.source, asset.bytes),
+              asset.source);
+}
+
+/// All files of the robot that the run started from.
+void check_sums(const RunRecord& run, const RobotFiles& files) {
+  check_sum(run, "robot.xml", files.main_text(), files.file());
+  for (const IncludedFile& part : files.includes())
+    check_sum(run, part.path.generic_string(), part.text, files.folder() / part.path);
+  check_assets(run, files);
+}
+
+/// The verdict on the result in a verdict.json that others may have written; empty without.
+std::string line_of(const Json& verdict) {
+  if (!verdict.is_object()) return "";
+  const Json line = verdict.value("/result/line"_json_pointer, Json());
+  return line.is_string() ? line.get<std::string>() : std::string();
+}
+
+/// One line for each task that was validated.
+std::vector<std::string> verdicts_of(const fs::path& root) {
+  std::vector<std::string> lines;
+  std::vector<fs::path> folders{root};
+  for (const TaskFolder& task : task_folders_of(root)) folders.push_back(root / task.relative);
+  for (const fs::path& folder : folders) {
+    const fs::path file = folder / "result" / "verdict.json";
+    if (!fs::exists(file)) continue;
+    const std::string line = line_of(read_json(file));
+    if (!line.empty()) lines.push_back(line);
+  }
+  return lines;
+}
+
+}  // namespace
+
+ExportedRun read_exported_run(const fs::path& root) {
+  const ResultFolder folder = ResultFolder::open(root);
+  ExportedRun out;
+  out.run = read_record_file<RunRecord>(folder.run_json());
+  const fs::path input = folder.inputs() / "robot.xml", result = folder.result() / "robot.xml";
+  if (!fs::exists(result))
+    throw IoError(result.string() +
+                  ": no such file; the run has no result yet, finish `legwright " + "optimize`");
+  out.before = read_robot(input);
+  check_sums(out.run, out.before.files);
+  // What was a leg is one: a design may be read otherwise where it is borderline.
+  const RobotFiles files = RobotFiles::read(result);
+  check_assets(out.run, files);
+  out.after = files.at_their_lines([&] { return parse_robot(files, &out.before.structure); });
+  const Eigen::VectorXd s = out.after.space.initial();
+  const std::string difference =
+      s.size() != out.before.space.size()
+          ? "other design parameters"
+          : find_difference(out.before.morphology, s, out.after.morphology, s);
+  if (!difference.empty())
+    throw InputError(result.string(), 0, "",
+                     "is not the robot of inputs/ at the design that it declares (" + difference +
+                         "); run `legwright optimize` again");
+  return out;
+}
+
+double friction_of(const RunRecord& run) {
+  const double friction = run.task                           ? run.task->floor_friction
+                          : run.tasks && !run.tasks->empty() ? run.tasks->front().floor_friction
+                                                             : 1.0;
+  return friction > 0.0 && friction <= 100.0 ? friction : 1.0;
+}
+
+std::string describe(const Stand& stand) {
+  std::string out = fmt::format(
+      "Left to stand on the floor of `scene.xml` for {:.3g} s in its home pose: ", stand.seconds);
+  if (stand.warnings.empty()) out += "no warning of the engine";
+  for (std::size_t k = 0; k < stand.warnings.size(); ++k)
+    out += fmt::format("{}{} ({} times, first at {:.3g} s)", k ? ", " : "", stand.warnings[k].text,
+                       stand.warnings[k].count, stand.warnings[k].time);
+  if (std::isfinite(stand.trunk_after))
+    out += fmt::format("; its trunk went from {:.3f} to {:.3f} m", stand.trunk_before,
+                       stand.trunk_after);
+  return out + ".";
+}
+
+ExportFacts facts_of(const ExportedRun& from, const fs::path& root, const std::string& name) {
+  ExportFacts facts;
+  facts.name = name;
+  facts.model = from.after.morphology.name;
+  facts.robot_file = without_folders(value_or_empty(from.run.files, "robot.xml"));
+  facts.robot_sha256 = sha256_hex(from.before.files.main_text());
+  facts.task_file = without_folders(value_or_empty(from.run.files, "task.toml"));
+  facts.task_sha256 = value_or_empty(from.run.sha256, "task.toml");
+  facts.version = value_or_empty(from.run.versions, "legwright");
+  facts.engine = value_or_empty(from.run.versions, "mujoco");
+  facts.command = command_of(from.run);
+  facts.status = from.run.status;
+  for (int k = 0; k < from.before.space.size(); ++k) {
+    const DesignParameter& p = from.before.space.parameters[k];
+    facts.parameters.push_back(
+        {p.name, p.unit, p.sentence, p.initial, from.after.space.parameters[k].initial});
+  }
+  facts.mass_before = from.before.morphology.total_mass();
+  facts.mass_after = from.after.morphology.total_mass();
+  facts.verdicts = verdicts_of(root);
+  if (from.run.task) facts.servo_kp = from.run.task->servo_kp;
+  return facts;
+}
+
+std::vector<HomeTouch> home_touches(const ExportedRun& run) {
+  return new_home_touches(*compile_mjcf(run.before.xml, run.before.file),
+                          *compile_mjcf(run.after.xml, run.after.file), run.after.file);
+}
+
+}  // namespace legwright
