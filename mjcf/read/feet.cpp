@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "mjcf/read/growing_axes.hpp"
-#include "mjcf/read/mesh_assets.hpp"
+#include "mjcf/shape/growing_axes.hpp"
+#include "mjcf/shape/mesh_assets.hpp"
 #include "mjcf/text/model_arrays.hpp"
 
 namespace legwright {

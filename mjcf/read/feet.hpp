@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "mjcf/read/affine.hpp"
 #include "mjcf/read/structure.hpp"
+#include "mjcf/shape/affine.hpp"
 #include "mjcf/text/elements.hpp"
 #include "mjcf/text/xml.hpp"
 

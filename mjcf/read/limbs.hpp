@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "mjcf/read/read_robot.hpp"
+#include "mjcf/read/robot_model.hpp"
 
 namespace legwright {
 

@@ -10,7 +10,7 @@
 #include <numbers>
 
 #include "mjcf/read/feet.hpp"
-#include "mjcf/read/growing_axes.hpp"
+#include "mjcf/shape/growing_axes.hpp"
 #include "mjcf/text/elements.hpp"
 #include "mjcf/text/model_arrays.hpp"
 #include "mjcf/text/numbers.hpp"

@@ -1,60 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <Eigen/Core>
 #include <filesystem>
 #include <string>
-#include <vector>
 
-#include "mjcf/read/structure.hpp"
-#include "mjcf/text/robot_files.hpp"
-#include "optimizer/design/design.hpp"
-#include "optimizer/design/morphology.hpp"
+#include "mjcf/read/robot_model.hpp"
 
 namespace legwright {
-
-/// What one design parameter changes in the file, by MJCF names.
-struct Binding {
-  struct Target {
-    std::string name;       // body (stretch), joint (axis) or site (place)
-    bool mirrored = false;  // ~: the turn's direction was mirrored (mirrored_turn)
-    double factor = 1.0;    // this target has so many times the number: scaled tie, mirrored place
-    int line = 0;           // of the <text> that declares it
-    Eigen::Vector3d direction =
-        Eigen::Vector3d::Zero();  // as it holds for this target, its body's frame, unit
-  };
-  std::vector<Target> targets;
-  Eigen::Vector3d direction = Eigen::Vector3d::Zero();  // of the first target, not mirrored
-};
-
-/// A servo as the file has it; gains are defaults from the torque limit where the file has no
-/// position servo. All at the joint: a gear of the file is multiplied in.
-/// Of a linear actuator all is meant along its tendon: [N/m], [N s/m], [N].
-struct Servo {
-  std::string actuator, joint;
-  double kp = 0.0, kd = 0.0;   // [N m/rad], [N m s/rad]
-  double torque_limit = 0.0;   // [N m]; infinite for a position servo without limit
-  std::string tendon;          // of a linear actuator; empty: the servo sits at the joint
-  double joint_damping = 0.0;  // of the joint itself, besides kd [N m s/rad]
-};
-
-/// Gains of a servo to which nobody gave any: the error at which it gives all it has [rad], and kd
-/// over kp [s].
-inline constexpr double kFullTorqueError = 0.0375, kDampingTime = 0.015;
-
-/// A robot as Legwright sees it: the compiled tree, its design parameters, and how to find them in
-/// the file.
-struct RobotModel {
-  std::filesystem::path file;
-  std::string xml;  // text of `files`; of a robot in one file that file, byte for byte
-  RobotFiles files;
-  Morphology morphology;
-  DesignSpace space;
-  std::vector<Binding> bindings;  // one for each entry of `space`
-  std::vector<Servo> servos;      // in the order of the morphology's joints
-  std::string root_body;          // MJCF name of the trunk
-  Structure structure;            // what moves, what is held; the ids are those of each design
-};
 
 /// Reads a plain MJCF: understood by compiling it with MuJoCo, parameters from its <custom>
 /// section. Throws InputError for anything wrong with the file or a file that is not there,

@@ -3,7 +3,7 @@
 
 #include <mujoco/mujoco.h>
 
-#include "mjcf/read/read_robot.hpp"
+#include "mjcf/read/robot_model.hpp"
 #include "mjcf/read/structure.hpp"
 #include "mjcf/text/xml.hpp"
 

@@ -3,9 +3,9 @@
 
 #include <mujoco/mujoco.h>
 
-#include "mjcf/read/affine.hpp"
-#include "mjcf/read/read_robot.hpp"
+#include "mjcf/read/robot_model.hpp"
 #include "mjcf/read/structure.hpp"
+#include "mjcf/shape/affine.hpp"
 #include "mjcf/text/xml.hpp"
 
 namespace legwright {

@@ -6,11 +6,11 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-#include "mjcf/read/affine.hpp"
 #include "mjcf/read/linear_actuators.hpp"
 #include "mjcf/read/printed.hpp"
-#include "mjcf/read/read_robot.hpp"
+#include "mjcf/read/robot_model.hpp"
 #include "mjcf/read/structure.hpp"
+#include "mjcf/shape/affine.hpp"
 #include "mjcf/text/xml.hpp"
 
 namespace legwright {

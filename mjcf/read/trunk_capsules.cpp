@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "mjcf/read/capsules.hpp"
 #include "mjcf/read/collisions.hpp"
 #include "mjcf/read/legs.hpp"
+#include "mjcf/shape/capsules.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/model_arrays.hpp"
 #include "optimizer/design/segment_distance.hpp"

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "mjcf/read/affine.hpp"
 #include "mjcf/read/structure.hpp"
+#include "mjcf/shape/affine.hpp"
 #include "mjcf/text/elements.hpp"
 #include "mjcf/text/xml.hpp"
 

@@ -11,7 +11,7 @@
 #include <set>
 
 #include "mjcf/read/feet.hpp"
-#include "mjcf/read/mesh_assets.hpp"
+#include "mjcf/shape/mesh_assets.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/model_arrays.hpp"
 #include "mjcf/text/numbers.hpp"

@@ -5,8 +5,8 @@
 
 #include <map>
 
-#include "mjcf/read/affine.hpp"
 #include "mjcf/read/structure.hpp"
+#include "mjcf/shape/affine.hpp"
 #include "mjcf/text/elements.hpp"
 #include "mjcf/text/text_edits.hpp"
 #include "mjcf/text/xml.hpp"

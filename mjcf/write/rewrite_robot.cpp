@@ -9,9 +9,9 @@
 
 #include "mjcf/read/bindings.hpp"
 #include "mjcf/read/feet.hpp"
-#include "mjcf/read/growing_axes.hpp"
 #include "mjcf/read/linear_actuators.hpp"
 #include "mjcf/read/stretch.hpp"
+#include "mjcf/shape/growing_axes.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/elements.hpp"
 #include "mjcf/text/numbers.hpp"

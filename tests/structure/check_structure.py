@@ -39,7 +39,7 @@ OPTIMIZER = (
     'optimizer/objective',
     'optimizer/solve',
 )
-MJCF = ('mjcf/text', 'mjcf/read', 'mjcf/write', 'mjcf/scene', 'mjcf/propose')
+MJCF = ('mjcf/text', 'mjcf/shape', 'mjcf/read', 'mjcf/write', 'mjcf/scene', 'mjcf/propose')
 TOOLS = (
     'tools/files',
     'tools/task',
@@ -60,10 +60,11 @@ LAYERS = {
     'optimizer/objective': OPTIMIZER[1:4],
     'optimizer/solve': OPTIMIZER[:5],
     'mjcf/text': ('optimizer/design',),
-    'mjcf/read': ('optimizer/design', 'optimizer/motion', 'mjcf/text'),
-    'mjcf/write': ('optimizer/design', 'optimizer/motion') + MJCF[:2],
-    'mjcf/scene': ('optimizer/design', 'optimizer/motion') + MJCF[:3],
-    'mjcf/propose': ('optimizer/design', 'optimizer/motion') + MJCF[:4],
+    'mjcf/shape': ('optimizer/design', 'mjcf/text'),
+    'mjcf/read': ('optimizer/design', 'optimizer/motion') + MJCF[:2],
+    'mjcf/write': ('optimizer/design', 'optimizer/motion') + MJCF[:3],
+    'mjcf/scene': ('optimizer/design', 'optimizer/motion') + MJCF[:4],
+    'mjcf/propose': ('optimizer/design', 'optimizer/motion') + MJCF[:5],
     'trajectory': (),
     'plugin': ('trajectory',),
     'tools/files': ('mjcf/text',),

@@ -8,8 +8,8 @@
 #include <set>
 
 #include "mjcf/read/feet.hpp"
-#include "mjcf/read/mesh_assets.hpp"
 #include "mjcf/read/stretch.hpp"
+#include "mjcf/shape/mesh_assets.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/mesh_copies.hpp"
 #include "mjcf/write/model_diff.hpp"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mjcf/read/capsules.hpp"
+#include "mjcf/shape/capsules.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "mjcf/read/growing_axes.hpp"
-#include "mjcf/read/hull_cover.hpp"
-#include "mjcf/read/mesh_assets.hpp"
+#include "mjcf/shape/growing_axes.hpp"
+#include "mjcf/shape/hull_cover.hpp"
+#include "mjcf/shape/mesh_assets.hpp"
 #include "mjcf/text/model_arrays.hpp"
 
 namespace legwright {

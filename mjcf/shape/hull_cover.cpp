@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mjcf/read/hull_cover.hpp"
+#include "mjcf/shape/hull_cover.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>

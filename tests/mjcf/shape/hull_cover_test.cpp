@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What stands for a mesh is within the hull with which MuJoCo lets it collide, and is as near to
 // other shapes as that.
-#include "mjcf/read/hull_cover.hpp"
+#include "mjcf/shape/hull_cover.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "mjcf/read/affine.hpp"
+#include "mjcf/shape/affine.hpp"
 
 namespace legwright {
 

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "mjcf/read/affine.hpp"
+#include "mjcf/shape/affine.hpp"
 #include "mjcf/text/elements.hpp"
 #include "mjcf/text/xml.hpp"
 

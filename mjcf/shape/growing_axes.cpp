@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mjcf/read/growing_axes.hpp"
+#include "mjcf/shape/growing_axes.hpp"
 
 #include <cmath>
 

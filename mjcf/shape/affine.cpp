@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mjcf/read/affine.hpp"
+#include "mjcf/shape/affine.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The shapes of trunk and limbs that the planner keeps apart are those between which MuJoCo makes
 // contacts, and where MuJoCo has them, in the file and in a rewritten design.
-#include "mjcf/read/capsules.hpp"
+#include "mjcf/shape/capsules.hpp"
 
 #include <gtest/gtest.h>
 

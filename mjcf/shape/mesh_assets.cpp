@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mjcf/read/mesh_assets.hpp"
+#include "mjcf/shape/mesh_assets.hpp"
 
 #include <filesystem>
 
