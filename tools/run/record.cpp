@@ -38,6 +38,7 @@ class Writer final : public Fields {
     *at_.back() = Json(Json::array_t(count));
     return count;
   }
+  void fixed_list(std::size_t count) override { list(count); }
   void item(std::size_t index) override { at_.push_back(&(*at_.back())[index]); }
   std::vector<std::string> names(const std::vector<std::string>& present) override {
     *at_.back() = Json::object();
@@ -59,6 +60,7 @@ class Reader final : public Fields {
  public:
   Reader(const Json& root, std::string_view file) : at_{&root}, file_(file) {}
   using Fields::visit;
+  bool reads() const override { return true; }
   void visit(bool& value) override {
     value = expect(here().is_boolean(), "true or false").get<bool>();
   }
@@ -130,6 +132,10 @@ class Reader final : public Fields {
     fail(list, quoted(here()));
   }
   std::size_t list(std::size_t) override { return expect(here().is_array(), "a list").size(); }
+  void fixed_list(std::size_t count) override {
+    if (!here().is_array() || here().size() != count)
+      fail(fmt::format("a list of {}", count), quoted(here()));
+  }
   void item(std::size_t index) override {
     push(here()[index]);
     path_ += fmt::format("[{}]", index);
@@ -208,9 +214,14 @@ class SchemaWriter final : public Fields {
     type("string");
     for (const char* one : words) (*at_.back())["enum"].push_back(one);
   }
+  bool describes() const override { return true; }
   std::size_t list(std::size_t) override {
     type("array");
     return 1;
+  }
+  void fixed_list(std::size_t count) override {
+    type("array");
+    (*at_.back())["minItems"] = (*at_.back())["maxItems"] = count;
   }
   void item(std::size_t) override { push("items"); }
   std::vector<std::string> names(const std::vector<std::string>&) override {
@@ -274,6 +285,12 @@ Json schema_of_record(RecordKind kind, RecordVisit visit, void* record) {
   schema["properties"] = std::move(properties);
   schema["required"] = std::move(required);
   return schema;
+}
+
+bool is_kind(const Json& json, RecordKind kind) {
+  if (!json.is_object()) return false;
+  const auto found = json.find("schema");
+  return found != json.end() && *found == kind.schema;
 }
 
 Json load_json(const std::filesystem::path& file) { return read_json(file); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <initializer_list>
 #include <map>
@@ -23,6 +24,12 @@ struct ByName : std::vector<std::pair<std::string, T>> {
       if (key == name) return &value;
     return nullptr;
   }
+  /// The same to be set; appended where it is not there.
+  T& of(std::string_view name) {
+    for (auto& [key, value] : *this)
+      if (key == name) return value;
+    return this->emplace_back(std::string(name), T()).second;
+  }
 };
 
 /// Visits the members of a record: one list of keys serves writer, reader and JSON Schema. A record
@@ -35,7 +42,7 @@ struct ByName : std::vector<std::pair<std::string, T>> {
 ///     }
 ///
 /// Members are bool, int, std::size_t, double, std::string, raw JSON, other records, and
-/// std::vector, ByName, std::map and std::optional of these. A double that is not finite is null in
+/// std::vector, std::array, ByName, std::map and std::optional of these. A double that is not finite is null in
 /// the file, and null is read as NaN; for an optional member null is the same as absent.
 class Fields {
  public:
@@ -59,6 +66,13 @@ class Fields {
     visit(value);
     leave();
   }
+  /// A member that must be there where `needed` holds.
+  template <class T>
+  void required_if(bool needed, const char* key, std::optional<T>& value, const char* what = "") {
+    if (!enter(key, value.has_value(), needed && !describes(), what)) return value.reset();
+    visit(value);
+    leave();
+  }
   /// A string that is one of few.
   void one_of(const char* key, std::string& value, std::initializer_list<const char*> words,
               const char* what = "") {
@@ -66,6 +80,8 @@ class Fields {
     word(value, words);
     leave();
   }
+  /// Whether members receive what the file has.
+  virtual bool reads() const { return false; }
   /// A key of which the value is always the same.
   void constant(const char* key, const char* text) {
     std::string value = text;
@@ -90,6 +106,39 @@ class Fields {
     for (std::size_t k = 0; k < values.size(); ++k) {
       item(k);
       visit(values[k]);
+      leave();
+    }
+  }
+  template <class T, std::size_t N>
+  void visit(std::array<T, N>& values) {
+    fixed_list(N);
+    for (std::size_t k = 0; k < N; ++k) {
+      item(k);
+      visit(values[k]);
+      leave();
+    }
+  }
+  template <class T>
+  void visit(std::pair<T, T>& values) {
+    fixed_list(2);
+    item(0);
+    visit(values.first);
+    leave();
+    item(1);
+    visit(values.second);
+    leave();
+  }
+  /// A column of Eigen.
+  template <class T>
+  requires requires { typename T::Scalar; }
+  void visit(T& values) {
+    if constexpr (T::SizeAtCompileTime > 0)
+      fixed_list(T::SizeAtCompileTime);
+    else
+      values.resize(static_cast<typename T::Index>(list(static_cast<std::size_t>(values.size()))));
+    for (std::size_t k = 0; k < static_cast<std::size_t>(values.size()); ++k) {
+      item(k);
+      visit(values[static_cast<typename T::Index>(k)]);
       leave();
     }
   }
@@ -129,11 +178,15 @@ class Fields {
   virtual void leave() = 0;
   virtual void begin_object() = 0;
   virtual void end_object() = 0;
+  /// Whether the record is described as such, not one of its values read or written.
+  virtual bool describes() const { return false; }
   /// Whether the value is, or is to be, null.
   virtual bool null(bool absent) = 0;
   virtual void word(std::string& value, std::initializer_list<const char*> words) = 0;
   /// How many items there are, or are to be.
   virtual std::size_t list(std::size_t count) = 0;
+  /// A list of always so many.
+  virtual void fixed_list(std::size_t count) = 0;
   virtual void item(std::size_t index) = 0;
   /// The keys that there are, or are to be.
   virtual std::vector<std::string> names(const std::vector<std::string>& present) = 0;
@@ -145,6 +198,9 @@ struct RecordKind {
   const char* schema;  // "legwright/run"; empty: a part of a file, without the two keys
   int version;
 };
+
+/// Whether a JSON value says that it is of this schema, whatever its version.
+bool is_kind(const nlohmann::ordered_json& json, RecordKind kind);
 
 using RecordVisit = void (*)(Fields& fields, void* record);
 /// The three visitors; the templates below are what callers use.

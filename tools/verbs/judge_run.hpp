@@ -8,19 +8,21 @@
 #include "mjcf/propose/home_touches.hpp"
 #include "tools/files/json_file.hpp"
 #include "tools/run/result_folder.hpp"
-#include "tools/validate/numerics.hpp"
-#include "tools/validate/robustness.hpp"
-#include "tools/validate/validation.hpp"
+#include "tools/validate/records.hpp"
 
 namespace legwright {
 
 /// What physics says about a run of one task.
 struct JudgedRun {
-  Json metrics, verdict;                  // as written into result/
+  MetricsRecord metrics;                  // as written into result/
+  VerdictRecord verdict;                  // likewise
   std::vector<SceneValidation> designs;   // initial body, result, then the others
   std::optional<SecondOpinion> numerics;  // on the result
   std::optional<Robustness> robustness;   // of the result
   std::vector<HomeTouch> home_touches;    // of the designed body, which the initial one has not
+
+  std::optional<NumericsRecord> numerics_record() const;
+  std::optional<RobustnessRecord> robustness_record() const;
 };
 
 struct JudgeOptions {

@@ -11,7 +11,7 @@
 #include "tools/run/result_folder.hpp"
 #include "tools/validate/junit.hpp"
 #include "tools/validate/limits_file.hpp"
-#include "tools/validate/robustness_json.hpp"
+#include "tools/validate/robustness_limits.hpp"
 #include "tools/verbs/judge_run.hpp"
 #include "tools/verbs/verbs.hpp"
 
@@ -152,9 +152,9 @@ int validate(Options options) {
   const Verdict& verdict = judged.designs[1].verdict;
   if (!options.junit.empty()) write_file(options.junit, junit_xml({{head.name, verdict}}));
   if (options.json) {
-    Json document{{"verdict", judged.verdict}, {"metrics", judged.metrics}};
-    if (judged.robustness) document["robustness"] = robustness_json(*judged.robustness);
-    if (judged.numerics) document["numerics"] = numerics_json(*judged.numerics);
+    Json document{{"verdict", json_of(judged.verdict)}, {"metrics", json_of(judged.metrics)}};
+    if (const auto record = judged.robustness_record()) document["robustness"] = json_of(*record);
+    if (const auto record = judged.numerics_record()) document["numerics"] = json_of(*record);
     fmt::print("{}", to_text(document));
   } else {
     if (const auto task = run.find("task"); task != run.end() && task->is_object())
