@@ -122,8 +122,8 @@ Rows::Show in(const std::string& unit) {
 Sides both(const std::function<Value(const char*)>& of) { return {of(kSides[0]), of(kSides[1])}; }
 
 Sides outer_cost(const RunData& data) {
-  if (text_at(data.run, {"outer", "objective"}).empty() || data.iterations.empty()) return {};
-  return {number_at(data.iterations.front(), {"J"}), number_at(data.run, {"final_J"})};
+  if (!data.run.outer || data.iterations.empty()) return {};
+  return {data.iterations.front().J, data.run.final_J};
 }
 
 void add_measured(const RunData& data, Rows& rows) {
@@ -150,7 +150,7 @@ void add_measured(const RunData& data, Rows& rows) {
   rows.add("cost of transport", standard(number("cost_of_transport")), short_number, Better::less);
   rows.add("steps over a bar of",
            both([&](const char* side) { return least_clearance(data, side); }), in("m"),
-           number_at(data.run, {"task", "step_over_m"}) ? Better::more : Better::neither);
+           data.run.task && data.run.task->step_over ? Better::more : Better::neither);
 }
 
 /// "31 % less mechanical power"
@@ -192,8 +192,8 @@ std::string mass_words(const RunData& data, const ChangedParameters& changed) {
   if (std::none_of(changed.list.begin(), changed.list.end(),
                    [](const ChangedParameter& each) { return !each.view.angle; }))
     return "";
-  if (!number_at(data.run, {"body", "initial", "mass_kg"})) return "";  // of an old run
-  return number_at(data.run, {"body", "initial", "printed_volume_m3"})
+  if (!data.run.body) return "";
+  return data.run.body->initial.printed_volume
              ? "Printed parts weigh more the longer they are; all others keep their mass."
              : "No part is printed, so links keep their mass however long they are.";
 }
@@ -210,19 +210,16 @@ std::string change_words(double change) {
 std::vector<BoughtRow> bought_rows(const RunData& data) {
   Rows rows;
   if (!data.metrics.is_null()) add_measured(data, rows);
-  const auto body = [&](const char* key) {
-    return Sides{number_at(data.run, {"body", "initial", key}),
-                 number_at(data.run, {"body", "final", key})};
-  };
-  rows.add_amount("mass of the robot", body("mass_kg"), in("kg"));
-  rows.add_amount("printed volume", body("printed_volume_m3"),
-                  [](Value value) { return value ? short_number(*value * 1e6) + " cm³" : "–"; });
-  rows.add("cost of the gait, F",
-           {number_at(data.run, {"motion_only_F"}), number_at(data.run, {"final_F"})}, short_number,
+  if (const auto& body = data.run.body) {
+    rows.add_amount("mass of the robot", {body->initial.mass, body->final.mass}, in("kg"));
+    rows.add_amount("printed volume", {body->initial.printed_volume, body->final.printed_volume},
+                    [](Value value) { return value ? short_number(*value * 1e6) + " cm³" : "–"; });
+  }
+  rows.add("cost of the gait, F", {data.run.motion_only_F, data.run.final_F}, short_number,
            Better::less);
   if (const Sides J = outer_cost(data); J.first || J.second)
-    rows.add("what the body was to lower, " + spaced(text_at(data.run, {"outer", "objective"})), J,
-             short_number, Better::less);
+    rows.add("what the body was to lower, " + spaced(data.run.outer->objective), J, short_number,
+             Better::less);
   return rows.take();
 }
 

@@ -29,10 +29,10 @@ std::string ChangedParameters::bound_words() const {
       all, bound, bound == 1 ? "stands" : "stand");
 }
 
-ChangedParameters changed_parameters(const Json& run) {
+ChangedParameters changed_parameters(const RunRecord& run) {
   ChangedParameters out;
   std::map<std::string, double> lowered;
-  for (const Attribution& each : attributions_from_json(value_at(run, {"pull"}))) {
+  for (const Attribution& each : attributions_of(run.pull)) {
     lowered[each.parameter] = each.total();
     out.by_cost = out.by_cost || each.total() != 0.0;
   }

@@ -29,6 +29,6 @@ struct ChangedParameters {
   std::string bound_words() const;
 };
 
-ChangedParameters changed_parameters(const Json& run);
+ChangedParameters changed_parameters(const RunRecord& run);
 
 }  // namespace legwright

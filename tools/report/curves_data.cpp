@@ -36,32 +36,27 @@ std::string variant_name(const RunData& data) {
 }
 
 double wanted_speed(const RunData& data) {
-  const Json& velocity = value_at(data.run, {"task", "velocity"});
-  if (value_at(data.run, {"tasks"}).is_array())
+  if (data.run.joint())
     refuse(data, "tasks",
            "a run of several tasks has no single speed; give the folders of its tasks, " +
                (data.root / "tasks" / "NAME").string());
-  const bool pair = velocity.is_array() && velocity.size() == 2 && velocity[0].is_number() &&
-                    velocity[1].is_number();
-  const double speed =
-      pair ? std::hypot(velocity[0].get<double>(), velocity[1].get<double>()) : 0.0;
+  const auto& [x, y] = data.run.task->velocity;
+  const double speed = std::hypot(x, y);
   if (!(speed > 0.0) || !std::isfinite(speed))
     refuse(data, "task.velocity", "expected a wanted speed above zero, to draw against");
   return speed;
 }
 
 /// The task but for its speed: runs of one page have it in common.
-std::string way_of(const RunData& data, double speed) {
-  const Json& velocity = value_at(data.run, {"task", "velocity"});
-  const double x = velocity[0].get<double>() / speed, y = velocity[1].get<double>() / speed;
+std::string way_of(const TaskRecord& task, double speed) {
+  const double x = task.velocity[0] / speed, y = task.velocity[1] / speed;
   std::string way = x > 0.99    ? "forward"
                     : x < -0.99 ? "backward"
                     : y > 0.99  ? "to the left"
                     : y < -0.99 ? "to the right"
                                 : fmt::format("along ({:.2f}, {:.2f})", x, y);
-  const auto turn = number_at(data.run, {"task", "turn_rate"});
-  if (turn && *turn != 0.0) way += ", turning";
-  return text_at(data.run, {"task", "gait"}) + " " + way;
+  if (task.turn_rate != 0.0) way += ", turning";
+  return task.gait + " " + way;
 }
 
 CurveSample sample_of(const Json& measured, double wanted) {
@@ -91,9 +86,9 @@ CurvePoint point_of(const RunData& data) {
   if (reasons.is_array())
     for (const Json& reason : reasons)
       if (reason.is_string()) point.reasons.push_back(reason.get<std::string>());
-  const auto cost = number_at(data.run, {"final_F"});
-  if (!cost) refuse(data, "final_F", "expected the cost of a finished run; run it to its end");
-  point.cost = *cost;
+  if (!data.run.final_F)
+    refuse(data, "final_F", "expected the cost of a finished run; run it to its end");
+  point.cost = *data.run.final_F;
   for (std::size_t g = 0; g < kGains.size(); ++g)
     point.at_gains[g] = sample_of(value_at(data.metrics, {"result", kGains[g]}), point.wanted);
   point.parameters = parameters_of(data.run);
@@ -101,10 +96,10 @@ CurvePoint point_of(const RunData& data) {
 }
 
 /// Checksums of all files of a run's robot.
-std::string robot_sum(const Json& run) {
+std::string robot_sum(const RunRecord& run) {
   std::string sum;
-  for (const auto& [file, own] : value_at(run, {"sha256"}).items())
-    if (file != "task.toml" && own.is_string()) sum += file + " " + own.get<std::string>() + "\n";
+  for (const auto& [file, own] : run.sha256)
+    if (file != "task.toml") sum += file + " " + own + "\n";
   return sum;
 }
 
@@ -115,11 +110,11 @@ class Collector {
     const RunData data = read_run(folder);
     const std::string sum = robot_sum(data.run);
     const double speed = wanted_speed(data);
-    const std::string way = way_of(data, speed);
+    const std::string way = way_of(*data.run.task, speed);
     if (!first_) {
       first_ = folder;
       sum_ = sum;
-      curves_.robot = text_at(data.run, {"robot"});
+      curves_.robot = data.run.robot;
       curves_.way = way;
     }
     if (sum != sum_)

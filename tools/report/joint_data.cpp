@@ -10,86 +10,71 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Json read_noted(const fs::path& file, RunData& data) {
-  if (!fs::exists(file)) return {};
+/// The record of a file that may be missing; what is wrong with it becomes a note.
+template <class R>
+std::optional<R> read_noted(const fs::path& file, RunData& data) {
+  if (!fs::exists(file)) return std::nullopt;
   try {
-    return read_json(file);
+    return read_record_file<R>(file);
   } catch (const std::exception& error) {
     data.notes.push_back(error.what());
-    return {};
+    return std::nullopt;
   }
 }
 
-std::vector<std::optional<double>> costs_of(const JointData& data, const Json& values) {
-  std::vector<std::optional<double>> costs;
-  for (const JointTaskData& task : data.tasks)
-    costs.push_back(number_at(values, {task.name.c_str()}));
-  return costs;
-}
-
-MatrixDesign design_of(const JointData& data, const char* which) {
-  MatrixDesign design;
-  design.s = Json::object();
-  for (const ParameterView& p : parameters_of(data.whole.run))
-    design.s[p.name] = std::string_view(which) == "initial" ? p.initial : p.final;
+MatrixDesign design_of(const RunRecord& run, std::string name, double ParameterRecord::*value,
+                       std::optional<double> TaskRecord::*cost) {
+  MatrixDesign design{std::move(name), {}, {}, {}};
+  for (const ParameterRecord& p : run.parameters) design.s.of(p.name) = p.*value;
+  for (const TaskRecord& task : *run.tasks) design.cost.push_back(task.*cost);
   return design;
 }
 
 /// The designs of the matrix in validate's order, from run.json: known before validate has run.
 std::vector<MatrixDesign> designs_of(const JointData& data) {
-  const Json& run = data.whole.run;
-  const Json &starts = value_at(run, {"starts"}), &alone = value_at(run, {"alone"});
-  std::vector<MatrixDesign> designs{design_of(data, "initial")};
-  designs.back().name = "initial body";
-  for (const JointTaskData& task : data.tasks)
-    designs.back().cost.push_back(number_at(task.task, {"F_initial"}));
-  for (std::size_t k = 0; alone.is_array() && k < alone.size(); ++k) {
-    const Json& tasks = value_at(alone[k], {"tasks"});
-    const std::string name = tasks.is_array() && !tasks.empty() && tasks[0].is_string()
-                                 ? tasks[0].get<std::string>()
-                                 : "";
-    MatrixDesign design;
-    design.name = "for " + name + " alone";
-    design.s = value_at(alone[k], {"s"});
-    const bool tried = starts.is_array() && k + 1 < starts.size();
-    design.cost = costs_of(
-        data, tried ? value_at(starts[k + 1], {"F_tasks_start"}) : value_at(alone[k], {"F_tasks"}));
+  const RunRecord& run = data.whole.run;
+  std::vector<MatrixDesign> designs{
+      design_of(run, "initial body", &ParameterRecord::initial, &TaskRecord::initial_F)};
+  for (std::size_t k = 0; run.alone && k < run.alone->size(); ++k) {
+    const StartRecord& alone = (*run.alone)[k];
+    const std::string name = alone.tasks.empty() ? "" : alone.tasks.front();
+    MatrixDesign design{"for " + name + " alone", alone.s, {}, {}};
+    const bool tried = run.starts && k + 1 < run.starts->size();
+    const ByName<double>& costs = tried ? (*run.starts)[k + 1].start_F_of_tasks : alone.F_of_tasks;
+    for (const JointTaskData& task : data.tasks) {
+      const double* const cost = costs.find(task.name);
+      design.cost.push_back(cost != nullptr ? std::optional(*cost) : std::nullopt);
+    }
     designs.push_back(std::move(design));
   }
-  designs.push_back(design_of(data, "final"));
-  designs.back().name = data.tasks.size() == 2 ? "for both tasks" : "for all tasks";
-  for (const JointTaskData& task : data.tasks)
-    designs.back().cost.push_back(number_at(task.task, {"F"}));
+  designs.push_back(design_of(run, data.tasks.size() == 2 ? "for both tasks" : "for all tasks",
+                              &ParameterRecord::final, &TaskRecord::F));
   return designs;
 }
 
-void add_cells(JointData& data, const Json& matrix) {
-  data.judged = value_at(matrix, {"cells"}).is_object();
+void add_cells(JointData& data, const std::optional<MatrixRecord>& matrix) {
+  data.judged = matrix.has_value();
   for (std::size_t d = 0; d < data.designs.size(); ++d) {
     MatrixDesign& design = data.designs[d];
     for (std::size_t t = 0; t < data.tasks.size(); ++t) {
-      const Json& column = value_at(matrix, {"cells", data.tasks[t].name.c_str()});
-      const bool there = column.is_array() && column.size() == data.designs.size();
-      design.cells.push_back(there ? column[d] : Json());
-      if (!there) continue;
-      if (const auto cost = number_at(column[d], {"F"})) design.cost[t] = cost;
+      const auto* const column = matrix ? matrix->cells.find(data.tasks[t].name) : nullptr;
+      const bool there = column != nullptr && column->size() == data.designs.size();
+      design.cells.push_back(there ? std::optional((*column)[d]) : std::nullopt);
+      if (there) design.cost[t] = (*column)[d].F;
     }
   }
 }
 
 }  // namespace
 
-bool is_joint(const Json& run) { return value_at(run, {"tasks"}).is_array(); }
-
 JointData read_joint_run(const fs::path& root) {
   JointData data{read_run(root), {}, {}, {}, false};
-  const Json& tasks = value_at(data.whole.run, {"tasks"});
   std::size_t index = 0;
   for (const TaskFolder& folder : task_folders(data.whole.run)) {
     JointTaskData& task = data.tasks.emplace_back();
     task.name = folder.name;
     task.relative = folder.relative;
-    task.task = tasks[index++];
+    task.task = (*data.whole.run.tasks)[index++];
     try {
       task.run = read_run(root / folder.relative);
     } catch (const std::exception& error) {
@@ -97,8 +82,9 @@ JointData read_joint_run(const fs::path& root) {
     }
   }
   data.designs = designs_of(data);
-  add_cells(data, read_noted(root / "result" / "matrix.json", data.whole));
-  data.front = value_at(read_noted(root / "result" / "front.json", data.whole), {"points"});
+  add_cells(data, read_noted<MatrixRecord>(root / "result" / "matrix.json", data.whole));
+  if (auto front = read_noted<FrontRecord>(root / "result" / "front.json", data.whole))
+    data.front = std::move(front->points);
   return data;
 }
 

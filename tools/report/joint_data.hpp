@@ -8,6 +8,7 @@
 
 #include "tools/report/run_data.hpp"
 #include "tools/report/words.hpp"
+#include "tools/run/matrix_record.hpp"
 
 namespace legwright {
 
@@ -15,29 +16,27 @@ namespace legwright {
 struct JointTaskData {
   std::string name;
   std::filesystem::path relative;  // tasks/NAME
-  Json task;                       // its entry in run.json
+  TaskRecord task;                 // its entry in run.json
   std::optional<RunData> run;      // nothing where its folder cannot be read
 };
 
 /// A design of the matrix: its parameters and what it costs in each task.
 struct MatrixDesign {
   std::string name;
-  Json s;                                   // {parameter: value}
+  ByName<double> s;                         // by parameter
   std::vector<std::optional<double>> cost;  // F, in the order of the tasks
-  std::vector<Json> cells;  // of matrix.json, in the order of the tasks; null before validate
+  // Of matrix.json, in the order of the tasks; none before validate.
+  std::vector<std::optional<MatrixCellRecord>> cells;
 };
 
 /// What a joint run holds, read for a report as leniently as a single one.
 struct JointData {
   RunData whole;
   std::vector<JointTaskData> tasks;
-  std::vector<MatrixDesign> designs;  // the initial body, each task's own, the common one
-  Json front;           // points of result/front.json; null where it was not asked for
-  bool judged = false;  // matrix.json is there
+  std::vector<MatrixDesign> designs;    // the initial body, each task's own, the common one
+  std::vector<FrontPointRecord> front;  // of result/front.json; none where it was not asked for
+  bool judged = false;                  // matrix.json is there
 };
-
-/// Whether the run is of several tasks.
-bool is_joint(const Json& run);
 
 /// Throws IoError where there is no run, InputError where its tasks lie outside of it.
 JointData read_joint_run(const std::filesystem::path& root);

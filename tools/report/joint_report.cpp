@@ -11,8 +11,7 @@ namespace legwright {
 namespace {
 
 std::string title_of(const JointData& data) {
-  const std::string robot = text_at(data.whole.run, {"robot"}),
-                    name = text_at(data.whole.run, {"name"});
+  const std::string &robot = data.whole.run.robot, name = data.whole.run.name.value_or("");
   const std::string title = robot + (robot.empty() || name.empty() ? "" : " · ") + spaced(name);
   return title.empty() ? "Legwright run" : title;
 }
@@ -22,18 +21,15 @@ std::string tasks_line(const JointData& data) {
   const char* separator = ": ";
   for (const JointTaskData& task : data.tasks) {
     out += separator + spaced(task.name);
-    const auto weight = number_at(task.task, {"weight"});
-    if (weight) out += fmt::format(" (weight {})", short_number(weight));
+    if (task.task.weight) out += fmt::format(" (weight {})", short_number(task.task.weight));
     separator = ", ";
   }
   return out;
 }
 
 std::string cell_words(const MatrixDesign& design, std::size_t task) {
-  const Json& pass = value_at(design.cells[task], {"pass"});
-  return short_number(design.cost[task]) + (!pass.is_boolean() ? ""
-                                            : pass.get<bool>() ? ", PASS"
-                                                               : ", FAIL");
+  const auto& cell = design.cells[task];
+  return short_number(design.cost[task]) + (!cell ? "" : cell->pass ? ", PASS" : ", FAIL");
 }
 
 std::string row_of(const std::string& first, const std::vector<std::string>& cells) {
@@ -63,7 +59,7 @@ std::string joint_report_page(const JointData& data) {
   add_certificate(page, data.whole);
   add_origin(page, data.whole);
   Json island = island_of(data.whole);
-  island["tasks"] = value_at(data.whole.run, {"tasks"});
+  island["tasks"] = json_of(*data.whole.run.tasks);
   island["verdict"] = Json::object();
   for (const JointTaskData& task : data.tasks)
     island["verdict"][task.name] = task.run ? task.run->verdict : Json();
@@ -90,7 +86,7 @@ std::string joint_report_summary(const JointData& data) {
   for (const ParameterView& p : parameters_of(data.whole.run)) {
     std::vector<std::string> cells;
     for (const MatrixDesign& design : data.designs) {
-      const auto value = number_at(design.s, {p.name.c_str()});
+      const double* const value = design.s.find(p.name);
       cells.push_back(value ? p.with_unit(*value) : "–");
     }
     out += row_of(spaced(p.name), cells);

@@ -38,8 +38,13 @@ void close_page(Html& page, const Json& island) {
 
 Json island_of(const RunData& data) {
   Json island{{"schema", "legwright/report"}, {"version", 1}};
-  for (const char* key : {"robot", "task", "status", "motion_only_F", "final_F", "parameters"})
-    island[key] = value_at(data.run, {key});
+  const RunRecord& run = data.run;
+  island["robot"] = run.robot;
+  island["task"] = run.task ? json_of(*run.task) : Json();
+  island["status"] = run.status;
+  island["motion_only_F"] = or_null(run.motion_only_F);
+  island["final_F"] = or_null(run.final_F);
+  island["parameters"] = json_of(run.parameters);
   return island;
 }
 

@@ -14,14 +14,12 @@ namespace {
 
 RunData read_single(const std::filesystem::path& root) {
   RunData data = read_run(root);
-  if (!is_joint(data.run)) return data;
+  if (!data.run.joint()) return data;
   std::string folders;
-  for (const Json& task : value_at(data.run, {"tasks"})) {
-    const std::string folder = text_at(task, {"folder"});
-    if (!folder.empty())
+  for (const TaskRecord& task : *data.run.tasks)
+    if (task.folder)
       folders += fmt::format("{}{}", folders.empty() ? "" : ", ",
-                             clean_utf8((root / folder).generic_string()));
-  }
+                             clean_utf8((root / *task.folder).generic_string()));
   throw InputError(fmt::format(
       "{}: found a joint run of several tasks, expected runs of one task; name a task's folder "
       "instead: {}",

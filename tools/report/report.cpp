@@ -14,7 +14,7 @@ namespace legwright {
 std::string report_page(const RunData& data) {
   Html page;
   open_page(page, title_of(data), task_words(data.run));
-  if (text_at(data.run, {"joint_run"}) == "../..") {
+  if (data.run.joint_run == "../..") {
     page.open("p", {{"class", "note"}}).text("One task of a joint run: ");
     page.element("a", "report of the whole", {{"href", "../../report.html"}}).text(".").close();
   }
@@ -50,7 +50,7 @@ std::vector<std::filesystem::path> write_report(const std::filesystem::path& run
     return folder / "report.html";
   };
   const RunData data = read_run(run);
-  if (!is_joint(data.run)) return {write(run, report_page(data), report_summary(data))};
+  if (!data.run.joint()) return {write(run, report_page(data), report_summary(data))};
   const JointData joint = read_joint_run(run);
   std::vector<std::filesystem::path> pages{
       write(run, joint_report_page(joint), joint_report_summary(joint))};

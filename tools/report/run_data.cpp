@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "tools/run/events.hpp"
 #include "tools/run/motion_csv.hpp"
 #include "tools/run/result_folder.hpp"
 
@@ -34,11 +33,11 @@ fs::path RunData::iteration(int index) const {
 RunData read_run(const fs::path& root) {
   RunData data;
   data.root = root;
-  data.run = read_json(ResultFolder::open(root).run_json());
+  data.run = read_record_file<RunRecord>(ResultFolder::open(root).run_json());
   if_present(root / "events.jsonl", data.notes, [&](const fs::path& file) {
-    for (const Json& event : read_events(file)) {
-      if (text_at(event, {"event"}) == "iteration") data.iterations.push_back(event);
-    }
+    Iterations found = read_iterations(file);
+    data.iterations = std::move(found.single);
+    data.joint_iterations = std::move(found.joint);
   });
   const fs::path result = root / "result";
   if_present(result / "metrics.json", data.notes, [&](const fs::path& file) {
@@ -48,8 +47,9 @@ RunData read_run(const fs::path& root) {
   });
   if_present(result / "verdict.json", data.notes,
              [&](const fs::path& file) { data.verdict = read_json(file); });
-  if_present(result / "certificate.json", data.notes,
-             [&](const fs::path& file) { data.certificate = read_json(file); });
+  if_present(result / "certificate.json", data.notes, [&](const fs::path& file) {
+    data.certificate = read_record_file<CertificateRecord>(file);
+  });
   for (const auto& [name, target] : {std::pair{"comparison", &data.comparison},
                                      {"numerics", &data.numerics},
                                      {"robustness", &data.robustness}}) {
@@ -74,10 +74,7 @@ RunData read_run(const fs::path& root) {
   return data;
 }
 
-bool motion_only(const RunData& data) {
-  const Json& told = value_at(data.run, {"motion_only"});
-  return told.is_boolean() && told.get<bool>();
-}
+bool motion_only(const RunData& data) { return data.run.motion_only; }
 
 const Json& value_at(const Json& json, std::initializer_list<const char*> path) {
   static const Json nothing;
@@ -96,11 +93,6 @@ std::optional<double> number_at(const Json& json, std::initializer_list<const ch
   if (!value.is_number()) return std::nullopt;
   const double number = value.get<double>();
   return std::isfinite(number) ? std::optional(number) : std::nullopt;
-}
-
-std::optional<double> fall_of_cost(const Json& run) {
-  const auto before = number_at(run, {"motion_only_F"}), after = number_at(run, {"final_F"});
-  return before && after ? std::optional(*before - *after) : std::nullopt;
 }
 
 std::string text_at(const Json& json, std::initializer_list<const char*> path) {

@@ -10,16 +10,20 @@
 #include "plugin/trajectory.hpp"
 #include "tools/files/json_file.hpp"
 #include "tools/report/readings.hpp"
+#include "tools/run/certificate_record.hpp"
+#include "tools/run/iteration_record.hpp"
+#include "tools/run/run_record.hpp"
 
 namespace legwright {
 
 /// What a run folder holds, read for a report: what is missing is missing, what is broken is noted.
 struct RunData {
   std::filesystem::path root;
-  Json run;                      // run.json
-  std::vector<Json> iterations;  // "iteration" events in order
-  Json metrics, verdict;         // of validate; null where it has not run
-  Json certificate;              // of the result; null where it was not asked for
+  RunRecord run;
+  std::vector<IterationEvent> iterations;  // of a run of one task, in order
+  std::vector<JointIterationEvent> joint_iterations;
+  Json metrics, verdict;                         // of validate; null where it has not run
+  std::optional<CertificateRecord> certificate;  // of the result; none where it was not asked for
   Json comparison, numerics,
       robustness;  // of validate, of their schemas; null where it has not run
   std::optional<ComparisonView> compared_initial,
@@ -32,7 +36,8 @@ struct RunData {
   std::filesystem::path iteration(int index) const;
 };
 
-/// Throws IoError where the folder has no run.json that can be read; all else goes to the notes.
+/// Throws IoError where the folder has no run.json or one that does not say what it should; faults of
+/// all other files go to the notes.
 RunData read_run(const std::filesystem::path& root);
 
 /// Whether the body was kept and only its gait optimised.
@@ -41,8 +46,6 @@ bool motion_only(const RunData& data);
 // Lenient access, so that a report of an incomplete run is still a report.
 /// The number at a path of keys, if there is one and it is finite.
 std::optional<double> number_at(const Json& json, std::initializer_list<const char*> path);
-/// motion_only_F − final_F of a run.json, where it has both.
-std::optional<double> fall_of_cost(const Json& run);
 /// The string at a path of keys; empty without.
 std::string text_at(const Json& json, std::initializer_list<const char*> path);
 /// What is at a path of keys; null without.

@@ -143,13 +143,12 @@ std::string report_summary(const RunData& data) {
   std::string out = fmt::format("# {}\n\n{}\n\n", cell(title_of(data)), cell(task_words(data.run)));
   out += verdicts(data) + limits(data.limits_result);
   if (motion_only(data)) {
-    out += fmt::format("Cost F {}.\n\n", short_number(number_at(data.run, {"final_F"})));
+    out += fmt::format("Cost F {}.\n\n", short_number(data.run.final_F));
   } else {
     out +=
         fmt::format("Cost F from {} (gait alone) to {} (co-designed) in {} design iterations.\n\n",
-                    short_number(number_at(data.run, {"motion_only_F"})),
-                    short_number(number_at(data.run, {"final_F"})),
-                    short_number(number_at(data.run, {"design_iterations"})));
+                    short_number(data.run.motion_only_F), short_number(data.run.final_F),
+                    short_number(data.run.design_iterations));
   }
   out += bought(data) + closing(data) + margins(data) + parameters(data);
   return out + "Pictures, charts and measurements: report.html in the folder above.\n";

@@ -4,17 +4,17 @@
 
 #include <algorithm>
 
-#include "tools/run/attribution_json.hpp"
 #include "tools/report/pull_words.hpp"
 #include "tools/report/sections.hpp"
 #include "tools/report/svg_bars.hpp"
 #include "tools/report/words.hpp"
+#include "tools/run/attribution_json.hpp"
 
 namespace legwright {
 namespace {
 
 void add_value(Html& page, const ParameterView& p, const MatrixDesign& design) {
-  const auto value = number_at(design.s, {p.name.c_str()});
+  const double* const value = design.s.find(p.name);
   page.open("td", {{"class", "n"}, {"data-label", spaced(design.name)}});
   page.text(value ? p.with_unit(*value) : "–");
   const std::string bound = value ? p.bound_of(*value) : "";
@@ -49,8 +49,7 @@ void add_bodies_table(Html& page, const JointData& data,
 std::vector<Attribution> attributions_by_task(const JointData& data) {
   std::vector<Attribution> all;
   for (const JointTaskData& task : data.tasks)
-    if (task.run)
-      merge_attributions(all, attributions_from_json(value_at(task.run->run, {"pull"}), task.name));
+    if (task.run) merge_attributions(all, attributions_of(task.run->run.pull, task.name));
   return all;
 }
 
@@ -94,7 +93,7 @@ void add_bodies(Html& page, const JointData& data) {
 
 void add_task_pulls(Html& page, const JointData& data) {
   const auto attributions = attributions_by_task(data);
-  const std::string summary = attribution_summary(attributions, fall_of_cost(data.whole.run));
+  const std::string summary = attribution_summary(attributions, data.whole.run.fall_of_cost());
   if (summary.empty()) return;
   page.open("section").element("h2", "Why the body changed").element("p", summary);
   std::string note =
@@ -102,7 +101,7 @@ void add_task_pulls(Html& page, const JointData& data) {
       "and "
       "the terms that it moved most.";
   for (const JointTaskData& task : data.tasks) {
-    if (task.name == text_at(data.whole.run, {"best_start"}))
+    if (task.name == data.whole.run.best_start)
       note += " The best start set out from the body for " + spaced(task.name) +
               " alone; on the way there no other task had a say.";
   }

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <functional>
 
-#include "tools/run/attribution_json.hpp"
 #include "tools/report/changed_parameters.hpp"
 #include "tools/report/pull_words.hpp"
 #include "tools/report/sections.hpp"
 #include "tools/report/svg_bars.hpp"
 #include "tools/report/words.hpp"
+#include "tools/run/attribution_json.hpp"
 
 namespace legwright {
 namespace {
@@ -75,9 +75,9 @@ void add_largest(Html& page, const ChangedParameters& changed) {
 
 /// One sentence on all parameters, and how to read the others.
 void add_why(Html& page, const RunData& data, const std::vector<Attribution>& attributions) {
-  const bool part = !value_at(data.run, {"joint_run"}).is_null();
+  const bool part = data.run.joint_run.has_value();
   const std::string summary =
-      attribution_summary(attributions, part ? std::nullopt : fall_of_cost(data.run));
+      attribution_summary(attributions, part ? std::nullopt : data.run.fall_of_cost());
   if (summary.empty()) return;
   page.open("p").element("b", "Why it changed. ").text(summary).close();
   std::string note =
@@ -86,8 +86,8 @@ void add_why(Html& page, const RunData& data, const std::vector<Attribution>& at
       "along the way to the result; those of one parameter need not fall for each term.";
   if (part) {
     note += " They carry the weight that this task has in the joint cost.";
-    const std::string start = text_at(data.run, {"start"});
-    if (!start.empty() && start != "initial" && start != text_at(data.run, {"task", "name"}))
+    const std::string start = data.run.start.value_or("");
+    if (!start.empty() && start != "initial" && !(data.run.task && start == data.run.task->name))
       note += " The way begins with the body for " + spaced(start) +
               " alone, from which the best start set out: this task had no say before.";
   }
@@ -136,7 +136,7 @@ void add_design_change(Html& page, const RunData& data) {
     return;
   }
   add_largest(page, changed_parameters(data.run));
-  const auto attributions = attributions_from_json(value_at(data.run, {"pull"}));
+  const auto attributions = attributions_of(data.run.pull);
   add_why(page, data, attributions);
   const Reason reason = [&, scale = largest_share(attributions)](const std::string& parameter) {
     for (const Attribution& each : attributions)
@@ -155,24 +155,19 @@ void add_design_change(Html& page, const RunData& data) {
 
 void add_terms(Html& page, const RunData& data) {
   if (data.iterations.empty()) return;
-  const Json& first = value_at(data.iterations.front(), {"terms"});
-  const Json& last = value_at(data.iterations.back(), {"terms"});
-  if (!first.is_object() || !last.is_object()) return;
+  const IterationEvent &first = data.iterations.front(), &last = data.iterations.back();
   std::vector<TermRow> rows;
   double most = 0.0;
-  for (const auto& [name, value] : first.items()) {
-    if (!value.is_number()) continue;
-    rows.push_back({name, value.get<double>(), number_at(last, {name.c_str()}).value_or(0.0)});
+  for (const auto& [name, value] : first.terms) {
+    const double* const after = last.terms.find(name);
+    rows.push_back({name, value, after != nullptr ? *after : 0.0});
     most = std::max({most, rows.back().before, rows.back().after});
   }
   std::erase_if(rows, [](const TermRow& row) { return row.before == 0.0 && row.after == 0.0; });
   std::stable_sort(rows.begin(), rows.end(),
                    [](const auto& a, const auto& b) { return a.before > b.before; });
-  const auto before = number_at(data.iterations.front(), {"F"}),
-             after = number_at(data.iterations.back(), {"F"});
   const auto small = std::stable_partition(rows.begin(), rows.end(), [&](const TermRow& row) {
-    return row.before > kSmallTerm * before.value_or(0.0) ||
-           row.after > kSmallTerm * after.value_or(0.0);
+    return row.before > kSmallTerm * first.F || row.after > kSmallTerm * last.F;
   });
   const bool alone = motion_only(data);  // both columns would be the same
   page.open("section", {{"class", alone ? "only" : ""}}).element("h2", "What the cost is made of");
@@ -189,8 +184,8 @@ void add_terms(Html& page, const RunData& data) {
   open_terms(page);
   for (auto row = rows.begin(); row != small; ++row) add_term(page, *row, most);
   page.open("tr", {{"class", "sum"}}).element("td", "F", {{"class", "head"}});
-  page.element("td", short_number(before), {{"class", "n"}, {"data-label", "before"}});
-  page.element("td", short_number(after), {{"class", "n"}, {"data-label", "after"}});
+  page.element("td", short_number(first.F), {{"class", "n"}, {"data-label", "before"}});
+  page.element("td", short_number(last.F), {{"class", "n"}, {"data-label", "after"}});
   page.element("td", "").close().close().close();
   if (small != rows.end()) {
     page.open("details").element(

@@ -17,9 +17,10 @@ namespace {
 constexpr double kOutside = 1.5;  // times the largest F of the front: it would flatten the curve
 constexpr std::size_t kFewPoints = 3;  // of a front that has fewer between its ends all are drawn
 
-std::string whole(const Json& json, const char* key) {
-  const auto value = number_at(json, {key});
-  return value ? fmt::format("{:.0f}", *value) : "–";
+/// Not a number where the task has none.
+double cost_of(const ByName<double>& costs, const std::string& task) {
+  const double* const cost = costs.find(task);
+  return cost != nullptr ? *cost : NAN;
 }
 
 std::string start_words(const JointData& data, const std::string& start) {
@@ -29,25 +30,23 @@ std::string start_words(const JointData& data, const std::string& start) {
   return spaced(start);
 }
 
-void add_start_row(Html& page, const JointData& data, const Json& start, const std::string& name,
-                   bool best) {
+void add_start_row(Html& page, const JointData& data, const StartRecord& start,
+                   const std::string& name, bool best) {
   page.open("tr", {{"class", best ? "chosen" : ""}}).open("td").element("b", name);
   if (best) page.element("em", "the best: this is the result");
   page.close();
-  for (const char* key : {"F_start", "F"})
-    page.element("td", three_digits(number_at(start, {key})), {{"class", "n"}});
+  for (const double cost : {start.start_F, start.F})
+    page.element("td", three_digits(cost), {{"class", "n"}});
   for (const JointTaskData& task : data.tasks)
-    page.element("td", three_digits(number_at(start, {"F_tasks", task.name.c_str()})),
-                 {{"class", "n"}});
-  page.element("td", spaced(text_at(start, {"status"})));
-  page.element("td", whole(start, "design_iterations"), {{"class", "n"}});
-  page.element("td", whole(start, "newton_iterations"), {{"class", "n"}});
-  const auto seconds = number_at(start, {"seconds"});
-  page.element("td", seconds ? fmt::format("{:.1f} s", *seconds) : "–", {{"class", "n"}}).close();
+    page.element("td", three_digits(cost_of(start.F_of_tasks, task.name)), {{"class", "n"}});
+  page.element("td", spaced(start.status));
+  page.element("td", fmt::format("{}", start.design_iterations), {{"class", "n"}});
+  page.element("td", fmt::format("{}", start.newton_iterations), {{"class", "n"}});
+  page.element("td", fmt::format("{:.1f} s", start.seconds), {{"class", "n"}}).close();
 }
 
 void add_starts_table(Html& page, const JointData& data) {
-  const Json& run = data.whole.run;
+  const RunRecord& run = data.whole.run;
   page.open("div", {{"class", "scroll"}}).open("table", {{"class", "starts"}});
   page.open("thead").open("tr").element("th", "from");
   for (const char* head : {"F at first", "F at last"}) page.element("th", head, {{"class", "n"}});
@@ -57,20 +56,12 @@ void add_starts_table(Html& page, const JointData& data) {
   for (const char* head : {"body steps", "Newton steps", "time"})
     page.element("th", head, {{"class", "n"}});
   page.close().close().open("tbody");
-  const std::string best = text_at(run, {"best_start"});
-  const Json &starts = value_at(run, {"starts"}), &alone = value_at(run, {"alone"});
-  for (const Json& start : starts) {
-    const std::string from = text_at(start, {"start"});
-    add_start_row(page, data, start, start_words(data, from), from == best);
-  }
-  if (alone.is_array()) {
-    for (const Json& one : alone) {
-      const Json& tasks = value_at(one, {"tasks"});
-      const bool named = tasks.is_array() && !tasks.empty() && tasks[0].is_string();
+  for (const StartRecord& start : *run.starts)
+    add_start_row(page, data, start, start_words(data, start.start), start.start == run.best_start);
+  if (run.alone)
+    for (const StartRecord& one : *run.alone)
       add_start_row(page, data, one,
-                    (named ? spaced(tasks[0].get<std::string>()) : "a task") + " alone", false);
-    }
-  }
+                    (one.tasks.empty() ? "a task" : spaced(one.tasks.front())) + " alone", false);
   page.close().close().close();
 }
 
@@ -78,21 +69,18 @@ void add_starts_table(Html& page, const JointData& data) {
 std::string starts_chart(const JointData& data) {
   std::vector<PlotSeries> lines;
   std::map<std::string, std::size_t> line_of;
-  for (const Json& event : data.whole.iterations) {
-    const auto cost = number_at(event, {"F"}), index = number_at(event, {"index"});
-    const Json& alone = value_at(event, {"alone"});
-    if (!cost || !index || (alone.is_boolean() && alone.get<bool>())) continue;
-    const std::string start = text_at(event, {"start"});
-    const auto [at, made] = line_of.try_emplace(start, lines.size());
+  for (const JointIterationEvent& event : data.whole.joint_iterations) {
+    if (event.alone || !std::isfinite(event.F)) continue;
+    const auto [at, made] = line_of.try_emplace(event.start, lines.size());
     if (made) {
       PlotSeries line;
-      line.name = "from " + start_words(data, start);
+      line.name = "from " + start_words(data, event.start);
       line.colour = static_cast<int>(lines.size() % 6) + 1;
       line.points = true;
       lines.push_back(std::move(line));
     }
-    lines[at->second].x.push_back(*index);
-    lines[at->second].y.push_back(*cost);
+    lines[at->second].x.push_back(event.index);
+    lines[at->second].y.push_back(event.F);
   }
   if (lines.empty()) return "";
   const PlotOptions options{.title = "Joint cost F by design iteration",
@@ -103,8 +91,8 @@ std::string starts_chart(const JointData& data) {
   return line_plot(lines, options);
 }
 
-double front_cost(const JointData& data, const Json& costs, std::size_t task) {
-  return number_at(costs, {data.tasks[task].name.c_str()}).value_or(NAN);
+double front_cost(const JointData& data, const FrontPointRecord& point, std::size_t task) {
+  return cost_of(point.F_of_tasks, data.tasks[task].name);
 }
 
 struct FrontPlot {
@@ -117,12 +105,11 @@ struct FrontPlot {
 std::array<double, 2> front_size(const JointData& data) {
   std::array<double, 2> between{0.0, 0.0}, all{0.0, 0.0};
   std::size_t count = 0;
-  for (const Json& point : data.front) {
-    const double weight = number_at(point, {"weight"}).value_or(0.0);
-    const bool inner = weight > 0.0 && weight < 1.0;
+  for (const FrontPointRecord& point : data.front) {
+    const bool inner = point.weight > 0.0 && point.weight < 1.0;
     count += inner ? 1 : 0;
     for (std::size_t t = 0; t < 2; ++t) {
-      const double cost = front_cost(data, value_at(point, {"F_tasks"}), t);
+      const double cost = front_cost(data, point, t);
       if (!std::isfinite(cost)) continue;
       all[t] = std::max(all[t], cost);
       if (inner) between[t] = std::max(between[t], cost);
@@ -142,11 +129,9 @@ FrontPlot front_series(const JointData& data) {
   PlotSeries line;
   line.name = "trade-off";
   line.points = true;
-  for (const Json& point : data.front) {
-    const Json& costs = value_at(point, {"F_tasks"});
-    const double x = front_cost(data, costs, 0), y = front_cost(data, costs, 1);
-    const auto weight = number_at(point, {"weight"});
-    if (outside(x, y, "the point of weight " + short_number(weight))) continue;
+  for (const FrontPointRecord& point : data.front) {
+    const double x = front_cost(data, point, 0), y = front_cost(data, point, 1);
+    if (outside(x, y, "the point of weight " + short_number(point.weight))) continue;
     line.x.push_back(x);
     line.y.push_back(y);
   }
@@ -174,12 +159,11 @@ void add_front_table(Html& page, const JointData& data) {
   for (const JointTaskData& task : data.tasks)
     page.element("th", "F of " + spaced(task.name), {{"class", "n"}});
   page.element("th", "ended").close().close().open("tbody");
-  for (const Json& point : data.front) {
-    page.open("tr").element("td", short_number(number_at(point, {"weight"})), {{"class", "n"}});
+  for (const FrontPointRecord& point : data.front) {
+    page.open("tr").element("td", short_number(point.weight), {{"class", "n"}});
     for (const JointTaskData& task : data.tasks)
-      page.element("td", three_digits(number_at(point, {"F_tasks", task.name.c_str()})),
-                   {{"class", "n"}});
-    page.element("td", spaced(text_at(point, {"status"}))).close();
+      page.element("td", three_digits(cost_of(point.F_of_tasks, task.name)), {{"class", "n"}});
+    page.element("td", spaced(point.status)).close();
   }
   page.close().close().close().close();
 }
@@ -188,7 +172,7 @@ void add_front_table(Html& page, const JointData& data) {
 
 void add_starts(Html& page, const JointData& data) {
   page.open("section").element("h2", "Where the search began");
-  if (!value_at(data.whole.run, {"starts"}).is_array()) {
+  if (!data.whole.run.starts) {
     page.element("p", "run.json tells of no starts: the run has not ended.", {{"class", "note"}})
         .close();
     return;
@@ -206,7 +190,7 @@ void add_front(Html& page, const JointData& data) {
   if (data.tasks.size() != 2) return;  // of two tasks only
   const std::string first = spaced(data.tasks[0].name), second = spaced(data.tasks[1].name);
   page.open("section").element("h2", "The trade-off");
-  if (!data.front.is_array() || data.front.empty()) {
+  if (data.front.empty()) {
     page.open("p", {{"class", "hint"}})
         .text("The curve between the tasks was not asked for. ")
         .element("code", "legwright optimize … --front 7")

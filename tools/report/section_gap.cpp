@@ -3,8 +3,10 @@
 // is therefore of another gait than the result.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "tools/report/page_template.hpp"
 #include "tools/report/sections.hpp"
 #include "tools/report/words.hpp"
 
@@ -15,23 +17,19 @@ constexpr std::size_t kMostScalars = 12;
 constexpr double kUnchanged = 5e-5;  // a factor this close to 1 would be shown as 1
 
 /// "speed × 1.012, swing height × 1.05"
-std::string factors_words(const Json& scalars) {
+std::string factors_words(const ByName<double>& scalars) {
   std::string out;
-  if (!scalars.is_object()) return out;
   std::size_t shown = 0;
-  for (const auto& [name, value] : scalars.items()) {
-    const auto factor = number_at(scalars, {name.c_str()});
-    if (!factor || std::abs(*factor - 1.0) < kUnchanged) continue;
+  for (const auto& [name, factor] : scalars) {
+    if (!std::isfinite(factor) || std::abs(factor - 1.0) < kUnchanged) continue;
     if (shown++ == kMostScalars) return out + ", …";
-    out += fmt::format("{}{} × {:.4g}", out.empty() ? "" : ", ", spaced(name), *factor);
+    out += fmt::format("{}{} × {:.4g}", out.empty() ? "" : ", ", spaced(name), factor);
   }
   return out;
 }
 
-GapSide side_of(const Json& side) {
-  GapSide out;
-  if (const Json& pass = value_at(side, {"pass"}); pass.is_boolean()) out.pass = pass.get<bool>();
-  out.words = text_at(side, {"line"});
+GapSide side_of(const PlayedGait& gait) {
+  GapSide out{gait.pass, gait.line};
   if (const std::size_t colon = out.words.find(": "); colon != std::string::npos)
     out.words.erase(0, colon + 2);  // the mark says what stands before it
   if (out.words.empty()) out.words = "not told";
@@ -40,52 +38,38 @@ GapSide side_of(const Json& side) {
 
 void add_side(Html& page, const char* head, const GapSide& side) {
   page.open("li").element("b", head).text(" ");
-  if (side.pass)
-    page.element("span", *side.pass ? "✓ pass" : "✗ fail", {{"class", *side.pass ? "good" : "bad"}})
-        .text(", ");
+  page.element("span", side.pass ? "✓ pass" : "✗ fail", {{"class", side.pass ? "good" : "bad"}})
+      .text(", ");
   page.text(side.words).close();
 }
 
 }  // namespace
 
-std::optional<GapView> gap_of(const Json& run) {
-  const Json& found = value_at(run, {"physics_steps"});
-  const Json& changed = value_at(found, {"changed"});
-  if (!changed.is_boolean()) return std::nullopt;
-  GapView gap;
-  gap.changed = changed.get<bool>();
-  gap.factors = factors_words(value_at(found, {"scalars"}));
+std::optional<GapView> gap_of(const RunRecord& run) {
+  if (!run.physics_steps) return std::nullopt;
+  const PhysicsStepsRecord& found = *run.physics_steps;
+  GapView gap{found.changed,        factors_words(found.scalars), side_of(found.before),
+              side_of(found.after), found.steps.size(),           0};
   if (gap.factors.empty()) gap.factors = "by how much is not told";
-  gap.before = side_of(value_at(found, {"before"}));
-  gap.after = side_of(value_at(found, {"after"}));
-  const Json& steps = value_at(found, {"steps"});
-  if (!steps.is_array()) return gap;
-  gap.steps = steps.size();
-  for (const Json& step : steps)
-    gap.confirmed += value_at(step, {"accepted"}) == Json(true) ? 1 : 0;
+  for (const PhysicsStepRecord& step : found.steps) gap.confirmed += step.accepted ? 1 : 0;
   return gap;
 }
 
-bool gait_was_stepped(const Json& run) {
-  const auto stepped = [](const Json& json) {
-    const auto gap = gap_of(json);
-    return gap && gap->changed;
-  };
-  if (stepped(run)) return true;
-  const Json& tasks = value_at(run, {"tasks"});
-  if (!tasks.is_array()) return false;
-  for (const Json& task : tasks)
-    if (stepped(task)) return true;
-  return false;
+bool gait_was_stepped(const TaskRecord& task) {
+  return task.physics_steps && task.physics_steps->changed;
 }
 
-void add_gap_note(Html& page, const Json& run, const std::string& what) {
+bool gait_was_stepped(const RunRecord& run) {
+  if (run.physics_steps && run.physics_steps->changed) return true;
+  return run.tasks && std::any_of(run.tasks->begin(), run.tasks->end(),
+                                  [](const TaskRecord& task) { return gait_was_stepped(task); });
+}
+
+void add_gap_note(Html& page, const RunRecord& run, const std::string& what) {
   if (gait_was_stepped(run))
-    page.element("p",
-                 what +
-                     " of the gait that the optimisation ended with, before the steps of "
-                     "“Closing the gap” changed it.",
-                 {{"class", "note"}});
+    page.raw(fill(R"(<p class="note">{what} of the gait that the optimisation ended with, before )"
+                  "the steps of “Closing the gap” changed it.</p>\n",
+                  {{"what", what}}));
 }
 
 void add_gap(Html& page, const RunData& data) {

@@ -78,9 +78,8 @@ std::string gain_words(const Json& measured) {
 }
 
 void add_cell(Html& page, const JointData& data, const MatrixDesign& design, std::size_t t) {
-  const Json& cell = design.cells[t];
-  const Json& pass = value_at(cell, {"pass"});
-  const bool known = pass.is_boolean(), good = known && pass.get<bool>();
+  const std::optional<MatrixCellRecord>& cell = design.cells[t];
+  const bool known = cell.has_value(), good = known && cell->pass;
   page.open("td", {{"class", !known ? "cell"
                              : good ? "cell good-cell"
                                     : "cell bad-cell"},
@@ -89,12 +88,11 @@ void add_cell(Html& page, const JointData& data, const MatrixDesign& design, std
   if (known)
     page.text(" ").element("span", good ? "✓ pass" : "✗ fail", {{"class", good ? "good" : "bad"}});
   page.close();
-  const Json& gains = value_at(cell, {"gains"});
-  if (gains.is_object()) {
+  if (known) {
     page.open("dl");
     for (const char* gain : kGains) {
       page.open("div").element("dt", gain);
-      page.element("dd", gain_words(value_at(gains, {gain}))).close();
+      page.element("dd", gain_words(value_at(cell->gains, {gain}))).close();
     }
     page.close();
   }

@@ -36,8 +36,8 @@ const std::vector<PairNumber>& numbers() {
   const auto played = [](const char* key) {
     return [key](const RunData& run) { return number_at(run.metrics, {"result", "default", key}); };
   };
-  const auto told = [](const char* key) {
-    return [key](const RunData& run) { return number_at(run.run, {key}); };
+  const auto told = [](auto member) {
+    return [member](const RunData& run) -> std::optional<double> { return run.run.*member; };
   };
   const auto sound = [](const char* key) {
     return [key](const RunData& run) {
@@ -46,8 +46,8 @@ const std::vector<PairNumber>& numbers() {
     };
   };
   static const std::vector<PairNumber> list = {
-      {"cost F of the gait alone", told("motion_only_F"), ""},
-      {"cost F at the end", told("final_F"), ""},
+      {"cost F of the gait alone", told(&RunRecord::motion_only_F), ""},
+      {"cost F at the end", told(&RunRecord::final_F), ""},
       {"of the planned speed", played("speed_ratio"), "%"},
       {"of the planned turn", played("turn_ratio"), "%"},
       {"largest tilt", played("tilt_max_rad"), "rad"},
@@ -64,8 +64,8 @@ const std::vector<PairNumber>& numbers() {
          return number_at(run.robustness, {"monte_carlo", "share"});
        },
        "%"},
-      {"design iterations", told("design_iterations"), ""},
-      {"Newton steps of the motion", told("newton_iterations"), ""},
+      {"design iterations", told(&RunRecord::design_iterations), ""},
+      {"Newton steps of the motion", told(&RunRecord::newton_iterations), ""},
   };
   return list;
 }
@@ -138,11 +138,10 @@ PlotSeries cost_line(const RunData& run, const std::string& name, int colour) {
   PlotSeries line;
   line.name = name;
   line.colour = colour;
-  for (const Json& event : run.iterations) {
-    const auto cost = number_at(event, {"F"});
-    if (!cost) continue;
-    line.x.push_back(number_at(event, {"index"}).value_or(static_cast<double>(line.x.size())));
-    line.y.push_back(*cost);
+  for (const IterationEvent& event : run.iterations) {
+    if (!std::isfinite(event.F)) continue;
+    line.x.push_back(event.index);
+    line.y.push_back(event.F);
   }
   line.points = line.x.size() <= 60;
   return line;
@@ -166,9 +165,10 @@ void flatten(const Json& json, const std::string& path,
 /// What the runs were asked for and how, where they differ.
 void add_settings(Html& page, const RunPair& pair) {
   std::vector<std::pair<std::string, std::string>> a, b;
-  for (const char* key : {"task", "outer", "motion_only"}) {
-    flatten(value_at(pair.a.run, {key}), key, a);
-    flatten(value_at(pair.b.run, {key}), key, b);
+  for (const auto& [run, out] : {std::pair{&pair.a.run, &a}, {&pair.b.run, &b}}) {
+    if (run->task) flatten(json_of(*run->task), "task", *out);
+    if (run->outer) flatten(json_of(*run->outer), "outer", *out);
+    out->emplace_back("motion_only", run->motion_only ? "true" : "false");
   }
   const auto find = [](const auto& list, const std::string& path) {
     const auto at =
@@ -277,17 +277,18 @@ void add_pair_bodies(Html& page, const RunPair& pair) {
 }
 
 void add_pair_terms(Html& page, const RunPair& pair) {
-  static const Json nothing;
-  const auto terms = [](const RunData& run) -> const Json& {
-    return run.iterations.empty() ? nothing : value_at(run.iterations.back(), {"terms"});
+  const auto terms = [](const RunData& run) {
+    return run.iterations.empty() ? ByName<double>() : run.iterations.back().terms;
   };
-  const Json &a = terms(pair.a), &b = terms(pair.b);
+  const ByName<double> a = terms(pair.a), b = terms(pair.b);
+  const auto value = [](const ByName<double>& list, const std::string& name) {
+    const double* const found = list.find(name);
+    return found != nullptr ? std::optional(*found) : std::nullopt;
+  };
   std::vector<std::pair<std::string, double>> names;
-  for (const Json* list : {&a, &b}) {
-    if (!list->is_object()) continue;
-    for (const auto& [name, value] : list->items()) {
-      const double most = std::max(number_at(a, {name.c_str()}).value_or(0.0),
-                                   number_at(b, {name.c_str()}).value_or(0.0));
+  for (const auto* list : {&a, &b}) {
+    for (const auto& [name, own] : *list) {
+      const double most = std::max(value(a, name).value_or(0.0), value(b, name).value_or(0.0));
       const bool known = std::any_of(names.begin(), names.end(),
                                      [&, &key = name](const auto& n) { return n.first == key; });
       if (most > 0.0 && !known) names.emplace_back(name, most);
@@ -299,15 +300,14 @@ void add_pair_terms(Html& page, const RunPair& pair) {
   page.open("section").element("h2", "What the cost is made of");
   page.element("p", "Each term of F at the end of the run, weighted; the largest first.",
                {{"class", "note"}});
-  const double all = std::max(number_at(pair.a.run, {"final_F"}).value_or(0.0),
-                              number_at(pair.b.run, {"final_F"}).value_or(0.0));
+  const double all = std::max(pair.a.run.final_F.value_or(0.0), pair.b.run.final_F.value_or(0.0));
   const auto small = std::find_if(names.begin(), names.end(),
                                   [&](const auto& name) { return name.second < kSmallTerm * all; });
   const auto add_rows = [&](auto from, auto to) {
     add_pair_head(page);
     for (; from != to; ++from) {
-      const char* name = from->first.c_str();
-      const auto in_a = number_at(a, {name}), in_b = number_at(b, {name});
+      const std::string& name = from->first;
+      const auto in_a = value(a, name), in_b = value(b, name);
       page.open("tr").open("td", {{"class", "head"}}).element("b", term_words(name)).close();
       add_cells(page, short_number(in_a), short_number(in_b), difference(in_a, in_b, ""));
       page.close();

@@ -130,17 +130,17 @@ void add_pair_origin(Html& page, const RunPair& pair) {
     page.open("tr").element("td", fmt::format("{}: folder", name), {{"class", "head"}});
     page.open("td").element("code", run->root.generic_string()).close().close();
     for (const char* key : {"task.toml", "robot.xml"}) {
-      const std::string hash = text_at(run->run, {"sha256", key});
-      if (hash.empty()) continue;
+      const std::string* const hash = run->run.sha256.find(key);
+      if (hash == nullptr) continue;
       page.open("tr").element("td", fmt::format("{}: SHA-256 of {}", name, key),
                               {{"class", "head"}});
-      page.open("td").element("code", hash).close().close();
+      page.open("td").element("code", *hash).close().close();
     }
     for (const char* key : {"legwright", "mujoco"}) {
-      const std::string version = text_at(run->run, {"versions", key});
-      if (version.empty()) continue;
+      const std::string* const version = run->run.versions.find(key);
+      if (version == nullptr) continue;
       page.open("tr").element("td", fmt::format("{}: {}", name, key), {{"class", "head"}});
-      page.element("td", version).close();
+      page.element("td", *version).close();
     }
   }
   page.close().close();

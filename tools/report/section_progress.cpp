@@ -2,6 +2,8 @@
 // How the optimisation went: cost and speed by iteration.
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "tools/report/sections.hpp"
 #include "tools/report/svg_plot.hpp"
 #include "tools/report/words.hpp"
@@ -9,17 +11,16 @@
 namespace legwright {
 namespace {
 
-/// Values of a key by iteration.
-PlotSeries by_iteration(const RunData& data, const char* key, const std::string& name, int colour) {
+PlotSeries by_iteration(const RunData& data, double IterationEvent::*value,
+                        const std::string& name) {
   PlotSeries series;
   series.name = name;
-  series.colour = colour;
+  series.colour = 1;
   series.points = data.iterations.size() <= 60;
-  for (std::size_t i = 0; i < data.iterations.size(); ++i) {
-    const auto value = number_at(data.iterations[i], {key});
-    if (!value) continue;
-    series.x.push_back(number_at(data.iterations[i], {"index"}).value_or(static_cast<double>(i)));
-    series.y.push_back(*value);
+  for (const IterationEvent& event : data.iterations) {
+    if (!std::isfinite(event.*value)) continue;
+    series.x.push_back(event.index);
+    series.y.push_back(event.*value);
   }
   return series;
 }
@@ -35,9 +36,9 @@ PlotSeries level(const PlotSeries& over, double value, const std::string& name, 
 }
 
 std::string cost_chart(const RunData& data) {
-  const PlotSeries cost = by_iteration(data, "F", "body and gait co-designed", 1);
+  const PlotSeries cost = by_iteration(data, &IterationEvent::F, "body and gait co-designed");
   std::vector<PlotSeries> lines{cost};
-  auto motion_only = number_at(data.run, {"motion_only_F"});
+  auto motion_only = data.run.motion_only_F;
   if (!motion_only && !cost.y.empty()) motion_only = cost.y.front();
   if (motion_only) lines.push_back(level(cost, *motion_only, "gait alone, initial body", 2));
   PlotOptions options;
@@ -50,10 +51,9 @@ std::string cost_chart(const RunData& data) {
 }
 
 std::string speed_chart(const RunData& data) {
-  const PlotSeries speed = by_iteration(data, "speed_reached", "speed of the plan", 1);
+  const PlotSeries speed = by_iteration(data, &IterationEvent::speed_reached, "speed of the plan");
   std::vector<PlotSeries> lines{speed};
-  const auto wanted = number_at(data.run, {"speed_wanted"});
-  if (wanted) lines.push_back(level(speed, *wanted, "wanted", 3));
+  if (data.run.speed_wanted) lines.push_back(level(speed, *data.run.speed_wanted, "wanted", 3));
   PlotOptions options;
   options.title = "Speed of the plan in the wanted direction";
   options.x_label = "design iteration";
@@ -63,14 +63,13 @@ std::string speed_chart(const RunData& data) {
   return line_plot(lines, options);
 }
 
-std::string trace_chart(const Json& trace) {
+std::string trace_chart(const std::vector<double>& trace) {
   PlotSeries line;
   line.name = "gait alone";
   line.colour = 2;
-  for (const Json& value : trace) {
-    if (!value.is_number()) continue;
+  for (const double value : trace) {
     line.x.push_back(static_cast<double>(line.x.size()));
-    line.y.push_back(value.get<double>());
+    line.y.push_back(value);
   }
   PlotOptions options;
   options.title = "Cost F of the gait alone";
@@ -89,25 +88,24 @@ void add_progress(Html& page, const RunData& data) {
     page.element("p", "events.jsonl has no finished iteration.", {{"class", "note"}}).close();
     return;
   }
-  const auto before = number_at(data.iterations.front(), {"F"}),
-             after = number_at(data.iterations.back(), {"F"});
+  const double before = data.iterations.front().F, after = data.iterations.back().F;
   if (motion_only(data)) {
     page.element(
         "p", fmt::format("Only the gait was optimised; it ends at F = {}.", short_number(after)));
-  } else if (before && after && *after > 0.0) {
+  } else if (std::isfinite(before) && after > 0.0) {
     page.element(
         "p",
         fmt::format(
             "Optimising the gait alone ends at F = {}. Letting the body change brings it to {} in "
             "{} design iterations, {} times lower.",
             short_number(before), short_number(after), data.iterations.size() - 1,
-            short_number(*before / *after)));
+            short_number(before / after)));
   }
   add_gap_note(page, data.run, "F and the planned speed are");
   page.open("div", {{"class", motion_only(data) ? "charts single" : "charts"}});
   if (!motion_only(data)) page.raw(cost_chart(data)).raw(speed_chart(data));
-  const Json& trace = value_at(data.run, {"motion_only_trace"});
-  if (trace.is_array() && trace.size() > 1) page.raw(trace_chart(trace));
+  if (const auto& trace = data.run.motion_only_trace; trace && trace->size() > 1)
+    page.raw(trace_chart(*trace));
   page.close().close();
 }
 

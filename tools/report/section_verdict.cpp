@@ -18,9 +18,7 @@ namespace fs = std::filesystem;
 /// At most `most` of the iterations, first and last among them, the others where F fell most.
 std::vector<int> spread(const RunData& data, const std::vector<int>& drawn, std::size_t most) {
   if (drawn.size() <= most) return drawn;
-  const auto cost = [&](int i) {
-    return number_at(data.iterations[static_cast<std::size_t>(i)], {"F"}).value_or(1.0);
-  };
+  const auto cost = [&](int i) { return data.iterations[static_cast<std::size_t>(i)].F; };
   std::vector<double> way{0.0};  // how far the run had come, in powers of F and a little by count
   for (std::size_t k = 1; k < drawn.size(); ++k) {
     const double ratio = std::abs(cost(drawn[k - 1]) / cost(drawn[k]));
@@ -105,12 +103,10 @@ void add_gait(Html& page, const RunData& data, PictureBudget& budget) {
 
 /// What the plan itself falls short of, and what else than F the body minimised.
 void add_plan_notes(Html& page, const RunData& data) {
-  const Json& reasons = value_at(data.run, {"reasons"});
-  if (reasons.is_array() && !reasons.empty()) {
+  if (const auto& reasons = data.run.reasons; reasons && !reasons->empty()) {
     page.open("div", {{"class", "note wide"}});
     page.element("p", "The plan does not do what the task asks for:").open("ul");
-    for (const Json& reason : reasons)
-      if (reason.is_string()) page.element("li", reason.get<std::string>());
+    for (const std::string& reason : *reasons) page.element("li", reason);
     page.close().close();
   }
   if (const std::string touches = text_at(data.verdict, {"home_touches", "line"}); !touches.empty())
@@ -121,13 +117,13 @@ void add_plan_notes(Html& page, const RunData& data) {
                  "pictures and measurements are of the changed gait; F, its terms, the planned "
                  "speed by iteration and the certificate are of the one before.",
                  {{"class", "note wide"}});
-  const std::string outer = text_at(data.run, {"outer", "objective"});
-  if (outer.empty()) return;
+  const auto& outer = data.run.outer;
+  if (!outer) return;
   page.element("p",
                fmt::format("Outer objective: the motion minimises F, the body F + J, where J is {} "
                            "times {}; J ended at {}.",
-                           short_number(number_at(data.run, {"outer", "weight"})), spaced(outer),
-                           short_number(number_at(data.run, {"final_J"}))),
+                           short_number(outer->weight), spaced(outer->objective),
+                           short_number(data.run.final_J)),
                {{"class", "note wide"}});
 }
 
@@ -201,7 +197,7 @@ void add_gallery(Html& page, const RunData& data) {
       if (bytes.size() > kMostStill) throw std::runtime_error("too large");
       const std::string name = fmt::format("iteration {}", index);
       page.open("figure").lone("img", {{"src", data_uri("image/png", bytes)}, {"alt", name}});
-      const auto cost = number_at(data.iterations[static_cast<std::size_t>(index)], {"F"});
+      const double cost = data.iterations[static_cast<std::size_t>(index)].F;
       page.element("figcaption", fmt::format("{} · F {}", index, short_number(cost))).close();
     } catch (const std::runtime_error&) {
       page.element("p", fmt::format("iteration {}: its picture cannot be shown", index),

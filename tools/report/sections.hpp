@@ -66,25 +66,26 @@ std::string inverse_dynamics_words(const Json& plan);
 
 /// What MuJoCo said of a gait before or after the physics steps.
 struct GapSide {
-  std::optional<bool> pass;
+  bool pass = false;
   std::string words;
 };
-/// What `optimize --physics-steps` did, as run.json (or one of its "tasks") tells.
+/// What `optimize --physics-steps` did, in words.
 struct GapView {
   bool changed = false;  // else no step was confirmed
   std::string factors;   // "speed × 1.012, swing height × 1.05"
   GapSide before, after;
   std::size_t steps = 0, confirmed = 0;
 };
-/// Nothing where there were no such steps, or they do not say whether they changed the gait.
-std::optional<GapView> gap_of(const Json& run);
+/// Nothing where there were no such steps.
+std::optional<GapView> gap_of(const RunRecord& run);
 /// Whether the result of a run, or of one of its tasks, is another gait than that of its F, terms
 /// and certificate, which belong to the last iteration.
-bool gait_was_stepped(const Json& run);
+bool gait_was_stepped(const TaskRecord& task);
+bool gait_was_stepped(const RunRecord& run);
 /// The same of a joint run in a sentence; empty where no task's gait was changed.
 std::string stepped_words(const JointData& data);
 /// Says so, where it is so. @param what "This chart is": what is of the gait before
-void add_gap_note(Html& page, const Json& run, const std::string& what);
+void add_gap_note(Html& page, const RunRecord& run, const std::string& what);
 
 /// A verdict's card. @param key side of verdict.json @param title of the card @param body what was
 /// judged

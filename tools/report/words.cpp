@@ -27,8 +27,7 @@ std::string spaced(std::string_view name) {
 }
 
 std::string title_of(const RunData& data) {
-  const std::string robot = text_at(data.run, {"robot"}),
-                    task = text_at(data.run, {"task", "name"});
+  const std::string &robot = data.run.robot, task = data.run.task ? data.run.task->name : "";
   const std::string title = robot.empty()  ? task
                             : task.empty() ? robot
                                            : robot + " · " + spaced(task);
@@ -45,55 +44,41 @@ std::string cost_words(const std::string& name) {
   return term != nullptr ? std::string(term->cost_label) : spaced(name);
 }
 
-std::string task_words(const Json& run) { return way_words(value_at(run, {"task"})); }
+std::string task_words(const RunRecord& run) { return run.task ? way_words(*run.task) : ""; }
 
 namespace {
 
 /// ", up a slope of 8°, carrying 0.5 kg", …
-std::string demand_words(const Json& task) {
+std::string demand_words(const TaskRecord& task) {
   std::string out;
-  const double along = number_at(task, {"slope_rad", "along"}).value_or(0.0),
-               across = number_at(task, {"slope_rad", "across"}).value_or(0.0);
-  if (along != 0.0)
-    out += fmt::format(", {} a slope of {}", along > 0.0 ? "up" : "down",
-                       quantity_words(std::abs(along), "rad"));
-  if (across != 0.0)
-    out += fmt::format(", across a slope of {}", quantity_words(std::abs(across), "rad"));
-  if (const auto mass = number_at(task, {"payload", "mass_kg"}))
-    out += fmt::format(", carrying {} kg", short_number(mass));
-  if (const auto bar = number_at(task, {"step_over_m"}))
-    out += ", stepping over " + quantity_words(*bar, "m");
-  if (const auto limit = number_at(task, {"torque_limit_Nm"}))
-    out += ", with motors of " + quantity_words(*limit, "N m");
-  if (const auto kp = number_at(task, {"servo_kp_Nm_per_rad"}))
+  const SlopeRecord slope = task.slope.value_or(SlopeRecord{});
+  if (slope.along != 0.0)
+    out += fmt::format(", {} a slope of {}", slope.along > 0.0 ? "up" : "down",
+                       quantity_words(std::abs(slope.along), "rad"));
+  if (slope.across != 0.0)
+    out += fmt::format(", across a slope of {}", quantity_words(std::abs(slope.across), "rad"));
+  if (task.payload) out += fmt::format(", carrying {} kg", short_number(task.payload->mass));
+  if (task.step_over) out += ", stepping over " + quantity_words(*task.step_over, "m");
+  if (task.torque_limit) out += ", with motors of " + quantity_words(*task.torque_limit, "N m");
+  if (task.servo_kp)
     out += fmt::format(", servos as stiff as {} N m/rad or as their torque limits bear",
-                       short_number(*kp));
+                       short_number(task.servo_kp));
   return out;
 }
 
 }  // namespace
 
-std::string way_words(const Json& task) {
-  std::string out = text_at(task, {"gait"});
-  const Json& velocity = value_at(task, {"velocity"});
-  if (velocity.is_array() && velocity.size() == 2 && velocity[0].is_number() &&
-      velocity[1].is_number()) {
-    const double x = velocity[0].get<double>(), y = velocity[1].get<double>();
-    const auto part = [&](double speed, const char* ahead, const char* back) {
-      if (speed != 0.0) {
-        out += fmt::format("{}{} m/s {}", out.empty() ? "" : ", ", short_number(std::abs(speed)),
-                           speed > 0 ? ahead : back);
-      }
-    };
-    part(x, "forward", "backward");
-    part(y, "to the left", "to the right");
-  }
-  const auto turn = number_at(task, {"turn_rate"});
-  if (turn && *turn != 0.0) out += fmt::format(", turning {} rad/s", short_number(turn));
-  out += demand_words(task);
-  const auto period = number_at(task, {"period_s"});
-  if (period) out += fmt::format(", {} s per cycle", short_number(period));
-  return out;
+std::string way_words(const TaskRecord& task) {
+  std::string out = task.gait;
+  const auto part = [&](double speed, const char* ahead, const char* back) {
+    if (speed != 0.0)
+      out += fmt::format("{}{} m/s {}", out.empty() ? "" : ", ", short_number(std::abs(speed)),
+                         speed > 0 ? ahead : back);
+  };
+  part(task.velocity[0], "forward", "backward");
+  part(task.velocity[1], "to the left", "to the right");
+  if (task.turn_rate != 0.0) out += fmt::format(", turning {} rad/s", short_number(task.turn_rate));
+  return out + demand_words(task) + fmt::format(", {} s per cycle", short_number(task.period));
 }
 
 namespace {
@@ -222,17 +207,10 @@ std::string ParameterView::bound_of(double value) const {
   return value <= lower + close ? "lower bound" : value >= upper - close ? "upper bound" : "";
 }
 
-std::vector<ParameterView> parameters_of(const Json& run) {
+std::vector<ParameterView> parameters_of(const RunRecord& run) {
   std::vector<ParameterView> views;
-  const Json& list = value_at(run, {"parameters"});
-  if (!list.is_array()) return views;
-  for (const Json& p : list) {
-    const auto initial = number_at(p, {"initial"}), lower = number_at(p, {"lower"}),
-               upper = number_at(p, {"upper"});
-    if (!initial || !lower || !upper) continue;
-    views.push_back({text_at(p, {"name"}), text_at(p, {"sentence"}), text_at(p, {"unit"}) == "rad",
-                     *initial, number_at(p, {"final"}).value_or(*initial), *lower, *upper});
-  }
+  for (const ParameterRecord& p : run.parameters)
+    views.push_back({p.name, p.sentence, p.unit == "rad", p.initial, p.final, p.lower, p.upper});
   return views;
 }
 

@@ -19,9 +19,9 @@ std::string term_words(const std::string& name);
 /// known here.
 std::string cost_words(const std::string& name);
 /// What the task asks for: "walk, 0.1 m/s to the left, period 1 s".
-std::string task_words(const Json& run);
+std::string task_words(const RunRecord& run);
 /// The same of a run.json's "task" or of one of its "tasks".
-std::string way_words(const Json& task);
+std::string way_words(const TaskRecord& task);
 /// Three significant digits, as a person would write them; "–" for none.
 std::string short_number(std::optional<double> value);
 /// The same with all three digits, for columns: "6.00".
@@ -64,6 +64,6 @@ struct ParameterView {
   /// The same for another value.
   std::string bound_of(double value) const;
 };
-std::vector<ParameterView> parameters_of(const Json& run);
+std::vector<ParameterView> parameters_of(const RunRecord& run);
 
 }  // namespace legwright

@@ -5,26 +5,23 @@
 
 namespace legwright {
 
-Json to_json(const std::vector<Attribution>& attributions) {
-  Json result = Json::object();
+AttributionRecord record_of(const std::vector<Attribution>& attributions) {
+  AttributionRecord record;
   for (const Attribution& attribution : attributions) {
-    Json terms = Json::object();
-    for (const AttributionShare& share : attribution.shares) terms[share.term] = share.decrease;
-    result[attribution.parameter] = std::move(terms);
+    ByName<double>& terms = record.of(attribution.parameter);
+    for (const AttributionShare& share : attribution.shares) terms.of(share.term) = share.decrease;
   }
-  return result;
+  return record;
 }
 
-std::vector<Attribution> attributions_from_json(const Json& pull, const std::string& task) {
+std::vector<Attribution> attributions_of(const std::optional<AttributionRecord>& pull,
+                                         const std::string& task) {
   std::vector<Attribution> out;
-  if (!pull.is_object()) return out;
-  for (const auto& [parameter, terms] : pull.items()) {
-    if (!terms.is_object()) continue;
+  if (!pull) return out;
+  for (const auto& [parameter, terms] : *pull) {
     Attribution one{parameter, {}};
-    for (const auto& [term, value] : terms.items()) {
-      if (value.is_number() && std::isfinite(value.get<double>()))
-        one.shares.push_back({task, term, value.get<double>()});
-    }
+    for (const auto& [term, value] : terms)
+      if (std::isfinite(value)) one.shares.push_back({task, term, value});
     sort_by_size(one.shares);
     out.push_back(std::move(one));
   }

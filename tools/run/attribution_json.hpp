@@ -5,15 +5,16 @@
 #include <vector>
 
 #include "optimizer/solve/attribution.hpp"
-#include "tools/files/json_file.hpp"
+#include "tools/run/run_record.hpp"
 
 namespace legwright {
 
-/// run.json's "pull": {parameter: {term: decrease of F}}, of one task.
-Json to_json(const std::vector<Attribution>& attributions);
+/// run.json's "pull", of one task.
+AttributionRecord record_of(const std::vector<Attribution>& attributions);
 
-/// The same read; what has another form is left out.
+/// The same read, largest shares first; none where the run has none.
 /// @param task that the shares are labelled with; may be empty
-std::vector<Attribution> attributions_from_json(const Json& pull, const std::string& task = {});
+std::vector<Attribution> attributions_of(const std::optional<AttributionRecord>& pull,
+                                         const std::string& task = {});
 
 }  // namespace legwright

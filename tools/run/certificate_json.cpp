@@ -11,41 +11,30 @@ namespace {
 // A constraint broken by less than this share of its own scale is met, as far as penalties go.
 constexpr double kMet = 1e-3;
 
-Json violations_json(const Objective& objective, const Eigen::VectorXd& s,
-                     const Eigen::VectorXd& m) {
-  Json rows = Json::array();
-  for (const Violation& violation : worst_violations(objective, s, m))
-    rows.push_back({{"term", violation.term},
-                    {"equation", violation.equation},
-                    {"where", violation.where},
-                    {"knot", violation.knot},
-                    {"time_s", violation.knot * objective.task().gait.time_step()},
-                    {"amount", violation.amount},
-                    {"unit", violation.unit},
-                    {"relative", violation.relative}});
+std::vector<ViolationRecord> violations_of(const Objective& objective, const Eigen::VectorXd& s,
+                                           const Eigen::VectorXd& m) {
+  std::vector<ViolationRecord> rows;
+  for (const Violation& v : worst_violations(objective, s, m))
+    rows.push_back({std::string(v.term), std::string(v.equation), v.where, v.knot,
+                    v.knot * objective.task().gait.time_step(), v.amount, std::string(v.unit),
+                    v.relative});
   return rows;
 }
 
-Json gradient_json(const DesignSpace& space, const TaskCertificate& proof) {
-  Json rows = Json::object();
-  for (int k = 0; k < proof.adjoint.size(); ++k)
-    rows[space.parameters[k].name] = {{"adjoint", proof.adjoint[k]},
-                                      {"difference", proof.difference[k]},
-                                      {"error", proof.error[k]}};
-  return rows;
-}
-
-Json task_json(const CodesignProblem& problem, const DesignIteration& iterate,
-               const Certificate& proof, int task) {
+TaskCertificateRecord record_of_task(const CodesignProblem& problem, const DesignIteration& iterate,
+                                     const Certificate& proof, int task) {
   const TaskCertificate& own = proof.tasks[task];
-  return {
-      {"stationarity", own.stationarity},
-      {"motion_status", to_string(own.motion_status)},
-      {"motion_hessian_positive", own.minimum_in_motion},
-      {"adjoint_residual", own.adjoint_residual},
-      {"motions_resolved", own.resolved},
-      {"design_gradient", gradient_json(problem.robot.space, own)},
-      {"violations", violations_json(*problem.objectives[task], iterate.s, iterate.tasks[task].m)}};
+  TaskCertificateRecord record;
+  record.stationarity = own.stationarity;
+  record.motion_status = to_string(own.motion_status);
+  record.motion_hessian_positive = own.minimum_in_motion;
+  record.adjoint_residual = own.adjoint_residual;
+  record.motions_resolved = own.resolved;
+  for (int k = 0; k < own.adjoint.size(); ++k)
+    record.design_gradient.of(problem.robot.space.parameters[k].name) = {
+        own.adjoint[k], own.difference[k], own.error[k]};
+  record.violations = violations_of(*problem.objectives[task], iterate.s, iterate.tasks[task].m);
+  return record;
 }
 
 std::string quantity(double amount, std::string_view unit) {
@@ -56,24 +45,18 @@ std::string quantity(double amount, std::string_view unit) {
 
 }  // namespace
 
-Json certificate_json(const CodesignProblem& problem, const DesignIteration& iterate,
-                      const Certificate& proof, const std::vector<int>& tasks) {
-  const DesignSpace& space = problem.robot.space;
-  Json active = Json::array(), by_task = Json::object();
+CertificateRecord certificate_record(const CodesignProblem& problem, const DesignIteration& iterate,
+                                     const Certificate& proof, const std::vector<int>& tasks) {
+  CertificateRecord record;
+  record.projected_gradient_norm = proof.projected_gradient_norm;
+  record.worst_gradient_error = proof.worst_gradient_error();
+  record.design_curvatures.assign(proof.curvatures.begin(), proof.curvatures.end());
   for (const ActiveBound& bound : proof.active)
-    active.push_back({{"parameter", space.parameters[bound.parameter].name},
-                      {"bound", bound.upper ? "upper" : "lower"},
-                      {"gradient", bound.gradient}});
+    record.active_bounds.push_back({problem.robot.space.parameters[bound.parameter].name,
+                                    bound.upper ? "upper" : "lower", bound.gradient});
   for (int task : tasks)
-    by_task[problem.task(task).name] = task_json(problem, iterate, proof, task);
-  const auto& curvatures = proof.curvatures;
-  return {{"schema", "legwright/certificate"},
-          {"version", 1},
-          {"projected_gradient_norm", proof.projected_gradient_norm},
-          {"worst_gradient_error", proof.worst_gradient_error()},
-          {"design_curvatures", std::vector<double>(curvatures.begin(), curvatures.end())},
-          {"active_bounds", active},
-          {"tasks", by_task}};
+    record.tasks.of(problem.task(task).name) = record_of_task(problem, iterate, proof, task);
+  return record;
 }
 
 std::string in_words(const Violation& violation, const Objective& objective) {

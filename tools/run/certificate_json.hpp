@@ -6,16 +6,16 @@
 
 #include "optimizer/objective/violations.hpp"
 #include "optimizer/solve/certificate.hpp"
-#include "tools/files/json_file.hpp"
+#include "tools/run/certificate_record.hpp"
 #include "tools/task/problem.hpp"
 
 namespace legwright {
 
-/// certificate.json (schema legwright/certificate): what is proven of a result, per task and for the
-/// design. No times: equal runs give equal bytes.
+/// certificate.json: what is proven of a result, per task and for the design. No times: equal runs
+/// give equal bytes.
 /// @param proof of `iterate` @param tasks of the problem that are told about
-Json certificate_json(const CodesignProblem& problem, const DesignIteration& iterate,
-                      const Certificate& proof, const std::vector<int>& tasks);
+CertificateRecord certificate_record(const CodesignProblem& problem, const DesignIteration& iterate,
+                                     const Certificate& proof, const std::vector<int>& tasks);
 
 /// A violation in words: "friction_cone (15): FL at 0.25 s, by 0.3 N".
 std::string in_words(const Violation& violation, const Objective& objective);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/run/design_folder.hpp"
-#include "tools/run/design_json.hpp"
+#include "tools/files/json_file.hpp"
+#include "tools/run/by_name.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -114,29 +115,27 @@ PlanQuality plan_quality(const Objective& objective, const Eigen::VectorXd& s,
   return quality;
 }
 
-Json iteration_metrics(const DesignSpace& space, const DesignIteration& iteration, int task,
-                       const PlanQuality& quality) {
+IterationMetrics iteration_metrics(const DesignSpace& space, const DesignIteration& iteration,
+                                   int task, const PlanQuality& quality) {
   const TaskIterate& own = iteration.tasks.at(task);
-  Json terms = Json::object();
-  for (const TermValue& term : own.terms) terms[std::string(term.name)] = term.value;
-  return {{"schema", "legwright/iteration"},
-          {"version", 1},
-          {"index", iteration.index},
-          {"F", own.value},
-          {"J", own.outer_value},
-          {"terms", terms},
-          {"s", by_name(space, iteration.s)},
-          {"planned_velocity", {quality.planned_velocity.x(), quality.planned_velocity.y()}},
-          {"speed_reached", quality.speed_reached},
-          {"speed_wanted", quality.speed_wanted},
-          {"heading_error_rad", quality.heading_error},
-          {"ground_error_m", quality.ground_error},
-          {"slide_share", quality.slide_share},
-          {"root_residual", quality.root_residual},
-          {"design_gradient", by_name(space, own.design_gradient)},
-          {"projected_gradient_norm", iteration.projected_gradient_norm},
-          {"newton_iterations", own.newton_iterations},
-          {"motion_status", to_string(own.motion_status)}};
+  IterationMetrics metrics;
+  metrics.index = iteration.index;
+  metrics.F = own.value;
+  metrics.J = own.outer_value;
+  metrics.terms = by_term(own);
+  metrics.s = by_name(space, iteration.s);
+  metrics.planned_velocity = {quality.planned_velocity.x(), quality.planned_velocity.y()};
+  metrics.speed_reached = quality.speed_reached;
+  metrics.speed_wanted = quality.speed_wanted;
+  metrics.heading_error = quality.heading_error;
+  metrics.ground_error = quality.ground_error;
+  metrics.slide_share = quality.slide_share;
+  metrics.root_residual = quality.root_residual;
+  metrics.design_gradient = by_name(space, own.design_gradient);
+  metrics.projected_gradient_norm = iteration.projected_gradient_norm;
+  metrics.newton_iterations = own.newton_iterations;
+  metrics.motion_status = to_string(own.motion_status);
+  return metrics;
 }
 
 DesignTexts design_texts(const RobotModel& robot, const Objective& objective,
@@ -169,7 +168,7 @@ PlanQuality write_design(const fs::path& folder, const RobotModel& robot,
   write_file(temporary.path() / "scene.xml", texts.scene_xml, durability);
   write_file(temporary.path() / "motion.csv", texts.motion_csv, durability);
   write_json(temporary.path() / "metrics.json",
-             iteration_metrics(robot.space, iteration, task, texts.quality), durability);
+             json_of(iteration_metrics(robot.space, iteration, task, texts.quality)), durability);
   temporary.appear();
   if (durability == Durability::power) sync_folder(folder.parent_path());
   return texts.quality;

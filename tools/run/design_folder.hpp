@@ -9,7 +9,7 @@
 #include "optimizer/objective/objective.hpp"
 #include "optimizer/solve/codesign.hpp"
 #include "tools/files/atomic_file.hpp"
-#include "tools/files/json_file.hpp"
+#include "tools/run/iteration_record.hpp"
 
 namespace legwright {
 
@@ -33,10 +33,10 @@ struct PlanQuality {
 PlanQuality plan_quality(const Objective& objective, const Eigen::VectorXd& s,
                          const Eigen::VectorXd& m);
 
-/// metrics.json of an iteration's task (schema legwright/iteration): no times, so equal runs give
-/// equal bytes. @param task of `iteration.tasks`
-Json iteration_metrics(const DesignSpace& space, const DesignIteration& iteration, int task,
-                       const PlanQuality& quality);
+/// metrics.json of an iteration's task: no times, so equal runs give equal bytes.
+/// @param task of `iteration.tasks`
+IterationMetrics iteration_metrics(const DesignSpace& space, const DesignIteration& iteration,
+                                   int task, const PlanQuality& quality);
 
 /// A design as texts, that of the robot as RobotFiles::text() has it, and the quality of its plan, root residual included.
 struct DesignTexts {

@@ -5,17 +5,19 @@
 #include <vector>
 
 #include "optimizer/solve/multistart.hpp"
-#include "tools/files/json_file.hpp"
 #include "tools/run/design_folder.hpp"
+#include "tools/run/iteration_record.hpp"
+#include "tools/run/run_record.hpp"
 #include "tools/task/problem.hpp"
 
 namespace legwright {
 
-/// What is known when a run starts: schema legwright/run, status "running", versions, inputs with
-/// their SHA-256, sizes, parameters; and one task of the problem.
-Json start_of_run(const std::vector<std::string>& argv, const CodesignProblem& problem, int task);
+/// What is known when a run starts: status "running", versions, inputs with their SHA-256, sizes,
+/// parameters; and one task of the problem.
+RunRecord start_of_run(const std::vector<std::string>& argv, const CodesignProblem& problem,
+                       int task);
 /// The same for all tasks of a problem: "tasks" in the place of "task".
-Json start_of_joint_run(const std::vector<std::string>& argv, const CodesignProblem& problem);
+RunRecord start_of_joint_run(const std::vector<std::string>& argv, const CodesignProblem& problem);
 
 /// What it took to get there.
 struct RunEffort {
@@ -39,22 +41,24 @@ struct TaskOutcome {
 };
 
 /// Fills in how a run of one task ended. @param status "converged", "stalled", … or "interrupted"
-void finish_run(Json& run, const std::string& status, const TaskOutcome& outcome,
+void finish_run(RunRecord& run, const std::string& status, const TaskOutcome& outcome,
                 const RunEffort& effort, const RobotModel& robot);
 /// Fills in how a joint run ended: the winner, and every start beside it.
-void finish_joint_run(Json& run, const std::string& status, const MultistartResult& result,
+void finish_joint_run(RunRecord& run, const std::string& status, const MultistartResult& result,
                       const std::vector<TaskOutcome>& outcomes, const RunEffort& effort,
                       const CodesignProblem& problem);
 
 /// Every start of a run that had several: F at the start and at the end, and which was best.
-void add_starts(Json& run, const MultistartResult& result, const CodesignProblem& problem);
+void add_starts(RunRecord& run, const MultistartResult& result, const CodesignProblem& problem);
 
+/// The last event of a run that has ended.
+EndEvent end_event(const RunRecord& run);
 /// The event of one task at an iteration for events.jsonl.
-Json iteration_event(const DesignSpace& space, const DesignIteration& iteration, int task,
-                     const PlanQuality& quality);
+IterationEvent iteration_event(const DesignSpace& space, const DesignIteration& iteration, int task,
+                               const PlanQuality& quality);
 /// The event of an iteration of all tasks of a run. @param qualities of the run's tasks, in order
-Json joint_iteration_event(const CodesignProblem& problem, const RunLabel& label,
-                           const DesignIteration& iteration,
-                           const std::vector<PlanQuality>& qualities);
+JointIterationEvent joint_iteration_event(const CodesignProblem& problem, const RunLabel& label,
+                                          const DesignIteration& iteration,
+                                          const std::vector<PlanQuality>& qualities);
 
 }  // namespace legwright

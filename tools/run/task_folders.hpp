@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/files/json_file.hpp"
+#include "tools/run/run_record.hpp"
 
 namespace legwright {
 
@@ -16,9 +16,9 @@ struct TaskFolder {
 };
 
 /// The tasks of a joint run, in order; none for a run of one task.
-/// @param run run.json. Throws InputError where it names a folder that is not tasks/NAME: nothing
+/// Throws InputError where it names a folder that is not tasks/NAME: nothing
 /// outside the run may be read or written.
-std::vector<TaskFolder> task_folders(const Json& run);
+std::vector<TaskFolder> task_folders(const RunRecord& run);
 
 /// The same by the folder of a run. Throws IoError where it holds none.
 std::vector<TaskFolder> task_folders_of(const std::filesystem::path& root);

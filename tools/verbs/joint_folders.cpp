@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/verbs/joint_folders.hpp"
-#include "tools/run/design_json.hpp"
 
 #include <fmt/format.h>
 
 #include "mjcf/write/rewrite_robot.hpp"
 #include "tools/files/atomic_file.hpp"
+#include "tools/run/by_name.hpp"
 #include "tools/run/events.hpp"
+#include "tools/run/matrix_record.hpp"
 #include "tools/run/robot_folder.hpp"
 
 namespace legwright {
@@ -27,11 +28,11 @@ class Chain {
   }
 
   const fs::path& run() const { return run_; }
-  const std::vector<Json>& events() const { return events_; }
+  const std::vector<IterationEvent>& events() const { return events_; }
 
   void add(const RunLabel& label, std::size_t first, std::size_t last) {
     const std::string start = start_folder(problem_, label);
-    const std::vector<Json>& events = recorder_.events_of(start, task_);
+    const std::vector<IterationEvent>& events = recorder_.events_of(start, task_);
     for (std::size_t k = first; k < std::min(last, events.size()); ++k) {
       const fs::path from = root_ / "starts" / start / problem_.task(task_).name / "iterations" /
                             fmt::format("{:04}", k);
@@ -39,7 +40,7 @@ class Chain {
       copy_design(from, to, problem_.robot.files);
       recorder_.pictures().add(to);
       events_.push_back(events[k]);
-      events_.back()["index"] = events_.size() - 1;
+      events_.back().index = static_cast<int>(events_.size()) - 1;
     }
   }
 
@@ -49,40 +50,39 @@ class Chain {
   Recorder& recorder_;
   int task_;
   fs::path run_;
-  std::vector<Json> events_;
+  std::vector<IterationEvent> events_;
 };
 
-void write_events(const fs::path& file, const Json& run, const std::vector<Json>& events) {
+void write_events(const fs::path& file, const RunRecord& run,
+                  const std::vector<IterationEvent>& events) {
   EventLog log(file);
-  log.append({{"event", "start"}, {"task", run["task"]["name"]}, {"robot", run["robot"]}});
-  for (const Json& event : events) log.append(event);
-  log.append({{"event", "end"},
-              {"status", run["status"]},
-              {"F", run["final_F"]},
-              {"seconds", run["seconds"]["total"]}});
+  log.append(json_of(StartEvent{{run.task->name}, run.robot}));
+  for (const IterationEvent& event : events) log.append(json_of(event));
+  log.append(json_of(end_event(run)));
   log.sync();
 }
 
-void write_task_run(const ResultFolder& folder, const CodesignProblem& problem, const Json& joint,
-                    const MultistartResult& found, TaskOutcome& outcome, Recorder& recorder) {
+void write_task_run(const ResultFolder& folder, const CodesignProblem& problem,
+                    const RunRecord& joint, const MultistartResult& found, TaskOutcome& outcome,
+                    Recorder& recorder) {
   Chain chain(folder, problem, recorder, outcome.task);
   const StartedRun& first = found.joint.front();
   const StartedRun& winner = found.joint[found.best];
   chain.add(first.label, 0, 1);
   chain.add(winner.label, &winner == &first ? 1 : 0, std::string::npos);
-  for (const Json& event : chain.events()) outcome.history.push_back(event["F"]);
+  for (const IterationEvent& event : chain.events()) outcome.history.push_back(event.F);
 
   fs::create_directories(chain.run() / "inputs");
   fs::copy_file(folder.inputs() / "task.toml", chain.run() / "inputs" / "task.toml");
   write_robot_files(chain.run() / "inputs", problem.robot.files);
-  Json run = start_of_run(joint["argv"], problem, outcome.task);
-  run["joint_run"] = "../..";
-  run["motion_only"] = joint["motion_only"];
-  run["start"] = winner.label.start;
-  run["pull"] = recorder.attribution_to(winner.label, outcome.task);
-  finish_run(run, joint["status"], outcome, effort_of(winner.result), problem.robot);
+  RunRecord run = start_of_run(joint.argv, problem, outcome.task);
+  run.joint_run = "../..";
+  run.motion_only = joint.motion_only;
+  run.start = winner.label.start;
+  run.pull = recorder.attribution_to(winner.label, outcome.task);
+  finish_run(run, joint.status, outcome, effort_of(winner.result), problem.robot);
   write_events(chain.run() / "events.jsonl", run, chain.events());
-  write_json(chain.run() / "run.json", run);
+  write_json(chain.run() / "run.json", json_of(run));
 }
 
 }  // namespace
@@ -94,9 +94,9 @@ fs::path result_folder(const ResultFolder& folder, const CodesignProblem& proble
   return run / "result";
 }
 
-void write_task_runs(const ResultFolder& folder, const CodesignProblem& problem, const Json& run,
-                     const MultistartResult& found, std::vector<TaskOutcome>& outcomes,
-                     Recorder& recorder) {
+void write_task_runs(const ResultFolder& folder, const CodesignProblem& problem,
+                     const RunRecord& run, const MultistartResult& found,
+                     std::vector<TaskOutcome>& outcomes, Recorder& recorder) {
   for (TaskOutcome& outcome : outcomes)
     write_task_run(folder, problem, run, found, outcome, recorder);
   fs::create_directories(folder.result());
@@ -104,26 +104,23 @@ void write_task_runs(const ResultFolder& folder, const CodesignProblem& problem,
                                          rewrite_robot(problem.robot, found.winner().best.s)));
 }
 
-Json write_front(const ResultFolder& folder, const CodesignProblem& problem,
-                 const std::vector<JointTask>& tasks, const MultistartResult& found, int points,
-                 const CodesignOptions& options) {
-  Json rows = Json::array();
+std::vector<FrontPointRecord> write_front(const ResultFolder& folder,
+                                          const CodesignProblem& problem,
+                                          const std::vector<JointTask>& tasks,
+                                          const MultistartResult& found, int points,
+                                          const CodesignOptions& options) {
+  FrontRecord front{problem.task(0).name, {}};
   for (const FrontPoint& point :
        trade_off_front(tasks, problem.robot.space, found.alone, points, options)) {
-    Json values = Json::object();
+    ByName<double> values;
     for (int k = 0; k < problem.task_count(); ++k)
-      values[problem.task(k).name] = point.best.tasks.at(k).value;
-    rows.push_back({{"weight", point.weight},
-                    {"F", point.best.value},
-                    {"F_tasks", values},
-                    {"status", to_string(point.status)},
-                    {"s", by_name(problem.robot.space, point.best.s)}});
+      values.of(problem.task(k).name) = point.best.tasks.at(k).value;
+    front.points.push_back({point.weight, point.best.value, values,
+                            std::string(to_string(point.status)),
+                            by_name(problem.robot.space, point.best.s)});
   }
-  write_json(folder.result() / "front.json", {{"schema", "legwright/front"},
-                                              {"version", 1},
-                                              {"weight_of", problem.task(0).name},
-                                              {"points", rows}});
-  return rows;
+  write_json(folder.result() / "front.json", json_of(front));
+  return front.points;
 }
 
 }  // namespace legwright

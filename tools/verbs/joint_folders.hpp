@@ -20,13 +20,15 @@ std::filesystem::path result_folder(const ResultFolder& folder, const CodesignPr
 /// report and play take like any other: iteration 0000 is the initial body, then come the iterations
 /// of the start that won. Also writes result/robot.xml, the body that all tasks share.
 /// @param run what is known of the joint run, finished
-void write_task_runs(const ResultFolder& folder, const CodesignProblem& problem, const Json& run,
-                     const MultistartResult& found, std::vector<TaskOutcome>& outcomes,
-                     Recorder& recorder);
+void write_task_runs(const ResultFolder& folder, const CodesignProblem& problem,
+                     const RunRecord& run, const MultistartResult& found,
+                     std::vector<TaskOutcome>& outcomes, Recorder& recorder);
 
 /// Walks the trade-off of two tasks and writes result/front.json. @return its points
-Json write_front(const ResultFolder& folder, const CodesignProblem& problem,
-                 const std::vector<JointTask>& tasks, const MultistartResult& found, int points,
-                 const CodesignOptions& options);
+std::vector<FrontPointRecord> write_front(const ResultFolder& folder,
+                                          const CodesignProblem& problem,
+                                          const std::vector<JointTask>& tasks,
+                                          const MultistartResult& found, int points,
+                                          const CodesignOptions& options);
 
 }  // namespace legwright

@@ -25,20 +25,13 @@ struct TaskOfRun {
 };
 
 TaskOfRun read_task(const ResultFolder& folder) {
-  const Json run = read_json(folder.run_json());
-  try {
-    const Json& task = run.at("task");
-    const Json& velocity = task.at("velocity");
-    return {task.at("gait").get<std::string>(),
-            {{velocity.at(0).get<double>(), velocity.at(1).get<double>()},
-             task.at("turn_rate").get<double>()},
-            task.value("step_over_m", 0.0)};
-  } catch (const Json::exception& error) {
-    throw InputError(
-        folder.run_json().string(), 0, "task",
-        std::string("expected gait, velocity and turn_rate as `legwright optimize` writes them; ") +
-            error.what());
-  }
+  const auto run = read_record_file<RunRecord>(folder.run_json());
+  if (!run.task)
+    throw InputError(folder.run_json().string(), 0, "task",
+                     "expected the task of a run, as `legwright optimize` writes it; found none");
+  const TaskRecord& task = *run.task;
+  return {task.gait, {{task.velocity[0], task.velocity[1]}, task.turn_rate},
+          task.step_over.value_or(0.0)};
 }
 
 // What the plan itself reached in its cycle, against which the simulation is compared as well: the

@@ -55,7 +55,7 @@ void draw_rest(PictureQueue& pictures, bool quiet) {
   if (!warning.empty()) fmt::print(stderr, "legwright: warning: {}\n", warning);
 }
 
-int exit_code(int signal, const Json& reasons) {
+int exit_code(int signal, const std::vector<std::string>& reasons) {
   if (signal == SIGINT) return kInterrupted;
   if (signal != 0) return kStoppedEarly;
   return reasons.empty() ? kOk : kInfeasible;
@@ -106,9 +106,9 @@ std::vector<TaskOutcome> write_results(const ResultFolder& folder, const Codesig
 }
 
 /// Proves the result and writes certificate.json beside it. @return what run.json says of it
-Json write_certificate(const ResultFolder& folder, const CodesignProblem& problem,
-                       const std::vector<JointTask>& tasks, const DesignIteration& best,
-                       int threads) {
+CertificateNote write_certificate(const ResultFolder& folder, const CodesignProblem& problem,
+                                  const std::vector<JointTask>& tasks, const DesignIteration& best,
+                                  int threads) {
   const Stopwatch watch;
   std::vector<WeightedCost> costs;
   std::vector<int> all;
@@ -119,14 +119,13 @@ Json write_certificate(const ResultFolder& folder, const CodesignProblem& proble
   CertificateOptions options;
   options.threads = threads;
   const Certificate proof = certify(costs, problem.robot.space, best, options);
-  write_json(folder.result() / "certificate.json", certificate_json(problem, best, proof, all));
+  write_json(folder.result() / "certificate.json",
+             json_of(certificate_record(problem, best, proof, all)));
   if (problem.set.joint())
     for (int k : all)
       write_json(result_folder(folder, problem, k) / "certificate.json",
-                 certificate_json(problem, best, proof, {k}));
-  return {{"worst_gradient_error", proof.worst_gradient_error()},
-          {"active_bounds", proof.active.size()},
-          {"seconds", watch.seconds()}};
+                 json_of(certificate_record(problem, best, proof, {k})));
+  return {proof.worst_gradient_error(), proof.active.size(), watch.seconds()};
 }
 
 void warn(const CodesignProblem& problem) {
@@ -142,11 +141,12 @@ fs::path root_of(const OptimizeOptions& options, const CodesignProblem& problem)
 }
 
 /// What stands in the run's folder before anything is solved. @return run.json
-Json write_start(const ResultFolder& folder, const CodesignProblem& problem, bool motion_only) {
-  Json run = problem.set.joint() ? start_of_joint_run(command_line(), problem)
-                                 : start_of_run(command_line(), problem, 0);
-  run["motion_only"] = motion_only || problem.robot.space.size() == 0;
-  write_json(folder.run_json(), run);
+RunRecord write_start(const ResultFolder& folder, const CodesignProblem& problem,
+                      bool motion_only) {
+  RunRecord run = problem.set.joint() ? start_of_joint_run(command_line(), problem)
+                                      : start_of_run(command_line(), problem, 0);
+  run.motion_only = motion_only || problem.robot.space.size() == 0;
+  write_json(folder.run_json(), json_of(run));
   write_file(folder.inputs() / "task.toml", text_beside_robot(problem.set.text));
   write_robot_files(folder.inputs(), problem.robot.files);
   copy_licences(problem.robot.files.folder(), folder.inputs());
@@ -171,16 +171,14 @@ Progress make_progress(const OptimizeOptions& options, const CodesignOptions& se
 }
 
 /// The result plays for a second in MuJoCo; what the engine warns of is told and noted.
-Json engine_warnings(const ResultFolder& folder, const CodesignProblem& problem) {
-  Json found = Json::array();
+std::vector<EngineWarningRecord> engine_warnings(const ResultFolder& folder,
+                                                 const CodesignProblem& problem) {
+  std::vector<EngineWarningRecord> found;
   for (int k = 0; k < problem.task_count(); ++k) {
     const fs::path scene = result_folder(folder, problem, k) / "scene.xml";
     if (!fs::exists(scene)) continue;
     for (const HealthWarning& warning : warnings_in_gait(scene)) {
-      found.push_back({{"task", problem.task(k).name},
-                       {"warning", warning.text},
-                       {"count", warning.count},
-                       {"first_s", warning.time}});
+      found.push_back({problem.task(k).name, warning.text, warning.count, warning.time});
       fmt::print(stderr, "legwright: warning: {}: MuJoCo warns: {}, {} times, first at {:.3g} s\n",
                  scene.string(), warning.text, warning.count, warning.time);
     }
@@ -190,11 +188,11 @@ Json engine_warnings(const ResultFolder& folder, const CodesignProblem& problem)
 
 /// Results, and what run.json says of them.
 void write_end(const ResultFolder& folder, const CodesignProblem& problem,
-               const MultistartResult& found, int signal, Recorder& recorder, Json& run) {
+               const MultistartResult& found, int signal, Recorder& recorder, RunRecord& run) {
   std::vector<TaskOutcome> outcomes = write_results(folder, problem, found, recorder);
   RunEffort effort = effort_of(found);
   effort.file_seconds = recorder.seconds();
-  run["engine_warnings"] = engine_warnings(folder, problem);
+  run.engine_warnings = engine_warnings(folder, problem);
   const std::string status = status_text(found.winner().status, signal);
   if (problem.set.joint()) {
     finish_joint_run(run, status, found, outcomes, effort, problem);
@@ -202,7 +200,7 @@ void write_end(const ResultFolder& folder, const CodesignProblem& problem,
     return;
   }
   outcomes[0].history = recorder.history();
-  run["pull"] = recorder.attribution_to(found.joint[found.best].label, 0);
+  run.pull = recorder.attribution_to(found.joint[found.best].label, 0);
   if (found.joint.size() > 1) add_starts(run, found, problem);
   finish_run(run, status, outcomes[0], effort, problem.robot);
 }
@@ -218,7 +216,7 @@ void check_front(const OptimizeOptions& options, const CodesignProblem& problem)
 /// After the adjoint loop: what MuJoCo says of the gaits, and steps that it confirms. Noted in
 /// run.json: of each task where there are several.
 void close_gaps(const ResultFolder& folder, const CodesignProblem& problem,
-                const DesignIteration& best, const OptimizeOptions& options, Json& run) {
+                const DesignIteration& best, const OptimizeOptions& options, RunRecord& run) {
   CloseGapOptions rules;
   rules.steps = options.physics_steps;
   rules.threads = options.threads > 0
@@ -230,18 +228,18 @@ void close_gaps(const ResultFolder& folder, const CodesignProblem& problem,
     rules.tell = [&](const std::string& line) {
       if (!options.quiet) fmt::print(stderr, "{}{}\n", name, line);
     };
-    const Json found = close_gap(folder, problem, best, k, rules);
+    const PhysicsStepsRecord found = close_gap(folder, problem, best, k, rules);
     if (!problem.set.joint()) {
-      run["physics_steps"] = found;
-      write_json(folder.run_json(), run);
+      run.physics_steps = found;
+      write_json(folder.run_json(), json_of(run));
       continue;
     }
-    run["tasks"][static_cast<std::size_t>(k)]["physics_steps"] = found;
-    write_json(folder.run_json(), run);  // result/ of this task is another one now
+    run.tasks->at(static_cast<std::size_t>(k)).physics_steps = found;
+    write_json(folder.run_json(), json_of(run));  // result/ of this task is another one now
     const fs::path own = result_folder(folder, problem, k).parent_path() / "run.json";
-    Json task_run = read_json(own);
-    task_run["physics_steps"] = found;
-    write_json(own, task_run);
+    auto task_run = read_record_file<RunRecord>(own);
+    task_run.physics_steps = found;
+    write_json(own, json_of(task_run));
   }
 }
 
@@ -264,7 +262,7 @@ void check_not_in_run(const fs::path& root, const RobotFiles& files) {
 
 /// Solves the problem of a run that has started, and writes what comes of it. @return exit code
 int solve_run(const OptimizeOptions& options, CodesignProblem& problem, const fs::path& root,
-              const ResultFolder& folder, Json& run) {
+              const ResultFolder& folder, RunRecord& run) {
   // From here on the run has files of its own: what becomes of the user's does not matter to it.
   problem.robot.files = problem.robot.files.moved_to(folder.inputs() / "robot.xml");
   problem.robot.file = problem.robot.files.file();
@@ -282,35 +280,35 @@ int solve_run(const OptimizeOptions& options, CodesignProblem& problem, const fs
   progress.finish();
   const int signal = StopSignals::received();
   write_end(folder, problem, found, signal, recorder, run);
-  write_json(folder.run_json(), run);  // what follows may take a while, and adds to it
+  write_json(folder.run_json(), json_of(run));  // what follows may take a while, and adds to it
   if (signal == 0 && !options.no_certificate && usable(found.winner().best))
-    run["certificate"] = write_certificate(folder, problem, costs.tasks(), found.winner().best,
-                                           settings.codesign.threads);
+    run.certificate = write_certificate(folder, problem, costs.tasks(), found.winner().best,
+                                        settings.codesign.threads);
   if (options.physics_steps > 0 && StopSignals::received() == 0 && usable(found.winner().best))
     close_gaps(folder, problem, found.winner().best, options, run);
   if (options.front > 0 && StopSignals::received() == 0) {
     CodesignOptions rules = settings.codesign;
     rules.on_iteration = [](const DesignIteration&) { return StopSignals::received() == 0; };
-    run["front"] = write_front(folder, problem, costs.tasks(), found, options.front, rules);
+    run.front = write_front(folder, problem, costs.tasks(), found, options.front, rules);
   }
   recorder.end(run);
-  write_json(folder.run_json(), run);
+  write_json(folder.run_json(), json_of(run));
 
-  if (options.json) fmt::print("{}", to_text(run));
+  if (options.json) fmt::print("{}", to_text(json_of(run)));
   if (!options.json && !options.quiet)
     fmt::print("{}", problem.set.joint() ? joint_summary(run, root) : optimize_summary(run, root));
   std::fflush(stdout);
   if (StopSignals::received() == 0) draw_rest(recorder.pictures(), options.quiet);
-  return exit_code(StopSignals::received(), run["reasons"]);
+  return exit_code(StopSignals::received(), *run.reasons);
 }
 
 /// Whoever follows a run need not wait for one that was given up.
-void note_failure(const ResultFolder& folder, Json& run, const char* why) {
-  if (run["status"] != "running") return;
-  run["status"] = "failed";
-  run["failure"] = clean_utf8(why);
+void note_failure(const ResultFolder& folder, RunRecord& run, const char* why) {
+  if (run.status != "running") return;
+  run.status = "failed";
+  run.failure = clean_utf8(why);
   try {
-    write_json(folder.run_json(), run);
+    write_json(folder.run_json(), json_of(run));
   } catch (const std::exception&) {  // what went wrong first is told
   }
 }
@@ -322,7 +320,7 @@ int optimize(const OptimizeOptions& options) {
   const fs::path root = root_of(options, problem);
   if (options.force) check_not_in_run(root, problem.robot.files);
   const ResultFolder folder = ResultFolder::create(root, options.force);
-  Json run = write_start(folder, problem, options.motion_only);
+  RunRecord run = write_start(folder, problem, options.motion_only);
   try {
     return solve_run(options, problem, root, folder, run);
   } catch (const std::exception& error) {

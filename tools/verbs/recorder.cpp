@@ -26,9 +26,10 @@ Recorder::Recorder(const ResultFolder& folder, const CodesignProblem& problem, P
       pictures_(pictures) {}
 
 void Recorder::start() {
-  Json tasks = Json::array();
-  for (const TaskFile& task : problem_.set.tasks) tasks.push_back(task.name);
-  events_.append({{"event", "start"}, {"tasks", tasks}, {"robot", problem_.robot.morphology.name}});
+  StartEvent event;
+  for (const TaskFile& task : problem_.set.tasks) event.tasks.push_back(task.name);
+  event.robot = problem_.robot.morphology.name;
+  events_.append(json_of(event));
 }
 
 fs::path Recorder::design_folder(const RunLabel& label, int k, int index) {
@@ -49,12 +50,12 @@ bool Recorder::iteration(const RunLabel& label, const DesignIteration& iteration
     const fs::path folder = design_folder(label, task, iteration.index);
     qualities.push_back(write_design(folder, problem_.robot, *problem_.objectives[task], iteration,
                                      static_cast<int>(k), Durability::process));
-    Json event =
+    IterationEvent event =
         iteration_event(problem_.robot.space, iteration, static_cast<int>(k), qualities.back());
     if (!problem_.set.joint()) {
-      event["index"] = count_;
-      event["start"] = label.start;
-      events_.append(event);
+      event.index = count_;
+      event.start = label.start;
+      events_.append(json_of(event));
     }
     task_events_[{start_folder(problem_, label), task}].push_back(std::move(event));
     attributions_[{start_folder(problem_, label), task}].add(*problem_.objectives[task],
@@ -63,7 +64,7 @@ bool Recorder::iteration(const RunLabel& label, const DesignIteration& iteration
     if (!problem_.set.joint()) pictures_.add(folder);  // else those of the start that wins
   }
   if (problem_.set.joint())
-    events_.append(joint_iteration_event(problem_, label, iteration, qualities));
+    events_.append(json_of(joint_iteration_event(problem_, label, iteration, qualities)));
   history_.push_back(iteration.value);
   progress_.iteration(label, iteration, qualities);
   ++count_;
@@ -79,21 +80,18 @@ PlanQuality Recorder::result(const fs::path& folder, const DesignIteration& best
   return quality;
 }
 
-void Recorder::end(const Json& run) {
-  events_.append({{"event", "end"},
-                  {"status", run["status"]},
-                  {"F", run["final_F"]},
-                  {"seconds", run["seconds"]["total"]}});
+void Recorder::end(const RunRecord& run) {
+  events_.append(json_of(end_event(run)));
   events_.sync();
 }
 
-const std::vector<Json>& Recorder::events_of(const std::string& start, int task) const {
-  static const std::vector<Json> none;
+const std::vector<IterationEvent>& Recorder::events_of(const std::string& start, int task) const {
+  static const std::vector<IterationEvent> none;
   const auto found = task_events_.find({start, task});
   return found == task_events_.end() ? none : found->second;
 }
 
-Json Recorder::attribution_to(const RunLabel& label, int task) const {
+AttributionRecord Recorder::attribution_to(const RunLabel& label, int task) const {
   AttributionAlongPath path;
   const auto follow = [&](const RunLabel& run) {
     const auto found = attributions_.find({start_folder(problem_, run), task});
@@ -102,7 +100,7 @@ Json Recorder::attribution_to(const RunLabel& label, int task) const {
   follow(label);
   for (int k = 0; k < problem_.task_count(); ++k)  // the way to a start that is a task's optimum
     if (problem_.set.joint() && problem_.task(k).name == label.start) follow({"initial", {k}});
-  return to_json(path.by_parameter(problem_.robot.space, problem_.task(task).weight));
+  return record_of(path.by_parameter(problem_.robot.space, problem_.task(task).weight));
 }
 
 }  // namespace legwright

@@ -11,6 +11,7 @@
 #include "tools/run/design_folder.hpp"
 #include "tools/run/events.hpp"
 #include "tools/run/result_folder.hpp"
+#include "tools/run/run_record.hpp"
 #include "tools/task/problem.hpp"
 #include "tools/verbs/picture_queue.hpp"
 #include "tools/verbs/progress.hpp"
@@ -33,16 +34,16 @@ class Recorder {
   bool iteration(const RunLabel& label, const DesignIteration& iteration);
   /// Writes the result of one task. @param k of best.tasks and of the problem's tasks
   PlanQuality result(const std::filesystem::path& folder, const DesignIteration& best, int k);
-  void end(const Json& run);
+  void end(const RunRecord& run);
 
   double seconds() const { return seconds_; }  // spent on files
   PictureQueue& pictures() { return pictures_; }
   /// F by iteration, in the order in which they came.
   const std::vector<double>& history() const { return history_; }
   /// The per-task events of a run, by start folder and task.
-  const std::vector<Json>& events_of(const std::string& start, int task) const;
+  const std::vector<IterationEvent>& events_of(const std::string& start, int task) const;
   /// Why the body of a run changed, seen by one task; from the initial body on.
-  Json attribution_to(const RunLabel& label, int task) const;
+  AttributionRecord attribution_to(const RunLabel& label, int task) const;
 
  private:
   std::filesystem::path design_folder(const RunLabel& label, int k, int index);
@@ -54,7 +55,7 @@ class Recorder {
   PictureQueue pictures_;
   int count_ = 0;  // iterations so far
   std::vector<double> history_;
-  std::map<std::pair<std::string, int>, std::vector<Json>> task_events_;
+  std::map<std::pair<std::string, int>, std::vector<IterationEvent>> task_events_;
   std::map<std::pair<std::string, int>, AttributionAlongPath> attributions_;
   double seconds_ = 0.0;
 };

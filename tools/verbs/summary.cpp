@@ -8,23 +8,28 @@
 namespace legwright {
 namespace {
 
-std::string parameter_lines(const Json& parameters) {
+std::string parameter_lines(const std::vector<ParameterRecord>& parameters) {
   std::size_t width = 0;
-  for (const Json& p : parameters) width = std::max(width, p["name"].get<std::string>().size());
+  for (const ParameterRecord& p : parameters) width = std::max(width, p.name.size());
   std::string text;
-  for (const Json& p : parameters) {
-    const double initial = p["initial"], final = p["final"],
-                 span = p["upper"].get<double>() - p["lower"].get<double>();
-    const bool low = final - p["lower"].get<double>() < 1e-6 * span;
-    const bool high = p["upper"].get<double>() - final < 1e-6 * span;
-    text += fmt::format("    {:{}}  {:8.4f} -> {:8.4f} {}{}\n", p["name"].get<std::string>(), width,
-                        initial, final, p["unit"].get<std::string>(),
+  for (const ParameterRecord& p : parameters) {
+    const double span = p.upper - p.lower;
+    const bool low = p.final - p.lower < 1e-6 * span;
+    const bool high = p.upper - p.final < 1e-6 * span;
+    text += fmt::format("    {:{}}  {:8.4f} -> {:8.4f} {}{}\n", p.name, width, p.initial, p.final,
+                        p.unit,
                         span == 0.0 ? "  frozen"
                         : low       ? "  at its lower bound"
                         : high      ? "  at its upper bound"
                                     : "");
   }
   return text;
+}
+
+/// One of the parts of the run's time; zero where it was not taken.
+double seconds_of(const RunRecord& run, const char* part) {
+  const double* const found = run.seconds ? run.seconds->find(part) : nullptr;
+  return found != nullptr ? *found : 0.0;
 }
 
 std::string in_words(const std::string& status, bool motion_only) {
@@ -51,14 +56,13 @@ std::string shell_word(const std::string& text) {
 
 namespace {
 
-std::string start_lines(const Json& starts) {
+std::string start_lines(const std::vector<StartRecord>& starts) {
   std::string text = "  starts   F at the start, at the end\n";
-  for (const Json& start : starts)
+  for (const StartRecord& start : starts)
     text += fmt::format(
         "    from {:12} {:9.5g} -> {:9.5g}  {}, {} design and {} Newton iterations, {:.2f} s\n",
-        start["start"].get<std::string>(), start["F_start"].get<double>(), start["F"].get<double>(),
-        start["status"].get<std::string>(), start["design_iterations"].get<int>(),
-        start["newton_iterations"].get<int>(), start["seconds"].get<double>());
+        start.start, start.start_F, start.F, start.status, start.design_iterations,
+        start.newton_iterations, start.seconds);
   return text;
 }
 
@@ -67,85 +71,70 @@ std::string start_lines(const Json& starts) {
 namespace {
 
 /// What --physics-steps came to, or nothing.
-std::string physics_lines(const Json& task, const std::string& indent) {
-  const auto found = task.find("physics_steps");
-  if (found == task.end()) return "";
-  const Json& steps = *found;
-  const double seconds = steps["seconds"];
-  if (!steps["changed"].get<bool>())
+std::string physics_lines(const std::optional<PhysicsStepsRecord>& steps,
+                          const std::string& indent) {
+  if (!steps) return "";
+  if (!steps->changed)
     return fmt::format("{}physics  no step came closer to the task: the gait stays ({:.1f} s)\n",
-                       indent, seconds);
+                       indent, steps->seconds);
   return fmt::format(
       "{0}physics  before: {1}\n{0}         after:  {2}\n"
       "{0}         the gait played: {3} of the task's ({4:.1f} s); F, speed and certificate "
       "are of the gait before\n",
-      indent, steps["before"]["line"].get<std::string>(), steps["after"]["line"].get<std::string>(),
-      steps["factors"].get<std::string>(), seconds);
+      indent, steps->before.line, steps->after.line, steps->factors, steps->seconds);
 }
 
 }  // namespace
 
-std::string joint_summary(const Json& run, const std::filesystem::path& root) {
-  std::string text = fmt::format("{} {}: {}; best from '{}'\n", run["robot"].get<std::string>(),
-                                 run["name"].get<std::string>(),
-                                 in_words(run["status"], run["motion_only"].get<bool>()),
-                                 run["best_start"].get<std::string>());
+std::string joint_summary(const RunRecord& run, const std::filesystem::path& root) {
+  std::string text = fmt::format("{} {}: {}; best from '{}'\n", run.robot, *run.name,
+                                 in_words(run.status, run.motion_only), *run.best_start);
   std::size_t width = 8;
-  for (const Json& task : run["tasks"])
-    width = std::max(width, task["name"].get<std::string>().size());
-  text += fmt::format("  F_joint  {:.5g} with the initial body, {:.5g} now\n",
-                      run["motion_only_F"].get<double>(), run["final_F"].get<double>());
-  for (const Json& task : run["tasks"])
-    text += fmt::format("  {:{}} F {:.5g} -> {:.5g}, speed {:.4g} of {:.4g} planned\n",
-                        task["name"].get<std::string>(), width, task["F_initial"].get<double>(),
-                        task["F"].get<double>(), task["speed_reached"].get<double>(),
-                        task["speed_wanted"].get<double>()) +
-            physics_lines(task, "    ");
-  text += start_lines(run["starts"]);
-  for (const Json& start : run["alone"])
-    text += fmt::format("    {} alone {:9.5g} -> {:9.5g}  {}, {:.2f} s\n",
-                        start["tasks"][0].get<std::string>(), start["F_start"].get<double>(),
-                        start["F"].get<double>(), start["status"].get<std::string>(),
-                        start["seconds"].get<double>());
-  text += fmt::format("  time     {:.2f} s solving, {:.2f} s files\n",
-                      run["seconds"]["total"].get<double>(), run["seconds"]["files"].get<double>());
-  text += "  body\n" + parameter_lines(run["parameters"]);
-  for (const Json& reason : run["reasons"])
-    text += "  INFEASIBLE: " + reason.get<std::string>() + "\n";
+  for (const TaskRecord& task : *run.tasks) width = std::max(width, task.name.size());
+  text += fmt::format("  F_joint  {:.5g} with the initial body, {:.5g} now\n", *run.motion_only_F,
+                      *run.final_F);
+  for (const TaskRecord& task : *run.tasks)
+    text += fmt::format("  {:{}} F {:.5g} -> {:.5g}, speed {:.4g} of {:.4g} planned\n", task.name,
+                        width, *task.initial_F, *task.F, *task.speed_reached, *task.speed_wanted) +
+            physics_lines(task.physics_steps, "    ");
+  text += start_lines(*run.starts);
+  for (const StartRecord& start : *run.alone)
+    text += fmt::format("    {} alone {:9.5g} -> {:9.5g}  {}, {:.2f} s\n", start.tasks.front(),
+                        start.start_F, start.F, start.status, start.seconds);
+  text += fmt::format("  time     {:.2f} s solving, {:.2f} s files\n", seconds_of(run, "total"),
+                      seconds_of(run, "files"));
+  text += "  body\n" + parameter_lines(run.parameters);
+  for (const std::string& reason : *run.reasons) text += "  INFEASIBLE: " + reason + "\n";
   const std::string folder = shell_word(root.string());
   text +=
       fmt::format("  written  {0}\nnext: legwright validate {0}   then: render, report\n", folder);
   return text;
 }
 
-std::string optimize_summary(const Json& run, const std::filesystem::path& root) {
-  const Json& seconds = run["seconds"];
-  const double reached = run["speed_reached"], wanted = run["speed_wanted"];
+std::string optimize_summary(const RunRecord& run, const std::filesystem::path& root) {
+  const auto seconds = [&](const char* part) { return seconds_of(run, part); };
+  const double reached = *run.speed_reached, wanted = *run.speed_wanted;
   std::string text;
-  text += fmt::format("{} {}: {} after {} design iterations and {} Newton iterations\n",
-                      run["robot"].get<std::string>(), run["task"]["name"].get<std::string>(),
-                      in_words(run["status"], run["motion_only"].get<bool>()),
-                      run["design_iterations"].get<int>(), run["newton_iterations"].get<int>());
-  text += fmt::format("  F        {:.5g} with the initial body, {:.5g} now\n",
-                      run["motion_only_F"].get<double>(), run["final_F"].get<double>());
-  if (run.contains("outer"))
-    text += fmt::format("  J        {:.5g} = {} x {}; the body minimised F + J\n",
-                        run["final_J"].get<double>(), run["outer"]["weight"].get<double>(),
-                        run["outer"]["objective"].get<std::string>());
-  if (run.contains("starts")) text += start_lines(run["starts"]);
+  text += fmt::format("{} {}: {} after {} design iterations and {} Newton iterations\n", run.robot,
+                      run.task->name, in_words(run.status, run.motion_only), *run.design_iterations,
+                      *run.newton_iterations);
+  text += fmt::format("  F        {:.5g} with the initial body, {:.5g} now\n", *run.motion_only_F,
+                      *run.final_F);
+  if (run.outer)
+    text += fmt::format("  J        {:.5g} = {} x {}; the body minimised F + J\n", *run.final_J,
+                        run.outer->weight, run.outer->objective);
+  if (run.starts) text += start_lines(*run.starts);
   text += fmt::format("  speed    {:.4g} of {:.4g} planned{}\n", reached, wanted,
                       wanted > 0.0 ? fmt::format(" ({:.1f} %)", 100.0 * reached / wanted) : "");
-  text += physics_lines(run, "  ");
+  text += physics_lines(run.physics_steps, "  ");
   text += fmt::format(
       "  time     {:.2f} s: motion {:.2f}, adjoint {:.2f}, predictor {:.2f}, files {:.2f}\n",
-      seconds["total"].get<double>(), seconds["motion"].get<double>(),
-      seconds["adjoint"].get<double>(), seconds["predictor"].get<double>(),
-      seconds["files"].get<double>());
-  text += fmt::format("  memory   {:.0f} MiB\n", run["peak_rss_mib"].get<double>());
-  if (!run["parameters"].empty()) text += "  body\n" + parameter_lines(run["parameters"]);
-  for (const Json& reason : run["reasons"])
-    text += "  INFEASIBLE: " + reason.get<std::string>() + "\n";
-  if (!run["feasible"].get<bool>() && run["motion_only_F"] == run["final_F"])
+      seconds("total"), seconds("motion"), seconds("adjoint"), seconds("predictor"),
+      seconds("files"));
+  text += fmt::format("  memory   {:.0f} MiB\n", *run.peak_rss_mib);
+  if (!run.parameters.empty()) text += "  body\n" + parameter_lines(run.parameters);
+  for (const std::string& reason : *run.reasons) text += "  INFEASIBLE: " + reason + "\n";
+  if (!*run.feasible && *run.motion_only_F == *run.final_F)
     text +=
         "  the body is still the initial one: co-design it (without --motion-only), or ask for "
         "less speed\n";

@@ -4,15 +4,15 @@
 #include <filesystem>
 #include <string>
 
-#include "tools/files/json_file.hpp"
+#include "tools/run/run_record.hpp"
 
 namespace legwright {
 
 /// What `optimize` tells people at the end, from run.json.
-std::string optimize_summary(const Json& run, const std::filesystem::path& root);
+std::string optimize_summary(const RunRecord& run, const std::filesystem::path& root);
 
 /// The same for a run of several tasks.
-std::string joint_summary(const Json& run, const std::filesystem::path& root);
+std::string joint_summary(const RunRecord& run, const std::filesystem::path& root);
 
 /// Text as a shell takes it for one word: quoted only where that is needed.
 std::string shell_word(const std::string& text);

@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <system_error>
 
-#include "tools/files/json_file.hpp"
+#include "tools/run/iteration_record.hpp"
+#include "tools/run/run_record.hpp"
 #include "tools/run/task_folders.hpp"
 
 namespace legwright {
@@ -42,19 +44,14 @@ std::string name_of(const fs::path& folder) {
                : "iteration " + number;
 }
 
-/// An empty document where the file is not there or no JSON.
-Json read_or_nothing(const fs::path& file) {
+/// The record of a file; none where the file is not there, not written yet or another one.
+template <class R>
+std::optional<R> read_or_nothing(const fs::path& file) {
   try {
-    return read_json(file);
+    return read_record_file<R>(file);
   } catch (const std::exception&) {
-    return Json::object();
+    return std::nullopt;
   }
-}
-
-std::optional<double> number_of(const Json& document, const char* key) {
-  const auto found = document.find(key);
-  if (found == document.end() || !found->is_number()) return std::nullopt;
-  return found->get<double>();
 }
 
 fs::path without_slash(fs::path folder) {
@@ -71,15 +68,15 @@ LandedDesign design_at(const fs::path& scene) {
 std::vector<Fact> facts_of(const LandedDesign& design) {
   if (design.name.empty()) return {};
   std::vector<Fact> facts{{"design", design.name}};
-  const Json metrics = read_or_nothing(design.scene.parent_path() / "metrics.json");
-  if (!metrics.is_object()) return facts;
-  if (const auto cost = number_of(metrics, "F"))
-    facts.push_back({"cost", fmt::format("{:.4g}", *cost + number_of(metrics, "J").value_or(0.0))});
-  const auto reached = number_of(metrics, "speed_reached");
-  const auto wanted = number_of(metrics, "speed_wanted");
-  if (reached && wanted && *wanted > 0.0)
+  const auto metrics =
+      read_or_nothing<IterationMetrics>(design.scene.parent_path() / "metrics.json");
+  if (!metrics) return facts;
+  if (std::isfinite(metrics->F + metrics->J))
+    facts.push_back({"cost", fmt::format("{:.4g}", metrics->F + metrics->J)});
+  if (metrics->speed_wanted > 0.0)
     facts.push_back(
-        {"planned speed", fmt::format("{:.0f} % of wanted", 100.0 * *reached / *wanted)});
+        {"planned speed", fmt::format("{:.0f} % of wanted",
+                                      100.0 * metrics->speed_reached / metrics->speed_wanted)});
   return facts;
 }
 
@@ -109,9 +106,8 @@ std::optional<RunFollower::Candidate> RunFollower::newest() const {
 }
 
 bool RunFollower::run_has_ended() const {
-  const Json run = read_or_nothing(run_ / "run.json");
-  const auto status = run.is_object() ? run.find("status") : run.end();
-  return status != run.end() && *status != "running";
+  const auto run = read_or_nothing<RunRecord>(run_ / "run.json");
+  return run && run->status != "running";
 }
 
 std::optional<LandedDesign> RunFollower::next() {

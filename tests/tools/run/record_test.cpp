@@ -31,6 +31,7 @@ struct Walker {
   ByName<double> s;
   std::map<std::string, std::string> notes;
   std::optional<double> limit;
+  std::array<double, 2> velocity{};
   std::optional<Leg> tail;
 };
 void fields(Fields& f, Walker& walker) {
@@ -41,11 +42,12 @@ void fields(Fields& f, Walker& walker) {
   f("s", walker.s);
   f("notes", walker.notes);
   f.nullable("limit_Nm", walker.limit);
-  f("tail", walker.tail);
+  f("velocity", walker.velocity);
+  f.required_if(walker.gait == "walk", "tail", walker.tail);
 }
 
 Walker puppy() {
-  Walker walker{"trot", 12, true, {{"FL", 0.1, {}}, {"FR", 0.25, 1.5}}, {}, {}, {}, {}};
+  Walker walker{"trot", 12, true, {{"FL", 0.1, {}}, {"FR", 0.25, 1.5}}, {}, {}, {}, {}, {}};
   walker.s = {{"thigh", 0.5}, {"shank", 2.0}};
   walker.notes["b"] = "late";
   walker.notes["a"] = "early";
@@ -55,7 +57,8 @@ Walker puppy() {
 constexpr const char* kText =
     R"({"schema":"legwright/walker","version":3,"gait":"trot","knots":12,"stands":true,)"
     R"("legs":[{"name":"FL","length_m":0.1},{"name":"FR","length_m":0.25,"mass_kg":1.5}],)"
-    R"("s":{"thigh":0.5,"shank":2.0},"notes":{"a":"early","b":"late"},"limit_Nm":null})";
+    R"("s":{"thigh":0.5,"shank":2.0},"notes":{"a":"early","b":"late"},"limit_Nm":null,)"
+    R"("velocity":[0.0,0.0]})";
 
 /// What reading says of the walker after `change`; empty where it takes it.
 template <class Change>
@@ -86,6 +89,10 @@ TEST(Record, IsReadBackToTheSameBytes) {
   ASSERT_NE(walker.s.find("shank"), nullptr);
   EXPECT_EQ(*walker.s.find("shank"), 2.0);
   EXPECT_EQ(walker.s.find("neck"), nullptr);
+  Walker other = walker;
+  other.s.of("shank") = 3.0;
+  other.s.of("neck") = 1.0;
+  EXPECT_EQ(json_of(other)["s"].dump(), R"({"thigh":0.5,"shank":3.0,"neck":1.0})");
   EXPECT_FALSE(walker.limit || walker.tail);
   EXPECT_TRUE(
       std::isnan(record_of<Leg>(Json::parse(R"({"name":"FL","length_m":null})"), "").length));
@@ -109,6 +116,9 @@ TEST(Record, RefusesWhatItDoesNotKnowByKey) {
       names(complaint([](Json& j) { j["legs"] = Json::object(); }), "legs: expected a list"));
   EXPECT_TRUE(names(complaint([](Json& j) { j["gait"] = "crawl"; }),
                     R"(gait: expected "trot" or "walk", found "crawl")"));
+  EXPECT_TRUE(
+      names(complaint([](Json& j) { j["velocity"] = {1.0}; }), "velocity: expected a list of 2"));
+  EXPECT_TRUE(names(complaint([](Json& j) { j["gait"] = "walk"; }), "tail: expected a value"));
   EXPECT_TRUE(names(complaint([](Json& j) { j["schema"] = "other"; }),
                     R"(expected "schema": "legwright/walker", found "other")"));
   EXPECT_TRUE(names(complaint([](Json& j) { j["version"] = 4; }), "found 4; the file is damaged"));
@@ -119,7 +129,7 @@ TEST(Record, RefusesWhatItDoesNotKnowByKey) {
 TEST(Record, TellsItsSchema) {
   const Json schema = schema_of<Walker>();
   EXPECT_EQ(schema["required"].dump(), R"(["schema","version","gait","knots","stands","legs","s",)"
-                                       R"("notes","limit_Nm"])");
+                                       R"("notes","limit_Nm","velocity"])");
   const Json& own = schema["properties"];
   EXPECT_EQ(own["schema"].dump(), R"({"const":"legwright/walker"})");
   EXPECT_EQ(own["gait"].dump(), R"({"type":"string","enum":["trot","walk"]})");

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/run/run_record.hpp"
+
+#include <cmath>
+
+namespace legwright {
+
+void fields(Fields& f, SlopeRecord& slope) {
+  f("along", slope.along, "rad, uphill along the wanted way");
+  f("across", slope.across, "rad");
+}
+
+void fields(Fields& f, PayloadRecord& payload) {
+  f("mass_kg", payload.mass);
+  f("position_m", payload.position);
+  f("size_m", payload.size);
+}
+
+void fields(Fields& f, PlayedGait& gait) {
+  f("merit", gait.merit, "distance from the task; null where it fell");
+  f("pass", gait.pass);
+  f("line", gait.line, "of the verdict");
+}
+
+void fields(Fields& f, PhysicsStepRecord& step) {
+  f("scalars", step.scalars, "factors on what the task says");
+  f("merit", step.merit, "null where it fell or there is no such gait");
+  f("predicted_merit", step.predicted_merit);
+  f("accepted", step.accepted);
+  f("line", step.line, "of the verdict");
+}
+
+void fields(Fields& f, PhysicsStepsRecord& steps) {
+  f("before", steps.before);
+  f("after", steps.after);
+  f("scalars", steps.scalars, "factors on what the task says");
+  f("factors", steps.factors, "the same in words");
+  f("period_s", steps.period, "of the gait played");
+  f("seconds", steps.seconds);
+  f("changed", steps.changed, "whether the gait in result/ is another one than that of F");
+  f("rollouts", steps.rollouts);
+  f("steps", steps.steps);
+}
+
+void fields(Fields& f, TaskRecord& task) {
+  f("name", task.name);
+  f("gait", task.gait);
+  f("period_s", task.period);
+  f("knots", task.knots);
+  f("planted_margin_knots", task.planted_margin);
+  f("velocity", task.velocity, "m/s, forward and to the left");
+  f("turn_rate", task.turn_rate, "rad/s, to the left");
+  f("floor_friction", task.floor_friction);
+  f("slope_rad", task.slope);
+  f("payload", task.payload);
+  f("torque_limit_Nm", task.torque_limit);
+  f("servo_kp_Nm_per_rad", task.servo_kp);
+  f("step_over_m", task.step_over);
+  f("weight", task.weight, "in the joint cost; this and what follows is of a joint run");
+  f("folder", task.folder, "tasks/NAME");
+  f("motion_size", task.motion_size);
+  f("F_initial", task.initial_F);
+  f("F", task.F);
+  f("speed_wanted", task.speed_wanted);
+  f("speed_reached", task.speed_reached);
+  f("feasible", task.feasible);
+  f("physics_steps", task.physics_steps);
+}
+
+void fields(Fields& f, ParameterRecord& parameter) {
+  f("name", parameter.name);
+  f("unit", parameter.unit);
+  f("kind", parameter.kind);
+  f("sentence", parameter.sentence);
+  f("initial", parameter.initial);
+  f("lower", parameter.lower);
+  f("upper", parameter.upper);
+  f("final", parameter.final);
+  f("tied_count", parameter.tied_count, "places of the robot that it sets");
+}
+
+void fields(Fields& f, OuterRecord& outer) {
+  f("objective", outer.objective);
+  f("weight", outer.weight);
+}
+
+void fields(Fields& f, StartRecord& start) {
+  f("start", start.start, "\"initial\", or the task whose best body it set out from, …");
+  f("tasks", start.tasks);
+  f("status", start.status);
+  f("F_start", start.start_F);
+  f("F", start.F);
+  f("F_tasks_start", start.start_F_of_tasks);
+  f("F_tasks", start.F_of_tasks);
+  f("design_iterations", start.design_iterations);
+  f("newton_iterations", start.newton_iterations);
+  f("seconds", start.seconds);
+  f("s", start.s, "design parameters at the end, SI");
+}
+
+void fields(Fields& f, EngineWarningRecord& warning) {
+  f("task", warning.task);
+  f("warning", warning.warning);
+  f("count", warning.count);
+  f("first_s", warning.first);
+}
+
+void fields(Fields& f, BodyRecord& body) {
+  f("mass_kg", body.mass, "of the robot without payload");
+  f("printed_volume_m3", body.printed_volume);
+}
+
+void fields(Fields& f, BodiesRecord& bodies) {
+  f("initial", bodies.initial);
+  f("final", bodies.final);
+}
+
+void fields(Fields& f, CertificateNote& note) {
+  f("worst_gradient_error", note.worst_gradient_error);
+  f("active_bounds", note.active_bounds);
+  f("seconds", note.seconds);
+}
+
+void fields(Fields& f, FrontPointRecord& point) {
+  f("weight", point.weight, "of the first task");
+  f("F", point.F);
+  f("F_tasks", point.F_of_tasks);
+  f("status", point.status);
+  f("s", point.s);
+}
+
+namespace {
+
+void visit_inputs(Fields& f, RunRecord& run) {
+  f("status", run.status, "\"running\", \"failed\", or how the search ended");
+  f("robot", run.robot);
+  f("outer", run.outer, "the further objective J of the body");
+  f("name", run.name, "of the task file, where it has several tasks");
+  f("tasks", run.tasks, "of a joint run");
+  f.required_if(!run.joint(), "task", run.task, "of a run of one task");
+  f("design_size", run.design_size);
+  f("motion_size", run.motion_size);
+  f("parameters", run.parameters);
+  f("argv", run.argv);
+  f("versions", run.versions);
+  f("factorisation", run.factorisation, "kernel of the linear solver");
+  f("files", run.files, "where the inputs lay");
+  f("sha256", run.sha256, "of all input files");
+  f("joint_run", run.joint_run, "way to the joint run that this task is of");
+  f("motion_only", run.motion_only, "whether the body was kept");
+  f("start", run.start, "of a task of a joint run: from which its best search set out");
+}
+
+void visit_outcome(Fields& f, RunRecord& run) {
+  const bool ended = run.ended(), single = ended && !run.joint(), joint = ended && run.joint();
+  f("engine_warnings", run.engine_warnings, "of MuJoCo, while it played the result for a second");
+  f("pull", run.pull, "decrease of F by design parameter and term, the motion following");
+  f.required_if(ended, "feasible", run.feasible);
+  f.required_if(ended, "reasons", run.reasons, "why the result is not feasible");
+  f.required_if(ended, "motion_only_F", run.motion_only_F, "of the initial body");
+  f.required_if(single, "motion_only_trace", run.motion_only_trace, "the same by Newton step");
+  f.required_if(ended, "final_F", run.final_F);
+  f.required_if(single, "final_J", run.final_J);
+  f.required_if(joint, "best_start", run.best_start);
+  f.required_if(joint, "starts", run.starts);
+  f.required_if(joint, "alone", run.alone, "searches for one task");
+  f.required_if(single, "history", run.history, "F by iteration");
+}
+
+void visit_effort(Fields& f, RunRecord& run) {
+  const bool ended = run.ended(), single = ended && !run.joint();
+  f.required_if(ended, "design_iterations", run.design_iterations);
+  f.required_if(ended, "newton_iterations", run.newton_iterations);
+  f.required_if(ended, "factorisations", run.factorisations);
+  f.required_if(ended, "seconds", run.seconds, "by what took them");
+  f.required_if(ended, "peak_rss_mib", run.peak_rss_mib);
+  f.required_if(ended, "projected_gradient_norm", run.projected_gradient_norm);
+  f.required_if(single, "motion_status", run.motion_status);
+  f.required_if(single, "speed_wanted", run.speed_wanted, "m/s; on the spot rad/s");
+  f.required_if(single, "speed_reached", run.speed_reached, "of the plan");
+  f.required_if(single, "heading_error_rad", run.heading_error);
+  f.required_if(single, "ground_error_m", run.ground_error);
+  f.required_if(single, "slide_share", run.slide_share);
+  f.required_if(single, "root_residual", run.root_residual);
+  f.required_if(ended, "body", run.body);
+  f("certificate", run.certificate, "what result/certificate.json came to");
+  f("physics_steps", run.physics_steps, "what optimize --physics-steps did to the gait");
+  f("front", run.front, "trade-off between two tasks, as in result/front.json");
+  f("failure", run.failure, "why the status is \"failed\"");
+}
+
+}  // namespace
+
+void fields(Fields& f, RunRecord& run) {
+  visit_inputs(f, run);
+  visit_outcome(f, run);
+  visit_effort(f, run);
+}
+
+std::optional<double> RunRecord::fall_of_cost() const {
+  if (!motion_only_F || !final_F || !std::isfinite(*motion_only_F - *final_F)) return std::nullopt;
+  return *motion_only_F - *final_F;
+}
+
+}  // namespace legwright
