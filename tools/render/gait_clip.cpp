@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/render/gait_clip.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <numbers>
 
 #include "mjcf/text/input_error.hpp"
-#include "tools/files/json_file.hpp"
+#include "tools/files/io_error.hpp"
+#include "tools/run/metrics_record.hpp"
 #include "tools/run/motion_csv.hpp"
+#include "tools/run/run_record.hpp"
+#include "tools/run/verdict_record.hpp"
 
 namespace legwright {
 namespace {
@@ -17,54 +18,33 @@ namespace fs = std::filesystem;
 
 constexpr double kTurnOfView = 24.0;  // [deg] off the exact side view, for depth
 
-GaitClip load_act(const char* title, const fs::path& folder, const fs::path& playback) {
-  GaitClip act;
-  act.title = title;
-  act.scene = folder / "scene.xml";
-  act.model = load_drawn_scene(act.scene);
-  act.plan = read_motion_csv(folder / "motion.csv");
-  if (fs::exists(playback)) act.playback = read_playback(*act.model, playback);
-  return act;
+GaitClip load_clip(const char* title, const fs::path& folder, const fs::path& playback) {
+  GaitClip clip;
+  clip.title = title;
+  clip.scene = folder / "scene.xml";
+  clip.model = load_drawn_scene(clip.scene);
+  clip.plan = read_motion_csv(folder / "motion.csv");
+  if (fs::exists(playback)) clip.playback = read_playback(*clip.model, playback);
+  return clip;
 }
 
-std::vector<std::pair<double, double>> intervals(const Json& list) {
-  std::vector<std::pair<double, double>> found;
-  for (const Json& pair : list)
-    found.emplace_back(pair.at(0).get<double>(), pair.at(1).get<double>());
-  return found;
-}
-
-/// An object that `validate` wrote, empty where there is none yet.
-Json read_told(const fs::path& file) {
-  if (!fs::exists(file)) return Json::object();
-  Json told = read_json(file);
-  if (!told.is_object())
-    throw InputError(file.string(), 0, "",
-                     fmt::format("found a JSON {}, expected an object; the file is damaged: run "
-                                 "`legwright validate` again",
-                                 told.type_name()));
-  return told;
-}
-
-bool is_true(const Json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_boolean() && found->get<bool>();
-}
-
-/// What `validate` told of one design; a file of another version may lack any of it.
-void read_metrics(const Json& metrics, const char* design, GaitClip& act) {
+/// What `read` makes of a file that `validate` wrote. Throws InputError where it is damaged.
+template <class Read>
+auto read_validated(const Read& read) {
   try {
-    const Json& told = metrics.at(design).at("default");
-    const Json& fall = told.at("fall");
-    if (fall.is_object()) act.fell = fall.at("time_s").get<double>();
-    for (const Json& foot : told.at("feet")) {
-      act.feet.push_back({foot.at("name").get<std::string>(),
-                          intervals(foot.at("planned_stances_s")),
-                          intervals(foot.at("contacts_s"))});
-    }
-  } catch (const Json::exception&) {
-    act.feet.clear();
+    return read();
+  } catch (const IoError& error) {
+    throw InputError(error.what());
   }
+}
+
+/// What `validate` measured of a design at the gains of the scene.
+void add_metrics(const ByName<GainMetrics>& gains, GaitClip& clip) {
+  const GainMetrics* measured = gains.find("default");
+  if (measured == nullptr) return;
+  if (measured->fall) clip.fell = measured->fall->time;
+  for (const FootMetrics& foot : measured->feet)
+    clip.feet.push_back({foot.name, foot.planned, foot.contacts});
 }
 
 }  // namespace
@@ -75,27 +55,26 @@ std::vector<double> GaitClip::planned_at(double time) const {
 
 std::vector<GaitClip> load_clips(const fs::path& run) {
   const fs::path result = run / "result";
-  const bool motion_only = is_true(read_json(run / "run.json"), "motion_only");
-  std::vector<GaitClip> acts;
-  std::vector<const char*> designs;
+  const auto verdict = read_validated([&] {
+    const fs::path file = result / "verdict.json";
+    return fs::exists(file) ? std::optional(read_record_file<VerdictRecord>(file)) : std::nullopt;
+  });
+  const auto metrics = read_validated([&] { return read_metrics(result / "metrics.json"); });
+  const bool motion_only =
+      read_validated([&] { return read_record_file<RunRecord>(run / "run.json").motion_only; });
+  std::vector<GaitClip> clips;
   if (!motion_only) {
-    acts.push_back(load_act("Before: the initial body, its gait optimised",
-                            run / "iterations" / "0000", result / "playback_initial.csv"));
-    designs.push_back("initial");
+    clips.push_back(load_clip("Before: the initial body, its gait optimised",
+                              run / "iterations" / "0000", result / "playback_initial.csv"));
+    if (verdict) clips.back().passed = verdict->initial.pass;
+    if (metrics) add_metrics(metrics->initial, clips.back());
   }
-  acts.push_back(load_act(
+  clips.push_back(load_clip(
       motion_only ? "The initial body, its gait optimised" : "After: body and gait co-designed",
       result, result / "playback_result.csv"));
-  designs.push_back("result");
-  const Json verdict = read_told(result / "verdict.json"),
-             metrics = read_told(result / "metrics.json");
-  for (std::size_t i = 0; i < acts.size(); ++i) {
-    const Json judged = verdict.value(designs[i], Json::object());
-    if (const auto pass = judged.find("pass"); pass != judged.end() && pass->is_boolean())
-      acts[i].passed = pass->get<bool>();
-    read_metrics(metrics, designs[i], acts[i]);
-  }
-  return acts;
+  if (verdict) clips.back().passed = verdict->result.pass;
+  if (metrics) add_metrics(metrics->result, clips.back());
+  return clips;
 }
 
 double side_view(const Trajectory& plan) { return side_view(plan.travel[0], plan.travel[1]); }

@@ -18,7 +18,7 @@ void fields(Fields& f, MatrixDesignRecord& design);
 struct MatrixCellRecord {
   double F = 0.0;
   bool pass = false;
-  std::string line;              // of the verdict
+  std::string line;           // of the verdict
   ByName<GainMetrics> gains;  // as metrics.json tells them
 };
 void fields(Fields& f, MatrixCellRecord& cell);

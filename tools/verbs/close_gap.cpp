@@ -234,7 +234,7 @@ TaskFile scaled_task(const TaskFile& task, const std::vector<GaitScalar>& scalar
 }
 
 PhysicsStepsRecord close_gap(const ResultFolder& folder, const CodesignProblem& problem,
-               const DesignIteration& best, int k, const CloseGapOptions& options) {
+                             const DesignIteration& best, int k, const CloseGapOptions& options) {
   const Stopwatch watch;
   load_gait_plugin();
   const GapCloser closer(problem, best, k);
@@ -262,16 +262,15 @@ PhysicsStepsRecord close_gap(const ResultFolder& folder, const CodesignProblem& 
   const auto summary = [](const PhysicsTrial& trial) {
     return PlayedGait{trial.merit(), trial.pass, trial.line};
   };
-  PhysicsStepsRecord out{
-      .before = summary(found.start),
-      .after = summary(found.best),
-      .scalars = scalars_of(closer, found.x),
-      .factors = factor_words(closer, found.x),
-      .period = problem.task(k).period * played_period_factor(closer, found.x),
-      .seconds = watch.seconds(),
-      .changed = better,
-      .rollouts = found.trials * static_cast<int>(kPlayedGains.size()),
-      .steps = {}};
+  PhysicsStepsRecord out{.before = summary(found.start),
+                         .after = summary(found.best),
+                         .scalars = scalars_of(closer, found.x),
+                         .factors = factor_words(closer, found.x),
+                         .period = problem.task(k).period * played_period_factor(closer, found.x),
+                         .seconds = watch.seconds(),
+                         .changed = better,
+                         .rollouts = found.trials * static_cast<int>(kPlayedGains.size()),
+                         .steps = {}};
   for (const PhysicsStep& step : found.steps)
     out.steps.push_back({scalars_of(closer, step.x), step.trial.merit(), step.predicted_merit,
                          step.accepted, step.trial.line});

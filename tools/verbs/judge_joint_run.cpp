@@ -83,8 +83,8 @@ MatrixRecord judge_joint_run(const ResultFolder& folder, const RunRecord& run,
     const auto costs = costs_of(run, bodies, t);
     auto& cells = matrix.cells.of(tasks[t].name);
     for (std::size_t k = 0; k < order.size(); ++k)
-      cells.push_back({costs[k], order[k]->verdict.pass, order[k]->verdict.line,
-                       metrics_by_gain(*order[k])});
+      cells.push_back(
+          {costs[k], order[k]->verdict.pass, order[k]->verdict.line, metrics_by_gain(*order[k])});
     matrix.pass = matrix.pass && order.back()->verdict.pass;
   }
   write_json(folder.result() / "matrix.json", json_of(matrix));

@@ -30,7 +30,8 @@ TaskOfRun read_task(const ResultFolder& folder) {
     throw InputError(folder.run_json().string(), 0, "task",
                      "expected the task of a run, as `legwright optimize` writes it; found none");
   const TaskRecord& task = *run.task;
-  return {task.gait, {{task.velocity[0], task.velocity[1]}, task.turn_rate},
+  return {task.gait,
+          {{task.velocity[0], task.velocity[1]}, task.turn_rate},
           task.step_over.value_or(0.0)};
 }
 
