@@ -181,7 +181,8 @@ TEST_F(Bought, HostileTextStaysText) {
   const std::size_t plain = tags_of(page());
   for (const std::string& raw : hostile_names()) {
     edit_run([&](Json& run) {
-      run["parameters"][0]["name"] = run["outer"]["objective"] = clean_utf8(raw);
+      run["parameters"][0]["name"] = clean_utf8(raw);
+      run["outer"] = {{"objective", clean_utf8(raw)}, {"weight", 1.0}};
     });
     const std::string text = page();
     expect_well_formed(text);

@@ -34,24 +34,17 @@ class CurvesTest : public testing::Test {
                "velocity = [0.1, 0.0]\n" +
                    run.weights);
     write_file(root / "inputs/robot.xml", "<mujoco/>");
-    write_json(
-        root / "run.json",
-        {{"schema", "legwright/run"},
-         {"version", 1},
-         {"robot", "ant"},
-         {"motion_only", run.motion_only},
-         {"design_size", 1},
-         {"task", {{"gait", "tripod"}, {"velocity", {run.speed, 0.0}}, {"turn_rate", 0.0}}},
-         {"sha256", {{"robot.xml", run.robot}, {"parts/leg.xml", run.leg}, {"task.toml", name}}},
-         {"final_F", 2.5},
-         {"parameters",
-          {{{"name", "shin_length"},
-            {"unit", "m"},
-            {"sentence", run.sentence},
-            {"initial", 0.1},
-            {"lower", 0.05},
-            {"upper", 0.2},
-            {"final", 0.1 + run.speed / 10}}}}});
+    auto record = read_record_file<RunRecord>(fs::path(LEGWRIGHT_SOURCE_DIR) /
+                                              "tests/tools/report/data/run.json");
+    record.robot = "ant";
+    record.motion_only = run.motion_only;
+    record.task->gait = "tripod";
+    record.task->velocity = {run.speed, 0.0};
+    record.sha256 = {{"robot.xml", run.robot}, {"parts/leg.xml", run.leg}, {"task.toml", name}};
+    record.final_F = 2.5;
+    record.parameters = {
+        {"shin_length", "m", "length", run.sentence, 0.1, 0.05, 0.2, 0.1 + run.speed / 10, 1}};
+    write_json(root / "run.json", json_of(record));
     Json gains = Json::object();
     for (const char* gain : kGains)
       gains[gain] = {{"fall", run.falls ? Json{{"time_s", 1.5}} : Json(nullptr)},

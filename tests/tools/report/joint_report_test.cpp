@@ -57,7 +57,7 @@ class JointReportTest : public testing::Test {
   void write_run(const std::string& first) {
     Json run = read_json(run_ / "tasks" / "ahead" / "run.json");
     Json task = run["task"];
-    run.erase("task");
+    for (const char* key : {"task", "pull"}) run.erase(key);
     run["name"] = "both";
     run["tasks"] = Json::array();
     for (const std::string& name : {first, std::string("sideways")}) {
@@ -79,6 +79,7 @@ class JointReportTest : public testing::Test {
     const Json played = {{"speed_ratio", 0.985}};
     return {{"F", F},
             {"pass", pass},
+            {"line", "told"},
             {"gains",
              {{"half", {{"fall", {{"time_s", 1.69}}}}}, {"default", played}, {"double", played}}}};
   }
@@ -87,14 +88,32 @@ class JointReportTest : public testing::Test {
     Json cells = Json::object();
     for (const std::string& task : {first, std::string("sideways")})
       cells[task] = {cell(51.5, false), cell(3.25, false), cell(4.75, true)};
-    write_json(run_ / "result" / "matrix.json", {{"cells", cells}, {"pass", true}},
+    const Json body{{"name", "a body"}, {"start", "initial"}};
+    write_json(run_ / "result" / "matrix.json",
+               {{"schema", "legwright/matrix"},
+                {"version", 1},
+                {"designs", {body, body, body}},
+                {"cells", cells},
+                {"pass", true}},
                Durability::process);
     Json points = Json::array();
     for (const double weight : {0.0, 0.5, 1.0})
-      points.push_back({{"weight", weight},
-                        {"F_tasks", costs(first, 6.0 - weight, 2.0 + 8.0 * weight)},
-                        {"status", "converged"}});
-    write_json(run_ / "result" / "front.json", {{"points", points}}, Durability::process);
+      points.push_back(point(weight, costs(first, 6.0 - weight, 2.0 + 8.0 * weight)));
+    write_front(first, points);
+  }
+
+  static Json point(double weight, const Json& costs) {
+    return {{"weight", weight},
+            {"F", 1.0},
+            {"F_tasks", costs},
+            {"status", "converged"},
+            {"s", {{"body_width", 0.1}}}};
+  }
+  void write_front(const std::string& first, const Json& points) const {
+    write_json(
+        run_ / "result" / "front.json",
+        {{"schema", "legwright/front"}, {"version", 1}, {"weight_of", first}, {"points", points}},
+        Durability::process);
   }
 
   std::string page() { return joint_report_page(read_joint_run(run_)); }
@@ -120,10 +139,8 @@ TEST_F(JointReportTest, EndsOfTheFrontDoNotSqueezeIt) {
   Json points = Json::array();
   for (const double weight : {0.0, 0.25, 0.5, 0.75, 1.0})
     points.push_back(
-        {{"weight", weight},
-         {"F_tasks", costs("ahead", weight == 0.0 ? 90.0 : 3.0 - weight, 2.0 + weight)},
-         {"status", "converged"}});
-  write_json(run_ / "result" / "front.json", {{"points", points}}, Durability::process);
+        point(weight, costs("ahead", weight == 0.0 ? 90.0 : 3.0 - weight, 2.0 + weight)));
+  write_front("ahead", points);
   EXPECT_TRUE(has(page(), "the point of weight 0 (90 and 2)"));
   EXPECT_FALSE(has(page(), "the point of weight 1"));
 }
@@ -171,10 +188,12 @@ TEST_F(JointReportTest, SaysWhichGaitsWereChangedAfterTheirF) {
   const std::string words = "changed the gait of sideways after the optimisation";
   EXPECT_FALSE(has(page(), words));
   Json run = read_json(run_ / "run.json");
-  run["tasks"][0]["physics_steps"] = {{"changed", false}};
-  run["tasks"][1]["physics_steps"] = {{"changed", true}};
+  run["tasks"][0]["physics_steps"] = physics_steps(false);
+  run["tasks"][1]["physics_steps"] = physics_steps(true);
   write_json(run_ / "run.json", run, Durability::process);
-  write_file(run_ / "result" / "certificate.json", R"({"tasks":{}})");
+  write_file(run_ / "result" / "certificate.json",
+             R"({"schema":"legwright/certificate","version":1,"projected_gradient_norm":0,)"
+             R"("worst_gradient_error":0,"design_curvatures":[],"active_bounds":[],"tasks":{}})");
   EXPECT_TRUE(has(page(), words));
   EXPECT_TRUE(has(page(), "It is of the gait that the optimisation ended with"));
   EXPECT_TRUE(has(joint_report_summary(read_joint_run(run_)), words));
@@ -187,17 +206,29 @@ TEST_F(JointReportTest, RefusesTasksOutsideOfTheRun) {
   EXPECT_THROW(write_report(run_), InputError);
 }
 
-TEST_F(JointReportTest, SurvivesJsonOfWrongTypes) {
-  Json run = read_json(run_ / "run.json");
-  for (auto& [key, value] : run.items())
-    if (key != "schema" && key != "tasks") value = Json::array({"x", 1, nullptr, {{"a", 1}}});
+TEST_F(JointReportTest, NamesTheKeyOfAMutilatedRun) {
+  const Json whole = read_json(run_ / "run.json");
+  for (const char* key : {"starts", "alone", "best_start", "final_F", "seconds"}) {
+    Json run = whole;
+    run.erase(key);
+    write_json(run_ / "run.json", run, Durability::process);
+    EXPECT_TRUE(has(refusal_of(run_), std::string("run.json: ") + key + ": expected a value"));
+  }
+  Json run = whole;
+  run["tasks"][1]["F"] = "x";
   write_json(run_ / "run.json", run, Durability::process);
-  write_file(run_ / "result" / "matrix.json", R"({"cells":{"ahead":[1,2,3],"sideways":{}}})");
-  write_file(run_ / "result" / "front.json", R"({"points":[1,{"F_tasks":[2]}]})");
-  expect_well_formed(page());
-  EXPECT_NO_THROW(joint_report_summary(read_joint_run(run_)));
-  write_file(run_ / "result" / "matrix.json", "[");
-  expect_well_formed(page());
+  EXPECT_TRUE(has(refusal_of(run_), "run.json: tasks[1].F: expected a number, found \"x\""));
+}
+
+TEST_F(JointReportTest, NotesFilesOfWrongTypes) {
+  for (const char* text : {R"({"cells":{"ahead":[1,2,3],"sideways":{}}})", "["}) {
+    for (const char* file : {"matrix.json", "front.json"}) write_file(run_ / "result" / file, text);
+    const std::string page = this->page();
+    expect_well_formed(page);
+    for (const char* file : {"matrix.json: ", "front.json: "}) EXPECT_TRUE(has(page, file));
+    EXPECT_TRUE(has(page, "Speeds and verdicts are not known yet."));
+    EXPECT_NO_THROW(joint_report_summary(read_joint_run(run_)));
+  }
 }
 
 TEST_F(JointReportTest, HostileNamesStayText) {

@@ -3,20 +3,21 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tools/run/attribution_json.hpp"
 
 namespace legwright {
 namespace {
 
-const Json kPull = {
+const AttributionRecord kPull = {
     {"yaw", {{"smoothness", -1.58}, {"stance_foot", 14.3}, {"style_com", -2.6}, {"travel", 0.1}}},
     {"width", {{"style_com", -0.5}}},
     {"idle", {{"stance_foot", 0.01}}},
-    {"broken", {{"stance_foot", "x"}}},
-    {"worse", 3}};
+    {"broken", {{"stance_foot", NAN}}}};
 
 TEST(PullWords, NamesWhatGainedFirstAndThenWhatItCost) {
-  const auto pulls = attributions_from_json(kPull);
+  const auto pulls = attributions_of(kPull);
   ASSERT_EQ(pulls.size(), 4U);
   const double scale = largest_share(pulls);
   EXPECT_EQ(scale, 14.3);
@@ -29,7 +30,7 @@ TEST(PullWords, NamesWhatGainedFirstAndThenWhatItCost) {
 }
 
 TEST(PullWords, SumsUpOverAllParameters) {
-  const auto pulls = attributions_from_json(kPull);
+  const auto pulls = attributions_of(kPull);
   const std::string sum = attribution_summary(pulls, 9.73);
   EXPECT_EQ(sum,
             "Taken together, the changes lowered F by 9.73. By term: slip of stance feet −14.3, at "
@@ -39,7 +40,7 @@ TEST(PullWords, SumsUpOverAllParameters) {
   EXPECT_EQ(attribution_summary(pulls, 100.0).substr(0, 41),
             "Of the 100 that F fell, 9.73 can be told ");
   EXPECT_EQ(attribution_summary({}, 1.0), "");
-  EXPECT_EQ(attribution_summary(attributions_from_json(Json(3)), 1.0), "");
+  EXPECT_EQ(attribution_summary(attributions_of({}), 1.0), "");
 }
 
 TEST(PullWords, ShowsAsManyDigitsAsMatter) {
@@ -49,10 +50,10 @@ TEST(PullWords, ShowsAsManyDigitsAsMatter) {
 }
 
 TEST(PullWords, KeepsTasksApart) {
-  auto pulls = attributions_from_json({{"yaw", {{"travel", 2.0}}}}, "pace");
-  merge_attributions(
-      pulls,
-      attributions_from_json({{"yaw", {{"travel", -3.0}}}, {"roll", {{"travel", 1.0}}}}, "walk"));
+  auto pulls = attributions_of(AttributionRecord{{"yaw", {{"travel", 2.0}}}}, "pace");
+  merge_attributions(pulls, attributions_of(AttributionRecord{{"yaw", {{"travel", -3.0}}},
+                                                              {"roll", {{"travel", 1.0}}}},
+                                            "walk"));
   ASSERT_EQ(pulls.size(), 2U);
   EXPECT_EQ(pulls[0].total("pace"), 2.0);
   EXPECT_EQ(pulls[0].total("walk"), -3.0);

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "tools/files/atomic_file.hpp"
+#include "tools/files/io_error.hpp"
 #include "tools/files/json_file.hpp"
 #include "tools/image/png.hpp"
 #include "tools/report/report.hpp"
@@ -56,6 +57,36 @@ inline void expect_well_formed(const std::string& page) {
 
 inline bool has(const std::string& page, const std::string& part) {
   return page.find(part) != std::string::npos;
+}
+
+/// What reading a run says against it; empty where it is taken.
+inline std::string refusal_of(const std::filesystem::path& run) {
+  try {
+    read_run(run);
+  } catch (const IoError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// run.json's "physics_steps" of one step that was kept and one that was not.
+inline Json physics_steps(bool changed) {
+  const Json step{{"scalars", {{"speed", 1.01}}},
+                  {"merit", 0.2},
+                  {"predicted_merit", 0.1},
+                  {"accepted", true},
+                  {"line", "PASS  walk"}};
+  Json rejected = step;
+  rejected["accepted"] = false;
+  return {{"before", {{"merit", 0.5}, {"pass", false}, {"line", "FAIL  walk: 93 % of it"}}},
+          {"after", {{"merit", 0.1}, {"pass", true}, {"line", "PASS  walk: 100 % of it"}}},
+          {"scalars", {{"speed", 1.012}, {"swing_height", 1.05}, {"margins", 1.0}}},
+          {"factors", "speed x1.012"},
+          {"period_s", 1.0},
+          {"seconds", 3.5},
+          {"changed", changed},
+          {"rollouts", 9},
+          {"steps", {step, rejected}}};
 }
 
 /// How many tags a page has: hostile text makes none more.

@@ -30,11 +30,18 @@ TEST(Numbers, HaveTheDigitsTheirPlaceNeeds) {
 }
 
 TEST(TaskWords, TellTheWayAndThePace) {
-  const Json run{
-      {"task",
-       {{"gait", "trot"}, {"velocity", {0.0, -0.1}}, {"turn_rate", 0.0}, {"period_s", 0.4}}}};
+  RunRecord run;
+  EXPECT_EQ(task_words(run), "");
+  run.task.emplace();
+  run.task->gait = "trot";
+  run.task->velocity = {0.0, -0.1};
+  run.task->period = 0.4;
   EXPECT_EQ(task_words(run), "trot, 0.1 m/s to the right, 0.4 s per cycle");
-  EXPECT_EQ(task_words(Json::object()), "");
+  run.task->step_over = 0.03;
+  run.task->slope = {0.1, 0.0};
+  EXPECT_EQ(
+      task_words(run),
+      "trot, 0.1 m/s to the right, up a slope of 5.73°, stepping over 30 mm, 0.4 s per cycle");
 }
 
 TEST(Times, AreEarlyOrLate) {
@@ -46,20 +53,9 @@ TEST(Times, AreEarlyOrLate) {
 }
 
 TEST(Parameters, ShowPeopleTheirUnitsAndBounds) {
-  const Json run{{"parameters",
-                  {{{"name", "a"},
-                    {"unit", "rad"},
-                    {"initial", 0.0},
-                    {"lower", -1.4},
-                    {"upper", 1.4},
-                    {"final", 1.4}},
-                   {{"name", "b"},
-                    {"unit", "m"},
-                    {"initial", 0.06},
-                    {"lower", 0.03},
-                    {"upper", 0.09},
-                    {"final", 0.05}},
-                   {{"name", "broken"}, {"unit", "m"}, {"initial", "x"}}}}};
+  RunRecord run;
+  run.parameters = {{"a", "rad", "axis_angle", "", 0.0, -1.4, 1.4, 1.4, 1},
+                    {"b", "m", "length", "", 0.06, 0.03, 0.09, 0.05, 1}};
   const auto views = parameters_of(run);
   ASSERT_EQ(views.size(), 2U);
   EXPECT_EQ(views[0].change(), "+80.2°");

@@ -3,16 +3,20 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "tools/files/json_file.hpp"
+
 namespace legwright {
 namespace {
 
 TEST(AttributionJson, TermsByParameterInTheirOrder) {
   const std::vector<Attribution> written{{"yaw", {{"", "travel", -3.0}, {"", "smoothness", 1.5}}},
                                          {"idle", {}}};
-  const Json document = to_json(written);
-  EXPECT_EQ(document.dump(), R"({"yaw":{"travel":-3.0,"smoothness":1.5},"idle":{}})");
-  EXPECT_EQ(to_json({}).dump(), "{}");
-  const std::vector<Attribution> read = attributions_from_json(document, "pace");
+  const AttributionRecord record = record_of(written);
+  EXPECT_EQ(json_of(record).dump(), R"({"yaw":{"travel":-3.0,"smoothness":1.5},"idle":{}})");
+  EXPECT_TRUE(record_of(std::vector<Attribution>{}).empty());
+  const std::vector<Attribution> read = attributions_of(record, "pace");
   ASSERT_EQ(read.size(), 2U);
   EXPECT_EQ(read[0].parameter, "yaw");
   ASSERT_EQ(read[0].shares.size(), 2U);
@@ -23,11 +27,10 @@ TEST(AttributionJson, TermsByParameterInTheirOrder) {
   EXPECT_TRUE(read[1].shares.empty());
 }
 
-TEST(AttributionJson, WhatHasAnotherFormIsLeftOut) {
-  EXPECT_TRUE(attributions_from_json(Json(3)).empty());
-  EXPECT_TRUE(attributions_from_json(Json()).empty());
-  const std::vector<Attribution> read = attributions_from_json(
-      {{"worse", 3}, {"broken", {{"stance_foot", "x"}}}, {"small", {{"a", 0.1}, {"b", -0.2}}}});
+TEST(AttributionJson, LargestFirstAndWithoutWhatIsNoNumber) {
+  EXPECT_TRUE(attributions_of({}).empty());
+  const std::vector<Attribution> read = attributions_of(
+      AttributionRecord{{"broken", {{"stance_foot", NAN}}}, {"small", {{"a", 0.1}, {"b", -0.2}}}});
   ASSERT_EQ(read.size(), 2U);
   EXPECT_EQ(read[0].parameter, "broken");
   EXPECT_TRUE(read[0].shares.empty());

@@ -5,6 +5,7 @@
 #include "mjcf/text/input_error.hpp"
 #include "tests/tools/files/temporary_folder.hpp"
 #include "tools/files/atomic_file.hpp"
+#include "tools/files/json_file.hpp"
 #include "tools/run/run_json.hpp"
 #include "tools/task/problem.hpp"
 #include "tools/task/task_file.hpp"
@@ -149,16 +150,20 @@ TEST(TaskDemands, ThePlansRobotIsLadenAndTheFilesIsNot) {
   EXPECT_LT(weak.objectives[0]->morphology().links[1].joint.torque_limit, 3.0);
 }
 
+Json task_json(const char* file) {
+  return json_of(*start_of_run({}, read_problem(kExamples / file), 0).task);
+}
+
 TEST(TaskDemands, StandInRunJsonOnlyWhereThereAreAny) {
-  const Json with = start_of_run({}, read_problem(kExamples / "tasks/slope.toml"), 0)["task"];
+  const Json with = task_json("tasks/slope.toml");
   EXPECT_NEAR(with["slope_rad"]["along"].get<double>(),
               read_task_file(kExamples / "tasks/slope.toml").slope_along, 1e-12);
   EXPECT_FALSE(with.contains("payload"));
-  const Json without = start_of_run({}, read_problem(kExamples / "puppy/sideways.toml"), 0)["task"];
+  const Json without = task_json("puppy/sideways.toml");
   for (const char* key :
        {"slope_rad", "payload", "torque_limit_Nm", "servo_kp_Nm_per_rad", "step_over_m"})
     EXPECT_FALSE(without.contains(key)) << key;
-  const Json bar = start_of_run({}, read_problem(kExamples / "tasks/step_over.toml"), 0)["task"];
+  const Json bar = task_json("tasks/step_over.toml");
   EXPECT_GT(bar["step_over_m"].get<double>(), 0.0);
 }
 

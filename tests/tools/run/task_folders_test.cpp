@@ -8,8 +8,12 @@
 namespace legwright {
 namespace {
 
-Json run_with(const std::string& folder) {
-  return {{"tasks", {{{"name", "pace"}, {"folder", folder}}}}};
+RunRecord run_with(const std::string& folder) {
+  RunRecord run;
+  TaskRecord& task = run.tasks.emplace().emplace_back();
+  task.name = "pace";
+  task.folder = folder;
+  return run;
 }
 
 TEST(TaskFolders, AreThoseOfAJointRun) {
@@ -17,15 +21,16 @@ TEST(TaskFolders, AreThoseOfAJointRun) {
   ASSERT_EQ(folders.size(), 1U);
   EXPECT_EQ(folders[0].name, "pace");
   EXPECT_EQ(folders[0].relative, "tasks/pace");
-  EXPECT_TRUE(task_folders({{"task", "alone"}}).empty());
-  EXPECT_TRUE(task_folders(Json()).empty());
+  EXPECT_TRUE(task_folders(RunRecord()).empty());
 }
 
 TEST(TaskFolders, NeverLieOutsideOfTheRun) {
   for (const char* folder : {"../tasks/pace", "/tasks/pace", "tasks/..", "tasks/../x", "tasks", "",
                              "tasks/a/b", "other/pace", "tasks/", "tasks/."})
     EXPECT_THROW(task_folders(run_with(folder)), InputError) << folder;
-  EXPECT_THROW(task_folders({{"tasks", {1}}}), InputError);
+  RunRecord without = run_with("");
+  without.tasks->front().folder.reset();
+  EXPECT_THROW(task_folders(without), InputError);
 }
 
 }  // namespace

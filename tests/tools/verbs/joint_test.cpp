@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "tests/tools/verbs/program.hpp"
+#include "tests/tools/verbs/run_schemas.hpp"
 #include "tools/run/events.hpp"
 
 namespace legwright {
@@ -74,6 +75,13 @@ TEST_F(Joint, RunIsCompleteAndItsTasksAreRunsOfTheirOwn) {
     ASSERT_EQ(matrix["cells"][task].size(), 4u);
     EXPECT_FALSE(matrix["cells"][task][0]["pass"].get<bool>()) << "the initial body";
   }
+  auto seen = test::expect_schemas(folder_.path() / "run");
+  EXPECT_EQ(seen["run"], 3);
+  EXPECT_EQ(seen["certificate"], 3);
+  EXPECT_EQ(seen["matrix"], 1);
+  EXPECT_EQ(seen["event_start"], 3);
+  EXPECT_GE(seen["event_joint_iteration"], 5);
+  EXPECT_GE(seen["iteration"], 10);
 }
 
 TEST_F(Joint, InterruptedAfterATaskAloneItCanStillBeValidated) {
@@ -130,6 +138,7 @@ TEST_F(Joint, FrontEndsAtEachTasksOwnOptimum) {
   ASSERT_LE(optimize.code, 1) << optimize.err;
   const Json front = json("run/result/front.json"), run = json("run/run.json");
   ASSERT_EQ(front["points"].size(), 4u);
+  EXPECT_EQ(test::expect_schemas(folder_.path() / "run")["front"], 1);
   EXPECT_EQ(front["points"][0]["weight"], 0.0);
   EXPECT_EQ(front["points"][3]["weight"], 1.0);
   EXPECT_NEAR(front["points"][3]["F_tasks"]["pace"].get<double>(),

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tests/tools/verbs/program.hpp"
+#include "tests/tools/verbs/run_schemas.hpp"
 #include "tools/files/json_file.hpp"
 
 namespace legwright {
@@ -54,6 +55,7 @@ TEST(PhysicsStepsOfOptimize, CloseTheGapBetweenPlanAndPhysics) {
   EXPECT_TRUE(found["changed"].get<bool>());
   EXPECT_LT(found["after"]["merit"].get<double>(), found["before"]["merit"].get<double>());
   EXPECT_GE(found["scalars"]["margins"].get<double>(), 1.0);
+  EXPECT_EQ(test::expect_schemas(folder.path() / "closed")["run"], 1);
 
   optimize("threads", {"--physics-steps", "2", "--threads", "3"});
   EXPECT_EQ(file("closed", "scene.xml"), file("threads", "scene.xml"));

@@ -9,6 +9,7 @@
 
 #include "tests/tools/files/temporary_folder.hpp"
 #include "tests/tools/verbs/program.hpp"
+#include "tests/tools/verbs/run_schemas.hpp"
 #include "tools/run/events.hpp"
 
 namespace legwright {
@@ -149,6 +150,10 @@ TEST(Optimize, WritesACompleteRunTwiceTheSame) {
   EXPECT_EQ(events.front()["event"], "start");
   EXPECT_EQ(events[1]["F"], run["motion_only_F"]);
   EXPECT_EQ(events.back()["event"], "end");
+  auto seen = test::expect_schemas(a);
+  EXPECT_EQ(seen["run"], 1);
+  EXPECT_EQ(seen["event_iteration"], 2);
+  EXPECT_EQ(seen["iteration"], 3);
 
   const Outcome again =
       wait_for(start({"optimize", kWalk, "-o", "a"}, folder.path()), folder.path());

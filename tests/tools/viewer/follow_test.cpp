@@ -8,6 +8,8 @@
 
 #include "tests/tools/files/temporary_folder.hpp"
 #include "tools/files/json_file.hpp"
+#include "tools/run/iteration_record.hpp"
+#include "tools/run/run_record.hpp"
 #include "tools/viewer/message_lines.hpp"
 
 namespace legwright {
@@ -26,7 +28,14 @@ void land(const fs::path& folder, int second) {
 
 void write_status(const fs::path& run, const char* status) {
   fs::create_directories(run);
-  write_json(run / "run.json", {{"schema", "legwright/run"}, {"status", status}});
+  RunRecord record;
+  record.status = status;
+  record.task.emplace();
+  if (record.ended()) {
+    const auto fixture = fs::path(LEGWRIGHT_SOURCE_DIR) / "tests/tools/report/data/run.json";
+    record = read_record_file<RunRecord>(fixture);
+  }
+  write_json(run / "run.json", json_of(record));
 }
 
 TEST(RunFollower, WaitsShowsEachDesignOnceAndEndsWithTheResult) {
@@ -105,10 +114,12 @@ TEST(RunFollower, FollowsATaskOfAJointRunThroughItsStarts) {
 
 TEST(RunFollower, NamesTheTasksOfAJointRun) {
   const TemporaryFolder folder;
-  write_json(folder.path() / "run.json",
-             {{"schema", "legwright/run"},
-              {"status", "running"},
-              {"tasks", Json::array({{{"name", "trot"}, {"folder", "tasks/trot"}}})}});
+  RunRecord record;
+  record.status = "running";
+  TaskRecord& task = record.tasks.emplace().emplace_back();
+  task.name = "trot";
+  task.folder = "tasks/trot";
+  write_json(folder.path() / "run.json", json_of(record));
   RunFollower follower(folder.path());
   EXPECT_FALSE(follower.next());
   EXPECT_NE(follower.waiting().find("play --live " + folder.path().string() + "/tasks/trot"),
@@ -124,8 +135,12 @@ TEST(Facts, ComeFromTheMetricsAndDoWithoutThem) {
   EXPECT_EQ(facts_of(landed).size(), 1u);
   write_file(design / "metrics.json", "[1, 2");
   EXPECT_EQ(facts_of(landed).size(), 1u);
-  write_json(design / "metrics.json",
-             {{"F", 1.25}, {"J", 0.5}, {"speed_reached", 0.09}, {"speed_wanted", 0.1}});
+  IterationMetrics metrics;
+  metrics.F = 1.25;
+  metrics.J = 0.5;
+  metrics.speed_reached = 0.09;
+  metrics.speed_wanted = 0.1;
+  write_json(design / "metrics.json", json_of(metrics));
   const std::vector<Fact> facts = facts_of(landed);
   ASSERT_EQ(facts.size(), 3u);
   EXPECT_EQ(facts[0].value, "iteration 12");

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// docs/schema/ holds the schema of each file of a run; LEGWRIGHT_WRITE_SCHEMAS=1 writes it anew.
+#include "tools/run/schemas.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "tests/support/json_schema.hpp"
+#include "tools/run/events.hpp"
+#include "tools/run/record.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+const fs::path kStored = fs::path(LEGWRIGHT_SOURCE_DIR) / "docs/schema";
+const fs::path kFixture = fs::path(LEGWRIGHT_SOURCE_DIR) / "tests/tools/report/data";
+
+TEST(Schemas, AreStoredAsTheRecordsAre) {
+  std::size_t count = 0;
+  for (const auto& [name, schema] : record_schemas()) {
+    const fs::path file = kStored / (name + ".schema.json");
+    if (std::getenv("LEGWRIGHT_WRITE_SCHEMAS") != nullptr) write_json(file, schema);
+    ASSERT_TRUE(fs::exists(file)) << "run this test with LEGWRIGHT_WRITE_SCHEMAS=1";
+    EXPECT_EQ(read_file(file), to_text(schema))
+        << file << ": another schema than that of the record; write it anew with "
+        << "LEGWRIGHT_WRITE_SCHEMAS=1, and raise its version where old files are no longer read";
+    ++count;
+  }
+  for (const auto& entry : fs::directory_iterator(kStored))
+    count -= entry.path().string().ends_with(".schema.json") ? 1 : 0;
+  EXPECT_EQ(count, 0u) << "a schema of no record";
+}
+
+TEST(Schemas, TakeWhatARunHoldsAndNothingElse) {
+  for (const char* name : {"run", "result/certificate"}) {
+    const fs::path file = kFixture / (std::string(name) + ".json");
+    const std::string kind = file.stem().string();
+    EXPECT_EQ(test::schema_fault(kind, file), "");
+    const Json schema = read_json(kStored / (kind + ".schema.json"));
+    const Json whole = read_json(file);
+    for (const Json& key : schema["required"]) {
+      Json damaged = whole;
+      damaged.erase(key.get<std::string>());
+      EXPECT_EQ(test::schema_fault(schema, damaged), ": without " + key.dump());
+      damaged[key.get<std::string>()] = Json::object({{"x", Json::array({1})}});
+      EXPECT_NE(test::schema_fault(schema, damaged), "") << key;
+    }
+    Json damaged = whole;
+    damaged["wishes"] = 3;
+    EXPECT_EQ(test::schema_fault(schema, damaged), ": wishes is not known");
+  }
+  for (const Json& event : read_events(kFixture / "events.jsonl")) {
+    const std::string kind = "event_" + event["event"].get<std::string>();
+    EXPECT_EQ(test::schema_fault(read_json(kStored / (kind + ".schema.json")), event), "");
+  }
+}
+
+}  // namespace
+}  // namespace legwright
