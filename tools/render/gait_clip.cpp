@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/render/gait_clip.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -28,13 +30,13 @@ GaitClip load_clip(const char* title, const fs::path& folder, const fs::path& pl
   return clip;
 }
 
-/// What `read` makes of a file that `validate` wrote. Throws InputError where it is damaged.
+/// What `read` makes of a file that a verb wrote. Throws InputError where it is damaged.
 template <class Read>
-auto read_validated(const Read& read) {
+auto read_of(const char* verb, const Read& read) {
   try {
     return read();
   } catch (const IoError& error) {
-    throw InputError(error.what());
+    throw InputError(fmt::format("{} (run `legwright {}` again)", error.what(), verb));
   }
 }
 
@@ -55,13 +57,13 @@ std::vector<double> GaitClip::planned_at(double time) const {
 
 std::vector<GaitClip> load_clips(const fs::path& run) {
   const fs::path result = run / "result";
-  const auto verdict = read_validated([&] {
+  const auto verdict = read_of("validate", [&] {
     const fs::path file = result / "verdict.json";
     return fs::exists(file) ? std::optional(read_record_file<VerdictRecord>(file)) : std::nullopt;
   });
-  const auto metrics = read_validated([&] { return read_metrics(result / "metrics.json"); });
-  const bool motion_only =
-      read_validated([&] { return read_record_file<RunRecord>(run / "run.json").motion_only; });
+  const auto metrics = read_of("validate", [&] { return read_metrics(result / "metrics.json"); });
+  const bool motion_only = read_of(
+      "optimize", [&] { return read_record_file<RunRecord>(run / "run.json").motion_only; });
   std::vector<GaitClip> clips;
   if (!motion_only) {
     clips.push_back(load_clip("Before: the initial body, its gait optimised",
