@@ -15,7 +15,7 @@ struct GaitPattern {
   std::vector<double> touchdown;       // per foot in footfall order (see footfall_order), in [0, 1)
   double duty = 0.75;                  // stance fraction of the cycle, 0 < duty ≤ 1
   std::vector<double> foot_duty = {};  // where feet differ: per foot in footfall order; else empty
-  std::string about = "";              // what it is and whose measure, in a sentence
+  std::string about = {};              // what it is and whose measure, in a sentence
 
   double duty_of(std::size_t place) const { return foot_duty.empty() ? duty : foot_duty[place]; }
   /// Whether the foot of this place is on the ground at a phase of the cycle; at its touchdown it

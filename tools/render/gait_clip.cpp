@@ -7,8 +7,11 @@
 #include <numbers>
 
 #include "mjcf/text/input_error.hpp"
-#include "tools/files/json_file.hpp"
+#include "tools/files/io_error.hpp"
+#include "tools/run/metrics_record.hpp"
 #include "tools/run/motion_csv.hpp"
+#include "tools/run/run_record.hpp"
+#include "tools/run/verdict_record.hpp"
 
 namespace legwright {
 namespace {
@@ -27,44 +30,23 @@ GaitClip load_clip(const char* title, const fs::path& folder, const fs::path& pl
   return clip;
 }
 
-std::vector<std::pair<double, double>> intervals(const Json& list) {
-  std::vector<std::pair<double, double>> found;
-  for (const Json& pair : list)
-    found.emplace_back(pair.at(0).get<double>(), pair.at(1).get<double>());
-  return found;
-}
-
-/// An object that `validate` wrote, empty where there is none yet.
-Json read_object(const fs::path& file) {
-  if (!fs::exists(file)) return Json::object();
-  Json values = read_json(file);
-  if (!values.is_object())
-    throw InputError(file.string(), 0, "",
-                     fmt::format("found a JSON {}, expected an object; the file is damaged: run "
-                                 "`legwright validate` again",
-                                 values.type_name()));
-  return values;
-}
-
-bool is_true(const Json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_boolean() && found->get<bool>();
-}
-
-/// What `validate` told of one design; a file of another version may lack any of it.
-void read_metrics(const Json& metrics, const char* design, GaitClip& clip) {
+/// What `read` makes of a file that a verb wrote. Throws InputError where it is damaged.
+template <class Read>
+auto read_of(const char* verb, const Read& read) {
   try {
-    const Json& values = metrics.at(design).at("default");
-    const Json& fall = values.at("fall");
-    if (fall.is_object()) clip.fell = fall.at("time_s").get<double>();
-    for (const Json& foot : values.at("feet")) {
-      clip.feet.push_back({foot.at("name").get<std::string>(),
-                           intervals(foot.at("planned_stances_s")),
-                           intervals(foot.at("contacts_s"))});
-    }
-  } catch (const Json::exception&) {
-    clip.feet.clear();
+    return read();
+  } catch (const IoError& error) {
+    throw InputError(fmt::format("{} (run `legwright {}` again)", error.what(), verb));
   }
+}
+
+/// What `validate` measured of a design at the gains of the scene.
+void add_metrics(const ByName<GainMetrics>& gains, GaitClip& clip) {
+  const GainMetrics* measured = gains.find("default");
+  if (measured == nullptr) return;
+  if (measured->fall) clip.fell = measured->fall->time;
+  for (const FootMetrics& foot : measured->feet)
+    clip.feet.push_back({foot.name, foot.planned, foot.contacts});
 }
 
 }  // namespace
@@ -75,27 +57,25 @@ std::vector<double> GaitClip::planned_at(double time) const {
 
 std::vector<GaitClip> load_clips(const fs::path& run) {
   const fs::path result = run / "result";
-  const bool motion_only = is_true(read_json(run / "run.json"), "motion_only");
+  const auto verdict = read_of("validate", [&] {
+    const fs::path file = result / "verdict.json";
+    return fs::exists(file) ? std::optional(read_record_file<VerdictRecord>(file)) : std::nullopt;
+  });
+  const auto metrics = read_of("validate", [&] { return read_metrics(result / "metrics.json"); });
+  const bool motion_only = read_of(
+      "optimize", [&] { return read_record_file<RunRecord>(run / "run.json").motion_only; });
   std::vector<GaitClip> clips;
-  std::vector<const char*> designs;
   if (!motion_only) {
     clips.push_back(load_clip("Before: the initial body, its gait optimised",
                               run / "iterations" / "0000", result / "playback_initial.csv"));
-    designs.push_back("initial");
+    if (verdict) clips.back().passed = verdict->initial.pass;
+    if (metrics) add_metrics(metrics->initial, clips.back());
   }
   clips.push_back(load_clip(
       motion_only ? "The initial body, its gait optimised" : "After: body and gait co-designed",
       result, result / "playback_result.csv"));
-  designs.push_back("result");
-  const Json verdict = read_object(result / "verdict.json"),
-             metrics = read_object(result / "metrics.json");
-  for (std::size_t i = 0; i < clips.size(); ++i) {
-    const Json verdict_of_design = verdict.value(designs[i], Json::object());
-    if (const auto pass = verdict_of_design.find("pass");
-        pass != verdict_of_design.end() && pass->is_boolean())
-      clips[i].passed = pass->get<bool>();
-    read_metrics(metrics, designs[i], clips[i]);
-  }
+  if (verdict) clips.back().passed = verdict->result.pass;
+  if (metrics) add_metrics(metrics->result, clips.back());
   return clips;
 }
 

@@ -59,16 +59,18 @@ std::string way_of(const TaskRecord& task, double speed) {
   return task.gait + " " + way;
 }
 
-CurveSample sample_of(const Json& measured, double wanted) {
+CurveSample sample_of(const GainMetrics& measured, double wanted) {
   CurveSample sample;
-  sample.fall_time = number_at(measured, {"fall", "time_s"});
-  sample.speed_ratio = number_at(measured, {"speed_ratio"});
-  if (sample.fall_time) sample.speed_ratio.reset();  // what it did before it fell is no walk
+  if (measured.fall) {
+    sample.fall_time = measured.fall->time;  // what it did before it fell is no walk
+  } else {
+    sample.speed_ratio = measured.speed_ratio;
+  }
   if (sample.speed_ratio) sample.speed = *sample.speed_ratio * wanted;
-  sample.tilt = number_at(measured, {"tilt_max_rad"});
-  sample.saturated_share = number_at(measured, {"saturated_share"});
-  sample.touch_share = number_at(measured, {"self_contact_share"}).value_or(0.0);
-  sample.touch_count = static_cast<int>(number_at(measured, {"self_contact_count"}).value_or(0.0));
+  sample.tilt = finite(measured.tilt_max);
+  sample.saturated_share = finite(measured.saturated_share);
+  sample.touch_share = measured.self_contact.share;
+  sample.touch_count = measured.self_contact.count;
   return sample;
 }
 
@@ -76,21 +78,18 @@ CurvePoint point_of(const RunData& data) {
   CurvePoint point;
   point.run = data.root;
   point.wanted = wanted_speed(data);
-  const Json& pass = value_at(data.verdict, {"result", "pass"});
-  if (!pass.is_boolean() || !value_at(data.metrics, {"result"}).is_object())
+  if (!data.verdict || !data.metrics)
     throw InputError(
         data.root.string(), 0, "",
         "not validated yet; run `legwright validate " + data.root.generic_string() + "` first");
-  point.pass = pass.get<bool>();
-  const Json& reasons = value_at(data.verdict, {"result", "reasons"});
-  if (reasons.is_array())
-    for (const Json& reason : reasons)
-      if (reason.is_string()) point.reasons.push_back(reason.get<std::string>());
+  point.pass = data.verdict->result.pass;
+  point.reasons = data.verdict->result.reasons;
   if (!data.run.final_F)
     refuse(data, "final_F", "expected the cost of a finished run; run it to its end");
   point.cost = *data.run.final_F;
   for (std::size_t g = 0; g < kGains.size(); ++g)
-    point.at_gains[g] = sample_of(value_at(data.metrics, {"result", kGains[g]}), point.wanted);
+    if (const GainMetrics* measured = data.metrics->result.find(kGains[g]))
+      point.at_gains[g] = sample_of(*measured, point.wanted);
   point.parameters = parameters_of(data.run);
   return point;
 }

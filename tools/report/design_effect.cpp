@@ -15,79 +15,60 @@ namespace {
 
 constexpr double kTiltThreshold = 0.01;   // [rad], for the worse
 constexpr double kShareThreshold = 0.01;  // of the time, for the worse
-constexpr const char* kSides[] = {"initial", "result"};
 
 using Value = std::optional<double>;
 using Sides = std::pair<Value, Value>;
 
-/// One body's roll-outs, those that came to their end.
-std::vector<const Json*> walks(const RunData& data, const char* side) {
-  std::vector<const Json*> out;
-  const Json& gains = value_at(data.metrics, {side});
-  if (!gains.is_object()) return out;
-  for (const auto& [gain, measured] : gains.items())
-    if (measured.is_object() && value_at(measured, {"fall"}).is_null()) out.push_back(&measured);
-  return out;
+std::size_t falls(const ByName<GainMetrics>& gains) {
+  return static_cast<std::size_t>(std::count_if(
+      gains.begin(), gains.end(), [](const auto& gain) { return gain.second.fall.has_value(); }));
 }
 
-std::size_t falls(const RunData& data, const char* side) {
-  const Json& gains = value_at(data.metrics, {side});
-  std::size_t count = 0;
-  if (!gains.is_object()) return 0;
-  for (const auto& [gain, measured] : gains.items())
-    count += value_at(measured, {"fall"}).is_object() ? 1 : 0;
-  return count;
+/// The least or greatest of two numbers, either of which may be none.
+void take(Value& out, Value value, bool greatest) {
+  if (value) out = !out ? *value : greatest ? std::max(*out, *value) : std::min(*out, *value);
 }
 
-/// The least or greatest of the gains; none where the body falls at one of them.
-Value over_gains(const RunData& data, const char* side, const char* key, bool greatest) {
-  if (falls(data, side) > 0) return std::nullopt;
+/// The least or greatest of the gains; none where the body falls at one of them, or where one has
+/// no such number.
+template <class Member>
+Value over_gains(const ByName<GainMetrics>& gains, Member member, bool greatest) {
+  if (falls(gains) > 0) return std::nullopt;
   Value out;
-  for (const Json* measured : walks(data, side)) {
-    const Value value = number_at(*measured, {key});
+  for (const auto& [gain, measured] : gains) {
+    const Value value = finite(measured.*member);
     if (!value) return std::nullopt;
-    out = !out ? *value : greatest ? std::max(*out, *value) : std::min(*out, *value);
+    take(out, value, greatest);
   }
   return out;
 }
 
 /// Of the roll-out at default gains, where it came to its end.
-Value at_default(const RunData& data, const char* side,
-                 const std::function<Value(const Json&)>& of) {
-  const Json& measured = value_at(data.metrics, {side, "default"});
-  if (!measured.is_object() || value_at(measured, {"fall"}).is_object()) return std::nullopt;
-  return of(measured);
+Value at_default(const ByName<GainMetrics>& gains,
+                 const std::function<Value(const GainMetrics&)>& of) {
+  const GainMetrics* measured = gains.find("default");
+  return measured == nullptr || measured->fall ? std::nullopt : of(*measured);
 }
 
-/// The greatest (or least) of one number over the entries of a list.
-Value extreme(const Json& list, const char* key, bool greatest) {
+Value peak_torque(const GainMetrics& measured) {
   Value out;
-  if (!list.is_array()) return out;
-  for (const Json& entry : list) {
-    const Value value = number_at(entry, {key});
-    if (value) out = !out ? *value : greatest ? std::max(*out, *value) : std::min(*out, *value);
-  }
+  for (const JointMetrics& joint : measured.joints) take(out, finite(joint.torque_peak), true);
   return out;
 }
 
-Value peak_torque(const Json& measured) {
-  return extreme(value_at(measured, {"joints"}), "torque_peak_Nm", true);
-}
-
-Value least_clearance(const RunData& data, const char* side) {
-  if (falls(data, side) > 0) return std::nullopt;
+Value least_clearance(const ByName<GainMetrics>& gains) {
+  if (falls(gains) > 0) return std::nullopt;
   Value out;
-  for (const Json* measured : walks(data, side))
-    if (const Value value = extreme(value_at(*measured, {"feet"}), "clearance_min_m", false))
-      out = std::min(out.value_or(*value), *value);
+  for (const auto& [gain, measured] : gains)
+    for (const FootMetrics& foot : measured.feet) take(out, finite(foot.clearance_min), false);
   return out;
 }
 
-std::string verdict_words(const RunData& data, const char* side) {
-  const Json& pass = value_at(data.verdict, {side, "pass"});
-  if (!pass.is_boolean()) return "–";
-  if (pass.get<bool>()) return "✓ passes";
-  const std::size_t count = falls(data, side);
+std::string verdict_words(const RunData& data, Design design) {
+  const DesignVerdict* verdict = data.verdict_of(design);
+  if (verdict == nullptr) return "–";
+  if (verdict->pass) return "✓ passes";
+  const std::size_t count = falls(data.gains_of(design));
   return count == 0 ? "✗ fails" : fmt::format("✗ falls at {} of the gains", count);
 }
 
@@ -119,37 +100,35 @@ Rows::Show in(const std::string& unit) {
   return [unit](Value value) { return amount_words(value, unit); };
 }
 
-Sides both(const std::function<Value(const char*)>& of) { return {of(kSides[0]), of(kSides[1])}; }
-
 Sides outer_cost(const RunData& data) {
   if (!data.run.outer || data.iterations.empty()) return {};
   return {data.iterations.front().J, data.run.final_J};
 }
 
 void add_measured(const RunData& data, Rows& rows) {
-  rows.text("in MuJoCo", verdict_words(data, kSides[0]), verdict_words(data, kSides[1]));
-  const auto least = [&](const char* key) {
-    return both([&](const char* side) { return over_gains(data, side, key, false); });
+  const auto both = [&](const auto& of) {
+    return Sides{of(data.gains_of(Design::initial)), of(data.gains_of(Design::result))};
   };
-  rows.add("of the wanted speed, worst gains", least("speed_ratio"), percent, Better::near_one);
-  rows.add("of the wanted turn rate, worst gains", least("turn_ratio"), percent, Better::near_one);
-  rows.add("largest tilt",
-           both([&](const char* side) { return over_gains(data, side, "tilt_max_rad", true); }),
-           in("rad"), Better::less, kTiltThreshold);
-  rows.add("share of the time with a servo at its limit",
-           both([&](const char* side) { return over_gains(data, side, "saturated_share", true); }),
-           percent, Better::less, kShareThreshold);
-  const auto standard = [&](const std::function<Value(const Json&)>& of) {
-    return both([&](const char* side) { return at_default(data, side, of); });
+  const auto worst = [&](auto member, bool greatest) {
+    return both([=](const auto& gains) { return over_gains(gains, member, greatest); });
   };
-  const auto number = [](const char* key) {
-    return [key](const Json& measured) { return number_at(measured, {key}); };
+  const auto standard = [&](const auto& of) {
+    return both([&](const auto& gains) { return at_default(gains, of); });
   };
+  using M = GainMetrics;
+  rows.text("in MuJoCo", verdict_words(data, Design::initial), verdict_words(data, Design::result));
+  rows.add("of the wanted speed, worst gains", worst(&M::speed_ratio, false), percent,
+           Better::near_one);
+  rows.add("of the wanted turn rate, worst gains", worst(&M::turn_ratio, false), percent,
+           Better::near_one);
+  rows.add("largest tilt", worst(&M::tilt_max, true), in("rad"), Better::less, kTiltThreshold);
+  rows.add("share of the time with a servo at its limit", worst(&M::saturated_share, true), percent,
+           Better::less, kShareThreshold);
   rows.add_amount("peak torque of a servo", standard(peak_torque), in("N m"));
-  rows.add_amount("mechanical power", standard(number("power_mean_W")), in("W"));
-  rows.add("cost of transport", standard(number("cost_of_transport")), short_number, Better::less);
-  rows.add("steps over a bar of",
-           both([&](const char* side) { return least_clearance(data, side); }), in("m"),
+  rows.add_amount("mechanical power", standard([](const M& m) { return m.power_mean; }), in("W"));
+  rows.add("cost of transport", standard([](const M& m) { return m.cost_of_transport; }),
+           short_number, Better::less);
+  rows.add("steps over a bar of", both(least_clearance), in("m"),
            data.run.task && data.run.task->step_over ? Better::more : Better::neither);
 }
 
@@ -209,7 +188,7 @@ std::string change_words(double change) {
 
 std::vector<EffectRow> effect_rows(const RunData& data) {
   Rows rows;
-  if (!data.metrics.is_null()) add_measured(data, rows);
+  if (data.metrics) add_measured(data, rows);
   if (const auto& body = data.run.body) {
     rows.add_amount("mass of the robot", {body->initial.mass, body->final.mass}, in("kg"));
     rows.add_amount("printed volume", {body->initial.printed_volume, body->final.printed_volume},
@@ -241,10 +220,8 @@ std::string body_words(const RunData& data) {
 
 std::string effect_words(const RunData& data) {
   if (motion_only(data)) return "";
-  const Json& before = value_at(data.verdict, {"initial", "pass"});
-  const Json& after = value_at(data.verdict, {"result", "pass"});
-  if (!before.is_boolean() || !after.is_boolean()) return "";
-  const bool could = before.get<bool>(), can = after.get<bool>();
+  if (!data.verdict) return "";
+  const bool could = data.verdict->initial.pass, can = data.verdict->result.pass;
   const std::string more = balance(effect_rows(data));
   if (could && can)
     return more.empty()

@@ -62,7 +62,8 @@ std::string joint_report_page(const JointData& data) {
   island["tasks"] = json_of(*data.whole.run.tasks);
   island["verdict"] = Json::object();
   for (const JointTaskData& task : data.tasks)
-    island["verdict"][task.name] = task.run ? task.run->verdict : Json();
+    island["verdict"][task.name] =
+        task.run && task.run->verdict ? json_of(*task.run->verdict) : Json();
   close_page(page, island);
   return page.take();
 }

@@ -29,4 +29,12 @@ class Hole {
 /// faults of the program, and every template is filled by a test.
 std::string fill(std::string_view page, std::initializer_list<Hole> holes);
 
+/// What `html_of` makes of each element, one after the other.
+template <class List, class HtmlOf>
+std::string each(const List& list, const HtmlOf& html_of) {
+  std::string out;
+  for (const auto& element : list) out += html_of(element);
+  return out;
+}
+
 }  // namespace legwright

@@ -65,7 +65,7 @@ std::string pair_page(const RunPair& pair) {
   Json island{{"schema", "legwright/report-pair"}, {"version", 1}};
   for (const auto& [name, run] : {std::pair{"a", &pair.a}, {"b", &pair.b}}) {
     island[name] = island_of(*run);
-    island[name]["verdict"] = run->verdict;
+    island[name]["verdict"] = run->verdict ? json_of(*run->verdict) : Json();
   }
   close_page(page,
              "Made by legwright report from the files of these runs; nothing is fetched from "

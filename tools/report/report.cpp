@@ -35,7 +35,7 @@ std::string report_page(const RunData& data) {
   add_certificate(page, data);
   add_origin(page, data);
   Json island = island_of(data);
-  island["verdict"] = data.verdict;
+  island["verdict"] = data.verdict ? json_of(*data.verdict) : Json();
   close_page(page, island);
   return page.take();
 }

@@ -40,33 +40,10 @@ RunData read_run(const fs::path& root) {
     data.joint_iterations = std::move(found.joint);
   });
   const fs::path result = root / "result";
-  if_present(result / "metrics.json", data.notes, [&](const fs::path& file) {
-    const Json metrics = read_json(file);
-    if (text_at(metrics, {"schema"}) == "legwright/validation")
-      data.metrics = metrics;  // else not validated yet
-  });
-  if_present(result / "verdict.json", data.notes,
-             [&](const fs::path& file) { data.verdict = read_json(file); });
+  static_cast<JudgedData&>(data) = read_judged(result, data.notes);
   if_present(result / "certificate.json", data.notes, [&](const fs::path& file) {
     data.certificate = read_record_file<CertificateRecord>(file);
   });
-  for (const auto& [name, target] : {std::pair{"comparison", &data.comparison},
-                                     {"numerics", &data.numerics},
-                                     {"robustness", &data.robustness}}) {
-    if_present(result / fmt::format("{}.json", name), data.notes, [&](const fs::path& file) {
-      Json document = read_json(file);
-      if (text_at(document, {"schema"}) != fmt::format("legwright/{}", name) ||
-          number_at(document, {"version"}) != 1.0)
-        throw std::runtime_error(fmt::format("{}: expected schema legwright/{}, version 1",
-                                             file.generic_string(), name));
-      *target = std::move(document);
-    });
-  }
-  data.compared_initial = comparison_of(data.comparison, "initial", data.notes);
-  data.compared_result = comparison_of(data.comparison, "result", data.notes);
-  data.factors = factors_of(data.robustness, data.notes);
-  data.limits_initial = limits_of(data.verdict, "initial", data.notes);
-  data.limits_result = limits_of(data.verdict, "result", data.notes);
   if_present(data.iteration(0) / "motion.csv", data.notes,
              [&](const fs::path& file) { data.initial_plan = read_motion_csv(file); });
   if_present(result / "motion.csv", data.notes,

@@ -9,7 +9,7 @@
 
 #include "plugin/trajectory.hpp"
 #include "tools/files/json_file.hpp"
-#include "tools/report/readings.hpp"
+#include "tools/report/judged_data.hpp"
 #include "tools/run/certificate_record.hpp"
 #include "tools/run/iteration_record.hpp"
 #include "tools/run/run_record.hpp"
@@ -17,19 +17,12 @@
 namespace legwright {
 
 /// What a run folder holds, read for a report: what is missing is missing, what is broken is noted.
-struct RunData {
+struct RunData : JudgedData {
   std::filesystem::path root;
   RunRecord run;
   std::vector<IterationEvent> iterations;  // of a run of one task, in order
   std::vector<JointIterationEvent> joint_iterations;
-  Json metrics, verdict;                         // of validate; null where it has not run
   std::optional<CertificateRecord> certificate;  // of the result; none where it was not asked for
-  Json comparison, numerics,
-      robustness;  // of validate, of their schemas; null where it has not run
-  std::optional<ComparisonView> compared_initial,
-      compared_result;                                  // what can be drawn of `comparison`
-  std::vector<RobustnessFactor> factors;                // and of `robustness`
-  std::vector<LimitRow> limits_initial, limits_result;  // and of `verdict`, failing ones first
   std::optional<Trajectory> initial_plan, result_plan;
   std::vector<std::string> notes;  // files that could not be used, and why
 

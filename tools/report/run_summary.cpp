@@ -33,10 +33,10 @@ std::string and_more(std::size_t all, std::size_t shown) {
   return all > shown ? fmt::format("\n… and {} more.\n", all - shown) : "";
 }
 
-std::string verdict_row(const RunData& data, const char* key, const char* head) {
-  const Json& pass = value_at(data.verdict, {key, "pass"});
-  const std::string line = text_at(data.verdict, {key, "line"});
-  const char* mark = !pass.is_boolean() ? "–" : pass.get<bool>() ? "✅ PASS" : "❌ FAIL";
+std::string verdict_row(const RunData& data, Design design, const char* head) {
+  const DesignVerdict* verdict = data.verdict_of(design);
+  const std::string line = verdict == nullptr ? "" : verdict->line;
+  const char* mark = verdict == nullptr ? "–" : verdict->pass ? "✅ PASS" : "❌ FAIL";
   std::string words = line.empty() ? "not validated" : line;
   if (const std::size_t colon = words.find(": "); colon != std::string::npos && !line.empty())
     words = words.substr(colon + 2);  // the mark and the heading say what stands before it
@@ -44,16 +44,16 @@ std::string verdict_row(const RunData& data, const char* key, const char* head) 
 }
 
 std::string home_touches(const RunData& data) {
-  const std::string line = text_at(data.verdict, {"home_touches", "line"});
-  return line.empty() ? "" : "**Warning.** " + cell(line, kLongestLine) + "\n\n";
+  if (!data.verdict || !data.verdict->home_touches) return "";
+  return "**Warning.** " + cell(data.verdict->home_touches->line, kLongestLine) + "\n\n";
 }
 
 std::string verdicts(const RunData& data) {
   const std::string head = "| | verdict | |\n|---|---|---|\n";
   if (motion_only(data))
-    return head + verdict_row(data, "result", "initial body, only its gait optimised") + "\n";
-  return head + verdict_row(data, "initial", "before: initial body, its gait optimised") +
-         verdict_row(data, "result", "after: body and gait co-designed") + "\n" +
+    return head + verdict_row(data, Design::result, "initial body, only its gait optimised") + "\n";
+  return head + verdict_row(data, Design::initial, "before: initial body, its gait optimised") +
+         verdict_row(data, Design::result, "after: body and gait co-designed") + "\n" +
          home_touches(data);
 }
 
@@ -76,21 +76,20 @@ std::string limits(const std::vector<LimitRow>& rows) {
 
 std::string margins(const RunData& data) {
   std::string out;
-  if (const std::string none = no_margins_words(data.robustness); !none.empty())
-    out += cell(none) + "\n\n";
-  if (!data.factors.empty()) {
+  if (const std::string none = no_margins_words(data); !none.empty()) out += cell(none) + "\n\n";
+  if (!data.factors().empty()) {
     out += "| margin | |\n|---|---|\n";
-    for (std::size_t k = 0; k < std::min(data.factors.size(), kMostFactors); ++k) {
-      const RobustnessFactor& factor = data.factors[k];
+    for (std::size_t k = 0; k < std::min(data.factors().size(), kMostFactors); ++k) {
+      const RobustnessFactor& factor = data.factors()[k];
       out += fmt::format("| {} | {} |\n",
                          cell(factor.label.empty() ? spaced(factor.name) : factor.label),
                          cell(margin_words(factor)));
     }
-    out += and_more(data.factors.size(), kMostFactors) + "\n";
+    out += and_more(data.factors().size(), kMostFactors) + "\n";
   }
-  const std::string survival = survival_words(value_at(data.robustness, {"monte_carlo"}));
+  const std::string survival = data.robustness ? survival_words(data.robustness->monte_carlo) : "";
   if (!survival.empty()) out += "**Everything off at once.** " + survival + "\n\n";
-  const std::string numerics = numerics_words(data.numerics);
+  const std::string numerics = data.numerics ? numerics_words(*data.numerics) : "";
   if (!numerics.empty()) out += "**Other numerics.** " + cell(numerics) + "\n\n";
   return out;
 }
@@ -142,7 +141,7 @@ std::string parameters(const RunData& data) {
 
 std::string report_summary(const RunData& data) {
   std::string out = fmt::format("# {}\n\n{}\n\n", cell(title_of(data)), cell(task_words(data.run)));
-  out += verdicts(data) + limits(data.limits_result);
+  out += verdicts(data) + limits(data.limits_of(Design::result));
   if (motion_only(data)) {
     out += fmt::format("Cost F {}.\n\n", short_number(data.run.final_F));
   } else {

@@ -62,7 +62,7 @@ void add_effect(Html& page, const RunData& data) {
     add_row(page, row.what, row.before, row.after,
             row.effect.change ? change_words(*row.effect.change) : "");
   page.close().close().close().close();
-  if (data.metrics.is_null())
+  if (!data.metrics)
     add_hint(page, "What the bodies do in MuJoCo has not been measured yet.", "validate", data);
   page.element("p",
                "Before: the initial body with the gait that is best for it, so the difference is "

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "tools/report/page_template.hpp"
 #include "tools/report/sections.hpp"
 #include "tools/report/svg_plot.hpp"
 #include "tools/report/words.hpp"
@@ -17,58 +19,49 @@ constexpr const char* kOverCycle = "over the share of the cycle";
 constexpr std::pair<double, double> kCycle{0.0, 1.0};
 constexpr double kWorthTelling = 0.05;  // of the worst: closer to the mean it says nothing new
 
-std::vector<double> scaled(std::vector<double> values, double by) {
-  for (double& value : values) value *= by;
-  return values;
+std::vector<double> list_of(const Eigen::VectorXd& values, double scale = 1.0) {
+  const Eigen::VectorXd scaled = scale * values;
+  return {scaled.begin(), scaled.end()};
 }
 
-/// Band, mean and plan as lines of a chart. @param feet with a plan that is zero elsewhere: none
-std::vector<PlotSeries> lines_of(const std::vector<double>& phases, const Band& band, double scale,
+/// Band, mean and plan as lines of a chart.
+std::vector<PlotSeries> lines_of(const Eigen::VectorXd& phases, const Curve& curve, double scale,
                                  const char* planned_name = "planned") {
-  std::vector<PlotSeries> lines;
-  if (!band.low.empty() && !band.high.empty()) {
-    PlotSeries area;
-    area.name = "least … most measured";
-    area.x = phases;
-    area.low = scaled(band.low, scale);
-    area.high = scaled(band.high, scale);
-    lines.push_back(std::move(area));
-  }
-  if (!band.mean.empty()) {
-    PlotSeries mean;
-    mean.name = "measured, mean";
-    mean.x = phases;
-    mean.y = scaled(band.mean, scale);
-    lines.push_back(std::move(mean));
-  }
-  if (!band.planned.empty()) {
-    PlotSeries plan;
-    plan.name = planned_name;
-    plan.colour = 2;
-    plan.dashed = true;
-    plan.x = phases;
-    plan.y = scaled(band.planned, scale);
-    lines.push_back(std::move(plan));
-  }
+  const std::vector<double> x = list_of(phases);
+  std::vector<PlotSeries> lines{
+      {.name = "least … most measured",
+       .x = x,
+       .low = list_of(curve.low, scale),
+       .high = list_of(curve.high, scale)},
+      {.name = "measured, mean", .x = x, .y = list_of(curve.mean, scale)}};
+  if (curve.planned)
+    lines.push_back({.name = planned_name,
+                     .x = x,
+                     .y = list_of(*curve.planned, scale),
+                     .colour = 2,
+                     .dashed = true});
   return lines;
 }
 
-double largest(const Band& band) {
+double largest(const Curve& curve) {
   double most = 0.0;
-  for (const std::vector<double>* values : {&band.planned, &band.mean, &band.low, &band.high})
-    for (const double value : *values)
+  const auto look = [&](const Eigen::VectorXd& values) {
+    for (const double value : values)
       if (std::isfinite(value)) most = std::max(most, std::abs(value));
+  };
+  if (curve.planned) look(*curve.planned);
+  for (const Eigen::VectorXd* values : {&curve.mean, &curve.low, &curve.high}) look(*values);
   return most;
 }
 
 /// One small chart for each foot.
-std::string foot_panels(const ComparisonView& compared, Band ComparedFoot::*quantity,
+std::string foot_panels(const Comparison& compared, Curve FootComparison::*quantity,
                         const std::string& title, const std::string& si_unit) {
   double most = 0.0;
-  for (const ComparedFoot& foot : compared.feet) most = std::max(most, largest(foot.*quantity));
+  for (const FootComparison& foot : compared.feet) most = std::max(most, largest(foot.*quantity));
   const ShownUnit unit = shown_unit(si_unit, most);
   std::vector<PlotPanel> panels;
-  for (const ComparedFoot& foot : compared.feet)
+  for (const FootComparison& foot : compared.feet)
     panels.push_back({foot.name, lines_of(compared.phases, foot.*quantity, unit.scale)});
   return small_multiples(panels,
                          {.title = title,
@@ -79,24 +72,25 @@ std::string foot_panels(const ComparisonView& compared, Band ComparedFoot::*quan
                           .height = 150});
 }
 
-std::string joint_panels(const ComparisonView& compared) {
+std::string joint_panels(const Comparison& compared) {
   std::vector<PlotPanel> panels;
-  for (const ComparedJoint& joint : compared.joints) {
+  for (const JointComparison& joint : compared.joints) {
     std::vector<PlotSeries> lines = lines_of(compared.phases, joint.torque, 1.0, "feed-forward");
     for (const double sign : {1.0, -1.0}) {
       const double most = largest(joint.torque);
-      if (!joint.limit || *joint.limit <= 0.0 || most < 0.5 * *joint.limit) continue;  // far away
+      const double limit = joint.torque_limit;
+      if (!std::isfinite(limit) || limit <= 0.0 || most < 0.5 * limit) continue;  // far away
       PlotSeries level;
       level.name = sign > 0.0 ? "limit" : "";
       level.colour = 0;
-      level.x = {compared.phases.front(), compared.phases.back()};
-      level.y.assign(2, sign * *joint.limit);
+      level.x = {compared.phases[0], compared.phases[compared.phases.size() - 1]};
+      level.y.assign(2, sign * limit);
       lines.push_back(std::move(level));
     }
     std::string title = spaced(joint.name);
-    if (joint.limit)
+    if (std::isfinite(joint.torque_limit))
       title += fmt::format(" · {} of {} N·m", short_number(largest(joint.torque)),
-                           short_number(joint.limit));
+                           short_number(joint.torque_limit));
     panels.push_back({title, std::move(lines)});
   }
   return small_multiples(panels, {.title = "Torque of each servo",
@@ -106,98 +100,117 @@ std::string joint_panels(const ComparisonView& compared) {
                                   .height = 140});
 }
 
-std::string curve_chart(const ComparisonView& compared, const ComparedCurve& curve) {
-  const ShownUnit unit = shown_unit(curve.unit, largest(curve.band));
+std::string curve_chart(const Comparison& compared, const NamedCurve& curve) {
+  const ShownUnit unit = shown_unit(curve.unit, largest(curve.curve));
   std::string title = curve.label.empty() ? spaced(curve.name) : curve.label;
   if (!title.empty() && title.front() >= 'a' && title.front() <= 'z')
     title.front() = static_cast<char>(title.front() - 'a' + 'A');
   // What hardly moves is drawn as such: half a degree, two millimetres.
   const double least = curve.unit == "rad" ? 1.0 : curve.unit == "m" ? 0.004 * unit.scale : 0.01;
-  return line_plot(lines_of(compared.phases, curve.band, unit.scale), {.title = title,
-                                                                       .x_label = kPhaseLabel,
-                                                                       .y_label = unit.name,
-                                                                       .least_height = least,
-                                                                       .height = 220});
+  return line_plot(lines_of(compared.phases, curve.curve, unit.scale), {.title = title,
+                                                                        .x_label = kPhaseLabel,
+                                                                        .y_label = unit.name,
+                                                                        .least_height = least,
+                                                                        .height = 220});
 }
 
 /// Whether a curve belongs to those that everybody wants to see.
-bool for_everybody(const ComparedCurve& curve) {
+bool for_everybody(const NamedCurve& curve) {
   static constexpr const char* kFirst[] = {"com_height", "speed", "heading", "roll", "pitch"};
   return std::any_of(std::begin(kFirst), std::end(kFirst), [&](const char* name) {
     return std::string_view(curve.name).starts_with(name);
   });
 }
 
-std::string path_chart(const ComparisonView& compared) {
-  PlotSeries planned, measured;
-  planned.name = "planned";
+/// A path thinned out to what a chart can show.
+PlotSeries path_line(const char* name, const std::vector<Eigen::Vector2d>& path) {
+  constexpr std::size_t kMostDrawn = 400;
+  PlotSeries line{.name = name};
+  const auto add = [&](const Eigen::Vector2d& point) {
+    line.x.push_back(point.x());
+    line.y.push_back(point.y());
+  };
+  const std::size_t stride = path.size() / kMostDrawn + 1;
+  for (std::size_t i = 0; i < path.size(); i += stride) add(path[i]);
+  if (path.size() > 1 && (path.size() - 1) % stride != 0) add(path.back());
+  return line;
+}
+
+std::string path_chart(const Comparison& compared) {
+  PlotSeries planned = path_line("planned", compared.paths.planned),
+             measured = path_line("measured", compared.paths.measured);
   planned.colour = 2;
   planned.dashed = true;
-  planned.x = compared.planned_x;
-  planned.y = compared.planned_y;
-  measured.name = "measured";
-  measured.x = compared.measured_x;
-  measured.y = compared.measured_y;
   return line_plot({measured, planned}, {.title = "Path of the robot from above",
                                          .x_label = "forward [m]",
                                          .y_label = "to the left [m]",
                                          .equal_axes = true});
 }
 
-/// The mean, and the worst below it. @param timed whether it is an error in time, whose worst has no direction
-void add_mean_worst(Html& page, const MeanWorst& value, const char* unit, const char* head,
-                    bool timed) {
-  const double most =
-      std::max(std::abs(value.mean.value_or(0.0)), std::abs(value.worst.value_or(0.0)));
-  const ShownUnit shown = shown_unit(unit, most);
-  page.open("td", {{"class", "n"}, {"data-label", head}})
-      .text(timed ? early_or_late(value.mean) : shown.words(value.mean));
-  const double apart =
-      std::abs(std::abs(value.worst.value_or(0.0)) - std::abs(value.mean.value_or(0.0)));
-  if (value.worst && apart > kWorthTelling * most)
-    page.element("small",
-                 timed ? fmt::format("at worst off by {}", shown.words(std::abs(*value.worst)))
-                       : "worst " + shown.words(value.worst));
-  if (value.planned) page.element("small", "planned " + shown.words(value.planned));
-  page.close();
+std::string small_html(const std::string& words) {
+  return fill("<small>{words}</small>", {{"words", words}});
 }
 
-void add_timing(Html& page, const ComparisonView& compared) {
-  struct Column {
-    const char* head;
-    MeanWorst ComparedFoot::*value;
-    const char* unit;
-    bool timed = false;
-  };
-  static constexpr Column kColumns[] = {{"touches down", &ComparedFoot::touchdown, "s", true},
-                                        {"lifts off", &ComparedFoot::liftoff, "s", true},
-                                        {"landing speed", &ComparedFoot::landing_speed, "m/s"},
-                                        {"slip per stance", &ComparedFoot::slip, "m"},
-                                        {"rolls by", &ComparedFoot::roll, "rad"}};
+struct FootColumn {
+  const char* head;
+  MeanAndWorst FootComparison::*value;
+  const char* unit;
+  bool timed = false;  // an error in time, whose worst has no direction
+};
+constexpr FootColumn kFootColumns[] = {{"touches down", &FootComparison::touchdown, "s", true},
+                                       {"lifts off", &FootComparison::liftoff, "s", true},
+                                       {"landing speed", &FootComparison::landing_speed, "m/s"},
+                                       {"slip per stance", &FootComparison::slip, "m"},
+                                       {"rolls by", &FootComparison::roll, "rad"}};
+
+/// The mean, and the worst and the plan below it.
+std::string mean_worst_html(const MeanAndWorst& value, const FootColumn& column) {
+  const auto mean = finite(value.mean), worst = finite(value.worst);
+  const double most = std::max(std::abs(mean.value_or(0.0)), std::abs(worst.value_or(0.0)));
+  const ShownUnit shown = shown_unit(column.unit, most);
+  const double apart = std::abs(std::abs(worst.value_or(0.0)) - std::abs(mean.value_or(0.0)));
+  std::string more;
+  if (worst && apart > kWorthTelling * most)
+    more +=
+        small_html(column.timed ? fmt::format("at worst off by {}", shown.words(std::abs(*worst)))
+                                : "worst " + shown.words(worst));
+  if (value.planned) more += small_html("planned " + shown.words(value.planned));
+  return fill(R"(<td class="n" data-label="{head}">{mean}{more}</td>)",
+              {{"head", column.head},
+               {"mean", column.timed ? early_or_late(mean) : shown.words(mean)},
+               Hole::markup("more", more)});
+}
+
+std::string foot_html(const FootComparison& foot) {
+  return fill(
+      "<tr><td class=\"head\"><b>{name}</b></td>\n{cells}</tr>\n",
+      {{"name", foot.name}, Hole::markup("cells", each(kFootColumns, [&](const FootColumn& column) {
+                                           return mean_worst_html(foot.*column.value, column);
+                                         }))});
+}
+
+void add_timing(Html& page, const Comparison& compared) {
   if (compared.feet.empty()) return;
-  page.element("h3", "When the feet land and leave, and how");
-  page.open("table", {{"class", "stack feet"}}).open("thead").open("tr").element("th", "foot");
-  for (const Column& column : kColumns) page.element("th", column.head, {{"class", "n"}});
-  page.close().close().open("tbody");
-  for (const ComparedFoot& foot : compared.feet) {
-    page.open("tr").open("td", {{"class", "head"}}).element("b", foot.name).close();
-    for (const Column& column : kColumns)
-      add_mean_worst(page, foot.*column.value, column.unit, column.head, column.timed);
-    page.close();
-  }
-  page.close().close();
-  page.element("p",
-               "Means over the strides, the worst stride and the plan below. A plan "
-               "keeps its feet on the ground for a while before they bear and after, so that some "
-               "30 ms early and late are as planned.",
-               {{"class", "note"}});
+  page.raw(fill(
+      R"(<h3>When the feet land and leave, and how</h3>
+<table class="stack feet"><thead><tr><th>foot</th>{heads}</tr></thead><tbody>
+{rows}</tbody></table>
+<p class="note">Means over the strides, the worst stride and the plan below. A plan keeps its feet on the ground for
+a while before they bear and after, so that some 30 ms early and late are as planned.</p>
+)",
+      {Hole::markup("heads",
+                    each(kFootColumns,
+                         [](const FootColumn& column) {
+                           return fill(R"(<th class="n">{head}</th>)", {{"head", column.head}});
+                         })),
+       Hole::markup("rows", each(compared.feet, foot_html))}));
 }
 
-void add_trunk(Html& page, const ComparisonView& compared) {
+void add_trunk(Html& page, const Comparison& compared) {
   std::string first, more;
-  for (const ComparedCurve& curve : compared.curves)
+  for (const NamedCurve& curve : compared.curves)
     (for_everybody(curve) ? first : more) += curve_chart(compared, curve);
-  if (!compared.measured_x.empty()) first += path_chart(compared);
+  if (!compared.paths.measured.empty()) first += path_chart(compared);
   if (!first.empty()) {
     page.element("h3", "The body over the cycle");
     page.open("div", {{"class", "charts"}}).raw(first).close();
@@ -208,113 +221,98 @@ void add_trunk(Html& page, const ComparisonView& compared) {
   }
 }
 
-void add_experts(Html& page, const ComparisonView& compared) {
+void add_experts(Html& page, const Comparison& compared) {
   page.open("details").element("summary", "More of the feet: friction, height, slip");
-  page.raw(foot_panels(compared, &ComparedFoot::friction_used,
+  page.raw(foot_panels(compared, &FootComparison::friction,
                        "Friction used: tangential over normal force", "1"));
-  page.raw(foot_panels(compared, &ComparedFoot::force_tangential, "Tangential force", "N"));
-  page.raw(foot_panels(compared, &ComparedFoot::height, "Height of the foot", "m"));
-  page.raw(foot_panels(compared, &ComparedFoot::slip_speed, "Speed of slip on the ground", "m/s"));
+  page.raw(foot_panels(compared, &FootComparison::tangential, "Tangential force", "N"));
+  page.raw(foot_panels(compared, &FootComparison::height, "Height of the foot", "m"));
+  page.raw(
+      foot_panels(compared, &FootComparison::slip_speed, "Speed of slip on the ground", "m/s"));
   page.close();
   if (compared.joints.empty()) return;
   page.open("details").element("summary", "Torque, servo by servo");
   page.raw(joint_panels(compared)).close();
 }
 
-std::string cell(const Json& row, const char* key, double scale, const char* unit) {
-  const auto value = number_at(row, {key});
-  return value ? short_number(*value * scale) + unit : "–";
+std::string cycle_html(const CycleComparison& cycle) {
+  constexpr double kDegrees = 180.0 / std::numbers::pi;
+  const auto number = [](std::optional<double> value, double scale, const char* unit) {
+    return value && std::isfinite(*value) ? short_number(*value * scale) + unit : "–";
+  };
+  return fill(
+      R"(<tr><td class="n">{cycle}</td><td class="n">{speed}</td><td class="n">{heading}</td>
+<td class="n">{tilt}</td><td class="n">{power}</td><td class="n">{transport}</td><td class="n">{limit}</td></tr>
+)",
+      {{"cycle", std::to_string(cycle.cycle)},
+       {"speed", percent(cycle.speed_ratio)},
+       {"heading", number(cycle.heading, kDegrees, "°")},
+       {"tilt", number(cycle.tilt_max, kDegrees, "°")},
+       {"power", number(cycle.power, 1, " W")},
+       {"transport", number(cycle.cost_of_transport, 1, "")},
+       {"limit", percent(finite(cycle.saturated_share))}});
 }
 
-void add_cycles(Html& page, const ComparisonView& compared) {
+void add_cycles(Html& page, const Comparison& compared) {
   constexpr std::size_t kMost = 60;
-  const Json& rows = compared.cycle_table;
-  if (!rows.is_array() || rows.empty()) return;
-  page.open("details").element("summary", "Cycle by cycle");
-  page.open("div", {{"class", "scroll"}}).open("table").open("thead").open("tr");
-  for (const char* head : {"cycle", "of planned speed", "heading", "largest tilt", "power",
-                           "cost of transport", "servos at their limit"})
-    page.element("th", head, {{"class", "n"}});
-  page.close().close().open("tbody");
-  for (std::size_t k = 0; k < std::min(rows.size(), kMost); ++k) {
-    constexpr double kDegree = 57.29577951308232;
-    const Json& row = rows[k];
-    page.open("tr");
-    for (const std::string& text :
-         {cell(row, "cycle", 1, ""), percent(number_at(row, {"speed_ratio"})),
-          cell(row, "heading_rad", kDegree, "°"), cell(row, "tilt_max_rad", kDegree, "°"),
-          cell(row, "power_W", 1, " W"), cell(row, "cost_of_transport", 1, ""),
-          percent(number_at(row, {"saturated_share"}))})
-      page.element("td", text, {{"class", "n"}});
-    page.close();
-  }
-  page.close().close().close().close();
+  std::vector<CycleComparison> rows = compared.cycle_table;
+  if (rows.empty()) return;
+  if (rows.size() > kMost) rows.resize(kMost);
+  page.raw(fill(R"(<details><summary>Cycle by cycle</summary>
+<div class="scroll"><table><thead><tr><th class="n">cycle</th><th class="n">of planned speed</th>
+<th class="n">heading</th><th class="n">largest tilt</th><th class="n">power</th>
+<th class="n">cost of transport</th><th class="n">servos at their limit</th></tr></thead><tbody>
+{rows}</tbody></table></div></details>
+)",
+                {Hole::markup("rows", each(rows, cycle_html))}));
 }
 
-void add_forces(Html& page, const ComparisonView& compared) {
+void add_forces(Html& page, const Comparison& compared) {
   page.element("h3", "Contact forces, foot by foot");
   page.element("p",
                "What the ground pushes up with over one cycle. Where the measured line leaves the "
                "planned one, a foot carries what it was not meant to, lands late, or bounces.",
                {{"class", "note"}});
-  page.raw(foot_panels(compared, &ComparedFoot::force_normal, "Normal force", "N"));
+  page.raw(foot_panels(compared, &FootComparison::normal, "Normal force", "N"));
 }
 
 }  // namespace
 
-std::string inverse_dynamics_words(const Json& plan) {
-  const auto worst = number_at(plan, {"residual_force_share_max"}),
-             rms = number_at(plan, {"residual_force_share_rms"}),
-             turn = number_at(plan, {"residual_torque_share_max"}),
-             used = number_at(plan, {"friction_used_max"}),
-             friction = number_at(plan, {"friction_coefficient"}),
-             least = number_at(plan, {"normal_force_min_N"}),
-             share = number_at(plan, {"normal_force_min_share"});
-  const auto at = [&](const char* foot, const char* phase) {
-    const std::string name = text_at(plan, {foot});
-    const auto when = number_at(plan, {phase});
-    return (name.empty() ? "" : " at " + spaced(name)) +
-           (when ? fmt::format(", at {} of the cycle", percent_whole(when)) : "");
+std::string inverse_dynamics_words(const InverseDynamics& plan) {
+  const auto at = [](const std::string& foot, double phase) {
+    return (foot.empty() ? "" : " at " + spaced(foot)) +
+           fmt::format(", at {} of the cycle", percent_whole(phase));
   };
-  std::string out;
-  if (worst) {
-    out += fmt::format("The planned forces and the planned motion agree to {} of the weight",
-                       percent(worst));
-    if (rms) out += fmt::format(" at worst, {} in the mean", percent(rms));
-    if (turn)
-      out += fmt::format(", and about the body’s axes to {} of weight × height", percent(turn));
-    out += ". ";
-  }
-  if (used) {
-    out += fmt::format("The plan uses {} of friction", short_number(used));
-    if (friction) out += fmt::format(", where the floor gives {}", short_number(friction));
-    out += " (most" + at("friction_worst_foot", "friction_worst_phase") + "). ";
-  }
-  if (least) {
-    out += fmt::format("The least load of a foot that is meant to bear is {}",
-                       amount_words(least, "N"));
-    if (share) out += fmt::format(", {} of the weight", percent(share));
-    out += at("normal_force_min_foot", "normal_force_min_phase") + ".";
-  }
-  return out;
+  return fmt::format(
+      "The planned forces and the planned motion agree to {} of the weight at worst, {} in the "
+      "mean, and about the body’s axes to {} of weight × height. The plan uses {} of friction, "
+      "where the floor gives {} (most{}). The least load of a foot that is meant to bear is {}, {} "
+      "of the weight{}.",
+      percent(finite(plan.force_max)), percent(finite(plan.force_rms)),
+      percent(finite(plan.torque_max)), short_number(finite(plan.friction_max)),
+      short_number(plan.friction_coefficient), at(plan.friction_foot, plan.friction_phase),
+      amount_words(finite(plan.normal_min), "N"), percent(finite(plan.normal_min_share)),
+      at(plan.normal_foot, plan.normal_phase));
 }
 
 void add_comparison(Html& page, const RunData& data, PictureBudget& budget) {
   page.open("section").element("h2", "Plan against physics");
-  if (data.comparison.is_null()) {
+  if (!data.comparison) {
     add_hint(page, "The measured cycle has not been compared with the plan yet.", "validate", data);
     page.close();
     return;
   }
-  if (!data.compared_result) {
+  const Comparison *result = data.comparison_of(Design::result),
+                   *initial = data.comparison_of(Design::initial);
+  if (result == nullptr) {
     page.element("p",
                  "The gait fell before two cycles were complete: there is no mean cycle to compare "
                  "with the plan.",
                  {{"class", "note"}});
   } else {
-    const ComparisonView& compared = *data.compared_result;
-    const std::string sound = inverse_dynamics_words(compared.inverse_dynamics);
-    if (!sound.empty()) page.open("p").element("b", "Is the plan sound? ").text(sound).close();
+    const Comparison& compared = *result;
+    page.raw(fill("<p><b>Is the plan sound? </b>{words}</p>\n",
+                  {{"words", inverse_dynamics_words(compared.inverse_dynamics)}}));
     add_strip_if(page, data.root / "result" / "overlay.png", "Simulation and plan in one picture.",
                  "One late cycle; the plan is the ghost.", budget);
     add_forces(page, compared);
@@ -323,13 +321,14 @@ void add_comparison(Html& page, const RunData& data, PictureBudget& budget) {
     add_experts(page, compared);
     add_cycles(page, compared);
   }
-  if (data.compared_initial) {
-    page.open("details").element("summary", "Contact forces before, with the initial body");
-    const std::string sound = inverse_dynamics_words(data.compared_initial->inverse_dynamics);
-    if (!sound.empty()) page.element("p", sound);
-    page.raw(foot_panels(*data.compared_initial, &ComparedFoot::force_normal, "Normal force", "N"));
-    page.close();
-  }
+  if (initial != nullptr)
+    page.raw(fill(R"(<details><summary>Contact forces before, with the initial body</summary>
+<p>{words}</p>
+{forces}</details>
+)",
+                  {{"words", inverse_dynamics_words(initial->inverse_dynamics)},
+                   Hole::markup("forces", foot_panels(*initial, &FootComparison::normal,
+                                                      "Normal force", "N"))}));
   page.close();
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "tools/report/page_template.hpp"
 #include "tools/report/sections.hpp"
 #include "tools/report/words.hpp"
 
@@ -17,25 +18,28 @@ std::string value_words(const LimitRow& row, std::optional<double> value) {
   return amount_words(value, row.unit);
 }
 
-void add_row(Html& page, const LimitRow& row) {
-  page.open("tr", {{"class", row.pass ? "" : "failed"}});
-  page.element("td", row.pass ? "✓" : "✗", {{"class", row.pass ? "mark good" : "mark bad"}});
-  page.open("td", {{"class", "head"}});
-  page.element("b", row.what.empty() ? spaced(row.name) : row.what);
-  page.close();
-  page.element("td", measured_words(row), {{"class", "n"}, {"data-label", "measured"}});
-  page.element("td", bound_words(row), {{"class", "n"}, {"data-label", "limit"}});
-  page.element("td", row.where.empty() ? "–" : spaced(row.where), {{"data-label", "worst at"}});
-  page.close();
+std::string row_html(const LimitRow& row) {
+  return fill(
+      R"(<tr class="{row}"><td class="mark {mark}">{tick}</td><td class="head"><b>{what}</b></td>
+<td class="n" data-label="measured">{measured}</td><td class="n" data-label="limit">{bound}</td>
+<td data-label="worst at">{where}</td></tr>
+)",
+      {{"row", row.pass ? "" : "failed"},
+       {"mark", row.pass ? "good" : "bad"},
+       {"tick", row.pass ? "✓" : "✗"},
+       {"what", row.what.empty() ? spaced(row.name) : row.what},
+       {"measured", measured_words(row)},
+       {"bound", bound_words(row)},
+       {"where", row.where.empty() ? "–" : spaced(row.where)}});
 }
 
-void add_table(Html& page, const std::vector<LimitRow>& rows) {
-  page.open("table", {{"class", "limits stack"}}).open("thead").open("tr");
-  page.element("th", "").element("th", "");
-  page.element("th", "measured", {{"class", "n"}}).element("th", "limit", {{"class", "n"}});
-  page.element("th", "worst at").close().close().open("tbody");
-  for (const LimitRow& row : rows) add_row(page, row);
-  page.close().close();
+std::string table_html(const std::vector<LimitRow>& rows) {
+  return fill(
+      R"(<table class="limits stack"><thead><tr><th></th><th></th><th class="n">measured</th>
+<th class="n">limit</th><th>worst at</th></tr></thead><tbody>
+{rows}</tbody></table>
+)",
+      {Hole::markup("rows", each(rows, row_html))});
 }
 
 }  // namespace
@@ -64,27 +68,25 @@ std::string limits_kept(const std::vector<LimitRow>& rows) {
 
 void add_limits(Html& page, const RunData& data) {
   page.open("section").element("h2", "Limits");
-  const auto &after = data.limits_result, &before = data.limits_initial;
+  const auto after = data.limits_of(Design::result), before = data.limits_of(Design::initial);
   if (after.empty() && before.empty()) {
     add_hint(page,
-             data.verdict.is_null() ? "Nothing has been measured against the limits yet."
-                                    : "verdict.json does not list the limits one by one.",
+             !data.verdict ? "Nothing has been measured against the limits yet."
+                           : "verdict.json does not list the limits one by one.",
              "validate", data);
     page.close();
     return;
   }
-  if (!after.empty()) {
-    page.element("p", limits_kept(after) +
-                          " A verdict passes where all are; each is taken at its worst over the "
-                          "servo gains that were played.");
-    add_table(page, after);
-  }
-  if (!before.empty() && !motion_only(data)) {
-    page.open("details").element("summary", "The same before the body changed");
-    page.element("p", limits_kept(before));
-    add_table(page, before);
-    page.close();
-  }
+  if (!after.empty())
+    page.raw(fill(R"(<p>{kept} A verdict passes where all are; each is taken at its worst over the
+servo gains that were played.</p>
+{table})",
+                  {{"kept", limits_kept(after)}, Hole::markup("table", table_html(after))}));
+  if (!before.empty() && !motion_only(data))
+    page.raw(fill(R"(<details><summary>The same before the body changed</summary><p>{kept}</p>
+{table}</details>
+)",
+                  {{"kept", limits_kept(before)}, Hole::markup("table", table_html(before))}));
   page.close();
 }
 

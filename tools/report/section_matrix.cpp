@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/report/page_template.hpp"
 #include "tools/report/sections.hpp"
 #include "tools/report/words.hpp"
 
@@ -21,59 +22,56 @@ std::string short_line(const std::string& line) {
   return colon == std::string::npos ? line : line.substr(colon + 2);
 }
 
-std::optional<bool> passed(const RunData* run, const char* key) {
-  if (run == nullptr) return std::nullopt;
-  const Json& pass = value_at(run->verdict, {key, "pass"});
-  return pass.is_boolean() ? std::optional(pass.get<bool>()) : std::nullopt;
+std::string outcome_html(const DesignVerdict& verdict) {
+  if (verdict.reasons.empty()) return fill("<p>{line}</p>\n", {{"line", short_line(verdict.line)}});
+  return "<ul>\n" +
+         each(verdict.reasons,
+              [](const std::string& reason) {
+                return fill("<li>{reason}</li>\n", {{"reason", reason}});
+              }) +
+         "</ul>\n";
 }
 
-std::string verdict_words(std::optional<bool> pass) {
-  return !pass ? "Not validated" : *pass ? "✓ Pass" : "✗ Fail";
-}
-
-void add_reasons(Html& page, const Json& verdict) {
-  const Json& reasons = value_at(verdict, {"reasons"});
-  if (!reasons.is_array() || reasons.empty()) {
-    page.element("p", short_line(text_at(verdict, {"line"})));
-    return;
-  }
-  page.open("ul");
-  for (const Json& reason : reasons)
-    if (reason.is_string()) page.element("li", reason.get<std::string>());
-  page.close();
+std::string limits_html(const RunData& run) {
+  const auto limits = run.limits_of(Design::result);
+  std::string words = limits.empty() ? "" : limits_kept(limits) + " ";
+  if (run.robustness) words += survival_words(run.robustness->monte_carlo);
+  return words.empty() ? "" : fill("<p>{words}</p>\n", {{"words", words}});
 }
 
 void add_task_card(Html& page, const JointTaskData& task) {
-  const RunData* run = task.run ? &*task.run : nullptr;
-  const auto after = passed(run, "result"), before = passed(run, "initial");
-  page.open("div", {{"class", !after ? "card" : *after ? "card pass" : "card fail"}});
-  page.element("h2", spaced(task.name));
-  page.element("p", verdict_words(after), {{"class", "verdict"}});
-  page.element("p", way_words(task.task), {{"class", "note"}});
-  if (after) add_reasons(page, value_at(run->verdict, {"result"}));
-  if (run != nullptr) {
-    const std::string kept =
-                          run->limits_result.empty() ? "" : limits_kept(run->limits_result) + " ",
-                      bears = survival_words(value_at(run->robustness, {"monte_carlo"}));
-    if (!(kept + bears).empty()) page.element("p", kept + bears);
-  }
-  if (before) {
-    page.element("p",
-                 fmt::format("Before, with the initial body: {}.", *before ? "passed" : "failed"),
-                 {{"class", "note"}});
-  }
-  page.open("p").element("a", "Report of this task",
-                         {{"href", href_of(task.relative / "report.html")}});
-  page.close().close();
+  const DesignVerdict* after = task.run ? task.run->verdict_of(Design::result) : nullptr;
+  const DesignVerdict* before = task.run ? task.run->verdict_of(Design::initial) : nullptr;
+  page.raw(
+      fill(R"(<div class="card{pass}"><h2>{task}</h2>
+<p class="verdict">{mark}</p>
+<p class="note">{way}</p>
+{outcome}{limits}{before}<p><a href="{page}">Report of this task</a></p></div>
+)",
+           {{"pass", after == nullptr ? ""
+                     : after->pass    ? " pass"
+                                      : " fail"},
+            {"task", spaced(task.name)},
+            {"mark", after == nullptr ? "Not validated"
+                     : after->pass    ? "✓ Pass"
+                                      : "✗ Fail"},
+            {"way", way_words(task.task)},
+            Hole::markup("outcome", after == nullptr ? "" : outcome_html(*after)),
+            Hole::markup("limits", task.run ? limits_html(*task.run) : ""),
+            Hole::markup("before", before == nullptr
+                                       ? ""
+                                       : fill("<p class=\"note\">Before, with the initial "
+                                              "body: {passed}.</p>\n",
+                                              {{"passed", before->pass ? "passed" : "failed"}})),
+            {"page", href_of(task.relative / "report.html")}}));
 }
 
 /// Share of the planned speed at a gain, or how it ended.
-std::string gain_words(const Json& measured) {
-  const auto fall = number_at(measured, {"fall", "time_s"});
-  if (fall) return fmt::format("fell, {} s", short_number(fall));
-  const auto ratio = number_at(measured, {"speed_ratio"});
-  if (!ratio) return "–";
-  const double share = std::round(100.0 * *ratio);
+std::string gain_words(const GainMetrics* measured) {
+  if (measured == nullptr) return "–";
+  if (measured->fall) return fmt::format("fell, {} s", short_number(measured->fall->time));
+  if (!measured->speed_ratio) return "–";
+  const double share = std::round(100.0 * *measured->speed_ratio);
   return fmt::format("{}{:.0f} %", share < 0.0 ? "−" : "", std::abs(share));
 }
 
@@ -92,7 +90,7 @@ void add_cell(Html& page, const JointData& data, const MatrixDesign& design, std
     page.open("dl");
     for (const char* gain : kGains) {
       page.open("div").element("dt", gain);
-      page.element("dd", gain_words(value_at(cell->gains, {gain}))).close();
+      page.element("dd", gain_words(cell->gains.find(gain))).close();
     }
     page.close();
   }

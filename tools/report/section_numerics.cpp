@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/report/page_template.hpp"
 #include "tools/report/sections.hpp"
 #include "tools/report/words.hpp"
 
@@ -15,13 +16,14 @@ constexpr std::size_t kMostRuns = 24;
 constexpr double kSame = 5e-3;  // of a value: smaller differences are not worth telling
 
 struct Column {
-  const char *key, *head, *unit;
+  std::optional<double> NumericsNumbers::*value;
+  const char *head, *unit;
 };
-constexpr Column kColumns[] = {{"speed_ratio", "of planned speed", "%"},
-                               {"turn_ratio", "of planned turn", "%"},
-                               {"tilt_max_rad", "largest tilt", "rad"},
-                               {"heading_drift_rad", "heading drift", "rad"},
-                               {"torque_rms_Nm", "torque, RMS", "N m"}};
+constexpr Column kColumns[] = {{&NumericsNumbers::speed_ratio, "of planned speed", "%"},
+                               {&NumericsNumbers::turn_ratio, "of planned turn", "%"},
+                               {&NumericsNumbers::tilt_max, "largest tilt", "rad"},
+                               {&NumericsNumbers::heading_drift, "heading drift", "rad"},
+                               {&NumericsNumbers::torque_rms, "torque, RMS", "N m"}};
 
 /// A value with its unit; a ratio as a percentage.
 std::string shown(std::optional<double> value, const char* unit) {
@@ -39,73 +41,76 @@ std::string difference_words(std::optional<double> difference, std::optional<dou
   return fmt::format("{}{}", *difference > 0.0 ? "+" : "", text);
 }
 
-bool any_has(const Json& runs, const char* key) {
-  for (const Json& run : runs)
-    if (number_at(run, {key})) return true;
-  return false;
+/// The columns of which any run has a number.
+std::vector<Column> columns_of(const std::vector<NumericsRun>& runs) {
+  std::vector<Column> out;
+  for (const Column& column : kColumns)
+    if (std::any_of(runs.begin(), runs.end(), [&](const NumericsRun& run) {
+          return (run.numbers.*column.value).has_value();
+        }))
+      out.push_back(column);
+  return out;
 }
 
-void add_run(Html& page, const Json& runs, const Json& run) {
-  const Json& pass = value_at(run, {"pass"});
-  const bool known = pass.is_boolean(), good = known && pass.get<bool>();
-  page.open("tr").element("td",
-                          !known ? "–"
-                          : good ? "✓"
-                                 : "✗",
-                          {{"class", !known ? "mark"
-                                     : good ? "mark good"
-                                            : "mark bad"}});
-  std::string label = text_at(run, {"label"});
-  if (label.empty()) label = spaced(text_at(run, {"name"}));
-  page.open("td", {{"class", "head"}}).element("b", label).close();
-  for (const Column& column : kColumns) {
-    if (!any_has(runs, column.key)) continue;
-    page.open("td", {{"class", "n"}, {"data-label", column.head}});
-    page.text(shown(number_at(run, {column.key}), column.unit));
-    const std::string by = difference_words(number_at(run, {"difference", column.key}),
-                                            number_at(run, {column.key}), column.unit);
-    if (!by.empty()) page.element("small", by);
-    page.close();
-  }
-  page.close();
+std::string cell_html(const NumericsRun& run, const Column& column) {
+  const auto value = run.numbers.*column.value;
+  const std::string by = difference_words(
+      run.difference ? (*run.difference).*column.value : std::nullopt, value, column.unit);
+  return fill(
+      R"(<td class="n" data-label="{head}">{value}{difference}</td>)",
+      {{"head", column.head},
+       {"value", shown(value, column.unit)},
+       Hole::markup("difference", by.empty() ? "" : fill("<small>{by}</small>", {{"by", by}}))});
+}
+
+std::string run_html(const NumericsRun& run, const std::vector<Column>& columns) {
+  return fill(R"(<tr><td class="mark {mark}">{tick}</td><td class="head"><b>{label}</b></td>
+{cells}</tr>
+)",
+              {{"mark", run.pass ? "good" : "bad"},
+               {"tick", run.pass ? "✓" : "✗"},
+               {"label", run.label.empty() ? spaced(run.name) : run.label},
+               Hole::markup("cells", each(columns, [&](const Column& column) {
+                              return cell_html(run, column);
+                            }))});
 }
 
 }  // namespace
 
-std::string numerics_words(const Json& numerics) {
-  const Json& agree = value_at(numerics, {"agree"});
-  if (!agree.is_boolean()) return "";
+std::string numerics_words(const NumericsRecord& numerics) {
   std::string out =
-      agree.get<bool>()
+      numerics.agree
           ? "All agree: the verdict does not hang on how the physics is computed."
           : "They do not agree: part of what was measured comes from how the physics is computed.";
-  const Json& reasons = value_at(numerics, {"reasons"});
-  if (reasons.is_array())
-    for (const Json& reason : reasons)
-      if (reason.is_string()) out += fmt::format(" {}.", reason.get<std::string>());
+  for (const std::string& reason : numerics.reasons) out += fmt::format(" {}.", reason);
   return out;
 }
 
 void add_numerics(Html& page, const RunData& data) {
   page.open("section").element("h2", "Second opinion");
-  const Json& runs = value_at(data.numerics, {"runs"});
-  if (!runs.is_array() || runs.empty()) {
+  if (!data.numerics || data.numerics->runs.empty()) {
     add_hint(page, "The gait has not been played with other numerics yet.", "validate", data);
     page.close();
     return;
   }
-  page.element("p",
-               "The same gait with a finer time step, another integrator and another model of "
-               "friction. " +
-                   numerics_words(data.numerics));
-  page.open("table", {{"class", "limits stack"}}).open("thead").open("tr");
-  page.element("th", "").element("th", "");
-  for (const Column& column : kColumns)
-    if (any_has(runs, column.key)) page.element("th", column.head, {{"class", "n"}});
-  page.close().close().open("tbody");
-  for (std::size_t k = 0; k < std::min(runs.size(), kMostRuns); ++k) add_run(page, runs, runs[k]);
-  page.close().close();
-  page.element("p", "Below each number: its difference from the first row.", {{"class", "note"}});
+  auto runs = data.numerics->runs;
+  const auto columns = columns_of(runs);
+  if (runs.size() > kMostRuns) runs.resize(kMostRuns);
+  page.raw(fill(
+      R"(<p>The same gait with a finer time step, another integrator and another model of friction.
+{words}</p>
+<table class="limits stack"><thead><tr><th></th><th></th>{heads}</tr></thead><tbody>
+{rows}</tbody></table>
+<p class="note">Below each number: its difference from the first row.</p>
+)",
+      {{"words", numerics_words(*data.numerics)},
+       Hole::markup("heads",
+                    each(columns,
+                         [](const Column& column) {
+                           return fill(R"(<th class="n">{head}</th>)", {{"head", column.head}});
+                         })),
+       Hole::markup("rows",
+                    each(runs, [&](const NumericsRun& run) { return run_html(run, columns); }))}));
   page.close();
 }
 

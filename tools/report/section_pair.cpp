@@ -33,35 +33,38 @@ std::string shown(std::optional<double> value, const std::string& unit) {
 }
 
 const std::vector<PairNumber>& numbers() {
-  const auto played = [](const char* key) {
-    return [key](const RunData& run) { return number_at(run.metrics, {"result", "default", key}); };
+  const auto played = [](auto key) {
+    return [key](const RunData& run) {
+      const GainMetrics* measured = run.gains_of(Design::result).find("default");
+      return measured == nullptr ? std::nullopt : finite(measured->*key);
+    };
   };
   const auto told = [](auto member) {
     return [member](const RunData& run) -> std::optional<double> { return run.run.*member; };
   };
-  const auto sound = [](const char* key) {
+  const auto sound = [](double InverseDynamics::*key) {
     return [key](const RunData& run) {
-      return run.compared_result ? number_at(run.compared_result->inverse_dynamics, {key})
-                                 : std::nullopt;
+      const Comparison* compared = run.comparison_of(Design::result);
+      return compared == nullptr ? std::nullopt : finite(compared->inverse_dynamics.*key);
     };
   };
   static const std::vector<PairNumber> list = {
       {"cost F of the gait alone", told(&RunRecord::motion_only_F), ""},
       {"cost F at the end", told(&RunRecord::final_F), ""},
-      {"of the planned speed", played("speed_ratio"), "%"},
-      {"of the planned turn", played("turn_ratio"), "%"},
-      {"largest tilt", played("tilt_max_rad"), "rad"},
-      {"heading drift", played("heading_drift_rad"), "rad"},
-      {"servo torque, RMS", played("torque_rms_Nm"), "N m"},
-      {"servos at their limit", played("saturated_share"), "%"},
-      {"mean power", played("power_mean_W"), "W"},
-      {"cost of transport", played("cost_of_transport"), ""},
-      {"plan out of balance, of the weight", sound("residual_force_share_max"), "%"},
-      {"friction that the plan uses", sound("friction_used_max"), ""},
-      {"least load of a bearing foot", sound("normal_force_min_N"), "N"},
+      {"of the planned speed", played(&GainMetrics::speed_ratio), "%"},
+      {"of the planned turn", played(&GainMetrics::turn_ratio), "%"},
+      {"largest tilt", played(&GainMetrics::tilt_max), "rad"},
+      {"heading drift", played(&GainMetrics::heading_drift), "rad"},
+      {"servo torque, RMS", played(&GainMetrics::torque_rms), "N m"},
+      {"servos at their limit", played(&GainMetrics::saturated_share), "%"},
+      {"mean power", played(&GainMetrics::power_mean), "W"},
+      {"cost of transport", played(&GainMetrics::cost_of_transport), ""},
+      {"plan out of balance, of the weight", sound(&InverseDynamics::force_max), "%"},
+      {"friction that the plan uses", sound(&InverseDynamics::friction_max), ""},
+      {"least load of a bearing foot", sound(&InverseDynamics::normal_min), "N"},
       {"random draws that walk",
        [](const RunData& run) {
-         return number_at(run.robustness, {"monte_carlo", "share"});
+         return run.robustness ? finite(run.robustness->monte_carlo.share) : std::nullopt;
        },
        "%"},
       {"design iterations", told(&RunRecord::design_iterations), ""},
@@ -201,11 +204,11 @@ void add_settings(Html& page, const RunPair& pair) {
 void add_pair_verdicts(Html& page, const RunPair& pair) {
   page.open("section", {{"class", "cards"}});
   for (const auto& [name, run] : {std::pair{"A", &pair.a}, {"B", &pair.b}}) {
-    add_card(page, *run, "result", fmt::format("{} · {}", name, title_of(*run)),
+    add_card(page, *run, Design::result, fmt::format("{} · {}", name, title_of(*run)),
              task_words(run->run) + (motion_only(*run) ? "; gait alone" : "; body and gait"));
   }
   for (const auto& [name, run] : {std::pair{"A", &pair.a}, {"B", &pair.b}})
-    if (run->verdict.is_null())
+    if (!run->verdict)
       add_hint(page, fmt::format("{} has no verdict yet.", name), "validate", *run);
   page.close();
 }

@@ -53,7 +53,7 @@ void add_margin(Html& page, const RobustnessFactor* a, const RobustnessFactor* b
       page.text("–").close();
       continue;
     }
-    page.raw(range_bar({low, high, factor->low, factor->high, factor->nominal}));
+    page.raw(range_bar({low, high, factor->low, factor->high, finite(factor->nominal)}));
     page.element("small", margin_words(*factor)).close();
   }
   page.close();
@@ -63,7 +63,9 @@ void add_margin(Html& page, const RobustnessFactor* a, const RobustnessFactor* b
 
 void add_pair_limits(Html& page, const RunPair& pair) {
   page.open("section").element("h2", "Limits");
-  auto rows = joined(pair.a.limits_result, pair.b.limits_result);
+  const auto limits_a = pair.a.limits_of(Design::result),
+             limits_b = pair.b.limits_of(Design::result);
+  auto rows = joined(limits_a, limits_b);
   if (rows.empty()) {
     add_hint(page, "Neither verdict lists its limits.", "validate", pair.a);
     page.close();
@@ -92,10 +94,9 @@ void add_pair_limits(Html& page, const RunPair& pair) {
 
 void add_pair_margins(Html& page, const RunPair& pair) {
   page.open("section").element("h2", "Robustness: how much they bear");
-  const auto rows = joined(pair.a.factors, pair.b.factors);
+  const auto rows = joined(pair.a.factors(), pair.b.factors());
   // Where a gait fails undisturbed there is nothing to vary, and validating it again would not help.
-  const std::string none[] = {no_margins_words(pair.a.robustness),
-                              no_margins_words(pair.b.robustness)};
+  const std::string none[] = {no_margins_words(pair.a), no_margins_words(pair.b)};
   const char* const names[] = {"A", "B"};
   for (std::size_t k = 0; k < 2; ++k)
     if (!none[k].empty()) page.element("p", fmt::format("{}: {}", names[k], none[k]));
@@ -117,7 +118,7 @@ void add_pair_margins(Html& page, const RunPair& pair) {
   for (const auto& [a, b] : rows) add_margin(page, a, b);
   page.close().close();
   for (const auto& [name, run] : {std::pair{"A", &pair.a}, {"B", &pair.b}}) {
-    const std::string words = survival_words(value_at(run->robustness, {"monte_carlo"}));
+    const std::string words = run->robustness ? survival_words(run->robustness->monte_carlo) : "";
     if (!words.empty()) page.element("p", fmt::format("{}: {}", name, words));
   }
   page.close();

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 
+#include "tools/report/page_template.hpp"
 #include "tools/report/sections.hpp"
 #include "tools/report/svg_plot.hpp"
 #include "tools/report/words.hpp"
@@ -13,106 +15,81 @@
 namespace legwright {
 namespace {
 
-/// The gains that were played, in the order of the file.
-std::vector<std::string> gains_of(const RunData& data) {
-  std::vector<std::string> gains;
-  const Json& result = value_at(data.metrics, {"result"});
-  if (!result.is_object()) return gains;
-  for (const auto& [gain, measured] : result.items()) {
-    if (measured.is_object()) gains.push_back(gain);
-  }
-  return gains;
-}
+constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 struct Quantity {
   const char* name;
-  std::function<std::string(const Json&)> show;
+  std::function<std::string(const GainMetrics&)> show;
   bool after_first_cycle = false;  // measured from the second cycle on
 };
 
-std::string scaled(std::optional<double> value, double by, const char* unit) {
-  return value ? fmt::format("{}{}", short_number(*value * by), unit) : std::string("–");
+std::string scaled(double value, double by, const char* unit) {
+  return std::isfinite(value) ? short_number(value * by) + unit : "–";
 }
 
-std::string speed(const Json& measured, std::size_t axis) {
-  const Json& velocity = value_at(measured, {"velocity_mps"});
-  if (!velocity.is_array() || velocity.size() != 2 || !velocity[axis].is_number()) return "–";
-  const double value = velocity[axis].get<double>();
+std::string speed(const GainMetrics& measured, int axis) {
+  if (!measured.velocity) return "–";
+  const double value = (*measured.velocity)[axis];
   return fmt::format("{}{:.4f}", value < -5e-5 ? "−" : "", std::abs(value));
 }
 
 const std::vector<Quantity>& quantities() {
+  using M = GainMetrics;
   static const std::vector<Quantity> list = {
-      {"speed forward [m/s]", [](const Json& m) { return speed(m, 0); }},
-      {"speed to the left [m/s]", [](const Json& m) { return speed(m, 1); }},
-      {"of the planned speed",
-       [](const Json& m) { return percent(number_at(m, {"speed_ratio"})); }},
+      {"speed forward [m/s]", [](const M& m) { return speed(m, 0); }},
+      {"speed to the left [m/s]", [](const M& m) { return speed(m, 1); }},
+      {"of the planned speed", [](const M& m) { return percent(m.speed_ratio); }},
       {"of the speed that the plan reached",
-       [](const Json& m) { return percent(number_at(m, {"plan_speed_ratio"})); }},
+       [](const M& m) { return percent(m.plan_speed_ratio); }},
       {"falls",
-       [](const Json& m) {
-         const auto time = number_at(m, {"fall", "time_s"});
-         if (time) return fmt::format("after {} s", short_number(time));
-         return std::string(value_at(m, {"cycles"}).is_null() ? "–" : "no");
+       [](const M& m) {
+         return m.fall ? fmt::format("after {} s", short_number(m.fall->time)) : "no";
        }},
-      {"largest tilt",
-       [](const Json& m) {
-         return scaled(number_at(m, {"tilt_max_rad"}), 57.29577951308232, "°");
-       }},
-      {"heading drift",
-       [](const Json& m) {
-         return scaled(number_at(m, {"heading_drift_rad"}), 57.29577951308232, "°");
-       }},
+      {"largest tilt", [](const M& m) { return scaled(m.tilt_max, kDegrees, "°"); }},
+      {"heading drift", [](const M& m) { return scaled(m.heading_drift, kDegrees, "°"); }},
       {"slip per stance, mean",
-       [](const Json& m) {
-         return scaled(number_at(m, {"feet_summary", "slip_mean_m"}), 1e3, " mm");
-       },
-       true},
+       [](const M& m) { return scaled(m.feet_summary.slip_mean, 1e3, " mm"); }, true},
       {"touchdown, mean",
-       [](const Json& m) {
-         return early_or_late(number_at(m, {"feet_summary", "touchdown_error_mean_s"}));
-       },
+       [](const M& m) { return early_or_late(finite(m.feet_summary.touchdown_mean)); }, true},
+      {"joint tracking, RMS", [](const M& m) { return scaled(m.tracking_rms, kDegrees, "°"); },
        true},
-      {"joint tracking, RMS",
-       [](const Json& m) {
-         return scaled(number_at(m, {"tracking_rms_rad"}), 57.29577951308232, "°");
-       },
+      {"servo torque, RMS", [](const M& m) { return scaled(m.torque_rms, 1, " N·m"); }, true},
+      {"servos at their limit", [](const M& m) { return percent(finite(m.saturated_share)); },
        true},
-      {"servo torque, RMS",
-       [](const Json& m) { return scaled(number_at(m, {"torque_rms_Nm"}), 1, " N·m"); }, true},
-      {"servos at their limit",
-       [](const Json& m) { return percent(number_at(m, {"saturated_share"})); }, true},
-      {"MuJoCo warnings",
-       [](const Json& m) {
-         const Json& warnings = value_at(m, {"warnings"});
-         return warnings.is_array() ? std::to_string(warnings.size()) : std::string("–");
-       }},
+      {"MuJoCo warnings", [](const M& m) { return std::to_string(m.warnings.size()); }},
   };
   return list;
 }
 
-/// What was measured of one body, a column for each gain. @param robot key of metrics.json
-void add_gain_table(Html& page, const RunData& data, const std::vector<std::string>& gains,
-                    const char* robot, const char* title) {
-  page.open("div").element("h3", title).open("table", {{"class", "gains"}});
-  page.open("thead").open("tr").element("th", "servo gains");
-  for (const std::string& gain : gains) page.element("th", gain, {{"class", "n"}});
-  page.close().close().open("tbody");
-  for (const Quantity& quantity : quantities()) {
-    std::vector<std::string> cells;
-    for (const std::string& gain : gains) {
-      const Json& measured = value_at(data.metrics, {robot, gain.c_str()});
-      const bool too_short =
-          quantity.after_first_cycle && number_at(measured, {"cycles"}).value_or(0.0) < 2.0;
-      cells.push_back(too_short ? "–" : quantity.show(measured));
-    }
-    if (std::all_of(cells.begin(), cells.end(), [](const auto& cell) { return cell == "–"; }))
-      continue;  // it fell before there was anything to measure
-    page.open("tr").element("td", quantity.name);
-    for (const std::string& cell : cells) page.element("td", cell, {{"class", "n"}});
-    page.close();
-  }
-  page.close().close().close();
+std::string quantity_html(const Quantity& quantity, const ByName<GainMetrics>& gains) {
+  bool any = false;
+  const std::string cells = each(gains, [&](const auto& gain) {
+    const GainMetrics& measured = gain.second;
+    const bool too_short = quantity.after_first_cycle && measured.cycles < 2;
+    const std::string text = too_short ? "–" : quantity.show(measured);
+    any = any || text != "–";
+    return fill(R"(<td class="n">{text}</td>)", {{"text", text}});
+  });
+  if (!any) return "";  // it fell before there was anything to measure
+  return fill("<tr><td>{name}</td>{cells}</tr>\n",
+              {{"name", quantity.name}, Hole::markup("cells", cells)});
+}
+
+/// What was measured of one body, a column for each gain.
+std::string gain_table(const ByName<GainMetrics>& gains, const char* title) {
+  return fill(
+      R"(<div><h3>{title}</h3><table class="gains"><thead><tr><th>servo gains</th>{gains}</tr></thead><tbody>
+{rows}</tbody></table></div>
+)",
+      {{"title", title},
+       Hole::markup("gains",
+                    each(gains,
+                         [](const auto& gain) {
+                           return fill(R"(<th class="n">{gain}</th>)", {{"gain", gain.first}});
+                         })),
+       Hole::markup("rows", each(quantities(), [&](const Quantity& quantity) {
+                      return quantity_html(quantity, gains);
+                    }))});
 }
 
 /// Planned stances of a foot as intervals over 0 … end [s].
@@ -134,31 +111,22 @@ std::vector<std::pair<double, double>> planned_stances(const Trajectory& plan, i
   return out;
 }
 
-std::vector<std::pair<double, double>> measured_contacts(const RunData& data, const char* robot,
+std::vector<std::pair<double, double>> measured_contacts(const RunData& data, Design design,
                                                          const std::string& name) {
-  std::vector<std::pair<double, double>> out;
-  const Json& feet = value_at(data.metrics, {robot, "default", "feet"});
-  if (!feet.is_array()) return out;
-  for (const Json& foot : feet) {
-    if (text_at(foot, {"name"}) != name) continue;
-    const Json& contacts = value_at(foot, {"contacts_s"});
-    if (!contacts.is_array()) continue;
-    for (const Json& span : contacts) {
-      if (span.is_array() && span.size() == 2 && span[0].is_number() && span[1].is_number()) {
-        out.emplace_back(span[0].get<double>(), span[1].get<double>());
-      }
-    }
-  }
-  return out;
+  const GainMetrics* measured = data.gains_of(design).find("default");
+  if (measured == nullptr) return {};
+  for (const FootMetrics& foot : measured->feet)
+    if (foot.name == name) return foot.contacts;
+  return {};
 }
 
-std::string footfalls(const RunData& data, const Trajectory& plan, const char* robot,
+std::string footfalls(const RunData& data, const Trajectory& plan, Design design,
                       const std::string& title) {
   const double end = std::min(4.0, 3.0 * plan.period);
   std::vector<FootfallRow> rows;
   for (int f = 0; f < plan.foot_count(); ++f) {
     const std::string& name = plan.foot_names[static_cast<std::size_t>(f)];
-    rows.push_back({name, planned_stances(plan, f, end), measured_contacts(data, robot, name)});
+    rows.push_back({name, planned_stances(plan, f, end), measured_contacts(data, design, name)});
   }
   return footfall_plot(rows, end, title);
 }
@@ -184,22 +152,22 @@ std::string foot_chart(const Trajectory& plan, const PlotOptions& options,
 
 void add_physics(Html& page, const RunData& data) {
   page.open("section").element("h2", "What was measured");
-  const auto gains = gains_of(data);
+  const auto& gains = data.gains_of(Design::result);
   if (gains.empty()) {
     add_hint(page, "The gaits have not been played in MuJoCo yet.", "validate", data);
     page.close();
     return;
   }
-  const auto cycles = number_at(data.metrics, {"cycles"});
-  page.element("p",
-               fmt::format("{} cycles in MuJoCo. Servo gains say how hard the joints hold on to "
-                           "their planned angles: a sound gait does not depend on them.",
-                           short_number(cycles)),
-               {{"class", "note"}});
-  page.open("div", {{"class", "charts"}});
-  add_gain_table(page, data, gains, "result", motion_only(data) ? "Measured" : "After");
-  if (!motion_only(data)) add_gain_table(page, data, gains, "initial", "Before");
-  page.close().close();
+  std::string tables = gain_table(gains, motion_only(data) ? "Measured" : "After");
+  if (!motion_only(data)) tables += gain_table(data.gains_of(Design::initial), "Before");
+  page.raw(fill(
+      R"(<p class="note">{cycles} cycles in MuJoCo. Servo gains say how hard the joints hold on to their
+planned angles: a sound gait does not depend on them.</p>
+<div class="charts">
+{tables}</div>
+)",
+      {{"cycles", std::to_string(data.metrics->cycles)}, Hole::markup("tables", tables)}));
+  page.close();
 }
 
 void add_plan(Html& page, const RunData& data) {
@@ -215,9 +183,11 @@ void add_plan(Html& page, const RunData& data) {
   const Trajectory& plan = *data.result_plan;
   page.open("div", {{"class", "charts"}});
   if (data.initial_plan && !motion_only(data))
-    page.raw(footfalls(data, *data.initial_plan, "initial", "Footfalls before"));
-  page.raw(footfalls(data, plan, "result", motion_only(data) ? "Footfalls" : "Footfalls after"));
-  if (data.compared_result) {  // its charts show heights and forces, with what was measured
+    page.raw(footfalls(data, *data.initial_plan, Design::initial, "Footfalls before"));
+  page.raw(
+      footfalls(data, plan, Design::result, motion_only(data) ? "Footfalls" : "Footfalls after"));
+  if (data.comparison_of(
+          Design::result)) {  // its charts show heights and forces, with what was measured
     page.close().close();
     return;
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "tools/report/page_template.hpp"
 #include "tools/report/sections.hpp"
 #include "tools/report/svg_bars.hpp"
 #include "tools/report/words.hpp"
@@ -13,22 +14,32 @@ namespace {
 
 constexpr std::size_t kMostWorst = 10, kMostCauses = 12;
 
-void add_factor(Html& page, const RobustnessFactor& factor) {
+std::string small_html(const std::string& words) {
+  return words.empty() ? "" : fill("<small>{words}</small>", {{"words", words}});
+}
+
+/// Why it fails beyond a margin. @param where "Below: "
+std::string cause_html(const std::optional<double>& margin, const std::optional<std::string>& cause,
+                       const char* where) {
+  return margin && cause ? small_html(where + *cause) : "";
+}
+
+std::string factor_html(const RobustnessFactor& factor) {
   const ShownUnit unit = unit_of(factor);
-  page.open("tr").open("td", {{"class", "head"}});
-  page.element("b", factor.label.empty() ? spaced(factor.name) : factor.label);
-  if (factor.nominal) page.element("small", "nominal " + unit.words(factor.nominal));
-  page.close();
-  page.open("td", {{"class", "margin"}});
-  page.raw(
-      range_bar({factor.tested_low, factor.tested_high, factor.low, factor.high, factor.nominal}));
-  page.open("p", {{"class", "ends"}}).element("span", unit.words(factor.tested_low));
-  page.element("span", unit.words(factor.tested_high)).close().close();
-  page.open("td").element("b", margin_words(factor));
-  if (factor.low && !factor.low_cause.empty()) page.element("small", "Below: " + factor.low_cause);
-  if (factor.high && !factor.high_cause.empty())
-    page.element("small", "Above: " + factor.high_cause);
-  page.close().close();
+  const auto nominal = finite(factor.nominal);
+  return fill(R"(<tr><td class="head"><b>{label}</b>{nominal}</td>
+<td class="margin">{bar}<p class="ends"><span>{from}</span><span>{to}</span></p></td>
+<td><b>{margin}</b>{below}{above}</td></tr>
+)",
+              {{"label", factor.label.empty() ? spaced(factor.name) : factor.label},
+               Hole::markup("nominal", nominal ? small_html("nominal " + unit.words(nominal)) : ""),
+               Hole::markup("bar", range_bar({factor.tested_low, factor.tested_high, factor.low,
+                                              factor.high, nominal})),
+               {"from", unit.words(factor.tested_low)},
+               {"to", unit.words(factor.tested_high)},
+               {"margin", margin_words(factor)},
+               Hole::markup("below", cause_html(factor.low, factor.low_cause, "Below: ")),
+               Hole::markup("above", cause_html(factor.high, factor.high_cause, "Above: "))});
 }
 
 /// A factor's value in a draw, by its label and in its unit where the factor is known.
@@ -42,66 +53,59 @@ std::string drawn_words(const std::vector<RobustnessFactor>& factors, const std:
   return fmt::format("{} {}{}", label, unit.words(from), to ? " … " + unit.words(to) : "");
 }
 
-void add_worst(Html& page, const RunData& data, const Json& monte_carlo) {
-  const Json& worst = value_at(monte_carlo, {"worst"});
-  if (!worst.is_array() || worst.empty()) return;
-  page.open("details").element("summary", "The draws that fell first");
-  page.open("ul");
-  for (std::size_t k = 0; k < std::min(worst.size(), kMostWorst); ++k) {
-    const auto sample = number_at(worst[k], {"sample"});
-    std::string out = text_at(worst[k], {"cause"});
-    const Json& values = value_at(worst[k], {"values"});
-    const char* separator = ": ";
-    if (values.is_object()) {
-      for (const auto& [name, value] : values.items()) {
-        if (!value.is_number()) continue;
-        out += fmt::format("{}{}", separator, drawn_words(data.factors, name, value.get<double>()));
-        separator = "; ";
-      }
-    }
-    page.open("li");
-    if (sample) page.element("b", fmt::format("draw {:.0f}: ", *sample));
-    page.text(out).close();
+std::string draw_html(const std::vector<RobustnessFactor>& factors, const FailedDraw& draw) {
+  std::string words = draw.cause;
+  const char* separator = ": ";
+  for (const auto& [name, value] : draw.values) {
+    words += separator + drawn_words(factors, name, value);
+    separator = "; ";
   }
-  page.close().close();
+  return fill("<li><b>draw {sample}: </b>{words}</li>\n",
+              {{"sample", std::to_string(draw.sample)}, {"words", words}});
 }
 
-void add_spread(Html& page, const RunData& data, const Json& monte_carlo) {
-  const Json& spread = value_at(monte_carlo, {"spread"});
-  if (!spread.is_object() || spread.empty()) return;
-  std::string out;
-  for (const auto& [name, range] : spread.items()) {
-    if (!range.is_array() || range.size() != 2 || !range[0].is_number() || !range[1].is_number())
-      continue;
-    out += (out.empty() ? "" : "; ") +
-           drawn_words(data.factors, name, range[0].get<double>(), range[1].get<double>());
-  }
-  if (!out.empty()) page.element("p", "Drawn at random: " + out + ".", {{"class", "note"}});
+std::string worst_html(const std::vector<RobustnessFactor>& factors, const MonteCarlo& drawn) {
+  if (drawn.worst.empty()) return "";
+  const std::vector<FailedDraw> worst(
+      drawn.worst.begin(),
+      drawn.worst.begin() + static_cast<std::ptrdiff_t>(std::min(drawn.worst.size(), kMostWorst)));
+  return fill("<details><summary>The draws that fell first</summary><ul>\n{draws}</ul></details>\n",
+              {Hole::markup("draws", each(worst, [&](const FailedDraw& draw) {
+                              return draw_html(factors, draw);
+                            }))});
 }
 
-void add_causes(Html& page, const Json& monte_carlo) {
-  const Json& causes = value_at(monte_carlo, {"causes"});
-  if (!causes.is_object() || causes.empty()) return;
-  page.open("ul", {{"class", "changes"}});
+std::string spread_html(const std::vector<RobustnessFactor>& factors, const MonteCarlo& drawn) {
+  std::string words;
+  for (const auto& [name, range] : drawn.spread)
+    words += (words.empty() ? "" : "; ") + drawn_words(factors, name, range.first, range.second);
+  return words.empty()
+             ? ""
+             : fill("<p class=\"note\">Drawn at random: {words}.</p>\n", {{"words", words}});
+}
+
+std::string causes_html(const MonteCarlo& drawn) {
+  std::string rows;
   std::size_t shown = 0;
-  for (const auto& [cause, count] : causes.items()) {
-    if (!count.is_number() || shown++ == kMostCauses) continue;
-    page.element("li", fmt::format("{:.0f} × {}", count.get<double>(), cause));
-  }
-  page.close();
+  for (const auto& [cause, count] : drawn.causes)
+    if (shown++ < kMostCauses)
+      rows += fill("<li>{count} × {cause}</li>\n",
+                   {{"count", std::to_string(count)}, {"cause", cause}});
+  return rows.empty() ? "" : "<ul class=\"changes\">\n" + rows + "</ul>\n";
 }
 
-void add_survival(Html& page, const RunData& data, const Json& monte_carlo) {
-  const std::string words = survival_words(monte_carlo);
-  if (words.empty()) return;
-  page.element("h3", "Everything off at once");
-  page.open("div", {{"class", "survival"}});
-  page.raw(share_bar(number_at(monte_carlo, {"share"}), number_at(monte_carlo, {"share_low"}),
-                     number_at(monte_carlo, {"share_high"})));
-  page.element("p", words).close();
-  add_causes(page, monte_carlo);
-  add_spread(page, data, monte_carlo);
-  add_worst(page, data, monte_carlo);
+std::string survival_html(const std::vector<RobustnessFactor>& factors, const MonteCarlo& drawn) {
+  const std::string words = survival_words(drawn);
+  if (words.empty()) return "";
+  return fill(R"(<h3>Everything off at once</h3>
+<div class="survival">{bar}<p>{words}</p></div>
+{causes}{spread}{worst})",
+              {Hole::markup("bar", share_bar(finite(drawn.share), finite(drawn.share_low),
+                                             finite(drawn.share_high))),
+               {"words", words},
+               Hole::markup("causes", causes_html(drawn)),
+               Hole::markup("spread", spread_html(factors, drawn)),
+               Hole::markup("worst", worst_html(factors, drawn))});
 }
 
 }  // namespace
@@ -123,58 +127,51 @@ std::string margin_words(const RobustnessFactor& factor) {
            (fails == tested ? " (all tried but " + unit.words(tested) + ")" : "");
   };
   const std::string high = side(factor.high, factor.high_fails, factor.tested_high, " or more");
-  const bool one_sided = factor.nominal && *factor.nominal <= factor.tested_low;
+  const bool one_sided = factor.nominal <= factor.tested_low;
   if (!factor.low && one_sided) return "survives up to " + high;
   return fmt::format("survives from {} to {}",
                      side(factor.low, factor.low_fails, factor.tested_low, " or less"), high);
 }
 
-std::string no_margins_words(const Json& robustness) {
-  const std::string cause = text_at(robustness, {"undisturbed_cause"});
-  return cause.empty() ? "" : fmt::format("No margins: the gait fails undisturbed: {}.", cause);
+std::string no_margins_words(const JudgedData& data) {
+  if (!data.robustness || !data.robustness->undisturbed_cause) return "";
+  return fmt::format("No margins: the gait fails undisturbed: {}.",
+                     *data.robustness->undisturbed_cause);
 }
 
-std::string survival_words(const Json& monte_carlo) {
-  const auto samples = number_at(monte_carlo, {"samples"}),
-             survived = number_at(monte_carlo, {"survived"}),
-             share = number_at(monte_carlo, {"share"}), low = number_at(monte_carlo, {"share_low"}),
-             high = number_at(monte_carlo, {"share_high"});
-  if (!samples || *samples < 1.0 || !survived || !share) return "";
-  std::string out =
-      fmt::format("{:.0f} of {:.0f} draws survived: {}", *survived, *samples, percent(share));
+std::string survival_words(const MonteCarlo& drawn) {
+  if (drawn.samples < 1) return "";
+  std::string out = fmt::format("{} of {} draws survived: {}", drawn.survived, drawn.samples,
+                                percent(finite(drawn.share)));
+  const auto low = finite(drawn.share_low), high = finite(drawn.share_high);
   if (low && high) out += fmt::format(" (95 % interval {} … {})", percent(low), percent(high));
   return out + ".";
 }
 
 void add_robustness(Html& page, const RunData& data) {
   page.open("section").element("h2", "Robustness: how much it bears");
-  if (const std::string words = no_margins_words(data.robustness); !words.empty()) {
+  if (const std::string words = no_margins_words(data); !words.empty()) {
     page.element("p", words).close();
     return;
   }
-  if (data.factors.empty() && value_at(data.robustness, {"monte_carlo"}).is_null()) {
+  if (!data.robustness) {
     add_hint(page, "Nothing was varied yet.", "validate", data);
     page.close();
     return;
   }
-  if (!data.factors.empty()) {
-    page.element("p",
-                 "One thing at a time is changed until the robot falls, or goes at less than half "
-                 "or more than "
-                 "twice the wanted speed; all else stays as the task says. To survive is less than "
-                 "to pass the "
-                 "verdict.",
-                 {{"class", "note"}});
-    page.raw(
-        "<p class=\"legend\"><span><i class=\"key area b3\"></i>survives</span> <span><i "
-        "class=\"key "
-        "area bad-key\"></i>fails</span> <span><i class=\"key dot\"></i>nominal</span></p>\n");
-    page.open("table", {{"class", "margins stack"}}).open("tbody");
-    for (const RobustnessFactor& factor : data.factors) add_factor(page, factor);
-    page.close().close();
-  }
-  add_survival(page, data, value_at(data.robustness, {"monte_carlo"}));
-  page.close();
+  const auto& factors = data.robustness->factors;
+  if (!factors.empty())
+    page.raw(fill(
+        R"(<p class="note">One thing at a time is changed until the robot falls, or goes at less than half or more than
+twice the wanted speed; all else stays as the task says. To survive is less than to pass the
+verdict.</p>
+<p class="legend"><span><i class="key area b3"></i>survives</span> <span><i class="key
+area bad-key"></i>fails</span> <span><i class="key dot"></i>nominal</span></p>
+<table class="margins stack"><tbody>
+{rows}</tbody></table>
+)",
+        {Hole::markup("rows", each(factors, factor_html))}));
+  page.raw(survival_html(factors, data.robustness->monte_carlo)).close();
 }
 
 }  // namespace legwright

@@ -7,6 +7,7 @@
 
 #include "tools/files/atomic_file.hpp"
 #include "tools/image/png.hpp"
+#include "tools/report/page_template.hpp"
 #include "tools/report/sections.hpp"
 #include "tools/report/words.hpp"
 
@@ -38,32 +39,37 @@ std::vector<int> spread(const RunData& data, const std::vector<int>& drawn, std:
 
 }  // namespace
 
-void add_card(Html& page, const RunData& data, const char* key, const std::string& title,
+void add_card(Html& page, const RunData& data, Design design, const std::string& title,
               const std::string& body) {
-  const Json& verdict = value_at(data.verdict, {key});
-  const Json& pass = value_at(verdict, {"pass"});
-  const bool known = pass.is_boolean(), passed = known && pass.get<bool>();
-  page.open("div", {{"class", !known ? "card" : passed ? "card pass" : "card fail"}});
-  page.element("h2", title);
-  page.element("p",
-               !known   ? "Not validated"
-               : passed ? "✓ Pass"
-                        : "✗ Fail",
-               {{"class", "verdict"}});
-  page.element("p", body, {{"class", "note"}});
-  const Json& reasons = value_at(verdict, {"reasons"});
-  if (reasons.is_array() && !reasons.empty()) {
-    page.open("ul");
-    for (const Json& reason : reasons) {
-      if (reason.is_string()) page.element("li", reason.get<std::string>());
-    }
-    page.close();
-  } else if (known) {
-    std::string line = text_at(verdict, {"line"});
-    const std::size_t colon = line.find(": ");  // the card's head has said what stands before it
-    page.element("p", colon == std::string::npos ? line : line.substr(colon + 2));
+  const DesignVerdict* verdict = data.verdict_of(design);
+  std::string more;
+  if (verdict != nullptr && !verdict->reasons.empty()) {
+    more = "<ul>\n" +
+           each(verdict->reasons,
+                [](const std::string& reason) {
+                  return fill("<li>{reason}</li>\n", {{"reason", reason}});
+                }) +
+           "</ul>";
+  } else if (verdict != nullptr) {
+    const std::size_t colon = verdict->line.find(": ");  // the card's head has said what is before
+    more = fill(
+        "<p>{line}</p>",
+        {{"line", colon == std::string::npos ? verdict->line : verdict->line.substr(colon + 2)}});
   }
-  page.close();
+  page.raw(fill(R"(<div class="card{pass}"><h2>{title}</h2>
+<p class="verdict">{mark}</p>
+<p class="note">{body}</p>
+{more}</div>
+)",
+                {{"pass", verdict == nullptr ? ""
+                          : verdict->pass    ? " pass"
+                                             : " fail"},
+                 {"title", title},
+                 {"mark", verdict == nullptr ? "Not validated"
+                          : verdict->pass    ? "✓ Pass"
+                                             : "✗ Fail"},
+                 {"body", body},
+                 Hole::markup("more", more)}));
 }
 
 std::string command(const std::string& verb, const RunData& data) {
@@ -71,11 +77,8 @@ std::string command(const std::string& verb, const RunData& data) {
 }
 
 void add_hint(Html& page, const std::string& what, const std::string& verb, const RunData& data) {
-  page.open("p", {{"class", "hint"}})
-      .text(what + " Run ")
-      .element("code", command(verb, data))
-      .text(", then the report again.");
-  page.close();
+  page.raw(fill("<p class=\"hint\">{what} Run <code>{command}</code>, then the report again.</p>\n",
+                {{"what", what}, {"command", command(verb, data)}}));
 }
 
 namespace {
@@ -109,8 +112,9 @@ void add_plan_notes(Html& page, const RunData& data) {
     for (const std::string& reason : *reasons) page.element("li", reason);
     page.close().close();
   }
-  if (const std::string touches = text_at(data.verdict, {"home_touches", "line"}); !touches.empty())
-    page.element("p", "Warning: " + touches + ".", {{"class", "note wide"}});
+  if (data.verdict && data.verdict->home_touches)
+    page.element("p", "Warning: " + data.verdict->home_touches->line + ".",
+                 {{"class", "note wide"}});
   if (gait_was_stepped(data.run))
     page.element("p",
                  "The gait was changed after the optimisation, see “Closing the gap”: verdicts, "
@@ -132,13 +136,15 @@ void add_plan_notes(Html& page, const RunData& data) {
 void add_verdicts(Html& page, const RunData& data) {
   page.open("section", {{"class", "cards"}});
   if (motion_only(data)) {
-    add_card(page, data, "result", "Verdict", "the initial body: only its gait was optimised");
+    add_card(page, data, Design::result, "Verdict",
+             "the initial body: only its gait was optimised");
   } else {
-    add_card(page, data, "initial", "Before", "initial body, its gait optimised for the task");
-    add_card(page, data, "result", "After", "body and gait co-designed");
+    add_card(page, data, Design::initial, "Before",
+             "initial body, its gait optimised for the task");
+    add_card(page, data, Design::result, "After", "body and gait co-designed");
   }
   add_plan_notes(page, data);
-  if (data.verdict.is_null()) {
+  if (!data.verdict) {
     add_hint(page, "No verdict yet: the gaits have not been played in MuJoCo.", "validate", data);
   } else {
     page.element("p",
@@ -168,8 +174,8 @@ void add_pictures(Html& page, const RunData& data, PictureBudget& budget) {
                     "of the trunk.",
                     budget) &&
       fs::exists(planned)) {
-    add_hint(page, "No pictures of the simulation yet.",
-             data.metrics.is_null() ? "validate" : "render", data);
+    add_hint(page, "No pictures of the simulation yet.", !data.metrics ? "validate" : "render",
+             data);
   }
   add_gait(page, data, budget);
   if (!add_strip_if(page, planned, "What was planned.",

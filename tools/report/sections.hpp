@@ -56,13 +56,13 @@ ShownUnit unit_of(const RobustnessFactor& factor);
 /// "survives from 0.3 to 1.6"
 std::string margin_words(const RobustnessFactor& factor);
 /// "187 of 200 draws survived: 93.5 % (95 % interval 89.2 % … 96.2 %)."; empty without numbers.
-std::string survival_words(const Json& monte_carlo);
+std::string survival_words(const MonteCarlo& drawn);
 /// Why there are no margins, if the gait fails undisturbed; empty otherwise.
-std::string no_margins_words(const Json& robustness);
+std::string no_margins_words(const JudgedData& data);
 /// One sentence on numerics.json; empty without.
-std::string numerics_words(const Json& numerics);
-/// What inverse dynamics says of the plan, in words; empty without numbers.
-std::string inverse_dynamics_words(const Json& plan);
+std::string numerics_words(const NumericsRecord& numerics);
+/// What inverse dynamics says of the plan, in words.
+std::string inverse_dynamics_words(const InverseDynamics& plan);
 
 /// What MuJoCo said of a gait before or after the physics steps.
 struct GapSide {
@@ -87,9 +87,8 @@ std::string stepped_words(const JointData& data);
 /// Says so, where it is so. @param what "This chart is": what is of the gait before
 void add_gap_note(Html& page, const RunRecord& run, const std::string& what);
 
-/// A verdict's card. @param key side of verdict.json @param title of the card @param body what was
-/// judged
-void add_card(Html& page, const RunData& data, const char* key, const std::string& title,
+/// A verdict's card. @param title of the card @param body what was judged
+void add_card(Html& page, const RunData& data, Design design, const std::string& title,
               const std::string& body);
 /// Adds a strip where it is there and fits; says so where it does not fit. Whether it is there.
 bool add_strip_if(Html& page, const std::filesystem::path& file, const std::string& title,

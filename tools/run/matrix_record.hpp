@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "tools/run/metrics_record.hpp"
 #include "tools/run/run_record.hpp"
 
 namespace legwright {
@@ -18,8 +18,8 @@ void fields(Fields& f, MatrixDesignRecord& design);
 struct MatrixCellRecord {
   double F = 0.0;
   bool pass = false;
-  std::string line;              // of the verdict
-  nlohmann::ordered_json gains;  // what metrics.json says of a design
+  std::string line;           // of the verdict
+  ByName<GainMetrics> gains;  // as metrics.json tells them
 };
 void fields(Fields& f, MatrixCellRecord& cell);
 

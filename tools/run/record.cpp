@@ -60,6 +60,7 @@ class Reader final : public Fields {
  public:
   Reader(const Json& root, std::string_view file) : at_{&root}, file_(file) {}
   using Fields::visit;
+  bool reads() const override { return true; }
   void visit(bool& value) override {
     value = expect(here().is_boolean(), "true or false").get<bool>();
   }
@@ -284,6 +285,12 @@ Json schema_of_record(RecordKind kind, RecordVisit visit, void* record) {
   schema["properties"] = std::move(properties);
   schema["required"] = std::move(required);
   return schema;
+}
+
+bool is_kind(const Json& json, RecordKind kind) {
+  if (!json.is_object()) return false;
+  const auto found = json.find("schema");
+  return found != json.end() && *found == kind.schema;
 }
 
 Json load_json(const std::filesystem::path& file) { return read_json(file); }

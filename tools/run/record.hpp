@@ -80,6 +80,8 @@ class Fields {
     word(value, words);
     leave();
   }
+  /// Whether members receive what the file has.
+  virtual bool reads() const { return false; }
   /// A key of which the value is always the same.
   void constant(const char* key, const char* text) {
     std::string value = text;
@@ -113,6 +115,30 @@ class Fields {
     for (std::size_t k = 0; k < N; ++k) {
       item(k);
       visit(values[k]);
+      leave();
+    }
+  }
+  template <class T>
+  void visit(std::pair<T, T>& values) {
+    fixed_list(2);
+    item(0);
+    visit(values.first);
+    leave();
+    item(1);
+    visit(values.second);
+    leave();
+  }
+  /// A column of Eigen.
+  template <class T>
+  requires requires { typename T::Scalar; }
+  void visit(T& values) {
+    if constexpr (T::SizeAtCompileTime > 0)
+      fixed_list(T::SizeAtCompileTime);
+    else
+      values.resize(static_cast<typename T::Index>(list(static_cast<std::size_t>(values.size()))));
+    for (std::size_t k = 0; k < static_cast<std::size_t>(values.size()); ++k) {
+      item(k);
+      visit(values[static_cast<typename T::Index>(k)]);
       leave();
     }
   }
@@ -172,6 +198,9 @@ struct RecordKind {
   const char* schema;  // "legwright/run"; empty: a part of a file, without the two keys
   int version;
 };
+
+/// Whether a JSON value says that it is of this schema, whatever its version.
+bool is_kind(const nlohmann::ordered_json& json, RecordKind kind);
 
 using RecordVisit = void (*)(Fields& fields, void* record);
 /// The three visitors; the templates below are what callers use.

@@ -3,9 +3,14 @@
 
 #include "tools/files/json_file.hpp"
 #include "tools/run/certificate_record.hpp"
+#include "tools/run/comparison_record.hpp"
 #include "tools/run/iteration_record.hpp"
 #include "tools/run/matrix_record.hpp"
+#include "tools/run/metrics_record.hpp"
+#include "tools/run/numerics_record.hpp"
+#include "tools/run/robustness_record.hpp"
 #include "tools/run/run_record.hpp"
+#include "tools/run/verdict_record.hpp"
 
 namespace legwright {
 
@@ -18,7 +23,12 @@ std::vector<std::pair<std::string, Json>> record_schemas() {
           {"iteration", schema_of<IterationMetrics>()},
           {"certificate", schema_of<CertificateRecord>()},
           {"matrix", schema_of<MatrixRecord>()},
-          {"front", schema_of<FrontRecord>()}};
+          {"front", schema_of<FrontRecord>()},
+          {"validation", schema_of<MetricsRecord>()},
+          {"verdict", schema_of<VerdictRecord>()},
+          {"comparison", schema_of<ComparisonRecord>()},
+          {"numerics", schema_of<NumericsRecord>()},
+          {"robustness", schema_of<RobustnessRecord>()}};
 }
 
 }  // namespace legwright

@@ -4,17 +4,11 @@
 #include <mujoco/mujoco.h>
 
 #include <array>
-#include <string>
 #include <vector>
 
-namespace legwright {
+#include "tools/simulate/incidents.hpp"
 
-/// A kind of warning that MuJoCo counts.
-struct HealthWarning {
-  double time;  // of the first [s]
-  std::string text;
-  int count;
-};
+namespace legwright {
 
 /// The first time and number of each kind of warning in a simulation.
 class Health {

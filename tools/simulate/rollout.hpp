@@ -36,11 +36,6 @@ struct RolloutOptions {
   std::function<void(mjData&, double)> step = {};  // does the work of mj_step, at this time [s]
 };
 
-struct Fall {
-  double time;        // [s]
-  std::string cause;  // "tilted by more than 1 rad", …
-};
-
 struct RolloutFrame {
   double time;
   std::vector<double> qpos;

@@ -213,20 +213,20 @@ void ComparisonWatch::watch_joints(const mjData& data) {
 
 void ComparisonWatch::watch_path(double time, const Eigen::Vector2d& com) {
   const double interval = scene_.trajectory.period / kPathPointsPerCycle;
-  if (time < static_cast<double>(measured_path_.size()) * interval - model_.opt.timestep / 2)
+  if (time < static_cast<double>(paths_.measured.size()) * interval - model_.opt.timestep / 2)
     return;
   const Trajectory& plan = scene_.trajectory;
-  planned_path_.emplace_back(
+  paths_.planned.emplace_back(
       planned_point(plan, phase_at(plan, time), plan.com_column(0)).value.head<2>());
-  measured_path_.push_back(com);
+  paths_.measured.push_back(com);
 }
 
 std::optional<Comparison> ComparisonWatch::finish(const Measurements& measured) const {
   if (curves_.cycles() == 0) return std::nullopt;
   Comparison out;
   out.gain_scale = scene_.gain_scale;
-  out.last_cycle = cycles_.back().cycle;
-  out.first_cycle = out.last_cycle - curves_.cycles() + 1;
+  const int last = cycles_.back().cycle;
+  out.cycles = {last - curves_.cycles() + 1, last};
   out.period = scene_.trajectory.period;
   out.phases = (Eigen::VectorXd::LinSpaced(curves_.bins(), 0, curves_.bins() - 1).array() + 0.5) /
                curves_.bins();
@@ -237,7 +237,8 @@ std::optional<Comparison> ComparisonWatch::finish(const Measurements& measured) 
   };
   for (const Words& words : kWords)
     out.curves.push_back({words.name, words.label, words.unit, curve(words.row)});
-  out.inverse_dynamics = inverse_dynamics(scene_, curves_.bins());
+  const PlanAgainstDynamics plan = inverse_dynamics(scene_, curves_.bins());
+  out.inverse_dynamics = plan;
   for (int j = 0; j < rows_.feet; ++j) {
     const auto foot = static_cast<std::size_t>(j);
     const FootMeasures& stances = measured.feet[foot];
@@ -252,10 +253,8 @@ std::optional<Comparison> ComparisonWatch::finish(const Measurements& measured) 
                         {stances.touchdown_mean, stances.touchdown_max},
                         {stances.liftoff_mean, stances.liftoff_max},
                         {stances.landing_mean, stances.landing_max},
-                        {stances.slip_mean, stances.slip_max},
-                        {stances.roll_mean, stances.roll_max},
-                        out.inverse_dynamics.foot_slip[foot],
-                        out.inverse_dynamics.foot_roll[foot]});
+                        {stances.slip_mean, stances.slip_max, plan.foot_slip[foot]},
+                        {stances.roll_mean, stances.roll_max, plan.foot_roll[foot]}});
   }
   for (int a = 0; a < rows_.joints; ++a) {
     const auto of = [&](R::Joint part) { return curve(rows_.joint(a, part)); };
@@ -263,9 +262,8 @@ std::optional<Comparison> ComparisonWatch::finish(const Measurements& measured) 
     out.joints.push_back({scene_.trajectory.joint_names[joint], of(R::angle), of(R::torque),
                           of(R::joint_power), scene_.torque_limit[joint]});
   }
-  out.cycles = cycles_;
-  out.planned_path = planned_path_;
-  out.measured_path = measured_path_;
+  out.cycle_table = cycles_;
+  out.paths = paths_;
   out.warnings = measured.warnings;
   return out;
 }

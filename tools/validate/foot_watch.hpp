@@ -4,38 +4,22 @@
 #include <Eigen/Core>
 #include <limits>
 #include <optional>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include "plugin/trajectory.hpp"
+#include "tools/run/metrics_record.hpp"
 #include "tools/validate/flight_path.hpp"
 
 namespace legwright {
 
-/// How a foot kept to the plan. Strides of the first cycle do not count.
-struct FootMeasures {
-  std::string name;
-  int stances = 0;         // complete ones that were looked at
-  double slip_mean = 0.0;  // path of the contact point on the ground during one stance [m]
-  double slip_max = 0.0;
-  int missed = 0;               // planned stances in which the foot never touched the ground
-  double touchdown_mean = 0.0;  // actual minus planned time of touchdown [s]: positive is late
-  double touchdown_max = 0.0;   // largest magnitude of that [s]
-  double liftoff_mean = 0.0;    // the same for the end of the stance
+/// How a foot kept to the plan, with more than metrics.json tells.
+struct FootMeasures : FootMetrics {
+  double liftoff_mean = 0.0;  // as touchdown, for the end of the stance [s]
   double liftoff_max = 0.0;
   double landing_mean = 0.0;  // downward speed just before touchdown [m/s]
   double landing_max = 0.0;
   double roll_mean = 0.0;  // angle by which the foot rolled on the ground during one stance [rad]
   double roll_max = 0.0;
-  int swings =
-      0;  // planned ones that were looked at; then how high a bar across each step may be (FlightPath),
-          // 0 where the foot never left the ground [m]
-  double clearance_mean = 0.0, clearance_min = 0.0;
-  /// Stances of the plan in the first cycle, [touchdown, last knot with force] [s]; the second may
-  /// exceed the period.
-  std::vector<std::pair<double, double>> planned;
-  std::vector<std::pair<double, double>> contacts;  // measured, up to a limit [s]
 };
 
 /// What a foot does at one moment.

@@ -56,7 +56,7 @@ void look_at_forces(const Scene& scene, double weight, InverseDynamics& out) {
 }
 
 // How far the feet roll and slip while they stand, as the plan has it.
-void look_at_feet(const Scene& scene, PlanDynamics& dynamics, InverseDynamics& out) {
+void look_at_feet(const Scene& scene, PlanDynamics& dynamics, PlanAgainstDynamics& out) {
   constexpr int kPartsOfKnot = 4;
   const Trajectory& plan = scene.trajectory;
   const int parts = kPartsOfKnot * plan.knot_count;
@@ -86,12 +86,12 @@ void look_at_feet(const Scene& scene, PlanDynamics& dynamics, InverseDynamics& o
 
 }  // namespace
 
-InverseDynamics inverse_dynamics(const Scene& scene, int bins) {
+PlanAgainstDynamics inverse_dynamics(const Scene& scene, int bins) {
   const Trajectory& plan = scene.trajectory;
   PlanDynamics dynamics(*scene.model, plan, feet_of(scene));
   const int root = dynamics.joints().root_dof, height = dynamics.joints().root_qpos + 2;
   const double weight = dynamics.weight();
-  InverseDynamics out;
+  PlanAgainstDynamics out;
   const auto look = [&](double phase) {
     const Eigen::VectorXd& left = dynamics.unexplained(phase * plan.period);
     const Residual residual{

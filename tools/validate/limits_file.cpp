@@ -10,7 +10,7 @@
 #include "tools/files/atomic_file.hpp"
 #include "tools/files/io_error.hpp"
 #include "tools/task/toml_reader.hpp"
-#include "tools/validate/robustness_json.hpp"
+#include "tools/validate/robustness_limits.hpp"
 
 namespace legwright {
 namespace {

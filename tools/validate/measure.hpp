@@ -4,8 +4,6 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <functional>
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "tools/simulate/rollout.hpp"
@@ -23,47 +21,9 @@ struct WantedMotion {
   bool turns() const { return std::abs(turn_rate) > 1e-6; }
 };
 
-/// Of one servo, after the first cycle.
-struct JointMeasures {
-  std::string name;
-  double torque_rms = 0.0, torque_peak = 0.0;  // of qfrc_actuator [N m]
-  double torque_limit = 0.0;                   // [N m], infinite if there is none
-  double saturated_share = 0.0;                // of the time
-  double tracking_rms = 0.0;                   // target − angle [rad]
-};
-
-/// What happened in one roll-out. Absent numbers could not be measured: the robot fell too early,
-/// or they mean nothing for this task. Speeds are those of the COM, means over the cycles after the
-/// first two, each along the arc on which the robot went while it turned, in its own heading: forward
-/// is where the trunk's x axis points on the ground.
-struct Measurements {
-  double gain_scale = 1.0;
-  double seconds = 0.0;  // simulated
-  int cycles = 0;        // complete ones
-  std::optional<Fall> fall;
-  std::vector<HealthWarning> warnings;
-  bool diverged = false;
-
-  std::optional<Eigen::Vector2d> velocity;  // forward, left [m/s]
-  std::optional<double> speed_ratio;        // over the planned speed, which is the task's
-  std::optional<double> speed_ratio_min, speed_ratio_max;  // of single cycles
-  std::optional<double> plan_speed_ratio;                  // over what the plan reached
-  std::optional<double> lateral_drift;  // across the wanted direction [m/s], positive to its left
-  std::optional<double> turn_rate;      // [rad/s]
-  std::optional<double> turn_ratio;     // over the task's turn rate
-  double heading_at_start = 0.0;        // of the trunk in the plan at phase 0; 0 is wanted [rad]
-  double heading_drift = 0.0;           // turned by at the end, less what the task wants [rad]
-  double tilt_max = 0.0;                // [rad]
-
+/// What happened in one roll-out, with all that was seen of its feet.
+struct Measurements : RolloutMetrics {
   std::vector<FootMeasures> feet;
-  std::vector<JointMeasures> joints;
-  double saturated_share = 0.0;  // of the time after the first cycle with any servo at its limit
-  double torque_rms = 0.0;       // over all servos [N m]
-  double tracking_rms = 0.0;     // over all joints [rad]
-  double penetration_max = 0.0;  // of contacts with the ground [m]
-  SelfContact self_contact;      // of the robot with itself
-  std::optional<double> power_mean;         // positive mechanical power of the servos [W]
-  std::optional<double> cost_of_transport;  // that over weight × speed
 };
 
 struct MeasureOptions {

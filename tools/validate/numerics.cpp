@@ -53,33 +53,8 @@ void play(Job& job, const SceneToValidate& what, const WantedMotion& wanted,
 /// A number of a run; null where it could not be measured.
 using Number = std::optional<double>;
 
-struct Numbers {
-  Number speed_ratio, turn_ratio, tilt, heading, torque;
-};
-
-Numbers numbers_of(const Measurements& m) {
-  return {m.speed_ratio, m.turn_ratio, m.tilt_max, m.heading_drift, m.torque_rms};
-}
-
 Number difference(const Number& a, const Number& b) {
   return a && b ? Number(*a - *b) : std::nullopt;
-}
-
-Numbers operator-(const Numbers& a, const Numbers& b) {
-  return {difference(a.speed_ratio, b.speed_ratio), difference(a.turn_ratio, b.turn_ratio),
-          difference(a.tilt, b.tilt), difference(a.heading, b.heading),
-          difference(a.torque, b.torque)};
-}
-
-void add_numbers(const Numbers& numbers, Json& out) {
-  const auto put = [&](const char* key, const Number& value) {
-    out[key] = value ? Json(*value) : Json(nullptr);
-  };
-  put("speed_ratio", numbers.speed_ratio);
-  put("turn_ratio", numbers.turn_ratio);
-  put("tilt_max_rad", numbers.tilt);
-  put("heading_drift_rad", numbers.heading);
-  put("torque_rms_Nm", numbers.torque);
 }
 
 }  // namespace
@@ -129,17 +104,17 @@ SecondOpinion second_opinion(const SceneToValidate& scene, const WantedMotion& w
 }
 
 std::string describe(const SecondOpinion& opinion) {
-  const Numbers reference = numbers_of(opinion.runs.front().measured);
+  const NumericsNumbers reference = numbers_of(opinion.runs.front().measured);
   std::string same, other;
   double speed = 0.0, turn = 0.0, tilt = 0.0;
   for (std::size_t k = 1; k < opinion.runs.size(); ++k) {
     const NumericalRun& run = opinion.runs[k];
     std::string& list = run.verdict.pass == opinion.runs.front().verdict.pass ? same : other;
     list += (list.empty() ? "" : ", ") + run.words;
-    const Numbers change = numbers_of(run.measured) - reference;
+    const NumericsNumbers change = numbers_of(run.measured) - reference;
     speed = std::max(speed, std::abs(change.speed_ratio.value_or(0.0)));
     turn = std::max(turn, std::abs(change.turn_ratio.value_or(0.0)));
-    tilt = std::max(tilt, std::abs(change.tilt.value_or(0.0)));
+    tilt = std::max(tilt, std::abs(change.tilt_max.value_or(0.0)));
   }
   std::string out = "numerics: ";
   if (!other.empty()) out += "ANOTHER verdict " + other + (same.empty() ? "" : "; ");
@@ -150,27 +125,14 @@ std::string describe(const SecondOpinion& opinion) {
   return out + fmt::format("tilt within {:.1f} mrad)", 1000 * tilt);
 }
 
-Json numerics_json(const SecondOpinion& opinion) {
-  Json runs = Json::array();
-  for (const NumericalRun& run : opinion.runs) {
-    Json json{{"name", run.name},           {"label", run.label},
-              {"timestep_s", run.timestep}, {"integrator", run.integrator},
-              {"cone", run.cone},           {"pass", run.verdict.pass},
-              {"line", run.verdict.line}};
-    add_numbers(numbers_of(run.measured), json);
-    json["difference"] = nullptr;
-    if (&run != &opinion.runs.front()) {
-      json["difference"] = Json::object();
-      add_numbers(numbers_of(run.measured) - numbers_of(opinion.runs.front().measured),
-                  json["difference"]);
-    }
-    runs.push_back(json);
-  }
-  return {{"schema", "legwright/numerics"},
-          {"version", 1},
-          {"runs", runs},
-          {"agree", opinion.agree},
-          {"reasons", opinion.reasons}};
+NumericsNumbers numbers_of(const Measurements& m) {
+  return {m.speed_ratio, m.turn_ratio, m.tilt_max, m.heading_drift, m.torque_rms};
+}
+
+NumericsNumbers operator-(const NumericsNumbers& a, const NumericsNumbers& b) {
+  return {difference(a.speed_ratio, b.speed_ratio), difference(a.turn_ratio, b.turn_ratio),
+          difference(a.tilt_max, b.tilt_max), difference(a.heading_drift, b.heading_drift),
+          difference(a.torque_rms, b.torque_rms)};
 }
 
 }  // namespace legwright

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/files/json_file.hpp"
+#include "tools/run/numerics_record.hpp"
 #include "tools/validate/validation.hpp"
 
 namespace legwright {
@@ -54,7 +54,8 @@ SecondOpinion second_opinion(const SceneToValidate& scene, const WantedMotion& w
 /// One line: "numerics: same verdict at 0.5 ms, with implicit, with a pyramidal cone (…)".
 std::string describe(const SecondOpinion& opinion);
 
-/// result/numerics.json.
-Json numerics_json(const SecondOpinion& opinion);
+/// What is told of a run, and by how much two of them differ.
+NumericsNumbers numbers_of(const Measurements& measured);
+NumericsNumbers operator-(const NumericsNumbers& a, const NumericsNumbers& b);
 
 }  // namespace legwright

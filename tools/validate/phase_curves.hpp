@@ -3,17 +3,10 @@
 
 #include <Eigen/Core>
 #include <functional>
-#include <optional>
-#include <vector>
+
+#include "tools/run/comparison_record.hpp"
 
 namespace legwright {
-
-/// One quantity over the cycle, a number for each phase bin: what was planned, and of the played
-/// cycles the mean and the extremes of their means within the bin.
-struct Curve {
-  std::optional<Eigen::VectorXd> planned;
-  Eigen::VectorXd mean, low, high;
-};
 
 /// Many quantities of a roll-out by phase. Within a bin of a cycle the samples are averaged, so that
 /// what a stiff contact does from step to step adds up to its impulse; only then cycles are compared.

@@ -71,24 +71,24 @@ class SideExplorer {
   Side explore(double limit, double asked) {
     const double nominal = disturbance_.*factor_.value;
     side_.tested = limit;
-    if (limit != nominal && !stretch(nominal, limit)) return side_;
+    if (limit != nominal && !bracket(nominal, limit)) return side_;
     if (limit == nominal ? asked == nominal : (asked - limit) * (limit - nominal) <= 0.0)
       return side_;
     side_.tested = asked;
-    stretch(limit, asked);
+    bracket(limit, asked);
     return side_;
   }
 
  private:
-  /// Whether it walks all the way.
-  bool stretch(double from, double to) {
-    const auto value_at = [&](double share) {
+  /// Brackets the first failure on the way. Whether there is none: it walks all the way.
+  bool bracket(double from, double to) {
+    const auto at_share = [&](double share) {
       if (share == 1.0) return to;
       return factor_.by_ratio ? from * std::pow(to / from, share) : from + share * (to - from);
     };
     double good = 0.0, bad = 0.0;
     const auto walks = [&](double share) {
-      disturbance_.*factor_.value = value_at(share);
+      disturbance_.*factor_.value = at_share(share);
       const Outcome outcome = player_.play(disturbance_, DelayStep::fine);
       ++side_.rollouts;
       if (outcome.cause) side_.cause = outcome.told();
@@ -99,8 +99,8 @@ class SideExplorer {
       if (!walks(share)) break;
     if (bad == 0.0) return true;
     for (int k = 0; k < bisections_; ++k) walks((good + bad) / 2);
-    side_.last_good = value_at(good);
-    side_.first_bad = value_at(bad);
+    side_.last_good = at_share(good);
+    side_.first_bad = at_share(bad);
     return false;
   }
 
@@ -230,16 +230,16 @@ std::vector<DisturbanceFactor> disturbance_factors(const Disturbance& nothing) {
 std::optional<std::string> failure(const Measurements& run, const WantedMotion& wanted) {
   if (run.diverged) return "the simulation diverges";
   if (run.fall) return run.fall->cause;
-  const auto judged = [](const std::optional<double>& ratio, const char* verb,
-                         const char* what) -> std::optional<std::string> {
+  const auto outcome = [](const std::optional<double>& ratio, const char* verb,
+                          const char* what) -> std::optional<std::string> {
     if (ratio && *ratio >= kLeastShare && *ratio <= kGreatestShare) return std::nullopt;
     const bool slow = !ratio || !(*ratio > kGreatestShare);
     return fmt::format("{} at {} the wanted {}", verb, slow ? "less than half" : "more than twice",
                        what);
   };
   if (wanted.travels())
-    if (auto cause = judged(run.speed_ratio, "goes", "speed")) return cause;
-  if (wanted.turns()) return judged(run.turn_ratio, "turns", "rate");
+    if (auto cause = outcome(run.speed_ratio, "goes", "speed")) return cause;
+  if (wanted.turns()) return outcome(run.turn_ratio, "turns", "rate");
   return std::nullopt;
 }
 

@@ -4,19 +4,11 @@
 #include <mujoco/mujoco.h>
 
 #include <set>
-#include <string>
 #include <utility>
 
-namespace legwright {
+#include "tools/run/metrics_record.hpp"
 
-/// How a robot touched itself during a roll-out, legs against legs for instance.
-struct SelfContact {
-  double share = 0.0;         // of the time in which any two of its bodies touch
-  int count = 0;              // touches: of any two bodies, from their meeting to their parting
-  double force_max = 0.0;     // largest normal force between two bodies [N]
-  double force_time = 0.0;    // when that was [s], since the start
-  std::string first, second;  // between which bodies; empty if there was none
-};
+namespace legwright {
 
 /// Follows the contacts of a robot with itself. Two bodies that touch at several points touch once,
 /// and their forces add up. What belongs to the world, like the floor, does not count.

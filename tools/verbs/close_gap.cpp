@@ -27,7 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 using Eigen::VectorXd;
 
-const std::vector<double> kGains = {0.5, 1.0, 2.0};
+const std::vector<double> kPlayedGains = {0.5, 1.0, 2.0};
 constexpr int kCycles = 20;
 // What counts as one unit of a residual: the verdict's own tolerances, and less than them where
 // every bit of tilt or saturation should go.
@@ -116,7 +116,7 @@ class GapCloser {
   PhysicsTrial measured(const DesignTexts& texts) const {
     std::vector<Measurements> at_gains;
     std::vector<double> residual;
-    for (const double gain : kGains) {
+    for (const double gain : kPlayedGains) {
       const Scene scene =
           parse_scene(texts.scene_xml, "scene.xml", gain, problem_.robot.files.folder());
       RolloutOptions options;
@@ -138,21 +138,12 @@ class GapCloser {
   WantedMotion wanted_;
 };
 
-Json scalars_json(const GapCloser& closer, const VectorXd& x) {
-  Json out = Json::object();
+ByName<double> scalars_of(const GapCloser& closer, const VectorXd& x) {
+  ByName<double> out;
   const VectorXd factors = closer.factors(x);
   for (std::size_t i = 0; i < closer.scalars().size(); ++i)
-    out[closer.scalars()[i].name] = factors[static_cast<Eigen::Index>(i)];
+    out.emplace_back(closer.scalars()[i].name, factors[static_cast<Eigen::Index>(i)]);
   return out;
-}
-
-Json step_json(const GapCloser& closer, const PhysicsStep& step) {
-  const double merit = step.trial.merit();
-  return {{"scalars", scalars_json(closer, step.x)},
-          {"merit", std::isfinite(merit) ? Json(merit) : Json(nullptr)},
-          {"predicted_merit", step.predicted_merit},
-          {"accepted", step.accepted},
-          {"line", step.trial.line}};
 }
 
 /// "speed x1.012, period x0.975": factors on what the task file says.
@@ -242,8 +233,8 @@ TaskFile scaled_task(const TaskFile& task, const std::vector<GaitScalar>& scalar
   return out;
 }
 
-Json close_gap(const ResultFolder& folder, const CodesignProblem& problem,
-               const DesignIteration& best, int k, const CloseGapOptions& options) {
+PhysicsStepsRecord close_gap(const ResultFolder& folder, const CodesignProblem& problem,
+                             const DesignIteration& best, int k, const CloseGapOptions& options) {
   const Stopwatch watch;
   load_gait_plugin();
   const GapCloser closer(problem, best, k);
@@ -268,24 +259,22 @@ Json close_gap(const ResultFolder& folder, const CodesignProblem& problem,
   const bool better = found.best.merit() < found.start.merit();
   if (better)
     write_result(result_folder(folder, problem, k), problem, best, k, closer.plan(found.x));
-  Json steps = Json::array();
-  for (const PhysicsStep& step : found.steps) steps.push_back(step_json(closer, step));
-  const auto summary = [&](const PhysicsTrial& trial) {
-    const double merit = trial.merit();
-    return Json{{"merit", std::isfinite(merit) ? Json(merit) : Json(nullptr)},
-                {"pass", trial.pass},
-                {"line", trial.line}};
+  const auto summary = [](const PhysicsTrial& trial) {
+    return PlayedGait{trial.merit(), trial.pass, trial.line};
   };
-  const double period = problem.task(k).period * played_period_factor(closer, found.x);
-  return {{"before", summary(found.start)},
-          {"after", summary(found.best)},
-          {"scalars", scalars_json(closer, found.x)},
-          {"factors", factor_words(closer, found.x)},
-          {"period_s", period},
-          {"seconds", watch.seconds()},
-          {"changed", better},
-          {"rollouts", found.trials * static_cast<int>(kGains.size())},
-          {"steps", steps}};
+  PhysicsStepsRecord out{.before = summary(found.start),
+                         .after = summary(found.best),
+                         .scalars = scalars_of(closer, found.x),
+                         .factors = factor_words(closer, found.x),
+                         .period = problem.task(k).period * played_period_factor(closer, found.x),
+                         .seconds = watch.seconds(),
+                         .changed = better,
+                         .rollouts = found.trials * static_cast<int>(kPlayedGains.size()),
+                         .steps = {}};
+  for (const PhysicsStep& step : found.steps)
+    out.steps.push_back({scalars_of(closer, step.x), step.trial.merit(), step.predicted_merit,
+                         step.accepted, step.trial.line});
+  return out;
 }
 
 }  // namespace legwright

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "tools/files/json_file.hpp"
 #include "tools/run/result_folder.hpp"
+#include "tools/run/run_record.hpp"
 #include "tools/task/problem.hpp"
 #include "tools/validate/physics_steps.hpp"
 
@@ -40,7 +40,7 @@ struct CloseGapOptions {
 /// closer to the task than before. Replaces the task's result/ where there is something better.
 /// @param best the design of the run. @param k of the problem's tasks
 /// @return what run.json says of it: schema in tools/README.md
-Json close_gap(const ResultFolder& folder, const CodesignProblem& problem,
-               const DesignIteration& best, int k, const CloseGapOptions& options);
+PhysicsStepsRecord close_gap(const ResultFolder& folder, const CodesignProblem& problem,
+                             const DesignIteration& best, int k, const CloseGapOptions& options);
 
 }  // namespace legwright

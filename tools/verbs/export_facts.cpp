@@ -118,7 +118,7 @@ double friction_of(const RunRecord& run) {
   return friction > 0.0 && friction <= 100.0 ? friction : 1.0;
 }
 
-std::string describe(const Stand& stand) {
+std::string describe(const StandingResult& stand) {
   std::string out = fmt::format(
       "Left to stand on the floor of `scene.xml` for {:.3g} s in its home pose: ", stand.seconds);
   if (stand.warnings.empty()) out += "no warning of the engine";

@@ -35,6 +35,6 @@ double friction_of(const RunRecord& run);
 std::vector<HomeTouch> home_touches(const ExportedRun& run);
 
 /// What a second of standing showed, as a sentence of Markdown.
-std::string describe(const Stand& stand);
+std::string describe(const StandingResult& stand);
 
 }  // namespace legwright

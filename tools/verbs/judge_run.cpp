@@ -10,11 +10,8 @@
 #include "tools/files/io_error.hpp"
 #include "tools/run/install.hpp"
 #include "tools/run/motion_csv.hpp"
-#include "tools/run/task_folders.hpp"
 #include "tools/simulate/mujoco_host.hpp"
-#include "tools/validate/comparison_json.hpp"
-#include "tools/validate/metrics_json.hpp"
-#include "tools/validate/robustness_json.hpp"
+#include "tools/validate/robustness_limits.hpp"
 
 namespace legwright {
 namespace {
@@ -28,20 +25,14 @@ struct TaskOfRun {
 };
 
 TaskOfRun read_task(const ResultFolder& folder) {
-  const Json run = read_json(folder.run_json());
-  try {
-    const Json& task = run.at("task");
-    const Json& velocity = task.at("velocity");
-    return {task.at("gait").get<std::string>(),
-            {{velocity.at(0).get<double>(), velocity.at(1).get<double>()},
-             task.at("turn_rate").get<double>()},
-            task.value("step_over_m", 0.0)};
-  } catch (const Json::exception& error) {
-    throw InputError(
-        folder.run_json().string(), 0, "task",
-        std::string("expected gait, velocity and turn_rate as `legwright optimize` writes them; ") +
-            error.what());
-  }
+  const auto run = read_record_file<RunRecord>(folder.run_json());
+  if (!run.task)
+    throw InputError(folder.run_json().string(), 0, "task",
+                     "expected the task of a run, as `legwright optimize` writes it; found none");
+  const TaskRecord& task = *run.task;
+  return {task.gait,
+          {{task.velocity[0], task.velocity[1]}, task.turn_rate},
+          task.step_over.value_or(0.0)};
 }
 
 // What the plan itself reached in its cycle, against which the simulation is compared as well: the
@@ -67,31 +58,24 @@ SceneToValidate scene_in(const fs::path& folder) {
   return out;
 }
 
-Json metrics_json(const TaskOfRun& task, const ValidationOptions& options,
-                  const std::vector<SceneToValidate>& scenes,
-                  const std::vector<SceneValidation>& results) {
+MetricsRecord metrics_record(const TaskOfRun& task, const ValidationOptions& options,
+                             const std::vector<SceneToValidate>& scenes,
+                             const std::vector<SceneValidation>& results) {
   const auto plan_velocity = [&](std::size_t i) {
-    return Json{scenes[i].plan_velocity.x(), scenes[i].plan_velocity.y()};
+    return std::array{scenes[i].plan_velocity.x(), scenes[i].plan_velocity.y()};
   };
-  return {
-      {"schema", "legwright/validation"},
-      {"version", 1},
-      {"task", describe(task.wanted, task.gait)},
-      {"wanted_velocity_mps", {task.wanted.velocity.x(), task.wanted.velocity.y()}},
-      {"wanted_turn_rate_radps", task.wanted.turn_rate},
-      {"plan_velocity_mps", {{"initial", plan_velocity(0)}, {"result", plan_velocity(1)}}},
-      {"cycles", options.cycles},
-      {"timestep_s", results[1].timestep},
-      {"robot_mass_kg", {{"initial", results[0].robot_mass}, {"result", results[1].robot_mass}}},
-      {"limits", limits_json(options.limits)},
-      {"versions", versions()},
-      {"initial", gains_json(results[0])},
-      {"result", gains_json(results[1])}};
+  return {.task = describe(task.wanted, task.gait),
+          .wanted_velocity = task.wanted.velocity,
+          .wanted_turn_rate = task.wanted.turn_rate,
+          .plan_velocity = {plan_velocity(0), plan_velocity(1)},
+          .cycles = options.cycles,
+          .timestep = results[1].timestep,
+          .robot_mass = {results[0].robot_mass, results[1].robot_mass},
+          .limits = limit_ranges(options.limits),
+          .versions = record_of<ByName<std::string>>(versions(), "versions"),
+          .initial = metrics_by_gain(results[0]),
+          .result = metrics_by_gain(results[1])};
 }
-
-}  // namespace
-
-namespace {
 
 // Whether the verdict hangs on how MuJoCo computes, as a row of it.
 JudgedLimit numerics_limit(const SecondOpinion& opinion, const Bounds& bounds) {
@@ -127,13 +111,15 @@ void judge_further(const TaskOfRun& task, const SceneToValidate& scene, const Ju
     result.verdict = judge(result.at_gains, task.wanted, task.gait, limits, further);
 }
 
-/// Null where there are none.
-Json home_touches_json(const std::vector<HomeTouch>& touches) {
-  if (touches.empty()) return nullptr;
-  Json pairs = Json::array();
-  for (const HomeTouch& touch : touches)
-    pairs.push_back({{"first", touch.first}, {"second", touch.second}, {"depth_m", touch.depth}});
-  return {{"line", describe(touches)}, {"pairs", pairs}};
+VerdictRecord verdict_record(const JudgedRun& judged) {
+  const Verdict& result = judged.designs[1].verdict;
+  VerdictRecord out{
+      verdict_record(judged.designs[0].verdict), verdict_record(result), result.pass, {}};
+  if (judged.home_touches.empty()) return out;
+  out.home_touches = {describe(judged.home_touches), {}};
+  for (const HomeTouch& touch : judged.home_touches)
+    out.home_touches->pairs.push_back({touch.first, touch.second, touch.depth});
+  return out;
 }
 
 /// What of the designed body touches itself in the home pose that did not before. A run without the robots' files, as
@@ -144,11 +130,14 @@ std::vector<HomeTouch> home_touches_of(const ResultFolder& folder) {
   return new_home_touches(before, after);
 }
 
-void write_or_remove(const fs::path& file, const std::optional<Json>& document) {
-  if (document)
-    write_json(file, *document);
+/// A record; without one no file of an earlier validation stays, which this one would seem to have
+/// made.
+template <class Record>
+void write_or_remove(const fs::path& file, const std::optional<Record>& record) {
+  if (record)
+    write_json(file, json_of(*record));
   else
-    fs::remove(file);  // of an earlier validation, which this one would seem to have made
+    fs::remove(file);
 }
 
 void write_judged(const ResultFolder& folder, const JudgedRun& judged) {
@@ -156,18 +145,25 @@ void write_judged(const ResultFolder& folder, const JudgedRun& judged) {
   const fs::path out = folder.result();
   write_file(out / "playback_initial.csv", playback_csv(initial));
   write_file(out / "playback_result.csv", playback_csv(result));
-  write_json(out / "metrics.json", judged.metrics);
-  write_json(out / "comparison.json", comparison_json(initial.comparison, result.comparison));
-  const auto& numerics = judged.numerics;
-  const auto& robustness = judged.robustness;
-  write_or_remove(out / "numerics.json",
-                  numerics ? std::optional(numerics_json(*numerics)) : std::nullopt);
-  write_or_remove(out / "robustness.json",
-                  robustness ? std::optional(robustness_json(*robustness)) : std::nullopt);
-  write_json(out / "verdict.json", judged.verdict);  // last: all that it rests on is there
+  write_json(out / "metrics.json", json_of(judged.metrics));
+  write_json(out / "comparison.json",
+             json_of(comparison_record(initial.comparison, result.comparison)));
+  write_or_remove(out / "numerics.json", judged.numerics_record());
+  write_or_remove(out / "robustness.json", judged.robustness_record());
+  write_json(out / "verdict.json", json_of(judged.verdict));  // last: all it rests on is there
 }
 
 }  // namespace
+
+std::optional<NumericsRecord> JudgedRun::numerics_record() const {
+  if (!numerics) return std::nullopt;
+  return legwright::numerics_record(*numerics);
+}
+
+std::optional<RobustnessRecord> JudgedRun::robustness_record() const {
+  if (!robustness) return std::nullopt;
+  return legwright::robustness_record(*robustness);
+}
 
 JudgedRun judge_run(const ResultFolder& folder, const std::vector<fs::path>& others,
                     const JudgeOptions& asked) {
@@ -179,7 +175,7 @@ JudgedRun judge_run(const ResultFolder& folder, const std::vector<fs::path>& oth
     std::vector<SceneToValidate> scenes{scene_in(folder.iteration(0)), scene_in(folder.result())};
     for (const fs::path& other : others) scenes.push_back(scene_in(other));
     judged.designs = validate_scenes(scenes, task.wanted, task.gait, options.validation);
-    judged.metrics = metrics_json(task, options.validation, scenes, judged.designs);
+    judged.metrics = metrics_record(task, options.validation, scenes, judged.designs);
     judge_further(task, scenes[1], options, judged);
     judged.home_touches = home_touches_of(folder);
   } catch (const MujocoError& error) {
@@ -187,96 +183,9 @@ JudgedRun judge_run(const ResultFolder& folder, const std::vector<fs::path>& oth
   } catch (const TrajectoryError& error) {
     throw InputError(error.what());
   }
-  const SceneValidation &initial = judged.designs[0], &result = judged.designs[1];
-  judged.verdict = {{"schema", "legwright/verdict"},
-                    {"version", 1},
-                    {"initial", verdict_json(initial.verdict)},
-                    {"result", verdict_json(result.verdict)},
-                    {"pass", result.verdict.pass},
-                    {"home_touches", home_touches_json(judged.home_touches)}};
+  judged.verdict = verdict_record(judged);
   write_judged(folder, judged);
   return judged;
-}
-
-namespace {
-
-/// The best body of one task alone, as the joint run from it found it.
-struct AloneBody {
-  std::string task;
-  Json start;  // of run.json's "starts"
-};
-
-/// Those whose joint run was reached: a run that was stopped may lack some.
-std::vector<AloneBody> bodies_alone(const ResultFolder& folder, const Json& run) {
-  std::vector<AloneBody> bodies;
-  for (const TaskFolder& task : task_folders(record_of<RunRecord>(run, "run.json")))
-    for (const Json& start : run.at("starts"))
-      if (start.at("start") == task.name &&
-          fs::is_directory(folder.root() / "starts" / ("from-" + task.name)))
-        bodies.push_back({task.name, start});
-  return bodies;
-}
-
-Json judge_bodies(const ResultFolder& folder, const Json& run, const JudgeOptions& options,
-                  std::vector<JudgedRun>& judged) {
-  // Designs, in the order of the matrix: the initial body, the best body of each task alone where
-  // the run has looked for them, the joint result.
-  const std::vector<AloneBody> bodies = bodies_alone(folder, run);
-  const std::vector<TaskFolder> tasks =
-      task_folders(record_of<RunRecord>(run, "run.json"));  // checked: nothing outside the run
-  Json designs = Json::array({{{"name", "initial body"}, {"start", "initial"}}});
-  for (const AloneBody& body : bodies)
-    designs.push_back({{"name", "for " + body.task + " alone"}, {"start", body.task}});
-  designs.push_back({{"name", "for all tasks"}, {"start", run.at("best_start")}});
-  Json cells = Json::object();
-  bool pass = true;
-  for (std::size_t t = 0; t < tasks.size(); ++t) {
-    const std::string& name = tasks[t].name;
-    std::vector<fs::path> others;
-    for (const AloneBody& body : bodies)
-      others.push_back(folder.root() / "starts" / ("from-" + body.task) / name / "iterations" /
-                       "0000");
-    const ResultFolder own = ResultFolder::open(folder.root() / tasks[t].relative);
-    judged.push_back(judge_run(own, others, options));
-    std::vector<const SceneValidation*> order{&judged.back().designs[0]};
-    for (std::size_t k = 2; k < judged.back().designs.size(); ++k)
-      order.push_back(&judged.back().designs[k]);
-    order.push_back(&judged.back().designs[1]);
-    cells[name] = Json::array();
-    for (std::size_t k = 0; k < order.size(); ++k) {
-      const bool last = k + 1 == order.size();
-      const Json& at_start = k == 0 ? run.at("starts").at(0) : bodies[last ? 0 : k - 1].start;
-      const Json F = last ? run.at("tasks").at(t).at("F") : at_start.at("F_tasks_start").at(name);
-      cells[name].push_back({{"F", F},
-                             {"pass", order[k]->verdict.pass},
-                             {"line", order[k]->verdict.line},
-                             {"gains", gains_json(*order[k])}});
-    }
-    pass = pass && judged.back().designs[1].verdict.pass;
-  }
-  const Json matrix{{"schema", "legwright/matrix"},
-                    {"version", 1},
-                    {"designs", designs},
-                    {"cells", cells},
-                    {"pass", pass}};
-  write_json(folder.result() / "matrix.json", matrix);
-  return matrix;
-}
-
-}  // namespace
-
-Json judge_joint_run(const ResultFolder& folder, const Json& run, const JudgeOptions& options,
-                     std::vector<JudgedRun>& judged) {
-  try {
-    return judge_bodies(folder, run, options, judged);
-  } catch (const Json::exception& error) {
-    throw InputError(
-        folder.run_json().string(), 0, "",
-        std::string(
-            "not the run.json of a joint run that came to its end; run `legwright optimize` "
-            "again: ") +
-            error.what());
-  }
 }
 
 }  // namespace legwright

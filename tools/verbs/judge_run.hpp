@@ -7,20 +7,24 @@
 
 #include "mjcf/propose/home_touches.hpp"
 #include "tools/files/json_file.hpp"
+#include "tools/run/matrix_record.hpp"
 #include "tools/run/result_folder.hpp"
-#include "tools/validate/numerics.hpp"
-#include "tools/validate/robustness.hpp"
-#include "tools/validate/validation.hpp"
+#include "tools/run/run_record.hpp"
+#include "tools/validate/records.hpp"
 
 namespace legwright {
 
 /// What physics says about a run of one task.
 struct JudgedRun {
-  Json metrics, verdict;                  // as written into result/
+  MetricsRecord metrics;                  // as written into result/
+  VerdictRecord verdict;                  // likewise
   std::vector<SceneValidation> designs;   // initial body, result, then the others
   std::optional<SecondOpinion> numerics;  // on the result
   std::optional<Robustness> robustness;   // of the result
   std::vector<HomeTouch> home_touches;    // of the designed body, which the initial one has not
+
+  std::optional<NumericsRecord> numerics_record() const;
+  std::optional<RobustnessRecord> robustness_record() const;
 };
 
 struct JudgeOptions {
@@ -41,7 +45,7 @@ JudgedRun judge_run(const ResultFolder& folder, const std::vector<std::filesyste
 /// Judges every task of a joint run, and for the trade-off every design of it at every task: the
 /// initial body, the best body of each task alone, the joint result. Writes result/matrix.json, which
 /// it returns. @param run run.json of the folder @param judged gets one entry per task
-Json judge_joint_run(const ResultFolder& folder, const Json& run, const JudgeOptions& options,
-                     std::vector<JudgedRun>& judged);
+MatrixRecord judge_joint_run(const ResultFolder& folder, const RunRecord& run,
+                             const JudgeOptions& options, std::vector<JudgedRun>& judged);
 
 }  // namespace legwright

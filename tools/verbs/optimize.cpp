@@ -229,8 +229,7 @@ void close_gaps(const ResultFolder& folder, const CodesignProblem& problem,
     rules.tell = [&](const std::string& line) {
       if (!options.quiet) fmt::print(stderr, "{}{}\n", name, line);
     };
-    const auto found =
-        record_of<PhysicsStepsRecord>(close_gap(folder, problem, best, k, rules), "physics_steps");
+    const PhysicsStepsRecord found = close_gap(folder, problem, best, k, rules);
     if (!problem.set.joint()) {
       run.physics_steps = found;
       write_json(folder.run_json(), json_of(run));

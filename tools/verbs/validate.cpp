@@ -8,10 +8,11 @@
 
 #include "mjcf/text/input_error.hpp"
 #include "tools/files/clean_text.hpp"
+#include "tools/files/io_error.hpp"
 #include "tools/run/result_folder.hpp"
 #include "tools/validate/junit.hpp"
 #include "tools/validate/limits_file.hpp"
-#include "tools/validate/robustness_json.hpp"
+#include "tools/validate/robustness_limits.hpp"
 #include "tools/verbs/judge_run.hpp"
 #include "tools/verbs/verbs.hpp"
 
@@ -24,29 +25,13 @@ struct Options {
   bool json = false, quick = false;
 };
 
-/// What is told of a run beside its verdict.
-struct RunHead {
-  std::string name;
-  bool motion_only = false;
-};
-
 /// Read before anything is played: a damaged file must not cost the roll-outs. Throws InputError.
-RunHead read_head(const ResultFolder& folder, const Json& run) {
-  RunHead head{folder.root().filename().string(), false};
-  const auto refuse = [&](const char* key, const char* expected) {
-    throw InputError(
-        folder.run_json().string(), 0, key,
-        std::string("is ") + expected + "; the file is damaged: run `legwright optimize` again");
-  };
-  if (const auto found = run.find("name"); found != run.end()) {
-    if (!found->is_string()) refuse("name", "no text");
-    head.name = found->get<std::string>();
+RunRecord read_run_record(const ResultFolder& folder) {
+  try {
+    return read_record_file<RunRecord>(folder.run_json());
+  } catch (const IoError& error) {
+    throw InputError(error.what());
   }
-  if (const auto found = run.find("motion_only"); found != run.end()) {
-    if (!found->is_boolean()) refuse("motion_only", "neither true nor false");
-    head.motion_only = found->get<bool>();
-  }
-  return head;
 }
 
 /// Tells on stderr how far the disturbed roll-outs are: one live line on a terminal, none elsewhere.
@@ -62,12 +47,12 @@ std::function<void(int, int)> live_progress() {
 }
 
 /// That the gait was played on servos which the robot's file does not have.
-void print_servos(const Json& task, const std::string& indent) {
-  if (const auto kp = task.find("servo_kp_Nm_per_rad"); kp != task.end() && kp->is_number())
+void print_servos(const TaskRecord& task, const std::string& indent) {
+  if (task.servo_kp)
     fmt::print(
         "{}servos:             softer ones than {} N m/rad played so stiff, as far as their torque "
         "limits bear it ([servos] of the task)\n",
-        indent, kp->get<double>());
+        indent, *task.servo_kp);
 }
 
 void print_judged(const JudgedRun& judged, bool same, const std::string& indent) {
@@ -93,37 +78,35 @@ void print_judged(const JudgedRun& judged, bool same, const std::string& indent)
 }
 
 /// One line per design, one column per task: F, and what physics says.
-void print_matrix(const Json& matrix) {
+void print_matrix(const MatrixRecord& matrix) {
   fmt::print("{:24}", "F and verdict of");
-  for (const auto& [task, cells] : matrix["cells"].items()) fmt::print("{:>20}", task);
-  for (std::size_t k = 0; k < matrix["designs"].size(); ++k) {
-    fmt::print("\n  body {:17}", matrix["designs"][k]["name"].get<std::string>());
-    for (const auto& [task, cells] : matrix["cells"].items())
-      fmt::print("{:>13.4g} {:>6}", cells[k]["F"].get<double>(),
-                 cells[k]["pass"].get<bool>() ? "PASS" : "FAIL");
+  for (const auto& [task, cells] : matrix.cells) fmt::print("{:>20}", task);
+  for (std::size_t k = 0; k < matrix.designs.size(); ++k) {
+    fmt::print("\n  body {:17}", matrix.designs[k].name);
+    for (const auto& [task, cells] : matrix.cells)
+      fmt::print("{:>13.4g} {:>6}", cells[k].F, cells[k].pass ? "PASS" : "FAIL");
   }
   fmt::print("\n");
 }
 
-int validate_joint(const ResultFolder& folder, const Json& run, const RunHead& head,
-                   const Options& options) {
+int validate_joint(const ResultFolder& folder, const RunRecord& run, const Options& options) {
   std::vector<JudgedRun> judged;
-  const Json matrix = judge_joint_run(folder, run, options.judge, judged);
+  const MatrixRecord matrix = judge_joint_run(folder, run, options.judge, judged);
   std::vector<JunitSuite> suites;
   for (std::size_t k = 0; k < judged.size(); ++k)
-    suites.push_back({run["tasks"][k]["name"].get<std::string>(), judged[k].designs[1].verdict});
+    suites.push_back({(*run.tasks)[k].name, judged[k].designs[1].verdict});
   if (!options.junit.empty()) write_file(options.junit, junit_xml(suites));
   if (options.json) {
-    fmt::print("{}", to_text(matrix));
+    fmt::print("{}", to_text(json_of(matrix)));
   } else {
     for (std::size_t k = 0; k < judged.size(); ++k) {
       fmt::print("{}\n", suites[k].name);
-      print_servos(run["tasks"][k], "  ");
-      print_judged(judged[k], head.motion_only, "  ");
+      print_servos((*run.tasks)[k], "  ");
+      print_judged(judged[k], run.motion_only, "  ");
     }
     print_matrix(matrix);
   }
-  return matrix["pass"].get<bool>() ? kOk : kInfeasible;
+  return matrix.pass ? kOk : kInfeasible;
 }
 
 /// Throws InputError where the limits file asks for what --quick leaves out.
@@ -145,21 +128,20 @@ int validate(Options options) {
   options.judge.numerics = options.judge.robustness = !options.quick;
   options.judge.disturbed.progress = live_progress();
   const ResultFolder folder = ResultFolder::open(options.run);
-  const Json run = read_json(folder.run_json());
-  const RunHead head = read_head(folder, run);
-  if (run.contains("tasks")) return validate_joint(folder, run, head, options);
+  const RunRecord run = read_run_record(folder);
+  if (run.joint()) return validate_joint(folder, run, options);
   const JudgedRun judged = judge_run(folder, {}, options.judge);
   const Verdict& verdict = judged.designs[1].verdict;
-  if (!options.junit.empty()) write_file(options.junit, junit_xml({{head.name, verdict}}));
+  const std::string name = run.name.value_or(folder.root().filename().string());
+  if (!options.junit.empty()) write_file(options.junit, junit_xml({{name, verdict}}));
   if (options.json) {
-    Json document{{"verdict", judged.verdict}, {"metrics", judged.metrics}};
-    if (judged.robustness) document["robustness"] = robustness_json(*judged.robustness);
-    if (judged.numerics) document["numerics"] = numerics_json(*judged.numerics);
+    Json document{{"verdict", json_of(judged.verdict)}, {"metrics", json_of(judged.metrics)}};
+    if (const auto record = judged.robustness_record()) document["robustness"] = json_of(*record);
+    if (const auto record = judged.numerics_record()) document["numerics"] = json_of(*record);
     fmt::print("{}", to_text(document));
   } else {
-    if (const auto task = run.find("task"); task != run.end() && task->is_object())
-      print_servos(*task, "");
-    print_judged(judged, head.motion_only, "");
+    if (run.task) print_servos(*run.task, "");
+    print_judged(judged, run.motion_only, "");
   }
   return verdict.pass ? kOk : kInfeasible;
 }

@@ -9,13 +9,24 @@
 #include "tests/tools/render/toy_scene.hpp"
 #include "tools/files/atomic_file.hpp"
 #include "tools/files/io_error.hpp"
+#include "tools/files/json_file.hpp"
 #include "tools/image/png.hpp"
 #include "tools/render/gait_clip.hpp"
+#include "tools/run/metrics_record.hpp"
+#include "tools/run/run_record.hpp"
+#include "tools/run/verdict_record.hpp"
 
 namespace legwright {
 namespace {
 
 namespace fs = std::filesystem;
+
+void write_run_json(const fs::path& run, bool motion_only) {
+  auto record = read_record_file<RunRecord>(fs::path(LEGWRIGHT_SOURCE_DIR) /
+                                            "tests/tools/report/data/run.json");
+  record.motion_only = motion_only;
+  write_json(run / "run.json", json_of(record));
+}
 
 /// A run folder of toys: two iterations and a result.
 fs::path toy_run(const std::string& name, bool validated) {
@@ -34,7 +45,7 @@ fs::path toy_run(const std::string& name, bool validated) {
     write_file(run / folder / "scene.xml", kToyScene);
     write_file(run / folder / "motion.csv", write_motion_csv(plan));
   }
-  write_file(run / "run.json", R"({"schema":"legwright/run"})");
+  write_run_json(run, false);
   if (validated) {
     for (const char* who : {"initial", "result"}) {
       write_file(
@@ -42,13 +53,17 @@ fs::path toy_run(const std::string& name, bool validated) {
           "time_s,x,y,z,qw,qx,qy,qz,l,r\n0,0,0,0.28,1,0,0,0,0,0\n2,0,0.1,0.28,1,0,0,0,0.2,0\n"
           "4,0,0.2,0.28,1,0,0,0,0,0.2\n");
     }
-    const std::string design =
-        R"({"default":{"fall":null,"feet":[{"name":"L","planned_stances_s":[[0,0.2]],
-            "contacts_s":[[0,0.3],[0.4,2]]}]}})";
-    write_file(run / "result" / "metrics.json",
-               R"({"initial":)" + design + R"(,"result":)" + design + "}");
-    write_file(run / "result" / "verdict.json",
-               R"({"initial":{"pass":false},"result":{"pass":true},"pass":true})");
+    MetricsRecord metrics;
+    metrics.initial.of("default").feet.resize(1);
+    FootMetrics& foot = metrics.initial.of("default").feet[0];
+    foot.name = "L";
+    foot.planned = {{0.0, 0.2}};
+    foot.contacts = {{0.0, 0.3}, {0.4, 2.0}};
+    metrics.result = metrics.initial;
+    write_json(run / "result" / "metrics.json", json_of(metrics));
+    VerdictRecord verdict;
+    verdict.result.pass = verdict.pass = true;
+    write_json(run / "result" / "verdict.json", json_of(verdict));
   }
   return run;
 }
@@ -102,7 +117,7 @@ TEST(RunPictures, MotionOnlyHasOneRobot) {
   const fs::path run = toy_run("pictures_motion_only", false);
   draw_run(run);
   const Image two_rows = read_png(run / "result" / "strip_before_after.png");
-  write_file(run / "run.json", R"({"schema":"legwright/run","motion_only":true})");
+  write_run_json(run, true);
   draw_run(run, {.phases = {0.5}});
   const Image one_row = read_png(run / "result" / "strip_before_after.png");
   EXPECT_LT(one_row.height, two_rows.height);
@@ -132,7 +147,7 @@ TEST(RunPictures, NeedARun) {
   EXPECT_THROW(draw_run(run), IoError);
 }
 
-TEST(RunPictures, AVerdictThatIsNoObjectIsReportedAndOneThatLacksPartsIsNot) {
+TEST(RunPictures, AFileThatIsNotAsItsRecordSaysIsToldByItsKey) {
   const fs::path run = toy_run("pictures_no_verdict", true);
   EXPECT_EQ(load_clips(run).back().passed, true);
   for (const char* name : {"verdict.json", "metrics.json"}) {
@@ -149,16 +164,31 @@ TEST(RunPictures, AVerdictThatIsNoObjectIsReportedAndOneThatLacksPartsIsNot) {
       }
     }
   }
+  const auto refused = [&](const char* name, const Json& damaged, const std::string& key) {
+    toy_run("pictures_no_verdict", true);
+    write_json(run / name, damaged);
+    try {
+      load_clips(run);
+      ADD_FAILURE() << name << " " << key;
+    } catch (const InputError& error) {
+      const std::string told = (run / name).string() + ": " + key + ": expected ";
+      EXPECT_EQ(std::string(error.what()).substr(0, told.size()), told);
+    }
+  };
+  Json verdict = json_of(VerdictRecord()), metrics = json_of(MetricsRecord()),
+       whole = read_json(run / "run.json");
+  verdict["result"]["pass"] = "yes";
+  refused("result/verdict.json", verdict, "result.pass");
+  verdict["result"] = nullptr;
+  refused("result/verdict.json", verdict, "result");
+  metrics["result"] = Json::array();
+  refused("result/metrics.json", metrics, "result");
+  whole["motion_only"] = "no";
+  refused("run.json", whole, "motion_only");
   toy_run("pictures_no_verdict", true);
-  write_file(run / "run.json", R"({"schema":"legwright/run","motion_only":"no"})");
-  for (const char* part :
-       {R"({"result":[1]})", R"({"result":null})", "{}", R"({"result":{"pass":"yes"}})"}) {
-    write_file(run / "result" / "verdict.json", part);
-    write_file(run / "result" / "metrics.json", R"({"result":[]})");
-    const auto clips = load_clips(run);
-    EXPECT_EQ(clips.size(), 2U) << part;
-    EXPECT_FALSE(clips.back().passed) << part;
-  }
+  fs::remove(run / "result" / "verdict.json");
+  EXPECT_EQ(load_clips(run).size(), 2U);
+  EXPECT_FALSE(load_clips(run).back().passed);
 }
 
 TEST(RunPictures, DamagedFilesAreReportedWithTheirPathAndAWayOut) {

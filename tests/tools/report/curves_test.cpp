@@ -45,19 +45,20 @@ class CurvesTest : public testing::Test {
     record.parameters = {
         {"shin_length", "m", "length", run.sentence, 0.1, 0.05, 0.2, 0.1 + run.speed / 10, 1}};
     write_json(root / "run.json", json_of(record));
-    Json gains = Json::object();
-    for (const char* gain : kGains)
-      gains[gain] = {{"fall", run.falls ? Json{{"time_s", 1.5}} : Json(nullptr)},
-                     {"speed_ratio", run.ratio},
-                     {"tilt_max_rad", 0.02},
-                     {"saturated_share", 0.0},
-                     {"self_contact_share", run.touches},
-                     {"self_contact_count", run.touches > 0 ? 12 : 0}};
-    write_json(root / "result/metrics.json",
-               {{"schema", "legwright/validation"}, {"result", gains}});
-    write_json(
-        root / "result/verdict.json",
-        {{"result", {{"pass", run.pass}, {"reasons", run.pass ? Json::array() : Json{"slow"}}}}});
+    MetricsRecord metrics;
+    for (const char* gain : kGains) {
+      GainMetrics& measured = metrics.result.of(gain);
+      if (run.falls) measured.fall = {1.5, "the trunk sank"};
+      measured.speed_ratio = run.ratio;
+      measured.tilt_max = 0.02;
+      measured.self_contact.share = run.touches;
+      measured.self_contact.count = run.touches > 0 ? 12 : 0;
+    }
+    write_json(root / "result/metrics.json", json_of(metrics));
+    VerdictRecord verdict;
+    verdict.result.pass = run.pass;
+    if (!run.pass) verdict.result.reasons = {"slow"};
+    write_json(root / "result/verdict.json", json_of(verdict));
     return root;
   }
   static std::string complaint(const std::vector<fs::path>& runs,

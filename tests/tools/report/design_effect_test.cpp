@@ -29,10 +29,12 @@ class DesignEffect : public RunFixture {
   static void set_power(Json& side, double power, double torque) {
     for (auto& [gain, measured] : side.items()) {
       measured["power_mean_W"] = power;
-      measured["joints"] = {{{"name", "a"}, {"torque_peak_Nm", 0.5 * torque}},
-                            {{"name", "b"}, {"torque_peak_Nm", torque}}};
-      measured["feet"] = {{{"name", "F"}, {"clearance_min_m", 0.02}},
-                          {{"name", "G"}, {"clearance_min_m", 0.01 * torque}}};
+      GainMetrics metrics = record_of<GainMetrics>(measured, gain);
+      metrics.joints = {{"a", 0.0, 0.5 * torque, 3.0, 0.0, 0.0}, {"b", 0.0, torque, 3.0, 0.0, 0.0}};
+      metrics.feet.resize(2);
+      metrics.feet[0].clearance_min = 0.02;
+      metrics.feet[1].clearance_min = 0.01 * torque;
+      measured = json_of(metrics);
     }
   }
   const EffectRow& row(const std::string& what) {

@@ -12,6 +12,7 @@
 #include "tools/image/png.hpp"
 #include "tools/report/html.hpp"
 #include "tools/report/report.hpp"
+#include "tools/run/matrix_record.hpp"
 
 namespace legwright {
 namespace {
@@ -76,12 +77,11 @@ class JointReportTest : public testing::Test {
   }
 
   static Json cell(double F, bool pass) {
-    const Json played = {{"speed_ratio", 0.985}};
-    return {{"F", F},
-            {"pass", pass},
-            {"line", "told"},
-            {"gains",
-             {{"half", {{"fall", {{"time_s", 1.69}}}}}, {"default", played}, {"double", played}}}};
+    GainMetrics falls, walks;
+    falls.fall = {1.69, "the trunk sank"};
+    walks.speed_ratio = 0.985;
+    return json_of(MatrixCellRecord{
+        F, pass, "told", {{"half", falls}, {"default", walks}, {"double", walks}}});
   }
 
   void write_results(const std::string& first) {

@@ -34,9 +34,11 @@ TEST(Schemas, AreStoredAsTheRecordsAre) {
 }
 
 TEST(Schemas, TakeWhatARunHoldsAndNothingElse) {
-  for (const char* name : {"run", "result/certificate"}) {
+  for (const char* name : {"run", "result/certificate", "result/metrics", "result/verdict",
+                           "result/comparison", "result/numerics", "result/robustness"}) {
     const fs::path file = kFixture / (std::string(name) + ".json");
-    const std::string kind = file.stem().string();
+    const std::string schema_key = read_json(file)["schema"];
+    const std::string kind = schema_key.substr(schema_key.find('/') + 1);
     EXPECT_EQ(test::schema_fault(kind, file), "");
     const Json schema = read_json(kStored / (kind + ".schema.json"));
     const Json whole = read_json(file);

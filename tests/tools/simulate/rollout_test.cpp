@@ -9,8 +9,9 @@
 
 #include "tests/tools/simulate/tiny_scene.hpp"
 #include "tools/files/atomic_file.hpp"
+#include "tools/files/json_file.hpp"
 #include "tools/validate/measure.hpp"
-#include "tools/validate/metrics_json.hpp"
+#include "tools/validate/records.hpp"
 #include "tools/validate/validation.hpp"
 
 namespace legwright {
@@ -185,7 +186,8 @@ class Validation : public testing::Test {
     std::string out;
     for (const auto& one : validate_scenes({{folder_ / "bad.xml", {}}, {folder_ / "good.xml", {}}},
                                            kStanding, "wag", options)) {
-      out += to_text(gains_json(one)) + to_text(verdict_json(one.verdict)) + playback_csv(one);
+      out += to_text(json_of(metrics_by_gain(one))) +
+             to_text(json_of(verdict_record(one.verdict))) + playback_csv(one);
     }
     return out;
   }

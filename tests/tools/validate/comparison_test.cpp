@@ -7,7 +7,8 @@
 #include <cmath>
 
 #include "tests/tools/simulate/tiny_scene.hpp"
-#include "tools/validate/comparison_json.hpp"
+#include "tools/files/json_file.hpp"
+#include "tools/validate/records.hpp"
 
 namespace legwright {
 namespace {
@@ -64,8 +65,7 @@ TEST(Comparison, StandingTableStandsOnItsFeet) {
   }
   const auto comparison = compare(scene, {});
   ASSERT_TRUE(comparison);
-  EXPECT_EQ(comparison->first_cycle, 2);
-  EXPECT_EQ(comparison->last_cycle, 4);
+  EXPECT_EQ(comparison->cycles, (std::pair{2, 4}));
   EXPECT_EQ(comparison->phases.size(), 60);
   EXPECT_NEAR(comparison->phases[0], 0.5 / 60, 1e-15);
   double normal = 0.0;
@@ -87,9 +87,9 @@ TEST(Comparison, StandingTableStandsOnItsFeet) {
   EXPECT_LT((tail.angle.mean - *tail.angle.planned).cwiseAbs().maxCoeff(), 0.1);
   EXPECT_GT(tail.angle.mean.maxCoeff() - tail.angle.mean.minCoeff(), 0.2);
   EXPECT_EQ(tail.torque_limit, 1.0);
-  EXPECT_EQ(comparison->cycles.size(), 5u);
-  EXPECT_GT(comparison->cycles[3].power, 0.0);
-  EXPECT_FALSE(comparison->cycles[3].speed_ratio);
+  EXPECT_EQ(comparison->cycle_table.size(), 5u);
+  EXPECT_GT(comparison->cycle_table[3].power, 0.0);
+  EXPECT_FALSE(comparison->cycle_table[3].speed_ratio);
   EXPECT_NE(describe(*comparison).find("normal forces within"), std::string::npos);
 }
 
@@ -114,10 +114,10 @@ TEST(Comparison, GlidingTableIsBrakedByAllFriction) {
   const Curve& speed = named(*comparison, "speed");
   EXPECT_NEAR(speed.mean[0], 0.4 - 0.02 * 9.81 * 3 * 0.4, 5e-3);
   EXPECT_NEAR(speed.high[0] - speed.low[0], 2 * 0.02 * 9.81 * 0.4, 5e-3);
-  EXPECT_NEAR(*comparison->cycles[0].speed_ratio, 1 - 0.02 * 9.81 * 0.2 / 0.4, 5e-3);
-  EXPECT_NEAR(comparison->measured_path.front().x(), -0.00124, 1e-5);  // the tail's 10 g
-  EXPECT_EQ(comparison->measured_path.front().y(), 0.0);
-  EXPECT_NEAR(comparison->measured_path.back().y(), 0.4 * 2 - 0.02 * 9.81 * 2, 5e-3);
+  EXPECT_NEAR(*comparison->cycle_table[0].speed_ratio, 1 - 0.02 * 9.81 * 0.2 / 0.4, 5e-3);
+  EXPECT_NEAR(comparison->paths.measured.front().x(), -0.00124, 1e-5);  // the tail's 10 g
+  EXPECT_EQ(comparison->paths.measured.front().y(), 0.0);
+  EXPECT_NEAR(comparison->paths.measured.back().y(), 0.4 * 2 - 0.02 * 9.81 * 2, 5e-3);
   for (const auto& foot : comparison->feet) {
     EXPECT_NEAR(foot.friction.mean.mean(), 0.02, 1e-3);
     EXPECT_NEAR(foot.tangential.mean.mean(), 0.02 * foot.normal.mean.mean(), 1e-3);
@@ -133,15 +133,16 @@ TEST(Comparison, HeadingIsAgainstThePlansTurn) {
   tiny.start_qvel = "0 0 0 0 0 5 0";
   Scene scene = scene_of(tiny);
   const auto straight = compare(scene, {});
-  EXPECT_NEAR(straight->cycles[4].heading, 5 * 2.0, 0.2);  // the trunk turned by 10 rad unasked
+  EXPECT_NEAR(straight->cycle_table[4].heading, 5 * 2.0,
+              0.2);  // the trunk turned by 10 rad unasked
   EXPECT_GT(named(*straight, "heading_error").mean.minCoeff(), 3.0);
   Trajectory& plan = scene.trajectory;
   plan.turn = 2.0;  // what 5 rad/s are in 0.4 s
   for (int knot = 0; knot < plan.knot_count; ++knot)
     plan.at(knot, plan.root_column(5)) = plan.turn * knot / plan.knot_count;
   const auto turning = compare(scene, {{0.0, 0.0}, 5.0});
-  EXPECT_NEAR(turning->cycles[4].heading, 0.0, 0.4);
-  EXPECT_NEAR(*turning->cycles[4].turn_ratio, 1.0, 0.02);
+  EXPECT_NEAR(turning->cycle_table[4].heading, 0.0, 0.4);
+  EXPECT_NEAR(*turning->cycle_table[4].turn_ratio, 1.0, 0.02);
   EXPECT_LT(named(*turning, "heading_error").mean.cwiseAbs().maxCoeff(), 0.4);
   EXPECT_LT(named(*turning, "yaw").mean.cwiseAbs().maxCoeff(), 0.05);
 }
@@ -166,13 +167,12 @@ TEST(Comparison, EarlyFallLeavesNothingToCompare) {
   EXPECT_FALSE(compare(scene_of(TinyScene{}), {}, 1));
   const auto two = compare(scene_of(TinyScene{}), {}, 2);
   ASSERT_TRUE(two);
-  EXPECT_EQ(two->first_cycle, 1);
-  EXPECT_EQ(two->last_cycle, 1);
+  EXPECT_EQ(two->cycles, (std::pair{1, 1}));
 }
 
 TEST(Comparison, JsonHoldsWhatWasMeasured) {
   const auto comparison = compare(scene_of(TinyScene{}), {});
-  const Json json = comparison_json(std::nullopt, comparison);
+  const Json json = json_of(comparison_record(std::nullopt, comparison));
   EXPECT_EQ(json["schema"], "legwright/comparison");
   EXPECT_TRUE(json["initial"].is_null());
   const Json& design = json["result"];
@@ -186,7 +186,7 @@ TEST(Comparison, JsonHoldsWhatWasMeasured) {
   EXPECT_EQ(design["inverse_dynamics"]["residual_force_share"].size(), design["phases"].size());
   EXPECT_EQ(design["path_xy"]["planned"].size(), design["path_xy"]["measured"].size());
   EXPECT_EQ(to_text(json),
-            to_text(comparison_json(std::nullopt, compare(scene_of(TinyScene{}), {}))));
+            to_text(json_of(comparison_record(std::nullopt, compare(scene_of(TinyScene{}), {})))));
 }
 
 }  // namespace

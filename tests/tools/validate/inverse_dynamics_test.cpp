@@ -92,7 +92,7 @@ TEST(InverseDynamics, FeetThatAreDraggedOrRolledByThePlanAreSeen) {
   }
   for (int foot = 0; foot < 4; ++foot) {
     const auto j = static_cast<std::size_t>(foot);
-    const InverseDynamics drag = inverse_dynamics(dragged, 8), roll = inverse_dynamics(rolled, 8);
+    const auto drag = inverse_dynamics(dragged, 8), roll = inverse_dynamics(rolled, 8);
     EXPECT_NEAR(drag.foot_slip[j], 4 * 0.02 * smoothed, 2e-4);
     EXPECT_LT(drag.foot_roll[j], 1e-9);
     EXPECT_LT(roll.foot_roll[j], 1e-9);  // a whole cycle: ahead, and back again

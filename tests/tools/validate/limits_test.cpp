@@ -5,9 +5,10 @@
 
 #include "mjcf/text/input_error.hpp"
 #include "tools/files/atomic_file.hpp"
+#include "tools/files/json_file.hpp"
 #include "tools/validate/limits_file.hpp"
-#include "tools/validate/metrics_json.hpp"
-#include "tools/validate/robustness_json.hpp"
+#include "tools/validate/records.hpp"
+#include "tools/validate/robustness_limits.hpp"
 #include "tools/validate/verdict.hpp"
 
 namespace legwright {
@@ -142,7 +143,7 @@ TEST(JudgedLimits, UpperBoundThatDoesNotPassIsTold) {
   EXPECT_EQ(what_passes({0.0, 0.1}, "rad", Told::plain, false), "0 to 0.1 rad passes");
   Verdict verdict;
   verdict.limits = judge_limits({Measurements{}}, {{0.1, 0.0}, 0.0}, default_limits());
-  const Json rows = verdict_json(verdict)["limits"];
+  const Json rows = json_of(verdict_record(verdict))["limits"];
   ASSERT_GE(rows.size(), 3U);
   for (const Json& row : rows)
     EXPECT_EQ(row.contains("strict"), row["name"] == "tilt" || row["name"] == "saturated_share")

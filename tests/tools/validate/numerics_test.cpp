@@ -6,6 +6,8 @@
 #include "tests/tools/files/temporary_folder.hpp"
 #include "tests/tools/simulate/tiny_scene.hpp"
 #include "tools/files/atomic_file.hpp"
+#include "tools/files/json_file.hpp"
+#include "tools/validate/records.hpp"
 
 namespace legwright {
 namespace {
@@ -59,7 +61,7 @@ TEST_F(Numerics, AnotherVerdictIsNamed) {
 }
 
 TEST_F(Numerics, JsonHoldsDifferencesToTheReference) {
-  const Json json = numerics_json(ask());
+  const Json json = json_of(numerics_record(ask()));
   EXPECT_EQ(json["schema"], "legwright/numerics");
   EXPECT_TRUE(json["agree"].get<bool>());
   EXPECT_TRUE(json["runs"][0]["difference"].is_null());
@@ -72,9 +74,9 @@ TEST_F(Numerics, JsonHoldsDifferencesToTheReference) {
 
 TEST_F(Numerics, BytesDoNotDependOnThreadsNorOnWhoPlayedTheReference) {
   const SecondOpinion alone = ask({}, 1);
-  const std::string text = to_text(numerics_json(alone));
-  EXPECT_EQ(text, to_text(numerics_json(ask({}, 3))));
-  EXPECT_EQ(text, to_text(numerics_json(ask({}, 2, alone.runs[0].measured))));
+  const std::string text = to_text(json_of(numerics_record(alone)));
+  EXPECT_EQ(text, to_text(json_of(numerics_record(ask({}, 3)))));
+  EXPECT_EQ(text, to_text(json_of(numerics_record(ask({}, 2, alone.runs[0].measured)))));
 }
 
 }  // namespace

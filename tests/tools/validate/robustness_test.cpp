@@ -12,8 +12,10 @@
 #include "tests/tools/files/temporary_folder.hpp"
 #include "tests/tools/simulate/tiny_scene.hpp"
 #include "tools/files/atomic_file.hpp"
+#include "tools/files/json_file.hpp"
 #include "tools/validate/floor_friction.hpp"
-#include "tools/validate/robustness_json.hpp"
+#include "tools/validate/records.hpp"
+#include "tools/validate/robustness_limits.hpp"
 
 namespace legwright {
 namespace {
@@ -262,7 +264,7 @@ TEST_F(Disturbed, AskingForMoreChangesNoMarginThatWasFound) {
   ASSERT_FALSE(by_default.nominal_cause);
   ASSERT_TRUE(by_default.margins.at(0).high);
   const auto text = [](const Robustness& robustness) {
-    return to_text(robustness_json(robustness));
+    return to_text(json_of(robustness_record(robustness)));
   };
   EXPECT_EQ(text(margin(-0.5, 1.4)), text(by_default));
   EXPECT_EQ(text(margin(-0.1, 0.1)), text(by_default));  // never tested less far either
@@ -297,7 +299,7 @@ TEST_F(Disturbed, SameBytesForAnyNumberOfThreads) {
     options.only = {"initial_roll", "push_left", "gains"};
     options.threads = threads;
     options.tested["initial_roll"] = {-1.4, 1.4};
-    return to_text(robustness_json(measure_robustness(write({}), kStanding, options)));
+    return to_text(json_of(robustness_record(measure_robustness(write({}), kStanding, options))));
   };
   const std::string one = text(1);
   EXPECT_EQ(text(3), one);
@@ -312,7 +314,7 @@ TEST_F(Disturbed, DrawsAreSpreadAndNamed) {
   options.bisections = 0;
   const Robustness robustness = measure_robustness(write({}), kStanding, options);
   EXPECT_EQ(robustness.survival.samples, 4);
-  const Json json = robustness_json(robustness);
+  const Json json = json_of(robustness_record(robustness));
   EXPECT_EQ(json["factors"].size(), 10U);
   EXPECT_NEAR(json["monte_carlo"]["spread"]["floor_friction"][0].get<double>(), 0.64, 1e-12);
   EXPECT_EQ(json["monte_carlo"]["spread"].size(), 10U);

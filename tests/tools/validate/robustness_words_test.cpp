@@ -2,7 +2,7 @@
 // How margins are told to people.
 #include <gtest/gtest.h>
 
-#include "tools/validate/robustness_json.hpp"
+#include "tools/validate/robustness_limits.hpp"
 
 namespace legwright {
 namespace {

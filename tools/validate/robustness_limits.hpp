@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "tools/files/json_file.hpp"
 #include "tools/validate/limits.hpp"
 #include "tools/validate/robustness.hpp"
 
 namespace legwright {
-
-/// result/robustness.json; no wall time in it, so equal runs are equal bytes.
-Json robustness_json(const Robustness& robustness);
 
 /// For a terminal, without line breaks at the ends: one line per factor, then the survival share.
 std::vector<std::string> robustness_lines(const Robustness& robustness);

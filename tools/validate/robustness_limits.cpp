@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/validate/robustness_json.hpp"
+#include "tools/validate/robustness_limits.hpp"
 
 #include <fmt/format.h>
 
@@ -10,54 +10,6 @@ namespace legwright {
 namespace {
 
 constexpr const char* kMargin = "margin.";
-
-Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
-
-Json factor_json(const Margin& margin) {
-  const DisturbanceFactor& factor = margin.factor;
-  return {{"name", factor.name},
-          {"label", factor.label},
-          {"unit", factor.unit},
-          {"nominal", margin.nominal},
-          {"low", or_null(margin.low)},
-          {"high", or_null(margin.high)},
-          {"low_fails", or_null(margin.low_fails)},
-          {"high_fails", or_null(margin.high_fails)},
-          {"tested_low", factor.tested_low},
-          {"tested_high", factor.tested_high},
-          {"low_cause", text_or_null(margin.low_cause)},
-          {"high_cause", text_or_null(margin.high_cause)},
-          {"rollouts", margin.rollouts}};
-}
-
-Json values_json(const Disturbance& values, const std::vector<Margin>& margins) {
-  Json out = Json::object();
-  for (const auto& margin : margins) out[margin.factor.name] = values.*margin.factor.value;
-  return out;
-}
-
-Json survival_json(const SurvivalShare& survival, const std::vector<Margin>& margins) {
-  Json spread = Json::object(), causes = Json::object(), worst = Json::array();
-  for (const auto& margin : margins) {
-    const auto [from, to] = drawn_range(margin);
-    spread[margin.factor.name] = {from, to};
-  }
-  for (const auto& [cause, count] : survival.causes) causes[cause] = count;
-  for (const auto& walk : survival.worst) {
-    worst.push_back({{"sample", walk.sample},
-                     {"cause", *walk.cause},
-                     {"time_s", walk.seconds},
-                     {"values", values_json(walk.values, margins)}});
-  }
-  return {{"samples", survival.samples},
-          {"survived", survival.survived},
-          {"share", survival.share()},
-          {"share_low", survival.low},
-          {"share_high", survival.high},
-          {"spread", spread},
-          {"causes", causes},
-          {"worst", worst}};
-}
 
 /// In units for people: degrees, milliseconds.
 std::string shown(double value, const std::string& unit, bool with_unit = true) {
@@ -130,20 +82,6 @@ JudgedLimit margin_limit(const Margin& margin, bool low, double asked) {
 }
 
 }  // namespace
-
-Json robustness_json(const Robustness& robustness) {
-  Json factors = Json::array();
-  for (const auto& margin : robustness.margins) factors.push_back(factor_json(margin));
-  return {{"schema", "legwright/robustness"},
-          {"version", 1},
-          {"cycles", robustness.cycles},
-          {"seed", robustness.seed},
-          {"seconds", nullptr},
-          {"undisturbed_cause",
-           robustness.nominal_cause ? Json(*robustness.nominal_cause) : Json(nullptr)},
-          {"factors", factors},
-          {"monte_carlo", survival_json(robustness.survival, robustness.margins)}};
-}
 
 std::vector<std::string> robustness_lines(const Robustness& robustness) {
   if (robustness.nominal_cause)

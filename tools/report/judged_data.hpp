@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/run/comparison_record.hpp"
+#include "tools/run/metrics_record.hpp"
+#include "tools/run/numerics_record.hpp"
+#include "tools/run/robustness_record.hpp"
+#include "tools/run/verdict_record.hpp"
+
+namespace legwright {
+
+/// Which of the two designs that a run of one task has validated.
+enum class Design { initial, result };
+
+/// What `validate` wrote into result/; nothing where it has not run. Lists are cut to what a page
+/// can show.
+struct JudgedData {
+  std::optional<MetricsRecord> metrics;
+  std::optional<VerdictRecord> verdict;
+  std::optional<ComparisonRecord> comparison;
+  std::optional<NumericsRecord> numerics;
+  std::optional<RobustnessRecord> robustness;
+
+  /// What was judged of a design; null without.
+  const DesignVerdict* verdict_of(Design design) const;
+  /// What was measured of it, by servo gains; empty without.
+  const ByName<GainMetrics>& gains_of(Design design) const;
+  /// The plan against physics; null where that is not known.
+  const Comparison* comparison_of(Design design) const;
+  /// The limits of a design, failing ones first, otherwise in the order of the file.
+  std::vector<LimitRow> limits_of(Design design) const;
+  /// The factors that were varied one at a time.
+  const std::vector<RobustnessFactor>& factors() const;
+};
+
+/// A file that cannot be used becomes a note that names it and the key.
+JudgedData read_judged(const std::filesystem::path& result, std::vector<std::string>& notes);
+
+/// The number, if it is one.
+inline std::optional<double> finite(double value) {
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+inline std::optional<double> finite(std::optional<double> value) {
+  return value ? finite(*value) : std::nullopt;
+}
+
+}  // namespace legwright

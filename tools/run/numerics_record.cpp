@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/run/numerics_record.hpp"
+
+namespace legwright {
+
+void fields(Fields& f, NumericsNumbers& numbers) {
+  f.nullable("speed_ratio", numbers.speed_ratio);
+  f.nullable("turn_ratio", numbers.turn_ratio);
+  f.nullable("tilt_max_rad", numbers.tilt_max);
+  f.nullable("heading_drift_rad", numbers.heading_drift);
+  f.nullable("torque_rms_Nm", numbers.torque_rms);
+}
+
+void fields(Fields& f, NumericsRun& run) {
+  f("name", run.name);
+  f("label", run.label);
+  f("timestep_s", run.timestep);
+  f("integrator", run.integrator);
+  f("cone", run.cone);
+  f("pass", run.pass);
+  f("line", run.line);
+  fields(f, run.numbers);
+  f.nullable("difference", run.difference, "from the first run");
+}
+
+void fields(Fields& f, NumericsRecord& numerics) {
+  f("runs", numerics.runs, "the first is the scene as it is");
+  f("agree", numerics.agree);
+  f("reasons", numerics.reasons, "which run disagrees, and how");
+}
+
+}  // namespace legwright

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/run/record.hpp"
+
+namespace legwright {
+
+/// What is compared between ways to compute; null where it could not be measured.
+struct NumericsNumbers {
+  std::optional<double> speed_ratio, turn_ratio;
+  std::optional<double> tilt_max, heading_drift;  // [rad]
+  std::optional<double> torque_rms;               // [N m]
+};
+
+/// The gait played with one time step, integrator and model of friction.
+struct NumericsRun {
+  std::string name, label;  // "half_step", "0.5 ms, implicitfast, elliptic cone"
+  double timestep = 0.0;    // [s]
+  std::string integrator, cone;
+  bool pass = false;
+  std::string line;
+  NumericsNumbers numbers;
+  std::optional<NumericsNumbers> difference;  // from the first run, which has none
+};
+
+/// result/numerics.json: whether the verdict hangs on how MuJoCo computes.
+struct NumericsRecord {
+  static constexpr RecordKind kKind{"legwright/numerics", 1};
+  std::vector<NumericsRun> runs;  // the first is the reference, the scene as it is
+  bool agree = true;
+  std::vector<std::string> reasons;  // which run disagrees, and how
+};
+
+void fields(Fields& f, NumericsRecord& numerics);
+
+}  // namespace legwright

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/run/verdict_record.hpp"
+
+namespace legwright {
+
+void fields(Fields& f, LimitRow& row) {
+  f("name", row.name);
+  f("what", row.what);
+  f("unit", row.unit);
+  f.nullable("low", row.low, "least that passes");
+  f.nullable("high", row.high, "most that passes");
+  f.nullable("value", row.value, "the worst; null where it could not be measured");
+  f("where", row.where, "where that was; may be empty");
+  f("pass", row.pass);
+  std::optional<bool> strict;
+  if (row.strict) strict = true;
+  f("strict", strict, "the upper bound itself does not pass");
+  if (f.reads()) row.strict = strict.value_or(false);
+}
+
+void fields(Fields& f, DesignVerdict& verdict) {
+  f("pass", verdict.pass);
+  f("line", verdict.line);
+  f("reasons", verdict.reasons, "why it fails, first cause first");
+  f("limits", verdict.limits);
+}
+
+void fields(Fields& f, HomeTouchRecord& touch) {
+  f("first", touch.first);
+  f("second", touch.second);
+  f("depth_m", touch.depth);
+}
+
+void fields(Fields& f, HomeTouchesRecord& touches) {
+  f("line", touches.line);
+  f("pairs", touches.pairs);
+}
+
+void fields(Fields& f, VerdictRecord& verdict) {
+  f("initial", verdict.initial);
+  f("result", verdict.result);
+  f("pass", verdict.pass, "of the result");
+  f.nullable("home_touches", verdict.home_touches,
+             "what of the designed body touches itself in the home pose and did not before");
+}
+
+}  // namespace legwright

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/run/record.hpp"
+
+namespace legwright {
+
+/// A value against its limit: a row of the verdict.
+struct LimitRow {
+  std::string name, what, unit;
+  std::optional<double> low, high;  // what passes
+  std::optional<double> value;      // the worst; absent where it could not be measured
+  std::string where;                // "half gains", where that is
+  bool pass = false;
+  bool strict = false;  // the upper bound itself does not pass
+};
+
+/// What was judged of one design. It passes when all limits are kept.
+struct DesignVerdict {
+  bool pass = false;
+  std::string line;                  // "PASS  trot forward at 0.100 m/s: …"
+  std::vector<std::string> reasons;  // why it fails, first cause first
+  std::vector<LimitRow> limits;      // in the order in which they were judged
+};
+
+/// Two geoms of the designed body that meet in its home pose and did not before.
+struct HomeTouchRecord {
+  std::string first, second;
+  double depth = 0.0;  // [m]
+};
+struct HomeTouchesRecord {
+  std::string line;
+  std::vector<HomeTouchRecord> pairs;
+};
+
+/// result/verdict.json.
+struct VerdictRecord {
+  static constexpr RecordKind kKind{"legwright/verdict", 1};
+  DesignVerdict initial, result;
+  bool pass = false;  // of the result
+  std::optional<HomeTouchesRecord> home_touches;
+};
+
+void fields(Fields& f, DesignVerdict& verdict);
+void fields(Fields& f, VerdictRecord& verdict);
+
+}  // namespace legwright

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mjcf/text/input_error.hpp"
+#include "tools/run/task_folders.hpp"
+#include "tools/verbs/judge_run.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A body of the matrix that is neither the initial nor the common one: the best of one task alone,
+/// as the joint run from it found it.
+struct AloneBody {
+  std::string task;
+  const StartRecord* start;
+};
+
+/// Those whose joint run was reached: a run that was stopped may lack some.
+std::vector<AloneBody> bodies_alone(const ResultFolder& folder, const RunRecord& run) {
+  std::vector<AloneBody> bodies;
+  for (const TaskFolder& task : task_folders(run))
+    for (const StartRecord& start : *run.starts)
+      if (start.start == task.name &&
+          fs::is_directory(folder.root() / "starts" / ("from-" + task.name)))
+        bodies.push_back({task.name, &start});
+  return bodies;
+}
+
+/// The initial body, those of the tasks alone, then the common one: as the matrix has them.
+std::vector<const SceneValidation*> in_order(const JudgedRun& judged) {
+  std::vector<const SceneValidation*> order{&judged.designs[0]};
+  for (std::size_t k = 2; k < judged.designs.size(); ++k) order.push_back(&judged.designs[k]);
+  order.push_back(&judged.designs[1]);
+  return order;
+}
+
+/// F of a task at the designs, in the same order.
+std::vector<double> costs_of(const RunRecord& run, const std::vector<AloneBody>& bodies,
+                             std::size_t task) {
+  const std::string& name = (*run.tasks)[task].name;
+  const auto at_start = [&](const StartRecord& start) {
+    const double* F = start.start_F_of_tasks.find(name);
+    if (F == nullptr) throw InputError("run.json: starts: no F_tasks_start of task " + name);
+    return *F;
+  };
+  std::vector<double> out{at_start(run.starts->front())};
+  for (const AloneBody& body : bodies) out.push_back(at_start(*body.start));
+  out.push_back((*run.tasks)[task].F.value());
+  return out;
+}
+
+bool came_to_its_end(const RunRecord& run) {
+  if (!run.tasks || !run.starts || run.starts->empty() || !run.best_start) return false;
+  for (const TaskRecord& task : *run.tasks)
+    if (!task.F) return false;
+  return true;
+}
+
+}  // namespace
+
+MatrixRecord judge_joint_run(const ResultFolder& folder, const RunRecord& run,
+                             const JudgeOptions& options, std::vector<JudgedRun>& judged) {
+  if (!came_to_its_end(run))
+    throw InputError(folder.run_json().string(), 0, "",
+                     "not the run.json of a joint run that came to its end; run `legwright "
+                     "optimize` again");
+  const std::vector<AloneBody> bodies = bodies_alone(folder, run);
+  const std::vector<TaskFolder> tasks = task_folders(run);  // checked: nothing outside the run
+  MatrixRecord matrix;
+  matrix.pass = true;
+  matrix.designs.push_back({"initial body", "initial"});
+  for (const AloneBody& body : bodies)
+    matrix.designs.push_back({"for " + body.task + " alone", body.task});
+  matrix.designs.push_back({"for all tasks", *run.best_start});
+  for (std::size_t t = 0; t < tasks.size(); ++t) {
+    std::vector<fs::path> others;
+    for (const AloneBody& body : bodies)
+      others.push_back(folder.root() / "starts" / ("from-" + body.task) / tasks[t].name /
+                       "iterations" / "0000");
+    const ResultFolder own = ResultFolder::open(folder.root() / tasks[t].relative);
+    judged.push_back(judge_run(own, others, options));
+    const auto order = in_order(judged.back());
+    const auto costs = costs_of(run, bodies, t);
+    auto& cells = matrix.cells.of(tasks[t].name);
+    for (std::size_t k = 0; k < order.size(); ++k)
+      cells.push_back(
+          {costs[k], order[k]->verdict.pass, order[k]->verdict.line, metrics_by_gain(*order[k])});
+    matrix.pass = matrix.pass && order.back()->verdict.pass;
+  }
+  write_json(folder.result() / "matrix.json", json_of(matrix));
+  return matrix;
+}
+
+}  // namespace legwright
