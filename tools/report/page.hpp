@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "tools/files/json_file.hpp"
 #include "tools/report/html.hpp"
 #include "tools/report/run_data.hpp"
 

@@ -53,28 +53,4 @@ RunData read_run(const fs::path& root) {
 
 bool motion_only(const RunData& data) { return data.run.motion_only; }
 
-const Json& value_at(const Json& json, std::initializer_list<const char*> path) {
-  static const Json nothing;
-  const Json* at = &json;
-  for (const char* key : path) {
-    if (!at->is_object()) return nothing;
-    const auto found = at->find(key);
-    if (found == at->end()) return nothing;
-    at = &*found;
-  }
-  return *at;
-}
-
-std::optional<double> number_at(const Json& json, std::initializer_list<const char*> path) {
-  const Json& value = value_at(json, path);
-  if (!value.is_number()) return std::nullopt;
-  const double number = value.get<double>();
-  return std::isfinite(number) ? std::optional(number) : std::nullopt;
-}
-
-std::string text_at(const Json& json, std::initializer_list<const char*> path) {
-  const Json& value = value_at(json, path);
-  return value.is_string() ? value.get<std::string>() : std::string();
-}
-
 }  // namespace legwright

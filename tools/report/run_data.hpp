@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "plugin/trajectory.hpp"
-#include "tools/files/json_file.hpp"
 #include "tools/report/judged_data.hpp"
 #include "tools/run/certificate_record.hpp"
 #include "tools/run/iteration_record.hpp"
@@ -35,13 +34,5 @@ RunData read_run(const std::filesystem::path& root);
 
 /// Whether the body was kept and only its gait optimised.
 bool motion_only(const RunData& data);
-
-// Lenient access, so that a report of an incomplete run is still a report.
-/// The number at a path of keys, if there is one and it is finite.
-std::optional<double> number_at(const Json& json, std::initializer_list<const char*> path);
-/// The string at a path of keys; empty without.
-std::string text_at(const Json& json, std::initializer_list<const char*> path);
-/// What is at a path of keys; null without.
-const Json& value_at(const Json& json, std::initializer_list<const char*> path);
 
 }  // namespace legwright

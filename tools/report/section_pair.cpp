@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "tools/files/json_file.hpp"
 #include "tools/report/pair_report.hpp"
 #include "tools/report/sections.hpp"
 #include "tools/report/svg_bars.hpp"
