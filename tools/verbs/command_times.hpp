@@ -18,11 +18,10 @@ class CommandTimes {
     parts_.emplace_back(part, now - last_);
     last_ = now;
   }
-  /// Adds the parts that took any time, and "command", their sum.
+  /// Adds the parts, and "command", all of it.
   void add_to(ByName<double>& seconds) const {
     seconds.of("command") = watch_.seconds();
-    for (const auto& [part, duration] : parts_)
-      if (duration > 1e-4) seconds.of(part) = duration;
+    for (const auto& [part, duration] : parts_) seconds.of(part) = duration;
   }
 
  private:

@@ -285,23 +285,27 @@ int solve_run(const OptimizeOptions& options, CodesignProblem& problem, const fs
   write_end(folder, problem, found, signal, recorder, run);
   times.end_of("results");
   write_json(folder.run_json(), json_of(run));  // what follows may take a while, and adds to it
-  if (signal == 0 && !options.no_certificate && usable(found.winner().best))
+  if (signal == 0 && !options.no_certificate && usable(found.winner().best)) {
     run.certificate = write_certificate(folder, problem, costs.tasks(), found.winner().best,
                                         settings.codesign.threads);
-  times.end_of("certificate");
-  if (options.physics_steps > 0 && StopSignals::received() == 0 && usable(found.winner().best))
+    times.end_of("certificate");
+  }
+  if (options.physics_steps > 0 && StopSignals::received() == 0 && usable(found.winner().best)) {
     close_gaps(folder, problem, found.winner().best, options, run);
-  times.end_of("physics_steps");
+    times.end_of("physics_steps");
+  }
   if (options.front > 0 && StopSignals::received() == 0) {
     CodesignOptions rules = settings.codesign;
     rules.on_iteration = [](const DesignIteration&) { return StopSignals::received() == 0; };
     run.front = write_front(folder, problem, costs.tasks(), found, options.front, rules);
+    times.end_of("front");
   }
-  times.end_of("front");
   recorder.end(run);
   write_json(folder.run_json(), json_of(run));  // complete, should the pictures be interrupted
-  if (StopSignals::received() == 0) draw_rest(recorder.pictures(), options.quiet);
-  times.end_of("pictures");
+  if (!options.no_pictures && StopSignals::received() == 0) {
+    draw_rest(recorder.pictures(), options.quiet);
+    times.end_of("pictures");
+  }
   times.add_to(*run.seconds);
   write_json(folder.run_json(), json_of(run));
 

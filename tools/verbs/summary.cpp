@@ -89,10 +89,10 @@ std::string time_line(const RunRecord& run) {
   std::string parts;
   for (const std::string_view part :
        {"reading", "search", "results", "certificate", "physics_steps", "front", "pictures"}) {
-    const double seconds = seconds_of(run, part.data());
-    if (seconds == 0.0) continue;
+    const double* const seconds = run.seconds ? run.seconds->find(part) : nullptr;
+    if (seconds == nullptr) continue;
     parts += fmt::format("{}{} {:.2f}", parts.empty() ? ": " : ", ",
-                         part == "physics_steps" ? "physics steps" : part, seconds);
+                         part == "physics_steps" ? "physics steps" : part, *seconds);
     if (part == "search")
       parts += fmt::format(" (motion {:.2f}, adjoint {:.2f}, predictor {:.2f}, files {:.2f})",
                            seconds_of(run, "motion"), seconds_of(run, "adjoint"),
