@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// All figures of the speed table. Usage: speed_bench [--examples FOLDER] [--commit TEXT] [--markdown FILE] [GROUP ...]
-// Groups: codesign cold iteration ipopt gradient knots; all of them by default. JSON on stdout, with
-// the tables under "markdown"; FILE gets the tables alone.
+// All figures of the speed table. Usage: speed_bench [--examples FOLDER] [--commit TEXT]
+// [--markdown FILE] [GROUP ...] Groups: codesign cold iteration ipopt gradient knots; all of them
+// by default. JSON on stdout, with the tables under "markdown"; FILE gets the tables alone.
 #include <algorithm>
 #include <cstdio>
 #include <exception>

@@ -8,8 +8,8 @@
 
 namespace legwright {
 
-/// Reasons to refuse a file, collected so that all are reported at once: one line each, every one with
-/// its place and cure.
+/// Reasons to refuse a file, collected so that all are reported at once: one line each, every one
+/// with its place and cure.
 class Refusals {
  public:
   void add(const InputError& reason) {

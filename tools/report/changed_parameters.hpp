@@ -15,7 +15,8 @@ struct ChangedParameter {
   double lowered = 0.0;  // by how much its change lowered F, the motion following; 0: not known
 };
 
-/// The design parameters of a run that changed, in the one order in which all parts of a report tell them.
+/// The design parameters of a run that changed, in the one order in which all parts of a report
+/// tell them.
 struct ChangedParameters {
   std::vector<ChangedParameter> list;
   /// Whether that order is by how much each lowered F (run.json's `pull`, equal ones by their share
@@ -24,8 +25,8 @@ struct ChangedParameters {
   std::size_t main_count = 0;  // so many of the first are worth a sentence
 
   std::size_t at_bound() const;
-  /// "1 of the 4 changed parameters stands at a bound: there the bound decided how far it went, not the cost.";
-  /// empty where none does.
+  /// "1 of the 4 changed parameters stands at a bound: there the bound decided how far it went, not
+  /// the cost."; empty where none does.
   std::string bound_words() const;
 };
 

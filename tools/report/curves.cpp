@@ -109,7 +109,8 @@ void add_charts(Html& page, const Curves& curves) {
   page.close().close();
 }
 
-/// Of the parameters of one kind, those that moved most at any speed, at most as many as there are colours.
+/// Of the parameters of one kind, those that moved most at any speed, at most as many as there are
+/// colours.
 std::vector<std::size_t> main_parameters(const CurveVariant& variant, bool angles) {
   const std::vector<ParameterView>& first = variant.points.front().parameters;
   std::vector<std::pair<double, std::size_t>> moved;

@@ -8,11 +8,12 @@
 
 namespace legwright {
 
-/// Schema legwright/curves: variants, their runs by rising wanted speed, and what was measured of each. SI units in
-/// the names; null where a robot fell.
+/// Schema legwright/curves: variants, their runs by rising wanted speed, and what was measured of
+/// each. SI units in the names; null where a robot fell.
 Json curves_json(const Curves& curves);
 
-/// The same as one self-contained HTML page: a card for each variant, charts against wanted speed, a table.
+/// The same as one self-contained HTML page: a card for each variant, charts against wanted speed,
+/// a table.
 std::string curves_page(const Curves& curves);
 
 }  // namespace legwright

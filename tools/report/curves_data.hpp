@@ -58,9 +58,10 @@ struct NamedRuns {
   std::vector<std::filesystem::path> runs;
 };
 
-/// Reads validated runs of one robot and groups them: `loose` by what they are ("co-designed", "motion only", and
-/// without which terms of F), `named` as they are told. Least worked variant first.
-/// Throws InputError where they do not belong together or are not validated, IoError where there is no run.
+/// Reads validated runs of one robot and groups them: `loose` by what they are ("co-designed",
+/// "motion only", and without which terms of F), `named` as they are told. Least worked variant
+/// first. Throws InputError where they do not belong together or are not validated, IoError where
+/// there is no run.
 Curves read_curves(const std::vector<std::filesystem::path>& loose,
                    const std::vector<NamedRuns>& named);
 

@@ -145,8 +145,8 @@ std::string joined(const std::vector<std::string>& parts) {
   return out;
 }
 
-/// What got less, and what got worse most of all: "25 % less mechanical power, but 22 % more printed volume".
-/// Empty where neither is worth a word.
+/// What got less, and what got worse most of all: "25 % less mechanical power, but 22 % more
+/// printed volume". Empty where neither is worth a word.
 std::string balance(const std::vector<EffectRow>& rows) {
   std::vector<Effect> effects;
   std::vector<bool> amounts;

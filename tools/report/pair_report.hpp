@@ -14,8 +14,8 @@ struct RunPair {
   RunData a, b;
 };
 
-/// Throws IoError where there is no run, InputError where one is a joint run: its tasks' folders are
-/// runs that can be compared.
+/// Throws IoError where there is no run, InputError where one is a joint run: its tasks' folders
+/// are runs that can be compared.
 RunPair read_pair(const std::filesystem::path& a, const std::filesystem::path& b);
 
 /// Both runs on one self-contained page: verdicts, strips, numbers, bodies, limits, margins, terms.

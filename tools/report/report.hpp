@@ -22,8 +22,8 @@ std::string report_summary(const RunData& data);
 std::string joint_report_page(const JointData& data);
 std::string joint_report_summary(const JointData& data);
 
-/// Writes RUN/report.html and RUN/result/summary.md; of a joint run also those of each of its tasks.
-/// Returns the pages, the one of RUN first.
+/// Writes RUN/report.html and RUN/result/summary.md; of a joint run also those of each of its
+/// tasks. Returns the pages, the one of RUN first.
 /// Throws IoError where there is no run, std::system_error where a file cannot be written.
 std::vector<std::filesystem::path> write_report(const std::filesystem::path& run);
 

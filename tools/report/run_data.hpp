@@ -28,8 +28,8 @@ struct RunData : JudgedData {
   std::filesystem::path iteration(int index) const;
 };
 
-/// Throws IoError where the folder has no run.json or one that does not say what it should; faults of
-/// all other files go to the notes.
+/// Throws IoError where the folder has no run.json or one that does not say what it should; faults
+/// of all other files go to the notes.
 RunData read_run(const std::filesystem::path& root);
 
 /// Whether the body was kept and only its gait optimised.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Why the body changed: parameters beside figures, before and after, and what each parameter brought.
+// Why the body changed: parameters beside figures, before and after, and what each parameter
+// brought.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The mean measured cycle against the plan: contact forces foot by foot, trunk, path, joints, timing.
+// The mean measured cycle against the plan: contact forces foot by foot, trunk, path, joints,
+// timing.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -95,7 +95,8 @@ void add_pair_limits(Html& page, const RunPair& pair) {
 void add_pair_margins(Html& page, const RunPair& pair) {
   page.open("section").element("h2", "Robustness: how much they bear");
   const auto rows = joined(pair.a.factors(), pair.b.factors());
-  // Where a gait fails undisturbed there is nothing to vary, and validating it again would not help.
+  // Where a gait fails undisturbed there is nothing to vary, and validating it again would not
+  // help.
   const std::string none[] = {no_margins_words(pair.a), no_margins_words(pair.b)};
   const char* const names[] = {"A", "B"};
   for (std::size_t k = 0; k < 2; ++k)

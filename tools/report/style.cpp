@@ -4,7 +4,8 @@
 namespace legwright {
 
 std::string_view report_style() {
-  // No markup characters in here: the page must stay well-formed XML (so no child combinator either).
+  // No markup characters in here: the page must stay well-formed XML (so no child combinator
+  // either).
   return R"(
 :root { color-scheme: light dark; --paper: #fff; --ink: #1f2328; --pale: #59636e; --line: #d8dee4; --soft: #f6f8fa;
   --good: #1a7f37; --bad: #cf222e; --good-soft: #eaf6ec; --bad-soft: #fdf0ef;

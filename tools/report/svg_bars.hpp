@@ -18,8 +18,8 @@ struct TriedRange {
   std::optional<double> nominal{};
 };
 
-/// The factor's range as a bar: walked, failed, the nominal value as a mark. Wide ranges of positive
-/// values have a log axis. Empty for a range that is none.
+/// The factor's range as a bar: walked, failed, the nominal value as a mark. Wide ranges of
+/// positive values have a log axis. Empty for a range that is none.
 std::string range_bar(const TriedRange& range);
 
 /// A share with its interval as a bar from 0 to 1; empty without a share.

@@ -8,8 +8,8 @@
 
 namespace legwright {
 
-/// A line of a chart. Colours are numbers 1 … 6 of the page's palette, 0 is pale, so that they follow
-/// light and dark.
+/// A line of a chart. Colours are numbers 1 … 6 of the page's palette, 0 is pale, so that they
+/// follow light and dark.
 struct PlotSeries {
   std::string name{};  // for the legend; without one it is left out there
   std::vector<double> x{}, y{};
@@ -20,8 +20,8 @@ struct PlotSeries {
   bool mark = false;    // a ring at each value and no line
   bool thin = false;
   std::vector<double> crosses{};  // x of marks on the axis: there was no value there
-  /// Where given, as long as x: a band of the line's colour from low to high. With an empty y there is
-  /// a band and no line.
+  /// Where given, as long as x: a band of the line's colour from low to high. With an empty y there
+  /// is a band and no line.
   std::vector<double> low{}, high{};
 };
 
@@ -67,8 +67,8 @@ struct PlotPanel {
   std::string title;
   std::vector<PlotSeries> series;  // the same lines in each
 };
-/// Small charts side by side with one range for all, one legend and one title; panels without anything
-/// to draw are left out.
+/// Small charts side by side with one range for all, one legend and one title; panels without
+/// anything to draw are left out.
 std::string small_multiples(const std::vector<PlotPanel>& panels, const PlotOptions& options);
 
 /// One foot's stances, planned and measured: pairs of touchdown and lift-off [s].

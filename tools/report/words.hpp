@@ -15,8 +15,8 @@ std::string spaced(std::string_view name);
 std::string title_of(const RunData& data);
 /// A term of F in a few words; its own name, spaced, where it is not known here.
 std::string term_words(const std::string& name);
-/// What a term of F punishes, as a noun: "slip of stance feet"; its own name, spaced, where it is not
-/// known here.
+/// What a term of F punishes, as a noun: "slip of stance feet"; its own name, spaced, where it is
+/// not known here.
 std::string cost_words(const std::string& name);
 /// What the task asks for: "walk, 0.1 m/s to the left, period 1 s".
 std::string task_words(const RunRecord& run);

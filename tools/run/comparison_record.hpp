@@ -100,8 +100,8 @@ struct Comparison {
   InverseDynamics inverse_dynamics;
 };
 
-/// result/comparison.json: plan against physics over the cycle; nothing of a design that fell before
-/// two cycles.
+/// result/comparison.json: plan against physics over the cycle; nothing of a design that fell
+/// before two cycles.
 struct ComparisonRecord {
   static constexpr RecordKind kKind{"legwright/comparison", 1};
   std::optional<Comparison> initial, result;

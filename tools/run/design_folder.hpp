@@ -38,7 +38,8 @@ PlanQuality plan_quality(const Objective& objective, const Eigen::VectorXd& s,
 IterationMetrics iteration_metrics(const DesignSpace& space, const DesignIteration& iteration,
                                    int task, const PlanQuality& quality);
 
-/// A design as texts, that of the robot as RobotFiles::text() has it, and the quality of its plan, root residual included.
+/// A design as texts, that of the robot as RobotFiles::text() has it, and the quality of its plan,
+/// root residual included.
 struct DesignTexts {
   std::string robot_xml, scene_xml, motion_csv;
   PlanQuality quality;

@@ -51,8 +51,8 @@ struct SelfContact {
 
 /// What happened in one roll-out. Absent numbers could not be measured: the robot fell too early,
 /// or they mean nothing for this task. Speeds are those of the COM, means over the cycles after the
-/// first two, each along the arc on which the robot went while it turned, in its own heading: forward
-/// is where the trunk's x axis points on the ground.
+/// first two, each along the arc on which the robot went while it turned, in its own heading:
+/// forward is where the trunk's x axis points on the ground.
 struct RolloutMetrics {
   double gain_scale = 1.0;
   double seconds = 0.0;  // simulated
@@ -106,8 +106,8 @@ struct BeforeAfter {
 };
 
 /// result/metrics.json once a run is validated: what was measured of the initial design and of the
-/// result, by the servo gains ("half", "default", "double"). Until then the file is that of the last
-/// iteration.
+/// result, by the servo gains ("half", "default", "double"). Until then the file is that of the
+/// last iteration.
 struct MetricsRecord {
   static constexpr RecordKind kKind{"legwright/validation", 1};
   std::string task;                                  // "trot forward at 0.100 m/s"

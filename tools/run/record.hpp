@@ -42,8 +42,9 @@ struct ByName : std::vector<std::pair<std::string, T>> {
 ///     }
 ///
 /// Members are bool, int, std::size_t, double, std::string, raw JSON, other records, and
-/// std::vector, std::array, ByName, std::map and std::optional of these. A double that is not finite is null in
-/// the file, and null is read as NaN; for an optional member null is the same as absent.
+/// std::vector, std::array, ByName, std::map and std::optional of these. A double that is not
+/// finite is null in the file, and null is read as NaN; for an optional member null is the same as
+/// absent.
 class Fields {
  public:
   virtual ~Fields() = default;
@@ -238,8 +239,8 @@ R record_of(const nlohmann::ordered_json& json, std::string_view file) {
   return record;
 }
 
-/// The record of a file. Throws IoError as above and where it is no JSON, std::system_error where it
-/// cannot be read.
+/// The record of a file. Throws IoError as above and where it is no JSON, std::system_error where
+/// it cannot be read.
 template <class R>
 R read_record_file(const std::filesystem::path& file) {
   return record_of<R>(load_json(file), file.string());

@@ -11,9 +11,9 @@ namespace legwright {
 /// for state and target at t − delay. The plugin computes that force at every step; it waits in a
 /// queue. Force limits of actuators and joints hold.
 ///
-/// A step of h holds its force for h, so on average it is h/2 old already: the queue is read, linearly
-/// interpolated, at t + h/2 − delay. Delays below h/2 act as h/2. Before there is a past, the first
-/// force holds.
+/// A step of h holds its force for h, so on average it is h/2 old already: the queue is read,
+/// linearly interpolated, at t + h/2 − delay. Delays below h/2 act as h/2. Before there is a past,
+/// the first force holds.
 class DelayedServos {
  public:
   /// @param model kept, and changed by take_over @param delay [s], above 0

@@ -25,8 +25,8 @@ struct Disturbance {
   double slope_across = 0.0;    // rising to the left of that way [rad]
 };
 
-/// Late servos in steps of the scene, or in finer ones where the delay is what is looked for: chatter
-/// depends on the step.
+/// Late servos in steps of the scene, or in finer ones where the delay is what is looked for:
+/// chatter depends on the step.
 enum class DelayStep { scene, fine };
 
 /// A scene to be played under disturbances. Immutable; any number of threads may use it at once.
@@ -50,7 +50,8 @@ class DisturbableScene {
 };
 
 /// What changes the state and acts on the robot while it walks: initial tilt, push and delay. Its
-/// trunk starts at rest, set down by hand: on ice a robot would keep the speed of its plan for ever.
+/// trunk starts at rest, set down by hand: on ice a robot would keep the speed of its plan for
+/// ever.
 /// @param scene made by DisturbableScene::with from the same disturbance; outlives the options and
 /// serves one roll-out @param push_time [s]
 RolloutOptions disturbed_rollout(Scene& scene, const Disturbance& disturbance, int cycles,

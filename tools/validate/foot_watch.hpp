@@ -34,9 +34,9 @@ struct FootMoment {
 /// Follows one foot through a roll-out. A stride lasts from the middle of one planned swing to the
 /// middle of the next; its touchdown is the first contact after the foot was seen off the ground,
 /// against the first knot in which the plan puts force on it. A foot that never left the ground
-/// touched down when its stride began, and lifted off when it ended; lift-off is the end of the last
-/// contact of a stride, against the last knot with force. A step is the longest flight that ends in a stride: a foot
-/// that chatters when it lands flies a few more times, but not for long.
+/// touched down when its stride began, and lifted off when it ended; lift-off is the end of the
+/// last contact of a stride, against the last knot with force. A step is the longest flight that
+/// ends in a stride: a foot that chatters when it lands flies a few more times, but not for long.
 class FootWatch {
  public:
   /// @param foot index in the trajectory @param contacts_until record contacts for so long [s]

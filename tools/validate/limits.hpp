@@ -44,8 +44,8 @@ const std::vector<LimitedQuantity>& limited_quantities();
 
 /// The bounds that hold where the limits file says nothing.
 Limits default_limits();
-/// The same, and what a task asks for: that every foot passes over a bar of this height [m]. Nothing for 0; a limits
-/// file that names a low of its own has the say.
+/// The same, and what a task asks for: that every foot passes over a bar of this height [m].
+/// Nothing for 0; a limits file that names a low of its own has the say.
 Limits with_step_over(Limits limits, double height);
 
 /// A value that is no number lies in no bounds.

@@ -131,8 +131,8 @@ void Measurer::finish_speeds(const WantedMotion& wanted, const Eigen::Vector2d& 
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   for (std::size_t n = first; n + 1 < marks_.size(); ++n) {
     // Where its own nose points, not where the plan's world has +x: a puppy that cannot walk
-    // sideways plans to turn by a quarter and walk ahead, which is not what was asked for. And along
-    // the arc on which it went, not the chord, which is shorter.
+    // sideways plans to turn by a quarter and walk ahead, which is not what was asked for. And
+    // along the arc on which it went, not the chord, which is shorter.
     const Eigen::Rotation2Dd heading(marks_[n].yaw);
     const Eigen::Vector2d step = heading.inverse() * (marks_[n + 1].position - marks_[n].position);
     const Eigen::Vector2d velocity =

@@ -31,8 +31,8 @@ struct MeasureOptions {
   double contacts_until = 4.0;  // record contacts of the feet up to here [s]
 };
 
-/// Plays the scene and measures. @param plan_velocity that the plan reached along its arc [m/s], heading frame;
-/// zero if unknown.
+/// Plays the scene and measures. @param plan_velocity that the plan reached along its arc [m/s],
+/// heading frame; zero if unknown.
 /// @param played if given, receives the roll-out itself (frames).
 /// @param also sees each moment of the same roll-out
 Measurements measure(const Scene& scene, const WantedMotion& wanted,

@@ -8,8 +8,9 @@
 
 namespace legwright {
 
-/// Many quantities of a roll-out by phase. Within a bin of a cycle the samples are averaged, so that
-/// what a stiff contact does from step to step adds up to its impulse; only then cycles are compared.
+/// Many quantities of a roll-out by phase. Within a bin of a cycle the samples are averaged, so
+/// that what a stiff contact does from step to step adds up to its impulse; only then cycles are
+/// compared.
 class PhaseCurves {
  public:
   PhaseCurves(int quantities, int bins);

@@ -17,8 +17,9 @@ TrunkAngles trunk_angles(const mjtNum* rotation);
 /// The direction along which speed is looked at, heading frame: the wanted one, or ahead.
 Eigen::Vector2d speed_direction(const WantedMotion& wanted);
 
-/// What the played plan has in the place of each of ComparedRows at the centres of `bins` equal parts
-/// of its cycle; not a number where it has no say. Joint power is that of the feed-forward torque.
+/// What the played plan has in the place of each of ComparedRows at the centres of `bins` equal
+/// parts of its cycle; not a number where it has no say. Joint power is that of the feed-forward
+/// torque.
 Eigen::MatrixXd planned_curves(const Scene& scene, const WantedMotion& wanted, int bins);
 
 /// Yaw of the trunk in the plan at phase 0 [rad].

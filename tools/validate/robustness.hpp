@@ -38,8 +38,9 @@ struct RobustnessOptions {
   int threads = 2;
   int bisections = 4;
   std::vector<std::string> only = {};  // names of the factors; empty: all
-  /// By name, where a limit lies beyond what is tested by default: {low, high}. Tested only once all
-  /// that is tested by default was survived, so that asking for more changes no margin found before.
+  /// By name, where a limit lies beyond what is tested by default: {low, high}. Tested only once
+  /// all that is tested by default was survived, so that asking for more changes no margin found
+  /// before.
   std::map<std::string, std::pair<double, double>> tested = {};
   /// Roll-outs or rows of them that are done, of how many; called from several threads, one at a
   /// time.

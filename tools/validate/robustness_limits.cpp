@@ -23,9 +23,9 @@ std::string shown(double value, const std::string& unit, bool with_unit = true) 
   return text(value, unit == "1" ? "" : unit.c_str(), 2);
 }
 
-/// "friction of the floor (0.8)", "survives from 0.155 to 2 (tested)": it neither falls nor stays behind, which is less
-/// than a verdict that passes. Where of all that was tried only the end of the range fails, it is named: "from 0.011 (all
-/// tried but 0.01)".
+/// "friction of the floor (0.8)", "survives from 0.155 to 2 (tested)": it neither falls nor stays
+/// behind, which is less than a verdict that passes. Where of all that was tried only the end of
+/// the range fails, it is named: "from 0.011 (all tried but 0.01)".
 std::pair<std::string, std::string> margin_words(const Margin& margin) {
   const DisturbanceFactor& factor = margin.factor;
   std::string label = factor.label;

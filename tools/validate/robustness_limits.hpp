@@ -16,8 +16,8 @@ std::vector<std::string> robustness_lines(const Robustness& robustness);
 
 /// "survival", and "margin.NAME" for each factor: what the limits file calls them.
 std::vector<std::string> robustness_limit_names();
-/// Those of them that have bounds. A margin's low bound is a value down to which, its high bound one
-/// up to which it must walk.
+/// Those of them that have bounds. A margin's low bound is a value down to which, its high bound
+/// one up to which it must walk.
 std::vector<JudgedLimit> judge_robustness(const Robustness& robustness, const Limits& limits);
 /// How far factors must be tried for these limits to be judged.
 std::map<std::string, std::pair<double, double>> tested_for(const Limits& limits);

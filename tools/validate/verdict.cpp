@@ -72,7 +72,8 @@ std::optional<std::string> turned_away(const std::vector<Measurements>& at_gains
 
 constexpr double kToldContact = 0.01;  // share of the time
 
-/// What the planner does not see: geoms of a robot that meet. No fault by itself, but often why it fails.
+/// What the planner does not see: geoms of a robot that meet. No fault by itself, but often why it
+/// fails.
 std::optional<std::string> touched_itself(const std::vector<Measurements>& at_gains) {
   const auto worst = std::max_element(at_gains.begin(), at_gains.end(),
                                       [](const Measurements& a, const Measurements& b) {

@@ -171,8 +171,8 @@ double played_period_factor(const GapCloser& closer, const VectorXd& x) {
   return 1.0;
 }
 
-/// The old folder goes away only when the new one stands in its place, at once where the file system
-/// can exchange names.
+/// The old folder goes away only when the new one stands in its place, at once where the file
+/// system can exchange names.
 void replace_folder(const fs::path& fresh, const fs::path& old) {
   if (::renameat2(AT_FDCWD, fresh.c_str(), AT_FDCWD, old.c_str(), RENAME_EXCHANGE) == 0) {
     fs::remove_all(fresh);

@@ -20,8 +20,9 @@ struct GaitScalar {
 };
 
 /// Those that mean something for a task: a factor on the wanted speed, turn rate, swing height and
-/// period, and on the margins that the plan keeps from its friction cone and its least normal force.
-/// The margins may only grow: a plan on the edge would play a little better and stand a lot less.
+/// period, and on the margins that the plan keeps from its friction cone and its least normal
+/// force. The margins may only grow: a plan on the edge would play a little better and stand a lot
+/// less.
 std::vector<GaitScalar> gait_scalars(const TaskFile& task);
 
 /// The task file with its scalars multiplied. @param factors in the order of gait_scalars()

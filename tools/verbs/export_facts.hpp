@@ -19,8 +19,8 @@ struct ExportedRun {
   RobotModel before, after;
 };
 
-/// Throws IoError where there is no run or no result, InputError where inputs or result are not those
-/// that the run started from and ended with.
+/// Throws IoError where there is no run or no result, InputError where inputs or result are not
+/// those that the run started from and ended with.
 ExportedRun read_exported_run(const std::filesystem::path& root);
 
 /// What can be told of the robot before its folder is written.

@@ -10,7 +10,8 @@
 namespace legwright {
 
 /// How well exact derivatives of one task's F, and of its outer objective, agree with central
-/// differences: largest error relative to the derivative's size, over random directions from a fixed seed.
+/// differences: largest error relative to the derivative's size, over random directions from a
+/// fixed seed.
 struct GradientCheck {
   std::string task, point;  // "standing" (m₀) or "solved" (m* of the initial design)
   double motion = 0.0;      // ∂F/∂m against F

@@ -100,7 +100,8 @@ FirstTask first_task(const InitOptions& options, const ProposedParameters& found
           fmt::format("{} at {:.2g} m/s, a cycle of {:.2g} s", task.gait, task.speed, task.period)};
 }
 
-/// A robot for which the library has no gait, or that would fall with any, gets its parameters all the same, but no task.
+/// A robot for which the library has no gait, or that would fall with any, gets its parameters all
+/// the same, but no task.
 bool lacks_task(const InitOptions& options, const ProposedParameters& found) {
   return options.gait.empty() && !no_task_text(found.model).empty();
 }

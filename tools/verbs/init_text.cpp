@@ -108,7 +108,8 @@ void add_leg(const ProposedParameters& found, const Limb& limb, std::vector<Tree
   lines.push_back({foot_of(found, limb).name, foot_text(found, limb, "")});
 }
 
-/// A leg and its mirror image, side by side; beneath each other where ranges, servos or feet differ.
+/// A leg and its mirror image, side by side; beneath each other where ranges, servos or feet
+/// differ.
 void add_pair(const ProposedParameters& found, const Limb& left, const Limb& right,
               std::vector<TreeLine>& lines) {
   const auto& links = found.model.morphology.links;
@@ -152,8 +153,8 @@ std::pair<std::string, std::string> split(const std::string& left_out) {
   return {left_out.substr(0, colon), left_out.substr(colon + 2)};
 }
 
-/// "front_thigh_length (thigh_length)" for a proposal that was left out because the file declares the same by another
-/// name; else empty.
+/// "front_thigh_length (thigh_length)" for a proposal that was left out because the file declares
+/// the same by another name; else empty.
 std::string other_name(const std::string& name, const std::string& why) {
   const std::string start = "text 'legwright/", clash = "already stretched";
   const std::size_t end = why.find('\'', start.size());

@@ -17,8 +17,8 @@ std::filesystem::path result_folder(const ResultFolder& folder, const CodesignPr
                                     int task);
 
 /// Makes tasks/TASK a run folder of its own for each task of a joint run, which validate, render,
-/// report and play take like any other: iteration 0000 is the initial body, then come the iterations
-/// of the start that won. Also writes result/robot.xml, the body that all tasks share.
+/// report and play take like any other: iteration 0000 is the initial body, then come the
+/// iterations of the start that won. Also writes result/robot.xml, the body that all tasks share.
 /// @param run what is known of the joint run, finished
 void write_task_runs(const ResultFolder& folder, const CodesignProblem& problem,
                      const RunRecord& run, const MultistartResult& found,

@@ -122,8 +122,8 @@ VerdictRecord verdict_record(const JudgedRun& judged) {
   return out;
 }
 
-/// What of the designed body touches itself in the home pose that did not before. A run without the robots' files, as
-/// older programs wrote them, tells nothing.
+/// What of the designed body touches itself in the home pose that did not before. A run without the
+/// robots' files, as older programs wrote them, tells nothing.
 std::vector<HomeTouch> home_touches_of(const ResultFolder& folder) {
   const fs::path before = folder.iteration(0) / "robot.xml", after = folder.result() / "robot.xml";
   if (!fs::is_regular_file(before) || !fs::is_regular_file(after)) return {};

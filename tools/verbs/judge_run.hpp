@@ -43,8 +43,8 @@ JudgedRun judge_run(const ResultFolder& folder, const std::vector<std::filesyste
                     const JudgeOptions& options);
 
 /// Judges every task of a joint run, and for the trade-off every design of it at every task: the
-/// initial body, the best body of each task alone, the joint result. Writes result/matrix.json, which
-/// it returns. @param run run.json of the folder @param judged gets one entry per task
+/// initial body, the best body of each task alone, the joint result. Writes result/matrix.json,
+/// which it returns. @param run run.json of the folder @param judged gets one entry per task
 MatrixRecord judge_joint_run(const ResultFolder& folder, const RunRecord& run,
                              const JudgeOptions& options, std::vector<JudgedRun>& judged);
 

@@ -15,7 +15,8 @@ namespace legwright {
 /// iterations that ends it
 int iterations_left(const std::vector<double>& history, double tolerance, int most);
 
-/// Seconds until a run ends, guessed from its last few iterations by medians: single guesses jump by factors.
+/// Seconds until a run ends, guessed from its last few iterations by medians: single guesses jump
+/// by factors.
 class TimeLeft {
  public:
   TimeLeft(double tolerance, int most) : tolerance_(tolerance), most_(most) {}

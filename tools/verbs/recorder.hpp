@@ -21,8 +21,8 @@ namespace legwright {
 /// Name of the folder of one run among several starts: "from-initial", "from-pace", "pace-alone".
 std::string start_folder(const CodesignProblem& problem, const RunLabel& label);
 
-/// Writes what the solvers find into the run's folder, as they find it: every accepted iteration is a
-/// complete design on disk before the next one is looked for. One task: iterations/NNNN. Several:
+/// Writes what the solvers find into the run's folder, as they find it: every accepted iteration is
+/// a complete design on disk before the next one is looked for. One task: iterations/NNNN. Several:
 /// starts/START/TASK/iterations/NNNN.
 class Recorder {
  public:

@@ -34,7 +34,8 @@ RunRecord read_run_record(const ResultFolder& folder) {
   }
 }
 
-/// Tells on stderr how far the disturbed roll-outs are: one live line on a terminal, none elsewhere.
+/// Tells on stderr how far the disturbed roll-outs are: one live line on a terminal, none
+/// elsewhere.
 std::function<void(int, int)> live_progress() {
   if (::isatty(STDERR_FILENO) == 0) return {};
   return [](int done, int total) {

@@ -8,11 +8,13 @@
 
 namespace legwright {
 
-/// What a parsed command line asks for; returns an exit code. May throw InputError (2), std::system_error
-/// and std::filesystem::filesystem_error (3), anything else (4): main() turns them into a message and the code.
+/// What a parsed command line asks for; returns an exit code. May throw InputError (2),
+/// std::system_error and std::filesystem::filesystem_error (3), anything else (4): main() turns
+/// them into a message and the code.
 using Action = std::function<int()>;
 
-// Each adds its subcommand with options and help to `program`; when it is the one that was called, parsing sets `action`.
+// Each adds its subcommand with options and help to `program`; when it is the one that was called,
+// parsing sets `action`.
 void add_init(CLI::App& program, Action& action);
 void add_check(CLI::App& program, Action& action);
 void add_optimize(CLI::App& program, Action& action);

@@ -138,8 +138,8 @@ Task make_task(const json& settings) {
   return task;
 }
 
-/// The part of F with the oracle's weights in which `keep` holds for a term. Terms that the document
-/// does not name weigh nothing.
+/// The part of F with the oracle's weights in which `keep` holds for a term. Terms that the
+/// document does not name weigh nothing.
 Objective part_of_objective(const json& file, const test::Puppy& puppy,
                             const std::function<bool(const std::string&)>& keep) {
   const json &settings = file["settings"], &weights = settings["weights"];

@@ -63,8 +63,7 @@ TEST_F(AttributionOfThePuppy, SharesOfAllTermsMakeTheDecreaseOfF) {
   const double fallen = value(s_, m_) - value(s, m);
   EXPECT_GT(std::abs(fallen), 1e-3);
   EXPECT_NEAR(path.decrease().sum(), fallen, 1e-9 * std::abs(fallen));
-  EXPECT_LT(path.spread(), 1e-2 * std::abs(fallen))
-      << "derivatives along m*(s) explain nearly all";
+  EXPECT_LT(path.spread(), 1e-2 * std::abs(fallen)) << "derivatives along m*(s) explain nearly all";
   for (int k = 0; k < path.decrease().cols(); ++k) {
     if (k != 6 && k != 18) {
       EXPECT_EQ(path.decrease().col(k).norm(), 0.0) << "parameter " << k << " did not change";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pages in a real browser: headless Chromium, whose console stays empty, and nothing wider than a
-// phone. Skipped, and said so, where there is no Chromium.
+// The pages in a real browser: headless Chromium, whose console stays empty, and nothing wider than
+// a phone. Skipped, and said so, where there is no Chromium.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -14,8 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Opens each page in frames as wide as a phone and a desk, unfolds everything, and writes down what
-/// reaches beyond the frame and has no scroll bar of its own.
+/// Opens each page in frames as wide as a phone and a desk, unfolds everything, and writes down
+/// what reaches beyond the frame and has no scroll bar of its own.
 constexpr const char* kHarness = R"(<!DOCTYPE html><html><body><pre id="said"></pre><script>
 const said = document.getElementById('said');
 let left = 0;

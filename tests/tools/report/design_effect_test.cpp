@@ -8,7 +8,8 @@
 namespace legwright {
 namespace {
 
-/// The fixture's run with figures for both bodies: the first walks as well unless a test says otherwise.
+/// The fixture's run with figures for both bodies: the first walks as well unless a test says
+/// otherwise.
 class DesignEffect : public RunFixture {
  protected:
   void SetUp() override {

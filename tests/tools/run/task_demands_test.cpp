@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a task may ask for beyond a way to go: slope, payload, steps over a height, weaker motors, another robot.
+// What a task may ask for beyond a way to go: slope, payload, steps over a height, weaker motors,
+// another robot.
 #include <gtest/gtest.h>
 
 #include "mjcf/text/input_error.hpp"

@@ -39,7 +39,8 @@ TEST(FlightPath, ABarIsPassedAsHighAsTheLowestCrossing) {
   for (const auto& [x, z] : {std::pair{0.0, 0.0}, {0.08, 0.05}, {0.02, 0.02}, {0.08, 0.03}})
     path.add({x, 0.0, z});
   path.add({0.1, 0.0, 0.0});
-  // First at 0.05/0.08 x, then back, then forward again from 20 to 30 mm: lowest at the last but near the start.
+  // First at 0.05/0.08 x, then back, then forward again from 20 to 30 mm: lowest at the last but
+  // near the start.
   EXPECT_NEAR(path.clearance(), 0.02 + 0.01 * (0.075 - 0.02) / 0.06, 1e-9);
 }
 

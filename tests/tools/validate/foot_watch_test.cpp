@@ -28,8 +28,8 @@ FootMeasures watch(double from, double to, const Trajectory& trajectory = plan()
   return foot.finish(5.0);
 }
 
-// Five cycles; in each the foot stands for half a second, then steps 0.1 m ahead over `height`. It chatters when it
-// lands: for a few steps it is off again.
+// Five cycles; in each the foot stands for half a second, then steps 0.1 m ahead over `height`. It
+// chatters when it lands: for a few steps it is off again.
 FootMeasures stepping(double height, double lift_of_third = 1.0) {
   FootWatch foot(plan(), 0, 2.0);
   for (int n = 0; n <= 5000; ++n) {

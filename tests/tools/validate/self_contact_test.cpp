@@ -74,7 +74,8 @@ TEST(SelfContact, TheFloorIsNotPartOfTheRobot) {
   EXPECT_EQ(watch.finish().count, 0);
 }
 
-/// Touches of the example hexapod with the first joint of two legs turned, legs in the order of the file.
+/// Touches of the example hexapod with the first joint of two legs turned, legs in the order of the
+/// file.
 SelfContact hexapod(const char* joint, double angle, const char* other, double other_angle) {
   char error[256] = "";
   ModelPointer model(

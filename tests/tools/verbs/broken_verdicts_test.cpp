@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// examples/broken/verdicts: gaits whose validation fails for the reason in the file's name; and what a limits file and
-// JUnit make of verdicts.
+// examples/broken/verdicts: gaits whose validation fails for the reason in the file's name; and
+// what a limits file and JUnit make of verdicts.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What examples/README.md claims of the quadruped, the hexapod and the biped, from task file to verdict at half, default
-// and double gains. The puppy has tests of its own (sideways_test, turning_test).
+// What examples/README.md claims of the quadruped, the hexapod and the biped, from task file to
+// verdict at half, default and double gains. The puppy has tests of its own (sideways_test,
+// turning_test).
 #include <gtest/gtest.h>
 
 #include "tests/tools/verbs/program.hpp"
@@ -110,7 +111,8 @@ TEST_F(Example, PistonsWalkAndTheirForceIsWatched) {
             0.01);
 }
 
-/// The hexapod at a speed: motion alone with or without the term that keeps limbs apart, or co-designed.
+/// The hexapod at a speed: motion alone with or without the term that keeps limbs apart, or
+/// co-designed.
 class Hexapod : public Example {
  protected:
   fs::path task(const std::string& name, bool clearance) const {

@@ -166,8 +166,8 @@ TEST_F(Export, ARobotOfSeveralFilesKeepsThem) {
   EXPECT_EQ(scene->nmesh, 1);
 }
 
-/// A part that is called like the model keeps its name; parts that are no longer what the run read are
-/// refused.
+/// A part that is called like the model keeps its name; parts that are no longer what the run read
+/// are refused.
 TEST_F(Export, PartsKeepTheirNamesAndTheirSums) {
   give_mesh("puppy.xml", "dot.obj");
   const Outcome made = call({"optimize", "mine/task.toml", "-o", "run", "--force",

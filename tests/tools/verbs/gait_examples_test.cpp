@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every gait of the library for two, four and six feet has a task in the examples that passes at half, default and
-// double gains. Tasks of other tests (sideways_test, turning_test, examples_test) are not run again. Five, seven and
-// eight feet: own_robot_test.
+// Every gait of the library for two, four and six feet has a task in the examples that passes at
+// half, default and double gains. Tasks of other tests (sideways_test, turning_test, examples_test)
+// are not run again. Five, seven and eight feet: own_robot_test.
 #include <gtest/gtest.h>
 
 #include <map>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a newcomer does with a robot of their own: init, optimize, validate, without a hand edit or a weight. All of
-// tests/robots: tests/robots/walk.
+// What a newcomer does with a robot of their own: init, optimize, validate, without a hand edit or
+// a weight. All of tests/robots: tests/robots/walk.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -26,7 +26,8 @@ fs::path copy_of(const std::string& robot, const fs::path& folder) {
   return folder / "robot.xml";
 }
 
-/// init, optimize, validate: what a newcomer types. @param gait of the first task; empty: the usual one
+/// init, optimize, validate: what a newcomer types. @param gait of the first task; empty: the usual
+/// one
 void expect_first_task_passes(const fs::path& robot, const std::string& gait = "") {
   const fs::path task = robot.parent_path() / "task.toml", run = robot.parent_path() / "run";
   std::vector<std::string> words{"init", robot.string(), "--write", "--task", task.string()};
@@ -222,7 +223,8 @@ TEST(OwnRobotInit, WritesNothingForARobotThatDoesNotStand) {
   EXPECT_EQ(call({"init", robot.string(), "--write", "--task", task.string()}).code, 0);  // twin
 }
 
-/// Files of this process and its children may have so many bytes, while it lives: beyond, writing fails as on a full disk.
+/// Files of this process and its children may have so many bytes, while it lives: beyond, writing
+/// fails as on a full disk.
 class FileLimit {
  public:
   explicit FileLimit(rlim_t bytes) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// optimize --physics-steps: the gait that MuJoCo plays comes closer to the task, and validate agrees.
+// optimize --physics-steps: the gait that MuJoCo plays comes closer to the task, and validate
+// agrees.
 #include <gtest/gtest.h>
 
 #include <cmath>

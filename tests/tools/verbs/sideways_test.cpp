@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The promise of the examples, from task file to verdict: the initial puppy does not go sideways, the
-// co-designed one does, at half, default and double gains.
+// The promise of the examples, from task file to verdict: the initial puppy does not go sideways,
+// the co-designed one does, at half, default and double gains.
 #include <gtest/gtest.h>
 
 #include "tests/tools/verbs/program.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Curved paths from task file to verdict: the examples that walk along a circle and turn on the spot do so at half,
-// default and double gains, by a plan that repeats up to the turn (eq (17)); so does the radius, speed over turn rate.
+// Curved paths from task file to verdict: the examples that walk along a circle and turn on the
+// spot do so at half, default and double gains, by a plan that repeats up to the turn (eq (17)); so
+// does the radius, speed over turn rate.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
