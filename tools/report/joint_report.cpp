@@ -53,7 +53,7 @@ std::string joint_report_page(const JointData& data) {
   add_matrix(page, data);
   add_task_pictures(page, data);
   add_bodies(page, data);
-  add_task_pulls(page, data);
+  add_task_attributions(page, data);
   add_front(page, data);
   add_starts(page, data);
   add_certificate(page, data.whole);

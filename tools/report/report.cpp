@@ -21,7 +21,7 @@ std::string report_page(const RunData& data) {
   add_verdicts(page, data);
   PictureBudget budget;
   add_pictures(page, data, budget);
-  add_attribution(page, data);
+  add_design_effect(page, data);
   add_limits(page, data);
   add_physics(page, data);
   add_comparison(page, data, budget);

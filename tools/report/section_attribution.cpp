@@ -1,84 +1,198 @@
 // SPDX-License-Identifier: Apache-2.0
-// Why the body changed: parameters beside figures, before and after, and what each parameter
-// brought.
+// Why the body changed: what each parameter and each term of F brought (attribution), and all
+// parameters with their bounds.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
+#include "tools/report/attribution_words.hpp"
 #include "tools/report/changed_parameters.hpp"
-#include "tools/report/design_effect.hpp"
 #include "tools/report/sections.hpp"
+#include "tools/report/svg_bars.hpp"
 #include "tools/report/words.hpp"
+#include "tools/run/attribution_json.hpp"
 
 namespace legwright {
 namespace {
 
-constexpr std::size_t kMostParameters = 8;
+constexpr double kSmallTerm = 0.01;        // of F: smaller terms are folded away
+constexpr std::size_t kFewParameters = 6;  // so many are shown without unfolding
+constexpr std::size_t kMostTold = 4;       // of the largest changes
 
-void open_table(Html& page, const char* title) {
-  page.open("div").element("h3", title).open("table", {{"class", "gains"}});
-  page.open("thead").open("tr").element("th", "");
-  for (const char* head : {"before", "after", "change"}) page.element("th", head, {{"class", "n"}});
-  page.close().close().open("tbody");
-}
+/// Why a parameter changed, in words; empty where it is not known.
+using Reason = std::function<std::string(const std::string& parameter)>;
 
-void add_row(Html& page, const std::string& what, const std::string& before,
-             const std::string& after, const std::string& change) {
-  page.open("tr").element("td", what);
-  for (const std::string& cell : {before, after, change})
-    page.element("td", cell, {{"class", "n"}});
-  page.close();
-}
-
-/// A length by its share, an angle or what began at zero by its amount.
-std::string parameter_change(const ParameterView& p) {
-  if (p.angle || p.initial == 0.0) return p.change();
-  return change_words((p.final - p.initial) / std::abs(p.initial));
-}
-
-void add_parameters(Html& page, const RunData& data) {
-  const std::vector<ChangedParameter> all = changed_parameters(data.run).list;
-  open_table(page, "The body");
-  for (std::size_t k = 0; k < std::min(all.size(), kMostParameters); ++k) {
-    const ParameterView& p = all[k].view;
-    add_row(page, spaced(p.name), p.with_unit(p.initial), p.with_unit(p.final),
-            parameter_change(p));
+void add_table(Html& page, const std::vector<ParameterView>& parameters, bool angles,
+               const Reason& reason) {
+  if (std::none_of(parameters.begin(), parameters.end(),
+                   [&](const auto& p) { return p.angle == angles; }))
+    return;
+  page.element("h3", angles ? "Joint axes" : "Lengths");
+  page.open("div", {{"class", "scroll"}})
+      .open("table", {{"class", "design"}})
+      .open("thead")
+      .open("tr");
+  for (const char* head : {"", "before", "after", "change"}) {
+    page.element("th", head, {{"class", *head == '\0' ? "" : "n"}});
   }
-  page.close().close();
-  if (all.size() > kMostParameters)
-    page.element("p", fmt::format("… and {} more, below.", all.size() - kMostParameters),
-                 {{"class", "note"}});
-  page.close();
+  page.element("th", "within bounds").close().close().open("tbody");
+  for (const ParameterView& p : parameters) {
+    if (p.angle != angles) continue;
+    page.open("tr").open("td").element("b", spaced(p.name));
+    if (!p.sentence.empty()) page.element("small", p.sentence);
+    if (const std::string why = reason(p.name); !why.empty())
+      page.element("small", "Why: " + why, {{"class", "why"}});
+    page.close();
+    page.element("td", p.with_unit(p.initial), {{"class", "n"}, {"data-label", "before"}});
+    page.open("td", {{"class", "n"}, {"data-label", "after"}}).text(p.with_unit(p.final));
+    if (angles) page.element("small", p.in_radian(p.final));
+    page.close().element("td", p.change(), {{"class", "n"}, {"data-label", "change"}});
+    page.open("td", {{"class", "bar"}}).raw(bounds_bar(p.lower, p.upper, p.initial, p.final));
+    page.open("small").text(p.with_unit(p.lower) + " … " + p.with_unit(p.upper));
+    if (!p.at_bound().empty()) page.element("em", fmt::format("at its {}", p.at_bound()));
+    page.close().close().close();
+  }
+  page.close().close().close();
 }
 
-/// Parameters beside figures, before and after.
-void add_effect(Html& page, const RunData& data) {
-  const std::string body = body_words(data);
-  if (body.empty()) return;  // nothing changed
-  page.element("p", fmt::format("{} {}", body, effect_words(data)));
-  page.open("div", {{"class", "charts"}});
-  add_parameters(page, data);
-  open_table(page, "What it does");
-  for (const EffectRow& row : effect_rows(data))
-    add_row(page, row.what, row.before, row.after,
-            row.effect.change ? change_words(*row.effect.change) : "");
-  page.close().close().close().close();
-  if (!data.metrics)
-    add_hint(page, "What the bodies do in MuJoCo has not been measured yet.", "validate", data);
+void add_largest(Html& page, const ChangedParameters& changed) {
   page.element("p",
-               "Before: the initial body with the gait that is best for it, so the difference is "
-               "the body’s. Torque and power are those at default servo gains.",
+               changed.by_cost ? "The changes that lowered F most, the motion following:"
+                               : "The largest changes, by share of the allowed range:",
                {{"class", "note"}});
-  add_gap_note(page, data.run, "F is");
+  page.open("ol", {{"class", "changes"}});
+  for (std::size_t i = 0; i < std::min(kMostTold, changed.list.size()); ++i) {
+    const auto& [p, lowered] = changed.list[i];
+    page.open("li").element("b", fmt::format("{} {}", spaced(p.name), p.change()));
+    page.text(fmt::format(", from {} to {}", p.with_unit(p.initial), p.with_unit(p.final)));
+    if (!p.at_bound().empty()) page.text(", at its " + p.at_bound());
+    if (changed.by_cost) page.text(fmt::format(": F {}", change_of_F(-lowered)));
+    page.close();
+  }
+  page.close();
+  if (const std::string bound = changed.bound_words(); !bound.empty()) page.element("p", bound);
+}
+
+/// One sentence on all parameters, and how to read the others.
+void add_why(Html& page, const RunData& data, const std::vector<Attribution>& attributions) {
+  const bool part = data.run.joint_run.has_value();
+  const std::string summary =
+      attribution_summary(attributions, part ? std::nullopt : data.run.fall_of_cost());
+  if (summary.empty()) return;
+  page.open("p").element("b", "Why it changed. ").text(summary).close();
+  std::string note =
+      "Numbers are changes of F that a parameter’s change brought a term, the motion following, "
+      "summed "
+      "along the way to the result; those of one parameter need not fall for each term.";
+  if (part) {
+    note += " They carry the weight that this task has in the joint cost.";
+    const std::string start = data.run.start.value_or("");
+    if (!start.empty() && start != "initial" && !(data.run.task && start == data.run.task->name))
+      note += " The way begins with the body for " + spaced(start) +
+              " alone, from which the best start set out: this task had no say before.";
+  }
+  page.element("p", note, {{"class", "note"}});
+}
+
+struct TermRow {
+  std::string name;
+  double before = 0.0, after = 0.0;
+};
+
+void add_term_bar(Html& page, double value, double most, const char* style) {
+  const double width = most > 0.0 ? 100.0 * std::clamp(value / most, 0.0, 1.0) : 0.0;
+  page.raw(
+      fmt::format("<svg class=\"share\" viewBox=\"0 0 100 8\" preserveAspectRatio=\"none\" "
+                  "aria-hidden=\"true\">"
+                  "<rect class=\"{}\" width=\"{:.2f}\" height=\"8\"/></svg>",
+                  style, width));
+}
+
+void open_terms(Html& page) {
+  page.open("table", {{"class", "terms stack"}}).open("thead").open("tr").element("th", "");
+  for (const char* head : {"before", "after"}) page.element("th", head, {{"class", "n"}});
+  page.element("th", "").close().close().open("tbody");
+}
+
+void add_term(Html& page, const TermRow& row, double most) {
+  page.open("tr").open("td", {{"class", "head"}});
+  page.element("b", term_words(row.name)).element("small", row.name).close();
+  page.element("td", short_number(row.before), {{"class", "n"}, {"data-label", "before"}});
+  page.element("td", short_number(row.after), {{"class", "n"}, {"data-label", "after"}});
+  page.open("td", {{"class", "bars"}});
+  add_term_bar(page, row.before, most, "b2");
+  add_term_bar(page, row.after, most, "b1");
+  page.close().close();
 }
 
 }  // namespace
 
 void add_attribution(Html& page, const RunData& data) {
-  if (data.run.motion_only) return;  // nothing did
-  page.open("section").element("h2", "Why the body changed");
-  add_effect(page, data);
-  add_design_change(page, data);
+  page.element("h3", "What changed in the body");
+  const auto parameters = parameters_of(data.run);
+  if (parameters.empty()) {
+    page.element("p", "run.json lists no design parameters.", {{"class", "note"}});
+    return;
+  }
+  add_largest(page, changed_parameters(data.run));
+  const auto attributions = attributions_of(data.run.pull);
+  add_why(page, data, attributions);
+  const Reason reason = [&, scale = largest_share(attributions)](const std::string& parameter) {
+    for (const Attribution& each : attributions)
+      if (each.parameter == parameter) return attribution_words(each, scale);
+    return std::string();
+  };
+  const bool few = parameters.size() <= kFewParameters;
+  if (!few)
+    page.open("details").element(
+        "summary", fmt::format("All {} parameters: before, after, bounds, why", parameters.size()));
+  add_table(page, parameters, true, reason);
+  add_table(page, parameters, false, reason);
+  if (!few) page.close();
+}
+
+void add_terms(Html& page, const RunData& data) {
+  if (data.iterations.empty()) return;
+  const IterationEvent &first = data.iterations.front(), &last = data.iterations.back();
+  std::vector<TermRow> rows;
+  double most = 0.0;
+  for (const auto& [name, value] : first.terms) {
+    const double* const after = last.terms.find(name);
+    rows.push_back({name, value, after != nullptr ? *after : 0.0});
+    most = std::max({most, rows.back().before, rows.back().after});
+  }
+  std::erase_if(rows, [](const TermRow& row) { return row.before == 0.0 && row.after == 0.0; });
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const auto& a, const auto& b) { return a.before > b.before; });
+  const auto small = std::stable_partition(rows.begin(), rows.end(), [&](const TermRow& row) {
+    return row.before > kSmallTerm * first.F || row.after > kSmallTerm * last.F;
+  });
+  const bool alone = motion_only(data);  // both columns would be the same
+  page.open("section", {{"class", alone ? "only" : ""}}).element("h2", "What the cost is made of");
+  page.element("p",
+               alone
+                   ? "Each term of F, weighted."
+                   : "Each term of F, weighted, for the initial body and for the co-designed one.",
+               {{"class", "note"}});
+  add_gap_note(page, data.run, "The terms are");
+  if (!alone)
+    page.raw(
+        "<p class=\"legend\"><span><i class=\"key b2\"></i>before</span> <span><i class=\"key "
+        "b1\"></i>after</span></p>\n");
+  open_terms(page);
+  for (auto row = rows.begin(); row != small; ++row) add_term(page, *row, most);
+  page.open("tr", {{"class", "sum"}}).element("td", "F", {{"class", "head"}});
+  page.element("td", short_number(first.F), {{"class", "n"}, {"data-label", "before"}});
+  page.element("td", short_number(last.F), {{"class", "n"}, {"data-label", "after"}});
+  page.element("td", "").close().close().close();
+  if (small != rows.end()) {
+    page.open("details").element(
+        "summary", fmt::format("{} more terms, each below 1 % of F", rows.end() - small));
+    open_terms(page);
+    for (auto row = small; row != rows.end(); ++row) add_term(page, *row, most);
+    page.close().close().close();
+  }
   page.close();
 }
 

@@ -91,7 +91,7 @@ void add_bodies(Html& page, const JointData& data) {
   page.close();
 }
 
-void add_task_pulls(Html& page, const JointData& data) {
+void add_task_attributions(Html& page, const JointData& data) {
   const auto attributions = attributions_by_task(data);
   const std::string summary = attribution_summary(attributions, data.whole.run.fall_of_cost());
   if (summary.empty()) return;

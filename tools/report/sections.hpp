@@ -20,8 +20,8 @@ std::string_view report_style();
 // command that makes it.
 void add_verdicts(Html& page, const RunData& data);
 void add_pictures(Html& page, const RunData& data, PictureBudget& budget);
-void add_attribution(Html& page, const RunData& data);
-void add_design_change(Html& page, const RunData& data);  // part of the one before
+void add_design_effect(Html& page, const RunData& data);
+void add_attribution(Html& page, const RunData& data);  // part of the one before
 void add_gap(Html& page, const RunData& data);
 void add_progress(Html& page, const RunData& data);
 void add_gallery(Html& page, const RunData& data);
@@ -40,7 +40,7 @@ void add_task_cards(Html& page, const JointData& data);
 void add_matrix(Html& page, const JointData& data);
 void add_task_pictures(Html& page, const JointData& data);
 void add_bodies(Html& page, const JointData& data);
-void add_task_pulls(Html& page, const JointData& data);
+void add_task_attributions(Html& page, const JointData& data);
 void add_front(Html& page, const JointData& data);
 void add_starts(Html& page, const JointData& data);
 

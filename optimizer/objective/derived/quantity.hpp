@@ -41,7 +41,7 @@ struct DerivedInput {
 
 /// One derived quantity y of Layout at one place (a knot, a foot, a joint): a function of some
 /// slots of p = [s; m] with exact derivatives. Each kind is a class in a file of this folder with a
-/// row in registry.cpp. Immutable; what a thread computes stands in a State of its own.
+/// row in quantities.cpp. Immutable; what a thread computes stands in a State of its own.
 class DerivedQuantity {
  public:
   /// Derivatives of one quantity, kept between evaluations so that memory is reused.
@@ -94,8 +94,8 @@ class DerivedQuantity {
 
 using DerivedBlocks = std::vector<std::unique_ptr<const DerivedQuantity>>;
 
-/// The quantities of a robot and task that something needs; filled by the functions of the
-/// registry.
+/// The quantities of a robot and task that something needs; filled by the
+/// functions of quantities.cpp.
 class DerivedList {
  public:
   /// @param wanted by slot of the extended vector: only quantities that hold a wanted slot are

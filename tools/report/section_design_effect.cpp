@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the changed body does: parameters beside figures, before and after. The attribution follows
+// in the same section of the page.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "tools/report/changed_parameters.hpp"
+#include "tools/report/design_effect.hpp"
+#include "tools/report/sections.hpp"
+#include "tools/report/words.hpp"
+
+namespace legwright {
+namespace {
+
+constexpr std::size_t kMostParameters = 8;
+
+void open_table(Html& page, const char* title) {
+  page.open("div").element("h3", title).open("table", {{"class", "gains"}});
+  page.open("thead").open("tr").element("th", "");
+  for (const char* head : {"before", "after", "change"}) page.element("th", head, {{"class", "n"}});
+  page.close().close().open("tbody");
+}
+
+void add_row(Html& page, const std::string& what, const std::string& before,
+             const std::string& after, const std::string& change) {
+  page.open("tr").element("td", what);
+  for (const std::string& cell : {before, after, change})
+    page.element("td", cell, {{"class", "n"}});
+  page.close();
+}
+
+/// A length by its share, an angle or what began at zero by its amount.
+std::string parameter_change(const ParameterView& p) {
+  if (p.angle || p.initial == 0.0) return p.change();
+  return change_words((p.final - p.initial) / std::abs(p.initial));
+}
+
+void add_parameters(Html& page, const RunData& data) {
+  const std::vector<ChangedParameter> all = changed_parameters(data.run).list;
+  open_table(page, "The body");
+  for (std::size_t k = 0; k < std::min(all.size(), kMostParameters); ++k) {
+    const ParameterView& p = all[k].view;
+    add_row(page, spaced(p.name), p.with_unit(p.initial), p.with_unit(p.final),
+            parameter_change(p));
+  }
+  page.close().close();
+  if (all.size() > kMostParameters)
+    page.element("p", fmt::format("… and {} more, below.", all.size() - kMostParameters),
+                 {{"class", "note"}});
+  page.close();
+}
+
+/// Parameters beside figures, before and after.
+void add_effect(Html& page, const RunData& data) {
+  const std::string body = body_words(data);
+  if (body.empty()) return;  // nothing changed
+  page.element("p", fmt::format("{} {}", body, effect_words(data)));
+  page.open("div", {{"class", "charts"}});
+  add_parameters(page, data);
+  open_table(page, "What it does");
+  for (const EffectRow& row : effect_rows(data))
+    add_row(page, row.what, row.before, row.after,
+            row.effect.change ? change_words(*row.effect.change) : "");
+  page.close().close().close().close();
+  if (!data.metrics)
+    add_hint(page, "What the bodies do in MuJoCo has not been measured yet.", "validate", data);
+  page.element("p",
+               "Before: the initial body with the gait that is best for it, so the difference is "
+               "the body’s. Torque and power are those at default servo gains.",
+               {{"class", "note"}});
+  add_gap_note(page, data.run, "F is");
+}
+
+}  // namespace
+
+void add_design_effect(Html& page, const RunData& data) {
+  if (data.run.motion_only) return;  // nothing did
+  page.open("section").element("h2", "Why the body changed");
+  add_effect(page, data);
+  add_attribution(page, data);
+  page.close();
+}
+
+}  // namespace legwright
