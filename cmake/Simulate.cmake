@@ -92,5 +92,6 @@ add_dependencies(simulate legwright_plugin)  # found beside it at run time
 foreach(target mujoco_simulate simulate)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_compile_options(${target} PRIVATE -w)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
 endforeach()
 set_target_properties(simulate PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")

@@ -16,49 +16,51 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 /// A number with its gradient and Hessian in the actuator's parameters.
-struct Jet {
+struct ParameterJet {
   double value = 0.0;
   VectorXd gradient;
   MatrixXd hessian;
 };
-using VectorJet = std::array<Jet, 3>;
+using JetVector = std::array<ParameterJet, 3>;
 
-Jet operator+(Jet a, const Jet& b) {
+ParameterJet operator+(ParameterJet a, const ParameterJet& b) {
   a.value += b.value;
   a.gradient += b.gradient;
   a.hessian += b.hessian;
   return a;
 }
 
-Jet operator*(double factor, Jet a) {
+ParameterJet operator*(double factor, ParameterJet a) {
   a.value *= factor;
   a.gradient *= factor;
   a.hessian *= factor;
   return a;
 }
 
-Jet operator*(const Jet& a, const Jet& b) {
+ParameterJet operator*(const ParameterJet& a, const ParameterJet& b) {
   const MatrixXd mixed = a.gradient * b.gradient.transpose();
   return {a.value * b.value, a.value * b.gradient + b.value * a.gradient,
           a.value * b.hessian + b.value * a.hessian + mixed + mixed.transpose()};
 }
 
-Jet dot(const VectorJet& a, const VectorJet& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+ParameterJet dot(const JetVector& a, const JetVector& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
-VectorJet cross(const VectorJet& a, const VectorJet& b) {
+JetVector cross(const JetVector& a, const JetVector& b) {
   const auto component = [&](int i, int j) { return a[i] * b[j] + (-1.0) * (a[j] * b[i]); };
   return {component(1, 2), component(2, 0), component(0, 1)};
 }
 
-VectorJet constant(const Vector3d& v, int size) {
-  VectorJet out;
+JetVector constant(const Vector3d& v, int size) {
+  JetVector out;
   for (int i = 0; i < 3; ++i) out[i] = {v[i], VectorXd::Zero(size), MatrixXd::Zero(size, size)};
   return out;
 }
 
 /// Adds rotation · v(s), v affine.
 void add_affine(const AffineVector& v, const Eigen::Matrix3d& rotation, const VectorXd& s,
-                const std::vector<int>& parameters, VectorJet& out) {
+                const std::vector<int>& parameters, JetVector& out) {
   const Vector3d value = rotation * v.at(s);
   for (int i = 0; i < 3; ++i) out[i].value += value[i];
   for (const AffineVector::Slope& slope : v.slopes)
@@ -68,10 +70,10 @@ void add_affine(const AffineVector& v, const Eigen::Matrix3d& rotation, const Ve
           out[i].gradient[static_cast<int>(k)] += rotation.row(i).dot(slope.slope);
 }
 
-VectorJet axis_jet(const JointAxis& axis, const VectorXd& s, const std::vector<int>& parameters) {
+JetVector axis_jet(const JointAxis& axis, const VectorXd& s, const std::vector<int>& parameters) {
   const int size = static_cast<int>(parameters.size());
   const AxisAtDesign at = axis_at(axis, s);
-  VectorJet out = constant(at.axis, size);
+  JetVector out = constant(at.axis, size);
   const auto column = [&](int parameter) {
     int k = 0;
     while (parameters[k] != parameter) ++k;
@@ -105,16 +107,16 @@ ActuatorShape actuator_shape(const Morphology& morphology, const LinearActuator&
   out.parameters = actuator_parameters(morphology, actuator);
   const int size = static_cast<int>(out.parameters.size());
   const Eigen::Matrix3d to_link = link.orientation.transpose();
-  VectorJet w = constant(Vector3d::Zero(), size), l = w;
+  JetVector w = constant(Vector3d::Zero(), size), l = w;
   add_affine(link.origin, to_link, s, out.parameters, w);
   add_affine(actuator.upper, -to_link, s, out.parameters, w);
   add_affine(actuator.lower, Eigen::Matrix3d::Identity(), s, out.parameters, l);
-  const VectorJet a = axis_jet(link.joint.axis, s, out.parameters);
+  const JetVector a = axis_jet(link.joint.axis, s, out.parameters);
 
-  const Jet along = 2.0 * (dot(w, a) * dot(l, a));
+  const ParameterJet along = 2.0 * (dot(w, a) * dot(l, a));
   const double unit = 1.0 / (morphology.leg_length * morphology.leg_length);
-  const std::array<Jet, 3> shape{dot(w, w) + dot(l, l) + along, 2.0 * dot(w, l) + (-1.0) * along,
-                                 2.0 * dot(w, cross(a, l))};
+  const std::array<ParameterJet, 3> shape{
+      dot(w, w) + dot(l, l) + along, 2.0 * dot(w, l) + (-1.0) * along, 2.0 * dot(w, cross(a, l))};
   out.jacobian.resize(3, size);
   for (int i = 0; i < 3; ++i) {
     out.value[i] = unit * shape[i].value;

@@ -15,7 +15,7 @@ constexpr double kNoLength = 1e-20;  // squared length of a point [m²]
 /// A number with its first derivatives in the six products of the segments' vectors, and its second
 /// ones if kSecond.
 template <bool kSecond>
-struct Jet {
+struct ProductJet {
   using Gradient = Eigen::Matrix<double, 6, 1>;
   using Hessian = Eigen::Matrix<double, kSecond ? 6 : 0, kSecond ? 6 : 0>;
 
@@ -23,12 +23,12 @@ struct Jet {
   Gradient g = Gradient::Zero();
   Hessian h = Hessian::Zero();
 
-  Jet(double value) : v(value) {}
-  Jet(double value, int variable) : v(value) { g[variable] = 1.0; }
+  ProductJet(double value) : v(value) {}
+  ProductJet(double value, int variable) : v(value) { g[variable] = 1.0; }
 
   /// f(this), given f, f′ and f″ there.
-  Jet through(double f, double f1, double f2) const {
-    Jet out(f);
+  ProductJet through(double f, double f1, double f2) const {
+    ProductJet out(f);
     out.g = f1 * g;
     if constexpr (kSecond) out.h = f1 * h + f2 * g * g.transpose();
     return out;
@@ -36,28 +36,28 @@ struct Jet {
 };
 
 template <bool kSecond>
-Jet<kSecond> operator+(const Jet<kSecond>& a, const Jet<kSecond>& b) {
-  Jet<kSecond> out(a.v + b.v);
+ProductJet<kSecond> operator+(const ProductJet<kSecond>& a, const ProductJet<kSecond>& b) {
+  ProductJet<kSecond> out(a.v + b.v);
   out.g = a.g + b.g;
   if constexpr (kSecond) out.h = a.h + b.h;
   return out;
 }
 template <bool kSecond>
-Jet<kSecond> operator*(const Jet<kSecond>& a, const Jet<kSecond>& b) {
-  Jet<kSecond> out(a.v * b.v);
+ProductJet<kSecond> operator*(const ProductJet<kSecond>& a, const ProductJet<kSecond>& b) {
+  ProductJet<kSecond> out(a.v * b.v);
   out.g = a.v * b.g + b.v * a.g;
   if constexpr (kSecond) {
-    const typename Jet<kSecond>::Hessian mixed = a.g * b.g.transpose();
+    const typename ProductJet<kSecond>::Hessian mixed = a.g * b.g.transpose();
     out.h = a.v * b.h + b.v * a.h + mixed + mixed.transpose();
   }
   return out;
 }
 template <bool kSecond>
-Jet<kSecond> operator-(const Jet<kSecond>& a, const Jet<kSecond>& b) {
-  return a + Jet<kSecond>(-1.0) * b;
+ProductJet<kSecond> operator-(const ProductJet<kSecond>& a, const ProductJet<kSecond>& b) {
+  return a + ProductJet<kSecond>(-1.0) * b;
 }
 template <bool kSecond>
-Jet<kSecond> inverse(const Jet<kSecond>& a) {
+ProductJet<kSecond> inverse(const ProductJet<kSecond>& a) {
   const double i = 1.0 / a.v;
   return a.through(i, -i * i, 2.0 * i * i * i);
 }
@@ -66,12 +66,12 @@ Jet<kSecond> inverse(const Jet<kSecond>& a) {
 double inverse(double a) { return 1.0 / a; }
 double through(double, double f, double, double) { return f; }
 template <bool kSecond>
-Jet<kSecond> through(const Jet<kSecond>& x, double f, double f1, double f2) {
+ProductJet<kSecond> through(const ProductJet<kSecond>& x, double f, double f1, double f2) {
   return x.through(f, f1, f2);
 }
 double value_of(double x) { return x; }
 template <bool kSecond>
-double value_of(const Jet<kSecond>& x) {
+double value_of(const ProductJet<kSecond>& x) {
   return x.v;
 }
 
@@ -132,8 +132,8 @@ Number distance(const Number& a, const Number& b, const Number& c, const Number&
 using Products = Eigen::Matrix<double, 6, 1>;
 
 template <bool kSecond>
-Jet<kSecond> distance_of(const Products& p, double rounding) {
-  using J = Jet<kSecond>;
+ProductJet<kSecond> distance_of(const Products& p, double rounding) {
+  using J = ProductJet<kSecond>;
   return distance(J(p[0], 0), J(p[1], 1), J(p[2], 2), J(p[3], 3), J(p[4], 4), J(p[5], 5), rounding);
 }
 
@@ -168,12 +168,12 @@ SegmentDistance segment_distance(const Vector3d& p1, const Vector3d& q1, const V
             [&](int row, const auto& part) { out.gradient.segment<3>(row) = part; });
   };
   if (detail == DistanceDetail::gradient) {
-    const Jet<false> at = distance_of<false>(products, rounding);
+    const ProductJet<false> at = distance_of<false>(products, rounding);
     out.value = at.v;
     set_gradient(at.g);
     return out;
   }
-  const Jet<true> at = distance_of<true>(products, rounding);
+  const ProductJet<true> at = distance_of<true>(products, rounding);
   out.value = at.v;
   set_gradient(at.g);
   Eigen::Matrix3d second;  // ∂²products, weighted; times the identity of the coordinates

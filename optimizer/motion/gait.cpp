@@ -9,9 +9,6 @@
 namespace legwright {
 namespace {
 
-// Phases closer than this are the same: 3/24 and 0.125 must agree whatever the rounding.
-constexpr double kPhaseTolerance = 1e-9;
-
 void check(const GaitPattern& pattern, double period, int knot_count,
            const std::vector<int>& order) {
   if (!(period > 0.0) || !std::isfinite(period))

@@ -9,6 +9,9 @@
 
 namespace legwright {
 
+/// Phases closer than this are the same: 3/24 and 0.125 must agree whatever the rounding.
+inline constexpr double kPhaseTolerance = 1e-9;
+
 /// A footfall pattern: when each foot touches down, as a fraction of the cycle, and for how long.
 struct GaitPattern {
   std::string name;

@@ -23,7 +23,6 @@
 namespace legwright {
 namespace {
 
-constexpr double kPhaseTolerance = 1e-9;  // phases closer than this are the same
 constexpr int kMostTold = 8;
 constexpr int kFewestForAWave = 5;  // with one foot in the air four stand
 

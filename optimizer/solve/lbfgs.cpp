@@ -8,11 +8,11 @@
 namespace legwright {
 namespace {
 
-constexpr double kLeastCurvature = 1e-10;  // sᵀy as a share of |s||y|
+constexpr double kLeastPairCurvature = 1e-10;  // sᵀy as a share of |s||y|
 
 bool curved(const Eigen::VectorXd& step, const Eigen::VectorXd& change) {
   const double product = step.dot(change);
-  return std::isfinite(product) && product > kLeastCurvature * step.norm() * change.norm();
+  return std::isfinite(product) && product > kLeastPairCurvature * step.norm() * change.norm();
 }
 
 }  // namespace

@@ -14,13 +14,13 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 // Curvatures below this share of the largest one are rounding: a step along them would be a guess.
-constexpr double kLeastCurvature = 1e-6;
+constexpr double kLeastModelCurvature = 1e-6;
 
 /// −|H|⁻¹ g, with |H| from the eigenvalues' absolute values.
 VectorXd downhill(const MatrixXd& hessian, const VectorXd& gradient) {
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(hessian);
   VectorXd curvature = eigen.eigenvalues().cwiseAbs();
-  const double floor = std::max(kLeastCurvature * curvature.maxCoeff(), 1e-300);
+  const double floor = std::max(kLeastModelCurvature * curvature.maxCoeff(), 1e-300);
   curvature = curvature.cwiseMax(floor);
   return -(eigen.eigenvectors() *
            (eigen.eigenvectors().transpose() * gradient).cwiseQuotient(curvature));

@@ -3,11 +3,10 @@
 
 #include "optimizer/design/actuator_length.hpp"
 #include "optimizer/terms/factories.hpp"
+#include "optimizer/terms/penalty.hpp"
 
 namespace legwright {
 namespace {
-
-constexpr double kRange = 0.3;  // share of the allowed torque over which the barrier acts
 
 /// Not in the paper: no linear actuator pushes or pulls harder than its limit F, less the task's
 /// margin: |τ| ≤ F |∂L/∂q| with the joint's torque τ of inverse dynamics and the moment arm ∂L/∂q,
@@ -32,7 +31,7 @@ class ActuatorForce final : public Term {
                              {shape, shape + 1, shape + 2, layout.pose(i) + 6 + actuator.joint,
                               layout.joint_torque(i, actuator.joint)}});
         limits_.push_back(
-            {1.0 / (kRange * home), kRange * std::abs(home),
+            {1.0 / (kTorqueBarrierRange * home), kTorqueBarrierRange * std::abs(home),
              (1.0 - context.task.torque_margin) * actuator.force_limit * context.length,
              actuator.name});
       }

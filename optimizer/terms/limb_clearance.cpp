@@ -16,9 +16,9 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kRange =
+constexpr double kClearanceRange =
     0.1;  // beyond the clearance from which a pair costs nothing, share of the leg
-constexpr double kRounding =
+constexpr double kDistanceRounding =
     0.25;  // distance below which its root is rounded, share of the clearance
 constexpr double kTouching = 1e-6;  // [m]
 
@@ -59,7 +59,7 @@ class LimbClearance final : public Term {
   explicit LimbClearance(const TermContext& context)
       : layout_(context.layout),
         clearance_(legwright::limb_clearance(context.task, context.length)),
-        range_(kRange * context.length) {
+        range_(kClearanceRange * context.length) {
     collect_segments(context.morphology, context.space.initial());
     choose_pairs(context);
     collect_capsules(context.morphology, context.space.initial());
@@ -119,7 +119,7 @@ class LimbClearance final : public Term {
     std::normal_distribution<double> normal;
     const double place[3] = {0.5, 1.6, 1.6}, across[3] = {0.5, 0.5, 1.7};
     const int which = static_cast<int>(3.0 * uniform(random));
-    const double length = range_ / kRange * 0.4;
+    const double length = range_ / kClearanceRange * 0.4;
     const Pair& pair = pair_of(element);
     VectorXd z(12);
     z.segment<3>(0) = Vector3d::Zero();
@@ -158,7 +158,7 @@ class LimbClearance final : public Term {
   }
   static SegmentDistance measure(const Pair& pair, const VectorXd& z, DistanceDetail detail) {
     return segment_distance(z.segment<3>(0), z.segment<3>(3), z.segment<3>(6), z.segment<3>(9),
-                            kRounding * pair.clearance, detail);
+                            kDistanceRounding * pair.clearance, detail);
   }
   int near_slot(int knot, int segment) const {
     const Segment& s = segments_[segment];
@@ -192,7 +192,7 @@ class LimbClearance final : public Term {
         if ((x - y).norm() < kTouching) return true;
     if (morphology.chain_to(a.link).front() != morphology.chain_to(b.link).front()) return false;
     const double home = segment_distance(a.near_end, a.far_end, b.near_end, b.far_end,
-                                         kRounding * clearance_, DistanceDetail::value)
+                                         kDistanceRounding * clearance_, DistanceDetail::value)
                             .value;
     return home < clearance_ + range_;
   }

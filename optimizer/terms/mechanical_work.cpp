@@ -6,7 +6,7 @@
 namespace legwright {
 namespace {
 
-constexpr double kRounding = 1e-4;  // of |work| at zero, share of weight times length
+constexpr double kWorkRounding = 1e-4;  // of |work| at zero, share of weight times length
 
 /// Not in the paper, for outer objectives (weight zero unless asked for): mechanical work of the
 /// motors over one cycle, Σ |τ_a,i · Δq_a,i| over knots and joints, Δq = (q_{i+1} − q_{i−1})/2;
@@ -31,7 +31,7 @@ class MechanicalWork final : public Term {
   Penalty penalty() const override { return Penalty::linear; }
 
   void residual(int, const Eigen::VectorXd& z, Eigen::VectorXd& r) const override {
-    const double epsilon = kRounding * unit_;
+    const double epsilon = kWorkRounding * unit_;
     r[0] = (root(z) - epsilon) / unit_;
   }
   void jacobian(int, const Eigen::VectorXd& z, Eigen::MatrixXd& jacobian) const override {
@@ -39,7 +39,7 @@ class MechanicalWork final : public Term {
   }
   void add_curvature(int, const Eigen::VectorXd& z, const Eigen::VectorXd& multiplier,
                      Eigen::MatrixXd& hessian) const override {
-    const double length = root(z), x = work(z), epsilon = kRounding * unit_;
+    const double length = root(z), x = work(z), epsilon = kWorkRounding * unit_;
     const double first = multiplier[0] * x / (length * unit_);
     const double second = multiplier[0] * epsilon * epsilon / (length * length * length * unit_);
     const Eigen::Vector3d g = slope(z);
@@ -63,7 +63,7 @@ class MechanicalWork final : public Term {
     return {0.5 * (z[2] - z[1]), -0.5 * z[0], 0.5 * z[0]};
   }
   double root(const Eigen::VectorXd& z) const {
-    const double x = work(z), epsilon = kRounding * unit_;
+    const double x = work(z), epsilon = kWorkRounding * unit_;
     return std::sqrt(x * x + epsilon * epsilon);
   }
 

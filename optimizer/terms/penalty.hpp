@@ -13,6 +13,9 @@ enum class Penalty {
   linear,     // r itself, for amounts that are to be small
 };
 
+/// Where the barrier of a limited motor, servo or linear actuator begins: share of what is allowed.
+inline constexpr double kTorqueBarrierRange = 0.3;
+
 /// Value and first two derivatives of a penalty at r.
 struct PenaltyValue {
   double value, first, second;

@@ -4,11 +4,10 @@
 #include "optimizer/motion/limited_motors.hpp"
 #include "optimizer/terms/factories.hpp"
 #include "optimizer/terms/linear_term.hpp"
+#include "optimizer/terms/penalty.hpp"
 
 namespace legwright {
 namespace {
-
-constexpr double kRange = 0.3;  // share of the allowed torque over which the barrier acts
 
 /// Not in the paper: no motor exerts more than its torque limit, less the task's margin. The torque
 /// is that of inverse dynamics (Layout::joint_torque). Residuals (1 ∓ τ/allowed)/0.3 ≥ 0,
@@ -22,8 +21,8 @@ class TorqueLimits final : public LinearTerm {
     sides << -1.0, 1.0;
     for (LimitedMotor& motor : motors_) {
       motor.limit *= 1.0 - context.task.torque_margin;
-      add(motor.knot, -1, {{motor.slot, sides / (kRange * motor.limit)}},
-          Eigen::VectorXd::Constant(2, -1.0 / kRange));
+      add(motor.knot, -1, {{motor.slot, sides / (kTorqueBarrierRange * motor.limit)}},
+          Eigen::VectorXd::Constant(2, -1.0 / kTorqueBarrierRange));
     }
   }
   std::string_view name() const override { return "torque_limits"; }
@@ -31,12 +30,13 @@ class TorqueLimits final : public LinearTerm {
 
   bool select_active(const Eigen::VectorXd& extended, std::vector<int>& active) const override {
     for (std::size_t k = 0; k < elements_.size(); ++k)
-      if (!(std::abs(extended[elements_[k].slots[0]]) <= (1.0 - kRange) * motors_[k].limit))
+      if (!(std::abs(extended[elements_[k].slots[0]]) <=
+            (1.0 - kTorqueBarrierRange) * motors_[k].limit))
         active.push_back(static_cast<int>(k));
     return true;
   }
   ResidualUnit unit(int element, int) const override {
-    return {kRange * motors_[element].limit, "N m"};
+    return {kTorqueBarrierRange * motors_[element].limit, "N m"};
   }
   std::string subject(int element, int) const override { return motors_[element].name; }
   Eigen::VectorXd sample(int element, std::mt19937& random) const override {

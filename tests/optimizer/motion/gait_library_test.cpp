@@ -10,11 +10,13 @@
 #include <set>
 
 #include "optimizer/motion/gait.hpp"
+#include "tests/optimizer/motion/in_order.hpp"
 
 namespace legwright {
 namespace {
 
-constexpr int kKnots = 840;  // fifths, sixths, sevenths, eighths and their multiples fall on knots
+constexpr int kFineKnots =
+    840;  // fifths, sixths, sevenths, eighths and their multiples fall on knots
 
 struct Known {
   int feet;
@@ -50,12 +52,6 @@ const Known kTable[] = {
     {8, "ripple", 0.75, "R2+L4 R1+L3 L2+R4 L1+R3", 6, 6},
     {8, "wave", 7.0 / 8.0, "L4 L3 L2 L1 R4 R3 R2 R1", 7, 7},
 };
-
-std::vector<int> identity(int count) {
-  std::vector<int> order(static_cast<std::size_t>(count));
-  std::iota(order.begin(), order.end(), 0);
-  return order;
-}
 
 /// "FL+HR FR+HL" from the contact flags.
 std::string counted_order(const Gait& gait, const std::vector<std::string>& places) {
@@ -93,11 +89,11 @@ class GaitLibrary : public testing::TestWithParam<Known> {
 TEST_P(GaitLibrary, HasDutyOrderAndSupportOfTheTable) {
   const Known& known = GetParam();
   const GaitPattern p = pattern();
-  const Gait gait(p, 1.0, kKnots, identity(known.feet));
+  const Gait gait(p, 1.0, kFineKnots, test::in_order(known.feet));
   for (int foot = 0; foot < known.feet; ++foot) {
     int stance = 0;
-    for (int knot = 0; knot < kKnots; ++knot) stance += gait.in_contact(knot, foot);
-    EXPECT_EQ(stance, std::lround(known.duty * kKnots)) << "foot " << foot;
+    for (int knot = 0; knot < kFineKnots; ++knot) stance += gait.in_contact(knot, foot);
+    EXPECT_EQ(stance, std::lround(known.duty * kFineKnots)) << "foot " << foot;
   }
   const std::vector<std::string> places = footfall_places(known.feet);
   EXPECT_EQ(counted_order(gait, places), known.order);
@@ -114,7 +110,7 @@ TEST_P(GaitLibrary, TableNoticesAnotherDutyAndAnotherOrder) {
   const double last = p.touchdown.back();
   p.touchdown.front() = p.touchdown.front() == last ? last + 0.05 : last;
   const Known& known = GetParam();
-  const Gait gait(p, 1.0, kKnots, identity(known.feet));
+  const Gait gait(p, 1.0, kFineKnots, test::in_order(known.feet));
   EXPECT_NE(counted_order(gait, footfall_places(known.feet)), known.order);
   if (known.most < known.feet) {
     EXPECT_NE(support_range(gait), (SupportRange{known.least, known.most}));

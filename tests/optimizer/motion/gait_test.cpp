@@ -6,15 +6,10 @@
 #include <limits>
 #include <numeric>
 #include <stdexcept>
+#include "tests/optimizer/motion/in_order.hpp"
 
 namespace legwright {
 namespace {
-
-std::vector<int> identity(int count) {
-  std::vector<int> order(count);
-  std::iota(order.begin(), order.end(), 0);
-  return order;
-}
 
 GaitPattern pattern(int feet, const std::string& name) {
   for (const GaitPattern& candidate : gait_library(feet))
@@ -53,7 +48,7 @@ TEST(Gait, HoldsADutyForEachFoot) {
 
 TEST(Gait, PlacesColumnsInTheRobotsFootOrder) {
   const std::vector<int> order{3, 2, 1, 0};
-  const Gait straight(pattern(4, "walk"), 1.0, 24, identity(4));
+  const Gait straight(pattern(4, "walk"), 1.0, 24, test::in_order(4));
   const Gait reversed(pattern(4, "walk"), 1.0, 24, order);
   for (int knot = 0; knot < 24; ++knot)
     for (int place = 0; place < 4; ++place)
@@ -61,7 +56,7 @@ TEST(Gait, PlacesColumnsInTheRobotsFootOrder) {
 }
 
 TEST(Gait, WrapsKnotsAndWidensPlantedOnBothSides) {
-  const Gait gait(pattern(4, "trot"), 0.4, 24, identity(4));
+  const Gait gait(pattern(4, "trot"), 0.4, 24, test::in_order(4));
   EXPECT_EQ(gait.in_contact(24, 0), gait.in_contact(0, 0));
   EXPECT_EQ(gait.in_contact(-1, 0), gait.in_contact(23, 0));
   EXPECT_DOUBLE_EQ(gait.time_step(), 0.4 / 24);
@@ -98,7 +93,7 @@ TEST(FootfallOrder, GoesFrontToHindAndLeftToRight) {
   EXPECT_EQ(footfall_order(biped), (std::vector<int>{1, 0}));
   const std::vector<Eigen::Vector3d> hexapod{{0.1, 0.1, 0}, {0.1, -0.1, 0}, {0, 0.12, 0},
                                              {0, -0.12, 0}, {-0.1, 0.1, 0}, {-0.1, -0.1, 0}};
-  EXPECT_EQ(footfall_order(hexapod), identity(6));
+  EXPECT_EQ(footfall_order(hexapod), test::in_order(6));
   EXPECT_TRUE(footfall_order({}).empty());
 }
 

@@ -43,18 +43,19 @@ VectorXd to_dense(const json& sparse, Eigen::Index size) {
 }
 
 /// A stored sample as our s and m.
-struct Point {
+struct OraclePoint {
   VectorXd s, m;
   MatrixXd components;  // ∂(the oracle's s)/∂s: the oracle has axis components where we have angles
 };
 
 /// Angles from axis components: a = R_z(α) R_x(β) ŷ = (−sin α cos β, cos α cos β, sin β).
-Point to_point(const json& sample) {
+OraclePoint to_oracle_point(const json& sample) {
   const json& design = sample["design"];
   const VectorXd piston =
       design.contains("piston_lower") ? to_vector(design["piston_lower"]) : VectorXd();
   const Eigen::Index last = 2 + piston.size();  // body and pistons are the same in both
-  Point point{VectorXd(36 + last), to_vector(sample["m"]), MatrixXd::Zero(48 + last, 36 + last)};
+  OraclePoint point{VectorXd(36 + last), to_vector(sample["m"]),
+                    MatrixXd::Zero(48 + last, 36 + last)};
   for (int k = 0; k < kLengths; ++k) {
     point.s[k] = design["lengths"][k / 3][k % 3].get<double>();
     point.components(k, k) = 1.0;
@@ -189,7 +190,7 @@ class Oracle : public testing::TestWithParam<const char*> {
 TEST_P(Oracle, TermsAgree) {
   const Objective objective = whole_objective(file_);
   for (const json& sample : file_["samples"]) {
-    const Point point = to_point(sample);
+    const OraclePoint point = to_oracle_point(sample);
     std::map<std::string, double> ours;
     for (const TermValue& term : objective.terms(point.s, point.m))
       ours.emplace(term.name, term.value);
@@ -216,7 +217,7 @@ TEST_P(Oracle, GradientsAgreeTermByTerm) {
       if (!sample.contains("term_gradients_m")) continue;
       // Residuals of a plan are small differences of large numbers.
       tolerance = sample["label"] == "a plan" ? 10.0 * kDerivative : kDerivative;
-      const Point point = to_point(sample);
+      const OraclePoint point = to_oracle_point(sample);
       const Evaluation at = objective.evaluate(point.s, point.m, Order::gradients);
       EXPECT_TRUE(
           agree(at.stationarity, to_dense(sample["term_gradients_m"][name], point.m.size())))
@@ -234,7 +235,7 @@ TEST_P(Oracle, HessianTimesDirectionAgrees) {
   const Objective objective = whole_objective(file_);
   int compared = 0;
   for (const json& sample : file_["samples"]) {
-    const Point point = to_point(sample);
+    const OraclePoint point = to_oracle_point(sample);
     const Evaluation at = objective.evaluate(point.s, point.m, Order::design);
     const MatrixXd by_angles = point.components.transpose();
     EXPECT_LT(relative(at.stationarity, to_vector(sample["gradient_m"])), kDerivative);
@@ -257,7 +258,7 @@ TEST_P(Oracle, NoticesAChangedWeight) {  // negative control
       1.01 * file_["settings"]["weights"]["stance_foot"].get<double>();
   const Objective objective = whole_objective(changed);
   const json& sample = file_["samples"][0];
-  const Point point = to_point(sample);
+  const OraclePoint point = to_oracle_point(sample);
   const Evaluation at = objective.evaluate(point.s, point.m, Order::gradient);
   EXPECT_GT(relative(at.value, sample["F"].get<double>()), kValue);
   EXPECT_GT(relative(at.stationarity, to_vector(sample["gradient_m"])), kDerivative);
@@ -268,7 +269,7 @@ TEST_P(Oracle, NoticesForcesThatActElsewhere) {  // negative control: in the cen
   for (Foot& foot : puppy.morphology.feet) foot.radius = 0.0;
   const Objective objective = one_term(file_, "torque_balance", puppy);
   const json& sample = file_["samples"][0];
-  const Point point = to_point(sample);
+  const OraclePoint point = to_oracle_point(sample);
   const Evaluation at = objective.evaluate(point.s, point.m, Order::gradient);
   EXPECT_GT(relative(at.stationarity,
                      to_dense(sample["term_gradients_m"]["torque_balance"], point.m.size())),
@@ -281,7 +282,7 @@ INSTANTIATE_TEST_SUITE_P(Tasks, Oracle,
 TEST(OracleDocuments, NoticeEachSettingOfTheEquippedRobot) {  // negative control
   const json file = read_document("equipped_turn");
   const json& sample = file["samples"][0];
-  const Point point = to_point(sample);
+  const OraclePoint point = to_oracle_point(sample);
   const auto worst = [&](const json& document) {
     double most = 0.0;
     for (const TermValue& term : whole_objective(document).terms(point.s, point.m))

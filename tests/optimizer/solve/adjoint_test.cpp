@@ -15,8 +15,8 @@ namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-constexpr int kMotionSize = 7, kDesignSize = 3;
+using toy::kDesignSize;
+using toy::kMotionSize;
 
 /// A cost that is not F: J = ½‖m − t‖² + mᵀEs + sin(s₀).
 struct ForeignCost {
@@ -63,7 +63,7 @@ double error_of(const VectorXd& gradient, toy::CoupledCost& cost, const ForeignC
 
 struct Point {
   toy::CoupledCost cost{kMotionSize, kDesignSize};
-  VectorXd s = Eigen::Vector3d(0.4, -0.7, 0.9), m;
+  VectorXd s = Eigen::Vector4d(0.4, -0.7, 0.9, 0.2), m;
   Evaluation at;
   HessianFactor factor;
 

@@ -9,10 +9,8 @@ namespace legwright {
 namespace {
 
 using Eigen::VectorXd;
-
-constexpr int kMotionSize = 8, kDesignSize = 3;
-
-DesignSpace box(double half) { return toy::box(kDesignSize, half); }
+using toy::kDesignSize;
+using toy::kMotionSize;
 
 WeightedCost task_of(CostFunction& cost) {
   WeightedCost task;
@@ -27,14 +25,14 @@ CodesignResult solve(const WeightedCost& task, double half, bool motion_only = f
   options.value_tolerance = 1e-14;
   options.final_tolerance = 1e-10;
   options.motion_only = motion_only;
-  return codesign({task}, box(half), box(half).initial(), options);
+  return codesign({task}, toy::box(half), toy::box(half).initial(), options);
 }
 
 TEST(Certificate, ProvesAMinimum) {
   toy::CoupledCost cost(kMotionSize, kDesignSize);
   const WeightedCost task = task_of(cost);
   const CodesignResult result = solve(task, 10.0);
-  const Certificate proof = certify({task}, box(10.0), result.best);
+  const Certificate proof = certify({task}, toy::box(10.0), result.best);
   ASSERT_EQ(proof.tasks.size(), 1u);
   EXPECT_TRUE(proof.tasks[0].minimum_in_motion);
   EXPECT_TRUE(proof.tasks[0].resolved);
@@ -49,7 +47,7 @@ TEST(Certificate, AdjointAndDifferencesAgreeAwayFromTheMinimum) {
   toy::CoupledCost cost(kMotionSize, kDesignSize);
   const WeightedCost task = task_of(cost);
   const CodesignResult result = solve(task, 10.0, true);
-  const Certificate proof = certify({task}, box(10.0), result.best);
+  const Certificate proof = certify({task}, toy::box(10.0), result.best);
   EXPECT_GT(proof.tasks[0].largest, 1e-2) << "nothing to compare";
   EXPECT_LT(proof.worst_gradient_error(), 1e-6);
 }
@@ -58,7 +56,7 @@ TEST(Certificate, NamesActiveBoundsAndWhatTheyHoldBack) {
   toy::CoupledCost cost(kMotionSize, kDesignSize);
   const WeightedCost task = task_of(cost);
   const CodesignResult result = solve(task, 0.02);
-  const Certificate proof = certify({task}, box(0.02), result.best);
+  const Certificate proof = certify({task}, toy::box(0.02), result.best);
   ASSERT_FALSE(proof.active.empty());
   for (const ActiveBound& bound : proof.active)
     EXPECT_EQ(bound.upper, bound.gradient < 0.0) << "pushes outwards";
@@ -82,7 +80,7 @@ TEST(Certificate, ShowsAWrongGradient) {
   Wrong cost;
   const WeightedCost task = task_of(cost);
   const CodesignResult result = solve(task, 10.0, true);
-  EXPECT_GT(certify({task}, box(10.0), result.best).worst_gradient_error(), 1e-2);
+  EXPECT_GT(certify({task}, toy::box(10.0), result.best).worst_gradient_error(), 1e-2);
 }
 
 TEST(Certificate, ANumberThatIsNoneIsNoProof) {
@@ -115,11 +113,11 @@ TEST(Certificate, WithoutAMinimumThereIsNone) {
     toy::MotionFunction inner_;
   } cost(saddle);
   DesignIteration iterate;
-  iterate.s = box(1.0).initial();
+  iterate.s = toy::box(1.0).initial();
   iterate.design_gradient = VectorXd::Zero(kDesignSize);
   iterate.tasks.resize(1);
   iterate.tasks[0].m = VectorXd::Zero(2);
-  const Certificate proof = certify({task_of(cost)}, box(1.0), iterate);
+  const Certificate proof = certify({task_of(cost)}, toy::box(1.0), iterate);
   EXPECT_FALSE(proof.tasks[0].minimum_in_motion);
   EXPECT_FALSE(std::isfinite(proof.worst_gradient_error()));
 }

@@ -13,10 +13,8 @@ namespace legwright {
 namespace {
 
 using Eigen::VectorXd;
-
-constexpr int kMotionSize = 8, kDesignSize = 4;
-
-DesignSpace box(double half) { return toy::box(kDesignSize, half); }
+using toy::kDesignSize;
+using toy::kMotionSize;
 
 CodesignOptions tight() {
   CodesignOptions options;
@@ -32,7 +30,7 @@ CodesignResult run_one(CostFunction& cost, double half, const CodesignOptions& o
   WeightedCost task;
   task.cost = &cost;
   task.initial_motion = VectorXd::Zero(kMotionSize);
-  return codesign({task}, box(half), box(half).initial(), options);
+  return codesign({task}, toy::box(half), toy::box(half).initial(), options);
 }
 
 CodesignResult run(double half, const CodesignOptions& options = exact) {
@@ -55,7 +53,7 @@ TEST(Codesign, FindsTheMinimumOverDesignAndMotion) {
 }
 
 TEST(Codesign, BoundsAreHardAtEveryIterate) {
-  const DesignSpace space = box(0.05);
+  const DesignSpace space = toy::box(0.05);
   std::vector<VectorXd> seen;
   CodesignOptions options = exact;
   options.on_iteration = [&](const DesignIteration& i) { return seen.push_back(i.s), true; };
@@ -66,7 +64,7 @@ TEST(Codesign, BoundsAreHardAtEveryIterate) {
     EXPECT_TRUE((s.array() >= space.lower().array()).all());
     EXPECT_TRUE((s.array() <= space.upper().array()).all());
   }
-  for (int k = 0; k < kDesignSize; ++k)
+  for (int k = 0; k < toy::kDesignSize; ++k)
     touched += result.best.s[k] == space.lower()[k] || result.best.s[k] == space.upper()[k];
   EXPECT_GT(touched, 0);
   EXPECT_LT(result.best.projected_gradient_norm, 1e-7);
@@ -102,7 +100,7 @@ TEST(Codesign, ReportedGradientMatchesResolvedDifferences) {
   toy::CoupledCost cost(kMotionSize, kDesignSize);
   NewtonWorkspace workspace;
   const double h = 1e-5;
-  for (int k = 0; k < kDesignSize; ++k) {
+  for (int k = 0; k < toy::kDesignSize; ++k) {
     double value[2];
     for (const int side : {0, 1}) {
       VectorXd s = result.initial.s, m = result.initial.tasks[0].m;
@@ -119,7 +117,7 @@ TEST(Codesign, MotionOnlyLeavesTheDesignAlone) {
   options.motion_only = true;
   const CodesignResult result = run(10.0, options);
   EXPECT_EQ(result.status, SolveStatus::converged);
-  EXPECT_EQ(result.best.s, box(10.0).initial());
+  EXPECT_EQ(result.best.s, toy::box(10.0).initial());
   EXPECT_EQ(result.design_iterations, 0);
 }
 
@@ -208,7 +206,7 @@ struct Pair {
     return result;
   }
   CodesignResult run(double weight, const CodesignOptions& options = exact) {
-    return codesign(tasks(weight), box(10.0), box(10.0).initial(), options);
+    return codesign(tasks(weight), toy::box(10.0), toy::box(10.0).initial(), options);
   }
 };
 
@@ -229,7 +227,7 @@ TEST(JointCodesign, MinimisesTheWeightedSum) {
 TEST(JointCodesign, ASingleTaskIsBetterAtItsOwn) {
   Pair pair;
   WeightedCost alone = pair.tasks(0.5)[0];
-  const CodesignResult own = codesign({alone}, box(10.0), box(10.0).initial(), exact);
+  const CodesignResult own = codesign({alone}, toy::box(10.0), toy::box(10.0).initial(), exact);
   const CodesignResult joint = pair.run(0.5);
   EXPECT_LT(own.best.tasks[0].value, joint.best.tasks[0].value - 1e-4);
 }
@@ -280,7 +278,7 @@ TEST(OuterObjective, IsMinimisedOverDesignsWhoseMotionMinimisesF) {
   task.cost = &cost;
   task.outer = &outer;
   task.initial_motion = VectorXd::Zero(kMotionSize);
-  const CodesignResult result = codesign({task}, box(10.0), box(10.0).initial(), exact);
+  const CodesignResult result = codesign({task}, toy::box(10.0), toy::box(10.0).initial(), exact);
   const CodesignResult without = run(10.0);
   ASSERT_EQ(result.status, SolveStatus::converged);
   EXPECT_LT(result.best.tasks[0].stationarity, 1e-8);
@@ -290,7 +288,7 @@ TEST(OuterObjective, IsMinimisedOverDesignsWhoseMotionMinimisesF) {
   // F + J at re-solved motions is stationary in s: there the adjoint does real work.
   NewtonWorkspace workspace;
   const double h = 1e-5;
-  for (int k = 0; k < kDesignSize; ++k) {
+  for (int k = 0; k < toy::kDesignSize; ++k) {
     double value[2];
     for (const int side : {0, 1}) {
       VectorXd s = result.best.s, m = result.best.tasks[0].m;

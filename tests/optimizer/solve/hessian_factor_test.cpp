@@ -12,16 +12,17 @@
 #include <vector>
 
 #include "tests/optimizer/solve/toy_cost.hpp"
+#include "tests/support/not_finite.hpp"
 
 namespace legwright {
 namespace {
 
+using test::kInfinity;
+using test::kNan;
+
 using Eigen::MatrixXd;
 using Eigen::SparseMatrix;
 using Eigen::VectorXd;
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Sparse, diagonally dominant, with entries far from the diagonal; scaled by rows and columns like
 /// motion.

@@ -6,10 +6,12 @@
 #include <cmath>
 #include <limits>
 
+#include "tests/support/not_finite.hpp"
+
 namespace legwright {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+using test::kNan;
 
 TEST(LineSearch, TakesTheFullStepWhereItGoesDown) {
   const auto phi = [](double t) { return (t - 1.0) * (t - 1.0); };

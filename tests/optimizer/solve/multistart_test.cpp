@@ -54,7 +54,7 @@ JointTask task(const std::string& name, CostFunction& cost, double weight) {
   return result;
 }
 
-MultistartOptions tight() {
+MultistartOptions tight_starts() {
   MultistartOptions options;
   options.codesign.design_tolerance = 1e-8;
   options.codesign.value_tolerance = 1e-14;
@@ -66,7 +66,7 @@ TEST(Multistart, TheOptimumOfOneTaskAloneIsAStartForAll) {
   // alone, so tilted that it has no valley there, finds the lower one at −1.
   TwoValleys first(0.0), second(2.0);
   const DesignSpace space = line(0.6);
-  MultistartOptions options = tight();
+  MultistartOptions options = tight_starts();
   const std::vector<JointTask> tasks{task("first", first, 0.5), task("second", second, 0.5)};
   const MultistartResult all = codesign_from_starts(tasks, space, options);
   ASSERT_EQ(all.alone.size(), 2u);
@@ -84,7 +84,7 @@ TEST(Multistart, PerturbationsAreSeededAndStayInTheBox) {
   TwoValleys cost(0.3);
   DesignSpace space = line(0.1);
   space.parameters[0].lower = 0.0;
-  MultistartOptions options = tight();
+  MultistartOptions options = tight_starts();
   options.perturbations = 4;
   options.spread = 2.0;
   const std::vector<JointTask> tasks{task("only", cost, 1.0)};
@@ -106,7 +106,7 @@ TEST(Multistart, PerturbationsAreSeededAndStayInTheBox) {
 
 TEST(Multistart, StopsEverythingWhenToldTo) {
   TwoValleys first(0.2), second(-0.2);
-  MultistartOptions options = tight();
+  MultistartOptions options = tight_starts();
   int calls = 0;
   options.on_iteration = [&](const RunLabel&, const DesignIteration&) { return ++calls < 3; };
   const MultistartResult result =
@@ -119,7 +119,7 @@ TEST(Multistart, StopsEverythingWhenToldTo) {
 TEST(Front, TradesOneTaskForTheOther) {
   TwoValleys first(0.0, 0.0), second(0.0, 0.4);  // valleys at 1 and 1.4
   const std::vector<JointTask> tasks{task("first", first, 0.5), task("second", second, 0.5)};
-  const MultistartOptions options = tight();
+  const MultistartOptions options = tight_starts();
   const DesignSpace space = line(0.8);
   const MultistartResult starts = codesign_from_starts(tasks, space, options);
   const std::vector<FrontPoint> front =

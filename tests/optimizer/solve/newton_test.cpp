@@ -7,16 +7,17 @@
 #include <limits>
 
 #include "tests/optimizer/solve/toy_cost.hpp"
+#include "tests/support/not_finite.hpp"
 
 namespace legwright {
 namespace {
+
+using test::kNan;
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using toy::MotionFunction;
 using Derivatives = MotionFunction::Derivatives;
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 /// Σ 100 (x_{i+1} − x_i²)² + (1 − x_i)²: a curved valley with stiff walls, like a penalty.
 Derivatives rosenbrock(const VectorXd& x) {

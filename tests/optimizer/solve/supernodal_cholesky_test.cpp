@@ -20,7 +20,7 @@ using Eigen::MatrixXd;
 using Eigen::SparseMatrix;
 using Eigen::VectorXd;
 
-std::string name(const testing::TestParamInfo<CpuPath>& path) {
+std::string name_of_path(const testing::TestParamInfo<CpuPath>& path) {
   return std::string(to_string(path.param));
 }
 
@@ -30,7 +30,7 @@ class SupernodalCholeskyTest : public testing::TestWithParam<CpuPath> {
 };
 
 INSTANTIATE_TEST_SUITE_P(AllPaths, SupernodalCholeskyTest, testing::ValuesIn(available_cpu_paths()),
-                         name);
+                         name_of_path);
 
 VectorXd some_vector(int size) {
   VectorXd b(size);
@@ -86,7 +86,8 @@ class PuppyHessian : public SupernodalCholeskyTest {
   VectorXd stiffness;  // 1/unit²
 };
 
-INSTANTIATE_TEST_SUITE_P(AllPaths, PuppyHessian, testing::ValuesIn(available_cpu_paths()), name);
+INSTANTIATE_TEST_SUITE_P(AllPaths, PuppyHessian, testing::ValuesIn(available_cpu_paths()),
+                         name_of_path);
 
 TEST_P(PuppyHessian, PatternWithRandomValues) {
   for (const bool trot : {false, true}) {

@@ -27,8 +27,11 @@ inline Eigen::SparseMatrix<double> lower_triangle(const MatrixXd& full) {
   return lower;
 }
 
+/// Sizes of m and s of most toys.
+inline constexpr int kMotionSize = 8, kDesignSize = 4;
+
 /// Angles a, b, … around −0.3, −0.1, …, each free to move by `half`; their natural unit is one.
-inline DesignSpace box(int size, double half) {
+inline DesignSpace box(double half, int size = kDesignSize) {
   DesignSpace space;
   for (int k = 0; k < size; ++k) {
     DesignParameter parameter;

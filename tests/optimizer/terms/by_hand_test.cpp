@@ -322,13 +322,7 @@ TEST_P(TermByHand, ResidualAndPenalty) {
   }
 }
 
-std::vector<std::string> names() {
-  std::vector<std::string> out;
-  for (const TermEntry& entry : term_registry()) out.emplace_back(entry.name);
-  return out;
-}
-
-INSTANTIATE_TEST_SUITE_P(Registry, TermByHand, testing::ValuesIn(names()),
+INSTANTIATE_TEST_SUITE_P(Registry, TermByHand, testing::ValuesIn(test::registered_terms()),
                          [](const auto& instance) { return instance.param; });
 
 TEST(TermsByHand, AreAllRegistered) {

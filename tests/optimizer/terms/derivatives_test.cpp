@@ -9,6 +9,7 @@
 #include <set>
 
 #include "optimizer/terms/registry.hpp"
+#include "tests/optimizer/terms/term_bench.hpp"
 #include "tests/support/puppy.hpp"
 #include "tests/support/term_context.hpp"
 
@@ -101,13 +102,7 @@ TEST_P(TermDerivatives, SamplesAreWorthChecking) {
 
 TEST_P(TermDerivatives, NameIsTheRegistrys) { EXPECT_EQ(make()->name(), GetParam()); }
 
-std::vector<std::string> names() {
-  std::vector<std::string> out;
-  for (const TermEntry& entry : term_registry()) out.emplace_back(entry.name);
-  return out;
-}
-
-INSTANTIATE_TEST_SUITE_P(Registry, TermDerivatives, testing::ValuesIn(names()),
+INSTANTIATE_TEST_SUITE_P(Registry, TermDerivatives, testing::ValuesIn(test::registered_terms()),
                          [](const auto& instance) { return instance.param; });
 
 /// A term with one wrong entry, which the checker above must see.

@@ -9,11 +9,20 @@
 #include <functional>
 #include <memory>
 #include <random>
+#include <string>
+#include <vector>
 
 #include "optimizer/terms/registry.hpp"
 #include "tests/support/term_context.hpp"
 
 namespace legwright::test {
+
+/// Names of all terms in the registry.
+inline std::vector<std::string> registered_terms() {
+  std::vector<std::string> names;
+  for (const TermEntry& entry : term_registry()) names.emplace_back(entry.name);
+  return names;
+}
 
 /// A term of the turning trot of the puppy, at a point that is drawn at random.
 class TermBench {
