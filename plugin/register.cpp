@@ -41,7 +41,8 @@ int gait_slot() noexcept {
   return slot;
 }
 
-int refuse(const mjModel* m, int instance, const char* plugin, const char* reason) noexcept {
+int refuse_instance(const mjModel* m, int instance, const char* plugin,
+                    const char* reason) noexcept {
   const char* name = mj_id2name(m, mjOBJ_PLUGIN, instance);
   for (int s = 0; s < m->nsensor && (name == nullptr || *name == '\0'); ++s)
     if (m->sensor_plugin[s] == instance) name = mj_id2name(m, mjOBJ_SENSOR, s);
@@ -70,9 +71,9 @@ int init(const mjModel* m, mjData* d, int instance, const char* plugin, const Ma
     d->plugin_data[instance] = reinterpret_cast<std::uintptr_t>(make());
     return 0;
   } catch (const std::exception& error) {
-    return refuse(m, instance, plugin, error.what());
+    return refuse_instance(m, instance, plugin, error.what());
   } catch (...) {
-    return refuse(m, instance, plugin, "unknown failure");
+    return refuse_instance(m, instance, plugin, "unknown failure");
   }
 }
 

@@ -16,8 +16,8 @@ namespace {
 constexpr double kGainTolerance = 1e-5;
 
 template <typename... Args>
-[[noreturn]] void refuse(const mjModel* m, int actuator, fmt::format_string<Args...> format,
-                         Args&&... args) {
+[[noreturn]] void refuse_actuator(const mjModel* m, int actuator,
+                                  fmt::format_string<Args...> format, Args&&... args) {
   throw ConfigError("actuator " + name_of(m, mjOBJ_ACTUATOR, actuator) + ": " +
                     fmt::format(format, std::forward<Args>(args)...));
 }
@@ -30,14 +30,16 @@ int joint_of(const mjModel* m, int actuator, std::optional<HingeLength>& length)
       length = hinge_length(m, target);
       return length->joint;
     } catch (const std::invalid_argument& error) {
-      refuse(m, actuator, "tendon {} {}", name_of(m, mjOBJ_TENDON, target), error.what());
+      refuse_actuator(m, actuator, "tendon {} {}", name_of(m, mjOBJ_TENDON, target), error.what());
     }
   }
   if (transmission != mjTRN_JOINT && transmission != mjTRN_JOINTINPARENT) {
-    refuse(m, actuator, "expected joint=, jointinparent= or tendon=: legwright.gait moves joints");
+    refuse_actuator(m, actuator,
+                    "expected joint=, jointinparent= or tendon=: legwright.gait moves joints");
   }
   if (m->jnt_type[target] != mjJNT_HINGE && m->jnt_type[target] != mjJNT_SLIDE) {
-    refuse(m, actuator, "joint {} is neither a hinge nor a slide", name_of(m, mjOBJ_JOINT, target));
+    refuse_actuator(m, actuator, "joint {} is neither a hinge nor a slide",
+                    name_of(m, mjOBJ_JOINT, target));
   }
   return target;
 }
@@ -46,15 +48,16 @@ int joint_of(const mjModel* m, int actuator, std::optional<HingeLength>& length)
 void check_plain(const mjModel* m, int actuator) {
   const double gear = m->actuator_gear[6 * m->actuator_outadr[actuator]];
   if (gear != 1.0)
-    refuse(m, actuator, "gear = {}, expected 1: kp and kd are gains at the joint or tendon", gear);
+    refuse_actuator(m, actuator,
+                    "gear = {}, expected 1: kp and kd are gains at the joint or tendon", gear);
   if (m->actuator_ctrlnum[actuator] != 1) {
-    refuse(m, actuator, "{} controls, expected 1 (the offset of the target)",
-           m->actuator_ctrlnum[actuator]);
+    refuse_actuator(m, actuator, "{} controls, expected 1 (the offset of the target)",
+                    m->actuator_ctrlnum[actuator]);
   }
   if (m->actuator_actnum[actuator] != 0)
-    refuse(m, actuator, "has activation states, expected dyntype none");
+    refuse_actuator(m, actuator, "has activation states, expected dyntype none");
   if (m->actuator_delay[actuator] != 0.0)
-    refuse(m, actuator, "has a delay, which legwright.gait cannot honour");
+    refuse_actuator(m, actuator, "has a delay, which legwright.gait cannot honour");
 }
 
 bool agree(double a, double b) { return std::abs(a - b) <= kGainTolerance * std::abs(b); }
@@ -70,10 +73,10 @@ void check_bias(const mjModel* m, int actuator, double kp, double kd) {
   const std::string found = m->actuator_biastype[actuator] == mjBIAS_AFFINE
                                 ? fmt::format("biasprm \"{} {} {}\"", bias[0], bias[1], bias[2])
                                 : std::string("no affine bias");
-  refuse(m, actuator,
-         "{}, but kp = {}, kd = {}; give its default class <general biastype=\"affine\" "
-         "biasprm=\"0 {} {}\"/>",
-         found, kp, kd, -kp, -kd);
+  refuse_actuator(m, actuator,
+                  "{}, but kp = {}, kd = {}; give its default class <general biastype=\"affine\" "
+                  "biasprm=\"0 {} {}\"/>",
+                  found, kp, kd, -kp, -kd);
 }
 
 /// Where the joint's targets are in the trajectory.
@@ -82,16 +85,16 @@ int joint_index(const mjModel* m, int actuator, int joint, const Trajectory& tra
   const auto& names = trajectory.joint_names;
   const auto found = std::find(names.begin(), names.end(), name == nullptr ? "" : name);
   if (found == names.end()) {
-    refuse(m, actuator, "the trajectory has no column for joint {}",
-           name_of(m, mjOBJ_JOINT, joint));
+    refuse_actuator(m, actuator, "the trajectory has no column for joint {}",
+                    name_of(m, mjOBJ_JOINT, joint));
   }
   const int index = static_cast<int>(found - names.begin());
   const bool slides = m->jnt_type[joint] == mjJNT_SLIDE;
   if (slides != trajectory.slides(index)) {
-    refuse(m, actuator, "joint {} is a {}, but its column is {}; expected q:{} and tau:{}",
-           name_of(m, mjOBJ_JOINT, joint), slides ? "slide" : "hinge",
-           trajectory.header()[static_cast<std::size_t>(trajectory.target_column(index))],
-           *found + (slides ? "_m" : "_rad"), *found + (slides ? "_N" : "_Nm"));
+    refuse_actuator(m, actuator, "joint {} is a {}, but its column is {}; expected q:{} and tau:{}",
+                    name_of(m, mjOBJ_JOINT, joint), slides ? "slide" : "hinge",
+                    trajectory.header()[static_cast<std::size_t>(trajectory.target_column(index))],
+                    *found + (slides ? "_m" : "_rad"), *found + (slides ? "_N" : "_Nm"));
   }
   return index;
 }
@@ -120,8 +123,8 @@ std::vector<Servo> bind_servos(const mjModel* m, int instance, const PlaybackCon
     const int index = joint_index(m, actuator, joint, trajectory);
     int& other = actuator_of[static_cast<std::size_t>(index)];
     if (other >= 0) {
-      refuse(m, actuator, "joint {} is driven by actuator {} already",
-             name_of(m, mjOBJ_JOINT, joint), name_of(m, mjOBJ_ACTUATOR, other));
+      refuse_actuator(m, actuator, "joint {} is driven by actuator {} already",
+                      name_of(m, mjOBJ_JOINT, joint), name_of(m, mjOBJ_ACTUATOR, other));
     }
     other = actuator;
     const double kp = config.kp[servos.size()], kd = config.kd[servos.size()];
@@ -130,8 +133,8 @@ std::vector<Servo> bind_servos(const mjModel* m, int instance, const PlaybackCon
                       trajectory.torque_column(index), kp, kd,
                       config.rest_qpos[m->jnt_qposadr[joint]], length});
     if (config.clock.blend_in > 0.0 && !(std::abs(servos.back().rest) <= kLargestNumber)) {
-      refuse(m, actuator, "joint {} is at {} in the rest pose, expected a finite number",
-             name_of(m, mjOBJ_JOINT, joint), servos.back().rest);
+      refuse_actuator(m, actuator, "joint {} is at {} in the rest pose, expected a finite number",
+                      name_of(m, mjOBJ_JOINT, joint), servos.back().rest);
     }
   }
   const auto idle = std::find(actuator_of.begin(), actuator_of.end(), -1);

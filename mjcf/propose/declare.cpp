@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "mjcf/propose/proposals.hpp"
+#include "mjcf/read/bindings.hpp"
 #include "mjcf/text/numbers.hpp"
 #include "mjcf/text/text_edits.hpp"
 #include "mjcf/text/xml.hpp"
@@ -19,7 +20,7 @@ std::string declarations(const std::vector<Proposal>& proposals, const std::stri
                          const std::string& end) {
   std::string out;
   for (const Proposal& p : proposals) {
-    const std::string name = escape_xml("legwright/" + p.name, "\"");
+    const std::string name = escape_xml(std::string(kDeclarationPrefix) + p.name, "\"");
     out += fmt::format("{}<numeric name=\"{}\" data=\"{} {} {}\"/>{}", indent, name,
                        nine_digits(p.value), nine_digits(p.lower), nine_digits(p.upper), end);
     out +=

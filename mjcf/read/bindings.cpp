@@ -19,18 +19,9 @@
 namespace legwright {
 namespace {
 
-constexpr std::string_view kPrefix = "legwright/";
 constexpr const char* kShape =
     "expected \"UNIT | BINDING | SENTENCE\", like "
     "\"m | stretch link: left_shank right_shank | Length of the shanks.\"";
-
-std::string_view trimmed(std::string_view text) {
-  const auto words = split_words(text);
-  return words.empty()
-             ? std::string_view()
-             : text.substr(words.front().data() - text.data(),
-                           words.back().data() + words.back().size() - words.front().data());
-}
 
 /// Declared names in order of their numeric elements.
 struct Pairs {
@@ -55,8 +46,8 @@ Pairs collect_pairs(const XmlFile& xml) {
     const bool is_numeric = is_tag(element, "numeric");
     if (!is_numeric && !is_tag(element, "text")) return;
     const std::string_view full = attribute(element, "name");
-    if (full.substr(0, kPrefix.size()) != kPrefix) return;
-    const std::string name(full.substr(kPrefix.size()));
+    if (full.substr(0, kDeclarationPrefix.size()) != kDeclarationPrefix) return;
+    const std::string name(full.substr(kDeclarationPrefix.size()));
     check_name(xml, element, name);
     DeclarationElements& both = pairs.elements[name];
     const XmlElement*& own = is_numeric ? both.numeric : both.text;
@@ -100,7 +91,7 @@ struct TargetWord {
 };
 
 /// UNIT | BINDING | SENTENCE taken apart.
-struct Declared {
+struct DeclaredBinding {
   std::string verb, direction;
   std::vector<TargetWord> targets;
 };
@@ -125,7 +116,7 @@ TargetWord read_target(const XmlFile& xml, const XmlElement& text, std::string_v
   return out;
 }
 
-Declared read_text(const XmlFile& xml, const XmlElement& text, DesignParameter& parameter) {
+DeclaredBinding read_text(const XmlFile& xml, const XmlElement& text, DesignParameter& parameter) {
   const std::string_view data = attribute(text, "data");
   const std::size_t first = data.find('|');
   const std::size_t second = first == std::string_view::npos ? first : data.find('|', first + 1);
@@ -146,7 +137,7 @@ Declared read_text(const XmlFile& xml, const XmlElement& text, DesignParameter& 
         text, fmt::format("binding '{}' is not understood; write 'stretch DIRECTION: BODY …', "
                           "'axis DIRECTION: JOINT …' or 'place DIRECTION: SITE …'",
                           binding));
-  Declared out{std::string(head[0]), std::string(head[1]), {}};
+  DeclaredBinding out{std::string(head[0]), std::string(head[1]), {}};
   const bool is_stretch = out.verb == "stretch", is_axis = out.verb == "axis";
   if (!is_stretch && !is_axis && out.verb != "place")
     throw xml.error(
@@ -172,7 +163,7 @@ Declared read_text(const XmlFile& xml, const XmlElement& text, DesignParameter& 
 }
 
 Binding::Target resolve_stretch(const XmlFile& xml, const mjModel& model,
-                                const DeclarationElements& at, const Declared& declared,
+                                const DeclarationElements& at, const DeclaredBinding& declared,
                                 const DesignParameter& parameter, const TargetWord& word,
                                 const Structure& structure) {
   if (word.mirrored)
@@ -207,8 +198,8 @@ Binding::Target resolve_stretch(const XmlFile& xml, const mjModel& model,
 
 /// The direction that a word means for a joint: mirrored from that target without ~ whose mirror
 /// image the joint is.
-Eigen::Vector3d turn_of(const mjModel& model, const Structure& structure, const Declared& declared,
-                        const TargetWord& word, int joint) {
+Eigen::Vector3d turn_of(const mjModel& model, const Structure& structure,
+                        const DeclaredBinding& declared, const TargetWord& word, int joint) {
   const Eigen::Vector3d n = Eigen::Vector3d::Unit(declared.direction[0] - 'x');
   if (!word.mirrored) return n;
   std::vector<int> others;
@@ -221,7 +212,7 @@ Eigen::Vector3d turn_of(const mjModel& model, const Structure& structure, const 
 }
 
 Binding::Target resolve_axis(const XmlFile& xml, const mjModel& model,
-                             const DeclarationElements& at, const Declared& declared,
+                             const DeclarationElements& at, const DeclaredBinding& declared,
                              const TargetWord& word, const Structure& structure) {
   const int joint = mj_name2id(&model, mjOBJ_JOINT, word.name.c_str());
   const XmlElement* element = find_named(xml.root(), "joint", word.name);
@@ -251,7 +242,7 @@ Binding::Target resolve_axis(const XmlFile& xml, const mjModel& model,
 
 /// The site is an end of a linear actuator and says its place itself.
 Binding::Target resolve_place(const XmlFile& xml, const mjModel& model,
-                              const DeclarationElements& at, const Declared& declared,
+                              const DeclarationElements& at, const DeclaredBinding& declared,
                               const DesignParameter& parameter, const TargetWord& word) {
   const int site = mj_name2id(&model, mjOBJ_SITE, word.name.c_str());
   const XmlElement* element = find_named(xml.root(), "site", word.name);
@@ -281,7 +272,7 @@ Binding::Target resolve_place(const XmlFile& xml, const mjModel& model,
 }
 
 Binding resolve(const XmlFile& xml, const mjModel& model, const DeclarationElements& at,
-                const Declared& declared, const DesignParameter& parameter,
+                const DeclaredBinding& declared, const DesignParameter& parameter,
                 const Structure& structure) {
   Binding binding;
   std::set<std::string> seen;
@@ -322,7 +313,7 @@ Declarations read_declarations(const XmlFile& xml, const mjModel& model,
     DesignParameter parameter;
     parameter.name = name;
     read_values(xml, *at.numeric, parameter);
-    const Declared declared = read_text(xml, *at.text, parameter);
+    const DeclaredBinding declared = read_text(xml, *at.text, parameter);
     Binding binding = resolve(xml, model, at, declared, parameter, structure);
     parameter.tied_count = static_cast<int>(binding.targets.size());
     out.space.parameters.push_back(std::move(parameter));
@@ -335,7 +326,7 @@ Declarations read_declarations(const XmlFile& xml, const mjModel& model,
 }
 
 DeclarationElements find_declaration(const XmlFile& xml, const std::string& name) {
-  const std::string full = std::string(kPrefix) + name;
+  const std::string full = std::string(kDeclarationPrefix) + name;
   return {find_named(xml.root(), "numeric", full), find_named(xml.root(), "text", full)};
 }
 

@@ -3,10 +3,16 @@
 
 #include <mujoco/mujoco.h>
 
+#include <string>
+#include <string_view>
+
 #include "mjcf/read/robot_model.hpp"
 #include "mjcf/text/xml.hpp"
 
 namespace legwright {
+
+/// Elements that declare a design parameter are called so, and then like the parameter.
+inline constexpr std::string_view kDeclarationPrefix = "legwright/";
 
 /// What the <custom> section declares.
 struct Declarations {

@@ -37,7 +37,7 @@ std::vector<int> joints_above(const mjModel& model, int body) {
   return out;
 }
 
-int body_of(const mjModel& model, int type, int id) {
+int coupled_body(const mjModel& model, int type, int id) {
   return type == mjOBJ_SITE ? model.site_bodyid[id] : id;
 }
 
@@ -116,8 +116,8 @@ void check_loops(const XmlFile& xml, const mjModel& model, const Structure& stru
           xml.error(element, "ties soft bodies, which the planner does not know; remove it"));
       continue;
     }
-    const int one = body_of(model, model.eq_objtype[e], model.eq_obj1id[e]),
-              two = body_of(model, model.eq_objtype[e], model.eq_obj2id[e]);
+    const int one = coupled_body(model, model.eq_objtype[e], model.eq_obj1id[e]),
+              two = coupled_body(model, model.eq_objtype[e], model.eq_obj2id[e]);
     if (one > 0 && two > 0 &&
         moving_body(model, structure, one) == moving_body(model, structure, two))
       continue;  // both are held by the same link: it ties nothing that moves

@@ -15,9 +15,7 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-using RowMatrix3d = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kFlat = 0.3;      // sine of the angle up to which a face lies flat on the ground
 constexpr double kLevel = 0.035;   // the same for what lies on its side: else its lower end touches
 constexpr double kNearEnd = 0.25;  // of the far end's distance: so near to the hinge a link begins
@@ -38,15 +36,15 @@ bool is_mesh(const mjModel& model, int geom) {
 
 /// Down in the frame of a geom.
 Vector3d down(const mjData& data, int geom) {
-  return -RowMatrix3d::Map(data.geom_xmat + 9 * geom).row(2).transpose();
+  return -matrix_at(data.geom_xmat, geom).row(2).transpose();
 }
 
 /// Middle of a mesh's sole, in the frame of its asset.
 Vector3d sole_of_mesh(const mjModel& model, const mjData& data, int geom) {
-  const Matrix3d world = RowMatrix3d::Map(data.geom_xmat + 9 * geom);
+  const Matrix3d world = matrix_at(data.geom_xmat, geom);
   const Eigen::Matrix3Xd points = world * vertices_of(model, geom).cast<double>();
   const double low = points.row(2).minCoeff(), high = points.row(2).maxCoeff();
-  Vector3d least = Vector3d::Constant(kInfinity), most = -least;
+  Vector3d least = Vector3d::Constant(std::numeric_limits<double>::infinity()), most = -least;
   for (const auto& point : points.colwise()) {
     if (point.z() > low + kSoleShare * (high - low)) continue;
     least = least.cwiseMin(point);
@@ -67,7 +65,7 @@ double side(double along, double level = kFlat) {
 /// The end of a capsule or cylinder that touches: the lower one; of a level one the middle, but of
 /// one that is the link itself, from the hinge on, the far end.
 double end_of_rod(const mjModel& model, const mjData& data, int geom, const Vector3d& hinge) {
-  const Matrix3d axes = RowMatrix3d::Map(data.geom_xmat + 9 * geom);
+  const Matrix3d axes = matrix_at(data.geom_xmat, geom);
   const double lower = side(-axes(2, 2), kLevel);
   if (lower != 0.0) return lower;
   const Vector3d end = model.geom_size[3 * geom + 1] * axes.col(2),

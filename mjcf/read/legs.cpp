@@ -8,24 +8,26 @@
 #include <set>
 #include <sstream>
 
+#include "mjcf/read/bindings.hpp"
 #include "mjcf/read/checks.hpp"
 #include "mjcf/read/couplings.hpp"
 #include "mjcf/read/feet.hpp"
 #include "mjcf/read/soles.hpp"
 #include "mjcf/read/tree_checks.hpp"
 #include "mjcf/text/compile.hpp"
+#include "mjcf/text/model_arrays.hpp"
 
 namespace legwright {
 namespace {
 
 // A leg ends near the ground: not higher above the lowest foot than this share of the trunk's
 // height, or of half the longest reach where the file draws the robot lying flat.
-constexpr double kNearGround = 0.25;
+constexpr double kLegNearGround = 0.25;
 // The same for a link that a design parameter names: it was a leg's before, and a keyframe of some
 // designs lifts feet.
-constexpr double kNearGroundIfDeclared = 0.75;
+constexpr double kDeclaredLegNearGround = 0.75;
 
-constexpr double kAlike =
+constexpr double kBuiltAlike =
     0.01;  // chains of lengths closer than that share, and of as many hinges, are built alike
 constexpr const char* kLifted =
     "rides along, built as a leg is but up in the air (if it is one, bend it to the ground in the "
@@ -35,7 +37,7 @@ constexpr const char* kLifted =
 std::set<std::string> declared_names(const mjModel& model) {
   std::set<std::string> names;
   for (int t = 0; t < static_cast<int>(model.ntext); ++t) {
-    if (name_of(model, mjOBJ_TEXT, t).rfind("legwright/", 0) != 0) continue;
+    if (name_of(model, mjOBJ_TEXT, t).rfind(kDeclarationPrefix, 0) != 0) continue;
     std::string words(model.text_data + model.text_adr[t]);
     const std::size_t colon = words.find(':', words.find('|'));
     if (colon == std::string::npos) continue;
@@ -130,7 +132,7 @@ class StructureReader {
     double length = 0.0;
     bool is_like(const Chain& other) const {
       return joints.size() == other.joints.size() &&
-             std::abs(length - other.length) <= kAlike * other.length;
+             std::abs(length - other.length) <= kBuiltAlike * other.length;
     }
   };
   Chain chain_to(int end) const {
@@ -172,7 +174,7 @@ class StructureReader {
     for (bool changed = true; changed;) {
       changed = false;
       for (const int end : ends()) {
-        const double share = is_declared(end, declared) ? kNearGroundIfDeclared : kNearGround;
+        const double share = is_declared(end, declared) ? kDeclaredLegNearGround : kLegNearGround;
         if (lowest_of(end) - ground <= share * scale) continue;
         for (const int joint : moving_joints(model_, out_, end)) freeze(joint, "rides along");
         changed = true;
@@ -253,7 +255,7 @@ class StructureReader {
     const double height = data_->xpos[3 * out_.trunk + 2] - points.front().z();
     if (!can_lay_down(*data_, joints, points.front(), height)) return;
     const int body = foot_body(model_, foot);
-    const auto world = RowMatrix3d::Map(data_->xmat + 9 * body);
+    const auto world = matrix_at(data_->xmat, body);
     foot.normal = world.transpose() * *normal;
     const std::vector<int> geoms = ground_geoms(model_, *data_, link_of(end));
     const bool known = std::all_of(geoms.begin(), geoms.end(), [&](int geom) {
@@ -261,7 +263,7 @@ class StructureReader {
              std::find(foot.others.begin(), foot.others.end(), geom) != foot.others.end();
     });
     if (known) return;
-    const Eigen::Vector3d ahead = RowMatrix3d::Map(data_->xmat + 9 * out_.trunk).col(0);
+    const Eigen::Vector3d ahead = matrix_at(data_->xmat, out_.trunk).col(0);
     foot.middle = world.transpose() * (middle_of_sole(points, *normal, ahead) -
                                        Eigen::Vector3d::Map(data_->xpos + 3 * body));
     foot.radius = 0.0;
@@ -302,7 +304,6 @@ class StructureReader {
     }
   }
 
-  using RowMatrix3d = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const XmlFile& xml_;
   const mjModel& model_;

@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kAlike = 0.01;    // of the leg length: mirrored feet may differ by so much
+constexpr double kMirroredAlike = 0.01;  // of the leg length: mirrored feet may differ by so much
 constexpr double kRowShare = 0.2;  // of the feet's longer spread: closer along x, they share a row
 constexpr double kNearAxis = 0.966;  // cosine of 15 degrees
 
@@ -67,7 +67,7 @@ std::vector<Limb> find_limbs(const Morphology& morphology, const VectorXd& s) {
       const double leg = stretched_limb(morphology, limbs[a].foot, s);
       if (limbs[a].partner >= 0 || limbs[b].partner >= 0 ||
           limbs[a].links.size() != limbs[b].links.size() ||
-          (limbs[a].home - image).norm() > kAlike * leg)
+          (limbs[a].home - image).norm() > kMirroredAlike * leg)
         continue;
       limbs[a].partner = static_cast<int>(b);
       limbs[b].partner = static_cast<int>(a);

@@ -258,8 +258,8 @@ void add_meshes(const XmlFile& xml, const XmlElement& body, const std::vector<So
 
 /// A foot that is a mesh with a weight keeps its size and moves as its origin does, so its sole
 /// only where it should if it is off that across the stretches alone.
-void check_sole(const XmlFile& xml, const mjModel& model, const TreeElements& elements,
-                const FootContact& foot, const std::vector<Stretch>& stretches) {
+void check_mesh_foot(const XmlFile& xml, const mjModel& model, const TreeElements& elements,
+                     const FootContact& foot, const std::vector<Stretch>& stretches) {
   const XmlElement& element = *elements.geoms[static_cast<std::size_t>(foot.geom)];
   const Vector3d arm = foot_point(xml, elements, model, foot, {}).constant -
                        pose_in_body(xml, element).translation();
@@ -307,7 +307,7 @@ PrintedMap read_printed(const XmlFile& xml, const mjModel& model, const Structur
           continue;
         solid.shift = foot_shift(xml, elements, model, foot, own);
         if (solid.type == mjGEOM_MESH && solid.density > 0.0)
-          check_sole(xml, model, elements, foot, own);
+          check_mesh_foot(xml, model, elements, foot, own);
       }
       if (solid.type != mjGEOM_MESH)
         printer.add(solid);

@@ -16,11 +16,9 @@
 namespace legwright {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 /// The part of a range that serves both directions; infinite if nothing limits.
 double symmetric(bool limited, const mjtNum* range) {
-  return limited ? std::min(-range[0], range[1]) : kInfinity;
+  return limited ? std::min(-range[0], range[1]) : std::numeric_limits<double>::infinity();
 }
 
 /// What the plugin's servo would not do must not get lost in silence.

@@ -9,13 +9,13 @@
 #include <numbers>
 
 #include "mjcf/read/feet.hpp"
+#include "mjcf/text/model_arrays.hpp"
 
 namespace legwright {
 namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-using RowMatrix3d = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
 constexpr double kTilt = 0.1;       // of a foot's width: so much higher a point may be
 constexpr double kNarrow = 0.2;     // of its length: what is narrower is an edge
@@ -27,7 +27,7 @@ void add_surface_points(const mjModel& model, const mjData& data, int geom,
                         std::vector<Vector3d>& out) {
   const Vector3d centre = Vector3d::Map(data.geom_xpos + 3 * geom),
                  size = Vector3d::Map(model.geom_size + 3 * geom);
-  const Matrix3d axes = RowMatrix3d::Map(data.geom_xmat + 9 * geom);
+  const Matrix3d axes = matrix_at(data.geom_xmat, geom);
   switch (model.geom_type[geom]) {
     case mjGEOM_SPHERE:
       out.push_back(centre - size.x() * Vector3d::UnitZ());

@@ -87,8 +87,8 @@ Vector3d distal_point(const XmlFile& xml, const mjModel& model, const XmlElement
 }
 
 /// What is stretched obliquely tilts the plane in which it stands.
-void check_sole(const XmlFile& xml, const mjModel& model, const XmlElement& place, int body,
-                const Vector3d& direction, const Structure& structure) {
+void check_sole_tilt(const XmlFile& xml, const mjModel& model, const XmlElement& place, int body,
+                     const Vector3d& direction, const Structure& structure) {
   for (const FootContact& foot : structure.feet) {
     if (!foot.normal || foot_body(model, foot) != body) continue;
     const double along = std::abs(direction.dot(*foot.normal));
@@ -142,7 +142,7 @@ StretchMeasure measure_stretch(const XmlFile& xml, const mjModel& model, const X
                       "the origin of body '{}' there, so that the joint needs no pos",
                       name_of(model, mjOBJ_BODY, body), name_of(model, mjOBJ_JOINT, j),
                       name_of(model, mjOBJ_BODY, body)));
-  check_sole(xml, model, place, body, direction, structure);
+  check_sole_tilt(xml, model, place, body, direction, structure);
   return {direction, length};
 }
 

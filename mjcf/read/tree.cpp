@@ -45,11 +45,11 @@ struct Placement {
   Matrix3d rotation = Matrix3d::Identity();
 };
 
-class Builder {
+class MorphologyBuilder {
  public:
-  Builder(const mjModel& model, const Structure& structure, const DesignSpace& space,
-          const std::vector<Binding>& bindings, const StretchMap& stretches, const PlaceMap& places,
-          const PrintedMap& printed)
+  MorphologyBuilder(const mjModel& model, const Structure& structure, const DesignSpace& space,
+                    const std::vector<Binding>& bindings, const StretchMap& stretches,
+                    const PlaceMap& places, const PrintedMap& printed)
       : model_(model),
         structure_(structure),
         trunk_(structure.trunk),
@@ -286,8 +286,8 @@ Morphology build_morphology(const XmlFile& xml, const mjModel& model, const Stru
                             const DesignSpace& space, const std::vector<Binding>& bindings,
                             const StretchMap& stretches, const PlaceMap& places,
                             const PrintedMap& printed, const std::vector<TendonSpan>& tendons) {
-  Morphology out =
-      Builder(model, structure, space, bindings, stretches, places, printed).build(xml, tendons);
+  Morphology out = MorphologyBuilder(model, structure, space, bindings, stretches, places, printed)
+                       .build(xml, tendons);
   out.name = std::string(model.names);  // the model's name comes first
   return out;
 }

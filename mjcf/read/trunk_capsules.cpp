@@ -24,12 +24,12 @@ constexpr std::size_t kMany =
 constexpr double kFarthest = 10.0;  // to which distances are looked for, share of the leg
 constexpr double kRounding = 1e-6;  // of a distance of capsules [m]
 
-class Builder {
+class TrunkCapsuleBuilder {
  public:
-  Builder(const XmlFile& xml, const TreeElements& elements, const mjModel& model,
-          const Structure& structure,
-          const std::function<const std::vector<Stretch>&(int)>& stretches_of,
-          const Eigen::VectorXd& initial, double length)
+  TrunkCapsuleBuilder(const XmlFile& xml, const TreeElements& elements, const mjModel& model,
+                      const Structure& structure,
+                      const std::function<const std::vector<Stretch>&(int)>& stretches_of,
+                      const Eigen::VectorXd& initial, double length)
       : xml_(xml),
         elements_(elements),
         model_(model),
@@ -112,7 +112,7 @@ TrunkCapsules trunk_capsules(const XmlFile& xml, const TreeElements& elements, c
                              const Structure& structure,
                              const std::function<const std::vector<Stretch>&(int)>& stretches_of,
                              const Eigen::VectorXd& initial, double length) {
-  return Builder(xml, elements, model, structure, stretches_of, initial, length).run();
+  return TrunkCapsuleBuilder(xml, elements, model, structure, stretches_of, initial, length).run();
 }
 
 }  // namespace legwright

@@ -27,7 +27,7 @@ bool is_ball(const mjModel& model, const FootContact& foot) {
 }
 
 /// Names by the attribute that refers to them.
-using Names = std::map<std::string, std::set<std::string>>;
+using NamesByAttribute = std::map<std::string, std::set<std::string>>;
 
 class Player {
  public:
@@ -219,7 +219,7 @@ class Player {
   const Structure& structure_;
   const TreeElements elements_;
   XMLElement& root_;
-  Names removed_;
+  NamesByAttribute removed_;
   std::map<int, std::pair<Eigen::Vector3d, Eigen::Vector3d>> lines_;  // of joints: axis, anchor
 };
 

@@ -6,8 +6,8 @@
 namespace legwright {
 namespace {
 
-constexpr double kAlong = 1.0 - 1e-9;   // cosine: parallel but for rounding
-constexpr double kShareOfLength = 0.5;  // a shorter rod placed by pos is a motor or a pin
+constexpr double kAlong = 1.0 - 1e-9;  // cosine: parallel but for rounding
+constexpr double kShortestRod = 0.5;   // of the link: a shorter one by pos is a motor or a pin
 
 }  // namespace
 
@@ -36,7 +36,7 @@ std::array<const Stretch*, 3> growing_axes(int type, const Eigen::Vector3d& half
     for (std::size_t k = 0; k < 3; ++k) {
       const auto axis = static_cast<Eigen::Index>(k);
       if (std::abs(axes.col(axis).dot(stretch.direction)) <= kAlong) continue;
-      const bool long_enough = from_to || 2 * half[axis] > kShareOfLength * stretch.initial;
+      const bool long_enough = from_to || 2 * half[axis] > kShortestRod * stretch.initial;
       if (is_rod ? k == 2 && long_enough : !from_to) out[k] = &stretch;
     }
   return out;

@@ -35,7 +35,7 @@ void for_each_mesh(const XmlFile& xml, const Visit& visit) {
 }
 
 /// The body that holds a part, through the frames around it.
-const XmlElement* body_of(const XmlElement& part) {
+const XmlElement* holding_body(const XmlElement& part) {
   const XmlElement* above = part.Parent()->ToElement();
   while (above && is_tag(*above, "frame")) above = above->Parent()->ToElement();
   return above;
@@ -71,7 +71,7 @@ bool is_weightless(const XmlFile& xml, const XmlElement& geom) {
 bool mesh_grows(const XmlFile& xml, const XmlElement& geom) {
   const char* const type = inherited_attribute(xml, geom, "type");
   if (!type || type != std::string_view("mesh")) return false;
-  const XmlElement* const body = body_of(geom);
+  const XmlElement* const body = holding_body(geom);
   return body && (body->FirstChildElement("inertial") || is_weightless(xml, geom));
 }
 

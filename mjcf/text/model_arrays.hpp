@@ -28,4 +28,10 @@ inline Eigen::Matrix3d rotation_at(const mjtNum* array, int id) {
   return rotation_of(array + static_cast<std::ptrdiff_t>(4) * id);
 }
 
+/// Rotation of an object by an array of mjData that holds a matrix for each.
+inline auto matrix_at(const mjtNum* array, int id) {
+  return Eigen::Matrix<double, 3, 3, Eigen::RowMajor>::Map(array +
+                                                           static_cast<std::ptrdiff_t>(9) * id);
+}
+
 }  // namespace legwright

@@ -19,6 +19,14 @@ std::vector<std::string_view> split_words(std::string_view text) {
   return words;
 }
 
+std::string_view trimmed(std::string_view text) {
+  const auto words = split_words(text);
+  return words.empty()
+             ? std::string_view()
+             : text.substr(words.front().data() - text.data(),
+                           words.back().data() + words.back().size() - words.front().data());
+}
+
 std::optional<double> parse_number(std::string_view word) {
   // from_chars takes no plus sign; behind one it would take a minus.
   if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);

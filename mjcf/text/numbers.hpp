@@ -11,6 +11,8 @@ namespace legwright {
 
 /// Splits at XML white space (blank, tab, line ends); no empty words.
 std::vector<std::string_view> split_words(std::string_view text);
+/// Without the white space around it.
+std::string_view trimmed(std::string_view text);
 
 /// Reads one decimal number: the whole word, finite, with a point, in no locale, perhaps with one
 /// plus sign in front. Nothing for "nan", "inf", "0x10", "1,5", "1.5abc", "+-1" or a number beyond

@@ -23,10 +23,10 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kNearGround = 0.15;  // leg lengths: authors place robots by eye
-constexpr double kClear = 0.02;       // leg lengths between trunk and ground, else the robot lies
-constexpr double kUpright = 0.5;      // least cosine of the trunk's tilt
-constexpr double kGrain = 1e-10;      // [m], [rad]: numbers that are solved for are this fine
+constexpr double kFootNearGround = 0.15;  // leg lengths: authors place robots by eye
+constexpr double kClear = 0.02;   // leg lengths between trunk and ground, else the robot lies
+constexpr double kUpright = 0.5;  // least cosine of the trunk's tilt
+constexpr double kGrain = 1e-10;  // [m], [rad]: numbers that are solved for are this fine
 
 /// By division, so that the number has few digits.
 double rounded_to_grain(double value) { return std::round(value * 1e10) / 1e10; }
@@ -109,7 +109,7 @@ class Solver {
   }
 
  private:
-  double near_ground() const { return kNearGround * morphology_.leg_length; }
+  double near_ground() const { return kFootNearGround * morphology_.leg_length; }
 
   bool stands(const StandingKey& key) const {
     const double lowest = *std::min_element(key.foot_height.begin(), key.foot_height.end());

@@ -27,7 +27,7 @@ using Eigen::Vector3d;
 // rounding of a hand-written angle; where a foot touches must be what the planner thinks.
 constexpr double kAlongDrawn = 5e-5, kAlongColliding = 1e-12;
 constexpr double kSame = 1e-12;
-constexpr double kShareOfLength = 0.5;  // of the link: a foot that is longer is the link itself
+constexpr double kLongestFoot = 0.5;  // of the link: a foot that is longer is the link itself
 constexpr std::size_t kMostCopied = 8 * 1024 * 1024;  // [bytes] of numbers of meshes in the file
 constexpr std::size_t kLongestStem = 150;             // [bytes] of a name that a copy adds to
 
@@ -161,7 +161,7 @@ class RequestReader {
   const Eigen::VectorXd& s_;
 };
 
-Eigen::Vector4d numbers_of(const Quaterniond& q) {
+Eigen::Vector4d quat_numbers(const Quaterniond& q) {
   const double sign = q.w() < 0.0 ? -1.0 : 1.0;
   return sign * Eigen::Vector4d(q.w(), q.x(), q.y(), q.z());
 }
@@ -179,7 +179,8 @@ void rotate_geom(const XmlFile& xml, const XmlElement& geom, const Matrix3d& tur
   const std::string_view own = is_oriented_by_class ? "xyaxes" : "quat";
   for (const char* const name : kWays)
     if (name != own) edits.remove(geom, name);
-  if (!is_oriented_by_class) return edits.set_numbers(geom, "quat", numbers_of(Quaterniond(axes)));
+  if (!is_oriented_by_class)
+    return edits.set_numbers(geom, "quat", quat_numbers(Quaterniond(axes)));
   Eigen::VectorXd xy(6);
   xy << axes.col(0), axes.col(1);
   edits.set_numbers(geom, "xyaxes", xy);
@@ -212,14 +213,14 @@ class Writer {
         if (!group.request.is_scaled) continue;
         edits_.set_numbers(*asset.element, "scale", group.request.scale);
         if (group.request.is_rotated)
-          edits_.set_numbers(*asset.element, "refquat", numbers_of(group.request.turn));
+          edits_.set_numbers(*asset.element, "refquat", quat_numbers(group.request.turn));
       } else {
         check_room(*asset.element);
         const std::string own = new_name(name);
         std::map<std::string, std::string> values{
             {"name", own}, {"scale", format_numbers(rounded(group.request.scale))}};
         if (group.request.is_rotated)
-          values.emplace("refquat", format_numbers(rounded(numbers_of(group.request.turn))));
+          values.emplace("refquat", format_numbers(rounded(quat_numbers(group.request.turn))));
         edits_.copy_behind(*asset.element, values);
         for (const auto& [geom, request] : group.geoms) edits_.set(*geom, "mesh", own);
       }
@@ -288,7 +289,7 @@ std::map<const XmlElement*, Vector3d> rigid_feet(const XmlFile& xml, const mjMod
     const bool is_short =
         std::all_of(own->second.begin(), own->second.end(), [&](const Stretch& stretch) {
           return extent_along(model, foot.geom, stretch.direction) <=
-                 kShareOfLength * stretch.initial;
+                 kLongestFoot * stretch.initial;
         });
     if (!is_short) continue;
     const Vector3d point = foot_point(xml, elements, model, foot, {}).constant;

@@ -13,14 +13,16 @@
 #include <string_view>
 #include <tuple>
 
+#include "mjcf/read/bindings.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/model_arrays.hpp"
+#include "mjcf/text/numbers.hpp"
 
 namespace legwright {
 namespace {
 
 /// Elements of one kind by a name that is found in the other model again.
-using Names = std::map<std::string, int>;
+using IdsByName = std::map<std::string, int>;
 
 using Values = std::vector<double>;
 
@@ -57,8 +59,8 @@ class Comparison {
 
   void compare(const char* kind, mjtObj type, int count_before, int count_after,
                const std::vector<Quantity>& quantities) {
-    const Names ours = names(before_, type, count_before),
-                theirs = names(after_, type, count_after);
+    const IdsByName ours = names(before_, type, count_before),
+                    theirs = names(after_, type, count_after);
     for (const auto& [name, id] : ours) {
       const std::string element = fmt::format("{} '{}'", kind, name);
       const auto other = theirs.find(name);
@@ -78,8 +80,8 @@ class Comparison {
 
  private:
   /// Unnamed geoms and sites are known by their body and their place on it.
-  static Names names(const mjModel& model, mjtObj type, int count) {
-    Names out;
+  static IdsByName names(const mjModel& model, mjtObj type, int count) {
+    IdsByName out;
     std::map<std::string, int> unnamed;
     for (int id = 0; id < count; ++id) {
       std::string name = name_of(model, type, id);
@@ -199,26 +201,18 @@ const std::vector<Quantity> kKey{
     {"time", "s", [](const mjModel& m, int i) { return row(m.key_time, i, 1); }},
 };
 
-constexpr std::string_view kPrefix = "legwright/";
-
 /// Declared design parameters, as compiled: id of the number, and of what is said about it.
-struct Declared {
+struct CompiledParameter {
   int numeric = -1;
   std::string unit, binding;
 };
 
-std::string trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(" \t\r\n");
-  if (begin == std::string_view::npos) return {};
-  return std::string(text.substr(begin, text.find_last_not_of(" \t\r\n") + 1 - begin));
-}
-
-std::map<std::string, Declared> declared_in(const mjModel& model) {
-  std::map<std::string, Declared> out;
+std::map<std::string, CompiledParameter> declared_in(const mjModel& model) {
+  std::map<std::string, CompiledParameter> out;
   for (int id = 0; id < model.nnumeric; ++id) {
     const std::string name = name_of(model, mjOBJ_NUMERIC, id);
-    if (name.compare(0, kPrefix.size(), kPrefix) != 0) continue;
-    Declared found{id, "", ""};
+    if (name.compare(0, kDeclarationPrefix.size(), kDeclarationPrefix) != 0) continue;
+    CompiledParameter found{id, "", ""};
     if (const int text = mj_name2id(&model, mjOBJ_TEXT, name.c_str()); text >= 0) {
       const std::string_view words = model.text_data + model.text_adr[text];
       const std::size_t first = words.find('|'), second = words.find('|', first + 1);
@@ -226,12 +220,12 @@ std::map<std::string, Declared> declared_in(const mjModel& model) {
       if (first != std::string_view::npos)
         found.binding = trimmed(words.substr(first + 1, second - first - 1));
     }
-    out.emplace(name.substr(kPrefix.size()), found);
+    out.emplace(name.substr(kDeclarationPrefix.size()), found);
   }
   return out;
 }
 
-Values numbers_of(const mjModel& model, int numeric, int begin, int end) {
+Values numeric_values(const mjModel& model, int numeric, int begin, int end) {
   const mjtNum* const data = model.numeric_data + model.numeric_adr[numeric];
   const int size = model.numeric_size[numeric];
   return {data + std::min(begin, size), data + std::min(end, size)};
@@ -250,13 +244,13 @@ std::vector<Difference> parameter_differences(const mjModel& a, const mjModel& b
       whole(name, "only in A");
       continue;
     }
-    const Declared& other = found->second;
+    const CompiledParameter& other = found->second;
     for (const auto& [what, begin, end] : {std::tuple("value", 0, 1), std::tuple("bounds", 1, 3)}) {
       Difference d{fmt::format("parameter '{}'", name),
                    what,
                    one.unit,
-                   numbers_of(a, one.numeric, begin, end),
-                   numbers_of(b, other.numeric, begin, end),
+                   numeric_values(a, one.numeric, begin, end),
+                   numeric_values(b, other.numeric, begin, end),
                    0.0};
       d.size = largest_difference(d.before, d.after);
       if (!(d.size <= tolerance)) out.push_back(std::move(d));

@@ -7,12 +7,6 @@
 namespace legwright {
 namespace {
 
-ChainOptions valid_options() {
-  ChainOptions options;
-  options.trajectory = write_trajectory(chain_trajectory());
-  return options;
-}
-
 class BadDataTest : public EngineTest {};
 
 struct BadModel {

@@ -27,8 +27,7 @@ std::string key(const char* name, double value) {
 }
 
 ChainOptions options_of(const Attributes& a, const char* integrator = "implicitfast") {
-  ChainOptions o;
-  o.trajectory = write_trajectory(chain_trajectory());
+  ChainOptions o = valid_options();
   o.integrator = integrator;
   o.more_config =
       key("ff", a.ff) + key("phase", a.phase) + key("speed", a.speed) + key("blend_in", a.blend_in);
@@ -42,7 +41,7 @@ std::string with_home(std::string xml, const Attributes& a) {
 }
 
 /// What the host of native servos does at each step: the law of the README, written once more.
-void drive_native(const mjModel* m, mjData* d, const Trajectory& t, const Attributes& a) {
+void drive_native_by_law(const mjModel* m, mjData* d, const Trajectory& t, const Attributes& a) {
   const double s = a.phase * t.period + a.speed * d->time;
   const double x = a.blend_in > 0 ? std::min(1.0, d->time / a.blend_in) : 1.0;
   const double w = 10 * x * x * x - 15 * x * x * x * x + 6 * x * x * x * x * x;
@@ -71,7 +70,7 @@ double difference(const ChainOptions& options, const Attributes& set, const Attr
   const Trajectory t = chain_trajectory();
   double largest = 0.0;
   for (int i = 0; i < steps; ++i) {
-    drive_native(native.model.get(), twin.get(), t, meant);
+    drive_native_by_law(native.model.get(), twin.get(), t, meant);
     mj_step(native.model.get(), twin.get());
     mj_step(plugin.model.get(), d.get());
     for (int j = 0; j < 3; ++j) largest = std::max(largest, std::abs(d->qpos[j] - twin->qpos[j]));

@@ -122,4 +122,10 @@ std::string native_chain(const ChainOptions& o) {
 
 Trajectory chain_trajectory() { return toy_trajectory(3, 1, 12, 0.6, 11, 0.4); }
 
+ChainOptions valid_options() {
+  ChainOptions options;
+  options.trajectory = write_trajectory(chain_trajectory());
+  return options;
+}
+
 }  // namespace legwright

@@ -64,5 +64,7 @@ std::string plugin_chain(const ChainOptions& options);
 std::string native_chain(const ChainOptions& options);
 /// What the chain plays unless told otherwise: 12 knots, 0.6 s, joints a, b, c.
 Trajectory chain_trajectory();
+/// Of a chain that plays it.
+ChainOptions valid_options();
 
 }  // namespace legwright

@@ -61,8 +61,7 @@ std::string model_of(int number) {
       xml.replace(begin, end - begin, mutate(xml.substr(begin, end - begin), random, true));
     return xml;
   }
-  ChainOptions options;
-  options.trajectory = write_trajectory(chain_trajectory());
+  ChainOptions options = valid_options();
   if (number % 16 == 1) {
     options.kp = mutate("4", random, true);
   } else if (number % 16 == 2) {

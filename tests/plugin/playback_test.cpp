@@ -13,12 +13,6 @@
 namespace legwright {
 namespace {
 
-ChainOptions valid_options() {
-  ChainOptions options;
-  options.trajectory = write_trajectory(chain_trajectory());
-  return options;
-}
-
 ModelPointer compile(const std::string& xml) {
   Loaded loaded = load(xml);
   if (!loaded.model) throw std::runtime_error(loaded.error);
@@ -28,8 +22,8 @@ ModelPointer compile(const std::string& xml) {
 DataPointer make_data(const ModelPointer& m) { return DataPointer(mj_makeData(m.get())); }
 
 /// What the host of native servos does at each step: targets of the trajectory as controls.
-void drive_native(const mjModel* m, mjData* d, const Trajectory& trajectory, double t0,
-                  double offset) {
+void drive_native_by_trajectory(const mjModel* m, mjData* d, const Trajectory& trajectory,
+                                double t0, double offset) {
   const SplinePhase phase = phase_at(trajectory, d->time + t0);
   for (int actuator = 0; actuator < m->nactuator; ++actuator) {
     const int joint = m->jnt_qposadr[m->actuator_trnid[2 * actuator]];  // a, b, c are qpos 0, 1, 2
@@ -55,7 +49,7 @@ double difference_to_native(const ChainOptions& options, int steps, bool with_bi
   for (int a = 0; a < plugin->nactuator; ++a) d_plugin->ctrl[plugin->actuator_ctrladr[a]] = kOffset;
   double largest = 0.0;
   for (int i = 0; i < steps; ++i) {
-    drive_native(native.get(), d_native.get(), trajectory, t0, kOffset);
+    drive_native_by_trajectory(native.get(), d_native.get(), trajectory, t0, kOffset);
     mj_step(native.get(), d_native.get());
     mj_step(plugin.get(), d_plugin.get());
     for (int j = 0; j < plugin->nq; ++j) {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kKnots = 9;
 constexpr double kPeriod = 0.63;  // s
-constexpr double kStep = kPeriod / kKnots;
+constexpr double kKnotInterval = kPeriod / kKnots;
 
 class SplineTest : public testing::Test {
  protected:
@@ -42,17 +42,19 @@ TEST_F(SplineTest, AtAKnotHasThePlannersDifferences) {
   for (int knot = -2 * kKnots; knot <= 3 * kKnots; ++knot) {
     const double before = control(knot - 1, column, drift), here = control(knot, column, drift),
                  after = control(knot + 1, column, drift);
-    const SplinePoint p = point(knot * kStep, column, drift);
+    const SplinePoint p = point(knot * kKnotInterval, column, drift);
     EXPECT_NEAR(p.value, (before + 4.0 * here + after) / 6.0, 1e-12) << knot;
-    EXPECT_NEAR(p.rate, (after - before) / (2.0 * kStep), 1e-11) << knot;
-    EXPECT_NEAR(p.acceleration, (before - 2.0 * here + after) / (kStep * kStep), 1e-9) << knot;
+    EXPECT_NEAR(p.rate, (after - before) / (2.0 * kKnotInterval), 1e-11) << knot;
+    EXPECT_NEAR(p.acceleration, (before - 2.0 * here + after) / (kKnotInterval * kKnotInterval),
+                1e-9)
+        << knot;
   }
 }
 
 TEST_F(SplineTest,
        DoesNotPassThroughItsKnots) {  // an interpolating spline would, and would be wrong
   const int column = trajectory.target_column(0);
-  const double gap = point(3 * kStep, column, 0.0).value - trajectory.at(3, column);
+  const double gap = point(3 * kKnotInterval, column, 0.0).value - trajectory.at(3, column);
   EXPECT_GT(std::abs(gap), 1e-3);
 }
 
@@ -69,7 +71,7 @@ TEST_F(SplineTest, MatchesTheTruncatedPowerFormOfTheBasis) {
   for (double time = -1.0; time < 2.0; time += 0.0137) {
     double expected = 0.0;
     for (int knot = -20; knot < 40; ++knot) {
-      expected += basis(time / kStep - knot) * control(knot, column, drift);
+      expected += basis(time / kKnotInterval - knot) * control(knot, column, drift);
     }
     EXPECT_NEAR(point(time, column, drift).value, expected, 1e-10) << time;
   }
@@ -122,16 +124,17 @@ TEST_F(SplineTest, StraightLineOfKnotsGivesUniformMotion) {
 TEST_F(SplineTest, TorqueAndForceAreLinearBetweenKnotsAndContactIsTheNearestKnots) {
   TrajectorySample out;
   const int last = kKnots - 1;
-  sample(trajectory, (last + 0.25) * kStep, out);  // between the last knot and the first one again
+  sample(trajectory, (last + 0.25) * kKnotInterval,
+         out);  // between the last knot and the first one again
   const auto between = [&](int column) {
     return 0.75 * trajectory.at(last, column) + 0.25 * trajectory.at(0, column);
   };
   EXPECT_NEAR(out.torque[1], between(trajectory.torque_column(1)), 1e-12);
   EXPECT_NEAR(out.force[1][2], between(trajectory.force_column(1, 2)), 1e-12);
-  sample(trajectory, 3.4 * kStep, out);
+  sample(trajectory, 3.4 * kKnotInterval, out);
   EXPECT_EQ(out.contact[0], true);
   EXPECT_EQ(out.contact[1], false);
-  sample(trajectory, 3.6 * kStep, out);
+  sample(trajectory, 3.6 * kKnotInterval, out);
   EXPECT_EQ(out.contact[0], false);
 }
 

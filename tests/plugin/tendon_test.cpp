@@ -34,8 +34,7 @@ std::string with_piston(std::string xml, const std::string& lower_body = "middle
 }
 
 ChainOptions options() {
-  ChainOptions options;
-  options.trajectory = write_trajectory(chain_trajectory());
+  ChainOptions options = valid_options();
   options.kp = options.bias_kp = "3000";
   options.kd = options.bias_kd = "30";
   options.timestep = "0.0005";

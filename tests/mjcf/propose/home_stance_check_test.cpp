@@ -20,9 +20,7 @@ TEST(Standing, RobotsOnTheirFeetDo) {
   EXPECT_EQ(fault(test::armed_biped()), "");
   EXPECT_EQ(fault(test::classed_quadruped()), "");
   for (const char* name : {"puppy", "quadruped", "hexapod", "biped", "printed_quadruped"})
-    EXPECT_EQ(
-        fault(test::read_file(test::source_path("examples/" + std::string(name) + "/robot.xml"))),
-        "");
+    EXPECT_EQ(fault(test::example_robot(name)), "");
 }
 
 TEST(Standing, FeetAboveTheCentreOfMassCarryNothing) {

@@ -15,9 +15,7 @@
 namespace legwright {
 namespace {
 
-std::string example(const std::string& robot) {
-  return test::read_file(test::source_path("examples/" + robot + "/robot.xml"));
-}
+using test::example_robot;
 
 /// The robot without what it declares.
 std::string bare(std::string xml) {
@@ -28,7 +26,7 @@ std::string bare(std::string xml) {
 
 ProposedParameters study(const std::string& xml) { return propose_parameters(xml, "r.xml"); }
 
-const Proposal& named(const ProposedParameters& found, const std::string& name) {
+const Proposal& proposal_named(const ProposedParameters& found, const std::string& name) {
   for (const Proposal& proposal : found.proposals)
     if (proposal.name == name) return proposal;
   ADD_FAILURE() << "no proposal " << name;
@@ -37,32 +35,34 @@ const Proposal& named(const ProposedParameters& found, const std::string& name) 
 }
 
 TEST(StudyRobot, ProposesForThePuppyWhatItsAuthorDeclared) {
-  const std::string xml = example("puppy");
+  const std::string xml = example_robot("puppy");
   const ProposedParameters found = study(bare(xml));
   const RobotModel declared = parse_robot(xml, "r.xml");
   EXPECT_TRUE(found.left_out.empty()) << found.left_out.front();
   EXPECT_EQ(found.proposals.size(), declared.space.parameters.size());
   for (const DesignParameter& parameter : declared.space.parameters)
-    EXPECT_NEAR(named(found, parameter.name).value, parameter.initial, 1e-9) << parameter.name;
+    EXPECT_NEAR(proposal_named(found, parameter.name).value, parameter.initial, 1e-9)
+        << parameter.name;
 }
 
 TEST(StudyRobot, FindsRowsAndMirrorImagesByGeometry) {
-  const ProposedParameters found = study(bare(example("hexapod")));
+  const ProposedParameters found = study(bare(example_robot("hexapod")));
   ASSERT_EQ(found.limbs.size(), 6u);
   for (std::size_t k = 0; k < 6; ++k) {
     EXPECT_EQ(found.limbs[k].row, static_cast<int>(k / 2));
     EXPECT_EQ(found.limbs[k].partner, static_cast<int>(k ^ 1));
     EXPECT_GT(found.limbs[k].home.y() * (k % 2 == 0 ? 1 : -1), 0.0);
   }
-  EXPECT_EQ(named(found, "middle_femur_length").binding, "stretch link: ML_femur MR_femur");
-  EXPECT_EQ(named(found, "hind_knee_axis_yaw").binding, "axis z: HL_knee ~HR_knee");
+  EXPECT_EQ(proposal_named(found, "middle_femur_length").binding,
+            "stretch link: ML_femur MR_femur");
+  EXPECT_EQ(proposal_named(found, "hind_knee_axis_yaw").binding, "axis z: HL_knee ~HR_knee");
 }
 
 TEST(StudyRobot, ProposesTheWidthOfBeamsThatCarryLegs) {
-  const ProposedParameters found = study(bare(example("hexapod")));
-  EXPECT_EQ(named(found, "front_beam_width").binding, "stretch y: front_beam");
-  EXPECT_NEAR(named(found, "middle_beam_width").value, 0.09, 1e-9);
-  for (const Proposal& proposal : study(bare(example("puppy"))).proposals)
+  const ProposedParameters found = study(bare(example_robot("hexapod")));
+  EXPECT_EQ(proposal_named(found, "front_beam_width").binding, "stretch y: front_beam");
+  EXPECT_NEAR(proposal_named(found, "middle_beam_width").value, 0.09, 1e-9);
+  for (const Proposal& proposal : study(bare(example_robot("puppy"))).proposals)
     EXPECT_EQ(proposal.name.find("servo"), std::string::npos)
         << "no legs hang on a motor: " << proposal.name;
 }
@@ -70,14 +70,16 @@ TEST(StudyRobot, ProposesTheWidthOfBeamsThatCarryLegs) {
 TEST(StudyRobot, TurnsAxesALittleWhereLegsReachToAllSides) {
   // The hexapod's legs swing and lift; all axes of the puppy's are lateral, so they must turn much
   // to leave their plane.
-  EXPECT_LT(named(study(bare(example("hexapod"))), "front_knee_axis_yaw").upper, 0.5);
-  EXPECT_GE(named(study(bare(example("puppy"))), "front_knee_axis_yaw").upper, 1.0);
+  EXPECT_LT(proposal_named(study(bare(example_robot("hexapod"))), "front_knee_axis_yaw").upper,
+            0.5);
+  EXPECT_GE(proposal_named(study(bare(example_robot("puppy"))), "front_knee_axis_yaw").upper, 1.0);
 }
 
 TEST(StudyRobot, TiesNothingThatIsNoMirrorImage) {
   // One shank is longer than the other: no pair any more, so each leg speaks for itself.
-  const std::string xml = test::with(bare(example("quadruped")), "class=\"foot\" pos=\"0 0 -0.1\"",
-                                     "class=\"foot\" pos=\"0 0 -0.12\"");
+  const std::string xml =
+      test::with(bare(example_robot("quadruped")), "class=\"foot\" pos=\"0 0 -0.1\"",
+                 "class=\"foot\" pos=\"0 0 -0.12\"");
   const ProposedParameters found = study(xml);
   for (const Proposal& proposal : found.proposals)
     EXPECT_TRUE(proposal.binding.find("FL_shank FR_shank") == std::string::npos)
@@ -85,14 +87,15 @@ TEST(StudyRobot, TiesNothingThatIsNoMirrorImage) {
 }
 
 TEST(StudyRobot, ProposesTheEndsOfPistons) {
-  const ProposedParameters found = study(bare(example("piston_puppy")));
-  EXPECT_EQ(named(found, "front_piston_top_x").binding, "place x: FL_piston_top ~FR_piston_top");
+  const ProposedParameters found = study(bare(example_robot("piston_puppy")));
+  EXPECT_EQ(proposal_named(found, "front_piston_top_x").binding,
+            "place x: FL_piston_top ~FR_piston_top");
 }
 
 TEST(StudyRobot, EveryDesignWithinTheProposedBoundsCanBeWritten) {
   std::mt19937 random(7);
   for (const char* robot : {"puppy", "quadruped", "hexapod", "biped", "piston_puppy"}) {
-    const std::string xml = bare(example(robot));
+    const std::string xml = bare(example_robot(robot));
     const std::string text = with_declarations(xml, "r.xml", study(xml).proposals);
     const RobotModel model = parse_robot(text, "r.xml");
     EXPECT_EQ(rewrite_robot(model, model.space.initial()), text) << robot;
@@ -102,7 +105,7 @@ TEST(StudyRobot, EveryDesignWithinTheProposedBoundsCanBeWritten) {
 }
 
 TEST(StudyRobot, SaysWhyItLeavesOut) {
-  const ProposedParameters biped = study(bare(example("biped")));
+  const ProposedParameters biped = study(bare(example_robot("biped")));
   ASSERT_EQ(biped.left_out.size(), 1u);
   EXPECT_EQ(biped.left_out[0],
             "foot_length: the foot is a round sole, not the end of a leg of that length");
@@ -134,7 +137,7 @@ TEST(StudyRobot, LeavesOutALengthThatAFootWithAWeightWouldNotFollow) {
 }
 
 TEST(StudyRobot, ProposesNothingTwice) {
-  const ProposedParameters found = study(example("puppy"));
+  const ProposedParameters found = study(example_robot("puppy"));
   EXPECT_TRUE(found.proposals.empty()) << found.proposals.front().name;
   EXPECT_EQ(found.model.space.size(), 20);
 }
@@ -145,7 +148,7 @@ TEST(StudyRobot, RefusesWhatIsNoRobot) {
 }
 
 TEST(WithDeclarations, LeaveEveryOtherByte) {
-  const std::string xml = bare(example("puppy"));
+  const std::string xml = bare(example_robot("puppy"));
   const ProposedParameters found = study(xml);
   std::string text = with_declarations(xml, "r.xml", found.proposals);
   EXPECT_EQ(bare(text), xml);
@@ -154,7 +157,7 @@ TEST(WithDeclarations, LeaveEveryOtherByte) {
 }
 
 TEST(WithDeclarations, UseTheSectionThatIsThere) {
-  std::string xml = bare(example("puppy"));
+  std::string xml = bare(example_robot("puppy"));
   xml.insert(xml.rfind("</mujoco>"),
              "  <custom>\n    <numeric name=\"own\" data=\"1\"/>\n  </custom>\n");
   const std::string text = with_declarations(xml, "r.xml", study(xml).proposals);
@@ -166,24 +169,24 @@ TEST(WithDeclarations, UseTheSectionThatIsThere) {
 
 TEST(WithDeclarations, KeepTheLineEndsOfTheFile) {
   std::string dos;
-  for (const char c : bare(example("puppy"))) dos += c == '\n' ? "\r\n" : std::string(1, c);
+  for (const char c : bare(example_robot("puppy"))) dos += c == '\n' ? "\r\n" : std::string(1, c);
   const std::string text = with_declarations(dos, "r.xml", study(dos).proposals);
   for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 1))
     ASSERT_EQ(text[at - 1], '\r') << text.substr(at > 60 ? at - 60 : 0, 60);
 }
 
 TEST(WithDeclarations, AreNotPutIntoAComment) {
-  const std::string xml = bare(example("puppy")) + "<!-- old: </mujoco> -->\n";
+  const std::string xml = bare(example_robot("puppy")) + "<!-- old: </mujoco> -->\n";
   const std::string text = with_declarations(xml, "r.xml", study(xml).proposals);
   EXPECT_EQ(parse_robot(text, "r.xml").space.size(), 20);
 }
 
 TEST(StudyRobot, FeetThatAreAHairApartShareARow) {
-  const std::string xml = test::with(bare(example("biped")), "name=\"L_thigh\" pos=\"0 0.04",
+  const std::string xml = test::with(bare(example_robot("biped")), "name=\"L_thigh\" pos=\"0 0.04",
                                      "name=\"L_thigh\" pos=\"1e-9 0.04");
   const ProposedParameters found = study(xml);
   EXPECT_EQ(found.limbs.back().row, 0);
-  EXPECT_EQ(named(found, "thigh_length").unit, "m");
+  EXPECT_EQ(proposal_named(found, "thigh_length").unit, "m");
 }
 
 TEST(WithDeclarations, EscapeHostileNames) {

@@ -28,7 +28,7 @@ using Eigen::VectorXd;
 using test::error_message;
 using test::holds;
 
-std::string named(const std::string& name) {
+std::string constructed_robot(const std::string& name) {
   if (name == "armed_biped") return test::armed_biped();
   return test::declared(name == "classed_quadruped" ? test::classed_quadruped()
                                                     : test::quadruped_with_arm());
@@ -71,7 +71,7 @@ double difference_but_feet(test::RobotState a, test::RobotState b) {
 class Construction : public testing::TestWithParam<const char*> {};
 
 TEST_P(Construction, EachDesignIsTheIntendedOneInMujoco) {
-  const std::string xml = named(GetParam());
+  const std::string xml = constructed_robot(GetParam());
   const RobotModel robot = parse_robot(xml, "robot.xml");
   ASSERT_GT(robot.space.size(), 3);
   EXPECT_TRUE(rewrite_robot(robot, robot.space.initial()) == xml);
@@ -108,7 +108,7 @@ TEST_P(Construction, EachDesignIsTheIntendedOneInMujoco) {
 class WithRiders : public testing::TestWithParam<const char*> {};
 
 TEST_P(WithRiders, WeighWhereTheyAreHeld) {
-  const RobotModel robot = parse_robot(named(GetParam()), "robot.xml");
+  const RobotModel robot = parse_robot(constructed_robot(GetParam()), "robot.xml");
   const ModelPointer model = compile_mjcf(robot.xml, "robot.xml");
   std::mt19937 random(4);
   Pose pose = random_pose(robot, *model, random);

@@ -19,7 +19,7 @@ std::string of_side(std::string text, const std::string& side) {
   return text;
 }
 
-std::string leg(const FlatBiped& how, const std::string& side, double y) {
+std::string flat_footed_leg(const FlatBiped& how, const std::string& side, double y) {
   const auto body = [&](const char* part, const std::string& place = "") {
     return fmt::format("name=\"{}_{}\"{}", side, part, place);
   };
@@ -70,8 +70,8 @@ std::string flat_biped(const FlatBiped& how) {
   </keyframe>
 </mujoco>
 )",
-                     how.custom, kPelvis, leg(how, "left", 0.09), leg(how, "right", -0.09), servos,
-                     angles);
+                     how.custom, kPelvis, flat_footed_leg(how, "left", 0.09),
+                     flat_footed_leg(how, "right", -0.09), servos, angles);
 }
 
 const std::vector<NamedFoot>& flat_feet() {

@@ -18,7 +18,7 @@ std::string bar(double wide, double deep, double bottom, double top) {
   return text;
 }
 
-std::string leg(const char* name, int front, int left) {
+std::string mesh_leg(const char* name, int front, int left) {
   const auto joint = [&](const char* kind, const char* axis) {
     return fmt::format(R"(<joint class="{}" name="{}_{}"/>)", kind, name, axis);
   };
@@ -85,7 +85,8 @@ std::string mesh_quadruped() {
       <camera name="outside" mode="trackcom" pos="0.3 -1.2 0.5"/>
       <camera name="eye" pos="0.2 0 0.05"/>
       <light name="sun" mode="targetbody" target="trunk" pos="0.1 0 2"/>)" +
-         leg("fl", 1, 1) + leg("fr", 1, -1) + leg("hl", -1, 1) + leg("hr", -1, -1) + R"(
+         mesh_leg("fl", 1, 1) + mesh_leg("fr", 1, -1) + mesh_leg("hl", -1, 1) +
+         mesh_leg("hr", -1, -1) + R"(
     </body>
   </worldbody>
   <actuator>)" +

@@ -20,6 +20,10 @@ std::string read_file(const std::filesystem::path& file) {
 
 std::filesystem::path puppy_file() { return source_path("examples/puppy/robot.xml"); }
 
+std::string example_robot(const std::string& name) {
+  return read_file(source_path("examples/" + name + "/robot.xml"));
+}
+
 std::string with(std::string text, const std::string& old_part, const std::string& new_part) {
   const std::size_t at = text.find(old_part);
   EXPECT_NE(at, std::string::npos) << old_part;
@@ -155,8 +159,7 @@ std::string crooked_printed_robot() {
 }
 
 std::string named_robot(const std::string& name) {
-  if (name == "puppy") return read_file(puppy_file());
-  if (name == "piston_puppy") return read_file(source_path("examples/piston_puppy/robot.xml"));
+  if (name == "puppy" || name == "piston_puppy") return example_robot(name);
   if (name == "crooked_printed") return crooked_printed_robot();
   return name == "crooked" ? crooked_robot() : crooked_piston_robot();
 }

@@ -14,6 +14,8 @@ std::filesystem::path source_path(const std::string& relative);
 std::string read_file(const std::filesystem::path& file);
 /// The puppy of the examples.
 std::filesystem::path puppy_file();
+/// Text of the robot of examples/NAME.
+std::string example_robot(const std::string& name);
 /// A small robot with everything that makes a tree general: turned bodies, a fixed body in between,
 /// two hinges in one body, hinges away from the origin of their body, an oblique link, axes that
 /// start turned, parts that inherit their place from a class, an inertia in turned axes.

@@ -14,7 +14,7 @@ constexpr double kToesOut = 0.3, kPitch = -0.4, kKnee = 0.8;  // at home, of the
 
 /// @param turn of the hip's frame about z, which its parts take back; @param drawn more of it,
 /// which the yaw hinge takes back
-std::string leg(const char* side, double y, double turn, double drawn) {
+std::string turned_leg(const char* side, double y, double turn, double drawn) {
   const double c = std::cos(turn), s = std::sin(turn);
   const auto at = [&](double x, double z) { return fmt::format("{} {} {}", c * x, -s * x, z); };
   const std::string pitch = fmt::format("{} {} 0", s, c), name = side;
@@ -58,9 +58,10 @@ std::string turned_biped(const TurnedBiped& how) {
                      how.waist ? "<body name=\"abdomen\">" + hinge("waist", "0 0 1") +
                                      inertial("0 0 0", 1, "0.01 0.01 0.01")
                                : "",
-                     leg("left", 0.1, 0.0, 0.0), leg("right", -0.1, how.turn, how.zero),
-                     how.waist ? "</body>" : "", servos, how.waist ? "0" : "", kToesOut, kPitch,
-                     kKnee, -kToesOut - how.zero, kPitch, kKnee);
+                     turned_leg("left", 0.1, 0.0, 0.0),
+                     turned_leg("right", -0.1, how.turn, how.zero), how.waist ? "</body>" : "",
+                     servos, how.waist ? "0" : "", kToesOut, kPitch, kKnee, -kToesOut - how.zero,
+                     kPitch, kKnee);
 }
 
 }  // namespace legwright::test

@@ -134,7 +134,7 @@ std::vector<Placed> placed(const RobotModel& robot, const VectorXd& s, const std
   return out;
 }
 
-double beside(const Placed& capsule, const Vector3d& p) {
+double signed_distance(const Placed& capsule, const Vector3d& p) {
   const Vector3d u = capsule.to - capsule.from;
   const double t =
       u.isZero(0.0) ? 0.0 : std::clamp((p - capsule.from).dot(u) / u.squaredNorm(), 0.0, 1.0);
@@ -155,7 +155,7 @@ TEST(Capsules, FillTheTrunksBoxToItsEdgesAndNoMore) {
     for (double share = -1.0; share <= 1.0; share += 0.01)
       for (const Vector3d& p : {Vector3d(x, 0.1 * share, 0.06), Vector3d(x, 0.1, 0.06 * share)}) {
         double nearest = 1.0;
-        for (const Placed& capsule : box) nearest = std::min(nearest, beside(capsule, p));
+        for (const Placed& capsule : box) nearest = std::min(nearest, signed_distance(capsule, p));
         worst = std::max(worst, nearest);
       }
   EXPECT_LT(worst, 0.014);

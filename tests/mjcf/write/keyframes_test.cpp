@@ -40,14 +40,10 @@ std::string key_text(const std::string& xml, const std::string& name) {
   return xml.substr(begin, xml.find('"', begin) - begin);
 }
 
-std::string example(const std::string& name) {
-  return test::read_file(test::source_path("examples/" + name + "/robot.xml"));
-}
-
 class Examples : public testing::TestWithParam<const char*> {};
 
 TEST_P(Examples, FeetKeepTheirHeightAtRandomDesigns) {
-  const std::string xml = example(GetParam());
+  const std::string xml = test::example_robot(GetParam());
   const RobotModel robot = parse_robot(xml, GetParam());
   const ModelPointer before = compile_mjcf(xml, GetParam());
   const std::vector<double> wanted = foot_heights(robot, *before, 0);
@@ -83,8 +79,9 @@ VectorXd longer(const RobotModel& robot) {
 }
 
 TEST(Keyframes, WhatStaysKeepsItsTextAndMirrorImagesTheSameNumbers) {
-  const std::string xml = test::with(example("puppy"), "qpos=\"0 0 0.2045118502  1 0 0 0 ",
-                                     "qpos=\"0.0e0 0.000 0.2045118502  1.00 0 0 0 ");
+  const std::string xml =
+      test::with(test::example_robot("puppy"), "qpos=\"0 0 0.2045118502  1 0 0 0 ",
+                 "qpos=\"0.0e0 0.000 0.2045118502  1.00 0 0 0 ");
   const RobotModel robot = parse_robot(xml, "puppy");
   const std::string text = key_text(rewrite_robot(robot, longer(robot)), "qpos");
   EXPECT_EQ(text.substr(0, 12), "0.0e0 0.000 ");
@@ -95,13 +92,13 @@ TEST(Keyframes, WhatStaysKeepsItsTextAndMirrorImagesTheSameNumbers) {
 }
 
 TEST(Keyframes, ControlsOfPositionServosFollowTheirAngles) {
-  const RobotModel robot = parse_robot(example("puppy"), "puppy");
+  const RobotModel robot = parse_robot(test::example_robot("puppy"), "puppy");
   const std::string text = rewrite_robot(robot, longer(robot));
   const std::string angles = key_text(text, "qpos");
   EXPECT_EQ(angles.substr(angles.find("0 0 0  ") + 7), key_text(text, "ctrl"));
   EXPECT_NE(key_text(text, "ctrl"), key_text(robot.xml, "ctrl"));
   // A motor's control is a torque, which stays.
-  std::string motors = example("puppy");
+  std::string motors = test::example_robot("puppy");
   for (std::size_t at = motors.find("<position name"); at != std::string::npos;
        at = motors.find("<position name", at))
     motors.replace(at, 9, "<motor forcerange=\"-3 3\"");
@@ -111,7 +108,7 @@ TEST(Keyframes, ControlsOfPositionServosFollowTheirAngles) {
 }
 
 TEST(Keyframes, AServoOnATendonGetsItsLength) {
-  const std::string xml = example("piston_puppy");
+  const std::string xml = test::example_robot("piston_puppy");
   const RobotModel bare = parse_robot(xml, "piston");
   const ModelPointer model = compile_mjcf(xml, "piston");
   ASSERT_GT(model->ntendon, 0);
@@ -139,7 +136,7 @@ TEST(Keyframes, AServoOnATendonGetsItsLength) {
 
 /// Lies on its belly; jumps; is named by its controls alone; lies on its back.
 TEST(Keyframes, WhereNoFootStandsNothingChanges) {
-  const std::string xml = example("puppy");
+  const std::string xml = test::example_robot("puppy");
   const std::string angles = "0.5 -1 0.6 0.5 -1 0.6 0.5 -1 0.6 0.5 -1 0.6";
   for (const std::string& key :
        {"<key name=\"home\" qpos=\"0 0 0.02 1 0 0 0 " + angles + "\"/>",
@@ -157,8 +154,8 @@ TEST(Keyframes, EveryKeyIsChecked) {
   const std::string standing =
       "<key name=\"again\" qpos=\"1 2 0.2045118502 1 0 0 0 0.5 -1 0.6 0.5 -1 0.6 0.5 -1 0.6 0.5 -1 "
       "0.6\"/>";
-  const RobotModel robot =
-      parse_robot(test::with(example("puppy"), "</keyframe>", standing + "</keyframe>"), "puppy");
+  const RobotModel robot = parse_robot(
+      test::with(test::example_robot("puppy"), "</keyframe>", standing + "</keyframe>"), "puppy");
   const ModelPointer after = compile_mjcf(rewrite_robot(robot, longer(robot)), "puppy");
   EXPECT_EQ(after->key_qpos[after->nq], 1.0);
   for (int k = 2; k < after->nq; ++k)
@@ -167,7 +164,8 @@ TEST(Keyframes, EveryKeyIsChecked) {
 
 /// Joints that cannot turn: the trunk rises until the longest leg stands, the angles stay.
 TEST(Keyframes, WithoutRangeOnlyTheTrunkRises) {
-  std::string xml = test::with(example("puppy"), "range=\"-2.6 2.6\"", "range=\"-2.6 2.6\" ");
+  std::string xml =
+      test::with(test::example_robot("puppy"), "range=\"-2.6 2.6\"", "range=\"-2.6 2.6\" ");
   for (const auto& [joint, range] :
        {std::pair{"hip", "0.5 0.5001"}, std::pair{"knee", "-1 -0.9999"},
         std::pair{"ankle", "0.6 0.6001"}})
@@ -187,7 +185,7 @@ TEST(Keyframes, WithoutRangeOnlyTheTrunkRises) {
 }
 
 TEST(Keyframes, AFootAtAnotherHeightIsFound) {
-  const std::string xml = example("puppy");
+  const std::string xml = test::example_robot("puppy");
   const RobotModel robot = parse_robot(xml, "puppy");
   const auto file = load_xml(xml, "puppy");
   const ModelPointer model = compile_mjcf(xml, "puppy");

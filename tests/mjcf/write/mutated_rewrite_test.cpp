@@ -54,8 +54,7 @@ const std::vector<std::pair<std::string, std::string>>& bases() {
   static const auto all = [] {
     std::vector<std::pair<std::string, std::string>> out;
     for (const char* name : {"puppy", "piston_puppy", "quadruped", "hexapod", "biped"})
-      out.emplace_back(
-          name, test::read_file(test::source_path(fmt::format("examples/{}/robot.xml", name))));
+      out.emplace_back(name, test::example_robot(name));
     out.emplace_back("crooked_piston", test::crooked_piston_robot());
     out.emplace_back("crooked_printed", test::crooked_printed_robot());
     const std::filesystem::path more = test::source_path("tests/robots");
