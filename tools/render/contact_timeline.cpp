@@ -10,9 +10,8 @@ namespace legwright {
 namespace {
 
 constexpr int kTitle = 40, kFoot = 38, kAxis = 34, kBar = 12, kLeft = 96, kRight = 24;
-constexpr Rgb kPaper{255, 255, 255}, kInk{31, 35, 40}, kPale{110, 118, 129}, kBand{244, 246, 248},
-    kRule{208, 213, 219}, kPlanned{150, 178, 214}, kStands{31, 35, 40}, kTouches{221, 110, 20},
-    kGood{26, 127, 55}, kBad{207, 34, 46};
+constexpr Rgb kBand{244, 246, 248}, kRule{208, 213, 219}, kPlanned{150, 178, 214},
+    kStands{31, 35, 40}, kTouches{221, 110, 20};
 
 using Intervals = std::vector<std::pair<double, double>>;
 

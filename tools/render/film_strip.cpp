@@ -8,8 +8,7 @@ namespace legwright {
 namespace {
 
 constexpr int kTitleHeight = 40, kCaptionHeight = 30, kBottom = 8;
-constexpr Rgb kPaper{255, 255, 255}, kInk{31, 35, 40}, kPale{110, 118, 129};
-constexpr Rgb kGood{26, 127, 55}, kBad{207, 34, 46}, kFootDown{31, 35, 40}, kFootUp{150, 156, 164};
+constexpr Rgb kFootDown{31, 35, 40}, kFootUp{150, 156, 164};
 
 /// Where the root's x axis points on the ground at a knot [rad].
 double heading_of(const Trajectory& plan, int knot) {

@@ -11,6 +11,9 @@
 namespace legwright {
 
 inline constexpr int kStripWidth = 1600;  // [pixels] of a whole strip
+// Colours of a strip: behind it, of titles, of what is less important, of rows that passed and not.
+inline constexpr Rgb kPaper{255, 255, 255}, kInk{31, 35, 40}, kPale{110, 118, 129},
+    kGood{26, 127, 55}, kBad{207, 34, 46};
 
 /// How a strip is divided: cells side by side.
 struct StripLayout {

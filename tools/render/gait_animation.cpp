@@ -9,11 +9,11 @@
 namespace legwright {
 namespace {
 
-constexpr int kWidth = 480, kHeight = 360;
+constexpr int kAnimationWidth = 480, kAnimationHeight = 360;
 constexpr double kFramesPerSecond = 24.0;
 constexpr int kMostCycles = 2;
 constexpr double kUnseen = 0.006;  // [m] a jump of the floor that nobody sees
-constexpr Rgb kInk{70, 76, 84};
+constexpr Rgb kLabelColour{70, 76, 84};
 
 /// Side of the pattern on the first floor that has one [m]; MuJoCo counts repeats per metre.
 double floor_tile(const mjModel& model) {
@@ -108,8 +108,9 @@ Animation animate_gait(const GlContext& context, const GaitClip& clip) {
     for (std::size_t axis : {0U, 1U}) at_home.back()[axis] -= travel[axis] * k / count;
   }
   const View home = frame_robot(*model, at_home, side_view(travel[0], travel[1]), kSideElevation,
-                                static_cast<double>(kWidth) / kHeight, 0.10);
-  Renderer renderer(context, *model, kWidth * kSampling, kHeight * kSampling, RenderStyle::cheap);
+                                static_cast<double>(kAnimationWidth) / kAnimationHeight, 0.10);
+  Renderer renderer(context, *model, kAnimationWidth * kSampling, kAnimationHeight * kSampling,
+                    RenderStyle::cheap);
   const Mask label = renderer.text(source.simulated() ? "simulated by MuJoCo" : "planned gait");
   Animation animation;
   for (int k = 0; k < count; ++k) {
@@ -117,7 +118,7 @@ Animation animate_gait(const GlContext& context, const GaitClip& clip) {
     for (std::size_t axis : {0U, 1U}) view.lookat[axis] += travel[axis] * k / count;
     if (turns) view.azimuth += clip.plan.turn * 180.0 / std::numbers::pi * floor.cycles * k / count;
     Image frame = downsample(renderer.render(poses[static_cast<std::size_t>(k)], view), kSampling);
-    stamp(frame, label, 10, 8, kInk);
+    stamp(frame, label, 10, 8, kLabelColour);
     animation.frames.push_back(std::move(frame));
     animation.end_ms.push_back(static_cast<int>(std::lround(1000.0 * seconds * (k + 1) / count)));
   }

@@ -10,7 +10,7 @@ namespace legwright {
 namespace {
 
 // From the front left and above: front of the robot, its side and the spread of its feet at once.
-constexpr double kAzimuth = 215.0, kElevation = -16.0, kMargin = 0.22;  // room to grow in
+constexpr double kMargin = 0.22;  // room to grow in
 
 }  // namespace
 
@@ -18,7 +18,7 @@ IterationPainter::IterationPainter(const std::filesystem::path& first_scene) {
   const ModelPointer model = load_drawn_scene(first_scene);
   // The robot at rest too: its gait may crouch or turn, and later bodies stand otherwise.
   const std::vector<double> rest(model->qpos0, model->qpos0 + model->nq);
-  view_ = frame_robot(*model, {start_pose(*model), rest}, kAzimuth, kElevation,
+  view_ = frame_robot(*model, {start_pose(*model), rest}, kObliqueAzimuth, kObliqueElevation,
                       static_cast<double>(kWidth) / kHeight, kMargin);
 }
 

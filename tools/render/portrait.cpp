@@ -9,8 +9,7 @@
 namespace legwright {
 namespace {
 
-constexpr int kWidth = 960, kHeight = 720;
-constexpr double kAzimuth = 215.0, kElevation = -16.0;
+constexpr int kPortraitWidth = 960, kPortraitHeight = 720;
 
 }  // namespace
 
@@ -22,9 +21,9 @@ void draw_portrait(const std::filesystem::path& scene, const std::filesystem::pa
                            ? model->key_qpos + static_cast<std::ptrdiff_t>(key) * model->nq
                            : model->qpos0;
   const std::vector<double> qpos(pose, pose + model->nq);
-  const View view =
-      frame_robot(*model, {qpos}, kAzimuth, kElevation, static_cast<double>(kWidth) / kHeight);
-  Renderer renderer(context, *model, kWidth, kHeight, RenderStyle::full);
+  const View view = frame_robot(*model, {qpos}, kObliqueAzimuth, kObliqueElevation,
+                                static_cast<double>(kPortraitWidth) / kPortraitHeight);
+  Renderer renderer(context, *model, kPortraitWidth, kPortraitHeight, RenderStyle::full);
   write_png(png, renderer.render(qpos, view));
 }
 

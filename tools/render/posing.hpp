@@ -13,6 +13,9 @@ namespace legwright {
 inline constexpr double kFieldOfView =
     24.0;  // [deg], vertical: a little telephoto, so that links keep their proportions
 
+// [deg] An oblique view of a robot that stands: from ahead, to one side and above.
+inline constexpr double kObliqueAzimuth = 215.0, kObliqueElevation = -16.0;
+
 /// How cameras are turned so that up in a picture is against gravity: of a slope gravity is what is
 /// oblique in the world. Identity where gravity is along z.
 Eigen::Matrix3d view_rotation(const mjModel& model);

@@ -11,7 +11,8 @@ namespace {
 
 // [m] extent that clipping planes go by, whatever the model's.
 constexpr double kStudioSize = 1.2;
-constexpr std::array<float, 4> kPaper{0.965F, 0.97F, 0.975F, 1.0F};  // the floor fades into this
+// The floor fades into this.
+constexpr std::array<float, 4> kFogColour{0.965F, 0.97F, 0.975F, 1.0F};
 constexpr double kFloor = 30.0;                    // [m] half its side; the fog ends long before
 constexpr float kSun[3] = {-0.35F, 0.30F, -1.0F};  // seen from the camera: to the right, away, down
 
@@ -31,7 +32,8 @@ void extend_to_paper(mjModel& model) {
     mjtByte* pixel = model.tex_data + model.tex_adr[t];
     for (int i = 0; i < model.tex_width[t] * model.tex_height[t]; ++i, pixel += channels)
       for (int c = 0; c < channels; ++c)
-        pixel[c] = static_cast<mjtByte>(std::lround(255.0F * kPaper[static_cast<std::size_t>(c)]));
+        pixel[c] =
+            static_cast<mjtByte>(std::lround(255.0F * kFogColour[static_cast<std::size_t>(c)]));
   }
 }
 
@@ -48,7 +50,7 @@ ModelPointer styled_copy(const mjModel& model, int width, int height, RenderStyl
   copy->vis.quality.offsamples = full ? 4 : 0;
   copy->vis.quality.shadowsize = full ? 2048 : 1024;
   copy->stat.extent = kStudioSize;
-  std::copy(kPaper.begin(), kPaper.end(), copy->vis.rgba.fog);
+  std::copy(kFogColour.begin(), kFogColour.end(), copy->vis.rgba.fog);
   std::fill_n(copy->vis.headlight.ambient, 3, 0.42F);
   std::fill_n(copy->vis.headlight.diffuse, 3, 0.26F);
   std::fill_n(copy->vis.headlight.specular, 3, 0.10F);

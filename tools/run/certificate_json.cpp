@@ -21,8 +21,9 @@ std::vector<ViolationRecord> violations_of(const Objective& objective, const Eig
   return rows;
 }
 
-TaskCertificateRecord record_of_task(const CodesignProblem& problem, const DesignIteration& iterate,
-                                     const Certificate& proof, int task) {
+TaskCertificateRecord certificate_of_task(const CodesignProblem& problem,
+                                          const DesignIteration& iterate, const Certificate& proof,
+                                          int task) {
   const TaskCertificate& own = proof.tasks[task];
   TaskCertificateRecord record;
   record.stationarity = own.stationarity;
@@ -55,7 +56,7 @@ CertificateRecord certificate_record(const CodesignProblem& problem, const Desig
     record.active_bounds.push_back({problem.robot.space.parameters[bound.parameter].name,
                                     bound.upper ? "upper" : "lower", bound.gradient});
   for (int task : tasks)
-    record.tasks.of(problem.task(task).name) = record_of_task(problem, iterate, proof, task);
+    record.tasks.of(problem.task(task).name) = certificate_of_task(problem, iterate, proof, task);
   return record;
 }
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <initializer_list>
 #include <map>
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>

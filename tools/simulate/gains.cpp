@@ -16,8 +16,6 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-constexpr const char* kPluginName = "legwright.gait";
-
 // Multiplies each number of the attribute by the factor at its place; the last factor serves all
 // that follow.
 void scale_numbers(XMLElement& element, const char* attribute, const std::vector<double>& factors,
@@ -62,7 +60,7 @@ std::string scale_gains(const std::string& scene_xml, double scale, const std::s
   std::set<std::string> classes;
   int scaled_keys = 0, scaled_classes = 0;
   for_each_element(document.RootElement(), [&](XMLElement& element) {
-    if (std::strcmp(element.Name(), "plugin") != 0 || !attribute_is(element, "plugin", kPluginName))
+    if (std::strcmp(element.Name(), "plugin") != 0 || !attribute_is(element, "plugin", kGaitPlugin))
       return;
     if (const char* used = element.Attribute("class")) classes.insert(used);
     for_each_element(element.FirstChildElement(), [&](XMLElement& config) {
@@ -83,7 +81,7 @@ std::string scale_gains(const std::string& scene_xml, double scale, const std::s
     }
   });
   if (scaled_keys == 0) {
-    throw MujocoError(name + ": the scene has no instance of the plugin " + kPluginName +
+    throw MujocoError(name + ": the scene has no instance of the plugin " + kGaitPlugin +
                       " with gains kp and kd: nothing would move the robot; play the scene.xml " +
                       "that `legwright optimize` writes");
   }

@@ -12,7 +12,6 @@
 namespace legwright {
 namespace {
 
-constexpr const char* kPluginName = "legwright.gait";
 constexpr const char* kPluginFile = "liblegwright.so";
 
 thread_local MujocoMessages* messages_of_thread = nullptr;
@@ -38,7 +37,7 @@ bool is_there(const std::filesystem::path& file) {
 
 bool plugin_known() {
   int slot = -1;
-  return mjp_getPlugin(kPluginName, &slot) != nullptr;
+  return mjp_getPlugin(kGaitPlugin, &slot) != nullptr;
 }
 
 // MuJoCo's own words, without a line break at the end, with the warnings that came before (a
@@ -101,10 +100,10 @@ void load_gait_plugin() {
                         mj_versionString() + ", build it with this program");
     }
     if (plugin_known()) return;
-    throw PluginError("the library " + file.string() + " is no " + kPluginName + " plugin");
+    throw PluginError("the library " + file.string() + " is no " + kGaitPlugin + " plugin");
   }
   throw PluginError(
-      std::string("the MuJoCo plugin ") + kPluginName +
+      std::string("the MuJoCo plugin ") + kGaitPlugin +
       " was not found; build the target legwright_plugin or name the file in the environment "
       "variable LEGWRIGHT_PLUGIN. Searched:" +
       searched);
@@ -128,12 +127,12 @@ ModelPointer compile_model(const std::string& xml, const std::string& name,
 
 void require_gait_plugin(const mjModel& model, const std::string& name) {
   int slot = -1;
-  mjp_getPlugin(kPluginName, &slot);
+  mjp_getPlugin(kGaitPlugin, &slot);
   for (int i = 0; i < model.nplugin; ++i) {
     if (slot >= 0 && model.plugin[i] == slot) return;
   }
   throw MujocoError(
-      name + ": the scene has no instance of the plugin " + kPluginName +
+      name + ": the scene has no instance of the plugin " + kGaitPlugin +
       ": nothing would move the robot; play the scene.xml that `legwright optimize` writes");
 }
 

@@ -13,6 +13,9 @@
 
 namespace legwright {
 
+/// What scenes call the plugin that plays a gait.
+inline constexpr const char* kGaitPlugin = "legwright.gait";
+
 /// MuJoCo refused something or failed; the message is its own, with what to do where that is known.
 class MujocoError : public std::runtime_error {
  public:

@@ -10,12 +10,11 @@
 namespace legwright {
 namespace {
 
-constexpr const char* kPluginName = "legwright.gait";
 constexpr const char* kStartKey = "gait";
 
 int gait_instance(const mjModel& model) {
   int slot = -1;
-  mjp_getPlugin(kPluginName, &slot);
+  mjp_getPlugin(kGaitPlugin, &slot);
   for (int i = 0; i < model.nplugin; ++i) {
     if (model.plugin[i] == slot) return i;
   }

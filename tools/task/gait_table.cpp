@@ -7,18 +7,12 @@
 #include <cmath>
 #include <map>
 
-#include "mjcf/text/input_error.hpp"
-
 namespace legwright {
 namespace {
 
 constexpr int kFewestStance = 2;          // [knots] with one alone a foot pushes for no time
 constexpr double kPhaseTolerance = 1e-9;  // phases closer than this are the same
 constexpr const char* kPlaces = "front to hind, left before right";
-
-[[noreturn]] void refuse(const TaskFile& file, const std::string& key, const std::string& message) {
-  throw InputError(file.file.string(), file.line(key), key, message);
-}
 
 /// Numbers by foot name as numbers by place.
 std::vector<double> by_place(const TaskFile& file, const std::string& key,
@@ -27,18 +21,17 @@ std::vector<double> by_place(const TaskFile& file, const std::string& key,
   for (const auto& [name, value] : by_name)
     if (std::find(names.begin(), names.end(), name) == names.end()) {
       const std::string guess = nearest(name, names);
-      refuse(file, key + "." + name,
-             fmt::format("the robot has no such foot; {}its feet are {}",
-                         guess.empty() ? "" : fmt::format("did you mean '{}'? ", guess),
-                         fmt::join(names, ", ")));
+      file.refuse(key + "." + name,
+                  fmt::format("the robot has no such foot; {}its feet are {}",
+                              guess.empty() ? "" : fmt::format("did you mean '{}'? ", guess),
+                              fmt::join(names, ", ")));
     }
   std::vector<double> values;
   for (int foot : order) {
     const auto found = by_name.find(names[static_cast<std::size_t>(foot)]);
     if (found == by_name.end())
-      refuse(file, key,
-             fmt::format("no entry for the foot '{}'; the robot's feet are {}",
-                         names[static_cast<std::size_t>(foot)], fmt::join(names, ", ")));
+      file.refuse(key, fmt::format("no entry for the foot '{}'; the robot's feet are {}",
+                                   names[static_cast<std::size_t>(foot)], fmt::join(names, ", ")));
     values.push_back(found->second);
   }
   return values;
@@ -51,22 +44,24 @@ GaitPattern library_pattern(const TaskFile& file, int foot_count) {
     names.push_back(pattern.name);
   }
   if (names.empty())
-    refuse(file, "gait.name",
-           fmt::format("the library has no gait for {} feet; give gait.touchdown and gait.duty",
-                       foot_count));
+    file.refuse(
+        "gait.name",
+        fmt::format("the library has no gait for {} feet; give gait.touchdown and gait.duty",
+                    foot_count));
   std::string others;  // feet for which there is a gait of that name
   for (const int feet : gait_library_feet())
     for (const GaitPattern& pattern : gait_library(feet))
       if (pattern.name == file.gait)
         others += fmt::format("{}{}", others.empty() ? "" : ", ", feet);
   const std::string guess = others.empty() ? nearest(file.gait, names) : "";
-  refuse(file, "gait.name",
-         fmt::format("'{}' is not in the library{}; {}for {} feet it has {}; or give "
-                     "gait.touchdown and gait.duty; `legwright gaits` draws them",
-                     file.gait,
-                     others.empty() ? "" : fmt::format(" for this robot, only for {} feet", others),
-                     guess.empty() ? "" : fmt::format("did you mean '{}'? ", guess), foot_count,
-                     fmt::join(names, ", ")));
+  file.refuse(
+      "gait.name",
+      fmt::format("'{}' is not in the library{}; {}for {} feet it has {}; or give "
+                  "gait.touchdown and gait.duty; `legwright gaits` draws them",
+                  file.gait,
+                  others.empty() ? "" : fmt::format(" for this robot, only for {} feet", others),
+                  guess.empty() ? "" : fmt::format("did you mean '{}'? ", guess), foot_count,
+                  fmt::join(names, ", ")));
 }
 
 /// A pattern of one's own must not go by the name of another: verdicts and reports call it by that.
@@ -75,21 +70,21 @@ void check_own_name(const TaskFile& file, const GaitPattern& own) {
     if (pattern.name != own.name) continue;
     for (std::size_t place = 0; place < own.touchdown.size(); ++place)
       if (std::abs(own.touchdown[place] - pattern.touchdown[place]) > kPhaseTolerance)
-        refuse(file, "gait.name",
-               fmt::format("'{0}' is a gait of the library and touches down at {1}, not at {2}; "
-                           "name this one differently, for instance \"my_{0}\", or leave "
-                           "gait.touchdown out",
-                           own.name, fmt::join(pattern.touchdown, ", "),
-                           fmt::join(own.touchdown, ", ")));
+        file.refuse(
+            "gait.name",
+            fmt::format("'{0}' is a gait of the library and touches down at {1}, not at {2}; "
+                        "name this one differently, for instance \"my_{0}\", or leave "
+                        "gait.touchdown out",
+                        own.name, fmt::join(pattern.touchdown, ", "),
+                        fmt::join(own.touchdown, ", ")));
   }
 }
 
 void check_count(const TaskFile& file, const std::string& key, std::size_t count,
                  std::size_t foot_count, const char* what) {
   if (count != foot_count)
-    refuse(file, key,
-           fmt::format("has {} entries; the robot has {} feet: give one {} for each, {}", count,
-                       foot_count, what, kPlaces));
+    file.refuse(key, fmt::format("has {} entries; the robot has {} feet: give one {} for each, {}",
+                                 count, foot_count, what, kPlaces));
 }
 
 GaitPattern choose_pattern(const TaskFile& file, const std::vector<std::string>& names,
@@ -159,13 +154,14 @@ Gait make_gait(const TaskFile& file, const std::vector<std::string>& names,
   for (std::size_t place = 0; place < order.size(); ++place) {
     const int stance = stance_knots(pattern, place, file.knots);
     if (stance >= kFewestStance) continue;
-    refuse(file, file.lines.contains("gait.duty") ? "gait.duty" : "gait.knots",
-           fmt::format("a duty of {} on {} knots leaves the foot '{}' no stance: {} on the ground, "
-                       "{} are needed; raise the duty to {:.3f} or the number of knots",
-                       pattern.duty_of(place), file.knots,
-                       names[static_cast<std::size_t>(order[place])],
-                       stance == 1 ? "a single knot" : "no knot", kFewestStance,
-                       std::ceil(1000.0 * kFewestStance / file.knots) / 1000.0));
+    file.refuse(
+        file.lines.contains("gait.duty") ? "gait.duty" : "gait.knots",
+        fmt::format("a duty of {} on {} knots leaves the foot '{}' no stance: {} on the ground, "
+                    "{} are needed; raise the duty to {:.3f} or the number of knots",
+                    pattern.duty_of(place), file.knots,
+                    names[static_cast<std::size_t>(order[place])],
+                    stance == 1 ? "a single knot" : "no knot", kFewestStance,
+                    std::ceil(1000.0 * kFewestStance / file.knots) / 1000.0));
   }
   return Gait(pattern, file.period, file.knots, order);
 }

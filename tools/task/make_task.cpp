@@ -5,7 +5,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "mjcf/text/input_error.hpp"
 #include "optimizer/design/kinematics.hpp"
 #include "optimizer/motion/initial_guess.hpp"
 #include "optimizer/motion/margins.hpp"
@@ -23,10 +22,6 @@ namespace {
 
 constexpr double kMostHeight = 1.5;  // com_height over the longest leg: the trunk has height
 constexpr double kQuickDuty = 0.6;   // gaits up to this duty have no third foot to catch them
-
-[[noreturn]] void refuse(const TaskFile& file, const std::string& key, const std::string& message) {
-  throw InputError(file.file.string(), file.line(key), key, message);
-}
 
 /// Knots of each foot strictly in the air, the smallest of them.
 int fewest_airborne(const Gait& gait, int margin) {
@@ -56,10 +51,10 @@ void check_weights(const TaskFile& file) {
   for (const auto& [name, weight] : file.weights) {
     if (std::find(term_names.begin(), term_names.end(), name) != term_names.end()) continue;
     const std::string guess = nearest(name, term_names);
-    refuse(file, "weights." + name,
-           guess.empty()
-               ? fmt::format("no term of that name; there are {}", fmt::join(term_names, ", "))
-               : fmt::format("no term of that name; did you mean '{}'?", guess));
+    file.refuse("weights." + name,
+                guess.empty()
+                    ? fmt::format("no term of that name; there are {}", fmt::join(term_names, ", "))
+                    : fmt::format("no term of that name; did you mean '{}'?", guess));
   }
 }
 
@@ -73,10 +68,10 @@ void check_limb_pairs(const TaskFile& file, const Morphology& morphology) {
     for (const std::string& name : {first, second}) {
       if (std::find(names.begin(), names.end(), name) != names.end()) continue;
       const std::string guess = nearest(name, names);
-      refuse(file, "limits.limb_pairs",
-             fmt::format("no link or foot is named '{}'; {}there are {}", name,
-                         guess.empty() ? "" : fmt::format("did you mean '{}'? ", guess),
-                         fmt::join(names, ", ")));
+      file.refuse("limits.limb_pairs",
+                  fmt::format("no link or foot is named '{}'; {}there are {}", name,
+                              guess.empty() ? "" : fmt::format("did you mean '{}'? ", guess),
+                              fmt::join(names, ", ")));
     }
 }
 
@@ -84,42 +79,47 @@ void check_limb_pairs(const TaskFile& file, const Morphology& morphology) {
 void check_ground(const TaskFile& file) {
   const bool slope = file.slope_along != 0.0 || file.slope_across != 0.0;
   if (slope && file.turn_rate != 0.0)
-    refuse(file, "travel.turn_rate",
-           fmt::format("is {} rad/s on a slope: a robot that turns meets it from another side each "
-                       "cycle, so its gait does not repeat; take out [ground] or turn_rate",
-                       file.turn_rate));
+    file.refuse(
+        "travel.turn_rate",
+        fmt::format("is {} rad/s on a slope: a robot that turns meets it from another side each "
+                    "cycle, so its gait does not repeat; take out [ground] or turn_rate",
+                    file.turn_rate));
 }
 
 void check_reach(const TaskFile& file, const Task& task, const RobotModel& robot) {
   const StrideBound bound = stride_bound(task, robot);
   if (bound.per_stance > bound.longest)
-    refuse(file, "travel.velocity",
-           fmt::format("out of reach: the body travels {:.3g} m while a foot stands, the longest "
-                       "stride of this robot "
-                       "is {:.3g} m (twice its longest leg at the bounds); slow down by a factor "
-                       "of {:.2g}, or shorten "
-                       "gait.period or the duty",
-                       bound.per_stance, bound.longest, bound.per_stance / bound.longest));
+    file.refuse(
+        "travel.velocity",
+        fmt::format("out of reach: the body travels {:.3g} m while a foot stands, the longest "
+                    "stride of this robot "
+                    "is {:.3g} m (twice its longest leg at the bounds); slow down by a factor "
+                    "of {:.2g}, or shorten "
+                    "gait.period or the duty",
+                    bound.per_stance, bound.longest, bound.per_stance / bound.longest));
   const double highest = 0.5 * bound.longest;
   const std::optional<double> com_height = highest_com(task);
   if (com_height && *com_height > kMostHeight * highest)
-    refuse(file, "style.com_height",
-           fmt::format("is {} m; at most {:.3g} m is accepted, {} times the longest leg that the "
-                       "bounds allow, {:.3g} m; lower it",
-                       *com_height, kMostHeight * highest, kMostHeight, highest));
+    file.refuse(
+        "style.com_height",
+        fmt::format("is {} m; at most {:.3g} m is accepted, {} times the longest leg that the "
+                    "bounds allow, {:.3g} m; lower it",
+                    *com_height, kMostHeight * highest, kMostHeight, highest));
   const int airborne = fewest_airborne(task.gait, task.planted_margin);
   const bool moves = task.velocity.norm() > 0.0 || task.turn_rate != 0.0;
   if (moves && airborne == 0)
-    refuse(file, "gait.knots",
-           fmt::format("no knot is left for the swing: {} knots of {:.3g} s, of which {} stay "
-                       "planted before and after "
-                       "stance; use more knots, a lower duty or a shorter limits.planted_margin",
-                       task.gait.knot_count(), task.gait.time_step(), task.planted_margin));
+    file.refuse(
+        "gait.knots",
+        fmt::format("no knot is left for the swing: {} knots of {:.3g} s, of which {} stay "
+                    "planted before and after "
+                    "stance; use more knots, a lower duty or a shorter limits.planted_margin",
+                    task.gait.knot_count(), task.gait.time_step(), task.planted_margin));
   const int support = support_range(task.gait).most;
   if (task.min_normal * support >= 1.0)
-    refuse(file, "limits.min_normal",
-           fmt::format("is {}; {} feet stand at once, so it must be below {:.3g} of the weight",
-                       task.min_normal, support, 1.0 / support));
+    file.refuse(
+        "limits.min_normal",
+        fmt::format("is {}; {} feet stand at once, so it must be below {:.3g} of the weight",
+                    task.min_normal, support, 1.0 / support));
 }
 
 }  // namespace

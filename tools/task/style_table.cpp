@@ -5,17 +5,11 @@
 
 #include <algorithm>
 
-#include "mjcf/text/input_error.hpp"
-
 namespace legwright {
 namespace {
 
 constexpr Range kReach{-5.0, 5.0, false, false, "m"};
 constexpr Range kHeight{0.0, 5.0, true, false, "m"};
-
-[[noreturn]] void refuse(const TaskFile& file, const std::string& key, const std::string& message) {
-  throw InputError(file.file.string(), file.line(key), key, message);
-}
 
 std::vector<Eigen::Vector2d> vectors(const std::vector<std::vector<double>>& pairs) {
   std::vector<Eigen::Vector2d> out;
@@ -33,8 +27,8 @@ std::optional<std::vector<Eigen::Vector2d>> footprint_of(const TaskFile& file,
   if (file.footprint.size() == 1 &&
       foot_count > 1) {  // half length and half width: rows from front to hind
     if (foot_count % 2 != 0)
-      refuse(file, "style.footprint",
-             "half length and half width need an even number of feet; give a pair for each");
+      file.refuse("style.footprint",
+                  "half length and half width need an even number of feet; give a pair for each");
     const auto rows = static_cast<double>(foot_count / 2);
     for (std::size_t place = 0; place < foot_count; ++place) {
       const double along =
@@ -45,11 +39,12 @@ std::optional<std::vector<Eigen::Vector2d>> footprint_of(const TaskFile& file,
     return result;
   }
   if (file.footprint.size() != foot_count)
-    refuse(file, "style.footprint",
-           fmt::format("has {} pairs; the robot has {} feet: one pair each, front to hind, left "
-                       "before right, or "
-                       "[half length, half width]",
-                       file.footprint.size(), foot_count));
+    file.refuse(
+        "style.footprint",
+        fmt::format("has {} pairs; the robot has {} feet: one pair each, front to hind, left "
+                    "before right, or "
+                    "[half length, half width]",
+                    file.footprint.size(), foot_count));
   for (std::size_t place = 0; place < foot_count; ++place)
     result[order[place]] = file.footprint[place];
   return result;
@@ -62,10 +57,10 @@ std::vector<std::vector<Eigen::Vector2d>> foot_targets_of(const TaskFile& file,
     const auto foot = std::find(names.begin(), names.end(), name);
     if (foot == names.end()) {
       const std::string guess = nearest(name, names);
-      refuse(file, "style.foot_targets." + name,
-             fmt::format("the robot has no such foot; {}its feet are {}",
-                         guess.empty() ? "" : fmt::format("did you mean '{}'? ", guess),
-                         fmt::join(names, ", ")));
+      file.refuse("style.foot_targets." + name,
+                  fmt::format("the robot has no such foot; {}its feet are {}",
+                              guess.empty() ? "" : fmt::format("did you mean '{}'? ", guess),
+                              fmt::join(names, ", ")));
     }
     targets.resize(names.size());
     targets[static_cast<std::size_t>(foot - names.begin())] = places;

@@ -260,6 +260,10 @@ void read_tasks(const std::vector<const toml::table*>& tables, const TaskFile& s
 
 int TaskFile::line(const std::string& key) const { return line_in(lines, key); }
 
+void TaskFile::refuse(const std::string& key, const std::string& message) const {
+  throw InputError(file.string(), line(key), key, message);
+}
+
 TaskSet parse_task_set(const std::string& text, const std::filesystem::path& file,
                        const std::filesystem::path& other_robot) {
   toml::table root;

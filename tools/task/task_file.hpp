@@ -50,6 +50,8 @@ struct TaskFile {
 
   std::map<std::string, int> lines;  // of each key that is there, by its path: "gait.period"
   int line(const std::string& key) const;
+  /// Throws InputError with file and line of the key.
+  [[noreturn]] void refuse(const std::string& key, const std::string& message) const;
 };
 
 /// What a task file says about s: [design] freeze = ["body_width"] and [design.bounds]

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "plugin/spline.hpp"
 #include "tools/simulate/planned_vectors.hpp"
@@ -15,13 +16,11 @@
 namespace legwright {
 namespace {
 
-constexpr double kPi = 3.141592653589793;
 constexpr int kBins = 60;
 constexpr int kSamplesPerBin = 4;  // at least, so that no bin of a cycle stays empty
 constexpr int kPathPointsPerCycle = 12;
 
 using R = ComparedRows;
-using ConstVector3 = Eigen::Map<const Eigen::Vector3d>;
 
 int bins_for(const Scene& scene) {
   const double samples = scene.trajectory.period / scene.model->opt.timestep;
@@ -80,8 +79,8 @@ void ComparisonWatch::observe(const RolloutSample& sample) {
   const double whole = std::floor(position);
   const double share = position - whole;
   const mjtNum* rotation = data.xmat + 9 * scene_.joints.root_body;
-  yaw_ += std::remainder(trunk_angles(rotation).yaw - yaw_, 2 * kPi);
-  const ConstVector3 com(data.subtree_com + 3 * scene_.joints.root_body);
+  yaw_ += std::remainder(trunk_angles(rotation).yaw - yaw_, 2 * std::numbers::pi);
+  const Eigen::Map<const Eigen::Vector3d> com(data.subtree_com + 3 * scene_.joints.root_body);
   if (const int cycle = static_cast<int>(whole);
       cycle != cycle_ && (cycle_ >= 0 || share * period < step / 2)) {
     start_cycle(cycle, {com.head<2>(), yaw_, work_});
@@ -152,7 +151,7 @@ void ComparisonWatch::derive(Eigen::MatrixXd& means) const {
 
 void ComparisonWatch::watch_trunk(const mjData& data, double share) {
   const int body = scene_.joints.root_body;
-  const ConstVector3 com(data.subtree_com + 3 * body);
+  const Eigen::Map<const Eigen::Vector3d> com(data.subtree_com + 3 * body);
   const mjtNum* rotation = data.xmat + 9 * body;
   const double turned = scene_.trajectory.turn * share;
   const Eigen::Rotation2Dd start(-mark_.yaw), heading(-mark_.yaw - turned);

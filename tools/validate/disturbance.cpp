@@ -18,8 +18,6 @@ namespace {
 constexpr double kPushDuration = 0.05;  // [s]
 constexpr double kFineStep = 0.25e-3;   // [s]; see README.md
 
-using Vector3 = Eigen::Map<Eigen::Vector3d>;
-
 // Both geoms where neither has the say: the larger would win.
 void set_floor_friction(Scene& scene, double friction) {
   mjModel& model = *scene.model;
@@ -38,7 +36,7 @@ void scale_masses(mjModel& model, double scale) {
 
 // A slope of the floor is a slope of gravity as the floor sees it; on a slope, one more.
 void slope_floor(mjModel& model, const Eigen::Vector2d& way, double along, double across) {
-  Vector3 gravity(model.opt.gravity);
+  Eigen::Map<Eigen::Vector3d> gravity(model.opt.gravity);
   const double g = gravity.norm();
   const SlopeAngles own = slope_of(way, up_of(model));
   gravity = -g * up_on_slope(way, own.along + along, own.across + across);
@@ -83,7 +81,7 @@ void tilt(const Scene& scene, mjData& data, double roll, double pitch) {
                                 Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()) *
                                 Eigen::AngleAxisd(-yaw, Eigen::Vector3d::UnitZ()));
   mjtNum* root = data.qpos + scene.joints.root_qpos;
-  Vector3 position(root);
+  Eigen::Map<Eigen::Vector3d> position(root);
   position = (pivot + turn * (position - pivot)).eval();
   const mjtNum by[4] = {turn.w(), turn.x(), turn.y(), turn.z()};
   mju_mulQuat(root + 3, by, root + 3);

@@ -10,7 +10,6 @@
 namespace legwright {
 namespace {
 
-using Vector3 = Eigen::Vector3d;
 using ConstVector3 = Eigen::Map<const Eigen::Vector3d>;
 using ConstFrame = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
 
@@ -44,9 +43,9 @@ Eigen::Vector3d foot_position(const mjModel& model, const mjData& data, int geom
 FootMotion foot_motion(const mjModel& model, const mjData& data, int geom) {
   mjtNum velocity[6];
   mj_objectVelocity(&model, &data, mjOBJ_GEOM, geom, velocity, 0);
-  const Vector3 bottom =
-      foot_position(model, data, geom) - foot_radius(model, geom) * Vector3::UnitZ();
-  const Vector3 arm = bottom - ConstVector3(data.geom_xpos + 3 * geom);
+  const Eigen::Vector3d bottom =
+      foot_position(model, data, geom) - foot_radius(model, geom) * Eigen::Vector3d::UnitZ();
+  const Eigen::Vector3d arm = bottom - ConstVector3(data.geom_xpos + 3 * geom);
   return {ConstVector3(velocity + 3) + ConstVector3(velocity).cross(arm),
           {velocity[0], velocity[1]},
           bottom};
@@ -69,8 +68,8 @@ double read_foot_touches(const Scene& scene, const mjData& data, std::vector<Foo
     mjtNum force[6], velocity[6];
     mj_contactForce(&model, &data, c, force);
     mj_objectVelocity(&model, &data, mjOBJ_GEOM, geom, velocity, 0);
-    const Vector3 arm = ConstVector3(contact.pos) - ConstVector3(data.geom_xpos + 3 * geom);
-    const Vector3 speed = ConstVector3(velocity + 3) + ConstVector3(velocity).cross(arm);
+    const Eigen::Vector3d arm = ConstVector3(contact.pos) - ConstVector3(data.geom_xpos + 3 * geom);
+    const Eigen::Vector3d speed = ConstVector3(velocity + 3) + ConstVector3(velocity).cross(arm);
     const ConstVector3 normal(contact.frame);
     FootTouch& touch = touches[static_cast<std::size_t>(found - scene.foot_geom.begin())];
     // The contact's normal points from its first geom to its second, and so does the force on the

@@ -10,18 +10,18 @@
 namespace legwright {
 namespace {
 
-std::string number(const std::optional<double>& value) {
+std::string shortest_number(const std::optional<double>& value) {
   return value ? fmt::format("{}", *value) : "not measured";
 }
 
 /// "largest tilt of the trunk: 0.04 rad (half gains), less than 0.1"; "at least 0.95, at most 1.05"
 std::string facts(const JudgedLimit& row) {
-  std::string out = row.what + ": " + number(row.value);
+  std::string out = row.what + ": " + shortest_number(row.value);
   if (row.unit != "1" && row.value) out += " " + row.unit;
   if (!row.where.empty()) out += " (" + row.where + ")";
-  if (row.bounds.low) out += ", at least " + number(row.bounds.low);
+  if (row.bounds.low) out += ", at least " + shortest_number(row.bounds.low);
   if (row.bounds.high)
-    out += (row.strict ? ", less than " : ", at most ") + number(row.bounds.high);
+    out += (row.strict ? ", less than " : ", at most ") + shortest_number(row.bounds.high);
   return out;
 }
 

@@ -12,7 +12,7 @@ namespace {
 // Of a robot that fell or flew apart nothing else is told: the rest follows from it.
 bool ended_early(const Measurements& run) { return run.fall || run.diverged; }
 
-std::string number(double value) {
+std::string three_digits(double value) {
   const std::string text = fmt::format("{:.3g}", value);
   return text == "-0" ? "0" : text;
 }
@@ -25,7 +25,7 @@ std::string told(const LimitedQuantity& quantity, const std::optional<double>& v
     return text == "-0.0 %" ? "0.0 %" : text;
   }
   const std::string text =
-      quantity.told == Told::thousandths ? fmt::format("{:.3f}", *value) : number(*value);
+      quantity.told == Told::thousandths ? fmt::format("{:.3f}", *value) : three_digits(*value);
   return quantity.unit == "1" ? text : text + " " + quantity.unit;
 }
 
@@ -93,7 +93,7 @@ bool within(const std::optional<double>& value, const Bounds& bounds, bool below
 
 std::string what_passes(const Bounds& bounds, const std::string& unit, Told told, bool below) {
   const bool percent = told == Told::percent;
-  const auto text = [&](double value) { return number(percent ? 100 * value : value); };
+  const auto text = [&](double value) { return three_digits(percent ? 100 * value : value); };
   const std::string tail = (percent       ? " %"
                             : unit == "1" ? ""
                                           : " " + unit) +

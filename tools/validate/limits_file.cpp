@@ -16,7 +16,6 @@ namespace legwright {
 namespace {
 
 constexpr std::uintmax_t kMostBytes = 1 << 20;
-constexpr std::string_view kMargin = "margin.";
 
 /// What may be asked for of each quantity.
 struct Askable {
@@ -52,7 +51,7 @@ class Reader {
     TableReader* from = &in_;
     std::optional<TableReader> within;
     if (margins) from = &within.emplace(in_.table("margin"), "margin", problems_, lines_);
-    for (const Askable& one : all) bounds(*from, one, margins ? std::string(kMargin) : "");
+    for (const Askable& one : all) bounds(*from, one, margins ? std::string(kMarginPrefix) : "");
     if (margins) within->finish();
   }
   void finish() { in_.finish(); }
@@ -135,7 +134,8 @@ bool ask_for_numerics(const Limits& limits) {
 
 bool need_robustness(const Limits& limits) {
   return std::any_of(limits.begin(), limits.end(), [](const auto& entry) {
-    return entry.second.any() && (entry.first == "survival" || entry.first.starts_with(kMargin));
+    return entry.second.any() &&
+           (entry.first == "survival" || entry.first.starts_with(kMarginPrefix));
   });
 }
 

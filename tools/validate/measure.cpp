@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "optimizer/motion/path.hpp"
 #include "plugin/spline.hpp"
@@ -12,8 +13,6 @@
 
 namespace legwright {
 namespace {
-
-constexpr double kPi = 3.141592653589793;
 
 struct Mark {                // the robot at the start of a cycle
   Eigen::Vector2d position;  // of its COM: where a robot turns, its trunk's origin goes round that
@@ -73,7 +72,7 @@ class Measurer {
 void Measurer::watch_trunk(const RolloutSample& sample) {
   const mjtNum* rotation = sample.data.xmat + 9 * scene_.joints.root_body;
   const double yaw = std::atan2(rotation[3], rotation[0]);
-  yaw_ = samples_ == 0 ? yaw : yaw_ + std::remainder(yaw - yaw_, 2 * kPi);
+  yaw_ = samples_ == 0 ? yaw : yaw_ + std::remainder(yaw - yaw_, 2 * std::numbers::pi);
   tilt_max_ = std::max(tilt_max_, std::acos(std::clamp(rotation[8], -1.0, 1.0)));
   const double due = static_cast<double>(marks_.size()) * scene_.trajectory.period;
   if (sample.time >= due - model_.opt.timestep / 2) {

@@ -28,7 +28,7 @@ std::string integrator_name(int integrator) {
 
 std::string cone_name(int cone) { return cone == mjCONE_ELLIPTIC ? "elliptic" : "pyramidal"; }
 
-struct Job {
+struct NumericalRunJob {
   Scene scene;
   NumericalRun* run = nullptr;
 };
@@ -42,7 +42,7 @@ void name_run(const NumericalSetting& setting, const mjOption& options, Numerica
   run.label = fmt::format("{:g} ms, {}, {} cone", 1000 * run.timestep, run.integrator, run.cone);
 }
 
-void play(Job& job, const SceneToValidate& what, const WantedMotion& wanted,
+void play(NumericalRunJob& job, const SceneToValidate& what, const WantedMotion& wanted,
           const ValidationOptions& options) {
   RolloutOptions rollout;
   rollout.cycles = options.cycles;
@@ -76,7 +76,7 @@ SecondOpinion second_opinion(const SceneToValidate& scene, const WantedMotion& w
                              const std::string& gait, const ValidationOptions& options,
                              const std::optional<Measurements>& reference,
                              std::vector<NumericalSetting> settings) {
-  std::vector<Job> jobs(1);
+  std::vector<NumericalRunJob> jobs(1);
   jobs[0].scene = load_scene(scene.scene, 1.0);
   if (settings.empty()) settings = other_numerics(jobs[0].scene.model->opt.timestep);
   settings.insert(settings.begin(), NumericalSetting{"reference", "", {}, {}, {}, {}});

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "optimizer/motion/path.hpp"
 #include "plugin/spline.hpp"
@@ -14,8 +15,6 @@
 
 namespace legwright {
 namespace {
-
-constexpr double kPi = 3.141592653589793;
 
 using R = ComparedRows;
 
@@ -62,7 +61,8 @@ class PlannedColumn {
     out[R::trunk_height] = state.qpos[scene_.joints.root_qpos + 2];
     out[R::roll] = angles.roll;
     out[R::pitch] = angles.pitch;
-    out[R::yaw] = std::remainder(angles.yaw - start_yaw_ - plan_.turn * share, 2 * kPi);
+    out[R::yaw] =
+        std::remainder(angles.yaw - start_yaw_ - plan_.turn * share, 2 * std::numbers::pi);
     out[R::saturated] = 0.0;
   }
 

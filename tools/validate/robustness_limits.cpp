@@ -9,8 +9,6 @@
 namespace legwright {
 namespace {
 
-constexpr const char* kMargin = "margin.";
-
 /// In units for people: degrees, milliseconds.
 std::string shown(double value, const std::string& unit, bool with_unit = true) {
   const auto text = [&](double scaled, const char* name, int digits) {
@@ -65,7 +63,7 @@ JudgedLimit margin_limit(const Margin& margin, bool low, double asked) {
   const DisturbanceFactor& factor = margin.factor;
   const auto& last_good = low ? margin.low : margin.high;
   JudgedLimit out;
-  out.name = kMargin + factor.name + (low ? ".low" : ".high");
+  out.name = kMarginPrefix + factor.name + (low ? ".low" : ".high");
   out.what = factor.label + (low ? ": survives down to" : ": survives up to");
   out.unit = factor.unit;
   (low ? out.bounds.high : out.bounds.low) = asked;
@@ -105,14 +103,14 @@ std::vector<std::string> robustness_lines(const Robustness& robustness) {
 
 std::vector<std::string> robustness_limit_names() {
   std::vector<std::string> out{"survival"};
-  for (const auto& factor : disturbance_factors({})) out.push_back(kMargin + factor.name);
+  for (const auto& factor : disturbance_factors({})) out.push_back(kMarginPrefix + factor.name);
   return out;
 }
 
 std::vector<JudgedLimit> judge_robustness(const Robustness& robustness, const Limits& limits) {
   std::vector<JudgedLimit> out;
   for (const auto& factor : disturbance_factors({})) {
-    const auto found = limits.find(kMargin + factor.name);
+    const auto found = limits.find(kMarginPrefix + factor.name);
     if (found == limits.end()) continue;
     Margin none;  // where the undisturbed walk fails
     none.factor = factor;
@@ -138,7 +136,7 @@ std::vector<JudgedLimit> judge_robustness(const Robustness& robustness, const Li
 std::map<std::string, std::pair<double, double>> tested_for(const Limits& limits) {
   std::map<std::string, std::pair<double, double>> out;
   for (const auto& factor : disturbance_factors({})) {
-    const auto found = limits.find(kMargin + factor.name);
+    const auto found = limits.find(kMarginPrefix + factor.name);
     if (found == limits.end()) continue;
     out[factor.name] = {found->second.low.value_or(factor.tested_low),
                         found->second.high.value_or(factor.tested_high)};

@@ -14,6 +14,9 @@ namespace legwright {
 /// For a terminal, without line breaks at the ends: one line per factor, then the survival share.
 std::vector<std::string> robustness_lines(const Robustness& robustness);
 
+/// What the name of a factor's limit starts with.
+inline constexpr const char* kMarginPrefix = "margin.";
+
 /// "survival", and "margin.NAME" for each factor: what the limits file calls them.
 std::vector<std::string> robustness_limit_names();
 /// Those of them that have bounds. A margin's low bound is a value down to which, its high bound

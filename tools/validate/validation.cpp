@@ -34,14 +34,14 @@ std::vector<std::string> qpos_names(const mjModel& model) {
   return names;
 }
 
-struct Job {
+struct RolloutJob {
   const Scene* scene;
   const SceneToValidate* what;
   SceneValidation* out;
   std::size_t gain;
 };
 
-void run(const Job& job, const WantedMotion& wanted, const ValidationOptions& options) {
+void run(const RolloutJob& job, const WantedMotion& wanted, const ValidationOptions& options) {
   RolloutOptions play;
   play.cycles = options.cycles;
   play.frame_interval = options.frame_interval;
@@ -68,7 +68,7 @@ std::vector<SceneValidation> validate_scenes(const std::vector<SceneToValidate>&
   std::vector<SceneValidation> out(scenes.size());
   std::vector<Scene> loaded;
   loaded.reserve(scenes.size() * gains);
-  std::vector<Job> jobs;
+  std::vector<RolloutJob> jobs;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     out[i].at_gains.resize(gains);
     for (std::size_t g = 0; g < gains; ++g) {

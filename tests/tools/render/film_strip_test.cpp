@@ -29,14 +29,8 @@ Trajectory toy_plan(double heading = 0.3) {
   return plan;
 }
 
-ModelPointer toy() {
-  const auto file = std::filesystem::path(testing::TempDir()) / "toy_strip.xml";
-  write_file(file, kToyScene);
-  return load_drawn_scene(file);
-}
-
 TEST(PlannedPoses, AreTheSplineInTheOrderOfTheModel) {
-  const ModelPointer model = toy();
+  const ModelPointer model = toy_model();
   const Poses poses = planned_poses(*model, toy_plan(), 4, "toy.xml");
   ASSERT_EQ(poses.size(), 4U);
   for (std::size_t k = 0; k < 4; ++k) {
@@ -52,7 +46,7 @@ TEST(PlannedPoses, AreTheSplineInTheOrderOfTheModel) {
 }
 
 TEST(PlannedPoses, GoRoundTheCircleAsThePluginDoes) {
-  const ModelPointer model = toy();
+  const ModelPointer model = toy_model();
   for (const double turn : {0.0, 0.25, -1.3}) {
     Trajectory plan = toy_plan();
     plan.travel = {0.1, 0.02, 0.0};
@@ -78,7 +72,7 @@ TEST(PlannedPoses, GoRoundTheCircleAsThePluginDoes) {
 }
 
 TEST(PlannedPoses, NameTheJointThatIsMissing) {
-  const ModelPointer model = toy();
+  const ModelPointer model = toy_model();
   const Trajectory plan = blank_trajectory({"tail"}, {"L"}, 8, 0.8);
   try {
     planned_poses(*model, plan, 4, "toy.xml");
@@ -89,7 +83,7 @@ TEST(PlannedPoses, NameTheJointThatIsMissing) {
 }
 
 TEST(Playback, IsCheckedAgainstTheModel) {
-  const ModelPointer model = toy();
+  const ModelPointer model = toy_model();
   const auto file = std::filesystem::path(testing::TempDir()) / "playback.csv";
   write_file(file, "time_s,a,b,c,d,e,f,g,h,i\n0,0,0,0.3,1,0,0,0,0,0\n0.5,0,1,0.3,1,0,0,0,0,0\n");
   const Playback playback = read_playback(*model, file);
@@ -132,7 +126,7 @@ TEST(ContactMarks, ShowFeetWhereTheyAre) {
 TEST(FilmStrip, HasTheWidthItSaysAndEachCellInIt) {
   LEGWRIGHT_NEEDS_GL();
   const GlContext context;
-  const ModelPointer model = toy();
+  const ModelPointer model = toy_model();
   Renderer letters(context, *model, 64, 48, RenderStyle::cheap);
   const StripLayout layout{4, 300, 100};
   StripRow row;

@@ -18,12 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-ModelPointer toy() {
-  const fs::path file = fs::path(testing::TempDir()) / "toy_scene.xml";
-  write_file(file, kToyScene);
-  return load_drawn_scene(file);
-}
-
 /// Pixels that differ by more than `least` in a channel.
 int different(const Image& a, const Image& b, int least = 8) {
   int count = 0;
@@ -61,7 +55,7 @@ TEST(GlContext, ThereIsOneAtATime) {
 TEST(Renderer, SamePoseIsSameBytes) {
   LEGWRIGHT_NEEDS_GL();
   const GlContext context;
-  const ModelPointer model = toy();
+  const ModelPointer model = toy_model();
   const auto pose = start_pose(*model);
   const View view = frame_robot(*model, {pose}, 120, -15, 320.0 / 240);
   for (const RenderStyle style : {RenderStyle::cheap, RenderStyle::full}) {
@@ -109,7 +103,7 @@ TEST(Renderer, NoBlackBeyondTheFloorOrAboveTheHorizon) {
 TEST(Renderer, MovedKneeIsSeen) {  // negative control of the test above
   LEGWRIGHT_NEEDS_GL();
   const GlContext context;
-  const ModelPointer model = toy();
+  const ModelPointer model = toy_model();
   const auto pose = start_pose(*model);
   auto moved = pose;
   moved[7] += 0.01;
@@ -121,7 +115,7 @@ TEST(Renderer, MovedKneeIsSeen) {  // negative control of the test above
 TEST(Renderer, RobotFillsThePictureFromAnySide) {
   LEGWRIGHT_NEEDS_GL();
   const GlContext context;
-  const ModelPointer model = toy();
+  const ModelPointer model = toy_model();
   const auto pose = start_pose(*model);
   Renderer renderer(context, *model, 320, 240, RenderStyle::cheap);
   for (const double azimuth : {0.0, 77.0, 200.0, 333.0}) {
@@ -155,7 +149,7 @@ double rise(const Image& image) {
 TEST(Renderer, OnASlopeUpIsUp) {
   LEGWRIGHT_NEEDS_GL();
   const GlContext context;
-  const ModelPointer level = toy(), slope = toy();
+  const ModelPointer level = toy_model(), slope = toy_model();
   slope->opt.gravity[0] = -9.81 * std::sin(0.3);  // the ground rises along +x
   slope->opt.gravity[2] = -9.81 * std::cos(0.3);
   EXPECT_TRUE(view_rotation(*level).isIdentity(0.0));
@@ -174,7 +168,7 @@ TEST(Renderer, OnASlopeUpIsUp) {
 TEST(Renderer, RowsStartAtTheTopAndLeftIsLeft) {
   LEGWRIGHT_NEEDS_GL();
   const GlContext context;
-  const ModelPointer model = toy();
+  const ModelPointer model = toy_model();
   auto pose = start_pose(*model);
   Renderer renderer(context, *model, 320, 240, RenderStyle::cheap);
   View view =
@@ -194,7 +188,7 @@ TEST(Renderer, RowsStartAtTheTopAndLeftIsLeft) {
 TEST(Renderer, RefusesPosesThatAreNone) {
   LEGWRIGHT_NEEDS_GL();
   const GlContext context;
-  const ModelPointer model = toy();
+  const ModelPointer model = toy_model();
   auto pose = start_pose(*model);
   Renderer renderer(context, *model, 64, 48, RenderStyle::cheap);
   const View view = frame_robot(*model, {pose}, 0, 0, 1);
@@ -207,7 +201,7 @@ TEST(Renderer, RefusesPosesThatAreNone) {
 TEST(Renderer, DrawsTextThatCanBeRead) {
   LEGWRIGHT_NEEDS_GL();
   const GlContext context;
-  const ModelPointer model = toy();
+  const ModelPointer model = toy_model();
   Renderer renderer(context, *model, 64, 48, RenderStyle::cheap);
   const auto ink = [](const Mask& mask) {
     int sum = 0;
@@ -239,7 +233,7 @@ TEST(StartPose, IsTheGaitsKeyframeNotTheHomeOne) {
 }
 
 TEST(FrameRobot, ShowsAllPosesOfAllRobots) {
-  const ModelPointer model = toy();
+  const ModelPointer model = toy_model();
   Poses poses{start_pose(*model), start_pose(*model)};
   const View one = frame_robot(*model, {poses[0]}, 90, 0, 1.0);
   poses[1][0] += 2.0;

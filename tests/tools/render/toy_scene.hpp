@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
 
+#include "tools/files/atomic_file.hpp"
 #include "tools/render/gl_context.hpp"
+#include "tools/render/poses.hpp"
 
 namespace legwright {
 
@@ -28,6 +31,13 @@ inline constexpr const char* kToyScene = R"(<mujoco model="toy">
   </worldbody>
   <keyframe><key name="gait" qpos="0 0 0.28 1 0 0 0 0.2 -0.2"/></keyframe>
 </mujoco>)";
+
+/// That robot, compiled.
+inline ModelPointer toy_model() {
+  const auto file = std::filesystem::path(testing::TempDir()) / "toy_scene.xml";
+  write_file(file, kToyScene);
+  return load_drawn_scene(file);
+}
 
 /// Empty where OpenGL works, else why not.
 inline std::string why_no_gl() {

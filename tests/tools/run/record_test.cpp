@@ -62,7 +62,7 @@ constexpr const char* kText =
 
 /// What reading says of the walker after `change`; empty where it takes it.
 template <class Change>
-std::string complaint(const Change& change) {
+std::string complaint_after(const Change& change) {
   Json json = Json::parse(kText);
   change(json);
   try {
@@ -99,31 +99,37 @@ TEST(Record, IsReadBackToTheSameBytes) {
 }
 
 TEST(Record, RefusesWhatItDoesNotKnowByKey) {
-  EXPECT_EQ(complaint([](Json&) {}), "");
-  EXPECT_EQ(complaint([](Json& j) { j["limit_Nm"] = 2; }), "");
-  EXPECT_TRUE(names(complaint([](Json& j) { j.erase("knots"); }), "knots: expected a value"));
-  EXPECT_TRUE(names(complaint([](Json& j) { j.erase("limit_Nm"); }), "limit_Nm: "));
-  EXPECT_TRUE(names(complaint([](Json& j) { j["legs"][1].erase("name"); }), "legs[1].name: "));
-  EXPECT_TRUE(names(complaint([](Json& j) { j["legs"][0]["toes"] = 5; }),
+  EXPECT_EQ(complaint_after([](Json&) {}), "");
+  EXPECT_EQ(complaint_after([](Json& j) { j["limit_Nm"] = 2; }), "");
+  EXPECT_TRUE(names(complaint_after([](Json& j) { j.erase("knots"); }), "knots: expected a value"));
+  EXPECT_TRUE(names(complaint_after([](Json& j) { j.erase("limit_Nm"); }), "limit_Nm: "));
+  EXPECT_TRUE(
+      names(complaint_after([](Json& j) { j["legs"][1].erase("name"); }), "legs[1].name: "));
+  EXPECT_TRUE(names(complaint_after([](Json& j) { j["legs"][0]["toes"] = 5; }),
                     "legs[0].toes: expected no such key, found 5"));
-  EXPECT_TRUE(names(complaint([](Json& j) { j["s"]["thigh"] = "long"; }),
+  EXPECT_TRUE(names(complaint_after([](Json& j) { j["s"]["thigh"] = "long"; }),
                     "s.thigh: expected a number, found \"long\""));
   EXPECT_TRUE(
-      names(complaint([](Json& j) { j["knots"] = 1.5; }), "knots: expected a whole number"));
-  EXPECT_TRUE(names(complaint([](Json& j) { j["knots"] = 1ll << 40; }), "knots: expected a whole"));
-  EXPECT_TRUE(names(complaint([](Json& j) { j["stands"] = 1; }), "stands: expected true or false"));
+      names(complaint_after([](Json& j) { j["knots"] = 1.5; }), "knots: expected a whole number"));
   EXPECT_TRUE(
-      names(complaint([](Json& j) { j["legs"] = Json::object(); }), "legs: expected a list"));
-  EXPECT_TRUE(names(complaint([](Json& j) { j["gait"] = "crawl"; }),
+      names(complaint_after([](Json& j) { j["knots"] = 1ll << 40; }), "knots: expected a whole"));
+  EXPECT_TRUE(
+      names(complaint_after([](Json& j) { j["stands"] = 1; }), "stands: expected true or false"));
+  EXPECT_TRUE(
+      names(complaint_after([](Json& j) { j["legs"] = Json::object(); }), "legs: expected a list"));
+  EXPECT_TRUE(names(complaint_after([](Json& j) { j["gait"] = "crawl"; }),
                     R"(gait: expected "trot" or "walk", found "crawl")"));
+  EXPECT_TRUE(names(complaint_after([](Json& j) { j["velocity"] = {1.0}; }),
+                    "velocity: expected a list of 2"));
   EXPECT_TRUE(
-      names(complaint([](Json& j) { j["velocity"] = {1.0}; }), "velocity: expected a list of 2"));
-  EXPECT_TRUE(names(complaint([](Json& j) { j["gait"] = "walk"; }), "tail: expected a value"));
-  EXPECT_TRUE(names(complaint([](Json& j) { j["schema"] = "other"; }),
+      names(complaint_after([](Json& j) { j["gait"] = "walk"; }), "tail: expected a value"));
+  EXPECT_TRUE(names(complaint_after([](Json& j) { j["schema"] = "other"; }),
                     R"(expected "schema": "legwright/walker", found "other")"));
-  EXPECT_TRUE(names(complaint([](Json& j) { j["version"] = 4; }), "found 4; the file is damaged"));
-  EXPECT_TRUE(names(complaint([](Json& j) { j.erase("version"); }), "found no such key"));
-  EXPECT_TRUE(names(complaint([](Json& j) { j = Json::array(); }), "expected an object, found []"));
+  EXPECT_TRUE(
+      names(complaint_after([](Json& j) { j["version"] = 4; }), "found 4; the file is damaged"));
+  EXPECT_TRUE(names(complaint_after([](Json& j) { j.erase("version"); }), "found no such key"));
+  EXPECT_TRUE(
+      names(complaint_after([](Json& j) { j = Json::array(); }), "expected an object, found []"));
 }
 
 TEST(Record, TellsItsSchema) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "mjcf/text/input_error.hpp"
+#include "tests/support/source_tree.hpp"
 #include "tests/tools/files/temporary_folder.hpp"
 #include "tools/files/atomic_file.hpp"
 #include "tools/files/json_file.hpp"
@@ -15,7 +16,7 @@ namespace legwright {
 namespace {
 
 namespace fs = std::filesystem;
-const fs::path kExamples = fs::path(LEGWRIGHT_SOURCE_DIR) / "examples";
+using test::kExamples;
 
 std::string text_with(const std::string& rest,
                       const std::string& travel = "velocity = [0.1, 0.0]") {

@@ -12,8 +12,8 @@
 namespace legwright {
 namespace {
 
-constexpr int kKnots = 8;
-constexpr double kPeriod = 0.8;
+constexpr int kStandKnots = 8;
+constexpr double kStandPeriod = 0.8;
 
 /// The smallest vertical forces at these places that carry the weight without torque about the COM.
 Eigen::VectorXd share_weight(const std::vector<Eigen::Vector3d>& feet, const Eigen::Vector3d& com,
@@ -29,7 +29,7 @@ Eigen::VectorXd share_weight(const std::vector<Eigen::Vector3d>& feet, const Eig
 
 StandingPuppy::StandingPuppy(double bounce)
     : robot(read_robot(LEGWRIGHT_SOURCE_DIR "/examples/puppy/robot.xml")),
-      gait({"stand", std::vector<double>(4, 0.0), 1.0}, kPeriod, kKnots, {0, 1, 2, 3}),
+      gait({"stand", std::vector<double>(4, 0.0), 1.0}, kStandPeriod, kStandKnots, {0, 1, 2, 3}),
       layout(robot.morphology, robot.space.size(), gait, 1) {
   const auto model = compile_model(robot.xml, "puppy");
   const auto data = make_data(*model);
@@ -57,9 +57,9 @@ StandingPuppy::StandingPuppy(double bounce)
   m = Eigen::VectorXd::Zero(layout.motion_size());
   const auto place = [&](int slot) { return slot - layout.design_size(); };
   const auto height = [&](int knot) {
-    return bounce * std::sin(2 * std::numbers::pi * knot / kKnots) - lowest;
+    return bounce * std::sin(2 * std::numbers::pi * knot / kStandKnots) - lowest;
   };
-  for (int knot = 0; knot <= kKnots; ++knot) {
+  for (int knot = 0; knot <= kStandKnots; ++knot) {
     const Eigen::Vector3d shift(0, 0, height(knot));
     const double acceleration =
         (height(knot - 1) - 2 * height(knot) + height(knot + 1)) / (step * step);

@@ -8,7 +8,7 @@
 namespace legwright {
 
 std::string TinyScene::xml() const {
-  Trajectory plan = blank_trajectory({"tail"}, {"FL", "FR", "HL", "HR"}, 8, 0.4);
+  Trajectory plan = blank_trajectory({"tail"}, {"FL", "FR", "HL", "HR"}, 8, kPeriod);
   for (int knot = 0; knot < plan.knot_count; ++knot) {
     plan.at(knot, plan.target_column(0)) = wag * (knot < 4 ? 1 : -1);
     for (int foot = 0; foot < plan.foot_count(); ++foot) {
@@ -28,7 +28,7 @@ std::string TinyScene::xml() const {
     <config key="kp" value="2"/><config key="kd" value="0.05"/><config key="trajectory" value="{}"/>
   </instance></plugin></extension>
   <compiler angle="radian" autolimits="true"/>
-  <option integrator="implicitfast" timestep="0.001" cone="elliptic"/>
+  <option integrator="implicitfast" timestep="{}" cone="elliptic"/>
   <default><default class="pd"><general biastype="affine" biasprm="0 -2 -0.05"/></default></default>
   <worldbody>
     <geom name="floor" type="plane" size="10 10 0.1" friction="{} 0.005 0.0001" solref="0.005 1"/>
@@ -51,8 +51,8 @@ std::string TinyScene::xml() const {
   <keyframe><key name="gait" qpos="{}" qvel="{}"/></keyframe>
 </mujoco>
 )",
-                     write_trajectory(plan), friction, feet, torque_limit, torque_limit, start_qpos,
-                     start_qvel);
+                     write_trajectory(plan), kTimeStep, friction, feet, torque_limit, torque_limit,
+                     start_qpos, start_qvel);
 }
 
 }  // namespace legwright

@@ -5,6 +5,7 @@
 
 #include "mjcf/text/input_error.hpp"
 #include "mjcf/write/rewrite_robot.hpp"
+#include "tests/support/source_tree.hpp"
 #include "tools/files/atomic_file.hpp"
 #include "tools/task/problem.hpp"
 
@@ -12,14 +13,14 @@ namespace legwright {
 namespace {
 
 namespace fs = std::filesystem;
-const fs::path kPuppy = fs::path(LEGWRIGHT_SOURCE_DIR) / "examples" / "puppy";
+using test::kPuppy;
 
 TaskSet with_design(const std::string& table) {
   return parse_task_set(read_file(kPuppy / "sideways.toml") + "\n" + table, kPuppy / "test.toml");
 }
 
 /// The message with which a [design] table is refused for the puppy; empty if it is not.
-std::string error_message(const std::string& table) {
+std::string design_error(const std::string& table) {
   try {
     const TaskSet set = with_design(table);
     restricted(read_robot(set.robot).space, set.design, set.file.string(), set.lines);
@@ -58,14 +59,14 @@ TEST(DesignTable, LeavesTheRobotsFileAlone) {
 }
 
 TEST(DesignTable, FaultsAreReportedWithTheirCure) {
-  EXPECT_EQ(error_message("[design]\nfreeze = [\"body_width\"]\n"), "");
-  EXPECT_NE(error_message("[design]\nfreeze = [\"body_widht\"]\n").find("is 'body_width' meant?"),
+  EXPECT_EQ(design_error("[design]\nfreeze = [\"body_width\"]\n"), "");
+  EXPECT_NE(design_error("[design]\nfreeze = [\"body_widht\"]\n").find("is 'body_width' meant?"),
             std::string::npos);
-  EXPECT_NE(error_message("[design]\nfreeze = [3]\n").find("expected names"), std::string::npos);
-  EXPECT_NE(error_message("[design]\nfrozen = []\n").find("design.frozen"), std::string::npos);
-  EXPECT_NE(error_message("[design.bounds]\nbody_width = [0.1, 0.15]\n").find("within the robot's"),
+  EXPECT_NE(design_error("[design]\nfreeze = [3]\n").find("expected names"), std::string::npos);
+  EXPECT_NE(design_error("[design]\nfrozen = []\n").find("design.frozen"), std::string::npos);
+  EXPECT_NE(design_error("[design.bounds]\nbody_width = [0.1, 0.15]\n").find("within the robot's"),
             std::string::npos);
-  EXPECT_NE(error_message("[design.bounds]\nbody_width = 0.1\n").find("an array of 2 numbers"),
+  EXPECT_NE(design_error("[design.bounds]\nbody_width = 0.1\n").find("an array of 2 numbers"),
             std::string::npos);
 }
 

@@ -4,13 +4,14 @@
 #include <algorithm>
 
 #include "mjcf/text/input_error.hpp"
+#include "tests/support/source_tree.hpp"
 #include "tools/task/task_file.hpp"
 
 namespace legwright {
 namespace {
 
 namespace fs = std::filesystem;
-const fs::path kPuppy = fs::path(LEGWRIGHT_SOURCE_DIR) / "examples" / "puppy";
+using test::kPuppy;
 
 const RobotModel& puppy() {
   static const RobotModel robot = read_robot(kPuppy / "robot.xml");
@@ -286,7 +287,7 @@ TEST(TaskWarnings, AreNoneForTheExamplesAndNameDoubts) {
 }
 
 TEST(MakeTask, WarnsOfTwoFeetThatDoNotBalance) {
-  const fs::path biped = fs::path(LEGWRIGHT_SOURCE_DIR) / "examples/biped";
+  const fs::path biped = test::kExamples / "biped";
   RobotModel robot = read_robot(biped / "robot.xml");
   const Task task = make_task(read_task_file(biped / "walk.toml"), robot);
   EXPECT_TRUE(task_warnings(task, robot).empty()) << "round soles of 35 cm right it";

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "mjcf/text/input_error.hpp"
+#include "tests/support/source_tree.hpp"
 #include "tests/tools/files/temporary_folder.hpp"
 #include "tools/files/atomic_file.hpp"
 
@@ -13,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 using Eigen::VectorXd;
 
-const fs::path kExamples = fs::path(LEGWRIGHT_SOURCE_DIR) / "examples";
+using test::kExamples;
 
 TEST(Problem, HasOneObjectiveForEachTask) {
   const CodesignProblem problem = read_problem(kExamples / "quadruped" / "both.toml");

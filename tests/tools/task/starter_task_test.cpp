@@ -9,13 +9,14 @@
 
 #include "mjcf/text/input_error.hpp"
 #include "optimizer/motion/initial_guess.hpp"
+#include "tests/support/source_tree.hpp"
 #include "tools/task/task_file.hpp"
 
 namespace legwright {
 namespace {
 
 namespace fs = std::filesystem;
-const fs::path kSource = LEGWRIGHT_SOURCE_DIR;
+using test::kSource;
 
 RobotModel robot(const std::string& name) {
   return read_robot(kSource / "tests/robots" / name / "robot.xml");

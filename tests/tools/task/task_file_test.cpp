@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "mjcf/text/input_error.hpp"
+#include "tests/support/source_tree.hpp"
 #include "tests/tools/files/temporary_folder.hpp"
 #include "tools/files/atomic_file.hpp"
 
@@ -13,8 +14,8 @@ namespace legwright {
 namespace {
 
 namespace fs = std::filesystem;
-const fs::path kPuppy = fs::path(LEGWRIGHT_SOURCE_DIR) / "examples" / "puppy";
-const fs::path kBroken = fs::path(LEGWRIGHT_SOURCE_DIR) / "examples" / "broken" / "tasks";
+using test::kPuppy;
+const fs::path kBroken = test::kExamples / "broken" / "tasks";
 
 std::string error_message(const std::string& text) {
   try {

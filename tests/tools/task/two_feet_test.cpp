@@ -13,6 +13,7 @@
 #include "optimizer/motion/initial_guess.hpp"
 #include "tests/mjcf/robots/flat_biped.hpp"
 #include "tests/mjcf/robots/turned_biped.hpp"
+#include "tests/support/source_tree.hpp"
 #include "tools/task/starter_task.hpp"
 #include "tools/task/task_file.hpp"
 
@@ -21,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using Kind = TwoFeet::Kind;
-const fs::path kSource = LEGWRIGHT_SOURCE_DIR;
+using test::kSource;
 constexpr double kMass = 18.4;  // of flat_biped() [kg]
 
 RobotModel biped(const test::FlatBiped& how) { return parse_robot(test::flat_biped(how), "r.xml"); }

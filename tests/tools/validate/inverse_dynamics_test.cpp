@@ -14,7 +14,7 @@
 namespace legwright {
 namespace {
 
-Scene scene_of(const StandingPuppy& puppy) {
+Scene standing_scene(const StandingPuppy& puppy) {
   const PlayablePlan plan =
       make_playable(puppy.robot.morphology, puppy.robot.xml, puppy.layout, puppy.gait, puppy.m);
   SceneSettings settings;
@@ -33,7 +33,7 @@ double& force_of(Scene& scene, int knot, int foot, int axis) {
 }
 
 TEST(InverseDynamics, BouncingRobotIsExplainedByItsForces) {
-  const Scene scene = scene_of(StandingPuppy(0.02));
+  const Scene scene = standing_scene(StandingPuppy(0.02));
   const InverseDynamics out = inverse_dynamics(scene, 60);
   EXPECT_LT(out.force_max, 1e-9);  // between the knots as well: both are linear there
   EXPECT_LT(out.torque_max, 1e-9);
@@ -43,7 +43,7 @@ TEST(InverseDynamics, BouncingRobotIsExplainedByItsForces) {
 }
 
 TEST(InverseDynamics, TenPerCentTooMuchForceIsTenPerCentOfTheWeight) {
-  Scene scene = scene_of(StandingPuppy());
+  Scene scene = standing_scene(StandingPuppy());
   for (int knot = 0; knot < scene.trajectory.knot_count; ++knot)
     for (int foot = 0; foot < 4; ++foot) force_of(scene, knot, foot, 2) *= 1.1;
   const InverseDynamics out = inverse_dynamics(scene, 16);
@@ -52,7 +52,7 @@ TEST(InverseDynamics, TenPerCentTooMuchForceIsTenPerCentOfTheWeight) {
 }
 
 TEST(InverseDynamics, NamesTheWorstFootAndPhase) {
-  Scene scene = scene_of(StandingPuppy());
+  Scene scene = standing_scene(StandingPuppy());
   const Trajectory& plan = scene.trajectory;
   force_of(scene, 2, 1, 0) = 0.3 * force_of(scene, 2, 1, 2);
   force_of(scene, 6, 3, 2) *= 0.25;
@@ -70,7 +70,7 @@ TEST(InverseDynamics, NamesTheWorstFootAndPhase) {
 }
 
 TEST(InverseDynamics, FootThatPullsAtTheGroundHasNegativeForceAndNoFrictionLeft) {
-  Scene scene = scene_of(StandingPuppy());
+  Scene scene = standing_scene(StandingPuppy());
   force_of(scene, 3, 0, 2) = -0.5;
   force_of(scene, 3, 0, 1) = 0.1;
   const InverseDynamics out = inverse_dynamics(scene, 8);
@@ -81,9 +81,9 @@ TEST(InverseDynamics, FootThatPullsAtTheGroundHasNegativeForceAndNoFrictionLeft)
 TEST(InverseDynamics, FeetThatAreDraggedOrRolledByThePlanAreSeen) {
   constexpr double kAngle = 2 * 3.141592653589793 / 8;
   const double smoothed = (2 + std::cos(kAngle)) / 3;  // the B-spline of a sine of 8 knots
-  const Scene still = scene_of(StandingPuppy());
+  const Scene still = standing_scene(StandingPuppy());
   for (const double slip : inverse_dynamics(still, 8).foot_slip) EXPECT_LT(slip, 1e-9);
-  Scene dragged = scene_of(StandingPuppy()), rolled = scene_of(StandingPuppy());
+  Scene dragged = standing_scene(StandingPuppy()), rolled = standing_scene(StandingPuppy());
   for (int knot = 0; knot < 8; ++knot) {
     const double wave = std::sin(kAngle * knot);
     dragged.trajectory.at(knot, dragged.trajectory.root_column(0)) += 0.02 * wave;
@@ -112,7 +112,7 @@ TEST(InverseDynamics, FeetThatAreDraggedOrRolledByThePlanAreSeen) {
 // A robot that flies along a parabola needs no forces; the same path with half of gravity does.
 TEST(InverseDynamics, FreeFallNeedsNothing) {
   for (const double share : {1.0, 0.5}) {
-    Scene scene = scene_of(StandingPuppy());
+    Scene scene = standing_scene(StandingPuppy());
     Trajectory& plan = scene.trajectory;
     const double step = plan.period / plan.knot_count;
     for (int knot = 0; knot < plan.knot_count; ++knot) {

@@ -10,8 +10,6 @@
 namespace legwright {
 namespace {
 
-constexpr double kStep = 1e-3, kPeriod = 0.4;
-
 // Five cycles of a table whose plan begins so far in its cycle.
 Measurements measured_from(const char* t0, double contacts_until) {
   TinyScene tiny;
@@ -32,7 +30,8 @@ TEST(Measure, ContactsOfAPlanThatBeginsLaterLastAsLong) {
       ASSERT_EQ(run.feet[1].contacts.size(), 1U) << t0;  // stands from the start, well-nigh
       const auto [from, to] = run.feet[1].contacts[0];
       EXPECT_NEAR(from, 0.1, 0.05) << t0;  // on the plan's clock
-      EXPECT_NEAR(to, 0.1 + std::min(until, 5 * kPeriod), 2 * kStep) << t0;
+      EXPECT_NEAR(to, 0.1 + std::min(until, 5 * TinyScene::kPeriod), 2 * TinyScene::kTimeStep)
+          << t0;
     }
   }
 }
@@ -41,8 +40,12 @@ TEST(Measure, WholeCyclesBeforeTheStartChangeNothing) {
   const Measurements early = measured_from("0.1", 1.0), late = measured_from("4.1", 1.0);
   for (std::size_t foot = 0; foot < early.feet.size(); ++foot) {
     EXPECT_EQ(late.feet[foot].stances, early.feet[foot].stances) << foot;
-    EXPECT_NEAR(late.feet[foot].touchdown_mean, early.feet[foot].touchdown_mean, 2 * kStep) << foot;
-    EXPECT_NEAR(late.feet[foot].liftoff_mean, early.feet[foot].liftoff_mean, 2 * kStep) << foot;
+    EXPECT_NEAR(late.feet[foot].touchdown_mean, early.feet[foot].touchdown_mean,
+                2 * TinyScene::kTimeStep)
+        << foot;
+    EXPECT_NEAR(late.feet[foot].liftoff_mean, early.feet[foot].liftoff_mean,
+                2 * TinyScene::kTimeStep)
+        << foot;
   }
   EXPECT_EQ(measured_from("0", 1.0).feet[0].stances, early.feet[0].stances);
 }

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+
+namespace legwright::test {
+
+// Folders of the source tree that tests read.
+inline const std::filesystem::path kSource = LEGWRIGHT_SOURCE_DIR;
+inline const std::filesystem::path kExamples = kSource / "examples";
+inline const std::filesystem::path kPuppy = kExamples / "puppy";
+
+}  // namespace legwright::test
