@@ -14,17 +14,16 @@
 namespace legwright {
 namespace {
 
-constexpr double kDegrees = 57.29577951308232;
-constexpr std::size_t kMostParameters = 6;  // of one chart: as many colours as there are
-constexpr double kLeastChange = 0.05;       // of a parameter's range; less is no main parameter
+constexpr std::size_t kMostLines = 6;  // of one chart: as many colours as there are
+constexpr double kLeastChange = 0.05;  // of a parameter's range; less is no main parameter
 
 int colour_of(std::size_t variant) { return static_cast<int>(variant % 6) + 1; }
 
 std::string metres_per_second(double speed) { return short_number(speed) + " m/s"; }
 
-using Value = std::function<std::optional<double>(const CurvePoint&, const CurveSample&)>;
+using CurveValue = std::function<std::optional<double>(const CurvePoint&, const CurveSample&)>;
 
-PlotSeries series_of(const CurveVariant& variant, std::size_t gain, const Value& value) {
+PlotSeries series_of(const CurveVariant& variant, std::size_t gain, const CurveValue& value) {
   PlotSeries line;
   for (const CurvePoint& point : variant.points) {
     line.x.push_back(point.wanted);
@@ -34,7 +33,7 @@ PlotSeries series_of(const CurveVariant& variant, std::size_t gain, const Value&
 }
 
 /// A line for each variant: default gains in full, half and double thin.
-std::vector<PlotSeries> lines_of(const Curves& curves, const Value& value, bool at_all_gains) {
+std::vector<PlotSeries> lines_of(const Curves& curves, const CurveValue& value, bool at_all_gains) {
   std::vector<PlotSeries> lines;
   for (std::size_t v = 0; v < curves.variants.size(); ++v) {
     const CurveVariant& variant = curves.variants[v];
@@ -75,7 +74,7 @@ std::string speed_chart(const Curves& curves) {
 }
 
 std::string chart(const Curves& curves, const std::string& title, const std::string& unit,
-                  const Value& value, bool log = false) {
+                  const CurveValue& value, bool log = false) {
   return line_plot(lines_of(curves, value, !log), {.title = title,
                                                    .x_label = "wanted speed [m/s]",
                                                    .y_label = unit,
@@ -89,10 +88,9 @@ std::optional<double> times(std::optional<double> value, double by) {
 
 void add_charts(Html& page, const Curves& curves) {
   page.open("section").element("h2", "Against wanted speed");
-  page.element("p",
-               "Measured in MuJoCo. Broad lines: default servo gains; thin lines: double gains, "
-               "dashed: half.",
-               {{"class", "note"}});
+  page.note(
+      "Measured in MuJoCo. Broad lines: default servo gains; thin lines: double gains, "
+      "dashed: half.");
   page.open("div", {{"class", "charts"}});
   page.raw(speed_chart(curves));
   page.raw(chart(curves, "Limbs touch each other", "% of the time",
@@ -123,7 +121,7 @@ std::vector<std::size_t> main_parameters(const CurveVariant& variant, bool angle
   }
   std::sort(moved.begin(), moved.end());
   std::vector<std::size_t> chosen;
-  for (std::size_t n = 0; n < std::min(moved.size(), kMostParameters); ++n)
+  for (std::size_t n = 0; n < std::min(moved.size(), kMostLines); ++n)
     chosen.push_back(moved[n].second);
   std::sort(chosen.begin(), chosen.end());
   return chosen;
@@ -157,7 +155,7 @@ void add_designs(Html& page, const Curves& curves) {
   for (const CurveVariant& variant : curves.variants) {
     if (variant.motion_only) continue;
     page.open("section").element("h2", "The body that each speed wants: " + variant.name);
-    page.element("p", "The parameters that change most within their bounds.", {{"class", "note"}});
+    page.note("The parameters that change most within their bounds.");
     page.open("div", {{"class", "charts"}});
     for (const bool angles : {false, true})
       if (!main_parameters(variant, angles).empty()) page.raw(parameter_chart(variant, angles));
@@ -205,57 +203,52 @@ void add_cards(Html& page, const Curves& curves) {
     if (falls) page.element("li", "falls from " + metres_per_second(*falls) + " on");
     page.close().close();
   }
-  page.element("p",
-               "The highest speed up to which every run passes: no fall, 95 to 105 % of the wanted "
-               "speed, level, no servo at its limit, at half, default and double gains.",
-               {{"class", "note wide"}});
+  page.note(
+      "The highest speed up to which every run passes: no fall, 95 to 105 % of the wanted "
+      "speed, level, no servo at its limit, at half, default and double gains.",
+      "note wide");
   page.close();
 }
 
-void add_row(Html& page, const CurvePoint& point) {
-  page.open("tr").element("td", tick_label(point.wanted), {{"class", "n"}});
+void add_run_row(Html& page, const CurvePoint& point) {
+  page.open("tr").number(tick_label(point.wanted));
   page.element("td", point.pass ? "PASS" : "FAIL", {{"class", point.pass ? "ok" : "no"}});
   for (const CurveSample& sample : point.at_gains)
-    page.element("td", sample.fall_time ? "falls" : percent(sample.speed_ratio), {{"class", "n"}});
+    page.number(sample.fall_time ? "falls" : percent(sample.speed_ratio));
   const CurveSample& usual = point.at_default();
-  page.element("td", percent(usual.touch_share), {{"class", "n"}});
-  page.element("td", std::to_string(usual.touch_count), {{"class", "n"}});
-  page.element("td", short_number(times(point.worst(&CurveSample::tilt), kDegrees)) + "°",
-               {{"class", "n"}});
-  page.element("td", short_number(point.cost), {{"class", "n"}});
-  std::string reasons;
-  for (const std::string& reason : point.reasons) reasons += (reasons.empty() ? "" : "; ") + reason;
-  page.open("td").open("small").text(reasons).close().close().close();
+  page.number(percent(usual.touch_share));
+  page.number(std::to_string(usual.touch_count));
+  page.number(short_number(times(point.worst(&CurveSample::tilt), kDegrees)) + "°");
+  page.number(short_number(point.cost));
+  page.open("td")
+      .open("small")
+      .text(fmt::format("{}", fmt::join(point.reasons, "; ")))
+      .close()
+      .close()
+      .close();
 }
 
-void add_table(Html& page, const Curves& curves) {
+void add_runs(Html& page, const Curves& curves) {
   page.open("section").element("h2", "All runs");
   for (const CurveVariant& variant : curves.variants) {
     page.element("h3", variant.name);
     page.open("div", {{"class", "scroll"}, {"tabindex", "0"}})
-        .open("table", {{"class", "runs"}})
-        .open("thead")
-        .open("tr");
-    for (const auto& [head, style] : {std::pair{"wanted [m/s]", "n"},
-                                      {"verdict", ""},
-                                      {"half", "n"},
-                                      {"default", "n"},
-                                      {"double", "n"},
-                                      {"touches", "n"},
-                                      {"count", "n"},
-                                      {"tilt", "n"},
-                                      {"F", "n"},
-                                      {"why not", ""}})
-      page.element("th", head, {{"class", style}});
-    page.close().close().open("tbody");
-    for (const CurvePoint& point : variant.points) add_row(page, point);
+        .open_table("runs", {{"wanted [m/s]", "n"},
+                             {"verdict", ""},
+                             {"half", "n"},
+                             {"default", "n"},
+                             {"double", "n"},
+                             {"touches", "n"},
+                             {"count", "n"},
+                             {"tilt", "n"},
+                             {"F", "n"},
+                             {"why not", ""}});
+    for (const CurvePoint& point : variant.points) add_run_row(page, point);
     page.close().close().close();
   }
-  page.element(
-      "p",
+  page.note(
       "Half, default, double: share of the wanted speed at these servo gains. Touches, count: of "
-      "limbs at default gains, share of the time and how often. Tilt: the largest at any gain.",
-      {{"class", "note"}});
+      "limbs at default gains, share of the time and how often. Tilt: the largest at any gain.");
   page.close();
 }
 
@@ -308,7 +301,7 @@ std::string curves_page(const Curves& curves) {
   add_cards(page, curves);
   add_charts(page, curves);
   add_designs(page, curves);
-  add_table(page, curves);
+  add_runs(page, curves);
   close_page(page,
              "Made by legwright curves from the files of these runs; nothing is fetched from "
              "elsewhere.",

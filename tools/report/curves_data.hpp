@@ -7,12 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "tools/report/judged_data.hpp"
 #include "tools/report/words.hpp"
 
 namespace legwright {
-
-/// The gains of a validation, in the order in which they are told.
-inline constexpr std::array<const char*, 3> kGains{"half", "default", "double"};
 
 /// What one roll-out of a run's result measured. Absent: it fell before it could be measured.
 struct CurveSample {

@@ -48,6 +48,26 @@ Html& Html::element(std::string_view tag, std::string_view content, Attributes a
   return open(tag, attributes).text(content).close();
 }
 
+Html& Html::note(std::string_view content, std::string_view style) {
+  return element("p", content, {{"class", style}});
+}
+
+Html& Html::number(std::string_view content, std::optional<std::string_view> label) {
+  if (!label) return element("td", content, {{"class", "n"}});
+  return element("td", content, {{"class", "n"}, {"data-label", *label}});
+}
+
+Html& Html::open_table(std::string_view style, const std::vector<TableColumn>& columns) {
+  (style.empty() ? open("table") : open("table", {{"class", style}})).open("thead").open("tr");
+  for (const TableColumn& column : columns) {
+    if (column.style)
+      element("th", column.head, {{"class", *column.style}});
+    else
+      element("th", column.head);
+  }
+  return close().close().open("tbody");
+}
+
 Html& Html::raw(std::string_view markup) {
   out_ += markup;
   return *this;

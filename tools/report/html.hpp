@@ -2,6 +2,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -10,6 +11,12 @@
 #include "tools/files/escape.hpp"
 
 namespace legwright {
+
+/// The head of a table's column.
+struct TableColumn {
+  std::string head;
+  std::optional<std::string_view> style{};  // "n" over numbers
+};
 
 /// Writes markup that is HTML and well-formed XML at once. Everything is escaped but for raw().
 class Html {
@@ -24,6 +31,12 @@ class Html {
   Html& text(std::string_view text);
   /// <tag>text</tag>
   Html& element(std::string_view tag, std::string_view text, Attributes attributes = {});
+  /// A paragraph in small print.
+  Html& note(std::string_view text, std::string_view style = "note");
+  /// A cell that holds a number. @param label its column, for pages too narrow for a table's head
+  Html& number(std::string_view text, std::optional<std::string_view> label = std::nullopt);
+  /// A table up to its first row, with the heads of its columns; close table and tbody after it.
+  Html& open_table(std::string_view style, const std::vector<TableColumn>& columns);
   /// Markup that this program made; never anything that came from a file.
   Html& raw(std::string_view markup);
 

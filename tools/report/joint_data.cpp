@@ -10,18 +10,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The record of a file that may be missing; what is wrong with it becomes a note.
-template <class R>
-std::optional<R> read_noted(const fs::path& file, RunData& data) {
-  if (!fs::exists(file)) return std::nullopt;
-  try {
-    return read_record_file<R>(file);
-  } catch (const std::exception& error) {
-    data.notes.push_back(error.what());
-    return std::nullopt;
-  }
-}
-
 MatrixDesign design_of(const RunRecord& run, std::string name, double ParameterRecord::*value,
                        std::optional<double> TaskRecord::*cost) {
   MatrixDesign design{std::move(name), {}, {}, {}};
@@ -82,9 +70,13 @@ JointData read_joint_run(const fs::path& root) {
     }
   }
   data.designs = designs_of(data);
-  add_cells(data, read_noted<MatrixRecord>(root / "result" / "matrix.json", data.whole));
-  if (auto front = read_noted<FrontRecord>(root / "result" / "front.json", data.whole))
-    data.front = std::move(front->points);
+  std::optional<MatrixRecord> matrix;
+  if_present(root / "result" / "matrix.json", data.whole.notes,
+             [&](const fs::path& file) { matrix = read_record_file<MatrixRecord>(file); });
+  add_cells(data, matrix);
+  if_present(root / "result" / "front.json", data.whole.notes, [&](const fs::path& file) {
+    data.front = read_record_file<FrontRecord>(file).points;
+  });
   return data;
 }
 

@@ -13,17 +13,6 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMostPhases = 400, kMostCurves = 32, kMostFeet = 16, kMostJoints = 64,
                       kMostRows = 100;
 
-/// Runs `read` if the file is there; what it throws becomes a note.
-template <class Read>
-void if_present(const fs::path& file, std::vector<std::string>& notes, const Read& read) {
-  if (!fs::exists(file)) return;
-  try {
-    read();
-  } catch (const std::exception& error) {
-    notes.push_back(error.what());
-  }
-}
-
 template <class T>
 void cut(std::vector<T>& list, std::size_t most, const char* key, const std::string& where,
          std::vector<std::string>& notes) {
@@ -79,29 +68,25 @@ const std::vector<RobustnessFactor>& JudgedData::factors() const {
 
 JudgedData read_judged(const fs::path& result, std::vector<std::string>& notes) {
   JudgedData data;
-  const auto note_of = [&](const char* file, const auto& read) {
-    if_present(result / file, notes, [&] { read(result / file, std::string("result/") + file); });
-  };
-  note_of("metrics.json",
-          [&](const fs::path& file, const std::string&) { data.metrics = read_metrics(file); });
-  note_of("verdict.json", [&](const fs::path& file, const std::string& name) {
+  if_present(result / "metrics.json", notes,
+             [&](const fs::path& file) { data.metrics = read_metrics(file); });
+  if_present(result / "verdict.json", notes, [&](const fs::path& file) {
     VerdictRecord verdict = read_record_file<VerdictRecord>(file);
-    cut(verdict.initial.limits, kMostRows, "limits", name + ", initial", notes);
-    cut(verdict.result.limits, kMostRows, "limits", name + ", result", notes);
+    cut(verdict.initial.limits, kMostRows, "limits", "result/verdict.json, initial", notes);
+    cut(verdict.result.limits, kMostRows, "limits", "result/verdict.json, result", notes);
     data.verdict = std::move(verdict);
   });
-  note_of("comparison.json", [&](const fs::path& file, const std::string& name) {
+  if_present(result / "comparison.json", notes, [&](const fs::path& file) {
     ComparisonRecord comparison = read_comparison(file);
-    cut_comparison(comparison.initial, name + ", initial", notes);
-    cut_comparison(comparison.result, name + ", result", notes);
+    cut_comparison(comparison.initial, "result/comparison.json, initial", notes);
+    cut_comparison(comparison.result, "result/comparison.json, result", notes);
     data.comparison = std::move(comparison);
   });
-  note_of("numerics.json", [&](const fs::path& file, const std::string&) {
-    data.numerics = read_record_file<NumericsRecord>(file);
-  });
-  note_of("robustness.json", [&](const fs::path& file, const std::string& name) {
+  if_present(result / "numerics.json", notes,
+             [&](const fs::path& file) { data.numerics = read_record_file<NumericsRecord>(file); });
+  if_present(result / "robustness.json", notes, [&](const fs::path& file) {
     RobustnessRecord robustness = read_record_file<RobustnessRecord>(file);
-    cut(robustness.factors, kMostCurves, "factors", name, notes);
+    cut(robustness.factors, kMostCurves, "factors", "result/robustness.json", notes);
     data.robustness = std::move(robustness);
   });
   return data;

@@ -56,4 +56,12 @@ std::string fill(std::string_view page, std::initializer_list<Hole> holes) {
   return out;
 }
 
+std::string small_html(std::string_view words) {
+  return words.empty() ? "" : fill("<small>{words}</small>", {{"words", words}});
+}
+
+std::string number_head_html(std::string_view head) {
+  return fill(R"(<th class="n">{head}</th>)", {{"head", head}});
+}
+
 }  // namespace legwright

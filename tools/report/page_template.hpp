@@ -29,6 +29,11 @@ class Hole {
 /// faults of the program, and every template is filled by a test.
 std::string fill(std::string_view page, std::initializer_list<Hole> holes);
 
+/// Words in small print; nothing for none.
+std::string small_html(std::string_view words);
+/// The head of a column of numbers.
+std::string number_head_html(std::string_view head);
+
 /// What `html_of` makes of each element, one after the other.
 template <class List, class HtmlOf>
 std::string each(const List& list, const HtmlOf& html_of) {

@@ -3,9 +3,12 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "tools/report/html.hpp"
 #include "tools/report/run_data.hpp"
+#include "tools/report/words.hpp"
 
 namespace legwright {
 
@@ -23,6 +26,17 @@ std::string pair_page(const RunPair& pair);
 
 /// Where the page goes unless it is told: A/compare_NAME.html, with the name of B's folder.
 std::filesystem::path pair_file(const std::filesystem::path& a, const std::filesystem::path& b);
+
+/// Both lists joined by name, in the order in which they come, with nothing where one has no such.
+template <class Row>
+std::vector<std::pair<const Row*, const Row*>> joined_by_name(const std::vector<Row>& a,
+                                                              const std::vector<Row>& b) {
+  std::vector<std::pair<const Row*, const Row*>> out;
+  for (const Row& row : a) out.emplace_back(&row, find_named(b, row.name));
+  for (const Row& row : b)
+    if (find_named(a, row.name) == nullptr) out.emplace_back(nullptr, &row);
+  return out;
+}
 
 // One part of the page each, in its order.
 void add_pair_verdicts(Html& page, const RunPair& pair);

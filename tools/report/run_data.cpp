@@ -9,22 +9,7 @@
 #include "tools/run/result_folder.hpp"
 
 namespace legwright {
-namespace {
-
 namespace fs = std::filesystem;
-
-/// Runs `read` if the file is there; what it throws becomes a note.
-template <class Read>
-void if_present(const fs::path& file, std::vector<std::string>& notes, const Read& read) {
-  if (!fs::exists(file)) return;
-  try {
-    read(file);
-  } catch (const std::exception& error) {
-    notes.push_back(error.what());
-  }
-}
-
-}  // namespace
 
 fs::path RunData::iteration(int index) const {
   return root / "iterations" / fmt::format("{:04}", index);

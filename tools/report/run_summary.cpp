@@ -37,9 +37,7 @@ std::string verdict_row(const RunData& data, Design design, const char* head) {
   const DesignVerdict* verdict = data.verdict_of(design);
   const std::string line = verdict == nullptr ? "" : verdict->line;
   const char* mark = verdict == nullptr ? "–" : verdict->pass ? "✅ PASS" : "❌ FAIL";
-  std::string words = line.empty() ? "not validated" : line;
-  if (const std::size_t colon = words.find(": "); colon != std::string::npos && !line.empty())
-    words = words.substr(colon + 2);  // the mark and the heading say what stands before it
+  const std::string words = line.empty() ? "not validated" : verdict_details(line);
   return fmt::format("| {} | {} | {} |\n", head, mark, cell(words));
 }
 
@@ -66,10 +64,8 @@ std::string limits(const std::vector<LimitRow>& rows) {
   out += "| limit not kept | measured | allowed | worst at |\n|---|---:|---:|---|\n";
   for (std::size_t k = 0; k < std::min(failing, kMostFailing); ++k) {
     const LimitRow& row = rows[k];
-    out +=
-        fmt::format("| {} | {} | {} | {} |\n", cell(row.what.empty() ? spaced(row.name) : row.what),
-                    cell(measured_words(row)), cell(bound_words(row)),
-                    cell(row.where.empty() ? "–" : spaced(row.where)));
+    out += fmt::format("| {} | {} | {} | {} |\n", cell(label_of(row)), cell(measured_words(row)),
+                       cell(bound_words(row)), cell(row.where.empty() ? "–" : spaced(row.where)));
   }
   return out + and_more(failing, kMostFailing) + "\n";
 }
@@ -81,9 +77,7 @@ std::string margins(const RunData& data) {
     out += "| margin | |\n|---|---|\n";
     for (std::size_t k = 0; k < std::min(data.factors().size(), kMostFactors); ++k) {
       const RobustnessFactor& factor = data.factors()[k];
-      out += fmt::format("| {} | {} |\n",
-                         cell(factor.label.empty() ? spaced(factor.name) : factor.label),
-                         cell(margin_words(factor)));
+      out += fmt::format("| {} | {} |\n", cell(label_of(factor)), cell(margin_words(factor)));
     }
     out += and_more(data.factors().size(), kMostFactors) + "\n";
   }

@@ -16,7 +16,6 @@
 namespace legwright {
 namespace {
 
-constexpr double kSmallTerm = 0.01;        // of F: smaller terms are folded away
 constexpr std::size_t kFewParameters = 6;  // so many are shown without unfolding
 constexpr std::size_t kMostTold = 4;       // of the largest changes
 
@@ -30,13 +29,8 @@ void add_table(Html& page, const std::vector<ParameterView>& parameters, bool an
     return;
   page.element("h3", angles ? "Joint axes" : "Lengths");
   page.open("div", {{"class", "scroll"}})
-      .open("table", {{"class", "design"}})
-      .open("thead")
-      .open("tr");
-  for (const char* head : {"", "before", "after", "change"}) {
-    page.element("th", head, {{"class", *head == '\0' ? "" : "n"}});
-  }
-  page.element("th", "within bounds").close().close().open("tbody");
+      .open_table("design",
+                  {{"", ""}, {"before", "n"}, {"after", "n"}, {"change", "n"}, {"within bounds"}});
   for (const ParameterView& p : parameters) {
     if (p.angle != angles) continue;
     page.open("tr").open("td").element("b", spaced(p.name));
@@ -44,10 +38,10 @@ void add_table(Html& page, const std::vector<ParameterView>& parameters, bool an
     if (const std::string why = reason(p.name); !why.empty())
       page.element("small", "Why: " + why, {{"class", "why"}});
     page.close();
-    page.element("td", p.with_unit(p.initial), {{"class", "n"}, {"data-label", "before"}});
+    page.number(p.with_unit(p.initial), "before");
     page.open("td", {{"class", "n"}, {"data-label", "after"}}).text(p.with_unit(p.final));
     if (angles) page.element("small", p.in_radian(p.final));
-    page.close().element("td", p.change(), {{"class", "n"}, {"data-label", "change"}});
+    page.close().number(p.change(), "change");
     page.open("td", {{"class", "bar"}}).raw(bounds_bar(p.lower, p.upper, p.initial, p.final));
     page.open("small").text(p.with_unit(p.lower) + " … " + p.with_unit(p.upper));
     if (!p.at_bound().empty()) page.element("em", fmt::format("at its {}", p.at_bound()));
@@ -57,10 +51,8 @@ void add_table(Html& page, const std::vector<ParameterView>& parameters, bool an
 }
 
 void add_largest(Html& page, const ChangedParameters& changed) {
-  page.element("p",
-               changed.by_cost ? "The changes that lowered F most, the motion following:"
-                               : "The largest changes, by share of the allowed range:",
-               {{"class", "note"}});
+  page.note(changed.by_cost ? "The changes that lowered F most, the motion following:"
+                            : "The largest changes, by share of the allowed range:");
   page.open("ol", {{"class", "changes"}});
   for (std::size_t i = 0; i < std::min(kMostTold, changed.list.size()); ++i) {
     const auto& [p, lowered] = changed.list[i];
@@ -92,7 +84,7 @@ void add_why(Html& page, const RunData& data, const std::vector<Attribution>& at
       note += " The way begins with the body for " + spaced(start) +
               " alone, from which the best start set out: this task had no say before.";
   }
-  page.element("p", note, {{"class", "note"}});
+  page.note(note);
 }
 
 struct TermRow {
@@ -110,16 +102,14 @@ void add_term_bar(Html& page, double value, double most, const char* style) {
 }
 
 void open_terms(Html& page) {
-  page.open("table", {{"class", "terms stack"}}).open("thead").open("tr").element("th", "");
-  for (const char* head : {"before", "after"}) page.element("th", head, {{"class", "n"}});
-  page.element("th", "").close().close().open("tbody");
+  page.open_table("terms stack", {{""}, {"before", "n"}, {"after", "n"}, {""}});
 }
 
 void add_term(Html& page, const TermRow& row, double most) {
   page.open("tr").open("td", {{"class", "head"}});
   page.element("b", term_words(row.name)).element("small", row.name).close();
-  page.element("td", short_number(row.before), {{"class", "n"}, {"data-label", "before"}});
-  page.element("td", short_number(row.after), {{"class", "n"}, {"data-label", "after"}});
+  page.number(short_number(row.before), "before");
+  page.number(short_number(row.after), "after");
   page.open("td", {{"class", "bars"}});
   add_term_bar(page, row.before, most, "b2");
   add_term_bar(page, row.after, most, "b1");
@@ -132,7 +122,7 @@ void add_attribution(Html& page, const RunData& data) {
   page.element("h3", "What changed in the body");
   const auto parameters = parameters_of(data.run);
   if (parameters.empty()) {
-    page.element("p", "run.json lists no design parameters.", {{"class", "note"}});
+    page.note("run.json lists no design parameters.");
     return;
   }
   add_largest(page, changed_parameters(data.run));
@@ -170,11 +160,8 @@ void add_terms(Html& page, const RunData& data) {
   });
   const bool alone = motion_only(data);  // both columns would be the same
   page.open("section", {{"class", alone ? "only" : ""}}).element("h2", "What the cost is made of");
-  page.element("p",
-               alone
-                   ? "Each term of F, weighted."
-                   : "Each term of F, weighted, for the initial body and for the co-designed one.",
-               {{"class", "note"}});
+  page.note(alone ? "Each term of F, weighted."
+                  : "Each term of F, weighted, for the initial body and for the co-designed one.");
   add_gap_note(page, data.run, "The terms are");
   if (!alone)
     page.raw(
@@ -183,8 +170,8 @@ void add_terms(Html& page, const RunData& data) {
   open_terms(page);
   for (auto row = rows.begin(); row != small; ++row) add_term(page, *row, most);
   page.open("tr", {{"class", "sum"}}).element("td", "F", {{"class", "head"}});
-  page.element("td", short_number(first.F), {{"class", "n"}, {"data-label", "before"}});
-  page.element("td", short_number(last.F), {{"class", "n"}, {"data-label", "after"}});
+  page.number(short_number(first.F), "before");
+  page.number(short_number(last.F), "after");
   page.element("td", "").close().close().close();
   if (small != rows.end()) {
     page.open("details").element(

@@ -28,11 +28,10 @@ void add_bodies_table(Html& page, const JointData& data,
                    [&](const auto& p) { return p.angle == angles; }))
     return;
   page.element("h3", angles ? "Joint axes" : "Lengths");
-  page.open("div", {{"class", "scroll"}}).open("table", {{"class", "design bodies"}});
-  page.open("thead").open("tr").element("th", "");
-  for (const MatrixDesign& design : data.designs)
-    page.element("th", spaced(design.name), {{"class", "n"}});
-  page.element("th", "within bounds").close().close().open("tbody");
+  std::vector<TableColumn> columns{{""}};
+  for (const MatrixDesign& design : data.designs) columns.push_back({spaced(design.name), "n"});
+  columns.push_back({"within bounds"});
+  page.open("div", {{"class", "scroll"}}).open_table("design bodies", columns);
   for (const ParameterView& p : parameters) {
     if (p.angle != angles) continue;
     page.open("tr").open("td").element("b", spaced(p.name));
@@ -54,7 +53,7 @@ std::vector<Attribution> attributions_by_task(const JointData& data) {
 }
 
 /// Change of F that a parameter brought a task; small ones as zero.
-std::string change_words(double decrease, double scale) {
+std::string change_or_zero(double decrease, double scale) {
   return std::abs(decrease) < 0.002 * scale ? "0" : change_of_F(-decrease);
 }
 
@@ -64,8 +63,7 @@ void add_attribution_rows(Html& page, const JointData& data,
   for (const Attribution& each : attributions) {
     page.open("tr").open("td").element("b", spaced(each.parameter)).close();
     for (const JointTaskData& task : data.tasks) {
-      page.element("td", change_words(each.total(task.name), scale),
-                   {{"class", "n"}, {"data-label", spaced(task.name)}});
+      page.number(change_or_zero(each.total(task.name), scale), spaced(task.name));
     }
     const std::string words = attribution_words(each, scale);
     page.element("td", words.empty() ? "hardly any pull" : words, {{"class", "reason"}}).close();
@@ -78,14 +76,12 @@ void add_bodies(Html& page, const JointData& data) {
   page.open("section").element("h2", "The bodies");
   const auto parameters = parameters_of(data.whole.run);
   if (parameters.empty()) {
-    page.element("p", "run.json lists no design parameters.", {{"class", "note"}}).close();
+    page.note("run.json lists no design parameters.").close();
     return;
   }
-  page.element(
-      "p",
+  page.note(
       "Each column is the best body for its tasks; the bar shows the way from the initial body to "
-      "the common one.",
-      {{"class", "note"}});
+      "the common one.");
   add_bodies_table(page, data, parameters, true);
   add_bodies_table(page, data, parameters, false);
   page.close();
@@ -105,11 +101,11 @@ void add_task_attributions(Html& page, const JointData& data) {
       note += " The best start set out from the body for " + spaced(task.name) +
               " alone; on the way there no other task had a say.";
   }
-  page.element("p", note, {{"class", "note"}});
-  page.open("table", {{"class", "design pulls"}}).open("thead").open("tr").element("th", "");
-  for (const JointTaskData& task : data.tasks)
-    page.element("th", spaced(task.name), {{"class", "n"}});
-  page.element("th", "what pulled").close().close().open("tbody");
+  page.note(note);
+  std::vector<TableColumn> columns{{""}};
+  for (const JointTaskData& task : data.tasks) columns.push_back({spaced(task.name), "n"});
+  columns.push_back({"what pulled"});
+  page.open_table("design pulls", columns);
   add_attribution_rows(page, data, attributions);
   page.close().close().close();
 }

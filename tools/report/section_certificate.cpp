@@ -25,7 +25,7 @@ void add_claim(Html& page, std::optional<bool> holds, const std::string& claim,
                           {{"class", !holds   ? "mark"
                                      : *holds ? "mark good"
                                               : "mark bad"}});
-  page.element("td", claim).element("td", number, {{"class", "n"}}).close();
+  page.element("td", claim).number(number).close();
 }
 
 /// " of pace", where there are several tasks.
@@ -68,10 +68,8 @@ void add_design_claims(Html& page, const RunData& data) {
 /// @param cost what the body minimises: F, or F + J
 std::string bound_words(const ActiveBoundRecord& active,
                         const std::vector<ParameterView>& parameters, std::string_view cost) {
-  const auto found =
-      std::find_if(parameters.begin(), parameters.end(),
-                   [&](const ParameterView& p) { return p.name == active.parameter; });
-  if (found == parameters.end()) return "";
+  const ParameterView* const found = find_named(parameters, active.parameter);
+  if (found == nullptr) return "";
   const bool upper = active.bound == "upper";
   std::string out = fmt::format("stands at its {} bound, {}", upper ? "upper" : "lower",
                                 found->with_unit(upper ? found->upper : found->lower));
@@ -106,12 +104,11 @@ void add_violation(Html& page, const ViolationRecord& row) {
   page.element("small", spaced(row.term) + (numbered ? " " + row.equation : ""));
   page.close();
   const std::string by = quantity_words(std::abs(row.amount), row.unit);
-  page.element("td", met ? by + " to spare" : by, {{"class", "n"}, {"data-label", "off by"}});
-  page.element("td",
-               met                   ? "–"
-               : row.relative < 5e-4 ? "below 0.1 %"
-                                     : percent(row.relative),
-               {{"class", "n"}, {"data-label", "of its scale"}});
+  page.number(met ? by + " to spare" : by, "off by");
+  page.number(met                   ? "–"
+              : row.relative < 5e-4 ? "below 0.1 %"
+                                    : percent(row.relative),
+              "of its scale");
   page.open("td", {{"data-label", "where"}})
       .text(row.where.empty() ? "whole robot" : spaced(row.where));
   page.text(fmt::format(", at {:.2f} s", row.time));
@@ -124,18 +121,13 @@ void add_violations(Html& page, const Tasks& tasks) {
     page.open("details").element(
         "summary",
         "Each constraint at its worst" + (tasks.size() > 1 ? ", " + spaced(name) : std::string()));
-    page.open("table", {{"class", "worst stack"}});
-    page.open("thead").open("tr").element("th", "constraint");
-    page.element("th", "off by", {{"class", "n"}});
-    page.element("th", "of its scale", {{"class", "n"}});
-    page.element("th", "where").close().close().open("tbody");
+    page.open_table("worst stack",
+                    {{"constraint"}, {"off by", "n"}, {"of its scale", "n"}, {"where"}});
     for (const ViolationRecord& row : task.violations) add_violation(page, row);
     page.close().close();
-    page.element(
-        "p",
+    page.note(
         "Constraints are penalties in F, so small remainders are normal; where one is met, the "
-        "table says how much room is left at its tightest.",
-        {{"class", "note"}});
+        "table says how much room is left at its tightest.");
     page.close();
   }
 }
@@ -146,31 +138,24 @@ void add_gradient(Html& page, const Tasks& tasks, const std::vector<ParameterVie
     page.open("details").element(
         "summary", fmt::format("The gradient{}, parameter by parameter", of_task(tasks, name)));
     if (!task.motions_resolved) {
-      page.element("p",
-                   "Some of the motions that the differences were taken from came to rest only "
-                   "roughly; their differences are less exact.",
-                   {{"class", "note"}});
+      page.note(
+          "Some of the motions that the differences were taken from came to rest only "
+          "roughly; their differences are less exact.");
     }
-    page.open("div", {{"class", "scroll"}}).open("table", {{"class", "gradient"}});
-    page.open("thead").open("tr").element("th", "dF/ds by");
-    for (const char* head : {"adjoint", "central difference", "error"})
-      page.element("th", head, {{"class", "n"}});
-    page.close().close().open("tbody");
+    page.open("div", {{"class", "scroll"}})
+        .open_table("gradient",
+                    {{"dF/ds by"}, {"adjoint", "n"}, {"central difference", "n"}, {"error", "n"}});
     for (const auto& [parameter, row] : task.design_gradient) {
-      const auto found =
-          std::find_if(parameters.begin(), parameters.end(),
-                       [&, &name = parameter](const ParameterView& p) { return p.name == name; });
-      const char* unit = found == parameters.end() ? "" : found->angle ? ", per rad" : ", per m";
+      const ParameterView* const found = find_named(parameters, parameter);
+      const char* unit = found == nullptr ? "" : found->angle ? ", per rad" : ", per m";
       page.open("tr").element("td", spaced(parameter) + unit);
-      page.element("td", long_number(row.adjoint), {{"class", "n"}});
-      page.element("td", long_number(row.difference), {{"class", "n"}});
-      page.element("td", short_number(row.error), {{"class", "n"}}).close();
+      page.number(long_number(row.adjoint));
+      page.number(long_number(row.difference));
+      page.number(short_number(row.error)).close();
     }
     page.close().close().close();
-    page.element(
-        "p",
-        "Errors are in F per natural unit of the parameter: its initial length, or one radian.",
-        {{"class", "note"}});
+    page.note(
+        "Errors are in F per natural unit of the parameter: its initial length, or one radian.");
     page.close();
   }
 }
@@ -189,12 +174,9 @@ void add_certificate(Html& page, const RunData& data) {
     return;
   }
   const Tasks& tasks = data.certificate->tasks;
-  page.element(
-      "p",
-      std::string("Checked after the optimisation, with every derivative taken anew. ") +
-          (data.run.joint_run ? "What is said of the body is about the weighted sum of all tasks."
-                              : ""),
-      {{"class", "note"}});
+  page.note(std::string("Checked after the optimisation, with every derivative taken anew. ") +
+            (data.run.joint_run ? "What is said of the body is about the weighted sum of all tasks."
+                                : ""));
   add_gap_note(page, data.run, "It is");
   page.open("table", {{"class", "proof"}}).open("tbody");
   add_motion_claims(page, tasks);

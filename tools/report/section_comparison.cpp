@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "tools/report/page_template.hpp"
 #include "tools/report/sections.hpp"
@@ -103,7 +102,7 @@ std::string joint_panels(const Comparison& compared) {
 
 std::string curve_chart(const Comparison& compared, const NamedCurve& curve) {
   const ShownUnit unit = shown_unit(curve.unit, largest(curve.curve));
-  std::string title = curve.label.empty() ? spaced(curve.name) : curve.label;
+  std::string title = label_of(curve);
   if (!title.empty() && title.front() >= 'a' && title.front() <= 'z')
     title.front() = static_cast<char>(title.front() - 'a' + 'A');
   // What hardly moves is drawn as such: half a degree, two millimetres.
@@ -146,10 +145,6 @@ std::string path_chart(const Comparison& compared) {
                                          .x_label = "forward [m]",
                                          .y_label = "to the left [m]",
                                          .equal_axes = true});
-}
-
-std::string small_html(const std::string& words) {
-  return fill("<small>{words}</small>", {{"words", words}});
 }
 
 struct FootColumn {
@@ -201,9 +196,7 @@ a while before they bear and after, so that some 30 ms early and late are as pla
 )",
       {Hole::markup("heads",
                     each(kFootColumns,
-                         [](const FootColumn& column) {
-                           return fill(R"(<th class="n">{head}</th>)", {{"head", column.head}});
-                         })),
+                         [](const FootColumn& column) { return number_head_html(column.head); })),
        Hole::markup("rows", each(compared.feet, foot_html))}));
 }
 
@@ -237,7 +230,6 @@ void add_experts(Html& page, const Comparison& compared) {
 }
 
 std::string cycle_html(const CycleComparison& cycle) {
-  constexpr double kDegrees = 180.0 / std::numbers::pi;
   const auto number = [](std::optional<double> value, double scale, const char* unit) {
     return value && std::isfinite(*value) ? short_number(*value * scale) + unit : "–";
   };
@@ -270,10 +262,9 @@ void add_cycles(Html& page, const Comparison& compared) {
 
 void add_forces(Html& page, const Comparison& compared) {
   page.element("h3", "Contact forces, foot by foot");
-  page.element("p",
-               "What the ground pushes up with over one cycle. Where the measured line leaves the "
-               "planned one, a foot carries what it was not meant to, lands late, or bounces.",
-               {{"class", "note"}});
+  page.note(
+      "What the ground pushes up with over one cycle. Where the measured line leaves the "
+      "planned one, a foot carries what it was not meant to, lands late, or bounces.");
   page.raw(foot_panels(compared, &FootComparison::normal, "Normal force", "N"));
 }
 
@@ -306,10 +297,9 @@ void add_comparison(Html& page, const RunData& data, PictureBudget& budget) {
   const Comparison *result = data.comparison_of(Design::result),
                    *initial = data.comparison_of(Design::initial);
   if (result == nullptr) {
-    page.element("p",
-                 "The gait fell before two cycles were complete: there is no mean cycle to compare "
-                 "with the plan.",
-                 {{"class", "note"}});
+    page.note(
+        "The gait fell before two cycles were complete: there is no mean cycle to compare "
+        "with the plan.");
   } else {
     const Comparison& compared = *result;
     page.raw(fill("<p><b>Is the plan sound? </b>{words}</p>\n",

@@ -13,20 +13,18 @@
 namespace legwright {
 namespace {
 
-constexpr std::size_t kMostParameters = 8;
+constexpr std::size_t kMostShownParameters = 8;
 
 void open_table(Html& page, const char* title) {
-  page.open("div").element("h3", title).open("table", {{"class", "gains"}});
-  page.open("thead").open("tr").element("th", "");
-  for (const char* head : {"before", "after", "change"}) page.element("th", head, {{"class", "n"}});
-  page.close().close().open("tbody");
+  page.open("div")
+      .element("h3", title)
+      .open_table("gains", {{""}, {"before", "n"}, {"after", "n"}, {"change", "n"}});
 }
 
-void add_row(Html& page, const std::string& what, const std::string& before,
-             const std::string& after, const std::string& change) {
+void add_effect_row(Html& page, const std::string& what, const std::string& before,
+                    const std::string& after, const std::string& change) {
   page.open("tr").element("td", what);
-  for (const std::string& cell : {before, after, change})
-    page.element("td", cell, {{"class", "n"}});
+  for (const std::string& cell : {before, after, change}) page.number(cell);
   page.close();
 }
 
@@ -39,15 +37,14 @@ std::string parameter_change(const ParameterView& p) {
 void add_parameters(Html& page, const RunData& data) {
   const std::vector<ChangedParameter> all = changed_parameters(data.run).list;
   open_table(page, "The body");
-  for (std::size_t k = 0; k < std::min(all.size(), kMostParameters); ++k) {
+  for (std::size_t k = 0; k < std::min(all.size(), kMostShownParameters); ++k) {
     const ParameterView& p = all[k].view;
-    add_row(page, spaced(p.name), p.with_unit(p.initial), p.with_unit(p.final),
-            parameter_change(p));
+    add_effect_row(page, spaced(p.name), p.with_unit(p.initial), p.with_unit(p.final),
+                   parameter_change(p));
   }
   page.close().close();
-  if (all.size() > kMostParameters)
-    page.element("p", fmt::format("… and {} more, below.", all.size() - kMostParameters),
-                 {{"class", "note"}});
+  if (all.size() > kMostShownParameters)
+    page.note(fmt::format("… and {} more, below.", all.size() - kMostShownParameters));
   page.close();
 }
 
@@ -60,15 +57,14 @@ void add_effect(Html& page, const RunData& data) {
   add_parameters(page, data);
   open_table(page, "What it does");
   for (const EffectRow& row : effect_rows(data))
-    add_row(page, row.what, row.before, row.after,
-            row.effect.change ? change_words(*row.effect.change) : "");
+    add_effect_row(page, row.what, row.before, row.after,
+                   row.effect.change ? change_words(*row.effect.change) : "");
   page.close().close().close().close();
   if (!data.metrics)
     add_hint(page, "What the bodies do in MuJoCo has not been measured yet.", "validate", data);
-  page.element("p",
-               "Before: the initial body with the gait that is best for it, so the difference is "
-               "the body’s. Torque and power are those at default servo gains.",
-               {{"class", "note"}});
+  page.note(
+      "Before: the initial body with the gait that is best for it, so the difference is "
+      "the body’s. Torque and power are those at default servo gains.");
   add_gap_note(page, data.run, "F is");
 }
 

@@ -35,27 +35,23 @@ void add_start_row(Html& page, const JointData& data, const StartRecord& start,
   page.open("tr", {{"class", best ? "chosen" : ""}}).open("td").element("b", name);
   if (best) page.element("em", "the best: this is the result");
   page.close();
-  for (const double cost : {start.start_F, start.F})
-    page.element("td", three_digits(cost), {{"class", "n"}});
+  for (const double cost : {start.start_F, start.F}) page.number(three_digits(cost));
   for (const JointTaskData& task : data.tasks)
-    page.element("td", three_digits(cost_of(start.F_of_tasks, task.name)), {{"class", "n"}});
+    page.number(three_digits(cost_of(start.F_of_tasks, task.name)));
   page.element("td", spaced(start.status));
-  page.element("td", fmt::format("{}", start.design_iterations), {{"class", "n"}});
-  page.element("td", fmt::format("{}", start.newton_iterations), {{"class", "n"}});
-  page.element("td", fmt::format("{:.1f} s", start.seconds), {{"class", "n"}}).close();
+  page.number(fmt::format("{}", start.design_iterations));
+  page.number(fmt::format("{}", start.newton_iterations));
+  page.number(fmt::format("{:.1f} s", start.seconds)).close();
 }
 
 void add_starts_table(Html& page, const JointData& data) {
   const RunRecord& run = data.whole.run;
-  page.open("div", {{"class", "scroll"}}).open("table", {{"class", "starts"}});
-  page.open("thead").open("tr").element("th", "from");
-  for (const char* head : {"F at first", "F at last"}) page.element("th", head, {{"class", "n"}});
+  std::vector<TableColumn> columns{{"from"}, {"F at first", "n"}, {"F at last", "n"}};
   for (const JointTaskData& task : data.tasks)
-    page.element("th", "F of " + spaced(task.name), {{"class", "n"}});
-  page.element("th", "ended");
-  for (const char* head : {"body steps", "Newton steps", "time"})
-    page.element("th", head, {{"class", "n"}});
-  page.close().close().open("tbody");
+    columns.push_back({"F of " + spaced(task.name), "n"});
+  columns.insert(columns.end(),
+                 {{"ended"}, {"body steps", "n"}, {"Newton steps", "n"}, {"time", "n"}});
+  page.open("div", {{"class", "scroll"}}).open_table("starts", columns);
   for (const StartRecord& start : *run.starts)
     add_start_row(page, data, start, start_words(data, start.start), start.start == run.best_start);
   if (run.alone)
@@ -154,15 +150,15 @@ FrontPlot front_series(const JointData& data) {
 
 void add_front_table(Html& page, const JointData& data) {
   page.open("details").element("summary", "The points of the curve");
-  page.open("div", {{"class", "scroll"}}).open("table").open("thead").open("tr");
-  page.element("th", "weight of " + spaced(data.tasks[0].name), {{"class", "n"}});
+  std::vector<TableColumn> columns{{"weight of " + spaced(data.tasks[0].name), "n"}};
   for (const JointTaskData& task : data.tasks)
-    page.element("th", "F of " + spaced(task.name), {{"class", "n"}});
-  page.element("th", "ended").close().close().open("tbody");
+    columns.push_back({"F of " + spaced(task.name), "n"});
+  columns.push_back({"ended"});
+  page.open("div", {{"class", "scroll"}}).open_table("", columns);
   for (const FrontPointRecord& point : data.front) {
-    page.open("tr").element("td", short_number(point.weight), {{"class", "n"}});
+    page.open("tr").number(short_number(point.weight));
     for (const JointTaskData& task : data.tasks)
-      page.element("td", three_digits(cost_of(point.F_of_tasks, task.name)), {{"class", "n"}});
+      page.number(three_digits(cost_of(point.F_of_tasks, task.name)));
     page.element("td", spaced(point.status)).close();
   }
   page.close().close().close().close();
@@ -173,15 +169,12 @@ void add_front_table(Html& page, const JointData& data) {
 void add_starts(Html& page, const JointData& data) {
   page.open("section").element("h2", "Where the search began");
   if (!data.whole.run.starts) {
-    page.element("p", "run.json tells of no starts: the run has not ended.", {{"class", "note"}})
-        .close();
+    page.note("run.json tells of no starts: the run has not ended.").close();
     return;
   }
-  page.element(
-      "p",
+  page.note(
       "The joint cost has more than one valley, so the search began from several bodies; all are "
-      "listed. Below them, the searches for one task alone, which the other starts came from.",
-      {{"class", "note"}});
+      "listed. Below them, the searches for one task alone, which the other starts came from.");
   add_starts_table(page, data);
   page.open("div", {{"class", "charts single"}}).raw(starts_chart(data)).close().close();
 }
@@ -199,19 +192,16 @@ void add_front(Html& page, const JointData& data) {
         .close();
     return;
   }
-  page.element("p",
-               fmt::format("Each point is the best body found for one weighting of {} against {}; "
-                           "down and left is better.",
-                           first, second),
-               {{"class", "note"}});
+  page.note(
+      fmt::format("Each point is the best body found for one weighting of {} against {}; "
+                  "down and left is better.",
+                  first, second));
   const FrontPlot plot = front_series(data);
   const PlotOptions options{
       .title = "F of " + second, .x_label = "F of " + first, .y_label = "against F of " + first};
   page.open("div", {{"class", "charts single"}}).raw(line_plot(plot.series, options)).close();
-  std::string outside;
-  for (const std::string& one : plot.outside) outside += (outside.empty() ? "" : "; ") + one;
-  if (!outside.empty())
-    page.element("p", fmt::format("Outside the picture: {}.", outside), {{"class", "note"}});
+  if (!plot.outside.empty())
+    page.note(fmt::format("Outside the picture: {}.", fmt::join(plot.outside, "; ")));
   add_front_table(page, data);
   page.close();
 }

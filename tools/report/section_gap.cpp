@@ -29,18 +29,15 @@ std::string factors_words(const ByName<double>& scalars) {
 }
 
 GapSide side_of(const PlayedGait& gait) {
-  GapSide out{gait.pass, gait.line};
-  if (const std::size_t colon = out.words.find(": "); colon != std::string::npos)
-    out.words.erase(0, colon + 2);  // the mark says what stands before it
+  GapSide out{gait.pass, verdict_details(gait.line)};
   if (out.words.empty()) out.words = "not told";
   return out;
 }
 
 void add_side(Html& page, const char* head, const GapSide& side) {
   page.open("li").element("b", head).text(" ");
-  page.element("span", side.pass ? "✓ pass" : "✗ fail", {{"class", side.pass ? "good" : "bad"}})
-      .text(", ");
-  page.text(side.words).close();
+  add_pass(page, side.pass);
+  page.text(", ").text(side.words).close();
 }
 
 }  // namespace
@@ -76,11 +73,10 @@ void add_gap(Html& page, const RunData& data) {
   const auto gap = gap_of(data.run);
   if (!gap) return;
   page.open("section").element("h2", "Closing the gap");
-  page.element("p",
-               "After the optimisation the gait was played in MuJoCo and a few of its scalars were "
-               "changed; the body stays. A step counts only where the roll-outs come closer to the "
-               "task than before.",
-               {{"class", "note"}});
+  page.note(
+      "After the optimisation the gait was played in MuJoCo and a few of its scalars were "
+      "changed; the body stays. A step counts only where the roll-outs come closer to the "
+      "task than before.");
   if (!gap->changed) {
     page.element("p", "No step was confirmed to be better: the gait stays as it was.");
   } else {
@@ -91,8 +87,7 @@ void add_gap(Html& page, const RunData& data) {
   add_side(page, gap->changed ? "Confirmed by MuJoCo, after:" : "As it was:", gap->after);
   page.close();
   if (gap->steps > 0)
-    page.element("p", fmt::format("{} of {} steps were confirmed.", gap->confirmed, gap->steps),
-                 {{"class", "note"}});
+    page.note(fmt::format("{} of {} steps were confirmed.", gap->confirmed, gap->steps));
   page.close();
 }
 

@@ -27,7 +27,7 @@ std::string row_html(const LimitRow& row) {
       {{"row", row.pass ? "" : "failed"},
        {"mark", row.pass ? "good" : "bad"},
        {"tick", row.pass ? "✓" : "✗"},
-       {"what", row.what.empty() ? spaced(row.name) : row.what},
+       {"what", label_of(row)},
        {"measured", measured_words(row)},
        {"bound", bound_words(row)},
        {"where", row.where.empty() ? "–" : spaced(row.where)}});

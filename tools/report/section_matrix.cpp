@@ -14,24 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kGains[] = {"half", "default", "double"};
-
-/// The rest of a verdict's line: "98 % of planned speed, …" without the task before it.
-std::string short_line(const std::string& line) {
-  const std::size_t colon = line.find(": ");
-  return colon == std::string::npos ? line : line.substr(colon + 2);
-}
-
-std::string outcome_html(const DesignVerdict& verdict) {
-  if (verdict.reasons.empty()) return fill("<p>{line}</p>\n", {{"line", short_line(verdict.line)}});
-  return "<ul>\n" +
-         each(verdict.reasons,
-              [](const std::string& reason) {
-                return fill("<li>{reason}</li>\n", {{"reason", reason}});
-              }) +
-         "</ul>\n";
-}
-
 std::string limits_html(const RunData& run) {
   const auto limits = run.limits_of(Design::result);
   std::string words = limits.empty() ? "" : limits_kept(limits) + " ";
@@ -42,28 +24,14 @@ std::string limits_html(const RunData& run) {
 void add_task_card(Html& page, const JointTaskData& task) {
   const DesignVerdict* after = task.run ? task.run->verdict_of(Design::result) : nullptr;
   const DesignVerdict* before = task.run ? task.run->verdict_of(Design::initial) : nullptr;
-  page.raw(
-      fill(R"(<div class="card{pass}"><h2>{task}</h2>
-<p class="verdict">{mark}</p>
-<p class="note">{way}</p>
-{outcome}{limits}{before}<p><a href="{page}">Report of this task</a></p></div>
-)",
-           {{"pass", after == nullptr ? ""
-                     : after->pass    ? " pass"
-                                      : " fail"},
-            {"task", spaced(task.name)},
-            {"mark", after == nullptr ? "Not validated"
-                     : after->pass    ? "✓ Pass"
-                                      : "✗ Fail"},
-            {"way", way_words(task.task)},
-            Hole::markup("outcome", after == nullptr ? "" : outcome_html(*after)),
-            Hole::markup("limits", task.run ? limits_html(*task.run) : ""),
-            Hole::markup("before", before == nullptr
-                                       ? ""
-                                       : fill("<p class=\"note\">Before, with the initial "
-                                              "body: {passed}.</p>\n",
-                                              {{"passed", before->pass ? "passed" : "failed"}})),
-            {"page", href_of(task.relative / "report.html")}}));
+  std::string more = after == nullptr ? "" : "\n";
+  if (task.run) more += limits_html(*task.run);
+  if (before != nullptr)
+    more += fill("<p class=\"note\">Before, with the initial body: {passed}.</p>\n",
+                 {{"passed", before->pass ? "passed" : "failed"}});
+  more += fill("<p><a href=\"{page}\">Report of this task</a></p>",
+               {{"page", href_of(task.relative / "report.html")}});
+  add_card(page, after, spaced(task.name), way_words(task.task), more);
 }
 
 /// Share of the planned speed at a gain, or how it ended.
@@ -83,8 +51,7 @@ void add_cell(Html& page, const JointData& data, const MatrixDesign& design, std
                                     : "cell bad-cell"},
                    {"data-label", spaced(data.tasks[t].name)}});
   page.open("p").element("b", "F " + three_digits(design.cost[t]));
-  if (known)
-    page.text(" ").element("span", good ? "✓ pass" : "✗ fail", {{"class", good ? "good" : "bad"}});
+  if (known) add_pass(page.text(" "), good);
   page.close();
   if (known) {
     page.open("dl");
@@ -130,15 +97,14 @@ std::string stepped_words(const JointData& data) {
 void add_task_cards(Html& page, const JointData& data) {
   page.open("section", {{"class", "cards"}});
   for (const JointTaskData& task : data.tasks) add_task_card(page, task);
-  if (const std::string words = stepped_words(data); !words.empty())
-    page.element("p", words, {{"class", "note wide"}});
+  if (const std::string words = stepped_words(data); !words.empty()) page.note(words, "note wide");
   if (!data.judged) {
     add_hint(page, "The bodies have not been compared in MuJoCo yet.", "validate", data.whole);
   } else {
-    page.element("p",
-                 "One body for all tasks, each with a gait of its own. Verdicts are MuJoCo’s, at "
-                 "half, default and double servo gains.",
-                 {{"class", "note wide"}});
+    page.note(
+        "One body for all tasks, each with a gait of its own. Verdicts are MuJoCo’s, at "
+        "half, default and double servo gains.",
+        "note wide");
   }
   page.close();
 }
@@ -147,9 +113,9 @@ void add_matrix(Html& page, const JointData& data) {
   page.open("section").element("h2", "Every body in every task");
   const std::string trade = trade_words(data);
   if (!trade.empty()) page.element("p", trade);
-  page.open("table", {{"class", "matrix"}}).open("thead").open("tr").element("th", "body");
-  for (const JointTaskData& task : data.tasks) page.element("th", spaced(task.name));
-  page.close().close().open("tbody");
+  std::vector<TableColumn> columns{{"body"}};
+  for (const JointTaskData& task : data.tasks) columns.push_back({spaced(task.name)});
+  page.open_table("matrix", columns);
   for (const MatrixDesign& design : data.designs) {
     page.open("tr", {{"class", &design == &data.designs.back() ? "chosen" : ""}});
     page.open("td").element("b", spaced(design.name)).close();
@@ -158,11 +124,10 @@ void add_matrix(Html& page, const JointData& data) {
   }
   page.close().close();
   if (data.judged) {
-    page.element("p",
-                 "F: cost of the best gait found for that body. Below it, the measured speed as a "
-                 "share of the planned one at three servo gains; 95 to 105 % at all of them is one "
-                 "of the conditions for a pass.",
-                 {{"class", "note"}});
+    page.note(
+        "F: cost of the best gait found for that body. Below it, the measured speed as a "
+        "share of the planned one at three servo gains; 95 to 105 % at all of them is one "
+        "of the conditions for a pass.");
   } else {
     add_hint(page, "Speeds and verdicts are not known yet.", "validate", data.whole);
   }
@@ -188,8 +153,7 @@ void add_task_pictures(Html& page, const JointData& data) {
     missing = missing || !any;
   }
   if (missing) add_hint(page, "Film strips are missing.", "render", data.whole);
-  if (budget.refused())
-    page.element("p", "More pictures are in the reports of the tasks.", {{"class", "note"}});
+  if (budget.refused()) page.note("More pictures are in the reports of the tasks.");
   page.close();
 }
 

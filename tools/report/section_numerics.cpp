@@ -15,20 +15,15 @@ namespace {
 constexpr std::size_t kMostRuns = 24;
 constexpr double kSame = 5e-3;  // of a value: smaller differences are not worth telling
 
-struct Column {
+struct NumericsColumn {
   std::optional<double> NumericsNumbers::*value;
   const char *head, *unit;
 };
-constexpr Column kColumns[] = {{&NumericsNumbers::speed_ratio, "of planned speed", "%"},
-                               {&NumericsNumbers::turn_ratio, "of planned turn", "%"},
-                               {&NumericsNumbers::tilt_max, "largest tilt", "rad"},
-                               {&NumericsNumbers::heading_drift, "heading drift", "rad"},
-                               {&NumericsNumbers::torque_rms, "torque, RMS", "N m"}};
-
-/// A value with its unit; a ratio as a percentage.
-std::string shown(std::optional<double> value, const char* unit) {
-  return std::string_view(unit) == "%" ? percent(value) : amount_words(value, unit);
-}
+constexpr NumericsColumn kColumns[] = {{&NumericsNumbers::speed_ratio, "of planned speed", "%"},
+                                       {&NumericsNumbers::turn_ratio, "of planned turn", "%"},
+                                       {&NumericsNumbers::tilt_max, "largest tilt", "rad"},
+                                       {&NumericsNumbers::heading_drift, "heading drift", "rad"},
+                                       {&NumericsNumbers::torque_rms, "torque, RMS", "N m"}};
 
 /// "+0.3 %", "−1.2°"; empty without a difference.
 std::string difference_words(std::optional<double> difference, std::optional<double> value,
@@ -36,15 +31,15 @@ std::string difference_words(std::optional<double> difference, std::optional<dou
   if (!difference) return "";
   const bool ratio = std::string_view(unit) == "%";  // of which a tenth of a per cent is told
   if (value && std::abs(*difference) < (ratio ? 5e-4 : kSame * std::abs(*value))) return "same";
-  const std::string text = shown(difference, unit);
+  const std::string text = percent_or_amount(difference, unit);
   if (text.front() == '0' && text.find_first_of("123456789") == std::string::npos) return "same";
   return fmt::format("{}{}", *difference > 0.0 ? "+" : "", text);
 }
 
 /// The columns of which any run has a number.
-std::vector<Column> columns_of(const std::vector<NumericsRun>& runs) {
-  std::vector<Column> out;
-  for (const Column& column : kColumns)
+std::vector<NumericsColumn> columns_of(const std::vector<NumericsRun>& runs) {
+  std::vector<NumericsColumn> out;
+  for (const NumericsColumn& column : kColumns)
     if (std::any_of(runs.begin(), runs.end(), [&](const NumericsRun& run) {
           return (run.numbers.*column.value).has_value();
         }))
@@ -52,25 +47,24 @@ std::vector<Column> columns_of(const std::vector<NumericsRun>& runs) {
   return out;
 }
 
-std::string cell_html(const NumericsRun& run, const Column& column) {
+std::string cell_html(const NumericsRun& run, const NumericsColumn& column) {
   const auto value = run.numbers.*column.value;
   const std::string by = difference_words(
       run.difference ? (*run.difference).*column.value : std::nullopt, value, column.unit);
-  return fill(
-      R"(<td class="n" data-label="{head}">{value}{difference}</td>)",
-      {{"head", column.head},
-       {"value", shown(value, column.unit)},
-       Hole::markup("difference", by.empty() ? "" : fill("<small>{by}</small>", {{"by", by}}))});
+  return fill(R"(<td class="n" data-label="{head}">{value}{difference}</td>)",
+              {{"head", column.head},
+               {"value", percent_or_amount(value, column.unit)},
+               Hole::markup("difference", small_html(by))});
 }
 
-std::string run_html(const NumericsRun& run, const std::vector<Column>& columns) {
+std::string run_html(const NumericsRun& run, const std::vector<NumericsColumn>& columns) {
   return fill(R"(<tr><td class="mark {mark}">{tick}</td><td class="head"><b>{label}</b></td>
 {cells}</tr>
 )",
               {{"mark", run.pass ? "good" : "bad"},
                {"tick", run.pass ? "✓" : "✗"},
-               {"label", run.label.empty() ? spaced(run.name) : run.label},
-               Hole::markup("cells", each(columns, [&](const Column& column) {
+               {"label", label_of(run)},
+               Hole::markup("cells", each(columns, [&](const NumericsColumn& column) {
                               return cell_html(run, column);
                             }))});
 }
@@ -104,11 +98,10 @@ void add_numerics(Html& page, const RunData& data) {
 <p class="note">Below each number: its difference from the first row.</p>
 )",
       {{"words", numerics_words(*data.numerics)},
-       Hole::markup("heads",
-                    each(columns,
-                         [](const Column& column) {
-                           return fill(R"(<th class="n">{head}</th>)", {{"head", column.head}});
-                         })),
+       Hole::markup("heads", each(columns,
+                                  [](const NumericsColumn& column) {
+                                    return number_head_html(column.head);
+                                  })),
        Hole::markup("rows",
                     each(runs, [&](const NumericsRun& run) { return run_html(run, columns); }))}));
   page.close();

@@ -8,7 +8,8 @@
 namespace legwright {
 namespace {
 
-void add_row(Html& page, const std::string& name, const std::string& value, bool code = false) {
+void add_origin_row(Html& page, const std::string& name, const std::string& value,
+                    bool code = false) {
   page.open("tr").element("td", name).open("td");
   if (code) {
     page.element("code", value);
@@ -22,19 +23,19 @@ void add_numbers(Html& page, const RunRecord& run) {
   const auto whole = [](std::optional<int> value) {
     return value ? fmt::format("{}", *value) : std::string("–");
   };
-  add_row(page, "status", spaced(run.status));
-  add_row(page, "unknowns",
-          fmt::format("{} of the body, {} of the motion", run.design_size, run.motion_size));
-  add_row(page, "iterations",
-          whole(run.design_iterations) + " of the body, " + whole(run.newton_iterations) +
-              " Newton steps of the motion");
+  add_origin_row(page, "status", spaced(run.status));
+  add_origin_row(page, "unknowns",
+                 fmt::format("{} of the body, {} of the motion", run.design_size, run.motion_size));
+  add_origin_row(page, "iterations",
+                 whole(run.design_iterations) + " of the body, " + whole(run.newton_iterations) +
+                     " Newton steps of the motion");
   std::string seconds;
   if (run.seconds)
     for (const auto& [phase, value] : *run.seconds)
       seconds += fmt::format("{}{} {}", seconds.empty() ? "" : ", ", phase, short_number(value));
-  if (!seconds.empty()) add_row(page, "seconds", seconds);
+  if (!seconds.empty()) add_origin_row(page, "seconds", seconds);
   if (run.peak_rss_mib)
-    add_row(page, "largest memory", fmt::format("{:.0f} MiB", *run.peak_rss_mib));
+    add_origin_row(page, "largest memory", fmt::format("{:.0f} MiB", *run.peak_rss_mib));
 }
 
 }  // namespace
@@ -43,12 +44,10 @@ void add_origin(Html& page, const RunData& data) {
   page.open("section").element("h2", "Where this comes from");
   page.open("div", {{"class", "scroll"}}).open("table", {{"class", "origin"}}).open("tbody");
   add_numbers(page, data.run);
-  for (const auto& [name, value] : data.run.versions) add_row(page, name, value);
+  for (const auto& [name, value] : data.run.versions) add_origin_row(page, name, value);
   for (const auto& [name, value] : data.run.sha256)
-    add_row(page, "SHA-256 of " + name, value, true);
-  std::string command;
-  for (const std::string& word : data.run.argv) command += (command.empty() ? "" : " ") + word;
-  add_row(page, "command", command, true);
+    add_origin_row(page, "SHA-256 of " + name, value, true);
+  add_origin_row(page, "command", fmt::format("{}", fmt::join(data.run.argv, " ")), true);
   page.close().close().close();
   for (const std::string& note : data.notes) {
     page.open("p", {{"class", "hint"}}).text("Could not be used: " + note).close();

@@ -25,13 +25,8 @@ struct PairNumber {
 };
 
 constexpr std::size_t kMostSettings = 200;
-constexpr double kSmallTerm = 0.01;  // of F: smaller terms are folded away
 
 std::string long_setting(double value) { return fmt::format("{:.6g}", value); }
-
-std::string shown(std::optional<double> value, const std::string& unit) {
-  return unit == "%" ? percent(value) : amount_words(value, unit);
-}
 
 const std::vector<PairNumber>& numbers() {
   const auto played = [](auto key) {
@@ -78,14 +73,14 @@ const std::vector<PairNumber>& numbers() {
 std::string difference(std::optional<double> a, std::optional<double> b, const std::string& unit) {
   if (!a || !b) return "–";
   const double by = *b - *a;
-  if (shown(*a, unit) == shown(*b, unit)) return "same";
-  return fmt::format("{}{}", by > 0.0 ? "+" : "", shown(by, unit));
+  if (percent_or_amount(*a, unit) == percent_or_amount(*b, unit)) return "same";
+  return fmt::format("{}{}", by > 0.0 ? "+" : "", percent_or_amount(by, unit));
 }
 
 void add_cells(Html& page, const std::string& a, const std::string& b, const std::string& by) {
-  page.element("td", a, {{"class", "n"}, {"data-label", "A"}});
-  page.element("td", b, {{"class", "n"}, {"data-label", "B"}});
-  page.element("td", by, {{"class", "n"}, {"data-label", "B less A"}});
+  page.number(a, "A");
+  page.number(b, "B");
+  page.number(by, "B less A");
 }
 
 /// Width of a PNG from its head; 0 where it is none.
@@ -96,29 +91,12 @@ unsigned png_width(const std::string& bytes) {
   return width;
 }
 
-/// The union of both runs' parameters, those of A first.
-std::vector<std::string> parameter_names(const std::vector<ParameterView>& a,
-                                         const std::vector<ParameterView>& b) {
-  std::vector<std::string> names;
-  for (const auto* list : {&a, &b})
-    for (const ParameterView& p : *list)
-      if (std::find(names.begin(), names.end(), p.name) == names.end()) names.push_back(p.name);
-  return names;
-}
-
-const ParameterView* find(const std::vector<ParameterView>& list, const std::string& name) {
-  const auto found =
-      std::find_if(list.begin(), list.end(), [&](const auto& p) { return p.name == name; });
-  return found == list.end() ? nullptr : &*found;
-}
-
-void add_parameter(Html& page, const std::string& name, const ParameterView* a,
-                   const ParameterView* b) {
+void add_parameter(Html& page, const ParameterView* a, const ParameterView* b) {
   ParameterView both = a != nullptr ? *a : *b;
   both.initial = a != nullptr ? a->final : NAN;
   both.final = b != nullptr ? b->final : NAN;
   const bool comparable = a != nullptr && b != nullptr && a->angle == b->angle;
-  page.open("tr").open("td", {{"class", "head"}}).element("b", spaced(name)).close();
+  page.open("tr").open("td", {{"class", "head"}}).element("b", spaced(both.name)).close();
   const auto value = [](const ParameterView* p) {
     return p == nullptr ? std::string("not free") : p->with_unit(p->final);
   };
@@ -132,10 +110,9 @@ void add_parameter(Html& page, const std::string& name, const ParameterView* a,
 }
 
 void add_pair_head(Html& page, bool bar = false) {
-  page.open("table", {{"class", "stack pair"}}).open("thead").open("tr").element("th", "");
-  for (const char* head : {"A", "B", "B less A"}) page.element("th", head, {{"class", "n"}});
-  if (bar) page.element("th", "within the bounds of A");
-  page.close().close().open("tbody");
+  std::vector<TableColumn> columns{{""}, {"A", "n"}, {"B", "n"}, {"B less A", "n"}};
+  if (bar) columns.push_back({"within the bounds of A"});
+  page.open_table("stack pair", columns);
 }
 
 PlotSeries cost_line(const RunData& run, const std::string& name, int colour) {
@@ -190,8 +167,7 @@ void add_settings(Html& page, const RunPair& pair) {
     page.element("p", "run.json tells of the same task and the same settings for both.");
     return;
   }
-  page.open("table", {{"class", "stack pair"}}).open("thead").open("tr").element("th", "");
-  page.element("th", "A").element("th", "B").close().close().open("tbody");
+  page.open_table("stack pair", {{""}, {"A"}, {"B"}});
   for (const std::string& path : paths) {
     page.open("tr").element("td", spaced(path), {{"class", "head"}});
     page.element("td", find(a, path), {{"data-label", "A"}});
@@ -205,7 +181,7 @@ void add_settings(Html& page, const RunPair& pair) {
 void add_pair_verdicts(Html& page, const RunPair& pair) {
   page.open("section", {{"class", "cards"}});
   for (const auto& [name, run] : {std::pair{"A", &pair.a}, {"B", &pair.b}}) {
-    add_card(page, *run, Design::result, fmt::format("{} · {}", name, title_of(*run)),
+    add_card(page, run->verdict_of(Design::result), fmt::format("{} · {}", name, title_of(*run)),
              task_words(run->run) + (motion_only(*run) ? "; gait alone" : "; body and gait"));
   }
   for (const auto& [name, run] : {std::pair{"A", &pair.a}, {"B", &pair.b}})
@@ -247,11 +223,12 @@ void add_pair_numbers(Html& page, const RunPair& pair) {
     const auto a = number.value(pair.a), b = number.value(pair.b);
     if (!a && !b) continue;
     page.open("tr").element("td", number.head, {{"class", "head"}});
-    add_cells(page, shown(a, number.unit), shown(b, number.unit), difference(a, b, number.unit));
+    add_cells(page, percent_or_amount(a, number.unit), percent_or_amount(b, number.unit),
+              difference(a, b, number.unit));
     page.close();
   }
   page.close().close();
-  page.element("p", "Measured at default servo gains.", {{"class", "note"}});
+  page.note("Measured at default servo gains.");
   for (const auto& [name, run] : {std::pair{"A", &pair.a}, {"B", &pair.b}})
     add_gap_note(page, run->run, fmt::format("{}: F is", name));
   add_settings(page, pair);
@@ -269,14 +246,12 @@ void add_pair_bodies(Html& page, const RunPair& pair) {
   const auto a = parameters_of(pair.a.run), b = parameters_of(pair.b.run);
   page.open("section").element("h2", "The bodies");
   if (a.empty() && b.empty()) {
-    page.element("p", "Neither run.json lists design parameters.", {{"class", "note"}}).close();
+    page.note("Neither run.json lists design parameters.").close();
     return;
   }
-  page.element("p", "Each body as its run ended; in the bar, the hollow mark is A, the full one B.",
-               {{"class", "note"}});
+  page.note("Each body as its run ended; in the bar, the hollow mark is A, the full one B.");
   add_pair_head(page, true);
-  for (const std::string& name : parameter_names(a, b))
-    add_parameter(page, name, find(a, name), find(b, name));
+  for (const auto& [in_a, in_b] : joined_by_name(a, b)) add_parameter(page, in_a, in_b);
   page.close().close().close();
 }
 
@@ -302,8 +277,7 @@ void add_pair_terms(Html& page, const RunPair& pair) {
   std::stable_sort(names.begin(), names.end(),
                    [](const auto& x, const auto& y) { return x.second > y.second; });
   page.open("section").element("h2", "What the cost is made of");
-  page.element("p", "Each term of F at the end of the run, weighted; the largest first.",
-               {{"class", "note"}});
+  page.note("Each term of F at the end of the run, weighted; the largest first.");
   const double all = std::max(pair.a.run.final_F.value_or(0.0), pair.b.run.final_F.value_or(0.0));
   const auto small = std::find_if(names.begin(), names.end(),
                                   [&](const auto& name) { return name.second < kSmallTerm * all; });

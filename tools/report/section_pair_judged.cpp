@@ -12,22 +12,6 @@
 namespace legwright {
 namespace {
 
-/// Both lists joined by name, in the order in which they come, with nothing where one has no such.
-template <class Row>
-std::vector<std::pair<const Row*, const Row*>> joined(const std::vector<Row>& a,
-                                                      const std::vector<Row>& b) {
-  const auto find = [](const std::vector<Row>& list, const std::string& name) -> const Row* {
-    const auto at =
-        std::find_if(list.begin(), list.end(), [&](const Row& row) { return row.name == name; });
-    return at == list.end() ? nullptr : &*at;
-  };
-  std::vector<std::pair<const Row*, const Row*>> out;
-  for (const Row& row : a) out.emplace_back(&row, find(b, row.name));
-  for (const Row& row : b)
-    if (find(a, row.name) == nullptr) out.emplace_back(nullptr, &row);
-  return out;
-}
-
 void add_limit_cell(Html& page, const LimitRow* row, const char* name) {
   page.open("td", {{"class", "n"}, {"data-label", name}});
   if (row == nullptr) {
@@ -43,7 +27,7 @@ void add_limit_cell(Html& page, const LimitRow* row, const char* name) {
 void add_margin(Html& page, const RobustnessFactor* a, const RobustnessFactor* b) {
   const RobustnessFactor& any = a != nullptr ? *a : *b;
   page.open("tr").open("td", {{"class", "head"}});
-  page.element("b", any.label.empty() ? spaced(any.name) : any.label).close();
+  page.element("b", label_of(any)).close();
   // On one axis, so that the bars can be compared.
   const double low = std::min((a ? a : b)->tested_low, (b ? b : a)->tested_low),
                high = std::max((a ? a : b)->tested_high, (b ? b : a)->tested_high);
@@ -65,7 +49,7 @@ void add_pair_limits(Html& page, const RunPair& pair) {
   page.open("section").element("h2", "Limits");
   const auto limits_a = pair.a.limits_of(Design::result),
              limits_b = pair.b.limits_of(Design::result);
-  auto rows = joined(limits_a, limits_b);
+  auto rows = joined_by_name(limits_a, limits_b);
   if (rows.empty()) {
     add_hint(page, "Neither verdict lists its limits.", "validate", pair.a);
     page.close();
@@ -75,26 +59,24 @@ void add_pair_limits(Html& page, const RunPair& pair) {
     return (row.first != nullptr && !row.first->pass) ||
            (row.second != nullptr && !row.second->pass);
   });
-  page.open("table", {{"class", "stack pair limits"}}).open("thead").open("tr").element("th", "");
-  for (const char* head : {"A", "B", "limit"}) page.element("th", head, {{"class", "n"}});
-  page.close().close().open("tbody");
+  page.open_table("stack pair limits", {{""}, {"A", "n"}, {"B", "n"}, {"limit", "n"}});
   for (const auto& [a, b] : rows) {
     const LimitRow& any = a != nullptr ? *a : *b;
     page.open("tr").open("td", {{"class", "head"}});
-    page.element("b", any.what.empty() ? spaced(any.name) : any.what).close();
+    page.element("b", label_of(any)).close();
     add_limit_cell(page, a, "A");
     add_limit_cell(page, b, "B");
     std::string bound = bound_words(any);
     if (a != nullptr && b != nullptr && bound_words(*b) != bound)
       bound = "A " + bound + "; B " + bound_words(*b);
-    page.element("td", bound, {{"class", "n"}, {"data-label", "limit"}}).close();
+    page.number(bound, "limit").close();
   }
   page.close().close().close();
 }
 
 void add_pair_margins(Html& page, const RunPair& pair) {
   page.open("section").element("h2", "Robustness: how much they bear");
-  const auto rows = joined(pair.a.factors(), pair.b.factors());
+  const auto rows = joined_by_name(pair.a.factors(), pair.b.factors());
   // Where a gait fails undisturbed there is nothing to vary, and validating it again would not
   // help.
   const std::string none[] = {no_margins_words(pair.a), no_margins_words(pair.b)};
@@ -114,8 +96,7 @@ void add_pair_margins(Html& page, const RunPair& pair) {
     page.close();
     return;
   }
-  page.open("table", {{"class", "stack pair margins"}}).open("thead").open("tr").element("th", "");
-  page.element("th", "A").element("th", "B").close().close().open("tbody");
+  page.open_table("stack pair margins", {{""}, {"A"}, {"B"}});
   for (const auto& [a, b] : rows) add_margin(page, a, b);
   page.close().close();
   for (const auto& [name, run] : {std::pair{"A", &pair.a}, {"B", &pair.b}}) {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numbers>
 
 #include "tools/report/page_template.hpp"
 #include "tools/report/sections.hpp"
@@ -14,8 +13,6 @@
 
 namespace legwright {
 namespace {
-
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 struct Quantity {
   const char* name;
@@ -83,10 +80,7 @@ std::string gain_table(const ByName<GainMetrics>& gains, const char* title) {
 )",
       {{"title", title},
        Hole::markup("gains",
-                    each(gains,
-                         [](const auto& gain) {
-                           return fill(R"(<th class="n">{gain}</th>)", {{"gain", gain.first}});
-                         })),
+                    each(gains, [](const auto& gain) { return number_head_html(gain.first); })),
        Hole::markup("rows", each(quantities(), [&](const Quantity& quantity) {
                       return quantity_html(quantity, gains);
                     }))});
@@ -173,10 +167,7 @@ planned angles: a sound gait does not depend on them.</p>
 void add_plan(Html& page, const RunData& data) {
   page.open("section").element("h2", "Footfalls");
   if (!data.result_plan) {
-    page.element(
-            "p",
-            "result/motion.csv is not there: the run has not ended, or its plan cannot be read.",
-            {{"class", "note"}})
+    page.note("result/motion.csv is not there: the run has not ended, or its plan cannot be read.")
         .close();
     return;
   }

@@ -85,7 +85,7 @@ std::string trace_chart(const std::vector<double>& trace) {
 void add_progress(Html& page, const RunData& data) {
   page.open("section").element("h2", "How it got there");
   if (data.iterations.empty()) {
-    page.element("p", "events.jsonl has no finished iteration.", {{"class", "note"}}).close();
+    page.note("events.jsonl has no finished iteration.").close();
     return;
   }
   const double before = data.iterations.front().F, after = data.iterations.back().F;

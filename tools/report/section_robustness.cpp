@@ -14,10 +14,6 @@ namespace {
 
 constexpr std::size_t kMostWorst = 10, kMostCauses = 12;
 
-std::string small_html(const std::string& words) {
-  return words.empty() ? "" : fill("<small>{words}</small>", {{"words", words}});
-}
-
 /// Why it fails beyond a margin. @param where "Below: "
 std::string cause_html(const std::optional<double>& margin, const std::optional<std::string>& cause,
                        const char* where) {
@@ -31,7 +27,7 @@ std::string factor_html(const RobustnessFactor& factor) {
 <td class="margin">{bar}<p class="ends"><span>{from}</span><span>{to}</span></p></td>
 <td><b>{margin}</b>{below}{above}</td></tr>
 )",
-              {{"label", factor.label.empty() ? spaced(factor.name) : factor.label},
+              {{"label", label_of(factor)},
                Hole::markup("nominal", nominal ? small_html("nominal " + unit.words(nominal)) : ""),
                Hole::markup("bar", range_bar({factor.tested_low, factor.tested_high, factor.low,
                                               factor.high, nominal})),
@@ -45,11 +41,9 @@ std::string factor_html(const RobustnessFactor& factor) {
 /// A factor's value in a draw, by its label and in its unit where the factor is known.
 std::string drawn_words(const std::vector<RobustnessFactor>& factors, const std::string& name,
                         double from, std::optional<double> to = std::nullopt) {
-  const auto known = std::find_if(factors.begin(), factors.end(),
-                                  [&](const RobustnessFactor& f) { return f.name == name; });
-  const bool found = known != factors.end();
-  const ShownUnit unit = found ? unit_of(*known) : ShownUnit{};
-  const std::string label = found && !known->label.empty() ? known->label : spaced(name);
+  const RobustnessFactor* const known = find_named(factors, name);
+  const ShownUnit unit = known ? unit_of(*known) : ShownUnit{};
+  const std::string label = known ? label_of(*known) : spaced(name);
   return fmt::format("{} {}{}", label, unit.words(from), to ? " … " + unit.words(to) : "");
 }
 

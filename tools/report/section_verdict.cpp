@@ -39,27 +39,23 @@ std::vector<int> spread(const RunData& data, const std::vector<int>& drawn, std:
 
 }  // namespace
 
-void add_card(Html& page, const RunData& data, Design design, const std::string& title,
-              const std::string& body) {
-  const DesignVerdict* verdict = data.verdict_of(design);
-  std::string more;
+void add_card(Html& page, const DesignVerdict* verdict, const std::string& title,
+              const std::string& body, const std::string& more) {
+  std::string outcome;
   if (verdict != nullptr && !verdict->reasons.empty()) {
-    more = "<ul>\n" +
-           each(verdict->reasons,
-                [](const std::string& reason) {
-                  return fill("<li>{reason}</li>\n", {{"reason", reason}});
-                }) +
-           "</ul>";
+    outcome = "<ul>\n" +
+              each(verdict->reasons,
+                   [](const std::string& reason) {
+                     return fill("<li>{reason}</li>\n", {{"reason", reason}});
+                   }) +
+              "</ul>";
   } else if (verdict != nullptr) {
-    const std::size_t colon = verdict->line.find(": ");  // the card's head has said what is before
-    more = fill(
-        "<p>{line}</p>",
-        {{"line", colon == std::string::npos ? verdict->line : verdict->line.substr(colon + 2)}});
+    outcome = fill("<p>{line}</p>", {{"line", verdict_details(verdict->line)}});
   }
   page.raw(fill(R"(<div class="card{pass}"><h2>{title}</h2>
 <p class="verdict">{mark}</p>
 <p class="note">{body}</p>
-{more}</div>
+{outcome}{more}</div>
 )",
                 {{"pass", verdict == nullptr ? ""
                           : verdict->pass    ? " pass"
@@ -69,11 +65,16 @@ void add_card(Html& page, const RunData& data, Design design, const std::string&
                           : verdict->pass    ? "✓ Pass"
                                              : "✗ Fail"},
                  {"body", body},
+                 Hole::markup("outcome", outcome),
                  Hole::markup("more", more)}));
 }
 
 std::string command(const std::string& verb, const RunData& data) {
   return "legwright " + verb + " " + data.root.generic_string();
+}
+
+void add_pass(Html& page, bool pass) {
+  page.element("span", pass ? "✓ pass" : "✗ fail", {{"class", pass ? "good" : "bad"}});
 }
 
 void add_hint(Html& page, const std::string& what, const std::string& verb, const RunData& data) {
@@ -96,7 +97,7 @@ void add_gait(Html& page, const RunData& data, PictureBudget& budget) {
   const std::string head = read_head(gait, 12);
   if (head.size() < 12 || head.substr(0, 4) != "RIFF" || head.substr(8) != "WEBP") return;
   if (!budget.take(gait, kMostMoving)) {
-    page.element("p", "The gait in motion. " + too_large(gait), {{"class", "note"}});
+    page.note("The gait in motion. " + too_large(gait));
     return;
   }
   const int last = static_cast<int>(data.iterations.size()) - 1;
@@ -113,22 +114,20 @@ void add_plan_notes(Html& page, const RunData& data) {
     page.close().close();
   }
   if (data.verdict && data.verdict->home_touches)
-    page.element("p", "Warning: " + data.verdict->home_touches->line + ".",
-                 {{"class", "note wide"}});
+    page.note("Warning: " + data.verdict->home_touches->line + ".", "note wide");
   if (gait_was_stepped(data.run))
-    page.element("p",
-                 "The gait was changed after the optimisation, see “Closing the gap”: verdicts, "
-                 "pictures and measurements are of the changed gait; F, its terms, the planned "
-                 "speed by iteration and the certificate are of the one before.",
-                 {{"class", "note wide"}});
+    page.note(
+        "The gait was changed after the optimisation, see “Closing the gap”: verdicts, "
+        "pictures and measurements are of the changed gait; F, its terms, the planned "
+        "speed by iteration and the certificate are of the one before.",
+        "note wide");
   const auto& outer = data.run.outer;
   if (!outer) return;
-  page.element("p",
-               fmt::format("Outer objective: the motion minimises F, the body F + J, where J is {} "
-                           "times {}; J ended at {}.",
-                           short_number(outer->weight), spaced(outer->objective),
-                           short_number(data.run.final_J)),
-               {{"class", "note wide"}});
+  page.note(fmt::format("Outer objective: the motion minimises F, the body F + J, where J is {} "
+                        "times {}; J ended at {}.",
+                        short_number(outer->weight), spaced(outer->objective),
+                        short_number(data.run.final_J)),
+            "note wide");
 }
 
 }  // namespace
@@ -136,21 +135,21 @@ void add_plan_notes(Html& page, const RunData& data) {
 void add_verdicts(Html& page, const RunData& data) {
   page.open("section", {{"class", "cards"}});
   if (motion_only(data)) {
-    add_card(page, data, Design::result, "Verdict",
+    add_card(page, data.verdict_of(Design::result), "Verdict",
              "the initial body: only its gait was optimised");
   } else {
-    add_card(page, data, Design::initial, "Before",
+    add_card(page, data.verdict_of(Design::initial), "Before",
              "initial body, its gait optimised for the task");
-    add_card(page, data, Design::result, "After", "body and gait co-designed");
+    add_card(page, data.verdict_of(Design::result), "After", "body and gait co-designed");
   }
   add_plan_notes(page, data);
   if (!data.verdict) {
     add_hint(page, "No verdict yet: the gaits have not been played in MuJoCo.", "validate", data);
   } else {
-    page.element("p",
-                 "Verdicts are MuJoCo’s: each gait is played as planned, at half, default and "
-                 "double servo gains.",
-                 {{"class", "note wide"}});
+    page.note(
+        "Verdicts are MuJoCo’s: each gait is played as planned, at half, default and "
+        "double servo gains.",
+        "note wide");
   }
   page.close();
 }
@@ -161,7 +160,7 @@ bool add_strip_if(Html& page, const fs::path& file, const std::string& title,
   if (budget.take(file)) {
     add_strip(page, file, title, explanation);
   } else {
-    page.element("p", title + " " + too_large(file), {{"class", "note"}});
+    page.note(title + " " + too_large(file));
   }
   return true;
 }
@@ -206,8 +205,7 @@ void add_gallery(Html& page, const RunData& data) {
       const double cost = data.iterations[static_cast<std::size_t>(index)].F;
       page.element("figcaption", fmt::format("{} · F {}", index, short_number(cost))).close();
     } catch (const std::runtime_error&) {
-      page.element("p", fmt::format("iteration {}: its picture cannot be shown", index),
-                   {{"class", "note"}});
+      page.note(fmt::format("iteration {}: its picture cannot be shown", index));
     }
   }
   page.close().close();

@@ -44,6 +44,8 @@ void add_task_attributions(Html& page, const JointData& data);
 void add_front(Html& page, const JointData& data);
 void add_starts(Html& page, const JointData& data);
 
+inline constexpr double kSmallTerm = 0.01;  // of F: smaller terms are folded away
+
 // Words that the page, the summary and the page of two runs share.
 /// "All 12 limits are kept."
 std::string limits_kept(const std::vector<LimitRow>& rows);
@@ -87,9 +89,12 @@ std::string stepped_words(const JointData& data);
 /// Says so, where it is so. @param what "This chart is": what is of the gait before
 void add_gap_note(Html& page, const RunRecord& run, const std::string& what);
 
-/// A verdict's card. @param title of the card @param body what was judged
-void add_card(Html& page, const RunData& data, Design design, const std::string& title,
-              const std::string& body);
+/// A verdict's card. @param verdict null without @param title of the card @param body what was
+/// judged @param more markup below the outcome
+void add_card(Html& page, const DesignVerdict* verdict, const std::string& title,
+              const std::string& body, const std::string& more = "");
+/// "✓ pass" or "✗ fail".
+void add_pass(Html& page, bool pass);
 /// Adds a strip where it is there and fits; says so where it does not fit. Whether it is there.
 bool add_strip_if(Html& page, const std::filesystem::path& file, const std::string& title,
                   const std::string& explanation, PictureBudget& budget);

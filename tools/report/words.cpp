@@ -26,6 +26,11 @@ std::string spaced(std::string_view name) {
   return out;
 }
 
+std::string verdict_details(const std::string& line) {
+  const std::size_t colon = line.find(": ");
+  return colon == std::string::npos ? line : line.substr(colon + 2);
+}
+
 std::string title_of(const RunData& data) {
   const std::string &robot = data.run.robot, task = data.run.task ? data.run.task->name : "";
   const std::string title = robot.empty()  ? task
@@ -130,7 +135,7 @@ std::string long_number(std::optional<double> value) {
 
 std::string quantity_words(double amount, const std::string& unit) {
   const bool length = unit == "m", angle = unit == "rad";
-  const double shown = std::abs(amount) * (length ? 1e3 : angle ? 180.0 / std::numbers::pi : 1.0);
+  const double shown = std::abs(amount) * (length ? 1e3 : angle ? kDegrees : 1.0);
   const char* sign = amount < 0.0 ? "−" : "";
   std::string text =
       shown > 0.0 && shown < 1e-3 ? "below 0.001" : fmt::format("{}{}", sign, short_number(shown));
@@ -159,7 +164,7 @@ std::string ShownUnit::words(std::optional<double> value) const {
 ShownUnit shown_unit(const std::string& unit, double largest) {
   if (unit == "m" && largest < 1.0) return {1e3, "mm"};
   if (unit == "s" && largest < 0.5) return {1e3, "ms"};
-  if (unit == "rad") return {180.0 / std::numbers::pi, "°"};
+  if (unit == "rad") return {kDegrees, "°"};
   if (unit == "1") return {};
   std::string name = unit;
   for (std::size_t at = name.find(' '); at != std::string::npos; at = name.find(' '))
@@ -169,6 +174,10 @@ ShownUnit shown_unit(const std::string& unit, double largest) {
 
 std::string amount_words(std::optional<double> value, const std::string& unit) {
   return shown_unit(unit, std::abs(value.value_or(0.0))).words(value);
+}
+
+std::string percent_or_amount(std::optional<double> value, const std::string& unit) {
+  return unit == "%" ? percent(value) : amount_words(value, unit);
 }
 
 std::string early_or_late(std::optional<double> error) {

@@ -1,16 +1,38 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "tools/report/run_data.hpp"
 
 namespace legwright {
 
+inline constexpr double kDegrees = 180.0 / std::numbers::pi;  // of a radian
+
 /// "front_hip_axis_yaw" → "front hip axis yaw".
 std::string spaced(std::string_view name);
+/// The first row of that name; null without.
+template <class Row>
+const Row* find_named(const std::vector<Row>& rows, const std::string& name) {
+  for (const Row& row : rows)
+    if (row.name == name) return &row;
+  return nullptr;
+}
+/// What a factor or a run of numerics is called; its name, spaced, where it has no label.
+template <class Row>
+std::string label_of(const Row& row) {
+  return row.label.empty() ? spaced(row.name) : row.label;
+}
+/// The same of a limit.
+inline std::string label_of(const LimitRow& row) {
+  return row.what.empty() ? spaced(row.name) : row.what;
+}
+/// A verdict's line without what stands before its first colon, which a mark beside it says.
+std::string verdict_details(const std::string& line);
 /// Robot and task of a run; never empty.
 std::string title_of(const RunData& data);
 /// A term of F in a few words; its own name, spaced, where it is not known here.
@@ -45,6 +67,8 @@ struct ShownUnit {
 ShownUnit shown_unit(const std::string& unit, double largest);
 /// A value in the unit in which people read it; "–" for none.
 std::string amount_words(std::optional<double> value, const std::string& unit);
+/// The same, and a share as a percentage where the unit is "%".
+std::string percent_or_amount(std::optional<double> value, const std::string& unit);
 /// An error in time [s] by its direction: "17 ms early", "4.2 ms late", "on time"; "–" for none.
 std::string early_or_late(std::optional<double> error);
 

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
 
 #include "mjcf/read/legs.hpp"
 #include "optimizer/terms/registry.hpp"
@@ -277,16 +276,15 @@ int check(const CheckOptions& options) {
 }  // namespace
 
 void add_check(CLI::App& program, Action& action) {
-  const auto options = std::make_shared<CheckOptions>();
-  CLI::App* verb = program.add_subcommand(
-      "check", "Read a task and its robot; explain them, or refuse with a reason");
+  const auto [verb, options] =
+      add_verb(program, action, "check",
+               "Read a task and its robot; explain them, or refuse with a reason", check);
   verb->add_option("TASK", options->task, "task file (TOML), which names its robot")->required();
   verb->add_option("--robot", options->robot, "MJCF of another robot than the one the task names");
   verb->add_flag(
       "--gradients", options->gradients,
       "check all derivatives of F, and the adjoint, against central differences instead");
   verb->add_flag("--json", options->json, "print one JSON document");
-  verb->callback([&action, options] { action = [options] { return check(*options); }; });
 }
 
 }  // namespace legwright

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <memory>
 #include <vector>
 
 #include "mjcf/text/input_error.hpp"
@@ -14,7 +13,7 @@
 namespace legwright {
 namespace {
 
-struct Options {
+struct CurvesOptions {
   std::vector<std::string> runs, variants;
   std::string page = "curves.html";
   bool json = false;
@@ -49,7 +48,7 @@ void print_table(const Curves& curves) {
   }
 }
 
-int curves(const Options& options) {
+int curves(const CurvesOptions& options) {
   std::vector<NamedRuns> named;
   for (const std::string& words : options.variants) named.push_back(named_runs(words));
   const Curves found = read_curves({options.runs.begin(), options.runs.end()}, named);
@@ -72,9 +71,9 @@ int curves(const Options& options) {
 }  // namespace
 
 void add_curves(CLI::App& program, Action& action) {
-  auto options = std::make_shared<Options>();
-  CLI::App* verb = program.add_subcommand(
-      "curves", "Draw validated runs of one robot against their wanted speeds: one HTML file");
+  const auto [verb, options] = add_verb(
+      program, action, "curves",
+      "Draw validated runs of one robot against their wanted speeds: one HTML file", curves);
   verb->add_option("run", options->runs,
                    "Folders that legwright optimize wrote, one for each speed and variant");
   verb->add_option("--variant", options->variants,
@@ -89,7 +88,6 @@ void add_curves(CLI::App& program, Action& action) {
       "parameters, with a\n"
       "table under it. Runs must be of one robot, one gait and one direction, and validated.\n"
       "examples/hexapod/curves makes such a set.");
-  verb->callback([options, &action] { action = [options] { return curves(*options); }; });
 }
 
 }  // namespace legwright

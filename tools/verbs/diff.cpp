@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <memory>
 #include <numeric>
 
 #include "mjcf/read/checks.hpp"
@@ -121,9 +120,9 @@ int diff(const DiffOptions& options) {
 }  // namespace
 
 void add_diff(CLI::App& program, Action& action) {
-  const auto options = std::make_shared<DiffOptions>();
-  CLI::App* verb = program.add_subcommand(
-      "diff", "What differs between two models, in metres, radians and kilograms");
+  const auto [verb, options] =
+      add_verb(program, action, "diff",
+               "What differs between two models, in metres, radians and kilograms", diff);
   verb->add_option("A", options->before, "MJCF file")->required();
   verb->add_option("B", options->after, "MJCF file")->required();
   verb->add_option("--tolerance", options->tolerance,
@@ -137,7 +136,6 @@ void add_diff(CLI::App& program, Action& action) {
       "geoms, sites, tendons,\n"
       "actuators, keyframes and declared design parameters; not materials, assets and options.\n"
       "Exit code: 0 nothing differs, 1 something does, 2 a file is no model.");
-  verb->callback([&action, options] { action = [options] { return diff(*options); }; });
 }
 
 }  // namespace legwright

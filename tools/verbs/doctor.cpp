@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
-#include <memory>
 
 #include "tools/files/json_file.hpp"
 #include "tools/run/install.hpp"
@@ -13,6 +12,10 @@
 
 namespace legwright {
 namespace {
+
+struct DoctorOptions {
+  bool json = false;
+};
 
 /// One line of the diagnosis.
 struct Item {
@@ -104,11 +107,11 @@ std::vector<Item> diagnose() {
   return items;
 }
 
-int doctor(bool json) {
+int doctor(const DoctorOptions& options) {
   const std::vector<Item> items = diagnose();
   bool healthy = true;
   for (const Item& item : items) healthy = healthy && (item.found || !item.required);
-  if (json) {
+  if (options.json) {
     Json list = Json::array();
     for (const Item& item : items)
       list.push_back({{"name", item.name},
@@ -135,11 +138,10 @@ int doctor(bool json) {
 }  // namespace
 
 void add_doctor(CLI::App& program, Action& action) {
-  const auto json = std::make_shared<bool>(false);
-  CLI::App* verb = program.add_subcommand(
-      "doctor", "Say what is installed, found and missing, and how to mend it");
-  verb->add_flag("--json", *json, "print one JSON document");
-  verb->callback([&action, json] { action = [json] { return doctor(*json); }; });
+  const auto [verb, options] =
+      add_verb(program, action, "doctor",
+               "Say what is installed, found and missing, and how to mend it", doctor);
+  verb->add_flag("--json", options->json, "print one JSON document");
 }
 
 }  // namespace legwright

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
 #include <stdexcept>
 
 #include "mjcf/scene/plain_scene.hpp"
@@ -117,9 +116,9 @@ int export_run(const ExportOptions& options) {
 }  // namespace
 
 void add_export(CLI::App& program, Action& action) {
-  const auto options = std::make_shared<ExportOptions>();
-  CLI::App* verb = program.add_subcommand(
-      "export", "Put the robot of a run into a folder of its own, for stock MuJoCo");
+  const auto [verb, options] =
+      add_verb(program, action, "export",
+               "Put the robot of a run into a folder of its own, for stock MuJoCo", export_run);
   verb->add_option("RUN", options->run, "Folder that legwright optimize wrote")->required();
   verb->add_option("-o,--output", options->output,
                    "new folder, which must not exist; default: exports/RUN");
@@ -133,7 +132,6 @@ void add_export(CLI::App& program, Action& action) {
       "the robot's file. The scene is opened, compared with the robot, and simulated for 1 s.\n"
       "Exit code: 0; 1 where that second brought a warning of MuJoCo; 3 where the folder exists or "
       "the run has no result.");
-  verb->callback([&action, options] { action = [options] { return export_run(*options); }; });
 }
 
 }  // namespace legwright

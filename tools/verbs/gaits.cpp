@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
 
 #include "mjcf/text/input_error.hpp"
 #include "optimizer/motion/gait.hpp"
@@ -158,14 +157,12 @@ int gaits(const GaitsOptions& options) {
 }  // namespace
 
 void add_gaits(CLI::App& program, Action& action) {
-  const auto options = std::make_shared<GaitsOptions>();
-  CLI::App* verb =
-      program.add_subcommand("gaits", "Draw the gaits of the library as footfall diagrams");
+  const auto [verb, options] = add_verb(
+      program, action, "gaits", "Draw the gaits of the library as footfall diagrams", gaits);
   verb->add_option("NAME", options->name, "one gait only, for instance trot");
   verb->add_option("--feet", options->feet, "of robots with so many feet only: 2 or 4 to 8")
       ->check(CLI::IsMember(gait_library_feet()));
   verb->add_flag("--json", options->json, "print one JSON document");
-  verb->callback([&action, options] { action = [options] { return gaits(*options); }; });
 }
 
 }  // namespace legwright

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <memory>
 #include <optional>
 
 #include "mjcf/propose/proposals.hpp"
@@ -195,9 +194,9 @@ int init(const InitOptions& options) {
 }  // namespace
 
 void add_init(CLI::App& program, Action& action) {
-  const auto options = std::make_shared<InitOptions>();
-  CLI::App* verb = program.add_subcommand(
-      "init", "Study a robot (MJCF), propose what a designer may change in it");
+  const auto [verb, options] =
+      add_verb(program, action, "init",
+               "Study a robot (MJCF), propose what a designer may change in it", init);
   verb->add_option("ROBOT", options->robot, "MJCF file of the robot")->required();
   verb->add_flag("--write", options->write,
                  "write the proposals into the file's <custom> section; all other bytes stay");
@@ -220,7 +219,6 @@ void add_init(CLI::App& program, Action& action) {
       "written. Where the library has no gait for so "
       "many feet, parameters\n"
       "are written and the task is not: exit code 1.");
-  verb->callback([&action, options] { action = [options] { return init(*options); }; });
 }
 
 }  // namespace legwright

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <memory>
 #include <thread>
 
 #include "mjcf/text/input_error.hpp"
@@ -347,9 +346,9 @@ int optimize(const OptimizeOptions& options) {
 }  // namespace
 
 void add_optimize(CLI::App& program, Action& action) {
-  const auto options = std::make_shared<OptimizeOptions>();
-  CLI::App* verb =
-      program.add_subcommand("optimize", "Co-design body and gait for a task; write a run folder");
+  const auto [verb, options] =
+      add_verb(program, action, "optimize",
+               "Co-design body and gait for a task; write a run folder", optimize);
   verb->add_option("TASK", options->task, "task file (TOML), which names its robot")->required();
   verb->add_option("--robot", options->robot, "MJCF of another robot than the one the task names");
   verb->add_option("-o,--output", options->run, "folder of the run; default: runs/ROBOT-TASK");
@@ -383,7 +382,6 @@ void add_optimize(CLI::App& program, Action& action) {
   verb->add_flag("--force", options->force, "replace the run that the folder holds");
   verb->add_flag("--quiet", options->quiet, "say nothing but errors");
   verb->add_flag("--json", options->json, "print run.json instead of a summary");
-  verb->callback([&action, options] { action = [options] { return optimize(*options); }; });
 }
 
 }  // namespace legwright

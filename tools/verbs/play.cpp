@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
-#include <memory>
 
 #include "mjcf/text/input_error.hpp"
 #include "tools/files/io_error.hpp"
@@ -174,9 +173,9 @@ int play(const PlayOptions& options) {
 }  // namespace
 
 void add_play(CLI::App& program, Action& action) {
-  const auto options = std::make_shared<PlayOptions>();
-  CLI::App* verb = program.add_subcommand(
-      "play", "Open a result in MuJoCo's viewer, or follow a run; print the plain command");
+  const auto [verb, options] =
+      add_verb(program, action, "play",
+               "Open a result in MuJoCo's viewer, or follow a run; print the plain command", play);
   verb->add_option("RUN", options->run, "folder of a run")->required();
   CLI::Option* iteration = verb->add_option("--iteration", options->iteration,
                                             "play this iteration instead of the result")
@@ -190,7 +189,6 @@ void add_play(CLI::App& program, Action& action) {
       ->check(CLI::IsMember(kViewers));
   verb->add_flag("--print", options->print, "only print the command");
   verb->add_flag("--json", options->json, "only print scene, plugin and command as JSON");
-  verb->callback([&action, options] { action = [options] { return play(*options); }; });
 }
 
 }  // namespace legwright

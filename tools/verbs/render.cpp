@@ -3,7 +3,6 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 
 #include "tools/files/io_error.hpp"
 #include "tools/files/json_file.hpp"
@@ -16,7 +15,7 @@
 namespace legwright {
 namespace {
 
-struct Options {
+struct RenderOptions {
   std::string run;
   std::vector<double> phases;
   bool all = false, still = false, json = false;
@@ -30,7 +29,7 @@ std::vector<std::filesystem::path> runs_to_draw(const std::filesystem::path& roo
   return runs;
 }
 
-int render(const Options& options) {
+int render(const RenderOptions& options) {
   pin_rasteriser();
   load_gait_plugin();
   const MujocoMessages messages;  // an error of the engine becomes an exception
@@ -77,8 +76,8 @@ int render(const Options& options) {
 }  // namespace
 
 void add_render(CLI::App& program, Action& action) {
-  auto options = std::make_shared<Options>();
-  CLI::App* verb = program.add_subcommand("render", "Draw the pictures of a run, off-screen");
+  const auto [verb, options] =
+      add_verb(program, action, "render", "Draw the pictures of a run, off-screen", render);
   verb->add_option("run", options->run, "Folder that legwright optimize wrote")->required();
   verb->add_option("--phase", options->phases,
                    "Also a still of the gait at this phase, 0 to 1; may be given several times")
@@ -103,7 +102,6 @@ void add_render(CLI::App& program, Action& action) {
       "Needs no display: OSMesa draws, or EGL where that is missing; LEGWRIGHT_GL=osmesa or egl "
       "takes\n"
       "one of them. The same bytes on every run on one machine. Exit code 3 without either.");
-  verb->callback([options, &action] { action = [options] { return render(*options); }; });
 }
 
 }  // namespace legwright

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <memory>
 #include <vector>
 
 #include "mjcf/text/input_error.hpp"
@@ -16,13 +15,13 @@
 namespace legwright {
 namespace {
 
-struct Options {
+struct ReportOptions {
   std::string run, other, output;
   bool json = false;
 };
 
 /// Two runs side by side.
-int report_pair(const Options& options) {
+int report_pair(const ReportOptions& options) {
   const std::filesystem::path file = options.output.empty() ? pair_file(options.run, options.other)
                                                             : std::filesystem::path(options.output);
   write_file(file, pair_page(read_pair(options.run, options.other)));
@@ -37,7 +36,7 @@ int report_pair(const Options& options) {
   return kOk;
 }
 
-int report(const Options& options) {
+int report(const ReportOptions& options) {
   if (!options.other.empty()) return report_pair(options);
   if (!options.output.empty())
     throw InputError(
@@ -67,9 +66,9 @@ int report(const Options& options) {
 }  // namespace
 
 void add_report(CLI::App& program, Action& action) {
-  auto options = std::make_shared<Options>();
-  CLI::App* verb = program.add_subcommand(
-      "report", "Write the report of a run, or of two side by side: one HTML file");
+  const auto [verb, options] =
+      add_verb(program, action, "report",
+               "Write the report of a run, or of two side by side: one HTML file", report);
   verb->add_option("run", options->run, "Folder that legwright optimize wrote")->required();
   verb->add_option("other", options->other, "A second run: both side by side, on one page");
   verb->add_option("-o,--output", options->output,
@@ -83,7 +82,6 @@ void add_report(CLI::App& program, Action& action) {
       "a\n"
       "joint run name the folder of a task: legwright report RUN/tasks/pace RUN/tasks/sideways\n"
       "Run legwright validate and legwright render first; what is missing is named in the report.");
-  verb->callback([options, &action] { action = [options] { return report(*options); }; });
 }
 
 }  // namespace legwright

@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <memory>
 #include <thread>
 
 #include "mjcf/text/input_error.hpp"
@@ -19,7 +18,7 @@
 namespace legwright {
 namespace {
 
-struct Options {
+struct ValidateOptions {
   std::string run, limits, junit;
   JudgeOptions judge;
   bool json = false, quick = false;
@@ -90,7 +89,8 @@ void print_matrix(const MatrixRecord& matrix) {
   fmt::print("\n");
 }
 
-int validate_joint(const ResultFolder& folder, const RunRecord& run, const Options& options) {
+int validate_joint(const ResultFolder& folder, const RunRecord& run,
+                   const ValidateOptions& options) {
   std::vector<JudgedRun> judged;
   const MatrixRecord matrix = judge_joint_run(folder, run, options.judge, judged);
   std::vector<JunitSuite> suites;
@@ -111,7 +111,7 @@ int validate_joint(const ResultFolder& folder, const RunRecord& run, const Optio
 }
 
 /// Throws InputError where the limits file asks for what --quick leaves out.
-void refuse_if_too_quick(const Options& options) {
+void refuse_if_too_quick(const ValidateOptions& options) {
   const Limits& limits = options.judge.validation.limits;
   const bool robustness = need_robustness(limits), numerics = ask_for_numerics(limits);
   if (!options.quick || (!robustness && !numerics)) return;
@@ -123,7 +123,8 @@ void refuse_if_too_quick(const Options& options) {
                        ", which --quick leaves out; validate without --quick, or take them out");
 }
 
-int validate(Options options) {
+int validate(const ValidateOptions& asked) {
+  ValidateOptions options = asked;
   if (!options.limits.empty()) options.judge.validation.limits = read_limits(options.limits);
   refuse_if_too_quick(options);
   options.judge.numerics = options.judge.robustness = !options.quick;
@@ -147,7 +148,7 @@ int validate(Options options) {
   return verdict.pass ? kOk : kInfeasible;
 }
 
-void add_options(CLI::App& verb, Options& options) {
+void add_options(CLI::App& verb, ValidateOptions& options) {
   JudgeOptions& judge = options.judge;
   verb.add_option("run", options.run, "Folder that legwright optimize wrote")->required();
   verb.add_option("--limits", options.limits,
@@ -174,11 +175,10 @@ void add_options(CLI::App& verb, Options& options) {
 }  // namespace
 
 void add_validate(CLI::App& program, Action& action) {
-  auto options = std::make_shared<Options>();
+  const auto [verb, options] = add_verb(
+      program, action, "validate", "Play the gaits of a run in MuJoCo and judge them", validate);
   options->judge.validation.threads =
       static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 64U));
-  CLI::App* verb =
-      program.add_subcommand("validate", "Play the gaits of a run in MuJoCo and judge them");
   add_options(*verb, *options);
   verb->footer(
       "Plays iterations/0000/scene.xml (the initial design) and result/scene.xml, each at half, "
@@ -198,7 +198,6 @@ void add_validate(CLI::App& program, Action& action) {
       "playback_result.csv into result/.\n"
       "Exit code: 0 the result passes, 1 it fails, 2 bad input, 3 a file cannot be read or "
       "written.");
-  verb->callback([options, &action] { action = [options] { return validate(*options); }; });
 }
 
 }  // namespace legwright

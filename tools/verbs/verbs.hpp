@@ -3,6 +3,9 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <memory>
+#include <string>
+#include <utility>
 
 #include "tools/files/exit_code.hpp"
 
@@ -12,6 +15,19 @@ namespace legwright {
 /// std::system_error and std::filesystem::filesystem_error (3), anything else (4): main() turns
 /// them into a message and the code.
 using Action = std::function<int()>;
+
+/// A subcommand and the options that it is called with, to which its flags are bound; when it is
+/// the one that was called, parsing makes `run` of them the action.
+template <class Options>
+std::pair<CLI::App*, std::shared_ptr<Options>> add_verb(CLI::App& program, Action& action,
+                                                        const std::string& name,
+                                                        const std::string& about,
+                                                        int (*run)(const Options&)) {
+  CLI::App* verb = program.add_subcommand(name, about);
+  const auto options = std::make_shared<Options>();
+  verb->callback([&action, options, run] { action = [options, run] { return run(*options); }; });
+  return {verb, options};
+}
 
 // Each adds its subcommand with options and help to `program`; when it is the one that was called,
 // parsing sets `action`.

@@ -2,6 +2,7 @@
 // What the report tells of `optimize --physics-steps`.
 #include <algorithm>
 
+#include "tests/support/text.hpp"
 #include "tests/tools/report/hostile_names.hpp"
 #include "tests/tools/report/run_fixture.hpp"
 #include "tools/files/clean_text.hpp"
@@ -20,13 +21,6 @@ class GapReport : public RunFixture {
   std::string summary() { return report_summary(read_run(run_)); }
 };
 
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
-    ++found;
-  return found;
-}
-
 TEST_F(GapReport, SaysWhatChangedAndWhatIsOfTheGaitBefore) {
   EXPECT_FALSE(has(page(), "Closing the gap"));
   EXPECT_FALSE(has(summary(), "Closing the gap"));
@@ -42,10 +36,10 @@ TEST_F(GapReport, SaysWhatChangedAndWhatIsOfTheGaitBefore) {
         "It is of the gait"})
     EXPECT_TRUE(has(page, part)) << part;
   EXPECT_FALSE(has(page, "margins × 1"));
-  EXPECT_EQ(count(summary,
-                  "**Closing the gap.** speed × 1.012, swing height × 1.05. Before: 93 % "
-                  "of it. Confirmed by MuJoCo, after: 100 % of it. F and the certificate "
-                  "are of the gait before.\n"),
+  EXPECT_EQ(count_of(summary,
+                     "**Closing the gap.** speed × 1.012, swing height × 1.05. Before: 93 % "
+                     "of it. Confirmed by MuJoCo, after: 100 % of it. F and the certificate "
+                     "are of the gait before.\n"),
             1U)
       << summary;
 }

@@ -2,6 +2,7 @@
 // The sections that tell what physics said: limits, plan against physics, robustness, numerics.
 #include <gtest/gtest.h>
 
+#include "tests/support/text.hpp"
 #include "tests/tools/report/hostile_names.hpp"
 #include "tests/tools/report/run_fixture.hpp"
 #include "tools/files/clean_text.hpp"
@@ -26,13 +27,6 @@ class JudgedSections : public RunFixture {
     return false;
   }
 };
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
-    ++found;
-  return found;
-}
 
 TEST_F(JudgedSections, TellWhatTheFilesHold) {
   const std::string page = this->page();
@@ -143,7 +137,7 @@ TEST_F(JudgedSections, ABodyThatTouchesItselfIsWarnedOf) {
 TEST_F(JudgedSections, DrawEachFootAndTheInitialBodyToo) {
   edit(kComparison, [](Json& file) { file["initial"] = file["result"]; });
   EXPECT_TRUE(has(page(), "Contact forces before, with the initial body"));
-  EXPECT_EQ(count(page(), "aria-label=\"Normal force, FL\""), 2U);
+  EXPECT_EQ(count_of(page(), "aria-label=\"Normal force, FL\""), 2U);
 }
 
 TEST_F(JudgedSections, NumbersThatAreNotThereBreakLinesAndNothingElse) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "tests/support/text.hpp"
 #include "tests/tools/report/hostile_names.hpp"
 #include "tests/tools/report/run_fixture.hpp"
 #include "tools/files/clean_text.hpp"
@@ -17,13 +18,6 @@ constexpr std::ptrdiff_t kMostLines = 60;
 
 std::ptrdiff_t lines_of(const std::string& text) {
   return std::count(text.begin(), text.end(), '\n');
-}
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
-    ++found;
-  return found;
 }
 
 TEST_F(RunSummary, HoldsVerdictsLimitsMarginsAndChanges) {
@@ -74,7 +68,7 @@ TEST_F(RunSummary, HostileNamesStayText) {
     edit("result/numerics.json", [&](Json& file) { file["reasons"] = {name}; });
     const std::string text = report_summary(read_run(run_));
     EXPECT_FALSE(has(text, "<")) << name;
-    EXPECT_EQ(count(text, "]("), count(text, "\\](")) << name;
+    EXPECT_EQ(count_of(text, "]("), count_of(text, "\\](")) << name;
     EXPECT_FALSE(has(text, "://")) << name;
     EXPECT_LE(lines_of(text), kMostLines) << name;
     std::size_t begin = 0;  // a row of a table has as many cells as its head, whatever is in it

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "tests/support/text.hpp"
 #include "tests/tools/report/hostile_names.hpp"
 
 namespace legwright {
@@ -15,13 +16,6 @@ namespace {
 bool well_formed(const std::string& markup) {
   tinyxml2::XMLDocument document;
   return document.Parse(("<div>" + markup + "</div>").c_str()) == tinyxml2::XML_SUCCESS;
-}
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
-    ++found;
-  return found;
 }
 
 TEST(LinearTicks, AreRoundAndInside) {
@@ -93,7 +87,7 @@ TEST(LinePlot, BreaksTheLineWhereThereIsNoNumber) {
       line_plot({{.name = "a", .x = {0, 1, 2, 3}, .y = {1, nan, 2, 3}}}, {.title = "t"});
   EXPECT_EQ(svg.find("nan"), std::string::npos);
   const auto at = svg.find("class=\"line");
-  EXPECT_EQ(count(svg.substr(at, svg.find("/>", at) - at), "M"), 2U);
+  EXPECT_EQ(count_of(svg.substr(at, svg.find("/>", at) - at), "M"), 2U);
 }
 
 TEST(LinePlot, SaysSoWhereThereIsNothing) {
@@ -115,8 +109,8 @@ TEST(LinePlot, IsWellFormedWhateverItsNames) {
 
 TEST(FootfallPlot, DrawsEachSpanOnceAndCutsAtTheEnd) {
   const auto svg = footfall_plot({{"FL", {{-0.2, 0.5}, {1.2, 1.4}}, {{0.1, 2.0}}}}, 1.0, "t");
-  EXPECT_EQ(count(svg, "class=\"planned\""), 1U);
-  EXPECT_EQ(count(svg, "class=\"measured\""), 1U);
+  EXPECT_EQ(count_of(svg, "class=\"planned\""), 1U);
+  EXPECT_EQ(count_of(svg, "class=\"measured\""), 1U);
 }
 
 TEST(LinePlot, ABandLiesBetweenItsEdgesAndBreaksWhereThereIsNoNumber) {
@@ -128,10 +122,10 @@ TEST(LinePlot, ABandLiesBetweenItsEdgesAndBreaksWhereThereIsNoNumber) {
       line_plot({band, {.name = "mean", .x = {0, 4}, .y = {0.5, 0.5}}}, {.title = "t"});
   const auto at = svg.find("class=\"band f1\"");
   ASSERT_NE(at, std::string::npos);
-  EXPECT_EQ(count(svg.substr(at, svg.find("/>", at) - at), "Z"), 2U);
+  EXPECT_EQ(count_of(svg.substr(at, svg.find("/>", at) - at), "Z"), 2U);
   EXPECT_EQ(svg.find("nan"), std::string::npos);
   EXPECT_NE(svg.find("key b1 area"), std::string::npos);
-  EXPECT_EQ(count(svg, "class=\"line"), 1U) << "a band without y has no line";
+  EXPECT_EQ(count_of(svg, "class=\"line"), 1U) << "a band without y has no line";
 }
 
 TEST(PlotRange, CoversTheBand) {
@@ -174,8 +168,8 @@ TEST(SmallMultiples, ShareOneRangeAndOneLegend) {
   const auto svg = small_multiples({panel("FL", 1.0), panel("FR", 10.0), {"none", {}}},
                                    {.title = "t", .width = 220, .height = 150});
   EXPECT_TRUE(well_formed(svg));
-  EXPECT_EQ(count(svg, "<svg"), 2U) << "nothing to draw, no panel";
-  EXPECT_EQ(count(svg, "class=\"legend\""), 1U);
+  EXPECT_EQ(count_of(svg, "<svg"), 2U) << "nothing to draw, no panel";
+  EXPECT_EQ(count_of(svg, "class=\"legend\""), 1U);
   EXPECT_GT(top(svg, "FL"), top(svg, "FR") + 50) << "the smaller one stays lower";
   EXPECT_NE(small_multiples({}, {.title = "t"}).find("Nothing to draw"), std::string::npos);
   for (const std::string& name : hostile_names())

@@ -12,6 +12,7 @@ namespace legwright {
 namespace {
 
 namespace fs = std::filesystem;
+using test::call_in;
 using test::contains;
 using test::kExamples;
 using test::Outcome;
@@ -25,10 +26,6 @@ std::map<std::string, std::string> bytes_below(const fs::path& folder) {
     out[name] = entry.is_regular_file() ? read_file(entry.path()) : "folder";
   }
   return out;
-}
-
-Outcome call_in(const fs::path& folder, const std::vector<std::string>& words) {
-  return test::wait_for(test::start(words, folder), folder);
 }
 
 /// Everything of a broken robot: files beside it too.

@@ -16,11 +16,8 @@ namespace fs = std::filesystem;
 
 const fs::path kVerdicts = test::kExamples / "broken/verdicts";
 
-class BrokenVerdict : public testing::Test {
+class BrokenVerdict : public testing::Test, protected test::CallsInFolder {
  protected:
-  test::Outcome call(const std::vector<std::string>& words) const {
-    return test::wait_for(test::start(words, folder_.path()), folder_.path());
-  }
   void plan(const std::string& name) const {
     const test::Outcome optimize =
         call({"optimize", (kVerdicts / name).string(), "--motion-only", "--no-pictures",
@@ -30,7 +27,6 @@ class BrokenVerdict : public testing::Test {
   Json result(const char* file) const {
     return Json::parse(read_file(folder_.path() / "run/result" / file));
   }
-  test::TemporaryFolder folder_;
 };
 
 std::string first_failing(const Json& verdict) {

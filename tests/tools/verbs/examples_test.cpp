@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kGains[] = {"half", "default", "double"};
 
-class Example : public testing::Test {
+class Example : public testing::Test, protected test::CallsInFolder {
  protected:
   /// Optimizes a task and has it judged; the folder of the run.
   fs::path run(const fs::path& task, const std::vector<std::string>& more = {}) const {
@@ -34,10 +34,6 @@ class Example : public testing::Test {
   static void expect_fail(const Json& verdict, const char* design) {
     EXPECT_FALSE(verdict[design]["pass"].get<bool>()) << verdict[design]["line"];
   }
-  test::Outcome call(const std::vector<std::string>& words) const {
-    return test::wait_for(test::start(words, folder_.path()), folder_.path());
-  }
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(Example, QuadrupedsPaceNeedsAnotherBody) {
@@ -104,9 +100,7 @@ TEST_F(Example, PistonsWalkAndTheirForceIsWatched) {
     scene.replace(at, strong.size(), "forcerange=\"-30 30\"");
   fs::remove(scene_file);
   write_file(scene_file, scene);
-  (void)test::wait_for(
-      test::start({"validate", result.parent_path().string(), "--quick"}, folder_.path()),
-      folder_.path());
+  (void)test::call_in(folder_.path(), {"validate", result.parent_path().string(), "--quick"});
   EXPECT_GT(read(result / "metrics.json")["result"]["default"]["saturated_share"].get<double>(),
             0.01);
 }

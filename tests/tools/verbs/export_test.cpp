@@ -25,7 +25,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 }
 
 /// A run of one iteration of a robot that stands in a folder of its own, with a licence.
-class Export : public testing::Test {
+class Export : public testing::Test, protected test::CallsInFolder {
  protected:
   void SetUp() override { optimize("puppy"); }
 
@@ -57,13 +57,7 @@ class Export : public testing::Test {
                                             eyes, eyes + "<geom type=\"mesh\" mesh=\"dot\"/>"));
   }
 
-  Outcome call(const std::vector<std::string>& words) const {
-    return test::wait_for(test::start(words, root()), root());
-  }
   fs::path root() const { return folder_.path(); }
-
- private:
-  test::TemporaryFolder folder_;
 };
 
 std::set<std::string> files_in(const fs::path& folder) {

@@ -60,7 +60,7 @@ class GaitExample : public testing::TestWithParam<const char*> {};
 TEST_P(GaitExample, PassesAtHalfDefaultAndDoubleGains) {
   const test::TemporaryFolder folder;
   const auto call = [&](const std::vector<std::string>& words) {
-    return test::wait_for(test::start(words, folder.path()), folder.path());
+    return test::call_in(folder.path(), words);
   };
   const std::string task = (test::kExamples / GetParam()).string();
   const test::Outcome optimize =

@@ -20,13 +20,9 @@ using test::Outcome;
 
 const std::string kBoth = (test::kExamples / "quadruped" / "both.toml").string();
 
-class Joint : public testing::Test {
+class Joint : public testing::Test, protected test::CallsInFolder {
  protected:
-  Outcome here(const std::vector<std::string>& words) const {
-    return test::wait_for(test::start(words, folder_.path()), folder_.path());
-  }
   Json json(const char* file) const { return Json::parse(read_file(folder_.path() / file)); }
-  test::TemporaryFolder folder_;
 };
 
 /// Everything in a run that must not depend on time or threads.
@@ -42,7 +38,7 @@ std::map<std::string, std::string> contents(const fs::path& run) {
 
 TEST_F(Joint, RunIsCompleteAndItsTasksAreRunsOfTheirOwn) {
   const Outcome optimize =
-      here({"optimize", kBoth, "--max-iterations", "2", "--no-pictures", "-o", "run"});
+      call({"optimize", kBoth, "--max-iterations", "2", "--no-pictures", "-o", "run"});
   ASSERT_LE(optimize.code, 1) << optimize.err;
   const Json run = json("run/run.json");
   ASSERT_EQ(run["tasks"].size(), 2u);
@@ -67,7 +63,7 @@ TEST_F(Joint, RunIsCompleteAndItsTasksAreRunsOfTheirOwn) {
   }
   EXPECT_LT(run["certificate"]["worst_gradient_error"].get<double>(), 1e-4);
 
-  const Outcome validate = here({"validate", "run", "--quick"});
+  const Outcome validate = call({"validate", "run", "--quick"});
   EXPECT_LE(validate.code, 1) << validate.err;
   const Json matrix = json("run/result/matrix.json");
   ASSERT_EQ(matrix["designs"].size(), 4u);
@@ -96,25 +92,25 @@ TEST_F(Joint, InterruptedAfterATaskAloneItCanStillBeValidated) {
   EXPECT_EQ(optimize.code, 130) << optimize.err;
   EXPECT_EQ(json("run/run.json")["status"], "interrupted");
   EXPECT_FALSE(fs::exists(folder_.path() / "run/starts/from-pace"));
-  const Outcome validate = here({"validate", "run", "--quick"});
+  const Outcome validate = call({"validate", "run", "--quick"});
   EXPECT_LE(validate.code, 1) << validate.err;
   EXPECT_EQ(json("run/result/matrix.json")["designs"].size(), 2u);  // initial body, all tasks
 }
 
 TEST_F(Joint, ForeignFoldersInRunJsonAreRefused) {
-  const Outcome optimize = here({"optimize", kBoth, "--max-iterations", "0", "--one-start",
+  const Outcome optimize = call({"optimize", kBoth, "--max-iterations", "0", "--one-start",
                                  "--no-pictures", "--no-certificate", "-o", "run"});
   ASSERT_LE(optimize.code, 1) << optimize.err;
   Json run = json("run/run.json");
   run["tasks"][0]["folder"] = "../elsewhere";
   write_file(folder_.path() / "run/run.json", run.dump());
-  EXPECT_EQ(here({"validate", "run", "--quick"}).code, 2);
+  EXPECT_EQ(call({"validate", "run", "--quick"}).code, 2);
 }
 
 TEST_F(Joint, SameBytesAtAnyThreadCount) {
   for (const char* threads : {"1", "2"}) {
     const Outcome optimize =
-        here({"optimize", kBoth, "--max-iterations", "1", "--no-pictures", "--one-start",
+        call({"optimize", kBoth, "--max-iterations", "1", "--no-pictures", "--one-start",
               "--threads", threads, "-o", std::string("run") + threads});
     ASSERT_LE(optimize.code, 1) << optimize.err;
   }
@@ -125,15 +121,15 @@ TEST_F(Joint, SameBytesAtAnyThreadCount) {
 
 TEST_F(Joint, FrontNeedsTwoTasksSolvedAlone) {
   const std::string single = (test::kExamples / "quadruped" / "pace.toml").string();
-  const Outcome one = here({"optimize", single, "--front", "3", "-o", "run"});
+  const Outcome one = call({"optimize", single, "--front", "3", "-o", "run"});
   EXPECT_EQ(one.code, 2);
   EXPECT_TRUE(contains(one.err, "--front") && contains(one.err, "[[task]]")) << one.err;
-  EXPECT_EQ(here({"optimize", kBoth, "--front", "3", "--one-start", "-o", "run"}).code, 2);
+  EXPECT_EQ(call({"optimize", kBoth, "--front", "3", "--one-start", "-o", "run"}).code, 2);
   EXPECT_FALSE(fs::exists(folder_.path() / "run"));
 }
 
 TEST_F(Joint, FrontEndsAtEachTasksOwnOptimum) {
-  const Outcome optimize = here({"optimize", kBoth, "--max-iterations", "3", "--front", "2",
+  const Outcome optimize = call({"optimize", kBoth, "--max-iterations", "3", "--front", "2",
                                  "--no-pictures", "--no-certificate", "-o", "run"});
   ASSERT_LE(optimize.code, 1) << optimize.err;
   const Json front = json("run/result/front.json"), run = json("run/run.json");
@@ -162,7 +158,7 @@ TEST(Outer, BodyThatSpendsLessWork) {
   const auto power = [&](const char* task) {
     const std::string file = (test::kExamples / "puppy" / task).string();
     const auto run = [&](const std::vector<std::string>& words) {
-      return test::wait_for(test::start(words, folder.path()), folder.path());
+      return test::call_in(folder.path(), words);
     };
     const Outcome optimize = run({"optimize", file, "--no-pictures", "-o", task});
     EXPECT_EQ(optimize.code, 0) << optimize.err;

@@ -28,11 +28,8 @@ class Variable {
   std::string old_;
 };
 
-class NoOpenGl : public testing::Test {
+class NoOpenGl : public testing::Test, protected test::CallsInFolder {
  protected:
-  test::Outcome call(const std::vector<std::string>& words) {
-    return test::wait_for(test::start(words, folder_.path()), folder_.path());
-  }
   test::Outcome optimize(const std::string& run, const std::vector<std::string>& more = {}) {
     std::vector<std::string> words{"optimize",
                                    (test::kExamples / "puppy/sideways.toml"),
@@ -47,8 +44,6 @@ class NoOpenGl : public testing::Test {
   std::string motion(const std::string& run) const {
     return read_file(folder_.path() / run / "result" / "motion.csv");
   }
-
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(NoOpenGl, OptimizeGoesOnAndRenderExitsThree) {

@@ -26,7 +26,7 @@ double gap(const fs::path& run) {
 TEST(PhysicsStepsOfOptimize, CloseTheGapBetweenPlanAndPhysics) {
   const test::TemporaryFolder folder;
   const auto call = [&](const std::vector<std::string>& words) {
-    return test::wait_for(test::start(words, folder.path()), folder.path());
+    return test::call_in(folder.path(), words);
   };
   const std::string task = (test::kExamples / "piston_puppy" / "forward.toml").string();
   const auto optimize = [&](const char* run, std::vector<std::string> more) {

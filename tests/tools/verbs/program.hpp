@@ -50,10 +50,22 @@ inline Outcome wait_for(pid_t child, const std::filesystem::path& folder) {
   return outcome;
 }
 
-inline Outcome call(const std::vector<std::string>& words) {
-  const TemporaryFolder folder;
-  return wait_for(start(words, folder.path()), folder.path());
+inline Outcome call_in(const std::filesystem::path& folder, const std::vector<std::string>& words) {
+  return wait_for(start(words, folder), folder);
 }
+
+inline Outcome call(const std::vector<std::string>& words) {
+  return call_in(TemporaryFolder().path(), words);
+}
+
+/// A part of a fixture that calls the program in a folder of its own.
+class CallsInFolder {
+ protected:
+  Outcome call(const std::vector<std::string>& words) const {
+    return call_in(folder_.path(), words);
+  }
+  TemporaryFolder folder_;
+};
 
 inline bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;

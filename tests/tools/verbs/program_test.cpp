@@ -97,8 +97,8 @@ TEST(Check, RefusesEveryBrokenTaskWithExitCode2) {
 TEST(Optimize, WritesNothingForBadInput) {
   const TemporaryFolder folder;
   const std::string bad = (kExamples / "broken" / "tasks" / "nan.toml").string();
-  EXPECT_EQ(wait_for(start({"optimize", bad, "-o", "run"}, folder.path()), folder.path()).code, 2);
-  EXPECT_EQ(wait_for(start({"optimize", "missing.toml"}, folder.path()), folder.path()).code, 2);
+  EXPECT_EQ(test::call_in(folder.path(), {"optimize", bad, "-o", "run"}).code, 2);
+  EXPECT_EQ(test::call_in(folder.path(), {"optimize", "missing.toml"}).code, 2);
   EXPECT_FALSE(fs::exists(folder.path() / "run"));
   EXPECT_FALSE(fs::exists(folder.path() / "runs"));
 }
@@ -124,7 +124,7 @@ TEST(Optimize, WritesACompleteRunTwiceTheSame) {
   for (const char* run : {"a", "b"}) {
     std::vector<std::string> all = words;
     all.emplace_back(run);
-    const Outcome outcome = wait_for(start(all, folder.path()), folder.path());
+    const Outcome outcome = test::call_in(folder.path(), all);
     ASSERT_TRUE(outcome.code == 0 || outcome.code == 1) << outcome.code << outcome.err;
     EXPECT_TRUE(contains(outcome.err, "iteration   1"));
     EXPECT_TRUE(contains(outcome.out, "next: legwright validate"));
@@ -155,23 +155,20 @@ TEST(Optimize, WritesACompleteRunTwiceTheSame) {
   EXPECT_EQ(seen["event_iteration"], 2);
   EXPECT_EQ(seen["iteration"], 3);
 
-  const Outcome again =
-      wait_for(start({"optimize", kWalk, "-o", "a"}, folder.path()), folder.path());
+  const Outcome again = test::call_in(folder.path(), {"optimize", kWalk, "-o", "a"});
   EXPECT_EQ(again.code, 3);
   EXPECT_TRUE(contains(again.err, "--force")) << again.err;
   ::setenv("LEGWRIGHT_PLUGIN", "/nonexistent/gait.so", 1);
   for (const char* verb : {"validate", "render", "play"}) {
-    const Outcome without = wait_for(start({verb, "a"}, folder.path()), folder.path());
+    const Outcome without = test::call_in(folder.path(), {verb, "a"});
     EXPECT_EQ(without.code, 3) << verb << without.err;
     EXPECT_TRUE(contains(without.err, "/nonexistent/gait.so")) << verb << without.err;
   }
   ::unsetenv("LEGWRIGHT_PLUGIN");
-  const Outcome play =
-      wait_for(start({"play", "a", "--viewer", "python", "--print"}, folder.path()), folder.path());
+  const Outcome play = test::call_in(folder.path(), {"play", "a", "--viewer", "python", "--print"});
   EXPECT_EQ(play.code, 0) << play.err;
   EXPECT_TRUE(contains(play.out, "mj_loadPluginLibrary")) << play.out;
-  EXPECT_EQ(wait_for(start({"play", "a", "--iteration", "9"}, folder.path()), folder.path()).code,
-            3);
+  EXPECT_EQ(test::call_in(folder.path(), {"play", "a", "--iteration", "9"}).code, 3);
 }
 
 TEST(Optimize, MotionOnlyKeepsTheBodyAndSaysThatItDoesNotDo) {

@@ -37,19 +37,16 @@ ModelPointer opened(const fs::path& file) {
   return model;
 }
 
-class RobotFilesRun : public testing::Test {
+class RobotFilesRun : public testing::Test, protected test::CallsInFolder {
  protected:
   void SetUp() override {
     test::write_split_puppy(home_);
     const std::string task = read_file(test::kExamples / "puppy" / "sideways.toml");
     write_file(home_ / "sideways.toml", test::with(task, "\"robot.xml\"", "\"dog.xml\""));
   }
-  Outcome here(const std::vector<std::string>& words) const {
-    return test::wait_for(test::start(words, folder_.path()), folder_.path());
-  }
   void optimize(const std::string& task, const std::string& run) const {
     const Outcome outcome =
-        here({"optimize", task, "--max-iterations", "2", "--no-pictures", "-o", run});
+        call({"optimize", task, "--max-iterations", "2", "--no-pictures", "-o", run});
     ASSERT_LE(outcome.code, 1) << outcome.err;
   }
   /// Everything below a folder but what tells the time.
@@ -69,17 +66,14 @@ class RobotFilesRun : public testing::Test {
     ASSERT_TRUE(robot);
     EXPECT_EQ(robot->nmesh, 2);
   }
-
-  test::TemporaryFolder folder_;
   fs::path home_ = folder_.path() / "home", run_ = folder_.path() / "run";
 };
 
 TEST_F(RobotFilesRun, InitWritesBesideTheMainFileByABareName) {
-  const Outcome bare =
-      test::wait_for(test::start({"init", "dog.xml", "-o", "new.xml"}, home_), home_);
+  const Outcome bare = test::call_in(home_, {"init", "dog.xml", "-o", "new.xml"});
   EXPECT_EQ(bare.code, 0) << bare.err;
   EXPECT_TRUE(fs::exists(home_ / "new.xml"));
-  const Outcome elsewhere = here({"init", "home/dog.xml", "-o", "new.xml"});
+  const Outcome elsewhere = call({"init", "home/dog.xml", "-o", "new.xml"});
   EXPECT_EQ(elsewhere.code, 2) << elsewhere.err;
   EXPECT_FALSE(fs::exists(folder_.path() / "new.xml"));
 }
@@ -114,7 +108,7 @@ TEST_F(RobotFilesRun, EveryFolderHoldsTheWholeRobotAndOpens) {
   const Json run = read_json(run_ / "run.json");
   for (const std::string& file : {kParts[2], kAssets[0], std::string("robot.xml")})
     EXPECT_EQ(run["sha256"][file], sha256_hex(read_file(run_ / "inputs" / file))) << file;
-  const Outcome validate = here({"validate", "run", "--quick"});
+  const Outcome validate = call({"validate", "run", "--quick"});
   EXPECT_LE(validate.code, 1) << validate.err;
   EXPECT_TRUE(fs::exists(run_ / "result/verdict.json")) << validate.err;
 
@@ -125,14 +119,14 @@ TEST_F(RobotFilesRun, EveryFolderHoldsTheWholeRobotAndOpens) {
 
   // In place of itself it would take its own meshes away.
   const auto before = contents("run");
-  const Outcome itself = here({"optimize", "run/inputs/task.toml", "-o", "run", "--force"});
+  const Outcome itself = call({"optimize", "run/inputs/task.toml", "-o", "run", "--force"});
   EXPECT_EQ(itself.code, 3);
   EXPECT_TRUE(contains(itself.err, "the robot's own files lie in it")) << itself.err;
   EXPECT_EQ(contents("run"), before);
 }
 
 TEST_F(RobotFilesRun, PhysicsStepsFindTheMeshes) {
-  const Outcome outcome = here({"optimize", "home/sideways.toml", "--max-iterations", "1",
+  const Outcome outcome = call({"optimize", "home/sideways.toml", "--max-iterations", "1",
                                 "--no-pictures", "--physics-steps", "1", "-o", "run"});
   ASSERT_LE(outcome.code, 1) << outcome.err;
   const Json steps = read_json(run_ / "run.json")["physics_steps"];
@@ -157,7 +151,7 @@ TEST_F(RobotFilesRun, JointRunsShareTheMeshes) {
     both.append("[[task]]\nname = \"").append(name).append("\"\n").append(own).append("\n");
   }
   write_file(home_ / "both.toml", both);
-  const Outcome outcome = here({"optimize", "home/both.toml", "--max-iterations", "1",
+  const Outcome outcome = call({"optimize", "home/both.toml", "--max-iterations", "1",
                                 "--no-pictures", "--one-start", "-o", "run"});
   ASSERT_LE(outcome.code, 1) << outcome.err;
   expect_robot(run_ / "result");
@@ -173,37 +167,37 @@ TEST_F(RobotFilesRun, JointRunsShareTheMeshes) {
 }
 
 TEST_F(RobotFilesRun, InitAndDiffReadThem) {
-  const Outcome init = here({"init", "home/dog.xml", "--json"});
+  const Outcome init = call({"init", "home/dog.xml", "--json"});
   EXPECT_EQ(init.code, 0) << init.err;
   EXPECT_EQ(Json::parse(init.out)["declared"].size(), 20u);
   std::string dog = read_file(home_ / "dog.xml");
   const std::size_t begin = dog.find("  <custom>"), end = dog.find("</custom>\n");
   write_file(home_ / "dog.xml", dog.erase(begin, end + 10 - begin));
   const auto before = contents("home/parts");
-  const Outcome elsewhere = here({"init", "home/dog.xml", "-o", "dog.xml"});
+  const Outcome elsewhere = call({"init", "home/dog.xml", "-o", "dog.xml"});
   EXPECT_EQ(elsewhere.code, 2);
   EXPECT_TRUE(contains(elsewhere.err, "write the output there")) << elsewhere.err;
-  const Outcome beside = here({"init", "home/dog.xml", "-o", "home/dog2.xml"});
+  const Outcome beside = call({"init", "home/dog.xml", "-o", "home/dog2.xml"});
   EXPECT_EQ(beside.code, 0) << beside.err;
-  const Outcome write = here({"init", "home/dog.xml", "--write"});
+  const Outcome write = call({"init", "home/dog.xml", "--write"});
   EXPECT_EQ(write.code, 0) << write.err;
   EXPECT_EQ(read_file(home_ / "dog.xml"), read_file(home_ / "dog2.xml"));
   EXPECT_TRUE(contains(read_file(home_ / "dog.xml"), "legwright/front_shank_length"));
   EXPECT_EQ(contents("home/parts"), before);
 
-  EXPECT_EQ(here({"diff", "home/dog.xml", "home/dog2.xml"}).code, 0);
+  EXPECT_EQ(call({"diff", "home/dog.xml", "home/dog2.xml"}).code, 0);
   const std::string whole = (test::kExamples / "puppy" / "robot.xml").string();
-  const Outcome diff = here({"diff", whole, "home/dog.xml"});
+  const Outcome diff = call({"diff", whole, "home/dog.xml"});
   EXPECT_EQ(diff.code, 1) << diff.err;  // two meshes more, and the same numbers
   EXPECT_FALSE(contains(diff.out, "L_thigh")) << diff.out;
   EXPECT_TRUE(contains(diff.out, "parameter 'hind_thigh_length'")) << diff.out;  // other bounds
   const std::string shank = read_file(home_ / "parts/shank.xml");
   write_file(home_ / "parts/shank.xml",
              test::with(shank, "pos=\"0 0 -0.06\"", "pos=\"0 0 -0.07\""));
-  const Outcome moved = here({"diff", whole, "home/dog.xml"});
+  const Outcome moved = call({"diff", whole, "home/dog.xml"});
   EXPECT_TRUE(contains(moved.out, "FL_shank")) << moved.out;
   write_file(home_ / "parts/shank.xml", test::with(shank, "<geom", "<wheel"));
-  const Outcome broken = here({"diff", whole, "home/dog.xml"});
+  const Outcome broken = call({"diff", whole, "home/dog.xml"});
   EXPECT_EQ(broken.code, 2);
   EXPECT_TRUE(contains(broken.err, "home/parts/shank.xml:4: MuJoCo")) << broken.err;
 }
@@ -211,7 +205,7 @@ TEST_F(RobotFilesRun, InitAndDiffReadThem) {
 TEST_F(RobotFilesRun, NothingIsWrittenForARefusedFile) {
   fs::create_symlink("/etc/hostname", home_ / "assets/tail.stl");
   write_file(home_ / "dog.xml", test::with(read_file(home_ / "dog.xml"), "ear.stl", "tail.stl"));
-  const Outcome outcome = here({"optimize", "home/sideways.toml", "-o", "run"});
+  const Outcome outcome = call({"optimize", "home/sideways.toml", "-o", "run"});
   EXPECT_EQ(outcome.code, 2);
   EXPECT_TRUE(contains(outcome.err, "leads out of the folder")) << outcome.err;
   EXPECT_FALSE(fs::exists(run_));

@@ -11,13 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class Sideways : public testing::TestWithParam<const char*> {
- protected:
-  test::Outcome call(const std::vector<std::string>& words) const {
-    return test::wait_for(test::start(words, folder_.path()), folder_.path());
-  }
-  test::TemporaryFolder folder_;
-};
+class Sideways : public testing::TestWithParam<const char*>, protected test::CallsInFolder {};
 
 TEST_P(Sideways, CoDesignedPuppyDoesWhatTheInitialOneDoesNot) {
   const std::string task = (test::kExamples / "puppy" / GetParam()).string();

@@ -11,11 +11,8 @@ namespace {
 namespace fs = std::filesystem;
 using test::contains;
 
-class TaskOnAnotherRobot : public testing::Test {
+class TaskOnAnotherRobot : public testing::Test, protected test::CallsInFolder {
  protected:
-  test::Outcome call(const std::vector<std::string>& words) const {
-    return test::wait_for(test::start(words, folder_.path()), folder_.path());
-  }
   /// Co-designs, validates and reports; the folder of the run.
   fs::path run(const std::string& task, const std::string& robot) const {
     const test::Outcome optimize =
@@ -29,7 +26,6 @@ class TaskOnAnotherRobot : public testing::Test {
     return folder_.path() / "run";
   }
   static Json read(const fs::path& file) { return Json::parse(read_file(file)); }
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(TaskOnAnotherRobot, UpASlope) {

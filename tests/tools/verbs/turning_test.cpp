@@ -25,13 +25,7 @@ struct Curve {
 
 std::ostream& operator<<(std::ostream& out, const Curve& curve) { return out << curve.task; }
 
-class Turning : public testing::TestWithParam<Curve> {
- protected:
-  test::Outcome call(const std::vector<std::string>& words) const {
-    return test::wait_for(test::start(words, folder_.path()), folder_.path());
-  }
-  test::TemporaryFolder folder_;
-};
+class Turning : public testing::TestWithParam<Curve>, protected test::CallsInFolder {};
 
 /// One row of motion.csv, by the names of its columns.
 using Row = std::map<std::string, double>;
