@@ -2,7 +2,6 @@
 #include "mjcf/read/soles.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -144,14 +143,16 @@ std::optional<Vector3d> normal_of_sole(const std::vector<Vector3d>& points) {
 bool can_lay_down(const mjData& data, const std::vector<int>& joints, const Vector3d& sole,
                   double height) {
   if (joints.size() < 4 || !(height > 0.0)) return false;
-  Eigen::MatrixXd motion(4, joints.size());
+  Eigen::Matrix4Xd motion(4, joints.size());
   for (std::size_t k = 0; k < joints.size(); ++k) {
     const Vector3d axis = Vector3d::Map(data.xaxis + 3 * joints[k]),
                    anchor = Vector3d::Map(data.xanchor + 3 * joints[k]);
     const auto column = static_cast<Eigen::Index>(k);
     motion.col(column) << axis.cross(sole - anchor).head<2>() / height, axis.head<2>();
   }
-  return Eigen::JacobiSVD<Eigen::MatrixXd>(motion).singularValues()[3] > kEachAlone;
+  const Eigen::Matrix4d squares = motion * motion.transpose();  // of the singular values
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d>(squares).eigenvalues()[0] >
+         kEachAlone * kEachAlone;
 }
 
 }  // namespace legwright

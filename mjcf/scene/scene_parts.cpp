@@ -10,6 +10,7 @@
 
 #include "mjcf/text/numbers.hpp"
 #include "mjcf/text/xml.hpp"
+#include "optimizer/design/rotation.hpp"
 
 namespace legwright {
 namespace {
@@ -103,8 +104,7 @@ SceneView scene_view(const Morphology& morphology, const Eigen::VectorXd& s, con
   const double heading = travel.head<2>().norm() > 1e-9 ? std::atan2(travel.y(), travel.x()) : 0.0;
   const double turned = 0.35, raised = 0.3;  // [rad]
   const Matrix3d yaw = Eigen::AngleAxisd(heading + turned, Vector3d::UnitZ()).toRotationMatrix();
-  const Matrix3d oblique =
-      Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), up).toRotationMatrix();
+  const Matrix3d oblique = smallest_rotation(Vector3d::UnitZ(), up).toRotationMatrix();
   view.right = oblique * yaw.col(0);
   view.back = oblique * (std::cos(raised) * -yaw.col(1) + std::sin(raised) * Vector3d::UnitZ());
   view.up = view.back.cross(view.right);

@@ -7,6 +7,7 @@
 
 #include "mjcf/text/model_arrays.hpp"
 #include "mjcf/text/numbers.hpp"
+#include "optimizer/design/rotation.hpp"
 
 namespace legwright {
 namespace {
@@ -108,8 +109,7 @@ Matrix3d orientation_of(const XmlFile& xml, const XmlElement& element) {
     return out;
   }
   if (const auto z = read("zaxis"); z.size() == 3)
-    return Quaterniond::FromTwoVectors(Vector3d::UnitZ(), Vector3d(z[0], z[1], z[2]))
-        .toRotationMatrix();
+    return smallest_rotation(Vector3d::UnitZ(), Vector3d(z[0], z[1], z[2])).toRotationMatrix();
   if (const auto q = read("quat"); q.size() == 4) return rotation_of(q.data());
   return Matrix3d::Identity();
 }

@@ -15,6 +15,7 @@
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/model_arrays.hpp"
 #include "mjcf/text/numbers.hpp"
+#include "optimizer/design/rotation.hpp"
 
 namespace legwright {
 namespace {
@@ -55,17 +56,6 @@ Eigen::Index nearest_axis(const Vector3d& direction) {
   Eigen::Index axis = 0;
   direction.cwiseAbs().maxCoeff(&axis);
   return axis;
-}
-
-/// The smallest rotation that takes one direction to another, less than half a turn away.
-/// Eigen's FromTwoVectors computes the same, but its SVD for half turns doubles the compile time.
-Quaterniond smallest_rotation(const Vector3d& from, const Vector3d& to) {
-  const Vector3d a = from.normalized(), b = to.normalized();
-  const double s = std::sqrt((1.0 + b.dot(a)) * 2.0);
-  Quaterniond out;
-  out.vec() = a.cross(b) * (1.0 / s);
-  out.w() = s * 0.5;
-  return out;
 }
 
 /// The rotation, as small as may be, that brings axes of a frame into perpendicular directions.

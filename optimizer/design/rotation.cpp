@@ -90,4 +90,20 @@ Matrix3d rotation_about(const Vector3d& axis, double angle) {
   return c * Matrix3d::Identity() + s * skew(axis) + (1 - c) * axis * axis.transpose();
 }
 
+Eigen::Quaterniond smallest_rotation(const Vector3d& from, const Vector3d& to) {
+  const Vector3d a = from.normalized(), b = to.normalized();
+  const double cosine = b.dot(a);
+  if (cosine < -1.0 + 1e-12) {
+    Eigen::Index least = 0;
+    a.cwiseAbs().minCoeff(&least);
+    const Vector3d axis = (Vector3d::Unit(least) - a[least] * a).normalized();
+    return {0.0, axis.x(), axis.y(), axis.z()};
+  }
+  const double s = std::sqrt((1.0 + cosine) * 2.0);
+  Eigen::Quaterniond out;
+  out.vec() = a.cross(b) * (1.0 / s);
+  out.w() = s * 0.5;
+  return out;
+}
+
 }  // namespace legwright

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "mjcf/scene/surroundings.hpp"
+#include "optimizer/design/rotation.hpp"
 #include "tools/render/posing.hpp"
 #include "tools/render/renderer.hpp"
 
@@ -43,8 +44,7 @@ struct Range {
 }  // namespace
 
 Eigen::Matrix3d view_rotation(const mjModel& model) {
-  return Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), up_of(model))
-      .toRotationMatrix();
+  return smallest_rotation(Eigen::Vector3d::UnitZ(), up_of(model)).toRotationMatrix();
 }
 
 View frame_robot(const mjModel& model, const Poses& poses, double azimuth, double elevation,

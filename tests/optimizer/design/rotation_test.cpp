@@ -68,5 +68,24 @@ TEST(RotationAbout, TurnsTheAxisNotAtAll) {
   EXPECT_EQ(unskew(skew(axis)), axis);
 }
 
+TEST(SmallestRotation, TakesOneDirectionToTheOtherAboutTheirNormal) {
+  const Vector3d from(0.3, -2.0, 0.7), to(1.0, 0.4, -0.2);
+  const Eigen::Quaterniond turn = smallest_rotation(from, to);
+  EXPECT_LT((turn * from.normalized() - to.normalized()).norm(), 1e-15);
+  EXPECT_NEAR(turn.vec().dot(from), 0.0, 1e-15);
+  EXPECT_NEAR(turn.vec().dot(to), 0.0, 1e-15);
+  EXPECT_EQ(turn.coeffs(), Eigen::Quaterniond::FromTwoVectors(from, to).coeffs());
+}
+
+TEST(SmallestRotation, TurnsHalfwayRoundAnAxisThatIsPerpendicular) {
+  const Vector3d down = -Vector3d::UnitZ();
+  EXPECT_EQ(smallest_rotation(Vector3d::UnitZ(), down).coeffs(), Eigen::Vector4d(1, 0, 0, 0));
+  for (const Vector3d& from : {Vector3d(1, 0, 0), Vector3d(0, 3, 0), Vector3d(0.3, -2.0, 0.7)}) {
+    const Eigen::Quaterniond turn = smallest_rotation(from, -from);
+    EXPECT_NEAR(turn.norm(), 1.0, 1e-15);
+    EXPECT_LT((turn * from + from).norm(), 1e-14);
+  }
+}
+
 }  // namespace
 }  // namespace legwright
