@@ -10,6 +10,7 @@
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/numbers.hpp"
 #include "mjcf/text/xml.hpp"
+#include "optimizer/design/rotation.hpp"
 
 namespace legwright {
 namespace {
@@ -105,6 +106,10 @@ Eigen::Vector3d up_of(const mjModel& model) {
   const double size = gravity.norm();
   if (size == 0.0 || (gravity.x() == 0.0 && gravity.y() == 0.0)) return Eigen::Vector3d::UnitZ();
   return -gravity / size;
+}
+
+Eigen::Matrix3d ground_rotation(const mjModel& model) {
+  return smallest_rotation(Eigen::Vector3d::UnitZ(), up_of(model)).toRotationMatrix();
 }
 
 }  // namespace legwright

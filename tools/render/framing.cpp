@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "mjcf/scene/surroundings.hpp"
-#include "optimizer/design/rotation.hpp"
 #include "tools/render/posing.hpp"
 #include "tools/render/renderer.hpp"
 
@@ -43,10 +42,6 @@ struct Range {
 
 }  // namespace
 
-Eigen::Matrix3d view_rotation(const mjModel& model) {
-  return smallest_rotation(Eigen::Vector3d::UnitZ(), up_of(model)).toRotationMatrix();
-}
-
 View frame_robot(const mjModel& model, const Poses& poses, double azimuth, double elevation,
                  double aspect, double margin) {
   const PosedModel robot{&model, &poses};
@@ -67,7 +62,7 @@ View frame_robots(std::span<const PosedModel> robots, double azimuth, double ele
 
   const double degree = std::numbers::pi / 180.0;
   const double a = azimuth * degree, e = elevation * degree;
-  const Eigen::Matrix3d rotation = view_rotation(*robots.front().model);
+  const Eigen::Matrix3d rotation = ground_rotation(*robots.front().model);
   const Eigen::Vector3d forward =
       rotation * Eigen::Vector3d(std::cos(a) * std::cos(e), std::sin(a) * std::cos(e), std::sin(e));
   const Eigen::Vector3d right = forward.cross(rotation.col(2)).normalized();

@@ -16,10 +16,6 @@ inline constexpr double kFieldOfView =
 // [deg] An oblique view of a robot that stands: from ahead, to one side and above.
 inline constexpr double kObliqueAzimuth = 215.0, kObliqueElevation = -16.0;
 
-/// How cameras are turned so that up in a picture is against gravity: of a slope gravity is what is
-/// oblique in the world. Identity where gravity is along z.
-Eigen::Matrix3d view_rotation(const mjModel& model);
-
 /// Puts the model in a pose: positions of everything that is drawn, no dynamics (so no solver, no
 /// warnings, no plugin call). Throws std::invalid_argument for a qpos of the wrong size or with
 /// non-finite numbers.

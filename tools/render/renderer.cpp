@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "mjcf/scene/surroundings.hpp"
 #include "tools/render/posing.hpp"
 #include "tools/render/studio.hpp"
 
@@ -136,7 +137,7 @@ void Renderer::set_scene(std::span<const double> qpos, const View& view) {
   // first frame differs.
   mjv_updateCamera(p.model.get(), p.data.get(), &camera, &p.scene);
   mjv_updateScene(p.model.get(), p.data.get(), &p.option, nullptr, &camera, mjCAT_ALL, &p.scene);
-  turn_cameras(view_rotation(*p.model), view, p.scene);
+  turn_cameras(ground_rotation(*p.model), view, p.scene);
   light_studio(view, shadow_reach(view, p.width, p.height), p.scene);
   // The shadow's own picture covers what is seen about the robot: small scenes get sharp shadows.
   p.context.shadowClip = static_cast<float>(shadow_reach(view, p.width, p.height));
