@@ -65,7 +65,7 @@ unpacked sdist in LEGWRIGHT_MUJOCO_SOURCE" PARENT_SCOPE)
 endfunction()
 
 if(NOT LEGWRIGHT_VIEWER)
-  set(legwright_no_viewer "LEGWRIGHT_VIEWER is OFF; configure with -DLEGWRIGHT_VIEWER=ON")
+  set(legwright_no_viewer "LEGWRIGHT_VIEWER is OFF: configure with -DLEGWRIGHT_VIEWER=ON")
   return()
 endif()
 legwright_prepare_simulate(legwright_no_viewer simulate)
