@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "mjcf/scene/surroundings.hpp"
 #include "tests/tools/files/temporary_folder.hpp"
 #include "tests/tools/render/toy_scene.hpp"
 #include "tools/files/atomic_file.hpp"
@@ -152,7 +153,7 @@ TEST(Renderer, OnASlopeUpIsUp) {
   const ModelPointer level = toy_model(), slope = toy_model();
   slope->opt.gravity[0] = -9.81 * std::sin(0.3);  // the ground rises along +x
   slope->opt.gravity[2] = -9.81 * std::cos(0.3);
-  EXPECT_TRUE(view_rotation(*level).isIdentity(0.0));
+  EXPECT_TRUE(ground_rotation(*level).isIdentity(0.0));
   const auto pose = start_pose(*level);
   const auto seen = [&](const mjModel& model) {
     const View view = frame_robot(model, {pose}, 90, -10, 320.0 / 240);
