@@ -29,8 +29,8 @@ RobotModel as_played(const RobotModel& robot, const Task& task);
 /// Against gravity in a model, unit vector; exactly z where gravity is along z.
 Eigen::Vector3d up_of(const mjModel& model);
 
-/// The smallest rotation that takes z against gravity: how a ground lies, and how cameras are turned
-/// so that up in a picture is against gravity. Identity where gravity is along z.
+/// The smallest rotation that takes z against gravity: how a ground lies, and how cameras turn so
+/// that up in a picture is against gravity. Identity where gravity is along z.
 Eigen::Matrix3d ground_rotation(const mjModel& model);
 
 }  // namespace legwright
