@@ -150,7 +150,7 @@ bool can_lay_down(const mjData& data, const std::vector<int>& joints, const Vect
     const auto column = static_cast<Eigen::Index>(k);
     motion.col(column) << axis.cross(sole - anchor).head<2>() / height, axis.head<2>();
   }
-  const Eigen::Matrix4d squares = motion * motion.transpose();  // of the singular values
+  const Eigen::Matrix4d squares = motion * motion.transpose();  // eigenvalues: squares of the singular values
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d>(squares).eigenvalues()[0] >
          kEachAlone * kEachAlone;
 }

@@ -21,7 +21,6 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-constexpr const char* kPlugin = "legwright.gait";
 constexpr const char* kSensorPlugin = "legwright.sensor";
 constexpr const char* kInstance = "gait";
 // What the plugin measures of the gait, as sensors "gait:KIND" (plugin/README.md).
@@ -82,7 +81,7 @@ void replace_servos(XMLElement& root, const RobotModel& robot, double gain_scale
     XMLElement& actuator = add(actuators, "plugin");
     actuator.SetAttribute("name", servo.actuator.c_str());
     actuator.SetAttribute("class", at->second.c_str());
-    actuator.SetAttribute("plugin", kPlugin);
+    actuator.SetAttribute("plugin", kGaitPlugin);
     actuator.SetAttribute("instance", kInstance);
     if (servo.tendon.empty())
       actuator.SetAttribute("joint", servo.joint.c_str());
@@ -99,7 +98,7 @@ void replace_servos(XMLElement& root, const RobotModel& robot, double gain_scale
 void add_plugin(XMLElement& root, const RobotModel& robot, const SceneSettings& settings) {
   XMLElement& extension = add(root, "extension");
   XMLElement& plugin = add(extension, "plugin");
-  plugin.SetAttribute("plugin", kPlugin);
+  plugin.SetAttribute("plugin", kGaitPlugin);
   add(extension, "plugin").SetAttribute("plugin", kSensorPlugin);
   XMLElement& instance = add(plugin, "instance");
   instance.SetAttribute("name", kInstance);
@@ -127,7 +126,7 @@ void add_sensors(XMLElement& root, const Morphology& morphology) {
   XMLElement& sensors = section(root, "sensor");
   XMLElement& tracking = add(sensors, "plugin");
   tracking.SetAttribute("name", "tracking");
-  tracking.SetAttribute("plugin", kPlugin);
+  tracking.SetAttribute("plugin", kGaitPlugin);
   tracking.SetAttribute("instance", kInstance);
   for (const char* const kind : kSensorKinds) {
     XMLElement& sensor = add(sensors, "plugin");

@@ -30,9 +30,10 @@ void rotation_of_vector(const Eigen::Vector3d& o, bool with_second, RotationDeri
 /// R = cos q I + sin q [a]× + (1 − cos q) a aᵀ about the unit axis a by the angle q.
 Eigen::Matrix3d rotation_about(const Eigen::Vector3d& axis, double angle);
 
-/// The smallest rotation that takes one direction to another, of any lengths but zero; of half
-/// turns that about the axis nearest to x, as MuJoCo has it for `zaxis`. Eigen's FromTwoVectors
-/// gives the same bits but for half turns, whose SVD costs each file that calls it six seconds.
+/// The smallest rotation that takes one direction to another, of any lengths but zero. From a
+/// cosine of 1e-12 above −1 on it is a half turn, about the first coordinate axis to which `from`
+/// is most perpendicular: about x for `from` = z, as MuJoCo has it for `zaxis`. Eigen's
+/// FromTwoVectors gives the same bits but for half turns, and compiles for seconds.
 Eigen::Quaterniond smallest_rotation(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
 }  // namespace legwright

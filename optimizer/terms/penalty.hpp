@@ -13,7 +13,7 @@ enum class Penalty {
   linear,     // r itself, for amounts that are to be small
 };
 
-/// Where the barrier of a limited motor, servo or linear actuator begins: share of what is allowed.
+/// Share of what a motor may exert, the last one, over which its barrier acts.
 inline constexpr double kTorqueBarrierRange = 0.3;
 
 /// Value and first two derivatives of a penalty at r.

@@ -9,7 +9,6 @@
 namespace legwright {
 namespace {
 
-// From the front left and above: front of the robot, its side and the spread of its feet at once.
 constexpr double kMargin = 0.22;  // room to grow in
 
 }  // namespace

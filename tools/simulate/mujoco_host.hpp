@@ -8,13 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "mjcf/scene/emit_scene.hpp"
 #include "mjcf/text/mujoco_pointers.hpp"
 #include "tools/files/io_error.hpp"
 
 namespace legwright {
-
-/// What scenes call the plugin that plays a gait.
-inline constexpr const char* kGaitPlugin = "legwright.gait";
 
 /// MuJoCo refused something or failed; the message is its own, with what to do where that is known.
 class MujocoError : public std::runtime_error {

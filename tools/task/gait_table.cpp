@@ -10,8 +10,7 @@
 namespace legwright {
 namespace {
 
-constexpr int kFewestStance = 2;          // [knots] with one alone a foot pushes for no time
-constexpr double kPhaseTolerance = 1e-9;  // phases closer than this are the same
+constexpr int kFewestStance = 2;  // [knots] with one alone a foot pushes for no time
 constexpr const char* kPlaces = "front to hind, left before right";
 
 /// Numbers by foot name as numbers by place.

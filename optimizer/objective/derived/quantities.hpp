@@ -9,7 +9,7 @@ namespace legwright {
 /// them.
 void list_derived(DerivedList& out);
 
-// One function for each kind, in the file that bears its name: adds what there is of it at a knot.
+// One function for each kind, beside its class in this folder: adds what there is of it at a knot.
 void list_com(int knot, DerivedList& out);
 void list_feet(int knot, DerivedList& out);
 void list_anchors(int knot, DerivedList& out);

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <numeric>
 #include <stdexcept>
+
 #include "tests/optimizer/motion/in_order.hpp"
 
 namespace legwright {

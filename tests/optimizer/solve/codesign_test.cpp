@@ -64,7 +64,7 @@ TEST(Codesign, BoundsAreHardAtEveryIterate) {
     EXPECT_TRUE((s.array() >= space.lower().array()).all());
     EXPECT_TRUE((s.array() <= space.upper().array()).all());
   }
-  for (int k = 0; k < toy::kDesignSize; ++k)
+  for (int k = 0; k < kDesignSize; ++k)
     touched += result.best.s[k] == space.lower()[k] || result.best.s[k] == space.upper()[k];
   EXPECT_GT(touched, 0);
   EXPECT_LT(result.best.projected_gradient_norm, 1e-7);
@@ -100,7 +100,7 @@ TEST(Codesign, ReportedGradientMatchesResolvedDifferences) {
   toy::CoupledCost cost(kMotionSize, kDesignSize);
   NewtonWorkspace workspace;
   const double h = 1e-5;
-  for (int k = 0; k < toy::kDesignSize; ++k) {
+  for (int k = 0; k < kDesignSize; ++k) {
     double value[2];
     for (const int side : {0, 1}) {
       VectorXd s = result.initial.s, m = result.initial.tasks[0].m;
@@ -288,7 +288,7 @@ TEST(OuterObjective, IsMinimisedOverDesignsWhoseMotionMinimisesF) {
   // F + J at re-solved motions is stationary in s: there the adjoint does real work.
   NewtonWorkspace workspace;
   const double h = 1e-5;
-  for (int k = 0; k < toy::kDesignSize; ++k) {
+  for (int k = 0; k < kDesignSize; ++k) {
     double value[2];
     for (const int side : {0, 1}) {
       VectorXd s = result.best.s, m = result.best.tasks[0].m;
