@@ -24,8 +24,7 @@ constexpr double kEachAlone = 0.2;  // least singular value: the share of a moti
 /// Adds points that a geom's surface reaches farthest down with, or candidates for them.
 void add_surface_points(const mjModel& model, const mjData& data, int geom,
                         std::vector<Vector3d>& out) {
-  const Vector3d centre = Vector3d::Map(data.geom_xpos + 3 * geom),
-                 size = Vector3d::Map(model.geom_size + 3 * geom);
+  const Vector3d centre = vector_at(data.geom_xpos, geom), size = vector_at(model.geom_size, geom);
   const Matrix3d axes = matrix_at(data.geom_xmat, geom);
   switch (model.geom_type[geom]) {
     case mjGEOM_SPHERE:
@@ -53,7 +52,8 @@ void add_surface_points(const mjModel& model, const mjData& data, int geom,
       if (const int mesh = model.geom_dataid[geom]; mesh >= 0)
         for (int v = 0; v < model.mesh_vertnum[mesh]; ++v)
           out.push_back(centre + axes * Eigen::Vector3f::Map(model.mesh_vert +
-                                                             3 * (model.mesh_vertadr[mesh] + v))
+                                                             3 * static_cast<std::ptrdiff_t>(
+                                                                     model.mesh_vertadr[mesh] + v))
                                             .cast<double>());
       break;
     default:
@@ -145,12 +145,13 @@ bool can_lay_down(const mjData& data, const std::vector<int>& joints, const Vect
   if (joints.size() < 4 || !(height > 0.0)) return false;
   Eigen::Matrix4Xd motion(4, joints.size());
   for (std::size_t k = 0; k < joints.size(); ++k) {
-    const Vector3d axis = Vector3d::Map(data.xaxis + 3 * joints[k]),
-                   anchor = Vector3d::Map(data.xanchor + 3 * joints[k]);
+    const Vector3d axis = vector_at(data.xaxis, joints[k]),
+                   anchor = vector_at(data.xanchor, joints[k]);
     const auto column = static_cast<Eigen::Index>(k);
     motion.col(column) << axis.cross(sole - anchor).head<2>() / height, axis.head<2>();
   }
-  const Eigen::Matrix4d squares = motion * motion.transpose();  // eigenvalues: squares of the singular values
+  const Eigen::Matrix4d squares =
+      motion * motion.transpose();  // eigenvalues: squares of the singular values
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d>(squares).eigenvalues()[0] >
          kEachAlone * kEachAlone;
 }
