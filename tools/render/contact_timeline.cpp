@@ -67,7 +67,7 @@ int draw_legend(Image& image, int x, int top, Renderer& letters) {
   const std::pair<Rgb, const char*> entries[] = {
       {kPlanned, "planned to bear"},
       {kStands, "touches, as planned"},
-      {kTouches, "touches otherwise; some 30 ms before and after bearing are planned"}};
+      {kTouches, "touches otherwise; a while before and after bearing is planned"}};
   for (const auto& [colour, text] : entries) {
     const Mask label = letters.text(text);
     fill(image, x, top + kTitle / 2 - kBar / 2, 22, kBar, colour);

@@ -140,7 +140,7 @@ RunPictures draw_run(const fs::path& run, const RunPictureOptions& options) {
   const fs::path first = ResultFolder::open(run).iteration(0) / "scene.xml";
   if (!fs::exists(first)) {
     throw IoError(first.string() + ": no such file; the run was stopped before its first design: " +
-                  "run `legwright optimize` again");
+                  "run `legwright optimize` again, with --force");
   }
   return RunDrawing(run, options).draw();
 }

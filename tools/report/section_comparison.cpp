@@ -192,7 +192,8 @@ void add_timing(Html& page, const Comparison& compared) {
 <table class="stack feet"><thead><tr><th>foot</th>{heads}</tr></thead><tbody>
 {rows}</tbody></table>
 <p class="note">Means over the strides, the worst stride and the plan below. A plan keeps its feet on the ground for
-a while before they bear and after, so that some 30 ms early and late are as planned.</p>
+a while before they bear and after (<code>planted_margin</code> of the task), so that early and late
+by less than that are as planned.</p>
 )",
       {Hole::markup("heads",
                     each(kFootColumns,

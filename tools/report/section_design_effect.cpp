@@ -14,6 +14,7 @@ namespace legwright {
 namespace {
 
 constexpr std::size_t kMostShownParameters = 8;
+constexpr double kLargestChange = 10.0;  // relative, that is told
 
 void open_table(Html& page, const char* title) {
   page.open("div")
@@ -48,6 +49,13 @@ void add_parameters(Html& page, const RunData& data) {
   page.close();
 }
 
+/// A relative change in words; nothing where it says nothing: of a figure that changes its sign or
+/// grows from next to nothing.
+std::string effect_change(const Effect& effect) {
+  const bool meant = effect.change && *effect.change > -1.0 && *effect.change < kLargestChange;
+  return meant ? change_words(*effect.change) : "";
+}
+
 /// Parameters beside figures, before and after.
 void add_effect(Html& page, const RunData& data) {
   const std::string body = body_words(data);
@@ -57,8 +65,7 @@ void add_effect(Html& page, const RunData& data) {
   add_parameters(page, data);
   open_table(page, "What it does");
   for (const EffectRow& row : effect_rows(data))
-    add_effect_row(page, row.what, row.before, row.after,
-                   row.effect.change ? change_words(*row.effect.change) : "");
+    add_effect_row(page, row.what, row.before, row.after, effect_change(row.effect));
   page.close().close().close().close();
   if (!data.metrics)
     add_hint(page, "What the bodies do in MuJoCo has not been measured yet.", "validate", data);

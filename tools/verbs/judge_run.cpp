@@ -51,7 +51,7 @@ SceneToValidate scene_in(const fs::path& folder) {
   if (!fs::is_regular_file(out.scene)) {
     throw IoError(out.scene.string() +
                   ": no such file; the run was stopped before it was written: run `legwright " +
-                  "optimize` again");
+                  "optimize` again, with --force");
   }
   const Trajectory plan = read_motion_csv(folder / "motion.csv");
   out.plan_velocity = velocity_of(plan);
