@@ -80,7 +80,7 @@ Json measure(int count, char** scenes) {
   const GlContext context;
   document["opengl"] = context.platform() + ": " + context.description();
   for (int i = 0; i < count; ++i) {
-    const ModelPointer model = load_scene(scenes[i]);
+    const ModelPointer model = load_drawn_scene(scenes[i]);
     document["scenes"].push_back({{"scene", scenes[i]},
                                   {"geoms", model->ngeom},
                                   {"cheap", bench_style(context, *model, RenderStyle::cheap)},
