@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "mjcf/scene/gait_plugin.hpp"
 #include "mjcf/scene/played_robot.hpp"
 #include "mjcf/scene/scene_parts.hpp"
 #include "mjcf/scene/surroundings.hpp"

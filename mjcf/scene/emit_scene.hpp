@@ -8,9 +8,6 @@
 
 namespace legwright {
 
-/// Name under which MuJoCo knows the plugin that plays gaits.
-inline constexpr const char* kGaitPlugin = "legwright.gait";
-
 /// What a scene adds to a robot.
 struct SceneSettings {
   std::string trajectory;  // text of plugin/trajectory.hpp, for the plugin's `trajectory` attribute

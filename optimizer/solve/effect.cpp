@@ -27,7 +27,8 @@ Effect effect_of(std::optional<double> before, std::optional<double> after, Bett
                  double least) {
   Effect out;
   if (!before || !after) return out;
-  if (*before != 0.0) out.change = (*after - *before) / std::abs(*before);
+  const bool one_sign = std::signbit(*before) == std::signbit(*after) || *after == 0.0;
+  if (*before != 0.0 && one_sign) out.change = (*after - *before) / std::abs(*before);
   out.worse = worsening(*before, *after, better, least);
   return out;
 }

@@ -11,7 +11,7 @@ enum class Better { less, more, near_one, neither };
 
 /// What a change of the body did to one figure, from one body to the other.
 struct Effect {
-  /// (after − before)/|before|, where both are known and before is not 0.
+  /// (after − before)/|before|, where both are known, before is not 0, and they have one sign.
   std::optional<double> change = std::nullopt;
   /// By how much it got worse, as a share of what it was; 0 where it did not or that is not known.
   /// Of a figure that is best at one: by how much it came away from one, if that is 0.05 or more.

@@ -49,11 +49,9 @@ void add_parameters(Html& page, const RunData& data) {
   page.close();
 }
 
-/// A relative change in words; nothing where it says nothing: of a figure that changes its sign or
-/// grows from next to nothing.
+/// A relative change in words; nothing of a figure that grows from next to nothing.
 std::string effect_change(const Effect& effect) {
-  const bool meant = effect.change && *effect.change > -1.0 && *effect.change < kLargestChange;
-  return meant ? change_words(*effect.change) : "";
+  return effect.change && *effect.change < kLargestChange ? change_words(*effect.change) : "";
 }
 
 /// Parameters beside figures, before and after.

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "mjcf/scene/emit_scene.hpp"
+#include "mjcf/scene/gait_plugin.hpp"
 #include "mjcf/text/mujoco_pointers.hpp"
 #include "tools/files/io_error.hpp"
 

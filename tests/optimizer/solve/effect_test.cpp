@@ -25,6 +25,13 @@ TEST(Effect, NeedsBothSidesAndSomethingToCompareWith) {
   EXPECT_EQ(effect_of(0.0, 1.0, Better::less).worse, 0.0);
 }
 
+TEST(Effect, FromOneSignToTheOtherIsNoRelativeChange) {
+  EXPECT_FALSE(effect_of(-0.003, 0.98, Better::near_one).change);
+  EXPECT_FALSE(effect_of(0.5, -0.5, Better::neither).change);
+  EXPECT_EQ(*effect_of(0.05, 0.0, Better::less).change, -1.0) << "down to nothing is one";
+  EXPECT_EQ(*effect_of(-0.05, 0.0, Better::neither).change, 1.0);
+}
+
 TEST(Effect, SmallWorseningsAreNone) {
   EXPECT_EQ(effect_of(0.001, 0.009, Better::less, 0.01).worse, 0.0);
   EXPECT_GT(effect_of(0.001, 0.02, Better::less, 0.01).worse, 0.0);

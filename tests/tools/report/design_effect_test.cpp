@@ -65,6 +65,16 @@ TEST_F(DesignEffect, FiguresStandBesideEachOther) {
   EXPECT_EQ(row("in MuJoCo").before, "✓ passes");
 }
 
+TEST_F(DesignEffect, NoRelativeChangeIsToldOfWhatGrewFromNextToNothing) {
+  const auto power_before = [&](double power) {
+    edit("result/metrics.json", [&](Json& metrics) { set_power(metrics["initial"], power, 2.0); });
+    return page();
+  };
+  EXPECT_TRUE(has(power_before(0.3), "+900 %"));
+  EXPECT_FALSE(has(power_before(0.003), "+99900 %"));
+  EXPECT_NEAR(*row("mechanical power").effect.change, 999.0, 1e-9);  // known, not told
+}
+
 TEST_F(DesignEffect, WordsNameWhatIsWorthTelling) {
   const std::string words = effect_words(read_run(run_));
   EXPECT_EQ(words,
