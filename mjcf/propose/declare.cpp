@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "mjcf/propose/declare.hpp"
+
 #include <fmt/format.h>
 
-#include "mjcf/propose/proposals.hpp"
 #include "mjcf/read/bindings.hpp"
 #include "mjcf/text/numbers.hpp"
 #include "mjcf/text/text_edits.hpp"

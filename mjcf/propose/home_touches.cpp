@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-#include "mjcf/read/legs.hpp"
+#include "mjcf/read/moving_parts.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/robot_files.hpp"
 

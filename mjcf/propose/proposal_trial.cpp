@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "mjcf/propose/declare.hpp"
 #include "mjcf/read/read_robot.hpp"
 #include "mjcf/text/input_error.hpp"
 #include "mjcf/write/rewrite_robot.hpp"

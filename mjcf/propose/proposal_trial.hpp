@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mjcf/propose/proposals.hpp"
+#include "mjcf/propose/proposal.hpp"
 
 namespace legwright {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "mjcf/read/legs.hpp"
+#include "mjcf/read/moving_parts.hpp"
 
 namespace legwright {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "mjcf/read/legs.hpp"
+#include "mjcf/read/moving_parts.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/elements.hpp"
 

@@ -3,16 +3,10 @@
 
 #include <mujoco/mujoco.h>
 
-#include <string>
-#include <vector>
-
 #include "mjcf/read/structure.hpp"
 #include "mjcf/text/xml.hpp"
 
 namespace legwright {
-
-/// Whether the ids of a structure are ids of the model; they are for every design of its robot.
-bool has_parts_of(const mjModel& model, const Structure& structure);
 
 /// Studies how a compiled robot is built: the trunk; legs, whose ends are near the ground in the
 /// home pose; joints that ride along or are coupled, which are held there; feet. Throws one
@@ -20,20 +14,5 @@ bool has_parts_of(const mjModel& model, const Structure& structure);
 /// @param known what was found for another design of the same robot; null: choose legs and feet.
 Structure read_structure(const XmlFile& xml, const mjModel& model,
                          const Structure* known = nullptr);
-
-/// Hinges of a body that move in the plan, by joint id.
-std::vector<int> moving_joints(const mjModel& model, const Structure& structure, int body);
-
-/// The body whose hinge moves `body` in the plan: itself or one above it; the trunk moves itself.
-int moving_body(const mjModel& model, const Structure& structure, int body);
-
-/// What is held, for people: a line for each reason, with the joints that it holds.
-std::string held_text(const Structure& structure);
-
-/// The keyframe named "home", else the only one; −1 if there is none of them (then the home pose is
-/// that of the file).
-int home_keyframe(const mjModel& model);
-/// qpos of the home pose.
-const mjtNum* home_qpos(const mjModel& model);
 
 }  // namespace legwright

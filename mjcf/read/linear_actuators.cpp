@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "mjcf/read/checks.hpp"
-#include "mjcf/read/legs.hpp"
+#include "mjcf/read/moving_parts.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/elements.hpp"
 #include "optimizer/design/actuator_length.hpp"

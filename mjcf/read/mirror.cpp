@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "mjcf/read/legs.hpp"
+#include "mjcf/read/moving_parts.hpp"
 #include "mjcf/read/tree.hpp"
 #include "mjcf/text/model_arrays.hpp"
 

@@ -7,6 +7,7 @@
 #include "mjcf/read/checks.hpp"
 #include "mjcf/read/legs.hpp"
 #include "mjcf/read/linear_actuators.hpp"
+#include "mjcf/read/moving_parts.hpp"
 #include "mjcf/read/servos.hpp"
 #include "mjcf/read/stretch.hpp"
 #include "mjcf/read/tree.hpp"

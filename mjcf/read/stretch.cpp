@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "mjcf/read/feet.hpp"
-#include "mjcf/read/legs.hpp"
+#include "mjcf/read/moving_parts.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/elements.hpp"
 #include "mjcf/text/model_arrays.hpp"

@@ -9,7 +9,7 @@
 #include <map>
 
 #include "mjcf/read/feet.hpp"
-#include "mjcf/read/legs.hpp"
+#include "mjcf/read/moving_parts.hpp"
 #include "mjcf/read/trunk_capsules.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/elements.hpp"

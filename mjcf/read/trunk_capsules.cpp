@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "mjcf/read/collisions.hpp"
-#include "mjcf/read/legs.hpp"
+#include "mjcf/read/moving_parts.hpp"
 #include "mjcf/shape/capsules.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/model_arrays.hpp"

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "mjcf/read/feet.hpp"
-#include "mjcf/read/legs.hpp"
+#include "mjcf/read/moving_parts.hpp"
 #include "mjcf/read/tree.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/elements.hpp"

@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "mjcf/scene/emit_scene.hpp"
+#include "optimizer/design/morphology.hpp"
 
 namespace legwright {
 

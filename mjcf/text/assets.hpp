@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "mjcf/text/robot_files.hpp"
+#include "mjcf/text/robot_parts.hpp"
 #include "mjcf/text/xml.hpp"
 
 namespace legwright {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "mjcf/text/robot_files.hpp"
+#include "mjcf/text/robot_parts.hpp"
 
 namespace legwright {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mjcf/text/robot_files.hpp"
+#include "mjcf/text/robot_parts.hpp"
 #include "mjcf/text/xml.hpp"
 
 namespace legwright {

@@ -4,7 +4,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "optimizer/design/inertia.hpp"
@@ -160,21 +159,6 @@ std::vector<VectorXd> poses_at(const Morphology& morphology, const GeometryAtDes
 }
 
 }  // namespace
-
-StyleTargets home_stance(const Morphology& morphology, const VectorXd& s) {
-  const GeometryAtDesign geometry(morphology, s);
-  const PoseKinematics pose = home_pose(morphology, geometry);
-  const Vector3d com = pose.first_moment(0) / geometry.total_mass;
-  StyleTargets stance;
-  double ground = std::numeric_limits<double>::infinity();
-  for (int j = 0; j < morphology.foot_count(); ++j) {
-    const Vector3d foot = foot_place(morphology, geometry, pose, j);
-    stance.footprint.push_back((foot - com).head<2>());
-    ground = std::min(ground, foot.z() - morphology.feet[j].radius);
-  }
-  stance.com_height = com.z() - ground;
-  return stance;
-}
 
 StyleTargets style_targets(const Morphology& morphology, const VectorXd& initial,
                            const Task& task) {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "optimizer/design/morphology.hpp"
-#include "optimizer/motion/initial_guess.hpp"
+#include "optimizer/motion/home_stance.hpp"
 
 namespace legwright {
 namespace {

@@ -33,10 +33,10 @@ std::vector<double> term_weights(const Task& task) {
 
 }  // namespace
 
-Objective::Workspace::Workspace() : parts_(std::make_unique<Parts>()) {}
+Objective::Workspace::Workspace() : parts_(std::make_unique<EvaluationScratch>()) {}
 Objective::Workspace::~Workspace() = default;
 
-void Objective::Impl::build() {
+void ObjectiveParts::build() {
   const StyleTargets style = style_targets(morphology, space.initial(), task);
   const double mass = morphology.total_mass();
   const TermContext context{
@@ -56,7 +56,7 @@ void Objective::Impl::build() {
   plan();
 }
 
-void Objective::Impl::plan() {
+void ObjectiveParts::plan() {
   std::vector<int> block_at_slot(layout.extended_size(), -1);
   for (std::size_t b = 0; b < derived.blocks().size(); ++b)
     block_at_slot[derived.blocks()[b]->slot()] = static_cast<int>(b);
@@ -85,7 +85,8 @@ void Objective::Impl::plan() {
     }
 }
 
-void Objective::Impl::residual(const WeightedTerm& entry, int index, Parts& workspace) const {
+void ObjectiveParts::residual(const WeightedTerm& entry, int index,
+                              EvaluationScratch& workspace) const {
   const ElementPlan& plan = entry.plans[index];
   const Element& element = entry.term->elements()[index];
   ElementWorkspace& local = workspace.element;
@@ -108,8 +109,8 @@ void Objective::Impl::residual(const WeightedTerm& entry, int index, Parts& work
   entry.term->residual(index, local.z, local.residual);
 }
 
-double Objective::Impl::add_constant(const WeightedTerm& entry, const ElementPlan& plan,
-                                     Order order, Parts& workspace) {
+double ObjectiveParts::add_constant(const WeightedTerm& entry, const ElementPlan& plan, Order order,
+                                    EvaluationScratch& workspace) {
   const double* x = workspace.extended.data();
   double* gradient = workspace.gradient.data();
   double value = 0.0;
@@ -127,8 +128,9 @@ double Objective::Impl::add_constant(const WeightedTerm& entry, const ElementPla
   return entry.weight * value;
 }
 
-double Objective::Impl::add_element(const WeightedTerm& entry, int index, Order order,
-                                    Parts& workspace, const HessianTarget& target) const {
+double ObjectiveParts::add_element(const WeightedTerm& entry, int index, Order order,
+                                   EvaluationScratch& workspace,
+                                   const HessianTarget& target) const {
   const Term& term = *entry.term;
   const ElementPlan& plan = entry.plans[index];
   if (plan.constant) return add_constant(entry, plan, order, workspace);
@@ -166,8 +168,8 @@ double Objective::Impl::add_element(const WeightedTerm& entry, int index, Order 
   return value;
 }
 
-void Objective::Impl::add_second(const WeightedTerm& entry, int index, Order order,
-                                 Parts& workspace, const HessianTarget& target) const {
+void ObjectiveParts::add_second(const WeightedTerm& entry, int index, Order order,
+                                EvaluationScratch& workspace, const HessianTarget& target) const {
   const Term& term = *entry.term;
   const ElementPlan& plan = entry.plans[index];
   const Clique& clique = plan.clique;
@@ -191,8 +193,8 @@ void Objective::Impl::add_second(const WeightedTerm& entry, int index, Order ord
   scatter(clique, local.hessian, target);
 }
 
-double Objective::Impl::add_term(const WeightedTerm& entry, Order order, Parts& workspace,
-                                 const HessianTarget& target) const {
+double ObjectiveParts::add_term(const WeightedTerm& entry, Order order,
+                                EvaluationScratch& workspace, const HessianTarget& target) const {
   double value = 0.0;
   if (entry.plans.empty()) return value;
   workspace.active.clear();
@@ -205,8 +207,8 @@ double Objective::Impl::add_term(const WeightedTerm& entry, Order order, Parts& 
   return value;
 }
 
-void Objective::Impl::add_derived(Order order, Parts& workspace,
-                                  const HessianTarget& target) const {
+void ObjectiveParts::add_derived(Order order, EvaluationScratch& workspace,
+                                 const HessianTarget& target) const {
   // Chain rule: what terms want of y is handed on to m and s, and y's own curvature comes in.
   for (std::size_t b = 0; b < derived.blocks().size(); ++b) {
     const DerivedQuantity& block = *derived.blocks()[b];
@@ -226,8 +228,8 @@ void Objective::Impl::add_derived(Order order, Parts& workspace,
   }
 }
 
-void Objective::Impl::prepare(const VectorXd& s, const VectorXd& m, Order order,
-                              Parts& workspace) const {
+void ObjectiveParts::prepare(const VectorXd& s, const VectorXd& m, Order order,
+                             EvaluationScratch& workspace) const {
   if (s.size() != layout.design_size() || m.size() != layout.motion_size())
     throw std::invalid_argument("F: s has " + std::to_string(s.size()) + " and m " +
                                 std::to_string(m.size()) + " entries");
@@ -245,7 +247,7 @@ void Objective::Impl::prepare(const VectorXd& s, const VectorXd& m, Order order,
 }
 
 Objective::Objective(Morphology morphology, DesignSpace space, Task task)
-    : impl_(std::make_unique<Impl>()) {
+    : impl_(std::make_unique<ObjectiveParts>()) {
   if (task.gait.foot_count() != morphology.foot_count())
     throw std::invalid_argument("the gait has " + std::to_string(task.gait.foot_count()) +
                                 " feet, the robot " + std::to_string(morphology.foot_count()));
@@ -283,7 +285,7 @@ std::unique_ptr<Objective::Workspace> Objective::make_workspace() const {
 
 void Objective::evaluate(const VectorXd& s, const VectorXd& m, Order order, Workspace& scratch,
                          Evaluation& out) const {
-  Workspace::Parts& workspace = *scratch.parts_;
+  EvaluationScratch& workspace = *scratch.parts_;
   const Layout& layout = impl_->layout;
   impl_->prepare(s, m, order, workspace);
   HessianTarget target{nullptr, nullptr, nullptr, layout.design_size()};
@@ -321,7 +323,7 @@ TermShares Objective::shares(const VectorXd& s, const VectorXd& m, bool with_sta
   const Layout& layout = impl_->layout;
   const Eigen::Index count = static_cast<Eigen::Index>(impl_->terms.size());
   const HessianTarget none{nullptr, nullptr, nullptr, layout.design_size()};
-  Workspace::Parts workspace;
+  EvaluationScratch workspace;
   TermShares out{term_names(), Eigen::MatrixXd::Zero(count, layout.design_size()), {}};
   if (with_stationarity) out.stationarity.setZero(count, layout.motion_size());
   impl_->prepare(s, m, Order::gradients, workspace);

@@ -7,9 +7,14 @@
 #include <memory>
 #include <vector>
 
+#include "optimizer/design/design.hpp"
+#include "optimizer/design/morphology.hpp"
+#include "optimizer/motion/layout.hpp"
+#include "optimizer/motion/path.hpp"
+#include "optimizer/motion/task.hpp"
 #include "optimizer/objective/assembly.hpp"
 #include "optimizer/objective/derived.hpp"
-#include "optimizer/objective/objective.hpp"
+#include "optimizer/objective/evaluation.hpp"
 #include "optimizer/terms/registry.hpp"
 
 namespace legwright {
@@ -22,7 +27,8 @@ struct WeightedTerm {
   std::vector<ElementPlan> plans;  // by element; none where the weight is zero
 };
 
-struct Objective::Workspace::Parts {
+/// Scratch memory of one thread.
+struct EvaluationScratch {
   const void* owner = nullptr;  // the objective it was last used with
   DerivedQuantities::Workspace derived;
   ElementWorkspace element;
@@ -30,9 +36,8 @@ struct Objective::Workspace::Parts {
   std::vector<int> active;
 };
 
-struct Objective::Impl {
-  using Parts = Workspace::Parts;
-
+/// All that an Objective knows.
+struct ObjectiveParts {
   Morphology morphology;
   DesignSpace space;
   Task task;
@@ -49,19 +54,19 @@ struct Objective::Impl {
   void plan();
   /// Fills [s; m; y] and clears the gradient.
   void prepare(const Eigen::VectorXd& s, const Eigen::VectorXd& m, Order order,
-               Parts& workspace) const;
+               EvaluationScratch& workspace) const;
   /// Leaves an element's residual in the workspace, and its z where it is not linear.
-  void residual(const WeightedTerm& entry, int index, Parts& workspace) const;
-  double add_term(const WeightedTerm& entry, Order order, Parts& workspace,
+  void residual(const WeightedTerm& entry, int index, EvaluationScratch& workspace) const;
+  double add_term(const WeightedTerm& entry, Order order, EvaluationScratch& workspace,
                   const HessianTarget& target) const;
   /// An element whose Hessian stands in `pattern` already.
   static double add_constant(const WeightedTerm& entry, const ElementPlan& plan, Order order,
-                             Parts& workspace);
-  double add_element(const WeightedTerm& entry, int index, Order order, Parts& workspace,
-                     const HessianTarget& target) const;
-  void add_second(const WeightedTerm& entry, int index, Order order, Parts& workspace,
+                             EvaluationScratch& workspace);
+  double add_element(const WeightedTerm& entry, int index, Order order,
+                     EvaluationScratch& workspace, const HessianTarget& target) const;
+  void add_second(const WeightedTerm& entry, int index, Order order, EvaluationScratch& workspace,
                   const HessianTarget& target) const;
-  void add_derived(Order order, Parts& workspace, const HessianTarget& target) const;
+  void add_derived(Order order, EvaluationScratch& workspace, const HessianTarget& target) const;
 };
 
 }  // namespace legwright

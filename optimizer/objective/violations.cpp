@@ -73,8 +73,8 @@ class ViolationFinder {
     worst.relative = relative;
   }
 
-  const Objective::Impl& impl_;
-  Objective::Impl::Parts workspace_;
+  const ObjectiveParts& impl_;
+  EvaluationScratch workspace_;
 };
 
 std::vector<Violation> worst_violations(const Objective& objective, const Eigen::VectorXd& s,

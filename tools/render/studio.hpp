@@ -2,7 +2,7 @@
 #pragma once
 
 #include "tools/render/posing.hpp"
-#include "tools/render/renderer.hpp"
+#include "tools/render/view.hpp"
 
 namespace legwright {
 

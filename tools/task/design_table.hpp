@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "optimizer/design/design.hpp"
-#include "tools/task/task_file.hpp"
+#include "tools/task/task_keys.hpp"
 #include "tools/task/toml_reader.hpp"
 
 namespace legwright {

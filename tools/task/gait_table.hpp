@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "optimizer/motion/gait.hpp"
-#include "tools/task/task_file.hpp"
+#include "tools/task/task_keys.hpp"
 #include "tools/task/toml_reader.hpp"
 
 namespace legwright {

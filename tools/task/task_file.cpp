@@ -170,14 +170,6 @@ std::string message_of(const toml::parse_error& error) {
   return text + "; mend the TOML there, or cut the file back to the last line that is whole";
 }
 
-int line_in(const std::map<std::string, int>& lines, const std::string& key) {
-  const auto found = lines.find(key);
-  if (found != lines.end()) return found->second;
-  const auto section =
-      lines.find(key.substr(0, key.find('.')));  // the table's line, where the key is absent
-  return section != lines.end() ? section->second : 0;
-}
-
 void check_name(TableReader& in, const std::string& name, Problems& problems) {
   if (name.find_first_of("/\\") == std::string::npos && !name.empty() && name.front() != '.')
     return;
@@ -258,12 +250,6 @@ void read_tasks(const std::vector<const toml::table*>& tables, const TaskFile& s
 
 }  // namespace
 
-int TaskFile::line(const std::string& key) const { return line_in(lines, key); }
-
-void TaskFile::refuse(const std::string& key, const std::string& message) const {
-  throw InputError(file.string(), line(key), key, message);
-}
-
 TaskSet parse_task_set(const std::string& text, const std::filesystem::path& file,
                        const std::filesystem::path& other_robot) {
   toml::table root;
@@ -300,8 +286,8 @@ TaskSet parse_task_set(const std::string& text, const std::filesystem::path& fil
     read_tasks(tables, shared, set, problems);
   }
   problems.throw_if_any();
-  set.robot = other_robot.empty() ? find_robot(*robot, file, line_in(set.lines, "robot"))
-                                  : given_robot(other_robot);
+  set.robot =
+      other_robot.empty() ? find_robot(*robot, file, set.line("robot")) : given_robot(other_robot);
   for (TaskFile& task : set.tasks) {
     task.robot = set.robot;
     task.lines.insert(set.lines.begin(), set.lines.end());  // of what holds for all
@@ -312,7 +298,7 @@ TaskSet parse_task_set(const std::string& text, const std::filesystem::path& fil
 TaskFile parse_task_file(const std::string& text, const std::filesystem::path& file) {
   TaskSet set = parse_task_set(text, file);
   if (set.joint())
-    throw InputError(file.string(), line_in(set.lines, "task"), "task",
+    throw InputError(file.string(), set.line("task"), "task",
                      "one task was expected here; the file holds several");
   return std::move(set.tasks.front());
 }

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "mjcf/read/legs.hpp"
+#include "mjcf/read/moving_parts.hpp"
 #include "optimizer/terms/registry.hpp"
 #include "tools/files/json_file.hpp"
 #include "tools/task/problem.hpp"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "mjcf/propose/declare.hpp"
 #include "mjcf/propose/proposals.hpp"
 #include "mjcf/text/input_error.hpp"
 #include "tools/files/atomic_file.hpp"

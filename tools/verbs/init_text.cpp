@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "mjcf/read/legs.hpp"
+#include "mjcf/read/moving_parts.hpp"
 
 namespace legwright {
 namespace {

@@ -7,6 +7,7 @@
 #include <random>
 #include <string>
 
+#include "mjcf/propose/declare.hpp"
 #include "mjcf/text/input_error.hpp"
 #include "mjcf/write/rewrite_robot.hpp"
 #include "tests/mjcf/robots/construction_robots.hpp"

@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "mjcf/read/couplings.hpp"
-#include "mjcf/read/legs.hpp"
+#include "mjcf/read/moving_parts.hpp"
 #include "mjcf/scene/played_robot.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/write/rewrite_robot.hpp"

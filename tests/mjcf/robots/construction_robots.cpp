@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "mjcf/propose/declare.hpp"
 #include "mjcf/propose/proposals.hpp"
 #include "mjcf/read/read_robot.hpp"
 #include "mjcf/text/input_error.hpp"

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "mjcf/read/collisions.hpp"
-#include "mjcf/read/legs.hpp"
+#include "mjcf/read/moving_parts.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/write/rewrite_robot.hpp"
 #include "optimizer/design/kinematics.hpp"

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "mjcf/propose/declare.hpp"
 #include "mjcf/propose/proposals.hpp"
 #include "mjcf/read/read_robot.hpp"
 #include "mjcf/text/compile.hpp"

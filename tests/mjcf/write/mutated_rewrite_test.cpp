@@ -15,6 +15,7 @@
 #include <functional>
 #include <new>
 
+#include "mjcf/propose/declare.hpp"
 #include "mjcf/propose/proposals.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/input_error.hpp"
