@@ -13,12 +13,11 @@ void write_json(const std::filesystem::path& path, const Json& document, Durabil
   write_file(path, to_text(document), durability);
 }
 
-Json read_json(const std::filesystem::path& path) {
+Json read_json(const std::filesystem::path& path, const std::string& remedy) {
   const std::string text = read_file(path);
   Json document = Json::parse(text, nullptr, false);
   if (document.is_discarded())
-    throw IoError(path.string() +
-                  ": not a JSON document; the file is damaged, run the verb that writes it again");
+    throw IoError(path.string() + ": not a JSON document; the file is damaged, " + remedy);
   return document;
 }
 

@@ -19,9 +19,11 @@ std::string to_text(const Json& document);
 
 void write_json(const std::filesystem::path& path, const Json& document,
                 Durability durability = Durability::power);
-/// Throws IoError that names the file where it is no JSON, std::system_error where it cannot be
-/// read.
-Json read_json(const std::filesystem::path& path);
+/// What mends a damaged file of a run.
+inline constexpr const char* kWriteAgain = "run the verb that writes it again";
+/// Throws IoError that names the file and the remedy where it is no JSON, std::system_error where
+/// it cannot be read.
+Json read_json(const std::filesystem::path& path, const std::string& remedy = kWriteAgain);
 
 /// The number, or null where there is none.
 inline Json or_null(const std::optional<double>& value) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "tools/report/parameter_view.hpp"
 #include "tools/run/attribution_json.hpp"
 
 namespace legwright {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "tools/report/parameter_view.hpp"
 #include "tools/report/run_data.hpp"
-#include "tools/report/words.hpp"
 
 namespace legwright {
 

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <functional>
 
+#include "tools/report/number_words.hpp"
 #include "tools/report/page.hpp"
+#include "tools/report/parameter_view.hpp"
 #include "tools/report/svg_plot.hpp"
 #include "tools/report/words.hpp"
 

@@ -8,7 +8,10 @@
 
 #include "mjcf/text/input_error.hpp"
 #include "optimizer/terms/registry.hpp"
+#include "tools/report/number_words.hpp"
+#include "tools/report/parameter_view.hpp"
 #include "tools/report/run_data.hpp"
+#include "tools/report/words.hpp"
 #include "tools/run/result_folder.hpp"
 #include "tools/task/task_file.hpp"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tools/report/judged_data.hpp"
-#include "tools/report/words.hpp"
+#include "tools/report/parameter_view.hpp"
 
 namespace legwright {
 

@@ -8,6 +8,8 @@
 #include <functional>
 
 #include "tools/report/changed_parameters.hpp"
+#include "tools/report/number_words.hpp"
+#include "tools/report/parameter_view.hpp"
 #include "tools/report/words.hpp"
 
 namespace legwright {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "tools/report/if_present.hpp"
 #include "tools/run/task_folders.hpp"
 
 namespace legwright {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "tools/report/number_words.hpp"
 #include "tools/report/run_data.hpp"
-#include "tools/report/words.hpp"
 #include "tools/run/matrix_record.hpp"
 
 namespace legwright {

@@ -2,7 +2,9 @@
 // The page of a joint run, and its summary.
 #include <fmt/format.h>
 
+#include "tools/report/number_words.hpp"
 #include "tools/report/page.hpp"
+#include "tools/report/parameter_view.hpp"
 #include "tools/report/report.hpp"
 #include "tools/report/sections.hpp"
 #include "tools/report/words.hpp"
@@ -49,6 +51,7 @@ std::string rule(std::size_t columns) {
 std::string joint_report_page(const JointData& data) {
   Html page;
   open_page(page, title_of(data), tasks_line(data));
+  add_notes(page, data.whole);  // and once more at the end
   add_task_cards(page, data);
   add_matrix(page, data);
   add_task_pictures(page, data);

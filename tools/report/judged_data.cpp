@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "tools/report/if_present.hpp"
+
 namespace legwright {
 namespace {
 

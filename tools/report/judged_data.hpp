@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
-#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -15,9 +13,6 @@
 #include "tools/run/verdict_record.hpp"
 
 namespace legwright {
-
-/// The gains of a validation, in the order in which they are told.
-inline constexpr std::array<const char*, 3> kGains{"half", "default", "double"};
 
 /// Which of the two designs that a run of one task has validated.
 enum class Design { initial, result };
@@ -45,26 +40,5 @@ struct JudgedData {
 
 /// A file that cannot be used becomes a note that names it and the key.
 JudgedData read_judged(const std::filesystem::path& result, std::vector<std::string>& notes);
-
-/// Runs `read` on the file if it is there; what it throws becomes a note.
-template <class Read>
-void if_present(const std::filesystem::path& file, std::vector<std::string>& notes,
-                const Read& read) {
-  if (!std::filesystem::exists(file)) return;
-  try {
-    read(file);
-  } catch (const std::exception& error) {
-    notes.push_back(error.what());
-  }
-}
-
-/// The number, if it is one.
-inline std::optional<double> finite(double value) {
-  return std::isfinite(value) ? std::optional(value) : std::nullopt;
-}
-
-inline std::optional<double> finite(std::optional<double> value) {
-  return value ? finite(*value) : std::nullopt;
-}
 
 }  // namespace legwright

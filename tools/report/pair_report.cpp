@@ -7,7 +7,6 @@
 #include "tools/files/clean_text.hpp"
 #include "tools/report/joint_data.hpp"
 #include "tools/report/page.hpp"
-#include "tools/report/words.hpp"
 
 namespace legwright {
 namespace {

@@ -8,7 +8,6 @@
 
 #include "tools/report/html.hpp"
 #include "tools/report/run_data.hpp"
-#include "tools/report/words.hpp"
 
 namespace legwright {
 

@@ -18,6 +18,7 @@ std::string report_page(const RunData& data) {
     page.open("p", {{"class", "note"}}).text("One task of a joint run: ");
     page.element("a", "report of the whole", {{"href", "../../report.html"}}).text(".").close();
   }
+  add_notes(page, data);  // and once more at the end
   add_verdicts(page, data);
   PictureBudget budget;
   add_pictures(page, data, budget);

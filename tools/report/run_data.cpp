@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
+#include "tools/report/if_present.hpp"
+#include "tools/report/words.hpp"
 #include "tools/run/motion_csv.hpp"
 #include "tools/run/result_folder.hpp"
 
@@ -34,6 +34,14 @@ RunData read_run(const fs::path& root) {
   if_present(result / "motion.csv", data.notes,
              [&](const fs::path& file) { data.result_plan = read_motion_csv(file); });
   return data;
+}
+
+std::string title_of(const RunData& data) {
+  const std::string &robot = data.run.robot, task = data.run.task ? data.run.task->name : "";
+  const std::string title = robot.empty()  ? task
+                            : task.empty() ? robot
+                                           : robot + " · " + spaced(task);
+  return title.empty() ? "Legwright run" : title;
 }
 
 bool motion_only(const RunData& data) { return data.run.motion_only; }

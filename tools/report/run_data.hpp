@@ -32,6 +32,8 @@ struct RunData : JudgedData {
 /// of all other files go to the notes.
 RunData read_run(const std::filesystem::path& root);
 
+/// Robot and task of a run; never empty.
+std::string title_of(const RunData& data);
 /// Whether the body was kept and only its gait optimised.
 bool motion_only(const RunData& data);
 

@@ -7,7 +7,11 @@
 
 #include "tools/report/changed_parameters.hpp"
 #include "tools/report/design_effect.hpp"
+#include "tools/report/gap_view.hpp"
 #include "tools/report/html.hpp"
+#include "tools/report/judged_words.hpp"
+#include "tools/report/number_words.hpp"
+#include "tools/report/parameter_view.hpp"
 #include "tools/report/report.hpp"
 #include "tools/report/sections.hpp"
 #include "tools/report/words.hpp"

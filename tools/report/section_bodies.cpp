@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "tools/report/attribution_words.hpp"
+#include "tools/report/parameter_view.hpp"
 #include "tools/report/sections.hpp"
 #include "tools/report/svg_bars.hpp"
 #include "tools/report/words.hpp"

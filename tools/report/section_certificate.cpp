@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/report/number_words.hpp"
+#include "tools/report/parameter_view.hpp"
 #include "tools/report/sections.hpp"
 #include "tools/report/words.hpp"
 

@@ -6,9 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/report/judged_words.hpp"
+#include "tools/report/number_words.hpp"
 #include "tools/report/page_template.hpp"
 #include "tools/report/sections.hpp"
-#include "tools/report/svg_plot.hpp"
 #include "tools/report/words.hpp"
 
 namespace legwright {
@@ -231,19 +232,16 @@ void add_experts(Html& page, const Comparison& compared) {
 }
 
 std::string cycle_html(const CycleComparison& cycle) {
-  const auto number = [](std::optional<double> value, double scale, const char* unit) {
-    return value && std::isfinite(*value) ? short_number(*value * scale) + unit : "–";
-  };
   return fill(
       R"(<tr><td class="n">{cycle}</td><td class="n">{speed}</td><td class="n">{heading}</td>
 <td class="n">{tilt}</td><td class="n">{power}</td><td class="n">{transport}</td><td class="n">{limit}</td></tr>
 )",
       {{"cycle", std::to_string(cycle.cycle)},
        {"speed", percent(cycle.speed_ratio)},
-       {"heading", number(cycle.heading, kDegrees, "°")},
-       {"tilt", number(cycle.tilt_max, kDegrees, "°")},
-       {"power", number(cycle.power, 1, " W")},
-       {"transport", number(cycle.cost_of_transport, 1, "")},
+       {"heading", scaled(cycle.heading, kDegrees, "°")},
+       {"tilt", scaled(cycle.tilt_max, kDegrees, "°")},
+       {"power", scaled(cycle.power, 1, " W")},
+       {"transport", scaled(cycle.cost_of_transport, 1, "")},
        {"limit", percent(finite(cycle.saturated_share))}});
 }
 
@@ -270,23 +268,6 @@ void add_forces(Html& page, const Comparison& compared) {
 }
 
 }  // namespace
-
-std::string inverse_dynamics_words(const InverseDynamics& plan) {
-  const auto at = [](const std::string& foot, double phase) {
-    return (foot.empty() ? "" : " at " + spaced(foot)) +
-           fmt::format(", at {} of the cycle", percent_whole(phase));
-  };
-  return fmt::format(
-      "The planned forces and the planned motion agree to {} of the weight at worst, {} in the "
-      "mean, and about the body’s axes to {} of weight × height. The plan uses {} of friction, "
-      "where the floor gives {} (most{}). The least load of a foot that is meant to bear is {}, {} "
-      "of the weight{}.",
-      percent(finite(plan.force_max)), percent(finite(plan.force_rms)),
-      percent(finite(plan.torque_max)), short_number(finite(plan.friction_max)),
-      short_number(plan.friction_coefficient), at(plan.friction_foot, plan.friction_phase),
-      amount_words(finite(plan.normal_min), "N"), percent(finite(plan.normal_min_share)),
-      at(plan.normal_foot, plan.normal_phase));
-}
 
 void add_comparison(Html& page, const RunData& data, PictureBudget& budget) {
   page.open("section").element("h2", "Plan against physics");

@@ -7,6 +7,7 @@
 
 #include "tools/report/changed_parameters.hpp"
 #include "tools/report/design_effect.hpp"
+#include "tools/report/parameter_view.hpp"
 #include "tools/report/sections.hpp"
 #include "tools/report/words.hpp"
 

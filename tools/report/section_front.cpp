@@ -7,8 +7,8 @@
 #include <cmath>
 #include <map>
 
+#include "tools/report/number_words.hpp"
 #include "tools/report/sections.hpp"
-#include "tools/report/svg_plot.hpp"
 #include "tools/report/words.hpp"
 
 namespace legwright {
@@ -79,12 +79,7 @@ std::string starts_chart(const JointData& data) {
     lines[at->second].y.push_back(event.F);
   }
   if (lines.empty()) return "";
-  const PlotOptions options{.title = "Joint cost F by design iteration",
-                            .x_label = "design iteration of the start",
-                            .y_label = "log scale",
-                            .log_y = true,
-                            .whole_x = true};
-  return line_plot(lines, options);
+  return cost_plot(lines, "Joint cost F by design iteration", "design iteration of the start");
 }
 
 double front_cost(const JointData& data, const FrontPointRecord& point, std::size_t task) {

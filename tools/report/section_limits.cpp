@@ -4,19 +4,13 @@
 
 #include <algorithm>
 
+#include "tools/report/judged_words.hpp"
 #include "tools/report/page_template.hpp"
 #include "tools/report/sections.hpp"
 #include "tools/report/words.hpp"
 
 namespace legwright {
 namespace {
-
-/// Shares and ratios in per cent, the rest in its unit.
-std::string value_words(const LimitRow& row, std::optional<double> value) {
-  for (const char* part : {"share", "ratio", "survival"})
-    if (row.unit == "1" && row.name.find(part) != std::string::npos) return percent(value);
-  return amount_words(value, row.unit);
-}
 
 std::string row_html(const LimitRow& row) {
   return fill(
@@ -43,28 +37,6 @@ std::string table_html(const std::vector<LimitRow>& rows) {
 }
 
 }  // namespace
-
-std::string measured_words(const LimitRow& row) {
-  return row.value ? value_words(row, row.value) : "not measured";
-}
-
-std::string bound_words(const LimitRow& row) {
-  if (row.low && row.high)
-    return (row.strict ? "strictly within " : "") + value_words(row, row.low) + " … " +
-           value_words(row, row.high);
-  if (row.low) return (row.strict ? "more than " : "at least ") + value_words(row, row.low);
-  if (row.high == 0.0 && !row.strict) return "none";
-  if (row.high) return (row.strict ? "less than " : "at most ") + value_words(row, row.high);
-  return "–";
-}
-
-std::string limits_kept(const std::vector<LimitRow>& rows) {
-  const auto kept =
-      std::count_if(rows.begin(), rows.end(), [](const LimitRow& row) { return row.pass; });
-  return static_cast<std::size_t>(kept) == rows.size()
-             ? fmt::format("All {} limits are kept.", rows.size())
-             : fmt::format("{} of {} limits are kept.", kept, rows.size());
-}
 
 void add_limits(Html& page, const RunData& data) {
   page.open("section").element("h2", "Limits");

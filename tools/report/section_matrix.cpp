@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/report/gap_view.hpp"
+#include "tools/report/judged_words.hpp"
+#include "tools/report/number_words.hpp"
 #include "tools/report/page_template.hpp"
 #include "tools/report/sections.hpp"
 #include "tools/report/words.hpp"
@@ -24,7 +27,7 @@ std::string limits_html(const RunData& run) {
 void add_task_card(Html& page, const JointTaskData& task) {
   const DesignVerdict* after = task.run ? task.run->verdict_of(Design::result) : nullptr;
   const DesignVerdict* before = task.run ? task.run->verdict_of(Design::initial) : nullptr;
-  std::string more = after == nullptr ? "" : "\n";
+  std::string more;
   if (task.run) more += limits_html(*task.run);
   if (before != nullptr)
     more += fill("<p class=\"note\">Before, with the initial body: {passed}.</p>\n",

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/report/judged_words.hpp"
+#include "tools/report/number_words.hpp"
 #include "tools/report/page_template.hpp"
 #include "tools/report/sections.hpp"
 #include "tools/report/words.hpp"
@@ -70,15 +72,6 @@ std::string run_html(const NumericsRun& run, const std::vector<NumericsColumn>& 
 }
 
 }  // namespace
-
-std::string numerics_words(const NumericsRecord& numerics) {
-  std::string out =
-      numerics.agree
-          ? "All agree: the verdict does not hang on how the physics is computed."
-          : "They do not agree: part of what was measured comes from how the physics is computed.";
-  for (const std::string& reason : numerics.reasons) out += fmt::format(" {}.", reason);
-  return out;
-}
 
 void add_numerics(Html& page, const RunData& data) {
   page.open("section").element("h2", "Second opinion");

@@ -2,6 +2,7 @@
 // Where the numbers come from: sizes, times, versions, hashes.
 #include <fmt/format.h>
 
+#include "tools/report/number_words.hpp"
 #include "tools/report/sections.hpp"
 #include "tools/report/words.hpp"
 
@@ -49,9 +50,7 @@ void add_origin(Html& page, const RunData& data) {
     add_origin_row(page, "SHA-256 of " + name, value, true);
   add_origin_row(page, "command", fmt::format("{}", fmt::join(data.run.argv, " ")), true);
   page.close().close().close();
-  for (const std::string& note : data.notes) {
-    page.open("p", {{"class", "hint"}}).text("Could not be used: " + note).close();
-  }
+  add_notes(page, data);
   page.close();
 }
 

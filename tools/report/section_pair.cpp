@@ -6,10 +6,11 @@
 #include <functional>
 
 #include "tools/files/json_file.hpp"
+#include "tools/report/number_words.hpp"
 #include "tools/report/pair_report.hpp"
+#include "tools/report/parameter_view.hpp"
 #include "tools/report/sections.hpp"
 #include "tools/report/svg_bars.hpp"
-#include "tools/report/svg_plot.hpp"
 #include "tools/report/words.hpp"
 
 namespace legwright {
@@ -113,19 +114,6 @@ void add_pair_head(Html& page, bool bar = false) {
   std::vector<TableColumn> columns{{""}, {"A", "n"}, {"B", "n"}, {"B less A", "n"}};
   if (bar) columns.push_back({"within the bounds of A"});
   page.open_table("stack pair", columns);
-}
-
-PlotSeries cost_line(const RunData& run, const std::string& name, int colour) {
-  PlotSeries line;
-  line.name = name;
-  line.colour = colour;
-  for (const IterationEvent& event : run.iterations) {
-    if (!std::isfinite(event.F)) continue;
-    line.x.push_back(event.index);
-    line.y.push_back(event.F);
-  }
-  line.points = line.x.size() <= 60;
-  return line;
 }
 
 /// A JSON value's parts by their paths: "task velocity 0".
@@ -233,12 +221,9 @@ void add_pair_numbers(Html& page, const RunPair& pair) {
     add_gap_note(page, run->run, fmt::format("{}: F is", name));
   add_settings(page, pair);
   page.open("div", {{"class", "charts single"}});
-  const PlotOptions options{.title = "Cost F by design iteration",
-                            .x_label = "design iteration (0: gait alone)",
-                            .y_label = "log scale",
-                            .log_y = true,
-                            .whole_x = true};
-  page.raw(line_plot({cost_line(pair.a, "A", 1), cost_line(pair.b, "B", 2)}, options));
+  page.raw(cost_plot({by_iteration(pair.a, &IterationEvent::F, "A"),
+                      by_iteration(pair.b, &IterationEvent::F, "B", 2)},
+                     "Cost F by design iteration", "design iteration (0: gait alone)"));
   page.close().close();
 }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "tools/report/judged_words.hpp"
+#include "tools/report/number_words.hpp"
 #include "tools/report/pair_report.hpp"
 #include "tools/report/sections.hpp"
 #include "tools/report/svg_bars.hpp"

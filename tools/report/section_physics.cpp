@@ -6,10 +6,9 @@
 #include <cmath>
 #include <functional>
 
+#include "tools/report/number_words.hpp"
 #include "tools/report/page_template.hpp"
 #include "tools/report/sections.hpp"
-#include "tools/report/svg_plot.hpp"
-#include "tools/report/words.hpp"
 
 namespace legwright {
 namespace {
@@ -19,10 +18,6 @@ struct Quantity {
   std::function<std::string(const GainMetrics&)> show;
   bool after_first_cycle = false;  // measured from the second cycle on
 };
-
-std::string scaled(double value, double by, const char* unit) {
-  return std::isfinite(value) ? short_number(value * by) + unit : "–";
-}
 
 std::string speed(const GainMetrics& measured, int axis) {
   if (!measured.velocity) return "–";

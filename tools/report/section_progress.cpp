@@ -4,32 +4,16 @@
 
 #include <cmath>
 
+#include "tools/report/number_words.hpp"
 #include "tools/report/sections.hpp"
-#include "tools/report/svg_plot.hpp"
-#include "tools/report/words.hpp"
 
 namespace legwright {
 namespace {
 
-PlotSeries by_iteration(const RunData& data, double IterationEvent::*value,
-                        const std::string& name) {
-  PlotSeries series;
-  series.name = name;
-  series.colour = 1;
-  series.points = data.iterations.size() <= 60;
-  for (const IterationEvent& event : data.iterations) {
-    if (!std::isfinite(event.*value)) continue;
-    series.x.push_back(event.index);
-    series.y.push_back(event.*value);
-  }
-  return series;
-}
+constexpr std::size_t kMostDots = 60;  // in a line; more run together
 
 PlotSeries level(const PlotSeries& over, double value, const std::string& name, int colour) {
-  PlotSeries line;
-  line.name = name;
-  line.colour = colour;
-  line.dashed = true;
+  PlotSeries line{.name = name, .colour = colour, .dashed = true};
   if (!over.x.empty()) line.x = {over.x.front(), over.x.back()};
   line.y.assign(line.x.size(), value);
   return line;
@@ -41,46 +25,39 @@ std::string cost_chart(const RunData& data) {
   auto motion_only = data.run.motion_only_F;
   if (!motion_only && !cost.y.empty()) motion_only = cost.y.front();
   if (motion_only) lines.push_back(level(cost, *motion_only, "gait alone, initial body", 2));
-  PlotOptions options;
-  options.title = "Cost F by design iteration";
-  options.x_label = "design iteration (0: gait alone)";
-  options.y_label = "log scale";
-  options.log_y = true;
-  options.whole_x = true;
-  return line_plot(lines, options);
+  return cost_plot(lines, "Cost F by design iteration", "design iteration (0: gait alone)");
 }
 
 std::string speed_chart(const RunData& data) {
   const PlotSeries speed = by_iteration(data, &IterationEvent::speed_reached, "speed of the plan");
   std::vector<PlotSeries> lines{speed};
   if (data.run.speed_wanted) lines.push_back(level(speed, *data.run.speed_wanted, "wanted", 3));
-  PlotOptions options;
-  options.title = "Speed of the plan in the wanted direction";
-  options.x_label = "design iteration";
-  options.y_label = "m/s";
-  options.y_from_zero = true;
-  options.whole_x = true;
-  return line_plot(lines, options);
+  return line_plot(lines, {.title = "Speed of the plan in the wanted direction",
+                           .x_label = "design iteration",
+                           .y_label = "m/s",
+                           .y_from_zero = true,
+                           .whole_x = true});
 }
 
 std::string trace_chart(const std::vector<double>& trace) {
-  PlotSeries line;
-  line.name = "gait alone";
-  line.colour = 2;
-  for (const double value : trace) {
-    line.x.push_back(static_cast<double>(line.x.size()));
-    line.y.push_back(value);
-  }
-  PlotOptions options;
-  options.title = "Cost F of the gait alone";
-  options.x_label = "Newton iteration";
-  options.y_label = "log scale";
-  options.log_y = true;
-  options.whole_x = true;
-  return line_plot({line}, options);
+  PlotSeries line{.name = "gait alone", .y = trace, .colour = 2};
+  for (std::size_t k = 0; k < trace.size(); ++k) line.x.push_back(static_cast<double>(k));
+  return cost_plot({line}, "Cost F of the gait alone", "Newton iteration");
 }
 
 }  // namespace
+
+PlotSeries by_iteration(const RunData& data, double IterationEvent::*value, const std::string& name,
+                        int colour) {
+  PlotSeries series{.name = name, .colour = colour};
+  for (const IterationEvent& event : data.iterations) {
+    if (!std::isfinite(event.*value)) continue;
+    series.x.push_back(event.index);
+    series.y.push_back(event.*value);
+  }
+  series.points = series.x.size() <= kMostDots;
+  return series;
+}
 
 void add_progress(Html& page, const RunData& data) {
   page.open("section").element("h2", "How it got there");

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "tools/report/judged_words.hpp"
+#include "tools/report/number_words.hpp"
 #include "tools/report/page_template.hpp"
 #include "tools/report/sections.hpp"
 #include "tools/report/svg_bars.hpp"
@@ -103,44 +105,6 @@ std::string survival_html(const std::vector<RobustnessFactor>& factors, const Mo
 }
 
 }  // namespace
-
-ShownUnit unit_of(const RobustnessFactor& factor) {
-  return shown_unit(factor.unit,
-                    std::max(std::abs(factor.tested_low), std::abs(factor.tested_high)));
-}
-
-std::string margin_words(const RobustnessFactor& factor) {
-  const ShownUnit unit = unit_of(factor);
-  if (!factor.low && !factor.high)
-    return fmt::format("survives from {} to {}, all that was tried", unit.words(factor.tested_low),
-                       unit.words(factor.tested_high));
-  const auto side = [&](const std::optional<double>& value, const std::optional<double>& fails,
-                        double tested, const char* beyond) {
-    if (!value) return unit.words(tested) + beyond;
-    return unit.words(value) +
-           (fails == tested ? " (all tried but " + unit.words(tested) + ")" : "");
-  };
-  const std::string high = side(factor.high, factor.high_fails, factor.tested_high, " or more");
-  const bool one_sided = factor.nominal <= factor.tested_low;
-  if (!factor.low && one_sided) return "survives up to " + high;
-  return fmt::format("survives from {} to {}",
-                     side(factor.low, factor.low_fails, factor.tested_low, " or less"), high);
-}
-
-std::string no_margins_words(const JudgedData& data) {
-  if (!data.robustness || !data.robustness->undisturbed_cause) return "";
-  return fmt::format("No margins: the gait fails undisturbed: {}.",
-                     *data.robustness->undisturbed_cause);
-}
-
-std::string survival_words(const MonteCarlo& drawn) {
-  if (drawn.samples < 1) return "";
-  std::string out = fmt::format("{} of {} draws survived: {}", drawn.survived, drawn.samples,
-                                percent(finite(drawn.share)));
-  const auto low = finite(drawn.share_low), high = finite(drawn.share_high);
-  if (low && high) out += fmt::format(" (95 % interval {} … {})", percent(low), percent(high));
-  return out + ".";
-}
 
 void add_robustness(Html& page, const RunData& data) {
   page.open("section").element("h2", "Robustness: how much it bears");

@@ -7,6 +7,8 @@
 
 #include "tools/files/atomic_file.hpp"
 #include "tools/image/png.hpp"
+#include "tools/report/gap_view.hpp"
+#include "tools/report/number_words.hpp"
 #include "tools/report/page_template.hpp"
 #include "tools/report/sections.hpp"
 #include "tools/report/words.hpp"
@@ -37,59 +39,7 @@ std::vector<int> spread(const RunData& data, const std::vector<int>& drawn, std:
   return shown;
 }
 
-}  // namespace
-
-void add_card(Html& page, const DesignVerdict* verdict, const std::string& title,
-              const std::string& body, const std::string& more) {
-  std::string outcome;
-  if (verdict != nullptr && !verdict->reasons.empty()) {
-    outcome = "<ul>\n" +
-              each(verdict->reasons,
-                   [](const std::string& reason) {
-                     return fill("<li>{reason}</li>\n", {{"reason", reason}});
-                   }) +
-              "</ul>";
-  } else if (verdict != nullptr) {
-    outcome = fill("<p>{line}</p>", {{"line", verdict_details(verdict->line)}});
-  }
-  page.raw(fill(R"(<div class="card{pass}"><h2>{title}</h2>
-<p class="verdict">{mark}</p>
-<p class="note">{body}</p>
-{outcome}{more}</div>
-)",
-                {{"pass", verdict == nullptr ? ""
-                          : verdict->pass    ? " pass"
-                                             : " fail"},
-                 {"title", title},
-                 {"mark", verdict == nullptr ? "Not validated"
-                          : verdict->pass    ? "✓ Pass"
-                                             : "✗ Fail"},
-                 {"body", body},
-                 Hole::markup("outcome", outcome),
-                 Hole::markup("more", more)}));
-}
-
-std::string command(const std::string& verb, const RunData& data) {
-  return "legwright " + verb + " " + data.root.generic_string();
-}
-
-void add_pass(Html& page, bool pass) {
-  page.element("span", pass ? "✓ pass" : "✗ fail", {{"class", pass ? "good" : "bad"}});
-}
-
-void add_hint(Html& page, const std::string& what, const std::string& verb, const RunData& data) {
-  page.raw(fill("<p class=\"hint\">{what} Run <code>{command}</code>, then the report again.</p>\n",
-                {{"what", what}, {"command", command(verb, data)}}));
-}
-
-namespace {
-
 constexpr std::uintmax_t kMostMoving = 1'500'000, kMostStill = 200'000;  // bytes
-
-std::string too_large(const fs::path& file) {
-  return fmt::format("The picture is too large for this page: result/{}.",
-                     file.filename().string());
-}
 
 /// The gait in motion, after the last design.
 void add_gait(Html& page, const RunData& data, PictureBudget& budget) {
@@ -144,7 +94,11 @@ void add_verdicts(Html& page, const RunData& data) {
   }
   add_plan_notes(page, data);
   if (!data.verdict) {
-    add_hint(page, "No verdict yet: the gaits have not been played in MuJoCo.", "validate", data);
+    const bool damaged = fs::exists(data.root / "result" / "verdict.json");
+    add_hint(page,
+             damaged ? "No verdict: result/verdict.json could not be used."
+                     : "No verdict yet: the gaits have not been played in MuJoCo.",
+             "validate", data);
   } else {
     page.note(
         "Verdicts are MuJoCo’s: each gait is played as planned, at half, default and "
@@ -152,17 +106,6 @@ void add_verdicts(Html& page, const RunData& data) {
         "note wide");
   }
   page.close();
-}
-
-bool add_strip_if(Html& page, const fs::path& file, const std::string& title,
-                  const std::string& explanation, PictureBudget& budget) {
-  if (!fs::exists(file)) return false;
-  if (budget.take(file)) {
-    add_strip(page, file, title, explanation);
-  } else {
-    page.note(title + " " + too_large(file));
-  }
-  return true;
 }
 
 void add_pictures(Html& page, const RunData& data, PictureBudget& budget) {

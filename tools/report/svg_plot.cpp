@@ -280,6 +280,15 @@ std::string line_plot(const std::vector<PlotSeries>& series, const PlotOptions& 
                 options.y_label);
 }
 
+std::string cost_plot(const std::vector<PlotSeries>& series, const std::string& title,
+                      const std::string& iteration) {
+  return line_plot(series, {.title = title,
+                            .x_label = iteration,
+                            .y_label = "log scale",
+                            .log_y = true,
+                            .whole_x = true});
+}
+
 std::string small_multiples(const std::vector<PlotPanel>& panels, const PlotOptions& options) {
   std::vector<PlotSeries> all;
   const PlotPanel* first = nullptr;
@@ -301,12 +310,40 @@ std::string small_multiples(const std::vector<PlotPanel>& panels, const PlotOpti
   return figure(options.title, out + "</div>\n", options.y_label, "chart wide");
 }
 
+namespace {
+
+/// Code points of a text.
+std::size_t letters_of(std::string_view text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+  }));
+}
+
+/// Without its end, where it has more than `most` code points.
+std::string shortened(const std::string& text, std::size_t most) {
+  if (letters_of(text) <= most) return text;
+  std::size_t end = 0;
+  for (std::size_t letters = 0; letters < most; ++end)
+    letters += (static_cast<unsigned char>(text[end]) & 0xC0) != 0x80 ? 1 : 0;
+  return clean_utf8(text.substr(0, end - 1)) + "…";
+}
+
+}  // namespace
+
 std::string footfall_plot(const std::vector<FootfallRow>& rows, double end,
                           const std::string& title) {
-  constexpr double kWidth = 460, kName = 62, kRow = 30;
+  constexpr double kWidth = 460, kRow = 30, kLetter = 6.8;  // a letter's mean width
+  constexpr std::size_t kLongestName = 24;
+  std::vector<std::string> names;
+  std::size_t longest = 0;
+  for (const FootfallRow& row : rows) {
+    names.push_back(shortened(clean_utf8(row.name), kLongestName));
+    longest = std::max(longest, letters_of(names.back()));
+  }
+  const double name_width = std::max(62.0, 12.0 + kLetter * static_cast<double>(longest));
   const double height = kRow * static_cast<double>(rows.size()) + kBottom + 4;
   const double bottom = kRow * static_cast<double>(rows.size()) + 4;
-  const Axis x{0.0, std::max(end, 1e-6), kName, kWidth - kRight};
+  const Axis x{0.0, std::max(end, 1e-6), name_width, kWidth - kRight};
   std::string svg = fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">",
                                 kWidth, height, escape_attribute(title));
   const auto bars = [&](const std::vector<std::pair<double, double>>& spans, double y, double thick,
@@ -322,10 +359,8 @@ std::string footfall_plot(const std::vector<FootfallRow>& rows, double end,
   };
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const double y = 4 + kRow * static_cast<double>(i);
-    const std::string name = clean_utf8(rows[i].name);
-    svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>", kName - 8,
-                       y + 18,
-                       escape_text(name.size() > 9 ? clean_utf8(name.substr(0, 8)) + "…" : name));
+    svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>",
+                       name_width - 8, y + 18, escape_text(names[i]));
     bars(rows[i].planned, y + 3, 22, "planned");
     bars(rows[i].measured, y + 10, 8, "measured");
   }

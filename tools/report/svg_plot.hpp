@@ -53,6 +53,10 @@ std::string tick_label(double value);
 /// With nothing to draw it says so.
 std::string line_plot(const std::vector<PlotSeries>& series, const PlotOptions& options);
 
+/// The same of costs by the number of an iteration, on a log scale.
+std::string cost_plot(const std::vector<PlotSeries>& series, const std::string& title,
+                      const std::string& iteration);
+
 /// What the axes of a chart of these lines span; nothing where nothing can be drawn.
 std::optional<PlotRange> plot_range(const std::vector<PlotSeries>& series,
                                     const PlotOptions& options);

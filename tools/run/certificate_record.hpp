@@ -46,7 +46,7 @@ void fields(Fields& f, ActiveBoundRecord& bound);
 
 /// result/certificate.json: what is proven of a result, for each task and for the design.
 struct CertificateRecord {
-  static constexpr RecordKind kKind{"legwright/certificate", 1};
+  static constexpr RecordKind kKind{"legwright/certificate", 1, "optimize"};
   double projected_gradient_norm = 0.0, worst_gradient_error = 0.0;
   std::vector<double> design_curvatures;  // in the free directions
   std::vector<ActiveBoundRecord> active_bounds;

@@ -103,7 +103,7 @@ struct Comparison {
 /// result/comparison.json: plan against physics over the cycle; nothing of a design that fell
 /// before two cycles.
 struct ComparisonRecord {
-  static constexpr RecordKind kKind{"legwright/comparison", 1};
+  static constexpr RecordKind kKind{"legwright/comparison", 1, "validate"};
   std::optional<Comparison> initial, result;
 };
 

@@ -13,7 +13,7 @@ namespace legwright {
 
 /// The first line of events.jsonl.
 struct StartEvent {
-  static constexpr RecordKind kKind{"legwright/events", 1};
+  static constexpr RecordKind kKind{"legwright/events", 1, "optimize"};
   std::vector<std::string> tasks;
   std::string robot;
 };
@@ -69,7 +69,7 @@ Iterations read_iterations(const std::filesystem::path& events_file);
 
 /// metrics.json beside the design of an iteration, and in result/ until it is validated.
 struct IterationMetrics {
-  static constexpr RecordKind kKind{"legwright/iteration", 1};
+  static constexpr RecordKind kKind{"legwright/iteration", 1, "optimize"};
   int index = 0;
   double F = 0.0, J = 0.0;
   ByName<double> terms, s;

@@ -25,7 +25,7 @@ void fields(Fields& f, MatrixCellRecord& cell);
 
 /// result/matrix.json of a joint run: every design in every task.
 struct MatrixRecord {
-  static constexpr RecordKind kKind{"legwright/matrix", 1};
+  static constexpr RecordKind kKind{"legwright/matrix", 1, "validate"};
   std::vector<MatrixDesignRecord> designs;
   ByName<std::vector<MatrixCellRecord>> cells;  // by task, in the order of the designs
   bool pass = false;
@@ -34,7 +34,7 @@ void fields(Fields& f, MatrixRecord& matrix);
 
 /// result/front.json of a joint run of two tasks.
 struct FrontRecord {
-  static constexpr RecordKind kKind{"legwright/front", 1};
+  static constexpr RecordKind kKind{"legwright/front", 1, "optimize"};
   std::string weight_of;
   std::vector<FrontPointRecord> points;
 };

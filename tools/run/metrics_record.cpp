@@ -129,7 +129,7 @@ void fields(Fields& f, MetricsRecord& metrics) {
 
 std::optional<MetricsRecord> read_metrics(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file)) return std::nullopt;
-  const Json json = load_json(file);
+  const Json json = load_json(file, kind_of<MetricsRecord>());
   if (is_kind(json, {"legwright/iteration", 1})) return std::nullopt;
   return record_of<MetricsRecord>(json, file.string());
 }

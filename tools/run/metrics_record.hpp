@@ -105,11 +105,14 @@ struct BeforeAfter {
   T initial{}, result{};
 };
 
+/// The gains of a validation, in the order in which they are told.
+inline constexpr std::array<const char*, 3> kGains{"half", "default", "double"};
+
 /// result/metrics.json once a run is validated: what was measured of the initial design and of the
 /// result, by the servo gains ("half", "default", "double"). Until then the file is that of the
 /// last iteration.
 struct MetricsRecord {
-  static constexpr RecordKind kKind{"legwright/validation", 1};
+  static constexpr RecordKind kKind{"legwright/validation", 1, "validate"};
   std::string task;                                  // "trot forward at 0.100 m/s"
   Eigen::Vector2d wanted_velocity{0.0, 0.0};         // [m/s]
   double wanted_turn_rate = 0.0;                     // [rad/s]

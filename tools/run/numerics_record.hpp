@@ -29,7 +29,7 @@ struct NumericsRun {
 
 /// result/numerics.json: whether the verdict hangs on how MuJoCo computes.
 struct NumericsRecord {
-  static constexpr RecordKind kKind{"legwright/numerics", 1};
+  static constexpr RecordKind kKind{"legwright/numerics", 1, "validate"};
   std::vector<NumericsRun> runs;  // the first is the reference, the scene as it is
   bool agree = true;
   std::vector<std::string> reasons;  // which run disagrees, and how

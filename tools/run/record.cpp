@@ -50,6 +50,12 @@ class Writer final : public Fields {
   std::vector<Json*> at_;
 };
 
+/// What mends a damaged file.
+std::string remedy_of(RecordKind kind) {
+  return *kind.verb ? fmt::format("run `legwright {}`, which writes it again", kind.verb)
+                    : kWriteAgain;
+}
+
 /// A value as an error quotes it.
 std::string quoted(const Json& value) {
   const std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -58,7 +64,8 @@ std::string quoted(const Json& value) {
 
 class Reader final : public Fields {
  public:
-  Reader(const Json& root, std::string_view file) : at_{&root}, file_(file) {}
+  Reader(const Json& root, std::string_view file, RecordKind kind)
+      : at_{&root}, file_(file), remedy_(remedy_of(kind)) {}
   using Fields::visit;
   bool reads() const override { return true; }
   void visit(bool& value) override {
@@ -85,8 +92,8 @@ class Reader final : public Fields {
   [[noreturn]] void fail(const std::string& expected, const std::string& found) const {
     throw IoError(
         fmt::format("{}: {}: expected {}, found {}; the file is damaged or of another "
-                    "version of legwright, run the verb that writes it again",
-                    file_, path_.empty() ? "the file" : path_, expected, found));
+                    "version of legwright, {}",
+                    file_, path_.empty() ? "the file" : path_, expected, found, remedy_));
   }
 
  protected:
@@ -164,7 +171,7 @@ class Reader final : public Fields {
   void named_path(const std::string& name) { path_ += (path_.empty() ? "" : ".") + name; }
 
   std::vector<const Json*> at_;
-  std::string file_, path_;
+  std::string file_, remedy_, path_;
   std::vector<std::size_t> lengths_;             // of path_ before each step
   std::vector<std::vector<std::string>> known_;  // keys of each object entered
 };
@@ -254,21 +261,21 @@ Json write_record(RecordKind kind, RecordVisit visit, void* record) {
 void read_record(RecordKind kind, RecordVisit visit, void* record, const Json& json,
                  std::string_view file) {
   if (!*kind.schema) {
-    Reader reader(json, file);
+    Reader reader(json, file, kind);
     return visit(reader, record);
   }
-  if (!json.is_object()) Reader(json, file).fail("an object", quoted(json));
+  if (!json.is_object()) Reader(json, file, kind).fail("an object", quoted(json));
   Json body = json;
   for (const auto& [key, expected] :
        {std::pair{"schema", Json(kind.schema)}, std::pair{"version", Json(kind.version)}}) {
     const auto found = body.find(key);
     if (found == body.end() || *found != expected)
-      Reader(json, file)
+      Reader(json, file, kind)
           .fail(fmt::format("\"{}\": {}", key, expected.dump()),
                 found == body.end() ? "no such key" : quoted(*found));
     body.erase(found);
   }
-  Reader reader(body, file);
+  Reader reader(body, file, kind);
   visit(reader, record);
 }
 
@@ -293,6 +300,8 @@ bool is_kind(const Json& json, RecordKind kind) {
   return found != json.end() && *found == kind.schema;
 }
 
-Json load_json(const std::filesystem::path& file) { return read_json(file); }
+Json load_json(const std::filesystem::path& file, RecordKind kind) {
+  return read_json(file, remedy_of(kind));
+}
 
 }  // namespace legwright

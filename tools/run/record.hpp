@@ -32,6 +32,14 @@ struct ByName : std::vector<std::pair<std::string, T>> {
   }
 };
 
+/// The first row of that name; null without.
+template <class Row>
+const Row* find_named(const std::vector<Row>& rows, const std::string& name) {
+  for (const Row& row : rows)
+    if (row.name == name) return &row;
+  return nullptr;
+}
+
 /// Visits the members of a record: one list of keys serves writer, reader and JSON Schema. A record
 /// is a plain struct with a function beside it
 ///
@@ -198,6 +206,7 @@ class Fields {
 struct RecordKind {
   const char* schema;  // "legwright/run"; empty: a part of a file, without the two keys
   int version;
+  const char* verb = "";  // that writes the file: "optimize"
 };
 
 /// Whether a JSON value says that it is of this schema, whatever its version.
@@ -209,7 +218,7 @@ nlohmann::ordered_json write_record(RecordKind kind, RecordVisit visit, void* re
 void read_record(RecordKind kind, RecordVisit visit, void* record,
                  const nlohmann::ordered_json& json, std::string_view file);
 nlohmann::ordered_json schema_of_record(RecordKind kind, RecordVisit visit, void* record);
-nlohmann::ordered_json load_json(const std::filesystem::path& file);
+nlohmann::ordered_json load_json(const std::filesystem::path& file, RecordKind kind);
 
 template <class R>
 void visit_record(Fields& fields, void* record) {
@@ -220,7 +229,7 @@ void visit_record(Fields& fields, void* record) {
 template <class R>
 constexpr RecordKind kind_of() {
   if constexpr (requires { R::kKind; }) return R::kKind;
-  return {"", 0};
+  return {"", 0, ""};
 }
 
 /// The record as JSON, keys in the order of its fields, schema and version first.
@@ -243,7 +252,7 @@ R record_of(const nlohmann::ordered_json& json, std::string_view file) {
 /// it cannot be read.
 template <class R>
 R read_record_file(const std::filesystem::path& file) {
-  return record_of<R>(load_json(file), file.string());
+  return record_of<R>(load_json(file, kind_of<R>()), file.string());
 }
 
 /// The JSON Schema (draft 2020-12) of a record.

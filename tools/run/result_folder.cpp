@@ -80,6 +80,15 @@ ResultFolder ResultFolder::create(const fs::path& root, bool force) {
 }
 
 ResultFolder ResultFolder::open(const fs::path& root) {
+  std::error_code error;
+  if (fs::is_regular_file(root, error))
+    refuse(root, "is a file, not the folder of a run",
+           root.extension() == ".toml"
+               ? "`legwright optimize` makes a run of a task; give the folder that it wrote"
+               : "give a folder that `legwright optimize` wrote");
+  if (fs::exists(root / "run.json", error) && !is_run(root))
+    refuse(root / "run.json", "is damaged, or not of Legwright",
+           "run `legwright optimize`, which writes it again, or give another folder");
   if (!is_run(root)) refuse(root, "holds no run", "give a folder that `legwright optimize` wrote");
   return ResultFolder(root);
 }

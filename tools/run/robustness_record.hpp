@@ -40,7 +40,7 @@ struct MonteCarlo {
 
 /// result/robustness.json; no wall time in it, so equal runs are equal bytes.
 struct RobustnessRecord {
-  static constexpr RecordKind kKind{"legwright/robustness", 1};
+  static constexpr RecordKind kKind{"legwright/robustness", 1, "validate"};
   int cycles = 0;
   std::size_t seed = 0;
   std::optional<double> seconds;

@@ -138,7 +138,7 @@ using AttributionRecord = ByName<ByName<double>>;
 /// run.json. What is std::optional is of a run that has ended, or of one of one task alone (`task`)
 /// or of several (`tasks`).
 struct RunRecord {
-  static constexpr RecordKind kKind{"legwright/run", 1};
+  static constexpr RecordKind kKind{"legwright/run", 1, "optimize"};
   std::string status;  // "running", "failed", or how the search ended
   std::string robot;
   std::optional<OuterRecord> outer;

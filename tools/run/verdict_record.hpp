@@ -39,7 +39,7 @@ struct HomeTouchesRecord {
 
 /// result/verdict.json.
 struct VerdictRecord {
-  static constexpr RecordKind kKind{"legwright/verdict", 1};
+  static constexpr RecordKind kKind{"legwright/verdict", 1, "validate"};
   DesignVerdict initial, result;
   bool pass = false;  // of the result
   std::optional<HomeTouchesRecord> home_touches;

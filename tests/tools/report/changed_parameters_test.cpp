@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/text.hpp"
+
 namespace legwright {
 namespace {
 
@@ -41,18 +43,21 @@ TEST(ChangedParameters, GoByWhatTheyLoweredFThenByTheirRange) {
 }
 
 TEST(ChangedParameters, CountTheBoundsThatDecided) {
-  const auto words = [](const std::vector<double>& values) {
+  const auto changed = [](const std::vector<double>& values) {
     RunRecord run;
     for (const double value : values) run.parameters.push_back(parameter("p", value));
-    return changed_parameters(run).bound_words();
+    return changed_parameters(run);
   };
-  EXPECT_EQ(words({0.3, 0.5}), "");
-  EXPECT_EQ(words({1.0}), "It stands at a bound: the bound decided how far, not the cost.");
-  EXPECT_EQ(words({1.0, -1.0}),
-            "All 2 that changed stand at a bound: the bounds decided how far, not the cost.");
-  EXPECT_EQ(words({1.0, 0.5, 0.0}),
-            "Of 2 parameters that changed 1 stands at a bound: there the bound decided how far, "
-            "not the cost.");
+  EXPECT_EQ(changed({0.3, 0.5}).at_bound(), 0U);
+  EXPECT_EQ(changed({0.3, 0.5}).bound_words(), "");
+  EXPECT_EQ(changed({1.0}).at_bound(), 1U);
+  EXPECT_TRUE(in_order(changed({1.0}).bound_words(), {"It stands", "the bound "}));
+  EXPECT_EQ(changed({1.0, -1.0}).at_bound(), 2U);
+  EXPECT_TRUE(in_order(changed({1.0, -1.0}).bound_words(), {"All 2", "stand ", "the bounds "}));
+  const ChangedParameters some = changed({1.0, 0.5, 0.0});  // the last did not change
+  EXPECT_EQ(some.at_bound(), 1U);
+  EXPECT_EQ(some.list.size(), 2U);
+  EXPECT_TRUE(in_order(some.bound_words(), {"2 parameters", "1 stands"}));
 }
 
 }  // namespace

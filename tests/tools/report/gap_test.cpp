@@ -31,17 +31,13 @@ TEST_F(GapReport, SaysWhatChangedAndWhatIsOfTheGaitBefore) {
        {"speed × 1.012, swing height × 1.05</b>",
         "<b>Before:</b> <span class=\"bad\">✗ fail</span>, 93 % of it<",
         "Confirmed by MuJoCo, after:</b> <span class=\"good\">✓ pass</span>, 100 % of it<",
-        "1 of 2 steps were confirmed.", "The gait was changed after the",
-        "F and the planned speed are of the gait", "The terms are of the gait",
-        "It is of the gait"})
+        "1 of 2 steps", "The gait was changed after the", "F and the planned speed are of the gait",
+        "The terms are of the gait", "It is of the gait"})
     EXPECT_TRUE(has(page, part)) << part;
   EXPECT_FALSE(has(page, "margins × 1"));
-  EXPECT_EQ(count_of(summary,
-                     "**Closing the gap.** speed × 1.012, swing height × 1.05. Before: 93 % "
-                     "of it. Confirmed by MuJoCo, after: 100 % of it. F and the certificate "
-                     "are of the gait before.\n"),
-            1U)
-      << summary;
+  EXPECT_EQ(count_of(summary, "**Closing the gap.**"), 1U) << summary;
+  EXPECT_TRUE(in_order(summary, {"**Closing the gap.** speed × 1.012, swing height × 1.05",
+                                 "Before: 93 % of it", "after: 100 % of it", "certificate", "\n"}));
 }
 
 TEST_F(GapReport, WithoutAConfirmedStepEverythingIsOfOneGait) {

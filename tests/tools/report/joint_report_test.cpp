@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "mjcf/text/input_error.hpp"
+#include "tests/support/text.hpp"
 #include "tests/tools/report/hostile_names.hpp"
 #include "tests/tools/report/run_fixture.hpp"
 #include "tools/files/atomic_file.hpp"
@@ -128,10 +129,10 @@ TEST_F(JointReportTest, ShowsEveryBodyInEveryTask) {
        {"fixture-puppy · both", "One body for 2 tasks: ahead (weight 0.5)", "for ahead alone",
         "for both tasks", "F 4.75", "✓ pass", "✗ fail", "fell, 1.69 s", "99 %", "111.0 mm",
         "the best: this is the result", "the body for ahead alone", "F of ahead", "The trade-off",
-        "key b3 ring", "Outside the picture: initial body (51.5 and 51.5).",
-        "sideways: slip of stance feet −14.3", "href=\"tasks/ahead/report.html\"",
-        "ahead costs 4.75 with the common body and 3.25 with its own"})
+        "key b3 ring", "initial body (51.5 and 51.5)", "sideways: slip of stance feet −14.3",
+        "href=\"tasks/ahead/report.html\""})
     EXPECT_TRUE(has(page, part)) << part;
+  EXPECT_TRUE(in_order(page, {"F by task: ahead costs 4.75", "3.25"}));
   EXPECT_EQ(page, this->page());
 }
 
@@ -185,7 +186,7 @@ TEST_F(JointReportTest, WritesAPageForTheWholeAndForEachTask) {
 }
 
 TEST_F(JointReportTest, SaysWhichGaitsWereChangedAfterTheirF) {
-  const std::string words = "changed the gait of sideways after the optimisation";
+  const std::string words = "changed the gait of sideways";
   EXPECT_FALSE(has(page(), words));
   Json run = read_json(run_ / "run.json");
   run["tasks"][0]["physics_steps"] = physics_steps(false);
@@ -195,7 +196,7 @@ TEST_F(JointReportTest, SaysWhichGaitsWereChangedAfterTheirF) {
              R"({"schema":"legwright/certificate","version":1,"projected_gradient_norm":0,)"
              R"("worst_gradient_error":0,"design_curvatures":[],"active_bounds":[],"tasks":{}})");
   EXPECT_TRUE(has(page(), words));
-  EXPECT_TRUE(has(page(), "It is of the gait that the optimisation ended with"));
+  EXPECT_TRUE(has(page(), "It is of the gait"));
   EXPECT_TRUE(has(joint_report_summary(read_joint_run(run_)), words));
 }
 

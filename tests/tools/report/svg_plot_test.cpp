@@ -113,6 +113,18 @@ TEST(FootfallPlot, DrawsEachSpanOnceAndCutsAtTheEnd) {
   EXPECT_EQ(count_of(svg, "class=\"measured\""), 1U);
 }
 
+TEST(FootfallPlot, LongNamesStandThereWholeWithinTheDrawing) {
+  const auto name_end = [](const std::string& name) {
+    const std::string svg = footfall_plot({{name, {{0.0, 0.5}}, {}}}, 1.0, "t");
+    EXPECT_EQ(count_of(svg, ">" + name + "<"), 1U) << name;
+    return std::stod(svg.substr(svg.find("<text x=\"") + 9));
+  };
+  EXPECT_EQ(name_end("FL"), 54.0);
+  EXPECT_GT(name_end("hoof_front_left"), 15 * 6.0) << "room for each letter";
+  const std::string endless(200, 'x');
+  EXPECT_EQ(count_of(footfall_plot({{endless, {}, {}}}, 1.0, "t"), "xxx…<"), 1U);
+}
+
 TEST(LinePlot, ABandLiesBetweenItsEdgesAndBreaksWhereThereIsNoNumber) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   PlotSeries band{.name = "band", .x = {0, 1, 2, 3, 4}};

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tools/report/judged_words.hpp"
+
 namespace legwright {
 namespace {
 
@@ -15,6 +17,15 @@ TEST(ShortNumber, KeepsThreeDigits) {
   EXPECT_EQ(short_number(2.34e-7), "2.3 × 10⁻⁷");
   EXPECT_EQ(short_number(4.5e12), "4.5 × 10¹²");
   EXPECT_EQ(short_number(std::nullopt), "–");
+}
+
+TEST(WithDegrees, TurnsAnglesAndNothingElse) {
+  EXPECT_EQ(with_degrees("tilt 0.01 rad, no fall"), "tilt 0.6° (0.01 rad), no fall");
+  EXPECT_EQ(with_degrees("(tilted by more than 1 rad)"), "(tilted by more than 57.3° (1 rad))");
+  EXPECT_EQ(with_degrees("0.5 rad and 1 rad"), "28.6° (0.5 rad) and 57.3° (1 rad)");
+  for (const char* other : {"0.1 rad/s", "a rad", " rad", "", "1.2.3 rad", "2 radii"})
+    EXPECT_EQ(with_degrees(other), other);
+  EXPECT_EQ(verdict_details("PASS  walk: tilt 0.01 rad"), "tilt 0.6° (0.01 rad)");
 }
 
 TEST(Numbers, HaveTheDigitsTheirPlaceNeeds) {

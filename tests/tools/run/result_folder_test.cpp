@@ -89,6 +89,20 @@ TEST(ResultFolder, OpensOnlyRuns) {
   const TemporaryFolder base;
   EXPECT_THROW(ResultFolder::open(base.path()), IoError);
   EXPECT_THROW(ResultFolder::open(base.path() / "missing"), IoError);
+  const auto complaint = [](const fs::path& root) -> std::string {
+    try {
+      ResultFolder::open(root);
+    } catch (const IoError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  write_file(base.path() / "trot.toml", "robot = 'robot.xml'");
+  EXPECT_NE(complaint(base.path() / "trot.toml").find("`legwright optimize`"), std::string::npos);
+  write_file(base.path() / "run.json", "{\"schema\":");
+  const std::string damaged = complaint(base.path());
+  EXPECT_NE(damaged.find("run.json: is damaged"), std::string::npos) << damaged;
+  EXPECT_NE(damaged.find("run `legwright optimize`, which writes it again"), std::string::npos);
   make_run(base.path() / "run");
   EXPECT_EQ(ResultFolder::open(base.path() / "run").root(), base.path() / "run");
 }

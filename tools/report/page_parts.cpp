@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/report/page_parts.hpp"
+
+#include <fmt/format.h>
+
+#include "tools/report/judged_words.hpp"
+#include "tools/report/page_template.hpp"
+
+namespace legwright {
+
+namespace fs = std::filesystem;
+
+void add_card(Html& page, const DesignVerdict* verdict, const std::string& title,
+              const std::string& body, const std::string& more) {
+  std::string outcome;
+  if (verdict != nullptr && !verdict->reasons.empty()) {
+    outcome = "<ul>\n" +
+              each(verdict->reasons,
+                   [](const std::string& reason) {
+                     return fill("<li>{reason}</li>\n", {{"reason", with_degrees(reason)}});
+                   }) +
+              "</ul>";
+  } else if (verdict != nullptr) {
+    outcome = fill("<p>{line}</p>", {{"line", verdict_details(verdict->line)}});
+  }
+  if (!outcome.empty() && !more.empty()) outcome += '\n';
+  page.raw(fill(R"(<div class="card{pass}"><h2>{title}</h2>
+<p class="verdict">{mark}</p>
+<p class="note">{body}</p>
+{outcome}{more}</div>
+)",
+                {{"pass", verdict == nullptr ? ""
+                          : verdict->pass    ? " pass"
+                                             : " fail"},
+                 {"title", title},
+                 {"mark", verdict == nullptr ? "Not validated"
+                          : verdict->pass    ? "✓ Pass"
+                                             : "✗ Fail"},
+                 {"body", body},
+                 Hole::markup("outcome", outcome),
+                 Hole::markup("more", more)}));
+}
+
+std::string command(const std::string& verb, const RunData& data) {
+  return "legwright " + verb + " " + data.root.generic_string();
+}
+
+void add_notes(Html& page, const RunData& data) {
+  for (const std::string& note : data.notes) page.note("Could not be used: " + note, "hint");
+}
+
+void add_pass(Html& page, bool pass) {
+  page.element("span", pass ? "✓ pass" : "✗ fail", {{"class", pass ? "good" : "bad"}});
+}
+
+void add_hint(Html& page, const std::string& what, const std::string& verb, const RunData& data) {
+  page.raw(fill("<p class=\"hint\">{what} Run <code>{command}</code>, then the report again.</p>\n",
+                {{"what", what}, {"command", command(verb, data)}}));
+}
+
+std::string too_large(const fs::path& file) {
+  return fmt::format("The picture is too large for this page: result/{}.",
+                     file.filename().string());
+}
+
+bool add_strip_if(Html& page, const fs::path& file, const std::string& title,
+                  const std::string& explanation, PictureBudget& budget) {
+  if (!fs::exists(file)) return false;
+  if (budget.take(file)) {
+    add_strip(page, file, title, explanation);
+  } else {
+    page.note(title + " " + too_large(file));
+  }
+  return true;
+}
+
+}  // namespace legwright

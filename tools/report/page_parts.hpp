@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Parts that several sections have in common.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "tools/report/html.hpp"
+#include "tools/report/page_pictures.hpp"
+#include "tools/report/run_data.hpp"
+
+namespace legwright {
+
+/// A verdict's card. @param verdict null without @param title of the card @param body what was
+/// judged @param more markup below the outcome
+void add_card(Html& page, const DesignVerdict* verdict, const std::string& title,
+              const std::string& body, const std::string& more = "");
+/// A paragraph for each file of the run that could not be used.
+void add_notes(Html& page, const RunData& data);
+/// "✓ pass" or "✗ fail".
+void add_pass(Html& page, bool pass);
+/// That a picture is too large for the page.
+std::string too_large(const std::filesystem::path& file);
+/// Adds a strip where it is there and fits; says so where it does not fit. Whether it is there.
+bool add_strip_if(Html& page, const std::filesystem::path& file, const std::string& title,
+                  const std::string& explanation, PictureBudget& budget);
+/// "legwright VERB RUN", as one would type it.
+std::string command(const std::string& verb, const RunData& data);
+/// A paragraph that names what is missing and the command for it.
+void add_hint(Html& page, const std::string& what, const std::string& verb, const RunData& data);
+
+}  // namespace legwright
