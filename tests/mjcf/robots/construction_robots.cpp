@@ -35,6 +35,17 @@ std::string biped_leg(const std::string& side, int sign) {
   });
 }
 
+std::string biped_servos(const char* side) {
+  const auto servos = [&](const char* strength, std::initializer_list<const char*> joints) {
+    return for_each_joint(
+        fmt::format("\n    <position name=\"{{0}}_{{1}}\" joint=\"{{0}}_{{1}}\" {}/>", strength)
+            .c_str(),
+        {side}, joints);
+  };
+  return servos(R"(kp="200" kv="4" forcerange="-80 80")", {"roll", "pitch", "knee"}) +
+         servos(R"(kp="100" kv="2" forcerange="-40 40")", {"ankle"});
+}
+
 std::string quadruped_leg(const char* name, int front, int left) {
   const std::string side = fmt::format("0 {} 0", 0.08 * left);
   const int rear = front > 0 ? 0 : 1;
@@ -127,16 +138,10 @@ std::string armed_biped() {
     <spatial name="sinew" range="0 1"><site site="top"/><site site="tip"/></spatial>
   </tendon>
   <equality><joint name="mirror" joint1="thumb" joint2="finger" polycoef="0 -1 0 0 0"/></equality>
-  <actuator>
-    <position name="left_roll" joint="left_roll" kp="200" kv="4" forcerange="-80 80"/>
-    <position name="left_pitch" joint="left_pitch" kp="200" kv="4" forcerange="-80 80"/>
-    <position name="left_knee" joint="left_knee" kp="200" kv="4" forcerange="-80 80"/>
-    <position name="left_ankle" joint="left_ankle" kp="100" kv="2" forcerange="-40 40"/>
-    <position name="shoulder" class="arm" joint="shoulder"/>
-    <position name="right_roll" joint="right_roll" kp="200" kv="4" forcerange="-80 80"/>
-    <position name="right_pitch" joint="right_pitch" kp="200" kv="4" forcerange="-80 80"/>
-    <position name="right_knee" joint="right_knee" kp="200" kv="4" forcerange="-80 80"/>
-    <position name="right_ankle" joint="right_ankle" kp="100" kv="2" forcerange="-40 40"/>
+  <actuator>)" +
+         biped_servos("left") + R"(
+    <position name="shoulder" class="arm" joint="shoulder"/>)" +
+         biped_servos("right") + R"(
     <position name="grip" tendon="grip" kp="50"/>
   </actuator>
   <sensor>
@@ -149,17 +154,16 @@ std::string armed_biped() {
     <key name="home" qpos="0 0 0.69 1 0 0 0  0 -0.3 0.6 -0.3  0 -0.3 0.6 -0.3
       0.7 0.9 0.1 0.2 0.3 0.01 -0.01  0.5"/>
   </keyframe>
-  <custom>
-    <numeric name="legwright/thigh" data="0.3 0.2 0.4"/>
-    <text name="legwright/thigh" data="m | stretch link: left_thigh right_thigh | Thighs."/>
-    <numeric name="legwright/shank" data="0.3 0.2 0.4"/>
-    <text name="legwright/shank" data="m | stretch link: left_shank right_shank | Shanks."/>
-    <numeric name="legwright/width" data="0.2 0.16 0.3"/>
-    <text name="legwright/width" data="m | stretch y: pelvis | Distance of the hips."/>
-    <numeric name="legwright/knee_yaw" data="0 -0.5 0.5"/>
-    <text name="legwright/knee_yaw" data="rad | axis z: left_knee ~right_knee | Yaw of knees."/>
-    <numeric name="legwright/sole" data="0.03 0.02 0.05"/>
-    <text name="legwright/sole" data="m | stretch x: left_foot right_foot | From ankle to sole."/>
+  <custom>)" +
+         declarations({
+             {"thigh", "0.3 0.2 0.4", "m | stretch link: left_thigh right_thigh | Thighs."},
+             {"shank", "0.3 0.2 0.4", "m | stretch link: left_shank right_shank | Shanks."},
+             {"width", "0.2 0.16 0.3", "m | stretch y: pelvis | Distance of the hips."},
+             {"knee_yaw", "0 -0.5 0.5", "rad | axis z: left_knee ~right_knee | Yaw of knees."},
+             {"sole", "0.03 0.02 0.05",
+              "m | stretch x: left_foot right_foot | From ankle to sole."},
+         }) +
+         R"(
   </custom>
 </mujoco>
 )";

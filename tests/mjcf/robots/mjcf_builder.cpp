@@ -34,6 +34,16 @@ std::string cad_inertial(double mass, const std::string& pos, const std::string&
                      diaginertia);
 }
 
+std::string declarations(std::initializer_list<DeclarationText> parameters, int indent) {
+  std::string out;
+  for (const auto& [name, data, text] : parameters)
+    out += fmt::format(
+        "\n{0:{1}}<numeric name=\"legwright/{2}\" data=\"{3}\"/>"
+        "\n{0:{1}}<text name=\"legwright/{2}\" data=\"{4}\"/>",
+        "", indent, name, data, text);
+  return out;
+}
+
 std::string for_each_joint(const char* format, std::initializer_list<const char*> legs,
                            std::initializer_list<const char*> joints) {
   std::string out;

@@ -26,6 +26,13 @@ std::string inertial(const std::string& pos, double mass, const std::string& dia
 /// The same with the mass first, as in robots that come out of CAD.
 std::string cad_inertial(double mass, const std::string& pos, const std::string& diaginertia);
 
+/// What a design parameter is told by: the pair <numeric>, <text> of a <custom> section.
+struct DeclarationText {
+  const char *name, *data, *text;
+};
+/// Those pairs, each element with a line break and `indent` blanks before it.
+std::string declarations(std::initializer_list<DeclarationText> parameters, int indent = 4);
+
 /// `format` once for each leg and each of its joints, {0} the leg and {1} the joint.
 std::string for_each_joint(const char* format, std::initializer_list<const char*> legs,
                            std::initializer_list<const char*> joints);

@@ -6,6 +6,8 @@
 #include <fstream>
 #include <iterator>
 
+#include "tests/mjcf/robots/mjcf_builder.hpp"
+
 namespace legwright::test {
 
 std::filesystem::path source_path(const std::string& relative) {
@@ -83,19 +85,17 @@ std::string crooked_robot() {
     <position joint="knee" kp="20" gear="-3"/>
     <general joint="swing2" forcerange="-6 6"/>
   </actuator>
-  <custom>
-    <numeric name="legwright/upper_length" data="0.2061552812808830 0.1 0.3"/>
-    <text name="legwright/upper_length" data="m | stretch link: upper | Length of the upper link."/>
-    <numeric name="legwright/lower_length" data="0.2 0.1 0.3"/>
-    <text name="legwright/lower_length" data="m | stretch z: lower | Height of the lower link."/>
-    <numeric name="legwright/body_length" data="0.2 0.1 0.3"/>
-    <text name="legwright/body_length" data="m | stretch x: trunk | Length of the body."/>
-    <numeric name="legwright/body_width" data="0.12 0.1 0.3"/>
-    <text name="legwright/body_width" data="m | stretch y: trunk | Width of the body."/>
-    <numeric name="legwright/lift_yaw" data="0.3 -1 1"/>
-    <text name="legwright/lift_yaw" data="rad | axis z: lift ~swing2 | Yaw of two axes."/>
-    <numeric name="legwright/lift_roll" data="-0.2 -1 1"/>
-    <text name="legwright/lift_roll" data="rad | axis x: lift knee | Roll of two axes."/>
+  <custom>)" +
+         declarations({
+             {"upper_length", "0.2061552812808830 0.1 0.3",
+              "m | stretch link: upper | Length of the upper link."},
+             {"lower_length", "0.2 0.1 0.3", "m | stretch z: lower | Height of the lower link."},
+             {"body_length", "0.2 0.1 0.3", "m | stretch x: trunk | Length of the body."},
+             {"body_width", "0.12 0.1 0.3", "m | stretch y: trunk | Width of the body."},
+             {"lift_yaw", "0.3 -1 1", "rad | axis z: lift ~swing2 | Yaw of two axes."},
+             {"lift_roll", "-0.2 -1 1", "rad | axis x: lift knee | Roll of two axes."},
+         }) +
+         R"(
     <numeric name="other/number" data="1 2"/>
   </custom>
 </mujoco>
