@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The program: picks the verb, runs it, turns what went wrong into a message and an exit code.
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
@@ -7,10 +9,12 @@
 #include <new>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include "mjcf/text/input_error.hpp"
 #include "tools/files/clean_text.hpp"
 #include "tools/files/io_error.hpp"
+#include "tools/files/nearest_word.hpp"
 #include "tools/run/install.hpp"
 #include "tools/verbs/verbs.hpp"
 
@@ -32,12 +36,15 @@ int complain(const char* message, int code) {
 /// The first word, where it is neither an option nor a verb, as a complaint; else nothing.
 std::string unknown_verb(const CLI::App& program, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return "";
-  std::string names;
+  std::vector<std::string> names;
   for (const CLI::App* verb : program.get_subcommands([](const CLI::App*) { return true; })) {
     if (verb->get_name() == argv[1]) return "";
-    names += (names.empty() ? "" : ", ") + verb->get_name();
+    names.push_back(verb->get_name());
   }
-  return "unknown verb '" + std::string(argv[1]) + "'; the verbs are " + names;
+  const std::string guess = legwright::nearest(argv[1], names);
+  return fmt::format("unknown verb '{}'; {}the verbs are {}", argv[1],
+                     guess.empty() ? "" : fmt::format("did you mean {}? ", guess),
+                     fmt::join(names, ", "));
 }
 
 int run(const Action& action) {

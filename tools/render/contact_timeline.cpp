@@ -9,7 +9,8 @@
 namespace legwright {
 namespace {
 
-constexpr int kTitle = 40, kFoot = 38, kAxis = 34, kBar = 12, kLeft = 96, kRight = 24;
+constexpr int kTitle = 40, kFoot = 38, kAxis = 34, kBar = 12, kRight = 24;
+constexpr int kLeastLeft = 96, kBesideName = 14, kEdge = 7;
 constexpr Rgb kBand{244, 246, 248}, kRule{208, 213, 219}, kPlanned{150, 178, 214},
     kStands{31, 35, 40}, kTouches{221, 110, 20};
 
@@ -17,12 +18,13 @@ using Intervals = std::vector<std::pair<double, double>>;
 
 /// Where times lie in the picture.
 struct TimeAxis {
-  double end = 1.0;  // [s]
+  double end = 1.0;       // [s]
+  int left = kLeastLeft;  // of the picture's edge; names of feet stand there
   int x(double time) const {
-    return kLeft + static_cast<int>(std::lround(time / end * (kStripWidth - kLeft - kRight)));
+    return left + static_cast<int>(std::lround(time / end * (kStripWidth - left - kRight)));
   }
   double time(int x) const {
-    return static_cast<double>(x - kLeft) / (kStripWidth - kLeft - kRight) * end;
+    return static_cast<double>(x - left) / (kStripWidth - left - kRight) * end;
   }
 };
 
@@ -81,23 +83,23 @@ void draw_block(Image& image, const TimeAxis& axis, const GaitClip& clip, int to
                 Renderer& letters) {
   const Mask title = letters.text(clip.title, true);
   if (clip.passed) draw_dot(image, 13.0, top + 0.5 * kTitle, 6.0, *clip.passed ? kGood : kBad);
-  const int left = clip.passed ? 29 : 7;
-  stamp(image, title, left, top + (kTitle - title.height) / 2, kInk);
+  const int after_dot = clip.passed ? 29 : 7;
+  stamp(image, title, after_dot, top + (kTitle - title.height) / 2, kInk);
   std::string note = "contacts of the feet, simulated by MuJoCo";
   if (clip.fell) note += fmt::format(": falls after {:.2f} s", *clip.fell);
   const Mask paler = letters.text(note);
-  stamp(image, paler, left + title.width + 16, top + (kTitle - paler.height) / 2 + 1, kPale);
+  stamp(image, paler, after_dot + title.width + 16, top + (kTitle - paler.height) / 2 + 1, kPale);
   const int first = top + kTitle, bottom = first + kFoot * static_cast<int>(clip.feet.size());
   const double until = clip.playback->time.back();
   for (std::size_t f = 0; f < clip.feet.size(); ++f) {
     const int y = first + kFoot * static_cast<int>(f);
-    if (f % 2 == 0) fill(image, kLeft, y, axis.x(axis.end) - kLeft, kFoot, kBand);
+    if (f % 2 == 0) fill(image, axis.left, y, axis.x(axis.end) - axis.left, kFoot, kBand);
   }
   draw_axis(image, axis, first, bottom, letters);
   for (std::size_t f = 0; f < clip.feet.size(); ++f) {
     const int y = first + kFoot * static_cast<int>(f);
     const Mask name = letters.text(clip.feet[f].name);
-    stamp(image, name, kLeft - 14 - name.width, y + (kFoot - name.height) / 2, kInk);
+    stamp(image, name, axis.left - kBesideName - name.width, y + (kFoot - name.height) / 2, kInk);
     draw_foot(image, axis, clip.feet[f], clip.plan.period, until, y);
   }
   if (until < axis.end - 1e-6) fill(image, axis.x(until), first, 3, bottom - first, kBad);
@@ -126,14 +128,17 @@ Image contact_timeline(const std::vector<GaitClip>& clips, Renderer& letters) {
   for (const GaitClip& clip : clips) {
     axis.end = std::max(axis.end, clip.playback->time.back());
     height += kTitle + kFoot * static_cast<int>(clip.feet.size()) + kAxis;
+    for (const FootBars& foot : clip.feet)
+      axis.left = std::max(axis.left, letters.text(foot.name).width + kBesideName + kEdge);
   }
+  axis.left = std::min(axis.left, kStripWidth / 3);  // the bars have the most of it
   Image image(kStripWidth, height, kPaper);
   int top = 0;
   for (const GaitClip& clip : clips) {
     draw_block(image, axis, clip, top, letters);
     top += kTitle + kFoot * static_cast<int>(clip.feet.size()) + kAxis;
   }
-  draw_legend(image, kLeft, top, letters);
+  draw_legend(image, axis.left, top, letters);
   return image;
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "mjcf/text/input_error.hpp"
+#include "tools/files/nearest_word.hpp"
 
 namespace legwright {
 namespace {

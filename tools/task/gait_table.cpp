@@ -7,6 +7,8 @@
 #include <cmath>
 #include <map>
 
+#include "tools/files/nearest_word.hpp"
+
 namespace legwright {
 namespace {
 

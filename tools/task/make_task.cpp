@@ -10,6 +10,7 @@
 #include "optimizer/motion/margins.hpp"
 #include "optimizer/motion/pendulum.hpp"
 #include "optimizer/terms/registry.hpp"
+#include "tools/files/nearest_word.hpp"
 #include "tools/task/gait_table.hpp"
 #include "tools/task/servo_sag.hpp"
 #include "tools/task/style_table.hpp"

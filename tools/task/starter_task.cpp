@@ -10,6 +10,7 @@
 #include "mjcf/text/input_error.hpp"
 #include "optimizer/motion/gait.hpp"
 #include "optimizer/motion/initial_guess.hpp"
+#include "tools/files/nearest_word.hpp"
 #include "tools/task/toml_reader.hpp"
 
 namespace legwright {

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "tools/files/nearest_word.hpp"
+
 namespace legwright {
 namespace {
 

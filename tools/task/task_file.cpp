@@ -163,6 +163,17 @@ std::size_t offset_of(const std::string& text, const toml::source_position& posi
   return std::min(at, text.size());
 }
 
+/// A robot in the place of a task is told by what to do with it, not by where its TOML is wrong.
+void refuse_robot(const std::string& text, const std::filesystem::path& file) {
+  const std::size_t first = text.find_first_not_of("\xEF\xBB\xBF \t\r\n");
+  if (first == std::string::npos || text[first] != '<') return;
+  throw InputError(
+      file.string(), 0, "",
+      fmt::format("found XML, as a robot has it; expected a task file (TOML), which names its "
+                  "robot. `legwright init {} --task task.toml` writes a first one",
+                  file.string()));
+}
+
 std::string message_of(const toml::parse_error& error) {
   std::string text(error.description());
   if (text.find("','") != std::string::npos)
@@ -252,6 +263,7 @@ void read_tasks(const std::vector<const toml::table*>& tables, const TaskFile& s
 
 TaskSet parse_task_set(const std::string& text, const std::filesystem::path& file,
                        const std::filesystem::path& other_robot) {
+  refuse_robot(text, file);
   toml::table root;
   try {
     root = toml::parse(text, file.string());

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "mjcf/text/input_error.hpp"
+#include "tools/files/nearest_word.hpp"
 
 namespace legwright {
 namespace {
@@ -46,43 +46,23 @@ bool inside(double value, const Range& range) {
          (range.high_open ? value < range.high : value <= range.high);
 }
 
-int edit_distance(std::string_view a, std::string_view b) {
-  std::vector<int> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), 0);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    int diagonal = row[0]++;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const int above = row[j + 1];
-      row[j + 1] = std::min({above + 1, row[j] + 1, diagonal + (a[i] != b[j])});
-      diagonal = above;
-    }
-  }
-  return row[b.size()];
-}
-
 int line(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
 
 }  // namespace
-
-std::string nearest(std::string_view word, const std::vector<std::string>& candidates) {
-  std::string best;
-  int least = 0;
-  for (const std::string& candidate : candidates) {
-    const int distance = edit_distance(word, candidate);
-    if (best.empty() || distance < least) best = candidate, least = distance;
-  }
-  const auto longest = static_cast<int>(std::max(word.size(), best.size()));
-  return 2 * least <= longest ? best : "";
-}
 
 void Problems::add(int line_number, const std::string& key, const std::string& message) {
   by_line_.emplace(line_number, InputError(file_, line_number, key, message).what());
 }
 
+void Problems::add_missing(int line_number, const std::string& key, const std::string& message) {
+  missing_.emplace(line_number, InputError(file_, line_number, key, message).what());
+}
+
 void Problems::throw_if_any() const {
-  if (by_line_.empty()) return;
+  if (by_line_.empty() && missing_.empty()) return;
   std::string text;
-  for (const auto& [number, message] : by_line_) text += (text.empty() ? "" : "\n") + message;
+  for (const auto* list : {&by_line_, &missing_})
+    for (const auto& [number, message] : *list) text += (text.empty() ? "" : "\n") + message;
   throw InputError(text);
 }
 
@@ -268,8 +248,8 @@ std::vector<const toml::table*> TableReader::tables(std::string_view key) {
 void TableReader::require(bool present, std::string_view key, const std::string& example) {
   // A key that is there but wrong has been reported already.
   if (!present && !has(key))
-    problems_.add(line_of(key), full(key),
-                  fmt::format("is missing; add for instance: {}", example));
+    problems_.add_missing(line_of(key), full(key),
+                          fmt::format("is missing; add for instance: {}", example));
 }
 
 void TableReader::finish() {

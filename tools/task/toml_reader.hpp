@@ -17,12 +17,15 @@ class Problems {
   explicit Problems(std::string file) : file_(std::move(file)) {}
   /// @param message what is wrong; how to fix it
   void add(int line, const std::string& key, const std::string& message);
-  /// Throws InputError with one line per problem, in the order of the file, if there is any.
+  /// The same of a key that is not there.
+  void add_missing(int line, const std::string& key, const std::string& message);
+  /// Throws InputError with one line per problem, in the order of the file, if there is any. Keys
+  /// that are missing come last: one that was misspelt is told before the one that it was to be.
   void throw_if_any() const;
 
  private:
   std::string file_;
-  std::multimap<int, std::string> by_line_;
+  std::multimap<int, std::string> by_line_, missing_;
 };
 
 /// The numbers that a key accepts, and how to say so.
@@ -84,9 +87,5 @@ class TableReader {
   std::map<std::string, int>& lines_;
   std::vector<std::string> known_;
 };
-
-/// The candidate with the smallest edit distance to `word`, if it is near enough to be meant; else
-/// "".
-std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
 
 }  // namespace legwright

@@ -25,7 +25,7 @@ constexpr double kUpright = 8.0, kLeast = 2.15;
 constexpr double kDamping = 4.0 / 3.0, kLeastDamping = 0.9;
 constexpr std::size_t kAnkleHinges = 2;  // next to the foot: one pitches, one rolls
 
-std::string three_digits(double value) {
+std::string torque_words(double value) {
   return value < 100.0 ? fmt::format("{:.3g}", value) : fmt::format("{:.0f}", value);
 }
 
@@ -56,8 +56,8 @@ std::string TwoFeet::why_it_falls() const {
         "too, "
         "takes motors of {} N m there, and joint '{}' has {}; a stronger one, or a lower or "
         "lighter body, would do",
-        three_digits(toppling), three_digits(kLeast * toppling * kFullTorqueError), ankle,
-        three_digits(limit));
+        torque_words(toppling), torque_words(kLeast * toppling * kFullTorqueError), ankle,
+        torque_words(limit));
   return "";
 }
 

@@ -6,6 +6,7 @@
 #include "mjcf/text/input_error.hpp"
 #include "optimizer/motion/gait.hpp"
 #include "tools/files/json_file.hpp"
+#include "tools/files/nearest_word.hpp"
 #include "tools/task/toml_reader.hpp"
 #include "tools/verbs/verbs.hpp"
 

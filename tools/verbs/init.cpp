@@ -106,10 +106,21 @@ bool lacks_task(const InitOptions& options, const ProposedParameters& found) {
   return options.gait.empty() && !no_task_text(found.model).empty();
 }
 
+/// A task in the place of its robot is told by what to do with it.
+void refuse_task(const fs::path& file) {
+  if (file.extension() != ".toml") return;
+  throw InputError(file.string(), 0, "",
+                   fmt::format("found a task file (TOML), expected the robot (MJCF) that it names; "
+                               "`legwright check {0}` explains the task, `legwright optimize {0}` "
+                               "runs it",
+                               shell_word(file.string())));
+}
+
 std::string next_step(const InitOptions& options, const ProposedParameters& found,
                       const std::string& written, const std::string& task) {
   if (!task.empty())
-    return fmt::format("next: legwright optimize {} -o runs/mine\n", shell_word(task));
+    return fmt::format("next: legwright optimize {} -o {}\n", shell_word(task),
+                       shell_word("runs/" + fs::path(task).stem().string()));
   const bool adds = written.empty() && !found.proposals.empty();
   if (lacks_task(options, found)) {
     const std::string gait = no_gait_text(found.model.morphology.foot_count());
@@ -145,6 +156,7 @@ int init(const InitOptions& options) {
   const fs::path file = options.robot;
   if (!options.gait.empty() && options.task.empty())
     throw InputError("--gait is for the task file that --task FILE writes; give both");
+  refuse_task(file);
   const RobotFiles files = RobotFiles::read(file);
   const ProposedParameters found =
       files.at_their_lines([&] { return propose_parameters(files.text(), file); });

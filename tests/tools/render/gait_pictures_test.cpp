@@ -151,6 +151,28 @@ TEST(ContactTimeline, TellsTouchInSwingFromStance) {
   EXPECT_EQ(count_of(timeline, red), 0);
 }
 
+TEST(ContactTimeline, LongNamesOfFeetStandThereWhole) {
+  LEGWRIGHT_NEEDS_GL();
+  const GlContext context;
+  std::vector<GaitClip> clips;
+  clips.push_back(toy_clip());
+  Renderer letters(context, *clips[0].model, 64, 48, RenderStyle::cheap);
+  const auto ink_at_the_edge = [&](const std::string& name) {
+    for (FootBars& foot : clips[0].feet) foot.name = name;
+    const Image timeline = contact_timeline(clips, letters);
+    EXPECT_EQ(timeline.width, kStripWidth);
+    int count = 0;
+    for (int y = 0; y < timeline.height; ++y)
+      for (int x = 0; x < 5; ++x) {
+        const auto at = static_cast<std::size_t>(3 * (y * timeline.width + x));
+        count += timeline.rgb[at] < 250 ? 1 : 0;
+      }
+    return count;
+  };
+  EXPECT_EQ(ink_at_the_edge("L"), 0);
+  EXPECT_EQ(ink_at_the_edge("hoof_front_left"), 0);
+}
+
 TEST(Stills, ShowThePhaseAskedFor) {
   LEGWRIGHT_NEEDS_GL();
   const GlContext context;

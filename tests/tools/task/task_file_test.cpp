@@ -100,6 +100,26 @@ TEST(TaskFile, SaysEverythingThatIsWrongAtOnceInTheOrderOfTheFile) {
       << message;
 }
 
+TEST(TaskFile, TellsAMisspeltKeyBeforeTheOneThatIsMissing) {
+  const std::string message = error_message(
+      "robot = \"robot.xml\"\n[gait]\nname = \"walk\"\nperoid = 1.0\n[travel]\nvelocity = [0, "
+      "1]\n");
+  const std::size_t misspelt = message.find(":4: gait.peroid: "),
+                    missing = message.find("gait.period: is missing");
+  ASSERT_NE(misspelt, std::string::npos) << message;
+  ASSERT_NE(missing, std::string::npos) << message;
+  EXPECT_LT(misspelt, missing);
+  EXPECT_NE(message.find("'gait.period'"), std::string::npos) << message;
+}
+
+TEST(TaskFile, ARobotInItsPlaceIsToldAsSuch) {
+  for (const char* before : {"", "\xEF\xBB\xBF", "\n  "}) {
+    const std::string message = error_message(before + std::string("<mujoco model=\"a\"/>\n"));
+    EXPECT_NE(message.find("legwright init "), std::string::npos) << message;
+  }
+  EXPECT_EQ(error_message("a < 3").find("legwright init "), std::string::npos);
+}
+
 TEST(TaskFile, TakesWholeNumbersWhereNumbersAreAsked) {
   const std::string text =
       "robot = \"robot.xml\"\n[gait]\nname = \"walk\"\nperiod = 1\n[travel]\nvelocity = [0, 1]\n";

@@ -34,14 +34,35 @@ TEST(Program, HelpAndVersionAreFineAndNonsenseIsBadInput) {
   const Outcome typo = call({"optimise"});
   EXPECT_EQ(typo.code, 2);
   EXPECT_TRUE(
-      contains(typo.err, "unknown verb 'optimise'; the verbs are init, check, optimize, validate"))
+      contains(typo.err, "unknown verb 'optimise'; did you mean optimize? the verbs are init, "))
       << typo.err;
+  for (const auto& [typed, meant] :
+       {std::pair{"valdiate", "validate"}, {"reprot", "report"}, {"gait", "gaits"}})
+    EXPECT_TRUE(contains(call({typed}).err, "did you mean " + std::string(meant) + "?")) << typed;
+  EXPECT_FALSE(contains(call({"xyzzy"}).err, "did you mean"));
   EXPECT_EQ(call({"optimize", kWalk, "--max-iterations", "many"}).code, 2);
   for (const char* verb : {"init", "check", "optimize", "validate", "render", "report", "play",
                            "export", "diff", "doctor"}) {
     const Outcome help = call({verb, "--help"});
     EXPECT_EQ(help.code, 0) << verb;
     EXPECT_TRUE(contains(help.out, "--json")) << verb;
+  }
+}
+
+TEST(Program, AFileOfAnotherKindIsToldWithTheVerbThatTakesIt) {
+  const std::string robot = (kExamples / "puppy" / "robot.xml").string();
+  for (const char* verb : {"check", "optimize"}) {
+    const Outcome found = call({verb, robot});
+    EXPECT_EQ(found.code, 2);
+    EXPECT_TRUE(contains(found.err, "legwright init " + robot)) << found.err;
+  }
+  const Outcome task = call({"init", kWalk});
+  EXPECT_EQ(task.code, 2);
+  EXPECT_TRUE(contains(task.err, "legwright check " + kWalk)) << task.err;
+  for (const char* verb : {"validate", "render", "report"}) {
+    const Outcome run = call({verb, kWalk});
+    EXPECT_NE(run.code, 0);
+    EXPECT_TRUE(contains(run.err, "`legwright optimize` makes a run of a task")) << run.err;
   }
 }
 
@@ -255,6 +276,7 @@ TEST(Init, WritesProposalsAndNothingElse) {
       << wrote.out;
   EXPECT_TRUE(contains(wrote.out, "t.toml: trot at 0.")) << wrote.out;
   EXPECT_TRUE(contains(wrote.out, "next: legwright optimize ")) << wrote.out;
+  EXPECT_TRUE(contains(wrote.out, " -o runs/t\n")) << wrote.out;
   EXPECT_LT(std::count(wrote.out.begin(), wrote.out.end(), '\n'), 8) << wrote.out;
   const Outcome again = call({"init", robot.string(), "--write"});
   EXPECT_EQ(again.code, 0);
