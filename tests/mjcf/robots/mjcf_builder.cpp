@@ -52,6 +52,32 @@ std::string for_each_joint(const char* format, std::initializer_list<const char*
   return out;
 }
 
+std::string roll_pitch_knee_leg(const std::string& side, double hip_y, double thigh_y,
+                                const std::vector<std::string>& hip,
+                                const std::vector<std::string>& thigh) {
+  const double sign = side == "L" ? 1.0 : -1.0;
+  const auto body = [&](const char* part, double y, double z) {
+    return fmt::format(R"(name="{}_{}" pos="0 {} {}")", side, part, sign * y, z);
+  };
+  const auto with_hinge = [&](const char* joint, const char* axis,
+                              const std::vector<std::string>& more) {
+    std::vector<std::string> content{hinge(fmt::format("{}_{}", side, joint), axis)};
+    for (const std::string& element : more)
+      content.push_back(fmt::format(fmt::runtime(element), side));
+    return content;
+  };
+  return chain(
+      {{body("hip", hip_y, 0.0), with_hinge("roll", "1 0 0", hip)},
+       {body("thigh", thigh_y, 0.0), with_hinge("pitch", "0 1 0", thigh)},
+       {body("shank", 0.0, -0.2),
+        with_hinge("knee", "0 1 0", {R"(<geom name="{}_foot" size="0.02" pos="0 0 -0.2"/>)"})}});
+}
+
+std::string roll_pitch_knee_motors() {
+  return for_each_joint("\n<motor joint=\"{0}_{1}\" ctrlrange=\"-9 9\"/>", {"L", "R"},
+                        {"roll", "pitch", "knee"});
+}
+
 std::string box_vertices(double half_x, double half_y, double z_low, double z_high) {
   std::string text;
   for (const double x : {-half_x, half_x})

@@ -37,6 +37,15 @@ std::string declarations(std::initializer_list<DeclarationText> parameters, int 
 std::string for_each_joint(const char* format, std::initializer_list<const char*> legs,
                            std::initializer_list<const char*> joints);
 
+/// A leg of the hinges SIDE_roll, SIDE_pitch and SIDE_knee, 20 cm from pitch to knee and from there
+/// to its ball SIDE_foot. Offsets are to the left; those of side "R" are mirrored.
+/// @param hip, thigh what these bodies hold besides, {} for the side
+std::string roll_pitch_knee_leg(const std::string& side, double hip_y, double thigh_y,
+                                const std::vector<std::string>& hip,
+                                const std::vector<std::string>& thigh);
+/// Motors of 9 N m for two of them.
+std::string roll_pitch_knee_motors();
+
 /// The corners of a box [m] as the vertices of a mesh, z running fastest.
 std::string box_vertices(double half_x, double half_y, double z_low, double z_high);
 

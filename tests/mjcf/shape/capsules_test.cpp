@@ -13,6 +13,7 @@
 #include "mjcf/text/compile.hpp"
 #include "mjcf/write/rewrite_robot.hpp"
 #include "optimizer/design/kinematics.hpp"
+#include "tests/mjcf/robots/mjcf_builder.hpp"
 #include "tests/mjcf/robots/robots.hpp"
 
 namespace legwright {
@@ -25,17 +26,11 @@ using Eigen::VectorXd;
 /// ring on the thigh.
 std::string boxer() {
   std::string legs;
-  for (const std::string side : {"L", "R"}) {
-    const std::string y = side == "L" ? "" : "-", head = "name=\"" + side;
-    legs += "<body " + head + "_hip\" pos=\"0 " + y + "0.06 0\"><joint " + head +
-            "_roll\" axis=\"1 0 0\"/><geom " + head + "_motor\" type=\"sphere\" size=\"0.03\"/>" +
-            "<body " + head + "_thigh\" pos=\"0 " + y + "0.08 0\"><joint " + head +
-            "_pitch\" axis=\"0 1 0\"/><geom " + head +
-            "_rod\" type=\"capsule\" fromto=\"0 0 -0.03 0 0 -0.17\" size=\"0.02\"/><geom " + head +
-            "_ring\" type=\"ellipsoid\" pos=\"0.01 0 -0.1\" size=\"0.01 0.02 0.03\"/><body " +
-            head + "_shank\" pos=\"0 0 -0.2\"><joint " + head + "_knee\" axis=\"0 1 0\"/><geom " +
-            head + "_foot\" size=\"0.02\" pos=\"0 0 -0.2\"/></body></body></body>";
-  }
+  for (const char* const side : {"L", "R"})
+    legs += test::roll_pitch_knee_leg(
+        side, 0.06, 0.08, {R"(<geom name="{}_motor" type="sphere" size="0.03"/>)"},
+        {R"(<geom name="{}_rod" type="capsule" fromto="0 0 -0.03 0 0 -0.17" size="0.02"/>)",
+         R"(<geom name="{}_ring" type="ellipsoid" pos="0.01 0 -0.1" size="0.01 0.02 0.03"/>)"});
   return R"(<mujoco model="boxer"><compiler angle="radian"/>
 <asset><mesh name="wedge" vertex="-0.05 -0.02 0  0.07 -0.02 0  -0.05 0.02 0  0.07 0.02 0  -0.01 0 0.06"/></asset>
 <worldbody><body name="trunk" pos="0 0 0.4"><freejoint/>
@@ -47,14 +42,12 @@ std::string boxer() {
 <geom name="tail" type="capsule" fromto="0 0 0 -0.2 0 0.05" size="0.01"/></body>)" +
          legs + R"(</body></worldbody>
 <contact><exclude body1="R_thigh" body2="trunk"/><exclude body1="tail" body2="trunk"/></contact>
-<actuator><motor joint="L_roll" ctrlrange="-9 9"/><motor joint="L_pitch" ctrlrange="-9 9"/>
-<motor joint="L_knee" ctrlrange="-9 9"/><motor joint="R_roll" ctrlrange="-9 9"/>
-<motor joint="R_pitch" ctrlrange="-9 9"/><motor joint="R_knee" ctrlrange="-9 9"/></actuator>
-<custom>
-<numeric name="legwright/trunk" data="0.12 0.1 0.2"/>
-<text name="legwright/trunk" data="m | stretch y: trunk | w"/>
-<numeric name="legwright/thigh" data="0.2 0.15 0.3"/>
-<text name="legwright/thigh" data="m | stretch link: L_thigh R_thigh | l"/>
+<actuator>)" +
+         test::roll_pitch_knee_motors() + R"(</actuator>
+<custom>)" +
+         test::declarations({{"trunk", "0.12 0.1 0.2", "m | stretch y: trunk | w"},
+                             {"thigh", "0.2 0.15 0.3", "m | stretch link: L_thigh R_thigh | l"}}) +
+         R"(
 </custom></mujoco>)";
 }
 

@@ -14,6 +14,7 @@
 #include "mjcf/text/compile.hpp"
 #include "optimizer/design/kinematics.hpp"
 #include "optimizer/design/segment_distance.hpp"
+#include "tests/mjcf/robots/mjcf_builder.hpp"
 
 namespace legwright {
 namespace {
@@ -113,28 +114,19 @@ TEST(HullCover, NoMoreThanABoxWithSmallCornersCutOffOverlapsItsNeighbour) {
 /// Two legs beside a trunk; all are meshes, `gap` apart.
 std::string beside(double gap) {
   std::string legs;
-  for (const std::string side : {"L", "R"}) {
-    const std::string y = side == "L" ? "" : "-", head = "name=\"" + side;
-    legs += "<body " + head + "_hip\" pos=\"0 " + y + "0.05 0\"><joint " + head +
-            "_roll\" axis=\"1 0 0\"/><inertial pos=\"0 0 0\" mass=\"0.3\" diaginertia=\"1e-4 1e-4 "
-            "1e-4\"/>" +
-            "<body " + head + "_thigh\" pos=\"0 " + y + "0.1 0\"><joint " + head +
-            "_pitch\" axis=\"0 1 0\"/><geom " + head +
-            "_plate\" type=\"mesh\" mesh=\"plate\" pos=\"0 " +
-            (side == "L" ? fmt::format("{}", gap - 0.03) : fmt::format("{}", 0.03 - gap)) +
-            " -0.1\"/><body " + head + "_shank\" pos=\"0 0 -0.2\"><joint " + head +
-            "_knee\" axis=\"0 1 0\"/><geom " + head +
-            "_foot\" size=\"0.02\" pos=\"0 0 -0.2\"/></body></body></body>";
-  }
+  for (const char* const side : {"L", "R"})
+    legs += test::roll_pitch_knee_leg(
+        side, 0.05, 0.1, {test::inertial("0 0 0", 0.3, "1e-4 1e-4 1e-4")},
+        {fmt::format(R"(<geom name="{{}}_plate" type="mesh" mesh="plate" pos="0 {} -0.1"/>)",
+                     *side == 'L' ? gap - 0.03 : 0.03 - gap)});
   return R"(<mujoco model="beside"><compiler angle="radian"/>
 <asset><mesh name="hull" vertex=")" +
          prism(0.2, 0.1 * std::sqrt(2.0), 0.05, 4, 0.7) + R"("/><mesh name="plate" vertex=")" +
          prism(0.02, 0.02 * std::sqrt(2.0), 0.1, 4, 1.0) + R"("/></asset>
 <worldbody><body name="trunk" pos="0 0 0.4"><freejoint/><geom name="hull" type="mesh" mesh="hull"/>)" +
          legs + R"(</body></worldbody>
-<actuator><motor joint="L_roll" ctrlrange="-9 9"/><motor joint="L_pitch" ctrlrange="-9 9"/>
-<motor joint="L_knee" ctrlrange="-9 9"/><motor joint="R_roll" ctrlrange="-9 9"/>
-<motor joint="R_pitch" ctrlrange="-9 9"/><motor joint="R_knee" ctrlrange="-9 9"/></actuator></mujoco>)";
+<actuator>)" +
+         test::roll_pitch_knee_motors() + R"(</actuator></mujoco>)";
 }
 
 TEST(TrunkCapsules, OfMeshesAreAsFarApartAtHomeAsMujocoFindsTheHulls) {
