@@ -15,11 +15,29 @@
 namespace legwright {
 namespace {
 
+bool in_percent(const LimitRow& row) {
+  return row.unit == "1" && (row.name.find("share") != std::string::npos ||
+                             row.name.find("ratio") != std::string::npos ||
+                             row.name.find("survival") != std::string::npos);
+}
+
 /// Shares and ratios in per cent, the rest in its unit.
 std::string value_words(const LimitRow& row, std::optional<double> value) {
-  for (const char* part : {"share", "ratio", "survival"})
-    if (row.unit == "1" && row.name.find(part) != std::string::npos) return percent(value);
-  return amount_words(value, row.unit);
+  return in_percent(row) ? percent(value) : amount_words(value, row.unit);
+}
+
+/// The same of a value beside a bound that would read the same: with the digits that tell them
+/// apart.
+std::string words_beside(const LimitRow& row, double value, double bound) {
+  constexpr int kMostDecimals = 9;
+  const ShownUnit unit =
+      in_percent(row) ? ShownUnit{100.0, "%"} : shown_unit(row.unit, std::abs(value));
+  for (int decimals = 2; decimals <= kMostDecimals; ++decimals) {
+    const std::string text = signed_text(value * unit.scale, decimals);
+    if (text == signed_text(bound * unit.scale, decimals)) continue;
+    return unit.name.empty() || unit.name == "°" ? text + unit.name : text + " " + unit.name;
+  }
+  return value_words(row, value);
 }
 
 }  // namespace
@@ -52,7 +70,13 @@ std::string verdict_details(const std::string& line) {
 }
 
 std::string measured_words(const LimitRow& row) {
-  return row.value ? value_words(row, row.value) : "not measured";
+  if (!row.value) return "not measured";
+  const std::string text = value_words(row, row.value);
+  for (const std::optional<double>& bound : {row.low, row.high}) {
+    const bool alike = bound && *bound != *row.value && value_words(row, bound) == text;
+    if (alike && (row.strict || !row.pass)) return words_beside(row, *row.value, *bound);
+  }
+  return text;
 }
 
 std::string bound_words(const LimitRow& row) {

@@ -52,7 +52,8 @@ PlotSeries by_iteration(const RunData& data, double IterationEvent::*value, cons
 /// Of which tasks of a joint run the gait was changed after the optimisation, in a sentence; empty
 /// where it was of none.
 std::string stepped_words(const JointData& data);
-/// Says of a run whose gait was changed that something is of the gait before. @param what "This chart is": what is of the gait before
+/// Says of a run whose gait was changed that something is of the gait before.
+/// @param what "This chart is": what is of the gait before
 void add_gap_note(Html& page, const RunRecord& run, const std::string& what);
 
 }  // namespace legwright

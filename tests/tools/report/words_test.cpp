@@ -28,6 +28,27 @@ TEST(WithDegrees, TurnsAnglesAndNothingElse) {
   EXPECT_EQ(verdict_details("PASS  walk: tilt 0.01 rad"), "tilt 0.6° (0.01 rad)");
 }
 
+TEST(MeasuredWords, DifferFromABoundThatIsMissed) {
+  LimitRow row;
+  row.name = "saturated_share";
+  row.unit = "1";
+  row.high = 0.001;
+  row.value = 0.00104;
+  row.pass = false;
+  EXPECT_EQ(measured_words(row), "0.104 %");
+  EXPECT_EQ(bound_words(row), "at most 0.1 %");
+  row.value = 0.0314;  // twin: told apart anyway
+  EXPECT_EQ(measured_words(row), "3.1 %");
+  row.value = row.high;  // a strict bound is missed by nothing
+  row.strict = true;
+  EXPECT_EQ(measured_words(row), bound_words(row).substr(std::string("less than ").size()));
+  row.name = "tilt_max";
+  row.unit = "rad";
+  row.high = 0.35;
+  row.value = 0.3501;
+  EXPECT_EQ(measured_words(row), "20.06°");
+}
+
 TEST(Numbers, HaveTheDigitsTheirPlaceNeeds) {
   EXPECT_EQ(three_digits(6.0), "6.00");
   EXPECT_EQ(three_digits(-87.15), "−87.2");
