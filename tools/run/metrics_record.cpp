@@ -55,6 +55,8 @@ namespace {
 void self_contact_fields(Fields& f, SelfContact& touch) {
   f("self_contact_share", touch.share, "of the time in which two bodies of the robot touch");
   f("self_contact_count", touch.count);
+  std::optional<double> depth = touch.depth_max;
+  f("self_contact_depth_max_m", depth, "to which two of its bodies went into each other");
   f("self_contact_force_max_N", touch.force_max);
   std::optional<double> time;
   if (touch.count > 0) time = touch.force_time;
@@ -63,6 +65,7 @@ void self_contact_fields(Fields& f, SelfContact& touch) {
   if (touch.force_max > 0.0) bodies = {touch.first, touch.second};
   f("self_contact_bodies", bodies, "between which that force was; empty without");
   if (f.reads()) {
+    touch.depth_max = depth.value_or(0.0);
     touch.force_time = time.value_or(0.0);
     bodies.resize(2);
     touch.first = bodies[0];
@@ -85,6 +88,8 @@ void fields(Fields& f, GainMetrics& m) {
   f.nullable("speed_ratio_max", m.speed_ratio_max);
   f.nullable("plan_speed_ratio", m.plan_speed_ratio, "over what the plan reached");
   f.nullable("lateral_drift_mps", m.lateral_drift, "across the wanted direction, to its left");
+  f("path_deviation", m.path_deviation,
+    "greatest distance from the wanted straight or arc over the length of the way");
   f.nullable("turn_rate_radps", m.turn_rate);
   f.nullable("turn_ratio", m.turn_ratio);
   f("heading_at_start_rad", m.heading_at_start);

@@ -47,6 +47,7 @@ struct SelfContact {
   double force_max = 0.0;     // largest normal force between two bodies [N]
   double force_time = 0.0;    // when that was [s], since the start
   std::string first, second;  // between which bodies; empty if there was none
+  double depth_max = 0.0;     // to which two of its bodies went into each other [m]
 };
 
 /// What happened in one roll-out. Absent numbers could not be measured: the robot fell too early,
@@ -66,11 +67,14 @@ struct RolloutMetrics {
   std::optional<double> speed_ratio_min, speed_ratio_max;  // of single cycles
   std::optional<double> plan_speed_ratio;                  // over what the plan reached
   std::optional<double> lateral_drift;  // across the wanted direction [m/s], positive to its left
-  std::optional<double> turn_rate;      // [rad/s]
-  std::optional<double> turn_ratio;     // over the task's turn rate
-  double heading_at_start = 0.0;        // of the trunk in the plan at phase 0; 0 is wanted [rad]
-  double heading_drift = 0.0;           // turned by at the end, less what the task wants [rad]
-  double tilt_max = 0.0;                // [rad]
+  /// Greatest distance from the straight or the arc on which it should go, of its COM at the ends
+  /// of the cycles, over the length of that way.
+  std::optional<double> path_deviation;
+  std::optional<double> turn_rate;   // [rad/s]
+  std::optional<double> turn_ratio;  // over the task's turn rate
+  double heading_at_start = 0.0;     // of the trunk in the plan at phase 0; 0 is wanted [rad]
+  double heading_drift = 0.0;        // turned by at the end, less what the task wants [rad]
+  double tilt_max = 0.0;             // [rad]
 
   std::vector<JointMetrics> joints;
   double saturated_share = 0.0;  // of the time after the first cycle with any servo at its limit

@@ -167,6 +167,7 @@ class Fields {
   template <class T>
   void visit(std::map<std::string, T>& values) {
     std::vector<std::string> present;
+    present.reserve(values.size());
     for (const auto& [name, value] : values) present.push_back(name);
     for (const std::string& name : names(present)) {
       named(name);

@@ -42,6 +42,13 @@ std::optional<double> radius_ratio(const Measurements& run) {
   return *run.speed_ratio / *run.turn_ratio;
 }
 
+// Per cycle, so that a limit means the same for however many are played.
+std::optional<double> heading_drift_per_cycle(const Measurements& run) {
+  if (run.cycles < 1) return std::nullopt;
+  return std::abs(run.heading_drift) / run.cycles;
+}
+
+/// What nobody has to ask for. README.md beside this file says why the bounds are what they are.
 std::vector<LimitedQuantity> judged_by_default() {
   return {
       {.name = "saturated_share",
@@ -53,6 +60,21 @@ std::vector<LimitedQuantity> judged_by_default() {
        .below = true,
        .by_default = {{}, 1e-3},
        .value = [](const Measurements& run) { return run.saturated_share; }},
+      {.name = "self_contact",
+       .what = "share of the time in which the robot touches itself",
+       .unit = "1",
+       .verb = "touches itself",
+       .note = "of the time",
+       .told = Told::percent,
+       .by_default = {{}, 0.01},
+       .value = [](const Measurements& run) { return run.self_contact.share; }},
+      {.name = "self_contact_depth",
+       .what = "how deep two bodies of the robot go into each other",
+       .unit = "m",
+       .verb = "strikes itself, bodies going into each other by",
+       .note = "",
+       .by_default = {{}, 0.001},
+       .value = [](const Measurements& run) { return run.self_contact.depth_max; }},
       {.name = "speed_ratio",
        .what = "measured over planned speed, along its heading",
        .unit = "1",
@@ -91,6 +113,22 @@ std::vector<LimitedQuantity> judged_by_default() {
        .by_default = {0.95, 1.05},
        .asked = circles,
        .value = radius_ratio},
+      {.name = "heading_drift_per_cycle",
+       .what = "turned by at the end, less what is wanted, a cycle",
+       .unit = "rad",
+       .verb = "drifts in heading by",
+       .note = "a cycle",
+       .by_default = {{}, 0.01},
+       .value = heading_drift_per_cycle},
+      {.name = "path_deviation",
+       .what = "greatest distance from the wanted straight or arc over the way",
+       .unit = "1",
+       .verb = "goes astray by",
+       .note = "of the way",
+       .told = Told::percent,
+       .by_default = {{}, 0.1},
+       .asked = travels,
+       .value = [](const Measurements& run) { return run.path_deviation; }},
       {.name = "tilt",
        .what = "largest tilt of the trunk",
        .unit = "rad",
@@ -213,13 +251,6 @@ std::vector<LimitedQuantity> judged_if_asked() {
        .note = "",
        .asked = travels,
        .value = [](const Measurements& run) { return run.cost_of_transport; }},
-      {.name = "self_contact",
-       .what = "share of the time in which the robot touches itself",
-       .unit = "1",
-       .verb = "touches itself",
-       .note = "of the time",
-       .told = Told::percent,
-       .value = [](const Measurements& run) { return run.self_contact.share; }},
       {.name = "penetration",
        .what = "how deep a contact sinks into the ground",
        .unit = "m",

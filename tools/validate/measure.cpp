@@ -9,6 +9,7 @@
 #include "optimizer/motion/path.hpp"
 #include "plugin/spline.hpp"
 #include "tools/validate/foot_touch.hpp"
+#include "tools/validate/path_deviation.hpp"
 #include "tools/validate/saturation.hpp"
 
 namespace legwright {
@@ -55,6 +56,7 @@ class Measurer {
   void watch_joints(const RolloutSample& sample);
   void finish_speeds(const WantedMotion& wanted, const Eigen::Vector2d& plan_velocity,
                      const MeasureOptions& options, Measurements& out) const;
+  void finish_path(const WantedMotion& wanted, Measurements& out) const;
 
   const Scene& scene_;
   const mjModel& model_;
@@ -70,13 +72,15 @@ class Measurer {
 };
 
 void Measurer::watch_trunk(const RolloutSample& sample) {
-  const mjtNum* rotation = sample.data.xmat + 9 * scene_.joints.root_body;
+  const mjtNum* rotation =
+      sample.data.xmat + static_cast<std::ptrdiff_t>(9) * scene_.joints.root_body;
   const double yaw = std::atan2(rotation[3], rotation[0]);
   yaw_ = samples_ == 0 ? yaw : yaw_ + std::remainder(yaw - yaw_, 2 * std::numbers::pi);
   tilt_max_ = std::max(tilt_max_, std::acos(std::clamp(rotation[8], -1.0, 1.0)));
   const double due = static_cast<double>(marks_.size()) * scene_.trajectory.period;
   if (sample.time >= due - model_.opt.timestep / 2) {
-    const mjtNum* position = sample.data.subtree_com + 3 * scene_.joints.root_body;
+    const mjtNum* position =
+        sample.data.subtree_com + static_cast<std::ptrdiff_t>(3) * scene_.joints.root_body;
     marks_.push_back({{position[0], position[1]}, yaw_, work_});
   }
   ++samples_;
@@ -157,6 +161,18 @@ void Measurer::finish_speeds(const WantedMotion& wanted, const Eigen::Vector2d& 
     out.cost_of_transport = *out.power_mean / (weight_ * speed);
 }
 
+// The path that is wanted sets off where the robot does, in the heading of the plan: what turns it
+// in its first steps leads it astray as well.
+void Measurer::finish_path(const WantedMotion& wanted, Measurements& out) const {
+  if (!wanted.travels() || marks_.size() < 2) return;
+  std::vector<Eigen::Vector2d> way;
+  for (const Mark& mark : marks_) way.push_back(mark.position);
+  const double length = wanted.velocity.norm() * scene_.trajectory.period * out.cycles;
+  out.path_deviation =
+      distance_from_path(way, wanted.velocity, wanted.turn_rate, wanted.turn_rate * start_) /
+      length;
+}
+
 void Measurer::finish(const Rollout& played, const WantedMotion& wanted,
                       const Eigen::Vector2d& plan_velocity, const MeasureOptions& options,
                       Measurements& out) {
@@ -168,6 +184,7 @@ void Measurer::finish(const Rollout& played, const WantedMotion& wanted,
     out.heading_drift = yaw_ - marks_.front().yaw - wanted.turn_rate * played.seconds;
   }
   finish_speeds(wanted, plan_velocity, options, out);
+  finish_path(wanted, out);
   for (auto& foot : feet_) out.feet.push_back(foot.finish(played.seconds + start_));
   const double count = static_cast<double>(std::max(1LL, settled_));
   double torque = 0.0, error = 0.0;

@@ -14,6 +14,7 @@ void SelfContactWatch::observe(double time, const mjData& data) {
     const Pair bodies =
         std::minmax({model_.geom_bodyid[contact.geom[0]], model_.geom_bodyid[contact.geom[1]]});
     if (bodies.first == 0) continue;
+    out_.depth_max = std::max(out_.depth_max, -contact.dist);
     mjtNum force[6];
     mj_contactForce(&model_, &data, c, force);
     forces[bodies] += force[0];

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <stdexcept>
 
 namespace legwright {
@@ -72,22 +73,26 @@ std::optional<std::string> turned_away(const std::vector<Measurements>& at_gains
 
 constexpr double kToldContact = 0.01;  // share of the time
 
-/// What the planner does not see: geoms of a robot that meet. No fault by itself, but often why it
-/// fails.
-std::optional<std::string> touched_itself(const std::vector<Measurements>& at_gains) {
+/// What the planner does not see: geoms of a robot that meet. Often why it fails, and a fault by
+/// itself where it lasts. @param told by a row that fails: then only where it was is left to say
+std::optional<std::string> touched_itself(const std::vector<Measurements>& at_gains, bool told) {
   const auto worst = std::max_element(at_gains.begin(), at_gains.end(),
                                       [](const Measurements& a, const Measurements& b) {
                                         return a.self_contact.share < b.self_contact.share;
                                       });
   const SelfContact& touch = worst->self_contact;
-  if (touch.share < kToldContact || touch.first.empty()) return std::nullopt;
+  if ((touch.share < kToldContact && !told) || touch.first.empty()) return std::nullopt;
+  if (told)
+    return fmt::format("hardest touch: {} on {} at {} gains", touch.first, touch.second,
+                       gain_name(worst->gain_scale));
   return fmt::format("touches itself for {:.0f} % of the time at {} gains, hardest {} on {}",
                      100.0 * touch.share, gain_name(worst->gain_scale), touch.first, touch.second);
 }
 
 std::string range(const std::vector<Measurements>& at_gains,
                   const std::function<double(const Measurements&)>& quantity, const char* unit) {
-  double low = INFINITY, high = -INFINITY;
+  constexpr double kEndless = std::numeric_limits<double>::infinity();
+  double low = kEndless, high = -kEndless;
   for (const auto& run : at_gains) {
     low = std::min(low, quantity(run));
     high = std::max(high, quantity(run));
@@ -120,7 +125,7 @@ std::string praise(const std::vector<Measurements>& at_gains, const WantedMotion
   std::string out;
   for (const auto& fact : facts) out += fact + ", ";
   out += fmt::format("no fall ({} cycles; {} gains)", at_gains.front().cycles, listed(gains));
-  if (const auto touch = touched_itself(at_gains)) out += "; " + *touch;
+  if (const auto touch = touched_itself(at_gains, false)) out += "; " + *touch;
   return out;
 }
 
@@ -153,15 +158,17 @@ Verdict judge(const std::vector<Measurements>& at_gains, const WantedMotion& wan
   for (auto& row : judge_limits(at_gains, wanted, limits)) verdict.limits.push_back(std::move(row));
   verdict.limits.insert(verdict.limits.end(), further.begin(), further.end());
   verdict.pass = true;
+  bool touch_told = false;
   for (const auto& row : verdict.limits) {
     verdict.pass = verdict.pass && row.pass;
     if (row.reason.empty()) continue;
+    touch_told = touch_told || row.name.starts_with("self_contact");
     if (row.name == "speed_ratio")
       if (auto why = turned_away(at_gains)) verdict.reasons.push_back(*std::move(why));
     verdict.reasons.push_back(row.reason);
   }
   if (!verdict.pass)
-    if (auto why = touched_itself(at_gains)) verdict.reasons.push_back(*std::move(why));
+    if (auto why = touched_itself(at_gains, touch_told)) verdict.reasons.push_back(*std::move(why));
   verdict.line = (verdict.pass ? "PASS  " : "FAIL  ") + describe(wanted, gait) + ": ";
   if (verdict.pass) {
     verdict.line += praise(at_gains, wanted);

@@ -60,7 +60,9 @@ TEST(Limits, ATaskThatStepsOverSomethingAsksForIt) {
   const Limits own = with_step_over(parse_limits("foot_clearance.low = 0.02", "my.toml"), 0.03);
   EXPECT_EQ(own.at("foot_clearance").low, 0.02);
   Measurements run;
+  run.cycles = 20;
   run.speed_ratio = 1.0;
+  run.path_deviation = 0.0;
   for (const double clearance : {0.05, 0.029}) {
     FootMeasures foot;
     foot.swings = 4;
@@ -157,6 +159,7 @@ Measurements walk(double gain, double slip) {
   run.speed_ratio = 1.0;
   run.turn_ratio = 1.0;
   run.velocity = Eigen::Vector2d(0.1, 0.0);
+  run.path_deviation = 0.0;
   run.feet.resize(2);
   run.feet[1].slip_max = slip;
   return run;

@@ -50,6 +50,8 @@ TEST(SelfContact, TwoBodiesThatMeetOnceTouchOnce) {
   EXPECT_GT(seen.share, 0.0);
   EXPECT_LT(seen.share, 0.3);
   EXPECT_GT(seen.force_max, 1.0);
+  EXPECT_GT(seen.depth_max, 1e-4);
+  EXPECT_LT(seen.depth_max, 0.05);
   EXPECT_NEAR(seen.force_time, 0.1, 0.05);  // 0.1 m between them at 1 m/s
   EXPECT_EQ(seen.first, "left");
   EXPECT_EQ(seen.second, "right");
@@ -61,6 +63,7 @@ TEST(SelfContact, BodiesThatPassThroughEachOtherDoNotTouch) {
   EXPECT_EQ(seen.count, 0);
   EXPECT_EQ(seen.share, 0.0);
   EXPECT_EQ(seen.force_max, 0.0);
+  EXPECT_EQ(seen.depth_max, 0.0);
   EXPECT_EQ(seen.first, "");
 }
 

@@ -7,17 +7,30 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "tests/tools/files/temporary_folder.hpp"
 #include "tools/files/atomic_file.hpp"
+#include "tools/files/json_file.hpp"
 
 /// The built program, called as people call it.
 namespace legwright::test {
 
 inline const std::filesystem::path kExamples =
     std::filesystem::path(LEGWRIGHT_SOURCE_DIR) / "examples";
+
+/// The limits that a design's part of verdict.json does not keep.
+inline std::set<std::string> failing_limits(const Json& verdict) {
+  std::set<std::string> out;
+  for (const Json& row : verdict["limits"])
+    if (!row["pass"].get<bool>()) out.insert(row["name"].get<std::string>());
+  return out;
+}
+
+/// Which of them a gait fails that only does not keep its heading.
+inline const std::set<std::string> kDriftLimits{"heading_drift_per_cycle", "path_deviation"};
 
 struct Outcome {
   int code = -1;
