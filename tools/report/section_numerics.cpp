@@ -65,7 +65,7 @@ std::string run_html(const NumericsRun& run, const std::vector<NumericsColumn>& 
 )",
               {{"mark", run.pass ? "good" : "bad"},
                {"tick", run.pass ? "✓" : "✗"},
-               {"label", label_of(run)},
+               {"label", label_of(run) + (run.gains.empty() ? "" : ", " + run.gains + " gains")},
                Hole::markup("cells", each(columns, [&](const NumericsColumn& column) {
                               return cell_html(run, column);
                             }))});
@@ -84,11 +84,11 @@ void add_numerics(Html& page, const RunData& data) {
   const auto columns = columns_of(runs);
   if (runs.size() > kMostRuns) runs.resize(kMostRuns);
   page.raw(fill(
-      R"(<p>The same gait with a finer time step, another integrator and another model of friction.
+      R"(<p>The same gait with finer time steps, another integrator and another model of friction.
 {words}</p>
 <table class="limits stack"><thead><tr><th></th><th></th>{heads}</tr></thead><tbody>
 {rows}</tbody></table>
-<p class="note">Below each number: its difference from the first row.</p>
+<p class="note">Below each number: its difference from the scene as it is, at the same gains.</p>
 )",
       {{"words", numerics_words(*data.numerics)},
        Hole::markup("heads", each(columns,

@@ -48,6 +48,10 @@ const std::vector<Quantity>& quantities() {
       {"servo torque, RMS", [](const M& m) { return scaled(m.torque_rms, 1, " N·m"); }, true},
       {"servos at their limit", [](const M& m) { return percent(finite(m.saturated_share)); },
        true},
+      {"strays from its way",
+       [](const M& m) { return m.path_deviation ? percent(m.path_deviation) : "–"; }},
+      {"a cycle multiplies a disturbance by",
+       [](const M& m) { return m.floquet_multiplier ? short_number(*m.floquet_multiplier) : "–"; }},
       {"MuJoCo warnings", [](const M& m) { return std::to_string(m.warnings.size()); }},
   };
   return list;

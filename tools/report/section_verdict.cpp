@@ -63,6 +63,12 @@ void add_plan_notes(Html& page, const RunData& data) {
     for (const std::string& reason : *reasons) page.element("li", reason);
     page.close().close();
   }
+  if (data.verdict && data.run.stopped_early())
+    page.note(
+        fmt::format("Warning: the search did not come to its end (status “{}”): the verdict is of "
+                    "the best design so far, not of its result.",
+                    data.run.status),
+        "note wide");
   if (data.verdict && data.verdict->home_touches)
     page.note("Warning: " + data.verdict->home_touches->line + ".", "note wide");
   if (gait_was_stepped(data.run))

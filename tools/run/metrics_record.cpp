@@ -102,6 +102,8 @@ void fields(Fields& f, GainMetrics& m) {
   self_contact_fields(f, m.self_contact);
   f.nullable("power_mean_W", m.power_mean, "positive mechanical power of the servos");
   f.nullable("cost_of_transport", m.cost_of_transport, "that over weight times speed");
+  f("floquet_multiplier", m.floquet_multiplier,
+    "largest of the cycle: what a cycle multiplies a small disturbance by; below 1 it dies out");
   f("feet_summary", m.feet_summary);
   f("feet", m.feet);
   f("joints", m.joints);

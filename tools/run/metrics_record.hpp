@@ -84,6 +84,8 @@ struct RolloutMetrics {
   SelfContact self_contact;      // of the robot with itself
   std::optional<double> power_mean;         // positive mechanical power of the servos [W]
   std::optional<double> cost_of_transport;  // that over weight × speed
+  /// Largest Floquet multiplier of the cycle: below 1 small disturbances die out.
+  std::optional<double> floquet_multiplier;
 };
 
 /// One number for all feet: the mean of the means, and the worst.

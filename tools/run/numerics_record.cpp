@@ -14,17 +14,22 @@ void fields(Fields& f, NumericsNumbers& numbers) {
 void fields(Fields& f, NumericsRun& run) {
   f("name", run.name);
   f("label", run.label);
+  std::optional<std::string> gains;
+  if (!run.gains.empty()) gains = run.gains;
+  f("gains", gains, "of the servos: \"half\", \"default\", \"double\"");
+  if (f.reads()) run.gains = gains.value_or("");
   f("timestep_s", run.timestep);
   f("integrator", run.integrator);
   f("cone", run.cone);
   f("pass", run.pass);
   f("line", run.line);
   fields(f, run.numbers);
-  f.nullable("difference", run.difference, "from the first run");
+  f.nullable("difference", run.difference,
+             "from the reference of its gains, which is the scene as it is");
 }
 
 void fields(Fields& f, NumericsRecord& numerics) {
-  f("runs", numerics.runs, "the first is the scene as it is");
+  f("runs", numerics.runs, "of each gain the first is the reference, the scene as it is");
   f("agree", numerics.agree);
   f("reasons", numerics.reasons, "which run disagrees, and how");
 }

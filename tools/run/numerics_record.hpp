@@ -19,18 +19,19 @@ struct NumericsNumbers {
 /// The gait played with one time step, integrator and model of friction.
 struct NumericsRun {
   std::string name, label;  // "half_step", "0.5 ms, implicitfast, elliptic cone"
+  std::string gains;        // "half"; empty in older files: the default ones
   double timestep = 0.0;    // [s]
   std::string integrator, cone;
   bool pass = false;
   std::string line;
   NumericsNumbers numbers;
-  std::optional<NumericsNumbers> difference;  // from the first run, which has none
+  std::optional<NumericsNumbers> difference;  // from the reference of its gains, which has none
 };
 
 /// result/numerics.json: whether the verdict hangs on how MuJoCo computes.
 struct NumericsRecord {
   static constexpr RecordKind kKind{"legwright/numerics", 1, "validate"};
-  std::vector<NumericsRun> runs;  // the first is the reference, the scene as it is
+  std::vector<NumericsRun> runs;  // of each gain the first is the scene as it is
   bool agree = true;
   std::vector<std::string> reasons;  // which run disagrees, and how
 };

@@ -179,6 +179,8 @@ struct RunRecord {
   bool joint() const { return tasks.has_value(); }
   /// Whether the search came to an end, be it by a signal.
   bool ended() const { return status != "running" && status != "failed"; }
+  /// Whether what is there is only the best so far.
+  bool stopped_early() const { return !ended() || status == "interrupted"; }
   /// motion_only_F − final_F, where it has both.
   std::optional<double> fall_of_cost() const;
 };

@@ -42,6 +42,8 @@ void fields(Fields& f, VerdictRecord& verdict) {
   f("pass", verdict.pass, "of the result");
   f.nullable("home_touches", verdict.home_touches,
              "what of the designed body touches itself in the home pose and did not before");
+  f("run_status", verdict.run_status,
+    "only of a search that did not come to its end: \"interrupted\", \"running\", \"failed\"");
 }
 
 }  // namespace legwright

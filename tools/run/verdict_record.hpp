@@ -43,6 +43,7 @@ struct VerdictRecord {
   DesignVerdict initial, result;
   bool pass = false;  // of the result
   std::optional<HomeTouchesRecord> home_touches;
+  std::optional<std::string> run_status;  // of a search that did not come to its end
 };
 
 void fields(Fields& f, DesignVerdict& verdict);

@@ -11,6 +11,7 @@
 #include "tools/files/atomic_file.hpp"
 #include "tools/validate/delayed_servos.hpp"
 #include "tools/validate/floor_friction.hpp"
+#include "tools/validate/ground_stiffness.hpp"
 
 namespace legwright {
 namespace {
@@ -142,6 +143,7 @@ Scene DisturbableScene::with(const Disturbance& disturbance, DelayStep delay_ste
   if (disturbance.mass_scale != 1.0) scale_masses(*scene.model, disturbance.mass_scale);
   if (disturbance.slope_along != 0.0 || disturbance.slope_across != 0.0)
     slope_floor(*scene.model, way_, disturbance.slope_along, disturbance.slope_across);
+  if (disturbance.ground_sink > 0.0) soften_ground(scene, disturbance.ground_sink);
   if (disturbance.delay > 0.0 && delay_step == DelayStep::fine)
     scene.model->opt.timestep = std::min(scene.model->opt.timestep, kFineStep);
   return scene;

@@ -23,6 +23,7 @@ struct Disturbance {
   double push_left = 0.0;       // [m/s]
   double slope_along = 0.0;     // of the floor, uphill the way it shall go at the start [rad]
   double slope_across = 0.0;    // rising to the left of that way [rad]
+  double ground_sink = 0.0;  // how deep feet sink in under the standing weight [m]; 0: the scene's
 };
 
 /// Late servos in steps of the scene, or in finer ones where the delay is what is looked for:

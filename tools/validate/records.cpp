@@ -72,9 +72,11 @@ std::map<std::string, LimitRange> limit_ranges(const Limits& limits) {
 
 NumericsRecord numerics_record(const SecondOpinion& opinion) {
   NumericsRecord out{{}, opinion.agree, opinion.reasons};
+  std::size_t reference = 0;
   for (const NumericalRun& run : opinion.runs) {
     out.runs.push_back({run.name,
                         run.label,
+                        gain_name(run.gain_scale),
                         run.timestep,
                         run.integrator,
                         run.cone,
@@ -82,8 +84,10 @@ NumericsRecord numerics_record(const SecondOpinion& opinion) {
                         run.verdict.line,
                         numbers_of(run.measured),
                         {}});
-    if (out.runs.size() > 1)
-      out.runs.back().difference = out.runs.back().numbers - out.runs.front().numbers;
+    if (run.name == "reference")
+      reference = out.runs.size() - 1;
+    else
+      out.runs.back().difference = out.runs.back().numbers - out.runs[reference].numbers;
   }
   return out;
 }

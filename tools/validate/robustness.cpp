@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 #include <random>
 
 #include "optimizer/base/parallel.hpp"
@@ -224,6 +223,15 @@ std::vector<DisturbanceFactor> disturbance_factors(const Disturbance& nothing) {
       push("push_left", "push to its left", &D::push_left),
       angle("slope_along", "slope of the floor, uphill ahead on its way", &D::slope_along, 0.03),
       angle("slope_across", "slope of the floor, rising to the left", &D::slope_across, 0.03),
+      {"ground_sink",
+       "soft ground, by how much feet sink in",
+       "m",
+       &D::ground_sink,
+       0.0,
+       0.002,
+       false,
+       {0.0, 0.0005},
+       {0.0, 0.02}},
   };
 }
 
@@ -273,8 +281,7 @@ Robustness measure_robustness(const std::filesystem::path& scene, const WantedMo
   std::vector<DrawnWalk> walks = draw(out.margins, player.nothing(), options);
   // Each job has its own place for its result, so that the order of execution leaves no trace.
   const int total = static_cast<int>(sides.size() + walks.size());
-  std::mutex mutex;
-  int done = 0;
+  StageProgress progress(options.progress, "disturbed walks", total);
   parallel_for(total, options.threads, [&](int job) {
     const auto k = static_cast<std::size_t>(job);
     if (k < sides.size()) {
@@ -285,8 +292,7 @@ Robustness measure_robustness(const std::filesystem::path& scene, const WantedMo
       walk.cause = outcome.cause;
       walk.seconds = outcome.seconds;
     }
-    const std::lock_guard lock(mutex);
-    if (options.progress) options.progress(++done, total);
+    progress.one_more();
   });
   for (std::size_t f = 0; f < out.margins.size(); ++f) {
     const Side &low = sides[2 * f], &high = sides[2 * f + 1];

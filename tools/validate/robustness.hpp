@@ -13,6 +13,7 @@
 
 #include "tools/validate/disturbance.hpp"
 #include "tools/validate/measure.hpp"
+#include "tools/validate/stage_progress.hpp"
 
 namespace legwright {
 
@@ -42,9 +43,7 @@ struct RobustnessOptions {
   /// all that is tested by default was survived, so that asking for more changes no margin found
   /// before.
   std::map<std::string, std::pair<double, double>> tested = {};
-  /// Roll-outs or rows of them that are done, of how many; called from several threads, one at a
-  /// time.
-  std::function<void(int, int)> progress = {};
+  ProgressListener progress = {};
 };
 
 /// How far one factor may go, all others as planned.

@@ -18,6 +18,7 @@ std::string shown(double value, const std::string& unit, bool with_unit = true) 
   };
   if (unit == "rad") return text(value * 180 / std::numbers::pi, "deg", 2);
   if (unit == "s") return text(value * 1e3, "ms", 2);
+  if (unit == "m") return text(value * 1e3, "mm", 2);
   return text(value, unit == "1" ? "" : unit.c_str(), 2);
 }
 

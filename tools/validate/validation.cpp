@@ -82,8 +82,11 @@ std::vector<SceneValidation> validate_scenes(const std::vector<SceneToValidate>&
     out[i].robot_mass = scene.model->body_subtreemass[scene.joints.root_body];
   }
   // Each job has its own place for its result, so that the order of execution leaves no trace.
-  parallel_for(static_cast<int>(jobs.size()), options.threads,
-               [&](int k) { run(jobs[static_cast<std::size_t>(k)], wanted, options); });
+  StageProgress progress(options.progress, "roll-outs", static_cast<int>(jobs.size()));
+  parallel_for(static_cast<int>(jobs.size()), options.threads, [&](int k) {
+    run(jobs[static_cast<std::size_t>(k)], wanted, options);
+    progress.one_more();
+  });
   for (auto& validation : out)
     validation.verdict = judge(validation.at_gains, wanted, gait, options.limits);
   return out;

@@ -9,6 +9,7 @@
 #include "tools/simulate/rollout.hpp"
 #include "tools/validate/comparison.hpp"
 #include "tools/validate/measure.hpp"
+#include "tools/validate/stage_progress.hpp"
 #include "tools/validate/verdict.hpp"
 
 namespace legwright {
@@ -26,6 +27,7 @@ struct ValidationOptions {
   double frames_until = 4.0;     // of the recorded motion at default gains [s]
   double frame_interval = 0.01;  // [s]
   Limits limits = default_limits();
+  ProgressListener progress = {};
 };
 
 /// What became of one scene.

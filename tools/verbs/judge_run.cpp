@@ -11,6 +11,7 @@
 #include "tools/run/install.hpp"
 #include "tools/run/motion_csv.hpp"
 #include "tools/simulate/mujoco_host.hpp"
+#include "tools/validate/floquet.hpp"
 #include "tools/validate/robustness_limits.hpp"
 
 namespace legwright {
@@ -21,7 +22,8 @@ namespace fs = std::filesystem;
 struct TaskOfRun {
   std::string gait;
   WantedMotion wanted;
-  double step_over = 0.0;  // that every foot shall pass over [m]
+  double step_over = 0.0;                      // that every foot shall pass over [m]
+  std::optional<std::string> early_stop = {};  // status of a search that did not end
 };
 
 TaskOfRun read_task(const ResultFolder& folder) {
@@ -32,7 +34,8 @@ TaskOfRun read_task(const ResultFolder& folder) {
   const TaskRecord& task = *run.task;
   return {task.gait,
           {{task.velocity[0], task.velocity[1]}, task.turn_rate},
-          task.step_over.value_or(0.0)};
+          task.step_over.value_or(0.0),
+          run.stopped_early() ? std::optional(run.status) : std::nullopt};
 }
 
 // What the plan itself reached in its cycle, against which the simulation is compared as well: the
@@ -87,6 +90,17 @@ JudgedLimit numerics_limit(const SecondOpinion& opinion, const Bounds& bounds) {
   return out;
 }
 
+/// How the result's gait answers to small disturbances, at each of the gains.
+void measure_stability(const SceneToValidate& scene, const JudgeOptions& options,
+                       SceneValidation& result) {
+  std::vector<Scene> scenes;
+  for (const Measurements& run : result.at_gains)
+    scenes.push_back(load_scene(scene.scene, run.gain_scale));
+  const auto found = floquet_multipliers(
+      scenes, {.threads = options.validation.threads, .progress = options.validation.progress});
+  for (std::size_t k = 0; k < found.size(); ++k) result.at_gains[k].floquet_multiplier = found[k];
+}
+
 /// The result under other numerics and disturbances; the verdict on it again with what they add.
 void judge_further(const TaskOfRun& task, const SceneToValidate& scene, const JudgeOptions& options,
                    JudgedRun& judged) {
@@ -95,14 +109,16 @@ void judge_further(const TaskOfRun& task, const SceneToValidate& scene, const Ju
   std::vector<JudgedLimit> further;
   if (options.numerics) {
     judged.numerics =
-        second_opinion(scene, task.wanted, task.gait, options.validation, at_default_gains(result));
+        second_opinion(scene, task.wanted, task.gait, options.validation, result.at_gains);
     if (const auto found = limits.find("numerics"); found != limits.end() && found->second.any())
       further.push_back(numerics_limit(*judged.numerics, found->second));
   }
+  if (options.stability) measure_stability(scene, options, result);
   if (options.robustness) {
     RobustnessOptions disturbed = options.disturbed;
     disturbed.threads = options.validation.threads;
     disturbed.tested = tested_for(limits);
+    disturbed.progress = options.validation.progress;
     judged.robustness = measure_robustness(scene.scene, task.wanted, disturbed);
     for (auto& row : judge_robustness(*judged.robustness, limits))
       further.push_back(std::move(row));
@@ -111,10 +127,13 @@ void judge_further(const TaskOfRun& task, const SceneToValidate& scene, const Ju
     result.verdict = judge(result.at_gains, task.wanted, task.gait, limits, further);
 }
 
-VerdictRecord verdict_record(const JudgedRun& judged) {
+VerdictRecord verdict_record(const JudgedRun& judged, const TaskOfRun& task) {
   const Verdict& result = judged.designs[1].verdict;
-  VerdictRecord out{
-      verdict_record(judged.designs[0].verdict), verdict_record(result), result.pass, {}};
+  VerdictRecord out{verdict_record(judged.designs[0].verdict),
+                    verdict_record(result),
+                    result.pass,
+                    {},
+                    task.early_stop};
   if (judged.home_touches.empty()) return out;
   out.home_touches = {describe(judged.home_touches), {}};
   for (const HomeTouch& touch : judged.home_touches)
@@ -165,6 +184,13 @@ std::optional<RobustnessRecord> JudgedRun::robustness_record() const {
   return legwright::robustness_record(*robustness);
 }
 
+std::string early_stop_words(const std::string& status) {
+  const std::string how = status == "interrupted" ? "was interrupted"
+                          : status == "failed"    ? "failed"
+                                                  : "has not ended (status " + status + ")";
+  return "the search " + how + ": what is judged is the best so far, not its result";
+}
+
 JudgedRun judge_run(const ResultFolder& folder, const std::vector<fs::path>& others,
                     const JudgeOptions& asked) {
   const TaskOfRun task = read_task(folder);
@@ -175,15 +201,15 @@ JudgedRun judge_run(const ResultFolder& folder, const std::vector<fs::path>& oth
     std::vector<SceneToValidate> scenes{scene_in(folder.iteration(0)), scene_in(folder.result())};
     for (const fs::path& other : others) scenes.push_back(scene_in(other));
     judged.designs = validate_scenes(scenes, task.wanted, task.gait, options.validation);
-    judged.metrics = metrics_record(task, options.validation, scenes, judged.designs);
     judge_further(task, scenes[1], options, judged);
+    judged.metrics = metrics_record(task, options.validation, scenes, judged.designs);
     judged.home_touches = home_touches_of(folder);
   } catch (const MujocoError& error) {
     throw InputError(error.what());
   } catch (const TrajectoryError& error) {
     throw InputError(error.what());
   }
-  judged.verdict = verdict_record(judged);
+  judged.verdict = verdict_record(judged, task);
   write_judged(folder, judged);
   return judged;
 }

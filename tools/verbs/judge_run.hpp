@@ -31,8 +31,13 @@ struct JudgeOptions {
   ValidationOptions validation;  // with the limits
   bool numerics = true;          // ask for the second opinion
   bool robustness = true;        // play under disturbances
+  bool stability = true;         // Floquet multipliers of the result
   RobustnessOptions disturbed = {};
 };
+
+/// "the search was interrupted: …": what a verdict of a run must say that did not come to its end;
+/// empty where it did. @param status of run.json
+std::string early_stop_words(const std::string& status);
 
 /// Plays the initial design and the result of a run of one task, and any other designs for the same
 /// task; writes metrics.json, verdict.json, comparison.json, numerics.json, robustness.json and the

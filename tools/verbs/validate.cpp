@@ -33,17 +33,33 @@ RunRecord read_run_record(const ResultFolder& folder) {
   }
 }
 
-/// Tells on stderr how far the disturbed roll-outs are: one live line on a terminal, none
-/// elsewhere.
-std::function<void(int, int)> live_progress() {
+/// Tells on stderr from the first moment what is done and how far it is: one live line on a
+/// terminal, none elsewhere.
+ProgressListener live_progress() {
   if (::isatty(STDERR_FILENO) == 0) return {};
-  return [](int done, int total) {
+  return [](const std::string& stage, int done, int total) {
     if (done == total)
       fmt::print(stderr, "\r\x1b[K");
     else
-      fmt::print(stderr, "\rdisturbed walks: {:3} %", 100 * done / total);
+      fmt::print(stderr, "\r\x1b[K{}: {:3} %", stage, 100 * done / total);
     std::fflush(stderr);
   };
+}
+
+/// "stability: a cycle multiplies small disturbances by 0.31 at half, …": of the gains at which
+/// it was measured.
+void print_stability(const JudgedRun& judged, const std::string& indent) {
+  std::vector<std::string> parts;
+  bool grows = false;
+  for (const Measurements& run : judged.designs[1].at_gains)
+    if (run.floquet_multiplier) {
+      parts.push_back(
+          fmt::format("{:.2f} at {}", *run.floquet_multiplier, gain_name(run.gain_scale)));
+      grows = grows || *run.floquet_multiplier >= 1.0;
+    }
+  if (parts.empty()) return;
+  fmt::print("{}stability: a cycle multiplies small disturbances by {} gains{}\n", indent,
+             listed(parts), grows ? "; from 1 on they grow" : "");
 }
 
 /// That the gait was played on servos which the robot's file does not have.
@@ -67,7 +83,10 @@ void print_judged(const JudgedRun& judged, bool same, const std::string& indent)
     fmt::print("{}warning: {}\n", indent, terminal_text(describe(judged.home_touches)));
   if (const auto& comparison = judged.designs[1].comparison)
     fmt::print("{}{}\n", indent, describe(*comparison));
+  if (judged.verdict.run_status)
+    fmt::print("{}warning: {}\n", indent, early_stop_words(*judged.verdict.run_status));
   if (judged.numerics) fmt::print("{}{}\n", indent, describe(*judged.numerics));
+  print_stability(judged, indent);
   if (!judged.robustness) return;
   fmt::print(
       "{}robustness, each factor alone until it falls, or goes at less than half or more than "
@@ -127,8 +146,8 @@ int validate(const ValidateOptions& asked) {
   ValidateOptions options = asked;
   if (!options.limits.empty()) options.judge.validation.limits = read_limits(options.limits);
   refuse_if_too_quick(options);
-  options.judge.numerics = options.judge.robustness = !options.quick;
-  options.judge.disturbed.progress = live_progress();
+  options.judge.numerics = options.judge.robustness = options.judge.stability = !options.quick;
+  options.judge.validation.progress = live_progress();
   const ResultFolder folder = ResultFolder::open(options.run);
   const RunRecord run = read_run_record(folder);
   if (run.joint()) return validate_joint(folder, run, options);
@@ -156,7 +175,8 @@ void add_options(CLI::App& verb, ValidateOptions& options) {
   verb.add_option("--junit", options.junit, "Write the verdict as JUnit XML, a case per limit");
   verb.add_flag(
       "--quick", options.quick,
-      "Only the roll-outs at three gains: no disturbances, no second opinion on numerics");
+      "Only the roll-outs at three gains: no disturbances, no second opinion on numerics, no "
+      "stability");
   verb.add_option("--cycles", judge.validation.cycles, "Cycles of the gait to play")
       ->check(CLI::Range(4, 10000))
       ->capture_default_str();
@@ -194,8 +214,9 @@ void add_validate(CLI::App& program, Action& action) {
       "nothing to warn of,\n"
       "and other numerics agree.\n"
       "Then one disturbance after the other grows until the result fails: friction and slope of "
-      "the floor, mass, gains\n"
-      "and delay of the servos, a tilted start, pushes; and 200 walks have them all at once "
+      "the floor, how soft it\n"
+      "is, mass, gains and delay of the servos, a tilted start, pushes; and 200 walks have them "
+      "all at once "
       "(tools/validate/README.md).\n"
       "Writes metrics.json, verdict.json, comparison.json, numerics.json, robustness.json, "
       "playback_initial.csv and\n"

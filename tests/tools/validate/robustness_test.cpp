@@ -315,9 +315,9 @@ TEST_F(Disturbed, DrawsAreSpreadAndNamed) {
   const Robustness robustness = measure_robustness(write({}), kStanding, options);
   EXPECT_EQ(robustness.survival.samples, 4);
   const Json json = json_of(robustness_record(robustness));
-  EXPECT_EQ(json["factors"].size(), 10U);
+  EXPECT_EQ(json["factors"].size(), 11U);
   EXPECT_NEAR(json["monte_carlo"]["spread"]["floor_friction"][0].get<double>(), 0.64, 1e-12);
-  EXPECT_EQ(json["monte_carlo"]["spread"].size(), 10U);
+  EXPECT_EQ(json["monte_carlo"]["spread"].size(), 11U);
 }
 
 TEST_F(Disturbed, WhatFailsUndisturbedHasNoMargins) {
