@@ -17,7 +17,7 @@ std::string list_words(const std::vector<AttributionShare>& shares) {
   for (const AttributionShare& share : shares) {
     std::string& list = share.decrease > 0.0 ? gains : costs;
     list += fmt::format("{}{} {}", list.empty() ? "" : ", ", cost_words(share.term),
-                        change_of_F(-share.decrease));
+                        change_of_cost(-share.decrease));
   }
   if (costs.empty()) return gains;
   return gains.empty() ? "only at the cost of " + costs : gains + ", at the cost of " + costs;
@@ -42,7 +42,7 @@ std::string tasks_words(const std::vector<AttributionShare>& shares) {
 
 }  // namespace
 
-std::string change_of_F(double change) {
+std::string change_of_cost(double change) {
   const double size = std::abs(change);
   const int digits = size >= 9.995 ? 1 : size >= 0.00995 ? 2 : size >= 0.000995 ? 3 : 4;
   return fmt::format("{}{:.{}f}", change < 0.0 ? "−" : "+", size, digits);
@@ -56,22 +56,23 @@ std::string attribution_summary(const std::vector<Attribution>& attributions,
                                 std::optional<double> fall) {
   const std::optional<AttributionSummary> summary = summarise(attributions, fall);
   if (!summary) return "";
-  const double all = summary->decrease;
   std::string out;
-  if (summary->partial)
-    out = fmt::format(
-        "Of the {} that F fell, {} can be told apart; the rest lies in steps too long to be split.",
-        short_number(*fall), short_number(all));
-  else
-    out = fmt::format("Taken together, the changes {} F by {}.", all < 0.0 ? "raised" : "lowered",
-                      short_number(std::abs(all)));
-  out += fmt::format(" By term: {}.", tasks_words(summary->terms));
-  std::string most;
   for (const auto& [parameter, decrease] : summary->parameters)
-    most += fmt::format("{}{} ({})", most.empty() ? "" : " and ", spaced(parameter),
-                        change_of_F(-decrease));
-  if (!most.empty()) out += fmt::format(" Most came with {}.", most);
+    out += fmt::format("{}{} ({})", out.empty() ? "" : " and of ", spaced(parameter),
+                       change_of_cost(-decrease));
+  out = out.empty() ? "No change of the finished body lowers F by itself."
+                    : fmt::format("In the finished body F owes most to the change of {}.", out);
+  if (summary->idle > 0)
+    out +=
+        fmt::format(" {} of {} changes could each be put back at less than 1 % of the fall of F.",
+                    summary->idle, summary->count);
   return out;
+}
+
+std::string put_back_words(double raised) {
+  if (!std::isfinite(raised)) return "put back alone, no motion is found";
+  return fmt::format("put back alone, F {} by {}", raised < 0.0 ? "falls" : "rises",
+                     change_of_cost(std::abs(raised)).substr(1));
 }
 
 }  // namespace legwright

@@ -9,17 +9,26 @@
 
 namespace legwright {
 
-/// The main shares of a parameter, as changes of F: "slip of stance feet −14.3,
-/// at the cost of jerky joints +2.6". Empty where none is worth telling.
+/// What a parameter's change buys by term, as changes of F, the main ones: "slip of stance feet
+/// −14.3, at the cost of jerky joints +2.6". Empty where none is worth telling.
 /// @param scale as of largest_share()
 std::string attribution_words(const Attribution& attribution, double scale);
 
-/// All parameters together in a few sentences; empty without shares.
+/// All parameters in a sentence or two; empty where nothing is known of any.
 /// @param fall by how much F fell in all, if it is known and counted as the shares are
 std::string attribution_summary(const std::vector<Attribution>& attributions,
                                 std::optional<double> fall);
 
+/// "put back alone, F rises by 3.1". @param raised by how much; not finite: no motion
+std::string put_back_words(double raised);
+
+/// What the numbers of such rows are, and what they are not.
+inline constexpr const char* kPutBackNote =
+    "Each number is of the finished body with that one parameter at its old value, all others as "
+    "designed and the motion optimised anew: what the change buys there. The numbers do not add up "
+    "to the fall of F, because changes help each other or do the same work.";
+
 /// A change of F with its sign and as many digits as matter here: −14.3, −2.82, +0.06.
-std::string change_of_F(double change);
+std::string change_of_cost(double change);
 
 }  // namespace legwright

@@ -4,12 +4,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 
+#include "optimizer/solve/attribution.hpp"
 #include "tools/report/parameter_view.hpp"
-#include "tools/run/attribution_json.hpp"
 
 namespace legwright {
+namespace {
+
+constexpr double kNoMotion = std::numeric_limits<double>::infinity();
+
+}  // namespace
 
 std::size_t ChangedParameters::at_bound() const {
   return static_cast<std::size_t>(
@@ -33,10 +40,11 @@ std::string ChangedParameters::bound_words() const {
 ChangedParameters changed_parameters(const RunRecord& run) {
   ChangedParameters out;
   std::map<std::string, double> lowered;
-  for (const Attribution& each : attributions_of(run.pull)) {
-    lowered[each.parameter] = each.total();
-    out.by_cost = out.by_cost || each.total() != 0.0;
-  }
+  if (run.put_back)
+    for (const PutBackRecord& each : *run.put_back) {
+      lowered[each.parameter] = std::isnan(each.F) ? kNoMotion : each.F + each.J.value_or(0.0);
+      out.by_cost = true;
+    }
   std::vector<ChangedParameter> changed;
   std::vector<ParameterEffect> effects;
   for (ParameterView& view : parameters_of(run)) {

@@ -12,15 +12,16 @@ namespace legwright {
 /// A design parameter that is not what it was, and what that brought.
 struct ChangedParameter {
   ParameterView view;
-  double lowered = 0.0;  // by how much its change lowered F, the motion following; 0: not known
+  double lowered = 0.0;  // F + J with it put back, less that of the result; 0: not known;
+                         // infinite: no motion
 };
 
 /// The design parameters of a run that changed, in the one order in which all parts of a report
 /// tell them.
 struct ChangedParameters {
   std::vector<ChangedParameter> list;
-  /// Whether that order is by how much each lowered F (run.json's `pull`, equal ones by their share
-  /// of the allowed range), or by that share alone.
+  /// Whether that order is by what each buys (run.json's `put_back`, equal ones by their share of
+  /// the allowed range), or by that share alone.
   bool by_cost = false;
   std::size_t main_count = 0;  // so many of the first are worth a sentence
 

@@ -159,7 +159,7 @@ std::string balance(const std::vector<EffectRow>& rows) {
   const MainEffects main = main_effects(effects, amounts);
   std::vector<std::string> gains;
   for (const std::size_t k : main.gains) gains.push_back(amount_change(rows[k]));
-  const std::string gained = joined(gains);
+  std::string gained = joined(gains);
   if (!main.worst) return gained;
   const EffectRow& worst = rows[*main.worst];
   const std::string lost =
@@ -213,8 +213,7 @@ std::string body_words(const RunData& data) {
     parts.push_back(fmt::format("{} from {} to {}", spaced(view.name), view.with_unit(view.initial),
                                 view.with_unit(view.final)));
   }
-  std::string out =
-      (changed.by_cost ? "What lowered the cost most: " : "Most of all ") + joined(parts) + ".";
+  std::string out = (changed.by_cost ? "What buys most: " : "Most of all ") + joined(parts) + ".";
   for (const std::string& more : {changed.bound_words(), mass_words(data, changed)})
     if (!more.empty()) out += " " + more;
   return out;

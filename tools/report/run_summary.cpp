@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/report/attribution_words.hpp"
 #include "tools/report/changed_parameters.hpp"
 #include "tools/report/design_effect.hpp"
 #include "tools/report/gap_view.hpp"
@@ -125,12 +126,16 @@ std::string parameters(const RunData& data) {
   const std::vector<ChangedParameter>& all = changed.list;
   if (all.empty()) return "";
   std::string out = fmt::format("| {} | before | after | bounds |\n|---|---:|---:|---|\n",
-                                changed.by_cost ? "lowered F most" : "changed most");
+                                changed.by_cost ? "buys most (F, put back alone)" : "changed most");
   for (std::size_t k = 0; k < std::min(all.size(), kMostParameters); ++k) {
     const ParameterView& p = all[k].view;
-    out += fmt::format("| {} | {} | {} | {} … {}{} |\n", cell(spaced(p.name)),
-                       p.with_unit(p.initial), p.with_unit(p.final), p.with_unit(p.lower),
-                       p.with_unit(p.upper), p.at_bound().empty() ? "" : ", at " + p.at_bound());
+    std::string name = cell(spaced(p.name));
+    if (changed.by_cost)
+      name += std::isfinite(all[k].lowered) ? fmt::format(" ({})", change_of_cost(all[k].lowered))
+                                            : " (no motion)";
+    out += fmt::format("| {} | {} | {} | {} … {}{} |\n", name, p.with_unit(p.initial),
+                       p.with_unit(p.final), p.with_unit(p.lower), p.with_unit(p.upper),
+                       p.at_bound().empty() ? "" : ", at " + p.at_bound());
   }
   return out + and_more(all.size(), kMostParameters) + "\n";
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Why the body changed: what each parameter and each term of F brought (attribution), and all
-// parameters with their bounds.
+// Why the body changed: what each change buys in the finished body, by term of F (attribution), and
+// all parameters with their bounds.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -51,7 +51,7 @@ void add_table(Html& page, const std::vector<ParameterView>& parameters, bool an
 }
 
 void add_largest(Html& page, const ChangedParameters& changed) {
-  page.note(changed.by_cost ? "The changes that lowered F most, the motion following:"
+  page.note(changed.by_cost ? "The changes that buy most:"
                             : "The largest changes, by share of the allowed range:");
   page.open("ol", {{"class", "changes"}});
   for (std::size_t i = 0; i < std::min(kMostTold, changed.list.size()); ++i) {
@@ -59,32 +59,23 @@ void add_largest(Html& page, const ChangedParameters& changed) {
     page.open("li").element("b", fmt::format("{} {}", spaced(p.name), p.change()));
     page.text(fmt::format(", from {} to {}", p.with_unit(p.initial), p.with_unit(p.final)));
     if (!p.at_bound().empty()) page.text(", at its " + p.at_bound());
-    if (changed.by_cost) page.text(fmt::format(": F {}", change_of_F(-lowered)));
+    if (changed.by_cost) page.text("; " + put_back_words(lowered));
     page.close();
   }
   page.close();
   if (const std::string bound = changed.bound_words(); !bound.empty()) page.element("p", bound);
 }
 
-/// One sentence on all parameters, and how to read the others.
+/// A sentence on all parameters, and how to read the numbers.
 void add_why(Html& page, const RunData& data, const std::vector<Attribution>& attributions) {
   const bool part = data.run.joint_run.has_value();
   const std::string summary =
       attribution_summary(attributions, part ? std::nullopt : data.run.fall_of_cost());
   if (summary.empty()) return;
   page.open("p").element("b", "Why it changed. ").text(summary).close();
-  std::string note =
-      "Numbers are changes of F that a parameter’s change brought a term, the motion following, "
-      "summed "
-      "along the way to the result; those of one parameter need not fall for each term.";
-  if (part) {
-    note += " They carry the weight that this task has in the joint cost.";
-    const std::string start = data.run.start.value_or("");
-    if (!start.empty() && start != "initial" && !(data.run.task && start == data.run.task->name))
-      note += " The way begins with the body for " + spaced(start) +
-              " alone, from which the best start set out: this task had no say before.";
-  }
-  page.note(note);
+  page.note(kPutBackNote);
+  if (part) page.note("They are of this task alone; the body serves others, too.");
+  add_gap_note(page, data.run, "They are");
 }
 
 struct TermRow {
@@ -126,7 +117,7 @@ void add_attribution(Html& page, const RunData& data) {
     return;
   }
   add_largest(page, changed_parameters(data.run));
-  const auto attributions = attributions_of(data.run.pull);
+  const auto attributions = attributions_of(data.run.put_back);
   add_why(page, data, attributions);
   const Reason reason = [&, scale = largest_share(attributions)](const std::string& parameter) {
     for (const Attribution& each : attributions)

@@ -49,13 +49,15 @@ void add_bodies_table(Html& page, const JointData& data,
 std::vector<Attribution> attributions_by_task(const JointData& data) {
   std::vector<Attribution> all;
   for (const JointTaskData& task : data.tasks)
-    if (task.run) merge_attributions(all, attributions_of(task.run->run.pull, task.name));
+    if (task.run)
+      merge_attributions(
+          all, attributions_of(task.run->run.put_back, task.name, task.task.weight.value_or(1.0)));
   return all;
 }
 
-/// Change of F that a parameter brought a task; small ones as zero.
+/// Change of F that a parameter’s change buys a task; small ones as zero.
 std::string change_or_zero(double decrease, double scale) {
-  return std::abs(decrease) < 0.002 * scale ? "0" : change_of_F(-decrease);
+  return std::abs(decrease) < 0.002 * scale ? "0" : change_of_cost(-decrease);
 }
 
 void add_attribution_rows(Html& page, const JointData& data,
@@ -67,7 +69,7 @@ void add_attribution_rows(Html& page, const JointData& data,
       page.number(change_or_zero(each.total(task.name), scale), spaced(task.name));
     }
     const std::string words = attribution_words(each, scale);
-    page.element("td", words.empty() ? "hardly any pull" : words, {{"class", "reason"}}).close();
+    page.element("td", words.empty() ? "hardly anything" : words, {{"class", "reason"}}).close();
   }
 }
 
@@ -93,19 +95,10 @@ void add_task_attributions(Html& page, const JointData& data) {
   const std::string summary = attribution_summary(attributions, data.whole.run.fall_of_cost());
   if (summary.empty()) return;
   page.open("section").element("h2", "Why the body changed").element("p", summary);
-  std::string note =
-      "Changes of the joint F that each parameter’s change brought a task, its motion following, "
-      "and "
-      "the terms that it moved most.";
-  for (const JointTaskData& task : data.tasks) {
-    if (task.name == data.whole.run.best_start)
-      note += " The best start set out from the body for " + spaced(task.name) +
-              " alone; on the way there no other task had a say.";
-  }
-  page.note(note);
+  page.note(std::string(kPutBackNote) + " Here it is the joint F, task by task.");
   std::vector<TableColumn> columns{{""}};
   for (const JointTaskData& task : data.tasks) columns.push_back({spaced(task.name), "n"});
-  columns.push_back({"what pulled"});
+  columns.push_back({"what it buys"});
   page.open_table("design pulls", columns);
   add_attribution_rows(page, data, attributions);
   page.close().close().close();

@@ -154,7 +154,7 @@ void visit_inputs(Fields& f, RunRecord& run) {
 void visit_outcome(Fields& f, RunRecord& run) {
   const bool ended = run.ended(), single = ended && !run.joint(), joint = ended && run.joint();
   f("engine_warnings", run.engine_warnings, "of MuJoCo, while it played the result for a second");
-  f("pull", run.pull, "decrease of F by design parameter and term, the motion following");
+  f("put_back", run.put_back, "what each change of the body buys; the rows do not add up");
   f.required_if(ended, "feasible", run.feasible);
   f.required_if(ended, "reasons", run.reasons, "why the result is not feasible");
   f.required_if(ended, "motion_only_F", run.motion_only_F, "of the initial body");

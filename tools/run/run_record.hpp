@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/run/put_back_record.hpp"
 #include "tools/run/record.hpp"
 
 namespace legwright {
@@ -132,9 +133,6 @@ struct FrontPointRecord {
 };
 void fields(Fields& f, FrontPointRecord& point);
 
-/// Decrease of F by design parameter and term.
-using AttributionRecord = ByName<ByName<double>>;
-
 /// run.json. What is std::optional is of a run that has ended, or of one of one task alone (`task`)
 /// or of several (`tasks`).
 struct RunRecord {
@@ -155,7 +153,7 @@ struct RunRecord {
   bool motion_only = false;
   std::optional<std::string> start;  // of a task of a joint run: from which its best one set out
   std::optional<std::vector<EngineWarningRecord>> engine_warnings;
-  std::optional<AttributionRecord> pull;
+  std::optional<std::vector<PutBackRecord>> put_back;
   std::optional<bool> feasible;
   std::optional<std::vector<std::string>> reasons;  // why it is not feasible
   std::optional<double> motion_only_F;

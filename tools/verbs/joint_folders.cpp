@@ -79,7 +79,6 @@ void write_task_run(const ResultFolder& folder, const CodesignProblem& problem,
   run.joint_run = "../..";
   run.motion_only = joint.motion_only;
   run.start = winner.label.start;
-  run.pull = recorder.attribution_to(winner.label, outcome.task);
   finish_run(run, joint.status, outcome, effort_of(winner.result), problem.robot);
   write_events(chain.run() / "events.jsonl", run, chain.events());
   write_json(chain.run() / "run.json", json_of(run));

@@ -16,6 +16,7 @@
 #include "tools/simulate/stand.hpp"
 #include "tools/verbs/close_gap.hpp"
 #include "tools/verbs/command_times.hpp"
+#include "tools/verbs/explain_changes.hpp"
 #include "tools/verbs/feasibility.hpp"
 #include "tools/verbs/joint_folders.hpp"
 #include "tools/verbs/recorder.hpp"
@@ -200,7 +201,6 @@ void write_end(const ResultFolder& folder, const CodesignProblem& problem,
     return;
   }
   outcomes[0].history = recorder.history();
-  run.pull = recorder.attribution_to(found.joint[found.best].label, 0);
   if (found.joint.size() > 1) add_starts(run, found, problem);
   finish_run(run, status, outcomes[0], effort, problem.robot);
 }
@@ -284,6 +284,10 @@ int solve_run(const OptimizeOptions& options, CodesignProblem& problem, const fs
   write_end(folder, problem, found, signal, recorder, run);
   times.end_of("results");
   write_json(folder.run_json(), json_of(run));  // what follows may take a while, and adds to it
+  if (signal == 0 && usable(found.winner().best)) {
+    explain_changes(folder, problem, found.winner().best, options.threads, run);
+    times.end_of("put_back");
+  }
   if (signal == 0 && !options.no_certificate && usable(found.winner().best)) {
     run.certificate = write_certificate(folder, problem, costs.tasks(), found.winner().best,
                                         settings.codesign.threads);

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "optimizer/base/stopwatch.hpp"
-#include "tools/run/attribution_json.hpp"
 #include "tools/run/run_json.hpp"
 #include "tools/verbs/stop_signals.hpp"
 
@@ -58,9 +57,6 @@ bool Recorder::iteration(const RunLabel& label, const DesignIteration& iteration
       events_.append(json_of(event));
     }
     task_events_[{start_folder(problem_, label), task}].push_back(std::move(event));
-    attributions_[{start_folder(problem_, label), task}].add(*problem_.objectives[task],
-                                                             iteration.s, iteration.tasks[k].m,
-                                                             iteration.tasks[k].sensitivity);
     if (!problem_.set.joint()) pictures_.add(folder);  // else those of the start that wins
   }
   if (problem_.set.joint())
@@ -74,8 +70,7 @@ bool Recorder::iteration(const RunLabel& label, const DesignIteration& iteration
 
 PlanQuality Recorder::result(const fs::path& folder, const DesignIteration& best, int k) {
   const Stopwatch watch;
-  const PlanQuality quality =
-      write_design(folder, problem_.robot, *problem_.objectives[k], best, k);
+  PlanQuality quality = write_design(folder, problem_.robot, *problem_.objectives[k], best, k);
   seconds_ += watch.seconds();
   return quality;
 }
@@ -89,18 +84,6 @@ const std::vector<IterationEvent>& Recorder::events_of(const std::string& start,
   static const std::vector<IterationEvent> none;
   const auto found = task_events_.find({start, task});
   return found == task_events_.end() ? none : found->second;
-}
-
-AttributionRecord Recorder::attribution_to(const RunLabel& label, int task) const {
-  AttributionAlongPath path;
-  const auto follow = [&](const RunLabel& run) {
-    const auto found = attributions_.find({start_folder(problem_, run), task});
-    if (found != attributions_.end()) path.follow(found->second);
-  };
-  follow(label);
-  for (int k = 0; k < problem_.task_count(); ++k)  // the way to a start that is a task's optimum
-    if (problem_.set.joint() && problem_.task(k).name == label.start) follow({"initial", {k}});
-  return record_of(path.by_parameter(problem_.robot.space, problem_.task(task).weight));
 }
 
 }  // namespace legwright

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "optimizer/solve/attribution.hpp"
 #include "optimizer/solve/multistart.hpp"
 #include "tools/run/design_folder.hpp"
 #include "tools/run/events.hpp"
@@ -42,8 +41,6 @@ class Recorder {
   const std::vector<double>& history() const { return history_; }
   /// The per-task events of a run, by start folder and task.
   const std::vector<IterationEvent>& events_of(const std::string& start, int task) const;
-  /// Why the body of a run changed, seen by one task; from the initial body on.
-  AttributionRecord attribution_to(const RunLabel& label, int task) const;
 
  private:
   std::filesystem::path design_folder(const RunLabel& label, int k, int index);
@@ -56,7 +53,6 @@ class Recorder {
   int count_ = 0;  // iterations so far
   std::vector<double> history_;
   std::map<std::pair<std::string, int>, std::vector<IterationEvent>> task_events_;
-  std::map<std::pair<std::string, int>, AttributionAlongPath> attributions_;
   double seconds_ = 0.0;
 };
 

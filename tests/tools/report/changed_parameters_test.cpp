@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "tests/support/text.hpp"
 
 namespace legwright {
@@ -10,6 +12,13 @@ namespace {
 
 ParameterRecord parameter(const char* name, double final) {
   return {name, "rad", "axis_angle", "", 0.0, -1.0, 1.0, final, 1};
+}
+
+PutBackRecord row(const char* parameter, double raised) {
+  PutBackRecord out;
+  out.parameter = parameter;
+  out.F = raised;
+  return out;
 }
 
 RunRecord run_of(std::vector<ParameterRecord> parameters) {
@@ -27,17 +36,20 @@ std::vector<std::string> names(const RunRecord& run) {
 const RunRecord kRun = run_of({parameter("far", 0.9), parameter("kept", 0.0),
                                parameter("near", 0.1), parameter("half", -0.5)});
 
-TEST(ChangedParameters, GoByWhatTheyLoweredFThenByTheirRange) {
+TEST(ChangedParameters, GoByWhatTheyBuyThenByTheirRange) {
   using Names = std::vector<std::string>;
   EXPECT_EQ(names(kRun), (Names{"far", "half", "near"}));
   EXPECT_FALSE(changed_parameters(kRun).by_cost);
   RunRecord run = kRun;
-  run.pull = AttributionRecord{{"near", {{"smoothness", 3.0}, {"travel", -1.0}}},
-                               {"far", {{"travel", -0.5}}}};
-  EXPECT_EQ(names(run), (Names{"near", "half", "far"})) << "what cost F comes last";
+  run.put_back = {row("near", 2.0), row("far", -0.5)};
+  EXPECT_EQ(names(run), (Names{"near", "half", "far"})) << "what costs F comes last";
   EXPECT_TRUE(changed_parameters(run).by_cost);
   EXPECT_EQ(changed_parameters(run).list[0].lowered, 2.0);
-  run.pull = AttributionRecord{{"near", {}}};
+  (*run.put_back)[1].J = 3.0;
+  EXPECT_EQ(names(run)[0], "far") << "the body lowers F + J";
+  run.put_back = {row("near", 2.0), row("half", std::numeric_limits<double>::quiet_NaN())};
+  EXPECT_EQ(names(run)[0], "half") << "without it there is no motion";
+  run.put_back.reset();
   EXPECT_FALSE(changed_parameters(run).by_cost) << "nothing is known";
   EXPECT_EQ(names(run), (Names{"far", "half", "near"}));
 }

@@ -59,7 +59,7 @@ class JointReportTest : public testing::Test {
   void write_run(const std::string& first) {
     Json run = read_json(run_ / "tasks" / "ahead" / "run.json");
     Json task = run["task"];
-    for (const char* key : {"task", "pull"}) run.erase(key);
+    for (const char* key : {"task", "put_back"}) run.erase(key);
     run["name"] = "both";
     run["tasks"] = Json::array();
     for (const std::string& name : {first, std::string("sideways")}) {
@@ -129,7 +129,7 @@ TEST_F(JointReportTest, ShowsEveryBodyInEveryTask) {
        {"fixture-puppy · both", "One body for 2 tasks: ahead (weight 0.5)", "for ahead alone",
         "for both tasks", "F 4.75", "✓ pass", "✗ fail", "fell, 1.69 s", "99 %", "111.0 mm",
         "the best: this is the result", "the body for ahead alone", "F of ahead", "The trade-off",
-        "key b3 ring", "initial body (51.5 and 51.5)", "sideways: slip of stance feet −14.3",
+        "key b3 ring", "initial body (51.5 and 51.5)", "sideways: slip of stance feet −7.14",
         "href=\"tasks/ahead/report.html\""})
     EXPECT_TRUE(has(page, part)) << part;
   EXPECT_TRUE(in_order(page, {"F by task: ahead costs 4.75", "3.25"}));

@@ -160,12 +160,9 @@ TEST_F(ReportTest, ACertificateThatFailsSaysSo) {
 }
 
 TEST_F(ReportTest, APartOfAJointRunLinksToTheWholeAndNowhereElse) {
-  edit_run([](Json& run) {
-    run["joint_run"] = "../..";
-    run["start"] = "pace";
-  });
+  edit_run([](Json& run) { run["joint_run"] = "../.."; });
   EXPECT_TRUE(has(page(), "href=\"../../report.html\""));
-  EXPECT_TRUE(has(page(), "The way begins with the body for pace alone"));
+  EXPECT_TRUE(has(page(), "They are of this task alone"));
   edit_run([](Json& run) { run["joint_run"] = "https://example.org"; });
   expect_self_contained(page());
 }
@@ -212,7 +209,7 @@ TEST_F(ReportTest, NotesBrokenFilesAndGoesOn) {
 TEST_F(ReportTest, NamesTheKeyOfAMutilatedRun) {
   const Json whole = read_json(run_ / "run.json");
   for (const auto& [key, value] : whole.items()) {
-    if (key == "schema" || key == "version" || key == "pull") continue;
+    if (key == "schema" || key == "version" || key == "put_back") continue;
     const std::string where = "run.json: " + key;
     edit_run([&](Json& run) { run = whole, run.erase(key); });
     EXPECT_TRUE(has(refusal_of(run_), where + ": expected a value, found no such key")) << key;
@@ -248,12 +245,19 @@ TEST_F(ReportTest, RefusesAFolderWithoutARun) {
 
 TEST_F(ReportTest, HostileNamesStayText) {
   add_pictures();
-  edit_run([](Json& run) {
+  const auto rows = [](const std::string& name) {
+    PutBackRecord row;
+    row.parameter = name;
+    row.F = 20.0;
+    row.terms = {{name, 20.0}};
+    return Json::array({json_of(row)});
+  };
+  edit_run([&](Json& run) {
     run["parameters"][0]["name"] = "plain";
     run["robot"] = "plain";
     run["task"]["gait"] = "plain";
     run["parameters"][0]["sentence"] = run["status"] = run["sha256"]["robot.xml"] = "plain";
-    run["pull"] = {{"plain", {{"plain", 20.0}}}};
+    run["put_back"] = rows("plain");
   });
   const auto prove = [&](const std::string& name) {
     Json proof = read_json(run_ / "result" / "certificate.json");
@@ -270,7 +274,7 @@ TEST_F(ReportTest, HostileNamesStayText) {
     edit_run([&](Json& run) {
       run["robot"] = run["task"]["gait"] = run["status"] = run["sha256"]["robot.xml"] = name;
       run["parameters"][0]["name"] = run["parameters"][0]["sentence"] = name;
-      run["pull"] = {{name, {{name, 20.0}}}};
+      run["put_back"] = rows(name);
     });
     prove(name);
     const std::string page = this->page();
@@ -286,7 +290,7 @@ TEST_F(ReportTest, WritesPageAndSummary) {
   EXPECT_EQ(page, run_ / "report.html");
   expect_well_formed(read_file(page));
   const std::string summary = read_file(run_ / "result" / "summary.md");
-  EXPECT_TRUE(has(summary, "front hip axis roll | 0° | 80.2°")) << summary;
+  EXPECT_TRUE(has(summary, "front hip axis roll (+10.5) | 0° | 80.2°")) << summary;
   EXPECT_TRUE(has(summary, "FAIL"));
   EXPECT_FALSE(has(summary, "\n\n\n"));
 }

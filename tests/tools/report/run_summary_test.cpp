@@ -29,7 +29,7 @@ TEST_F(RunSummary, HoldsVerdictsLimitsMarginsAndChanges) {
         "**Limits.** 5 of 6 limits are kept.", "| limit not kept | measured | allowed | worst at |",
         "| slip per stance, mean | 3.7 mm | at most 10 mm | double gains |",
         "| delay of the servos | survives up to 13 ms |", "187 of 200 draws survived",
-        "| front hip axis roll | 0° | 80.2° |", "at upper bound"})
+        "| front hip axis roll (+10.5) | 0° | 80.2° |", "at upper bound"})
     EXPECT_TRUE(has(text, part)) << part << "\n" << text;
   EXPECT_LE(lines_of(text), kMostLines);
   EXPECT_FALSE(has(text, "\n\n\n"));
