@@ -137,7 +137,9 @@ std::string parameters(const RunData& data) {
                        p.with_unit(p.final), p.with_unit(p.lower), p.with_unit(p.upper),
                        p.at_bound().empty() ? "" : ", at " + p.at_bound());
   }
-  return out + and_more(all.size(), kMostParameters) + "\n";
+  out += and_more(all.size(), kMostParameters) + "\n";
+  const std::string few = fewest_words(data.run);
+  return few.empty() ? out : out + cell(few, kLongestLine) + "\n\n";
 }
 
 }  // namespace

@@ -101,7 +101,9 @@ void add_task_attributions(Html& page, const JointData& data) {
   columns.push_back({"what it buys"});
   page.open_table("design pulls", columns);
   add_attribution_rows(page, data, attributions);
-  page.close().close().close();
+  page.close().close();
+  add_fewest(page, data.whole.run);
+  page.close();
 }
 
 }  // namespace legwright

@@ -81,6 +81,7 @@ void add_design_effect(Html& page, const RunData& data) {
   page.open("section").element("h2", "Why the body changed");
   add_effect(page, data);
   add_attribution(page, data);
+  add_fewest(page, data.run);
   page.close();
 }
 

@@ -22,6 +22,7 @@ void add_verdicts(Html& page, const RunData& data);
 void add_pictures(Html& page, const RunData& data, PictureBudget& budget);
 void add_design_effect(Html& page, const RunData& data);
 void add_attribution(Html& page, const RunData& data);  // part of the one before
+void add_fewest(Html& page, const RunRecord& run);      // part of the same
 void add_gap(Html& page, const RunData& data);
 void add_progress(Html& page, const RunData& data);
 void add_gallery(Html& page, const RunData& data);
@@ -46,6 +47,8 @@ void add_starts(Html& page, const JointData& data);
 
 inline constexpr double kSmallTerm = 0.01;  // of F: smaller terms are folded away
 
+/// "3 of 20 changes buy 96 % of the fall of F …: a, b and c."; empty where it is not known.
+std::string fewest_words(const RunRecord& run);
 /// What the events of a run's iterations hold, as a line of a chart.
 PlotSeries by_iteration(const RunData& data, double IterationEvent::*value, const std::string& name,
                         int colour = 1);

@@ -155,6 +155,7 @@ void visit_outcome(Fields& f, RunRecord& run) {
   const bool ended = run.ended(), single = ended && !run.joint(), joint = ended && run.joint();
   f("engine_warnings", run.engine_warnings, "of MuJoCo, while it played the result for a second");
   f("put_back", run.put_back, "what each change of the body buys; the rows do not add up");
+  f("fewest_changes", run.fewest_changes, "with how few changes of the body F falls how far");
   f.required_if(ended, "feasible", run.feasible);
   f.required_if(ended, "reasons", run.reasons, "why the result is not feasible");
   f.required_if(ended, "motion_only_F", run.motion_only_F, "of the initial body");

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/run/fewest_changes_record.hpp"
 #include "tools/run/put_back_record.hpp"
 #include "tools/run/record.hpp"
 
@@ -154,6 +155,7 @@ struct RunRecord {
   std::optional<std::string> start;  // of a task of a joint run: from which its best one set out
   std::optional<std::vector<EngineWarningRecord>> engine_warnings;
   std::optional<std::vector<PutBackRecord>> put_back;
+  std::optional<FewestChangesRecord> fewest_changes;
   std::optional<bool> feasible;
   std::optional<std::vector<std::string>> reasons;  // why it is not feasible
   std::optional<double> motion_only_F;

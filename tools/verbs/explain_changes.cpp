@@ -2,20 +2,39 @@
 #include "tools/verbs/explain_changes.hpp"
 
 #include <algorithm>
-#include <memory>
+#include <cmath>
 #include <thread>
 
-#include "optimizer/solve/put_back.hpp"
+#include "optimizer/base/stopwatch.hpp"
 #include "tools/files/json_file.hpp"
 #include "tools/run/attribution_json.hpp"
+#include "tools/run/by_name.hpp"
 #include "tools/verbs/joint_folders.hpp"
 #include "tools/verbs/stop_signals.hpp"
 
 namespace legwright {
 namespace {
 
+bool stop_asked() { return StopSignals::received() != 0; }
+
+int thread_count(int asked) {
+  return asked > 0 ? asked : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+}
+
+/// run.json of a task of a joint run, changed.
+template <class Change>
+void edit_task_run(const ResultFolder& folder, const CodesignProblem& problem, int task,
+                   const Change& change) {
+  const auto file = result_folder(folder, problem, task).parent_path() / "run.json";
+  auto run = read_record_file<RunRecord>(file);
+  change(run);
+  write_json(file, json_of(run));
+}
+
+}  // namespace
+
 /// The tasks of a problem once for each thread, with costs of their own.
-class CostsByThread {
+class ChangeReasons::CostsByThread {
  public:
   CostsByThread(const CodesignProblem& problem, int threads) {
     for (int k = 0; k < threads; ++k) {
@@ -32,37 +51,82 @@ class CostsByThread {
   std::vector<std::vector<WeightedCost>> tasks_;
 };
 
-/// run.json of a task of a joint run, changed.
-template <class Change>
-void edit_task_run(const ResultFolder& folder, const CodesignProblem& problem, int task,
-                   const Change& change) {
-  const auto file = result_folder(folder, problem, task).parent_path() / "run.json";
-  auto run = read_record_file<RunRecord>(file);
-  change(run);
-  write_json(file, json_of(run));
+ChangeReasons::ChangeReasons(const CodesignProblem& problem, int threads, double share)
+    : problem_(problem), threads_(thread_count(threads)) {
+  fewest_.share = share;
 }
 
-}  // namespace
+ChangeReasons::~ChangeReasons() = default;
 
-void explain_changes(const ResultFolder& folder, const CodesignProblem& problem,
-                     const DesignIteration& best, int threads, RunRecord& run) {
-  const DesignSpace& space = problem.robot.space;
-  if (best.s == space.initial()) return;
-  const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  const CostsByThread costs(problem, threads > 0 ? threads : cores);
+const ChangeReasons::CostsByThread& ChangeReasons::costs() {
+  if (!costs_) costs_ = std::make_unique<CostsByThread>(problem_, threads_);
+  return *costs_;
+}
+
+std::vector<PutBack> ChangeReasons::rows_of(const DesignIteration& design) {
   PutBackOptions options;
-  options.stop = [] { return StopSignals::received() != 0; };
-  const std::vector<PutBack> rows = put_back(costs.tasks(), space.initial(), best, options);
-  const std::vector<WeightedCost>& tasks = costs.tasks().front();
-  if (!problem.set.joint()) {
+  options.stop = stop_asked;
+  return put_back(costs().tasks(), problem_.robot.space.initial(), design, options);
+}
+
+void ChangeReasons::find_fewest(const MultistartResult& found, const std::vector<PutBack>& rows) {
+  const Stopwatch watch;
+  const DesignSpace& space = problem_.robot.space;
+  FewestChangesOptions options;
+  options.codesign.threads = threads_;
+  options.stop = stop_asked;
+  fewest_.initial_F = found.joint.front().result.initial.value;
+  designs_ = fewest_changes(costs().tasks(), space, space.initial(), fewest_.initial_F,
+                            found.winner().best, rows, options);
+  fewest_.fewest = fewest_that_keep(designs_, fewest_.initial_F, fewest_.share);
+  fewest_.designs.clear();
+  for (const FewerChanges& each : designs_) {
+    FewerChangesRecord& design = fewest_.designs.emplace_back();
+    for (const int k : each.changed) design.changed.push_back(space.parameters[k].name);
+    design.F = each.design.value;
+    design.s = by_name(space, each.design.s);
+  }
+  fewest_.seconds = watch.seconds();
+}
+
+void ChangeReasons::keep_fewest(MultistartResult& found, const OnIteration& on_iteration) {
+  const DesignSpace& space = problem_.robot.space;
+  StartedRun& winner = found.joint[static_cast<std::size_t>(found.best)];
+  if (stop_asked() || !std::isfinite(winner.result.best.value) ||
+      winner.result.best.s == space.initial())
+    return;
+  find_fewest(found, rows_of(winner.result.best));
+  CodesignOptions options;
+  options.threads = threads_;
+  options.on_iteration = [](const DesignIteration&) { return !stop_asked(); };
+  CodesignResult few = settle(costs().tasks().front(), space, space.initial(),
+                              designs_[fewest_.fewest], options);
+  few.best.index = winner.result.best.index + 1;
+  fewest_.kept = true;
+  winner.result.status = few.status;
+  winner.result.best = std::move(few.best);
+  ++winner.result.design_iterations;
+  on_iteration(winner.label, winner.result.best);
+}
+
+void ChangeReasons::write(const ResultFolder& folder, const MultistartResult& found,
+                          RunRecord& run) {
+  const DesignIteration& best = found.winner().best;
+  const DesignSpace& space = problem_.robot.space;
+  if (best.s == space.initial()) return;
+  const std::vector<PutBack> rows = rows_of(best);
+  if (!fewest_.kept) find_fewest(found, rows);
+  run.fewest_changes = fewest_;
+  const std::vector<WeightedCost>& tasks = costs().tasks().front();
+  if (!problem_.set.joint()) {
     run.put_back = put_back_records(rows, space, tasks, 0);
     return;
   }
   std::vector<std::string> names;
-  for (int k = 0; k < problem.task_count(); ++k) names.push_back(problem.task(k).name);
+  for (int k = 0; k < problem_.task_count(); ++k) names.push_back(problem_.task(k).name);
   run.put_back = joint_put_back_records(rows, space, tasks, names);
-  for (int k = 0; k < problem.task_count(); ++k)
-    edit_task_run(folder, problem, k,
+  for (int k = 0; k < problem_.task_count(); ++k)
+    edit_task_run(folder, problem_, k,
                   [&](RunRecord& own) { own.put_back = put_back_records(rows, space, tasks, k); });
 }
 

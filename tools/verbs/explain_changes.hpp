@@ -1,16 +1,44 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "optimizer/solve/codesign.hpp"
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "optimizer/solve/fewest_changes.hpp"
 #include "tools/run/result_folder.hpp"
 #include "tools/run/run_record.hpp"
 #include "tools/task/problem.hpp"
 
 namespace legwright {
 
-/// What each change of the body buys, into run.json and, of a joint run, into that of each task.
-/// Does nothing where the body stayed. @param threads 0: all cores
-void explain_changes(const ResultFolder& folder, const CodesignProblem& problem,
-                     const DesignIteration& best, int threads, RunRecord& run);
+/// Why the body of a run changed: what each change buys, and how few would do.
+class ChangeReasons {
+ public:
+  /// @param threads 0: all cores @param share of the fall of F that few changes shall keep
+  ChangeReasons(const CodesignProblem& problem, int threads, double share);
+  ~ChangeReasons();
+
+  using OnIteration = std::function<bool(const RunLabel&, const DesignIteration&)>;
+  /// optimize --few: makes the design with the fewest changes that keeps the share of the fall of F
+  /// the result, as one more iteration of the start that won.
+  void keep_fewest(MultistartResult& found, const OnIteration& on_iteration);
+  /// Into run.json and, of a joint run, what each change buys into that of each task. Nothing where
+  /// the body stayed.
+  void write(const ResultFolder& folder, const MultistartResult& found, RunRecord& run);
+
+ private:
+  class CostsByThread;
+  const CostsByThread& costs();
+  std::vector<PutBack> rows_of(const DesignIteration& design);
+  void find_fewest(const MultistartResult& found, const std::vector<PutBack>& rows);
+
+  const CodesignProblem& problem_;
+  const int threads_;
+  std::unique_ptr<CostsByThread> costs_;
+  FewestChangesRecord fewest_;
+  std::vector<FewerChanges> designs_;
+};
 
 }  // namespace legwright

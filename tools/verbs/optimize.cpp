@@ -34,10 +34,11 @@ constexpr int kToldConstraints = 3;  // of an infeasible plan
 struct OptimizeOptions {
   std::string task, robot, run;
   bool motion_only = false, no_pictures = false, quiet = false, json = false, force = false;
-  bool one_start = false, lbfgs = false, no_certificate = false;
+  bool few = false, one_start = false, lbfgs = false, no_certificate = false;
   int max_iterations = CodesignOptions{}.max_iterations;
   int starts = 0, threads = 0, front = 0, physics_steps = 0;
   std::uint64_t seed = 1;
+  double few_keeps = 95.0;  // percent of the fall of F
 };
 
 std::string status_text(SolveStatus status, int signal) {
@@ -277,7 +278,9 @@ int solve_run(const OptimizeOptions& options, CodesignProblem& problem, const fs
   recorder.start();
   const ProblemCosts costs(problem);
   times.end_of("reading");
-  const MultistartResult found = codesign_from_starts(costs.tasks(), problem.robot.space, settings);
+  MultistartResult found = codesign_from_starts(costs.tasks(), problem.robot.space, settings);
+  ChangeReasons reasons(problem, options.threads, options.few_keeps / 100.0);
+  if (options.few) reasons.keep_fewest(found, settings.on_iteration);
   times.end_of("search");
   progress.finish();
   const int signal = StopSignals::received();
@@ -285,8 +288,8 @@ int solve_run(const OptimizeOptions& options, CodesignProblem& problem, const fs
   times.end_of("results");
   write_json(folder.run_json(), json_of(run));  // what follows may take a while, and adds to it
   if (signal == 0 && usable(found.winner().best)) {
-    explain_changes(folder, problem, found.winner().best, options.threads, run);
-    times.end_of("put_back");
+    reasons.write(folder, found, run);
+    times.end_of("reasons");
   }
   if (signal == 0 && !options.no_certificate && usable(found.winner().best)) {
     run.certificate = write_certificate(folder, problem, costs.tasks(), found.winner().best,
@@ -371,6 +374,11 @@ void add_optimize(CLI::App& program, Action& action) {
           "--front", options->front,
           "two tasks: walk the weights from one to the other over so many points between the ends")
       ->check(CLI::Range(1, 99));
+  verb->add_flag("--few", options->few,
+                 "hand back the body with the fewest changes that keeps most of the fall of F");
+  verb->add_option("--few-keeps", options->few_keeps, "how much of the fall of F [%]")
+      ->check(CLI::Range(1.0, 100.0))
+      ->capture_default_str();
   verb->add_option("--physics-steps", options->physics_steps,
                    "then so many steps on speed, swing height, period and margins of the gait, "
                    "from roll-outs in MuJoCo; only what they confirm is kept")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/report/report.hpp"
 #include "tools/files/clean_text.hpp"
+#include "tools/report/sections.hpp"
 
 #include <filesystem>
 
@@ -281,6 +282,32 @@ TEST_F(ReportTest, HostileNamesStayText) {
     expect_well_formed(page);
     EXPECT_EQ(tags_of(page), expected) << name;  // not one tag more, nor fewer
   }
+}
+
+TEST_F(ReportTest, TellsHowFewChangesWouldDo) {
+  EXPECT_FALSE(has(page(), "How few changes would do"));
+  FewestChangesRecord fewest;
+  fewest.share = 0.95;
+  fewest.initial_F = 11.0;
+  fewest.fewest = 1;
+  fewest.designs = {{{"a", "b", "c"}, 1.0, {}}, {{"hip_yaw", "b"}, 1.4, {}}, {{"b"}, 9.0, {}}};
+  edit_run([&](Json& run) { run["fewest_changes"] = json_of(fewest); });
+  const std::string words =
+      "2 of 3 changes buy 96 % of the fall of F (F 1.4 instead of 1; 11 without any): hip yaw and "
+      "b.";
+  EXPECT_EQ(fewest_words(read_run(run_).run), words);
+  EXPECT_TRUE(has(page(), words));
+  EXPECT_TRUE(has(page(), "F by number of changed parameters"));
+  expect_well_formed(page());
+  EXPECT_TRUE(has(report_summary(read_run(run_)), "2 of 3 changes buy 96 %"));
+  fewest.kept = true;
+  fewest.fewest = 2;
+  edit_run([&](Json& run) { run["fewest_changes"] = json_of(fewest); });
+  EXPECT_TRUE(has(page(), "1 of 3 changes buys 20 % of the fall"));
+  EXPECT_TRUE(has(page(), "This is the result (--few)."));
+  fewest.fewest = 3;  // of a damaged file
+  edit_run([&](Json& run) { run["fewest_changes"] = json_of(fewest); });
+  EXPECT_EQ(fewest_words(read_run(run_).run), "");
 }
 
 TEST_F(ReportTest, WritesPageAndSummary) {

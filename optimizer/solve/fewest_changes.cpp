@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimizer/solve/fewest_changes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "optimizer/solve/put_back.hpp"
+
+namespace legwright {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr int kGlanceIterations = 6;  // of a motion that is only compared with others
+constexpr std::size_t kFew = 6;       // so many changes are put back one by one, costs known anew
+
+std::vector<int> changed_parameters_of(const VectorXd& s, const VectorXd& old_values) {
+  std::vector<int> changed;
+  for (int k = 0; k < s.size(); ++k)
+    if (s[k] != old_values[k]) changed.push_back(k);
+  return changed;
+}
+
+/// Only `changed` may move; all others are held at their old values.
+DesignSpace held_space(DesignSpace space, const VectorXd& old_values,
+                       const std::vector<int>& changed) {
+  for (int k = 0; k < space.size(); ++k)
+    if (std::find(changed.begin(), changed.end(), k) == changed.end())
+      space.parameters[k].lower = space.parameters[k].upper = old_values[k];
+  return space;
+}
+
+std::vector<WeightedCost> from_motions(std::vector<WeightedCost> tasks,
+                                       const DesignIteration& design) {
+  for (std::size_t i = 0; i < tasks.size(); ++i) tasks[i].initial_motion = design.tasks[i].m;
+  return tasks;
+}
+
+/// Parameters of the rows, those that cost least to put back first.
+std::vector<int> cheapest_first(const std::vector<PutBack>& rows,
+                                const std::vector<WeightedCost>& tasks) {
+  std::vector<std::size_t> order(rows.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::vector<double> cost;
+  for (const PutBack& row : rows) {
+    cost.push_back(row.total(tasks));
+    if (std::isnan(cost.back())) cost.back() = std::numeric_limits<double>::infinity();
+  }
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return cost[a] < cost[b]; });
+  std::vector<int> parameters;
+  for (const std::size_t k : order) parameters.push_back(rows[k].parameter);
+  return parameters;
+}
+
+/// `from` without some of its changes, the rest optimised again.
+FewerChanges without(const FewerChanges& from, const std::vector<int>& back,
+                     const std::vector<WeightedCost>& tasks, const DesignSpace& space,
+                     const VectorXd& old_values, const CodesignOptions& options) {
+  FewerChanges out = from;
+  for (const int k : back) {
+    std::erase(out.changed, k);
+    out.design.s[k] = old_values[k];
+  }
+  out.design = settle(tasks, space, old_values, out, options).best;
+  return out;
+}
+
+}  // namespace
+
+CodesignOptions FewestChangesOptions::refit_options() {
+  CodesignOptions options;
+  options.max_iterations = 4;
+  options.value_tolerance = 1e-3;
+  options.final_tolerance = options.motion_tolerance;
+  return options;
+}
+
+CodesignResult settle(const std::vector<WeightedCost>& tasks, const DesignSpace& space,
+                      const VectorXd& old_values, const FewerChanges& design,
+                      const CodesignOptions& options) {
+  return codesign(from_motions(tasks, design.design), held_space(space, old_values, design.changed),
+                  design.design.s, options);
+}
+
+std::vector<FewerChanges> fewest_changes(const std::vector<std::vector<WeightedCost>>& threads,
+                                         const DesignSpace& space, const VectorXd& old_values,
+                                         double initial_value, const DesignIteration& result,
+                                         const std::vector<PutBack>& rows_of_result,
+                                         const FewestChangesOptions& options) {
+  const std::vector<WeightedCost>& tasks = threads.front();
+  std::vector<FewerChanges> designs;
+  designs.push_back({changed_parameters_of(result.s, old_values), result});
+  const double free = options.free_share * (initial_value - result.value);
+  PutBackOptions rules;
+  rules.limits = options.codesign;
+  rules.stop = options.stop;
+  rules.limits.trial_iterations = kGlanceIterations;
+  std::vector<int> order = cheapest_first(rows_of_result, tasks);
+  std::size_t batch = designs.back().changed.size();
+  while (designs.back().changed.size() > 1) {
+    const std::size_t count = designs.back().changed.size();
+    if (order.empty() || count <= kFew) {
+      const std::vector<PutBack> rows = put_back(threads, old_values, designs.back().design, rules);
+      if (rows.size() < count && options.stop && options.stop()) break;
+      order = cheapest_first(rows, tasks);
+    }
+    std::erase_if(order, [&](int k) {
+      const std::vector<int>& changed = designs.back().changed;
+      return std::find(changed.begin(), changed.end(), k) == changed.end();
+    });
+    if (order.empty()) break;
+    batch = count > kFew ? std::clamp<std::size_t>(batch, 1, std::min(count / 2, count - kFew)) : 1;
+    for (;; batch /= 2) {
+      FewerChanges next = without(designs.back(), {order.begin(), order.begin() + batch}, tasks,
+                                  space, old_values, options.codesign);
+      const double cost = next.design.value - designs.back().design.value;
+      if (batch > 1 && !(cost <= free)) continue;
+      // What a refit leaves at its old value is no change.
+      next.changed = changed_parameters_of(next.design.s, old_values);
+      if (!std::isfinite(next.design.value)) return designs;
+      designs.push_back(std::move(next));
+      break;
+    }
+  }
+  return designs;
+}
+
+std::size_t fewest_that_keep(const std::vector<FewerChanges>& designs, double initial_value,
+                             double share) {
+  const double most = initial_value - share * (initial_value - designs.front().design.value);
+  for (std::size_t k = designs.size(); k-- > 1;)
+    if (designs[k].design.value <= most) return k;
+  return 0;
+}
+
+}  // namespace legwright

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/run/fewest_changes_record.hpp"
+
+namespace legwright {
+
+void fields(Fields& f, FewerChangesRecord& design) {
+  f("changed", design.changed, "parameters that are not those of the initial body");
+  f("F", design.F, "weighted, J included");
+  f("s", design.s);
+}
+
+void fields(Fields& f, FewestChangesRecord& fewest) {
+  f("share", fewest.share, "of the fall of F that is to be kept");
+  f("initial_F", fewest.initial_F);
+  f("fewest", fewest.fewest, "index of the last of `designs` that keeps it");
+  f("kept", fewest.kept, "whether the result is that design (optimize --few)");
+  f("seconds", fewest.seconds);
+  f("designs", fewest.designs, "from all changes to one");
+}
+
+}  // namespace legwright
