@@ -51,8 +51,13 @@ std::vector<int> cheapest_first(const std::vector<PutBack>& rows,
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return cost[a] < cost[b]; });
   std::vector<int> parameters;
+  parameters.reserve(order.size());
   for (const std::size_t k : order) parameters.push_back(rows[k].parameter);
   return parameters;
+}
+
+std::vector<int> first_of(const std::vector<int>& order, std::size_t count) {
+  return {order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count)};
 }
 
 /// `from` without some of its changes, the rest optimised again.
@@ -114,8 +119,8 @@ std::vector<FewerChanges> fewest_changes(const std::vector<std::vector<WeightedC
     if (order.empty()) break;
     batch = count > kFew ? std::clamp<std::size_t>(batch, 1, std::min(count / 2, count - kFew)) : 1;
     for (;; batch /= 2) {
-      FewerChanges next = without(designs.back(), {order.begin(), order.begin() + batch}, tasks,
-                                  space, old_values, options.codesign);
+      FewerChanges next = without(designs.back(), first_of(order, batch), tasks, space, old_values,
+                                  options.codesign);
       const double cost = next.design.value - designs.back().design.value;
       if (batch > 1 && !(cost <= free)) continue;
       // What a refit leaves at its old value is no change.

@@ -9,6 +9,7 @@
 
 #include "tools/report/changed_parameters.hpp"
 #include "tools/report/number_words.hpp"
+#include "tools/report/outer_words.hpp"
 #include "tools/report/parameter_view.hpp"
 #include "tools/report/words.hpp"
 
@@ -104,7 +105,8 @@ Rows::Show in(const std::string& unit) {
 
 Sides outer_cost(const RunData& data) {
   if (!data.run.outer || data.iterations.empty()) return {};
-  return {data.iterations.front().J, data.run.final_J};
+  const OuterRecord& outer = *data.run.outer;
+  return {outer_amount(outer, data.iterations.front().J), outer_amount(outer, data.run.final_J)};
 }
 
 void add_measured(const RunData& data, Rows& rows) {
@@ -199,8 +201,9 @@ std::vector<EffectRow> effect_rows(const RunData& data) {
   rows.add("cost of the gait, F", {data.run.motion_only_F, data.run.final_F}, short_number,
            Better::less);
   if (const Sides J = outer_cost(data); J.first || J.second)
-    rows.add("what the body was to lower, " + spaced(data.run.outer->objective), J, short_number,
-             Better::less);
+    rows.add("in the plan: " + spaced(data.run.outer->objective) +
+                 (data.run.outer->objective == "peak_torque" ? " as a share of the limit" : ", J"),
+             J, short_number, Better::less);
   return rows.take();
 }
 

@@ -30,6 +30,7 @@ std::string report_page(const RunData& data) {
   add_robustness(page, data);
   add_numerics(page, data);
   add_gap(page, data);
+  add_other_starts(page, data.run);
   add_progress(page, data);
   add_gallery(page, data);
   add_terms(page, data);

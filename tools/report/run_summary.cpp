@@ -12,6 +12,7 @@
 #include "tools/report/html.hpp"
 #include "tools/report/judged_words.hpp"
 #include "tools/report/number_words.hpp"
+#include "tools/report/outer_words.hpp"
 #include "tools/report/parameter_view.hpp"
 #include "tools/report/report.hpp"
 #include "tools/report/sections.hpp"
@@ -106,6 +107,8 @@ std::string design_effect(const RunData& data) {
     out += fmt::format("| {} | {} | {} | {} |\n", cell(row.what), cell(row.before), cell(row.after),
                        change_words(*row.effect.change));
   }
+  if (const std::string outer = outer_words(data.run, effect_rows(data)); !outer.empty())
+    out += "\n" + cell(outer, kLongestLine) + "\n";
   return out + "\n";
 }
 

@@ -66,37 +66,68 @@ void add_design_claims(Html& page, const RunData& data) {
             short_number(proof.worst_gradient_error));
 }
 
-/// "body width stands at its upper bound; 1 cm more would lower F by about 0.013."
+constexpr double kMoreRoom = 0.1;  // of the allowed range
+constexpr double kDecides = 0.01;  // of the cost: from here on a bound is worth widening
+
+/// A bound that the body stands at, and by how much the cost would fall with more room there, to
+/// first order.
+struct DecidingBound {
+  const ParameterView* parameter;
+  bool upper;
+  double gain;
+};
+
+/// Those of known parameters, what would gain most first.
+std::vector<DecidingBound> deciding_bounds(const std::vector<ActiveBoundRecord>& active,
+                                           const std::vector<ParameterView>& parameters) {
+  std::vector<DecidingBound> out;
+  for (const ActiveBoundRecord& bound : active) {
+    const ParameterView* const found = find_named(parameters, bound.parameter);
+    if (found == nullptr) continue;
+    const bool upper = bound.bound == "upper";
+    const double room = kMoreRoom * (found->upper - found->lower);
+    out.push_back({found, upper, (upper ? -1.0 : 1.0) * bound.gradient * room});
+  }
+  std::stable_sort(out.begin(), out.end(),
+                   [](const auto& a, const auto& b) { return a.gain > b.gain; });
+  return out;
+}
+
+/// "stands at its upper bound, 200.0 mm; up to 212.0 mm would lower F by about 0.013."
 /// @param cost what the body minimises: F, or F + J
-std::string bound_words(const ActiveBoundRecord& active,
-                        const std::vector<ParameterView>& parameters, std::string_view cost) {
-  const ParameterView* const found = find_named(parameters, active.parameter);
-  if (found == nullptr) return "";
-  const bool upper = active.bound == "upper";
-  std::string out = fmt::format("stands at its {} bound, {}", upper ? "upper" : "lower",
-                                found->with_unit(upper ? found->upper : found->lower));
-  const double step = found->angle ? 0.0872664625997165 : 0.01;  // 5° or 1 cm
-  const double change = (upper ? 1.0 : -1.0) * active.gradient * step;
-  return out + fmt::format("; {} {} would {} {} by about {}.", found->angle ? "5°" : "1 cm",
-                           upper ? "more" : "less", change < 0.0 ? "lower" : "raise", cost,
-                           short_number(std::abs(change)));
+std::string bound_words(const DecidingBound& bound, std::string_view cost) {
+  const ParameterView& p = *bound.parameter;
+  const double room = kMoreRoom * (p.upper - p.lower);
+  return fmt::format(
+      "stands at its {} bound, {}; {} {} would {} {} by about {}.", bound.upper ? "upper" : "lower",
+      p.with_unit(bound.upper ? p.upper : p.lower), bound.upper ? "up to" : "down to",
+      p.with_unit(bound.upper ? p.upper + room : p.lower - room),
+      bound.gain < 0.0 ? "raise" : "lower", cost, short_number(std::abs(bound.gain)));
 }
 
 void add_bounds(Html& page, const RunData& data, const std::vector<ParameterView>& parameters) {
-  const auto& active = data.certificate->active_bounds;
   page.element("h3", "What holds the body back");
-  if (active.empty()) {
+  if (data.certificate->active_bounds.empty()) {
     page.element("p", "No parameter presses against its bounds.");
     return;
   }
   const std::string_view cost = data.run.outer ? "F + J" : "F";
+  const double least = kDecides * std::abs(data.run.final_F.value_or(0.0));
+  std::string widen;
   page.open("ul", {{"class", "changes"}});
-  for (const ActiveBoundRecord& bound : active) {
-    const std::string words = bound_words(bound, parameters, cost);
-    if (words.empty()) continue;
-    page.open("li").element("b", spaced(bound.parameter)).text(" " + words).close();
+  for (const DecidingBound& bound : deciding_bounds(data.certificate->active_bounds, parameters)) {
+    page.open("li").element("b", spaced(bound.parameter->name));
+    page.text(" " + bound_words(bound, cost)).close();
+    if (bound.gain >= least && least > 0.0)
+      widen += (widen.empty() ? "" : ", ") + spaced(bound.parameter->name);
   }
   page.close();
+  page.note(
+      "Each with 10 % of its range more room, by the gradient at the bound: of a longer way less.");
+  if (!widen.empty())
+    page.element("p", "Worth more room, if the robot can be built so: " + widen +
+                          ". Bounds stand in the robot's file and, narrower, in the task's "
+                          "[design.bounds].");
 }
 
 void add_violation(Html& page, const ViolationRecord& row) {

@@ -7,6 +7,7 @@
 
 #include "tools/report/changed_parameters.hpp"
 #include "tools/report/design_effect.hpp"
+#include "tools/report/outer_words.hpp"
 #include "tools/report/parameter_view.hpp"
 #include "tools/report/sections.hpp"
 #include "tools/report/words.hpp"
@@ -60,6 +61,8 @@ void add_effect(Html& page, const RunData& data) {
   const std::string body = body_words(data);
   if (body.empty()) return;  // nothing changed
   page.element("p", fmt::format("{} {}", body, effect_words(data)));
+  if (const std::string outer = outer_words(data.run, effect_rows(data)); !outer.empty())
+    page.element("p", outer);
   page.open("div", {{"class", "charts"}});
   add_parameters(page, data);
   open_table(page, "What it does");

@@ -21,8 +21,9 @@ std::string_view report_style();
 void add_verdicts(Html& page, const RunData& data);
 void add_pictures(Html& page, const RunData& data, PictureBudget& budget);
 void add_design_effect(Html& page, const RunData& data);
-void add_attribution(Html& page, const RunData& data);  // part of the one before
-void add_fewest(Html& page, const RunRecord& run);      // part of the same
+void add_attribution(Html& page, const RunData& data);    // part of the one before
+void add_fewest(Html& page, const RunRecord& run);        // part of the same
+void add_other_starts(Html& page, const RunRecord& run);  // nothing with one start
 void add_gap(Html& page, const RunData& data);
 void add_progress(Html& page, const RunData& data);
 void add_gallery(Html& page, const RunData& data);
@@ -49,6 +50,8 @@ inline constexpr double kSmallTerm = 0.01;  // of F: smaller terms are folded aw
 
 /// "3 of 20 changes buy 96 % of the fall of F …: a, b and c."; empty where it is not known.
 std::string fewest_words(const RunRecord& run);
+/// "5 other starts end within 6 % of the least F; …"; empty where there were none.
+std::string other_starts_words(const RunRecord& run);
 /// What the events of a run's iterations hold, as a line of a chart.
 PlotSeries by_iteration(const RunData& data, double IterationEvent::*value, const std::string& name,
                         int colour = 1);

@@ -99,8 +99,8 @@ void ChangeReasons::keep_fewest(MultistartResult& found, const OnIteration& on_i
   CodesignOptions options;
   options.threads = threads_;
   options.on_iteration = [](const DesignIteration&) { return !stop_asked(); };
-  CodesignResult few = settle(costs().tasks().front(), space, space.initial(),
-                              designs_[fewest_.fewest], options);
+  CodesignResult few =
+      settle(costs().tasks().front(), space, space.initial(), designs_[fewest_.fewest], options);
   few.best.index = winner.result.best.index + 1;
   fewest_.kept = true;
   winner.result.status = few.status;
@@ -123,6 +123,7 @@ void ChangeReasons::write(const ResultFolder& folder, const MultistartResult& fo
     return;
   }
   std::vector<std::string> names;
+  names.reserve(static_cast<std::size_t>(problem_.task_count()));
   for (int k = 0; k < problem_.task_count(); ++k) names.push_back(problem_.task(k).name);
   run.put_back = joint_put_back_records(rows, space, tasks, names);
   for (int k = 0; k < problem_.task_count(); ++k)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/report/design_effect.hpp"
+#include "tools/report/outer_words.hpp"
 
 #include "tests/support/text.hpp"
 #include "tests/tools/report/hostile_names.hpp"
@@ -184,6 +185,29 @@ TEST_F(DesignEffect, ThePageAndTheSummaryAnswer) {
   const std::string summary = report_summary(read_run(run_));
   EXPECT_TRUE(has(summary, "**What the body bought.** Both bodies"));
   EXPECT_TRUE(has(summary, "| mechanical power | 4 W | 3 W | −25 % |"));
+}
+
+TEST_F(DesignEffect, AnOuterObjectiveIsToldByWhatIsMeasured) {
+  EXPECT_EQ(outer_words(read_run(run_).run, {}), "");
+  edit_run([](Json& run) { run["outer"] = {{"objective", "peak_torque"}, {"weight", 5.0}}; });
+  const auto words = [&] { return outer_words(read_run(run_).run, effect_rows(read_run(run_))); };
+  EXPECT_TRUE(
+      has(words(), "The body was to lower peak torque. Measured: peak torque of a servo 2 N"))
+      << words();
+  EXPECT_FALSE(has(words(), "did not fall"));
+  EXPECT_TRUE(has(page(), "The body was to lower peak torque."));
+  EXPECT_TRUE(has(report_summary(read_run(run_)), "The body was to lower peak torque."));
+  edit("result/metrics.json", [](Json& metrics) { set_power(metrics["result"], 3.0, 2.5); });
+  EXPECT_TRUE(has(words(), "(+25 %): it did not fall.")) << words();
+  edit_run([](Json& run) { run["outer"]["objective"] = "beauty"; });
+  EXPECT_EQ(words(), "The body was to lower beauty. What came of it is not measured.");
+}
+
+TEST(OuterAmount, APeakIsNoEighthPower) {
+  EXPECT_NEAR(*outer_amount({"peak_torque", 1000.0}, 1000.0 * 0.5 * std::pow(0.6, 8)), 0.6, 1e-12);
+  EXPECT_EQ(*outer_amount({"mechanical_work", 3.0}, 1.5), 1.5);
+  EXPECT_FALSE(outer_amount({"peak_torque", 1.0}, std::nullopt));
+  EXPECT_FALSE(outer_amount({"peak_torque", 0.0}, 1.0));
 }
 
 TEST_F(DesignEffect, OfARunThatKeptItsBodyNothingIsSaid) {

@@ -66,7 +66,7 @@ TEST_F(ReportTest, ShowsEveryPartOfACompleteRun) {
   }
   EXPECT_TRUE(in_order(page, {"slip of stance feet −14.3", "body off its place +2.61"}));
   EXPECT_TRUE(in_order(page, {"<h2>Certificate", "mark good", "curvatures of F along the motion"}));
-  EXPECT_TRUE(in_order(page, {"upper bound, 80.2°", "5° more", "0.131"}));
+  EXPECT_TRUE(in_order(page, {"upper bound, 80.2°", "96.3°", "0.42"}));
   EXPECT_FALSE(has(page, "class=\"hint\""));
   EXPECT_LT(page.size(), 5'000'000U);
 }
@@ -308,6 +308,40 @@ TEST_F(ReportTest, TellsHowFewChangesWouldDo) {
   fewest.fewest = 3;  // of a damaged file
   edit_run([&](Json& run) { run["fewest_changes"] = json_of(fewest); });
   EXPECT_EQ(fewest_words(read_run(run_).run), "");
+}
+
+TEST_F(ReportTest, BoundsAreWorthWideningFromOnePercentOfTheCostOn) {
+  EXPECT_FALSE(has(page(), "Worth more room")) << "0.42 of 327";
+  edit_run([](Json& run) { run["final_F"] = 40.0; });
+  EXPECT_TRUE(has(page(), "Worth more room, if the robot can be built so: front hip axis roll."));
+  EXPECT_TRUE(has(page(), "[design.bounds]"));
+}
+
+TEST_F(ReportTest, TellsHowUniqueTheResultIs) {
+  EXPECT_FALSE(has(page(), "How unique the result is"));
+  const auto start = [](const char* name, double F, double width) {
+    StartRecord one;
+    one.start = name;
+    one.F = F;
+    one.s = {{"front_hip_axis_roll", 0.5}, {"body_width", width}};
+    return one;
+  };
+  edit_run([&](Json& run) {
+    run["starts"] = Json::array();
+    for (const StartRecord& one :
+         {start("initial", 2.12, 0.14), start("random-1", 2.0, 0.1), start("random-2", NAN, 0.1)})
+      run["starts"].push_back(json_of(one));
+  });
+  const RunRecord run = read_run(run_).run;
+  const std::string words = other_starts_words(run);
+  EXPECT_TRUE(
+      has(words, "1 other start ends within 6 % of the least F; their bodies differ in 1 of"))
+      << words;
+  const std::string page = this->page();
+  expect_well_formed(page);
+  EXPECT_TRUE(has(page, words));
+  EXPECT_LT(page.find("from random-1"), page.find("from initial")) << "the least F first";
+  EXPECT_TRUE(has(page, "100.0 mm"));
 }
 
 TEST_F(ReportTest, WritesPageAndSummary) {
