@@ -25,9 +25,20 @@ double standing_leg(const Morphology& morphology, const Eigen::VectorXd& s) {
   return height > 0.0 ? std::min(morphology.leg_length, kCrouch * height) : morphology.leg_length;
 }
 
+double shortest_swing(const Gait& gait) {
+  int fewest = gait.knot_count();
+  for (int foot = 0; foot < gait.foot_count(); ++foot) {
+    int airborne = 0;
+    for (int knot = 0; knot < gait.knot_count(); ++knot) airborne += !gait.in_contact(knot, foot);
+    fewest = std::min(fewest, airborne);
+  }
+  return (fewest + 1) * gait.time_step();  // from the last knot of a stance to the next one's first
+}
+
 double swing_height(const Task& task, double leg_length) {
-  return task.swing_height.value_or(
-      std::max(kSwingShare * leg_length, kSwingOver * task.step_over));
+  const double time = shortest_swing(task.gait);
+  const double lift = std::min(kSwingShare * leg_length, kSwingLift * kGravity * time * time);
+  return task.swing_height.value_or(std::max(lift, kSwingOver * task.step_over));
 }
 
 double limb_clearance(const Task& task, double leg_length) {

@@ -19,13 +19,20 @@ inline constexpr double kKnownLeg = 0.21;
 /// splines and soft servos cut the top.
 inline constexpr double kSwingOver = 2.25;
 
+/// Lift of a swing, as a share of g times the square of its time: what a foot can rise and sink by
+/// without its servos hitting their limits. 25 mm take 0.2 s.
+inline constexpr double kSwingLift = 0.06;
+
 /// The leg by whose length a robot moves [m]: as long as stretched out, but at most 1.75 times the
 /// height of the COM in the home pose at design s: one that crouches swings as short a pendulum,
 /// and steps as low, as a smaller one.
 double standing_leg(const Morphology& morphology, const Eigen::VectorXd& s);
 
-/// How high a foot is lifted [m]: what the task says, or a share of the leg, or what stepping over
-/// a height needs.
+/// The shortest time that a foot of a gait has for its swing [s], from lift-off to touchdown.
+double shortest_swing(const Gait& gait);
+
+/// How high a foot is lifted [m]: what the task says, or a share of the leg, at most what a short
+/// swing leaves time for (kSwingLift g times its square), or what stepping over a height needs.
 double swing_height(const Task& task, double leg_length);
 
 /// Distance to be kept between the centre lines of limbs, eq (16) [m]: what the task says, or a

@@ -47,6 +47,7 @@ TOOLS = (
     'tools/run',
     'tools/image',
     'tools/validate',
+    'tools/choose',
     'tools/render',
     'tools/report',
     'tools/viewer',
@@ -73,6 +74,7 @@ LAYERS = {
     'tools/run': OPTIMIZER + MJCF + ('trajectory',) + TOOLS[:3],
     'tools/image': ('tools/files',),
     'tools/validate': OPTIMIZER + MJCF + ('trajectory',) + TOOLS[:4],
+    'tools/choose': OPTIMIZER + MJCF + TOOLS[:4] + TOOLS[5:6],
     'tools/render': ('trajectory', 'mjcf/text', 'mjcf/scene') + TOOLS[:5],
     'tools/report': (
         'trajectory',
@@ -84,7 +86,7 @@ LAYERS = {
     )
     + OPTIMIZER,
     'tools/viewer': ('mjcf/text', 'tools/files', 'tools/run', 'tools/simulate'),
-    'tools/verbs': OPTIMIZER + MJCF + ('trajectory',) + TOOLS[:8],
+    'tools/verbs': OPTIMIZER + MJCF + ('trajectory',) + TOOLS[:9],
     'program': OPTIMIZER + MJCF + TOOLS,
     'tests': OPTIMIZER + MJCF + TOOLS + ('trajectory', 'plugin'),
 }

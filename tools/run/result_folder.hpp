@@ -10,7 +10,8 @@ class ResultFolder {
  public:
   /// Makes the folder of a new run, with inputs/ and iterations/ in it. Throws IoError, with a way
   /// out in its message, where it holds a run (unless `force`: then run.json, events.jsonl,
-  /// inputs/, iterations/, result/ and report.html are removed first, and no other file) or files
+  /// inputs/, iterations/, starts/, tasks/,
+  /// candidates/, front/, result/ and report.html are removed first, and no other file) or files
   /// of the same names that are no run (never removed), and where it cannot be written. It throws
   /// before it removes anything, but for a removal that itself fails halfway.
   static ResultFolder create(const std::filesystem::path& root, bool force);

@@ -38,15 +38,6 @@ TaskRecord record_of_task(const Task& task) {
   return record;
 }
 
-BodyRecord body_of(const RobotModel& robot, const Eigen::VectorXd& s) {
-  BodyRecord body{GeometryAtDesign(robot.morphology, s).total_mass, {}};
-  double volume = 0.0;
-  for (const Link& link : robot.morphology.links)
-    for (const PointMass& point : link.masses) volume += point.volume * point.growth_at(s);
-  if (volume > 0.0) body.printed_volume = volume;
-  return body;
-}
-
 /// All but the task or tasks.
 RunRecord head(const std::vector<std::string>& argv, const CodesignProblem& problem) {
   RunRecord run;
@@ -88,7 +79,7 @@ void add_effort(RunRecord& run, const RunEffort& effort) {
 
 void add_final_design(RunRecord& run, const RobotModel& robot, const Eigen::VectorXd& s) {
   for (int k = 0; k < robot.space.size(); ++k) run.parameters[k].final = s[k];
-  run.body = {body_of(robot, robot.space.initial()), body_of(robot, s)};
+  run.body = {body_record(robot, robot.space.initial()), body_record(robot, s)};
 }
 
 ByName<double> task_values(const CodesignProblem& problem, const RunLabel& label,
@@ -123,6 +114,15 @@ std::vector<StartRecord> records_of(const CodesignProblem& problem,
 }
 
 }  // namespace
+
+BodyRecord body_record(const RobotModel& robot, const Eigen::VectorXd& s) {
+  BodyRecord body{GeometryAtDesign(robot.morphology, s).total_mass, {}};
+  double volume = 0.0;
+  for (const Link& link : robot.morphology.links)
+    for (const PointMass& point : link.masses) volume += point.volume * point.growth_at(s);
+  if (volume > 0.0) body.printed_volume = volume;
+  return body;
+}
 
 RunEffort effort_of(const CodesignResult& result) {
   return {result.design_iterations, result.newton_iterations, result.factorisations, result.seconds,
@@ -200,7 +200,7 @@ void add_starts(RunRecord& run, const MultistartResult& result, const CodesignPr
 void finish_joint_run(RunRecord& run, const std::string& status, const MultistartResult& result,
                       const std::vector<TaskOutcome>& outcomes, const RunEffort& effort,
                       const CodesignProblem& problem) {
-  const StartedRun& winner = result.joint[result.best];
+  const DesignIteration& result_design = *outcomes.front().best;
   run.status = status;
   run.reasons.emplace();
   for (const TaskOutcome& outcome : outcomes)
@@ -216,12 +216,12 @@ void finish_joint_run(RunRecord& run, const std::string& status, const Multistar
     task.feasible = outcome.reasons.empty();
   }
   run.motion_only_F = result.joint.front().result.initial.value;
-  run.final_F = winner.result.best.value;
+  run.final_F = result_design.value;
   add_starts(run, result, problem);
   run.alone = records_of(problem, result.alone);
   add_effort(run, effort);
-  run.projected_gradient_norm = winner.result.best.projected_gradient_norm;
-  add_final_design(run, problem.robot, winner.result.best.s);
+  run.projected_gradient_norm = result_design.projected_gradient_norm;
+  add_final_design(run, problem.robot, result_design.s);
 }
 
 EndEvent end_event(const RunRecord& run) {

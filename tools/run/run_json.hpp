@@ -19,6 +19,9 @@ RunRecord start_of_run(const std::vector<std::string>& argv, const CodesignProbl
 /// The same for all tasks of a problem: "tasks" in the place of "task".
 RunRecord start_of_joint_run(const std::vector<std::string>& argv, const CodesignProblem& problem);
 
+/// Mass and printed volume of the robot at a design.
+BodyRecord body_record(const RobotModel& robot, const Eigen::VectorXd& s);
+
 /// What it took to get there.
 struct RunEffort {
   int design_iterations = 0, newton_iterations = 0, factorisations = 0;

@@ -22,6 +22,21 @@ void fields(Fields& f, PlayedGait& gait) {
   f("line", gait.line, "of the verdict");
 }
 
+void fields(Fields& f, CandidateRecord& candidate) {
+  f("name", candidate.name);
+  f("F", candidate.F, "of the task as it was given");
+  f("played", candidate.played);
+  f("folder", candidate.folder, "of its files, in the run; a folder per task where there are several");
+}
+
+void fields(Fields& f, ChoiceRecord& choice) {
+  f("chosen", choice.chosen, "name of the candidate in result/");
+  f("pass", choice.pass, "at half, default and double gains");
+  f("rollouts", choice.rollouts);
+  f("seconds", choice.seconds);
+  f("candidates", choice.candidates, "in the order in which they were played");
+}
+
 void fields(Fields& f, PhysicsStepRecord& step) {
   f("scalars", step.scalars, "factors on what the task says");
   f("merit", step.merit, "null where it fell or there is no such gait");
@@ -185,6 +200,8 @@ void visit_effort(Fields& f, RunRecord& run) {
   f.required_if(single, "root_residual", run.root_residual);
   f.required_if(ended, "body", run.body);
   f("certificate", run.certificate, "what result/certificate.json came to");
+  f("choice", run.choice, "which of its designs MuJoCo let optimize hand back");
+  f("picked", run.picked, "which design `legwright pick` made the result");
   f("physics_steps", run.physics_steps, "what optimize --physics-steps did to the gait");
   f("front", run.front, "trade-off between two tasks, as in result/front.json");
   f("failure", run.failure, "why the status is \"failed\"");

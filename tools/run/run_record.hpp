@@ -31,6 +31,25 @@ struct PlayedGait {
 };
 void fields(Fields& f, PlayedGait& gait);
 
+/// A design that was played before `optimize` chose its result.
+struct CandidateRecord {
+  std::string name;
+  double F = 0.0;  // of the task as the user gave it
+  PlayedGait played;
+  std::optional<std::string> folder;  // of its files in the run, where they are kept
+};
+void fields(Fields& f, CandidateRecord& candidate);
+
+/// Which of its designs `optimize` handed back: the one with the least F that physics passes.
+struct ChoiceRecord {
+  std::string chosen;
+  bool pass = false;
+  int rollouts = 0;
+  double seconds = 0.0;
+  std::vector<CandidateRecord> candidates;
+};
+void fields(Fields& f, ChoiceRecord& choice);
+
 struct PhysicsStepRecord {
   ByName<double> scalars;  // factors on what the task says
   double merit = 0.0, predicted_merit = 0.0;
@@ -172,6 +191,8 @@ struct RunRecord {
   std::optional<double> heading_error, ground_error, slide_share, root_residual;
   std::optional<BodiesRecord> body;
   std::optional<CertificateNote> certificate;
+  std::optional<ChoiceRecord> choice;
+  std::optional<std::string> picked;  // which design the user made the result
   std::optional<PhysicsStepsRecord> physics_steps;
   std::optional<std::vector<FrontPointRecord>> front;
   std::optional<std::string> failure;  // why the status is "failed"

@@ -23,6 +23,7 @@ namespace {
 
 constexpr double kMostHeight = 1.5;  // com_height over the longest leg: the trunk has height
 constexpr double kQuickDuty = 0.6;   // gaits up to this duty have no third foot to catch them
+constexpr double kPlantedShareOfSwing = 1.0 / 6.0;  // planted before and after stance, at most
 
 /// Knots of each foot strictly in the air, the smallest of them.
 int fewest_airborne(const Gait& gait, int margin) {
@@ -125,10 +126,11 @@ void check_reach(const TaskFile& file, const Task& task, const RobotModel& robot
 
 }  // namespace
 
-int planted_margin_knots(std::optional<double> seconds, double duty, double time_step,
-                         double leg_length) {
-  const double wanted =
-      seconds.value_or(duty <= kQuickDuty + 1e-9 ? touchdown_error(leg_length) : time_step);
+int planted_margin_knots(std::optional<double> seconds, double duty, double period,
+                         double time_step, double leg_length) {
+  const double quick =
+      std::min(touchdown_error(leg_length), kPlantedShareOfSwing * (1.0 - duty) * period);
+  const double wanted = seconds.value_or(duty <= kQuickDuty + 1e-9 ? quick : time_step);
   return std::max(1, static_cast<int>(std::lround(wanted / time_step)));
 }
 
@@ -234,7 +236,7 @@ Task make_task(const TaskFile& file, const RobotModel& robot) {
   const double leg = standing_leg(robot.morphology, robot.space.initial());
   // By the pattern's duty: rounded to knots, a pace of 0.6 at 24 knots would count as a slow gait.
   task.planted_margin = planted_margin_knots(file.planted_margin, longest_duty(file, names, order),
-                                             task.gait.time_step(), leg);
+                                             file.period, task.gait.time_step(), leg);
   task.swing_height = swing_height(task, leg);
   task.clearance = limb_clearance(task, robot.morphology.leg_length);
   task.weights = file.weights;

@@ -63,7 +63,7 @@ CodesignProblem read_problem(const std::filesystem::path& task_file,
   return problem;
 }
 
-ProblemCosts::ProblemCosts(const CodesignProblem& problem) {
+ProblemCosts::ProblemCosts(const CodesignProblem& problem, const FirstMotionOptions& first) {
   for (int k = 0; k < problem.task_count(); ++k) {
     const Objective& objective = *problem.objectives[k];
     JointTask task;
@@ -72,7 +72,9 @@ ProblemCosts::ProblemCosts(const CodesignProblem& problem) {
     task.cost = costs_.emplace_back(std::make_unique<ObjectiveCost>(objective)).get();
     if (!problem.outers.empty())
       task.outer = costs_.emplace_back(std::make_unique<ObjectiveCost>(*problem.outers[k])).get();
-    task.guess = [&objective](const Eigen::VectorXd& s) { return initial_guess(objective, s); };
+    task.guess = [&objective, first](const Eigen::VectorXd& s) {
+      return best_first_motion(objective, s, first);
+    };
     tasks_.push_back(std::move(task));
   }
 }

@@ -8,6 +8,7 @@
 
 #include "mjcf/read/read_robot.hpp"
 #include "optimizer/objective/objective.hpp"
+#include "optimizer/solve/first_motion.hpp"
 #include "optimizer/solve/multistart.hpp"
 #include "tools/task/task_file.hpp"
 
@@ -34,7 +35,8 @@ CodesignProblem read_problem(const std::filesystem::path& task_file,
 /// The costs of a problem, as the solvers want them. Keeps references to the problem.
 class ProblemCosts {
  public:
-  explicit ProblemCosts(const CodesignProblem& problem);
+  /// @param first how the first motion of a body is found
+  explicit ProblemCosts(const CodesignProblem& problem, const FirstMotionOptions& first = {});
   const std::vector<JointTask>& tasks() const { return tasks_; }
 
  private:

@@ -39,9 +39,9 @@ Task make_task(const TaskFile& file, const RobotModel& robot);
 
 /// Knots planted on either side of stance: `seconds` in knots, at least one. Without a margin in
 /// the task touchdown_error() of the leg's length (35 ms for legs of 21 cm) for gaits of duty ≤
-/// 0.6, else one knot.
-int planted_margin_knots(std::optional<double> seconds, double duty, double time_step,
-                         double leg_length);
+/// 0.6, at most a sixth of the swing, else one knot. @param period of the cycle [s]
+int planted_margin_knots(std::optional<double> seconds, double duty, double period,
+                         double time_step, double leg_length);
 
 /// How far the body travels while a foot stands, at most and as far as the robot could ever reach
 /// [m].

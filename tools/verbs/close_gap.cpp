@@ -1,25 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/verbs/close_gap.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <stdio.h>
 
-#include <cerrno>
 #include <cmath>
 #include <memory>
-#include <system_error>
 
 #include "mjcf/text/input_error.hpp"
 #include "optimizer/base/stopwatch.hpp"
 #include "optimizer/solve/task_solver.hpp"
 #include "tools/run/design_folder.hpp"
 #include "tools/simulate/mujoco_host.hpp"
-#include "tools/simulate/scene.hpp"
-#include "tools/validate/limits.hpp"
-#include "tools/validate/measure.hpp"
-#include "tools/validate/verdict.hpp"
 #include "tools/verbs/joint_folders.hpp"
+#include "tools/verbs/replace_folder.hpp"
+#include "tools/choose/physics_trial.hpp"
 
 namespace legwright {
 namespace {
@@ -27,33 +21,11 @@ namespace {
 namespace fs = std::filesystem;
 using Eigen::VectorXd;
 
-const std::vector<double> kPlayedGains = {0.5, 1.0, 2.0};
-constexpr int kCycles = 20;
-// What counts as one unit of a residual: the verdict's own tolerances, and less than them where
-// every bit of tilt or saturation should go.
-constexpr double kRatioUnit = 0.05, kTiltUnit = 0.3, kSaturationUnit = 0.01, kFallUnit = 0.05;
-
 /// A gait of the body: its cost with the scaled task, and its motion.
 struct PlannedGait {
   std::unique_ptr<Objective> objective;
   TaskIterate motion;
 };
-
-/// What physics says at one gain, in tolerances. A robot that fell early has no speed: then the
-/// share of the time that is missing pulls it up.
-void add_residuals(const Measurements& run, const WantedMotion& wanted, double planned_seconds,
-                   std::vector<double>& residual) {
-  residual.push_back((1.0 - run.seconds / planned_seconds) / kFallUnit);
-  if (wanted.travels())
-    residual.push_back((run.speed_ratio.value_or(0.0) - 1.0) / kRatioUnit);
-  else
-    residual.push_back(run.velocity
-                           ? run.velocity->norm() / *default_limits().at("standing_speed").high
-                           : 1.0 / kRatioUnit);
-  if (wanted.turns()) residual.push_back((run.turn_ratio.value_or(0.0) - 1.0) / kRatioUnit);
-  residual.push_back(run.tilt_max / kTiltUnit);
-  residual.push_back(run.saturated_share / kSaturationUnit);
-}
 
 class GapCloser {
  public:
@@ -64,7 +36,6 @@ class GapCloser {
         scalars_(gait_scalars(problem.task(k))),
         file_(problem.task(k)) {
     const Task& task = problem.objectives[static_cast<std::size_t>(k)]->task();
-    wanted_ = {task.velocity, task.turn_rate};
     // Knots planted beyond stance stay the same number where the period changes by a little.
     file_.planted_margin = task.planted_margin * task.gait.time_step();
     file_.margins = task;
@@ -104,7 +75,8 @@ class GapCloser {
   PhysicsTrial play(const VectorXd& x) const {
     try {
       const PlannedGait gait = plan(x);
-      return measured(design_texts(problem_.robot, *gait.objective, best_.s, gait.motion.m));
+      return try_in_physics(problem_.robot, problem_.task(k_),
+                            design_texts(problem_.robot, *gait.objective, best_.s, gait.motion.m));
     } catch (const InputError&) {
       return {};  // out of reach, or no knot left for a swing: no such gait
     } catch (const MujocoError&) {
@@ -113,29 +85,11 @@ class GapCloser {
   }
 
  private:
-  PhysicsTrial measured(const DesignTexts& texts) const {
-    std::vector<Measurements> at_gains;
-    std::vector<double> residual;
-    for (const double gain : kPlayedGains) {
-      const Scene scene =
-          parse_scene(texts.scene_xml, "scene.xml", gain, problem_.robot.files.folder());
-      RolloutOptions options;
-      options.cycles = kCycles;
-      at_gains.push_back(measure(scene, wanted_, texts.quality.planned_velocity, options));
-      add_residuals(at_gains.back(), wanted_, kCycles * scene.trajectory.period, residual);
-    }
-    const Verdict verdict = judge(at_gains, wanted_, file_.gait,
-                                  with_step_over(default_limits(), file_.margins.step_over));
-    return {Eigen::Map<const VectorXd>(residual.data(), static_cast<Eigen::Index>(residual.size())),
-            verdict.pass, verdict.line};
-  }
-
   const CodesignProblem& problem_;
   const DesignIteration& best_;
   int k_;
   std::vector<GaitScalar> scalars_;
   TaskFile file_;
-  WantedMotion wanted_;
 };
 
 ByName<double> scalars_of(const GapCloser& closer, const VectorXd& x) {
@@ -169,22 +123,6 @@ double played_period_factor(const GapCloser& closer, const VectorXd& x) {
     if (closer.scalars()[i].name == "period")
       return closer.factors(x)[static_cast<Eigen::Index>(i)];
   return 1.0;
-}
-
-/// The old folder goes away only when the new one stands in its place, at once where the file
-/// system can exchange names.
-void replace_folder(const fs::path& fresh, const fs::path& old) {
-  if (::renameat2(AT_FDCWD, fresh.c_str(), AT_FDCWD, old.c_str(), RENAME_EXCHANGE) == 0) {
-    fs::remove_all(fresh);
-    return;
-  }
-  if (errno != EINVAL && errno != ENOSYS && errno != EOPNOTSUPP)
-    throw std::system_error(errno, std::generic_category(), old.string());
-  const fs::path aside = old.parent_path() / ".result-before-physics";
-  fs::remove_all(aside);
-  fs::rename(old, aside);
-  fs::rename(fresh, old);
-  fs::remove_all(aside);
 }
 
 void write_result(const fs::path& result, const CodesignProblem& problem,
@@ -269,7 +207,7 @@ PhysicsStepsRecord close_gap(const ResultFolder& folder, const CodesignProblem& 
                          .period = problem.task(k).period * played_period_factor(closer, found.x),
                          .seconds = watch.seconds(),
                          .changed = better,
-                         .rollouts = found.trials * static_cast<int>(kPlayedGains.size()),
+                         .rollouts = found.trials * kTrialRollouts,
                          .steps = {}};
   for (const PhysicsStep& step : found.steps)
     out.steps.push_back({scalars_of(closer, step.x), step.trial.merit(), step.predicted_merit,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <thread>
 
 #include "optimizer/base/stopwatch.hpp"
@@ -31,23 +32,42 @@ void edit_task_run(const ResultFolder& folder, const CodesignProblem& problem, i
   write_json(file, json_of(run));
 }
 
+/// F of the given body with its best motions.
+double motion_only_F(std::vector<WeightedCost> tasks, const DesignIteration& initial) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < tasks.size(); ++k) {
+    tasks[k].initial_motion = initial.tasks.at(k).m;
+    const MotionLimits limits;
+    TaskSolver solver(tasks[k], limits);
+    if (!solver.start(initial.s)) return std::numeric_limits<double>::infinity();
+    sum += tasks[k].weight * (solver.now().value + solver.now().outer_value);
+  }
+  return sum;
+}
+
 }  // namespace
 
-/// The tasks of a problem once for each thread, with costs of their own.
+/// The tasks of a problem once for each thread, with costs of their own: F as a design was planned.
 class ChangeReasons::CostsByThread {
  public:
-  CostsByThread(const CodesignProblem& problem, int threads) {
-    for (int k = 0; k < threads; ++k) {
+  CostsByThread(const CodesignProblem& problem, const Candidate& chosen, int threads) {
+    for (int thread = 0; thread < threads; ++thread) {
       costs_.push_back(std::make_unique<ProblemCosts>(problem));
       std::vector<WeightedCost>& tasks = tasks_.emplace_back();
-      for (const JointTask& task : costs_.back()->tasks())
+      for (const JointTask& task : costs_.back()->tasks()) {
+        const auto k = static_cast<int>(tasks.size());
         tasks.push_back(weighted(task, task.weight, {}));
+        if (chosen.planned.empty()) continue;
+        planned_.push_back(std::make_unique<ObjectiveCost>(chosen.objective(problem, k)));
+        tasks.back().cost = planned_.back().get();
+      }
     }
   }
   const std::vector<std::vector<WeightedCost>>& tasks() const { return tasks_; }
 
  private:
   std::vector<std::unique_ptr<ProblemCosts>> costs_;
+  std::vector<std::unique_ptr<ObjectiveCost>> planned_;
   std::vector<std::vector<WeightedCost>> tasks_;
 };
 
@@ -59,7 +79,7 @@ ChangeReasons::ChangeReasons(const CodesignProblem& problem, int threads, double
 ChangeReasons::~ChangeReasons() = default;
 
 const ChangeReasons::CostsByThread& ChangeReasons::costs() {
-  if (!costs_) costs_ = std::make_unique<CostsByThread>(problem_, threads_);
+  if (!costs_) costs_ = std::make_unique<CostsByThread>(problem_, Candidate{}, threads_);
   return *costs_;
 }
 
@@ -69,15 +89,16 @@ std::vector<PutBack> ChangeReasons::rows_of(const DesignIteration& design) {
   return put_back(costs().tasks(), problem_.robot.space.initial(), design, options);
 }
 
-void ChangeReasons::find_fewest(const MultistartResult& found, const std::vector<PutBack>& rows) {
+void ChangeReasons::find_fewest(double initial_F, const DesignIteration& best,
+                                const std::vector<PutBack>& rows) {
   const Stopwatch watch;
   const DesignSpace& space = problem_.robot.space;
   FewestChangesOptions options;
   options.codesign.threads = threads_;
   options.stop = stop_asked;
-  fewest_.initial_F = found.joint.front().result.initial.value;
+  fewest_.initial_F = initial_F;
   designs_ = fewest_changes(costs().tasks(), space, space.initial(), fewest_.initial_F,
-                            found.winner().best, rows, options);
+                            best, rows, options);
   fewest_.fewest = fewest_that_keep(designs_, fewest_.initial_F, fewest_.share);
   fewest_.designs.clear();
   for (const FewerChanges& each : designs_) {
@@ -95,7 +116,8 @@ void ChangeReasons::keep_fewest(MultistartResult& found, const OnIteration& on_i
   if (stop_asked() || !std::isfinite(winner.result.best.value) ||
       winner.result.best.s == space.initial())
     return;
-  find_fewest(found, rows_of(winner.result.best));
+  find_fewest(found.joint.front().result.initial.value, winner.result.best,
+              rows_of(winner.result.best));
   CodesignOptions options;
   options.threads = threads_;
   options.on_iteration = [](const DesignIteration&) { return !stop_asked(); };
@@ -110,12 +132,18 @@ void ChangeReasons::keep_fewest(MultistartResult& found, const OnIteration& on_i
 }
 
 void ChangeReasons::write(const ResultFolder& folder, const MultistartResult& found,
-                          RunRecord& run) {
-  const DesignIteration& best = found.winner().best;
+                          const Candidate& chosen, RunRecord& run) {
   const DesignSpace& space = problem_.robot.space;
-  if (best.s == space.initial()) return;
+  if (chosen.design.s == space.initial()) return;
+  DesignIteration best = chosen.design;
+  double initial_F = found.joint.front().result.initial.value;
+  if (!chosen.planned.empty()) {  // its own F, not that of the task as it was asked
+    costs_ = std::make_unique<CostsByThread>(problem_, chosen, threads_);
+    evaluate_as_planned(problem_, chosen, best);
+    initial_F = motion_only_F(costs().tasks().front(), found.joint.front().result.initial);
+  }
   const std::vector<PutBack> rows = rows_of(best);
-  if (!fewest_.kept) find_fewest(found, rows);
+  if (!fewest_.kept || !chosen.planned.empty()) find_fewest(initial_F, best, rows);
   run.fewest_changes = fewest_;
   const std::vector<WeightedCost>& tasks = costs().tasks().front();
   if (!problem_.set.joint()) {

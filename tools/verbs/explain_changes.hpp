@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "optimizer/solve/fewest_changes.hpp"
+#include "tools/choose/candidate.hpp"
 #include "tools/run/result_folder.hpp"
 #include "tools/run/run_record.hpp"
 #include "tools/task/problem.hpp"
@@ -25,14 +26,16 @@ class ChangeReasons {
   /// the result, as one more iteration of the start that won.
   void keep_fewest(MultistartResult& found, const OnIteration& on_iteration);
   /// Into run.json and, of a joint run, what each change buys into that of each task. Nothing where
-  /// the body stayed.
-  void write(const ResultFolder& folder, const MultistartResult& found, RunRecord& run);
+  /// the body stayed. @param chosen the result, of whose F it is: that of its search
+  void write(const ResultFolder& folder, const MultistartResult& found, const Candidate& chosen,
+             RunRecord& run);
 
  private:
   class CostsByThread;
   const CostsByThread& costs();
   std::vector<PutBack> rows_of(const DesignIteration& design);
-  void find_fewest(const MultistartResult& found, const std::vector<PutBack>& rows);
+  void find_fewest(double initial_F, const DesignIteration& best,
+                   const std::vector<PutBack>& rows);
 
   const CodesignProblem& problem_;
   const int threads_;

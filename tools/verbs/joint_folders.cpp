@@ -100,7 +100,7 @@ void write_task_runs(const ResultFolder& folder, const CodesignProblem& problem,
     write_task_run(folder, problem, run, found, outcome, recorder);
   fs::create_directories(folder.result());
   write_robot_files(folder.result(), problem.robot.files.with_text(
-                                         rewrite_robot(problem.robot, found.winner().best.s)));
+                                         rewrite_robot(problem.robot, outcomes.front().best->s)));
 }
 
 std::vector<FrontPointRecord> write_front(const ResultFolder& folder,
@@ -117,6 +117,12 @@ std::vector<FrontPointRecord> write_front(const ResultFolder& folder,
     front.points.push_back({point.weight, point.best.value, values,
                             std::string(to_string(point.status)),
                             by_name(problem.robot.space, point.best.s)});
+    const fs::path design =
+        folder.root() / "front" / fmt::format("{:02}", front.points.size() - 1);
+    fs::create_directories(design);
+    for (int k = 0; k < problem.task_count(); ++k)
+      write_design(design / problem.task(k).name, problem.robot, *problem.objectives[k], point.best,
+                   k, Durability::process);
   }
   write_json(folder.result() / "front.json", json_of(front));
   return front.points;

@@ -9,16 +9,15 @@
 #include "tools/files/clean_text.hpp"
 #include "tools/files/io_error.hpp"
 #include "tools/files/licence.hpp"
-#include "tools/run/certificate_json.hpp"
 #include "tools/run/install.hpp"
 #include "tools/run/robot_folder.hpp"
 #include "tools/run/run_json.hpp"
-#include "tools/simulate/stand.hpp"
-#include "tools/verbs/close_gap.hpp"
+#include "tools/choose/choose_design.hpp"
 #include "tools/verbs/command_times.hpp"
 #include "tools/verbs/explain_changes.hpp"
-#include "tools/verbs/feasibility.hpp"
 #include "tools/verbs/joint_folders.hpp"
+#include "tools/verbs/optimize_options.hpp"
+#include "tools/verbs/optimize_results.hpp"
 #include "tools/verbs/recorder.hpp"
 #include "tools/verbs/stop_signals.hpp"
 #include "tools/verbs/summary.hpp"
@@ -28,23 +27,6 @@ namespace legwright {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr int kToldConstraints = 3;  // of an infeasible plan
-
-struct OptimizeOptions {
-  std::string task, robot, run;
-  bool motion_only = false, no_pictures = false, quiet = false, json = false, force = false;
-  bool few = false, one_start = false, lbfgs = false, no_certificate = false;
-  int max_iterations = CodesignOptions{}.max_iterations;
-  int starts = 0, threads = 0, front = 0, physics_steps = 0;
-  std::uint64_t seed = 1;
-  double few_keeps = 95.0;  // percent of the fall of F
-};
-
-std::string status_text(SolveStatus status, int signal) {
-  if (signal == SIGINT) return "interrupted";
-  return std::string(to_string(status));
-}
 
 void draw_rest(PictureQueue& pictures, bool quiet) {
   const std::size_t waiting = pictures.waiting();
@@ -61,73 +43,6 @@ int exit_code(int signal, const std::vector<std::string>& reasons) {
   if (signal == SIGINT) return kInterrupted;
   if (signal != 0) return kStoppedEarly;
   return reasons.empty() ? kOk : kInfeasible;
-}
-
-MultistartOptions settings_of(const OptimizeOptions& options, int task_count) {
-  MultistartOptions settings;
-  settings.codesign.max_iterations = options.max_iterations;
-  settings.codesign.motion_only = options.motion_only;
-  settings.codesign.method = options.lbfgs ? DesignMethod::lbfgs : DesignMethod::newton;
-  const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  settings.codesign.threads = std::min(task_count, options.threads > 0 ? options.threads : cores);
-  settings.from_single_tasks = !options.one_start && !options.motion_only;
-  settings.perturbations = options.motion_only ? 0 : options.starts;
-  settings.seed = options.seed;
-  return settings;
-}
-
-bool usable(const DesignIteration& iteration) {
-  if (iteration.tasks.empty() || !std::isfinite(iteration.value)) return false;
-  for (const TaskIterate& task : iteration.tasks)
-    if (task.m.size() == 0 || !task.m.allFinite()) return false;
-  return true;
-}
-
-/// What is on disk and known of each task when the solvers are done.
-std::vector<TaskOutcome> write_results(const ResultFolder& folder, const CodesignProblem& problem,
-                                       const MultistartResult& found, Recorder& recorder) {
-  const CodesignResult& winner = found.winner();
-  const CodesignResult& first = found.joint.front().result;
-  std::vector<TaskOutcome> outcomes;
-  for (int k = 0; k < problem.task_count(); ++k) {
-    TaskOutcome outcome;
-    outcome.task = k;
-    outcome.initial = &first.initial;
-    outcome.best = &winner.best;
-    outcome.motion_only_trace = first.motion_only_traces[k];
-    const bool good = usable(winner.best);
-    if (good) outcome.quality = recorder.result(result_folder(folder, problem, k), winner.best, k);
-    outcome.reasons = infeasible_reasons(good, outcome.quality, problem.speed_unit(k));
-    if (good && !outcome.reasons.empty())  // which limb, when, by how much
-      for (std::string& words : worst_constraints(*problem.objectives[k], winner.best.s,
-                                                  winner.best.tasks[k].m, kToldConstraints))
-        outcome.reasons.push_back(std::move(words));
-    outcomes.push_back(std::move(outcome));
-  }
-  return outcomes;
-}
-
-/// Proves the result and writes certificate.json beside it. @return what run.json says of it
-CertificateNote write_certificate(const ResultFolder& folder, const CodesignProblem& problem,
-                                  const std::vector<JointTask>& tasks, const DesignIteration& best,
-                                  int threads) {
-  const Stopwatch watch;
-  std::vector<WeightedCost> costs;
-  std::vector<int> all;
-  for (const JointTask& task : tasks) {
-    all.push_back(static_cast<int>(costs.size()));
-    costs.push_back(weighted(task, task.weight, {}));
-  }
-  CertificateOptions options;
-  options.threads = threads;
-  const Certificate proof = certify(costs, problem.robot.space, best, options);
-  write_json(folder.result() / "certificate.json",
-             json_of(certificate_record(problem, best, proof, all)));
-  if (problem.set.joint())
-    for (int k : all)
-      write_json(result_folder(folder, problem, k) / "certificate.json",
-                 json_of(certificate_record(problem, best, proof, {k})));
-  return {proof.worst_gradient_error(), proof.active.size(), watch.seconds()};
 }
 
 void warn(const CodesignProblem& problem) {
@@ -172,76 +87,12 @@ Progress make_progress(const OptimizeOptions& options, const CodesignOptions& se
   return progress;
 }
 
-/// The result plays for a second in MuJoCo; what the engine warns of is told and noted.
-std::vector<EngineWarningRecord> engine_warnings(const ResultFolder& folder,
-                                                 const CodesignProblem& problem) {
-  std::vector<EngineWarningRecord> found;
-  for (int k = 0; k < problem.task_count(); ++k) {
-    const fs::path scene = result_folder(folder, problem, k) / "scene.xml";
-    if (!fs::exists(scene)) continue;
-    for (const HealthWarning& warning : warnings_in_gait(scene)) {
-      found.push_back({problem.task(k).name, warning.text, warning.count, warning.time});
-      fmt::print(stderr, "legwright: warning: {}: MuJoCo warns: {}, {} times, first at {:.3g} s\n",
-                 scene.string(), warning.text, warning.count, warning.time);
-    }
-  }
-  return found;
-}
-
-/// Results, and what run.json says of them.
-void write_end(const ResultFolder& folder, const CodesignProblem& problem,
-               const MultistartResult& found, int signal, Recorder& recorder, RunRecord& run) {
-  std::vector<TaskOutcome> outcomes = write_results(folder, problem, found, recorder);
-  RunEffort effort = effort_of(found);
-  effort.file_seconds = recorder.seconds();
-  run.engine_warnings = engine_warnings(folder, problem);
-  const std::string status = status_text(found.winner().status, signal);
-  if (problem.set.joint()) {
-    finish_joint_run(run, status, found, outcomes, effort, problem);
-    write_task_runs(folder, problem, run, found, outcomes, recorder);
-    return;
-  }
-  outcomes[0].history = recorder.history();
-  if (found.joint.size() > 1) add_starts(run, found, problem);
-  finish_run(run, status, outcomes[0], effort, problem.robot);
-}
-
 void check_front(const OptimizeOptions& options, const CodesignProblem& problem) {
   if (options.front > 0 && (problem.task_count() != 2 || options.one_start || options.motion_only))
     throw InputError(problem.set.file.string(), 0, "",
                      fmt::format("--front needs two [[task]] tables, each solved alone (no "
                                  "--one-start, no --motion-only); the file has {}",
                                  problem.task_count()));
-}
-
-/// After the adjoint loop: what MuJoCo says of the gaits, and steps that it confirms. Noted in
-/// run.json: of each task where there are several.
-void close_gaps(const ResultFolder& folder, const CodesignProblem& problem,
-                const DesignIteration& best, const OptimizeOptions& options, RunRecord& run) {
-  CloseGapOptions rules;
-  rules.steps = options.physics_steps;
-  rules.threads = options.threads > 0
-                      ? options.threads
-                      : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  rules.stop = [] { return StopSignals::received() != 0; };
-  for (int k = 0; k < problem.task_count(); ++k) {
-    const std::string name = problem.set.joint() ? problem.task(k).name + ": " : "";
-    rules.tell = [&](const std::string& line) {
-      if (!options.quiet) fmt::print(stderr, "{}{}\n", name, line);
-    };
-    const PhysicsStepsRecord found = close_gap(folder, problem, best, k, rules);
-    if (!problem.set.joint()) {
-      run.physics_steps = found;
-      write_json(folder.run_json(), json_of(run));
-      continue;
-    }
-    run.tasks->at(static_cast<std::size_t>(k)).physics_steps = found;
-    write_json(folder.run_json(), json_of(run));  // result/ of this task is another one now
-    const fs::path own = result_folder(folder, problem, k).parent_path() / "run.json";
-    auto task_run = read_record_file<RunRecord>(own);
-    task_run.physics_steps = found;
-    write_json(own, json_of(task_run));
-  }
 }
 
 /// --force removes the old run first; a robot's meshes and licences are copied after that.
@@ -272,11 +123,13 @@ int solve_run(const OptimizeOptions& options, CodesignProblem& problem, const fs
   Progress progress = make_progress(options, settings.codesign, problem);
   Recorder recorder(folder, problem, progress, !options.no_pictures);
   const StopSignals signals;
+  std::vector<DesignIteration> along;  // of the whole problem
   settings.on_iteration = [&](const RunLabel& label, const DesignIteration& iteration) {
+    if (static_cast<int>(label.tasks.size()) == problem.task_count()) along.push_back(iteration);
     return recorder.iteration(label, iteration);
   };
   recorder.start();
-  const ProblemCosts costs(problem);
+  const ProblemCosts costs(problem, first_motion_of(options));
   times.end_of("reading");
   MultistartResult found = codesign_from_starts(costs.tasks(), problem.robot.space, settings);
   ChangeReasons reasons(problem, options.threads, options.few_keeps / 100.0);
@@ -284,20 +137,29 @@ int solve_run(const OptimizeOptions& options, CodesignProblem& problem, const fs
   times.end_of("search");
   progress.finish();
   const int signal = StopSignals::received();
-  write_end(folder, problem, found, signal, recorder, run);
+  Candidate chosen{"optimum", found.winner().best, {}, {}};
+  if (signal == 0 && !options.plan_only && usable(chosen.design)) {
+    ChosenDesign choice =
+        choose_design(problem, costs.tasks(), found, along, choice_options(options, settings));
+    run.choice = choice.record;
+    write_candidates(folder, problem, choice, *run.choice);
+    chosen = std::move(choice.result);
+    times.end_of("physics");
+  }
+  write_end(folder, problem, found, chosen, signal, recorder, run);
   times.end_of("results");
-  write_json(folder.run_json(), json_of(run));  // what follows may take a while, and adds to it
-  if (signal == 0 && usable(found.winner().best)) {
-    reasons.write(folder, found, run);
+  if (signal == 0 && usable(chosen.design)) {
+    reasons.write(folder, found, chosen, run);
     times.end_of("reasons");
   }
-  if (signal == 0 && !options.no_certificate && usable(found.winner().best)) {
-    run.certificate = write_certificate(folder, problem, costs.tasks(), found.winner().best,
+  write_json(folder.run_json(), json_of(run));  // what follows may take a while, and adds to it
+  if (signal == 0 && !options.no_certificate && usable(chosen.design)) {
+    run.certificate = write_certificate(folder, problem, costs.tasks(), chosen,
                                         settings.codesign.threads);
     times.end_of("certificate");
   }
-  if (options.physics_steps > 0 && StopSignals::received() == 0 && usable(found.winner().best)) {
-    close_gaps(folder, problem, found.winner().best, options, run);
+  if (options.physics_steps > 0 && StopSignals::received() == 0 && usable(chosen.design)) {
+    close_gaps(folder, problem, chosen.design, options, run);
     times.end_of("physics_steps");
   }
   if (options.front > 0 && StopSignals::received() == 0) {
@@ -356,44 +218,7 @@ void add_optimize(CLI::App& program, Action& action) {
   const auto [verb, options] =
       add_verb(program, action, "optimize",
                "Co-design body and gait for a task; write a run folder", optimize);
-  verb->add_option("TASK", options->task, "task file (TOML), which names its robot")->required();
-  verb->add_option("--robot", options->robot, "MJCF of another robot than the one the task names");
-  verb->add_option("-o,--output", options->run, "folder of the run; default: runs/ROBOT-TASK");
-  verb->add_flag("--motion-only", options->motion_only,
-                 "keep the initial design, optimize its motion");
-  verb->add_option("--max-iterations", options->max_iterations, "design iterations at most")
-      ->check(CLI::Range(0, 100000))
-      ->capture_default_str();
-  verb->add_flag("--one-start", options->one_start,
-                 "several tasks: start from the initial design only, not from each task's optimum");
-  verb->add_option("--starts", options->starts, "further starts from perturbed initial designs")
-      ->check(CLI::Range(0, 1000))
-      ->capture_default_str();
-  verb->add_option("--seed", options->seed, "of the perturbations")->capture_default_str();
-  verb->add_option(
-          "--front", options->front,
-          "two tasks: walk the weights from one to the other over so many points between the ends")
-      ->check(CLI::Range(1, 99));
-  verb->add_flag("--few", options->few,
-                 "hand back the body with the fewest changes that keeps most of the fall of F");
-  verb->add_option("--few-keeps", options->few_keeps, "how much of the fall of F [%]")
-      ->check(CLI::Range(1.0, 100.0))
-      ->capture_default_str();
-  verb->add_option("--physics-steps", options->physics_steps,
-                   "then so many steps on speed, swing height, period and margins of the gait, "
-                   "from roll-outs in MuJoCo; only what they confirm is kept")
-      ->check(CLI::Range(0, 100));
-  verb->add_option("--threads", options->threads,
-                   "tasks solved at the same time; results do not depend on it; default: all cores")
-      ->check(CLI::Range(1, 64));
-  verb->add_flag("--no-certificate", options->no_certificate,
-                 "no result/certificate.json, which costs a fraction of a second per parameter");
-  verb->add_flag("--lbfgs", options->lbfgs,
-                 "step the design by L-BFGS, as the paper does, instead of Newton's method");
-  verb->add_flag("--no-pictures", options->no_pictures, "no frame.png of the iterations");
-  verb->add_flag("--force", options->force, "replace the run that the folder holds");
-  verb->add_flag("--quiet", options->quiet, "say nothing but errors");
-  verb->add_flag("--json", options->json, "print run.json instead of a summary");
+  add_options(*verb, *options);
 }
 
 }  // namespace legwright

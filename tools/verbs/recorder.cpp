@@ -68,9 +68,10 @@ bool Recorder::iteration(const RunLabel& label, const DesignIteration& iteration
   return StopSignals::received() == 0;
 }
 
-PlanQuality Recorder::result(const fs::path& folder, const DesignIteration& best, int k) {
+PlanQuality Recorder::result(const fs::path& folder, const Objective& planned,
+                             const DesignIteration& best, int k) {
   const Stopwatch watch;
-  PlanQuality quality = write_design(folder, problem_.robot, *problem_.objectives[k], best, k);
+  PlanQuality quality = write_design(folder, problem_.robot, planned, best, k);
   seconds_ += watch.seconds();
   return quality;
 }

@@ -32,7 +32,9 @@ class Recorder {
   /// @return false to stop
   bool iteration(const RunLabel& label, const DesignIteration& iteration);
   /// Writes the result of one task. @param k of best.tasks and of the problem's tasks
-  PlanQuality result(const std::filesystem::path& folder, const DesignIteration& best, int k);
+  /// @param planned F whose plan it is
+  PlanQuality result(const std::filesystem::path& folder, const Objective& planned,
+                     const DesignIteration& best, int k);
   void end(const RunRecord& run);
 
   double seconds() const { return seconds_; }  // spent on files

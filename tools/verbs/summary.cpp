@@ -84,11 +84,28 @@ std::string physics_lines(const std::optional<PhysicsStepsRecord>& steps,
       indent, steps->before.line, steps->after.line, steps->factors, steps->seconds);
 }
 
+/// What MuJoCo said of the optimum of F, and which design is the result instead of it.
+std::string choice_lines(const std::optional<ChoiceRecord>& choice) {
+  if (!choice || choice->candidates.empty()) return "";
+  const CandidateRecord& optimum = choice->candidates.front();
+  std::string text = fmt::format("  physics  optimum of F: {}\n", optimum.played.line);
+  for (const CandidateRecord& candidate : choice->candidates)
+    if (candidate.name == choice->chosen && candidate.name != optimum.name)
+      text += fmt::format("           so the result is '{}', F {:.5g}: {}\n", candidate.name,
+                          candidate.F, candidate.played.line);
+  if (choice->candidates.size() > 1)
+    text += fmt::format("           of {} designs played the one {} ({:.1f} s)\n",
+                        choice->candidates.size(),
+                        choice->pass ? "with the least F that passes" : "nearest to passing",
+                        choice->seconds);
+  return text;
+}
+
 /// The whole command as the user waits for it, then its parts, those of the solvers in brackets.
 std::string time_line(const RunRecord& run) {
   std::string parts;
   for (const std::string_view part :
-       {"reading", "search", "results", "certificate", "physics_steps", "front", "pictures"}) {
+       {"reading", "search", "physics", "results", "certificate", "physics_steps", "front", "pictures"}) {
     const double* const seconds = run.seconds ? run.seconds->find(part) : nullptr;
     if (seconds == nullptr) continue;
     parts += fmt::format("{}{} {:.2f}", parts.empty() ? ": " : ", ",
@@ -115,6 +132,7 @@ std::string joint_summary(const RunRecord& run, const std::filesystem::path& roo
                         width, *task.initial_F, *task.F, *task.speed_reached, *task.speed_wanted) +
             physics_lines(task.physics_steps, "    ");
   text += start_lines(*run.starts);
+  text += choice_lines(run.choice);
   for (const StartRecord& start : *run.alone)
     text += fmt::format("    {} alone {:9.5g} -> {:9.5g}  {}, {:.2f} s\n", start.tasks.front(),
                         start.start_F, start.F, start.status, start.seconds);
@@ -141,6 +159,7 @@ std::string optimize_summary(const RunRecord& run, const std::filesystem::path& 
   if (run.starts) text += start_lines(*run.starts);
   text += fmt::format("  speed    {:.4g} of {:.4g} planned{}\n", reached, wanted,
                       wanted > 0.0 ? fmt::format(" ({:.1f} %)", 100.0 * reached / wanted) : "");
+  text += choice_lines(run.choice);
   text += physics_lines(run.physics_steps, "  ");
   text += time_line(run);
   text += fmt::format("  memory   {:.0f} MiB\n", *run.peak_rss_mib);

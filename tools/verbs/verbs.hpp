@@ -34,6 +34,7 @@ std::pair<CLI::App*, std::shared_ptr<Options>> add_verb(CLI::App& program, Actio
 void add_init(CLI::App& program, Action& action);
 void add_check(CLI::App& program, Action& action);
 void add_optimize(CLI::App& program, Action& action);
+void add_pick(CLI::App& program, Action& action);
 void add_validate(CLI::App& program, Action& action);
 void add_render(CLI::App& program, Action& action);
 void add_report(CLI::App& program, Action& action);

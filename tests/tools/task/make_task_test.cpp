@@ -26,18 +26,19 @@ Task task_from(const std::string& gait, const std::string& rest = "") {
 }
 
 TEST(PlantedMargin, IsSecondsInKnotsButAtLeastOneKnot) {
-  EXPECT_EQ(planted_margin_knots(std::nullopt, 0.5, 0.4 / 24, 0.21), 2);  // 35 ms of 16.7 ms
-  EXPECT_EQ(planted_margin_knots(std::nullopt, 0.6, 0.4 / 24, 0.21), 2);
-  EXPECT_EQ(planted_margin_knots(std::nullopt, 0.75, 1.0 / 24, 0.21), 1);  // a walk: one knot
-  EXPECT_EQ(planted_margin_knots(std::nullopt, 0.5, 0.1, 0.21), 1);
-  EXPECT_EQ(planted_margin_knots(0.0, 0.5, 0.01, 0.21), 1);
-  EXPECT_EQ(planted_margin_knots(0.05, 0.75, 0.01, 0.21), 5);
+  EXPECT_EQ(planted_margin_knots(std::nullopt, 0.5, 0.4, 0.4 / 24, 0.21), 2);  // 35 ms of 16.7 ms
+  EXPECT_EQ(planted_margin_knots(std::nullopt, 0.6, 0.4, 0.4 / 24, 0.21), 2);
+  EXPECT_EQ(planted_margin_knots(std::nullopt, 0.75, 1.0, 1.0 / 24, 0.21), 1);  // a walk: one knot
+  EXPECT_EQ(planted_margin_knots(std::nullopt, 0.5, 1.0, 0.1, 0.21), 1);
+  EXPECT_EQ(planted_margin_knots(0.0, 0.5, 1.0, 0.01, 0.21), 1);
+  EXPECT_EQ(planted_margin_knots(0.05, 0.75, 1.0, 0.01, 0.21), 5);
 }
 
 TEST(PlantedMargin, GrowsWithTheRootOfTheLegAndAGivenOneDoesNot) {
-  EXPECT_EQ(planted_margin_knots(std::nullopt, 0.5, 0.01, 0.21), 4);      // 35 ms
-  EXPECT_EQ(planted_margin_knots(std::nullopt, 0.5, 0.01, 4 * 0.21), 7);  // 70 ms
-  EXPECT_EQ(planted_margin_knots(0.03, 0.5, 0.01, 4 * 0.21), 3);
+  EXPECT_EQ(planted_margin_knots(std::nullopt, 0.5, 1.0, 0.01, 0.21), 4);      // 35 ms
+  EXPECT_EQ(planted_margin_knots(std::nullopt, 0.5, 1.0, 0.01, 4 * 0.21), 7);  // 70 ms
+  EXPECT_EQ(planted_margin_knots(std::nullopt, 0.4, 0.24, 0.01, 0.21), 2);  // a sixth of 144 ms
+  EXPECT_EQ(planted_margin_knots(0.03, 0.5, 1.0, 0.01, 4 * 0.21), 3);
 }
 
 TEST(PlantedMargin, GoesByThePatternsDutyNotByItsRoundedStance) {
@@ -58,7 +59,7 @@ TEST(MakeTask, TurnsTheExamplesIntoTasks) {
   EXPECT_EQ(walk.name, "sideways");
   const TaskFile file = read_task_file(kPuppy / "sideways_trot.toml");
   const Task trot = make_task(file, puppy());
-  EXPECT_EQ(trot.planted_margin, planted_margin_knots(file.planted_margin, 0.5, 0.4 / 24, 0.21));
+  EXPECT_EQ(trot.planted_margin, planted_margin_knots(file.planted_margin, 0.5, 0.4, 0.4 / 24, 0.21));
   EXPECT_GE(trot.planted_margin, 2);
 }
 

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimizer/solve/first_motion.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "optimizer/solve/task_solver.hpp"
+
+namespace legwright {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr double kBetter = 0.99;       // F over that of the guess, below which a start counts
+constexpr double kSpread = 0.15;       // amplitude of random joint motions [rad]
+constexpr double kHalfSpeed = 0.5;     // of the plan that continuation starts from
+constexpr double kScoutTolerance = 1e-3;
+constexpr int kScoutIterations = 100;  // to compare starts; the winner is solved in full afterwards
+
+struct ScoutedMotion {
+  VectorXd m;
+  double value = std::numeric_limits<double>::infinity();
+};
+
+/// The plan that Newton's method comes to from a start.
+ScoutedMotion scout(const Objective& objective, const VectorXd& s, const VectorXd& start) {
+  ObjectiveCost cost(objective);
+  WeightedCost task;
+  task.cost = &cost;
+  task.initial_motion = start;
+  MotionLimits limits;
+  limits.final_tolerance = kScoutTolerance;
+  limits.motion_iterations = kScoutIterations;
+  TaskSolver solver(task, limits);
+  if (!solver.start(s)) return {};
+  return {solver.now().m, solver.now().value};
+}
+
+/// The same robot and task, but for the speed.
+Objective at_speed(const Objective& objective, double factor) {
+  Task task = objective.task();
+  task.velocity *= factor;
+  task.turn_rate *= factor;
+  return Objective(objective.morphology(), objective.space(), task);
+}
+
+/// The guess with a sine of the cycle on top of each joint's motion, of random amplitude and phase.
+VectorXd perturbed(const Objective& objective, VectorXd m, std::mt19937_64& random) {
+  const Layout& layout = objective.layout();
+  const int joints = layout.pose_size() - 6, n = layout.design_size();
+  std::uniform_real_distribution<double> amplitude(-kSpread, kSpread),
+      phase(0.0, 2.0 * std::numbers::pi);
+  for (int joint = 0; joint < joints; ++joint) {
+    const double size = amplitude(random), offset = phase(random);
+    for (int i = 0; i <= layout.knot_count(); ++i)
+      m[layout.pose(i) - n + 6 + joint] +=
+          size * std::sin(offset + 2.0 * std::numbers::pi * i / layout.knot_count());
+  }
+  return m;
+}
+
+}  // namespace
+
+VectorXd best_first_motion(const Objective& objective, const VectorXd& s,
+                           const FirstMotionOptions& options) {
+  const VectorXd guess = initial_guess(objective, s);
+  std::vector<VectorXd> starts;
+  const Task& task = objective.task();
+  if (task.velocity.norm() > 0.0 || task.turn_rate != 0.0) {
+    starts.push_back(initial_guess(at_speed(objective, 0.0), s));
+    const Objective slower = at_speed(objective, kHalfSpeed);
+    const ScoutedMotion plan = scout(slower, s, initial_guess(slower, s));
+    if (std::isfinite(plan.value)) starts.push_back(plan.m);
+  }
+  std::mt19937_64 random(options.seed);
+  for (int k = 0; k < options.perturbations; ++k)
+    starts.push_back(perturbed(objective, guess, random));
+
+  double least = kBetter * scout(objective, s, guess).value;
+  VectorXd best = guess;
+  for (const VectorXd& start : starts) {
+    const double value = scout(objective, s, start).value;
+    if (!(value < least)) continue;
+    least = value;
+    best = start;
+  }
+  return best;
+}
+
+}  // namespace legwright

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+
+#include "optimizer/objective/objective.hpp"
+
+namespace legwright {
+
+struct FirstMotionOptions {
+  int perturbations = 0;  // further starts: the first guess, moved at random
+  std::uint64_t seed = 1;
+};
+
+/// m₀ for a body: of several first motions the one from which Newton's method comes to the least
+/// F. Motion-only optimisation has many local minima, and a baseline that is left in a bad one
+/// flatters co-design. Starts are initial_guess() at the wanted speed, the same on the spot, the
+/// plan of half the speed (continuation), and the guess with smooth random joint motions on top.
+/// Another start than the guess counts only if its F is lower by one percent; so where the guess is
+/// good it stays. Deterministic. @param s design @return a start, which is not solved yet, but for
+/// continuation; the guess where no start has a finite F
+Eigen::VectorXd best_first_motion(const Objective& objective, const Eigen::VectorXd& s,
+                                  const FirstMotionOptions& options = {});
+
+}  // namespace legwright

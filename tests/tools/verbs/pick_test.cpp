@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// legwright pick: another design of a run becomes its result.
+#include <gtest/gtest.h>
+
+#include "tests/tools/verbs/program.hpp"
+#include "tests/tools/verbs/run_schemas.hpp"
+#include "tools/files/json_file.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kCanter =
+    "[gait]\nname = \"canter\"\nperiod = 0.25\n[travel]\nvelocity = [0.1, 0.0]\n";
+
+class Pick : public testing::Test, protected test::CallsInFolder {
+ protected:
+  void optimize(const std::vector<std::string>& more, int code = 0) {
+    write_file(folder_.path() / "canter.toml",
+               "robot = \"" + (test::kExamples / "quadruped/robot.xml").string() + "\"\n" + kCanter);
+    std::vector<std::string> words{"optimize", "canter.toml", "-o",
+                                   "run",      "--no-pictures", "--no-certificate"};
+    words.insert(words.end(), more.begin(), more.end());
+    const test::Outcome outcome = call(words);
+    ASSERT_EQ(outcome.code, code) << outcome.err;
+  }
+  Json run() const { return Json::parse(read_file(folder_.path() / "run" / "run.json")); }
+  std::string file(const std::string& name) const {
+    return read_file(folder_.path() / "run" / name);
+  }
+};
+
+TEST_F(Pick, MakesAnIterationTheResultAndTheRecordSaysSo) {
+  optimize({"--plan-only"});
+  EXPECT_FALSE(run().contains("choice"));  // nothing was played
+  const test::Outcome picked = call({"pick", "run", "--iteration", "0"});
+  ASSERT_EQ(picked.code, 0) << picked.err;
+  for (const char* name : {"robot.xml", "scene.xml", "motion.csv", "metrics.json"})
+    EXPECT_EQ(file(std::string("result/") + name), file(std::string("iterations/0000/") + name));
+  const Json record = run();
+  EXPECT_EQ(record["picked"], "iteration 0");
+  EXPECT_EQ(record["final_F"], record["motion_only_F"]);
+  for (const Json& parameter : record["parameters"])
+    EXPECT_EQ(parameter["final"], parameter["initial"]) << parameter["name"];
+  EXPECT_EQ(test::expect_schemas(folder_.path() / "run")["run"], 1);
+  EXPECT_LE(call({"validate", "run", "--quick"}).code, 1);
+  EXPECT_EQ(call({"report", "run"}).code, 0);
+}
+
+TEST_F(Pick, FindsTheOptimumWherePhysicsChoseAnotherDesign) {
+  optimize({});
+  const std::string chosen = file("result/robot.xml");
+  const Json choice = run()["choice"];
+  ASSERT_NE(choice["chosen"], "optimum");
+  EXPECT_TRUE(choice["pass"].get<bool>());
+  EXPECT_EQ(call({"validate", "run", "--quick"}).code, 0);
+
+  ASSERT_EQ(call({"pick", "run", "--candidate", "optimum"}).code, 0);
+  EXPECT_EQ(run()["picked"], "optimum");
+  EXPECT_EQ(run()["final_F"], choice["candidates"][0]["F"]);
+  EXPECT_EQ(call({"validate", "run", "--quick"}).code, 1);  // as the roll-outs had said
+  EXPECT_EQ(test::expect_schemas(folder_.path() / "run")["run"], 1);
+}
+
+TEST_F(Pick, RefusesWhatThereIsNotAndChangesNothing) {
+  optimize({"--plan-only", "--max-iterations", "1"});
+  const std::string before = file("run.json");
+  const auto refused = [&](const std::vector<std::string>& words, const std::string& why) {
+    std::vector<std::string> all{"pick", "run"};
+    all.insert(all.end(), words.begin(), words.end());
+    const test::Outcome outcome = call(all);
+    EXPECT_EQ(outcome.code, 3) << outcome.out;
+    EXPECT_TRUE(test::contains(outcome.err, why)) << outcome.err;
+  };
+  refused({}, "--iteration, --start, --front and --candidate");
+  refused({"--iteration", "1", "--front", "0"}, "one of");
+  refused({"--iteration", "99"}, "no such design");
+  refused({"--start", "random-1"}, "no start 'random-1'");
+  refused({"--front", "0"}, "--front N");
+  refused({"--candidate", "optimum"}, "keeps no candidates");
+  EXPECT_EQ(file("run.json"), before);
+}
+
+}  // namespace
+}  // namespace legwright

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "optimizer/objective/objective.hpp"
+#include "optimizer/solve/codesign.hpp"
+#include "tools/choose/tightening.hpp"
+#include "tools/task/problem.hpp"
+
+namespace legwright {
+
+/// A body with its motions that a search came by. All tasks of the problem, in their order.
+struct Candidate {
+  std::string name;  // "optimum", "initial", "iteration 7", "tightened: larger margins"
+  DesignIteration design;
+  // Of each task in the search that found it, and F as that search had it; or empty: as asked.
+  std::vector<Tightening> tightening = {};
+  std::vector<std::shared_ptr<const Objective>> planned = {};
+
+  /// F whose plan the motion of task k is.
+  const Objective& objective(const CodesignProblem& problem, int k) const;
+};
+
+/// What physics says of a candidate in all tasks together.
+struct PlayedCandidate {
+  bool pass = false;
+  double distance = 0.0;  // from passing, sum over tasks; infinite where one cannot be played
+  std::string line;    // of the tasks that fail, or of all
+  std::vector<GaitTrial> trials = {};  // of each task
+};
+
+/// Plays every task of a candidate at half, default and double gains. Needs load_gait_plugin().
+PlayedCandidate play_candidate(const CodesignProblem& problem, const Candidate& candidate,
+                               int threads);
+
+/// Sets F, J and their terms to those of the tasks as they were given, for a candidate that was
+/// found with tightened ones; but for the speed and turn that it was aimed at.
+void evaluate_as_asked(const CodesignProblem& problem, Candidate& candidate);
+
+/// Sets F and its terms to those of the candidate's own search. @param design a copy of its design
+void evaluate_as_planned(const CodesignProblem& problem, const Candidate& candidate,
+                         DesignIteration& design);
+
+}  // namespace legwright

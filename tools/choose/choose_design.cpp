@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/choose/choose_design.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include "mjcf/text/input_error.hpp"
+#include "optimizer/base/parallel.hpp"
+#include "optimizer/base/stopwatch.hpp"
+#include "tools/choose/physics_trial.hpp"
+#include "tools/simulate/mujoco_host.hpp"
+
+namespace legwright {
+namespace {
+
+constexpr int kIteratesPlayed = 6;  // along the way, evenly by number
+constexpr int kRounds = 4;          // of tightened searches, at most
+constexpr std::size_t kBeam = 2;    // designs that a round goes on from
+constexpr std::size_t kLeversKept = 7;  // from the second round on
+constexpr int kSearchIterations = 12;  // of each: it starts from a design that is nearly right
+constexpr double kGain = 0.95;  // of the distance from passing: a round that gains less is the last
+
+/// Searches on from a candidate with tightened tasks. @return nothing where there is no such design
+std::optional<Candidate> search_tightened(const CodesignProblem& problem,
+                                          const std::vector<JointTask>& tasks,
+                                          const Candidate& from,
+                                          const std::vector<Tightening>& tightening,
+                                          const CodesignOptions& options) {
+  Candidate out;
+  out.tightening = tightening;
+  std::vector<std::unique_ptr<ObjectiveCost>> costs;
+  std::vector<WeightedCost> weighted_costs;
+  try {
+    for (int k = 0; k < problem.task_count(); ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      const Task task = tightened_task(problem, k, tightening[i]);
+      out.planned.push_back(std::make_shared<const Objective>(
+          as_in_task(problem.robot.morphology, task), problem.robot.space, task));
+      costs.push_back(std::make_unique<ObjectiveCost>(*out.planned.back()));
+      weighted_costs.push_back(weighted(tasks[i], tasks[i].weight, from.design.tasks[i].m));
+      weighted_costs.back().cost = costs.back().get();
+    }
+  } catch (const InputError&) {
+    return std::nullopt;  // out of reach, or no knot left for a swing
+  }
+  CodesignResult result = codesign(weighted_costs, problem.robot.space, from.design.s, options);
+  if (!std::isfinite(result.best.value)) return std::nullopt;
+  out.design = std::move(result.best);
+  evaluate_as_asked(problem, out);
+  return out;
+}
+
+/// The tightening of a candidate with one lever pulled once more, in the tasks that fail.
+std::vector<Tightening> pulled(const Candidate& candidate, const PlayedCandidate& played,
+                               Lever lever) {
+  std::vector<Tightening> out = candidate.tightening;
+  out.resize(played.trials.size());
+  for (std::size_t k = 0; k < out.size(); ++k)
+    if (!played.trials[k].pass) out[k] = out[k].with(lever, played.trials[k]);
+  return out;
+}
+
+bool alike(const std::vector<Tightening>& a, const std::vector<Tightening>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const Tightening& x, const Tightening& y) { return x.pulls == y.pulls; });
+}
+
+std::vector<Lever> all_levers() {
+  std::vector<Lever> out;
+  for (int lever = 0; lever < kLeverCount; ++lever) out.push_back(static_cast<Lever>(lever));
+  return out;
+}
+
+/// What else the search came by, by rising F.
+std::vector<Candidate> further_candidates(const MultistartResult& found,
+                                          const std::vector<DesignIteration>& along) {
+  std::vector<Candidate> out;
+  for (std::size_t i = 0; i < found.joint.size(); ++i)
+    if (static_cast<int>(i) != found.best)
+      out.push_back({"from " + found.joint[i].label.start, found.joint[i].result.best, {}, {}});
+  const std::size_t step = std::max<std::size_t>(1, along.size() / kIteratesPlayed);
+  for (std::size_t i = step; i + 1 < along.size(); i += step)
+    out.push_back({fmt::format("iteration {}", i), along[i], {}, {}});
+  std::erase_if(out, [](const Candidate& candidate) {
+    return !std::isfinite(candidate.design.value) || candidate.design.tasks.empty();
+  });
+  std::stable_sort(out.begin(), out.end(), [](const Candidate& a, const Candidate& b) {
+    return a.design.value < b.design.value;
+  });
+  return out;
+}
+
+/// Plays candidates and keeps the best of them.
+class DesignChooser {
+ public:
+  DesignChooser(const CodesignProblem& problem, const std::vector<JointTask>& tasks,
+                const ChoiceOptions& options)
+      : problem_(problem), tasks_(tasks), options_(options) {}
+
+  /// @return what physics says of it
+  PlayedCandidate consider(const Candidate& candidate) {
+    const PlayedCandidate played =
+        play_candidate(problem_, candidate, options_.threads);
+    note(candidate, played);
+    return played;
+  }
+
+  /// Rounds of tightened searches from a candidate that failed, until physics passes one. Each
+  /// round goes on from the nearest ones of the last.
+  void tighten(const Candidate& from, const PlayedCandidate& played) {
+    std::vector<PlayedDesign> beam{{from, played, {}}};
+    double nearest = played.distance;
+    for (int round = 0; round < kRounds && !stopped(); ++round) {
+      std::vector<PlayedDesign> found = pull_levers(beam);
+      if (found.empty()) return;
+      std::stable_sort(found.begin(), found.end(), [](const PlayedDesign& a, const PlayedDesign& b) {
+        return nearer(a.design, a.played, b.design, b.played);
+      });
+      const PlayedCandidate& best = found.front().played;
+      if (best.pass || !(best.distance < kGain * nearest)) return;
+      if (round == 0) keep_best_levers(found);
+      nearest = best.distance;
+      if (found.size() > kBeam) found.resize(kBeam);
+      beam = std::move(found);
+    }
+  }
+
+  bool stopped() const { return options_.stop && options_.stop(); }
+  /// Whether a candidate with this F could still become the result.
+  bool worth_playing(double value) const { return !played_.pass || value < best_->design.value; }
+
+  ChosenDesign result(double seconds) {
+    record_.chosen = best_->name;
+    record_.pass = played_.pass;
+    record_.rollouts =
+        static_cast<int>(record_.candidates.size()) * kTrialRollouts * problem_.task_count();
+    record_.seconds = seconds;
+    std::erase_if(kept_, [&](const auto& kept) {
+      return record_.candidates[kept.first].name == record_.chosen;
+    });
+    return {std::move(*best_), std::move(record_), std::move(kept_)};
+  }
+
+ private:
+  struct PlayedDesign {
+    Candidate design;
+    PlayedCandidate played;
+    std::optional<Lever> lever = {};  // the last that was pulled
+  };
+  struct LeverPull {
+    const PlayedDesign* from;
+    Lever lever;
+    std::vector<Tightening> tightening;
+  };
+
+  /// What did least in the first round, each lever by itself, is left alone from then on.
+  void keep_best_levers(const std::vector<PlayedDesign>& sorted) {
+    levers_.clear();
+    for (const PlayedDesign& design : sorted)
+      if (levers_.size() < kLeversKept) levers_.push_back(*design.lever);
+    std::sort(levers_.begin(), levers_.end());
+  }
+
+  /// One more pull of each lever on each design, but those that were pulled alike.
+  std::vector<LeverPull> pulls_on(const std::vector<PlayedDesign>& beam) const {
+    std::vector<LeverPull> out;
+    for (const PlayedDesign& from : beam)
+      for (const Lever lever : levers_) {
+        LeverPull pull{&from, lever, pulled(from.design, from.played, lever)};
+        const auto same = [&](const LeverPull& other) {
+          return alike(other.tightening, pull.tightening);
+        };
+        if (std::none_of(out.begin(), out.end(), same)) out.push_back(std::move(pull));
+      }
+    return out;
+  }
+
+  /// Searches and plays them; noted in a fixed order.
+  std::vector<PlayedDesign> pull_levers(const std::vector<PlayedDesign>& beam) {
+    const std::vector<LeverPull> pulls = pulls_on(beam);
+    std::vector<std::optional<PlayedDesign>> slots(pulls.size());
+    CodesignOptions search = options_.codesign;
+    search.threads = 1;  // the levers run side by side
+    search.max_iterations = std::min(search.max_iterations, kSearchIterations);
+    parallel_for(static_cast<int>(pulls.size()), options_.threads, [&](int k) {
+      if (stopped()) return;
+      const auto i = static_cast<std::size_t>(k);
+      const LeverPull& pull = pulls[i];
+      auto design =
+          search_tightened(problem_, tasks_, pull.from->design, pull.tightening, search);
+      if (!design) return;
+      design->name = "tightened: " + words_of(pull.tightening);
+      PlayedCandidate played = play_candidate(problem_, *design, 1);
+      slots[i] = {std::move(*design), std::move(played), pull.lever};
+    });
+    std::vector<PlayedDesign> out;
+    for (auto& slot : slots) {
+      if (!slot) continue;
+      note(slot->design, slot->played);
+      out.push_back(std::move(*slot));
+    }
+    return out;
+  }
+
+  /// "larger margins"; of several tasks "pace: larger margins".
+  std::string words_of(const std::vector<Tightening>& tightening) const {
+    std::string text;
+    for (std::size_t k = 0; k < tightening.size(); ++k)
+      if (tightening[k].any())
+        text += (text.empty() ? "" : "; ") +
+                (problem_.set.joint() ? problem_.task(static_cast<int>(k)).name + ": " : "") +
+                tightening[k].words();
+    return text;
+  }
+
+  /// The order of what a run hands back.
+  static bool nearer(const Candidate& a, const PlayedCandidate& played_a, const Candidate& b,
+                     const PlayedCandidate& played_b) {
+    if (played_a.pass != played_b.pass) return played_a.pass;
+    return played_a.pass ? a.design.value < b.design.value : played_a.distance < played_b.distance;
+  }
+
+  void note(const Candidate& candidate, const PlayedCandidate& played) {
+    if (options_.tell)
+      options_.tell(fmt::format("physics, {} (F {:.5g}): {}", candidate.name,
+                                candidate.design.value, played.line));
+    record_.candidates.push_back(
+        {candidate.name, candidate.design.value, {played.distance, played.pass, played.line}, {}});
+    if (played.pass || record_.candidates.size() == 1)
+      kept_.emplace_back(record_.candidates.size() - 1, candidate);
+    if (best_ && !nearer(candidate, played, *best_, played_)) return;
+    best_ = candidate;
+    played_ = played;
+  }
+
+  const CodesignProblem& problem_;
+  const std::vector<JointTask>& tasks_;
+  const ChoiceOptions& options_;
+  std::vector<Lever> levers_ = all_levers();
+  ChoiceRecord record_;
+  std::vector<std::pair<std::size_t, Candidate>> kept_;
+  std::optional<Candidate> best_;
+  PlayedCandidate played_;  // of best_
+};
+
+}  // namespace
+
+ChosenDesign choose_design(const CodesignProblem& problem, const std::vector<JointTask>& tasks,
+                           const MultistartResult& found, const std::vector<DesignIteration>& along,
+                           const ChoiceOptions& options) {
+  const Stopwatch watch;
+  load_gait_plugin();
+  DesignChooser chooser(problem, tasks, options);
+  const Candidate optimum{"optimum", found.winner().best, {}, {}};
+  const PlayedCandidate played = chooser.consider(optimum);
+  if (!played.pass) {
+    const DesignIteration& initial = found.joint.front().result.initial;
+    if (!initial.tasks.empty() && !options.codesign.motion_only)
+      chooser.consider({"initial", initial, {}, {}});
+    chooser.tighten(optimum, played);
+    for (const Candidate& candidate : further_candidates(found, along))
+      if (!chooser.stopped() && chooser.worth_playing(candidate.design.value))
+        chooser.consider(candidate);
+  }
+  return chooser.result(watch.seconds());
+}
+
+}  // namespace legwright

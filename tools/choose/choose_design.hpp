@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "optimizer/solve/multistart.hpp"
+#include "tools/choose/candidate.hpp"
+#include "tools/run/run_record.hpp"
+
+namespace legwright {
+
+struct ChoiceOptions {
+  CodesignOptions codesign;  // of searches with tightened tasks
+  int threads = 1;           // of searches and roll-outs; results do not depend on it
+  std::function<void(const std::string&)> tell = {};  // one line per candidate
+  std::function<bool()> stop = {};
+};
+
+/// What a run hands back, and why.
+struct ChosenDesign {
+  Candidate result;
+  ChoiceRecord record;
+  /// What else is worth a look, with its place in record.candidates: the optimum, where it is not
+  /// the result, and all that pass.
+  std::vector<std::pair<std::size_t, Candidate>> others;
+};
+
+/// Of the designs that a search came by the one with the least F that MuJoCo passes at half,
+/// default and double gains; where it passes none, the one nearest to passing. The optimum is
+/// played first, and is the result where it passes. Else the given body is played, and the search
+/// goes on from the optimum with tightened tasks: each round pulls every lever once and keeps the
+/// one that brings physics nearest to passing. Iterates on the way and the optima of other starts
+/// are played too, by rising F. So the result never fails where the given body passes.
+/// @param tasks costs of the problem. @param along the iterates of all starts, those of the whole
+/// problem. Throws MujocoError.
+ChosenDesign choose_design(const CodesignProblem& problem, const std::vector<JointTask>& tasks,
+                           const MultistartResult& found, const std::vector<DesignIteration>& along,
+                           const ChoiceOptions& options);
+
+}  // namespace legwright

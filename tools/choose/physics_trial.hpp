@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "mjcf/read/read_robot.hpp"
+#include "tools/run/design_folder.hpp"
+#include "tools/task/task_file.hpp"
+#include "tools/validate/physics_steps.hpp"
+
+namespace legwright {
+
+/// How often MuJoCo plays a gait while it is judged: at half, default and double gains.
+inline constexpr int kTrialRollouts = 3;
+
+/// What physics says of a gait, for the choice between designs.
+struct GaitTrial : PhysicsTrial {
+  /// How far it is from passing: 0 where it passes; each limit that it misses at a gain adds one
+  /// half and the logarithm of one plus the excess over the limit, in sizes of the limit. A fall
+  /// adds ten times the share of the time that is missing.
+  double distance = 0.0;
+  double speed_ratio = 1.0;    // in the middle between the gains; 1 where unknown
+  double heading_drift = 0.0;  // the same [rad a cycle]
+};
+
+/// Plays a planned gait in MuJoCo as `validate` does, over as many cycles and at the same gains,
+/// and judges it by the same limits. A gait that fails within its first cycles is not played on.
+/// Throws MujocoError for a scene that cannot be played; needs load_gait_plugin() before.
+/// @param wanted the task that the gait is judged by, which it need not be planned for
+GaitTrial try_in_physics(const RobotModel& robot, const TaskFile& wanted,
+                         const DesignTexts& texts);
+
+}  // namespace legwright

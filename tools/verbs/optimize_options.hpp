@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <string>
+
+#include "optimizer/solve/first_motion.hpp"
+#include "optimizer/solve/multistart.hpp"
+#include "tools/choose/choose_design.hpp"
+
+namespace legwright {
+
+/// What `legwright optimize` was asked for.
+struct OptimizeOptions {
+  std::string task, robot, run;
+  bool motion_only = false, no_pictures = false, quiet = false, json = false, force = false;
+  bool few = false, one_start = false, lbfgs = false, no_certificate = false, plan_only = false;
+  double few_keeps = 95.0;  // percent of the fall of F
+  int max_iterations = CodesignOptions{}.max_iterations;
+  int starts = 0, threads = 0, front = 0, physics_steps = 0;
+  std::uint64_t seed = 1;
+};
+
+/// Binds the options of the command line, with their help.
+void add_options(CLI::App& verb, OptimizeOptions& options);
+
+/// Threads as asked, or all there are.
+int all_threads(const OptimizeOptions& options);
+/// What the solvers, and the choice among what they find, take from them.
+MultistartOptions settings_of(const OptimizeOptions& options, int task_count);
+FirstMotionOptions first_motion_of(const OptimizeOptions& options);
+ChoiceOptions choice_options(const OptimizeOptions& options, const MultistartOptions& settings);
+
+}  // namespace legwright

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/verbs/optimize_results.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <csignal>
+#include <memory>
+
+#include "optimizer/base/stopwatch.hpp"
+#include "tools/run/certificate_json.hpp"
+#include "tools/run/run_json.hpp"
+#include "tools/simulate/stand.hpp"
+#include "tools/verbs/close_gap.hpp"
+#include "tools/verbs/feasibility.hpp"
+#include "tools/verbs/joint_folders.hpp"
+#include "tools/verbs/stop_signals.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kToldConstraints = 3;  // of an infeasible plan
+
+std::string status_text(SolveStatus status, int signal) {
+  if (signal == SIGINT) return "interrupted";
+  return std::string(to_string(status));
+}
+
+/// What is on disk and known of each task when the solvers are done.
+std::vector<TaskOutcome> write_results(const ResultFolder& folder, const CodesignProblem& problem,
+                                       const MultistartResult& found,
+                                       const Candidate& chosen, Recorder& recorder) {
+  const DesignIteration& design = chosen.design;
+  const CodesignResult& first = found.joint.front().result;
+  std::vector<TaskOutcome> outcomes;
+  for (int k = 0; k < problem.task_count(); ++k) {
+    TaskOutcome outcome;
+    outcome.task = k;
+    outcome.initial = &first.initial;
+    outcome.best = &design;
+    outcome.motion_only_trace = first.motion_only_traces[k];
+    const bool good = usable(design);
+    const Objective& planned = chosen.objective(problem, k);
+    if (good)
+      outcome.quality = recorder.result(result_folder(folder, problem, k), planned, design, k);
+    outcome.reasons = infeasible_reasons(good, outcome.quality, problem.speed_unit(k));
+    if (good && !outcome.reasons.empty())  // which limb, when, by how much
+      for (std::string& words : worst_constraints(planned, design.s, design.tasks[k].m, kToldConstraints))
+        outcome.reasons.push_back(std::move(words));
+    outcomes.push_back(std::move(outcome));
+  }
+  return outcomes;
+}
+
+std::string verdict_of_choice(const ChoiceRecord& choice) {
+  for (const CandidateRecord& candidate : choice.candidates)
+    if (candidate.name == choice.chosen) return candidate.played.line;
+  return "";
+}
+
+/// The result plays for a second in MuJoCo; what the engine warns of is told and noted.
+std::vector<EngineWarningRecord> engine_warnings(const ResultFolder& folder,
+                                                 const CodesignProblem& problem) {
+  std::vector<EngineWarningRecord> found;
+  for (int k = 0; k < problem.task_count(); ++k) {
+    const fs::path scene = result_folder(folder, problem, k) / "scene.xml";
+    if (!fs::exists(scene)) continue;
+    for (const HealthWarning& warning : warnings_in_gait(scene)) {
+      found.push_back({problem.task(k).name, warning.text, warning.count, warning.time});
+      fmt::print(stderr, "legwright: warning: {}: MuJoCo warns: {}, {} times, first at {:.3g} s\n",
+                 scene.string(), warning.text, warning.count, warning.time);
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+bool usable(const DesignIteration& iteration) {
+  if (iteration.tasks.empty() || !std::isfinite(iteration.value)) return false;
+  for (const TaskIterate& task : iteration.tasks)
+    if (task.m.size() == 0 || !task.m.allFinite()) return false;
+  return true;
+}
+
+void write_end(const ResultFolder& folder, const CodesignProblem& problem,
+               const MultistartResult& found, const Candidate& chosen, int signal,
+               Recorder& recorder, RunRecord& run) {
+  std::vector<TaskOutcome> outcomes = write_results(folder, problem, found, chosen, recorder);
+  if (run.choice && !run.choice->pass)
+    for (TaskOutcome& outcome : outcomes)
+      outcome.reasons.push_back("MuJoCo does not pass it: " + verdict_of_choice(*run.choice));
+  RunEffort effort = effort_of(found);
+  effort.file_seconds = recorder.seconds();
+  run.engine_warnings = engine_warnings(folder, problem);
+  const std::string status = status_text(found.winner().status, signal);
+  if (problem.set.joint()) {
+    finish_joint_run(run, status, found, outcomes, effort, problem);
+    write_task_runs(folder, problem, run, found, outcomes, recorder);
+    return;
+  }
+  outcomes[0].history = recorder.history();
+  if (found.joint.size() > 1) add_starts(run, found, problem);
+  finish_run(run, status, outcomes[0], effort, problem.robot);
+}
+
+void write_candidates(const ResultFolder& folder, const CodesignProblem& problem,
+                      const ChosenDesign& choice, ChoiceRecord& record) {
+  for (const auto& [index, candidate] : choice.others) {
+    const std::string name = fmt::format("candidates/{:02}", index);
+    record.candidates.at(index).folder = name;
+    fs::create_directories((folder.root() / name).parent_path());
+    for (int k = 0; k < problem.task_count(); ++k) {
+      fs::path to = folder.root() / name;
+      if (problem.set.joint()) {
+        fs::create_directories(to);
+        to /= problem.task(k).name;
+      }
+      write_design(to, problem.robot, candidate.objective(problem, k), candidate.design, k,
+                   Durability::process);
+    }
+  }
+}
+
+CertificateNote write_certificate(const ResultFolder& folder, const CodesignProblem& problem,
+                                  const std::vector<JointTask>& tasks, const Candidate& chosen,
+                                  int threads) {
+  const Stopwatch watch;
+  std::vector<WeightedCost> costs;
+  std::vector<int> all;
+  std::vector<std::unique_ptr<ObjectiveCost>> planned;
+  for (const JointTask& task : tasks) {
+    const auto k = static_cast<int>(costs.size());
+    all.push_back(k);
+    planned.push_back(std::make_unique<ObjectiveCost>(chosen.objective(problem, k)));
+    costs.push_back(weighted(task, task.weight, {}));
+    costs.back().cost = planned.back().get();
+  }
+  const DesignIteration& best = chosen.design;
+  CertificateOptions options;
+  options.threads = threads;
+  const Certificate proof = certify(costs, problem.robot.space, best, options);
+  write_json(folder.result() / "certificate.json",
+             json_of(certificate_record(problem, best, proof, all)));
+  if (problem.set.joint())
+    for (int k : all)
+      write_json(result_folder(folder, problem, k) / "certificate.json",
+                 json_of(certificate_record(problem, best, proof, {k})));
+  return {proof.worst_gradient_error(), proof.active.size(), watch.seconds()};
+}
+
+void close_gaps(const ResultFolder& folder, const CodesignProblem& problem,
+                const DesignIteration& best, const OptimizeOptions& options, RunRecord& run) {
+  CloseGapOptions rules;
+  rules.steps = options.physics_steps;
+  rules.threads = all_threads(options);
+  rules.stop = [] { return StopSignals::received() != 0; };
+  for (int k = 0; k < problem.task_count(); ++k) {
+    const std::string name = problem.set.joint() ? problem.task(k).name + ": " : "";
+    rules.tell = [&](const std::string& line) {
+      if (!options.quiet) fmt::print(stderr, "{}{}\n", name, line);
+    };
+    const PhysicsStepsRecord found = close_gap(folder, problem, best, k, rules);
+    if (!problem.set.joint()) {
+      run.physics_steps = found;
+      write_json(folder.run_json(), json_of(run));
+      continue;
+    }
+    run.tasks->at(static_cast<std::size_t>(k)).physics_steps = found;
+    write_json(folder.run_json(), json_of(run));  // result/ of this task is another one now
+    const fs::path own = result_folder(folder, problem, k).parent_path() / "run.json";
+    auto task_run = read_record_file<RunRecord>(own);
+    task_run.physics_steps = found;
+    write_json(own, json_of(task_run));
+  }
+}
+
+}  // namespace legwright

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "optimizer/solve/multistart.hpp"
+#include "tools/run/result_folder.hpp"
+#include "tools/run/run_record.hpp"
+#include "tools/task/problem.hpp"
+#include "tools/verbs/optimize_options.hpp"
+#include "tools/verbs/recorder.hpp"
+
+namespace legwright {
+
+/// Whether a design has a finite motion for each task.
+bool usable(const DesignIteration& iteration);
+
+/// Writes the results of a run, and what run.json says of them. @param chosen the design that is
+/// handed back. @param signal that ended the search, or 0
+void write_end(const ResultFolder& folder, const CodesignProblem& problem,
+               const MultistartResult& found, const Candidate& chosen, int signal,
+               Recorder& recorder, RunRecord& run);
+
+/// Writes the designs beside the result that physics was asked about into candidates/, and notes
+/// where they are.
+void write_candidates(const ResultFolder& folder, const CodesignProblem& problem,
+                      const ChosenDesign& choice, ChoiceRecord& record);
+
+/// Proves the result, an optimum of F as its search had it, and writes certificate.json beside it.
+/// @return what run.json says of it
+CertificateNote write_certificate(const ResultFolder& folder, const CodesignProblem& problem,
+                                  const std::vector<JointTask>& tasks, const Candidate& chosen,
+                                  int threads);
+
+/// After the adjoint loop: what MuJoCo says of the gaits, and steps that it confirms. Noted in
+/// run.json: of each task where there are several.
+void close_gaps(const ResultFolder& folder, const CodesignProblem& problem,
+                const DesignIteration& best, const OptimizeOptions& options, RunRecord& run);
+
+}  // namespace legwright

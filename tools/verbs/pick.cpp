@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "mjcf/read/read_robot.hpp"
+#include "mjcf/text/safe_path.hpp"
+#include "mjcf/write/rewrite_robot.hpp"
+#include "optimizer/design/inertia.hpp"
+#include "tools/files/io_error.hpp"
+#include "tools/run/by_name.hpp"
+#include "tools/run/iteration_record.hpp"
+#include "tools/run/result_folder.hpp"
+#include "tools/run/robot_folder.hpp"
+#include "tools/run/run_json.hpp"
+#include "tools/verbs/replace_folder.hpp"
+#include "tools/verbs/summary.hpp"
+#include "tools/verbs/verbs.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct PickOptions {
+  std::string run, start, candidate;
+  int iteration = -1, front = -1;
+};
+
+[[noreturn]] void refuse_pick(const fs::path& run, const std::string& why) {
+  throw IoError(fmt::format("{}: {}", run.string(), why));
+}
+
+/// A design of a run: its words, and the folder of each task's files.
+struct PickedDesign {
+  std::string name;
+  std::vector<fs::path> folders;  // in the order of the run's tasks
+};
+
+std::vector<std::string> task_names(const RunRecord& run) {
+  std::vector<std::string> names;
+  if (run.joint())
+    for (const TaskRecord& task : *run.tasks) names.push_back(task.name);
+  return names;
+}
+
+/// The same folder of each task: under `joint`/TASK of a run of several, else `single`.
+std::vector<fs::path> folders_of(const RunRecord& run, const fs::path& single) {
+  if (!run.joint()) return {single};
+  std::vector<fs::path> out;
+  for (const std::string& task : task_names(run)) out.push_back(single / task);
+  return out;
+}
+
+PickedDesign picked_iteration(const ResultFolder& folder, const RunRecord& run, int index) {
+  PickedDesign out{fmt::format("iteration {}", index), {}};
+  const std::string number = fmt::format("{:04}", index);
+  if (!run.joint()) out.folders = {folder.iteration(index)};
+  for (const std::string& task : task_names(run))
+    out.folders.push_back(folder.root() / "tasks" / task / "iterations" / number);
+  return out;
+}
+
+/// The last iteration of a start.
+PickedDesign picked_start(const ResultFolder& folder, const RunRecord& run,
+                          const std::string& name) {
+  const std::vector<StartRecord> starts = run.starts.value_or(std::vector<StartRecord>{});
+  const auto found = std::find_if(starts.begin(), starts.end(),
+                                  [&](const StartRecord& start) { return start.start == name; });
+  if (found == starts.end()) {
+    std::vector<std::string> known;
+    for (const StartRecord& start : starts) known.push_back(start.start);
+    refuse_pick(folder.root(),
+                known.empty()
+                    ? fmt::format("has no start '{}': it searched from one design only; pick one "
+                                  "of its iterations with --iteration N",
+                                  name)
+                    : fmt::format("has no start '{}'; there are {}", name, fmt::join(known, ", ")));
+  }
+  PickedDesign out{"start " + name, {}};
+  if (!run.joint()) {  // iterations of all starts follow one another
+    int last = -1;
+    for (auto start = starts.begin(); start <= found; ++start) last += start->design_iterations + 1;
+    out.folders = {folder.iteration(last)};
+  }
+  for (const std::string& task : task_names(run))
+    out.folders.push_back(folder.root() / "starts" / ("from-" + name) / task / "iterations" /
+                          fmt::format("{:04}", found->design_iterations));
+  return out;
+}
+
+PickedDesign picked_front_point(const ResultFolder& folder, const RunRecord& run, int point) {
+  if (!run.front)
+    refuse_pick(folder.root(), "has no front; `legwright optimize --front N` makes one");
+  if (point >= static_cast<int>(run.front->size()))
+    refuse_pick(folder.root(), fmt::format("has no point {} of the front: they are numbered 0 to {}",
+                                           point, run.front->size() - 1));
+  return {fmt::format("front point {}", point),
+          folders_of(run, folder.root() / "front" / fmt::format("{:02}", point))};
+}
+
+PickedDesign picked_candidate(const ResultFolder& folder, const RunRecord& run,
+                              const std::string& name) {
+  std::vector<std::string> known;
+  if (run.choice)
+    for (const CandidateRecord& candidate : run.choice->candidates) {
+      if (!candidate.folder) continue;
+      if (candidate.name == name)
+        return {name, folders_of(run, folder.root() / *candidate.folder)};
+      known.push_back("'" + candidate.name + "'");
+    }
+  refuse_pick(folder.root(),
+              known.empty() ? "keeps no candidates beside its result"
+                            : fmt::format("has no candidate '{}'; it keeps {}", name,
+                                          fmt::join(known, ", ")));
+}
+
+PickedDesign find_design(const ResultFolder& folder, const RunRecord& run,
+                         const PickOptions& options) {
+  if (!options.candidate.empty()) return picked_candidate(folder, run, options.candidate);
+  if (!options.start.empty()) return picked_start(folder, run, options.start);
+  if (options.front >= 0) return picked_front_point(folder, run, options.front);
+  return picked_iteration(folder, run, options.iteration);
+}
+
+/// Puts a design in place of a task's result. @return what its metrics.json says
+IterationMetrics replace_result(const fs::path& from, const fs::path& result,
+                                const RobotFiles& files) {
+  const auto metrics = read_record_file<IterationMetrics>(from / "metrics.json");
+  const fs::path fresh = result.parent_path() / ".result-picked";
+  fs::remove_all(fresh);  // of a run that was killed
+  copy_design(from, fresh, files);
+  replace_folder(fresh, result);
+  return metrics;
+}
+
+double value_of(const ByName<double>& s, const std::string& parameter) {
+  const double* const value = s.find(parameter);
+  if (value == nullptr)
+    throw IoError(fmt::format("metrics.json of the design lacks parameter '{}' of s", parameter));
+  return *value;
+}
+
+/// What run.json says of the design in result/.
+void note_design(RunRecord& run, const RobotModel& robot, const std::string& name,
+                 const IterationMetrics& metrics) {
+  Eigen::VectorXd s = robot.space.initial();
+  for (int k = 0; k < robot.space.size(); ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    s[k] = value_of(metrics.s, run.parameters.at(i).name);
+    run.parameters[i].final = s[k];
+  }
+  run.body->final = body_record(robot, s);
+  run.picked = name;
+  run.certificate.reset();
+  run.physics_steps.reset();
+  run.final_F = metrics.F;
+}
+
+/// The same of a run of one task, or of a task of several.
+void note_task_design(RunRecord& run, const RobotModel& robot, const std::string& name,
+                      const IterationMetrics& metrics) {
+  note_design(run, robot, name, metrics);
+  run.speed_reached = metrics.speed_reached;
+  run.heading_error = metrics.heading_error;
+  run.ground_error = metrics.ground_error;
+  run.slide_share = metrics.slide_share;
+  run.root_residual = metrics.root_residual;
+  run.motion_status = metrics.motion_status;
+  run.projected_gradient_norm = metrics.projected_gradient_norm;
+}
+
+int pick(const PickOptions& options) {
+  const int given = !options.candidate.empty() + !options.start.empty() + (options.front >= 0) +
+                    (options.iteration >= 0);
+  if (given != 1)
+    refuse_pick(options.run, "expected one of --iteration, --start, --front and --candidate");
+  const ResultFolder folder = ResultFolder::open(options.run);
+  auto run = read_record_file<RunRecord>(folder.run_json());
+  if (!run.ended()) refuse_pick(options.run, "the run has not ended; let it end first");
+  const PickedDesign picked = find_design(folder, run, options);
+  for (const fs::path& from : picked.folders)
+    if (!fs::is_regular_file(from / "scene.xml"))
+      refuse_pick(from, "no such design in the run; events.jsonl lists its iterations");
+  const RobotModel robot = read_robot(folder.inputs() / "robot.xml");
+
+  if (!run.joint()) {
+    note_task_design(run, robot, picked.name,
+                     replace_result(picked.folders[0], folder.result(), robot.files));
+  } else {
+    double F = 0.0;
+    for (std::size_t k = 0; k < run.tasks->size(); ++k) {
+      TaskRecord& task = run.tasks->at(k);
+      const fs::path own = folder.root() / "tasks" / task.name;
+      const IterationMetrics metrics =
+          replace_result(picked.folders[k], own / "result", robot.files);
+      auto task_run = read_record_file<RunRecord>(own / "run.json");
+      note_task_design(task_run, robot, picked.name, metrics);
+      write_json(own / "run.json", json_of(task_run));
+      task.F = metrics.F;
+      task.speed_reached = metrics.speed_reached;
+      task.physics_steps.reset();
+      F += task.weight.value_or(1.0) * (metrics.F + metrics.J);
+      note_design(run, robot, picked.name, metrics);
+    }
+    run.final_F = F;
+    const fs::path body = folder.result() / "robot.xml";
+    fs::copy_file(folder.root() / "tasks" / run.tasks->front().name / "result" / "robot.xml", body,
+                  fs::copy_options::overwrite_existing);
+    fs::remove(folder.result() / "certificate.json");
+  }
+  write_json(folder.run_json(), json_of(run));
+  fmt::print("{}: the result is {} now, F {:.5g}\nnext: legwright validate {}\n", options.run,
+             picked.name, *run.final_F, shell_word(options.run));
+  return kOk;
+}
+
+}  // namespace
+
+void add_pick(CLI::App& program, Action& action) {
+  const auto [verb, options] =
+      add_verb(program, action, "pick", "Make another design of a run its result", pick);
+  verb->add_option("RUN", options->run, "folder that `legwright optimize` wrote")->required();
+  verb->add_option("--iteration", options->iteration, "an iteration on the way, from 0 on")
+      ->check(CLI::Range(0, 1000000));
+  verb->add_option("--start", options->start, "the optimum of one of several starts, by its name");
+  verb->add_option("--front", options->front, "a point of the trade-off of two tasks, from 0 on")
+      ->check(CLI::Range(0, 1000));
+  verb->add_option("--candidate", options->candidate,
+                   "a design that MuJoCo played, by its name in run.json: optimum, ...");
+}
+
+}  // namespace legwright
