@@ -18,8 +18,8 @@ struct NumericalSetting {
   std::optional<double> impratio;
 };
 
-/// Half and a quarter of the step; implicit; a pyramidal cone, with impratio 1: higher ones belong to elliptic
-/// cones.
+/// Half and a quarter of the step; implicit; a pyramidal cone, with impratio 1: higher
+/// ones belong to elliptic cones.
 /// @param timestep of the scene [s]
 std::vector<NumericalSetting> other_numerics(double timestep);
 

@@ -68,7 +68,8 @@ TEST(Floquet, WhereAFreeBodyIsAndFacesIsLeftOut) {
 
 TEST(Floquet, OfAFloatingBodyNothingDies) {
   const std::string adrift = R"(<mujoco><option timestep="0.001" gravity="0 0 0"/><worldbody>
-    <body name="ball" pos="0 0 1"><freejoint/><geom size="0.1" mass="1"/></body></worldbody></mujoco>)";
+    <body name="ball" pos="0 0 1"><freejoint/><geom size="0.1" mass="1"/></body>
+    </worldbody></mujoco>)";
   const auto found = multiplier(adrift, 0.0, 500, "ball");
   ASSERT_TRUE(found);
   EXPECT_NEAR(*found, 1.0, 1e-3);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every gait of the library for two, four and six feet has a task in the examples that passes at
 // half, default and double gains, or fails for nothing but its heading. Tasks of other tests
-// (sideways_test, turning_test, examples_test) are not run again. Five, seven and eight feet: own_robot_test.
+// (sideways_test, turning_test, examples_test) are not run again. Five, seven and eight feet:
+// own_robot_test.
 #include <gtest/gtest.h>
 
 #include <map>
