@@ -24,7 +24,8 @@ void set_floor_friction(Scene& scene, double friction) {
   mjModel& model = *scene.model;
   for (const Footing& footing : footings(scene))
     for (const int geom : {footing.ground, footing.foot})
-      if (footing.ruling < 0 || geom == footing.ruling) model.geom_friction[3 * geom] = friction;
+      if (footing.ruling < 0 || geom == footing.ruling)
+        model.geom_friction[static_cast<std::ptrdiff_t>(3) * geom] = friction;
 }
 
 void scale_masses(mjModel& model, double scale) {
@@ -73,9 +74,9 @@ void tilt(const Scene& scene, mjData& data, double roll, double pitch) {
   const mjModel& model = *scene.model;
   mj_kinematics(&model, &data);
   mj_comPos(&model, &data);
-  const double yaw = heading(data.xmat + 9 * scene.joints.root_body);
+  const double yaw = heading(data.xmat + static_cast<std::ptrdiff_t>(9) * scene.joints.root_body);
   const double before = lowest_foot(scene, data);
-  const mjtNum* com = data.subtree_com + 3 * scene.joints.root_body;
+  const mjtNum* com = data.subtree_com + static_cast<std::ptrdiff_t>(3) * scene.joints.root_body;
   const Eigen::Vector3d pivot(com[0], com[1], 0.0);
   const Eigen::Quaterniond turn(Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()) *
                                 Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitX()) *
@@ -106,11 +107,11 @@ class Push {
     if (step < 0 || step > steps_ || impulse_.isZero(0.0)) return;
     const int body = scene_.joints.root_body;
     if (step == 0)
-      force_ = Eigen::Rotation2Dd(heading(data.xmat + 9 * body)) * impulse_ /
-               (static_cast<double>(steps_) * h);
+      force_ = Eigen::Rotation2Dd(heading(data.xmat + static_cast<std::ptrdiff_t>(9) * body)) *
+               impulse_ / (static_cast<double>(steps_) * h);
     const bool over = step == steps_;
-    data.xfrc_applied[6 * body] = over ? 0.0 : force_.x();
-    data.xfrc_applied[6 * body + 1] = over ? 0.0 : force_.y();
+    data.xfrc_applied[static_cast<std::ptrdiff_t>(6) * body] = over ? 0.0 : force_.x();
+    data.xfrc_applied[static_cast<std::ptrdiff_t>(6) * body + 1] = over ? 0.0 : force_.y();
   }
 
  private:

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tools/verbs/judge_run.hpp"
+
 namespace legwright {
 namespace {
 
@@ -54,6 +56,17 @@ TEST(Feasibility, ATaskOnTheSpotNeedsNoSpeed) {
   PlanQuality still = good();
   still.speed_wanted = still.speed_reached = 0.0;
   EXPECT_TRUE(infeasible_reasons(true, still, "m/s").empty());
+}
+
+TEST(EarlyStop, ASearchThatDidNotEndIsToldInWords) {
+  EXPECT_EQ(early_stop_words("interrupted"),
+            "the search was interrupted: what is judged is the best so far, not its result");
+  EXPECT_NE(early_stop_words("running").find("has not ended (status running)"), std::string::npos);
+  RunRecord run;
+  run.status = "interrupted";
+  EXPECT_TRUE(run.stopped_early());
+  run.status = "converged";
+  EXPECT_FALSE(run.stopped_early());
 }
 
 }  // namespace
