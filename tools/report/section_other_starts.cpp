@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "tools/report/sections.hpp"
 #include "tools/report/words.hpp"
@@ -26,7 +27,7 @@ std::vector<const StartRecord*> by_cost(const RunRecord& run) {
 
 /// By how much the bodies differ in a parameter, as a share of its range.
 double spread_of(const ParameterView& p, const std::vector<const StartRecord*>& starts) {
-  double least = INFINITY, most = -INFINITY;
+  double least = std::numeric_limits<double>::infinity(), most = -least;
   for (const StartRecord* start : starts)
     if (const double* const value = start->s.find(p.name)) {
       least = std::min(least, *value);
