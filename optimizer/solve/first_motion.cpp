@@ -14,9 +14,9 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double kBetter = 0.99;       // F over that of the guess, below which a start counts
-constexpr double kSpread = 0.15;       // amplitude of random joint motions [rad]
-constexpr double kHalfSpeed = 0.5;     // of the plan that continuation starts from
+constexpr double kBetter = 0.99;    // F over that of the guess, below which a start counts
+constexpr double kSpread = 0.15;    // amplitude of random joint motions [rad]
+constexpr double kHalfSpeed = 0.5;  // of the plan that continuation starts from
 constexpr double kScoutTolerance = 1e-3;
 constexpr int kScoutIterations = 100;  // to compare starts; the winner is solved in full afterwards
 

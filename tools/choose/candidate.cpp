@@ -20,14 +20,16 @@ double sum_of(const std::vector<TermValue>& terms) {
   return sum;
 }
 
-GaitTrial play_task(const CodesignProblem& problem, const Candidate& candidate, int k) {
+GaitTrial play_task(const CodesignProblem& problem, const Candidate& candidate, int k,
+                    bool to_the_end) {
   GaitTrial trial;
   trial.distance = std::numeric_limits<double>::infinity();
   const DesignIteration& design = candidate.design;
   try {
     trial = try_in_physics(problem.robot, problem.task(k),
                            design_texts(problem.robot, candidate.objective(problem, k), design.s,
-                                        design.tasks.at(static_cast<std::size_t>(k)).m));
+                                        design.tasks.at(static_cast<std::size_t>(k)).m),
+                           to_the_end);
   } catch (const InputError& error) {
     trial.line = error.what();  // no such robot, which never passes
   } catch (const MujocoError& error) {
@@ -44,10 +46,10 @@ const Objective& Candidate::objective(const CodesignProblem& problem, int k) con
 }
 
 PlayedCandidate play_candidate(const CodesignProblem& problem, const Candidate& candidate,
-                               int threads) {
+                               int threads, bool to_the_end) {
   std::vector<GaitTrial> trials(static_cast<std::size_t>(problem.task_count()));
   parallel_for(problem.task_count(), threads, [&](int k) {
-    trials[static_cast<std::size_t>(k)] = play_task(problem, candidate, k);
+    trials[static_cast<std::size_t>(k)] = play_task(problem, candidate, k, to_the_end);
   });
   PlayedCandidate out{true, 0.0, "", {}};
   for (const GaitTrial& trial : trials) {
@@ -85,8 +87,7 @@ void evaluate_as_asked(const CodesignProblem& problem, Candidate& candidate) {
       Task aimed = asked.task();
       aimed.velocity = planned.velocity;
       aimed.turn_rate = planned.turn_rate;
-      task.terms =
-          Objective(asked.morphology(), asked.space(), aimed).terms(design.s, task.m);
+      task.terms = Objective(asked.morphology(), asked.space(), aimed).terms(design.s, task.m);
     }
     task.value = sum_of(task.terms);
     if (!problem.outers.empty())

@@ -28,13 +28,14 @@ struct Candidate {
 struct PlayedCandidate {
   bool pass = false;
   double distance = 0.0;  // from passing, sum over tasks; infinite where one cannot be played
-  std::string line;    // of the tasks that fail, or of all
+  std::string line;       // of the tasks that fail, or of all
   std::vector<GaitTrial> trials = {};  // of each task
 };
 
 /// Plays every task of a candidate at half, default and double gains. Needs load_gait_plugin().
+/// @param to_the_end what fails early, too
 PlayedCandidate play_candidate(const CodesignProblem& problem, const Candidate& candidate,
-                               int threads);
+                               int threads, bool to_the_end = false);
 
 /// Sets F, J and their terms to those of the tasks as they were given, for a candidate that was
 /// found with tightened ones; but for the speed and turn that it was aimed at.

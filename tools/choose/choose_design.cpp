@@ -17,12 +17,13 @@
 namespace legwright {
 namespace {
 
-constexpr int kIteratesPlayed = 6;  // along the way, evenly by number
-constexpr int kRounds = 4;          // of tightened searches, at most
-constexpr std::size_t kBeam = 2;    // designs that a round goes on from
+constexpr int kIteratesPlayed = 6;      // along the way, evenly by number
+constexpr int kRounds = 4;              // of tightened searches, at most
+constexpr std::size_t kBeam = 2;        // designs that a round goes on from
 constexpr std::size_t kLeversKept = 7;  // from the second round on
-constexpr int kSearchIterations = 12;  // of each: it starts from a design that is nearly right
-constexpr double kGain = 0.95;  // of the distance from passing: a round that gains less is the last
+constexpr std::size_t kFinalists = 6;   // that are played to the end where nothing passes
+constexpr int kSearchIterations = 12;   // of each: it starts from a design that is nearly right
+constexpr double kGain = 0.99;  // of the distance from passing: a round that gains less is the last
 
 /// Searches on from a candidate with tightened tasks. @return nothing where there is no such design
 std::optional<Candidate> search_tightened(const CodesignProblem& problem,
@@ -103,8 +104,7 @@ class DesignChooser {
 
   /// @return what physics says of it
   PlayedCandidate consider(const Candidate& candidate) {
-    const PlayedCandidate played =
-        play_candidate(problem_, candidate, options_.threads);
+    const PlayedCandidate played = play_candidate(problem_, candidate, options_.threads);
     note(candidate, played);
     return played;
   }
@@ -117,9 +117,10 @@ class DesignChooser {
     for (int round = 0; round < kRounds && !stopped(); ++round) {
       std::vector<PlayedDesign> found = pull_levers(beam);
       if (found.empty()) return;
-      std::stable_sort(found.begin(), found.end(), [](const PlayedDesign& a, const PlayedDesign& b) {
-        return nearer(a.design, a.played, b.design, b.played);
-      });
+      std::stable_sort(found.begin(), found.end(),
+                       [](const PlayedDesign& a, const PlayedDesign& b) {
+                         return nearer(a.design, a.played, b.design, b.played);
+                       });
       const PlayedCandidate& best = found.front().played;
       if (best.pass || !(best.distance < kGain * nearest)) return;
       if (round == 0) keep_best_levers(found);
@@ -132,6 +133,23 @@ class DesignChooser {
   bool stopped() const { return options_.stop && options_.stop(); }
   /// Whether a candidate with this F could still become the result.
   bool worth_playing(double value) const { return !played_.pass || value < best_->design.value; }
+
+  /// Where nothing passes: plays the nearest, the optimum and the given body to the end, for what
+  /// failed early was played for a few cycles only, and keeps the one that is nearest then.
+  void play_finalists() {
+    if (played_.pass || stopped()) return;
+    std::vector<PlayedCandidate> played(finalists_.size());
+    parallel_for(static_cast<int>(finalists_.size()), options_.threads, [&](int k) {
+      const auto i = static_cast<std::size_t>(k);
+      played[i] = play_candidate(problem_, finalists_[i].design, 1, true);
+    });
+    best_.reset();
+    for (std::size_t i = 0; i < finalists_.size(); ++i) {
+      record_.candidates[finalists_[i].place].played = {played[i].distance, played[i].pass,
+                                                        played[i].line};
+      take_if_nearer(finalists_[i].design, played[i]);
+    }
+  }
 
   ChosenDesign result(double seconds) {
     record_.chosen = best_->name;
@@ -150,6 +168,11 @@ class DesignChooser {
     Candidate design;
     PlayedCandidate played;
     std::optional<Lever> lever = {};  // the last that was pulled
+  };
+  struct Finalist {
+    Candidate design;
+    double distance;
+    std::size_t place;  // in record_.candidates
   };
   struct LeverPull {
     const PlayedDesign* from;
@@ -190,8 +213,7 @@ class DesignChooser {
       if (stopped()) return;
       const auto i = static_cast<std::size_t>(k);
       const LeverPull& pull = pulls[i];
-      auto design =
-          search_tightened(problem_, tasks_, pull.from->design, pull.tightening, search);
+      auto design = search_tightened(problem_, tasks_, pull.from->design, pull.tightening, search);
       if (!design) return;
       design->name = "tightened: " + words_of(pull.tightening);
       PlayedCandidate played = play_candidate(problem_, *design, 1);
@@ -232,9 +254,25 @@ class DesignChooser {
         {candidate.name, candidate.design.value, {played.distance, played.pass, played.line}, {}});
     if (played.pass || record_.candidates.size() == 1)
       kept_.emplace_back(record_.candidates.size() - 1, candidate);
+    add_finalist(candidate, played);
+    take_if_nearer(candidate, played);
+  }
+
+  void take_if_nearer(const Candidate& candidate, const PlayedCandidate& played) {
     if (best_ && !nearer(candidate, played, *best_, played_)) return;
     best_ = candidate;
     played_ = played;
+  }
+
+  /// Keeps the nearest few, and what was there before any tightening.
+  void add_finalist(const Candidate& candidate, const PlayedCandidate& played) {
+    finalists_.push_back({candidate, played.distance, record_.candidates.size() - 1});
+    const auto farther = [](const Finalist& a, const Finalist& b) {
+      const bool a_stays = a.place <= 1, b_stays = b.place <= 1;
+      return a_stays != b_stays ? b_stays : a.distance > b.distance;
+    };
+    if (finalists_.size() > kFinalists)
+      finalists_.erase(std::min_element(finalists_.begin(), finalists_.end(), farther));
   }
 
   const CodesignProblem& problem_;
@@ -243,6 +281,7 @@ class DesignChooser {
   std::vector<Lever> levers_ = all_levers();
   ChoiceRecord record_;
   std::vector<std::pair<std::size_t, Candidate>> kept_;
+  std::vector<Finalist> finalists_;
   std::optional<Candidate> best_;
   PlayedCandidate played_;  // of best_
 };
@@ -266,6 +305,7 @@ ChosenDesign choose_design(const CodesignProblem& problem, const std::vector<Joi
       if (!chooser.stopped() && chooser.worth_playing(candidate.design.value))
         chooser.consider(candidate);
   }
+  chooser.play_finalists();
   return chooser.result(watch.seconds());
 }
 

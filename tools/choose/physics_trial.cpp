@@ -44,8 +44,8 @@ void add_residuals(const Measurements& run, const WantedMotion& wanted, double p
 double distance_of(const JudgedLimit& limit) {
   if (limit.pass) return 0.0;
   if (!limit.value) return kUnknownDistance;
-  double size = std::max(std::abs(limit.bounds.high.value_or(0.0)),
-                         std::abs(limit.bounds.low.value_or(0.0)));
+  double size =
+      std::max(std::abs(limit.bounds.high.value_or(0.0)), std::abs(limit.bounds.low.value_or(0.0)));
   if (limit.bounds.low && limit.bounds.high) size = 0.5 * (*limit.bounds.high - *limit.bounds.low);
   double excess = 0.0;
   if (limit.bounds.high) excess = std::max(excess, *limit.value - *limit.bounds.high);
@@ -71,7 +71,7 @@ double middle(const std::vector<double>& values, double unknown) {
 }
 
 GaitTrial play_cycles(const RobotModel& robot, const TaskFile& wanted, const DesignTexts& texts,
-                         int cycles) {
+                      int cycles) {
   const WantedMotion motion{wanted.velocity, wanted.turn_rate};
   std::vector<Measurements> at_gains;
   const Limits limits = with_step_over(default_limits(), wanted.margins.step_over);
@@ -102,10 +102,13 @@ GaitTrial play_cycles(const RobotModel& robot, const TaskFile& wanted, const Des
 
 }  // namespace
 
-GaitTrial try_in_physics(const RobotModel& robot, const TaskFile& wanted,
-                         const DesignTexts& texts) {
-  GaitTrial trial = play_cycles(robot, wanted, texts, kFirstCycles);
-  return trial.pass ? play_cycles(robot, wanted, texts, kTrialCycles) : trial;
+GaitTrial try_in_physics(const RobotModel& robot, const TaskFile& wanted, const DesignTexts& texts,
+                         bool to_the_end) {
+  if (!to_the_end) {
+    GaitTrial trial = play_cycles(robot, wanted, texts, kFirstCycles);
+    if (!trial.pass) return trial;
+  }
+  return play_cycles(robot, wanted, texts, kTrialCycles);
 }
 
 }  // namespace legwright

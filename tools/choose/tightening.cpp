@@ -19,9 +19,9 @@ constexpr double kMarginFactor = 1.5, kForceFactor = 14.0, kQuickFactor = 0.4, k
 constexpr double kLeastAim = 0.85;  // of the wanted speed, and over it by as much
 
 constexpr std::array<const char*, kLeverCount> kWords = {
-    "larger margins", "smoother forces", "quicker legs", "smoother legs", "longer stance",
-    "shorter stance", "lower steps",    "narrower stance", "wider stance",  "corrected aim",
-    "nearer the given body"};
+    "larger margins", "smoother forces", "quicker legs",         "smoother legs",
+    "longer stance",  "shorter stance",  "lower steps",          "narrower stance",
+    "wider stance",   "corrected aim",   "nearer the given body"};
 
 int pulls_of(const Tightening& tightening, Lever lever) {
   return tightening.pulls.at(static_cast<std::size_t>(lever));
@@ -29,8 +29,8 @@ int pulls_of(const Tightening& tightening, Lever lever) {
 
 void multiply_weight(TaskFile& file, const std::string& term, double factor) {
   const auto given = file.weights.find(term);
-  const double weight = given != file.weights.end() ? given->second
-                                                    : find_term(term)->default_weight;
+  const double weight =
+      given != file.weights.end() ? given->second : find_term(term)->default_weight;
   file.weights[term] = weight * factor;
 }
 
@@ -42,9 +42,9 @@ void widen_margins(Task& task, double factor) {
 
 /// Moves the feet's places towards the line of travel or away from it.
 void scale_width(const RobotModel& robot, double factor, Task& task) {
-  const Eigen::Vector2d ahead =
-      task.velocity.norm() > 0.0 ? Eigen::Vector2d(task.velocity.normalized())
-                                 : Eigen::Vector2d::UnitX();
+  const Eigen::Vector2d ahead = task.velocity.norm() > 0.0
+                                    ? Eigen::Vector2d(task.velocity.normalized())
+                                    : Eigen::Vector2d::UnitX();
   task.footprint = style_targets(robot.morphology, robot.space.initial(), task).footprint;
   for (Eigen::Vector2d& foot : *task.footprint) {
     const Eigen::Vector2d along = ahead * ahead.dot(foot);
@@ -86,8 +86,7 @@ Task tightened_task(const CodesignProblem& problem, int k, const Tightening& tig
 
   file.margins = asked;
   widen_margins(file.margins, power(kMarginFactor, Lever::margins));
-  const int stance =
-      asked.planted_margin + pulls(Lever::long_stance) - pulls(Lever::short_stance);
+  const int stance = asked.planted_margin + pulls(Lever::long_stance) - pulls(Lever::short_stance);
   if (stance < 1) throw InputError("stance cannot be shorter");
   file.planted_margin = stance * asked.gait.time_step();
   *file.margins.swing_height *= power(kSwingFactor, Lever::low_swing);

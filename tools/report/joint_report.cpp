@@ -59,6 +59,7 @@ std::string joint_report_page(const JointData& data) {
   add_task_attributions(page, data);
   add_front(page, data);
   add_starts(page, data);
+  add_choice(page, data.whole.run);
   add_other_starts(page, data.whole.run);
   add_certificate(page, data.whole);
   add_origin(page, data.whole);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "tools/report/parameter_view.hpp"
 #include "tools/report/sections.hpp"
 #include "tools/report/words.hpp"
 

@@ -23,6 +23,7 @@ void add_pictures(Html& page, const RunData& data, PictureBudget& budget);
 void add_design_effect(Html& page, const RunData& data);
 void add_attribution(Html& page, const RunData& data);    // part of the one before
 void add_fewest(Html& page, const RunRecord& run);        // part of the same
+void add_choice(Html& page, const RunRecord& run);        // nothing where the optimum passes
 void add_other_starts(Html& page, const RunRecord& run);  // nothing with one start
 void add_gap(Html& page, const RunData& data);
 void add_progress(Html& page, const RunData& data);
@@ -50,6 +51,8 @@ inline constexpr double kSmallTerm = 0.01;  // of F: smaller terms are folded aw
 
 /// "3 of 20 changes buy 96 % of the fall of F …: a, b and c."; empty where it is not known.
 std::string fewest_words(const RunRecord& run);
+/// Which design was handed back instead of the optimum of F, and why; empty where that passes.
+std::string choice_words(const RunRecord& run);
 /// "5 other starts end within 6 % of the least F; …"; empty where there were none.
 std::string other_starts_words(const RunRecord& run);
 /// What the events of a run's iterations hold, as a line of a chart.

@@ -15,9 +15,9 @@ namespace {
 namespace fs = std::filesystem;
 
 // Everything a run consists of; --force removes these and nothing else.
-constexpr std::array<const char*, 9> kEntries{"run.json", "events.jsonl", "inputs",
-                                              "iterations", "starts",   "tasks",
-                                              "candidates", "front",    "result"};
+constexpr std::array<const char*, 9> kEntries{"run.json",   "events.jsonl", "inputs",
+                                              "iterations", "starts",       "tasks",
+                                              "candidates", "front",        "result"};
 constexpr const char* kReport = "report.html";  // of `legwright report`; goes with the run
 
 bool is_run(const fs::path& root) {

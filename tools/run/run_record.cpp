@@ -26,7 +26,8 @@ void fields(Fields& f, CandidateRecord& candidate) {
   f("name", candidate.name);
   f("F", candidate.F, "of the task as it was given");
   f("played", candidate.played);
-  f("folder", candidate.folder, "of its files, in the run; a folder per task where there are several");
+  f("folder", candidate.folder,
+    "of its files, in the run; a folder per task where there are several");
 }
 
 void fields(Fields& f, ChoiceRecord& choice) {

@@ -9,11 +9,11 @@
 #include "mjcf/text/input_error.hpp"
 #include "optimizer/base/stopwatch.hpp"
 #include "optimizer/solve/task_solver.hpp"
+#include "tools/choose/physics_trial.hpp"
 #include "tools/run/design_folder.hpp"
 #include "tools/simulate/mujoco_host.hpp"
 #include "tools/verbs/joint_folders.hpp"
 #include "tools/verbs/replace_folder.hpp"
-#include "tools/choose/physics_trial.hpp"
 
 namespace legwright {
 namespace {

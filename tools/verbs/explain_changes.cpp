@@ -97,8 +97,8 @@ void ChangeReasons::find_fewest(double initial_F, const DesignIteration& best,
   options.codesign.threads = threads_;
   options.stop = stop_asked;
   fewest_.initial_F = initial_F;
-  designs_ = fewest_changes(costs().tasks(), space, space.initial(), fewest_.initial_F,
-                            best, rows, options);
+  designs_ = fewest_changes(costs().tasks(), space, space.initial(), fewest_.initial_F, best, rows,
+                            options);
   fewest_.fewest = fewest_that_keep(designs_, fewest_.initial_F, fewest_.share);
   fewest_.designs.clear();
   for (const FewerChanges& each : designs_) {

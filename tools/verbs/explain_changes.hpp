@@ -34,8 +34,7 @@ class ChangeReasons {
   class CostsByThread;
   const CostsByThread& costs();
   std::vector<PutBack> rows_of(const DesignIteration& design);
-  void find_fewest(double initial_F, const DesignIteration& best,
-                   const std::vector<PutBack>& rows);
+  void find_fewest(double initial_F, const DesignIteration& best, const std::vector<PutBack>& rows);
 
   const CodesignProblem& problem_;
   const int threads_;

@@ -117,8 +117,7 @@ std::vector<FrontPointRecord> write_front(const ResultFolder& folder,
     front.points.push_back({point.weight, point.best.value, values,
                             std::string(to_string(point.status)),
                             by_name(problem.robot.space, point.best.s)});
-    const fs::path design =
-        folder.root() / "front" / fmt::format("{:02}", front.points.size() - 1);
+    const fs::path design = folder.root() / "front" / fmt::format("{:02}", front.points.size() - 1);
     fs::create_directories(design);
     for (int k = 0; k < problem.task_count(); ++k)
       write_design(design / problem.task(k).name, problem.robot, *problem.objectives[k], point.best,

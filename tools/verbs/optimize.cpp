@@ -6,13 +6,13 @@
 
 #include "mjcf/text/input_error.hpp"
 #include "optimizer/base/stopwatch.hpp"
+#include "tools/choose/choose_design.hpp"
 #include "tools/files/clean_text.hpp"
 #include "tools/files/io_error.hpp"
 #include "tools/files/licence.hpp"
 #include "tools/run/install.hpp"
 #include "tools/run/robot_folder.hpp"
 #include "tools/run/run_json.hpp"
-#include "tools/choose/choose_design.hpp"
 #include "tools/verbs/command_times.hpp"
 #include "tools/verbs/explain_changes.hpp"
 #include "tools/verbs/joint_folders.hpp"
@@ -125,8 +125,10 @@ int solve_run(const OptimizeOptions& options, CodesignProblem& problem, const fs
   const StopSignals signals;
   std::vector<DesignIteration> along;  // of the whole problem
   settings.on_iteration = [&](const RunLabel& label, const DesignIteration& iteration) {
-    if (static_cast<int>(label.tasks.size()) == problem.task_count()) along.push_back(iteration);
-    return recorder.iteration(label, iteration);
+    const bool whole = static_cast<int>(label.tasks.size()) == problem.task_count();
+    if (whole) along.push_back(iteration);
+    const bool low_enough = whole && options.stop_at && iteration.value <= *options.stop_at;
+    return recorder.iteration(label, iteration) && !low_enough;
   };
   recorder.start();
   const ProblemCosts costs(problem, first_motion_of(options));
@@ -154,8 +156,8 @@ int solve_run(const OptimizeOptions& options, CodesignProblem& problem, const fs
   }
   write_json(folder.run_json(), json_of(run));  // what follows may take a while, and adds to it
   if (signal == 0 && !options.no_certificate && usable(chosen.design)) {
-    run.certificate = write_certificate(folder, problem, costs.tasks(), chosen,
-                                        settings.codesign.threads);
+    run.certificate =
+        write_certificate(folder, problem, costs.tasks(), chosen, settings.codesign.threads);
     times.end_of("certificate");
   }
   if (options.physics_steps > 0 && StopSignals::received() == 0 && usable(chosen.design)) {

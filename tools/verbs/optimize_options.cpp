@@ -45,12 +45,14 @@ void add_options(CLI::App& verb, OptimizeOptions& options) {
   verb.add_option("--robot", options.robot, "MJCF of another robot than the one the task names");
   verb.add_option("-o,--output", options.run, "folder of the run; default: runs/ROBOT-TASK");
   verb.add_flag("--motion-only", options.motion_only,
-                 "keep the initial design, optimize its motion");
+                "keep the initial design, optimize its motion");
   verb.add_option("--max-iterations", options.max_iterations, "design iterations at most")
       ->check(CLI::Range(0, 100000))
       ->capture_default_str();
   verb.add_flag("--one-start", options.one_start,
-                 "several tasks: start from the initial design only, not from each task's optimum");
+                "several tasks: start from the initial design only, not from each task's optimum");
+  verb.add_option("--stop-at", options.stop_at,
+                  "end the search once F is as low as this, as the paper's Algorithm 1 does");
   verb.add_option("--starts", options.starts,
                   "further starts from perturbed initial designs; with --motion-only: from "
                   "perturbed motions")
@@ -62,23 +64,23 @@ void add_options(CLI::App& verb, OptimizeOptions& options) {
           "two tasks: walk the weights from one to the other over so many points between the ends")
       ->check(CLI::Range(1, 99));
   verb.add_option("--physics-steps", options.physics_steps,
-                   "then so many steps on speed, swing height, period and margins of the gait, "
-                   "from roll-outs in MuJoCo; only what they confirm is kept")
+                  "then so many steps on speed, swing height, period and margins of the gait, "
+                  "from roll-outs in MuJoCo; only what they confirm is kept")
       ->check(CLI::Range(0, 100));
   verb.add_option("--threads", options.threads,
-                   "tasks solved at the same time; results do not depend on it; default: all cores")
+                  "tasks solved at the same time; results do not depend on it; default: all cores")
       ->check(CLI::Range(1, 64));
   verb.add_flag("--no-certificate", options.no_certificate,
-                 "no result/certificate.json, which costs a fraction of a second per parameter");
+                "no result/certificate.json, which costs a fraction of a second per parameter");
   verb.add_flag("--lbfgs", options.lbfgs,
-                 "step the design by L-BFGS, as the paper does, instead of Newton's method");
+                "step the design by L-BFGS, as the paper does, instead of Newton's method");
   verb.add_flag("--few", options.few,
                 "hand back the body with the fewest changes that keeps most of the fall of F");
   verb.add_option("--few-keeps", options.few_keeps, "how much of the fall of F [%]")
       ->check(CLI::Range(1.0, 100.0))
       ->capture_default_str();
   verb.add_flag("--plan-only", options.plan_only,
-                 "hand back the optimum of F, whatever MuJoCo says of it");
+                "hand back the optimum of F, whatever MuJoCo says of it");
   verb.add_flag("--no-pictures", options.no_pictures, "no frame.png of the iterations");
   verb.add_flag("--force", options.force, "replace the run that the folder holds");
   verb.add_flag("--quiet", options.quiet, "say nothing but errors");

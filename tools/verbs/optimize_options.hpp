@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "optimizer/solve/first_motion.hpp"
@@ -20,6 +21,7 @@ struct OptimizeOptions {
   int max_iterations = CodesignOptions{}.max_iterations;
   int starts = 0, threads = 0, front = 0, physics_steps = 0;
   std::uint64_t seed = 1;
+  std::optional<double> stop_at;  // F
 };
 
 /// Binds the options of the command line, with their help.

@@ -30,8 +30,8 @@ std::string status_text(SolveStatus status, int signal) {
 
 /// What is on disk and known of each task when the solvers are done.
 std::vector<TaskOutcome> write_results(const ResultFolder& folder, const CodesignProblem& problem,
-                                       const MultistartResult& found,
-                                       const Candidate& chosen, Recorder& recorder) {
+                                       const MultistartResult& found, const Candidate& chosen,
+                                       Recorder& recorder) {
   const DesignIteration& design = chosen.design;
   const CodesignResult& first = found.joint.front().result;
   std::vector<TaskOutcome> outcomes;
@@ -47,7 +47,8 @@ std::vector<TaskOutcome> write_results(const ResultFolder& folder, const Codesig
       outcome.quality = recorder.result(result_folder(folder, problem, k), planned, design, k);
     outcome.reasons = infeasible_reasons(good, outcome.quality, problem.speed_unit(k));
     if (good && !outcome.reasons.empty())  // which limb, when, by how much
-      for (std::string& words : worst_constraints(planned, design.s, design.tasks[k].m, kToldConstraints))
+      for (std::string& words :
+           worst_constraints(planned, design.s, design.tasks[k].m, kToldConstraints))
         outcome.reasons.push_back(std::move(words));
     outcomes.push_back(std::move(outcome));
   }

@@ -93,8 +93,9 @@ PickedDesign picked_front_point(const ResultFolder& folder, const RunRecord& run
   if (!run.front)
     refuse_pick(folder.root(), "has no front; `legwright optimize --front N` makes one");
   if (point >= static_cast<int>(run.front->size()))
-    refuse_pick(folder.root(), fmt::format("has no point {} of the front: they are numbered 0 to {}",
-                                           point, run.front->size() - 1));
+    refuse_pick(folder.root(),
+                fmt::format("has no point {} of the front: they are numbered 0 to {}", point,
+                            run.front->size() - 1));
   return {fmt::format("front point {}", point),
           folders_of(run, folder.root() / "front" / fmt::format("{:02}", point))};
 }
@@ -105,14 +106,12 @@ PickedDesign picked_candidate(const ResultFolder& folder, const RunRecord& run,
   if (run.choice)
     for (const CandidateRecord& candidate : run.choice->candidates) {
       if (!candidate.folder) continue;
-      if (candidate.name == name)
-        return {name, folders_of(run, folder.root() / *candidate.folder)};
+      if (candidate.name == name) return {name, folders_of(run, folder.root() / *candidate.folder)};
       known.push_back("'" + candidate.name + "'");
     }
-  refuse_pick(folder.root(),
-              known.empty() ? "keeps no candidates beside its result"
-                            : fmt::format("has no candidate '{}'; it keeps {}", name,
-                                          fmt::join(known, ", ")));
+  refuse_pick(folder.root(), known.empty() ? "keeps no candidates beside its result"
+                                           : fmt::format("has no candidate '{}'; it keeps {}", name,
+                                                         fmt::join(known, ", ")));
 }
 
 PickedDesign find_design(const ResultFolder& folder, const RunRecord& run,

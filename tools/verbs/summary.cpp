@@ -94,18 +94,17 @@ std::string choice_lines(const std::optional<ChoiceRecord>& choice) {
       text += fmt::format("           so the result is '{}', F {:.5g}: {}\n", candidate.name,
                           candidate.F, candidate.played.line);
   if (choice->candidates.size() > 1)
-    text += fmt::format("           of {} designs played the one {} ({:.1f} s)\n",
-                        choice->candidates.size(),
-                        choice->pass ? "with the least F that passes" : "nearest to passing",
-                        choice->seconds);
+    text += fmt::format(
+        "           of {} designs played the one {} ({:.1f} s)\n", choice->candidates.size(),
+        choice->pass ? "with the least F that passes" : "nearest to passing", choice->seconds);
   return text;
 }
 
 /// The whole command as the user waits for it, then its parts, those of the solvers in brackets.
 std::string time_line(const RunRecord& run) {
   std::string parts;
-  for (const std::string_view part :
-       {"reading", "search", "physics", "results", "certificate", "physics_steps", "front", "pictures"}) {
+  for (const std::string_view part : {"reading", "search", "physics", "results", "reasons",
+                                      "certificate", "physics_steps", "front", "pictures"}) {
     const double* const seconds = run.seconds ? run.seconds->find(part) : nullptr;
     if (seconds == nullptr) continue;
     parts += fmt::format("{}{} {:.2f}", parts.empty() ? ": " : ", ",

@@ -12,8 +12,7 @@ namespace legwright::test {
 /// A task of a robot of the examples, from the text of its tables.
 inline CodesignProblem problem_of(const std::string& robot, const std::string& tables) {
   const TemporaryFolder folder;
-  const std::string file =
-      LEGWRIGHT_SOURCE_DIR "/examples/" + robot + "/robot.xml";
+  const std::string file = LEGWRIGHT_SOURCE_DIR "/examples/" + robot + "/robot.xml";
   const std::filesystem::path task = folder.path() / "task.toml";
   write_file(task, "robot = \"" + file + "\"\n" + tables);
   return read_problem(task);

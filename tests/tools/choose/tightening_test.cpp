@@ -59,8 +59,8 @@ TEST_F(TightenedTask, RefusesAStanceOfNoKnot) {
 }
 
 TEST_F(TightenedTask, NarrowsTheFootprintAcrossTheWayAlone) {
-  const StyleTargets home = style_targets(problem_.robot.morphology,
-                                          problem_.robot.space.initial(), asked());
+  const StyleTargets home =
+      style_targets(problem_.robot.morphology, problem_.robot.space.initial(), asked());
   const Task narrow = pull(Lever::narrow), wide = pull(Lever::wide);
   for (std::size_t foot = 0; foot < home.footprint.size(); ++foot) {
     EXPECT_NEAR((*narrow.footprint)[foot].x(), home.footprint[foot].x(), 1e-12);

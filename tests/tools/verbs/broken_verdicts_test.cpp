@@ -20,8 +20,8 @@ class BrokenVerdict : public testing::Test, protected test::CallsInFolder {
  protected:
   void plan(const std::string& name) const {
     const test::Outcome optimize =
-        call({"optimize", (kVerdicts / name).string(), "--motion-only", "--no-pictures",
-              "--no-certificate", "--force", "-o", "run"});
+        call({"optimize", (kVerdicts / name).string(), "--motion-only", "--plan-only",
+              "--no-pictures", "--no-certificate", "--force", "-o", "run"});
     ASSERT_LE(optimize.code, 1) << optimize.err;
   }
   Json result(const char* file) const {
@@ -61,7 +61,8 @@ TEST_F(BrokenVerdict, IsToldInEveryForm) {
   plan("turns_too_little.toml");
   // It turns at two thirds of what is wanted: no pass, but enough to have margins.
   write_file(folder_.path() / "limits.toml",
-             "turn_ratio.low = 0.5\nsurvival.low = 0.0\nmargin.mass.low = 0.9\n");
+             "turn_ratio.low = 0.5\nheading_drift_per_cycle.high = 0.2\npath_deviation.high = 1.0\n"
+             "survival.low = 0.0\nmargin.mass.low = 0.9\n");
   const std::vector<std::string> words{"validate", "run",         "--limits",  "limits.toml",
                                        "--junit",  "lenient.xml", "--samples", "4"};
   const test::Outcome lenient = call(words);
@@ -72,7 +73,7 @@ TEST_F(BrokenVerdict, IsToldInEveryForm) {
   for (const char* name : {"numerics", "survival", "margin.mass.low"})
     EXPECT_TRUE(test::contains(verdict["result"]["limits"].dump(), name)) << name;
   EXPECT_EQ(robustness["monte_carlo"]["samples"], 4);
-  EXPECT_EQ(robustness["factors"].size(), 10U);
+  EXPECT_EQ(robustness["factors"].size(), 11U);
   const test::Outcome strict = call({"validate", "run", "--quick", "--junit", "out.xml"});
   EXPECT_EQ(strict.code, 1);
   EXPECT_TRUE(test::contains(read_file(folder_.path() / "out.xml"), "<failure type=\"limit\""));

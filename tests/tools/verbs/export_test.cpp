@@ -38,7 +38,7 @@ class Export : public testing::Test, protected test::CallsInFolder {
         replaced(read_file(from / "robot.xml"), "model=\"puppy\"", "model=\"" + model + "\""));
     write_file(root() / "mine" / "task.toml", read_file(from / "sideways.toml"));
     write_file(root() / "mine" / "LICENSE", "Do what is right.\n");
-    const Outcome done = call({"optimize", "mine/task.toml", "-o", "run", "--force",
+    const Outcome done = call({"optimize", "mine/task.toml", "-o", "run", "--force", "--plan-only",
                                "--max-iterations", "1", "--no-pictures", "--no-certificate"});
     ASSERT_TRUE(done.code == 0 || done.code == 1) << done.err;
   }
@@ -141,7 +141,7 @@ TEST_F(Export, NamesOfModelsAreNoPathsAndNoMarkup) {
 /// Parts and meshes come along, as files of their own: not links into the run.
 TEST_F(Export, ARobotOfSeveralFilesKeepsThem) {
   give_mesh("skin.xml", "assets/dot.obj");
-  const Outcome made = call({"optimize", "mine/task.toml", "-o", "run", "--force",
+  const Outcome made = call({"optimize", "mine/task.toml", "-o", "run", "--force", "--plan-only",
                              "--max-iterations", "1", "--no-pictures", "--no-certificate"});
   ASSERT_TRUE(made.code == 0 || made.code == 1) << made.err;
   const Outcome done = call({"export", "run", "-o", "there", "--no-picture"});
@@ -164,7 +164,7 @@ TEST_F(Export, ARobotOfSeveralFilesKeepsThem) {
 /// are refused.
 TEST_F(Export, PartsKeepTheirNamesAndTheirSums) {
   give_mesh("puppy.xml", "dot.obj");
-  const Outcome made = call({"optimize", "mine/task.toml", "-o", "run", "--force",
+  const Outcome made = call({"optimize", "mine/task.toml", "-o", "run", "--force", "--plan-only",
                              "--max-iterations", "0", "--no-pictures", "--no-certificate"});
   ASSERT_TRUE(made.code == 0 || made.code == 1) << made.err;
   const Outcome done = call({"export", "run", "-o", "there", "--no-picture", "--json"});
@@ -203,7 +203,7 @@ TEST_F(Export, LegsThatCameTogetherAreToldOf) {
                         "conaffinity=\"1\"/>");
   }
   write_file(root() / "mine" / "robot.xml", xml);
-  const Outcome made = call({"optimize", "mine/task.toml", "-o", "run", "--force",
+  const Outcome made = call({"optimize", "mine/task.toml", "-o", "run", "--force", "--plan-only",
                              "--max-iterations", "3", "--no-pictures", "--no-certificate"});
   ASSERT_TRUE(made.code == 0 || made.code == 1) << made.err;
   for (const Json& p : read_json(root() / "run" / "run.json")["parameters"]) {
@@ -225,7 +225,7 @@ TEST_F(Export, LegsThatCameTogetherAreToldOf) {
 TEST_F(Export, ALinkIsNoLicence) {
   fs::remove(root() / "mine" / "LICENSE");
   fs::create_symlink("/etc/hostname", root() / "mine" / "LICENSE");
-  const Outcome again = call({"optimize", "mine/task.toml", "-o", "run", "--force",
+  const Outcome again = call({"optimize", "mine/task.toml", "-o", "run", "--force", "--plan-only",
                               "--max-iterations", "0", "--no-pictures", "--no-certificate"});
   ASSERT_TRUE(again.code == 0 || again.code == 1) << again.err;
   ASSERT_EQ(call({"export", "run", "-o", "there", "--no-picture"}).code, 0);

@@ -56,10 +56,8 @@ TEST(GaitExamples, EachGaitHasATask) {
       EXPECT_TRUE(found[feet].contains(pattern.name)) << pattern.name << " on " << feet << " feet";
 }
 
-/// On one foot or one pair at a time nothing holds the heading (docs/findings/heading_drift.md).
-const std::set<std::string> kDrift{"biped/run.toml", "quadruped/canter.toml",
-                                   "quadruped/rotary_gallop.toml",
-                                   "quadruped/transverse_gallop.toml"};
+/// On one foot at a time nothing holds the heading (docs/findings/heading_drift.md).
+const std::set<std::string> kDrift{"biped/run.toml"};
 
 class GaitExample : public testing::TestWithParam<const char*> {};
 
@@ -71,7 +69,7 @@ TEST_P(GaitExample, PassesAtHalfDefaultAndDoubleGains) {
   const std::string task = (test::kExamples / GetParam()).string();
   const test::Outcome optimize =
       call({"optimize", task, "--no-pictures", "--no-certificate", "-o", "run"});
-  ASSERT_EQ(optimize.code, 0) << optimize.err;
+  ASSERT_EQ(optimize.code, kDrift.contains(GetParam()) ? 1 : 0) << optimize.err;
   const test::Outcome validate = call({"validate", "run", "--quick"});
   EXPECT_LE(validate.code, 1) << validate.err;
   const Json verdict = Json::parse(read_file(folder.path() / "run/result/verdict.json"));

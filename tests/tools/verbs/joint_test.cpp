@@ -37,8 +37,8 @@ std::map<std::string, std::string> contents(const fs::path& run) {
 }
 
 TEST_F(Joint, RunIsCompleteAndItsTasksAreRunsOfTheirOwn) {
-  const Outcome optimize =
-      call({"optimize", kBoth, "--max-iterations", "2", "--no-pictures", "-o", "run"});
+  const Outcome optimize = call(
+      {"optimize", kBoth, "--plan-only", "--max-iterations", "2", "--no-pictures", "-o", "run"});
   ASSERT_LE(optimize.code, 1) << optimize.err;
   const Json run = json("run/run.json");
   ASSERT_EQ(run["tasks"].size(), 2u);
@@ -98,8 +98,8 @@ TEST_F(Joint, InterruptedAfterATaskAloneItCanStillBeValidated) {
 }
 
 TEST_F(Joint, ForeignFoldersInRunJsonAreRefused) {
-  const Outcome optimize = call({"optimize", kBoth, "--max-iterations", "0", "--one-start",
-                                 "--no-pictures", "--no-certificate", "-o", "run"});
+  const Outcome optimize = call({"optimize", kBoth, "--plan-only", "--max-iterations", "0",
+                                 "--one-start", "--no-pictures", "--no-certificate", "-o", "run"});
   ASSERT_LE(optimize.code, 1) << optimize.err;
   Json run = json("run/run.json");
   run["tasks"][0]["folder"] = "../elsewhere";
@@ -110,8 +110,8 @@ TEST_F(Joint, ForeignFoldersInRunJsonAreRefused) {
 TEST_F(Joint, SameBytesAtAnyThreadCount) {
   for (const char* threads : {"1", "2"}) {
     const Outcome optimize =
-        call({"optimize", kBoth, "--max-iterations", "1", "--no-pictures", "--one-start",
-              "--threads", threads, "-o", std::string("run") + threads});
+        call({"optimize", kBoth, "--plan-only", "--max-iterations", "1", "--no-pictures",
+              "--one-start", "--threads", threads, "-o", std::string("run") + threads});
     ASSERT_LE(optimize.code, 1) << optimize.err;
   }
   const auto one = contents(folder_.path() / "run1"), two = contents(folder_.path() / "run2");
@@ -129,8 +129,8 @@ TEST_F(Joint, FrontNeedsTwoTasksSolvedAlone) {
 }
 
 TEST_F(Joint, FrontEndsAtEachTasksOwnOptimum) {
-  const Outcome optimize = call({"optimize", kBoth, "--max-iterations", "3", "--front", "2",
-                                 "--no-pictures", "--no-certificate", "-o", "run"});
+  const Outcome optimize = call({"optimize", kBoth, "--plan-only", "--max-iterations", "3",
+                                 "--front", "2", "--no-pictures", "--no-certificate", "-o", "run"});
   ASSERT_LE(optimize.code, 1) << optimize.err;
   const Json front = json("run/result/front.json"), run = json("run/run.json");
   ASSERT_EQ(front["points"].size(), 4u);

@@ -34,6 +34,7 @@ class NoOpenGl : public testing::Test, protected test::CallsInFolder {
     std::vector<std::string> words{"optimize",
                                    (test::kExamples / "puppy/sideways.toml"),
                                    "--motion-only",
+                                   "--plan-only",
                                    "--max-iterations",
                                    "1",
                                    "-o",

@@ -186,7 +186,9 @@ void expect_clear_of_trunk(bool clear) {
     fs::remove(task);
     write_file(task, text);
   }
-  ASSERT_EQ(call({"optimize", task.string(), "-o", run.string(), "--no-pictures", "--quiet"}).code,
+  ASSERT_EQ(call({"optimize", task.string(), "-o", run.string(), "--no-pictures", "--quiet",
+                  "--plan-only"})
+                .code,
             0);
   const Outcome verdict = call({"validate", "--quick", run.string()});
   EXPECT_EQ(verdict.code, clear ? 0 : 1) << verdict.out << verdict.err;
@@ -254,7 +256,7 @@ TEST(OwnRobotOptimize, ARunThatIsGivenUpSaysSo) {
   {
     const FileLimit limit(24 * 1024);  // inputs and run.json have less, a scene with its plan more
     told = call({"optimize", task.string(), "-o", run.string(), "--no-pictures", "--no-certificate",
-                 "--quiet", "--max-iterations", "2"});
+                 "--quiet", "--plan-only", "--max-iterations", "2"});
   }
   ASSERT_EQ(told.code, 3) << told.err;
   const Json after = read_json(run / "run.json");

@@ -17,9 +17,10 @@ constexpr const char* kCanter =
 class Pick : public testing::Test, protected test::CallsInFolder {
  protected:
   void optimize(const std::vector<std::string>& more, int code = 0) {
-    write_file(folder_.path() / "canter.toml",
-               "robot = \"" + (test::kExamples / "quadruped/robot.xml").string() + "\"\n" + kCanter);
-    std::vector<std::string> words{"optimize", "canter.toml", "-o",
+    write_file(
+        folder_.path() / "canter.toml",
+        "robot = \"" + (test::kExamples / "quadruped/robot.xml").string() + "\"\n" + kCanter);
+    std::vector<std::string> words{"optimize", "canter.toml",   "-o",
                                    "run",      "--no-pictures", "--no-certificate"};
     words.insert(words.end(), more.begin(), more.end());
     const test::Outcome outcome = call(words);

@@ -140,8 +140,8 @@ std::map<std::string, std::string> files_below(const fs::path& folder) {
 
 TEST(Optimize, WritesACompleteRunTwiceTheSame) {
   const TemporaryFolder folder;
-  const std::vector<std::string> words{"optimize", kWalk,           "--max-iterations",
-                                       "1",        "--no-pictures", "-o"};
+  const std::vector<std::string> words{
+      "optimize", kWalk, "--plan-only", "--max-iterations", "1", "--no-pictures", "-o"};
   for (const char* run : {"a", "b"}) {
     std::vector<std::string> all = words;
     all.emplace_back(run);
@@ -234,10 +234,10 @@ TEST(Optimize, KeepsInsideRunsAndItsInputsRunAgain) {
   replace(task, "\"robot.xml\"", "\"../robots/dog.xml\"");
   write_file(folder.path() / "robots" / "dog.xml", robot);
   write_file(folder.path() / "tasks" / "walk.toml", task);
-  const Outcome outcome =
-      wait_for(start({"optimize", "tasks/walk.toml", "--no-pictures", "--max-iterations", "0"},
-                     folder.path()),
-               folder.path());
+  const Outcome outcome = wait_for(start({"optimize", "tasks/walk.toml", "--no-pictures",
+                                          "--plan-only", "--max-iterations", "0"},
+                                         folder.path()),
+                                   folder.path());
   EXPECT_TRUE(outcome.code == 0 || outcome.code == 1) << outcome.code << outcome.err;
   const fs::path inputs = folder.path() / "runs" / "a__________evil-walk" / "inputs";
   ASSERT_TRUE(fs::is_directory(inputs));

@@ -45,8 +45,9 @@ bool has_title(const VirtualDisplay& display, const std::string& title) {
 
 /// A run of the puppy, of a second: the motion of the initial design.
 fs::path make_run(const VirtualDisplay& display, const fs::path& folder) {
-  Program optimize(display, {kLegwright, "optimize", kTask.string(), "--max-iterations", "0",
-                             "--no-pictures", "-o", (folder / "run").string()});
+  Program optimize(display,
+                   {kLegwright, "optimize", kTask.string(), "--plan-only", "--max-iterations", "0",
+                    "--no-pictures", "-o", (folder / "run").string()});
   const int code = optimize.wait();
   EXPECT_TRUE(code == 0 || code == 1) << optimize.output();
   return folder / "run";
