@@ -72,6 +72,7 @@ bool alike(const std::vector<Tightening>& a, const std::vector<Tightening>& b) {
 
 std::vector<Lever> all_levers() {
   std::vector<Lever> out;
+  out.reserve(kLeverCount);
   for (int lever = 0; lever < kLeverCount; ++lever) out.push_back(static_cast<Lever>(lever));
   return out;
 }
@@ -104,7 +105,7 @@ class DesignChooser {
 
   /// @return what physics says of it
   PlayedCandidate consider(const Candidate& candidate) {
-    const PlayedCandidate played = play_candidate(problem_, candidate, options_.threads);
+    PlayedCandidate played = play_candidate(problem_, candidate, options_.threads);
     note(candidate, played);
     return played;
   }

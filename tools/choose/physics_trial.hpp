@@ -23,7 +23,7 @@ struct GaitTrial : PhysicsTrial {
 
 /// Plays a planned gait in MuJoCo as `validate` does, over as many cycles and at the same gains,
 /// and judges it by the same limits. A gait that fails within its first cycles is not played on,
-/// unless it shall be played to the end, as two that fail can be compared only after as many cycles.
+/// unless it shall be played to the end: two that fail can be compared only after as many cycles.
 /// Throws MujocoError for a scene that cannot be played; needs load_gait_plugin() before.
 /// @param wanted the task that the gait is judged by, which it need not be planned for
 GaitTrial try_in_physics(const RobotModel& robot, const TaskFile& wanted, const DesignTexts& texts,

@@ -109,6 +109,7 @@ StartRecord record_of_start(const CodesignProblem& problem, const StartedRun& ru
 std::vector<StartRecord> records_of(const CodesignProblem& problem,
                                     const std::vector<StartedRun>& runs) {
   std::vector<StartRecord> starts;
+  starts.reserve(runs.size());
   for (const StartedRun& one : runs) starts.push_back(record_of_start(problem, one));
   return starts;
 }

@@ -138,6 +138,7 @@ std::vector<Eigen::Vector3d> home_feet(const Morphology& morphology, const Eigen
   const GeometryAtDesign geometry(morphology, s);
   const PoseKinematics home = home_pose(morphology, geometry);
   std::vector<Eigen::Vector3d> feet;
+  feet.reserve(static_cast<std::size_t>(morphology.foot_count()));
   for (int foot = 0; foot < morphology.foot_count(); ++foot)
     feet.push_back(foot_place(morphology, geometry, home, foot));
   return feet;

@@ -33,7 +33,8 @@ struct FloquetOptions {
 /// which way it faces is left out, as nothing pulls it back (multiplier 1); on a slope the heading
 /// counts. Lengths are measured in heights of the root body, speeds in those over √(height / g).
 /// Smaller differences than the default's find the grid of touchdowns in steps (docs/findings/
-/// stability.md). The same bits for any number of threads. Nothing where a disturbed state diverges.
+/// stability.md). The same bits for any number of threads. Nothing where a disturbed state
+/// diverges.
 std::optional<double> floquet_multiplier(const CycleStart& start, const FloquetOptions& options);
 
 /// The same of the gait of a scene at its gains, once it is on its way. Nothing where it falls

@@ -33,7 +33,7 @@ void edit_task_run(const ResultFolder& folder, const CodesignProblem& problem, i
 }
 
 /// F of the given body with its best motions.
-double motion_only_F(std::vector<WeightedCost> tasks, const DesignIteration& initial) {
+double best_of_given_body(std::vector<WeightedCost> tasks, const DesignIteration& initial) {
   double sum = 0.0;
   for (std::size_t k = 0; k < tasks.size(); ++k) {
     tasks[k].initial_motion = initial.tasks.at(k).m;
@@ -140,7 +140,7 @@ void ChangeReasons::write(const ResultFolder& folder, const MultistartResult& fo
   if (!chosen.planned.empty()) {  // its own F, not that of the task as it was asked
     costs_ = std::make_unique<CostsByThread>(problem_, chosen, threads_);
     evaluate_as_planned(problem_, chosen, best);
-    initial_F = motion_only_F(costs().tasks().front(), found.joint.front().result.initial);
+    initial_F = best_of_given_body(costs().tasks().front(), found.joint.front().result.initial);
   }
   const std::vector<PutBack> rows = rows_of(best);
   if (!fewest_.kept || !chosen.planned.empty()) find_fewest(initial_F, best, rows);

@@ -8,6 +8,7 @@
 #include "mjcf/write/rewrite_robot.hpp"
 #include "optimizer/design/inertia.hpp"
 #include "tools/files/io_error.hpp"
+#include "tools/files/json_file.hpp"
 #include "tools/run/by_name.hpp"
 #include "tools/run/iteration_record.hpp"
 #include "tools/run/result_folder.hpp"
@@ -125,7 +126,7 @@ PickedDesign find_design(const ResultFolder& folder, const RunRecord& run,
 /// Puts a design in place of a task's result. @return what its metrics.json says
 IterationMetrics replace_result(const fs::path& from, const fs::path& result,
                                 const RobotFiles& files) {
-  const auto metrics = read_record_file<IterationMetrics>(from / "metrics.json");
+  auto metrics = read_record_file<IterationMetrics>(from / "metrics.json");
   const fs::path fresh = result.parent_path() / ".result-picked";
   fs::remove_all(fresh);  // of a run that was killed
   copy_design(from, fresh, files);

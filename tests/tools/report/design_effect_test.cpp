@@ -88,8 +88,8 @@ TEST_F(DesignEffect, WordsNameWhatIsWorthTelling) {
 /// The order and its words are those of "What changed in the body": by what each buys.
 TEST_F(DesignEffect, TheBodyIsToldByWhatBuysMost) {
   const std::string words = body_words(read_run(run_));
-  EXPECT_TRUE(in_order(words, {"buys most", "front hip axis roll from 0° to 80.2°",
-                               "4 parameters", "1 stands", "Printed parts"}));
+  EXPECT_TRUE(in_order(words, {"buys most", "front hip axis roll from 0° to 80.2°", "4 parameters",
+                               "1 stands", "Printed parts"}));
   EXPECT_EQ(count_of(words, " from "), 1U) << "one is worth a sentence";
   const std::string text = page();
   EXPECT_TRUE(has(text, "The changes that buy most"));

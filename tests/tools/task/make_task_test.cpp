@@ -37,7 +37,7 @@ TEST(PlantedMargin, IsSecondsInKnotsButAtLeastOneKnot) {
 TEST(PlantedMargin, GrowsWithTheRootOfTheLegAndAGivenOneDoesNot) {
   EXPECT_EQ(planted_margin_knots(std::nullopt, 0.5, 1.0, 0.01, 0.21), 4);      // 35 ms
   EXPECT_EQ(planted_margin_knots(std::nullopt, 0.5, 1.0, 0.01, 4 * 0.21), 7);  // 70 ms
-  EXPECT_EQ(planted_margin_knots(std::nullopt, 0.4, 0.24, 0.01, 0.21), 2);  // a sixth of 144 ms
+  EXPECT_EQ(planted_margin_knots(std::nullopt, 0.4, 0.24, 0.01, 0.21), 2);     // a sixth of 144 ms
   EXPECT_EQ(planted_margin_knots(0.03, 0.5, 1.0, 0.01, 4 * 0.21), 3);
 }
 
@@ -59,7 +59,8 @@ TEST(MakeTask, TurnsTheExamplesIntoTasks) {
   EXPECT_EQ(walk.name, "sideways");
   const TaskFile file = read_task_file(kPuppy / "sideways_trot.toml");
   const Task trot = make_task(file, puppy());
-  EXPECT_EQ(trot.planted_margin, planted_margin_knots(file.planted_margin, 0.5, 0.4, 0.4 / 24, 0.21));
+  EXPECT_EQ(trot.planted_margin,
+            planted_margin_knots(file.planted_margin, 0.5, 0.4, 0.4 / 24, 0.21));
   EXPECT_GE(trot.planted_margin, 2);
 }
 
