@@ -14,6 +14,9 @@ namespace {
 using Eigen::VectorXd;
 
 constexpr int kGlanceIterations = 6;  // of a motion that is only compared with others
+constexpr int kRefitIterations = 30;  // of a motion while the rest is optimised again
+constexpr double kWorthless = 0.5;    // of the fall of F: designs that keep less end the sequence
+constexpr double kDear = 0.02;        // of the fall of F: a step that costs more is chosen anew
 constexpr std::size_t kFew = 6;       // so many changes are put back one by one, costs known anew
 
 std::vector<int> changed_parameters_of(const VectorXd& s, const VectorXd& old_values) {
@@ -80,6 +83,9 @@ CodesignOptions FewestChangesOptions::refit_options() {
   options.max_iterations = 4;
   options.value_tolerance = 1e-3;
   options.final_tolerance = options.motion_tolerance;
+  options.motion_iterations = kRefitIterations;
+  options.trial_iterations = kRefitIterations / 2;
+  options.line_search_steps = 3;
   return options;
 }
 
@@ -105,12 +111,14 @@ std::vector<FewerChanges> fewest_changes(const std::vector<std::vector<WeightedC
   rules.limits.trial_iterations = kGlanceIterations;
   std::vector<int> order = cheapest_first(rows_of_result, tasks);
   std::size_t batch = designs.back().changed.size();
+  bool known_anew = true;  // the order is of this very design
   while (designs.back().changed.size() > 1) {
     const std::size_t count = designs.back().changed.size();
     if (order.empty() || count <= kFew) {
       const std::vector<PutBack> rows = put_back(threads, old_values, designs.back().design, rules);
       if (rows.size() < count && options.stop && options.stop()) break;
       order = cheapest_first(rows, tasks);
+      known_anew = true;
     }
     std::erase_if(order, [&](int k) {
       const std::vector<int>& changed = designs.back().changed;
@@ -123,12 +131,19 @@ std::vector<FewerChanges> fewest_changes(const std::vector<std::vector<WeightedC
                                   options.codesign);
       const double cost = next.design.value - designs.back().design.value;
       if (batch > 1 && !(cost <= free)) continue;
+      if (!known_anew && !(cost <= kDear * (initial_value - result.value))) {
+        order.clear();  // what was cheap beside other changes is dear now
+        break;
+      }
       // What a refit leaves at its old value is no change.
       next.changed = changed_parameters_of(next.design.s, old_values);
       if (!std::isfinite(next.design.value)) return designs;
       designs.push_back(std::move(next));
+      known_anew = false;
       break;
     }
+    if (designs.back().design.value > initial_value - kWorthless * (initial_value - result.value))
+      break;
   }
   return designs;
 }
