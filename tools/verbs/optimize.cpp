@@ -150,12 +150,12 @@ int solve_run(const OptimizeOptions& options, CodesignProblem& problem, const fs
   }
   write_end(folder, problem, found, chosen, signal, recorder, run);
   times.end_of("results");
-  if (signal == 0 && usable(chosen.design)) {
+  if (StopSignals::received() == 0 && usable(chosen.design)) {
     reasons.write(folder, found, chosen, run);
     times.end_of("reasons");
   }
   write_json(folder.run_json(), json_of(run));  // what follows may take a while, and adds to it
-  if (signal == 0 && !options.no_certificate && usable(chosen.design)) {
+  if (StopSignals::received() == 0 && !options.no_certificate && usable(chosen.design)) {
     run.certificate =
         write_certificate(folder, problem, costs.tasks(), chosen, settings.codesign.threads);
     times.end_of("certificate");

@@ -70,6 +70,7 @@ PickedDesign picked_start(const ResultFolder& folder, const RunRecord& run,
                                   [&](const StartRecord& start) { return start.start == name; });
   if (found == starts.end()) {
     std::vector<std::string> known;
+    known.reserve(starts.size());
     for (const StartRecord& start : starts) known.push_back(start.start);
     refuse_pick(folder.root(),
                 known.empty()
