@@ -19,9 +19,10 @@ using Eigen::VectorXd;
 constexpr std::array<double, kTrialRollouts> kTrialGains = {0.5, 1.0, 2.0};
 // What fails within the first cycles need not be played to the end.
 constexpr int kFirstCycles = 6, kTrialCycles = 20;
+// What adds to the distance from passing: a limit that is missed, or not measured; a fall.
+constexpr double kMissedLimit = 0.5, kUnknownDistance = 5.0, kFallDistance = 10.0;
 // What counts as one unit of a residual: the verdict's own tolerances, and less than them where
 // every bit of tilt or saturation should go.
-constexpr double kMissedLimit = 0.5, kUnknownDistance = 5.0, kFallDistance = 10.0;
 constexpr double kRatioUnit = 0.05, kTiltUnit = 0.3, kSaturationUnit = 0.01, kFallUnit = 0.05;
 
 /// What physics says at one gain, in tolerances. A robot that fell early has no speed: then the

@@ -80,6 +80,7 @@ TEST_F(Example, OneQuadrupedForBothTasksTradesOneForTheOther) {
   EXPECT_LT(0.5 * (cost("pace", 3) + cost("sideways", 3)),
             0.5 * (cost("pace", 2) + cost("sideways", 2)));
   // In physics the body for sideways does not pace, while that for pace can walk sideways.
+  EXPECT_TRUE(cell("sideways", 1)["pass"].get<bool>());
   EXPECT_FALSE(cell("pace", 2)["pass"].get<bool>());
   EXPECT_TRUE(cell("sideways", 2)["pass"].get<bool>());
 }
