@@ -14,6 +14,7 @@
 #include "tools/run/result_folder.hpp"
 #include "tools/run/robot_folder.hpp"
 #include "tools/run/run_json.hpp"
+#include "tools/verbs/feasibility.hpp"
 #include "tools/verbs/replace_folder.hpp"
 #include "tools/verbs/summary.hpp"
 #include "tools/verbs/verbs.hpp"
@@ -142,7 +143,29 @@ double value_of(const ByName<double>& s, const std::string& parameter) {
   return *value;
 }
 
-/// What run.json says of the design in result/.
+/// Why the picked plan does not do its task, and what MuJoCo said of it if it was played.
+std::vector<std::string> reasons_of(const RunRecord& run, const std::string& name,
+                                    const IterationMetrics& metrics, const std::string& unit) {
+  PlanQuality quality;
+  quality.speed_reached = metrics.speed_reached;
+  quality.speed_wanted = metrics.speed_wanted;
+  quality.heading_error = metrics.heading_error;
+  quality.ground_error = metrics.ground_error;
+  quality.slide_share = metrics.slide_share;
+  quality.root_residual = metrics.root_residual;
+  std::vector<std::string> reasons = infeasible_reasons(true, quality, unit);
+  if (!run.choice) return reasons;
+  for (const CandidateRecord& candidate : run.choice->candidates)
+    if (candidate.name == name && !candidate.played.pass)
+      reasons.push_back("MuJoCo does not pass it: " + candidate.played.line);
+  return reasons;
+}
+
+std::string speed_unit_of(const TaskRecord& task) {
+  return task.velocity[0] == 0.0 && task.velocity[1] == 0.0 ? "rad/s" : "m/s";
+}
+
+/// What run.json says of the design in result/. What was said of the old one goes away.
 void note_design(RunRecord& run, const RobotModel& robot, const std::string& name,
                  const IterationMetrics& metrics) {
   Eigen::VectorXd s = robot.space.initial();
@@ -155,6 +178,8 @@ void note_design(RunRecord& run, const RobotModel& robot, const std::string& nam
   run.picked = name;
   run.certificate.reset();
   run.physics_steps.reset();
+  run.put_back.reset();
+  run.fewest_changes.reset();
   run.final_F = metrics.F;
 }
 
@@ -162,6 +187,8 @@ void note_design(RunRecord& run, const RobotModel& robot, const std::string& nam
 void note_task_design(RunRecord& run, const RobotModel& robot, const std::string& name,
                       const IterationMetrics& metrics) {
   note_design(run, robot, name, metrics);
+  run.reasons = reasons_of(run, name, metrics, speed_unit_of(*run.task));
+  run.feasible = run.reasons->empty();
   run.speed_reached = metrics.speed_reached;
   run.heading_error = metrics.heading_error;
   run.ground_error = metrics.ground_error;
@@ -169,6 +196,36 @@ void note_task_design(RunRecord& run, const RobotModel& robot, const std::string
   run.root_residual = metrics.root_residual;
   run.motion_status = metrics.motion_status;
   run.projected_gradient_norm = metrics.projected_gradient_norm;
+}
+
+/// The same of each task of a joint run, and of the body that they share.
+void pick_joint(const ResultFolder& folder, const PickedDesign& picked, const RobotModel& robot,
+                RunRecord& run) {
+  double F = 0.0;
+  std::vector<std::string> reasons;
+  for (std::size_t k = 0; k < run.tasks->size(); ++k) {
+    TaskRecord& task = run.tasks->at(k);
+    const fs::path own = folder.root() / "tasks" / task.name;
+    const IterationMetrics metrics = replace_result(picked.folders[k], own / "result", robot.files);
+    auto task_run = read_record_file<RunRecord>(own / "run.json");
+    note_task_design(task_run, robot, picked.name, metrics);
+    write_json(own / "run.json", json_of(task_run));
+    task.F = metrics.F;
+    task.speed_reached = metrics.speed_reached;
+    task.physics_steps.reset();
+    const auto own_reasons = reasons_of(run, picked.name, metrics, speed_unit_of(task));
+    task.feasible = own_reasons.empty();
+    for (const std::string& reason : own_reasons) reasons.push_back(task.name + ": " + reason);
+    F += task.weight.value_or(1.0) * (metrics.F + metrics.J);
+    note_design(run, robot, picked.name, metrics);
+  }
+  run.final_F = F;
+  run.reasons = reasons;
+  run.feasible = reasons.empty();
+  const fs::path body = folder.result() / "robot.xml";
+  fs::copy_file(folder.root() / "tasks" / run.tasks->front().name / "result" / "robot.xml", body,
+                fs::copy_options::overwrite_existing);
+  fs::remove(folder.result() / "certificate.json");
 }
 
 int pick(const PickOptions& options) {
@@ -189,26 +246,7 @@ int pick(const PickOptions& options) {
     note_task_design(run, robot, picked.name,
                      replace_result(picked.folders[0], folder.result(), robot.files));
   } else {
-    double F = 0.0;
-    for (std::size_t k = 0; k < run.tasks->size(); ++k) {
-      TaskRecord& task = run.tasks->at(k);
-      const fs::path own = folder.root() / "tasks" / task.name;
-      const IterationMetrics metrics =
-          replace_result(picked.folders[k], own / "result", robot.files);
-      auto task_run = read_record_file<RunRecord>(own / "run.json");
-      note_task_design(task_run, robot, picked.name, metrics);
-      write_json(own / "run.json", json_of(task_run));
-      task.F = metrics.F;
-      task.speed_reached = metrics.speed_reached;
-      task.physics_steps.reset();
-      F += task.weight.value_or(1.0) * (metrics.F + metrics.J);
-      note_design(run, robot, picked.name, metrics);
-    }
-    run.final_F = F;
-    const fs::path body = folder.result() / "robot.xml";
-    fs::copy_file(folder.root() / "tasks" / run.tasks->front().name / "result" / "robot.xml", body,
-                  fs::copy_options::overwrite_existing);
-    fs::remove(folder.result() / "certificate.json");
+    pick_joint(folder, picked, robot, run);
   }
   write_json(folder.run_json(), json_of(run));
   fmt::print("{}: the result is {} now, F {:.5g}\nnext: legwright validate {}\n", options.run,

@@ -141,6 +141,30 @@ TEST_F(Joint, FrontEndsAtEachTasksOwnOptimum) {
               run["alone"][0]["F"].get<double>(), 1e-3);
   EXPECT_NEAR(front["points"][0]["F_tasks"]["sideways"].get<double>(),
               run["alone"][1]["F"].get<double>(), 1e-3);
+
+  // Points and starts can be picked: of all tasks, with the body that they share.
+  const auto file = [&](const std::string& name) { return read_file(folder_.path() / name); };
+  const auto expect_picked = [&](const std::string& option, const std::string& value,
+                                 const std::string& name) {
+    const Outcome pick = call({"pick", "run", option, value});
+    ASSERT_EQ(pick.code, 0) << pick.err;
+    EXPECT_EQ(json("run/run.json")["picked"], name);
+    for (const std::string task : {"pace", "sideways"}) {
+      EXPECT_EQ(json(("run/tasks/" + task + "/run.json").c_str())["picked"], name);
+      EXPECT_EQ(file("run/tasks/" + task + "/result/robot.xml"), file("run/result/robot.xml"));
+    }
+    test::expect_schemas(folder_.path() / "run");
+  };
+  expect_picked("--front", "1", "front point 1");
+  EXPECT_EQ(file("run/tasks/pace/result/motion.csv"), file("run/front/01/pace/motion.csv"));
+  EXPECT_NEAR(json("run/run.json")["tasks"][0]["F"].get<double>(),
+              front["points"][1]["F_tasks"]["pace"].get<double>(), 1e-9);
+  expect_picked("--start", "pace", "start pace");
+  for (const Json& start : run["starts"])
+    if (start["start"] == "pace") {
+      EXPECT_NEAR(json("run/run.json")["final_F"].get<double>(), start["F"].get<double>(), 1e-9);
+    }
+  EXPECT_EQ(call({"pick", "run", "--front", "4"}).code, 3);
 }
 
 TEST(CheckGradients, OfAllTasks) {

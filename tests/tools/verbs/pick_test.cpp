@@ -42,6 +42,8 @@ TEST_F(Pick, MakesAnIterationTheResultAndTheRecordSaysSo) {
   const Json record = run();
   EXPECT_EQ(record["picked"], "iteration 0");
   EXPECT_EQ(record["final_F"], record["motion_only_F"]);
+  for (const char* key : {"put_back", "fewest_changes", "certificate"})
+    EXPECT_FALSE(record.contains(key)) << key << " is of the design before";
   for (const Json& parameter : record["parameters"])
     EXPECT_EQ(parameter["final"], parameter["initial"]) << parameter["name"];
   EXPECT_EQ(test::expect_schemas(folder_.path() / "run")["run"], 1);
@@ -60,6 +62,8 @@ TEST_F(Pick, FindsTheOptimumWherePhysicsChoseAnotherDesign) {
   ASSERT_EQ(call({"pick", "run", "--candidate", "optimum"}).code, 0);
   EXPECT_EQ(run()["picked"], "optimum");
   EXPECT_EQ(run()["final_F"], choice["candidates"][0]["F"]);
+  EXPECT_FALSE(run()["feasible"].get<bool>());
+  EXPECT_TRUE(test::contains(run()["reasons"].dump(), "MuJoCo does not pass it"));
   EXPECT_EQ(call({"validate", "run", "--quick"}).code, 1);  // as the roll-outs had said
   EXPECT_EQ(test::expect_schemas(folder_.path() / "run")["run"], 1);
 }
