@@ -68,6 +68,7 @@ RobotModel parse_text(const std::string& xml_text, const std::filesystem::path& 
   for (int a = 0; a < robot.morphology.joint_count(); ++a)
     if (robot.servos[a].tendon.empty())
       robot.morphology.links[a + 1].joint.torque_limit = robot.servos[a].torque_limit;
+  set_gains(robot.servos, declared.space.initial(), robot.morphology);
   for (LinearActuator& actuator : robot.morphology.linear_actuators)
     actuator.force_limit = robot.servos[actuator.joint].torque_limit;
   robot.file = file;

@@ -201,4 +201,19 @@ std::vector<Servo> read_servos(const XmlFile& xml, const mjModel& model, const S
   return servos;
 }
 
+void set_gains(const std::vector<Servo>& servos, const Eigen::VectorXd& s, Morphology& morphology) {
+  for (int a = 0; a < morphology.joint_count(); ++a) {
+    Joint& joint = morphology.links[a + 1].joint;
+    joint.servo_kp = servos[a].kp;
+    joint.servo_kd = servos[a].kd;
+  }
+  for (const LinearActuator& actuator : morphology.linear_actuators) {
+    Joint& joint = morphology.links[actuator.joint + 1].joint;
+    const double arm = morphology.leg_length *
+                       moment_arm(actuator_shape(morphology, actuator, s).value, joint.nominal);
+    joint.servo_kp *= arm * arm;
+    joint.servo_kd *= arm * arm;
+  }
+}
+
 }  // namespace legwright

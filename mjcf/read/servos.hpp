@@ -18,4 +18,8 @@ namespace legwright {
 std::vector<Servo> read_servos(const XmlFile& xml, const mjModel& model, const Structure& structure,
                                const Morphology& morphology, const Eigen::VectorXd& s);
 
+/// Puts the gains of servos into a morphology's joints, those of linear actuators about the joint.
+/// @param s the design at which their moment arms are taken.
+void set_gains(const std::vector<Servo>& servos, const Eigen::VectorXd& s, Morphology& morphology);
+
 }  // namespace legwright

@@ -65,6 +65,9 @@ struct Joint {
   double upper = std::numeric_limits<double>::infinity();
   double torque_limit = std::numeric_limits<double>::infinity();  // [N m]
   double armature = 0.0;  // reflected rotor inertia [kg m²]
+  // Gains of the servo [N m/rad], [N m s/rad]; of a linear actuator those about the joint in the
+  // home pose of the initial design.
+  double servo_kp = 0.0, servo_kd = 0.0;
 };
 
 /// A rigid part of the robot. Its frame has the hinge's anchor as origin; fixed MJCF bodies are

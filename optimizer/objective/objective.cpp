@@ -279,6 +279,12 @@ std::vector<std::string_view> Objective::term_names() const {
   return names;
 }
 
+ResidualUnit Objective::unit_of(std::string_view term) const {
+  for (const WeightedTerm& each : impl_->terms)
+    if (each.entry->name == term && !each.term->elements().empty()) return each.term->unit(0, 0);
+  return {};
+}
+
 std::unique_ptr<Objective::Workspace> Objective::make_workspace() const {
   return std::make_unique<Workspace>();
 }

@@ -12,6 +12,7 @@
 #include "optimizer/motion/path.hpp"
 #include "optimizer/motion/task.hpp"
 #include "optimizer/objective/evaluation.hpp"
+#include "optimizer/terms/term.hpp"
 
 namespace legwright {
 
@@ -46,6 +47,8 @@ class Objective {
   /// Physical unit of each entry of m.
   const Eigen::VectorXd& motion_units() const;
   std::vector<std::string_view> term_names() const;
+  /// What a residual of one of a term stands for, that of its first element.
+  ResidualUnit unit_of(std::string_view term) const;
 
   std::unique_ptr<Workspace> make_workspace() const;
   /// F and derivatives at (s, m). @param s design_size, @param m motion_size.

@@ -34,6 +34,9 @@ class Codesign {
 
  private:
   SolveStatus optimise();
+  SolveStatus search(int iterations);
+  bool has_outer() const;
+  bool minimise_outer();
   void for_each_task(const std::function<void(int)>& work) const;
   bool differentiate();
   void show_tasks();
@@ -58,7 +61,8 @@ class Codesign {
   bool newton_ = false;  // the direction at hand is Newton's
   std::vector<std::unique_ptr<TaskSolver>> solvers_;
   DesignIteration now_;
-  std::vector<double> history_;
+  double searched_ = 0.0;        // Σ wᵢ Fᵢ, and Jᵢ where it counts: what the search lowers
+  std::vector<double> history_;  // of it
   CodesignResult result_;
 };
 
@@ -93,8 +97,33 @@ SolveStatus Codesign::optimise() {
     if (!go_on) return SolveStatus::stopped;
     if (options_.motion_only) return now_.motion_status();
   }
+  const int limit = options_.max_iterations;
+  SolveStatus status = search(has_outer() ? (limit + 1) / 2 : limit);
+  if (status != SolveStatus::stopped && minimise_outer()) status = search(limit);
+  if (status == SolveStatus::stopped) return status;
+  polish();
+  return status == SolveStatus::converged && !at_minimum() ? SolveStatus::stalled : status;
+}
+
+bool Codesign::has_outer() const {
+  return std::any_of(solvers_.begin(), solvers_.end(),
+                     [](const auto& s) { return s->has_outer(); });
+}
+
+// The design's F has a Hessian, F + J has none, and from a body that cannot do the task J leads
+// astray: so the search for F + J sets out from the optimum of F. False without an outer objective.
+bool Codesign::minimise_outer() {
+  if (!has_outer()) return false;
+  for (const auto& solver : solvers_) solver->minimise_outer();
+  lbfgs_.reset();
+  history_.clear();
+  return differentiate();
+}
+
+// @param iterations that the run may have made at the end
+SolveStatus Codesign::search(int iterations) {
   SolveStatus status = SolveStatus::iteration_limit;
-  while (result_.design_iterations < options_.max_iterations) {
+  while (result_.design_iterations < iterations) {
     if (now_.projected_gradient_norm < options_.design_tolerance) {
       status = at_minimum() ? SolveStatus::converged : SolveStatus::stalled;
       break;
@@ -108,8 +137,7 @@ SolveStatus Codesign::optimise() {
     now_.index = result_.design_iterations;
     if (!publish(watch)) return SolveStatus::stopped;
   }
-  polish();
-  return status == SolveStatus::converged && !at_minimum() ? SolveStatus::stalled : status;
+  return status;
 }
 
 // Only the adjoint at a minimum in m shows that dF/ds vanishes: the gradient at fixed m does not.
@@ -121,13 +149,14 @@ bool Codesign::at_minimum() const {
 // Copies what the solvers know into now_, and sums it up.
 void Codesign::show_tasks() {
   now_.tasks.clear();
-  now_.value = 0.0;
+  now_.value = searched_ = 0.0;
   now_.newton_iterations = 0;
   now_.exact_gradient = true;
   now_.design_gradient.setZero(now_.s.size());
   for (const auto& solver : solvers_) {
     const TaskIterate& task = solver->now();
     now_.value += solver->weight() * (task.value + task.outer_value);
+    searched_ += solver->weight() * solver->searched_value();
     now_.newton_iterations += task.newton_iterations;
     now_.exact_gradient = now_.exact_gradient && task.exact_gradient;
     if (task.design_gradient.size() == now_.s.size())
@@ -138,8 +167,8 @@ void Codesign::show_tasks() {
 
 bool Codesign::differentiate() {
   const int count = static_cast<int>(solvers_.size());
-  const bool outer =
-      std::any_of(solvers_.begin(), solvers_.end(), [](const auto& s) { return s->has_outer(); });
+  const bool outer = std::any_of(solvers_.begin(), solvers_.end(),
+                                 [](const auto& s) { return s->outer_counts(); });
   const bool second = options_.method == DesignMethod::newton && !outer && !options_.motion_only;
   std::vector<char> finite(count), curved(count);
   std::vector<Eigen::MatrixXd> hessians(count);
@@ -218,7 +247,7 @@ bool Codesign::search_along(const VectorXd& direction) {
     const double slope =
         -now_.design_gradient.dot(s - now_.s);  // along the path bent by the bounds
     if (!(slope > 0.0)) continue;
-    const double ceiling = now_.value - options_.sufficient_decrease * slope;
+    const double ceiling = searched_ - options_.sufficient_decrease * slope;
     const double value = try_design(s, ceiling);
     if (!(value <= ceiling)) {
       ++result_.rejected_trials;
@@ -226,7 +255,7 @@ bool Codesign::search_along(const VectorXd& direction) {
     }
     if (newton_)
       adapt_trust(-model_change(now_.reduced_hessian, now_.design_gradient, s - now_.s),
-                  now_.value - value,
+                  searched_ - value,
                   (s - now_.s).cwiseQuotient(box_.scale).lpNorm<Eigen::Infinity>());
     for (const auto& solver : solvers_) solver->accept();
     now_.s = s;
@@ -250,15 +279,15 @@ std::vector<double> Codesign::ceilings(double total) const {
   std::vector<double> values;
   double others = 0.0;
   for (const auto& solver : solvers_) {
-    const double value = solver->weight() * (solver->now().value + solver->now().outer_value);
+    const double value = solver->weight() * solver->searched_value();
     values.push_back(value - options_.largest_task_gain * std::abs(value));
     others += values.back();
   }
   std::vector<double> result;
   for (std::size_t i = 0; i < solvers_.size(); ++i) {
     const double alone = solvers_.size() == 1 ? 0.0 : others - values[i];
-    result.push_back(solvers_[i]->has_outer() ? std::numeric_limits<double>::infinity()
-                                              : (total - alone) / solvers_[i]->weight());
+    result.push_back(solvers_[i]->outer_counts() ? std::numeric_limits<double>::infinity()
+                                                 : (total - alone) / solvers_[i]->weight());
   }
   return result;
 }
@@ -280,7 +309,7 @@ bool Codesign::value_settled() const {
 
 // Completes now_ and hands it to the caller; false: stop.
 bool Codesign::publish(const Stopwatch& watch) {
-  history_.push_back(now_.value);
+  history_.push_back(searched_);
   now_.seconds = watch.seconds();
   return !options_.on_iteration || options_.on_iteration(now_);
 }

@@ -17,9 +17,9 @@ namespace legwright {
 struct DesignIteration {
   int index = 0;
   Eigen::VectorXd s;
-  double value = 0.0;               // Σ wᵢ (Fᵢ + Jᵢ)
-  std::vector<TaskIterate> tasks;   // in the order of the costs
-  Eigen::VectorXd design_gradient;  // Σ wᵢ d(Fᵢ + Jᵢ)/ds
+  double value = 0.0;              // Σ wᵢ (Fᵢ + Jᵢ)
+  std::vector<TaskIterate> tasks;  // in the order of the costs
+  Eigen::VectorXd design_gradient;  // Σ wᵢ d(Fᵢ + Jᵢ)/ds; of Fᵢ alone on the way to its optimum
   Eigen::MatrixXd reduced_hessian;  // d²F/ds² along m*(s); empty where it is not known
   // Largest entry of design_gradient·unit, those that push against a bound left out.
   double projected_gradient_norm = 0.0;
@@ -82,8 +82,9 @@ struct CodesignResult {
 
 /// Algorithm 1 for F_joint(s, m₁ … m_k) = Σ wᵢ Fᵢ(s, mᵢ): Newton's method or L-BFGS on s within
 /// hard bounds, exact Newton on each mᵢ, dF/ds by the adjoint equations (7), (8). With an outer
-/// objective Σ wᵢ (Fᵢ + Jᵢ) is minimised over s, and the motions still minimise Fᵢ; L-BFGS then
-/// steps s. `converged`: projected gradient below design_tolerance (motion_only: the motions'
+/// objective Σ wᵢ (Fᵢ + Jᵢ) is minimised over s, and the motions still minimise Fᵢ: at most half of
+/// the iterations go to the optimum of Fᵢ, and from there L-BFGS steps s. `converged`: projected
+/// gradient below design_tolerance (motion_only: the motions'
 /// status). `stalled`: F settled to value_tolerance, or no δ₁ helps even along steepest descent;
 /// the best iterate is kept, and its projected_gradient_norm tells how far it is from a minimum.
 /// Deterministic. The status says `converged` only with an exact adjoint gradient at a minimum in

@@ -91,13 +91,15 @@ bool TaskSolver::start(const VectorXd& s) {
 double TaskSolver::try_design(const VectorXd& s, double ceiling) {
   trial_.s = s;
   trial_.m = predicted_motion(s);
-  NewtonOptions rules = options(limits_.motion_tolerance, limits_.trial_iterations);
+  // F hardly feels a motion that is not quite at its minimum, J does to first order.
+  NewtonOptions rules = options(outer_counts_ ? limits_.final_tolerance : limits_.motion_tolerance,
+                                limits_.trial_iterations);
   rules.value_ceiling = ceiling;
   const SolveReport report = solve(s, trial_.m, rules);
   take(report, trial_);
   if (report.status == SolveStatus::not_finite) return kInfinite;
   trial_.outer_value = outer_value(s, trial_.m);
-  const double total = trial_.value + trial_.outer_value;
+  const double total = trial_.value + (outer_counts_ ? trial_.outer_value : 0.0);
   return std::isfinite(total) ? total : kInfinite;
 }
 
@@ -113,7 +115,7 @@ bool TaskSolver::differentiate() {
   task_.cost->evaluate(here_.s, here_.m, Order::design, at_);
   ++effort_.evaluations;
   VectorXd dJ_dm = at_.stationarity, partial_s = at_.partial_s;
-  if (task_.outer) {
+  if (outer_counts_) {
     task_.outer->evaluate(here_.s, here_.m, Order::gradients, outer_at_);
     ++effort_.evaluations;
     dJ_dm += outer_at_.stationarity;

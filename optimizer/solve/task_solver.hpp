@@ -68,15 +68,16 @@ class TaskSolver {
   bool start(const Eigen::VectorXd& s);
   /// Solves for the motion of another design, from the predicted one; now() stays as it is.
   /// @param ceiling F above it is of no use: the solve may be left early. @return F + J there;
-  /// infinite where there is no finite motion.
+  /// infinite where there is no finite motion; J counts once minimise_outer() is called.
   double try_design(const Eigen::VectorXd& s, double ceiling);
   /// Makes the last trial the iterate; undo() takes that back.
   void accept();
   void undo() { accept(); }  // the two points change places
   /// Starts counting the Newton iterations of the next iterate.
   void begin_iteration() { now_.newton_iterations = 0; }
-  /// d(F + J)/ds at the iterate, eqs (7), (8). Without a minimum in m there is no adjoint: then the
-  /// gradient at fixed m, ∂F/∂s, still leads down. False where a derivative is not finite.
+  /// d(F + J)/ds at the iterate, J where it counts, eqs (7), (8). Without a minimum in m there is
+  /// no adjoint: then the gradient at fixed m, ∂F/∂s, still leads down. False where a derivative is
+  /// not finite.
   bool differentiate();
   /// d²F/ds² along m*(s): F_ss − F_msᵀ H⁻¹ F_ms, exact where G = 0. False without an exact factor.
   bool reduced_hessian(Eigen::MatrixXd& hessian);
@@ -86,6 +87,11 @@ class TaskSolver {
   const TaskIterate& now() const { return now_; }
   double weight() const { return task_.weight; }
   bool has_outer() const { return task_.outer != nullptr; }
+  /// From now on the design minimises F + J, before F alone.
+  void minimise_outer() { outer_counts_ = has_outer(); }
+  bool outer_counts() const { return outer_counts_; }
+  /// F, and J where it counts, at the iterate.
+  double searched_value() const { return now_.value + (outer_counts_ ? now_.outer_value : 0.0); }
   const TaskEffort& effort() const { return effort_; }
   /// F by Newton step of iteration 0.
   const std::vector<double>& motion_only_trace() const { return motion_only_trace_; }
@@ -109,6 +115,7 @@ class TaskSolver {
   void show_here();
 
   WeightedCost task_;
+  bool outer_counts_ = false;
   const MotionLimits& limits_;
   NewtonWorkspace workspace_;  // its factor belongs to trial_
   HessianFactor factor_;       // of ∂G/∂m at here_

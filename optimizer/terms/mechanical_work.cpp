@@ -8,10 +8,10 @@ namespace {
 
 constexpr double kWorkRounding = 1e-4;  // of |work| at zero, share of weight times length
 
-/// Not in the paper, for outer objectives (weight zero unless asked for): mechanical work of the
-/// motors over one cycle, Σ |τ_a,i · Δq_a,i| over knots and joints, Δq = (q_{i+1} − q_{i−1})/2;
-/// braking counts as much as driving. Residual (√(x² + ε²) − ε)/(weight · length), x = τ Δq [J],
-/// counted as it is: the term's value times weight times length is the work in joules.
+/// Not in the paper, for outer objectives (weight zero unless asked for): positive mechanical work
+/// of the motors over one cycle, Σ max(0, τ_a,i · Δq_a,i) over knots and joints, Δq = (q_{i+1} −
+/// q_{i−1})/2; braking gives nothing back. Residual ½ (x + √(x² + ε²) − ε)/(weight · length),
+/// x = τ Δq [J], counted as it is: value times weight times length is the work in joules.
 class MechanicalWork final : public Term {
  public:
   explicit MechanicalWork(const TermContext& context) : unit_(context.weight * context.length) {
@@ -32,16 +32,17 @@ class MechanicalWork final : public Term {
 
   void residual(int, const Eigen::VectorXd& z, Eigen::VectorXd& r) const override {
     const double epsilon = kWorkRounding * unit_;
-    r[0] = (root(z) - epsilon) / unit_;
+    r[0] = 0.5 * (work(z) + root(z) - epsilon) / unit_;
   }
   void jacobian(int, const Eigen::VectorXd& z, Eigen::MatrixXd& jacobian) const override {
-    jacobian = work(z) / (root(z) * unit_) * slope(z).transpose();
+    jacobian = 0.5 * (1.0 + work(z) / root(z)) / unit_ * slope(z).transpose();
   }
   void add_curvature(int, const Eigen::VectorXd& z, const Eigen::VectorXd& multiplier,
                      Eigen::MatrixXd& hessian) const override {
     const double length = root(z), x = work(z), epsilon = kWorkRounding * unit_;
-    const double first = multiplier[0] * x / (length * unit_);
-    const double second = multiplier[0] * epsilon * epsilon / (length * length * length * unit_);
+    const double first = 0.5 * multiplier[0] * (1.0 + x / length) / unit_;
+    const double second =
+        0.5 * multiplier[0] * epsilon * epsilon / (length * length * length * unit_);
     const Eigen::Vector3d g = slope(z);
     hessian += second * g * g.transpose();
     hessian(0, 1) -= 0.5 * first;
@@ -53,8 +54,8 @@ class MechanicalWork final : public Term {
   std::string subject(int element, int) const override { return names_[element]; }
   Eigen::VectorXd sample(int, std::mt19937& random) const override {
     std::normal_distribution<double> normal;
-    return Eigen::Vector3d(0.1 * unit_ * (1.0 + 0.5 * normal(random)), 0.2 * normal(random),
-                           0.5 + 0.4 * normal(random));
+    return Eigen::Vector3d(0.1 * unit_ * (1.0 + 0.2 * normal(random)), 0.1 * normal(random),
+                           0.5 + 0.1 * normal(random));
   }
 
  private:

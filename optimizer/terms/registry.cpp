@@ -65,8 +65,8 @@ const std::vector<TermEntry>& term_registry() {
       // Outer objectives: no part of F unless a task gives them a weight.
       {"mechanical_work", "-", 0.0, make_mechanical_work, TermRole::outer, "J",
        "work of the motors", "work of the motors"},
-      {"peak_torque", "-", 0.0, make_peak_torque, TermRole::outer, "1", "highest torque",
-       "highest torque"},
+      {"peak_torque", "-", 0.0, make_peak_torque, TermRole::outer, "N m", "highest torque",
+       "highest torque", kPeakNorm},
       {"printed_volume", "-", 0.0, make_printed_volume, TermRole::outer, "m^3", "volume to print",
        "printed volume"},
   };

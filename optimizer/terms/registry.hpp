@@ -13,6 +13,9 @@ namespace legwright {
 /// an outer objective measures.
 enum class TermRole { objective, constraint, regulariser, outer };
 
+/// p of the p-norm that stands for the largest of all torques: a smooth maximum.
+inline constexpr int kPeakNorm = 16;
+
 /// One row of the table of terms.
 struct TermEntry {
   std::string_view name;      // file stem and key of [weights]
@@ -23,6 +26,8 @@ struct TermEntry {
   std::string_view unit;   // of residual · Term::unit().size; "1" for shares, "m, rad" for either
   std::string_view label;  // what it asks for, in a few words: "stance feet do not slip"
   std::string_view cost_label;  // what it punishes, as a noun: "slip of stance feet"
+  /// Of outer terms: amount = value^(1/norm) · Term::unit().size, in `unit`.
+  int norm = 1;
 };
 
 /// Every term there is, in the order in which reports list them.

@@ -43,16 +43,20 @@ def torque_limits(state):
 
 
 def peak_torque(state):
-    share = _torque_shares(state)
-    return half_square(share * share * share * share)
+    """16th powers of the torques of all motors. Feet here are planted for longer than one knot, so
+    that servos add nothing."""
+    power = state.joint_torques() / (state.robot.weight * LEG_LENGTH)
+    for _ in range(4):
+        power = power * power
+    return power.sum()
 
 
 def mechanical_work(state):
-    """|τ Δq| of all motors over the cycle, with a rounded root."""
+    """Positive parts of τ Δq of all motors over the cycle, with a rounded root."""
     angles, unit = state.motion.pose[:, 6:], state.robot.weight * LEG_LENGTH
     before = tape.concatenate([angles[-2:-1], angles[:-2]])
     work = state.joint_torques() * (angles[1:] - before) / 2.0 / unit
-    return (tape.sqrt(work * work + WORK_ROUNDING**2) - WORK_ROUNDING).sum()
+    return (0.5 * (work + tape.sqrt(work * work + WORK_ROUNDING**2) - WORK_ROUNDING)).sum()
 
 
 def printed_volume(state):

@@ -34,7 +34,7 @@ EQUIPPED_WEIGHTS = dict(
     actuator_force=1e-3,
     limb_clearance=1e-3,
     mechanical_work=1.0,
-    peak_torque=1e-3,
+    peak_torque=1e3,
     printed_volume=1.0,
 )
 FOOTPRINT = np.array(((0.12, 0.09), (0.12, -0.09), (-0.12, 0.09), (-0.12, -0.09)))  # [m]

@@ -17,6 +17,8 @@ struct TermSetting {
       link.joint.upper = 1.2;
       link.joint.torque_limit = 0.6;
       link.joint.armature = 2e-4;
+      link.joint.servo_kp = 40.0;
+      link.joint.servo_kd = 0.6;
     }
     add_pistons(puppy);
     add_soles(puppy);

@@ -90,8 +90,10 @@ void evaluate_as_asked(const CodesignProblem& problem, Candidate& candidate) {
       task.terms = Objective(asked.morphology(), asked.space(), aimed).terms(design.s, task.m);
     }
     task.value = sum_of(task.terms);
-    if (!problem.outers.empty())
-      task.outer_value = sum_of(problem.outers[i]->terms(design.s, task.m));
+    if (!problem.outers.empty()) {
+      const OuterObjective& outer = *problem.outers[i];
+      task.outer_value = outer.cost(outer.amount_at(design.s, task.m));
+    }
     design.value += problem.task(k).weight * (task.value + task.outer_value);
   }
 }

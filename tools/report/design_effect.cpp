@@ -103,10 +103,9 @@ Rows::Show in(const std::string& unit) {
   return [unit](Value value) { return amount_words(value, unit); };
 }
 
-Sides outer_cost(const RunData& data) {
-  if (!data.run.outer || data.iterations.empty()) return {};
-  const OuterRecord& outer = *data.run.outer;
-  return {outer_amount(outer, data.iterations.front().J), outer_amount(outer, data.run.final_J)};
+Sides outer_amounts(const RunData& data) {
+  if (!data.run.outer) return {};
+  return {data.run.outer->plan_initial, data.run.outer->plan_final};
 }
 
 void add_measured(const RunData& data, Rows& rows) {
@@ -200,10 +199,10 @@ std::vector<EffectRow> effect_rows(const RunData& data) {
   }
   rows.add("cost of the gait, F", {data.run.motion_only_F, data.run.final_F}, short_number,
            Better::less);
-  if (const Sides J = outer_cost(data); J.first || J.second)
-    rows.add("in the plan: " + spaced(data.run.outer->objective) +
-                 (data.run.outer->objective == "peak_torque" ? " as a share of the limit" : ", J"),
-             J, short_number, Better::less);
+  if (const Sides plans = outer_amounts(data); plans.first || plans.second)
+    rows.add(
+        "in the plan: " + spaced(data.run.outer->objective), plans,
+        [&](Value value) { return outer_amount_words(*data.run.outer, value); }, Better::less);
   return rows.take();
 }
 

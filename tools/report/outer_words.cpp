@@ -3,45 +3,65 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <map>
+#include <vector>
 
+#include "tools/report/design_effect.hpp"
+#include "tools/report/number_words.hpp"
 #include "tools/report/words.hpp"
+#include "tools/run/outer_measured.hpp"
 
 namespace legwright {
 namespace {
 
-/// The figure that shows in physics what an outer objective is to lower.
-const char* measured_row(const std::string& objective) {
-  static const std::map<std::string, const char*, std::less<>> kRows{
-      {"peak_torque", "peak torque of a servo"},
-      {"mechanical_work", "mechanical power"},
-      {"printed_volume", "printed volume"}};
-  const auto found = kRows.find(objective);
-  return found == kRows.end() ? nullptr : found->second;
+using Value = std::optional<double>;
+
+/// "1.23 N·m before, 1.02 N·m after (−17 %)"
+std::string change_of(const OuterRecord& outer, Value before, Value after) {
+  std::string out = fmt::format("{} before, {} after", outer_amount_words(outer, before),
+                                outer_amount_words(outer, after));
+  if (before && after && *before > 0.0)
+    out += fmt::format(" ({})", change_words((*after - *before) / *before));
+  return out;
+}
+
+Value at(const ByName<double>& gains, const char* gain) {
+  const double* const found = gains.find(gain);
+  return found == nullptr ? std::nullopt : Value(*found);
+}
+
+std::string measured_words(const OuterRecord& outer, const OuterMeasured& measured) {
+  std::string out, risen;
+  for (const char* const gain : kGains) {
+    const Value before = at(measured.initial, gain), after = at(measured.result, gain);
+    if (!before && !after) continue;
+    out += fmt::format("{}at {} gains {}", out.empty() ? " Measured: " : "; ", gain,
+                       change_of(outer, before, after));
+    if (before && after && !(*after < *before))
+      risen += fmt::format("{}{}", risen.empty() ? "" : " and ", gain);
+  }
+  if (out.empty()) return " What came of it in MuJoCo is not measured.";
+  return out + "." + (risen.empty() ? "" : " It did not fall at " + risen + " gains.");
 }
 
 }  // namespace
 
-std::optional<double> outer_amount(const OuterRecord& outer, std::optional<double> J) {
-  if (!J || outer.objective != "peak_torque") return J;
-  if (!(*J >= 0.0) || !(outer.weight > 0.0)) return std::nullopt;
-  return std::pow(2.0 * *J / outer.weight, 0.125);
+std::string outer_amount_words(const OuterRecord& outer, Value amount) {
+  const std::string unit = outer.unit.value_or("");
+  if (unit == "m^3") return amount ? short_number(*amount * 1e6) + " cm³" : "–";
+  return amount_words(amount, unit);
 }
 
-std::string outer_words(const RunRecord& run, const std::vector<EffectRow>& rows) {
-  if (!run.outer) return "";
-  std::string out = fmt::format("The body was to lower {}.", spaced(run.outer->objective));
-  const char* const name = measured_row(run.outer->objective);
-  const auto row = std::find_if(rows.begin(), rows.end(), [&](const EffectRow& each) {
-    return name != nullptr && each.what == name;
-  });
-  if (row == rows.end()) return out + " What came of it is not measured.";
-  out += fmt::format(" Measured: {} {} before, {} after", name, row->before, row->after);
-  if (!row->effect.change) return out + ".";
-  return out + fmt::format(" ({}){}", change_words(*row->effect.change),
-                           *row->effect.change < 0.0 ? "." : ": it did not fall.");
+std::string outer_words(const RunData& data) {
+  if (!data.run.outer) return "";
+  const OuterRecord& outer = *data.run.outer;
+  std::string out = fmt::format("The body was to lower {}.", spaced(outer.objective));
+  if (outer.plan_initial || outer.plan_final)
+    out += fmt::format(" {}: {}.", outer.unit == "m^3" ? "Of the bodies" : "In the plan",
+                       change_of(outer, outer.plan_initial, outer.plan_final));
+  if (outer.unit == "m^3") return out;
+  const auto measured = data.metrics ? outer_measured(outer.objective, *data.metrics)
+                                     : std::optional<OuterMeasured>();
+  return out + measured_words(outer, measured.value_or(OuterMeasured{}));
 }
 
 }  // namespace legwright

@@ -3,20 +3,18 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
-#include "tools/report/design_effect.hpp"
+#include "tools/report/run_data.hpp"
 
 namespace legwright {
 
-/// An outer objective J as the amount that grows with it: of "peak_torque", which sums eighth
-/// powers, the peak in the plan as a share of the motor's limit; of others J itself.
-std::optional<double> outer_amount(const OuterRecord& outer, std::optional<double> J);
+/// An amount of an outer objective's quantity as people read it: "1.13 N·m", "179 cm³".
+std::string outer_amount_words(const OuterRecord& outer, std::optional<double> amount);
 
-/// What became of the quantity that the body was to lower, in MuJoCo: "The body was to lower peak
-/// torque. Measured: peak torque of a servo 1.13 N·m before, 1.61 N·m after (+42 %): it did not
-/// fall." Empty without an outer objective.
-/// @param rows as of effect_rows()
-std::string outer_words(const RunRecord& run, const std::vector<EffectRow>& rows);
+/// What became of the quantity that the body was to lower, in the plan and in MuJoCo: "The body was
+/// to lower peak torque. In the plan: 1.48 N·m before, 1.11 N·m after (−25 %). Measured: at half
+/// gains 1.23 N·m before, 1.02 N·m after (−17 %); at default gains … . It did not fall at double
+/// gains." Empty without an outer objective.
+std::string outer_words(const RunData& data);
 
 }  // namespace legwright

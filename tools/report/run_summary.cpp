@@ -107,7 +107,7 @@ std::string design_effect(const RunData& data) {
     out += fmt::format("| {} | {} | {} | {} |\n", cell(row.what), cell(row.before), cell(row.after),
                        change_words(*row.effect.change));
   }
-  if (const std::string outer = outer_words(data.run, effect_rows(data)); !outer.empty())
+  if (const std::string outer = outer_words(data); !outer.empty())
     out += "\n" + cell(outer, kLongestLine) + "\n";
   return out + "\n";
 }

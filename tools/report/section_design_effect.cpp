@@ -61,8 +61,7 @@ void add_effect(Html& page, const RunData& data) {
   const std::string body = body_words(data);
   if (body.empty()) return;  // nothing changed
   page.element("p", fmt::format("{} {}", body, effect_words(data)));
-  if (const std::string outer = outer_words(data.run, effect_rows(data)); !outer.empty())
-    page.element("p", outer);
+  if (const std::string outer = outer_words(data); !outer.empty()) page.element("p", outer);
   page.open("div", {{"class", "charts"}});
   add_parameters(page, data);
   open_table(page, "What it does");

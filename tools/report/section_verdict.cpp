@@ -9,6 +9,7 @@
 #include "tools/image/png.hpp"
 #include "tools/report/gap_view.hpp"
 #include "tools/report/number_words.hpp"
+#include "tools/report/outer_words.hpp"
 #include "tools/report/page_template.hpp"
 #include "tools/report/sections.hpp"
 #include "tools/report/words.hpp"
@@ -79,9 +80,11 @@ void add_plan_notes(Html& page, const RunData& data) {
         "note wide");
   const auto& outer = data.run.outer;
   if (!outer) return;
+  const std::string reference =
+      outer->reference ? " over " + outer_amount_words(*outer, outer->reference) : "";
   page.note(fmt::format("Outer objective: the motion minimises F, the body F + J, where J is {} "
-                        "times {}; J ended at {}.",
-                        short_number(outer->weight), spaced(outer->objective),
+                        "times {}{}; J ended at {}.",
+                        short_number(outer->weight), spaced(outer->objective), reference,
                         short_number(data.run.final_J)),
             "note wide");
 }

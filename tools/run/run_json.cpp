@@ -43,7 +43,14 @@ RunRecord head(const std::vector<std::string>& argv, const CodesignProblem& prob
   RunRecord run;
   run.status = "running";
   run.robot = problem.robot.morphology.name;
-  if (!problem.set.outer.empty()) run.outer = {problem.set.outer, problem.set.outer_weight};
+  if (!problem.outers.empty())
+    run.outer = {problem.set.outer,
+                 problem.set.outer_weight,
+                 std::string(problem.outers.front()->unit()),
+                 {},
+                 {},
+                 {},
+                 {}};
   run.design_size = problem.robot.space.size();
   for (const DesignParameter& p : problem.robot.space.parameters)
     run.parameters.push_back({p.name, p.unit, std::string(to_string(p.kind)), p.sentence, p.initial,
@@ -151,6 +158,7 @@ RunRecord start_of_run(const std::vector<std::string>& argv, const CodesignProbl
   RunRecord run = head(argv, problem);
   run.task = record_of_task(problem.objectives[task]->task());
   run.motion_size = problem.objectives[task]->layout().motion_size();
+  if (run.outer) run.outer->reference = problem.outers[task]->reference();
   return run;
 }
 
@@ -180,6 +188,11 @@ void finish_run(RunRecord& run, const std::string& status, const TaskOutcome& ou
   run.motion_only_trace = outcome.motion_only_trace;
   run.final_F = best.value;
   run.final_J = best.outer_value;
+  if (run.outer && run.outer->reference && run.outer->weight > 0.0) {
+    const double amount = *run.outer->reference / run.outer->weight;  // of J = 1
+    run.outer->plan_initial = amount * outcome.initial->tasks.at(outcome.task).outer_value;
+    run.outer->plan_final = amount * best.outer_value;
+  }
   run.history = outcome.history;
   add_effort(run, effort);
   run.projected_gradient_norm = outcome.best->projected_gradient_norm;

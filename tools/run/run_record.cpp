@@ -95,9 +95,19 @@ void fields(Fields& f, ParameterRecord& parameter) {
   f("tied_count", parameter.tied_count, "places of the robot that it sets");
 }
 
+void fields(Fields& f, OuterMeasured& measured) {
+  f("initial", measured.initial, "by servo gains; without those at which it fell");
+  f("result", measured.result);
+}
+
 void fields(Fields& f, OuterRecord& outer) {
   f("objective", outer.objective);
-  f("weight", outer.weight);
+  f("weight", outer.weight, "of the quantity over its reference, in J");
+  f("unit", outer.unit, "of the quantity");
+  f("reference", outer.reference, "in that unit");
+  f("plan_initial", outer.plan_initial, "the quantity in the plan of the initial body");
+  f("plan_final", outer.plan_final, "the same of the result");
+  f("measured", outer.measured, "the same in MuJoCo, once the run is validated");
 }
 
 void fields(Fields& f, StartRecord& start) {

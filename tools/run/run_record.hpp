@@ -98,9 +98,21 @@ struct ParameterRecord {
 };
 void fields(Fields& f, ParameterRecord& parameter);
 
+/// What MuJoCo measured of an outer objective's quantity, by servo gains; without those at which
+/// the robot fell.
+struct OuterMeasured {
+  ByName<double> initial, result;
+};
+void fields(Fields& f, OuterMeasured& measured);
+
+/// J = weight · v/v₀ of a quantity v in `unit`.
 struct OuterRecord {
   std::string objective;
   double weight = 0.0;
+  std::optional<std::string> unit;                 // "N m", "J" or "m^3"
+  std::optional<double> reference;                 // v₀
+  std::optional<double> plan_initial, plan_final;  // v of the initial body's plan and the result's
+  std::optional<OuterMeasured> measured;           // once the run is validated
 };
 void fields(Fields& f, OuterRecord& outer);
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "mjcf/read/servos.hpp"
+#include "mjcf/scene/surroundings.hpp"
 #include "mjcf/text/input_error.hpp"
 #include "optimizer/terms/registry.hpp"
 #include "tools/task/design_table.hpp"
@@ -14,31 +16,46 @@
 namespace legwright {
 namespace {
 
-std::unique_ptr<Objective> make_objective(const TaskFile& file, const RobotModel& robot,
-                                          const Task& task) {
+Objective make_objective(const TaskFile& file, const RobotModel& robot, const Task& task) {
   try {
-    return std::make_unique<Objective>(as_in_task(robot.morphology, task), robot.space, task);
+    return {as_in_task(robot.morphology, task), robot.space, task};
   } catch (const std::invalid_argument& error) {
     throw InputError(file.file.string(), 0, "",
                      std::string(error.what()) + "; robot and task do not fit");
   }
 }
 
-/// The same task with J in the place of F: one term at the wanted weight, all others off.
+[[noreturn]] void refuse_outer(const TaskSet& set, const std::string& why) {
+  const auto line = set.lines.find("outer.objective");
+  throw InputError(set.file.string(), line == set.lines.end() ? 0 : line->second, "outer.objective",
+                   why);
+}
+
+/// The same task with the quantity of J in the place of F: one term, all others off.
 Task outer_task(const TaskSet& set, Task task) {
   std::vector<std::string> names;
   for (const TermEntry& entry : term_registry()) {
     task.weights[std::string(entry.name)] = 0.0;
-    if (entry.default_weight == 0.0) names.emplace_back(entry.name);
+    if (entry.role == TermRole::outer) names.emplace_back(entry.name);
   }
-  if (std::find(names.begin(), names.end(), set.outer) == names.end()) {
-    const auto line = set.lines.find("outer.objective");
-    throw InputError(
-        set.file.string(), line == set.lines.end() ? 0 : line->second, "outer.objective",
-        fmt::format("'{}' is no outer objective; there are {}", set.outer, fmt::join(names, ", ")));
-  }
-  task.weights[set.outer] = set.outer_weight;
+  if (std::find(names.begin(), names.end(), set.outer) == names.end())
+    refuse_outer(set, fmt::format("'{}' is no outer objective; there are {}", set.outer,
+                                  fmt::join(names, ", ")));
+  task.weights[set.outer] = 1.0;
   return task;
+}
+
+/// J, with the servos' gains as they are played.
+std::unique_ptr<OuterObjective> make_outer(const TaskSet& set, const TaskFile& file,
+                                           const RobotModel& robot, const Task& task) {
+  RobotModel played = with_task_servos(robot, task);
+  set_gains(played.servos, robot.space.initial(), played.morphology);
+  try {
+    return std::make_unique<OuterObjective>(make_objective(file, played, outer_task(set, task)),
+                                            set.outer, set.outer_weight);
+  } catch (const std::invalid_argument& error) {
+    refuse_outer(set, std::string(error.what()) + "; take out [outer], or choose another");
+  }
 }
 
 }  // namespace
@@ -56,9 +73,10 @@ CodesignProblem read_problem(const std::filesystem::path& task_file,
                                    problem.set.file.string(), problem.set.lines);
   for (const TaskFile& file : problem.set.tasks) {
     const Task task = make_task(file, problem.robot);
-    problem.objectives.push_back(make_objective(file, problem.robot, task));
+    problem.objectives.push_back(
+        std::make_unique<Objective>(make_objective(file, problem.robot, task)));
     if (!problem.set.outer.empty())
-      problem.outers.push_back(make_objective(file, problem.robot, outer_task(problem.set, task)));
+      problem.outers.push_back(make_outer(problem.set, file, problem.robot, task));
   }
   return problem;
 }
@@ -71,7 +89,7 @@ ProblemCosts::ProblemCosts(const CodesignProblem& problem, const FirstMotionOpti
     task.weight = problem.task(k).weight;
     task.cost = costs_.emplace_back(std::make_unique<ObjectiveCost>(objective)).get();
     if (!problem.outers.empty())
-      task.outer = costs_.emplace_back(std::make_unique<ObjectiveCost>(*problem.outers[k])).get();
+      task.outer = costs_.emplace_back(std::make_unique<OuterCost>(*problem.outers[k])).get();
     task.guess = [&objective, first](const Eigen::VectorXd& s) {
       return best_first_motion(objective, s, first);
     };

@@ -10,6 +10,7 @@
 #include "optimizer/objective/objective.hpp"
 #include "optimizer/solve/first_motion.hpp"
 #include "optimizer/solve/multistart.hpp"
+#include "optimizer/solve/outer_cost.hpp"
 #include "tools/task/task_file.hpp"
 
 namespace legwright {
@@ -18,8 +19,8 @@ namespace legwright {
 struct CodesignProblem {
   TaskSet set;
   RobotModel robot;
-  std::vector<std::unique_ptr<Objective>> objectives;  // F of each task, in the file's order
-  std::vector<std::unique_ptr<Objective>> outers;      // J of each task; empty without one
+  std::vector<std::unique_ptr<Objective>> objectives;   // F of each task, in the file's order
+  std::vector<std::unique_ptr<OuterObjective>> outers;  // J of each task; empty without one
 
   const TaskFile& task(int k) const { return set.tasks[k]; }
   int task_count() const { return static_cast<int>(objectives.size()); }
@@ -40,7 +41,7 @@ class ProblemCosts {
   const std::vector<JointTask>& tasks() const { return tasks_; }
 
  private:
-  std::vector<std::unique_ptr<ObjectiveCost>> costs_;
+  std::vector<std::unique_ptr<CostFunction>> costs_;
   std::vector<JointTask> tasks_;
 };
 

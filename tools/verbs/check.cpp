@@ -30,10 +30,11 @@ struct Finding {
   std::string outer;  // line about the outer objective, or empty
 };
 
-std::string outer_of(const CodesignProblem& problem) {
-  if (problem.set.outer.empty()) return "";
-  return fmt::format("outer   J = {} x {}; the motion minimises F, the body F + J\n",
-                     problem.set.outer_weight, problem.set.outer);
+std::string outer_of(const CodesignProblem& problem, int task) {
+  if (problem.outers.empty()) return "";
+  const OuterObjective& outer = *problem.outers[static_cast<std::size_t>(task)];
+  return fmt::format("outer   J = {} x {} / {:.4g} {}; the motion minimises F, the body F + J\n",
+                     outer.weight(), problem.set.outer, outer.reference(), outer.unit());
 }
 
 /// One for each task of the file.
@@ -43,7 +44,8 @@ std::vector<Finding> find(const CheckOptions& options) {
   const RobotModel& robot = problem.robot;
   std::vector<Finding> all;
   for (int k = 0; k < problem.task_count(); ++k) {
-    Finding found{problem.task(k), robot, problem.objectives[k]->task(), {}, {}, outer_of(problem)};
+    Finding found{problem.task(k),     robot, problem.objectives[k]->task(), {}, {},
+                  outer_of(problem, k)};
     found.stride = stride_bound(found.task, robot);
     found.warnings = task_warnings(found.task, robot);
     all.push_back(std::move(found));

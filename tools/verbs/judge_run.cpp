@@ -10,6 +10,7 @@
 #include "tools/files/io_error.hpp"
 #include "tools/run/install.hpp"
 #include "tools/run/motion_csv.hpp"
+#include "tools/run/outer_measured.hpp"
 #include "tools/simulate/mujoco_host.hpp"
 #include "tools/validate/floquet.hpp"
 #include "tools/validate/robustness_limits.hpp"
@@ -159,12 +160,21 @@ void write_or_remove(const fs::path& file, const std::optional<Record>& record) 
     fs::remove(file);
 }
 
+/// What the body was to lower, as measured, goes into run.json beside what the plans have of it.
+void tell_outer(const ResultFolder& folder, const MetricsRecord& metrics) {
+  auto run = read_record_file<RunRecord>(folder.run_json());
+  if (!run.outer) return;
+  run.outer->measured = outer_measured(run.outer->objective, metrics);
+  write_json(folder.run_json(), json_of(run));
+}
+
 void write_judged(const ResultFolder& folder, const JudgedRun& judged) {
   const SceneValidation &initial = judged.designs[0], &result = judged.designs[1];
   const fs::path out = folder.result();
   write_file(out / "playback_initial.csv", playback_csv(initial));
   write_file(out / "playback_result.csv", playback_csv(result));
   write_json(out / "metrics.json", json_of(judged.metrics));
+  tell_outer(folder, judged.metrics);
   write_json(out / "comparison.json",
              json_of(comparison_record(initial.comparison, result.comparison)));
   write_or_remove(out / "numerics.json", judged.numerics_record());

@@ -117,6 +117,20 @@ std::string time_line(const RunRecord& run) {
   return fmt::format("  time     {:.2f} s{}\n", seconds_of(run, "command"), parts);
 }
 
+/// J, and the quantity in it as the plans have it.
+std::string outer_lines(const OuterRecord& outer, double J) {
+  const bool volume = outer.unit == "m^3";
+  const double size = volume ? 1e6 : 1.0;
+  const std::string unit = volume ? "cm^3" : outer.unit.value_or("");
+  std::string text = fmt::format("  J        {:.5g} = {} x {}", J, outer.weight, outer.objective);
+  if (outer.reference) text += fmt::format(" / {:.4g} {}", size * *outer.reference, unit);
+  text += "; the body minimised F + J\n";
+  if (outer.plan_initial && outer.plan_final)
+    text += fmt::format("           planned: {:.4g} {} with the initial body, {:.4g} now\n",
+                        size * *outer.plan_initial, unit, size * *outer.plan_final);
+  return text;
+}
+
 }  // namespace
 
 std::string joint_summary(const RunRecord& run, const std::filesystem::path& root) {
@@ -152,9 +166,7 @@ std::string optimize_summary(const RunRecord& run, const std::filesystem::path& 
                       *run.newton_iterations);
   text += fmt::format("  F        {:.5g} with the initial body, {:.5g} now\n", *run.motion_only_F,
                       *run.final_F);
-  if (run.outer)
-    text += fmt::format("  J        {:.5g} = {} x {}; the body minimised F + J\n", *run.final_J,
-                        run.outer->weight, run.outer->objective);
+  if (run.outer) text += outer_lines(*run.outer, *run.final_J);
   if (run.starts) text += start_lines(*run.starts);
   text += fmt::format("  speed    {:.4g} of {:.4g} planned{}\n", reached, wanted,
                       wanted > 0.0 ? fmt::format(" ({:.1f} %)", 100.0 * reached / wanted) : "");

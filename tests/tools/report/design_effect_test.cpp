@@ -188,26 +188,30 @@ TEST_F(DesignEffect, ThePageAndTheSummaryAnswer) {
 }
 
 TEST_F(DesignEffect, AnOuterObjectiveIsToldByWhatIsMeasured) {
-  EXPECT_EQ(outer_words(read_run(run_).run, {}), "");
-  edit_run([](Json& run) { run["outer"] = {{"objective", "peak_torque"}, {"weight", 5.0}}; });
-  const auto words = [&] { return outer_words(read_run(run_).run, effect_rows(read_run(run_))); };
-  EXPECT_TRUE(
-      has(words(), "The body was to lower peak torque. Measured: peak torque of a servo 2 N"))
+  const auto words = [&] { return outer_words(read_run(run_)); };
+  EXPECT_EQ(words(), "");
+  edit_run([](Json& run) {
+    run["outer"] = {{"objective", "peak_torque"}, {"weight", 5.0},       {"unit", "N m"},
+                    {"reference", 2.5},           {"plan_initial", 2.5}, {"plan_final", 1.5}};
+  });
+  EXPECT_TRUE(has(words(),
+                  "The body was to lower peak torque. In the plan: 2.5 N·m before, 1.5 "
+                  "N·m after (−40 %). Measured: at half gains 2 N·m before, "))
       << words();
+  EXPECT_TRUE(has(words(), "; at double gains 2 N·m before, ")) << words();
   EXPECT_FALSE(has(words(), "did not fall"));
+  EXPECT_EQ(row("in the plan: peak torque").after, "1.5 N·m");
+  EXPECT_TRUE(has(page(), "times peak torque over 2.5 N·m"));
   EXPECT_TRUE(has(page(), "The body was to lower peak torque."));
   EXPECT_TRUE(has(report_summary(read_run(run_)), "The body was to lower peak torque."));
-  edit("result/metrics.json", [](Json& metrics) { set_power(metrics["result"], 3.0, 2.5); });
-  EXPECT_TRUE(has(words(), "(+25 %): it did not fall.")) << words();
-  edit_run([](Json& run) { run["outer"]["objective"] = "beauty"; });
-  EXPECT_EQ(words(), "The body was to lower beauty. What came of it is not measured.");
-}
-
-TEST(OuterAmount, APeakIsNoEighthPower) {
-  EXPECT_NEAR(*outer_amount({"peak_torque", 1000.0}, 1000.0 * 0.5 * std::pow(0.6, 8)), 0.6, 1e-12);
-  EXPECT_EQ(*outer_amount({"mechanical_work", 3.0}, 1.5), 1.5);
-  EXPECT_FALSE(outer_amount({"peak_torque", 1.0}, std::nullopt));
-  EXPECT_FALSE(outer_amount({"peak_torque", 0.0}, 1.0));
+  edit("result/metrics.json", [](Json& metrics) {
+    Json half = metrics["result"]["half"];
+    set_power(metrics["result"], 3.0, 2.5);
+    metrics["result"]["half"] = half;
+  });
+  EXPECT_TRUE(has(words(), "(+25 %). It did not fall at default and double gains.")) << words();
+  edit_run([](Json& run) { run["outer"] = {{"objective", "beauty"}, {"weight", 1.0}}; });
+  EXPECT_EQ(words(), "The body was to lower beauty. What came of it in MuJoCo is not measured.");
 }
 
 TEST_F(DesignEffect, OfARunThatKeptItsBodyNothingIsSaid) {

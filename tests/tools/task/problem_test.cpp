@@ -46,18 +46,37 @@ TEST_F(WithOuter, JIsOneTermAndNothingElse) {
   const CodesignProblem problem =
       read("\n[outer]\nobjective = \"mechanical_work\"\nweight = 2.0\n");
   ASSERT_EQ(problem.outers.size(), 1u);
-  const VectorXd s = problem.robot.space.initial(), m = initial_guess(*problem.outers[0], s);
+  const OuterObjective& J = *problem.outers[0];
+  const VectorXd s = problem.robot.space.initial(), m = initial_guess(J.quantity(), s);
   int live = 0;
-  for (const TermValue& term : problem.outers[0]->terms(s, m)) live += term.value != 0.0;
-  EXPECT_LE(live, 1);
-  const CodesignProblem half = read("\n[outer]\nobjective = \"mechanical_work\"\n");
-  const auto value = [&](const CodesignProblem& of, const VectorXd& motion) {
-    return of.outers[0]->evaluate(s, motion, Order::value).value;
-  };
-  const VectorXd moving =
-      m + 0.01 * VectorXd::LinSpaced(m.size(), 0.0, 300.0).array().sin().matrix();
-  EXPECT_GT(value(half, moving), 0.0);
-  EXPECT_NEAR(value(problem, moving), 2.0 * value(half, moving), 1e-9 * value(problem, moving));
+  for (const TermValue& term : J.quantity().terms(s, m)) live += term.value != 0.0;
+  EXPECT_EQ(live, 1);
+  EXPECT_EQ(J.unit(), "J");
+  // Of the first guess of the given body J is its weight.
+  EXPECT_DOUBLE_EQ(J.cost(J.amount_at(s, m)), 2.0);
+  OuterCost cost(J);
+  Evaluation at;
+  cost.evaluate(s, m, Order::value, at);
+  EXPECT_DOUBLE_EQ(at.value, 2.0);
+}
+
+TEST_F(WithOuter, ThePeakCountsHalfTheWeightOnALevelLeg) {
+  const CodesignProblem problem = read("\n[outer]\nobjective = \"peak_torque\"\n");
+  const Morphology& robot = problem.robot.morphology;
+  const OuterObjective& J = *problem.outers[0];
+  EXPECT_EQ(J.unit(), "N m");
+  EXPECT_DOUBLE_EQ(J.reference(), 0.5 * robot.total_mass() * kGravity * robot.leg_length);
+}
+
+TEST_F(WithOuter, WhatTheRobotDoesNotHaveIsRefused) {
+  try {
+    (void)read("\n[outer]\nobjective = \"printed_volume\"\n");
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    const std::string text = error.what();
+    for (const char* part : {"outer.objective", "no printed volume", "take out [outer]"})
+      EXPECT_NE(text.find(part), std::string::npos) << text;
+  }
 }
 
 TEST_F(WithOuter, AnUnknownOneIsRefusedWithThoseThatThereAre) {

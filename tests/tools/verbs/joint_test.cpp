@@ -192,7 +192,14 @@ TEST(Outer, BodyThatSpendsLessWork) {
                                  "metrics.json"))["result"]["default"]["power_mean_W"]
         .get<double>();
   };
-  EXPECT_LT(power("efficient.toml"), 0.9 * power("sideways.toml"));
+  const double less = power("efficient.toml");
+  EXPECT_LT(less, 0.9 * power("sideways.toml"));
+  // The quantity in its unit, in the plans and in MuJoCo; the initial body falls.
+  const Json outer = Json::parse(read_file(folder.path() / "efficient.toml" / "run.json"))["outer"];
+  EXPECT_EQ(outer["unit"], "J");
+  EXPECT_LT(outer["plan_final"].get<double>(), outer["plan_initial"].get<double>());
+  EXPECT_TRUE(outer["measured"]["initial"].empty());
+  EXPECT_NEAR(outer["measured"]["result"]["default"].get<double>(), less, 1e-3);  // 1 s a cycle
 }
 
 }  // namespace
