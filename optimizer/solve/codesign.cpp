@@ -84,6 +84,8 @@ SolveStatus Codesign::optimise() {
     const Stopwatch watch;
     std::vector<char> finite(solvers_.size());
     for_each_task([&](int i) { finite[i] = solvers_[i]->start(now_.s); });
+    if (options_.near_optimum)
+      for (const auto& solver : solvers_) solver->minimise_outer();
     for (const auto& solver : solvers_)
       result_.motion_only_traces.push_back(solver->motion_only_trace());
     show_tasks();
@@ -98,8 +100,9 @@ SolveStatus Codesign::optimise() {
     if (options_.motion_only) return now_.motion_status();
   }
   const int limit = options_.max_iterations;
-  SolveStatus status = search(has_outer() ? (limit + 1) / 2 : limit);
-  if (status != SolveStatus::stopped && minimise_outer()) status = search(limit);
+  const bool alone = has_outer() && !options_.near_optimum;  // first F
+  SolveStatus status = search(alone ? (limit + 1) / 2 : limit);
+  if (status != SolveStatus::stopped && alone && minimise_outer()) status = search(limit);
   if (status == SolveStatus::stopped) return status;
   polish();
   return status == SolveStatus::converged && !at_minimum() ? SolveStatus::stalled : status;
@@ -111,9 +114,8 @@ bool Codesign::has_outer() const {
 }
 
 // The design's F has a Hessian, F + J has none, and from a body that cannot do the task J leads
-// astray: so the search for F + J sets out from the optimum of F. False without an outer objective.
+// astray: so the search for F + J sets out from the optimum of F.
 bool Codesign::minimise_outer() {
-  if (!has_outer()) return false;
   for (const auto& solver : solvers_) solver->minimise_outer();
   lbfgs_.reset();
   history_.clear();

@@ -55,7 +55,8 @@ struct CodesignOptions : MotionLimits {
   // A task's solve is left early when F_joint could come down only if each other task lost more
   // than this share of its F in one step.
   double largest_task_gain = 0.5;
-  bool motion_only = false;  // stop after iteration 0
+  bool motion_only = false;   // stop after iteration 0
+  bool near_optimum = false;  // the start is near an optimum of F + J: J counts at once
   /// Called after every accepted iteration, in order; return false to stop (status `stopped`).
   std::function<bool(const DesignIteration&)> on_iteration = {};
 };
@@ -83,7 +84,8 @@ struct CodesignResult {
 /// Algorithm 1 for F_joint(s, m₁ … m_k) = Σ wᵢ Fᵢ(s, mᵢ): Newton's method or L-BFGS on s within
 /// hard bounds, exact Newton on each mᵢ, dF/ds by the adjoint equations (7), (8). With an outer
 /// objective Σ wᵢ (Fᵢ + Jᵢ) is minimised over s, and the motions still minimise Fᵢ: at most half of
-/// the iterations go to the optimum of Fᵢ, and from there L-BFGS steps s. `converged`: projected
+/// the iterations go to the optimum of Fᵢ, unless near_optimum, and from there L-BFGS steps s.
+/// `converged`: projected
 /// gradient below design_tolerance (motion_only: the motions'
 /// status). `stalled`: F settled to value_tolerance, or no δ₁ helps even along steepest descent;
 /// the best iterate is kept, and its projected_gradient_norm tells how far it is from a minimum.

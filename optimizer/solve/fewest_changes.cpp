@@ -81,6 +81,7 @@ FewerChanges without(const FewerChanges& from, const std::vector<int>& back,
 CodesignOptions FewestChangesOptions::refit_options() {
   CodesignOptions options;
   options.max_iterations = 4;
+  options.near_optimum = true;
   options.value_tolerance = 1e-3;
   options.final_tolerance = options.motion_tolerance;
   options.motion_iterations = kRefitIterations;

@@ -93,7 +93,9 @@ class FrontWalk {
  public:
   FrontWalk(const std::vector<JointTask>& tasks, const DesignSpace& space,
             const CodesignOptions& options)
-      : tasks_(tasks), space_(space), options_(options) {}
+      : tasks_(tasks), space_(space), options_(options) {
+    options_.near_optimum = true;
+  }
 
   /// Both tasks' motions at a design that one of them chose.
   FrontPoint end(double weight, const VectorXd& s, int own, const VectorXd& own_motion) const {

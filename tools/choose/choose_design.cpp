@@ -208,6 +208,7 @@ class DesignChooser {
     const std::vector<LeverPull> pulls = pulls_on(beam);
     std::vector<std::optional<PlayedDesign>> slots(pulls.size());
     CodesignOptions search = options_.codesign;
+    search.near_optimum = true;
     search.threads = 1;  // the levers run side by side
     search.max_iterations = std::min(search.max_iterations, kSearchIterations);
     parallel_for(static_cast<int>(pulls.size()), options_.threads, [&](int k) {

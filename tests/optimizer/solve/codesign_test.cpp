@@ -285,6 +285,13 @@ TEST(OuterObjective, IsMinimisedOverDesignsWhoseMotionMinimisesF) {
   EXPECT_GT((result.best.s - without.best.s).norm(), 1e-2);
   EXPECT_NEAR(result.best.value, result.best.tasks[0].value + result.best.tasks[0].outer_value,
               1e-12);
+  // From its optimum the search for F + J does not go back to that of F.
+  CodesignOptions near = exact;
+  near.near_optimum = true;
+  task.initial_motion = result.best.tasks[0].m;
+  const CodesignResult again = codesign({task}, toy::box(10.0), result.best.s, near);
+  EXPECT_EQ(again.status, SolveStatus::converged);
+  EXPECT_LE(again.design_iterations, 1);
   // F + J at re-solved motions is stationary in s: there the adjoint does real work.
   NewtonWorkspace workspace;
   const double h = 1e-5;
