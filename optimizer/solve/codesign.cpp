@@ -82,14 +82,14 @@ void Codesign::for_each_task(const std::function<void(int)>& work) const {
 SolveStatus Codesign::optimise() {
   {
     const Stopwatch watch;
-    std::vector<char> finite(solvers_.size());
+    std::vector<int> finite(solvers_.size());
     for_each_task([&](int i) { finite[i] = solvers_[i]->start(now_.s); });
     if (options_.near_optimum)
       for (const auto& solver : solvers_) solver->minimise_outer();
     for (const auto& solver : solvers_)
       result_.motion_only_traces.push_back(solver->motion_only_trace());
     show_tasks();
-    const bool usable = std::all_of(finite.begin(), finite.end(), [](char c) { return c != 0; });
+    const bool usable = std::all_of(finite.begin(), finite.end(), [](int c) { return c != 0; });
     if (!usable || !differentiate()) {
       result_.initial = now_;
       return SolveStatus::not_finite;
@@ -172,16 +172,16 @@ bool Codesign::differentiate() {
   const bool outer = std::any_of(solvers_.begin(), solvers_.end(),
                                  [](const auto& s) { return s->outer_counts(); });
   const bool second = options_.method == DesignMethod::newton && !outer && !options_.motion_only;
-  std::vector<char> finite(count), curved(count);
+  std::vector<int> finite(count), curved(count);
   std::vector<Eigen::MatrixXd> hessians(count);
   for_each_task([&](int i) {
     finite[i] = solvers_[i]->differentiate();
     curved[i] = finite[i] && second && solvers_[i]->reduced_hessian(hessians[i]);
   });
-  if (!std::all_of(finite.begin(), finite.end(), [](char c) { return c != 0; })) return false;
+  if (!std::all_of(finite.begin(), finite.end(), [](int c) { return c != 0; })) return false;
   show_tasks();
   now_.reduced_hessian.resize(0, 0);
-  if (std::all_of(curved.begin(), curved.end(), [](char c) { return c != 0; })) {
+  if (std::all_of(curved.begin(), curved.end(), [](int c) { return c != 0; })) {
     now_.reduced_hessian.setZero(now_.s.size(), now_.s.size());
     for (int i = 0; i < count; ++i) now_.reduced_hessian += solvers_[i]->weight() * hessians[i];
   }

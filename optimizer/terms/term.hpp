@@ -42,7 +42,7 @@ struct Element {
 /// What a residual of one stands for: r · size is in `symbol`.
 struct ResidualUnit {
   double size = 1.0;
-  std::string_view symbol = "";  // "m", "N", "rad", "N m", or nothing for shares
+  std::string_view symbol;  // "m", "N", "rad", "N m", or nothing for shares
 };
 
 /// One summand of F: Σ over elements and rows of weight · penalty(r(z)). A term measures, it does
