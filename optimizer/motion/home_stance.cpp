@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "optimizer/design/inertia.hpp"
+#include "optimizer/design/kinematics.hpp"
 
 namespace legwright {
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "optimizer/design/inertia.hpp"
+#include "optimizer/motion/cycle_target.hpp"
 #include "optimizer/motion/margins.hpp"
 #include "optimizer/motion/over_cycle.hpp"
 #include "optimizer/motion/standing.hpp"
@@ -80,7 +81,10 @@ class WalkWithoutDynamics {
     const double share = static_cast<double>(knot - before) / (after - before);
     const Vector3d from = stand(before, foot), to = stand(after, foot);
     Vector3d place = from + share * share * (3.0 - 2.0 * share) * (to - from);
-    place.z() += style_.swing_height * std::pow(std::sin(std::numbers::pi * share), 1.5);
+    const CycleTarget* height = target_of(task_.foot_heights, foot);
+    place.z() += height != nullptr
+                     ? height->at(phase(knot))
+                     : style_.swing_height * std::pow(std::sin(std::numbers::pi * share), 1.5);
     return place;
   }
 

@@ -28,7 +28,8 @@ Layout::Layout(const Morphology& morphology, int design_size, const Gait& gait, 
   capsules_ = amounts_ + 2;
   capsule_count_ = static_cast<int>(morphology.capsules.size());
   soles_ = capsules_ + 6 * capsule_count_ * knot_count_;
-  extended_size_ = soles_ + 6 * foot_count_ * (knot_count_ + 1);
+  inertia_ = soles_ + 6 * foot_count_ * (knot_count_ + 1);
+  extended_size_ = inertia_ + 6;
 }
 
 Eigen::VectorXd Layout::motion_units(double length, double force) const {

@@ -61,6 +61,9 @@ class Layout {
   int mass_share() const { return amounts_; }
   /// Volume of its printed parts [leg length³], one slot; depends on s alone.
   int printed_volume() const { return amounts_ + 1; }
+  /// Moments of inertia in the home pose, xx, yy, zz, xy, xz, yz [kg m²], six slots; depend on s
+  /// alone.
+  int home_inertia() const { return inertia_; }
 
   /// End 0 or 1 of a capsule in the world, three slots; knots 0 … T − 1.
   int capsule_end(int knot, int capsule, int end) const {
@@ -83,6 +86,7 @@ class Layout {
   std::vector<KnotSlots> knots_;
   int design_size_ = 0, motion_size_ = 0, extended_size_ = 0, derived_ = 0, pair_derived_ = 0;
   int anchors_ = 0, torques_ = 0, shapes_ = 0, amounts_ = 0, capsules_ = 0, soles_ = 0;
+  int inertia_ = 0;
   int capsule_count_ = 0;
   int knot_count_ = 0, foot_count_ = 0, pose_size_ = 0, planted_margin_ = 1;
 };

@@ -9,9 +9,16 @@
 #include <vector>
 
 #include "optimizer/design/payload.hpp"
+#include "optimizer/motion/cycle_target.hpp"
 #include "optimizer/motion/gait.hpp"
 
 namespace legwright {
+
+/// The right-hand side of the torque balance, eq (13).
+enum class Dynamics {
+  full,              // the rate of angular momentum of all masses as they move
+  constant_inertia,  // the paper's I ö, with I of the home pose
+};
 
 /// A task: all of F that is not the robot. SI units.
 struct Task {
@@ -42,6 +49,9 @@ struct Task {
   std::vector<Eigen::Vector2d> com_path;  // COM off the wanted path: forward, left [m]
   std::vector<std::vector<Eigen::Vector2d>>
       foot_targets;  // per foot, instead of its footprint; a foot without keeps that
+  // Per foot and per joint of the pose, or none; who has no target is left alone.
+  std::vector<CycleTarget> foot_heights;  // of the sole over the ground while it swings [m]
+  std::vector<CycleTarget> joint_angles;  // [rad]
 
   // Margins of the plan (physics needs them; see optimizer/README.md).
   double friction = 0.4;               // of the plan; the floor has more
@@ -57,6 +67,7 @@ struct Task {
   std::optional<std::vector<std::pair<std::string, std::string>>> limb_pairs;
   double barrier_edge = 0.02;  // slack below which an inequality's barrier turns into a parabola
 
+  Dynamics dynamics = Dynamics::full;
   std::map<std::string, double> weights;  // by term name, overrides the registry's default
 };
 

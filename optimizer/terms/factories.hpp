@@ -12,6 +12,8 @@ std::unique_ptr<Term> make_travel(const TermContext& context);
 std::unique_ptr<Term> make_turning(const TermContext& context);
 std::unique_ptr<Term> make_style_com(const TermContext& context);
 std::unique_ptr<Term> make_style_foot(const TermContext& context);
+std::unique_ptr<Term> make_style_foot_height(const TermContext& context);
+std::unique_ptr<Term> make_style_joint(const TermContext& context);
 std::unique_ptr<Term> make_trunk_orientation(const TermContext& context);
 std::unique_ptr<Term> make_nominal_pose(const TermContext& context);
 std::unique_ptr<Term> make_smoothness(const TermContext& context);

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "optimizer/motion/cycle_target.hpp"
 #include "optimizer/motion/margins.hpp"
 #include "optimizer/terms/factories.hpp"
 #include "optimizer/terms/linear_term.hpp"
@@ -11,7 +12,8 @@ namespace {
 
 /// Not in the paper: between lift-off and touchdown a foot clears the ground, with the profile
 /// sin^1.5 of the swing's phase: lands and leaves gently. Residual (e_z − r − height·sin^1.5(π
-/// phase))/length at knots that are not planted.
+/// phase))/length at knots that are not planted, of the feet for which the task has no heights of
+/// its own (style_foot_height).
 class SwingHeight final : public LinearTerm {
  public:
   explicit SwingHeight(const TermContext& context) : length_(context.length) {
@@ -22,7 +24,7 @@ class SwingHeight final : public LinearTerm {
     const int margin = layout.planted_margin();
     for (int i = 0; i < layout.knot_count(); ++i)
       for (int j = 0; j < layout.foot_count(); ++j) {
-        if (gait.planted(i, j, margin)) continue;
+        if (gait.planted(i, j, margin) || target_of(context.task.foot_heights, j)) continue;
         int first = i, last = i;
         while (!gait.planted(first - 1, j, margin)) --first;
         while (!gait.planted(last + 1, j, margin)) ++last;

@@ -112,7 +112,18 @@ def equipment_settings(task):
         foot_targets=[
             task.foot_targets[j].tolist() if j in task.foot_targets else [] for j in range(4)
         ],
+        foot_heights=cycle_targets(task.foot_heights, 4),
+        joint_angles=cycle_targets(task.joint_angles, 12),
+        constant_inertia=task.constant_inertia,
     )
+
+
+def cycle_targets(targets, count):
+    """By foot or joint; null where there is none."""
+    return [
+        dict(weight=targets[k][0], over_cycle=targets[k][1]) if k in targets else None
+        for k in range(count)
+    ]
 
 
 def sparse(vector):

@@ -36,6 +36,8 @@ EQUIPPED_WEIGHTS = dict(
     mechanical_work=1.0,
     peak_torque=1e3,
     printed_volume=1.0,
+    style_foot_height=2.0,
+    style_joint=0.5,
 )
 FOOTPRINT = np.array(((0.12, 0.09), (0.12, -0.09), (-0.12, 0.09), (-0.12, -0.09)))  # [m]
 
@@ -51,6 +53,8 @@ class Task:
     turn_rate = 0.0  # [rad/s]
     up = np.array([0.0, 0.0, 1.0])  # against gravity
     com_heights = com_path = foot_targets = None  # lists over the cycle
+    foot_heights = joint_angles = None  # by foot, by joint: (weight, [(phase, value), ...])
+    constant_inertia = False  # in the torque balance
 
     def __init__(self, name, seed, period, phase, duty, velocity, knots=24, planted_margin=1):
         self.name, self.seed = name, seed
@@ -113,6 +117,12 @@ class Task:
         return (self.place(knot) + self.turn(knot) @ np.append(spot, 0.0))[:2]
 
 
+def between_phases(pairs, phase):
+    """The value at a phase of (phase, value) pairs, straight in between and round the cycle."""
+    phases, values = np.array(pairs).T
+    return np.interp(phase, phases, values, period=1.0)
+
+
 def over_cycle(values, phase):
     """A list of values, evenly spaced over the cycle, straight in between, at a phase."""
     ring = np.concatenate([values, values[:1]])
@@ -141,6 +151,19 @@ def equipped_turn():
     task.com_heights = np.array([0.17, 0.18, 0.175])
     task.com_path = np.array([[0.01, 0.0], [-0.01, 0.01]])
     task.foot_targets = {1: np.array([[0.1, -0.09], [0.12, -0.1], [0.14, -0.08]])}
+    task.foot_heights = {2: (1.5, [[0.1, 0.01], [0.55, 0.05], [0.8, 0.03]])}
+    task.joint_angles = {
+        1: (0.7, [[0.0, -0.9], [0.5, -1.1]]),
+        11: (2.0, [[0.25, 0.5], [0.3, 0.7], [0.9, 0.6]]),
+    }
+    return task
+
+
+def constant_turn():
+    """The torque balance as the paper has it, of the equipped puppy in a curve."""
+    task = equipped_turn()
+    task.name, task.seed, task.constant_inertia = 'constant_turn', 20180003, True
+    task.weights = dict(torque_balance=1e3, stance_foot=1e4)
     return task
 
 
@@ -148,4 +171,5 @@ TASKS = (
     Task('puppy_walk', 20180000, 1.0, (0, 0.5, 0.75, 0.25), 0.75, (0.0, 0.1)),
     Task('puppy_trot', 20180001, 0.4, (0, 0.5, 0.5, 0), 0.5, (0.0, 0.1)),
     equipped_turn(),
+    constant_turn(),
 )

@@ -9,8 +9,9 @@ import limits
 import numpy as np
 import tape
 from penalties import barrier, half_square
-from robot import FOOT_RADIUS, GRAVITY, LEG_LENGTH, NOMINAL
+from robot import FOOT_RADIUS, GRAVITY, LEG_LENGTH, NOMINAL, Placed
 from state import UP, State, bend
+from task import between_phases
 from vectors import cross, times
 
 BEND_TIME = 4e-3  # [s²], makes accelerations of angles dimensionless
@@ -37,6 +38,24 @@ def style_foot(state):  # (10)
         [[state.task.foot_target(i, j) for j in range(4)] for i in range(state.task.knots + 1)]
     )
     return half_square((state.motion.foot[:, :, :2] - wanted) / LEG_LENGTH)
+
+
+def style_foot_height(state):  # (10), at knots that are not planted
+    task, total = state.task, 0.0
+    for foot, (weight, pairs) in task.foot_heights.items():
+        knots = np.array([i for i in range(task.knots) if not task.planted(i, foot)])
+        wanted = np.array([between_phases(pairs, i / task.knots) for i in knots])
+        height = state.motion.foot[knots, foot][:, 2] - FOOT_RADIUS
+        total = total + weight * half_square((height - wanted) / LEG_LENGTH)
+    return total
+
+
+def style_joint(state):  # (10)
+    total, count = 0.0, state.task.knots
+    for joint, (weight, pairs) in state.task.joint_angles.items():
+        wanted = np.array([between_phases(pairs, i / count) for i in range(count + 1)])
+        total = total + weight * half_square(state.motion.pose[:, 6 + joint] - wanted)
+    return total
 
 
 def trunk_orientation(state):  # (10)
@@ -75,9 +94,30 @@ def torque_balance(state):
     com = motion.com[:-1, None]
     contact = motion.foot[:-1] - FOOT_RADIUS * UP
     torque = cross(contact - com, motion.force[:-1]).sum(1)
+    if state.task.constant_inertia:
+        rate = constant_inertia_rate(state)
+        return half_square((torque - rate) / (state.robot.weight * LEG_LENGTH))
     rate = cross(points[:-1] - com, state.acceleration(points))
     rate = (rate * state.placed.masses[:, None]).sum(1)
     return half_square((torque - rate) / (state.robot.weight * LEG_LENGTH))
+
+
+def constant_inertia_rate(state):
+    """(13) as in the paper: I ö with o the root's rotation vector and I about the COM in the home
+    pose, turned by the wanted heading."""
+    home = Placed(state.robot, tape.tensor(np.concatenate([np.zeros(6), NOMINAL])[None]), state.s)
+    arm = (home.points - home.com()[:, None])[0]
+    turned = state.motion.pose[:, 3:6]
+    back = turned[-2:-1] - np.array([0.0, 0.0, state.turn_angle])
+    accelerations = bend(turned, back) / state.task.step**2
+    rates = []
+    for knot in range(state.task.knots):
+        heading = state.task.turn(knot)
+        spin = times(heading.T, accelerations[knot])
+        # I ω = Σ m a × (ω × a)
+        momentum = (cross(arm, cross(spin, arm)) * home.masses[:, None]).sum(0)
+        rates.append(times(heading, momentum))
+    return tape.stack(rates, 0)
 
 
 def stance_foot(state):  # (14): the centre of a ball moves by r θ × ẑ while its link turns by θ
@@ -134,7 +174,8 @@ def ground_height(state):
 
 def swing_height(state):
     task = state.task
-    knots, feet = state.pairs(lambda i, j: not task.planted(i, j))
+    own = task.foot_heights or {}  # these feet have style_foot_height
+    knots, feet = state.pairs(lambda i, j: not task.planted(i, j) and j not in own)
     phase = np.array([task.swing_phase(i, j) for i, j in zip(knots, feet)])
     height = state.motion.foot[knots, feet][:, 2] - FOOT_RADIUS
     return half_square((height - task.swing_height * np.sin(np.pi * phase) ** 1.5) / LEG_LENGTH)
@@ -167,6 +208,8 @@ TERMS = {
         turning,
         style_com,
         style_foot,
+        style_foot_height,
+        style_joint,
         trunk_orientation,
         nominal_pose,
         smoothness,

@@ -26,6 +26,10 @@ struct TermSetting {
     if (printed) add_thick_capsules(puppy);
     task.velocity = {0.05, 0.1};
     task.turn_rate = 0.6;
+    task.foot_heights.resize(4);  // of one hind foot: the others have swing_height
+    task.foot_heights[3] = {{0.1, 0.7}, {0.02, 0.06}, 2.0};
+    task.joint_angles.resize(12);
+    task.joint_angles[4] = {{}, {-0.9, -1.1, -1.0}, 0.5};
     task.clearance = 0.06;  // wide against the step of central differences
     layout = Layout(puppy.morphology, puppy.space.size(), task.gait, task.planted_margin);
   }

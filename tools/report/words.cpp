@@ -44,6 +44,7 @@ std::string demand_words(const TaskRecord& task) {
   if (task.servo_kp)
     out += fmt::format(", servos as stiff as {} N m/rad or as their torque limits bear",
                        short_number(task.servo_kp));
+  if (task.dynamics) out += ", planned with constant inertia";
   return out;
 }
 

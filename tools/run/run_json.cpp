@@ -35,6 +35,7 @@ TaskRecord record_of_task(const Task& task) {
   record.torque_limit = task.torque_limit;
   record.servo_kp = task.servo_kp;
   if (task.step_over > 0.0) record.step_over = task.step_over;
+  if (task.dynamics == Dynamics::constant_inertia) record.dynamics = "constant_inertia";
   return record;
 }
 

@@ -72,6 +72,8 @@ void fields(Fields& f, TaskRecord& task) {
   f("torque_limit_Nm", task.torque_limit);
   f("servo_kp_Nm_per_rad", task.servo_kp);
   f("step_over_m", task.step_over);
+  f("dynamics", task.dynamics,
+    "\"constant_inertia\": equation (13) as the paper has it; absent: the momentum of all bodies");
   f("weight", task.weight, "in the joint cost; this and what follows is of a joint run");
   f("folder", task.folder, "tasks/NAME");
   f("motion_size", task.motion_size);

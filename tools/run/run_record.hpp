@@ -81,6 +81,7 @@ struct TaskRecord {
   std::optional<SlopeRecord> slope;
   std::optional<PayloadRecord> payload;
   std::optional<double> torque_limit, servo_kp, step_over;  // [N m], [N m/rad], [m]
+  std::optional<std::string> dynamics;  // of the torque balance, where it is not the full one
   // Of a task in run.json's "tasks" alone:
   std::optional<double> weight;
   std::optional<std::string> folder;  // tasks/NAME

@@ -233,7 +233,7 @@ Task make_task(const TaskFile& file, const RobotModel& robot) {
   task.velocity = file.velocity;
   task.turn_rate = file.turn_rate;
   task.up = up_on_slope(file.velocity, file.slope_along, file.slope_across);
-  apply_style(file, names, order, task);
+  apply_style(file, robot.morphology, order, task);
   const double leg = standing_leg(robot.morphology, robot.space.initial());
   // By the pattern's duty: rounded to knots, a pace of 0.6 at 24 knots would count as a slow gait.
   task.planted_margin = planted_margin_knots(file.planted_margin, longest_duty(file, names, order),

@@ -12,9 +12,12 @@ namespace {
 
 constexpr Range kReach{-5.0, 5.0, false, false, "m"};
 constexpr Range kHeight{0.0, 5.0, true, false, "m"};
+constexpr Range kFootHeight{0.0, 5.0, false, false, "m"};
+constexpr Range kAngle{-10.0, 10.0, false, false, "rad"};
 
 std::vector<Eigen::Vector2d> vectors(const std::vector<std::vector<double>>& pairs) {
   std::vector<Eigen::Vector2d> out;
+  out.reserve(pairs.size());
   for (const std::vector<double>& pair : pairs) out.emplace_back(pair[0], pair[1]);
   return out;
 }
@@ -31,10 +34,11 @@ std::optional<std::vector<Eigen::Vector2d>> footprint_of(const TaskFile& file,
     if (foot_count % 2 != 0)
       file.refuse("style.footprint",
                   "half length and half width need an even number of feet; give a pair for each");
-    const auto rows = static_cast<double>(foot_count / 2);
+    const std::size_t row_count = foot_count / 2;
+    const auto rows = static_cast<double>(row_count);
     for (std::size_t place = 0; place < foot_count; ++place) {
-      const double along =
-          rows > 1 ? 1.0 - 2.0 * static_cast<double>(place / 2) / (rows - 1.0) : 0.0;
+      const std::size_t row = place / 2;
+      const double along = rows > 1 ? 1.0 - 2.0 * static_cast<double>(row) / (rows - 1.0) : 0.0;
       result[order[place]] =
           file.footprint[0].cwiseProduct(Eigen::Vector2d(along, place % 2 == 0 ? 1.0 : -1.0));
     }
@@ -52,22 +56,64 @@ std::optional<std::vector<Eigen::Vector2d>> footprint_of(const TaskFile& file,
   return result;
 }
 
-std::vector<std::vector<Eigen::Vector2d>> foot_targets_of(const TaskFile& file,
-                                                          const std::vector<std::string>& names) {
-  std::vector<std::vector<Eigen::Vector2d>> targets;
-  for (const auto& [name, places] : file.foot_targets) {
-    const auto foot = std::find(names.begin(), names.end(), name);
-    if (foot == names.end()) {
+/// Values that the file gives by name, in the order of the robot's names; those that it does not
+/// give are as they are by default. @param what of the robot has the names: "foot", "joint"
+template <class Value>
+std::vector<Value> by_robots_names(const TaskFile& file, const std::string& key,
+                                   const std::map<std::string, Value>& given,
+                                   const std::vector<std::string>& names, std::string_view what,
+                                   std::string_view all) {
+  std::vector<Value> out;
+  for (const auto& [name, value] : given) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) {
       const std::string guess = nearest(name, names);
-      file.refuse("style.foot_targets." + name,
-                  fmt::format("the robot has no such foot; {}its feet are {}",
-                              guess.empty() ? "" : fmt::format("did you mean '{}'? ", guess),
+      file.refuse(fmt::format("{}.{}", key, name),
+                  fmt::format("the robot has no such {}; {}{} {}", what,
+                              guess.empty() ? "" : fmt::format("did you mean '{}'? ", guess), all,
                               fmt::join(names, ", ")));
     }
-    targets.resize(names.size());
-    targets[static_cast<std::size_t>(foot - names.begin())] = places;
+    out.resize(names.size());
+    out[static_cast<std::size_t>(found - names.begin())] = value;
   }
-  return targets;
+  return out;
+}
+
+std::vector<std::string> joint_names(const Morphology& morphology) {
+  std::vector<std::string> names;
+  names.reserve(morphology.links.size());
+  for (int a = 0; a < morphology.joint_count(); ++a)
+    names.push_back(morphology.links[a + 1].joint.name);
+  return names;
+}
+
+/// Steps over a height need feet that are lifted higher.
+void check_foot_heights(const TaskFile& file, const Task& task) {
+  for (const auto& [name, target] : file.foot_heights) {
+    const double most = *std::max_element(target.values.begin(), target.values.end());
+    if (target.is_given() && most < task.step_over)
+      file.refuse(
+          "style.foot_heights." + name,
+          fmt::format("lifts the foot by {} m at most; limits.step_over asks for steps over "
+                      "{} m. Raise the heights, or lower step_over",
+                      most, task.step_over));
+  }
+}
+
+/// A joint cannot be asked for an angle that it does not reach.
+void check_joint_angles(const TaskFile& file, const Morphology& morphology) {
+  for (int a = 0; a < morphology.joint_count(); ++a) {
+    const Joint& joint = morphology.links[a + 1].joint;
+    const auto found = file.joint_angles.find(joint.name);
+    if (found == file.joint_angles.end()) continue;
+    for (const double angle : found->second.values)
+      if (angle < joint.lower || angle > joint.upper)
+        file.refuse(
+            "style.joint_angles." + joint.name,
+            fmt::format("asks for {} rad; the robot's file lets this joint turn from {:.4g} "
+                        "to {:.4g} rad",
+                        angle, joint.lower, joint.upper));
+  }
 }
 
 }  // namespace
@@ -89,16 +135,30 @@ void read_style(TableReader in, TaskFile& task) {
   }
   for (const auto& [name, pairs] : in.pairs_by_name("foot_targets", kReach))
     task.foot_targets[name] = vectors(pairs);
+  for (const auto& [name, target] : in.targets_by_name("foot_heights", kFootHeight))
+    task.foot_heights[name] = target;
+  for (const auto& [name, target] : in.targets_by_name("joint_angles", kAngle))
+    task.joint_angles[name] = target;
   in.finish();
 }
 
-void apply_style(const TaskFile& file, const std::vector<std::string>& names,
-                 const std::vector<int>& order, Task& task) {
+void apply_style(const TaskFile& file, const Morphology& morphology, const std::vector<int>& order,
+                 Task& task) {
+  std::vector<std::string> feet;
+  for (const Foot& foot : morphology.feet) feet.push_back(foot.name);
+  const std::vector<std::string> joints = joint_names(morphology);
   task.com_height = file.com_height;
   task.com_heights = file.com_heights;
   task.com_path = file.com_path;
   task.footprint = footprint_of(file, order);
-  task.foot_targets = foot_targets_of(file, names);
+  task.foot_targets =
+      by_robots_names(file, "style.foot_targets", file.foot_targets, feet, "foot", "its feet are");
+  task.foot_heights =
+      by_robots_names(file, "style.foot_heights", file.foot_heights, feet, "foot", "its feet are");
+  task.joint_angles = by_robots_names(file, "style.joint_angles", file.joint_angles, joints,
+                                      "moving joint", "its joints are");
+  check_foot_heights(file, task);
+  check_joint_angles(file, morphology);
 }
 
 std::optional<double> highest_com(const Task& task) {

@@ -4,21 +4,22 @@
 #include <string>
 #include <vector>
 
+#include "optimizer/design/morphology.hpp"
 #include "optimizer/motion/task.hpp"
 #include "tools/task/task_keys.hpp"
 #include "tools/task/toml_reader.hpp"
 
 namespace legwright {
 
-/// The table [style]: what eqs (10) shall pull COM and feet to, constant or as lists over the
-/// cycle. What is wrong goes to the reader's problems.
+/// The table [style]: what eqs (10) shall pull COM, feet and joints to, constant or as lists over
+/// the cycle. What is wrong goes to the reader's problems.
 void read_style(TableReader in, TaskFile& task);
 
-/// Puts the file's style targets into the task, feet in the robot's order. Throws InputError, with
-/// file and line of the key, where they do not fit the robot's feet.
-/// @param names of the robot's feet @param order footfall_order() of the robot
-void apply_style(const TaskFile& file, const std::vector<std::string>& names,
-                 const std::vector<int>& order, Task& task);
+/// Puts the file's style targets into the task, feet and joints in the robot's order. Throws
+/// InputError, with file and line of the key, where they do not fit the robot's feet and joints.
+/// @param order footfall_order() of the robot
+void apply_style(const TaskFile& file, const Morphology& morphology, const std::vector<int>& order,
+                 Task& task);
 
 /// The highest com_height that the task asks for at any time [m]; nothing where it is left to the
 /// home pose.

@@ -141,7 +141,7 @@ std::filesystem::path given_robot(const std::filesystem::path& path) {
 
 std::filesystem::path find_robot(const std::string& name, const std::filesystem::path& task,
                                  int line) {
-  const std::filesystem::path path = (task.parent_path() / name).lexically_normal();
+  std::filesystem::path path = (task.parent_path() / name).lexically_normal();
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))
     throw InputError(
@@ -211,11 +211,27 @@ void read_outer(TableReader in, TaskSet& set) {
   in.finish();
 }
 
+/// Which model eq (13) has of the robot that turns.
+void read_dynamics(TableReader& in, TaskFile& task, Problems& problems) {
+  const auto name = in.text("dynamics");
+  if (!name) return;
+  if (*name == "full")
+    task.margins.dynamics = Dynamics::full;
+  else if (*name == "constant_inertia")
+    task.margins.dynamics = Dynamics::constant_inertia;
+  else
+    problems.add(in.line_of("dynamics"), in.full("dynamics"),
+                 fmt::format("is '{}'; expected \"full\", the angular momentum of all bodies as "
+                             "they move, or \"constant_inertia\", the paper's equation (13)",
+                             *name));
+}
+
 /// What may stand outside [[task]] and then holds for all.
 void read_shared_tables(TableReader& in, TaskFile& task, Problems& problems) {
   const auto section = [&](std::string_view key) {
     return TableReader(in.table(key), in.full(key), problems, task.lines);
   };
+  read_dynamics(in, task, problems);
   read_style(section("style"), task);
   read_limits(section("limits"), task, problems);
   read_ground(section("ground"), task);

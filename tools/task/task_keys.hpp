@@ -39,10 +39,13 @@ struct TaskFile {
   std::vector<double> com_heights;        // over the cycle
   std::vector<Eigen::Vector2d> com_path;  // off the wanted path, over the cycle
   std::map<std::string, std::vector<Eigen::Vector2d>>
-      foot_targets;  // by the foot's name, over the cycle
+      foot_targets;                                 // by the foot's name, over the cycle
+  std::map<std::string, CycleTarget> foot_heights;  // by the foot's name
+  std::map<std::string, CycleTarget> joint_angles;  // by the joint's name
   std::vector<Eigen::Vector2d>
       footprint;  // in footfall order; one entry: half length and half width
-  Task margins;  // friction … limb_pairs, payload, torque_limit and step_over over Task's defaults
+  Task margins;  // friction … limb_pairs, payload, torque_limit, step_over and dynamics over Task's
+                 // defaults
   std::optional<double> planted_margin;  // [s]
   std::map<std::string, double> weights;
 

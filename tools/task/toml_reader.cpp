@@ -218,6 +218,75 @@ std::map<std::string, std::vector<std::vector<double>>> TableReader::pairs_by_na
   return values;
 }
 
+std::optional<CycleTarget> TableReader::timed_target(const toml::array& rows,
+                                                     const std::string& name, const Range& range) {
+  CycleTarget target;
+  for (const toml::node& entry : rows) {
+    const toml::array* row = entry.as_array();
+    if (!row || row->size() != 2) {
+      problems_.add(line(entry), name,
+                    "expected pairs of phase and value: [[0.0, 0.01], [0.6, 0.05], ...]");
+      return std::nullopt;
+    }
+    const auto phase = checked(*row->get(0), name + ".phase", {0.0, 1.0, false, true, ""});
+    const auto value = checked(*row->get(1), name, range);
+    if (!phase || !value) return std::nullopt;
+    if (!target.phases.empty() && *phase <= target.phases.back()) {
+      problems_.add(line(entry), name,
+                    fmt::format("phase {} comes after phase {}; give the pairs with rising phases, "
+                                "from 0 to below 1",
+                                *phase, target.phases.back()));
+      return std::nullopt;
+    }
+    target.phases.push_back(*phase);
+    target.values.push_back(*value);
+  }
+  return target;
+}
+
+std::optional<CycleTarget> TableReader::target(std::string_view key, const Range& range) {
+  const toml::node* found = node(key);
+  if (!found) return std::nullopt;
+  const toml::array* array = found->as_array();
+  if (array && !array->empty() && array->get(0)->is_array())
+    return timed_target(*array, full(key), range);
+  if (!array || array->empty()) {
+    problems_.add(
+        line(*found), full(key),
+        fmt::format("is {}; expected values over the cycle: evenly spaced ones, [0.02], or "
+                    "pairs of phase and value, [[0.0, 0.01], [0.6, 0.05]]",
+                    array ? "an empty array" : type_name(*found)));
+    return std::nullopt;
+  }
+  if (const auto values = numbers(key, range, 0)) return CycleTarget{{}, *values, 1.0};
+  return std::nullopt;
+}
+
+std::map<std::string, CycleTarget> TableReader::targets_by_name(std::string_view key,
+                                                                const Range& range) {
+  std::map<std::string, CycleTarget> targets;
+  const toml::table* found = table(key);
+  if (!found) return targets;
+  TableReader within(found, full(key), problems_, lines_);
+  for (const auto& [name, entry] : *found) {
+    const toml::table* own = entry.as_table();
+    if (own == nullptr) {
+      if (auto target = within.target(name.str(), range))
+        targets[std::string(name.str())] = *target;
+      continue;
+    }
+    TableReader row(within.table(name.str()), within.full(name.str()), problems_, lines_);
+    auto target = row.target("over_cycle", range);
+    row.require(target.has_value(), "over_cycle", "over_cycle = [0.0, 0.05]");
+    const auto weight = row.number("weight", {0.0, 1e6, false, false, ""});
+    row.finish();
+    if (!target) continue;
+    target->weight = weight.value_or(1.0);
+    targets[std::string(name.str())] = *target;
+  }
+  return targets;
+}
+
 const toml::table* TableReader::table(std::string_view key) {
   const toml::node* found = node(key);
   if (!found) return nullptr;

@@ -9,6 +9,8 @@
 
 #include <toml++/toml.h>
 
+#include "optimizer/motion/cycle_target.hpp"
+
 namespace legwright {
 
 /// Everything that is wrong with one file, gathered so that it can be told at once.
@@ -59,6 +61,9 @@ class TableReader {
   /// A table of names and arrays of pairs; the names are free.
   std::map<std::string, std::vector<std::vector<double>>> pairs_by_name(std::string_view key,
                                                                         const Range& range);
+  /// A table of names and targets over the cycle, each a list of evenly spaced values, a list of
+  /// [phase, value], or a table {over_cycle = either list, weight = …}; the names are free.
+  std::map<std::string, CycleTarget> targets_by_name(std::string_view key, const Range& range);
   /// A table of names and arrays of `count` numbers; the names are free.
   std::map<std::string, std::vector<double>> numbers_of_names(std::string_view key,
                                                               const Range& range,
@@ -78,6 +83,9 @@ class TableReader {
   int line_of(std::string_view key);
 
  private:
+  std::optional<CycleTarget> target(std::string_view key, const Range& range);
+  std::optional<CycleTarget> timed_target(const toml::array& rows, const std::string& name,
+                                          const Range& range);
   std::optional<double> checked(const toml::node& node, const std::string& name,
                                 const Range& range);
 

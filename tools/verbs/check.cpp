@@ -124,6 +124,19 @@ std::string style_text(const Finding& found) {
   for (std::size_t j = 0; j < task.foot_targets.size(); ++j)
     if (!task.foot_targets[j].empty())
       add("foot_targets." + found.robot.morphology.feet[j].name, task.foot_targets[j].size());
+  const auto add_target = [&](const std::string& what, const CycleTarget* target,
+                              std::string_view unit) {
+    if (target == nullptr) return;
+    const auto [low, high] = std::minmax_element(target->values.begin(), target->values.end());
+    text += fmt::format("style   {}: {} to {} {} over the cycle, weight {}\n", what, *low, *high,
+                        unit, target->weight);
+  };
+  const Morphology& morphology = found.robot.morphology;
+  for (int j = 0; j < morphology.foot_count(); ++j)
+    add_target("foot_heights." + morphology.feet[j].name, target_of(task.foot_heights, j), "m");
+  for (int a = 0; a < morphology.joint_count(); ++a)
+    add_target("joint_angles." + morphology.links[a + 1].joint.name,
+               target_of(task.joint_angles, a), "rad");
   return text;
 }
 
@@ -151,6 +164,9 @@ std::string demands_text(const Finding& found) {
         task.payload->mass, task.payload->position.x(), task.payload->position.y(),
         task.payload->position.z(),
         100.0 * task.payload->mass / found.robot.morphology.total_mass());
+  if (task.dynamics == Dynamics::constant_inertia)
+    text +=
+        "model   the plan's torque balance has constant inertia, as the paper's equation (13)\n";
   if (task.torque_limit)
     text += fmt::format("motors  no more than {} N m each\n", *task.torque_limit);
   const ServoSag sag = servo_sag(found.robot, task);

@@ -16,6 +16,7 @@ void list_derived(DerivedList& out) {
       {list_actuator_shapes},
       {list_mass_share},
       {list_printed_volume},
+      {list_home_inertia},
   };
   for (const std::vector<Kind>& row : kTable)
     for (int knot = 0; knot <= out.setting().layout.knot_count(); ++knot)

@@ -22,5 +22,6 @@ void list_sole_directions(int knot, DerivedList& out);
 void list_actuator_shapes(int knot, DerivedList& out);
 void list_mass_share(int knot, DerivedList& out);
 void list_printed_volume(int knot, DerivedList& out);
+void list_home_inertia(int knot, DerivedList& out);
 
 }  // namespace legwright

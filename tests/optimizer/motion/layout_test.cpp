@@ -40,6 +40,7 @@ TEST(Layout, EverySlotIsUsedOnce) {
   }
   use(layout.mass_share(), 1);
   use(layout.printed_volume(), 1);
+  use(layout.home_inertia(), 6);
   ASSERT_EQ(static_cast<int>(used.size()), layout.extended_size());
   int expected = 0;
   for (int slot : used) EXPECT_EQ(slot, expected++);

@@ -23,7 +23,8 @@ struct Point {
 };
 
 /// A turning trot of few knots, so that every wrap and every term is in play.
-Objective make_objective(const std::string& only = "", bool printed = false) {
+Objective make_objective(const std::string& only = "", bool printed = false,
+                         Dynamics dynamics = Dynamics::full) {
   test::Puppy puppy = test::make_puppy(true);
   test::add_pistons(puppy);
   test::add_soles(puppy);
@@ -38,6 +39,11 @@ Objective make_objective(const std::string& only = "", bool printed = false) {
   Task task = test::make_sideways_task(true, 8);
   task.velocity = {0.05, 0.1};
   task.turn_rate = 0.6;
+  task.dynamics = dynamics;
+  task.foot_heights.resize(4);
+  task.foot_heights[3] = {{0.1, 0.7}, {0.02, 0.06}, 2.0};
+  task.joint_angles.resize(12);
+  task.joint_angles[4] = {{}, {-0.9, -1.1, -1.0}, 0.5};
   task.up =
       up_on_slope(task.velocity, 0.2, -0.1);  // no derivative may think that gravity is along z
   if (!only.empty())
@@ -133,6 +139,22 @@ TEST_P(ObjectiveDerivatives, MatchCentralDifferencesOfAPrintedRobot) {
   EXPECT_LT(errors.gradient_s, 1e-6);
   EXPECT_LT(errors.ms, 3e-6);
   EXPECT_LT(errors.ss, 3e-6);
+}
+
+/// The paper's torque balance: moments of inertia of the home pose, which follow the design.
+TEST(ObjectiveDerivativesOfConstantInertia, MatchCentralDifferences) {
+  for (const bool printed : {false, true}) {
+    const Objective objective =
+        make_objective("torque_balance", printed, Dynamics::constant_inertia);
+    const Errors errors = check(objective, random_point(objective, 7), 3);
+    EXPECT_LT(errors.gradient_m, 1e-6);
+    EXPECT_LT(errors.gradient_s, 1e-6);
+    EXPECT_LT(errors.mm, 1e-6);
+    EXPECT_LT(errors.ms, 1e-6);
+    EXPECT_LT(errors.ss, 1e-6);
+  }
+  const Objective objective = make_objective("torque_balance", true, Dynamics::constant_inertia);
+  EXPECT_GT(check(objective, random_point(objective, 7), 7, 1.0001).gradient_s, 1e-6);  // poison
 }
 
 /// Limbs that nearly touch a trunk whose shape follows the design.

@@ -84,6 +84,19 @@ std::vector<Eigen::Vector2d> to_places(const json& array) {
   return places;
 }
 
+std::vector<CycleTarget> to_cycle_targets(const json& array) {
+  std::vector<CycleTarget> targets(array.size());
+  for (std::size_t k = 0; k < array.size(); ++k) {
+    if (array[k].is_null()) continue;
+    targets[k].weight = array[k]["weight"].get<double>();
+    for (const json& pair : array[k]["over_cycle"]) {
+      targets[k].phases.push_back(pair[0].get<double>());
+      targets[k].values.push_back(pair[1].get<double>());
+    }
+  }
+  return targets;
+}
+
 /// The robot of a document. What the equipped one has beyond the plain one is that of
 /// tests/support/puppy.hpp; limits are the document's, null where there is none.
 test::Puppy make_robot(const json& settings) {
@@ -136,6 +149,9 @@ Task make_task(const json& settings) {
   task.com_path = to_places(equipment["com_path"]);
   for (const json& targets : equipment["foot_targets"])
     task.foot_targets.push_back(to_places(targets));
+  task.foot_heights = to_cycle_targets(equipment["foot_heights"]);
+  task.joint_angles = to_cycle_targets(equipment["joint_angles"]);
+  if (equipment["constant_inertia"].get<bool>()) task.dynamics = Dynamics::constant_inertia;
   return task;
 }
 
@@ -277,7 +293,8 @@ TEST_P(Oracle, NoticesForcesThatActElsewhere) {  // negative control: in the cen
 }
 
 INSTANTIATE_TEST_SUITE_P(Tasks, Oracle,
-                         testing::Values("puppy_walk", "puppy_trot", "equipped_turn"));
+                         testing::Values("puppy_walk", "puppy_trot", "equipped_turn",
+                                         "constant_turn"));
 
 TEST(OracleDocuments, NoticeEachSettingOfTheEquippedRobot) {  // negative control
   const json file = read_document("equipped_turn");
@@ -310,12 +327,30 @@ TEST(OracleDocuments, NoticeEachSettingOfTheEquippedRobot) {  // negative contro
                            "/equipment/clearance",
                            "/equipment/com_heights/0",
                            "/equipment/com_path/0/0",
-                           "/equipment/foot_targets/1/0/0"}) {
+                           "/equipment/foot_targets/1/0/0",
+                           "/equipment/foot_heights/2/weight",
+                           "/equipment/foot_heights/2/over_cycle/1/0",
+                           "/equipment/foot_heights/2/over_cycle/1/1",
+                           "/equipment/joint_angles/11/weight",
+                           "/equipment/joint_angles/11/over_cycle/2/1"}) {
     json changed = file;
     json& number = changed["settings"].at(json::json_pointer(path));
     number = 1.01 * number.get<double>();
     EXPECT_GT(worst(changed), kValue) << path;
   }
+}
+
+TEST(OracleDocuments, NoticeWhichTorqueBalanceIsMeant) {  // negative control
+  json changed = read_document("constant_turn");
+  const json& sample = changed["samples"][0];
+  const OraclePoint point = to_oracle_point(sample);
+  const double stored = sample["F"].get<double>();
+  const auto value = [&] {
+    return whole_objective(changed).evaluate(point.s, point.m, Order::value).value;
+  };
+  EXPECT_LT(relative(value(), stored), kValue);
+  changed["settings"]["equipment"]["constant_inertia"] = false;
+  EXPECT_GT(relative(value(), stored), kValue);
 }
 
 TEST(OracleDocuments, NameEveryTerm) {

@@ -50,6 +50,30 @@ void style_foot(Bench& b) {
   b.expect(3, slot, ((b.at(slot) - wanted) / b.leg()).head<2>());
 }
 
+void style_foot_height(Bench& b) {
+  // 20 mm at 0.1 of the cycle, 60 mm at 0.7, with a weight of its own of 2.
+  const int i = Bench::first([&](int k) { return !b.planted(k, 3); });
+  const double phase = i / 8.0, share = (phase - 0.1) / 0.6;
+  ASSERT_TRUE(share > 0.0 && share < 1.0);
+  const int slot = b.layout().foot(i, 3) + 2;
+  const double wanted = b.robot().feet[3].radius + 0.02 + share * 0.04;
+  b.expect(i, slot, std::sqrt(2.0) * (b.x[slot] - wanted) / b.leg());
+  for (const Element& element : b.term->elements()) {
+    EXPECT_EQ(element.foot, 3);
+    EXPECT_FALSE(b.planted(element.knot, 3));
+  }
+}
+
+void style_joint(Bench& b) {
+  // −0.9, −1.1 and −1.0 rad at thirds of the cycle, with a weight of its own of 0.5.
+  for (const auto& [knot, wanted] : {std::pair(0, -0.9), std::pair(2, -1.05), std::pair(8, -0.9)}) {
+    const int slot = b.layout().pose(knot) + 6 + 4;
+    b.expect(knot, slot, std::sqrt(0.5) * (b.x[slot] - wanted));
+  }
+  EXPECT_EQ(b.term->elements().size(), 9u);
+  EXPECT_EQ(b.term->subject(0, 0), b.robot().links[5].joint.name);
+}
+
 void trunk_orientation(Bench& b) {
   const int slot = b.layout().pose(3) + 3;
   b.expect(3, slot, b.at(slot) - 0.6 * 3 * b.h() * Vector3d::UnitZ());
@@ -306,6 +330,8 @@ const std::map<std::string_view, ByHand>& table() {
       {"turning", {kHalfSquare, turning}},
       {"style_com", {kHalfSquare, style_com}},
       {"style_foot", {kHalfSquare, style_foot}},
+      {"style_foot_height", {kHalfSquare, style_foot_height}},
+      {"style_joint", {kHalfSquare, style_joint}},
       {"trunk_orientation", {kHalfSquare, trunk_orientation}},
       {"nominal_pose", {kHalfSquare, nominal_pose}},
       {"smoothness", {kHalfSquare, smoothness}},
@@ -349,6 +375,36 @@ TEST_P(TermByHand, ResidualAndPenalty) {
 
 INSTANTIATE_TEST_SUITE_P(Registry, TermByHand, testing::ValuesIn(test::registered_terms()),
                          [](const auto& instance) { return instance.param; });
+
+TEST(TermsByHand, SwingHeightLeavesFeetWithHeightsOfTheirOwnAlone) {
+  const Bench bench("swing_height", false);
+  EXPECT_FALSE(bench.term->elements().empty());
+  for (const Element& element : bench.term->elements()) EXPECT_NE(element.foot, 3);
+}
+
+TEST(TermsByHand, TorqueBalanceWithConstantInertia) {
+  Bench b("torque_balance", false, Dynamics::constant_inertia);
+  const int at = b.layout().home_inertia();
+  Matrix3d inertia;
+  inertia << b.x[at], b.x[at + 3], b.x[at + 4], b.x[at + 3], b.x[at + 1], b.x[at + 5], b.x[at + 4],
+      b.x[at + 5], b.x[at + 2];
+  const auto turned = [&](int knot) { return b.at(b.layout().pose(knot) + 3); };
+  for (const int knot : {0, 2}) {
+    const Vector3d x = b.at(b.layout().com(knot));
+    const Vector3d before = knot > 0 ? turned(knot - 1) : turned(7) - 0.24 * Vector3d::UnitZ();
+    const Matrix3d heading = Bench::heading(knot * b.h());
+    Vector3d sum = -heading * inertia * heading.transpose() *
+                   (before - 2 * turned(knot) + turned(knot + 1)) / (b.h() * b.h());
+    for (int j = 0; j < 4; ++j) {
+      const int f = b.layout().force(knot, j);
+      if (f < 0) continue;
+      const Vector3d ground =
+          b.at(b.layout().foot(knot, j)) - b.robot().feet[j].radius * Vector3d::UnitZ();
+      sum += (ground - x).cross(b.at(f));
+    }
+    b.expect(knot, b.layout().com(knot), sum / (b.weight() * b.leg()));
+  }
+}
 
 TEST(TermsByHand, AreAllRegistered) {
   for (const auto& [name, by_hand] : table()) EXPECT_NE(find_term(name), nullptr) << name;

@@ -105,6 +105,20 @@ TEST_P(TermDerivatives, NameIsTheRegistrys) { EXPECT_EQ(make()->name(), GetParam
 INSTANTIATE_TEST_SUITE_P(Registry, TermDerivatives, testing::ValuesIn(test::registered_terms()),
                          [](const auto& instance) { return instance.param; });
 
+TEST(TermDerivativesOfConstantInertia, MatchCentralDifferences) {
+  for (const bool printed : {false, true}) {
+    test::TermSetting setting(printed);
+    setting.task.dynamics = Dynamics::constant_inertia;
+    const std::unique_ptr<Term> term = find_term("torque_balance")->make(setting.context());
+    EXPECT_EQ(term->name(), "torque_balance");
+    std::mt19937 random(3);
+    for (int element : probes(*term))
+      for (int repeat = 0; repeat < 20; ++repeat)
+        EXPECT_LT(worst_error(*term, element, term->sample(element, random), random), 1e-6)
+            << "element " << element;
+  }
+}
+
 /// A term with one wrong entry, which the checker above must see.
 class Poisoned final : public Term {
  public:

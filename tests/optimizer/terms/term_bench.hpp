@@ -27,7 +27,9 @@ inline std::vector<std::string> registered_terms() {
 /// A term of the turning trot of the puppy, at a point that is drawn at random.
 class TermBench {
  public:
-  TermBench(std::string_view name, bool printed) : setting(printed) {
+  TermBench(std::string_view name, bool printed, Dynamics dynamics = Dynamics::full)
+      : setting(printed) {
+    setting.task.dynamics = dynamics;
     term = find_term(name)->make(setting.context());
     std::mt19937 random(7);
     std::normal_distribution<double> normal;

@@ -74,6 +74,10 @@ TEST(TaskWords, TellTheWayAndThePace) {
   EXPECT_EQ(
       task_words(run),
       "trot, 0.1 m/s to the right, up a slope of 5.73°, stepping over 30 mm, 0.4 s per cycle");
+  run.task->dynamics = "constant_inertia";
+  EXPECT_EQ(task_words(run),
+            "trot, 0.1 m/s to the right, up a slope of 5.73°, stepping over 30 mm, planned with "
+            "constant inertia, 0.4 s per cycle");
 }
 
 TEST(Times, AreEarlyOrLate) {

@@ -53,6 +53,18 @@ TEST(TaskDemands, AreNoneByDefault) {
   EXPECT_FALSE(task.servo_kp);
 }
 
+TEST(TaskDemands, EachTaskMayHaveItsOwnDynamics) {
+  const TaskSet set = parse_task_set(
+      "robot = \"robot.xml\"\ndynamics = \"constant_inertia\"\n"
+      "[[task]]\nname = \"a\"\ngait = {name = \"walk\", period = 1.0}\n"
+      "travel = {velocity = [0.1, 0]}\n"
+      "[[task]]\nname = \"b\"\ndynamics = \"full\"\ngait = {name = \"walk\", period = 1.0}\n"
+      "travel = {velocity = [0.1, 0]}\n",
+      test::kPuppy / "test.toml");
+  EXPECT_EQ(set.tasks[0].margins.dynamics, Dynamics::constant_inertia);
+  EXPECT_EQ(set.tasks[1].margins.dynamics, Dynamics::full);
+}
+
 TEST(TaskDemands, AreRead) {
   const Task task = task_with(
       "[ground]\nslope_along = 0.2\nslope_across = -0.1\n"
@@ -162,11 +174,17 @@ TEST(TaskDemands, StandInRunJsonOnlyWhereThereAreAny) {
               read_task_file(kExamples / "tasks/slope.toml").slope_along, 1e-12);
   EXPECT_FALSE(with.contains("payload"));
   const Json without = task_json("puppy/sideways.toml");
-  for (const char* key :
-       {"slope_rad", "payload", "torque_limit_Nm", "servo_kp_Nm_per_rad", "step_over_m"})
+  for (const char* key : {"slope_rad", "payload", "torque_limit_Nm", "servo_kp_Nm_per_rad",
+                          "step_over_m", "dynamics"})
     EXPECT_FALSE(without.contains(key)) << key;
   const Json bar = task_json("tasks/step_over.toml");
   EXPECT_GT(bar["step_over_m"].get<double>(), 0.0);
+  const test::TemporaryFolder folder;
+  write_file(folder.path() / "paper.toml",
+             "dynamics = \"constant_inertia\"\n" + read_file(kExamples / "puppy/sideways.toml"));
+  const CodesignProblem papers =
+      read_problem(folder.path() / "paper.toml", kExamples / "puppy/robot.xml");
+  EXPECT_EQ(json_of(*start_of_run({}, papers, 0).task)["dynamics"], "constant_inertia");
 }
 
 }  // namespace

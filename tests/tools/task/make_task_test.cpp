@@ -190,6 +190,69 @@ TEST(MakeTask, ReadsStyleOverTheCycle) {
   EXPECT_TRUE(plain.com_heights.empty() && plain.com_path.empty() && plain.foot_targets.empty());
 }
 
+TEST(MakeTask, PutsTargetsOfFeetAndJointsInTheRobotsOrder) {
+  const Task task = task_from("name = \"walk\"\nperiod = 1.0",
+                              "[style.foot_heights]\nHR = [[0.25, 0.01], [0.5, 0.04]]\n"
+                              "FL = { over_cycle = [0.02, 0.03], weight = 2.5 }\n"
+                              "[style.joint_angles]\nHL_knee = [-0.9]\n"
+                              "HR_knee = { over_cycle = [[0.0, -0.9]], weight = 0.0 }\n");
+  const std::vector<std::string> names = foot_names(puppy().morphology);
+  ASSERT_EQ(task.foot_heights.size(), names.size());
+  for (std::size_t j = 0; j < names.size(); ++j) {
+    const CycleTarget& target = task.foot_heights[j];
+    EXPECT_EQ(target.is_given(), names[j] == "HR" || names[j] == "FL");
+    if (names[j] == "HR") {
+      EXPECT_EQ(target.phases, (std::vector<double>{0.25, 0.5}));
+      EXPECT_EQ(target.values, (std::vector<double>{0.01, 0.04}));
+      EXPECT_EQ(target.weight, 1.0);
+    } else if (names[j] == "FL") {
+      EXPECT_TRUE(target.phases.empty());
+      EXPECT_EQ(target.values, (std::vector<double>{0.02, 0.03}));
+      EXPECT_EQ(target.weight, 2.5);
+    }
+  }
+  ASSERT_EQ(static_cast<int>(task.joint_angles.size()), puppy().morphology.joint_count());
+  for (int a = 0; a < puppy().morphology.joint_count(); ++a) {
+    const CycleTarget* target = target_of(task.joint_angles, a);
+    ASSERT_EQ(target != nullptr, puppy().morphology.links[a + 1].joint.name == "HL_knee");
+    if (target == nullptr) continue;
+    EXPECT_EQ(target->values, std::vector<double>{-0.9});
+  }
+  const Task plain = task_from("name = \"walk\"\nperiod = 1.0");
+  EXPECT_TRUE(plain.foot_heights.empty() && plain.joint_angles.empty());
+}
+
+TEST(MakeTask, RefusesTargetsThatAreNoLists) {
+  const std::string walk = "name = \"walk\"\nperiod = 1.0";
+  for (const char* wrong :
+       {"FL = 0.05", "FL = []", "FL = [[0.2, 0.05], 0.01]", "FL = [[0.2]]", "FL = [[1.0, 0.05]]",
+        "FL = [-0.01]", "FL = \"high\"", "FL = { over_cycle = [0.05], weigth = 2.0 }",
+        "FL = { over_cycle = [0.05], weight = -1.0 }"}) {
+    const std::string text = std::string("[style.foot_heights]\n") + wrong + "\n";
+    try {
+      task_from(walk, text);
+      ADD_FAILURE() << "accepted " << wrong;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(":8: style.foot_heights.FL"), std::string::npos)
+          << error.what();
+    }
+  }
+}
+
+TEST(MakeTask, DynamicsAreFullUnlessTheFileAsksForThePapers) {
+  EXPECT_EQ(task_from("name = \"walk\"\nperiod = 1.0").dynamics, Dynamics::full);
+  const auto with = [](const std::string& name) {
+    return make_task(parse_task_file("robot = \"robot.xml\"\ndynamics = \"" + name +
+                                         "\"\n[gait]\nname = \"walk\"\nperiod = 1.0\n[travel]\n"
+                                         "velocity = [0.0, 0.1]\n",
+                                     kPuppy / "test.toml"),
+                     puppy())
+        .dynamics;
+  };
+  EXPECT_EQ(with("full"), Dynamics::full);
+  EXPECT_EQ(with("constant_inertia"), Dynamics::constant_inertia);
+}
+
 std::string refusal(const std::string& gait, const std::string& rest = "") {
   try {
     task_from(gait, rest);

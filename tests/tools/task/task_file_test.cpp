@@ -52,7 +52,7 @@ TEST(TaskFile, ReadsTheWalkExample) {
   EXPECT_EQ(task.margins.floor_friction, 0.8);
   EXPECT_EQ(task.margins.swing_height, 0.025);
   EXPECT_FALSE(task.planted_margin);
-  EXPECT_EQ(task.line("gait.period"), 10);
+  EXPECT_EQ(task.line("gait.period"), 13);
   EXPECT_EQ(task.line("limits.planted_margin"), task.line("limits"));
 }
 
@@ -68,9 +68,9 @@ TEST(TaskFile, CommentsInTheExampleNameRealKeys) {
   // Every line that is commented out must be accepted once it is not.
   std::string text = read_file(kPuppy / "sideways.toml");
   for (const std::string key :
-       {"duty", "com_path", "foot_targets", "planted_margin", "joint_margin", "torque_limit",
-        "step_over", "[ground]", "slope_along", "slope_across", "[payload]", "mass", "position",
-        "size", "[weights]", "smoothness"}) {
+       {"dynamics", "duty", "com_path", "foot_targets", "foot_heights", "joint_angles",
+        "planted_margin", "joint_margin", "torque_limit", "step_over", "[ground]", "slope_along",
+        "slope_across", "[payload]", "mass", "position", "size", "[weights]", "smoothness"}) {
     const std::size_t at = text.find("# " + key);
     ASSERT_NE(at, std::string::npos) << key;
     text.erase(at, 2);
@@ -84,6 +84,9 @@ TEST(TaskFile, CommentsInTheExampleNameRealKeys) {
   const TaskFile own = parse_task_file(text, kPuppy / "test.toml");
   EXPECT_EQ(own.touchdown.size(), 4u);
   EXPECT_EQ(own.foot_targets.at("FL").size(), 2u);
+  EXPECT_EQ(own.foot_heights.at("FL").values.size(), 3u);
+  EXPECT_EQ(own.joint_angles.at("FL_knee").weight, 0.5);
+  EXPECT_EQ(own.margins.dynamics, Dynamics::constant_inertia);
 }
 
 TEST(TaskFile, SaysEverythingThatIsWrongAtOnceInTheOrderOfTheFile) {
