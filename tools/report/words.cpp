@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "tools/report/words.hpp"
 
 #include <fmt/format.h>
 

@@ -88,6 +88,34 @@ void check_ground(const TaskFile& file) {
                     file.turn_rate));
 }
 
+/// Steps over a height need feet that are lifted higher.
+void check_foot_heights(const TaskFile& file, const Task& task, const Morphology& morphology) {
+  for (int j = 0; j < morphology.foot_count(); ++j)
+    if (target_of(task.foot_heights, j) != nullptr && highest_swing(task, j) < task.step_over)
+      file.refuse(
+          "style.foot_heights." + morphology.feet[j].name,
+          fmt::format(
+              "lifts the foot by {:.3g} m at most while it swings; limits.step_over asks for "
+              "steps over {} m. Raise the heights, or lower step_over",
+              highest_swing(task, j), task.step_over));
+}
+
+/// Heights over the cycle of which little falls into the swing, by mistake or not.
+void warn_of_low_feet(const Task& task, const Morphology& morphology,
+                      std::vector<std::string>& warnings) {
+  for (int j = 0; j < morphology.foot_count(); ++j) {
+    if (target_of(task.foot_heights, j) == nullptr) continue;
+    const double most = highest_swing(task, j), usual = task.swing_height.value_or(0.0);
+    if (most < 0.5 * usual)
+      warnings.push_back(fmt::format(
+          "style.foot_heights.{} lifts the foot by {:.2g} mm at most while it swings, which may "
+          "drag "
+          "it; without it the swing height is {:.2g} mm (`legwright check` draws when a "
+          "foot swings)",
+          morphology.feet[j].name, 1e3 * most, 1e3 * usual));
+  }
+}
+
 void check_reach(const TaskFile& file, const Task& task, const RobotModel& robot) {
   const StrideBound bound = stride_bound(task, robot);
   if (bound.per_stance > bound.longest)
@@ -180,6 +208,7 @@ std::vector<std::string> task_warnings(const Task& task, const RobotModel& robot
     warnings.push_back(
         fmt::format("com_height {} m is above the stretched legs of the initial design, {:.3g} m",
                     *com_height, bound.leg_length));
+  warn_of_low_feet(task, robot.morphology, warnings);
   if (task.friction > 0.75 * task.floor_friction)
     warnings.push_back(
         fmt::format("little friction is kept in hand: the plan uses {} of a floor of {}",
@@ -245,6 +274,7 @@ Task make_task(const TaskFile& file, const RobotModel& robot) {
     const StyleTargets style = style_targets(robot.morphology, robot.space.initial(), task);
     task.com_path = pendulum_path(task, style.footprint, style.com_height);
   }
+  check_foot_heights(file, task, robot.morphology);
   check_reach(file, task, robot);
   return task;
 }

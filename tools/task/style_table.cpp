@@ -87,19 +87,6 @@ std::vector<std::string> joint_names(const Morphology& morphology) {
   return names;
 }
 
-/// Steps over a height need feet that are lifted higher.
-void check_foot_heights(const TaskFile& file, const Task& task) {
-  for (const auto& [name, target] : file.foot_heights) {
-    const double most = *std::max_element(target.values.begin(), target.values.end());
-    if (target.is_given() && most < task.step_over)
-      file.refuse(
-          "style.foot_heights." + name,
-          fmt::format("lifts the foot by {} m at most; limits.step_over asks for steps over "
-                      "{} m. Raise the heights, or lower step_over",
-                      most, task.step_over));
-  }
-}
-
 /// A joint cannot be asked for an angle that it does not reach.
 void check_joint_angles(const TaskFile& file, const Morphology& morphology) {
   for (int a = 0; a < morphology.joint_count(); ++a) {
@@ -157,8 +144,16 @@ void apply_style(const TaskFile& file, const Morphology& morphology, const std::
       by_robots_names(file, "style.foot_heights", file.foot_heights, feet, "foot", "its feet are");
   task.joint_angles = by_robots_names(file, "style.joint_angles", file.joint_angles, joints,
                                       "moving joint", "its joints are");
-  check_foot_heights(file, task);
   check_joint_angles(file, morphology);
+}
+
+double highest_swing(const Task& task, int foot) {
+  double most = 0.0;
+  for (int knot = 0; knot < task.gait.knot_count(); ++knot)
+    if (!task.gait.planted(knot, foot, task.planted_margin))
+      most = std::max(most, task.foot_heights[static_cast<std::size_t>(foot)].at(
+                                static_cast<double>(knot) / task.gait.knot_count()));
+  return most;
 }
 
 std::optional<double> highest_com(const Task& task) {

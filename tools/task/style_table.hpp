@@ -21,6 +21,10 @@ void read_style(TableReader in, TaskFile& task);
 void apply_style(const TaskFile& file, const Morphology& morphology, const std::vector<int>& order,
                  Task& task);
 
+/// The greatest height that the task wants a foot to have while it swings, of a foot that has a
+/// target [m]: 0 where all that is high falls into its stance.
+double highest_swing(const Task& task, int foot);
+
 /// The highest com_height that the task asks for at any time [m]; nothing where it is left to the
 /// home pose.
 std::optional<double> highest_com(const Task& task);

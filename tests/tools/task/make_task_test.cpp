@@ -222,6 +222,19 @@ TEST(MakeTask, PutsTargetsOfFeetAndJointsInTheRobotsOrder) {
   EXPECT_TRUE(plain.foot_heights.empty() && plain.joint_angles.empty());
 }
 
+TEST(TaskWarnings, NameFeetThatAreHighInTheirStanceOnly) {
+  const std::string walk = "name = \"walk\"\nperiod = 1.0";  // FL stands up to phase 0.75
+  const std::string begin = "[style.foot_heights]\nFL = ";
+  const auto warnings = [&](const std::string& heights) {
+    return task_warnings(task_from(walk, begin + heights + "\n"), puppy());
+  };
+  EXPECT_TRUE(warnings("[[0.76, 0.0], [0.875, 0.05], [0.99, 0.0]]").empty());
+  const std::vector<std::string> low = warnings("[[0.26, 0.0], [0.375, 0.05], [0.49, 0.0]]");
+  ASSERT_EQ(low.size(), 1u);
+  EXPECT_NE(low[0].find("style.foot_heights.FL lifts the foot by 0 mm"), std::string::npos)
+      << low[0];
+}
+
 TEST(MakeTask, RefusesTargetsThatAreNoLists) {
   const std::string walk = "name = \"walk\"\nperiod = 1.0";
   for (const char* wrong :
