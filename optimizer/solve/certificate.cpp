@@ -17,6 +17,10 @@ namespace {
 
 using Eigen::VectorXd;
 
+constexpr int kChordSteps = 8;
+constexpr double kChordGain = 0.5;  // a step that leaves more of G is the last
+constexpr double kRounding = 30.0;  // × tolerance: so much of G may be rounding
+
 class TaskProof {
  public:
   TaskProof(const WeightedCost& task, const VectorXd& scale, const CertificateOptions& options)
@@ -25,8 +29,7 @@ class TaskProof {
   TaskCertificate run(const VectorXd& s, const TaskIterate& iterate) {
     proof_.motion_status = iterate.motion_status;
     task_.cost->evaluate(s, iterate.m, Order::design, at_);
-    proof_.stationarity =
-        at_.stationarity.cwiseProduct(task_.cost->motion_units()).lpNorm<Eigen::Infinity>();
+    proof_.stationarity = scaled_norm(at_.stationarity);
     VectorXd dJ_dm = at_.stationarity, partial_s = at_.partial_s;
     if (task_.outer) {
       Evaluation outer;
@@ -62,15 +65,49 @@ class TaskProof {
     VectorXd moved = s, motion;
     moved[parameter] += change;
     (void)predict(factor_, m, at_.stationarity, at_.hessian_ms, moved - s, motion);
+    double value = 0.0;
+    proof_.resolved = (rest_by_chord(moved, motion, value) || solve(moved, motion, value)) &&
+                      proof_.resolved;
+    if (!task_.outer) return value;
+    Evaluation outer;
+    task_.outer->evaluate(moved, motion, Order::value, outer);
+    return value + outer.value;
+  }
+
+  /// Chord method: Newton's steps with the factor at the unmoved design, which lies so near that
+  /// one or two bring the motion to rest. It only asks for G, a fraction of the price of ∂G/∂m.
+  /// Stiff terms may keep G above the tolerance by rounding alone: where it no longer falls, but is
+  /// as small as the minimum's own, the motion rests too.
+  bool rest_by_chord(const VectorXd& s, VectorXd& motion, double& value) {
+    VectorXd trial = motion, step;
+    double least = std::numeric_limits<double>::infinity();
+    for (int k = 0; k <= kChordSteps; ++k) {
+      task_.cost->evaluate(s, trial, Order::gradient, there_);
+      const double now = scaled_norm(there_.stationarity);
+      const bool falls = now < kChordGain * least;
+      if (now < least) {
+        least = now;
+        motion = trial;
+        value = there_.value;
+      }
+      if (least < options_.tolerance) return true;
+      if (!falls || !factor_.solve(-there_.stationarity, step)) break;
+      trial += step;
+    }
+    return least < kRounding * options_.tolerance;
+  }
+
+  double scaled_norm(const VectorXd& g) const {
+    return g.cwiseProduct(task_.cost->motion_units()).lpNorm<Eigen::Infinity>();
+  }
+
+  bool solve(const VectorXd& s, VectorXd& motion, double& value) {
     NewtonOptions rules;
     rules.tolerance = options_.tolerance;
     rules.max_iterations = options_.newton_iterations;
-    const SolveReport report = newton(*task_.cost, moved, motion, rules, workspace_);
-    proof_.resolved = proof_.resolved && report.status == SolveStatus::converged;
-    if (!task_.outer) return report.value;
-    Evaluation outer;
-    task_.outer->evaluate(moved, motion, Order::value, outer);
-    return report.value + outer.value;
+    const SolveReport report = newton(*task_.cost, s, motion, rules, workspace_);
+    value = report.value;
+    return report.status == SolveStatus::converged;
   }
 
   const WeightedCost& task_;
@@ -78,7 +115,7 @@ class TaskProof {
   const CertificateOptions& options_;
   HessianFactor factor_;
   NewtonWorkspace workspace_;
-  Evaluation at_;
+  Evaluation at_, there_;
   TaskCertificate proof_;
 };
 
