@@ -16,7 +16,9 @@ using Eigen::VectorXd;
 constexpr int kGlanceIterations = 6;  // of a motion that is only compared with others
 constexpr int kRefitIterations = 30;  // of a motion while the rest is optimised again
 constexpr double kWorthless = 0.5;    // of the fall of F: designs that keep less end the sequence
+constexpr double kBeyond = 0.1;       // of the fall of F: several at once, where few are left
 constexpr double kDear = 0.02;        // of the fall of F: a step that costs more is chosen anew
+constexpr double kStillToCome = 4.0;  // × what the last step brought: more is not hoped for
 constexpr std::size_t kFew = 6;       // so many changes are put back one by one, costs known anew
 
 std::vector<int> changed_parameters_of(const VectorXd& s, const VectorXd& old_values) {
@@ -63,16 +65,55 @@ std::vector<int> first_of(const std::vector<int>& order, std::size_t count) {
   return {order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count)};
 }
 
-/// `from` without some of its changes, the rest optimised again.
+/// What several changes may cost that go at once: half of the room to the share of the fall that is
+/// looked for, so that it is not passed in one leap; beyond it the sequence only tells the rest.
+double allowed_at_once(const FewestChangesOptions& options, double fall, double lost) {
+  const double room = (1.0 - options.share) * fall - lost;
+  return room > 0.0 ? std::max(options.free_share * fall, 0.5 * room) : kBeyond * fall;
+}
+
+/// The motions of `design` carried to other parameters by dm/ds, eq (4), where that is known and
+/// lowers F.
+void predict_motions(const std::vector<WeightedCost>& tasks, const VectorXd& s,
+                     DesignIteration& design) {
+  Evaluation stay, ahead;
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    TaskIterate& task = design.tasks[i];
+    if (task.sensitivity.cols() != s.size() || task.sensitivity.rows() != task.m.size()) continue;
+    const VectorXd there = task.m + task.sensitivity * (s - design.s);
+    tasks[i].cost->evaluate(s, task.m, Order::value, stay);
+    tasks[i].cost->evaluate(s, there, Order::value, ahead);
+    if (ahead.value < stay.value) task.m = there;
+  }
+}
+
+/// `from` without some of its changes, the rest optimised again, as far as F may still come below
+/// `most`; a design left early has an infinite F.
 FewerChanges without(const FewerChanges& from, const std::vector<int>& back,
                      const std::vector<WeightedCost>& tasks, const DesignSpace& space,
-                     const VectorXd& old_values, const CodesignOptions& options) {
+                     const VectorXd& old_values, double initial_value, double most,
+                     CodesignOptions options) {
   FewerChanges out = from;
+  VectorXd s = from.design.s;
   for (const int k : back) {
     std::erase(out.changed, k);
-    out.design.s[k] = old_values[k];
+    s[k] = old_values[k];
   }
+  predict_motions(tasks, s, out.design);
+  out.design.s = s;
+  if (tasks.size() == 1 && tasks[0].outer == nullptr)  // else F of a task alone tells nothing
+    options.newton.value_ceiling = initial_value / tasks[0].weight;
+  double before = initial_value;
+  bool hopeless = false;
+  options.on_iteration = [&](const DesignIteration& now) {
+    const double fallen = before - now.value;
+    hopeless = !(now.value < initial_value) ||
+               (now.index > 0 && now.value - kStillToCome * fallen > most);
+    before = now.value;
+    return !hopeless;
+  };
   out.design = settle(tasks, space, old_values, out, options).best;
+  if (hopeless) out.design.value = std::numeric_limits<double>::infinity();
   return out;
 }
 
@@ -105,7 +146,7 @@ std::vector<FewerChanges> fewest_changes(const std::vector<std::vector<WeightedC
   const std::vector<WeightedCost>& tasks = threads.front();
   std::vector<FewerChanges> designs;
   designs.push_back({changed_parameters_of(result.s, old_values), result});
-  const double free = options.free_share * (initial_value - result.value);
+  const double fall = initial_value - result.value;
   PutBackOptions rules;
   rules.limits = options.codesign;
   rules.stop = options.stop;
@@ -126,13 +167,19 @@ std::vector<FewerChanges> fewest_changes(const std::vector<std::vector<WeightedC
       return std::find(changed.begin(), changed.end(), k) == changed.end();
     });
     if (order.empty()) break;
+    const double lost = designs.back().design.value - result.value;
+    if (lost > (1.0 - options.share) * fall) batch = std::max(2 * batch, count / 4);
     batch = count > kFew ? std::clamp<std::size_t>(batch, 1, std::min(count / 2, count - kFew)) : 1;
     for (;; batch /= 2) {
-      FewerChanges next = without(designs.back(), first_of(order, batch), tasks, space, old_values,
-                                  options.codesign);
+      const double most = batch > 1     ? allowed_at_once(options, fall, lost)
+                          : !known_anew ? kDear * fall
+                                        : std::numeric_limits<double>::infinity();
+      FewerChanges next =
+          without(designs.back(), first_of(order, batch), tasks, space, old_values, initial_value,
+                  designs.back().design.value + most, options.codesign);
       const double cost = next.design.value - designs.back().design.value;
-      if (batch > 1 && !(cost <= free)) continue;
-      if (!known_anew && !(cost <= kDear * (initial_value - result.value))) {
+      if (batch > 1 && !(cost <= most)) continue;
+      if (!known_anew && !(cost <= most)) {
         order.clear();  // what was cheap beside other changes is dear now
         break;
       }
@@ -143,8 +190,7 @@ std::vector<FewerChanges> fewest_changes(const std::vector<std::vector<WeightedC
       known_anew = false;
       break;
     }
-    if (designs.back().design.value > initial_value - kWorthless * (initial_value - result.value))
-      break;
+    if (designs.back().design.value > initial_value - kWorthless * fall) break;
   }
   return designs;
 }

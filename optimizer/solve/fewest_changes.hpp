@@ -12,7 +12,9 @@ namespace legwright {
 
 struct FewestChangesOptions {
   CodesignOptions codesign = refit_options();  // of the rest, after something was put back
-  /// Several parameters go at once while that costs less than this share of the fall of F.
+  double share = 0.95;  // of the fall of F: the fewest changes that keep it are looked for
+  /// Several parameters go at once while that costs less than this share of the fall of F, or half
+  /// of what may still be lost.
   double free_share = 0.01;
   std::function<bool()> stop = {};  // true: no further design
 

@@ -96,6 +96,7 @@ void ChangeReasons::find_fewest(double initial_F, const DesignIteration& best,
   FewestChangesOptions options;
   options.codesign.threads = threads_;
   options.stop = stop_asked;
+  options.share = fewest_.share;
   fewest_.initial_F = initial_F;
   designs_ = fewest_changes(costs().tasks(), space, space.initial(), fewest_.initial_F, best, rows,
                             options);
