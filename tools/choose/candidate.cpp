@@ -20,7 +20,7 @@ double sum_of(const std::vector<TermValue>& terms) {
   return sum;
 }
 
-GaitTrial play_task(const CodesignProblem& problem, const Candidate& candidate, int k,
+GaitTrial play_task(const CodesignProblem& problem, const Candidate& candidate, int k, int threads,
                     bool to_the_end) {
   GaitTrial trial;
   trial.distance = std::numeric_limits<double>::infinity();
@@ -29,7 +29,7 @@ GaitTrial play_task(const CodesignProblem& problem, const Candidate& candidate, 
     trial = try_in_physics(problem.robot, problem.task(k),
                            design_texts(problem.robot, candidate.objective(problem, k), design.s,
                                         design.tasks.at(static_cast<std::size_t>(k)).m),
-                           to_the_end);
+                           threads, to_the_end);
   } catch (const InputError& error) {
     trial.line = error.what();  // no such robot, which never passes
   } catch (const MujocoError& error) {
@@ -49,7 +49,8 @@ PlayedCandidate play_candidate(const CodesignProblem& problem, const Candidate& 
                                int threads, bool to_the_end) {
   std::vector<GaitTrial> trials(static_cast<std::size_t>(problem.task_count()));
   parallel_for(problem.task_count(), threads, [&](int k) {
-    trials[static_cast<std::size_t>(k)] = play_task(problem, candidate, k, to_the_end);
+    trials[static_cast<std::size_t>(k)] =
+        play_task(problem, candidate, k, std::max(1, threads / problem.task_count()), to_the_end);
   });
   PlayedCandidate out{true, 0.0, "", {}};
   for (const GaitTrial& trial : trials) {

@@ -23,6 +23,7 @@ constexpr std::size_t kBeam = 2;        // designs that a round goes on from
 constexpr std::size_t kLeversKept = 7;  // from the second round on
 constexpr std::size_t kFinalists = 6;   // that are played to the end where nothing passes
 constexpr int kSearchIterations = 12;   // of each: it starts from a design that is nearly right
+constexpr double kDear = 1.3;  // × F of the optimum: a design that passes with more is not the last
 constexpr double kGain = 0.99;  // of the distance from passing: a round that gains less is the last
 
 /// Searches on from a candidate with tightened tasks. @return nothing where there is no such design
@@ -110,20 +111,24 @@ class DesignChooser {
     return played;
   }
 
-  /// Rounds of tightened searches from a candidate that failed, until physics passes one. Each
-  /// round goes on from the nearest ones of the last.
+  /// Tightened searches from a candidate that failed, until physics passes one: of the motion
+  /// alone first, which costs a tenth of the others, then in rounds of body and motion. Each goes
+  /// on from the nearest ones of the last.
   void tighten(const Candidate& from, const PlayedCandidate& played) {
     std::vector<PlayedDesign> beam{{from, played, {}}};
+    play_by_rising_F(search_pulls(pulls_on(beam), Searched::motion));
+    if (played_.pass && best_->design.value <= kDear * from.design.value) return;
     double nearest = played.distance;
     for (int round = 0; round < kRounds && !stopped(); ++round) {
-      std::vector<PlayedDesign> found = pull_levers(beam);
-      if (found.empty()) return;
+      std::vector<PlayedDesign> found =
+          play_by_rising_F(search_pulls(pulls_on(beam), Searched::body));
+      if (found.empty() || found.back().played.pass) return;
       std::stable_sort(found.begin(), found.end(),
                        [](const PlayedDesign& a, const PlayedDesign& b) {
                          return nearer(a.design, a.played, b.design, b.played);
                        });
       const PlayedCandidate& best = found.front().played;
-      if (best.pass || !(best.distance < kGain * nearest)) return;
+      if (!(best.distance < kGain * nearest)) return;
       if (round == 0) keep_best_levers(found);
       nearest = best.distance;
       if (found.size() > kBeam) found.resize(kBeam);
@@ -175,6 +180,7 @@ class DesignChooser {
     double distance;
     std::size_t place;  // in record_.candidates
   };
+  enum class Searched { motion, body };
   struct LeverPull {
     const PlayedDesign* from;
     Lever lever;
@@ -203,30 +209,54 @@ class DesignChooser {
     return out;
   }
 
-  /// Searches and plays them; noted in a fixed order.
-  std::vector<PlayedDesign> pull_levers(const std::vector<PlayedDesign>& beam) {
-    const std::vector<LeverPull> pulls = pulls_on(beam);
+  /// Plays designs, up to the first that passes: those after it cannot become the result.
+  /// @return what was played
+  std::vector<PlayedDesign> play_by_rising_F(std::vector<PlayedDesign> found) {
+    std::stable_sort(found.begin(), found.end(), [](const PlayedDesign& a, const PlayedDesign& b) {
+      return a.design.design.value < b.design.design.value;
+    });
+    std::erase_if(
+        found, [&](const PlayedDesign& each) { return !worth_playing(each.design.design.value); });
+    std::size_t played = 0;
+    for (bool passed = false; played < found.size() && !passed && !stopped();) {
+      const std::size_t first = played;
+      const std::size_t count =
+          std::min(static_cast<std::size_t>(options_.threads), found.size() - first);
+      parallel_for(static_cast<int>(count), options_.threads, [&](int k) {
+        PlayedDesign& each = found[first + static_cast<std::size_t>(k)];
+        each.played = play_candidate(problem_, each.design, 1);
+      });
+      for (; played < first + count && !passed; ++played) {
+        note(found[played].design, found[played].played);
+        passed = found[played].played.pass;
+      }
+    }
+    found.resize(played);
+    return found;
+  }
+
+  /// One design for each pull that has any; not played yet.
+  std::vector<PlayedDesign> search_pulls(const std::vector<LeverPull>& pulls, Searched what) const {
     std::vector<std::optional<PlayedDesign>> slots(pulls.size());
     CodesignOptions search = options_.codesign;
     search.near_optimum = true;
     search.threads = 1;  // the levers run side by side
+    search.motion_only = search.motion_only || what == Searched::motion;
     search.max_iterations = std::min(search.max_iterations, kSearchIterations);
     parallel_for(static_cast<int>(pulls.size()), options_.threads, [&](int k) {
-      if (stopped()) return;
       const auto i = static_cast<std::size_t>(k);
       const LeverPull& pull = pulls[i];
+      const bool of_use = what == Searched::body || pull.lever != Lever::near_given_body;
+      if (stopped() || !of_use) return;
       auto design = search_tightened(problem_, tasks_, pull.from->design, pull.tightening, search);
       if (!design) return;
-      design->name = "tightened: " + words_of(pull.tightening);
-      PlayedCandidate played = play_candidate(problem_, *design, 1);
-      slots[i] = {std::move(*design), std::move(played), pull.lever};
+      design->name = (what == Searched::motion ? "tightened motion: " : "tightened: ") +
+                     words_of(pull.tightening);
+      slots[i] = {std::move(*design), {}, pull.lever};
     });
     std::vector<PlayedDesign> out;
-    for (auto& slot : slots) {
-      if (!slot) continue;
-      note(slot->design, slot->played);
-      out.push_back(std::move(*slot));
-    }
+    for (auto& slot : slots)
+      if (slot) out.push_back(std::move(*slot));
     return out;
   }
 

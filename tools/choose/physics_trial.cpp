@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "optimizer/base/parallel.hpp"
 #include "tools/simulate/scene.hpp"
 #include "tools/validate/limits.hpp"
 #include "tools/validate/measure.hpp"
@@ -71,20 +72,28 @@ double middle(const std::vector<double>& values, double unknown) {
   return 0.5 * (*least + *most);
 }
 
-GaitTrial play_cycles(const RobotModel& robot, const TaskFile& wanted, const DesignTexts& texts,
-                      int cycles) {
+std::vector<Scene> scenes_at_gains(const RobotModel& robot, const DesignTexts& texts) {
+  std::vector<Scene> scenes;
+  for (const double gain : kTrialGains)
+    scenes.push_back(parse_scene(texts.scene_xml, "scene.xml", gain, robot.files.folder()));
+  return scenes;
+}
+
+GaitTrial play_cycles(const std::vector<Scene>& scenes, const TaskFile& wanted,
+                      const DesignTexts& texts, int cycles, int threads) {
   const WantedMotion motion{wanted.velocity, wanted.turn_rate};
-  std::vector<Measurements> at_gains;
+  std::vector<Measurements> at_gains(scenes.size());
+  parallel_for(static_cast<int>(scenes.size()), threads, [&](int k) {
+    const auto i = static_cast<std::size_t>(k);
+    RolloutOptions options;
+    options.cycles = cycles;
+    at_gains[i] = measure(scenes[i], motion, texts.quality.planned_velocity, options);
+  });
   const Limits limits = with_step_over(default_limits(), wanted.margins.step_over);
   GaitTrial trial;
   std::vector<double> residual, speed_ratios, drifts;
-  for (const double gain : kTrialGains) {
-    const Scene scene = parse_scene(texts.scene_xml, "scene.xml", gain, robot.files.folder());
-    RolloutOptions options;
-    options.cycles = cycles;
-    at_gains.push_back(measure(scene, motion, texts.quality.planned_velocity, options));
-    const Measurements& run = at_gains.back();
-    const double planned_seconds = cycles * scene.trajectory.period;
+  const double planned_seconds = cycles * scenes.front().trajectory.period;
+  for (const Measurements& run : at_gains) {
     add_residuals(run, motion, planned_seconds, residual);
     trial.distance += distance_of(run, motion, limits, planned_seconds);
     if (run.fall || run.diverged) continue;
@@ -104,12 +113,13 @@ GaitTrial play_cycles(const RobotModel& robot, const TaskFile& wanted, const Des
 }  // namespace
 
 GaitTrial try_in_physics(const RobotModel& robot, const TaskFile& wanted, const DesignTexts& texts,
-                         bool to_the_end) {
+                         int threads, bool to_the_end) {
+  const std::vector<Scene> scenes = scenes_at_gains(robot, texts);
   if (!to_the_end) {
-    GaitTrial trial = play_cycles(robot, wanted, texts, kFirstCycles);
+    GaitTrial trial = play_cycles(scenes, wanted, texts, kFirstCycles, threads);
     if (!trial.pass) return trial;
   }
-  return play_cycles(robot, wanted, texts, kTrialCycles);
+  return play_cycles(scenes, wanted, texts, kTrialCycles, threads);
 }
 
 }  // namespace legwright

@@ -26,7 +26,8 @@ struct GaitTrial : PhysicsTrial {
 /// unless it shall be played to the end: two that fail can be compared only after as many cycles.
 /// Throws MujocoError for a scene that cannot be played; needs load_gait_plugin() before.
 /// @param wanted the task that the gait is judged by, which it need not be planned for
+/// @param threads of the gains; results do not depend on it
 GaitTrial try_in_physics(const RobotModel& robot, const TaskFile& wanted, const DesignTexts& texts,
-                         bool to_the_end = false);
+                         int threads = 1, bool to_the_end = false);
 
 }  // namespace legwright

@@ -150,7 +150,7 @@ int solve_run(const OptimizeOptions& options, CodesignProblem& problem, const fs
   }
   write_end(folder, problem, found, chosen, signal, recorder, run);
   times.end_of("results");
-  if (StopSignals::received() == 0 && usable(chosen.design)) {
+  if (StopSignals::received() == 0 && !options.no_reasons && usable(chosen.design)) {
     reasons.write(folder, found, chosen, run);
     times.end_of("reasons");
   }

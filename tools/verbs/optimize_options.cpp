@@ -71,7 +71,10 @@ void add_options(CLI::App& verb, OptimizeOptions& options) {
                   "tasks solved at the same time; results do not depend on it; default: all cores")
       ->check(CLI::Range(1, 64));
   verb.add_flag("--no-certificate", options.no_certificate,
-                "no result/certificate.json, which costs a fraction of a second per parameter");
+                "no result/certificate.json, which costs some hundredths of a second");
+  verb.add_flag("--no-reasons", options.no_reasons,
+                "not what each change of the body buys, nor how few of them would do; both cost "
+                "about as much as the search");
   verb.add_flag("--lbfgs", options.lbfgs,
                 "step the design by L-BFGS, as the paper does, instead of Newton's method");
   verb.add_flag("--few", options.few,

@@ -18,8 +18,9 @@ class Example : public testing::Test, protected test::CallsInFolder {
  protected:
   /// Optimizes a task and has it judged; the folder of the run.
   fs::path run(const fs::path& task, const std::vector<std::string>& more = {}) const {
-    std::vector<std::string> words{"optimize",         task.string(), "--no-pictures",
-                                   "--no-certificate", "-o",          "run"};
+    std::vector<std::string> words{
+        "optimize", task.string(), "--no-pictures", "--no-certificate", "--no-reasons",
+        "-o",       "run"};
     words.insert(words.end(), more.begin(), more.end());
     const test::Outcome optimize = call(words);
     EXPECT_LE(optimize.code, 1) << optimize.err;  // infeasible plans have a verdict too

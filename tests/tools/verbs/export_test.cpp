@@ -38,8 +38,9 @@ class Export : public testing::Test, protected test::CallsInFolder {
         replaced(read_file(from / "robot.xml"), "model=\"puppy\"", "model=\"" + model + "\""));
     write_file(root() / "mine" / "task.toml", read_file(from / "sideways.toml"));
     write_file(root() / "mine" / "LICENSE", "Do what is right.\n");
-    const Outcome done = call({"optimize", "mine/task.toml", "-o", "run", "--force", "--plan-only",
-                               "--max-iterations", "1", "--no-pictures", "--no-certificate"});
+    const Outcome done =
+        call({"optimize", "mine/task.toml", "-o", "run", "--force", "--plan-only",
+              "--max-iterations", "1", "--no-pictures", "--no-certificate", "--no-reasons"});
     ASSERT_TRUE(done.code == 0 || done.code == 1) << done.err;
   }
 
@@ -141,8 +142,9 @@ TEST_F(Export, NamesOfModelsAreNoPathsAndNoMarkup) {
 /// Parts and meshes come along, as files of their own: not links into the run.
 TEST_F(Export, ARobotOfSeveralFilesKeepsThem) {
   give_mesh("skin.xml", "assets/dot.obj");
-  const Outcome made = call({"optimize", "mine/task.toml", "-o", "run", "--force", "--plan-only",
-                             "--max-iterations", "1", "--no-pictures", "--no-certificate"});
+  const Outcome made =
+      call({"optimize", "mine/task.toml", "-o", "run", "--force", "--plan-only", "--max-iterations",
+            "1", "--no-pictures", "--no-certificate", "--no-reasons"});
   ASSERT_TRUE(made.code == 0 || made.code == 1) << made.err;
   const Outcome done = call({"export", "run", "-o", "there", "--no-picture"});
   ASSERT_EQ(done.code, 0) << done.err;
@@ -164,8 +166,9 @@ TEST_F(Export, ARobotOfSeveralFilesKeepsThem) {
 /// are refused.
 TEST_F(Export, PartsKeepTheirNamesAndTheirSums) {
   give_mesh("puppy.xml", "dot.obj");
-  const Outcome made = call({"optimize", "mine/task.toml", "-o", "run", "--force", "--plan-only",
-                             "--max-iterations", "0", "--no-pictures", "--no-certificate"});
+  const Outcome made =
+      call({"optimize", "mine/task.toml", "-o", "run", "--force", "--plan-only", "--max-iterations",
+            "0", "--no-pictures", "--no-certificate", "--no-reasons"});
   ASSERT_TRUE(made.code == 0 || made.code == 1) << made.err;
   const Outcome done = call({"export", "run", "-o", "there", "--no-picture", "--json"});
   ASSERT_EQ(done.code, 0) << done.err;
@@ -203,8 +206,9 @@ TEST_F(Export, LegsThatCameTogetherAreToldOf) {
                         "conaffinity=\"1\"/>");
   }
   write_file(root() / "mine" / "robot.xml", xml);
-  const Outcome made = call({"optimize", "mine/task.toml", "-o", "run", "--force", "--plan-only",
-                             "--max-iterations", "3", "--no-pictures", "--no-certificate"});
+  const Outcome made =
+      call({"optimize", "mine/task.toml", "-o", "run", "--force", "--plan-only", "--max-iterations",
+            "3", "--no-pictures", "--no-certificate", "--no-reasons"});
   ASSERT_TRUE(made.code == 0 || made.code == 1) << made.err;
   for (const Json& p : read_json(root() / "run" / "run.json")["parameters"]) {
     if (p["name"] != "body_length") continue;
@@ -225,8 +229,9 @@ TEST_F(Export, LegsThatCameTogetherAreToldOf) {
 TEST_F(Export, ALinkIsNoLicence) {
   fs::remove(root() / "mine" / "LICENSE");
   fs::create_symlink("/etc/hostname", root() / "mine" / "LICENSE");
-  const Outcome again = call({"optimize", "mine/task.toml", "-o", "run", "--force", "--plan-only",
-                              "--max-iterations", "0", "--no-pictures", "--no-certificate"});
+  const Outcome again =
+      call({"optimize", "mine/task.toml", "-o", "run", "--force", "--plan-only", "--max-iterations",
+            "0", "--no-pictures", "--no-certificate", "--no-reasons"});
   ASSERT_TRUE(again.code == 0 || again.code == 1) << again.err;
   ASSERT_EQ(call({"export", "run", "-o", "there", "--no-picture"}).code, 0);
   EXPECT_FALSE(fs::exists(root() / "there" / "LICENSE"));

@@ -68,7 +68,7 @@ TEST_P(GaitExample, PassesAtHalfDefaultAndDoubleGains) {
   };
   const std::string task = (test::kExamples / GetParam()).string();
   const test::Outcome optimize =
-      call({"optimize", task, "--no-pictures", "--no-certificate", "-o", "run"});
+      call({"optimize", task, "--no-pictures", "--no-certificate", "--no-reasons", "-o", "run"});
   ASSERT_EQ(optimize.code, kDrift.contains(GetParam()) ? 1 : 0) << optimize.err;
   const test::Outcome validate = call({"validate", "run", "--quick"});
   EXPECT_LE(validate.code, 1) << validate.err;

@@ -98,8 +98,9 @@ TEST_F(Joint, InterruptedAfterATaskAloneItCanStillBeValidated) {
 }
 
 TEST_F(Joint, ForeignFoldersInRunJsonAreRefused) {
-  const Outcome optimize = call({"optimize", kBoth, "--plan-only", "--max-iterations", "0",
-                                 "--one-start", "--no-pictures", "--no-certificate", "-o", "run"});
+  const Outcome optimize =
+      call({"optimize", kBoth, "--plan-only", "--max-iterations", "0", "--one-start",
+            "--no-pictures", "--no-certificate", "--no-reasons", "-o", "run"});
   ASSERT_LE(optimize.code, 1) << optimize.err;
   Json run = json("run/run.json");
   run["tasks"][0]["folder"] = "../elsewhere";
@@ -129,8 +130,9 @@ TEST_F(Joint, FrontNeedsTwoTasksSolvedAlone) {
 }
 
 TEST_F(Joint, FrontEndsAtEachTasksOwnOptimum) {
-  const Outcome optimize = call({"optimize", kBoth, "--plan-only", "--max-iterations", "3",
-                                 "--front", "2", "--no-pictures", "--no-certificate", "-o", "run"});
+  const Outcome optimize =
+      call({"optimize", kBoth, "--plan-only", "--max-iterations", "3", "--front", "2",
+            "--no-pictures", "--no-certificate", "--no-reasons", "-o", "run"});
   ASSERT_LE(optimize.code, 1) << optimize.err;
   const Json front = json("run/result/front.json"), run = json("run/run.json");
   ASSERT_EQ(front["points"].size(), 4u);

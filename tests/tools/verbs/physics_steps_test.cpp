@@ -30,8 +30,8 @@ TEST(PhysicsStepsOfOptimize, CloseTheGapBetweenPlanAndPhysics) {
   };
   const std::string task = (test::kExamples / "piston_puppy" / "forward.toml").string();
   const auto optimize = [&](const char* run, std::vector<std::string> more) {
-    std::vector<std::string> words{"optimize",         task, "--no-pictures",
-                                   "--no-certificate", "-o", run};
+    std::vector<std::string> words{
+        "optimize", task, "--no-pictures", "--no-certificate", "--no-reasons", "-o", run};
     words.insert(words.end(), more.begin(), more.end());
     const test::Outcome outcome = call(words);
     EXPECT_EQ(outcome.code, 0) << outcome.err;

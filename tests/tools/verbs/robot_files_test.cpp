@@ -45,8 +45,8 @@ class RobotFilesRun : public testing::Test, protected test::CallsInFolder {
     write_file(home_ / "sideways.toml", test::with(task, "\"robot.xml\"", "\"dog.xml\""));
   }
   void optimize(const std::string& task, const std::string& run) const {
-    const Outcome outcome = call(
-        {"optimize", task, "--plan-only", "--max-iterations", "2", "--no-pictures", "-o", run});
+    const Outcome outcome = call({"optimize", task, "--plan-only", "--max-iterations", "2",
+                                  "--no-reasons", "--no-pictures", "-o", run});
     ASSERT_LE(outcome.code, 1) << outcome.err;
   }
   /// Everything below a folder but what tells the time.
@@ -126,8 +126,9 @@ TEST_F(RobotFilesRun, EveryFolderHoldsTheWholeRobotAndOpens) {
 }
 
 TEST_F(RobotFilesRun, PhysicsStepsFindTheMeshes) {
-  const Outcome outcome = call({"optimize", "home/sideways.toml", "--plan-only", "--max-iterations",
-                                "1", "--no-pictures", "--physics-steps", "1", "-o", "run"});
+  const Outcome outcome =
+      call({"optimize", "home/sideways.toml", "--plan-only", "--max-iterations", "1",
+            "--no-reasons", "--no-pictures", "--physics-steps", "1", "-o", "run"});
   ASSERT_LE(outcome.code, 1) << outcome.err;
   const Json steps = read_json(run_ / "run.json")["physics_steps"];
   EXPECT_GT(steps["rollouts"].get<int>(), 0);
@@ -152,7 +153,7 @@ TEST_F(RobotFilesRun, JointRunsShareTheMeshes) {
   }
   write_file(home_ / "both.toml", both);
   const Outcome outcome = call({"optimize", "home/both.toml", "--plan-only", "--max-iterations",
-                                "1", "--no-pictures", "--one-start", "-o", "run"});
+                                "1", "--no-reasons", "--no-pictures", "--one-start", "-o", "run"});
   ASSERT_LE(outcome.code, 1) << outcome.err;
   expect_robot(run_ / "result");
   for (const char* folder :

@@ -83,8 +83,8 @@ void expect_periodic_up_to_the_turn(const fs::path& motion_csv, double turn) {
 
 TEST_P(Turning, ItsRadiusAndHeadingRateAreThoseOfTheTask) {
   const std::string task_file = (test::kExamples / GetParam().task).string();
-  const test::Outcome optimize =
-      call({"optimize", task_file, "--no-pictures", "--no-certificate", "-o", "run"});
+  const test::Outcome optimize = call(
+      {"optimize", task_file, "--no-pictures", "--no-certificate", "--no-reasons", "-o", "run"});
   ASSERT_EQ(optimize.code, 0) << optimize.err;
   const test::Outcome validate = call({"validate", "run", "--quick"});
   EXPECT_EQ(validate.code, 0) << validate.out << validate.err;
