@@ -2,6 +2,8 @@
 #include "optimizer/solve/multistart.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
 #include <random>
 #include <stdexcept>
@@ -88,37 +90,108 @@ class Multistart {
   MultistartResult result_;
 };
 
-/// A walk along the front from one end; leaves every point where it came lower than before.
-class FrontWalk {
+/// The trade-off between two tasks, point by point.
+class Front {
  public:
-  FrontWalk(const std::vector<JointTask>& tasks, const DesignSpace& space,
-            const CodesignOptions& options)
+  Front(const std::vector<JointTask>& tasks, const DesignSpace& space,
+        const CodesignOptions& options)
       : tasks_(tasks), space_(space), options_(options) {
     options_.near_optimum = true;
   }
 
-  /// Both tasks' motions at a design that one of them chose.
-  FrontPoint end(double weight, const VectorXd& s, int own, const VectorXd& own_motion) const {
-    std::vector<VectorXd> motions(2);
-    motions[own] = own_motion;
-    motions[1 - own] = tasks_[1 - own].guess(s);
-    CodesignOptions still = options_;
-    still.motion_only = true;
-    return solve(weight, s, motions, still);
+  /// Weights evenly spaced, and that of the joint run among them.
+  void set_weights(int points) {
+    std::vector<double> weights;
+    for (int k = 0; k <= points + 1; ++k) weights.push_back(static_cast<double>(k) / (points + 1));
+    const double joint = tasks_[0].weight / (tasks_[0].weight + tasks_[1].weight);
+    const auto near = [&](double weight) { return std::abs(weight - joint) < kSameWeight; };
+    if (std::none_of(weights.begin(), weights.end(), near)) weights.push_back(joint);
+    std::sort(weights.begin(), weights.end());
+    points_.resize(weights.size());
+    for (std::size_t k = 0; k < weights.size(); ++k) points_[k].weight = weights[k];
   }
 
-  void improve(std::vector<FrontPoint>& points, int from, int step) const {
-    const int last = step > 0 ? static_cast<int>(points.size()) - 2 : 1;
-    for (int k = from + step; step > 0 ? k <= last : k >= last; k += step) {
-      const DesignIteration& start = points[k - step].best;
-      const FrontPoint found =
-          solve(points[k].weight, start.s, {start.tasks[0].m, start.tasks[1].m}, options_);
-      if (points[k].best.tasks.empty() || found.best.value < points[k].best.value)
-        points[k] = found;
+  /// The optimum of one task alone is an end; the motion of the other is solved at its design.
+  void set_end(int own, const DesignIteration& best) {
+    std::vector<VectorXd> motions(2);
+    motions[own] = best.tasks.at(0).m;
+    motions[1 - own] = tasks_[1 - own].guess(best.s);
+    CodesignOptions still = options_;
+    still.motion_only = true;
+    FrontPoint& point = own == 0 ? points_.back() : points_.front();
+    point = solve(point.weight, best.s, motions, still);
+  }
+
+  /// A design of all tasks that is known from elsewhere.
+  void add_known(const StartedRun& run) {
+    const DesignIteration& best = run.result.best;
+    if (best.tasks.size() == 2 && std::isfinite(best.value))
+      known_.push_back({0.0, best, run.result.status});
+  }
+
+  /// Each inner point from its neighbour's design.
+  void walk(bool rising) {
+    const std::size_t last = points_.size() - 1;
+    for (std::size_t i = 1; i < last; ++i) {
+      const std::size_t k = rising ? i : last - i;
+      improve(points_[k], points_[rising ? k - 1 : k + 1]);
     }
   }
 
+  /// Solves points anew from better designs that are known, until there are none.
+  void settle() {
+    for (int sweep = 0; sweep < kSweeps; ++sweep) {
+      bool changed = false;
+      for (FrontPoint& point : points_) {
+        const FrontPoint* start = &point;
+        for (const auto* designs : {&known_, &points_})
+          for (const FrontPoint& other : *designs)
+            if (lower(value_of(other, point.weight), value_of(*start, point.weight)))
+              start = &other;
+        if (start == &point) continue;
+        changed = true;
+        const bool end = point.weight == 0.0 || point.weight == 1.0;
+        if (end) {
+          point = {point.weight, start->best, start->status};
+          point.best.value = value_of(*start, point.weight);
+        } else {
+          improve(point, FrontPoint(*start));
+        }
+      }
+      if (!changed) return;
+    }
+  }
+
+  std::vector<FrontPoint> take() { return std::move(points_); }
+
  private:
+  static constexpr double kSameWeight = 1e-9;
+  static constexpr int kSweeps = 4;
+
+  static bool lower(double a, double b) { return a < b - 1e-9 * std::abs(b); }
+
+  /// Σ w (F + J) of a design at another weight.
+  static double value_of(const FrontPoint& point, double weight) {
+    const std::vector<TaskIterate>& tasks = point.best.tasks;
+    if (tasks.size() != 2) return std::numeric_limits<double>::infinity();
+    const auto total = [&](int k) { return tasks[k].value + tasks[k].outer_value; };
+    if (weight == 1.0) return total(0);
+    if (weight == 0.0) return total(1);
+    return weight * total(0) + (1.0 - weight) * total(1);
+  }
+
+  /// A point from another one's design and motions; kept where that is lower, as that design
+  /// itself is.
+  void improve(FrontPoint& point, const FrontPoint& from) const {
+    const DesignIteration& start = from.best;
+    FrontPoint found = solve(point.weight, start.s, {start.tasks[0].m, start.tasks[1].m}, options_);
+    if (!(found.best.value <= value_of(from, point.weight))) {  // stopped, or not finite
+      found = {point.weight, start, from.status};
+      found.best.value = value_of(from, point.weight);
+    }
+    if (point.best.tasks.empty() || found.best.value < point.best.value) point = std::move(found);
+  }
+
   FrontPoint solve(double weight, const VectorXd& s, const std::vector<VectorXd>& motions,
                    const CodesignOptions& options) const {
     const CodesignResult result = codesign(
@@ -130,6 +203,7 @@ class FrontWalk {
   const std::vector<JointTask>& tasks_;
   const DesignSpace& space_;
   CodesignOptions options_;
+  std::vector<FrontPoint> points_, known_;
 };
 
 }  // namespace
@@ -149,22 +223,19 @@ MultistartResult codesign_from_starts(const std::vector<JointTask>& tasks, const
 }
 
 std::vector<FrontPoint> trade_off_front(const std::vector<JointTask>& tasks,
-                                        const DesignSpace& space,
-                                        const std::vector<StartedRun>& alone, int points,
-                                        const CodesignOptions& options) {
-  if (tasks.size() != 2 || alone.size() != 2)
+                                        const DesignSpace& space, const MultistartResult& found,
+                                        int points, const CodesignOptions& options) {
+  if (tasks.size() != 2 || found.alone.size() != 2)
     throw std::invalid_argument("a trade-off front needs two tasks, each solved alone");
-  const FrontWalk walk(tasks, space, options);
-  std::vector<FrontPoint> front(points + 2);
-  for (int k = 1; k <= points; ++k) front[k].weight = static_cast<double>(k) / (points + 1);
-  for (const int own : {0, 1}) {  // weight 1: the first task alone, at the far end
-    const DesignIteration& best = alone[own].result.best;
-    (own == 0 ? front.back() : front.front()) =
-        walk.end(own == 0 ? 1.0 : 0.0, best.s, own, best.tasks.at(0).m);
-  }
-  walk.improve(front, 0, +1);
-  walk.improve(front, points + 1, -1);
-  return front;
+  Front front(tasks, space, options);
+  front.set_weights(points);
+  for (const int own : {0, 1})  // weight 1: the first task alone, at the far end
+    front.set_end(own, found.alone[own].result.best);
+  for (const StartedRun& run : found.joint) front.add_known(run);
+  front.walk(true);
+  front.walk(false);
+  front.settle();
+  return front.take();
 }
 
 }  // namespace legwright

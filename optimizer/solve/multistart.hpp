@@ -72,14 +72,16 @@ struct FrontPoint {
 };
 
 /// Walks the weight from one task to the other by continuation, in both directions, each point from
-/// its neighbour's design and motions, and keeps the lower F_joint at each. Ends are the optima of
-/// each task alone, as `alone` has them (motion of the other task re-solved at that design).
+/// its neighbour's design and motions, and keeps the lower F_joint at each; then each point is
+/// solved anew from any other design, of the joint runs too, that is better at its weight. So none
+/// lies above another one, nor above a joint run. Ends are the optima of each task alone (motion of
+/// the other task re-solved at that design), or a joint run that does that task better.
 /// options.on_iteration is called for every point's iterations; once it says stop, each point keeps
-/// what it has. @param points weights strictly between 0 and 1 that are tried, evenly spaced.
-/// Rising weight.
+/// what it has. @param found the tasks solved alone and together. @param points weights strictly
+/// between 0 and 1 that are tried, evenly spaced; the joint run's own is added. Rising weight.
 [[nodiscard]] std::vector<FrontPoint> trade_off_front(const std::vector<JointTask>& tasks,
                                                       const DesignSpace& space,
-                                                      const std::vector<StartedRun>& alone,
-                                                      int points, const CodesignOptions& options);
+                                                      const MultistartResult& found, int points,
+                                                      const CodesignOptions& options);
 
 }  // namespace legwright

@@ -110,7 +110,7 @@ std::vector<FrontPointRecord> write_front(const ResultFolder& folder,
                                           const CodesignOptions& options) {
   FrontRecord front{problem.task(0).name, {}};
   for (const FrontPoint& point :
-       trade_off_front(tasks, problem.robot.space, found.alone, points, options)) {
+       trade_off_front(tasks, problem.robot.space, found, points, options)) {
     ByName<double> values;
     for (int k = 0; k < problem.task_count(); ++k)
       values.of(problem.task(k).name) = point.best.tasks.at(k).value;

@@ -61,7 +61,8 @@ void add_options(CLI::App& verb, OptimizeOptions& options) {
   verb.add_option("--seed", options.seed, "of the perturbations")->capture_default_str();
   verb.add_option(
           "--front", options.front,
-          "two tasks: walk the weights from one to the other over so many points between the ends")
+          "two tasks: walk the weights from one to the other over so many points between the ends, "
+          "and that of the task file")
       ->check(CLI::Range(1, 99));
   verb.add_option("--physics-steps", options.physics_steps,
                   "then so many steps on speed, swing height, period and margins of the gait, "

@@ -122,8 +122,7 @@ TEST(Front, TradesOneTaskForTheOther) {
   const MultistartOptions options = tight_starts();
   const DesignSpace space = line(0.8);
   const MultistartResult starts = codesign_from_starts(tasks, space, options);
-  const std::vector<FrontPoint> front =
-      trade_off_front(tasks, space, starts.alone, 5, options.codesign);
+  const std::vector<FrontPoint> front = trade_off_front(tasks, space, starts, 5, options.codesign);
   ASSERT_EQ(front.size(), 7u);
   EXPECT_EQ(front.front().weight, 0.0);
   EXPECT_EQ(front.back().weight, 1.0);
@@ -133,6 +132,36 @@ TEST(Front, TradesOneTaskForTheOther) {
   }
   EXPECT_NEAR(front.back().best.s[0], 1.0, 1e-6);
   EXPECT_NEAR(front.front().best.s[0], 1.4, 1e-6);
+}
+
+// From the initial design each task slides into the higher valley at +1, and so would every point
+// between them; a perturbed start of both together finds the lower one at −1.
+TEST(Front, HasNoPointAboveAJointRun) {
+  TwoValleys first(0.3), second(0.5, 0.1);
+  const std::vector<JointTask> tasks{task("first", first, 0.35), task("second", second, 0.65)};
+  MultistartOptions options = tight_starts();
+  options.perturbations = 6;
+  options.spread = 2.0;
+  const DesignSpace space = line(0.6);
+  const MultistartResult starts = codesign_from_starts(tasks, space, options);
+  const DesignIteration& winner = starts.winner().best;
+  ASSERT_LT(winner.s[0], 0.0);
+  ASSERT_GT(starts.alone[0].result.best.s[0], 0.0);
+  const std::vector<FrontPoint> front = trade_off_front(tasks, space, starts, 3, options.codesign);
+  ASSERT_EQ(front.size(), 6u) << "the joint run's own weight is among them";
+  bool joint_weight = false;
+  for (const FrontPoint& point : front) {
+    for (const auto& other : {winner, front[0].best, front[2].best, front[4].best}) {
+      const double there =
+          point.weight * other.tasks[0].value + (1.0 - point.weight) * other.tasks[1].value;
+      EXPECT_LE(point.best.value, there + 1e-9) << "weight " << point.weight;
+    }
+    if (std::abs(point.weight - 0.35) < 1e-12) {
+      joint_weight = true;
+      EXPECT_NEAR(point.best.value, winner.value, 1e-9);
+    }
+  }
+  EXPECT_TRUE(joint_weight);
 }
 
 TEST(Front, NeedsTwoTasks) {
