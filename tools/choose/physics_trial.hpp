@@ -8,8 +8,9 @@
 
 namespace legwright {
 
-/// How often MuJoCo plays a gait while it is judged: at half, default and double gains.
-inline constexpr int kTrialRollouts = 3;
+/// How often MuJoCo plays a gait while it is judged: at half, default and double gains, and at the
+/// latter with other numerics.
+inline constexpr int kTrialRollouts = 4;
 
 /// What physics says of a gait, for the choice between designs.
 struct GaitTrial : PhysicsTrial {
@@ -22,7 +23,8 @@ struct GaitTrial : PhysicsTrial {
 };
 
 /// Plays a planned gait in MuJoCo as `validate` does, over as many cycles and at the same gains,
-/// and judges it by the same limits. A gait that fails within its first cycles is not played on,
+/// and judges it by the same limits; then, where it passes, with a pyramidal cone at the highest
+/// gains. A gait that fails within its first cycles is not played on,
 /// unless it shall be played to the end: two that fail can be compared only after as many cycles.
 /// Throws MujocoError for a scene that cannot be played; needs load_gait_plugin() before.
 /// @param wanted the task that the gait is judged by, which it need not be planned for

@@ -225,7 +225,17 @@ void pick_joint(const ResultFolder& folder, const PickedDesign& picked, const Ro
   const fs::path body = folder.result() / "robot.xml";
   fs::copy_file(folder.root() / "tasks" / run.tasks->front().name / "result" / "robot.xml", body,
                 fs::copy_options::overwrite_existing);
-  fs::remove(folder.result() / "certificate.json");
+}
+
+/// Takes away what tells of the design before: pages, and in the folder that several tasks share
+/// the certificate and what validate wrote. The results of tasks are replaced whole.
+void remove_what_told(const ResultFolder& folder, const RunRecord& run) {
+  fs::remove(folder.root() / "report.html");
+  if (!run.joint()) return;
+  for (const TaskRecord& task : *run.tasks)
+    fs::remove(folder.root() / "tasks" / task.name / "report.html");
+  for (const char* name : {"certificate.json", "matrix.json", "summary.md"})
+    fs::remove(folder.result() / name);
 }
 
 int pick(const PickOptions& options) {
@@ -242,6 +252,7 @@ int pick(const PickOptions& options) {
       refuse_pick(from, "no such design in the run; events.jsonl lists its iterations");
   const RobotModel robot = read_robot(folder.inputs() / "robot.xml");
 
+  remove_what_told(folder, run);
   if (!run.joint()) {
     note_task_design(run, robot, picked.name,
                      replace_result(picked.folders[0], folder.result(), robot.files));

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/optimizer/solve/toy_cost.hpp"
 
 namespace legwright {
@@ -50,6 +52,60 @@ TEST(Certificate, AdjointAndDifferencesAgreeAwayFromTheMinimum) {
   const Certificate proof = certify({task}, toy::box(10.0), result.best);
   EXPECT_GT(proof.tasks[0].largest, 1e-2) << "nothing to compare";
   EXPECT_LT(proof.worst_gradient_error(), 1e-6);
+}
+
+// The chord method must find what Newton's method finds.
+TEST(Certificate, DifferencesAreThoseOfMotionsSolvedByNewton) {
+  toy::CoupledCost cost(kMotionSize, kDesignSize);
+  const WeightedCost task = task_of(cost);
+  const CodesignResult result = solve(task, 10.0, true);
+  const CertificateOptions options;
+  const Certificate proof = certify({task}, toy::box(10.0), result.best, options);
+  NewtonOptions rules;
+  rules.tolerance = 1e-11;
+  NewtonWorkspace workspace;
+  const VectorXd scale = toy::box(10.0).scale();
+  for (int k = 0; k < kDesignSize; ++k) {
+    const double h = options.step * scale[k];
+    double sides = 0.0;
+    for (const double sign : {1.0, -1.0}) {
+      VectorXd s = result.best.s, m = result.best.tasks[0].m;
+      s[k] += sign * h;
+      sides += sign * newton(cost, s, m, rules, workspace).value;
+    }
+    EXPECT_NEAR(proof.tasks[0].difference[k], sides / (2.0 * h), 1e-9) << k;
+  }
+}
+
+/// Its ∂F/∂m is right to some 1e-9 only, as that of stiff terms is by rounding.
+class Rough final : public CostFunction {
+ public:
+  void evaluate(const VectorXd& s, const VectorXd& m, Order order, Evaluation& out) override {
+    inner_.evaluate(s, m, order, out);
+    if (order < Order::gradient) return;
+    for (int k = 0; k < out.stationarity.size(); ++k)
+      out.stationarity[k] += 3e-9 * std::sin(1e9 * m[k] + k);
+    if (order == Order::hessian) ++hessians;
+  }
+  const VectorXd& motion_units() const override { return inner_.motion_units(); }
+  int hessians = 0;
+
+ private:
+  toy::CoupledCost inner_{kMotionSize, kDesignSize};
+};
+
+TEST(Certificate, MotionsRestWhereRoundingKeepsTheGradientFromFalling) {
+  Rough cost;
+  const WeightedCost task = task_of(cost);
+  CodesignOptions options;
+  options.final_tolerance = 1e-7;
+  options.motion_only = true;
+  const CodesignResult result = codesign({task}, toy::box(10.0), toy::box(10.0).initial(), options);
+  cost.hessians = 0;
+  const Certificate proof = certify({task}, toy::box(10.0), result.best);
+  EXPECT_TRUE(proof.tasks[0].resolved);
+  EXPECT_LT(proof.worst_gradient_error(), 1e-5);
+  EXPECT_EQ(cost.hessians, 0) << "one factor serves all differences";
 }
 
 TEST(Certificate, NamesActiveBoundsAndWhatTheyHoldBack) {

@@ -35,6 +35,7 @@ class Pick : public testing::Test, protected test::CallsInFolder {
 TEST_F(Pick, MakesAnIterationTheResultAndTheRecordSaysSo) {
   optimize({"--plan-only"});
   EXPECT_FALSE(run().contains("choice"));  // nothing was played
+  ASSERT_EQ(call({"report", "run"}).code, 0);
   const test::Outcome picked = call({"pick", "run", "--iteration", "0"});
   ASSERT_EQ(picked.code, 0) << picked.err;
   for (const char* name : {"robot.xml", "scene.xml", "motion.csv", "metrics.json"})
@@ -47,6 +48,7 @@ TEST_F(Pick, MakesAnIterationTheResultAndTheRecordSaysSo) {
   for (const Json& parameter : record["parameters"])
     EXPECT_EQ(parameter["final"], parameter["initial"]) << parameter["name"];
   EXPECT_EQ(test::expect_schemas(folder_.path() / "run")["run"], 1);
+  EXPECT_FALSE(fs::exists(folder_.path() / "run/report.html")) << "of the design before";
   EXPECT_LE(call({"validate", "run", "--quick"}).code, 1);
   EXPECT_EQ(call({"report", "run"}).code, 0);
 }
