@@ -85,10 +85,9 @@ struct CodesignResult {
 /// hard bounds, exact Newton on each mᵢ, dF/ds by the adjoint equations (7), (8). With an outer
 /// objective Σ wᵢ (Fᵢ + Jᵢ) is minimised over s, and the motions still minimise Fᵢ: at most half of
 /// the iterations go to the optimum of Fᵢ, unless near_optimum, and from there L-BFGS steps s.
-/// `converged`: projected
-/// gradient below design_tolerance (motion_only: the motions'
-/// status). `stalled`: F settled to value_tolerance, or no δ₁ helps even along steepest descent;
-/// the best iterate is kept, and its projected_gradient_norm tells how far it is from a minimum.
+/// `converged`: projected gradient below design_tolerance (motion_only: the motions' status).
+/// `stalled`: F settled to value_tolerance, or no δ₁ helps even along steepest descent; the best
+/// iterate is kept, and its projected_gradient_norm tells how far it is from a minimum.
 /// Deterministic. The status says `converged` only with an exact adjoint gradient at a minimum in
 /// m.
 /// @param start design the run starts from, within the space's bounds; initial_motion of each cost
