@@ -169,8 +169,17 @@ StyleTargets style_targets(const Morphology& morphology, const VectorXd& initial
   StyleTargets home = home_stance(morphology, initial);
   const double height = task.com_height.value_or(home.com_height);
   for (Vector2d& foot : home.footprint) foot -= height / task.up.z() * task.up.head<2>();
-  return {height, task.footprint.value_or(home.footprint),
-          swing_height(task, standing_leg(morphology, initial))};
+  StyleTargets style{height, task.footprint.value_or(home.footprint),
+                     swing_height(task, standing_leg(morphology, initial))};
+  if (task.follow_hips.value_or(!task.footprint))
+    style.footprint_slopes = hip_slopes(morphology, initial);
+  return style;
+}
+
+StyleTargets at_design(StyleTargets style, const VectorXd& change) {
+  for (std::size_t j = 0; j < style.footprint_slopes.size(); ++j)
+    style.footprint[j] += style.footprint_slopes[j] * change;
+  return style;
 }
 
 VectorXd initial_guess(const Morphology& morphology, const Layout& layout, const Task& task,

@@ -13,9 +13,13 @@ namespace legwright {
 
 /// The home stance of the initial design with what the task says instead. On a slope its feet are
 /// moved downhill below the COM, until gravity's line through the COM meets the ground where it
-/// would on the level.
+/// would on the level. The footprint follows the hips of the design unless the task says otherwise
+/// (Task::follow_hips).
 StyleTargets style_targets(const Morphology& morphology, const Eigen::VectorXd& initial,
                            const Task& task);
+
+/// The same with the footprint of the design initial + change.
+StyleTargets at_design(StyleTargets style, const Eigen::VectorXd& change);
 
 /// m₀, a walk without dynamics: the COM glides along the wanted path; each foot stands still where
 /// its footprint passes in the middle of its stance, and swings from there to the next along the

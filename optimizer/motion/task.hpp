@@ -43,6 +43,9 @@ struct Task {
   std::optional<double> com_height;  // [m]
   std::optional<std::vector<Eigen::Vector2d>>
       footprint;  // foot − COM on the ground, robot's foot order [m]
+  /// Whether the footprint follows the hips of the design: what its width and length add to the
+  /// hips they add to the places. Not given: the home footprint does, one given above does not.
+  std::optional<bool> follow_hips;
   // The same over the cycle (see over_cycle.hpp): any number of values, evenly spaced in time, or
   // none.
   std::vector<double> com_heights;        // instead of com_height [m]

@@ -39,9 +39,17 @@ Objective::Workspace::~Workspace() = default;
 void ObjectiveParts::build() {
   const StyleTargets style = style_targets(morphology, space.initial(), task);
   const double mass = morphology.total_mass();
-  const TermContext context{
-      layout,          morphology,       space,          task, path, morphology.leg_length, mass,
-      mass * kGravity, style.com_height, style.footprint};
+  const TermContext context{layout,
+                            morphology,
+                            space,
+                            task,
+                            path,
+                            morphology.leg_length,
+                            mass,
+                            mass * kGravity,
+                            style.com_height,
+                            style.footprint,
+                            style.footprint_slopes};
   units = layout.motion_units(context.length, context.weight);
   const std::vector<double> weights = term_weights(task);
   std::vector<char> wanted(layout.extended_size(), 0);
@@ -361,9 +369,10 @@ std::vector<TermValue> Objective::terms(const VectorXd& s, const VectorXd& m) co
 }
 
 VectorXd initial_guess(const Objective& objective, const VectorXd& s) {
-  return initial_guess(
-      objective.morphology(), objective.layout(), objective.task(), objective.path(),
-      style_targets(objective.morphology(), objective.space().initial(), objective.task()), s);
+  const VectorXd initial = objective.space().initial();
+  const StyleTargets style = style_targets(objective.morphology(), initial, objective.task());
+  return initial_guess(objective.morphology(), objective.layout(), objective.task(),
+                       objective.path(), at_design(style, s - initial), s);
 }
 
 }  // namespace legwright

@@ -28,7 +28,10 @@ struct TermContext {
   double mass;        // [kg]
   double weight;      // M g [N]
   double com_height;  // [m]
-  std::vector<Eigen::Vector2d> footprint;  // foot − COM on the ground at heading zero, per foot [m]
+  /// foot − COM on the ground at heading zero, per foot, at the initial design [m]
+  std::vector<Eigen::Vector2d> footprint;
+  /// ∂footprint/∂s per foot, 2 × design size; empty where the design does not move it.
+  std::vector<Eigen::Matrix2Xd> footprint_slopes = {};
 };
 
 /// One residual of a term: where and on which slots of [s; m; y] (see Layout) it depends.

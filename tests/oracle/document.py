@@ -67,6 +67,7 @@ def settings(task, layout):
         contact=task.contact.astype(int).tolist(),
         com_height=task.com_height,
         footprint=FOOTPRINT.tolist(),
+        follow_hips=task.follow_hips,
         swing_height=task.swing_height,
         friction=task.friction,
         min_normal=task.min_normal,

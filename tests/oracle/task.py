@@ -2,7 +2,9 @@
 """The tasks: gaits, what is wanted of the motion, and weights."""
 
 import numpy as np
-from robot import LEG_LENGTH, Robot
+import tape
+from robot import BODY_LENGTH, BODY_WIDTH, LEG_LENGTH, SIDES, Robot
+from vectors import UNIT, times
 
 WEIGHTS = dict(
     travel=1e3,
@@ -55,6 +57,7 @@ class Task:
     com_heights = com_path = foot_targets = None  # lists over the cycle
     foot_heights = joint_angles = None  # by foot, by joint: (weight, [(phase, value), ...])
     constant_inertia = False  # in the torque balance
+    follow_hips = False  # whether the footprint follows the hips of the design
 
     def __init__(self, name, seed, period, phase, duty, velocity, knots=24, planted_margin=1):
         self.name, self.seed = name, seed
@@ -110,11 +113,16 @@ class Task:
         )
         return self.place(knot) + self.turn(knot) @ np.append(sway, height)
 
-    def foot_target(self, knot, foot):
-        """On the ground, (2)."""
+    def foot_target(self, knot, foot, design):
+        """On the ground, (2). Without a list of its own, a foot may follow its hip: a body that is
+        longer and wider than the given one takes its feet along."""
         own = (self.foot_targets or {}).get(foot)
-        spot = FOOTPRINT[foot] if own is None else over_cycle(own, knot / self.knots)
-        return (self.place(knot) + self.turn(knot) @ np.append(spot, 0.0))[:2]
+        spot = tape.tensor(FOOTPRINT[foot] if own is None else over_cycle(own, knot / self.knots))
+        if own is None and self.follow_hips:
+            front, left = SIDES[foot]
+            spot = spot + 0.5 * front * (design.length - BODY_LENGTH) * UNIT[0][:2]
+            spot = spot + 0.5 * left * (design.width - BODY_WIDTH) * UNIT[1][:2]
+        return times(self.turn(knot)[:2, :2], spot) + self.place(knot)[:2]
 
 
 def between_phases(pairs, phase):
@@ -150,6 +158,7 @@ def equipped_turn():
     task.joint_margin, task.torque_margin, task.clearance = 0.05, 0.2, 0.13
     task.com_heights = np.array([0.17, 0.18, 0.175])
     task.com_path = np.array([[0.01, 0.0], [-0.01, 0.01]])
+    task.follow_hips = True
     task.foot_targets = {1: np.array([[0.1, -0.09], [0.12, -0.1], [0.14, -0.08]])}
     task.foot_heights = {2: (1.5, [[0.1, 0.01], [0.55, 0.05], [0.8, 0.03]])}
     task.joint_angles = {

@@ -34,8 +34,11 @@ def style_com(state):  # (10)
 
 
 def style_foot(state):  # (10)
-    wanted = np.array(
-        [[state.task.foot_target(i, j) for j in range(4)] for i in range(state.task.knots + 1)]
+    wanted = tape.stack(
+        [
+            tape.stack([state.task.foot_target(i, j, state.placed.design) for j in range(4)])
+            for i in range(state.task.knots + 1)
+        ]
     )
     return half_square((state.motion.foot[:, :, :2] - wanted) / LEG_LENGTH)
 

@@ -45,6 +45,7 @@ void scale_width(const RobotModel& robot, double factor, Task& task) {
   const Eigen::Vector2d ahead = task.velocity.norm() > 0.0
                                     ? Eigen::Vector2d(task.velocity.normalized())
                                     : Eigen::Vector2d::UnitX();
+  task.follow_hips = task.follow_hips.value_or(!task.footprint);
   task.footprint = style_targets(robot.morphology, robot.space.initial(), task).footprint;
   for (Eigen::Vector2d& foot : *task.footprint) {
     const Eigen::Vector2d along = ahead * ahead.dot(foot);

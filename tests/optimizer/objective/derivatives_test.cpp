@@ -44,6 +44,7 @@ Objective make_objective(const std::string& only = "", bool printed = false,
   task.foot_heights[3] = {{0.1, 0.7}, {0.02, 0.06}, 2.0};
   task.joint_angles.resize(12);
   task.joint_angles[4] = {{}, {-0.9, -1.1, -1.0}, 0.5};
+  task.follow_hips = true;  // so that the footprint depends on the design
   task.up =
       up_on_slope(task.velocity, 0.2, -0.1);  // no derivative may think that gravity is along z
   if (!only.empty())

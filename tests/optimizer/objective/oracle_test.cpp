@@ -132,6 +132,7 @@ Task make_task(const json& settings) {
   task.up = to_vector3(settings["up"]);
   task.com_height = number(settings, "com_height");
   task.footprint = to_places(settings["footprint"]);
+  task.follow_hips = settings["follow_hips"].get<bool>();
   task.min_normal = number(settings, "min_normal");
   task.friction = number(settings, "friction");
   task.swing_height = number(settings, "swing_height");
@@ -338,6 +339,9 @@ TEST(OracleDocuments, NoticeEachSettingOfTheEquippedRobot) {  // negative contro
     number = 1.01 * number.get<double>();
     EXPECT_GT(worst(changed), kValue) << path;
   }
+  json changed = file;
+  changed["settings"]["follow_hips"] = false;
+  EXPECT_GT(worst(changed), kValue);
 }
 
 TEST(OracleDocuments, NoticeWhichTorqueBalanceIsMeant) {  // negative control

@@ -67,6 +67,7 @@ TEST_F(TightenedTask, NarrowsTheFootprintAcrossTheWayAlone) {
     EXPECT_LT(std::abs((*narrow.footprint)[foot].y()), std::abs(home.footprint[foot].y()));
     EXPECT_GT(std::abs((*wide.footprint)[foot].y()), std::abs(home.footprint[foot].y()));
   }
+  EXPECT_EQ(narrow.follow_hips, !asked().footprint);  // the lever decides width, not whose it is
 }
 
 TEST_F(TightenedTask, AimsForWhatMujocoLoses) {
