@@ -59,6 +59,11 @@ TEST(GaitExamples, EachGaitHasATask) {
 /// On one foot at a time nothing holds the heading (docs/findings/heading_drift.md).
 const std::set<std::string> kDrift{"biped/run.toml"};
 
+/// What keeps its verdict only as long as nobody asks other numerics, and is told so
+/// (docs/findings/physics_in_the_search.md).
+const std::set<std::string> kOtherNumerics{"quadruped/bound.toml", "quadruped/rotary_gallop.toml",
+                                           "quadruped/transverse_gallop.toml"};
+
 class GaitExample : public testing::TestWithParam<const char*> {};
 
 TEST_P(GaitExample, PassesAtHalfDefaultAndDoubleGains) {
@@ -69,7 +74,9 @@ TEST_P(GaitExample, PassesAtHalfDefaultAndDoubleGains) {
   const std::string task = (test::kExamples / GetParam()).string();
   const test::Outcome optimize =
       call({"optimize", task, "--no-pictures", "--no-certificate", "--no-reasons", "-o", "run"});
-  ASSERT_EQ(optimize.code, kDrift.contains(GetParam()) ? 1 : 0) << optimize.err;
+  const bool hangs = kOtherNumerics.contains(GetParam());
+  ASSERT_EQ(optimize.code, hangs || kDrift.contains(GetParam()) ? 1 : 0) << optimize.err;
+  EXPECT_EQ(test::contains(optimize.out, "with a pyramidal cone"), hangs) << optimize.out;
   const test::Outcome validate = call({"validate", "run", "--quick"});
   EXPECT_LE(validate.code, 1) << validate.err;
   const Json verdict = Json::parse(read_file(folder.path() / "run/result/verdict.json"));
