@@ -160,11 +160,25 @@ class Front {
       }
       if (!changed) return;
     }
+    adopt();
   }
 
   std::vector<FrontPoint> take() { return std::move(points_); }
 
  private:
+  /// Each point as it is known best, nothing solved any more.
+  void adopt() {
+    std::vector<FrontPoint> all = points_;
+    all.insert(all.end(), known_.begin(), known_.end());
+    for (FrontPoint& point : points_)
+      for (const FrontPoint& other : all) {
+        const double value = value_of(other, point.weight);
+        if (!lower(value, value_of(point, point.weight))) continue;
+        point = {point.weight, other.best, other.status};
+        point.best.value = value;
+      }
+  }
+
   static constexpr double kSameWeight = 1e-9;
   static constexpr int kSweeps = 4;
 
