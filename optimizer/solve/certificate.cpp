@@ -66,8 +66,8 @@ class TaskProof {
     moved[parameter] += change;
     (void)predict(factor_, m, at_.stationarity, at_.hessian_ms, moved - s, motion);
     double value = 0.0;
-    proof_.resolved = (rest_by_chord(moved, motion, value) || solve(moved, motion, value)) &&
-                      proof_.resolved;
+    proof_.resolved =
+        (rest_by_chord(moved, motion, value) || solve(moved, motion, value)) && proof_.resolved;
     if (!task_.outer) return value;
     Evaluation outer;
     task_.outer->evaluate(moved, motion, Order::value, outer);

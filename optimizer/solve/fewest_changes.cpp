@@ -107,8 +107,8 @@ FewerChanges without(const FewerChanges& from, const std::vector<int>& back,
   bool hopeless = false;
   options.on_iteration = [&](const DesignIteration& now) {
     const double fallen = before - now.value;
-    hopeless = !(now.value < initial_value) ||
-               (now.index > 0 && now.value - kStillToCome * fallen > most);
+    hopeless =
+        !(now.value < initial_value) || (now.index > 0 && now.value - kStillToCome * fallen > most);
     before = now.value;
     return !hopeless;
   };

@@ -34,7 +34,8 @@ struct ChosenDesign {
 /// goes on from the optimum with tightened tasks: of the motion alone, then in rounds of body and
 /// motion, each of which pulls every lever once and goes on from what brings physics nearest to
 /// passing. Iterates on the way and the optima of other starts are played too. Designs are played
-/// by rising F, and none whose F is above that of one that passes. So the result never fails where the given body passes.
+/// by rising F, and none whose F is above that of one that passes. So the result never fails where
+/// the given body passes.
 /// @param tasks costs of the problem. @param along the iterates of all starts, those of the whole
 /// problem. Throws MujocoError.
 ChosenDesign choose_design(const CodesignProblem& problem, const std::vector<JointTask>& tasks,

@@ -110,8 +110,7 @@ TEST_P(PrintedObjectives, PrintedVolumeFallsWithTheMassOfTheRobot) {
   EXPECT_LT(mass(lowered), mass(plain()));
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, OuterObjectives,
-                         testing::Values("printed_quadruped", "puppy"),
+INSTANTIATE_TEST_SUITE_P(Robots, OuterObjectives, testing::Values("printed_quadruped", "puppy"),
                          [](const auto& instance) { return std::string(instance.param); });
 
 INSTANTIATE_TEST_SUITE_P(Robots, PrintedObjectives,
