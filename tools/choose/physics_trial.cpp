@@ -113,8 +113,8 @@ GaitTrial play_cycles(const std::vector<Scene>& scenes, const TaskFile& wanted,
 }
 
 /// The same cycles once more at the highest gains with a pyramidal cone: of all numerics that
-/// `validate` asks the one that fails most often (docs/findings/physics_in_the_search.md). A gait that fails it alone is nearer to passing than
-/// any that misses a limit at its gains.
+/// `validate` asks the one that fails most often (docs/findings/physics_in_the_search.md). A gait
+/// that fails it alone is nearer to passing than any that misses a limit at its gains.
 void ask_other_numerics(const std::vector<Scene>& scenes, const TaskFile& wanted,
                         const DesignTexts& texts, GaitTrial& trial) {
   const Scene& scene = scenes.back();
