@@ -23,7 +23,7 @@ TEST(OuterMeasured, IsTheLargestTorqueAndTheWorkOfACycle) {
 
 TEST(OuterMeasured, LeavesOutGainsAtWhichItFell) {
   MetricsRecord metrics;
-  metrics.initial.of("half") = metrics.initial.of("double") = walked();
+  for (const char* gain : {"half", "double"}) metrics.initial.of(gain) = walked();
   metrics.initial.of("half").fall.emplace();
   metrics.result.of("half") = walked();
   const auto found = outer_measured("peak_torque", metrics);
