@@ -112,7 +112,7 @@ class DesignChooser {
   }
 
   /// Tightened searches from a candidate that failed, until physics passes one: of the motion
-  /// alone first, which costs a tenth of the others, then in rounds of body and motion. Each goes
+  /// alone first, which cost one motion solve each, then in rounds of body and motion. Each goes
   /// on from the nearest ones of the last.
   void tighten(const Candidate& from, const PlayedCandidate& played) {
     std::vector<PlayedDesign> beam{{from, played, {}}};
