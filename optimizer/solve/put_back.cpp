@@ -126,8 +126,6 @@ std::vector<PutBack> put_back(const std::vector<std::vector<WeightedCost>>& thre
   std::size_t kept = 0;  // those before the first that was left out
   while (kept < rows.size() && done[kept] != 0) ++kept;
   rows.resize(kept);
-  if (options.judge)
-    for (PutBack& row : rows) row.verdict = options.judge(row);
   return rows;
 }
 

@@ -3,7 +3,6 @@
 
 #include <Eigen/Core>
 #include <functional>
-#include <string>
 #include <vector>
 
 #include "optimizer/solve/codesign.hpp"
@@ -21,7 +20,6 @@ struct PutBack {
   std::vector<double> outer_decrease;      // of each Jᵢ
   std::vector<std::vector<double>> terms;  // by task: decrease of each term of Fᵢ, in their order
   SolveStatus motion_status = SolveStatus::iteration_limit;  // the worst of the tasks
-  std::string verdict;                                       // what `judge` said; empty without
 
   /// Σ wᵢ of the decreases of Fᵢ and Jᵢ.
   double total(const std::vector<WeightedCost>& tasks) const;
@@ -29,9 +27,6 @@ struct PutBack {
 
 struct PutBackOptions {
   MotionLimits limits = put_back_limits();
-  /// Judges such a design, say by a short roll-out, in one line; called for one row after the
-  /// other, in their order.
-  std::function<std::string(const PutBack&)> judge = {};
   std::function<bool()> stop = {};  // asked before each row: true leaves the rest out
 
   static MotionLimits put_back_limits();

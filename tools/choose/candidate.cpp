@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/choose/candidate.hpp"
 
+#include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -21,7 +22,7 @@ double sum_of(const std::vector<TermValue>& terms) {
 }
 
 GaitTrial play_task(const CodesignProblem& problem, const Candidate& candidate, int k, int threads,
-                    bool to_the_end) {
+                    PlayLength length) {
   GaitTrial trial;
   trial.distance = std::numeric_limits<double>::infinity();
   const DesignIteration& design = candidate.design;
@@ -29,7 +30,7 @@ GaitTrial play_task(const CodesignProblem& problem, const Candidate& candidate, 
     trial = try_in_physics(problem.robot, problem.task(k),
                            design_texts(problem.robot, candidate.objective(problem, k), design.s,
                                         design.tasks.at(static_cast<std::size_t>(k)).m),
-                           threads, to_the_end);
+                           threads, length);
   } catch (const InputError& error) {
     trial.line = error.what();  // no such robot, which never passes
   } catch (const MujocoError& error) {
@@ -46,11 +47,11 @@ const Objective& Candidate::objective(const CodesignProblem& problem, int k) con
 }
 
 PlayedCandidate play_candidate(const CodesignProblem& problem, const Candidate& candidate,
-                               int threads, bool to_the_end) {
+                               int threads, PlayLength length) {
   std::vector<GaitTrial> trials(static_cast<std::size_t>(problem.task_count()));
   parallel_for(problem.task_count(), threads, [&](int k) {
     trials[static_cast<std::size_t>(k)] =
-        play_task(problem, candidate, k, std::max(1, threads / problem.task_count()), to_the_end);
+        play_task(problem, candidate, k, std::max(1, threads / problem.task_count()), length);
   });
   PlayedCandidate out{true, 0.0, "", {}};
   for (const GaitTrial& trial : trials) {
@@ -60,6 +61,22 @@ PlayedCandidate play_candidate(const CodesignProblem& problem, const Candidate& 
   for (const GaitTrial& trial : trials)
     if (trial.pass == out.pass) out.line += (out.line.empty() ? "" : "; ") + trial.line;
   out.trials = std::move(trials);
+  return out;
+}
+
+std::vector<std::optional<PlayedCandidate>> play_beside(const CodesignProblem& problem,
+                                                        const Candidate& candidate,
+                                                        const std::vector<DesignIteration>& designs,
+                                                        int threads,
+                                                        const std::function<bool()>& stop) {
+  std::vector<std::optional<PlayedCandidate>> out(designs.size());
+  parallel_for(static_cast<int>(designs.size()), threads, [&](int k) {
+    const auto i = static_cast<std::size_t>(k);
+    if (!std::isfinite(designs[i].value) || (stop && stop())) return;
+    Candidate beside = candidate;
+    beside.design = designs[i];
+    out[i] = play_candidate(problem, beside, 1, PlayLength::first_cycles);
+  });
   return out;
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,9 +35,16 @@ struct PlayedCandidate {
 };
 
 /// Plays every task of a candidate at half, default and double gains. Needs load_gait_plugin().
-/// @param to_the_end what fails early, too
 PlayedCandidate play_candidate(const CodesignProblem& problem, const Candidate& candidate,
-                               int threads, bool to_the_end = false);
+                               int threads, PlayLength length = PlayLength::until_failure);
+
+/// Plays designs of the candidate's own search for their first cycles. Those without a finite F are
+/// not played.
+std::vector<std::optional<PlayedCandidate>> play_beside(const CodesignProblem& problem,
+                                                        const Candidate& candidate,
+                                                        const std::vector<DesignIteration>& designs,
+                                                        int threads,
+                                                        const std::function<bool()>& stop);
 
 /// Sets F, J and their terms to those of the tasks as they were given, for a candidate that was
 /// found with tightened ones; but for the speed and turn that it was aimed at.

@@ -147,12 +147,13 @@ class DesignChooser {
     std::vector<PlayedCandidate> played(finalists_.size());
     parallel_for(static_cast<int>(finalists_.size()), options_.threads, [&](int k) {
       const auto i = static_cast<std::size_t>(k);
-      played[i] = play_candidate(problem_, finalists_[i].design, 1, true);
+      played[i] = play_candidate(problem_, finalists_[i].design, 1, PlayLength::whole);
     });
     best_.reset();
     for (std::size_t i = 0; i < finalists_.size(); ++i) {
       record_.candidates[finalists_[i].place].played = {played[i].distance, played[i].pass,
                                                         played[i].line};
+      count_rollouts(played[i]);
       take_if_nearer(finalists_[i].design, played[i]);
     }
   }
@@ -160,8 +161,6 @@ class DesignChooser {
   ChosenDesign result(double seconds) {
     record_.chosen = best_->name;
     record_.pass = played_.pass;
-    record_.rollouts =
-        static_cast<int>(record_.candidates.size()) * kTrialRollouts * problem_.task_count();
     record_.seconds = seconds;
     std::erase_if(kept_, [&](const auto& kept) {
       return record_.candidates[kept.first].name == record_.chosen;
@@ -278,7 +277,12 @@ class DesignChooser {
     return played_a.pass ? a.design.value < b.design.value : played_a.distance < played_b.distance;
   }
 
+  void count_rollouts(const PlayedCandidate& played) {
+    for (const GaitTrial& trial : played.trials) record_.rollouts += trial.rollouts;
+  }
+
   void note(const Candidate& candidate, const PlayedCandidate& played) {
+    count_rollouts(played);
     if (options_.tell)
       options_.tell(fmt::format("physics, {} (F {:.5g}): {}", candidate.name,
                                 candidate.design.value, played.line));

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "optimizer/base/parallel.hpp"
@@ -18,8 +20,15 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr std::array<double, kTrialRollouts - 1> kTrialGains = {0.5, 1.0, 2.0};
-constexpr const char* kAskedNumerics = "pyramidal";
+constexpr std::array<double, 3> kTrialGains = {0.5, 1.0, 2.0};
+
+/// A gain and what MuJoCo computes with there (other_numerics).
+struct AskedNumerics {
+  double gain_scale = 1.0;
+  const char* name = nullptr;
+};
+constexpr std::array<AskedNumerics, 3> kAskedNumerics = {
+    {{2.0, "half_step"}, {2.0, "pyramidal"}, {1.0, "pyramidal"}}};
 // What fails within the first cycles need not be played to the end.
 constexpr int kFirstCycles = 6, kTrialCycles = 20;
 // What adds to the distance from passing: a limit that is missed, or not measured; a fall.
@@ -74,6 +83,12 @@ double middle(const std::vector<double>& values, double unknown) {
   return 0.5 * (*least + *most);
 }
 
+NumericalSetting setting_called(const std::string& name, double timestep) {
+  for (NumericalSetting& setting : other_numerics(timestep))
+    if (setting.name == name) return setting;
+  throw std::logic_error("no numerics called " + name);
+}
+
 std::vector<Scene> scenes_at_gains(const RobotModel& robot, const DesignTexts& texts) {
   std::vector<Scene> scenes;
   for (const double gain : kTrialGains)
@@ -93,6 +108,7 @@ GaitTrial play_cycles(const std::vector<Scene>& scenes, const TaskFile& wanted,
   });
   const Limits limits = with_step_over(default_limits(), wanted.margins.step_over);
   GaitTrial trial;
+  trial.rollouts = static_cast<int>(scenes.size());
   std::vector<double> residual, speed_ratios, drifts;
   const double planned_seconds = cycles * scenes.front().trajectory.period;
   for (const Measurements& run : at_gains) {
@@ -112,40 +128,55 @@ GaitTrial play_cycles(const std::vector<Scene>& scenes, const TaskFile& wanted,
   return trial;
 }
 
-/// The same cycles once more at the highest gains with a pyramidal cone: of all numerics that
-/// `validate` asks the one that fails most often (docs/findings/physics_in_the_search.md). A gait
-/// that fails it alone is nearer to passing than any that misses a limit at its gains.
-void ask_other_numerics(const std::vector<Scene>& scenes, const TaskFile& wanted,
-                        const DesignTexts& texts, GaitTrial& trial) {
-  const Scene& scene = scenes.back();
-  for (const NumericalSetting& setting : other_numerics(scene.model->opt.timestep)) {
-    if (setting.name != kAskedNumerics) continue;
+/// The same cycles once more with those numerics in which gaits that pass fail most often
+/// (docs/findings/physics_in_the_search.md). A gait that fails in these alone is nearer to passing
+/// than any that misses a limit at its gains.
+void ask_other_numerics(const RobotModel& robot, const TaskFile& wanted, const DesignTexts& texts,
+                        int threads, GaitTrial& trial) {
+  const WantedMotion motion{wanted.velocity, wanted.turn_rate};
+  const Limits limits = with_step_over(default_limits(), wanted.margins.step_over);
+  std::array<double, kAskedNumerics.size()> far{};
+  std::array<std::string, kAskedNumerics.size()> lines;
+  parallel_for(static_cast<int>(kAskedNumerics.size()), threads, [&](int k) {
+    const auto i = static_cast<std::size_t>(k);
+    const AskedNumerics& asked = kAskedNumerics[i];
+    const Scene scene =
+        parse_scene(texts.scene_xml, "scene.xml", asked.gain_scale, robot.files.folder());
+    const NumericalSetting setting = setting_called(asked.name, scene.model->opt.timestep);
     apply(setting, scene.model->opt);
-    const WantedMotion motion{wanted.velocity, wanted.turn_rate};
     RolloutOptions options;
     options.cycles = kTrialCycles;
     const Measurements run = measure(scene, motion, texts.quality.planned_velocity, options);
-    const Limits limits = with_step_over(default_limits(), wanted.margins.step_over);
     const Verdict verdict = judge({run}, motion, wanted.gait, limits);
-    if (verdict.pass) continue;
+    if (verdict.pass) return;
+    far[i] = distance_of(run, motion, limits, kTrialCycles * scene.trajectory.period);
+    lines[i] = verdict.line + ", " + setting.words;
+  });
+  double sum = 0.0;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (lines[i].empty()) continue;
+    trial.line = trial.pass ? lines[i] : trial.line + "; " + lines[i];
     trial.pass = false;
-    const double far = distance_of(run, motion, limits, kTrialCycles * scene.trajectory.period);
-    trial.distance = kMissedLimit * far / (1.0 + far);
-    trial.line = verdict.line + ", " + setting.words;
+    sum += far[i];
   }
+  trial.distance += kMissedLimit * sum / (1.0 + sum);
+  trial.rollouts += static_cast<int>(kAskedNumerics.size());
 }
 
 }  // namespace
 
 GaitTrial try_in_physics(const RobotModel& robot, const TaskFile& wanted, const DesignTexts& texts,
-                         int threads, bool to_the_end) {
+                         int threads, PlayLength length) {
   const std::vector<Scene> scenes = scenes_at_gains(robot, texts);
-  if (!to_the_end) {
+  int rollouts = 0;
+  if (length != PlayLength::whole) {
     GaitTrial trial = play_cycles(scenes, wanted, texts, kFirstCycles, threads);
-    if (!trial.pass) return trial;
+    if (!trial.pass || length == PlayLength::first_cycles) return trial;
+    rollouts = trial.rollouts;
   }
   GaitTrial trial = play_cycles(scenes, wanted, texts, kTrialCycles, threads);
-  if (trial.pass) ask_other_numerics(scenes, wanted, texts, trial);
+  trial.rollouts += rollouts;
+  if (trial.pass) ask_other_numerics(robot, wanted, texts, threads, trial);
   return trial;
 }
 

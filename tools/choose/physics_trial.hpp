@@ -8,9 +8,9 @@
 
 namespace legwright {
 
-/// How often MuJoCo plays a gait while it is judged: at half, default and double gains, and at the
-/// latter with other numerics.
-inline constexpr int kTrialRollouts = 4;
+/// For how long a gait is played. One that fails within its first cycles fails; two that do can be
+/// compared only after as many cycles.
+enum class PlayLength { first_cycles, until_failure, whole };
 
 /// What physics says of a gait, for the choice between designs.
 struct GaitTrial : PhysicsTrial {
@@ -20,16 +20,17 @@ struct GaitTrial : PhysicsTrial {
   double distance = 0.0;
   double speed_ratio = 1.0;    // in the middle between the gains; 1 where unknown
   double heading_drift = 0.0;  // the same [rad a cycle]
+  int rollouts = 0;            // that it took
 };
 
 /// Plays a planned gait in MuJoCo as `validate` does, over as many cycles and at the same gains,
-/// and judges it by the same limits; then, where it passes, with a pyramidal cone at the highest
-/// gains. A gait that fails within its first cycles is not played on,
-/// unless it shall be played to the end: two that fail can be compared only after as many cycles.
+/// and judges it by the same limits; then, where it passes, with half the step at the highest gains
+/// and with a pyramidal cone at these and the default ones. The first cycles alone ask no other
+/// numerics.
 /// Throws MujocoError for a scene that cannot be played; needs load_gait_plugin() before.
 /// @param wanted the task that the gait is judged by, which it need not be planned for
 /// @param threads of the gains; results do not depend on it
 GaitTrial try_in_physics(const RobotModel& robot, const TaskFile& wanted, const DesignTexts& texts,
-                         int threads = 1, bool to_the_end = false);
+                         int threads = 1, PlayLength length = PlayLength::until_failure);
 
 }  // namespace legwright

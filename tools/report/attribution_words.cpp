@@ -11,6 +11,8 @@
 namespace legwright {
 namespace {
 
+constexpr std::size_t kMostNamed = 6;  // parameters
+
 /// "a −3, b −2, at the cost of c +1"
 std::string list_words(const std::vector<AttributionShare>& shares) {
   std::string gains, costs;
@@ -69,10 +71,31 @@ std::string attribution_summary(const std::vector<Attribution>& attributions,
   return out;
 }
 
-std::string put_back_words(double raised) {
+std::string put_back_words(double raised, const std::optional<PlayedGait>& played) {
   if (!std::isfinite(raised)) return "put back alone, no motion is found";
-  return fmt::format("put back alone, F {} by {}", raised < 0.0 ? "falls" : "rises",
-                     change_of_cost(std::abs(raised)).substr(1));
+  std::string out = fmt::format("put back alone, F {} by {}", raised < 0.0 ? "falls" : "rises",
+                                change_of_cost(std::abs(raised)).substr(1));
+  if (played) out += played->pass ? ", and MuJoCo still passes it" : ", and it fails in MuJoCo";
+  return out;
+}
+
+std::string put_back_physics_words(const std::optional<std::vector<PutBackRecord>>& rows) {
+  if (!rows) return "";
+  std::size_t played = 0;
+  std::vector<std::string> failing;
+  for (const PutBackRecord& row : *rows) {
+    if (!row.played) continue;
+    ++played;
+    if (!row.played->pass) failing.push_back(row.parameter);
+  }
+  if (played == 0) return "";
+  std::string out = fmt::format(
+      "Put back alone, {} of the {} that buy{} 1 % of F or more let{} the robot fail in MuJoCo "
+      "within a few cycles",
+      failing.empty() ? "none" : std::to_string(failing.size()), played, played == 1 ? "s" : "",
+      failing.size() <= 1 ? "s" : "");
+  if (!failing.empty() && failing.size() <= kMostNamed) out += ": " + named_list(failing);
+  return out + ".";
 }
 
 }  // namespace legwright

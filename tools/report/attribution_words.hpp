@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "optimizer/solve/attribution.hpp"
+#include "tools/run/put_back_record.hpp"
 
 namespace legwright {
 
@@ -19,8 +20,14 @@ std::string attribution_words(const Attribution& attribution, double scale);
 std::string attribution_summary(const std::vector<Attribution>& attributions,
                                 std::optional<double> fall);
 
-/// "put back alone, F rises by 3.1". @param raised by how much; not finite: no motion
-std::string put_back_words(double raised);
+/// "put back alone, F rises by 3.1, and the robot fails in MuJoCo".
+/// @param raised by how much; not finite: no motion @param played what physics says then, if known
+std::string put_back_words(double raised, const std::optional<PlayedGait>& played = {});
+
+/// "Put back alone, 2 of the 9 that buy 1 % of F or more let the robot fail in MuJoCo within a few
+/// cycles: a and b.";
+/// empty where nothing was played.
+std::string put_back_physics_words(const std::optional<std::vector<PutBackRecord>>& rows);
 
 /// What the numbers of such rows are, and what they are not.
 inline constexpr const char* kPutBackNote =

@@ -40,9 +40,11 @@ std::string ChangedParameters::bound_words() const {
 ChangedParameters changed_parameters(const RunRecord& run) {
   ChangedParameters out;
   std::map<std::string, double> lowered;
+  std::map<std::string, std::optional<PlayedGait>> played;
   if (run.put_back)
     for (const PutBackRecord& each : *run.put_back) {
       lowered[each.parameter] = std::isnan(each.F) ? kNoMotion : each.F + each.J.value_or(0.0);
+      played[each.parameter] = each.played;
       out.by_cost = true;
     }
   std::vector<ChangedParameter> changed;
@@ -51,7 +53,8 @@ ChangedParameters changed_parameters(const RunRecord& run) {
     if (view.change() == "0") continue;
     const auto found = lowered.find(view.name);
     effects.push_back({found == lowered.end() ? 0.0 : found->second, view.share_of_range()});
-    changed.push_back({std::move(view), effects.back().decrease});
+    const std::string name = view.name;
+    changed.push_back({std::move(view), effects.back().decrease, played[name]});
   }
   std::vector<ParameterEffect> ordered;
   for (const std::size_t k : order_of_effects(effects)) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct ChangedParameter {
   ParameterView view;
   double lowered = 0.0;  // F + J with it put back, less that of the result; 0: not known;
                          // infinite: no motion
+  std::optional<PlayedGait> played = {};  // of that body, where it was played
 };
 
 /// The design parameters of a run that changed, in the one order in which all parts of a report

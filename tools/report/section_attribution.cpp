@@ -55,11 +55,11 @@ void add_largest(Html& page, const ChangedParameters& changed) {
                             : "The largest changes, by share of the allowed range:");
   page.open("ol", {{"class", "changes"}});
   for (std::size_t i = 0; i < std::min(kMostTold, changed.list.size()); ++i) {
-    const auto& [p, lowered] = changed.list[i];
+    const auto& [p, lowered, played] = changed.list[i];
     page.open("li").element("b", fmt::format("{} {}", spaced(p.name), p.change()));
     page.text(fmt::format(", from {} to {}", p.with_unit(p.initial), p.with_unit(p.final)));
     if (!p.at_bound().empty()) page.text(", at its " + p.at_bound());
-    if (changed.by_cost) page.text("; " + put_back_words(lowered));
+    if (changed.by_cost) page.text("; " + put_back_words(lowered, played));
     page.close();
   }
   page.close();
@@ -72,7 +72,9 @@ void add_why(Html& page, const RunData& data, const std::vector<Attribution>& at
   const std::string summary =
       attribution_summary(attributions, part ? std::nullopt : data.run.fall_of_cost());
   if (summary.empty()) return;
-  page.open("p").element("b", "Why it changed. ").text(summary).close();
+  const std::string physics = put_back_physics_words(data.run.put_back);
+  page.open("p").element("b", "Why it changed. ");
+  page.text(physics.empty() ? summary : summary + " " + physics).close();
   page.note(kPutBackNote);
   if (part) page.note("They are of this task alone; the body serves others, too.");
   add_gap_note(page, data.run, "They are");

@@ -16,6 +16,13 @@ std::string spaced(std::string_view name) {
   return out;
 }
 
+std::string named_list(const std::vector<std::string>& names) {
+  std::string out;
+  for (std::size_t k = 0; k < names.size(); ++k)
+    out += (k == 0 ? "" : k + 1 < names.size() ? ", " : " and ") + spaced(names[k]);
+  return out;
+}
+
 std::string term_words(const std::string& name) {
   const TermEntry* term = find_term(name);
   return term != nullptr ? std::string(term->label) : spaced(name);

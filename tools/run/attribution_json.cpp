@@ -10,7 +10,6 @@ PutBackRecord plain_record(const PutBack& row, const DesignSpace& space) {
   PutBackRecord record;
   record.parameter = space.parameters[row.parameter].name;
   record.status = to_string(row.motion_status);
-  if (!row.verdict.empty()) record.verdict = row.verdict;
   return record;
 }
 

@@ -7,6 +7,7 @@ void fields(Fields& f, FewerChangesRecord& design) {
   f("changed", design.changed, "parameters that are not those of the initial body");
   f("F", design.F, "weighted, J included");
   f("s", design.s);
+  f("played", design.played, "what MuJoCo says of it within a few cycles");
 }
 
 void fields(Fields& f, FewestChangesRecord& fewest) {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "tools/run/played_gait.hpp"
 #include "tools/run/record.hpp"
 
 namespace legwright {
@@ -13,6 +15,7 @@ struct FewerChangesRecord {
   std::vector<std::string> changed;
   double F = 0.0;  // Σ weight (F + J)
   ByName<double> s;
+  std::optional<PlayedGait> played = {};  // for its first cycles
 };
 void fields(Fields& f, FewerChangesRecord& design);
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "tools/run/played_gait.hpp"
 #include "tools/run/record.hpp"
 
 namespace legwright {
@@ -15,7 +16,7 @@ struct PutBackRecord {
   std::optional<double> J;        // the same, of a run with an outer objective
   ByName<double> terms, F_tasks;  // the same of each term; of a joint run instead of each task
   std::string status;             // of the motion
-  std::optional<std::string> verdict;
+  std::optional<PlayedGait> played = {};  // for its first cycles
 };
 void fields(Fields& f, PutBackRecord& row);
 

@@ -16,12 +16,6 @@ void fields(Fields& f, PayloadRecord& payload) {
   f("size_m", payload.size);
 }
 
-void fields(Fields& f, PlayedGait& gait) {
-  f("merit", gait.merit, "distance from the task; null where it fell");
-  f("pass", gait.pass);
-  f("line", gait.line, "of the verdict");
-}
-
 void fields(Fields& f, CandidateRecord& candidate) {
   f("name", candidate.name);
   f("F", candidate.F, "of the task as it was given");

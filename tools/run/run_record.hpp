@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tools/run/fewest_changes_record.hpp"
+#include "tools/run/played_gait.hpp"
 #include "tools/run/put_back_record.hpp"
 #include "tools/run/record.hpp"
 
@@ -22,14 +23,6 @@ struct PayloadRecord {
   std::array<double, 3> position{}, size{};  // [m]
 };
 void fields(Fields& f, PayloadRecord& payload);
-
-/// How far MuJoCo let a gait come: what a physics step starts from or ends with.
-struct PlayedGait {
-  double merit = 0.0;  // not finite: it fell
-  bool pass = false;
-  std::string line;  // of the verdict
-};
-void fields(Fields& f, PlayedGait& gait);
 
 /// A design that was played before `optimize` chose its result.
 struct CandidateRecord {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
 #include <cmath>
 #include <memory>
 
@@ -72,7 +73,7 @@ class GapCloser {
     return gait;
   }
 
-  PhysicsTrial play(const VectorXd& x) const {
+  GaitTrial play(const VectorXd& x) const {
     try {
       const PlannedGait gait = plan(x);
       return try_in_physics(problem_.robot, problem_.task(k_),
@@ -191,9 +192,14 @@ PhysicsStepsRecord close_gap(const ResultFolder& folder, const CodesignProblem& 
   rules.on_step = [&](const PhysicsStep& step) {
     if (options.tell) options.tell(step_words(closer, step, ++number));
   };
+  std::atomic<int> rollouts = 0;
+  const auto play = [&](const VectorXd& x) -> PhysicsTrial {
+    const GaitTrial trial = closer.play(x);
+    rollouts += trial.rollouts;
+    return trial;
+  };
   const PhysicsStepsResult found =
-      take_physics_steps([&](const VectorXd& x) { return closer.play(x); }, VectorXd::Zero(count),
-                         lower, upper, rules);
+      take_physics_steps(play, VectorXd::Zero(count), lower, upper, rules);
   const bool better = found.best.merit() < found.start.merit();
   if (better)
     write_result(result_folder(folder, problem, k), problem, best, k, closer.plan(found.x));
@@ -207,7 +213,7 @@ PhysicsStepsRecord close_gap(const ResultFolder& folder, const CodesignProblem& 
                          .period = problem.task(k).period * played_period_factor(closer, found.x),
                          .seconds = watch.seconds(),
                          .changed = better,
-                         .rollouts = found.trials * kTrialRollouts,
+                         .rollouts = rollouts,
                          .steps = {}};
   for (const PhysicsStep& step : found.steps)
     out.steps.push_back({scalars_of(closer, step.x), step.trial.merit(), step.predicted_merit,

@@ -16,6 +16,10 @@
 namespace legwright {
 namespace {
 
+using Eigen::VectorXd;
+
+constexpr double kWorthPlaying = 0.01;  // of F: a parameter that buys less is not played put back
+
 bool stop_asked() { return StopSignals::received() != 0; }
 
 int thread_count(int asked) {
@@ -43,6 +47,39 @@ double best_of_given_body(std::vector<WeightedCost> tasks, const DesignIteration
     sum += tasks[k].weight * (solver.now().value + solver.now().outer_value);
   }
   return sum;
+}
+
+/// The designs of rows, each with its motions. F is not finite where there is none, or where it
+/// rises so little that physics need not be asked.
+std::vector<DesignIteration> designs_of(const std::vector<PutBack>& rows,
+                                        const std::vector<WeightedCost>& tasks, double result_F) {
+  std::vector<DesignIteration> out;
+  for (const PutBack& row : rows) {
+    const double rise = row.total(tasks);
+    DesignIteration& design = out.emplace_back();
+    design.s = row.s;
+    design.value = std::abs(rise) > kWorthPlaying * result_F
+                       ? result_F + rise
+                       : std::numeric_limits<double>::quiet_NaN();
+    for (const VectorXd& m : row.motions) design.tasks.emplace_back().m = m;
+  }
+  return out;
+}
+
+PlayedGait played_gait(const PlayedCandidate& played) {
+  return {played.distance, played.pass, played.line};
+}
+
+/// What physics says of each row. @param task that it is said of; nothing: of all together
+void add_played(const std::vector<std::optional<PlayedCandidate>>& played, std::optional<int> task,
+                std::vector<PutBackRecord>& rows) {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (!played[i]) continue;
+    rows[i].played = played_gait(*played[i]);
+    if (!task) continue;
+    const GaitTrial& trial = played[i]->trials.at(static_cast<std::size_t>(*task));
+    rows[i].played = {trial.distance, trial.pass, trial.line};
+  }
 }
 
 }  // namespace
@@ -132,6 +169,15 @@ void ChangeReasons::keep_fewest(MultistartResult& found, const OnIteration& on_i
   on_iteration(winner.label, winner.result.best);
 }
 
+void ChangeReasons::play_fewest(const Candidate& chosen) {
+  std::vector<DesignIteration> designs;
+  designs.reserve(designs_.size());
+  for (const FewerChanges& each : designs_) designs.push_back(each.design);
+  const auto played = play_beside(problem_, chosen, designs, threads_, stop_asked);
+  for (std::size_t i = 0; i < played.size(); ++i)
+    if (played[i]) fewest_.designs[i].played = played_gait(*played[i]);
+}
+
 void ChangeReasons::write(const ResultFolder& folder, const MultistartResult& found,
                           const Candidate& chosen, RunRecord& run) {
   const DesignSpace& space = problem_.robot.space;
@@ -145,19 +191,26 @@ void ChangeReasons::write(const ResultFolder& folder, const MultistartResult& fo
   }
   const std::vector<PutBack> rows = rows_of(best);
   if (!fewest_.kept || !chosen.planned.empty()) find_fewest(initial_F, best, rows);
+  play_fewest(chosen);
   run.fewest_changes = fewest_;
   const std::vector<WeightedCost>& tasks = costs().tasks().front();
+  const auto played = play_beside(problem_, chosen, designs_of(rows, tasks, best.value), threads_,
+                                  stop_asked);
   if (!problem_.set.joint()) {
     run.put_back = put_back_records(rows, space, tasks, 0);
+    add_played(played, std::nullopt, *run.put_back);
     return;
   }
   std::vector<std::string> names;
   names.reserve(static_cast<std::size_t>(problem_.task_count()));
   for (int k = 0; k < problem_.task_count(); ++k) names.push_back(problem_.task(k).name);
   run.put_back = joint_put_back_records(rows, space, tasks, names);
+  add_played(played, std::nullopt, *run.put_back);
   for (int k = 0; k < problem_.task_count(); ++k)
-    edit_task_run(folder, problem_, k,
-                  [&](RunRecord& own) { own.put_back = put_back_records(rows, space, tasks, k); });
+    edit_task_run(folder, problem_, k, [&](RunRecord& own) {
+      own.put_back = put_back_records(rows, space, tasks, k);
+      add_played(played, k, *own.put_back);
+    });
 }
 
 }  // namespace legwright

@@ -14,7 +14,8 @@
 
 namespace legwright {
 
-/// Why the body of a run changed: what each change buys, and how few would do.
+/// Why the body of a run changed: what each change buys, how few would do, and what physics says of
+/// these bodies within a few cycles.
 class ChangeReasons {
  public:
   /// @param threads 0: all cores @param share of the fall of F that few changes shall keep
@@ -35,6 +36,7 @@ class ChangeReasons {
   const CostsByThread& costs();
   std::vector<PutBack> rows_of(const DesignIteration& design);
   void find_fewest(double initial_F, const DesignIteration& best, const std::vector<PutBack>& rows);
+  void play_fewest(const Candidate& chosen);
 
   const CodesignProblem& problem_;
   const int threads_;

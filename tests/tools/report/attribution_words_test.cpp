@@ -63,6 +63,27 @@ TEST(AttributionWords, ShowsAsManyDigitsAsMatter) {
   EXPECT_EQ(change_of_cost(0.00427), "+0.004");
 }
 
+TEST(AttributionWords, TellWhatPhysicsSaysOfAPutBackParameter) {
+  EXPECT_EQ(put_back_words(3.1), "put back alone, F rises by 3.10");
+  EXPECT_EQ(put_back_words(3.1, PlayedGait{0.0, true, ""}),
+            "put back alone, F rises by 3.10, and MuJoCo still passes it");
+  EXPECT_EQ(put_back_words(-0.5, PlayedGait{2.0, false, ""}),
+            "put back alone, F falls by 0.50, and it fails in MuJoCo");
+  EXPECT_EQ(put_back_words(INFINITY), "put back alone, no motion is found");
+
+  std::vector<PutBackRecord> rows{row("hip_yaw", {}), row("shank", {}), row("width", {})};
+  EXPECT_EQ(put_back_physics_words(std::nullopt), "");
+  EXPECT_EQ(put_back_physics_words(rows), "") << "nothing was played";
+  rows[0].played = {0.0, true, ""};
+  EXPECT_EQ(put_back_physics_words(rows),
+            "Put back alone, none of the 1 that buys 1 % of F or more lets the robot fail in MuJoCo "
+            "within a few cycles.");
+  rows[1].played = rows[2].played = {2.0, false, ""};
+  EXPECT_EQ(put_back_physics_words(rows),
+            "Put back alone, 2 of the 3 that buy 1 % of F or more let the robot fail in MuJoCo within "
+            "a few cycles: shank and width.");
+}
+
 TEST(AttributionWords, KeepsTasksApart) {
   auto rows = attributions_of(std::vector{row("yaw", {{"travel", 2.0}})}, "pace");
   merge_attributions(rows, attributions_of(std::vector{row("yaw", {{"travel", -3.0}}),

@@ -300,6 +300,15 @@ TEST_F(ReportTest, TellsHowFewChangesWouldDo) {
   EXPECT_TRUE(has(page(), "F by number of changed parameters"));
   expect_well_formed(page());
   EXPECT_TRUE(has(report_summary(read_run(run_)), "2 of 3 changes buy 96 %"));
+  EXPECT_FALSE(has(page(), "of these 3 bodies")) << "nothing was played";
+  fewest.designs[0].played = fewest.designs[1].played = {0.0, true, "PASS"};
+  fewest.designs[2].played = {3.0, false, "FAIL"};
+  edit_run([&](Json& run) { run["fewest_changes"] = json_of(fewest); });
+  EXPECT_TRUE(has(page(), "MuJoCo passes 2 of these 3 bodies for a few cycles, of which the least "
+                          "changed has 2 changes."));
+  fewest.designs[0].played = fewest.designs[1].played = {3.0, false, "FAIL"};
+  edit_run([&](Json& run) { run["fewest_changes"] = json_of(fewest); });
+  EXPECT_TRUE(has(page(), "MuJoCo passes none of these 3 bodies for a few cycles."));
   fewest.kept = true;
   fewest.fewest = 2;
   edit_run([&](Json& run) { run["fewest_changes"] = json_of(fewest); });

@@ -17,6 +17,17 @@ TEST_P(Sideways, CoDesignedPuppyDoesWhatTheInitialOneDoesNot) {
   const std::string task = (test::kExamples / "puppy" / GetParam()).string();
   const test::Outcome optimize = call({"optimize", task, "--no-pictures", "-o", "run"});
   ASSERT_EQ(optimize.code, 0) << optimize.err;
+  // What physics says of the bodies beside it: of the result itself, that it passes; of the given
+  // body with one change, that it does not.
+  const Json run = Json::parse(read_file(folder_.path() / "run" / "run.json"));
+  for (const Json& row : run["put_back"])
+    EXPECT_EQ(row.contains("played"),
+              std::abs(row["F"].get<double>()) > 0.01 * run["final_F"].get<double>())
+        << row["parameter"];
+  const Json& fewest = run["fewest_changes"]["designs"];
+  EXPECT_TRUE(fewest.front()["played"]["pass"].get<bool>()) << fewest.front();
+  EXPECT_FALSE(fewest.back()["played"]["pass"].get<bool>()) << fewest.back();
+
   const test::Outcome validate = call({"validate", "run", "--quick"});
   EXPECT_EQ(validate.code, 0) << validate.out << validate.err;
   const fs::path result = folder_.path() / "run" / "result";
