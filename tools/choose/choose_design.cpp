@@ -129,6 +129,7 @@ class DesignChooser {
                        });
       const PlayedCandidate& best = found.front().played;
       if (!(best.distance < kGain * nearest)) return;
+      if (round > 0 && best.distance < kMissedLimit) return;  // numerics, which no lever stands for
       if (round == 0) keep_best_levers(found);
       nearest = best.distance;
       if (found.size() > kBeam) found.resize(kBeam);

@@ -31,8 +31,8 @@ constexpr std::array<AskedNumerics, 3> kAskedNumerics = {
     {{2.0, "half_step"}, {2.0, "pyramidal"}, {1.0, "pyramidal"}}};
 // What fails within the first cycles need not be played to the end.
 constexpr int kFirstCycles = 6, kTrialCycles = 20;
-// What adds to the distance from passing: a limit that is missed, or not measured; a fall.
-constexpr double kMissedLimit = 0.5, kUnknownDistance = 5.0, kFallDistance = 10.0;
+// What adds to the distance from passing besides: a limit that is not measured; a fall.
+constexpr double kUnknownDistance = 5.0, kFallDistance = 10.0;
 // What counts as one unit of a residual: the verdict's own tolerances, and less than them where
 // every bit of tilt or saturation should go.
 constexpr double kRatioUnit = 0.05, kTiltUnit = 0.3, kSaturationUnit = 0.01, kFallUnit = 0.05;

@@ -8,6 +8,10 @@
 
 namespace legwright {
 
+/// The least that a missed limit adds to the distance from passing. A gait that fails in other
+/// numerics alone stays below.
+inline constexpr double kMissedLimit = 0.5;
+
 /// For how long a gait is played. One that fails within its first cycles fails; two that do can be
 /// compared only after as many cycles.
 enum class PlayLength { first_cycles, until_failure, whole };

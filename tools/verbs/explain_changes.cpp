@@ -10,6 +10,7 @@
 #include "tools/files/json_file.hpp"
 #include "tools/run/attribution_json.hpp"
 #include "tools/run/by_name.hpp"
+#include "tools/simulate/mujoco_host.hpp"
 #include "tools/verbs/joint_folders.hpp"
 #include "tools/verbs/stop_signals.hpp"
 
@@ -108,8 +109,9 @@ class ChangeReasons::CostsByThread {
   std::vector<std::vector<WeightedCost>> tasks_;
 };
 
-ChangeReasons::ChangeReasons(const CodesignProblem& problem, int threads, double share)
-    : problem_(problem), threads_(thread_count(threads)) {
+ChangeReasons::ChangeReasons(const CodesignProblem& problem, int threads, double share,
+                             bool physics)
+    : problem_(problem), threads_(thread_count(threads)), physics_(physics) {
   fewest_.share = share;
 }
 
@@ -169,11 +171,18 @@ void ChangeReasons::keep_fewest(MultistartResult& found, const OnIteration& on_i
   on_iteration(winner.label, winner.result.best);
 }
 
+std::vector<std::optional<PlayedCandidate>> ChangeReasons::play(
+    const Candidate& chosen, const std::vector<DesignIteration>& designs) {
+  if (!physics_) return std::vector<std::optional<PlayedCandidate>>(designs.size());
+  load_gait_plugin();
+  return play_beside(problem_, chosen, designs, threads_, stop_asked);
+}
+
 void ChangeReasons::play_fewest(const Candidate& chosen) {
   std::vector<DesignIteration> designs;
   designs.reserve(designs_.size());
   for (const FewerChanges& each : designs_) designs.push_back(each.design);
-  const auto played = play_beside(problem_, chosen, designs, threads_, stop_asked);
+  const auto played = play(chosen, designs);
   for (std::size_t i = 0; i < played.size(); ++i)
     if (played[i]) fewest_.designs[i].played = played_gait(*played[i]);
 }
@@ -194,8 +203,7 @@ void ChangeReasons::write(const ResultFolder& folder, const MultistartResult& fo
   play_fewest(chosen);
   run.fewest_changes = fewest_;
   const std::vector<WeightedCost>& tasks = costs().tasks().front();
-  const auto played = play_beside(problem_, chosen, designs_of(rows, tasks, best.value), threads_,
-                                  stop_asked);
+  const auto played = play(chosen, designs_of(rows, tasks, best.value));
   if (!problem_.set.joint()) {
     run.put_back = put_back_records(rows, space, tasks, 0);
     add_played(played, std::nullopt, *run.put_back);

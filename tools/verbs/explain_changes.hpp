@@ -19,7 +19,8 @@ namespace legwright {
 class ChangeReasons {
  public:
   /// @param threads 0: all cores @param share of the fall of F that few changes shall keep
-  ChangeReasons(const CodesignProblem& problem, int threads, double share);
+  /// @param physics whether to ask it at all
+  ChangeReasons(const CodesignProblem& problem, int threads, double share, bool physics);
   ~ChangeReasons();
 
   using OnIteration = std::function<bool(const RunLabel&, const DesignIteration&)>;
@@ -36,10 +37,13 @@ class ChangeReasons {
   const CostsByThread& costs();
   std::vector<PutBack> rows_of(const DesignIteration& design);
   void find_fewest(double initial_F, const DesignIteration& best, const std::vector<PutBack>& rows);
+  std::vector<std::optional<PlayedCandidate>> play(const Candidate& chosen,
+                                                   const std::vector<DesignIteration>& designs);
   void play_fewest(const Candidate& chosen);
 
   const CodesignProblem& problem_;
   const int threads_;
+  const bool physics_;
   std::unique_ptr<CostsByThread> costs_;
   FewestChangesRecord fewest_;
   std::vector<FewerChanges> designs_;

@@ -134,7 +134,7 @@ int solve_run(const OptimizeOptions& options, CodesignProblem& problem, const fs
   const ProblemCosts costs(problem, first_motion_of(options));
   times.end_of("reading");
   MultistartResult found = codesign_from_starts(costs.tasks(), problem.robot.space, settings);
-  ChangeReasons reasons(problem, options.threads, options.few_keeps / 100.0);
+  ChangeReasons reasons(problem, options.threads, options.few_keeps / 100.0, !options.plan_only);
   if (options.few) reasons.keep_fewest(found, settings.on_iteration);
   times.end_of("search");
   progress.finish();

@@ -100,6 +100,24 @@ std::string choice_lines(const std::optional<ChoiceRecord>& choice) {
   return text;
 }
 
+/// How few changes of the body would do: for F, and for MuJoCo within a few cycles.
+std::string changes_line(const std::optional<FewestChangesRecord>& fewest) {
+  if (!fewest || fewest->fewest >= fewest->designs.size()) return "";
+  const FewerChangesRecord& few = fewest->designs[fewest->fewest];
+  std::string text =
+      fmt::format("  changes  {} of {} keep {:.0f} % of the fall of F (F {:.5g})",
+                  few.changed.size(), fewest->designs.front().changed.size(), 100.0 * fewest->share,
+                  few.F);
+  const auto passes = [](const FewerChangesRecord& design) {
+    return design.played && design.played->pass;
+  };
+  const auto least = std::find_if(fewest->designs.rbegin(), fewest->designs.rend(), passes);
+  if (least != fewest->designs.rend())
+    text += fmt::format("; the least that MuJoCo passes, for some cycles: {} (F {:.5g})",
+                        least->changed.size(), least->F);
+  return text + "\n";
+}
+
 /// The whole command as the user waits for it, then its parts, those of the solvers in brackets.
 std::string time_line(const RunRecord& run) {
   std::string parts;
@@ -149,6 +167,7 @@ std::string joint_summary(const RunRecord& run, const std::filesystem::path& roo
   for (const StartRecord& start : *run.alone)
     text += fmt::format("    {} alone {:9.5g} -> {:9.5g}  {}, {:.2f} s\n", start.tasks.front(),
                         start.start_F, start.F, start.status, start.seconds);
+  text += changes_line(run.fewest_changes);
   text += time_line(run);
   text += "  body\n" + parameter_lines(run.parameters);
   for (const std::string& reason : *run.reasons) text += "  INFEASIBLE: " + reason + "\n";
@@ -172,6 +191,7 @@ std::string optimize_summary(const RunRecord& run, const std::filesystem::path& 
                       wanted > 0.0 ? fmt::format(" ({:.1f} %)", 100.0 * reached / wanted) : "");
   text += choice_lines(run.choice);
   text += physics_lines(run.physics_steps, "  ");
+  text += changes_line(run.fewest_changes);
   text += time_line(run);
   text += fmt::format("  memory   {:.0f} MiB\n", *run.peak_rss_mib);
   if (!run.parameters.empty()) text += "  body\n" + parameter_lines(run.parameters);

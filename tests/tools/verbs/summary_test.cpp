@@ -33,7 +33,19 @@ TEST(OptimizeSummary, TellsTheWholeCommandAndItsParts) {
   run.seconds = {{"total", 1.2},      {"motion", 1.0}, {"adjoint", 0.1},
                  {"predictor", 0.05}, {"files", 0.2},  {"command", 6.25},
                  {"reading", 0.5},    {"search", 1.5}, {"certificate", 4.25}};
+  FewestChangesRecord& fewest = run.fewest_changes.emplace();
+  fewest.share = 0.95;
+  fewest.fewest = 1;
+  fewest.designs = {{{"a", "b", "c"}, 1.0, {}}, {{"a", "b"}, 1.04, {}}, {{"b"}, 1.8, {}}};
+  const std::string changes = "  changes  2 of 3 keep 95 % of the fall of F (F 1.04)";
+  EXPECT_NE(optimize_summary(run, "runs/a").find(changes + "\n"), std::string::npos);
+  fewest.designs[0].played = fewest.designs[2].played = {0.0, true, "PASS"};
+  fewest.designs[1].played = {1.0, false, "FAIL"};
   const std::string text = optimize_summary(run, "runs/a");
+  EXPECT_NE(
+      text.find(changes + "; the least that MuJoCo passes, for some cycles: 1 (F 1.8)\n"),
+      std::string::npos)
+      << text;
   EXPECT_NE(text.find("  time     6.25 s: reading 0.50, search 1.50 (motion 1.00, adjoint 0.10, "
                       "predictor 0.05, files 0.20), certificate 4.25\n"),
             std::string::npos)
