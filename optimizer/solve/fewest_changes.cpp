@@ -28,15 +28,6 @@ std::vector<int> changed_parameters_of(const VectorXd& s, const VectorXd& old_va
   return changed;
 }
 
-/// Only `changed` may move; all others are held at their old values.
-DesignSpace held_space(DesignSpace space, const VectorXd& old_values,
-                       const std::vector<int>& changed) {
-  for (int k = 0; k < space.size(); ++k)
-    if (std::find(changed.begin(), changed.end(), k) == changed.end())
-      space.parameters[k].lower = space.parameters[k].upper = old_values[k];
-  return space;
-}
-
 std::vector<WeightedCost> from_motions(std::vector<WeightedCost> tasks,
                                        const DesignIteration& design) {
   for (std::size_t i = 0; i < tasks.size(); ++i) tasks[i].initial_motion = design.tasks[i].m;
@@ -118,6 +109,14 @@ FewerChanges without(const FewerChanges& from, const std::vector<int>& back,
 }
 
 }  // namespace
+
+DesignSpace held_space(DesignSpace space, const VectorXd& old_values,
+                       const std::vector<int>& changed) {
+  for (int k = 0; k < space.size(); ++k)
+    if (std::find(changed.begin(), changed.end(), k) == changed.end())
+      space.parameters[k].lower = space.parameters[k].upper = old_values[k];
+  return space;
+}
 
 CodesignOptions FewestChangesOptions::refit_options() {
   CodesignOptions options;

@@ -46,6 +46,10 @@ struct FewerChanges {
 std::size_t fewest_that_keep(const std::vector<FewerChanges>& designs, double initial_value,
                              double share);
 
+/// The space in which only `changed` may move; all others are held at their old values.
+[[nodiscard]] DesignSpace held_space(DesignSpace space, const Eigen::VectorXd& old_values,
+                                     const std::vector<int>& changed);
+
 /// The design solved to the end: its changed parameters alone move.
 [[nodiscard]] CodesignResult settle(const std::vector<WeightedCost>& tasks,
                                     const DesignSpace& space, const Eigen::VectorXd& old_values,

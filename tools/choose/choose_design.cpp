@@ -31,6 +31,7 @@ std::optional<Candidate> search_tightened(const CodesignProblem& problem,
                                           const std::vector<JointTask>& tasks,
                                           const Candidate& from,
                                           const std::vector<Tightening>& tightening,
+                                          const DesignSpace& space,
                                           const CodesignOptions& options) {
   Candidate out;
   out.tightening = tightening;
@@ -49,7 +50,7 @@ std::optional<Candidate> search_tightened(const CodesignProblem& problem,
   } catch (const InputError&) {
     return std::nullopt;  // out of reach, or no knot left for a swing
   }
-  CodesignResult result = codesign(weighted_costs, problem.robot.space, from.design.s, options);
+  CodesignResult result = codesign(weighted_costs, space, from.design.s, options);
   if (!std::isfinite(result.best.value)) return std::nullopt;
   out.design = std::move(result.best);
   evaluate_as_asked(problem, out);
@@ -248,7 +249,8 @@ class DesignChooser {
       const LeverPull& pull = pulls[i];
       const bool of_use = what == Searched::body || pull.lever != Lever::near_given_body;
       if (stopped() || !of_use) return;
-      auto design = search_tightened(problem_, tasks_, pull.from->design, pull.tightening, search);
+      auto design = search_tightened(problem_, tasks_, pull.from->design, pull.tightening,
+                                     options_.space.value_or(problem_.robot.space), search);
       if (!design) return;
       design->name = (what == Searched::motion ? "tightened motion: " : "tightened: ") +
                      words_of(pull.tightening);
@@ -338,7 +340,9 @@ ChosenDesign choose_design(const CodesignProblem& problem, const std::vector<Joi
     if (!initial.tasks.empty() && !options.codesign.motion_only)
       chooser.consider({"initial", initial, {}, {}});
     chooser.tighten(optimum, played);
-    for (const Candidate& candidate : further_candidates(found, along))
+    const std::vector<Candidate> further =
+        options.space ? std::vector<Candidate>{} : further_candidates(found, along);
+    for (const Candidate& candidate : further)
       if (!chooser.stopped() && chooser.worth_playing(candidate.design.value))
         chooser.consider(candidate);
   }

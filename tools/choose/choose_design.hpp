@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +16,9 @@ namespace legwright {
 struct ChoiceOptions {
   CodesignOptions codesign;  // of searches with tightened tasks
   int threads = 1;           // of searches and roll-outs; results do not depend on it
+  /// Of searches with tightened tasks, where fewer parameters may change than those of the problem:
+  /// then no other designs of the search are candidates either.
+  std::optional<DesignSpace> space = {};
   std::function<void(const std::string&)> tell = {};  // one line per candidate
   std::function<bool()> stop = {};
 };

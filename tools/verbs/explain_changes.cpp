@@ -171,6 +171,12 @@ void ChangeReasons::keep_fewest(MultistartResult& found, const OnIteration& on_i
   on_iteration(winner.label, winner.result.best);
 }
 
+std::optional<DesignSpace> ChangeReasons::space_of_fewest() const {
+  if (!fewest_.kept) return std::nullopt;
+  const DesignSpace& space = problem_.robot.space;
+  return held_space(space, space.initial(), designs_[fewest_.fewest].changed);
+}
+
 std::vector<std::optional<PlayedCandidate>> ChangeReasons::play(
     const Candidate& chosen, const std::vector<DesignIteration>& designs) {
   if (!physics_) return std::vector<std::optional<PlayedCandidate>>(designs.size());
@@ -200,6 +206,7 @@ void ChangeReasons::write(const ResultFolder& folder, const MultistartResult& fo
   }
   const std::vector<PutBack> rows = rows_of(best);
   if (!fewest_.kept || !chosen.planned.empty()) find_fewest(initial_F, best, rows);
+  if (fewest_.kept && !chosen.planned.empty()) fewest_.fewest = 0;  // searched on in its space
   play_fewest(chosen);
   run.fewest_changes = fewest_;
   const std::vector<WeightedCost>& tasks = costs().tasks().front();

@@ -27,6 +27,8 @@ class ChangeReasons {
   /// optimize --few: makes the design with the fewest changes that keeps the share of the fall of F
   /// the result, as one more iteration of the start that won.
   void keep_fewest(MultistartResult& found, const OnIteration& on_iteration);
+  /// The space of that design: its changes alone may move. Nothing where it was not made.
+  std::optional<DesignSpace> space_of_fewest() const;
   /// Into run.json and, of a joint run, what each change buys into that of each task. Nothing where
   /// the body stayed. @param chosen the result, of whose F it is: that of its search
   void write(const ResultFolder& folder, const MultistartResult& found, const Candidate& chosen,

@@ -141,8 +141,9 @@ int solve_run(const OptimizeOptions& options, CodesignProblem& problem, const fs
   const int signal = StopSignals::received();
   Candidate chosen{"optimum", found.winner().best, {}, {}};
   if (signal == 0 && !options.plan_only && usable(chosen.design)) {
-    ChosenDesign choice =
-        choose_design(problem, costs.tasks(), found, along, choice_options(options, settings));
+    ChoiceOptions how = choice_options(options, settings);
+    how.space = reasons.space_of_fewest();
+    ChosenDesign choice = choose_design(problem, costs.tasks(), found, along, how);
     run.choice = choice.record;
     write_candidates(folder, problem, choice, *run.choice);
     chosen = std::move(choice.result);

@@ -65,6 +65,28 @@ TEST_P(Sideways, ReportAndPicturesCome) {
   EXPECT_TRUE(test::contains(page, "<svg"));
 }
 
+class FewChanges : public testing::Test, protected test::CallsInFolder {};
+
+// Whether F's optimum passes or a search with tightened tasks goes on from it: no further parameter
+// leaves its old value.
+TEST_F(FewChanges, OfTheResultAreThoseOfItsRecord) {
+  const std::string task = (test::kExamples / "puppy" / "sideways.toml").string();
+  const test::Outcome optimize = call({"optimize", task, "--few", "--few-keeps", "80",
+                                       "--max-iterations", "6", "--no-pictures", "--no-certificate",
+                                       "-o", "run"});
+  ASSERT_LE(optimize.code, 1) << optimize.err;
+  const Json run = Json::parse(read_file(folder_.path() / "run" / "run.json"));
+  const Json& fewest = run["fewest_changes"];
+  EXPECT_TRUE(fewest["kept"].get<bool>());
+  std::vector<std::string> changed;
+  for (const Json& parameter : run["parameters"])
+    if (parameter["final"] != parameter["initial"])
+      changed.push_back(parameter["name"].get<std::string>());
+  const Json& few = fewest["designs"][fewest["fewest"].get<std::size_t>()];
+  EXPECT_EQ(Json(changed), few["changed"]);
+  EXPECT_LT(changed.size(), 10U) << "of 20";
+}
+
 INSTANTIATE_TEST_SUITE_P(Puppy, Sideways, testing::Values("sideways.toml", "sideways_trot.toml"));
 
 }  // namespace
