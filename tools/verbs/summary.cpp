@@ -104,10 +104,9 @@ std::string choice_lines(const std::optional<ChoiceRecord>& choice) {
 std::string changes_line(const std::optional<FewestChangesRecord>& fewest) {
   if (!fewest || fewest->fewest >= fewest->designs.size()) return "";
   const FewerChangesRecord& few = fewest->designs[fewest->fewest];
-  std::string text =
-      fmt::format("  changes  {} of {} keep {:.0f} % of the fall of F (F {:.5g})",
-                  few.changed.size(), fewest->designs.front().changed.size(), 100.0 * fewest->share,
-                  few.F);
+  std::string text = fmt::format("  changes  {} of {} keep {:.0f} % of the fall of F (F {:.5g})",
+                                 few.changed.size(), fewest->designs.front().changed.size(),
+                                 100.0 * fewest->share, few.F);
   const auto passes = [](const FewerChangesRecord& design) {
     return design.played && design.played->pass;
   };

@@ -75,13 +75,15 @@ TEST(AttributionWords, TellWhatPhysicsSaysOfAPutBackParameter) {
   EXPECT_EQ(put_back_physics_words(std::nullopt), "");
   EXPECT_EQ(put_back_physics_words(rows), "") << "nothing was played";
   rows[0].played = {0.0, true, ""};
-  EXPECT_EQ(put_back_physics_words(rows),
-            "Put back alone, none of the 1 that buys 1 % of F or more lets the robot fail in MuJoCo "
-            "within a few cycles.");
+  EXPECT_EQ(
+      put_back_physics_words(rows),
+      "Put back alone, none of the 1 that buys 1 % of F or more lets the robot fail in MuJoCo "
+      "within a few cycles.");
   rows[1].played = rows[2].played = {2.0, false, ""};
-  EXPECT_EQ(put_back_physics_words(rows),
-            "Put back alone, 2 of the 3 that buy 1 % of F or more let the robot fail in MuJoCo within "
-            "a few cycles: shank and width.");
+  EXPECT_EQ(
+      put_back_physics_words(rows),
+      "Put back alone, 2 of the 3 that buy 1 % of F or more let the robot fail in MuJoCo within "
+      "a few cycles: shank and width.");
 }
 
 TEST(AttributionWords, KeepsTasksApart) {

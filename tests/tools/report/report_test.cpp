@@ -304,8 +304,9 @@ TEST_F(ReportTest, TellsHowFewChangesWouldDo) {
   fewest.designs[0].played = fewest.designs[1].played = {0.0, true, "PASS"};
   fewest.designs[2].played = {3.0, false, "FAIL"};
   edit_run([&](Json& run) { run["fewest_changes"] = json_of(fewest); });
-  EXPECT_TRUE(has(page(), "MuJoCo passes 2 of these 3 bodies for a few cycles, of which the least "
-                          "changed has 2 changes."));
+  EXPECT_TRUE(has(page(),
+                  "MuJoCo passes 2 of these 3 bodies for a few cycles, of which the least "
+                  "changed has 2 changes."));
   fewest.designs[0].played = fewest.designs[1].played = {3.0, false, "FAIL"};
   edit_run([&](Json& run) { run["fewest_changes"] = json_of(fewest); });
   EXPECT_TRUE(has(page(), "MuJoCo passes none of these 3 bodies for a few cycles."));
