@@ -92,7 +92,8 @@ void add_charts(Html& page, const Curves& curves) {
   page.open("section").element("h2", "Against wanted speed");
   page.note(
       "Measured in MuJoCo. Broad lines: default servo gains; thin lines: double gains, "
-      "dashed: half.");
+      "dashed: half. Where the optimum of F fails there, another design may have been measured: "
+      "the table tells its F.");
   page.open("div", {{"class", "charts"}});
   page.raw(speed_chart(curves));
   page.raw(chart(curves, "Limbs touch each other", "% of the time",
@@ -104,8 +105,8 @@ void add_charts(Html& page, const Curves& curves) {
                    return times(s.fall_time ? std::nullopt : s.saturated_share, 100.0);
                  }));
   page.raw(chart(
-      curves, "Cost F of the plan", "log scale; without a term F is not charged for it",
-      [](const CurvePoint& p, const CurveSample&) { return p.cost; }, true));
+      curves, "Cost F of its optimum", "log scale; without a term F is not charged for it",
+      [](const CurvePoint& p, const CurveSample&) { return p.optimum; }, true));
   page.close().close();
 }
 
@@ -222,6 +223,7 @@ void add_run_row(Html& page, const CurvePoint& point) {
   page.number(std::to_string(usual.touch_count));
   page.number(short_number(times(point.worst(&CurveSample::tilt), kDegrees)) + "°");
   page.number(short_number(point.cost));
+  page.number(short_number(point.optimum));
   page.open("td")
       .open("small")
       .text(fmt::format("{}", fmt::join(point.reasons, "; ")))
@@ -244,13 +246,15 @@ void add_runs(Html& page, const Curves& curves) {
                              {"count", "n"},
                              {"tilt", "n"},
                              {"F", "n"},
+                             {"optimum", "n"},
                              {"why not", ""}});
     for (const CurvePoint& point : variant.points) add_run_row(page, point);
     page.close().close().close();
   }
   page.note(
       "Half, default, double: share of the wanted speed at these servo gains. Touches, count: of "
-      "limbs at default gains, share of the time and how often. Tilt: the largest at any gain.");
+      "limbs at default gains, share of the time and how often. Tilt: the largest at any gain. F: "
+      "of what was measured; optimum: the least F that the search found.");
   page.close();
 }
 
@@ -273,6 +277,7 @@ Json point_json(const CurvePoint& point) {
           {"pass", point.pass},
           {"reasons", point.reasons},
           {"F", point.cost},
+          {"optimum_F", point.optimum},
           {"gains", gains},
           {"parameters", parameters}};
 }

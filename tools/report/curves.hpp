@@ -16,4 +16,9 @@ Json curves_json(const Curves& curves);
 /// a table.
 std::string curves_page(const Curves& curves);
 
+/// One drawing as SVG, a file of its own: F of the optimum against wanted speed, a line for each
+/// variant, a dot where MuJoCo passes what was handed back and a ring where it fails it. Empty with
+/// nothing to draw.
+std::string curves_picture(const Curves& curves);
+
 }  // namespace legwright

@@ -89,7 +89,9 @@ CurvePoint point_of(const RunData& data) {
   point.reasons = data.verdict->result.reasons;
   if (!data.run.final_F)
     refuse(data, "final_F", "expected the cost of a finished run; run it to its end");
-  point.cost = *data.run.final_F;
+  point.cost = point.optimum = *data.run.final_F;
+  if (data.run.choice && !data.run.choice->candidates.empty())
+    point.optimum = data.run.choice->candidates.front().F;
   for (std::size_t g = 0; g < kGains.size(); ++g)
     if (const GainMetrics* measured = data.metrics->result.find(kGains[g]))
       point.at_gains[g] = sample_of(*measured, point.wanted);

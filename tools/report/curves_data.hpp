@@ -24,8 +24,9 @@ struct CurveSample {
 /// One validated run: a wanted speed and what became of it.
 struct CurvePoint {
   std::filesystem::path run;
-  double wanted = 0.0;  // [m/s]
-  double cost = 0.0;    // F
+  double wanted = 0.0;   // [m/s]
+  double cost = 0.0;     // F of the result
+  double optimum = 0.0;  // of the optimum of F, which it is unless MuJoCo had another chosen
   bool pass = false;
   std::vector<std::string> reasons;  // why not
   std::array<CurveSample, 3> at_gains;

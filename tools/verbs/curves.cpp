@@ -15,7 +15,7 @@ namespace {
 
 struct CurvesOptions {
   std::vector<std::string> runs, variants;
-  std::string page = "curves.html";
+  std::string page = "curves.html", picture;
   bool json = false;
 };
 
@@ -57,6 +57,7 @@ int curves(const CurvesOptions& options) {
         "no runs to draw: name folders that `legwright optimize` wrote and `legwright "
         "validate` judged");
   write_file(options.page, curves_page(found));
+  if (!options.picture.empty()) write_file(options.picture, curves_picture(found));
   if (options.json) {
     Json document = curves_json(found);
     document["page"] = options.page;
@@ -80,6 +81,8 @@ void add_curves(CLI::App& program, Action& action) {
                    "NAME=RUN,RUN: runs under a name of their own; may be given again")
       ->allow_extra_args(false);
   verb->add_option("-o,--output", options->page, "The page to write")->capture_default_str();
+  verb->add_option("--picture", options->picture,
+                   "Also the chart of F alone, as an SVG file of its own");
   verb->add_flag("--json", options->json, "One JSON document on stdout: what was drawn");
   verb->footer(
       "Groups the runs by what they are: co-designed, motion only, and the terms of F that their "
@@ -87,7 +90,7 @@ void add_curves(CLI::App& program, Action& action) {
       "Draws measured speed, touches of limbs, tilt, servos at their limit, F and the main design "
       "parameters, with a\n"
       "table under it. Runs must be of one robot, one gait and one direction, and validated.\n"
-      "examples/hexapod/curves makes such a set.");
+      "examples/curves makes such a set.");
 }
 
 }  // namespace legwright

@@ -24,6 +24,7 @@ class CurvesTest : public testing::Test {
     bool motion_only = false, pass = true, falls = false;
     double ratio = 1.0, touches = 0.0;
     std::string weights = "", robot = "aa", sentence = "both shins", leg = "cc";
+    std::optional<double> optimum{};  // F of the optimum, where another design was handed back
   };
   fs::path make(const std::string& name, const Run& run) const {
     const fs::path root = folder_.path() / name;
@@ -42,6 +43,11 @@ class CurvesTest : public testing::Test {
     record.task->velocity = {run.speed, 0.0};
     record.sha256 = {{"robot.xml", run.robot}, {"parts/leg.xml", run.leg}, {"task.toml", name}};
     record.final_F = 2.5;
+    if (run.optimum) {
+      CandidateRecord optimum;
+      optimum.F = *run.optimum;
+      record.choice.emplace().candidates = {optimum, CandidateRecord{}};
+    }
     record.parameters = {
         {"shin_length", "m", "length", run.sentence, 0.1, 0.05, 0.2, 0.1 + run.speed / 10, 1}};
     write_json(root / "run.json", json_of(record));
@@ -108,6 +114,35 @@ TEST_F(CurvesTest, PassesUpToEndsAtTheFirstFailure) {
       {});
   EXPECT_EQ(curves_json(curves)["variants"][0]["passes_up_to_mps"], 0.1);
   EXPECT_NEAR(*curves.variants[0].points[1].at_default().speed, 0.18, 1e-12);
+}
+
+TEST_F(CurvesTest, TheOptimumKeepsItsFWhereAnotherDesignIsHandedBack) {
+  const Curves curves =
+      read_curves({make("a", {.speed = 0.1}), make("b", {.speed = 0.2, .optimum = 1.5})}, {});
+  const auto& points = curves.variants[0].points;
+  EXPECT_EQ(points[0].optimum, 2.5);
+  EXPECT_EQ(points[1].cost, 2.5);
+  EXPECT_EQ(points[1].optimum, 1.5);
+  EXPECT_EQ(curves_json(curves)["variants"][0]["runs"][1]["optimum_F"], 1.5);
+}
+
+TEST_F(CurvesTest, PictureHasADotWhereItPassesAndARingWhereItFails) {
+  Curves curves = read_curves({make("a", {.speed = 0.1}), make("b", {.speed = 0.2, .pass = false}),
+                               make("c", {.speed = 0.3, .pass = false})},
+                              {});
+  curves.variants[0].name = "<b> & \"co\"";
+  const std::string picture = curves_picture(curves);
+  tinyxml2::XMLDocument document;
+  ASSERT_EQ(document.Parse(picture.c_str()), tinyxml2::XML_SUCCESS) << document.ErrorStr();
+  const auto count = [&](const std::string& what) {
+    int found = 0;
+    for (std::size_t at = 0; (at = picture.find(what, at)) != std::string::npos; ++at) ++found;
+    return found;
+  };
+  EXPECT_EQ(count("<circle class=\"f1\""), 1);
+  EXPECT_EQ(count("<circle class=\"line c1\""), 2);
+  EXPECT_NE(picture.find("&lt;b&gt; &amp;"), std::string::npos);
+  EXPECT_EQ(curves_picture(Curves{}), "");
 }
 
 TEST_F(CurvesTest, RefusesWhatDoesNotBelongTogether) {

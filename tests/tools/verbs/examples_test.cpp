@@ -131,18 +131,19 @@ TEST_F(Example, PistonsWalkAndTheirForceIsWatched) {
             0.01);
 }
 
-/// The hexapod at a speed: motion alone with or without the term that keeps limbs apart, or
+/// A hexapod at a speed: motion alone with or without the term that keeps limbs apart, or
 /// co-designed.
 class Hexapod : public Example {
  protected:
-  fs::path task(const std::string& name, bool clearance) const {
-    const fs::path hexapod = test::kExamples / "hexapod";
+  fs::path task(const std::string& name, bool clearance, const char* robot = "hexapod") const {
+    const fs::path hexapod = test::kExamples / robot;
     std::string text = read_file(hexapod / name);
     const std::string off = "# limb_clearance = 0.0";
     const std::size_t at = text.find(off);
     EXPECT_NE(at, std::string::npos) << name << " has no line to switch the term off by";
     if (!clearance && at != std::string::npos) text.erase(at, 2);
-    fs::copy_file(hexapod / "robot.xml", folder_.path() / "robot.xml");
+    fs::copy_file(hexapod / "robot.xml", folder_.path() / "robot.xml",
+                  fs::copy_options::overwrite_existing);
     write_file(folder_.path() / name, text);
     return folder_.path() / name;
   }
@@ -186,6 +187,24 @@ TEST_F(Hexapod, GoesFasterOnAnotherBodyOnly) {
       EXPECT_GT(p["final"].get<double>(), p["initial"].get<double>()) << name;
     }
   }
+}
+
+TEST_F(Hexapod, WithCloseLegsPaysForLimbClearanceUntilItsBodyChanges) {
+  const char* name = "tripod_0.25.toml";
+  const auto at = [&](bool clearance, const std::vector<std::string>& more) {
+    const fs::path folder = run(task(name, clearance, "hexapod_close"), more);
+    expect_touches(read(folder / "result/metrics.json"), !clearance);
+    const Json record = read(folder / "run.json"), verdict = read(folder / "result/verdict.json");
+    return std::pair{record, verdict};
+  };
+  const auto [free, struck] = at(false, {"--motion-only", "--plan-only"});
+  expect_fail(struck, "result");
+  const auto [codesigned, judged] = at(true, {"--force"});
+  expect_fail(judged, "initial");
+  expect_pass(judged, "result");
+  const double without = free["final_F"].get<double>();
+  EXPECT_GT(codesigned["motion_only_F"].get<double>(), 1.5 * without);
+  EXPECT_LT(codesigned["final_F"].get<double>(), without);
 }
 
 TEST_F(Example, BipedWalks) {
