@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/choose/candidate.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -41,11 +40,6 @@ GaitTrial play_task(const CodesignProblem& problem, const Candidate& candidate, 
 }
 
 }  // namespace
-
-bool PlayedCandidate::sturdy() const {
-  return pass && std::all_of(trials.begin(), trials.end(),
-                             [](const GaitTrial& trial) { return trial.weakness.empty(); });
-}
 
 const Objective& Candidate::objective(const CodesignProblem& problem, int k) const {
   const auto i = static_cast<std::size_t>(k);

@@ -32,9 +32,6 @@ struct PlayedCandidate {
   double distance = 0.0;  // from passing, sum over tasks; infinite where one cannot be played
   std::string line;       // of the tasks that fail, or of all
   std::vector<GaitTrial> trials = {};  // of each task
-
-  /// Whether it passes, and walks on soft ground in all tasks.
-  bool sturdy() const;
 };
 
 /// Plays every task of a candidate at half, default and double gains. Needs load_gait_plugin().

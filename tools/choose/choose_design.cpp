@@ -23,9 +23,7 @@ constexpr std::size_t kBeam = 2;        // designs that a round goes on from
 constexpr std::size_t kLeversKept = 7;  // from the second round on
 constexpr std::size_t kFinalists = 6;   // that are played to the end where nothing passes
 constexpr int kSearchIterations = 12;   // of each: it starts from a design that is nearly right
-// × F of the optimum: a design that passes with more is not the last, and one that is sturdier not
-// the result.
-constexpr double kDear = 1.3;
+constexpr double kDear = 1.3;  // × F of the optimum: a design that passes with more is not the last
 constexpr double kGain = 0.99;  // of the distance from passing: a round that gains less is the last
 
 /// Searches on from a candidate with tightened tasks. @return nothing where there is no such design
@@ -59,15 +57,13 @@ std::optional<Candidate> search_tightened(const CodesignProblem& problem,
   return out;
 }
 
-/// The tightening of a candidate with one lever pulled once more, in the tasks that fail or lose
-/// their way on soft ground.
+/// The tightening of a candidate with one lever pulled once more, in the tasks that fail.
 std::vector<Tightening> pulled(const Candidate& candidate, const PlayedCandidate& played,
                                Lever lever) {
   std::vector<Tightening> out = candidate.tightening;
   out.resize(played.trials.size());
   for (std::size_t k = 0; k < out.size(); ++k)
-    if (!played.trials[k].pass || !played.trials[k].weakness.empty())
-      out[k] = out[k].with(lever, played.trials[k]);
+    if (!played.trials[k].pass) out[k] = out[k].with(lever, played.trials[k]);
   return out;
 }
 
@@ -118,19 +114,16 @@ class DesignChooser {
 
   /// Tightened searches from a candidate that failed, until physics passes one: of the motion
   /// alone first, which cost one motion solve each, then in rounds of body and motion. Each goes
-  /// on from the nearest ones of the last. From one that passes but is not sturdy, of the motion
-  /// alone.
+  /// on from the nearest ones of the last.
   void tighten(const Candidate& from, const PlayedCandidate& played) {
     std::vector<PlayedDesign> beam{{from, played, {}}};
     play_by_rising_F(search_pulls(pulls_on(beam), Searched::motion));
-    if (played.pass || (played_.pass && best_->design.value <= kDear * from.design.value)) return;
+    if (played_.pass && best_->design.value <= kDear * from.design.value) return;
     double nearest = played.distance;
     for (int round = 0; round < kRounds && !stopped(); ++round) {
       std::vector<PlayedDesign> found =
           play_by_rising_F(search_pulls(pulls_on(beam), Searched::body));
-      if (found.empty() || std::any_of(found.begin(), found.end(),
-                                       [](const PlayedDesign& each) { return each.played.pass; }))
-        return;
+      if (found.empty() || found.back().played.pass) return;
       std::stable_sort(found.begin(), found.end(),
                        [](const PlayedDesign& a, const PlayedDesign& b) {
                          return nearer(a.design, a.played, b.design, b.played);
@@ -147,9 +140,7 @@ class DesignChooser {
 
   bool stopped() const { return options_.stop && options_.stop(); }
   /// Whether a candidate with this F could still become the result.
-  bool worth_playing(double value) const {
-    return !played_.pass || value < rank_of(*best_, played_);
-  }
+  bool worth_playing(double value) const { return !played_.pass || value < best_->design.value; }
 
   /// Where nothing passes: plays the nearest, the optimum and the given body to the end, for what
   /// failed early was played for a few cycles only, and keeps the one that is nearest then.
@@ -238,7 +229,7 @@ class DesignChooser {
       });
       for (; played < first + count && !passed; ++played) {
         note(found[played].design, found[played].played);
-        passed = found[played].played.sturdy();
+        passed = found[played].played.pass;
       }
     }
     found.resize(played);
@@ -286,14 +277,7 @@ class DesignChooser {
   static bool nearer(const Candidate& a, const PlayedCandidate& played_a, const Candidate& b,
                      const PlayedCandidate& played_b) {
     if (played_a.pass != played_b.pass) return played_a.pass;
-    return played_a.pass ? rank_of(a, played_a) < rank_of(b, played_b)
-                         : played_a.distance < played_b.distance;
-  }
-
-  /// F of a design that passes, by which it competes: one that is not sturdy gives way to one that
-  /// is for so much.
-  static double rank_of(const Candidate& candidate, const PlayedCandidate& played) {
-    return (played.sturdy() ? 1.0 : kDear) * candidate.design.value;
+    return played_a.pass ? a.design.value < b.design.value : played_a.distance < played_b.distance;
   }
 
   void count_rollouts(const PlayedCandidate& played) {
@@ -351,7 +335,6 @@ ChosenDesign choose_design(const CodesignProblem& problem, const std::vector<Joi
   DesignChooser chooser(problem, tasks, options);
   const Candidate optimum{"optimum", found.winner().best, {}, {}};
   const PlayedCandidate played = chooser.consider(optimum);
-  if (played.pass && !played.sturdy()) chooser.tighten(optimum, played);
   if (!played.pass) {
     const DesignIteration& initial = found.joint.front().result.initial;
     if (!initial.tasks.empty() && !options.codesign.motion_only)

@@ -1,23 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/choose/physics_trial.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "optimizer/base/parallel.hpp"
 #include "tools/simulate/scene.hpp"
-#include "tools/validate/ground_stiffness.hpp"
 #include "tools/validate/limits.hpp"
 #include "tools/validate/measure.hpp"
 #include "tools/validate/numerics.hpp"
-#include "tools/validate/robustness.hpp"
 #include "tools/validate/verdict.hpp"
 
 namespace legwright {
@@ -36,7 +31,6 @@ constexpr std::array<AskedNumerics, 3> kAskedNumerics = {
     {{2.0, "half_step"}, {2.0, "pyramidal"}, {1.0, "pyramidal"}}};
 // What fails within the first cycles need not be played to the end.
 constexpr int kFirstCycles = 6, kTrialCycles = 20;
-constexpr double kSink = 0.002;  // of feet into soft ground [m]
 // What adds to the distance from passing besides: a limit that is not measured; a fall.
 constexpr double kUnknownDistance = 5.0, kFallDistance = 10.0;
 // What counts as one unit of a residual: the verdict's own tolerances, and less than them where
@@ -169,25 +163,6 @@ void ask_other_numerics(const RobotModel& robot, const TaskFile& wanted, const D
   trial.rollouts += static_cast<int>(kAskedNumerics.size());
 }
 
-/// The same cycles once more at default gains on ground into which feet sink. A walk should not fall
-/// there, nor lose half of its speed; the verdict stays.
-void ask_soft_ground(const RobotModel& robot, const TaskFile& wanted, const DesignTexts& texts,
-                     GaitTrial& trial) {
-  Scene scene = parse_scene(texts.scene_xml, "scene.xml", 1.0, robot.files.folder());
-  soften_ground(scene, kSink);
-  const WantedMotion motion{wanted.velocity, wanted.turn_rate};
-  RolloutOptions options;
-  options.cycles = kTrialCycles;
-  const Measurements run = measure(scene, motion, texts.quality.planned_velocity, options);
-  ++trial.rollouts;
-  const std::optional<std::string> cause = failure(run, motion);
-  if (!cause) return;
-  trial.weakness =
-      fmt::format("on ground that gives way by {:g} mm it {}", 1000.0 * kSink,
-                  run.fall ? fmt::format("falls after {:.2f} s", run.seconds) : *cause);
-  trial.line += "; " + trial.weakness;
-}
-
 }  // namespace
 
 GaitTrial try_in_physics(const RobotModel& robot, const TaskFile& wanted, const DesignTexts& texts,
@@ -202,7 +177,6 @@ GaitTrial try_in_physics(const RobotModel& robot, const TaskFile& wanted, const 
   GaitTrial trial = play_cycles(scenes, wanted, texts, kTrialCycles, threads);
   trial.rollouts += rollouts;
   if (trial.pass) ask_other_numerics(robot, wanted, texts, threads, trial);
-  if (trial.pass) ask_soft_ground(robot, wanted, texts, trial);
   return trial;
 }
 

@@ -25,15 +25,12 @@ struct GaitTrial : PhysicsTrial {
   double speed_ratio = 1.0;    // in the middle between the gains; 1 where unknown
   double heading_drift = 0.0;  // the same [rad a cycle]
   int rollouts = 0;            // that it took
-  /// What a gait that passes does on ground that gives way, of which no verdict asks: "on ground
-  /// that gives way by 2 mm it falls"; empty where it walks there, too.
-  std::string weakness = {};
 };
 
 /// Plays a planned gait in MuJoCo as `validate` does, over as many cycles and at the same gains,
 /// and judges it by the same limits; then, where it passes, with half the step at the highest gains
-/// and with a pyramidal cone at these and the default ones; and where it passes these, at default
-/// gains on ground that gives way. The first cycles alone ask for neither.
+/// and with a pyramidal cone at these and the default ones. The first cycles alone ask no other
+/// numerics.
 /// Throws MujocoError for a scene that cannot be played; needs load_gait_plugin() before.
 /// @param wanted the task that the gait is judged by, which it need not be planned for
 /// @param threads of the gains; results do not depend on it
