@@ -43,6 +43,7 @@ void PoseKinematics::add_root(const RotationDerivatives& root) {
   for (int a = 0; a < 3; ++a) add_translation(0, a, Vector3d::Unit(a));
   const int first = static_cast<int>(twists_.size());
   for (int a = 0; a < 3; ++a) add_rotation(0, 3 + a, root.turn[a]);
+  if (!with_second()) return;
   for (int a = 0; a < 3; ++a)
     for (int b = a; b < 3; ++b) seconds_.push_back({first + a, first + b, root.second[a][b]});
 }
@@ -56,6 +57,7 @@ void PoseKinematics::add_joint_twists(int index, const AxisAtDesign& at, double 
   const Vector3d& a = at.axis;
   const Vector3d axis_W = before * a;
   add_rotation(index, 5 + index, axis_W);
+  if (!with_second()) return;
   seconds_.push_back({first, first, axis_W * axis_W.transpose() - Matrix3d::Identity()});
   const int count = static_cast<int>(at.parameters.size());
   if (!with_design() || count == 0) return;
@@ -122,7 +124,7 @@ void PoseKinematics::compute(const Morphology& morphology, const GeometryAtDesig
   rotation_.resize(link_count);
   origin_.resize(link_count);
   RotationDerivatives root;
-  rotation_of_vector(q.segment<3>(3), detail != PoseDetail::place, root);
+  rotation_of_vector(q.segment<3>(3), with_second() ? 2 : detail == PoseDetail::rates ? 1 : 0, root);
   rotation_[0] = root.rotation;
   origin_[0] = q.head<3>();
   place(morphology, geometry, q);

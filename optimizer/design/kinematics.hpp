@@ -33,7 +33,8 @@ struct SameLinkSecond {
 /// How much of a pose is computed.
 enum class PoseDetail {
   place,   // where every link is
-  motion,  // + what moves it, coordinates of the pose
+  rates,   // + what moves it: first derivatives by the coordinates of the pose
+  motion,  // + second derivatives
   design,  // + coordinates of the design
 };
 
@@ -52,7 +53,10 @@ class PoseKinematics {
                     const Eigen::Matrix3d& turn, const Eigen::Vector3d& shift);
 
   bool with_design() const { return detail_ == PoseDetail::design; }
+  bool with_second() const { return detail_ == PoseDetail::motion || with_design(); }
   const std::vector<Twist>& twists() const { return twists_; }
+  /// The twist of a coordinate of the pose; not with the design, which has twists between them.
+  const Twist& twist_of(int coordinate) const { return twists_[static_cast<std::size_t>(coordinate)]; }
   const std::vector<SameLinkSecond>& same_link_seconds() const { return seconds_; }
   const Eigen::Matrix3d& rotation(int link) const { return rotation_[link]; }  // world ← link
   const Eigen::Vector3d& origin(int link) const { return origin_[link]; }      // world [m]

@@ -16,6 +16,7 @@ class PairMoments {
  public:
   void compute(const Morphology& morphology, const PoseKinematics& first,
                const PoseKinematics& second);
+  int link_count() const { return static_cast<int>(below_.size()); }
   const Eigen::Matrix3d& below(int link) const { return below_[link]; }
   /// Σ m p × p′ over a link and all below it [kg m²].
   Eigen::Vector3d swept(int link) const;

@@ -8,10 +8,16 @@
 namespace legwright {
 
 /// [v]×, so that skew(v)·w = v × w.
-Eigen::Matrix3d skew(const Eigen::Vector3d& v);
+inline Eigen::Matrix3d skew(const Eigen::Vector3d& v) {
+  Eigen::Matrix3d m;
+  m << 0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0;
+  return m;
+}
 
 /// The vector of a skew-symmetric matrix: unskew(skew(v)) = v.
-Eigen::Vector3d unskew(const Eigen::Matrix3d& m);
+inline Eigen::Vector3d unskew(const Eigen::Matrix3d& m) {
+  return 0.5 * Eigen::Vector3d(m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1));
+}
 
 /// A rotation as a function of up to three numbers c, with its derivatives written as rotations:
 /// ∂R/∂c_a = [turn_a]× R and ∂²R/∂c_a∂c_b = second_ab R. All in the frame in which R acts from the
@@ -24,8 +30,8 @@ struct RotationDerivatives {
 
 /// R(o) of a rotation vector o [rad] (Rodrigues), with exact first and second derivatives; smooth
 /// at o = 0.
-/// @param with_second false leaves `second` alone.
-void rotation_of_vector(const Eigen::Vector3d& o, bool with_second, RotationDerivatives& out);
+/// @param order of the derivatives that are wanted, 0 to 2; the others are left alone.
+void rotation_of_vector(const Eigen::Vector3d& o, int order, RotationDerivatives& out);
 
 /// R = cos q I + sin q [a]× + (1 − cos q) a aᵀ about the unit axis a by the angle q.
 Eigen::Matrix3d rotation_about(const Eigen::Vector3d& axis, double angle);

@@ -75,6 +75,14 @@ const Eigen::MatrixXd& DerivedQuantities::jacobian(const Morphology& morphology,
   return jacobian;
 }
 
+bool DerivedQuantities::add_motion_gradient(const Morphology& morphology, int index,
+                                            const double* multiplier,
+                                            const Eigen::VectorXd& extended,
+                                            const Workspace& workspace, double* gradient) const {
+  return blocks_[index]->add_motion_gradient({morphology, ancestry_, workspace.robot, extended},
+                                             multiplier, gradient);
+}
+
 void DerivedQuantities::curvature(int index, const double* multiplier, Workspace& workspace) const {
   const DerivedQuantity& block = *blocks_[index];
   const int size = columns_of(block, workspace);

@@ -36,6 +36,11 @@ class DerivedQuantities {
   /// ∂y of a block at the point just evaluated, columns × size.
   const Eigen::MatrixXd& jacobian(const Morphology& morphology, int block,
                                   const Eigen::VectorXd& extended, Workspace& workspace) const;
+  /// Adds Σ_k multiplier_k ∂y_k/∂m of a block to `gradient` (as [s; m; y]) without its Jacobian and
+  /// returns true; false: the block has no such way.
+  bool add_motion_gradient(const Morphology& morphology, int block, const double* multiplier,
+                           const Eigen::VectorXd& extended, const Workspace& workspace,
+                           double* gradient) const;
   /// Σ multiplier_k ∂²y_k of a block whose Jacobian is ready, into the lower triangle of
   /// workspace.curvature.
   void curvature(int block, const double* multiplier, Workspace& workspace) const;

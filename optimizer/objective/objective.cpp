@@ -223,6 +223,10 @@ void ObjectiveParts::add_derived(Order order, EvaluationScratch& workspace,
     const auto multiplier = workspace.gradient.segment(block.slot(), block.size());
     if (multiplier.isZero(0.0)) continue;
     const int index = static_cast<int>(b);
+    if (order == Order::gradient &&
+        derived.add_motion_gradient(morphology, index, multiplier.data(), workspace.extended,
+                                    workspace.derived, workspace.gradient.data()))
+      continue;
     const Eigen::MatrixXd& jacobian =
         derived.jacobian(morphology, index, workspace.extended, workspace.derived);
     const int columns =
@@ -247,9 +251,10 @@ void ObjectiveParts::prepare(const VectorXd& s, const VectorXd& m, Order order,
   workspace.extended.head(s.size()) = s;
   workspace.extended.segment(s.size(), m.size()) = m;
   workspace.extended.tail(layout.extended_size() - layout.parameter_count()).setZero();
-  const PoseDetail detail = order == Order::value ? PoseDetail::place
-                            : has_design(order)   ? PoseDetail::design
-                                                  : PoseDetail::motion;
+  const PoseDetail detail = order == Order::value      ? PoseDetail::place
+                            : order == Order::gradient ? PoseDetail::rates
+                            : has_design(order)        ? PoseDetail::design
+                                                       : PoseDetail::motion;
   derived.evaluate(morphology, layout, detail, workspace.extended, workspace.derived);
   workspace.gradient.setZero(layout.extended_size());
 }
