@@ -29,6 +29,10 @@ Ancestry::Ancestry(const Morphology& morphology) {
   for (int lower = 0; lower < n; ++lower)
     for (int upper = lower; upper >= 0; upper = morphology.links[upper].parent)
       table_(upper, lower) = true;
+  chains_.resize(morphology.links.size());
+  for (int lower = 0; lower < n; ++lower)
+    for (int upper = 0; upper <= lower; ++upper)  // parents come before their children
+      if (table_(upper, lower)) chains_[static_cast<std::size_t>(lower)].push_back(upper);
 }
 
 void PoseKinematics::add_translation(int link, int coordinate, const Vector3d& rate) {

@@ -98,8 +98,11 @@ class Ancestry {
   /// By link: whether it is `lower` or one of its ancestors.
   const bool* above(int lower) const { return table_.col(lower).data(); }
   bool related(int a, int b) const { return table_(a, b) || table_(b, a); }
+  /// From the root down to a link.
+  const std::vector<int>& chain(int link) const { return chains_[static_cast<std::size_t>(link)]; }
 
  private:
+  std::vector<std::vector<int>> chains_;
   Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic> table_;
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <utility>
 #include <vector>
 
 #include "optimizer/design/inertia.hpp"
@@ -82,10 +83,23 @@ class PairDerivatives {
     Eigen::Matrix3d swept;  // Σ weight (∂p/∂c_a)(∂p′/∂c_b)ᵀ
   };
   struct Side {
-    std::vector<Effect> effects;
+    std::vector<Effect> effects;  // inner ones last
+    std::vector<std::pair<int, int>> of_link;  // where a link's effects begin and end, but inner ones
     std::vector<Second> seconds;
     std::vector<Eigen::Matrix3d> arms;
     std::vector<InnerSecond> inner_seconds;
+
+    void clear(int link_count);
+    Effect& add(const Twist& twist, const Columns& columns);
+    /// Calls visit(upper) for the effects of `link` and of all above it, inner ones left out.
+    template <class Visit>
+    void for_each_above(const Ancestry& ancestry, int link, bool with_own, Visit visit) const {
+      for (int upper : ancestry.chain(link)) {
+        if (upper == link && !with_own) continue;
+        const auto [begin, end] = of_link[static_cast<std::size_t>(upper)];
+        for (int k = begin; k < end; ++k) visit(effects[static_cast<std::size_t>(k)]);
+      }
+    }
   };
 
   void fill_swept(const GeometryAtDesign& geometry, const Ancestry& ancestry, int link,

@@ -136,6 +136,36 @@ void add_product(double entry, const LocalRow& left, const LocalRow& right, int 
   }
 }
 
+/// Adds Σ_i C(i, right) e_i e_rightᵀ to the lower triangle of H: first the sum, then one product.
+void add_column(const Eigen::MatrixXd& C, int right, const std::vector<LocalRow>& rows, int columns,
+                Eigen::VectorXd& sum, Eigen::MatrixXd& H) {
+  sum.setZero(columns);
+  for (int i = 0; i < C.rows(); ++i) {
+    const double entry = C(i, right);
+    if (rows[i].through == nullptr) {
+      if (rows[i].column < columns) sum[rows[i].column] += entry;
+      continue;
+    }
+    for (const ElementPlan::Run& run : rows[i].through->runs) {
+      if (run.to >= columns) break;
+      const double* chain = rows[i].chain + run.from;
+      for (int k = 0; k < run.count; ++k) sum[run.to + k] += entry * chain[k];
+    }
+  }
+  const double* from = sum.data();
+  for (const ElementPlan::Run& run : rows[right].through->runs) {
+    if (run.to >= columns) break;
+    for (int b = run.to; b < run.to + run.count; ++b) {
+      const double factor = rows[right].chain[run.from + b - run.to];
+      double* __restrict__ out = H.col(b).data();
+      for (int a = b; a < columns; ++a) out[a] += factor * from[a];
+    }
+  }
+}
+
+/// Entries of a column of C from which on it pays to sum them up first.
+constexpr int kCrowded = 7;
+
 }  // namespace
 
 void expand_curvature(const ElementPlan& plan, const std::vector<Eigen::MatrixXd>& jacobians,
@@ -148,11 +178,16 @@ void expand_curvature(const ElementPlan& plan, const std::vector<Eigen::MatrixXd
   for (const ElementPlan::Through& through : plan.through)
     for (int d = 0; d < through.size; ++d)
       rows[through.variable + d] = {-1, &through, jacobians[through.block].col(d).data()};
-  // Most entries of C are zero. Both orders of a pair of variables are visited, so that each column
-  // pair of the lower triangle gets both.
-  for (int j = 0; j < C.cols(); ++j)
+  // Of most terms most entries of C are zero. Both orders of a pair of variables are visited, so
+  // that each column pair of the lower triangle gets both.
+  for (int j = 0; j < C.cols(); ++j) {
+    if (rows[j].through != nullptr && (C.col(j).array() != 0.0).count() >= kCrowded) {
+      add_column(C, j, rows, columns, workspace.sum, workspace.hessian);
+      continue;
+    }
     for (int i = 0; i < C.rows(); ++i)
       if (C(i, j) != 0.0) add_product(C(i, j), rows[i], rows[j], columns, workspace.hessian);
+  }
 }
 
 namespace {
@@ -228,8 +263,8 @@ void scatter_rank(const Clique& clique, const Eigen::MatrixXd& expanded,
 
 void scatter(const Clique& clique, const Eigen::MatrixXd& hessian, const HessianTarget& target) {
   clique.for_each_run([&](int b, int first, int count, int position) {
-    const double* from = hessian.col(b).data() + first;
-    double* out = target.mm + position;
+    const double* __restrict__ from = hessian.col(b).data() + first;
+    double* __restrict__ out = target.mm + position;
     for (int k = 0; k < count; ++k) out[k] += from[k];
   });
   if (target.ms == nullptr) return;

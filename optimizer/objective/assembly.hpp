@@ -55,7 +55,7 @@ struct LocalRow {
 
 /// Scratch of one element; sizes grow to the largest and stay.
 struct ElementWorkspace {
-  Eigen::VectorXd z, residual, multiplier, second;
+  Eigen::VectorXd z, residual, multiplier, second, sum;
   Eigen::MatrixXd jacobian, curvature;
   Eigen::MatrixXd expanded;  // columns of the clique × rows
   Eigen::MatrixXd hessian;   // of the clique, lower triangle
