@@ -43,21 +43,6 @@ std::vector<ElementPlan::Run> runs_of(const DerivedQuantity& block, int design_s
   return runs;
 }
 
-void plan_entries(const Term& term, int index, ElementPlan& plan) {
-  const Eigen::MatrixXd* J = term.constant_jacobian(index);
-  if (J == nullptr) return;
-  const Element& element = term.elements()[index];
-  for (int row = 0; row < J->rows(); ++row) {
-    for (int k = 0; k < J->cols(); ++k)
-      if ((*J)(row, k) != 0.0) plan.entries.push_back({element.slots[k], (*J)(row, k)});
-    plan.row_ends.push_back(static_cast<int>(plan.entries.size()));
-  }
-  plan.offset.resize(element.rows);
-  term.residual(index, Eigen::VectorXd::Zero(J->cols()), plan.offset);
-  plan.constant =
-      term.penalty() == Penalty::quadratic && plan.through.empty() && !plan.reaches_design;
-}
-
 }  // namespace
 
 ElementPlan plan_element(const Term& term, int index, const DerivedBlocks& blocks,
@@ -81,8 +66,32 @@ ElementPlan plan_element(const Term& term, int index, const DerivedBlocks& block
           {v, block, blocks[block]->size(), runs_of(*blocks[block], design_size, column_of)});
     }
   }
-  plan_entries(term, index, plan);
+  plan.constant = term.constant_jacobian(index) != nullptr &&
+                  term.penalty() == Penalty::quadratic && plan.through.empty() &&
+                  !plan.reaches_design;
   return plan;
+}
+
+LinearRows linear_rows(const Term& term, const std::vector<ElementPlan>& plans) {
+  LinearRows out;
+  Eigen::VectorXd offset;
+  for (std::size_t e = 0; e < plans.size(); ++e) {
+    const Element& element = term.elements()[e];
+    const Eigen::MatrixXd* J = term.constant_jacobian(static_cast<int>(e));
+    if (J == nullptr) return {};
+    offset.resize(element.rows);
+    term.residual(static_cast<int>(e), Eigen::VectorXd::Zero(J->cols()), offset);
+    for (int row = 0; row < J->rows(); ++row) {
+      for (int k = 0; k < J->cols(); ++k)
+        if ((*J)(row, k) != 0.0)
+          out.entries.push_back({element.slots[static_cast<std::size_t>(k)], (*J)(row, k)});
+      out.ends.push_back(static_cast<int>(out.entries.size()));
+      out.offsets.push_back(offset[row]);
+    }
+    out.last_rows.push_back(static_cast<int>(out.ends.size()));
+    out.constant.push_back(plans[e].constant ? 1 : 0);
+  }
+  return out;
 }
 
 void expand_jacobian(const ElementPlan& plan, const Eigen::MatrixXd& J,
