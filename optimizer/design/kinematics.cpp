@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "optimizer/design/rotation.hpp"
+#include "optimizer/design/small_products.hpp"
 
 namespace legwright {
 namespace {
@@ -40,7 +41,13 @@ void PoseKinematics::add_translation(int link, int coordinate, const Vector3d& r
 }
 
 void PoseKinematics::add_rotation(int link, int coordinate, const Vector3d& turn) {
-  twists_.push_back({coordinate, Twist::Kind::rotation, link, turn, -turn.cross(origin_[link])});
+  Twist& twist = twists_.emplace_back();
+  twist.coordinate = coordinate;
+  twist.kind = Twist::Kind::rotation;
+  twist.link = link;
+  const Scalars3 axis = scalars(turn);
+  store(axis, twist.turn);
+  store(-cross(axis, scalars(origin_[link])), twist.shift);
 }
 
 void PoseKinematics::add_root(const RotationDerivatives& root) {
@@ -97,10 +104,13 @@ void PoseKinematics::place(const Morphology& morphology, const GeometryAtDesign&
   for (std::size_t l = 1; l < link_count; ++l) {
     const Link& link = morphology.links[l];
     const LinkAtDesign& at = geometry.links[l];
-    origin_[l] = origin_[link.parent] + rotation_[link.parent] * at.origin;
-    before_[l].noalias() = rotation_[link.parent] * link.orientation;
-    rotation_[l].noalias() =
-        before_[l] * rotation_about(at.axis.axis, q[5 + static_cast<Eigen::Index>(l)]);
+    const Matrix3d& parent = rotation_[link.parent];
+    store(scalars(origin_[link.parent]) + product(parent, scalars(at.origin)), origin_[l]);
+    const Matrix3d turned = rotation_about(at.axis.axis, q[5 + static_cast<Eigen::Index>(l)]);
+    for (int k = 0; k < 3; ++k)
+      store(product(parent, scalars(link.orientation.col(k))), before_[l].col(k));
+    for (int k = 0; k < 3; ++k)
+      store(product(before_[l], scalars(turned.col(k))), rotation_[l].col(k));
   }
 }
 
@@ -110,9 +120,14 @@ void PoseKinematics::sum_moments(const Morphology& morphology, const GeometryAtD
   first_moment_.resize(link_count);
   for (std::size_t l = 0; l < link_count; ++l) {
     const Eigen::Matrix4d& own = geometry.links[l].moments;
-    moments_[l].noalias() = rotation_[l] * own.topRows<3>();
-    moments_[l] += origin_[l] * own.row(3);
-    first_moment_[l] = moments_[l].col(3);
+    const Scalars3 origin = scalars(origin_[l]);
+    const auto moment = [&](int k) {
+      return product(rotation_[l], scalars(own.col(k))) + own(3, k) * origin;
+    };
+    for (int k = 0; k < 3; ++k) store(moment(k), moments_[l].col(k));
+    const Scalars3 sum = moment(3);
+    store(sum, moments_[l].col(3));
+    store(sum, first_moment_[l]);
   }
   for (std::size_t l = link_count - 1; l > 0; --l)
     first_moment_[morphology.links[l].parent] += first_moment_[l];

@@ -7,6 +7,7 @@
 #include "optimizer/design/inertia.hpp"
 #include "optimizer/design/morphology.hpp"
 #include "optimizer/design/rotation.hpp"
+#include "optimizer/design/small_products.hpp"
 
 namespace legwright {
 
@@ -111,9 +112,9 @@ class Ancestry {
 struct PointDerivatives {
   struct Effect {
     int column;
-    int link;      // of the twist
-    bool rotates;  // twist turns everything below it ...
-    bool inner;    // ... or moves points inside its link
+    int link;            // of the twist
+    bool rotates;        // twist turns everything below it ...
+    bool inner = false;  // ... or moves points inside its link
     Eigen::Vector3d turn;
     Eigen::Vector3d rate;                             // ∂y/∂c
     Eigen::Vector3d shift = Eigen::Vector3d::Zero();  // of the twist; sums over masses only
@@ -142,6 +143,8 @@ struct PointDerivatives {
   std::vector<GrowthSecond> growth_seconds;
 
   void clear(const Eigen::Vector3d& at);
+  /// What a twist that is not inner does; its shift stays zero.
+  void add(int column, const Twist& twist, const Scalars3& turn, const Scalars3& by_twist);
   /// Adds ∂y to `jacobian` (columns × 3).
   void add_jacobian(Eigen::MatrixXd& jacobian) const;
   /// Adds Σ_k multiplier_k ∂²y_k to the lower triangle of `hessian` (columns × columns).

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "optimizer/design/rotation.hpp"
+#include "optimizer/design/small_products.hpp"
 
 namespace legwright {
 namespace {
@@ -16,6 +17,11 @@ using Eigen::Vector3d;
 template <class Derived>
 Vector3d cross_of(const Eigen::MatrixBase<Derived>& X) {
   return {X(1, 2) - X(2, 1), X(2, 0) - X(0, 2), X(0, 1) - X(1, 0)};
+}
+
+template <class Matrix>
+double trace(const Matrix& X) {
+  return X(0, 0) + (X(1, 1) + X(2, 2));
 }
 
 /// out = [turn]× X + shift sumᵀ, number by number: products of small vectors spend their time
@@ -42,8 +48,10 @@ void PairMoments::compute(const Morphology& morphology, const PoseKinematics& fi
   for (std::size_t l = 0; l < link_count; ++l) {
     const int link = static_cast<int>(l);
     const Eigen::Matrix<double, 3, 4>& moments = first.moments(link);
-    below_[l].noalias() = moments.leftCols<3>() * second.rotation(link).transpose();
-    below_[l] += moments.col(3) * second.origin(link).transpose();
+    const Scalars3 sum = scalars(moments.col(3));
+    for (int k = 0; k < 3; ++k)
+      store(product(moments, scalars(second.rotation(link).row(k))) + second.origin(link)[k] * sum,
+            below_[l].col(k));
   }
   for (std::size_t l = link_count - 1; l > 0; --l) below_[morphology.links[l].parent] += below_[l];
 }
@@ -227,14 +235,16 @@ void PairDerivatives::add_side_curvature(const Side& side, const Ancestry& ances
                                          const Vector3d& multiplier, Eigen::MatrixXd& hessian) {
   // An upper rotation turns what the lower twist does. With X = Σ ∂p p′ᵀ of the lower one,
   // μ · Σ (turn × ∂p) × p′ = turn · (Xᵀ μ − tr X μ).
+  const Scalars3 mu = scalars(multiplier);
   for (const Effect& lower : side.effects) {
     const auto X = lower.swept.leftCols<3>();
-    const Vector3d pull = X.transpose() * multiplier - X.trace() * multiplier;
+    const Scalars3 pull = transposed_product(X, mu) - trace(X) * mu;
     const bool grown = lower.inner && !lower.growth.isZero(0.0);
-    const Vector3d push = lower.growth.cross(multiplier);
+    const Scalars3 push = cross(scalars(lower.growth), mu);
     side.for_each_above(ancestry, lower.link, lower.inner, [&](const Effect& upper) {
-      if (upper.rotates) add_pair(hessian, upper.column, lower.column, upper.turn.dot(pull));
-      if (grown) add_pair(hessian, upper.column, lower.column, upper.shift.dot(push));
+      if (upper.rotates)
+        add_pair(hessian, upper.column, lower.column, dot(scalars(upper.turn), pull));
+      if (grown) add_pair(hessian, upper.column, lower.column, dot(scalars(upper.shift), push));
     });
   }
   // μ · Σ (S a) × b = ⟨S, −[μ]× armᵀ⟩ for arm = Σ a bᵀ.
@@ -265,16 +275,18 @@ void PairDerivatives::add_cross_curvature(const Ancestry& ancestry, const Vector
   // μ · Σ ∂p × ∂p′ runs over what both twists move: what the lower one of them moves. With
   // [X x] = Σ ∂p′ [p; 1]ᵀ of the lower one it is turn · (X μ − tr X μ) + shift · (x × μ), turn and
   // shift those of the upper one.
+  const Scalars3 mu = scalars(multiplier);
   const auto add = [&](const Side& lowers, const Side& uppers, double sign, bool same_link) {
     for (const Effect& lower : lowers.effects) {
       const auto X = lower.swept.leftCols<3>();
-      const Vector3d pull = sign * (X * multiplier - X.trace() * multiplier);
-      const Vector3d push = sign * lower.swept.col(3).cross(multiplier);
+      const Scalars3 pull = sign * (product(X, mu) - trace(X) * mu);
+      const Scalars3 push = cross(sign * scalars(lower.swept.col(3)), mu);
       // Two twists of one link are counted once, from the side of the second pose.
       uppers.for_each_above(ancestry, lower.link, same_link || lower.inner,
                             [&](const Effect& upper) {
                               add_pair(hessian, upper.column, lower.column,
-                                       upper.turn.dot(pull) + upper.shift.dot(push));
+                                       dot(scalars(upper.turn), pull) +
+                                           dot(scalars(upper.shift), push));
                             });
     }
   };

@@ -8,6 +8,7 @@
 #include "optimizer/design/inertia.hpp"
 #include "optimizer/design/kinematics.hpp"
 #include "optimizer/design/morphology.hpp"
+#include "optimizer/design/small_products.hpp"
 
 namespace legwright {
 
@@ -21,6 +22,10 @@ class PairMoments {
   const Eigen::Matrix3d& below(int link) const { return below_[link]; }
   /// Σ m p × p′ over a link and all below it [kg m²].
   Eigen::Vector3d swept(int link) const;
+  Scalars3 swept_scalars(int link) const {
+    const Eigen::Matrix3d& X = below_[static_cast<std::size_t>(link)];
+    return {X(1, 2) - X(2, 1), X(2, 0) - X(0, 2), X(0, 1) - X(1, 0)};
+  }
 
  private:
   std::vector<Eigen::Matrix3d> below_;

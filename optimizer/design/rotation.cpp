@@ -15,7 +15,7 @@ struct Coefficients {
   double A, B, A1, B1, A2, B2;
 };
 
-/// A and B alone where `order` is 0.
+/// As far as derivatives of the order need them.
 Coefficients coefficients(double t2, int order) {
   Coefficients c{};
   // Each quotient cancels more digits than the one before it; series below the angle where that
@@ -30,7 +30,7 @@ Coefficients coefficients(double t2, int order) {
       const double sign = n % 2 ? -1.0 : 1.0;
       c.A1 += sign * 2 * n * power1 / odd;
       c.B1 += sign * 2 * n * power1 / even;
-      if (n >= 2) {
+      if (n >= 2 && order >= 2) {
         c.A2 += sign * 2 * n * (2 * n - 2) * power2 / odd;
         c.B2 += sign * 2 * n * (2 * n - 2) * power2 / even;
         power2 *= t2;
@@ -77,11 +77,6 @@ void rotation_of_vector(const Vector3d& o, int order, RotationDerivatives& out) 
           (c.B2 * product + c.B1 * same) * S2 + c.B1 * (o[a] * Q[b] + o[b] * Q[a]) + c.B * Qab;
       out.second[a][b] = out.second[b][a] = second * inverse;
     }
-}
-
-Matrix3d rotation_about(const Vector3d& axis, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return c * Matrix3d::Identity() + s * skew(axis) + (1 - c) * axis * axis.transpose();
 }
 
 Eigen::Quaterniond smallest_rotation(const Vector3d& from, const Vector3d& to) {

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <array>
+#include <cmath>
 
 namespace legwright {
 
@@ -34,7 +35,16 @@ struct RotationDerivatives {
 void rotation_of_vector(const Eigen::Vector3d& o, int order, RotationDerivatives& out);
 
 /// R = cos q I + sin q [a]× + (1 − cos q) a aᵀ about the unit axis a by the angle q.
-Eigen::Matrix3d rotation_about(const Eigen::Vector3d& axis, double angle);
+inline Eigen::Matrix3d rotation_about(const Eigen::Vector3d& axis, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  const double x = axis[0], y = axis[1], z = axis[2];
+  const double kx = (1 - c) * x, ky = (1 - c) * y, kz = (1 - c) * z;
+  Eigen::Matrix3d R;
+  R << c + kx * x, -s * z + kx * y, s * y + kx * z,  //
+      s * z + ky * x, c + ky * y, -s * x + ky * z,   //
+      -s * y + kz * x, s * x + kz * y, c + kz * z;
+  return R;
+}
 
 /// The smallest rotation that takes one direction to another, of any lengths but zero. From a
 /// cosine of 1e-12 above −1 on it is a half turn, about the first coordinate axis to which `from`

@@ -29,6 +29,11 @@ class DerivedQuantities {
                     const WantedPath& path, const std::vector<char>& wanted);
 
   const DerivedBlocks& blocks() const { return blocks_; }
+  /// Where each block's y stands: a walk over all of them reads nothing else.
+  struct Extent {
+    int slot, size;
+  };
+  const std::vector<Extent>& extents() const { return extents_; }
   /// Fills the y part of `extended` ([s; m] given). `detail` says which derivatives may be asked
   /// for afterwards.
   void evaluate(const Morphology& morphology, const Layout& layout, PoseDetail detail,
@@ -54,6 +59,7 @@ class DerivedQuantities {
   Ancestry ancestry_;
   WantedPath path_;
   DerivedBlocks blocks_;
+  std::vector<Extent> extents_;  // by block
   bool needs_moments_ = false;
 };
 

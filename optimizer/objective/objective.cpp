@@ -220,9 +220,10 @@ void ObjectiveParts::add_derived(Order order, EvaluationScratch& workspace,
                                  const HessianTarget& target) const {
   // Chain rule: what terms want of y is handed on to m and s, and y's own curvature comes in.
   for (std::size_t b = 0; b < derived.blocks().size(); ++b) {
-    const DerivedQuantity& block = *derived.blocks()[b];
-    const auto multiplier = workspace.gradient.segment(block.slot(), block.size());
+    const DerivedQuantities::Extent at = derived.extents()[b];
+    const auto multiplier = workspace.gradient.segment(at.slot, at.size);
     if (multiplier.isZero(0.0)) continue;
+    const DerivedQuantity& block = *derived.blocks()[b];
     const int index = static_cast<int>(b);
     if (order == Order::gradient &&
         derived.add_motion_gradient(morphology, index, multiplier.data(), workspace.extended,
