@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 
 #include "optimizer/design/rotation.hpp"
+#include "optimizer/design/small_products.hpp"
 
 namespace legwright {
 namespace {
@@ -24,30 +25,34 @@ void add_symmetric(double factor, const MatrixXd& a, const Eigen::Matrix3d& form
 }
 
 struct Sums {
-  Vector3d rate, lever;  // K, N
+  Scalars3 rate, lever;  // K, N
 };
 
-Vector3d contact_point(const Morphology& morphology, const GeometryAtDesign& geometry,
-                       const PoseKinematics& pose, int foot) {
-  return foot_place(morphology, geometry, pose, foot) -
-         morphology.feet[foot].radius * Vector3d::UnitZ();
+Scalars3 contact_point(const Morphology& morphology, const GeometryAtDesign& geometry,
+                     const PoseKinematics& pose, int foot) {
+  const int link = morphology.feet[foot].link;
+  const Scalars3 centre =
+      scalars(pose.origin(link)) + product(pose.rotation(link), scalars(geometry.feet[foot]));
+  return {centre.x, centre.y, centre.z - morphology.feet[foot].radius};
 }
 
 Sums sums(const Morphology& morphology, const GeometryAtDesign& geometry, const PoseTriple& poses,
           int link, double time_step, const std::vector<FootForce>& forces) {
   const double per_time = 1.0 / (time_step * time_step);
-  const Vector3d& moment = poses.at->first_moment(link);
+  const Scalars3 moment = scalars(poses.at->first_moment(link)), up = scalars(poses.up);
   Sums out;
-  out.rate = per_time * (poses.before->first_moment(link) - 2.0 * moment +
-                         poses.after->first_moment(link)) +
-             kGravity * geometry.mass_below[link] * poses.up;
-  out.lever = per_time * (poses.to_after->swept(link) - poses.to_at->swept(link)) +
-              kGravity * moment.cross(poses.up);
-  for (const FootForce& force : forces) {
-    out.rate -= force.force;
-    out.lever -= contact_point(morphology, geometry, *poses.at, force.foot).cross(force.force);
+  out.rate = per_time * (scalars(poses.before->first_moment(link)) - 2.0 * moment +
+                         scalars(poses.after->first_moment(link))) +
+             kGravity * geometry.mass_below[link] * up;
+  out.lever = per_time * (poses.to_after->swept_scalars(link) - poses.to_at->swept_scalars(link)) +
+              kGravity * cross(moment, up);
+  for (const FootForce& each : forces) {
+    const Scalars3 force = scalars(each.force);
+    out.rate = out.rate - force;
+    out.lever =
+        out.lever - cross(contact_point(morphology, geometry, *poses.at, each.foot), force);
   }
-  out.lever -= poses.at->origin(link).cross(out.rate);
+  out.lever = out.lever - cross(scalars(poses.at->origin(link)), out.rate);
   return out;
 }
 
@@ -57,7 +62,7 @@ double JointTorque::value(const Morphology& morphology, const GeometryAtDesign& 
                           const PoseTriple& poses, int link, double time_step,
                           const std::vector<FootForce>& forces) {
   const Sums at = sums(morphology, geometry, poses, link, time_step, forces);
-  return (poses.at->before(link) * geometry.links[link].axis.axis).dot(at.lever);
+  return dot(product(poses.at->before(link), scalars(geometry.links[link].axis.axis)), at.lever);
 }
 
 void JointTorque::compute(const Morphology& morphology, const GeometryAtDesign& geometry,
@@ -65,8 +70,8 @@ void JointTorque::compute(const Morphology& morphology, const GeometryAtDesign& 
                           double time_step, const std::vector<FootForce>& forces,
                           const Slots& slots, int column_count) {
   const Sums at = sums(morphology, geometry, poses, link, time_step, forces);
-  rate_ = at.rate;
-  lever_ = at.lever;
+  store(at.rate, rate_);
+  store(at.lever, lever_);
   time_step_ = time_step;
   up_ = poses.up;
   axis_from_pose(morphology, geometry, ancestry, *poses.at, link, *slots.at, axis_);
@@ -88,7 +93,7 @@ void JointTorque::compute(const Morphology& morphology, const GeometryAtDesign& 
   for (std::size_t k = 0; k < forces.size(); ++k) {
     foot_from_pose(morphology, geometry, ancestry, *poses.at, forces[k].foot, *slots.at,
                    feet_[k].centre);
-    feet_[k].contact = contact_point(morphology, geometry, *poses.at, forces[k].foot);
+    store(contact_point(morphology, geometry, *poses.at, forces[k].foot), feet_[k].contact);
     feet_[k].force = forces[k].force;
     feet_[k].column = slots.force[k];
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "optimizer/design/rotation.hpp"
+#include "optimizer/design/small_products.hpp"
 
 namespace legwright {
 namespace {
@@ -29,6 +30,10 @@ Ancestry::Ancestry(const Morphology& morphology) {
   for (int lower = 0; lower < n; ++lower)
     for (int upper = lower; upper >= 0; upper = morphology.links[upper].parent)
       table_(upper, lower) = true;
+  chains_.resize(morphology.links.size());
+  for (int lower = 0; lower < n; ++lower)
+    for (int upper = 0; upper <= lower; ++upper)  // parents come before their children
+      if (table_(upper, lower)) chains_[static_cast<std::size_t>(lower)].push_back(upper);
 }
 
 void PoseKinematics::add_translation(int link, int coordinate, const Vector3d& rate) {
@@ -36,13 +41,20 @@ void PoseKinematics::add_translation(int link, int coordinate, const Vector3d& r
 }
 
 void PoseKinematics::add_rotation(int link, int coordinate, const Vector3d& turn) {
-  twists_.push_back({coordinate, Twist::Kind::rotation, link, turn, -turn.cross(origin_[link])});
+  Twist& twist = twists_.emplace_back();
+  twist.coordinate = coordinate;
+  twist.kind = Twist::Kind::rotation;
+  twist.link = link;
+  const Scalars3 axis = scalars(turn);
+  store(axis, twist.turn);
+  store(-cross(axis, scalars(origin_[link])), twist.shift);
 }
 
 void PoseKinematics::add_root(const RotationDerivatives& root) {
   for (int a = 0; a < 3; ++a) add_translation(0, a, Vector3d::Unit(a));
   const int first = static_cast<int>(twists_.size());
   for (int a = 0; a < 3; ++a) add_rotation(0, 3 + a, root.turn[a]);
+  if (!with_second()) return;
   for (int a = 0; a < 3; ++a)
     for (int b = a; b < 3; ++b) seconds_.push_back({first + a, first + b, root.second[a][b]});
 }
@@ -56,6 +68,7 @@ void PoseKinematics::add_joint_twists(int index, const AxisAtDesign& at, double 
   const Vector3d& a = at.axis;
   const Vector3d axis_W = before * a;
   add_rotation(index, 5 + index, axis_W);
+  if (!with_second()) return;
   seconds_.push_back({first, first, axis_W * axis_W.transpose() - Matrix3d::Identity()});
   const int count = static_cast<int>(at.parameters.size());
   if (!with_design() || count == 0) return;
@@ -91,10 +104,13 @@ void PoseKinematics::place(const Morphology& morphology, const GeometryAtDesign&
   for (std::size_t l = 1; l < link_count; ++l) {
     const Link& link = morphology.links[l];
     const LinkAtDesign& at = geometry.links[l];
-    origin_[l] = origin_[link.parent] + rotation_[link.parent] * at.origin;
-    before_[l].noalias() = rotation_[link.parent] * link.orientation;
-    rotation_[l].noalias() =
-        before_[l] * rotation_about(at.axis.axis, q[5 + static_cast<Eigen::Index>(l)]);
+    const Matrix3d& parent = rotation_[link.parent];
+    store(scalars(origin_[link.parent]) + product(parent, scalars(at.origin)), origin_[l]);
+    const Matrix3d turned = rotation_about(at.axis.axis, q[5 + static_cast<Eigen::Index>(l)]);
+    for (int k = 0; k < 3; ++k)
+      store(product(parent, scalars(link.orientation.col(k))), before_[l].col(k));
+    for (int k = 0; k < 3; ++k)
+      store(product(before_[l], scalars(turned.col(k))), rotation_[l].col(k));
   }
 }
 
@@ -104,9 +120,14 @@ void PoseKinematics::sum_moments(const Morphology& morphology, const GeometryAtD
   first_moment_.resize(link_count);
   for (std::size_t l = 0; l < link_count; ++l) {
     const Eigen::Matrix4d& own = geometry.links[l].moments;
-    moments_[l].noalias() = rotation_[l] * own.topRows<3>();
-    moments_[l] += origin_[l] * own.row(3);
-    first_moment_[l] = moments_[l].col(3);
+    const Scalars3 origin = scalars(origin_[l]);
+    const auto moment = [&](int k) {
+      return product(rotation_[l], scalars(own.col(k))) + own(3, k) * origin;
+    };
+    for (int k = 0; k < 3; ++k) store(moment(k), moments_[l].col(k));
+    const Scalars3 sum = moment(3);
+    store(sum, moments_[l].col(3));
+    store(sum, first_moment_[l]);
   }
   for (std::size_t l = link_count - 1; l > 0; --l)
     first_moment_[morphology.links[l].parent] += first_moment_[l];
@@ -122,7 +143,7 @@ void PoseKinematics::compute(const Morphology& morphology, const GeometryAtDesig
   rotation_.resize(link_count);
   origin_.resize(link_count);
   RotationDerivatives root;
-  rotation_of_vector(q.segment<3>(3), detail != PoseDetail::place, root);
+  rotation_of_vector(q.segment<3>(3), with_second() ? 2 : detail == PoseDetail::rates ? 1 : 0, root);
   rotation_[0] = root.rotation;
   origin_[0] = q.head<3>();
   place(morphology, geometry, q);

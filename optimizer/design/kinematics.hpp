@@ -7,6 +7,7 @@
 #include "optimizer/design/inertia.hpp"
 #include "optimizer/design/morphology.hpp"
 #include "optimizer/design/rotation.hpp"
+#include "optimizer/design/small_products.hpp"
 
 namespace legwright {
 
@@ -33,7 +34,8 @@ struct SameLinkSecond {
 /// How much of a pose is computed.
 enum class PoseDetail {
   place,   // where every link is
-  motion,  // + what moves it, coordinates of the pose
+  rates,   // + what moves it: first derivatives by the coordinates of the pose
+  motion,  // + second derivatives
   design,  // + coordinates of the design
 };
 
@@ -52,7 +54,10 @@ class PoseKinematics {
                     const Eigen::Matrix3d& turn, const Eigen::Vector3d& shift);
 
   bool with_design() const { return detail_ == PoseDetail::design; }
+  bool with_second() const { return detail_ == PoseDetail::motion || with_design(); }
   const std::vector<Twist>& twists() const { return twists_; }
+  /// The twist of a coordinate of the pose; not with the design, which has twists between them.
+  const Twist& twist_of(int coordinate) const { return twists_[static_cast<std::size_t>(coordinate)]; }
   const std::vector<SameLinkSecond>& same_link_seconds() const { return seconds_; }
   const Eigen::Matrix3d& rotation(int link) const { return rotation_[link]; }  // world ← link
   const Eigen::Vector3d& origin(int link) const { return origin_[link]; }      // world [m]
@@ -94,8 +99,11 @@ class Ancestry {
   /// By link: whether it is `lower` or one of its ancestors.
   const bool* above(int lower) const { return table_.col(lower).data(); }
   bool related(int a, int b) const { return table_(a, b) || table_(b, a); }
+  /// From the root down to a link.
+  const std::vector<int>& chain(int link) const { return chains_[static_cast<std::size_t>(link)]; }
 
  private:
+  std::vector<std::vector<int>> chains_;
   Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic> table_;
 };
 
@@ -104,9 +112,9 @@ class Ancestry {
 struct PointDerivatives {
   struct Effect {
     int column;
-    int link;      // of the twist
-    bool rotates;  // twist turns everything below it ...
-    bool inner;    // ... or moves points inside its link
+    int link;            // of the twist
+    bool rotates;        // twist turns everything below it ...
+    bool inner = false;  // ... or moves points inside its link
     Eigen::Vector3d turn;
     Eigen::Vector3d rate;                             // ∂y/∂c
     Eigen::Vector3d shift = Eigen::Vector3d::Zero();  // of the twist; sums over masses only
@@ -135,6 +143,8 @@ struct PointDerivatives {
   std::vector<GrowthSecond> growth_seconds;
 
   void clear(const Eigen::Vector3d& at);
+  /// What a twist that is not inner does; its shift stays zero.
+  void add(int column, const Twist& twist, const Scalars3& turn, const Scalars3& by_twist);
   /// Adds ∂y to `jacobian` (columns × 3).
   void add_jacobian(Eigen::MatrixXd& jacobian) const;
   /// Adds Σ_k multiplier_k ∂²y_k to the lower triangle of `hessian` (columns × columns).

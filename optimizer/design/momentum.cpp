@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "optimizer/design/rotation.hpp"
+#include "optimizer/design/small_products.hpp"
 
 namespace legwright {
 namespace {
@@ -16,6 +17,11 @@ using Eigen::Vector3d;
 template <class Derived>
 Vector3d cross_of(const Eigen::MatrixBase<Derived>& X) {
   return {X(1, 2) - X(2, 1), X(2, 0) - X(0, 2), X(0, 1) - X(1, 0)};
+}
+
+template <class Matrix>
+double trace(const Matrix& X) {
+  return X(0, 0) + (X(1, 1) + X(2, 2));
 }
 
 /// out = [turn]× X + shift sumᵀ, number by number: products of small vectors spend their time
@@ -42,13 +48,40 @@ void PairMoments::compute(const Morphology& morphology, const PoseKinematics& fi
   for (std::size_t l = 0; l < link_count; ++l) {
     const int link = static_cast<int>(l);
     const Eigen::Matrix<double, 3, 4>& moments = first.moments(link);
-    below_[l].noalias() = moments.leftCols<3>() * second.rotation(link).transpose();
-    below_[l] += moments.col(3) * second.origin(link).transpose();
+    const Scalars3 sum = scalars(moments.col(3));
+    for (int k = 0; k < 3; ++k)
+      store(product(moments, scalars(second.rotation(link).row(k))) + second.origin(link)[k] * sum,
+            below_[l].col(k));
   }
   for (std::size_t l = link_count - 1; l > 0; --l) below_[morphology.links[l].parent] += below_[l];
 }
 
 Vector3d PairMoments::swept(int link) const { return cross_of(below_[link]); }
+
+void PairDerivatives::Side::clear(int link_count) {
+  effects.clear();
+  seconds.clear();
+  inner_seconds.clear();
+  arms.clear();
+  of_link.assign(static_cast<std::size_t>(link_count), {0, 0});
+}
+
+PairDerivatives::Effect& PairDerivatives::Side::add(const Twist& twist, const Columns& columns) {
+  if (twist.kind != Twist::Kind::inner) {
+    auto& [begin, end] = of_link[static_cast<std::size_t>(twist.link)];
+    if (begin == end) begin = static_cast<int>(effects.size());  // a link's twists are in a row
+    end = static_cast<int>(effects.size()) + 1;
+  }
+  Effect& effect = effects.emplace_back();
+  effect.column = columns[static_cast<std::size_t>(twist.coordinate)];
+  effect.link = twist.link;
+  effect.rotates = twist.kind == Twist::Kind::rotation;
+  effect.inner = twist.kind == Twist::Kind::inner;
+  effect.turn = twist.turn;
+  effect.inner_index = twist.inner_index;
+  effect.growth.setZero();
+  return effect;
+}
 
 // Places in the world, p̂ = T v of each point; `swept` is Σ (∂p)[p′; 1]ᵀ with the weight in both of
 // them.
@@ -83,23 +116,13 @@ void PairDerivatives::fill_swept(const GeometryAtDesign& geometry, const Ancestr
                                  int link, const PairMoments& moments, const PoseKinematics& own,
                                  const PoseKinematics& other, const Columns& columns, bool swap,
                                  Side& side) {
-  side.effects.clear();
-  side.seconds.clear();
-  side.inner_seconds.clear();
-  side.arms.clear();
+  side.clear(moments.link_count());
   for (const Twist& twist : own.twists()) {
     const bool inner = twist.kind == Twist::Kind::inner;
     if (inner ? !ancestry.contains(link, twist.link) : !ancestry.related(link, twist.link))
       continue;
-    Effect& effect = side.effects.emplace_back();
-    effect.column = columns[twist.coordinate];
-    effect.link = twist.link;
-    effect.rotates = twist.kind == Twist::Kind::rotation;
-    effect.inner = inner;
-    effect.turn = twist.turn;
+    Effect& effect = side.add(twist, columns);
     effect.shift = twist.shift;
-    effect.inner_index = twist.inner_index;
-    effect.growth.setZero();
     if (inner) {
       add_inner(geometry.links[twist.link], own, other, columns, twist, effect, side);
       continue;
@@ -177,20 +200,12 @@ void PairDerivatives::compute_foot_turn(const Morphology& morphology, const Ance
   inner_products_.clear();
   const auto fill = [&](const PoseKinematics& own, const Columns& columns, const Matrix3d& swept,
                         Side& side) {
-    side.effects.clear();
-    side.seconds.clear();
-    side.inner_seconds.clear();
+    side.clear(static_cast<int>(morphology.links.size()));
     side.arms.assign(1, swept);
     for (const Twist& twist : own.twists()) {
       if (twist.kind != Twist::Kind::rotation || !ancestry.contains(twist.link, link)) continue;
-      Effect& effect = side.effects.emplace_back();
-      effect.column = columns[twist.coordinate];
-      effect.link = twist.link;
-      effect.rotates = true;
-      effect.inner = false;
-      effect.turn = twist.turn;
+      Effect& effect = side.add(twist, columns);
       effect.shift.setZero();  // directions turn but do not shift
-      effect.growth.setZero();
       sweep(twist.turn, swept, effect.shift, effect.shift, effect.swept);
       effect.swept.col(3).setZero();
     }
@@ -220,20 +235,17 @@ void PairDerivatives::add_side_curvature(const Side& side, const Ancestry& ances
                                          const Vector3d& multiplier, Eigen::MatrixXd& hessian) {
   // An upper rotation turns what the lower twist does. With X = Σ ∂p p′ᵀ of the lower one,
   // μ · Σ (turn × ∂p) × p′ = turn · (Xᵀ μ − tr X μ).
-  for (std::size_t k = 0; k < side.effects.size(); ++k) {
-    const Effect& lower = side.effects[k];
+  const Scalars3 mu = scalars(multiplier);
+  for (const Effect& lower : side.effects) {
     const auto X = lower.swept.leftCols<3>();
-    const Vector3d pull = X.transpose() * multiplier - X.trace() * multiplier;
+    const Scalars3 pull = transposed_product(X, mu) - trace(X) * mu;
     const bool grown = lower.inner && !lower.growth.isZero(0.0);
-    const Vector3d push = lower.growth.cross(multiplier);
-    const bool* above = ancestry.above(lower.link);
-    for (std::size_t l = 0; l < k; ++l) {  // upper twists come first
-      const Effect& upper = side.effects[l];
-      if (upper.rotates && above[upper.link] && (lower.inner || upper.link != lower.link))
-        add_pair(hessian, upper.column, lower.column, upper.turn.dot(pull));
-      if (grown && !upper.inner && above[upper.link])
-        add_pair(hessian, upper.column, lower.column, upper.shift.dot(push));
-    }
+    const Scalars3 push = cross(scalars(lower.growth), mu);
+    side.for_each_above(ancestry, lower.link, lower.inner, [&](const Effect& upper) {
+      if (upper.rotates)
+        add_pair(hessian, upper.column, lower.column, dot(scalars(upper.turn), pull));
+      if (grown) add_pair(hessian, upper.column, lower.column, dot(scalars(upper.shift), push));
+    });
   }
   // μ · Σ (S a) × b = ⟨S, −[μ]× armᵀ⟩ for arm = Σ a bᵀ.
   Matrix3d pull = Matrix3d::Zero();
@@ -263,20 +275,19 @@ void PairDerivatives::add_cross_curvature(const Ancestry& ancestry, const Vector
   // μ · Σ ∂p × ∂p′ runs over what both twists move: what the lower one of them moves. With
   // [X x] = Σ ∂p′ [p; 1]ᵀ of the lower one it is turn · (X μ − tr X μ) + shift · (x × μ), turn and
   // shift those of the upper one.
+  const Scalars3 mu = scalars(multiplier);
   const auto add = [&](const Side& lowers, const Side& uppers, double sign, bool same_link) {
     for (const Effect& lower : lowers.effects) {
       const auto X = lower.swept.leftCols<3>();
-      const Vector3d pull = sign * (X * multiplier - X.trace() * multiplier);
-      const Vector3d push = sign * lower.swept.col(3).cross(multiplier);
-      const bool* above = ancestry.above(lower.link);
-      const bool own_link = same_link || lower.inner;
-      for (const Effect& upper : uppers.effects) {
-        if (upper.inner) continue;
-        // Two twists of one link are counted once, from the side of the second pose.
-        if (above[upper.link] && (own_link || upper.link != lower.link))
-          add_pair(hessian, upper.column, lower.column,
-                   upper.turn.dot(pull) + upper.shift.dot(push));
-      }
+      const Scalars3 pull = sign * (product(X, mu) - trace(X) * mu);
+      const Scalars3 push = cross(sign * scalars(lower.swept.col(3)), mu);
+      // Two twists of one link are counted once, from the side of the second pose.
+      uppers.for_each_above(ancestry, lower.link, same_link || lower.inner,
+                            [&](const Effect& upper) {
+                              add_pair(hessian, upper.column, lower.column,
+                                       dot(scalars(upper.turn), pull) +
+                                           dot(scalars(upper.shift), push));
+                            });
     }
   };
   add(second_, first_, 1.0, true);

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <utility>
 #include <vector>
 
 #include "optimizer/design/inertia.hpp"
 #include "optimizer/design/kinematics.hpp"
 #include "optimizer/design/morphology.hpp"
+#include "optimizer/design/small_products.hpp"
 
 namespace legwright {
 
@@ -16,9 +18,14 @@ class PairMoments {
  public:
   void compute(const Morphology& morphology, const PoseKinematics& first,
                const PoseKinematics& second);
+  int link_count() const { return static_cast<int>(below_.size()); }
   const Eigen::Matrix3d& below(int link) const { return below_[link]; }
   /// Σ m p × p′ over a link and all below it [kg m²].
   Eigen::Vector3d swept(int link) const;
+  Scalars3 swept_scalars(int link) const {
+    const Eigen::Matrix3d& X = below_[static_cast<std::size_t>(link)];
+    return {X(1, 2) - X(2, 1), X(2, 0) - X(0, 2), X(0, 1) - X(1, 0)};
+  }
 
  private:
   std::vector<Eigen::Matrix3d> below_;
@@ -81,10 +88,23 @@ class PairDerivatives {
     Eigen::Matrix3d swept;  // Σ weight (∂p/∂c_a)(∂p′/∂c_b)ᵀ
   };
   struct Side {
-    std::vector<Effect> effects;
+    std::vector<Effect> effects;  // inner ones last
+    std::vector<std::pair<int, int>> of_link;  // where a link's effects begin and end, but inner ones
     std::vector<Second> seconds;
     std::vector<Eigen::Matrix3d> arms;
     std::vector<InnerSecond> inner_seconds;
+
+    void clear(int link_count);
+    Effect& add(const Twist& twist, const Columns& columns);
+    /// Calls visit(upper) for the effects of `link` and of all above it, inner ones left out.
+    template <class Visit>
+    void for_each_above(const Ancestry& ancestry, int link, bool with_own, Visit visit) const {
+      for (int upper : ancestry.chain(link)) {
+        if (upper == link && !with_own) continue;
+        const auto [begin, end] = of_link[static_cast<std::size_t>(upper)];
+        for (int k = begin; k < end; ++k) visit(effects[static_cast<std::size_t>(k)]);
+      }
+    }
   };
 
   void fill_swept(const GeometryAtDesign& geometry, const Ancestry& ancestry, int link,

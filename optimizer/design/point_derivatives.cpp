@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 
 #include "optimizer/design/kinematics.hpp"
+#include "optimizer/design/small_products.hpp"
 
 namespace legwright {
 
@@ -16,6 +17,16 @@ void PointDerivatives::clear(const Vector3d& at) {
   seconds.clear();
   growths.clear();
   growth_seconds.clear();
+}
+
+void PointDerivatives::add(int column, const Twist& twist, const Scalars3& turn,
+                           const Scalars3& by_twist) {
+  Effect& effect = effects.emplace_back();
+  effect.column = column;
+  effect.link = twist.link;
+  effect.rotates = twist.kind == Twist::Kind::rotation;
+  store(turn, effect.turn);
+  store(by_twist, effect.rate);
 }
 
 void PointDerivatives::add_jacobian(Eigen::MatrixXd& jacobian) const {
@@ -45,16 +56,17 @@ void PointDerivatives::add_quotient_curvature(const Vector3d& multiplier,
 
 void PointDerivatives::add_curvature(const Ancestry& ancestry, const Vector3d& multiplier,
                                      Eigen::MatrixXd& hessian) const {
+  const Scalars3 mu = scalars(multiplier);
   for (std::size_t k = 0; k < effects.size(); ++k) {
     const Effect& lower = effects[k];
-    const Vector3d lever = lower.rate.cross(multiplier);  // μ·(turn × rate) = turn·(rate × μ)
+    const Scalars3 lever = cross(scalars(lower.rate), mu);  // μ·(turn × rate) = turn·(rate × μ)
     const bool* above = ancestry.above(lower.link);
     for (std::size_t l = 0; l < k; ++l) {  // upper twists come first
       const Effect& upper = effects[l];
       if (upper.rotates && above[upper.link] && (lower.inner || upper.link != lower.link))
-        add_pair(hessian, upper.column, lower.column, lever.dot(upper.turn));
+        add_pair(hessian, upper.column, lower.column, dot(lever, scalars(upper.turn)));
       if (lower.growth != 0.0 && above[upper.link] && !upper.inner)
-        add_pair(hessian, upper.column, lower.column, lower.growth * multiplier.dot(upper.shift));
+        add_pair(hessian, upper.column, lower.column, lower.growth * dot(mu, scalars(upper.shift)));
     }
   }
   if (!growths.empty()) add_quotient_curvature(multiplier, hessian);
@@ -74,11 +86,11 @@ template <class Moves>
 void add_rigid_effects(const PoseKinematics& pose, const Columns& columns, Moves moves,
                        PointDerivatives& out) {
   const Vector3d p = out.value;
+  const Scalars3 at = scalars(p);
   for (const Twist& twist : pose.twists()) {
     if (twist.kind == Twist::Kind::inner || !moves(twist)) continue;
-    out.effects.push_back({columns[twist.coordinate], twist.link,
-                           twist.kind == Twist::Kind::rotation, false, twist.turn,
-                           twist.turn.cross(p) + twist.shift});
+    const Scalars3 turn = scalars(twist.turn);
+    out.add(columns[twist.coordinate], twist, turn, cross(turn, at) + scalars(twist.shift));
   }
   for (const SameLinkSecond& second : pose.same_link_seconds()) {
     const Twist &a = pose.twists()[second.a], &b = pose.twists()[second.b];
@@ -93,10 +105,12 @@ template <class Moves>
 void add_turns(const PoseKinematics& pose, const Columns& columns, Moves moves,
                PointDerivatives& out) {
   const auto turns = [&](const Twist& m) { return m.kind == Twist::Kind::rotation && moves(m); };
-  for (const Twist& twist : pose.twists())
-    if (turns(twist))
-      out.effects.push_back({columns[twist.coordinate], twist.link, true, false, twist.turn,
-                             twist.turn.cross(out.value)});
+  const Scalars3 along = scalars(out.value);
+  for (const Twist& twist : pose.twists()) {
+    if (!turns(twist)) continue;
+    const Scalars3 turn = scalars(twist.turn);
+    out.add(columns[twist.coordinate], twist, turn, cross(turn, along));
+  }
   for (const SameLinkSecond& second : pose.same_link_seconds()) {
     const Twist &a = pose.twists()[second.a], &b = pose.twists()[second.b];
     if (turns(a))
@@ -208,11 +222,11 @@ void first_moment_from_pose(const GeometryAtDesign& geometry, const Ancestry& an
       }
     } else if (ancestry.related(link, twist.link)) {
       const int lower = std::max(link, twist.link);  // children come after their parents
-      out.effects.push_back({columns[twist.coordinate], twist.link,
-                             twist.kind == Twist::Kind::rotation, false, twist.turn,
-                             scale * (twist.turn.cross(pose.first_moment(lower)) +
-                                      geometry.mass_below[lower] * twist.shift),
-                             twist.shift});
+      const Scalars3 turn = scalars(twist.turn), shift = scalars(twist.shift);
+      out.add(columns[twist.coordinate], twist, turn,
+              scale * (cross(turn, scalars(pose.first_moment(lower))) +
+                       geometry.mass_below[lower] * shift));
+      store(shift, out.effects.back().shift);
     }
   }
   for (const SameLinkSecond& second : pose.same_link_seconds()) {

@@ -15,20 +15,22 @@ struct Coefficients {
   double A, B, A1, B1, A2, B2;
 };
 
-Coefficients coefficients(double t2) {
+/// As far as derivatives of the order need them.
+Coefficients coefficients(double t2, int order) {
   Coefficients c{};
   // Each quotient cancels more digits than the one before it; series below the angle where that
   // would show.
   if (t2 < 0.05) {
     c.A = 1 - t2 / 6 * (1 - t2 / 20 * (1 - t2 / 42 * (1 - t2 / 72 * (1 - t2 / 110))));
     c.B = 0.5 * (1 - t2 / 12 * (1 - t2 / 30 * (1 - t2 / 56 * (1 - t2 / 90 * (1 - t2 / 132)))));
+    if (order == 0) return c;
     // A1 = Σ (−1)^n 2n t^(2n−2)/(2n+1)!, A2 = Σ (−1)^n 2n(2n−2) t^(2n−4)/(2n+1)!; B with (2n+2)!.
     double power1 = 1.0, power2 = 1.0, odd = 6.0, even = 24.0;
     for (int n = 1; n <= 8; ++n) {
       const double sign = n % 2 ? -1.0 : 1.0;
       c.A1 += sign * 2 * n * power1 / odd;
       c.B1 += sign * 2 * n * power1 / even;
-      if (n >= 2) {
+      if (n >= 2 && order >= 2) {
         c.A2 += sign * 2 * n * (2 * n - 2) * power2 / odd;
         c.B2 += sign * 2 * n * (2 * n - 2) * power2 / even;
         power2 *= t2;
@@ -41,6 +43,7 @@ Coefficients coefficients(double t2) {
     const double t = std::sqrt(t2), cos_t = std::cos(t);
     c.A = std::sin(t) / t;
     c.B = (1 - cos_t) / t2;
+    if (order == 0) return c;
     c.A1 = (cos_t - c.A) / t2;
     c.B1 = (c.A - 2 * c.B) / t2;
     c.A2 = (-c.A - 3 * c.A1) / t2;
@@ -51,20 +54,11 @@ Coefficients coefficients(double t2) {
 
 }  // namespace
 
-Matrix3d skew(const Vector3d& v) {
-  Matrix3d m;
-  m << 0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0;
-  return m;
-}
-
-Vector3d unskew(const Matrix3d& m) {
-  return 0.5 * Vector3d(m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1));
-}
-
-void rotation_of_vector(const Vector3d& o, bool with_second, RotationDerivatives& out) {
-  const Coefficients c = coefficients(o.squaredNorm());
+void rotation_of_vector(const Vector3d& o, int order, RotationDerivatives& out) {
+  const Coefficients c = coefficients(o.squaredNorm(), order);
   const Matrix3d S = skew(o), S2 = S * S;
   out.rotation = Matrix3d::Identity() + c.A * S + c.B * S2;
+  if (order == 0) return;
   const Matrix3d inverse = out.rotation.transpose();
   std::array<Matrix3d, 3> E, Q;  // ∂S/∂o_a and ∂S²/∂o_a
   for (int a = 0; a < 3; ++a) {
@@ -73,7 +67,7 @@ void rotation_of_vector(const Vector3d& o, bool with_second, RotationDerivatives
     const Matrix3d first = c.A1 * o[a] * S + c.A * E[a] + c.B1 * o[a] * S2 + c.B * Q[a];
     out.turn[a] = unskew(first * inverse);
   }
-  if (!with_second) return;
+  if (order == 1) return;
   for (int a = 0; a < 3; ++a)
     for (int b = a; b < 3; ++b) {
       const double product = o[a] * o[b], same = a == b ? 1.0 : 0.0;
@@ -83,11 +77,6 @@ void rotation_of_vector(const Vector3d& o, bool with_second, RotationDerivatives
           (c.B2 * product + c.B1 * same) * S2 + c.B1 * (o[a] * Q[b] + o[b] * Q[a]) + c.B * Qab;
       out.second[a][b] = out.second[b][a] = second * inverse;
     }
-}
-
-Matrix3d rotation_about(const Vector3d& axis, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return c * Matrix3d::Identity() + s * skew(axis) + (1 - c) * axis * axis.transpose();
 }
 
 Eigen::Quaterniond smallest_rotation(const Vector3d& from, const Vector3d& to) {

@@ -43,21 +43,6 @@ std::vector<ElementPlan::Run> runs_of(const DerivedQuantity& block, int design_s
   return runs;
 }
 
-void plan_entries(const Term& term, int index, ElementPlan& plan) {
-  const Eigen::MatrixXd* J = term.constant_jacobian(index);
-  if (J == nullptr) return;
-  const Element& element = term.elements()[index];
-  for (int row = 0; row < J->rows(); ++row) {
-    for (int k = 0; k < J->cols(); ++k)
-      if ((*J)(row, k) != 0.0) plan.entries.push_back({element.slots[k], (*J)(row, k)});
-    plan.row_ends.push_back(static_cast<int>(plan.entries.size()));
-  }
-  plan.offset.resize(element.rows);
-  term.residual(index, Eigen::VectorXd::Zero(J->cols()), plan.offset);
-  plan.constant =
-      term.penalty() == Penalty::quadratic && plan.through.empty() && !plan.reaches_design;
-}
-
 }  // namespace
 
 ElementPlan plan_element(const Term& term, int index, const DerivedBlocks& blocks,
@@ -81,8 +66,32 @@ ElementPlan plan_element(const Term& term, int index, const DerivedBlocks& block
           {v, block, blocks[block]->size(), runs_of(*blocks[block], design_size, column_of)});
     }
   }
-  plan_entries(term, index, plan);
+  plan.constant = term.constant_jacobian(index) != nullptr &&
+                  term.penalty() == Penalty::quadratic && plan.through.empty() &&
+                  !plan.reaches_design;
   return plan;
+}
+
+LinearRows linear_rows(const Term& term, const std::vector<ElementPlan>& plans) {
+  LinearRows out;
+  Eigen::VectorXd offset;
+  for (std::size_t e = 0; e < plans.size(); ++e) {
+    const Element& element = term.elements()[e];
+    const Eigen::MatrixXd* J = term.constant_jacobian(static_cast<int>(e));
+    if (J == nullptr) return {};
+    offset.resize(element.rows);
+    term.residual(static_cast<int>(e), Eigen::VectorXd::Zero(J->cols()), offset);
+    for (int row = 0; row < J->rows(); ++row) {
+      for (int k = 0; k < J->cols(); ++k)
+        if ((*J)(row, k) != 0.0)
+          out.entries.push_back({element.slots[static_cast<std::size_t>(k)], (*J)(row, k)});
+      out.ends.push_back(static_cast<int>(out.entries.size()));
+      out.offsets.push_back(offset[row]);
+    }
+    out.last_rows.push_back(static_cast<int>(out.ends.size()));
+    out.constant.push_back(plans[e].constant ? 1 : 0);
+  }
+  return out;
 }
 
 void expand_jacobian(const ElementPlan& plan, const Eigen::MatrixXd& J,
@@ -136,6 +145,36 @@ void add_product(double entry, const LocalRow& left, const LocalRow& right, int 
   }
 }
 
+/// Adds Σ_i C(i, right) e_i e_rightᵀ to the lower triangle of H: first the sum, then one product.
+void add_column(const Eigen::MatrixXd& C, int right, const std::vector<LocalRow>& rows, int columns,
+                Eigen::VectorXd& sum, Eigen::MatrixXd& H) {
+  sum.setZero(columns);
+  for (int i = 0; i < C.rows(); ++i) {
+    const double entry = C(i, right);
+    if (rows[i].through == nullptr) {
+      if (rows[i].column < columns) sum[rows[i].column] += entry;
+      continue;
+    }
+    for (const ElementPlan::Run& run : rows[i].through->runs) {
+      if (run.to >= columns) break;
+      const double* chain = rows[i].chain + run.from;
+      for (int k = 0; k < run.count; ++k) sum[run.to + k] += entry * chain[k];
+    }
+  }
+  const double* from = sum.data();
+  for (const ElementPlan::Run& run : rows[right].through->runs) {
+    if (run.to >= columns) break;
+    for (int b = run.to; b < run.to + run.count; ++b) {
+      const double factor = rows[right].chain[run.from + b - run.to];
+      double* __restrict__ out = H.col(b).data();
+      for (int a = b; a < columns; ++a) out[a] += factor * from[a];
+    }
+  }
+}
+
+/// Entries of a column of C from which on it pays to sum them up first.
+constexpr int kCrowded = 7;
+
 }  // namespace
 
 void expand_curvature(const ElementPlan& plan, const std::vector<Eigen::MatrixXd>& jacobians,
@@ -148,11 +187,16 @@ void expand_curvature(const ElementPlan& plan, const std::vector<Eigen::MatrixXd
   for (const ElementPlan::Through& through : plan.through)
     for (int d = 0; d < through.size; ++d)
       rows[through.variable + d] = {-1, &through, jacobians[through.block].col(d).data()};
-  // Most entries of C are zero. Both orders of a pair of variables are visited, so that each column
-  // pair of the lower triangle gets both.
-  for (int j = 0; j < C.cols(); ++j)
+  // Of most terms most entries of C are zero. Both orders of a pair of variables are visited, so
+  // that each column pair of the lower triangle gets both.
+  for (int j = 0; j < C.cols(); ++j) {
+    if (rows[j].through != nullptr && (C.col(j).array() != 0.0).count() >= kCrowded) {
+      add_column(C, j, rows, columns, workspace.sum, workspace.hessian);
+      continue;
+    }
     for (int i = 0; i < C.rows(); ++i)
       if (C(i, j) != 0.0) add_product(C(i, j), rows[i], rows[j], columns, workspace.hessian);
+  }
 }
 
 namespace {
@@ -228,8 +272,8 @@ void scatter_rank(const Clique& clique, const Eigen::MatrixXd& expanded,
 
 void scatter(const Clique& clique, const Eigen::MatrixXd& hessian, const HessianTarget& target) {
   clique.for_each_run([&](int b, int first, int count, int position) {
-    const double* from = hessian.col(b).data() + first;
-    double* out = target.mm + position;
+    const double* __restrict__ from = hessian.col(b).data() + first;
+    double* __restrict__ out = target.mm + position;
     for (int k = 0; k < count; ++k) out[k] += from[k];
   });
   if (target.ms == nullptr) return;

@@ -10,6 +10,35 @@
 
 namespace legwright {
 
+/// Residuals of a term whose elements all are linear, r_row = offset + Σ coefficient ·
+/// [s; m; y]_slot, one after another in memory; nothing for other terms.
+struct LinearRows {
+  struct Entry {
+    int slot;
+    double coefficient;
+  };
+  std::vector<Entry> entries;   // zeros left out
+  std::vector<int> ends;        // row → where its entries end
+  std::vector<double> offsets;  // row → r at zero
+  std::vector<int> last_rows;   // element → where its rows end
+  std::vector<char> constant;   // element → ElementPlan::constant
+
+  bool empty() const { return last_rows.empty(); }
+  int first_row(int element) const {
+    return element > 0 ? last_rows[static_cast<std::size_t>(element) - 1] : 0;
+  }
+  /// Where a row's entries begin.
+  const Entry* begin(int row) const {
+    return entries.data() + (row > 0 ? ends[static_cast<std::size_t>(row) - 1] : 0);
+  }
+  const Entry* end(int row) const { return entries.data() + ends[static_cast<std::size_t>(row)]; }
+  double residual(int row, const double* x) const {
+    double sum = offsets[static_cast<std::size_t>(row)];
+    for (const Entry* e = begin(row); e != end(row); ++e) sum += e->coefficient * x[e->slot];
+    return sum;
+  }
+};
+
 /// Where one element's local variables go: straight to a column of its clique, or through the
 /// Jacobian of a derived quantity to several (chain rule).
 struct ElementPlan {
@@ -24,17 +53,9 @@ struct ElementPlan {
     int variable, block, size;
     std::vector<Run> runs;  // rising; design columns, if any, have runs of their own
   };
-  /// Of a linear residual, r_row = Σ coefficient · [s; m; y]_slot − target.
-  struct Entry {
-    int slot;
-    double coefficient;
-  };
   std::vector<Direct> direct;
   std::vector<Through> through;
   Clique clique;
-  std::vector<Entry> entries;  // of a constant Jacobian row by row, zeros left out
-  std::vector<int> row_ends;   // row → where its entries end
-  Eigen::VectorXd offset;      // with it, r at zero
   bool constant = false;  // its Hessian is the same everywhere: ½ r² of a linear r of m alone
   bool reaches_design = false;  // its clique has design columns
 };
@@ -44,6 +65,9 @@ struct ElementPlan {
 ElementPlan plan_element(const Term& term, int element, const DerivedBlocks& blocks,
                          const std::vector<int>& block_at_slot, int design_size,
                          int parameter_count);
+
+/// Of a term with constant Jacobians, else nothing. @param plans by element.
+LinearRows linear_rows(const Term& term, const std::vector<ElementPlan>& plans);
 
 /// One local variable as a function of the clique's columns: a unit vector or a column of a block's
 /// Jacobian.
@@ -55,7 +79,7 @@ struct LocalRow {
 
 /// Scratch of one element; sizes grow to the largest and stay.
 struct ElementWorkspace {
-  Eigen::VectorXd z, residual, multiplier, second;
+  Eigen::VectorXd z, residual, multiplier, second, sum;
   Eigen::MatrixXd jacobian, curvature;
   Eigen::MatrixXd expanded;  // columns of the clique × rows
   Eigen::MatrixXd hessian;   // of the clique, lower triangle

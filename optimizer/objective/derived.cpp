@@ -13,7 +13,10 @@ DerivedQuantities::DerivedQuantities(const Morphology& morphology, const Layout&
   DerivedList list(setting, wanted);
   list_derived(list);
   blocks_ = list.take();
-  for (const auto& block : blocks_) needs_moments_ |= block->needs_moments();
+  for (const auto& block : blocks_) {
+    needs_moments_ |= block->needs_moments();
+    extents_.push_back({block->slot(), block->size()});
+  }
 }
 
 void DerivedQuantities::place_robot(const Morphology& morphology, const Layout& layout,
@@ -53,7 +56,7 @@ void DerivedQuantities::evaluate(const Morphology& morphology, const Layout& lay
   const DerivedInput input{morphology, ancestry_, robot, extended};
   for (std::size_t b = 0; b < blocks_.size(); ++b)
     blocks_[b]->value(input, *workspace.states[b],
-                      extended.segment(blocks_[b]->slot(), blocks_[b]->size()));
+                      extended.segment(extents_[b].slot, extents_[b].size));
 }
 
 // Motion comes first: without the design's coordinates nothing is written behind it.
@@ -73,6 +76,14 @@ const Eigen::MatrixXd& DerivedQuantities::jacobian(const Morphology& morphology,
   block.jacobian({morphology, ancestry_, workspace.robot, extended}, *workspace.states[index],
                  jacobian);
   return jacobian;
+}
+
+bool DerivedQuantities::add_motion_gradient(const Morphology& morphology, int index,
+                                            const double* multiplier,
+                                            const Eigen::VectorXd& extended,
+                                            const Workspace& workspace, double* gradient) const {
+  return blocks_[index]->add_motion_gradient({morphology, ancestry_, workspace.robot, extended},
+                                             multiplier, gradient);
 }
 
 void DerivedQuantities::curvature(int index, const double* multiplier, Workspace& workspace) const {

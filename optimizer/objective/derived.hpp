@@ -29,6 +29,11 @@ class DerivedQuantities {
                     const WantedPath& path, const std::vector<char>& wanted);
 
   const DerivedBlocks& blocks() const { return blocks_; }
+  /// Where each block's y stands: a walk over all of them reads nothing else.
+  struct Extent {
+    int slot, size;
+  };
+  const std::vector<Extent>& extents() const { return extents_; }
   /// Fills the y part of `extended` ([s; m] given). `detail` says which derivatives may be asked
   /// for afterwards.
   void evaluate(const Morphology& morphology, const Layout& layout, PoseDetail detail,
@@ -36,6 +41,11 @@ class DerivedQuantities {
   /// ∂y of a block at the point just evaluated, columns × size.
   const Eigen::MatrixXd& jacobian(const Morphology& morphology, int block,
                                   const Eigen::VectorXd& extended, Workspace& workspace) const;
+  /// Adds Σ_k multiplier_k ∂y_k/∂m of a block to `gradient` (as [s; m; y]) without its Jacobian and
+  /// returns true; false: the block has no such way.
+  bool add_motion_gradient(const Morphology& morphology, int block, const double* multiplier,
+                           const Eigen::VectorXd& extended, const Workspace& workspace,
+                           double* gradient) const;
   /// Σ multiplier_k ∂²y_k of a block whose Jacobian is ready, into the lower triangle of
   /// workspace.curvature.
   void curvature(int block, const double* multiplier, Workspace& workspace) const;
@@ -49,6 +59,7 @@ class DerivedQuantities {
   Ancestry ancestry_;
   WantedPath path_;
   DerivedBlocks blocks_;
+  std::vector<Extent> extents_;  // by block
   bool needs_moments_ = false;
 };
 

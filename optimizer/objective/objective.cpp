@@ -55,7 +55,7 @@ void ObjectiveParts::build() {
   std::vector<char> wanted(layout.extended_size(), 0);
   for (std::size_t k = 0; k < term_registry().size(); ++k) {
     const TermEntry& entry = term_registry()[k];
-    terms.push_back({&entry, weights[k], entry.make(context), {}});
+    terms.push_back({&entry, weights[k], entry.make(context), {}, {}});
     if (weights[k] == 0.0) continue;
     for (const Element& element : terms.back().term->elements())
       for (int slot : element.slots) wanted[slot] = 1;
@@ -74,6 +74,7 @@ void ObjectiveParts::plan() {
     for (int e = 0; e < count; ++e)
       entry.plans.push_back(plan_element(*entry.term, e, derived.blocks(), block_at_slot,
                                          layout.design_size(), layout.parameter_count()));
+    entry.linear = linear_rows(*entry.term, entry.plans);
   }
   for (const auto& block : derived.blocks())
     block_cliques.emplace_back(block->slots(), block->motion_columns());
@@ -95,53 +96,54 @@ void ObjectiveParts::plan() {
 
 void ObjectiveParts::residual(const WeightedTerm& entry, int index,
                               EvaluationScratch& workspace) const {
-  const ElementPlan& plan = entry.plans[index];
   const Element& element = entry.term->elements()[index];
   ElementWorkspace& local = workspace.element;
-  if (plan.offset.size() > 0) {
-    local.residual.resize(plan.offset.size());
-    const double* x = workspace.extended.data();
-    const ElementPlan::Entry* e = plan.entries.data();
-    for (std::size_t row = 0; row < plan.row_ends.size(); ++row) {
-      double sum = plan.offset[static_cast<int>(row)];
-      for (const auto* end = plan.entries.data() + plan.row_ends[row]; e != end; ++e)
-        sum += e->coefficient * x[e->slot];
-      local.residual[static_cast<int>(row)] = sum;
-    }
+  local.residual.resize(element.rows);
+  if (!entry.linear.empty()) {
+    const int first = entry.linear.first_row(index);
+    for (int row = 0; row < element.rows; ++row)
+      local.residual[row] = entry.linear.residual(first + row, workspace.extended.data());
     return;
   }
   const int size = static_cast<int>(element.slots.size());
   local.z.resize(size);
   for (int k = 0; k < size; ++k) local.z[k] = workspace.extended[element.slots[k]];
-  local.residual.resize(element.rows);
   entry.term->residual(index, local.z, local.residual);
 }
 
-double ObjectiveParts::add_constant(const WeightedTerm& entry, const ElementPlan& plan, Order order,
-                                    EvaluationScratch& workspace) {
+double ObjectiveParts::add_linear(const WeightedTerm& entry, int index, bool with_gradient,
+                                  EvaluationScratch& workspace) const {
+  const LinearRows& rows = entry.linear;
   const double* x = workspace.extended.data();
   double* gradient = workspace.gradient.data();
+  const Penalty penalty = entry.term->penalty();
+  const bool constant = rows.constant[static_cast<std::size_t>(index)] != 0;
   double value = 0.0;
-  const ElementPlan::Entry* begin = plan.entries.data();
-  for (std::size_t row = 0; row < plan.row_ends.size(); ++row) {
-    const ElementPlan::Entry* end = plan.entries.data() + plan.row_ends[row];
-    double r = plan.offset[static_cast<int>(row)];
-    for (const auto* e = begin; e != end; ++e) r += e->coefficient * x[e->slot];
-    value += 0.5 * r * r;
-    if (order != Order::value)
-      for (const auto* e = begin; e != end; ++e)
-        gradient[e->slot] += e->coefficient * (entry.weight * r);
-    begin = end;
+  for (int row = rows.first_row(index); row < rows.last_rows[static_cast<std::size_t>(index)];
+       ++row) {
+    const double r = rows.residual(row, x);
+    double multiplier = entry.weight * r;
+    if (constant) {
+      value += 0.5 * r * r;
+    } else {
+      const PenaltyValue p = legwright::evaluate(penalty, r, task.barrier_edge);
+      value += entry.weight * p.value;
+      multiplier = entry.weight * p.first;
+    }
+    if (!with_gradient || multiplier == 0.0) continue;
+    for (const LinearRows::Entry* e = rows.begin(row); e != rows.end(row); ++e)
+      gradient[e->slot] += e->coefficient * multiplier;
   }
-  return entry.weight * value;
+  return constant ? entry.weight * value : value;
 }
 
 double ObjectiveParts::add_element(const WeightedTerm& entry, int index, Order order,
                                    EvaluationScratch& workspace,
                                    const HessianTarget& target) const {
   const Term& term = *entry.term;
-  const ElementPlan& plan = entry.plans[index];
-  if (plan.constant) return add_constant(entry, plan, order, workspace);
+  const bool linear = !entry.linear.empty();
+  if (linear && (!has_second(order) || entry.linear.constant[static_cast<std::size_t>(index)]))
+    return add_linear(entry, index, order != Order::value, workspace);
   ElementWorkspace& local = workspace.element;
   residual(entry, index, workspace);
   const int rows = static_cast<int>(local.residual.size());
@@ -158,11 +160,10 @@ double ObjectiveParts::add_element(const WeightedTerm& entry, int index, Order o
     idle = idle && p.first == 0.0 && p.second == 0.0;
   }
   if (order == Order::value || idle) return value;
-  const bool linear = plan.offset.size() > 0;
   if (linear) {
-    const ElementPlan::Entry* e = plan.entries.data();
+    const int first = entry.linear.first_row(index);
     for (int row = 0; row < rows; ++row)
-      for (const auto* end = plan.entries.data() + plan.row_ends[row]; e != end; ++e)
+      for (const auto* e = entry.linear.begin(first + row); e != entry.linear.end(first + row); ++e)
         workspace.gradient[e->slot] += e->coefficient * local.multiplier[row];
   } else {
     const Element& element = term.elements()[index];
@@ -219,10 +220,15 @@ void ObjectiveParts::add_derived(Order order, EvaluationScratch& workspace,
                                  const HessianTarget& target) const {
   // Chain rule: what terms want of y is handed on to m and s, and y's own curvature comes in.
   for (std::size_t b = 0; b < derived.blocks().size(); ++b) {
-    const DerivedQuantity& block = *derived.blocks()[b];
-    const auto multiplier = workspace.gradient.segment(block.slot(), block.size());
+    const DerivedQuantities::Extent at = derived.extents()[b];
+    const auto multiplier = workspace.gradient.segment(at.slot, at.size);
     if (multiplier.isZero(0.0)) continue;
+    const DerivedQuantity& block = *derived.blocks()[b];
     const int index = static_cast<int>(b);
+    if (order == Order::gradient &&
+        derived.add_motion_gradient(morphology, index, multiplier.data(), workspace.extended,
+                                    workspace.derived, workspace.gradient.data()))
+      continue;
     const Eigen::MatrixXd& jacobian =
         derived.jacobian(morphology, index, workspace.extended, workspace.derived);
     const int columns =
@@ -247,9 +253,10 @@ void ObjectiveParts::prepare(const VectorXd& s, const VectorXd& m, Order order,
   workspace.extended.head(s.size()) = s;
   workspace.extended.segment(s.size(), m.size()) = m;
   workspace.extended.tail(layout.extended_size() - layout.parameter_count()).setZero();
-  const PoseDetail detail = order == Order::value ? PoseDetail::place
-                            : has_design(order)   ? PoseDetail::design
-                                                  : PoseDetail::motion;
+  const PoseDetail detail = order == Order::value      ? PoseDetail::place
+                            : order == Order::gradient ? PoseDetail::rates
+                            : has_design(order)        ? PoseDetail::design
+                                                       : PoseDetail::motion;
   derived.evaluate(morphology, layout, detail, workspace.extended, workspace.derived);
   workspace.gradient.setZero(layout.extended_size());
 }

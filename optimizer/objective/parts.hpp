@@ -25,6 +25,7 @@ struct WeightedTerm {
   double weight;
   std::unique_ptr<Term> term;
   std::vector<ElementPlan> plans;  // by element; none where the weight is zero
+  LinearRows linear;               // of the same elements
 };
 
 /// Scratch memory of one thread.
@@ -59,9 +60,10 @@ struct ObjectiveParts {
   void residual(const WeightedTerm& entry, int index, EvaluationScratch& workspace) const;
   double add_term(const WeightedTerm& entry, Order order, EvaluationScratch& workspace,
                   const HessianTarget& target) const;
-  /// An element whose Hessian stands in `pattern` already.
-  static double add_constant(const WeightedTerm& entry, const ElementPlan& plan, Order order,
-                             EvaluationScratch& workspace);
+  /// A linear element up to first derivatives; all there is of one whose Hessian stands in
+  /// `pattern` already.
+  double add_linear(const WeightedTerm& entry, int index, bool with_gradient,
+                    EvaluationScratch& workspace) const;
   double add_element(const WeightedTerm& entry, int index, Order order,
                      EvaluationScratch& workspace, const HessianTarget& target) const;
   void add_second(const WeightedTerm& entry, int index, Order order, EvaluationScratch& workspace,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "optimizer/design/pose_gradient.hpp"
 #include "optimizer/objective/derived/quantities.hpp"
 #include "optimizer/objective/derived/vector_quantity.hpp"
 
@@ -20,6 +21,12 @@ class Anchor final : public PoseQuantity {
   }
   void derive(const DerivedInput& input, PointDerivatives& out) const override {
     anchor_from_pose(input.ancestry, pose(input), link_, columns(), out);
+  }
+  void add_pose_gradient(const DerivedInput& input, const Eigen::Vector3d& multiplier,
+                         double* gradient) const override {
+    // Without the design only what moves the parent moves it.
+    add_point_gradient(input.morphology, pose(input), input.morphology.links[link_].parent,
+                       place(input), multiplier, gradient);
   }
 
   int link_;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "optimizer/design/pose_gradient.hpp"
 #include "optimizer/objective/derived/quantities.hpp"
 #include "optimizer/objective/derived/vector_quantity.hpp"
 
@@ -17,6 +18,10 @@ class Com final : public PoseQuantity {
   }
   void derive(const DerivedInput& input, PointDerivatives& out) const override {
     com_from_pose(input.robot.geometry, input.ancestry, pose(input), columns(), out);
+  }
+  void add_pose_gradient(const DerivedInput& input, const Eigen::Vector3d& multiplier,
+                         double* gradient) const override {
+    add_com_gradient(input.robot.geometry, pose(input), multiplier, gradient);
   }
 };
 

@@ -29,6 +29,7 @@ class DesignQuantity : public DerivedQuantity {
   void jacobian(const DerivedInput&, State& state, Eigen::MatrixXd& jacobian) const final {
     jacobian = static_cast<Held&>(state).at.jacobian;
   }
+  bool add_motion_gradient(const DerivedInput&, const double*, double*) const final { return true; }
   void curvature(const Ancestry&, const State& state, const double* multiplier,
                  Eigen::MatrixXd& hessian) const final {
     const AtDesign& at = static_cast<const Held&>(state).at;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "optimizer/design/pose_gradient.hpp"
 #include "optimizer/objective/derived/quantities.hpp"
 #include "optimizer/objective/derived/vector_quantity.hpp"
 
@@ -21,6 +22,11 @@ class FootCentre final : public PoseQuantity {
   void derive(const DerivedInput& input, PointDerivatives& out) const override {
     foot_from_pose(input.morphology, input.robot.geometry, input.ancestry, pose(input), foot_,
                    columns(), out);
+  }
+  void add_pose_gradient(const DerivedInput& input, const Eigen::Vector3d& multiplier,
+                         double* gradient) const override {
+    add_point_gradient(input.morphology, pose(input), input.morphology.feet[foot_].link, place(input),
+                       multiplier, gradient);
   }
 
   int foot_;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "optimizer/design/pose_gradient.hpp"
 #include "optimizer/objective/derived/quantities.hpp"
 #include "optimizer/objective/derived/vector_quantity.hpp"
 
@@ -15,6 +16,15 @@ class FootTurn final : public VectorQuantity<PairDerivatives> {
                                 setting.morphology.feet[foot].position)),
         knot_(static_cast<std::size_t>(knot)),
         foot_(foot) {}
+
+  bool add_motion_gradient(const DerivedInput& input, const double* multiplier,
+                           double* gradient) const override {
+    add_foot_turn_gradient(input.morphology, foot_, input.robot.poses[knot_],
+                           input.robot.poses[knot_ + 1],
+                           Eigen::Map<const Eigen::Vector3d>(multiplier), gradient + pose_slot(0),
+                           gradient + pose_slot(1));
+    return true;
+  }
 
  private:
   Eigen::Vector3d place(const DerivedInput& input) const override {

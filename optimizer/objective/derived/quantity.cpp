@@ -25,6 +25,7 @@ DerivedQuantity::DerivedQuantity(const DerivedSetting& setting, int slot, int si
     for (int parameter : on.parameters)
       columns[layout.pose_size() + parameter] = column_of(layout.design(parameter));
     columns_.push_back(std::move(columns));
+    pose_slots_.push_back(layout.pose(knot));
   }
 }
 

@@ -71,6 +71,12 @@ class DerivedQuantity {
   /// of value().
   virtual void jacobian(const DerivedInput& input, State& state,
                         Eigen::MatrixXd& jacobian) const = 0;
+  /// Adds Σ_k multiplier_k ∂y_k/∂m to `gradient` (as [s; m; y]) without a Jacobian, to the bits of
+  /// jacobian() times multiplier, and returns true; false: only jacobian() knows.
+  virtual bool add_motion_gradient(const DerivedInput&, const double* /*multiplier*/,
+                                   double* /*gradient*/) const {
+    return false;
+  }
   /// Σ multiplier_k ∂²y_k, into the lower triangle of `hessian`, which arrives as zeros; after
   /// jacobian().
   virtual void curvature(const Ancestry& ancestry, const State& state, const double* multiplier,
@@ -83,6 +89,8 @@ class DerivedQuantity {
                   const Dependence& on, const std::vector<int>& forces = {});
   /// Column of each coordinate of [q; s] of its k-th pose.
   const Columns& columns(std::size_t k) const { return columns_[k]; }
+  /// First slot of its k-th pose.
+  int pose_slot(std::size_t k) const { return pose_slots_[k]; }
   int column_of(int slot) const;
 
  private:
@@ -90,6 +98,7 @@ class DerivedQuantity {
   std::vector<int> slots_;
   int motion_columns_ = 0;
   std::vector<Columns> columns_;  // by pose
+  std::vector<int> pose_slots_;   // by pose
 };
 
 using DerivedBlocks = std::vector<std::unique_ptr<const DerivedQuantity>>;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "optimizer/design/pose_gradient.hpp"
 #include "optimizer/objective/derived/quantities.hpp"
 #include "optimizer/objective/derived/vector_quantity.hpp"
 
@@ -21,6 +22,10 @@ class SoleDirection final : public PoseQuantity {
   }
   void derive(const DerivedInput& input, PointDerivatives& out) const override {
     direction_from_pose(input.ancestry, pose(input), link_, own_, columns(), out);
+  }
+  void add_pose_gradient(const DerivedInput& input, const Eigen::Vector3d& multiplier,
+                         double* gradient) const override {
+    add_direction_gradient(input.morphology, pose(input), link_, place(input), multiplier, gradient);
   }
 
   int link_;

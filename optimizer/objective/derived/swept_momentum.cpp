@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "optimizer/design/pose_gradient.hpp"
 #include "optimizer/objective/derived/quantities.hpp"
 #include "optimizer/objective/derived/vector_quantity.hpp"
 
@@ -18,6 +19,14 @@ class SweptMomentum final : public VectorQuantity<PairDerivatives> {
     second_ = wraps ? 0 : pair_ + 1;
   }
   bool needs_moments() const override { return true; }
+  bool add_motion_gradient(const DerivedInput& input, const double* multiplier,
+                           double* gradient) const override {
+    add_swept_momentum_gradient(input.robot.moments[pair_], input.robot.poses[first_],
+                                input.robot.poses[second_],
+                                Eigen::Map<const Eigen::Vector3d>(multiplier),
+                                gradient + pose_slot(0), gradient + pose_slot(1));
+    return true;
+  }
 
  private:
   static std::vector<int> knots(const Layout& layout, int knot) {

@@ -42,6 +42,13 @@ class VectorQuantity : public DerivedQuantity {
 
 /// A point or direction of one pose.
 class PoseQuantity : public VectorQuantity<PointDerivatives> {
+ public:
+  bool add_motion_gradient(const DerivedInput& input, const double* multiplier,
+                           double* gradient) const final {
+    add_pose_gradient(input, Eigen::Map<const Eigen::Vector3d>(multiplier), gradient + pose_slot(0));
+    return true;
+  }
+
  protected:
   PoseQuantity(const DerivedSetting& setting, int slot, int knot, const Dependence& on)
       : VectorQuantity(setting, slot, {knot}, on), knot_(static_cast<std::size_t>(knot)) {}
@@ -49,6 +56,9 @@ class PoseQuantity : public VectorQuantity<PointDerivatives> {
   const Columns& columns() const { return DerivedQuantity::columns(0); }
 
  private:
+  /// Adds ∂(multiplier · y)/∂q to `gradient`, the entries of its pose.
+  virtual void add_pose_gradient(const DerivedInput& input, const Eigen::Vector3d& multiplier,
+                                 double* gradient) const = 0;
   std::size_t knot_;
 };
 

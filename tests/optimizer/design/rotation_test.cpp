@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 
 Matrix3d rotation(const Vector3d& o) {
   RotationDerivatives at;
-  rotation_of_vector(o, false, at);
+  rotation_of_vector(o, 0, at);
   return at.rotation;
 }
 
@@ -32,7 +32,7 @@ TEST_P(RotationOfVector, IsRodrigues) {
 
 TEST_P(RotationOfVector, DerivativesMatchDifferences) {
   RotationDerivatives at;
-  rotation_of_vector(o_, true, at);
+  rotation_of_vector(o_, 2, at);
   const double h = 1e-4;
   for (int a = 0; a < 3; ++a) {
     const Vector3d ea = h * Vector3d::Unit(a);
@@ -55,8 +55,8 @@ TEST(RotationOfVectorSeries, MeetsTheClosedForm) {
   // Both sides of the switch give the same second derivatives: nothing jumps.
   RotationDerivatives below, above;
   const Vector3d direction = Vector3d(1, 2, -2) / 3.0;
-  rotation_of_vector(std::sqrt(0.05) * (1 - 1e-9) * direction, true, below);
-  rotation_of_vector(std::sqrt(0.05) * (1 + 1e-9) * direction, true, above);
+  rotation_of_vector(std::sqrt(0.05) * (1 - 1e-9) * direction, 2, below);
+  rotation_of_vector(std::sqrt(0.05) * (1 + 1e-9) * direction, 2, above);
   for (int a = 0; a < 3; ++a)
     for (int b = 0; b < 3; ++b) EXPECT_LT((below.second[a][b] - above.second[a][b]).norm(), 1e-8);
 }
