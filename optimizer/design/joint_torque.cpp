@@ -29,7 +29,7 @@ struct Sums {
 };
 
 Scalars3 contact_point(const Morphology& morphology, const GeometryAtDesign& geometry,
-                     const PoseKinematics& pose, int foot) {
+                       const PoseKinematics& pose, int foot) {
   const int link = morphology.feet[foot].link;
   const Scalars3 centre =
       scalars(pose.origin(link)) + product(pose.rotation(link), scalars(geometry.feet[foot]));
@@ -49,8 +49,7 @@ Sums sums(const Morphology& morphology, const GeometryAtDesign& geometry, const 
   for (const FootForce& each : forces) {
     const Scalars3 force = scalars(each.force);
     out.rate = out.rate - force;
-    out.lever =
-        out.lever - cross(contact_point(morphology, geometry, *poses.at, each.foot), force);
+    out.lever = out.lever - cross(contact_point(morphology, geometry, *poses.at, each.foot), force);
   }
   out.lever = out.lever - cross(scalars(poses.at->origin(link)), out.rate);
   return out;

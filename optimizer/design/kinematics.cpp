@@ -143,7 +143,11 @@ void PoseKinematics::compute(const Morphology& morphology, const GeometryAtDesig
   rotation_.resize(link_count);
   origin_.resize(link_count);
   RotationDerivatives root;
-  rotation_of_vector(q.segment<3>(3), with_second() ? 2 : detail == PoseDetail::rates ? 1 : 0, root);
+  rotation_of_vector(q.segment<3>(3),
+                     with_second()                 ? 2
+                     : detail == PoseDetail::rates ? 1
+                                                   : 0,
+                     root);
   rotation_[0] = root.rotation;
   origin_[0] = q.head<3>();
   place(morphology, geometry, q);

@@ -57,7 +57,9 @@ class PoseKinematics {
   bool with_second() const { return detail_ == PoseDetail::motion || with_design(); }
   const std::vector<Twist>& twists() const { return twists_; }
   /// The twist of a coordinate of the pose; not with the design, which has twists between them.
-  const Twist& twist_of(int coordinate) const { return twists_[static_cast<std::size_t>(coordinate)]; }
+  const Twist& twist_of(int coordinate) const {
+    return twists_[static_cast<std::size_t>(coordinate)];
+  }
   const std::vector<SameLinkSecond>& same_link_seconds() const { return seconds_; }
   const Eigen::Matrix3d& rotation(int link) const { return rotation_[link]; }  // world ← link
   const Eigen::Vector3d& origin(int link) const { return origin_[link]; }      // world [m]

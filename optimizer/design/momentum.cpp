@@ -282,12 +282,11 @@ void PairDerivatives::add_cross_curvature(const Ancestry& ancestry, const Vector
       const Scalars3 pull = sign * (product(X, mu) - trace(X) * mu);
       const Scalars3 push = cross(sign * scalars(lower.swept.col(3)), mu);
       // Two twists of one link are counted once, from the side of the second pose.
-      uppers.for_each_above(ancestry, lower.link, same_link || lower.inner,
-                            [&](const Effect& upper) {
-                              add_pair(hessian, upper.column, lower.column,
-                                       dot(scalars(upper.turn), pull) +
-                                           dot(scalars(upper.shift), push));
-                            });
+      uppers.for_each_above(
+          ancestry, lower.link, same_link || lower.inner, [&](const Effect& upper) {
+            add_pair(hessian, upper.column, lower.column,
+                     dot(scalars(upper.turn), pull) + dot(scalars(upper.shift), push));
+          });
     }
   };
   add(second_, first_, 1.0, true);

@@ -89,7 +89,8 @@ class PairDerivatives {
   };
   struct Side {
     std::vector<Effect> effects;  // inner ones last
-    std::vector<std::pair<int, int>> of_link;  // where a link's effects begin and end, but inner ones
+    std::vector<std::pair<int, int>>
+        of_link;  // where a link's effects begin and end, but inner ones
     std::vector<Second> seconds;
     std::vector<Eigen::Matrix3d> arms;
     std::vector<InnerSecond> inner_seconds;

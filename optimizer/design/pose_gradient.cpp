@@ -26,11 +26,12 @@ void for_each_above(const Morphology& morphology, const PoseKinematics& pose, in
 
 /// Σ a × b of what [turn]× X + shift sumᵀ sums up as Σ a bᵀ.
 template <class Matrix>
-[[gnu::always_inline]] inline Scalars3 swept_rate(const Scalars3& t, const Matrix& X, const Scalars3& v,
-                                                const Scalars3& sum) {
-  return {t.z * X(0, 2) - t.x * X(2, 2) + v.y * sum.z - (t.x * X(1, 1) - t.y * X(0, 1) + v.z * sum.y),
-          t.x * X(1, 0) - t.y * X(0, 0) + v.z * sum.x - (t.y * X(2, 2) - t.z * X(1, 2) + v.x * sum.z),
-          t.y * X(2, 1) - t.z * X(1, 1) + v.x * sum.y - (t.z * X(0, 0) - t.x * X(2, 0) + v.y * sum.x)};
+[[gnu::always_inline]] inline Scalars3 swept_rate(const Scalars3& t, const Matrix& X,
+                                                  const Scalars3& v, const Scalars3& sum) {
+  return {
+      t.z * X(0, 2) - t.x * X(2, 2) + v.y * sum.z - (t.x * X(1, 1) - t.y * X(0, 1) + v.z * sum.y),
+      t.x * X(1, 0) - t.y * X(0, 0) + v.z * sum.x - (t.y * X(2, 2) - t.z * X(1, 2) + v.x * sum.z),
+      t.y * X(2, 1) - t.z * X(1, 1) + v.x * sum.y - (t.z * X(0, 0) - t.x * X(2, 0) + v.y * sum.x)};
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ template <bool kSecond>
 struct ProductJet {
   static constexpr int kSize = 6;
   using Gradient = Eigen::Matrix<double, kSize, 1>;
-  using Hessian = Eigen::Matrix<double, kSecond ? kSize * (kSize + 1) / 2 : 0, 1>;
+  using Hessian = Eigen::Matrix<double, kSecond ? kSize*(kSize + 1) / 2 : 0, 1>;
 
   double v;
   Gradient g = Gradient::Zero();

@@ -25,8 +25,8 @@ class FootCentre final : public PoseQuantity {
   }
   void add_pose_gradient(const DerivedInput& input, const Eigen::Vector3d& multiplier,
                          double* gradient) const override {
-    add_point_gradient(input.morphology, pose(input), input.morphology.feet[foot_].link, place(input),
-                       multiplier, gradient);
+    add_point_gradient(input.morphology, pose(input), input.morphology.feet[foot_].link,
+                       place(input), multiplier, gradient);
   }
 
   int foot_;

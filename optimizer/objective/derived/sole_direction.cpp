@@ -25,7 +25,8 @@ class SoleDirection final : public PoseQuantity {
   }
   void add_pose_gradient(const DerivedInput& input, const Eigen::Vector3d& multiplier,
                          double* gradient) const override {
-    add_direction_gradient(input.morphology, pose(input), link_, place(input), multiplier, gradient);
+    add_direction_gradient(input.morphology, pose(input), link_, place(input), multiplier,
+                           gradient);
   }
 
   int link_;

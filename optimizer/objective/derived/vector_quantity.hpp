@@ -45,7 +45,8 @@ class PoseQuantity : public VectorQuantity<PointDerivatives> {
  public:
   bool add_motion_gradient(const DerivedInput& input, const double* multiplier,
                            double* gradient) const final {
-    add_pose_gradient(input, Eigen::Map<const Eigen::Vector3d>(multiplier), gradient + pose_slot(0));
+    add_pose_gradient(input, Eigen::Map<const Eigen::Vector3d>(multiplier),
+                      gradient + pose_slot(0));
     return true;
   }
 

@@ -133,6 +133,20 @@ TEST_P(ObjectiveDerivatives, MatchCentralDifferences) {
 }
 
 /// Masses that grow with their bodies: M(s), centre of mass, momentum and torques depend on it.
+// A gradient alone takes no Jacobian; with second derivatives it comes from them.
+TEST_P(ObjectiveDerivatives, GradientAloneHasTheBitsOfTheOneByJacobians) {
+  for (const bool printed : {false, true}) {
+    const Objective objective = make_objective(GetParam(), printed);
+    const Point at = random_point(objective, 7);
+    const VectorXd alone = objective.evaluate(at.s, at.m, Order::gradient).stationarity;
+    const VectorXd full = objective.evaluate(at.s, at.m, Order::hessian).stationarity;
+    if (GetParam().empty()) {
+      EXPECT_GT(alone.norm(), 0.0);
+    }
+    EXPECT_EQ((alone - full).lpNorm<Eigen::Infinity>(), 0.0);
+  }
+}
+
 TEST_P(ObjectiveDerivatives, MatchCentralDifferencesOfAPrintedRobot) {
   const Objective objective = make_objective(GetParam(), true);
   const Errors errors = check(objective, random_point(objective, 7), 23);
