@@ -10,7 +10,8 @@ void fields(Fields& f, PutBackRecord& row) {
   f("terms", row.terms, "the same of each term of F");
   f("F_tasks", row.F_tasks, "of a joint run: the same of each task, where F is the weighted sum");
   f("status", row.status, "of the motion");
-  f("played", row.played, "what MuJoCo says of that design within a few cycles; not where F changes by less than 1 %");
+  f("played", row.played,
+    "what MuJoCo says of that design within a few cycles; not where F changes by less than 1 %");
 }
 
 }  // namespace legwright
