@@ -41,6 +41,12 @@ GaitTrial play_task(const CodesignProblem& problem, const Candidate& candidate, 
 
 }  // namespace
 
+PlayedGait PlayedCandidate::record(std::optional<int> task) const {
+  if (!task) return {distance, pass, line};
+  const GaitTrial& trial = trials.at(static_cast<std::size_t>(*task));
+  return {trial.distance, trial.pass, trial.line};
+}
+
 const Objective& Candidate::objective(const CodesignProblem& problem, int k) const {
   const auto i = static_cast<std::size_t>(k);
   return planned.empty() ? *problem.objectives[i] : *planned.at(i);
@@ -64,17 +70,16 @@ PlayedCandidate play_candidate(const CodesignProblem& problem, const Candidate& 
   return out;
 }
 
-std::vector<std::optional<PlayedCandidate>> play_beside(const CodesignProblem& problem,
-                                                        const Candidate& candidate,
-                                                        const std::vector<DesignIteration>& designs,
-                                                        int threads,
-                                                        const std::function<bool()>& stop) {
+std::vector<std::optional<PlayedCandidate>> play_beside(
+    const CodesignProblem& problem, const Candidate& candidate,
+    const std::vector<std::optional<DesignIteration>>& designs, int threads,
+    const std::function<bool()>& stop) {
   std::vector<std::optional<PlayedCandidate>> out(designs.size());
   parallel_for(static_cast<int>(designs.size()), threads, [&](int k) {
     const auto i = static_cast<std::size_t>(k);
-    if (!std::isfinite(designs[i].value) || (stop && stop())) return;
+    if (!designs[i] || (stop && stop())) return;
     Candidate beside = candidate;
-    beside.design = designs[i];
+    beside.design = *designs[i];
     out[i] = play_candidate(problem, beside, 1, PlayLength::first_cycles);
   });
   return out;

@@ -10,6 +10,7 @@
 #include "optimizer/objective/objective.hpp"
 #include "optimizer/solve/codesign.hpp"
 #include "tools/choose/tightening.hpp"
+#include "tools/run/played_gait.hpp"
 #include "tools/task/problem.hpp"
 
 namespace legwright {
@@ -32,19 +33,20 @@ struct PlayedCandidate {
   double distance = 0.0;  // from passing, sum over tasks; infinite where one cannot be played
   std::string line;       // of the tasks that fail, or of all
   std::vector<GaitTrial> trials = {};  // of each task
+
+  /// For run.json. @param task of which alone it is told; nothing: of all together
+  PlayedGait record(std::optional<int> task = {}) const;
 };
 
 /// Plays every task of a candidate at half, default and double gains. Needs load_gait_plugin().
 PlayedCandidate play_candidate(const CodesignProblem& problem, const Candidate& candidate,
                                int threads, PlayLength length = PlayLength::until_failure);
 
-/// Plays designs of the candidate's own search for their first cycles. Those without a finite F are
-/// not played.
-std::vector<std::optional<PlayedCandidate>> play_beside(const CodesignProblem& problem,
-                                                        const Candidate& candidate,
-                                                        const std::vector<DesignIteration>& designs,
-                                                        int threads,
-                                                        const std::function<bool()>& stop);
+/// Plays designs of the candidate's own search for their first cycles, each where there is one.
+std::vector<std::optional<PlayedCandidate>> play_beside(
+    const CodesignProblem& problem, const Candidate& candidate,
+    const std::vector<std::optional<DesignIteration>>& designs, int threads,
+    const std::function<bool()>& stop);
 
 /// Sets F, J and their terms to those of the tasks as they were given, for a candidate that was
 /// found with tightened ones; but for the speed and turn that it was aimed at.

@@ -153,8 +153,7 @@ class DesignChooser {
     });
     best_.reset();
     for (std::size_t i = 0; i < finalists_.size(); ++i) {
-      record_.candidates[finalists_[i].place].played = {played[i].distance, played[i].pass,
-                                                        played[i].line};
+      record_.candidates[finalists_[i].place].played = played[i].record();
       count_rollouts(played[i]);
       take_if_nearer(finalists_[i].design, played[i]);
     }
@@ -289,8 +288,7 @@ class DesignChooser {
     if (options_.tell)
       options_.tell(fmt::format("physics, {} (F {:.5g}): {}", candidate.name,
                                 candidate.design.value, played.line));
-    record_.candidates.push_back(
-        {candidate.name, candidate.design.value, {played.distance, played.pass, played.line}, {}});
+    record_.candidates.push_back({candidate.name, candidate.design.value, played.record(), {}});
     if (played.pass || record_.candidates.size() == 1)
       kept_.emplace_back(record_.candidates.size() - 1, candidate);
     add_finalist(candidate, played);

@@ -11,8 +11,6 @@
 namespace legwright {
 namespace {
 
-constexpr std::size_t kMostNamed = 6;  // parameters
-
 /// "a −3, b −2, at the cost of c +1"
 std::string list_words(const std::vector<AttributionShare>& shares) {
   std::string gains, costs;
@@ -94,8 +92,7 @@ std::string put_back_physics_words(const std::optional<std::vector<PutBackRecord
       "within a few cycles",
       failing.empty() ? "none" : std::to_string(failing.size()), played, played == 1 ? "s" : "",
       failing.size() <= 1 ? "s" : "");
-  if (!failing.empty() && failing.size() <= kMostNamed) out += ": " + named_list(failing);
-  return out + ".";
+  return out + named_if_few(failing) + ".";
 }
 
 }  // namespace legwright

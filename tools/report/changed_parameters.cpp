@@ -39,22 +39,19 @@ std::string ChangedParameters::bound_words() const {
 
 ChangedParameters changed_parameters(const RunRecord& run) {
   ChangedParameters out;
-  std::map<std::string, double> lowered;
-  std::map<std::string, std::optional<PlayedGait>> played;
+  std::map<std::string, const PutBackRecord*> rows;
   if (run.put_back)
-    for (const PutBackRecord& each : *run.put_back) {
-      lowered[each.parameter] = std::isnan(each.F) ? kNoMotion : each.F + each.J.value_or(0.0);
-      played[each.parameter] = each.played;
-      out.by_cost = true;
-    }
+    for (const PutBackRecord& each : *run.put_back) rows[each.parameter] = &each;
+  out.by_cost = !rows.empty();
   std::vector<ChangedParameter> changed;
   std::vector<ParameterEffect> effects;
   for (ParameterView& view : parameters_of(run)) {
     if (view.change() == "0") continue;
-    const auto found = lowered.find(view.name);
-    effects.push_back({found == lowered.end() ? 0.0 : found->second, view.share_of_range()});
-    const std::string name = view.name;
-    changed.push_back({std::move(view), effects.back().decrease, played[name]});
+    const auto found = rows.find(view.name);
+    const PutBackRecord row = found == rows.end() ? PutBackRecord{} : *found->second;
+    const double lowered = std::isnan(row.F) ? kNoMotion : row.F + row.J.value_or(0.0);
+    effects.push_back({lowered, view.share_of_range()});
+    changed.push_back({std::move(view), lowered, row.played});
   }
   std::vector<ParameterEffect> ordered;
   for (const std::size_t k : order_of_effects(effects)) {

@@ -11,8 +11,6 @@
 namespace legwright {
 namespace {
 
-constexpr std::size_t kMostChangesNamed = 6;  // parameters
-
 PlotSeries passing_bodies(const FewestChangesRecord& fewest) {
   PlotSeries out;
   out.name = "passes in MuJoCo";
@@ -28,21 +26,17 @@ PlotSeries passing_bodies(const FewestChangesRecord& fewest) {
 
 /// " MuJoCo passes 3 of these 9 bodies for a few cycles, of which the least changed has 5 changes."
 std::string physics_words(const FewestChangesRecord& fewest) {
-  std::size_t played = 0, passed = 0, least = 0;
-  for (const FewerChangesRecord& design : fewest.designs) {
-    if (!design.played) continue;
-    ++played;
-    if (!design.played->pass) continue;
-    least = passed == 0 ? design.changed.size() : std::min(least, design.changed.size());
-    ++passed;
-  }
+  const auto played = std::count_if(fewest.designs.begin(), fewest.designs.end(),
+                                    [](const auto& design) { return design.played.has_value(); });
   if (played == 0) return "";
-  if (passed == 0)
+  const FewerChangesRecord* const least = least_that_passes(fewest);
+  if (least == nullptr)
     return fmt::format(" MuJoCo passes none of these {} bodies for a few cycles.", played);
+  const std::size_t count = least->changed.size();
   return fmt::format(
       " MuJoCo passes {} of these {} bodies for a few cycles, of which the least changed has {} "
       "change{}.",
-      passed, played, least, least == 1 ? "" : "s");
+      passing_bodies(fewest).x.size(), played, count, count == 1 ? "" : "s");
 }
 
 std::string fewest_chart(const FewestChangesRecord& fewest) {
@@ -87,7 +81,7 @@ std::string fewest_words(const RunRecord& run) {
                   count, all.changed.size(), count == 1 ? "buys" : "buy",
                   percent_whole((fewest.initial_F - few.F) / fall), short_number(few.F),
                   short_number(all.F), short_number(fewest.initial_F));
-  if (count <= kMostChangesNamed) out += ": " + named_list(few.changed);
+  out += named_if_few(few.changed);
   return out + (fewest.kept ? ". This is the result (--few)." : ".") + physics_words(fewest);
 }
 

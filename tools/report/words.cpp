@@ -16,10 +16,12 @@ std::string spaced(std::string_view name) {
   return out;
 }
 
-std::string named_list(const std::vector<std::string>& names) {
+std::string named_if_few(const std::vector<std::string>& names) {
+  constexpr std::size_t kMostNamed = 6;
   std::string out;
+  if (names.size() > kMostNamed) return out;
   for (std::size_t k = 0; k < names.size(); ++k)
-    out += (k == 0 ? "" : k + 1 < names.size() ? ", " : " and ") + spaced(names[k]);
+    out += (k == 0 ? ": " : k + 1 < names.size() ? ", " : " and ") + spaced(names[k]);
   return out;
 }
 

@@ -12,8 +12,8 @@ namespace legwright {
 
 /// "front_hip_axis_yaw" → "front hip axis yaw".
 std::string spaced(std::string_view name);
-/// "hip yaw, length and width", names spaced.
-std::string named_list(const std::vector<std::string>& names);
+/// ": hip yaw, length and width" of up to six names, spaced; empty of none or more.
+std::string named_if_few(const std::vector<std::string>& names);
 /// What a factor or a run of numerics is called; its name, spaced, where it has no label.
 template <class Row>
 std::string label_of(const Row& row) {

@@ -19,4 +19,13 @@ void fields(Fields& f, FewestChangesRecord& fewest) {
   f("designs", fewest.designs, "from all changes to one");
 }
 
+const FewerChangesRecord* least_that_passes(const FewestChangesRecord& fewest) {
+  const FewerChangesRecord* least = nullptr;
+  for (const FewerChangesRecord& design : fewest.designs)
+    if (design.played && design.played->pass &&
+        (least == nullptr || design.changed.size() < least->changed.size()))
+      least = &design;
+  return least;
+}
+
 }  // namespace legwright

@@ -30,4 +30,7 @@ struct FewestChangesRecord {
 };
 void fields(Fields& f, FewestChangesRecord& fewest);
 
+/// The least changed of the designs that MuJoCo passes; null where it passes none or was not asked.
+const FewerChangesRecord* least_that_passes(const FewestChangesRecord& fewest);
+
 }  // namespace legwright

@@ -7,7 +7,8 @@
 
 namespace legwright {
 
-/// How far MuJoCo let a gait come: of a candidate, of a design beside the result, of a physics step.
+/// How far MuJoCo let a gait come: of a candidate, of a design beside the result, or of a physics
+/// step.
 struct PlayedGait {
   double merit = 0.0;  // not finite: it fell
   bool pass = false;

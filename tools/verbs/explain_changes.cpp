@@ -50,37 +50,27 @@ double best_of_given_body(std::vector<WeightedCost> tasks, const DesignIteration
   return sum;
 }
 
-/// The designs of rows, each with its motions. F is not finite where there is none, or where it
-/// rises so little that physics need not be asked.
-std::vector<DesignIteration> designs_of(const std::vector<PutBack>& rows,
-                                        const std::vector<WeightedCost>& tasks, double result_F) {
-  std::vector<DesignIteration> out;
+/// The designs of rows, each with its motions; nothing where there are none, or where F changes so
+/// little that physics need not be asked.
+std::vector<std::optional<DesignIteration>> designs_of(const std::vector<PutBack>& rows,
+                                                       const std::vector<WeightedCost>& tasks,
+                                                       double result_F) {
+  std::vector<std::optional<DesignIteration>> out;
   for (const PutBack& row : rows) {
+    std::optional<DesignIteration>& design = out.emplace_back();
     const double rise = row.total(tasks);
-    DesignIteration& design = out.emplace_back();
-    design.s = row.s;
-    design.value = std::abs(rise) > kWorthPlaying * result_F
-                       ? result_F + rise
-                       : std::numeric_limits<double>::quiet_NaN();
-    for (const VectorXd& m : row.motions) design.tasks.emplace_back().m = m;
+    if (!std::isfinite(rise) || std::abs(rise) <= kWorthPlaying * result_F) continue;
+    design.emplace().s = row.s;
+    for (const VectorXd& m : row.motions) design->tasks.emplace_back().m = m;
   }
   return out;
-}
-
-PlayedGait played_gait(const PlayedCandidate& played) {
-  return {played.distance, played.pass, played.line};
 }
 
 /// What physics says of each row. @param task that it is said of; nothing: of all together
 void add_played(const std::vector<std::optional<PlayedCandidate>>& played, std::optional<int> task,
                 std::vector<PutBackRecord>& rows) {
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (!played[i]) continue;
-    rows[i].played = played_gait(*played[i]);
-    if (!task) continue;
-    const GaitTrial& trial = played[i]->trials.at(static_cast<std::size_t>(*task));
-    rows[i].played = {trial.distance, trial.pass, trial.line};
-  }
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (played[i]) rows[i].played = played[i]->record(task);
 }
 
 }  // namespace
@@ -178,19 +168,19 @@ std::optional<DesignSpace> ChangeReasons::space_of_fewest() const {
 }
 
 std::vector<std::optional<PlayedCandidate>> ChangeReasons::play(
-    const Candidate& chosen, const std::vector<DesignIteration>& designs) {
+    const Candidate& chosen, const std::vector<std::optional<DesignIteration>>& designs) {
   if (!physics_) return std::vector<std::optional<PlayedCandidate>>(designs.size());
   load_gait_plugin();
   return play_beside(problem_, chosen, designs, threads_, stop_asked);
 }
 
 void ChangeReasons::play_fewest(const Candidate& chosen) {
-  std::vector<DesignIteration> designs;
+  std::vector<std::optional<DesignIteration>> designs;
   designs.reserve(designs_.size());
-  for (const FewerChanges& each : designs_) designs.push_back(each.design);
+  for (const FewerChanges& each : designs_) designs.emplace_back(each.design);
   const auto played = play(chosen, designs);
   for (std::size_t i = 0; i < played.size(); ++i)
-    if (played[i]) fewest_.designs[i].played = played_gait(*played[i]);
+    if (played[i]) fewest_.designs[i].played = played[i]->record();
 }
 
 void ChangeReasons::write(const ResultFolder& folder, const MultistartResult& found,

@@ -39,8 +39,8 @@ class ChangeReasons {
   const CostsByThread& costs();
   std::vector<PutBack> rows_of(const DesignIteration& design);
   void find_fewest(double initial_F, const DesignIteration& best, const std::vector<PutBack>& rows);
-  std::vector<std::optional<PlayedCandidate>> play(const Candidate& chosen,
-                                                   const std::vector<DesignIteration>& designs);
+  std::vector<std::optional<PlayedCandidate>> play(
+      const Candidate& chosen, const std::vector<std::optional<DesignIteration>>& designs);
   void play_fewest(const Candidate& chosen);
 
   const CodesignProblem& problem_;

@@ -107,11 +107,7 @@ std::string changes_line(const std::optional<FewestChangesRecord>& fewest) {
   std::string text = fmt::format("  changes  {} of {} keep {:.0f} % of the fall of F (F {:.5g})",
                                  few.changed.size(), fewest->designs.front().changed.size(),
                                  100.0 * fewest->share, few.F);
-  const auto passes = [](const FewerChangesRecord& design) {
-    return design.played && design.played->pass;
-  };
-  const auto least = std::find_if(fewest->designs.rbegin(), fewest->designs.rend(), passes);
-  if (least != fewest->designs.rend())
+  if (const FewerChangesRecord* const least = least_that_passes(*fewest))
     text += fmt::format("; the least that MuJoCo passes, for some cycles: {} (F {:.5g})",
                         least->changed.size(), least->F);
   return text + "\n";

@@ -189,10 +189,10 @@ TEST_F(Hexapod, GoesFasterOnAnotherBodyOnly) {
   }
 }
 
-TEST_F(Hexapod, WithCloseLegsPaysForLimbClearanceUntilItsBodyChanges) {
+TEST_F(Hexapod, WithLongLegsPaysForLimbClearanceUntilItsBodyChanges) {
   const char* name = "tripod_0.25.toml";
   const auto at = [&](bool clearance, const std::vector<std::string>& more) {
-    const fs::path folder = run(task(name, clearance, "hexapod_close"), more);
+    const fs::path folder = run(task(name, clearance, "hexapod_long_legs"), more);
     expect_touches(read(folder / "result/metrics.json"), !clearance);
     const Json record = read(folder / "run.json"), verdict = read(folder / "result/verdict.json");
     return std::pair{record, verdict};
