@@ -215,7 +215,7 @@ void set_hessian(const std::array<Part, 3>& parts, const ProductJet<true>& at,
             [&](int end, const Eigen::Matrix3d& block) { half[x][end / 3] = block; });
   for (std::size_t end = 0; end < 4; ++end)
     to_ends(half[0][end], half[1][end], half[2][end], [&](int row, const Eigen::Matrix3d& block) {
-      out.hessian.block<3, 3>(row, 3 * static_cast<int>(end)) = block;
+      out.hessian.block<3, 3>(row, 3 * static_cast<Eigen::Index>(end)) = block;
     });
 }
 

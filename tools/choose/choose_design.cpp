@@ -117,12 +117,12 @@ class DesignChooser {
   /// on from the nearest ones of the last.
   void tighten(const Candidate& from, const PlayedCandidate& played) {
     std::vector<PlayedDesign> beam{{from, played, {}}};
-    play_by_rising_F(search_pulls(pulls_on(beam), Searched::motion));
+    play_by_rising_cost(search_pulls(pulls_on(beam), Searched::motion));
     if (played_.pass && best_->design.value <= kDear * from.design.value) return;
     double nearest = played.distance;
     for (int round = 0; round < kRounds && !stopped(); ++round) {
       std::vector<PlayedDesign> found =
-          play_by_rising_F(search_pulls(pulls_on(beam), Searched::body));
+          play_by_rising_cost(search_pulls(pulls_on(beam), Searched::body));
       if (found.empty() || found.back().played.pass) return;
       std::stable_sort(found.begin(), found.end(),
                        [](const PlayedDesign& a, const PlayedDesign& b) {
@@ -211,7 +211,7 @@ class DesignChooser {
 
   /// Plays designs, up to the first that passes: those after it cannot become the result.
   /// @return what was played
-  std::vector<PlayedDesign> play_by_rising_F(std::vector<PlayedDesign> found) {
+  std::vector<PlayedDesign> play_by_rising_cost(std::vector<PlayedDesign> found) {
     std::stable_sort(found.begin(), found.end(), [](const PlayedDesign& a, const PlayedDesign& b) {
       return a.design.design.value < b.design.design.value;
     });

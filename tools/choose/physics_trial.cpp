@@ -91,6 +91,7 @@ NumericalSetting setting_called(const std::string& name, double timestep) {
 
 std::vector<Scene> scenes_at_gains(const RobotModel& robot, const DesignTexts& texts) {
   std::vector<Scene> scenes;
+  scenes.reserve(kTrialGains.size());
   for (const double gain : kTrialGains)
     scenes.push_back(parse_scene(texts.scene_xml, "scene.xml", gain, robot.files.folder()));
   return scenes;

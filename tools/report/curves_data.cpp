@@ -103,7 +103,7 @@ CurvePoint point_of(const RunData& data) {
 std::string robot_sum(const RunRecord& run) {
   std::string sum;
   for (const auto& [file, own] : run.sha256)
-    if (file != "task.toml") sum += file + " " + own + "\n";
+    if (file != "task.toml") sum.append(file).append(" ").append(own).append("\n");
   return sum;
 }
 

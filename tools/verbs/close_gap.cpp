@@ -194,7 +194,7 @@ PhysicsStepsRecord close_gap(const ResultFolder& folder, const CodesignProblem& 
   };
   std::atomic<int> rollouts = 0;
   const auto play = [&](const VectorXd& x) -> PhysicsTrial {
-    const GaitTrial trial = closer.play(x);
+    GaitTrial trial = closer.play(x);
     rollouts += trial.rollouts;
     return trial;
   };

@@ -116,8 +116,8 @@ class DerivedList {
   /// Adds Quantity(setting, slot, arguments …) where one of `size` slots from `slot` on is wanted.
   template <class Quantity, class... Arguments>
   void add(int slot, int size, Arguments&&... arguments) {
-    for (int k = 0; k < size; ++k) {
-      if (wanted_[static_cast<std::size_t>(slot + k)] == 0) continue;
+    for (int at = slot; at < slot + size; ++at) {
+      if (wanted_[static_cast<std::size_t>(at)] == 0) continue;
       list_.push_back(
           std::make_unique<Quantity>(setting_, slot, std::forward<Arguments>(arguments)...));
       return;
