@@ -23,7 +23,6 @@ inline Vector load_first(const double* p, int count) {
 }
 inline Vector spread(double x) { return _mm256_set1_pd(x); }
 inline Vector times(Vector a, Vector b) { return _mm256_mul_pd(a, b); }
-inline Vector plus(Vector a, Vector b) { return _mm256_add_pd(a, b); }
 inline Vector plus_product(Vector a, Vector b, Vector c) { return _mm256_fmadd_pd(a, b, c); }
 inline Vector minus_product(Vector a, Vector b, Vector c) { return _mm256_fnmadd_pd(a, b, c); }
 inline Vector absolute(Vector a) { return _mm256_andnot_pd(_mm256_set1_pd(-0.0), a); }

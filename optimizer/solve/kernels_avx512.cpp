@@ -19,7 +19,6 @@ inline Vector load_first(const double* p, int count) {
 }
 inline Vector spread(double x) { return _mm512_set1_pd(x); }
 inline Vector times(Vector a, Vector b) { return _mm512_mul_pd(a, b); }
-inline Vector plus(Vector a, Vector b) { return _mm512_add_pd(a, b); }
 inline Vector plus_product(Vector a, Vector b, Vector c) { return _mm512_fmadd_pd(a, b, c); }
 inline Vector minus_product(Vector a, Vector b, Vector c) { return _mm512_fnmadd_pd(a, b, c); }
 inline Vector absolute(Vector a) { return _mm512_abs_pd(a); }

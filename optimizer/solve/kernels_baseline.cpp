@@ -20,7 +20,6 @@ inline void store_first(double* p, Vector v, int count) {
 inline Vector load_first(const double* p, int count) { return Vector{p[0], count > 1 ? p[1] : 0}; }
 inline Vector spread(double x) { return Vector{x, x}; }
 inline Vector times(Vector a, Vector b) { return a * b; }
-inline Vector plus(Vector a, Vector b) { return a + b; }
 inline Vector plus_product(Vector a, Vector b, Vector c) { return c + a * b; }
 inline Vector minus_product(Vector a, Vector b, Vector c) { return c - a * b; }
 inline Vector absolute(Vector a) { return Vector{__builtin_fabs(a[0]), __builtin_fabs(a[1])}; }

@@ -8,7 +8,7 @@
 namespace legwright {
 
 void SymmetricResidual::analyse(const SymmetricPattern& pattern) {
-  constexpr int kSlack = 8;
+  constexpr int kBeyondEnd = 8;
   size_ = pattern.size();
   run_start_ = {0};
   runs_.clear();
@@ -27,7 +27,7 @@ void SymmetricResidual::analyse(const SymmetricPattern& pattern) {
     }
     run_start_.push_back(static_cast<int>(runs_.size()));
   }
-  for (Eigen::VectorXd* v : {&x_, &remainder_, &magnitude_}) v->setZero(size_ + kSlack);
+  for (Eigen::VectorXd* v : {&x_, &remainder_, &magnitude_}) v->setZero(size_ + kBeyondEnd);
 }
 
 void SymmetricResidual::diagonal(const double* values, Eigen::VectorXd& out) const {

@@ -28,19 +28,19 @@ Coefficients coefficients(double angle) {
 RootRotation root_rotation(const Eigen::Vector3d& o, const Eigen::Vector3d& rate,
                            const Eigen::Vector3d& second) {
   const double angle = o.norm(), half = angle / 2;
-  const auto [a, b, a_rate, b_rate] = coefficients(angle);
+  const Coefficients c = coefficients(angle);
   const double sine_over_angle = angle < 1e-4 ? 0.5 - angle * angle / 48 : std::sin(half) / angle;
   RootRotation out;
   out.quaternion << std::cos(half), sine_over_angle * o;
   if (out.quaternion[0] < 0) out.quaternion = -out.quaternion;
   const double growth = o.dot(rate);  // half the derivative of θ²
   const auto turn = [&](const Eigen::Vector3d& v) -> Eigen::Vector3d {
-    return v - a * o.cross(v) + b * o.cross(o.cross(v));
+    return v - c.a * o.cross(v) + c.b * o.cross(o.cross(v));
   };
   out.velocity = turn(rate);
   // d/dt of J, applied to ȯ; [ȯ]×ȯ = 0 removes two of the product's terms.
-  out.acceleration = turn(second) - growth * a_rate * o.cross(rate) +
-                     growth * b_rate * o.cross(o.cross(rate)) + b * rate.cross(o.cross(rate));
+  out.acceleration = turn(second) - growth * c.a_rate * o.cross(rate) +
+                     growth * c.b_rate * o.cross(o.cross(rate)) + c.b * rate.cross(o.cross(rate));
   return out;
 }
 

@@ -27,7 +27,7 @@
 namespace legwright {
 namespace {
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef LEGWRIGHT_SANITIZED
 constexpr int kUsual = 120;  // the sanitizers make each some ten times as dear
 #else
 constexpr int kUsual = 1200;

@@ -8,7 +8,7 @@
 #include "optimizer/solve/hessian_factor.hpp"
 #include "tests/optimizer/solve/random_sparse.hpp"
 
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
+#if defined(__GLIBC__) && !defined(LEGWRIGHT_SANITIZED)
 
 namespace {
 std::atomic<long> malloc_count{0};

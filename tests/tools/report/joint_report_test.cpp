@@ -72,8 +72,8 @@ class JointReportTest : public testing::Test {
     }
     run["best_start"] = first;
     run["starts"] = {start("initial", first, 6.25), start(first, first, 4.5)};
-    run["alone"] = {start("initial", first, 2.5)};
-    run["alone"][0]["tasks"] = {first};
+    run["alone"] = Json::array({start("initial", first, 2.5)});
+    run["alone"][0]["tasks"] = Json::array({first});
     write_json(run_ / "run.json", run, Durability::process);
   }
 

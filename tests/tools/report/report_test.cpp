@@ -209,7 +209,8 @@ TEST_F(ReportTest, NotesBrokenFilesAndGoesOn) {
 
 TEST_F(ReportTest, NamesTheKeyOfAMutilatedRun) {
   const Json whole = read_json(run_ / "run.json");
-  for (const auto& [key, value] : whole.items()) {
+  for (const auto& item : whole.items()) {
+    const std::string& key = item.key();
     if (key == "schema" || key == "version" || key == "put_back") continue;
     const std::string where = "run.json: " + key;
     edit_run([&](Json& run) { run = whole, run.erase(key); });

@@ -208,7 +208,7 @@ TEST(Live, TwentyDesignsLeaveMemoryFlatAndABrokenOneIsPassedOver) {
   };
   const double growth = least(kWarmUp + kReloads - kSome) - least(kWarmUp);
   RecordProperty("growth_MiB", std::to_string(growth));
-#ifndef __SANITIZE_ADDRESS__  // which keeps what is freed
+#ifndef LEGWRIGHT_SANITIZED  // which keeps what is freed
   EXPECT_LT(growth, 3.0);     // the data of each design, kept, would be 4
 #endif
   EXPECT_GT(memory.back(), 50.0);  // of a program that does run and draw
