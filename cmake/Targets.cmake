@@ -5,7 +5,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/Ccache.cmake)
 
 # legwright_target(NAME [PRECOMPILED GROUP] [OPTIMIZE LEVEL]): GROUP is one of those in
 # cmake/Precompiled.cmake; LEVEL replaces the -O of the Release configuration where speed does not
-# matter and compile time does.
+# matter and compile time does; -O0 replaces that of any configuration.
 function(legwright_target name)
   cmake_parse_arguments(arg "" "PRECOMPILED;OPTIMIZE" "" ${ARGN})
   target_compile_features(${name} PUBLIC cxx_std_20)
@@ -17,7 +17,9 @@ function(legwright_target name)
     -fPIC  # programs too: they share precompiled headers with the libraries
     $<$<BOOL:${LEGWRIGHT_WARNINGS_AS_ERRORS}>:-Werror>
     $<$<CONFIG:Debug>:-D_GLIBCXX_ASSERTIONS>)
-  if(arg_OPTIMIZE)
+  if(arg_OPTIMIZE STREQUAL "-O0")
+    target_compile_options(${name} PRIVATE -O0)
+  elseif(arg_OPTIMIZE)
     target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:${arg_OPTIMIZE}>)
   endif()
   if(LEGWRIGHT_SANITIZE)

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/choose/candidate.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -21,22 +23,88 @@ double sum_of(const std::vector<TermValue>& terms) {
   return sum;
 }
 
-GaitTrial play_task(const CodesignProblem& problem, const Candidate& candidate, int k, int threads,
-                    PlayLength length) {
-  GaitTrial trial;
-  trial.distance = std::numeric_limits<double>::infinity();
-  const DesignIteration& design = candidate.design;
-  try {
-    trial = try_in_physics(problem.robot, problem.task(k),
-                           design_texts(problem.robot, candidate.objective(problem, k), design.s,
-                                        design.tasks.at(static_cast<std::size_t>(k)).m),
-                           threads, length);
-  } catch (const InputError& error) {
-    trial.line = error.what();  // no such robot, which never passes
-  } catch (const MujocoError& error) {
-    trial.line = error.what();
+/// The gaits of a candidate, one for each task.
+class CandidateOnTrial {
+ public:
+  CandidateOnTrial(const CodesignProblem& problem, const Candidate& candidate, int threads)
+      : threads_(threads),
+        gaits_(static_cast<std::size_t>(problem.task_count())),
+        trials_(gaits_.size()) {
+    for_each_task([&](std::size_t i) {
+      const auto k = static_cast<int>(i);
+      const DesignIteration& design = candidate.design;
+      gaits_[i] =
+          std::make_unique<GaitOnTrial>(problem.robot, problem.task(k),
+                                        design_texts(problem.robot, candidate.objective(problem, k),
+                                                     design.s, design.tasks.at(i).m));
+    });
   }
-  return trial;
+
+  /// @return whether all tasks pass
+  bool play(PlayedCycles cycles) {
+    for_each_gait([&](GaitOnTrial& gait, GaitTrial& trial) {
+      const int before = trial.rollouts;
+      trial = gait.play(cycles, threads_of_gait());
+      trial.rollouts += before;
+    });
+    return std::all_of(trials_.begin(), trials_.end(),
+                       [](const GaitTrial& trial) { return trial.pass; });
+  }
+  /// Of each task that passes.
+  void ask_other_numerics() {
+    for_each_gait([&](const GaitOnTrial& gait, GaitTrial& trial) {
+      if (trial.pass) gait.ask_other_numerics(threads_of_gait(), trial);
+    });
+  }
+  void glance() {
+    for_each_gait([](const GaitOnTrial& gait, GaitTrial& trial) { trial = gait.glance(); });
+  }
+  const std::vector<GaitTrial>& trials() const { return trials_; }
+
+ private:
+  int threads_of_gait() const { return std::max(1, threads_ / static_cast<int>(gaits_.size())); }
+  template <class Work>
+  void for_each_gait(const Work& work) {
+    for_each_task([&](std::size_t i) {
+      if (gaits_[i] != nullptr) work(*gaits_[i], trials_[i]);
+    });
+  }
+  template <class Work>
+  void for_each_task(const Work& work) {
+    parallel_for(static_cast<int>(gaits_.size()), threads_, [&](int k) {
+      const auto i = static_cast<std::size_t>(k);
+      try {
+        work(i);
+      } catch (const InputError& error) {
+        cannot_play(i, error.what());
+      } catch (const MujocoError& error) {
+        cannot_play(i, error.what());
+      }
+    });
+  }
+  /// There is no such robot: that never passes.
+  void cannot_play(std::size_t i, const char* why) {
+    gaits_[i].reset();
+    trials_[i] = {};
+    trials_[i].distance = std::numeric_limits<double>::infinity();
+    trials_[i].line = why;
+  }
+
+  int threads_;
+  std::vector<std::unique_ptr<GaitOnTrial>> gaits_;
+  std::vector<GaitTrial> trials_;
+};
+
+PlayedCandidate played_tasks(std::vector<GaitTrial> trials) {
+  PlayedCandidate out{true, 0.0, "", {}};
+  for (const GaitTrial& trial : trials) {
+    out.pass = out.pass && trial.pass;
+    out.distance += trial.distance;
+  }
+  for (const GaitTrial& trial : trials)
+    if (trial.pass == out.pass) out.line += (out.line.empty() ? "" : "; ") + trial.line;
+  out.trials = std::move(trials);
+  return out;
 }
 
 }  // namespace
@@ -54,20 +122,12 @@ const Objective& Candidate::objective(const CodesignProblem& problem, int k) con
 
 PlayedCandidate play_candidate(const CodesignProblem& problem, const Candidate& candidate,
                                int threads, PlayLength length) {
-  std::vector<GaitTrial> trials(static_cast<std::size_t>(problem.task_count()));
-  parallel_for(problem.task_count(), threads, [&](int k) {
-    trials[static_cast<std::size_t>(k)] =
-        play_task(problem, candidate, k, std::max(1, threads / problem.task_count()), length);
-  });
-  PlayedCandidate out{true, 0.0, "", {}};
-  for (const GaitTrial& trial : trials) {
-    out.pass = out.pass && trial.pass;
-    out.distance += trial.distance;
+  CandidateOnTrial on_trial(problem, candidate, threads);
+  if (length == PlayLength::whole || on_trial.play(PlayedCycles::first)) {
+    const bool pass = on_trial.play(PlayedCycles::all);
+    if (pass || length == PlayLength::whole) on_trial.ask_other_numerics();
   }
-  for (const GaitTrial& trial : trials)
-    if (trial.pass == out.pass) out.line += (out.line.empty() ? "" : "; ") + trial.line;
-  out.trials = std::move(trials);
-  return out;
+  return played_tasks(on_trial.trials());
 }
 
 std::vector<std::optional<PlayedCandidate>> play_beside(
@@ -80,7 +140,9 @@ std::vector<std::optional<PlayedCandidate>> play_beside(
     if (!designs[i] || (stop && stop())) return;
     Candidate beside = candidate;
     beside.design = *designs[i];
-    out[i] = play_candidate(problem, beside, 1, PlayLength::first_cycles);
+    CandidateOnTrial on_trial(problem, beside, 1);
+    on_trial.glance();
+    out[i] = played_tasks(on_trial.trials());
   });
   return out;
 }

@@ -38,11 +38,16 @@ struct PlayedCandidate {
   PlayedGait record(std::optional<int> task = {}) const;
 };
 
+/// For how long a candidate is played: all its tasks for their first cycles; where these pass for
+/// all cycles; where these do, too, with other numerics. Or all cycles at once, and other numerics
+/// for each task that passes.
+enum class PlayLength { until_failure, whole };
+
 /// Plays every task of a candidate at half, default and double gains. Needs load_gait_plugin().
 PlayedCandidate play_candidate(const CodesignProblem& problem, const Candidate& candidate,
                                int threads, PlayLength length = PlayLength::until_failure);
 
-/// Plays designs of the candidate's own search for their first cycles, each where there is one.
+/// Glances at designs of the candidate's own search in MuJoCo, each where there is one.
 std::vector<std::optional<PlayedCandidate>> play_beside(
     const CodesignProblem& problem, const Candidate& candidate,
     const std::vector<std::optional<DesignIteration>>& designs, int threads,

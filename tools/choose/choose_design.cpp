@@ -117,7 +117,8 @@ class DesignChooser {
   /// on from the nearest ones of the last.
   void tighten(const Candidate& from, const PlayedCandidate& played) {
     std::vector<PlayedDesign> beam{{from, played, {}}};
-    play_by_rising_cost(search_pulls(pulls_on(beam), Searched::motion));
+    if (!options_.codesign.motion_only)  // else the first round is that
+      play_by_rising_cost(search_pulls(pulls_on(beam), Searched::motion));
     if (played_.pass && best_->design.value <= kDear * from.design.value) return;
     double nearest = played.distance;
     for (int round = 0; round < kRounds && !stopped(); ++round) {

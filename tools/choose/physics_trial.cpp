@@ -6,10 +6,10 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "optimizer/base/parallel.hpp"
-#include "tools/simulate/scene.hpp"
 #include "tools/validate/limits.hpp"
 #include "tools/validate/measure.hpp"
 #include "tools/validate/numerics.hpp"
@@ -31,6 +31,10 @@ constexpr std::array<AskedNumerics, 3> kAskedNumerics = {
     {{2.0, "half_step"}, {2.0, "pyramidal"}, {1.0, "pyramidal"}}};
 // What fails within the first cycles need not be played to the end.
 constexpr int kFirstCycles = 6, kTrialCycles = 20;
+// A glance says what twenty cycles say of 112 of 119 designs beside a result (six cycles: of 114).
+constexpr int kGlanceCycles = 4;
+// Those at which nearly all designs fail that do come first.
+constexpr std::array<double, 3> kGlanceGains = {2.0, 0.5, 1.0};
 // What adds to the distance from passing besides: a limit that is not measured; a fall.
 constexpr double kUnknownDistance = 5.0, kFallDistance = 10.0;
 // What counts as one unit of a residual: the verdict's own tolerances, and less than them where
@@ -89,37 +93,22 @@ NumericalSetting setting_called(const std::string& name, double timestep) {
   throw std::logic_error("no numerics called " + name);
 }
 
-std::vector<Scene> scenes_at_gains(const RobotModel& robot, const DesignTexts& texts) {
-  std::vector<Scene> scenes;
-  scenes.reserve(kTrialGains.size());
-  for (const double gain : kTrialGains)
-    scenes.push_back(parse_scene(texts.scene_xml, "scene.xml", gain, robot.files.folder()));
-  return scenes;
-}
-
-GaitTrial play_cycles(const std::vector<Scene>& scenes, const TaskFile& wanted,
-                      const DesignTexts& texts, int cycles, int threads) {
+/// What roll-outs of a gait say together.
+GaitTrial trial_of(const std::vector<Measurements>& runs, const TaskFile& wanted,
+                   double planned_seconds) {
   const WantedMotion motion{wanted.velocity, wanted.turn_rate};
-  std::vector<Measurements> at_gains(scenes.size());
-  parallel_for(static_cast<int>(scenes.size()), threads, [&](int k) {
-    const auto i = static_cast<std::size_t>(k);
-    RolloutOptions options;
-    options.cycles = cycles;
-    at_gains[i] = measure(scenes[i], motion, texts.quality.planned_velocity, options);
-  });
   const Limits limits = with_step_over(default_limits(), wanted.margins.step_over);
   GaitTrial trial;
-  trial.rollouts = static_cast<int>(scenes.size());
+  trial.rollouts = static_cast<int>(runs.size());
   std::vector<double> residual, speed_ratios, drifts;
-  const double planned_seconds = cycles * scenes.front().trajectory.period;
-  for (const Measurements& run : at_gains) {
+  for (const Measurements& run : runs) {
     add_residuals(run, motion, planned_seconds, residual);
     trial.distance += distance_of(run, motion, limits, planned_seconds);
     if (run.fall || run.diverged) continue;
     if (run.speed_ratio) speed_ratios.push_back(*run.speed_ratio);
     if (run.cycles > 0) drifts.push_back(run.heading_drift / run.cycles);
   }
-  const Verdict verdict = judge(at_gains, motion, wanted.gait, limits);
+  const Verdict verdict = judge(runs, motion, wanted.gait, limits);
   trial.residual =
       Eigen::Map<const VectorXd>(residual.data(), static_cast<Eigen::Index>(residual.size()));
   trial.pass = verdict.pass;
@@ -129,26 +118,46 @@ GaitTrial play_cycles(const std::vector<Scene>& scenes, const TaskFile& wanted,
   return trial;
 }
 
-/// The same cycles once more with those numerics in which gaits that pass fail most often
-/// (docs/findings/physics_in_the_search.md). A gait that fails in these alone is nearer to passing
-/// than any that misses a limit at its gains.
-void ask_other_numerics(const RobotModel& robot, const TaskFile& wanted, const DesignTexts& texts,
-                        int threads, GaitTrial& trial) {
-  const WantedMotion motion{wanted.velocity, wanted.turn_rate};
-  const Limits limits = with_step_over(default_limits(), wanted.margins.step_over);
+}  // namespace
+
+GaitOnTrial::GaitOnTrial(const RobotModel& robot, const TaskFile& wanted, DesignTexts texts)
+    : folder_(robot.files.folder()), wanted_(wanted), texts_(std::move(texts)) {}
+
+Scene GaitOnTrial::scene(double gain) const {
+  return parse_scene(texts_.scene_xml, "scene.xml", gain, folder_);
+}
+
+Measurements GaitOnTrial::play(const Scene& scene, int cycles) const {
+  RolloutOptions options;
+  options.cycles = cycles;
+  return measure(scene, {wanted_.velocity, wanted_.turn_rate}, texts_.quality.planned_velocity,
+                 options);
+}
+
+GaitTrial GaitOnTrial::play(PlayedCycles cycles, int threads) {
+  while (scenes_.size() < kTrialGains.size()) scenes_.push_back(scene(kTrialGains[scenes_.size()]));
+  const int count = cycles == PlayedCycles::first ? kFirstCycles : kTrialCycles;
+  std::vector<Measurements> at_gains(scenes_.size());
+  parallel_for(static_cast<int>(scenes_.size()), threads, [&](int k) {
+    const auto i = static_cast<std::size_t>(k);
+    at_gains[i] = play(scenes_[i], count);
+  });
+  return trial_of(at_gains, wanted_, count * scenes_.front().trajectory.period);
+}
+
+void GaitOnTrial::ask_other_numerics(int threads, GaitTrial& trial) const {
+  const WantedMotion motion{wanted_.velocity, wanted_.turn_rate};
+  const Limits limits = with_step_over(default_limits(), wanted_.margins.step_over);
   std::array<double, kAskedNumerics.size()> far{};
   std::array<std::string, kAskedNumerics.size()> lines;
   parallel_for(static_cast<int>(kAskedNumerics.size()), threads, [&](int k) {
     const auto i = static_cast<std::size_t>(k);
     const AskedNumerics& asked = kAskedNumerics[i];
-    const Scene scene =
-        parse_scene(texts.scene_xml, "scene.xml", asked.gain_scale, robot.files.folder());
+    const Scene scene = this->scene(asked.gain_scale);
     const NumericalSetting setting = setting_called(asked.name, scene.model->opt.timestep);
     apply(setting, scene.model->opt);
-    RolloutOptions options;
-    options.cycles = kTrialCycles;
-    const Measurements run = measure(scene, motion, texts.quality.planned_velocity, options);
-    const Verdict verdict = judge({run}, motion, wanted.gait, limits);
+    const Measurements run = play(scene, kTrialCycles);
+    const Verdict verdict = judge({run}, motion, wanted_.gait, limits);
     if (verdict.pass) return;
     far[i] = distance_of(run, motion, limits, kTrialCycles * scene.trajectory.period);
     lines[i] = verdict.line + ", " + setting.words;
@@ -164,20 +173,26 @@ void ask_other_numerics(const RobotModel& robot, const TaskFile& wanted, const D
   trial.rollouts += static_cast<int>(kAskedNumerics.size());
 }
 
-}  // namespace
-
-GaitTrial try_in_physics(const RobotModel& robot, const TaskFile& wanted, const DesignTexts& texts,
-                         int threads, PlayLength length) {
-  const std::vector<Scene> scenes = scenes_at_gains(robot, texts);
-  int rollouts = 0;
-  if (length != PlayLength::whole) {
-    GaitTrial trial = play_cycles(scenes, wanted, texts, kFirstCycles, threads);
-    if (!trial.pass || length == PlayLength::first_cycles) return trial;
-    rollouts = trial.rollouts;
+GaitTrial GaitOnTrial::glance() const {
+  std::vector<Measurements> runs;
+  GaitTrial trial;
+  for (const double gain : kGlanceGains) {
+    const Scene scene = this->scene(gain);
+    runs.push_back(play(scene, kGlanceCycles));
+    trial = trial_of(runs, wanted_, kGlanceCycles * scene.trajectory.period);
+    if (!trial.pass) break;
   }
-  GaitTrial trial = play_cycles(scenes, wanted, texts, kTrialCycles, threads);
-  trial.rollouts += rollouts;
-  if (trial.pass) ask_other_numerics(robot, wanted, texts, threads, trial);
+  return trial;
+}
+
+GaitTrial try_in_physics(const RobotModel& robot, const TaskFile& wanted,
+                         const DesignTexts& texts) {
+  GaitOnTrial gait(robot, wanted, texts);
+  GaitTrial first = gait.play(PlayedCycles::first);
+  if (!first.pass) return first;
+  GaitTrial trial = gait.play(PlayedCycles::all);
+  trial.rollouts += first.rollouts;
+  if (trial.pass) gait.ask_other_numerics(1, trial);
   return trial;
 }
 

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
+#include <vector>
+
 #include "mjcf/read/read_robot.hpp"
 #include "tools/run/design_folder.hpp"
+#include "tools/simulate/scene.hpp"
 #include "tools/task/task_file.hpp"
+#include "tools/validate/measure.hpp"
 #include "tools/validate/physics_steps.hpp"
 
 namespace legwright {
@@ -11,10 +16,6 @@ namespace legwright {
 /// The least that a missed limit adds to the distance from passing. A gait that fails in other
 /// numerics alone stays below.
 inline constexpr double kMissedLimit = 0.5;
-
-/// For how long a gait is played. One that fails within its first cycles fails; two that do can be
-/// compared only after as many cycles.
-enum class PlayLength { first_cycles, until_failure, whole };
 
 /// What physics says of a gait, for the choice between designs.
 struct GaitTrial : PhysicsTrial {
@@ -27,14 +28,39 @@ struct GaitTrial : PhysicsTrial {
   int rollouts = 0;            // that it took
 };
 
-/// Plays a planned gait in MuJoCo as `validate` does, over as many cycles and at the same gains,
-/// and judges it by the same limits; then, where it passes, with half the step at the highest gains
-/// and with a pyramidal cone at these and the default ones. The first cycles alone ask no other
-/// numerics.
-/// Throws MujocoError for a scene that cannot be played; needs load_gait_plugin() before.
-/// @param wanted the task that the gait is judged by, which it need not be planned for
-/// @param threads of the gains; results do not depend on it
-GaitTrial try_in_physics(const RobotModel& robot, const TaskFile& wanted, const DesignTexts& texts,
-                         int threads = 1, PlayLength length = PlayLength::until_failure);
+/// One that fails within its first cycles fails; two that do can be compared only after as many.
+enum class PlayedCycles { first, all };
+
+/// A planned gait that MuJoCo plays as `validate` does, judged by the same limits. Throws
+/// MujocoError for a scene that cannot be played; needs load_gait_plugin() before.
+class GaitOnTrial {
+ public:
+  /// @param wanted the task that it is judged by, which it need not be planned for; must outlive
+  /// this
+  GaitOnTrial(const RobotModel& robot, const TaskFile& wanted, DesignTexts texts);
+
+  /// At half, default and double gains. @param threads of these; results do not depend on it
+  GaitTrial play(PlayedCycles cycles, int threads = 1);
+  /// All cycles once more with those numerics in which gaits that pass fail most often: half the
+  /// step at the highest gains, a pyramidal cone at these and the default ones
+  /// (docs/findings/physics_in_the_search.md). A gait that fails in these alone is nearer to
+  /// passing than any that misses a limit at its gains.
+  void ask_other_numerics(int threads, GaitTrial& trial) const;
+  /// By still fewer cycles, up to the first of the gains at which it fails: of a design beside a
+  /// result, which nobody hands back.
+  GaitTrial glance() const;
+
+ private:
+  Scene scene(double gain) const;
+  Measurements play(const Scene& scene, int cycles) const;
+
+  std::filesystem::path folder_;
+  const TaskFile& wanted_;
+  DesignTexts texts_;
+  std::vector<Scene> scenes_;  // at the gains
+};
+
+/// First cycles, all of them and other numerics, as far as the gait passes. Throws as GaitOnTrial.
+GaitTrial try_in_physics(const RobotModel& robot, const TaskFile& wanted, const DesignTexts& texts);
 
 }  // namespace legwright

@@ -209,7 +209,7 @@ TEST(Live, TwentyDesignsLeaveMemoryFlatAndABrokenOneIsPassedOver) {
   const double growth = least(kWarmUp + kReloads - kSome) - least(kWarmUp);
   RecordProperty("growth_MiB", std::to_string(growth));
 #ifndef LEGWRIGHT_SANITIZED  // which keeps what is freed
-  EXPECT_LT(growth, 3.0);     // the data of each design, kept, would be 4
+  EXPECT_LT(growth, 3.0);    // the data of each design, kept, would be 4
 #endif
   EXPECT_GT(memory.back(), 50.0);  // of a program that does run and draw
 
