@@ -302,18 +302,19 @@ Json curves_json(const Curves& curves) {
 }
 
 std::string curves_page(const Curves& curves) {
-  Html page;
-  open_page(page, curves.robot + " · how fast can it go?",
-            curves.way + ", every speed optimised for itself and played in MuJoCo");
-  add_cards(page, curves);
-  add_charts(page, curves);
-  add_designs(page, curves);
-  add_runs(page, curves);
-  close_page(page,
-             "Made by legwright curves from the files of these runs; nothing is fetched from "
-             "elsewhere.",
-             "legwright-curves", to_text(curves_json(curves)));
-  return page.take();
+  return framed_page(
+      {.title = curves.robot + " · how fast can it go?",
+       .line = curves.way + ", every speed optimised for itself and played in MuJoCo",
+       .footer = "Made by legwright curves from the files of these runs; nothing is fetched from "
+                 "elsewhere.",
+       .id = "legwright-curves",
+       .island = curves_json(curves)},
+      [&](Html& page) {
+        add_cards(page, curves);
+        add_charts(page, curves);
+        add_designs(page, curves);
+        add_runs(page, curves);
+      });
 }
 
 }  // namespace legwright

@@ -3,7 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "tools/report/if_present.hpp"
+#include <utility>
+
 #include "tools/run/task_folders.hpp"
 
 namespace legwright {
@@ -41,7 +42,8 @@ std::vector<MatrixDesign> designs_of(const JointData& data) {
   return designs;
 }
 
-void add_cells(JointData& data, const std::optional<MatrixRecord>& matrix) {
+void add_cells(JointData& data) {
+  const std::optional<MatrixRecord>& matrix = data.whole.matrix;
   data.judged = matrix.has_value();
   for (std::size_t d = 0; d < data.designs.size(); ++d) {
     MatrixDesign& design = data.designs[d];
@@ -56,8 +58,8 @@ void add_cells(JointData& data, const std::optional<MatrixRecord>& matrix) {
 
 }  // namespace
 
-JointData read_joint_run(const fs::path& root) {
-  JointData data{read_run(root), {}, {}, {}, false};
+JointData joint_data_of(RunData whole) {
+  JointData data{std::move(whole), {}, {}, {}, false};
   std::size_t index = 0;
   for (const TaskFolder& folder : task_folders(data.whole.run)) {
     JointTaskData& task = data.tasks.emplace_back();
@@ -65,19 +67,14 @@ JointData read_joint_run(const fs::path& root) {
     task.relative = folder.relative;
     task.task = (*data.whole.run.tasks)[index++];
     try {
-      task.run = read_run(root / folder.relative);
+      task.run = read_run(data.whole.root / folder.relative);
     } catch (const std::exception& error) {
       data.whole.notes.push_back(error.what());
     }
   }
   data.designs = designs_of(data);
-  std::optional<MatrixRecord> matrix;
-  if_present(root / "result" / "matrix.json", data.whole.notes,
-             [&](const fs::path& file) { matrix = read_record_file<MatrixRecord>(file); });
-  add_cells(data, matrix);
-  if_present(root / "result" / "front.json", data.whole.notes, [&](const fs::path& file) {
-    data.front = read_record_file<FrontRecord>(file).points;
-  });
+  add_cells(data);
+  if (data.whole.front) data.front = data.whole.front->points;
   return data;
 }
 

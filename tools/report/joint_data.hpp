@@ -8,7 +8,6 @@
 
 #include "tools/report/number_words.hpp"
 #include "tools/report/run_data.hpp"
-#include "tools/run/matrix_record.hpp"
 
 namespace legwright {
 
@@ -38,8 +37,8 @@ struct JointData {
   bool judged = false;                  // matrix.json is there
 };
 
-/// Throws IoError where there is no run, InputError where its tasks lie outside of it.
-JointData read_joint_run(const std::filesystem::path& root);
+/// Reads the tasks of a joint run. Throws InputError where they lie outside of it.
+JointData joint_data_of(RunData whole);
 
 /// A relative path as an address: percent signs for all that is not plain.
 std::string href_of(const std::filesystem::path& relative);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "tools/report/number_words.hpp"
-#include "tools/report/page.hpp"
 #include "tools/report/parameter_view.hpp"
 #include "tools/report/report.hpp"
 #include "tools/report/sections.hpp"
@@ -11,12 +10,6 @@
 
 namespace legwright {
 namespace {
-
-std::string title_of(const JointData& data) {
-  const std::string &robot = data.whole.run.robot, name = data.whole.run.name.value_or("");
-  const std::string title = robot + (robot.empty() || name.empty() ? "" : " · ") + spaced(name);
-  return title.empty() ? "Legwright run" : title;
-}
 
 std::string tasks_line(const JointData& data) {
   std::string out = fmt::format("One body for {} tasks", data.tasks.size());
@@ -49,32 +42,30 @@ std::string rule(std::size_t columns) {
 }  // namespace
 
 std::string joint_report_page(const JointData& data) {
-  Html page;
-  open_page(page, title_of(data), tasks_line(data));
-  add_notes(page, data.whole);  // and once more at the end
-  add_task_cards(page, data);
-  add_matrix(page, data);
-  add_task_pictures(page, data);
-  add_bodies(page, data);
-  add_task_attributions(page, data);
-  add_front(page, data);
-  add_starts(page, data);
-  add_choice(page, data.whole.run);
-  add_other_starts(page, data.whole.run);
-  add_certificate(page, data.whole);
-  add_origin(page, data.whole);
-  Json island = island_of(data.whole);
-  island["tasks"] = json_of(*data.whole.run.tasks);
-  island["verdict"] = Json::object();
+  PageFrame frame = frame_of(data.whole, tasks_line(data));
+  frame.island["tasks"] = json_of(*data.whole.run.tasks);
+  frame.island["verdict"] = Json::object();
   for (const JointTaskData& task : data.tasks)
-    island["verdict"][task.name] =
+    frame.island["verdict"][task.name] =
         task.run && task.run->verdict ? json_of(*task.run->verdict) : Json();
-  close_page(page, island);
-  return page.take();
+  return framed_page(frame, [&](Html& page) {
+    add_notes(page, data.whole);  // and once more at the end
+    add_task_cards(page, data);
+    add_matrix(page, data);
+    add_task_pictures(page, data);
+    add_bodies(page, data);
+    add_task_attributions(page, data);
+    add_front(page, data);
+    add_starts(page, data);
+    add_choice(page, data.whole.run);
+    add_other_starts(page, data.whole.run);
+    add_certificate(page, data.whole);
+    add_origin(page, data.whole);
+  });
 }
 
 std::string joint_report_summary(const JointData& data) {
-  std::string out = fmt::format("# {}\n\n{}\n\n", escape_markdown(title_of(data)),
+  std::string out = fmt::format("# {}\n\n{}\n\n", escape_markdown(data.whole.title),
                                 escape_markdown(tasks_line(data)));
   std::vector<std::string> heads;
   for (const JointTaskData& task : data.tasks) heads.push_back(escape_markdown(spaced(task.name)));

@@ -1,25 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "tools/files/json_file.hpp"
 #include "tools/report/html.hpp"
-#include "tools/report/run_data.hpp"
 
 namespace legwright {
 
-/// Everything of a page up to its first section: head with content policy and style, title, a line
-/// below it.
-void open_page(Html& page, const std::string& title, const std::string& line);
-/// Closes what open_page() opened, with a footer and the main numbers once more, for programs that
-/// read the page.
-/// @param id of the script element that holds them @param json a document
-void close_page(Html& page, const std::string& footer, const std::string& id,
-                const std::string& json);
-/// The same for the report of a run.
-void close_page(Html& page, const Json& island);
-/// What an island says of any run.
-Json island_of(const RunData& data);
+/// What a page has around its sections.
+struct PageFrame {
+  std::string title, line;  // at the top
+  std::string footer;
+  std::string id = "legwright-report";  // of the script element that holds the island
+  Json island = {};  // the main numbers once more, for programs that read the page
+};
+
+/// A page, self-contained: head with content policy and style, the frame and what `sections` adds.
+std::string framed_page(const PageFrame& frame, const std::function<void(Html&)>& sections);
 
 }  // namespace legwright

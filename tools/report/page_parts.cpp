@@ -10,6 +10,28 @@ namespace legwright {
 
 namespace fs = std::filesystem;
 
+PageFrame frame_of(const RunData& data, const std::string& line) {
+  PageFrame frame;
+  frame.title = data.title;
+  frame.line = line;
+  frame.footer =
+      "Made by legwright report from the files of this run; nothing is fetched from elsewhere.";
+  frame.island = island_of(data);
+  return frame;
+}
+
+Json island_of(const RunData& data) {
+  Json island{{"schema", "legwright/report"}, {"version", 1}};
+  const RunRecord& run = data.run;
+  island["robot"] = run.robot;
+  island["task"] = run.task ? json_of(*run.task) : Json();
+  island["status"] = run.status;
+  island["motion_only_F"] = or_null(run.motion_only_F);
+  island["final_F"] = or_null(run.final_F);
+  island["parameters"] = json_of(run.parameters);
+  return island;
+}
+
 void add_card(Html& page, const DesignVerdict* verdict, const std::string& title,
               const std::string& body, const std::string& more) {
   std::string outcome;

@@ -6,11 +6,16 @@
 #include <string>
 
 #include "tools/report/html.hpp"
+#include "tools/report/page.hpp"
 #include "tools/report/page_pictures.hpp"
 #include "tools/report/run_data.hpp"
 
 namespace legwright {
 
+/// What the page of a run has around its sections. @param line below the title
+PageFrame frame_of(const RunData& data, const std::string& line);
+/// The main numbers of any run, for programs.
+Json island_of(const RunData& data);
 /// A verdict's card. @param verdict null without @param title of the card @param body what was
 /// judged @param more markup below the outcome
 void add_card(Html& page, const DesignVerdict* verdict, const std::string& title,

@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include "mjcf/text/input_error.hpp"
+#include "tools/files/atomic_file.hpp"
 #include "tools/files/clean_text.hpp"
-#include "tools/report/joint_data.hpp"
-#include "tools/report/page.hpp"
+#include "tools/report/page_parts.hpp"
 
 namespace legwright {
 namespace {
@@ -49,28 +49,37 @@ std::filesystem::path pair_file(const std::filesystem::path& a, const std::files
 }
 
 std::string pair_page(const RunPair& pair) {
-  const std::string a = title_of(pair.a), b = title_of(pair.b);
-  Html page;
-  open_page(page, a == b ? a + ", two runs" : "A: " + a + ", B: " + b,
-            "Two runs of Legwright side by side");
-  add_pair_verdicts(page, pair);
-  add_pair_pictures(page, pair);
-  add_pair_numbers(page, pair);
-  add_pair_bodies(page, pair);
-  add_pair_limits(page, pair);
-  add_pair_margins(page, pair);
-  add_pair_terms(page, pair);
-  add_pair_origin(page, pair);
-  Json island{{"schema", "legwright/report-pair"}, {"version", 1}};
+  const std::string &a = pair.a.title, &b = pair.b.title;
+  PageFrame frame;
+  frame.title = a == b ? a + ", two runs" : "A: " + a + ", B: " + b;
+  frame.line = "Two runs of Legwright side by side";
+  frame.footer =
+      "Made by legwright report from the files of these runs; nothing is fetched from elsewhere.";
+  frame.island = {{"schema", "legwright/report-pair"}, {"version", 1}};
   for (const auto& [name, run] : {std::pair{"a", &pair.a}, {"b", &pair.b}}) {
-    island[name] = island_of(*run);
-    island[name]["verdict"] = run->verdict ? json_of(*run->verdict) : Json();
+    frame.island[name] = island_of(*run);
+    frame.island[name]["verdict"] = run->verdict ? json_of(*run->verdict) : Json();
   }
-  close_page(page,
-             "Made by legwright report from the files of these runs; nothing is fetched from "
-             "elsewhere.",
-             "legwright-report", to_text(island));
-  return page.take();
+  return framed_page(frame, [&](Html& page) {
+    add_pair_verdicts(page, pair);
+    add_pair_pictures(page, pair);
+    add_pair_numbers(page, pair);
+    add_pair_bodies(page, pair);
+    add_pair_limits(page, pair);
+    add_pair_margins(page, pair);
+    add_pair_terms(page, pair);
+    add_pair_origin(page, pair);
+  });
+}
+
+std::filesystem::path write_pair_report(const std::filesystem::path& a,
+                                        const std::filesystem::path& b,
+                                        const std::filesystem::path& output) {
+  const std::filesystem::path file = output.empty() ? pair_file(a, b) : output;
+  const RunPair pair = read_pair(a, b);
+  const std::string page = pair_page(pair);
+  write_file(file, page);
+  return file;
 }
 
 }  // namespace legwright

@@ -26,6 +26,12 @@ std::string pair_page(const RunPair& pair);
 /// Where the page goes unless it is told: A/compare_NAME.html, with the name of B's folder.
 std::filesystem::path pair_file(const std::filesystem::path& a, const std::filesystem::path& b);
 
+/// Reads both runs and writes their page. @param output empty: pair_file @return where it is
+/// Throws what read_pair does, std::system_error where the file cannot be written.
+std::filesystem::path write_pair_report(const std::filesystem::path& a,
+                                        const std::filesystem::path& b,
+                                        const std::filesystem::path& output);
+
 /// Both lists joined by name, in the order in which they come, with nothing where one has no such.
 template <class Row>
 std::vector<std::pair<const Row*, const Row*>> joined_by_name(const std::vector<Row>& a,

@@ -11,6 +11,18 @@
 namespace legwright {
 namespace fs = std::filesystem;
 
+namespace {
+
+/// Robot and task, or the name of a joint run.
+std::string title_of(const RunRecord& run) {
+  const std::string task = run.task ? run.task->name : run.name.value_or("");
+  const bool both = !run.robot.empty() && !task.empty();
+  const std::string title = run.robot + (both ? " · " : "") + spaced(task);
+  return title.empty() ? "Legwright run" : title;
+}
+
+}  // namespace
+
 fs::path RunData::iteration(int index) const {
   return root / "iterations" / fmt::format("{:04}", index);
 }
@@ -19,6 +31,7 @@ RunData read_run(const fs::path& root) {
   RunData data;
   data.root = root;
   data.run = read_record_file<RunRecord>(ResultFolder::open(root).run_json());
+  data.title = title_of(data.run);
   if_present(root / "events.jsonl", data.notes, [&](const fs::path& file) {
     Iterations found = read_iterations(file);
     data.iterations = std::move(found.single);
@@ -29,19 +42,15 @@ RunData read_run(const fs::path& root) {
   if_present(result / "certificate.json", data.notes, [&](const fs::path& file) {
     data.certificate = read_record_file<CertificateRecord>(file);
   });
+  if_present(result / "matrix.json", data.notes,
+             [&](const fs::path& file) { data.matrix = read_record_file<MatrixRecord>(file); });
+  if_present(result / "front.json", data.notes,
+             [&](const fs::path& file) { data.front = read_record_file<FrontRecord>(file); });
   if_present(data.iteration(0) / "motion.csv", data.notes,
              [&](const fs::path& file) { data.initial_plan = read_motion_csv(file); });
   if_present(result / "motion.csv", data.notes,
              [&](const fs::path& file) { data.result_plan = read_motion_csv(file); });
   return data;
-}
-
-std::string title_of(const RunData& data) {
-  const std::string &robot = data.run.robot, task = data.run.task ? data.run.task->name : "";
-  const std::string title = robot.empty()  ? task
-                            : task.empty() ? robot
-                                           : robot + " · " + spaced(task);
-  return title.empty() ? "Legwright run" : title;
 }
 
 bool motion_only(const RunData& data) { return data.run.motion_only; }

@@ -11,6 +11,7 @@
 #include "tools/report/judged_data.hpp"
 #include "tools/run/certificate_record.hpp"
 #include "tools/run/iteration_record.hpp"
+#include "tools/run/matrix_record.hpp"
 #include "tools/run/run_record.hpp"
 
 namespace legwright {
@@ -18,10 +19,13 @@ namespace legwright {
 /// What a run folder holds, read for a report: what is missing is missing, what is broken is noted.
 struct RunData : JudgedData {
   std::filesystem::path root;
+  std::string title;  // robot and task; never empty
   RunRecord run;
   std::vector<IterationEvent> iterations;  // of a run of one task, in order
   std::vector<JointIterationEvent> joint_iterations;
   std::optional<CertificateRecord> certificate;  // of the result; none where it was not asked for
+  std::optional<MatrixRecord> matrix;            // of a joint run; none before validate
+  std::optional<FrontRecord> front;              // the same; none where it was not asked for
   std::optional<Trajectory> initial_plan, result_plan;
   std::vector<std::string> notes;  // files that could not be used, and why
 
@@ -32,8 +36,6 @@ struct RunData : JudgedData {
 /// of all other files go to the notes.
 RunData read_run(const std::filesystem::path& root);
 
-/// Robot and task of a run; never empty.
-std::string title_of(const RunData& data);
 /// Whether the body was kept and only its gait optimised.
 bool motion_only(const RunData& data);
 

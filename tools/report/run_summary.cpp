@@ -148,7 +148,7 @@ std::string parameters(const RunData& data) {
 }  // namespace
 
 std::string report_summary(const RunData& data) {
-  std::string out = fmt::format("# {}\n\n{}\n\n", cell(title_of(data)), cell(task_words(data.run)));
+  std::string out = fmt::format("# {}\n\n{}\n\n", cell(data.title), cell(task_words(data.run)));
   out += verdicts(data) + limits(data.limits_of(Design::result));
   if (motion_only(data)) {
     out += fmt::format("Cost F {}.\n\n", short_number(data.run.final_F));

@@ -169,7 +169,7 @@ void add_settings(Html& page, const RunPair& pair) {
 void add_pair_verdicts(Html& page, const RunPair& pair) {
   page.open("section", {{"class", "cards"}});
   for (const auto& [name, run] : {std::pair{"A", &pair.a}, {"B", &pair.b}}) {
-    add_card(page, run->verdict_of(Design::result), fmt::format("{} · {}", name, title_of(*run)),
+    add_card(page, run->verdict_of(Design::result), fmt::format("{} · {}", name, run->title),
              task_words(run->run) + (motion_only(*run) ? "; gait alone" : "; body and gait"));
   }
   for (const auto& [name, run] : {std::pair{"A", &pair.a}, {"B", &pair.b}})
@@ -195,7 +195,7 @@ void add_pair_pictures(Html& page, const RunPair& pair) {
     if (width == 0) {
       add_hint(page, fmt::format("No film strip of {}.", name), "render", *run);
     } else if (budget.take(file)) {
-      add_strip(page, file, fmt::format("{} · {}.", name, title_of(*run)),
+      add_strip(page, file, fmt::format("{} · {}.", name, run->title),
                 motion_only(*run) ? "" : "Above, the initial body; below, the result.",
                 static_cast<double>(width) / static_cast<double>(widest));
     }

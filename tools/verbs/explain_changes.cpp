@@ -21,8 +21,6 @@ using Eigen::VectorXd;
 
 constexpr double kWorthPlaying = 0.01;  // of F: a parameter that buys less is not played put back
 
-bool stop_asked() { return StopSignals::received() != 0; }
-
 int thread_count(int asked) {
   return asked > 0 ? asked : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 }
@@ -114,7 +112,7 @@ const ChangeReasons::CostsByThread& ChangeReasons::costs() {
 
 std::vector<PutBack> ChangeReasons::rows_of(const DesignIteration& design) {
   PutBackOptions options;
-  options.stop = stop_asked;
+  options.stop = StopSignals::asked;
   return put_back(costs().tasks(), problem_.robot.space.initial(), design, options);
 }
 
@@ -124,7 +122,7 @@ void ChangeReasons::find_fewest(double initial_F, const DesignIteration& best,
   const DesignSpace& space = problem_.robot.space;
   FewestChangesOptions options;
   options.codesign.threads = threads_;
-  options.stop = stop_asked;
+  options.stop = StopSignals::asked;
   options.share = fewest_.share;
   fewest_.initial_F = initial_F;
   designs_ = fewest_changes(costs().tasks(), space, space.initial(), fewest_.initial_F, best, rows,
@@ -143,14 +141,14 @@ void ChangeReasons::find_fewest(double initial_F, const DesignIteration& best,
 void ChangeReasons::keep_fewest(MultistartResult& found, const OnIteration& on_iteration) {
   const DesignSpace& space = problem_.robot.space;
   StartedRun& winner = found.joint[static_cast<std::size_t>(found.best)];
-  if (stop_asked() || !std::isfinite(winner.result.best.value) ||
+  if (StopSignals::asked() || !std::isfinite(winner.result.best.value) ||
       winner.result.best.s == space.initial())
     return;
   find_fewest(found.joint.front().result.initial.value, winner.result.best,
               rows_of(winner.result.best));
   CodesignOptions options;
   options.threads = threads_;
-  options.on_iteration = [](const DesignIteration&) { return !stop_asked(); };
+  options.on_iteration = [](const DesignIteration&) { return !StopSignals::asked(); };
   CodesignResult few =
       settle(costs().tasks().front(), space, space.initial(), designs_[fewest_.fewest], options);
   few.best.index = winner.result.best.index + 1;
@@ -171,7 +169,7 @@ std::vector<std::optional<PlayedCandidate>> ChangeReasons::play(
     const Candidate& chosen, const std::vector<std::optional<DesignIteration>>& designs) {
   if (!physics_) return std::vector<std::optional<PlayedCandidate>>(designs.size());
   load_gait_plugin();
-  return play_beside(problem_, chosen, designs, threads_, stop_asked);
+  return play_beside(problem_, chosen, designs, threads_, StopSignals::asked);
 }
 
 void ChangeReasons::play_fewest(const Candidate& chosen) {

@@ -38,7 +38,7 @@ class Chain {
                             fmt::format("{:04}", k);
       const fs::path to = run_ / "iterations" / fmt::format("{:04}", events_.size());
       copy_design(from, to, problem_.robot.files);
-      recorder_.pictures().add(to);
+      recorder_.draw(to);
       events_.push_back(events[k]);
       events_.back().index = static_cast<int>(events_.size()) - 1;
     }

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <thread>
 
 #include "mjcf/text/input_error.hpp"
 #include "optimizer/base/stopwatch.hpp"
@@ -27,17 +26,6 @@ namespace legwright {
 namespace {
 
 namespace fs = std::filesystem;
-
-void draw_rest(PictureQueue& pictures, bool quiet) {
-  const std::size_t waiting = pictures.waiting();
-  if (!quiet && waiting > 1)
-    fmt::print(stderr, "drawing {} more pictures (may be interrupted)\n", waiting);
-  while (pictures.waiting() > 0 && StopSignals::received() == 0)
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  if (StopSignals::received() != 0) return;
-  const std::string warning = pictures.finish();
-  if (!warning.empty()) fmt::print(stderr, "legwright: warning: {}\n", warning);
-}
 
 int exit_code(int signal, const std::vector<std::string>& reasons) {
   if (signal == SIGINT) return kInterrupted;
@@ -120,6 +108,7 @@ int solve_run(const OptimizeOptions& options, CodesignProblem& problem, const fs
   problem.robot.file = problem.robot.files.file();
 
   MultistartOptions settings = settings_of(options, problem.task_count());
+  const CloseGapOptions gaps = gap_options(options);
   Progress progress = make_progress(options, settings.codesign, problem);
   Recorder recorder(folder, problem, progress, !options.no_pictures);
   const StopSignals signals;
@@ -151,30 +140,30 @@ int solve_run(const OptimizeOptions& options, CodesignProblem& problem, const fs
   }
   write_end(folder, problem, found, chosen, signal, recorder, run);
   times.end_of("results");
-  if (StopSignals::received() == 0 && !options.no_reasons && usable(chosen.design)) {
+  if (!StopSignals::asked() && !options.no_reasons && usable(chosen.design)) {
     reasons.write(folder, found, chosen, run);
     times.end_of("reasons");
   }
   write_json(folder.run_json(), json_of(run));  // what follows may take a while, and adds to it
-  if (StopSignals::received() == 0 && !options.no_certificate && usable(chosen.design)) {
+  if (!StopSignals::asked() && !options.no_certificate && usable(chosen.design)) {
     run.certificate =
         write_certificate(folder, problem, costs.tasks(), chosen, settings.codesign.threads);
     times.end_of("certificate");
   }
-  if (options.physics_steps > 0 && StopSignals::received() == 0 && usable(chosen.design)) {
-    close_gaps(folder, problem, chosen.design, options, run);
+  if (gaps.steps > 0 && !StopSignals::asked() && usable(chosen.design)) {
+    close_gaps(folder, problem, chosen.design, gaps, run);
     times.end_of("physics_steps");
   }
-  if (options.front > 0 && StopSignals::received() == 0) {
+  if (options.front > 0 && !StopSignals::asked()) {
     CodesignOptions rules = settings.codesign;
-    rules.on_iteration = [](const DesignIteration&) { return StopSignals::received() == 0; };
+    rules.on_iteration = [](const DesignIteration&) { return !StopSignals::asked(); };
     run.front = write_front(folder, problem, costs.tasks(), found, options.front, rules);
     times.end_of("front");
   }
   recorder.end(run);
   write_json(folder.run_json(), json_of(run));  // complete, should the pictures be interrupted
-  if (!options.no_pictures && StopSignals::received() == 0) {
-    draw_rest(recorder.pictures(), options.quiet);
+  if (!options.no_pictures && !StopSignals::asked()) {
+    recorder.draw_rest(options.quiet);
     times.end_of("pictures");
   }
   times.add_to(*run.seconds);

@@ -9,11 +9,20 @@
 #include "tools/verbs/stop_signals.hpp"
 
 namespace legwright {
+namespace {
 
+/// Threads as asked, or all there are.
 int all_threads(const OptimizeOptions& options) {
   if (options.threads > 0) return options.threads;
   return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 }
+
+std::function<void(const std::string&)> teller_of(const OptimizeOptions& options) {
+  if (options.quiet) return {};
+  return [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
+}
+
+}  // namespace
 
 MultistartOptions settings_of(const OptimizeOptions& options, int task_count) {
   MultistartOptions settings;
@@ -35,9 +44,13 @@ ChoiceOptions choice_options(const OptimizeOptions& options, const MultistartOpt
   ChoiceOptions out;
   out.codesign = settings.codesign;
   out.threads = all_threads(options);
-  if (!options.quiet) out.tell = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
-  out.stop = [] { return StopSignals::received() != 0; };
+  out.tell = teller_of(options);
+  out.stop = StopSignals::asked;
   return out;
+}
+
+CloseGapOptions gap_options(const OptimizeOptions& options) {
+  return {options.physics_steps, all_threads(options), teller_of(options), StopSignals::asked};
 }
 
 void add_options(CLI::App& verb, OptimizeOptions& options) {

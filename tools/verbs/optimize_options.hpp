@@ -9,6 +9,7 @@
 #include "optimizer/solve/first_motion.hpp"
 #include "optimizer/solve/multistart.hpp"
 #include "tools/choose/choose_design.hpp"
+#include "tools/verbs/close_gap.hpp"
 
 namespace legwright {
 
@@ -28,11 +29,10 @@ struct OptimizeOptions {
 /// Binds the options of the command line, with their help.
 void add_options(CLI::App& verb, OptimizeOptions& options);
 
-/// Threads as asked, or all there are.
-int all_threads(const OptimizeOptions& options);
 /// What the solvers, and the choice among what they find, take from them.
 MultistartOptions settings_of(const OptimizeOptions& options, int task_count);
 FirstMotionOptions first_motion_of(const OptimizeOptions& options);
+CloseGapOptions gap_options(const OptimizeOptions& options);
 ChoiceOptions choice_options(const OptimizeOptions& options, const MultistartOptions& settings);
 
 }  // namespace legwright

@@ -153,17 +153,14 @@ CertificateNote write_certificate(const ResultFolder& folder, const CodesignProb
 }
 
 void close_gaps(const ResultFolder& folder, const CodesignProblem& problem,
-                const DesignIteration& best, const OptimizeOptions& options, RunRecord& run) {
-  CloseGapOptions rules;
-  rules.steps = options.physics_steps;
-  rules.threads = all_threads(options);
-  rules.stop = [] { return StopSignals::received() != 0; };
+                const DesignIteration& best, const CloseGapOptions& options, RunRecord& run) {
+  CloseGapOptions of_task = options;
   for (int k = 0; k < problem.task_count(); ++k) {
     const std::string name = problem.set.joint() ? problem.task(k).name + ": " : "";
-    rules.tell = [&](const std::string& line) {
-      if (!options.quiet) fmt::print(stderr, "{}{}\n", name, line);
+    of_task.tell = [&](const std::string& line) {
+      if (options.tell) options.tell(name + line);
     };
-    const PhysicsStepsRecord found = close_gap(folder, problem, best, k, rules);
+    const PhysicsStepsRecord found = close_gap(folder, problem, best, k, of_task);
     if (!problem.set.joint()) {
       run.physics_steps = found;
       write_json(folder.run_json(), json_of(run));

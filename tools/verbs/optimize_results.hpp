@@ -7,7 +7,7 @@
 #include "tools/run/result_folder.hpp"
 #include "tools/run/run_record.hpp"
 #include "tools/task/problem.hpp"
-#include "tools/verbs/optimize_options.hpp"
+#include "tools/verbs/close_gap.hpp"
 #include "tools/verbs/recorder.hpp"
 
 namespace legwright {
@@ -35,6 +35,6 @@ CertificateNote write_certificate(const ResultFolder& folder, const CodesignProb
 /// After the adjoint loop: what MuJoCo says of the gaits, and steps that it confirms. Noted in
 /// run.json: of each task where there are several.
 void close_gaps(const ResultFolder& folder, const CodesignProblem& problem,
-                const DesignIteration& best, const OptimizeOptions& options, RunRecord& run);
+                const DesignIteration& best, const CloseGapOptions& options, RunRecord& run);
 
 }  // namespace legwright

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
+#include <thread>
+
 #include "optimizer/base/stopwatch.hpp"
 #include "tools/run/run_json.hpp"
 #include "tools/verbs/stop_signals.hpp"
@@ -65,7 +68,7 @@ bool Recorder::iteration(const RunLabel& label, const DesignIteration& iteration
   progress_.iteration(label, iteration, qualities);
   ++count_;
   seconds_ += watch.seconds();
-  return StopSignals::received() == 0;
+  return !StopSignals::asked();
 }
 
 PlanQuality Recorder::result(const fs::path& folder, const Objective& planned,
@@ -79,6 +82,17 @@ PlanQuality Recorder::result(const fs::path& folder, const Objective& planned,
 void Recorder::end(const RunRecord& run) {
   events_.append(json_of(end_event(run)));
   events_.sync();
+}
+
+void Recorder::draw_rest(bool quiet) {
+  const std::size_t waiting = pictures_.waiting();
+  if (!quiet && waiting > 1)
+    fmt::print(stderr, "drawing {} more pictures (may be interrupted)\n", waiting);
+  while (pictures_.waiting() > 0 && !StopSignals::asked())
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  if (StopSignals::asked()) return;
+  const std::string warning = pictures_.finish();
+  if (!warning.empty()) fmt::print(stderr, "legwright: warning: {}\n", warning);
 }
 
 const std::vector<IterationEvent>& Recorder::events_of(const std::string& start, int task) const {

@@ -38,7 +38,10 @@ class Recorder {
   void end(const RunRecord& run);
 
   double seconds() const { return seconds_; }  // spent on files
-  PictureQueue& pictures() { return pictures_; }
+  /// Draws a design's picture when there is time.
+  void draw(const std::filesystem::path& design_folder) { pictures_.add(design_folder); }
+  /// Waits for the pictures that are not drawn yet, or for a signal.
+  void draw_rest(bool quiet);
   /// F by iteration, in the order in which they came.
   const std::vector<double>& history() const { return history_; }
   /// The per-task events of a run, by start folder and task.

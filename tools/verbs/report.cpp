@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "mjcf/text/input_error.hpp"
-#include "tools/files/atomic_file.hpp"
 #include "tools/files/json_file.hpp"
 #include "tools/report/pair_report.hpp"
 #include "tools/report/report.hpp"
@@ -22,9 +21,7 @@ struct ReportOptions {
 
 /// Two runs side by side.
 int report_pair(const ReportOptions& options) {
-  const std::filesystem::path file = options.output.empty() ? pair_file(options.run, options.other)
-                                                            : std::filesystem::path(options.output);
-  write_file(file, pair_page(read_pair(options.run, options.other)));
+  const std::filesystem::path file = write_pair_report(options.run, options.other, options.output);
   if (options.json) {
     fmt::print("{}", to_text(Json{{"schema", "legwright/report-pair"},
                                   {"version", 1},

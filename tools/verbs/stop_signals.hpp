@@ -18,6 +18,7 @@ class StopSignals {
 
   /// The signal that came, or 0.
   static int received();
+  static bool asked() { return received() != 0; }
 
  private:
   static constexpr std::array<int, 4> kSignals{SIGINT, SIGTERM, SIGHUP, SIGUSR1};

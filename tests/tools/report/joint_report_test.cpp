@@ -117,7 +117,7 @@ class JointReportTest : public testing::Test {
         Durability::process);
   }
 
-  std::string page() { return joint_report_page(read_joint_run(run_)); }
+  std::string page() { return joint_report_page(joint_data_of(read_run(run_))); }
 
   fs::path run_;
 };
@@ -197,7 +197,7 @@ TEST_F(JointReportTest, SaysWhichGaitsWereChangedAfterTheirF) {
              R"("worst_gradient_error":0,"design_curvatures":[],"active_bounds":[],"tasks":{}})");
   EXPECT_TRUE(has(page(), words));
   EXPECT_TRUE(has(page(), "It is of the gait"));
-  EXPECT_TRUE(has(joint_report_summary(read_joint_run(run_)), words));
+  EXPECT_TRUE(has(joint_report_summary(joint_data_of(read_run(run_))), words));
 }
 
 TEST_F(JointReportTest, RefusesTasksOutsideOfTheRun) {
@@ -228,7 +228,7 @@ TEST_F(JointReportTest, NotesFilesOfWrongTypes) {
     expect_well_formed(page);
     for (const char* file : {"matrix.json: ", "front.json: "}) EXPECT_TRUE(has(page, file));
     EXPECT_TRUE(has(page, "Speeds and verdicts are not known yet."));
-    EXPECT_NO_THROW(joint_report_summary(read_joint_run(run_)));
+    EXPECT_NO_THROW(joint_report_summary(joint_data_of(read_run(run_))));
   }
 }
 
