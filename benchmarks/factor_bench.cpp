@@ -8,9 +8,9 @@
 
 #include "benchmarks/timing.hpp"
 #include "mjcf/read/read_robot.hpp"
-#include "optimizer/solve/hessian_factor.hpp"
+#include "optimizer/factor/hessian_factor.hpp"
 #include "optimizer/solve/newton.hpp"
-#include "tests/optimizer/solve/random_sparse.hpp"
+#include "tests/optimizer/factor/random_sparse.hpp"
 #include "tools/task/task_file.hpp"
 
 namespace legwright {

@@ -12,7 +12,7 @@
 #include "benchmarks/figures.hpp"
 #include "benchmarks/tables.hpp"
 #include "benchmarks/timing.hpp"
-#include "optimizer/solve/hessian_factor.hpp"
+#include "optimizer/factor/hessian_factor.hpp"
 
 namespace legwright::bench {
 namespace {

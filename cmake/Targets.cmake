@@ -23,10 +23,11 @@ function(legwright_target name)
     target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:${arg_OPTIMIZE}>)
   endif()
   if(LEGWRIGHT_SANITIZE)
-    # GCC says itself that sanitizers make it take initialised things (std::regex) for uninitialised.
-    # Left out of UBSan are the checks of each pointer before its use, two fifths of the compile time: a
-    # null or stray one ends in AddressSanitizer's report all the same; and pointer-overflow, which
-    # takes a block of one of Eigen's empty matrices for an error. Nobody checks alignment.
+    # GCC says itself that sanitizers make it take initialised things (std::regex) for uninitialised
+    # ones.
+    # Left out of UBSan are the checks of each pointer before its use, two fifths of the compile
+    # time: a null or stray one ends in AddressSanitizer's report all the same; and pointer-overflow,
+    # which takes a block of one of Eigen's empty matrices for an error. Nobody checks alignment.
     target_compile_definitions(${name} PRIVATE LEGWRIGHT_SANITIZED)
     target_compile_options(${name} PRIVATE -fsanitize=address,undefined
                            -fno-sanitize=null,alignment,object-size,nonnull-attribute

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include "optimizer/solve/hessian_factor.hpp"
+#include "optimizer/factor/hessian_factor.hpp"
 #include "optimizer/solve/status.hpp"
 
 namespace legwright {

@@ -4,9 +4,9 @@
 #include <Eigen/Core>
 #include <limits>
 
+#include "optimizer/factor/hessian_factor.hpp"
 #include "optimizer/objective/objective.hpp"
 #include "optimizer/solve/cost_function.hpp"
-#include "optimizer/solve/hessian_factor.hpp"
 #include "optimizer/solve/line_search.hpp"
 #include "optimizer/solve/status.hpp"
 

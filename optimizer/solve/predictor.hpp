@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "optimizer/solve/hessian_factor.hpp"
+#include "optimizer/factor/hessian_factor.hpp"
 
 namespace legwright {
 

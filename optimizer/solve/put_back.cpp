@@ -55,9 +55,8 @@ class BesideResult {
     std::vector<double> terms;
   };
 
-  static WeightedCost at_motion(WeightedCost task, const VectorXd& m) {
-    task.initial_motion = m;
-    return task;
+  static WeightedCost at_motion(const WeightedCost& task, const VectorXd& m) {
+    return {task.cost, task.weight, m, task.outer};
   }
 
   Values value_at(const VectorXd& s, const VectorXd& m) {

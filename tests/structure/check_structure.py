@@ -33,6 +33,7 @@ FOLDERS = (
 # Folders from the bottom up. A folder may include itself and those that its row names.
 OPTIMIZER = (
     'optimizer/base',
+    'optimizer/factor',
     'optimizer/design',
     'optimizer/motion',
     'optimizer/terms',
@@ -55,11 +56,12 @@ TOOLS = (
 )
 LAYERS = {
     'optimizer/base': (),
+    'optimizer/factor': (),
     'optimizer/design': (),
-    'optimizer/motion': OPTIMIZER[1:2],
-    'optimizer/terms': OPTIMIZER[1:3],
-    'optimizer/objective': OPTIMIZER[1:4],
-    'optimizer/solve': OPTIMIZER[:5],
+    'optimizer/motion': OPTIMIZER[2:3],
+    'optimizer/terms': OPTIMIZER[2:4],
+    'optimizer/objective': OPTIMIZER[2:5],
+    'optimizer/solve': OPTIMIZER[:6],
     'mjcf/text': ('optimizer/design',),
     'mjcf/shape': ('optimizer/design', 'mjcf/text'),
     'mjcf/read': ('optimizer/design', 'optimizer/motion') + MJCF[:2],
@@ -125,7 +127,7 @@ LIBRARIES = (  # include path: paths that may use it; tests and benchmarks may u
             'tools/simulate/',
         ),
     ),
-    (r'cholmod\.h|suitesparse/', ('optimizer/solve/',)),
+    (r'cholmod\.h|suitesparse/', ('optimizer/factor/',)),
     (r'Eigen/|unsupported/Eigen/', ('optimizer/', 'mjcf/', 'tools/')),
     (r'fmt/', ('mjcf/', 'plugin/', 'tools/')),
     (r'toml\+\+/|nlohmann/|CLI/', ('tools/',)),

@@ -13,14 +13,14 @@ SPDX = '// SPDX-License-Identifier: Apache-2.0\n'
 SOUND = {
     'optimizer/CMakeLists.txt': '# SPDX-License-Identifier: Apache-2.0\n'
     'add_library(o design/design.cpp terms/travel.cpp\n'
-    '  terms/registry.cpp terms/turning.cpp solve/newton.cpp)\n',
+    '  terms/registry.cpp terms/turning.cpp solve/newton.cpp factor/simplicial_ldlt.cpp)\n',
     'optimizer/design/design.hpp': SPDX + '#include <Eigen/Core>\n',
     'optimizer/design/design.cpp': SPDX + '#include "optimizer/design/design.hpp"\n',
     'optimizer/terms/term.hpp': SPDX + '#include "optimizer/design/design.hpp"\n',
     'optimizer/terms/travel.cpp': SPDX + '#include "optimizer/terms/term.hpp"\n',
     'optimizer/terms/registry.cpp': SPDX + 'Table table{{"travel", "(9)", 1e3, make_travel}};\n',
-    'optimizer/solve/newton.cpp': SPDX
-    + '#include <cholmod.h>\n#include "optimizer/terms/term.hpp"\n',
+    'optimizer/solve/newton.cpp': SPDX + '#include "optimizer/terms/term.hpp"\n',
+    'optimizer/factor/simplicial_ldlt.cpp': SPDX + '#include <cholmod.h>\n',
     'plugin/trajectory.hpp': SPDX,
     'plugin/pd_playback.hpp': SPDX
     + '#include <mujoco/mujoco.h>\n#include "plugin/trajectory.hpp"\n',

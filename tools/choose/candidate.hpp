@@ -38,9 +38,10 @@ struct PlayedCandidate {
   PlayedGait record(std::optional<int> task = {}) const;
 };
 
-/// For how long a candidate is played: all its tasks for their first cycles; where these pass for
-/// all cycles; where these do, too, with other numerics. Or all cycles at once, and other numerics
-/// for each task that passes.
+/// For how long a candidate is played. Until failure: all its tasks for their first cycles; where
+/// they pass, for all cycles; where they pass these, with other numerics. Whole: all cycles at
+/// once, and other numerics for each task that passes. Distances are of what was played: what comes
+/// through its first cycles may have more than what does not.
 enum class PlayLength { until_failure, whole };
 
 /// Plays every task of a candidate at half, default and double gains. Needs load_gait_plugin().

@@ -24,6 +24,7 @@ constexpr std::size_t kLeversKept = 7;  // from the second round on
 constexpr std::size_t kFinalists = 6;   // that are played to the end where nothing passes
 constexpr int kSearchIterations = 12;   // of each: it starts from a design that is nearly right
 constexpr double kDear = 1.3;  // × F of the optimum: a design that passes with more is not the last
+constexpr const char* kGivenBody = "initial";  // name of that candidate
 constexpr double kGain = 0.99;  // of the distance from passing: a round that gains less is the last
 
 /// Searches on from a candidate with tightened tasks. @return nothing where there is no such design
@@ -117,7 +118,7 @@ class DesignChooser {
   /// on from the nearest ones of the last.
   void tighten(const Candidate& from, const PlayedCandidate& played) {
     std::vector<PlayedDesign> beam{{from, played, {}}};
-    if (!options_.codesign.motion_only)  // else the first round is that
+    if (!options_.codesign.motion_only)  // with a kept body the rounds are of the motion alone
       play_by_rising_cost(search_pulls(pulls_on(beam), Searched::motion));
     if (played_.pass && best_->design.value <= kDear * from.design.value) return;
     double nearest = played.distance;
@@ -137,6 +138,13 @@ class DesignChooser {
       if (found.size() > kBeam) found.resize(kBeam);
       beam = std::move(found);
     }
+  }
+
+  /// One pull of each lever on the motion alone of another design that failed.
+  void tighten_motion(const Candidate& from, const PlayedCandidate& played) {
+    levers_ = all_levers();
+    const std::vector<PlayedDesign> beam{{from, played, {}}};
+    play_by_rising_cost(search_pulls(pulls_on(beam), Searched::motion));
   }
 
   bool stopped() const { return options_.stop && options_.stop(); }
@@ -164,9 +172,12 @@ class DesignChooser {
     record_.chosen = best_->name;
     record_.pass = played_.pass;
     record_.seconds = seconds;
-    std::erase_if(kept_, [&](const auto& kept) {
+    const auto chosen = [&](const auto& kept) {
       return record_.candidates[kept.first].name == record_.chosen;
-    });
+    };
+    if (std::none_of(kept_.begin(), kept_.end(), chosen))
+      for (std::size_t i = 0; i < record_.candidates.size(); ++i)
+        if (record_.candidates[i].name == record_.chosen) kept_.emplace_back(i, *best_);
     return {std::move(*best_), std::move(record_), std::move(kept_)};
   }
 
@@ -242,17 +253,19 @@ class DesignChooser {
     CodesignOptions search = options_.codesign;
     search.near_optimum = true;
     search.threads = 1;  // the levers run side by side
-    search.motion_only = search.motion_only || what == Searched::motion;
+    const bool motion = search.motion_only || what == Searched::motion;
+    search.motion_only = motion;
     search.max_iterations = std::min(search.max_iterations, kSearchIterations);
     parallel_for(static_cast<int>(pulls.size()), options_.threads, [&](int k) {
       const auto i = static_cast<std::size_t>(k);
       const LeverPull& pull = pulls[i];
-      const bool of_use = what == Searched::body || pull.lever != Lever::near_given_body;
+      const bool of_use = !motion || pull.lever != Lever::near_given_body;
       if (stopped() || !of_use) return;
       auto design = search_tightened(problem_, tasks_, pull.from->design, pull.tightening,
                                      options_.space.value_or(problem_.robot.space), search);
       if (!design) return;
-      design->name = (what == Searched::motion ? "tightened motion: " : "tightened: ") +
+      design->name = (pull.from->design.name == kGivenBody ? "initial, " : "") +
+                     std::string(motion ? "tightened motion: " : "tightened: ") +
                      words_of(pull.tightening);
       slots[i] = {std::move(*design), {}, pull.lever};
     });
@@ -336,9 +349,15 @@ ChosenDesign choose_design(const CodesignProblem& problem, const std::vector<Joi
   const PlayedCandidate played = chooser.consider(optimum);
   if (!played.pass) {
     const DesignIteration& initial = found.joint.front().result.initial;
-    if (!initial.tasks.empty() && !options.codesign.motion_only)
-      chooser.consider({"initial", initial, {}, {}});
+    const Candidate given{kGivenBody, initial, {}, {}};
+    const bool other_body = !initial.tasks.empty() && !options.codesign.motion_only;
+    PlayedCandidate played_given;
+    if (other_body) played_given = chooser.consider(given);
     chooser.tighten(optimum, played);
+    // What the co-designed body gets: its gait may fail by as little.
+    if (other_body && !played_given.pass && !chooser.stopped() &&
+        chooser.worth_playing(initial.value))
+      chooser.tighten_motion(given, played_given);
     const std::vector<Candidate> further =
         options.space ? std::vector<Candidate>{} : further_candidates(found, along);
     for (const Candidate& candidate : further)

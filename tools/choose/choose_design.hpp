@@ -27,9 +27,9 @@ struct ChoiceOptions {
 struct ChosenDesign {
   Candidate result;
   ChoiceRecord record;
-  /// What else is worth a look, with its place in record.candidates: the optimum, where it is not
-  /// the result, and all that pass.
-  std::vector<std::pair<std::size_t, Candidate>> others;
+  /// The result and what else is worth a look, each with its place in record.candidates: the
+  /// optimum, and all that pass.
+  std::vector<std::pair<std::size_t, Candidate>> kept;
 };
 
 /// Of the designs that a search came by the one with the least F that MuJoCo passes at half,
@@ -37,9 +37,10 @@ struct ChosenDesign {
 /// played first, and is the result where it passes. Else the given body is played, and the search
 /// goes on from the optimum with tightened tasks: of the motion alone, then in rounds of body and
 /// motion, each of which pulls every lever once and goes on from what brings physics nearest to
-/// passing. Iterates on the way and the optima of other starts are played too. Designs are played
-/// by rising F, and none whose F is above that of one that passes. So the result never fails where
-/// the given body passes.
+/// passing. Where none passes, or with more F than the given body has, the motion of that body is
+/// tightened, too. Iterates on the way and the optima of other starts are played as well. Designs
+/// are played by rising F, and none whose F is above that of one that passes. So the result never
+/// fails where the given body passes.
 /// @param tasks costs of the problem. @param along the iterates of all starts, those of the whole
 /// problem. Throws MujocoError.
 ChosenDesign choose_design(const CodesignProblem& problem, const std::vector<JointTask>& tasks,

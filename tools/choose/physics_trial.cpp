@@ -33,7 +33,7 @@ constexpr std::array<AskedNumerics, 3> kAskedNumerics = {
 constexpr int kFirstCycles = 6, kTrialCycles = 20;
 // A glance says what twenty cycles say of 112 of 119 designs beside a result (six cycles: of 114).
 constexpr int kGlanceCycles = 4;
-// Those at which nearly all designs fail that do come first.
+// The gains at which most failing designs fail come first.
 constexpr std::array<double, 3> kGlanceGains = {2.0, 0.5, 1.0};
 // What adds to the distance from passing besides: a limit that is not measured; a fall.
 constexpr double kUnknownDistance = 5.0, kFallDistance = 10.0;

@@ -28,7 +28,8 @@ struct GaitTrial : PhysicsTrial {
   int rollouts = 0;            // that it took
 };
 
-/// One that fails within its first cycles fails; two that do can be compared only after as many.
+/// For how long a gait is played. One that fails within its first cycles fails; two that fail can
+/// be compared only after as many.
 enum class PlayedCycles { first, all };
 
 /// A planned gait that MuJoCo plays as `validate` does, judged by the same limits. Throws
@@ -41,13 +42,14 @@ class GaitOnTrial {
 
   /// At half, default and double gains. @param threads of these; results do not depend on it
   GaitTrial play(PlayedCycles cycles, int threads = 1);
-  /// All cycles once more with those numerics in which gaits that pass fail most often: half the
-  /// step at the highest gains, a pyramidal cone at these and the default ones
-  /// (docs/findings/physics_in_the_search.md). A gait that fails in these alone is nearer to
-  /// passing than any that misses a limit at its gains.
+  /// Adds to the trial of a gait that passes all cycles: plays them once more with those numerics
+  /// in which such gaits fail most often: half the step at the highest gains, a pyramidal cone at
+  /// these and the default ones (docs/findings/physics_in_the_search.md). A gait that fails in
+  /// these alone is nearer to passing than any that misses a limit at its gains.
   void ask_other_numerics(int threads, GaitTrial& trial) const;
-  /// By still fewer cycles, up to the first of the gains at which it fails: of a design beside a
-  /// result, which nobody hands back.
+  /// Plays fewer cycles still, at double, half and default gains, up to the first at which it
+  /// fails: of a design beside a result, which nobody hands back. Its distance is of the gains
+  /// played.
   GaitTrial glance() const;
 
  private:

@@ -182,13 +182,6 @@ std::string mass_words(const RunData& data, const ChangedParameters& changed) {
 
 }  // namespace
 
-std::string change_words(double change) {
-  if (std::abs(change) < 5e-4) return "as before";
-  const std::string size =
-      std::abs(change) < 0.0995 ? percent(std::abs(change)) : percent_whole(std::abs(change));
-  return fmt::format("{}{}", change < 0.0 ? "−" : "+", size);
-}
-
 std::vector<EffectRow> effect_rows(const RunData& data) {
   Rows rows;
   if (data.metrics) add_measured(data, rows);
@@ -226,6 +219,10 @@ std::string effect_words(const RunData& data) {
   if (!data.verdict) return "";
   const bool could = data.verdict->initial.pass, can = data.verdict->result.pass;
   const std::string more = balance(effect_rows(data));
+  if (data.run.body_kept())
+    return can ? std::string("The body stays as it is: it does the task in MuJoCo") +
+                     (could ? "." : " once its gait is tightened.")
+               : "The body stays as it is, and does not do the task in MuJoCo.";
   if (could && can)
     return more.empty()
                ? "Both bodies do the task in MuJoCo, with much the same effort."

@@ -28,7 +28,4 @@ std::string body_words(const RunData& data);
 /// What that bought, and what got worse most of all. Empty where nothing changed.
 std::string effect_words(const RunData& data);
 
-/// "−31 %", "+4.2 %", "as before"
-std::string change_words(double change);
-
 }  // namespace legwright

@@ -37,7 +37,7 @@ struct JointData {
   bool judged = false;                  // matrix.json is there
 };
 
-/// Reads the tasks of a joint run. Throws InputError where they lie outside of it.
+/// Reads the tasks of a joint run (RunRecord::joint). Throws InputError where they lie outside.
 JointData joint_data_of(RunData whole);
 
 /// A relative path as an address: percent signs for all that is not plain.

@@ -84,6 +84,13 @@ std::string percent_whole(std::optional<double> ratio) {
   return ratio && std::isfinite(*ratio) ? fmt::format("{} %", signed_text(100.0 * *ratio, 0)) : "–";
 }
 
+std::string change_words(double change) {
+  if (std::abs(change) < 5e-4) return "as before";
+  const std::string size =
+      std::abs(change) < 0.0995 ? percent(std::abs(change)) : percent_whole(std::abs(change));
+  return fmt::format("{}{}", change < 0.0 ? "−" : "+", size);
+}
+
 std::string ShownUnit::words(std::optional<double> value) const {
   if (!value || !std::isfinite(*value)) return "–";
   const double shown = *value * scale;

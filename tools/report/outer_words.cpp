@@ -5,7 +5,6 @@
 
 #include <vector>
 
-#include "tools/report/design_effect.hpp"
 #include "tools/report/number_words.hpp"
 #include "tools/report/words.hpp"
 #include "tools/run/outer_measured.hpp"

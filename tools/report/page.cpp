@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/report/page.hpp"
 
-#include "tools/report/sections.hpp"
-
 namespace legwright {
 
 std::string framed_page(const PageFrame& frame, const std::function<void(Html&)>& sections) {

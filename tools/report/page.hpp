@@ -3,11 +3,15 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 
 #include "tools/files/json_file.hpp"
 #include "tools/report/html.hpp"
 
 namespace legwright {
+
+/// A page's style sheet: system fonts, light and dark, print.
+std::string_view report_style();
 
 /// What a page has around its sections.
 struct PageFrame {

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Robot and task, or the name of a joint run.
+/// The robot, and its task or the name of a joint run.
 std::string title_of(const RunRecord& run) {
   const std::string task = run.task ? run.task->name : run.name.value_or("");
   const bool both = !run.robot.empty() && !task.empty();

@@ -19,7 +19,7 @@ namespace legwright {
 /// What a run folder holds, read for a report: what is missing is missing, what is broken is noted.
 struct RunData : JudgedData {
   std::filesystem::path root;
-  std::string title;  // robot and task; never empty
+  std::string title;  // robot, and task or name of a joint run; never empty
   RunRecord run;
   std::vector<IterationEvent> iterations;  // of a run of one task, in order
   std::vector<JointIterationEvent> joint_iterations;

@@ -39,7 +39,7 @@ std::string and_more(std::size_t all, std::size_t shown) {
   return all > shown ? fmt::format("\n… and {} more.\n", all - shown) : "";
 }
 
-std::string verdict_row(const RunData& data, Design design, const char* head) {
+std::string verdict_row(const RunData& data, Design design, const std::string& head) {
   const DesignVerdict* verdict = data.verdict_of(design);
   const std::string line = verdict == nullptr ? "" : verdict->line;
   const char* mark = verdict == nullptr ? "–" : verdict->pass ? "✅ PASS" : "❌ FAIL";
@@ -57,7 +57,7 @@ std::string verdicts(const RunData& data) {
   if (motion_only(data))
     return head + verdict_row(data, Design::result, "initial body, only its gait optimised") + "\n";
   return head + verdict_row(data, Design::initial, "before: initial body, its gait optimised") +
-         verdict_row(data, Design::result, "after: body and gait co-designed") + "\n" +
+         verdict_row(data, Design::result, "after: " + result_words(data.run)) + "\n" +
          home_touches(data);
 }
 
@@ -94,11 +94,21 @@ std::string margins(const RunData& data) {
   return out;
 }
 
+/// What the search knows to be wrong with the result, whether it was validated or not.
+std::string infeasible(const RunRecord& run) {
+  if (run.feasible.value_or(true) || !run.reasons || run.reasons->empty()) return "";
+  std::string out = "**Infeasible.**\n";
+  for (std::size_t k = 0; k < std::min(run.reasons->size(), kMostFailing); ++k)
+    out += fmt::format("- {}\n", cell((*run.reasons)[k], kLongestLine));
+  return out + and_more(run.reasons->size(), kMostFailing) + "\n";
+}
+
 std::string design_effect(const RunData& data) {
   const std::string words = effect_words(data);
   if (words.empty()) return "";
   std::string out =
-      "**What the body bought.** " + words + "\n\n| | before | after | |\n|---|---:|---:|---:|\n";
+      fmt::format("**What the {} bought.** {}\n\n", data.run.body_kept() ? "gait" : "body", words);
+  out += "| | before | after | |\n|---|---:|---:|---:|\n";
   std::size_t shown = 0;
   for (const EffectRow& row : effect_rows(data)) {
     if (!row.effect.change || std::abs(*row.effect.change) < 5e-4 || shown == kMostEffects)
@@ -149,14 +159,16 @@ std::string parameters(const RunData& data) {
 
 std::string report_summary(const RunData& data) {
   std::string out = fmt::format("# {}\n\n{}\n\n", cell(data.title), cell(task_words(data.run)));
-  out += verdicts(data) + limits(data.limits_of(Design::result));
+  if (data.run.picked)
+    out += fmt::format("Result picked by hand: {}.\n\n", cell(spaced(*data.run.picked)));
+  out += verdicts(data) + limits(data.limits_of(Design::result)) + infeasible(data.run);
   if (motion_only(data)) {
     out += fmt::format("Cost F {}.\n\n", short_number(data.run.final_F));
   } else {
-    out +=
-        fmt::format("Cost F from {} (gait alone) to {} (co-designed) in {} design iterations.\n\n",
-                    short_number(data.run.motion_only_F), short_number(data.run.final_F),
-                    short_number(data.run.design_iterations));
+    out += fmt::format("Cost F from {} (gait alone) to {} ({}) in {} design iterations.\n\n",
+                       short_number(data.run.motion_only_F), short_number(data.run.final_F),
+                       data.run.body_kept() ? "the same body" : "co-designed",
+                       short_number(data.run.design_iterations));
   }
   out += design_effect(data) + closing(data) + margins(data) + parameters(data);
   return out + "Pictures, charts and measurements: report.html in the folder above.\n";

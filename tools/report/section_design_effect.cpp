@@ -70,9 +70,11 @@ void add_effect(Html& page, const RunData& data) {
   page.close().close().close().close();
   if (!data.metrics)
     add_hint(page, "What the bodies do in MuJoCo has not been measured yet.", "validate", data);
-  page.note(
-      "Before: the initial body with the gait that is best for it, so the difference is "
-      "the body’s. Torque and power are those at default servo gains.");
+  page.note(std::string("Before: the initial body with the gait that is best for it") +
+            (data.run.tightened() ? "; after: with a gait that was tightened, too, so that part of "
+                                    "the difference is the gait’s."
+                                  : ", so the difference is the body’s.") +
+            " Torque and power are those at default servo gains.");
   add_gap_note(page, data.run, "F is");
 }
 
@@ -80,6 +82,12 @@ void add_effect(Html& page, const RunData& data) {
 
 void add_design_effect(Html& page, const RunData& data) {
   if (data.run.motion_only) return;  // nothing did
+  if (data.run.body_kept()) {
+    const std::string words = effect_words(data);
+    page.open("section").element("h2", "Why the body did not change");
+    page.element("p", words.empty() ? "The body stays as it is." : words).close();
+    return;
+  }
   page.open("section").element("h2", "Why the body changed");
   add_effect(page, data);
   add_attribution(page, data);

@@ -82,7 +82,12 @@ std::string fewest_words(const RunRecord& run) {
                   percent_whole((fewest.initial_F - few.F) / fall), short_number(few.F),
                   short_number(all.F), short_number(fewest.initial_F));
   out += named_if_few(few.changed);
-  return out + (fewest.kept ? ". This is the result (--few)." : ".") + physics_words(fewest);
+  out += fewest.kept ? ". This is the result (--few)." : ".";
+  if (run.tightened())
+    out +=
+        " F is that of the tightened search which found the body, not that of the task as it was "
+        "asked.";
+  return out + physics_words(fewest);
 }
 
 void add_fewest(Html& page, const RunRecord& run) {

@@ -156,7 +156,7 @@ void add_physics(Html& page, const RunData& data) {
   page.raw(fill(
       R"(<p class="note">{cycles} cycles in MuJoCo. Servo gains say how hard the joints hold on to their
 planned angles: a sound gait does not depend on them.</p>
-<div class="charts">
+<div class="charts tables">
 {tables}</div>
 )",
       {{"cycles", std::to_string(data.metrics->cycles)}, Hole::markup("tables", tables)}));

@@ -99,7 +99,7 @@ void add_verdicts(Html& page, const RunData& data) {
   } else {
     add_card(page, data.verdict_of(Design::initial), "Before",
              "initial body, its gait optimised for the task");
-    add_card(page, data.verdict_of(Design::result), "After", "body and gait co-designed");
+    add_card(page, data.verdict_of(Design::result), "After", result_words(data.run));
   }
   add_plan_notes(page, data);
   if (!data.verdict) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include "tools/report/html.hpp"
 #include "tools/report/joint_data.hpp"
@@ -12,9 +11,6 @@
 #include "tools/report/svg_plot.hpp"
 
 namespace legwright {
-
-/// The page's style sheet: system fonts, light and dark, print.
-std::string_view report_style();
 
 // One part of the report each, in the order of the page. What is not there yet is said, with the
 // command that makes it.

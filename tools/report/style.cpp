@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/report/sections.hpp"
+#include "tools/report/page.hpp"
 
 namespace legwright {
 
@@ -58,6 +58,7 @@ figure { margin: 0; }
 .gallery img { display: block; width: 100%; height: auto; border-radius: 6px; }
 .gallery figcaption { font-size: .8rem; color: var(--pale); margin-top: .2rem; font-variant-numeric: tabular-nums; }
 .charts { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(26rem, 100%), 1fr)); gap: 1.75rem 2.5rem; margin-top: .8rem; }
+.charts.tables { grid-template-columns: repeat(auto-fit, minmax(min(32rem, 100%), 1fr)); }
 .charts div { min-width: 0; } .charts.single { grid-template-columns: minmax(0, 38rem); } .chart { min-width: 0; } .chart figcaption { font-weight: 600; font-size: .95rem; }
 .chart svg { display: block; width: 100%; height: auto; margin-top: .3rem; }
 .chart text { font: 12px system-ui, -apple-system, "Segoe UI", Roboto, sans-serif; fill: var(--pale); font-variant-numeric: tabular-nums; }

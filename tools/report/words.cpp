@@ -73,4 +73,9 @@ std::string way_words(const TaskRecord& task) {
   return out + demand_words(task) + fmt::format(", {} s per cycle", short_number(task.period));
 }
 
+std::string result_words(const RunRecord& run) {
+  if (!run.body_kept()) return "body and gait co-designed";
+  return run.tightened() ? "the same body, its gait tightened" : "the same body and gait";
+}
+
 }  // namespace legwright

@@ -29,4 +29,7 @@ std::string task_words(const RunRecord& run);
 /// The same of a run.json's "task" or of one of its "tasks".
 std::string way_words(const TaskRecord& task);
 
+/// What was done to the robot: "body and gait co-designed".
+std::string result_words(const RunRecord& run);
+
 }  // namespace legwright

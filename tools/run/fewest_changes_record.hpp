@@ -15,7 +15,7 @@ struct FewerChangesRecord {
   std::vector<std::string> changed;
   double F = 0.0;  // Σ weight (F + J)
   ByName<double> s;
-  std::optional<PlayedGait> played = {};  // for its first cycles
+  std::optional<PlayedGait> played = {};  // up to the first gain at which it fails
 };
 void fields(Fields& f, FewerChangesRecord& design);
 

@@ -16,7 +16,7 @@ struct PutBackRecord {
   std::optional<double> J;        // the same, of a run with an outer objective
   ByName<double> terms, F_tasks;  // the same of each term; of a joint run instead of each task
   std::string status;             // of the motion
-  std::optional<PlayedGait> played = {};  // for its first cycles
+  std::optional<PlayedGait> played = {};  // up to the first gain at which it fails
 };
 void fields(Fields& f, PutBackRecord& row);
 

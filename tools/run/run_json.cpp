@@ -5,7 +5,7 @@
 
 #include "mjcf/text/safe_path.hpp"
 #include "optimizer/design/inertia.hpp"
-#include "optimizer/solve/hessian_factor.hpp"
+#include "optimizer/factor/hessian_factor.hpp"
 #include "tools/files/checksum.hpp"
 #include "tools/run/by_name.hpp"
 #include "tools/run/install.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -204,6 +205,13 @@ struct RunRecord {
   std::optional<std::string> failure;  // why the status is "failed"
 
   bool joint() const { return tasks.has_value(); }
+  /// Whether no parameter of the body differs from the given one.
+  bool body_kept() const {
+    return std::all_of(parameters.begin(), parameters.end(),
+                       [](const ParameterRecord& p) { return p.final == p.initial; });
+  }
+  /// Whether a tightened search found the result: `put_back` and `fewest_changes` tell its F.
+  bool tightened() const { return choice && choice->chosen.find("tightened") != std::string::npos; }
   /// Whether the search came to an end, be it by a signal.
   bool ended() const { return status != "running" && status != "failed"; }
   /// Whether what is there is only the best so far.

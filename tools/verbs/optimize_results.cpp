@@ -11,10 +11,8 @@
 #include "tools/run/certificate_json.hpp"
 #include "tools/run/run_json.hpp"
 #include "tools/simulate/stand.hpp"
-#include "tools/verbs/close_gap.hpp"
 #include "tools/verbs/feasibility.hpp"
 #include "tools/verbs/joint_folders.hpp"
-#include "tools/verbs/stop_signals.hpp"
 
 namespace legwright {
 namespace {
@@ -109,7 +107,7 @@ void write_end(const ResultFolder& folder, const CodesignProblem& problem,
 
 void write_candidates(const ResultFolder& folder, const CodesignProblem& problem,
                       const ChosenDesign& choice, ChoiceRecord& record) {
-  for (const auto& [index, candidate] : choice.others) {
+  for (const auto& [index, candidate] : choice.kept) {
     const std::string name = fmt::format("candidates/{:02}", index);
     record.candidates.at(index).folder = name;
     fs::create_directories((folder.root() / name).parent_path());

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "optimizer/solve/multistart.hpp"
+#include "tools/choose/choose_design.hpp"
 #include "tools/run/result_folder.hpp"
 #include "tools/run/run_record.hpp"
 #include "tools/task/problem.hpp"

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "mjcf/read/read_robot.hpp"
+#include "mjcf/text/input_error.hpp"
 #include "mjcf/text/safe_path.hpp"
 #include "mjcf/write/rewrite_robot.hpp"
 #include "optimizer/design/inertia.hpp"
@@ -29,8 +30,9 @@ struct PickOptions {
   int iteration = -1, front = -1;
 };
 
+/// What was asked for is not in the run.
 [[noreturn]] void refuse_pick(const fs::path& run, const std::string& why) {
-  throw IoError(fmt::format("{}: {}", run.string(), why));
+  throw InputError(fmt::format("{}: {}", run.string(), why));
 }
 
 /// A design of a run: its words, and the folder of each task's files.
@@ -242,10 +244,11 @@ int pick(const PickOptions& options) {
   const int given = !options.candidate.empty() + !options.start.empty() + (options.front >= 0) +
                     (options.iteration >= 0);
   if (given != 1)
-    refuse_pick(options.run, "expected one of --iteration, --start, --front and --candidate");
+    throw InputError(fmt::format(
+        "pick: expected one of --iteration, --start, --front and --candidate, found {}", given));
   const ResultFolder folder = ResultFolder::open(options.run);
   auto run = read_record_file<RunRecord>(folder.run_json());
-  if (!run.ended()) refuse_pick(options.run, "the run has not ended; let it end first");
+  if (!run.ended()) throw IoError(options.run + ": the run has not ended; let it end first");
   const PickedDesign picked = find_design(folder, run, options);
   for (const fs::path& from : picked.folders)
     if (!fs::is_regular_file(from / "scene.xml"))
@@ -260,8 +263,13 @@ int pick(const PickOptions& options) {
     pick_joint(folder, picked, robot, run);
   }
   write_json(folder.run_json(), json_of(run));
-  fmt::print("{}: the result is {} now, F {:.5g}\nnext: legwright validate {}\n", options.run,
-             picked.name, *run.final_F, shell_word(options.run));
+  fmt::print("{}: the result is {} now, F {:.5g}\n", options.run, picked.name, *run.final_F);
+  for (const std::string& reason : run.reasons.value_or(std::vector<std::string>{}))
+    fmt::print("INFEASIBLE: {}\n", reason);
+  if (run.choice)
+    fmt::print("back: legwright pick {} --candidate {}\n", shell_word(options.run),
+               shell_word(run.choice->chosen));
+  fmt::print("next: legwright validate {}\n", shell_word(options.run));
   return kOk;
 }
 

@@ -40,7 +40,8 @@ class Recorder {
   double seconds() const { return seconds_; }  // spent on files
   /// Draws a design's picture when there is time.
   void draw(const std::filesystem::path& design_folder) { pictures_.add(design_folder); }
-  /// Waits for the pictures that are not drawn yet, or for a signal.
+  /// Waits for the pictures that are not drawn yet, or for a signal. Tells stderr what went wrong,
+  /// and, unless quiet, how many there are.
   void draw_rest(bool quiet);
   /// F by iteration, in the order in which they came.
   const std::vector<double>& history() const { return history_; }

@@ -18,6 +18,7 @@ class StopSignals {
 
   /// The signal that came, or 0.
   static int received();
+  /// Whether one came.
   static bool asked() { return received() != 0; }
 
  private:

@@ -101,16 +101,25 @@ std::string choice_lines(const std::optional<ChoiceRecord>& choice) {
 }
 
 /// How few changes of the body would do: for F, and for MuJoCo within a few cycles.
-std::string changes_line(const std::optional<FewestChangesRecord>& fewest) {
+std::string changes_line(const RunRecord& run) {
+  const std::optional<FewestChangesRecord>& fewest = run.fewest_changes;
   if (!fewest || fewest->fewest >= fewest->designs.size()) return "";
   const FewerChangesRecord& few = fewest->designs[fewest->fewest];
   std::string text = fmt::format("  changes  {} of {} keep {:.0f} % of the fall of F (F {:.5g})",
                                  few.changed.size(), fewest->designs.front().changed.size(),
                                  100.0 * fewest->share, few.F);
+  if (run.tightened()) text += " of the tightened search";
   if (const FewerChangesRecord* const least = least_that_passes(*fewest))
-    text += fmt::format("; the least that MuJoCo passes, for some cycles: {} (F {:.5g})",
-                        least->changed.size(), least->F);
+    text += fmt::format(
+        "; of these bodies the least changed that MuJoCo passes, for some cycles: {} (F {:.5g})",
+        least->changed.size(), least->F);
   return text + "\n";
+}
+
+std::string body_lines(const RunRecord& run) {
+  if (run.parameters.empty()) return "";
+  return run.body_kept() ? "  body     stays as it is\n"
+                         : "  body\n" + parameter_lines(run.parameters);
 }
 
 /// The whole command as the user waits for it, then its parts, those of the solvers in brackets.
@@ -162,9 +171,9 @@ std::string joint_summary(const RunRecord& run, const std::filesystem::path& roo
   for (const StartRecord& start : *run.alone)
     text += fmt::format("    {} alone {:9.5g} -> {:9.5g}  {}, {:.2f} s\n", start.tasks.front(),
                         start.start_F, start.F, start.status, start.seconds);
-  text += changes_line(run.fewest_changes);
+  text += changes_line(run);
   text += time_line(run);
-  text += "  body\n" + parameter_lines(run.parameters);
+  text += body_lines(run);
   for (const std::string& reason : *run.reasons) text += "  INFEASIBLE: " + reason + "\n";
   const std::string folder = shell_word(root.string());
   text +=
@@ -186,10 +195,10 @@ std::string optimize_summary(const RunRecord& run, const std::filesystem::path& 
                       wanted > 0.0 ? fmt::format(" ({:.1f} %)", 100.0 * reached / wanted) : "");
   text += choice_lines(run.choice);
   text += physics_lines(run.physics_steps, "  ");
-  text += changes_line(run.fewest_changes);
+  text += changes_line(run);
   text += time_line(run);
   text += fmt::format("  memory   {:.0f} MiB\n", *run.peak_rss_mib);
-  if (!run.parameters.empty()) text += "  body\n" + parameter_lines(run.parameters);
+  text += body_lines(run);
   for (const std::string& reason : *run.reasons) text += "  INFEASIBLE: " + reason + "\n";
   if (!*run.feasible && *run.motion_only_F == *run.final_F)
     text +=

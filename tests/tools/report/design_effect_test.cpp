@@ -85,6 +85,25 @@ TEST_F(DesignEffect, WordsNameWhatIsWorthTelling) {
   EXPECT_EQ(count_of(words, "%"), 3U) << "mass, 1 % less, is not worth telling";
 }
 
+TEST_F(DesignEffect, ABodyThatStaysIsToldAsSuch) {
+  edit_run([](Json& run) {
+    for (Json& parameter : run["parameters"]) parameter["final"] = parameter["initial"];
+    run["choice"] = {{"chosen", "initial, tightened motion: larger margins"},
+                     {"pass", true},
+                     {"candidates", Json::array()},
+                     {"rollouts", 0},
+                     {"seconds", 0.0}};
+  });
+  edit("result/verdict.json", [](Json& verdict) { verdict["initial"]["pass"] = false; });
+  const RunData data = read_run(run_);
+  EXPECT_TRUE(has(effect_words(data), "The body stays as it is: it does the task in MuJoCo once"));
+  const std::string text = page();
+  EXPECT_TRUE(has(text, "Why the body did not change"));
+  EXPECT_TRUE(has(text, "the same body, its gait tightened"));
+  EXPECT_FALSE(has(text, "What changed in the body"));
+  EXPECT_TRUE(has(report_summary(data), "after: the same body, its gait tightened"));
+}
+
 /// The order and its words are those of "What changed in the body": by what each buys.
 TEST_F(DesignEffect, TheBodyIsToldByWhatBuysMost) {
   const std::string words = body_words(read_run(run_));

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using test::kPuppy;
-// Needed while other static things are made, of which test::kExamples may be a later one.
+// Test names are made from it during static initialisation, maybe before test::kExamples exists.
 const fs::path kBroken = fs::path(LEGWRIGHT_SOURCE_DIR) / "examples" / "broken" / "tasks";
 
 std::string error_message(const std::string& text) {

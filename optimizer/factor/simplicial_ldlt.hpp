@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <memory>
 
-#include "optimizer/solve/factor_backend.hpp"
+#include "optimizer/factor/factor_backend.hpp"
 
 namespace legwright {
 

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "optimizer/solve/elimination_order.hpp"
+#include "optimizer/factor/elimination_order.hpp"
 
 namespace legwright::test {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "optimizer/solve/symmetric_residual.hpp"
+#include "optimizer/factor/symmetric_residual.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 namespace legwright {
 
 void SymmetricResidual::analyse(const SymmetricPattern& pattern) {
-  constexpr int kBeyondEnd = 8;
+  constexpr int kBeyondEnd = 8;  // numbers that kernels may read beyond an end
   size_ = pattern.size();
   run_start_ = {0};
   runs_.clear();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Without intrinsics: pairs of numbers, which every 64-bit processor has.
-#include "optimizer/solve/kernel_table.hpp"
+#include "optimizer/factor/kernel_table.hpp"
 
 namespace legwright {
 namespace {
@@ -28,4 +28,4 @@ inline Vector absolute(Vector a) { return Vector{__builtin_fabs(a[0]), __builtin
 }  // namespace legwright
 
 #define LEGWRIGHT_KERNELS baseline_kernels
-#include "optimizer/solve/kernel_bodies.hpp"
+#include "optimizer/factor/kernel_bodies.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "optimizer/solve/supernodes.hpp"
+#include "optimizer/factor/supernodes.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <immintrin.h>
 
-#include "optimizer/solve/kernel_table.hpp"
+#include "optimizer/factor/kernel_table.hpp"
 
 namespace legwright {
 namespace {
@@ -31,4 +31,4 @@ inline Vector absolute(Vector a) { return _mm256_andnot_pd(_mm256_set1_pd(-0.0),
 }  // namespace legwright
 
 #define LEGWRIGHT_KERNELS avx2_kernels
-#include "optimizer/solve/kernel_bodies.hpp"
+#include "optimizer/factor/kernel_bodies.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "optimizer/solve/simplicial_ldlt.hpp"
+#include "optimizer/factor/simplicial_ldlt.hpp"
 
 #include <cholmod.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The kernels, in terms of `Vector` and a dozen operations on it that the including file defines.
 // Everything has internal linkage: see kernel_table.hpp.
-#include "optimizer/solve/kernel_tiles.hpp"
+#include "optimizer/factor/kernel_tiles.hpp"
 
 namespace legwright {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "optimizer/solve/cpu_path.hpp"
+#include "optimizer/factor/cpu_path.hpp"
 
 namespace legwright {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "optimizer/solve/cpu_path.hpp"
+#include "optimizer/factor/cpu_path.hpp"
 
 #include <gtest/gtest.h>
 

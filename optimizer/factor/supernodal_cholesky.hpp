@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "optimizer/solve/cholesky_kernels.hpp"
-#include "optimizer/solve/factor_backend.hpp"
-#include "optimizer/solve/supernodes.hpp"
+#include "optimizer/factor/cholesky_kernels.hpp"
+#include "optimizer/factor/factor_backend.hpp"
+#include "optimizer/factor/supernodes.hpp"
 
 namespace legwright {
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Our factorisation against CHOLMOD's simplicial one, on every path that this processor can run.
-#include "optimizer/solve/supernodal_cholesky.hpp"
+#include "optimizer/factor/supernodal_cholesky.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
 
+#include "optimizer/factor/hessian_factor.hpp"
 #include "optimizer/objective/objective.hpp"
-#include "optimizer/solve/hessian_factor.hpp"
-#include "tests/optimizer/solve/random_sparse.hpp"
+#include "tests/optimizer/factor/random_sparse.hpp"
 #include "tests/support/puppy.hpp"
 #include "tests/support/standing.hpp"
 

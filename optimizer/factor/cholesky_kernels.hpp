@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "optimizer/solve/cpu_path.hpp"
-#include "optimizer/solve/kernel_table.hpp"
+#include "optimizer/factor/cpu_path.hpp"
+#include "optimizer/factor/kernel_table.hpp"
 
 namespace legwright {
 

@@ -5,8 +5,8 @@
 #include <atomic>
 #include <cstddef>
 
-#include "optimizer/solve/hessian_factor.hpp"
-#include "tests/optimizer/solve/random_sparse.hpp"
+#include "optimizer/factor/hessian_factor.hpp"
+#include "tests/optimizer/factor/random_sparse.hpp"
 
 #if defined(__GLIBC__) && !defined(LEGWRIGHT_SANITIZED)
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "optimizer/solve/supernodal_cholesky.hpp"
+#include "optimizer/factor/supernodal_cholesky.hpp"
 
 #include <algorithm>
 

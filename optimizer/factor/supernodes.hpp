@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "optimizer/solve/elimination_order.hpp"
-#include "optimizer/solve/kernel_table.hpp"
+#include "optimizer/factor/elimination_order.hpp"
+#include "optimizer/factor/kernel_table.hpp"
 
 namespace legwright {
 

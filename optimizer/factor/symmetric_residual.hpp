@@ -4,8 +4,8 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "optimizer/solve/cholesky_kernels.hpp"
-#include "optimizer/solve/elimination_order.hpp"
+#include "optimizer/factor/cholesky_kernels.hpp"
+#include "optimizer/factor/elimination_order.hpp"
 
 namespace legwright {
 

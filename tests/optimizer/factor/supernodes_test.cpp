@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "optimizer/solve/supernodes.hpp"
+#include "optimizer/factor/supernodes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <numeric>
 #include <set>
 
-#include "tests/optimizer/solve/random_sparse.hpp"
+#include "tests/optimizer/factor/random_sparse.hpp"
 
 namespace legwright {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "optimizer/solve/cholesky_kernels.hpp"
+#include "optimizer/factor/cholesky_kernels.hpp"
 
 namespace legwright {
 

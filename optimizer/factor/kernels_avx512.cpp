@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <immintrin.h>
 
-#include "optimizer/solve/kernel_table.hpp"
+#include "optimizer/factor/kernel_table.hpp"
 
 namespace legwright {
 namespace {
@@ -27,4 +27,4 @@ inline Vector absolute(Vector a) { return _mm512_abs_pd(a); }
 }  // namespace legwright
 
 #define LEGWRIGHT_KERNELS avx512_kernels
-#include "optimizer/solve/kernel_bodies.hpp"
+#include "optimizer/factor/kernel_bodies.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "optimizer/solve/hessian_factor.hpp"
+#include "optimizer/factor/hessian_factor.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "optimizer/solve/elimination_order.hpp"
+#include "optimizer/factor/elimination_order.hpp"
 
 namespace legwright {
 

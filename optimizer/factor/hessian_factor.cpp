@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "optimizer/solve/hessian_factor.hpp"
+#include "optimizer/factor/hessian_factor.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 #include <limits>
 #include <stdexcept>
 
-#include "optimizer/solve/simplicial_ldlt.hpp"
-#include "optimizer/solve/supernodal_cholesky.hpp"
-#include "optimizer/solve/symmetric_residual.hpp"
+#include "optimizer/factor/simplicial_ldlt.hpp"
+#include "optimizer/factor/supernodal_cholesky.hpp"
+#include "optimizer/factor/symmetric_residual.hpp"
 
 namespace legwright {
 namespace {

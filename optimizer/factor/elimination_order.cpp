@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "optimizer/solve/elimination_order.hpp"
+#include "optimizer/factor/elimination_order.hpp"
 
 #include <cholmod.h>
 
