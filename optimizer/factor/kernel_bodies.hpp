@@ -26,7 +26,7 @@ int factor_head(double* strip, long stride, int rows, const double* least_pivot,
 #pragma GCC unroll 8
   for (int c = 0; c < Columns; ++c)
 #pragma GCC unroll 2
-    for (int v = 0; v < vectors; ++v) x[c][v] = load(strip + c * stride + v * kLanes);
+    for (long v = 0; v < vectors; ++v) x[c][v] = load(strip + c * stride + v * kLanes);
 #pragma GCC unroll 8
   for (int c = 0; c < Columns; ++c) {
     double head[vectors * kLanes];
@@ -36,7 +36,7 @@ int factor_head(double* strip, long stride, int rows, const double* least_pivot,
     if (!(pivot > least_pivot[c]) || !(pivot < __builtin_inf())) return c;
     inverse[c] = 1.0 / __builtin_sqrt(pivot);
 #pragma GCC unroll 2
-    for (int v = 0; v < vectors; ++v) {
+    for (long v = 0; v < vectors; ++v) {
       x[c][v] = times(x[c][v], spread(inverse[c]));
       store(head + v * kLanes, x[c][v]);
       double* const to = strip + c * stride + v * kLanes;

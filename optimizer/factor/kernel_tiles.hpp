@@ -17,7 +17,7 @@ LEGWRIGHT_INLINE void subtract_product(Vector (&sum)[Rows][Columns], int depth, 
   for (int l = 0; l < depth; ++l) {
     Vector left[Rows];
 #pragma GCC unroll 3
-    for (int r = 0; r < Rows; ++r) left[r] = load(a + r * kLanes);
+    for (long r = 0; r < Rows; ++r) left[r] = load(a + r * kLanes);
 #pragma GCC unroll 8
     for (int c = 0; c < Columns; ++c) {
       const Vector right = spread(Transposed ? b[c * b_stride] : b[c]);
@@ -38,13 +38,13 @@ LEGWRIGHT_INLINE void subtract_tile(double* const* column, long row, int last, i
 #pragma GCC unroll 8
   for (int c = 0; c < Columns; ++c)
 #pragma GCC unroll 3
-    for (int r = 0; r < Rows; ++r) sum[r][c] = load(column[c] + row + r * kLanes);
+    for (long r = 0; r < Rows; ++r) sum[r][c] = load(column[c] + row + r * kLanes);
   subtract_product<Rows, Columns, Transposed>(sum, depth, a, a_stride, b, b_stride);
 #pragma GCC unroll 8
   for (int c = 0; c < Columns; ++c) {
 #pragma GCC unroll 3
-    for (int r = 0; r + 1 < Rows; ++r) store(column[c] + row + r * kLanes, sum[r][c]);
-    double* const end = column[c] + row + (Rows - 1) * kLanes;
+    for (long r = 0; r + 1 < Rows; ++r) store(column[c] + row + r * kLanes, sum[r][c]);
+    double* const end = column[c] + row + (Rows - 1L) * kLanes;
     if (last == kLanes)
       store(end, sum[Rows - 1][c]);
     else

@@ -50,7 +50,7 @@ double panel_time(double columns, double height) {
   constexpr double kPerPanel = 300.0, kPerEntry = 0.12, kFlopsPerNanosecond = 28.0;
   const double below = height - columns;
   double flops = 0.0;
-  for (double j = 0; j < columns; ++j) flops += (height - j) * (height - j);
+  for (int j = 0; j < columns; ++j) flops += (height - j) * (height - j);
   return kPerPanel + kPerEntry * (0.5 * below * below + columns * height) +
          flops / kFlopsPerNanosecond;
 }
@@ -178,6 +178,7 @@ Supernodes find_supernodes(const SymmetricPattern& pattern, const std::vector<in
   for (const std::vector<int>& cluster : clusters) {
     // Within a panel any order will do; that of H keeps neighbours together.
     std::vector<int> unknowns;
+    unknowns.reserve(cluster.size());
     for (const int k : cluster) unknowns.push_back(order[k]);
     std::sort(unknowns.begin(), unknowns.end());
     result.order.insert(result.order.end(), unknowns.begin(), unknowns.end());
