@@ -75,7 +75,7 @@ std::string pair_page(const RunPair& pair) {
 std::filesystem::path write_pair_report(const std::filesystem::path& a,
                                         const std::filesystem::path& b,
                                         const std::filesystem::path& output) {
-  const std::filesystem::path file = output.empty() ? pair_file(a, b) : output;
+  std::filesystem::path file = output.empty() ? pair_file(a, b) : output;
   const RunPair pair = read_pair(a, b);
   const std::string page = pair_page(pair);
   write_file(file, page);

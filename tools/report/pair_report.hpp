@@ -37,6 +37,7 @@ template <class Row>
 std::vector<std::pair<const Row*, const Row*>> joined_by_name(const std::vector<Row>& a,
                                                               const std::vector<Row>& b) {
   std::vector<std::pair<const Row*, const Row*>> out;
+  out.reserve(a.size() + b.size());
   for (const Row& row : a) out.emplace_back(&row, find_named(b, row.name));
   for (const Row& row : b)
     if (find_named(a, row.name) == nullptr) out.emplace_back(nullptr, &row);
