@@ -25,7 +25,7 @@ function(legwright_target name)
   if(LEGWRIGHT_SANITIZE)
     # GCC says itself that sanitizers make it take initialised things (std::regex) for uninitialised
     # ones.
-    # Left out of UBSan are the checks of each pointer before its use, two fifths of the compile
+    # Left out of UBSan are the checks of each pointer before its use, a fifth of clang's compile
     # time: a null or stray one ends in AddressSanitizer's report all the same; and pointer-overflow,
     # which takes a block of one of Eigen's empty matrices for an error. Nobody checks alignment.
     target_compile_definitions(${name} PRIVATE LEGWRIGHT_SANITIZED)

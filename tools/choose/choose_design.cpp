@@ -24,7 +24,6 @@ constexpr std::size_t kLeversKept = 7;  // from the second round on
 constexpr std::size_t kFinalists = 6;   // that are played to the end where nothing passes
 constexpr int kSearchIterations = 12;   // of each: it starts from a design that is nearly right
 constexpr double kDear = 1.3;  // × F of the optimum: a design that passes with more is not the last
-constexpr const char* kGivenBody = "initial";  // name of that candidate
 constexpr double kGain = 0.99;  // of the distance from passing: a round that gains less is the last
 
 /// Searches on from a candidate with tightened tasks. @return nothing where there is no such design
@@ -264,9 +263,8 @@ class DesignChooser {
       auto design = search_tightened(problem_, tasks_, pull.from->design, pull.tightening,
                                      options_.space.value_or(problem_.robot.space), search);
       if (!design) return;
-      design->name = (pull.from->design.name == kGivenBody ? "initial, " : "") +
-                     std::string(motion ? "tightened motion: " : "tightened: ") +
-                     words_of(pull.tightening);
+      design->name = (pull.from->design.name == kGivenBody ? kGivenBody + std::string(", ") : "") +
+                     kTightened + (motion ? " motion: " : ": ") + words_of(pull.tightening);
       slots[i] = {std::move(*design), {}, pull.lever};
     });
     std::vector<PlayedDesign> out;

@@ -44,7 +44,6 @@ std::vector<MatrixDesign> designs_of(const JointData& data) {
 
 void add_cells(JointData& data) {
   const std::optional<MatrixRecord>& matrix = data.whole.matrix;
-  data.judged = matrix.has_value();
   for (std::size_t d = 0; d < data.designs.size(); ++d) {
     MatrixDesign& design = data.designs[d];
     for (std::size_t t = 0; t < data.tasks.size(); ++t) {
@@ -59,7 +58,7 @@ void add_cells(JointData& data) {
 }  // namespace
 
 JointData joint_data_of(RunData whole) {
-  JointData data{std::move(whole), {}, {}, {}, false};
+  JointData data{std::move(whole), {}, {}};
   std::size_t index = 0;
   for (const TaskFolder& folder : task_folders(data.whole.run)) {
     JointTaskData& task = data.tasks.emplace_back();
@@ -74,7 +73,6 @@ JointData joint_data_of(RunData whole) {
   }
   data.designs = designs_of(data);
   add_cells(data);
-  if (data.whole.front) data.front = data.whole.front->points;
   return data;
 }
 

@@ -32,9 +32,14 @@ struct MatrixDesign {
 struct JointData {
   RunData whole;
   std::vector<JointTaskData> tasks;
-  std::vector<MatrixDesign> designs;    // the initial body, each task's own, the common one
-  std::vector<FrontPointRecord> front;  // of result/front.json; none where it was not asked for
-  bool judged = false;                  // matrix.json is there
+  std::vector<MatrixDesign> designs;  // the initial body, each task's own, the common one
+
+  /// Whether matrix.json is there.
+  bool judged() const { return whole.matrix.has_value(); }
+  /// Points of result/front.json; none where it was not asked for.
+  std::vector<FrontPointRecord> front() const {
+    return whole.front ? whole.front->points : std::vector<FrontPointRecord>{};
+  }
 };
 
 /// Reads the tasks of a joint run (RunRecord::joint). Throws InputError where they lie outside.

@@ -56,24 +56,32 @@ std::string effect_change(const Effect& effect) {
   return effect.change && *effect.change < kLargestChange ? change_words(*effect.change) : "";
 }
 
+/// What of the two designs makes the difference between their figures.
+std::string what_differs(const RunRecord& run) {
+  if (run.body_kept()) return "; after: the same body, so the difference is the gait’s.";
+  return run.tightened() ? "; after: with a gait that was tightened, too, so that part of the "
+                           "difference is the gait’s."
+                         : ", so the difference is the body’s.";
+}
+
 /// Parameters beside figures, before and after.
 void add_effect(Html& page, const RunData& data) {
-  const std::string body = body_words(data);
-  if (body.empty()) return;  // nothing changed
-  page.element("p", fmt::format("{} {}", body, effect_words(data)));
+  const bool kept = data.run.body_kept();
+  const std::string body = body_words(data), effect = effect_words(data);
+  if (!kept && body.empty()) return;  // nothing changed yet
+  page.element("p", !kept            ? fmt::format("{} {}", body, effect)
+                    : effect.empty() ? "The body stays as it is."
+                                     : effect);
   if (const std::string outer = outer_words(data); !outer.empty()) page.element("p", outer);
   page.open("div", {{"class", "charts"}});
-  add_parameters(page, data);
+  if (!kept) add_parameters(page, data);
   open_table(page, "What it does");
   for (const EffectRow& row : effect_rows(data))
     add_effect_row(page, row.what, row.before, row.after, effect_change(row.effect));
   page.close().close().close().close();
   if (!data.metrics)
     add_hint(page, "What the bodies do in MuJoCo has not been measured yet.", "validate", data);
-  page.note(std::string("Before: the initial body with the gait that is best for it") +
-            (data.run.tightened() ? "; after: with a gait that was tightened, too, so that part of "
-                                    "the difference is the gait’s."
-                                  : ", so the difference is the body’s.") +
+  page.note("Before: the initial body with the gait that is best for it" + what_differs(data.run) +
             " Torque and power are those at default servo gains.");
   add_gap_note(page, data.run, "F is");
 }
@@ -82,16 +90,13 @@ void add_effect(Html& page, const RunData& data) {
 
 void add_design_effect(Html& page, const RunData& data) {
   if (data.run.motion_only) return;  // nothing did
-  if (data.run.body_kept()) {
-    const std::string words = effect_words(data);
-    page.open("section").element("h2", "Why the body did not change");
-    page.element("p", words.empty() ? "The body stays as it is." : words).close();
-    return;
-  }
-  page.open("section").element("h2", "Why the body changed");
+  const bool kept = data.run.body_kept();
+  page.open("section").element("h2", kept ? "Why the body did not change" : "Why the body changed");
   add_effect(page, data);
-  add_attribution(page, data);
-  add_fewest(page, data.run);
+  if (!kept) {
+    add_attribution(page, data);
+    add_fewest(page, data.run);
+  }
   page.close();
 }
 

@@ -96,7 +96,7 @@ struct FrontPlot {
 std::array<double, 2> front_size(const JointData& data) {
   std::array<double, 2> between{0.0, 0.0}, all{0.0, 0.0};
   std::size_t count = 0;
-  for (const FrontPointRecord& point : data.front) {
+  for (const FrontPointRecord& point : data.front()) {
     const bool inner = point.weight > 0.0 && point.weight < 1.0;
     count += inner ? 1 : 0;
     for (std::size_t t = 0; t < 2; ++t) {
@@ -120,7 +120,7 @@ FrontPlot front_series(const JointData& data) {
   PlotSeries line;
   line.name = "trade-off";
   line.points = true;
-  for (const FrontPointRecord& point : data.front) {
+  for (const FrontPointRecord& point : data.front()) {
     const double x = front_cost(data, point, 0), y = front_cost(data, point, 1);
     if (outside(x, y, "the point of weight " + short_number(point.weight))) continue;
     line.x.push_back(x);
@@ -150,7 +150,7 @@ void add_front_table(Html& page, const JointData& data) {
     columns.push_back({"F of " + spaced(task.name), "n"});
   columns.push_back({"ended"});
   page.open("div", {{"class", "scroll"}}).open_table("", columns);
-  for (const FrontPointRecord& point : data.front) {
+  for (const FrontPointRecord& point : data.front()) {
     page.open("tr").number(short_number(point.weight));
     for (const JointTaskData& task : data.tasks)
       page.number(three_digits(cost_of(point.F_of_tasks, task.name)));
@@ -178,7 +178,7 @@ void add_front(Html& page, const JointData& data) {
   if (data.tasks.size() != 2) return;  // of two tasks only
   const std::string first = spaced(data.tasks[0].name), second = spaced(data.tasks[1].name);
   page.open("section").element("h2", "The trade-off");
-  if (data.front.empty()) {
+  if (data.front().empty()) {
     page.open("p", {{"class", "hint"}})
         .text("The curve between the tasks was not asked for. ")
         .element("code", "legwright optimize … --front 7")

@@ -101,7 +101,7 @@ void add_task_cards(Html& page, const JointData& data) {
   page.open("section", {{"class", "cards"}});
   for (const JointTaskData& task : data.tasks) add_task_card(page, task);
   if (const std::string words = stepped_words(data); !words.empty()) page.note(words, "note wide");
-  if (!data.judged) {
+  if (!data.judged()) {
     add_hint(page, "The bodies have not been compared in MuJoCo yet.", "validate", data.whole);
   } else {
     page.note(
@@ -126,7 +126,7 @@ void add_matrix(Html& page, const JointData& data) {
     page.close();
   }
   page.close().close();
-  if (data.judged) {
+  if (data.judged()) {
     page.note(
         "F: cost of the best gait found for that body. Below it, the measured speed as a "
         "share of the planned one at three servo gains; 95 to 105 % at all of them is one "

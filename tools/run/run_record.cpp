@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/run/run_record.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace legwright {
 
@@ -220,6 +222,19 @@ void fields(Fields& f, RunRecord& run) {
   visit_inputs(f, run);
   visit_outcome(f, run);
   visit_effort(f, run);
+}
+
+bool RunRecord::body_kept() const {
+  return ended() && std::all_of(parameters.begin(), parameters.end(),
+                                [](const ParameterRecord& p) { return p.final == p.initial; });
+}
+
+bool RunRecord::tightened() const {
+  if (!choice) return false;
+  std::string_view result = picked ? *picked : choice->chosen;
+  const std::string given = kGivenBody + std::string(", ");
+  if (result.starts_with(given)) result.remove_prefix(given.size());
+  return result.starts_with(kTightened);  // elsewhere it may be part of a task's name
 }
 
 std::optional<double> RunRecord::fall_of_cost() const {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -24,6 +23,10 @@ struct PayloadRecord {
   std::array<double, 3> position{}, size{};  // [m]
 };
 void fields(Fields& f, PayloadRecord& payload);
+
+// What candidates are called: the given body, and, first word, what a tightened search found.
+inline constexpr const char* kGivenBody = "initial";
+inline constexpr const char* kTightened = "tightened";
 
 /// A design that was played before `optimize` chose its result.
 struct CandidateRecord {
@@ -205,13 +208,10 @@ struct RunRecord {
   std::optional<std::string> failure;  // why the status is "failed"
 
   bool joint() const { return tasks.has_value(); }
-  /// Whether no parameter of the body differs from the given one.
-  bool body_kept() const {
-    return std::all_of(parameters.begin(), parameters.end(),
-                       [](const ParameterRecord& p) { return p.final == p.initial; });
-  }
+  /// Whether the search has handed back the given body. Nothing is known of it before the end.
+  bool body_kept() const;
   /// Whether a tightened search found the result: `put_back` and `fewest_changes` tell its F.
-  bool tightened() const { return choice && choice->chosen.find("tightened") != std::string::npos; }
+  bool tightened() const;
   /// Whether the search came to an end, be it by a signal.
   bool ended() const { return status != "running" && status != "failed"; }
   /// Whether what is there is only the best so far.

@@ -135,6 +135,8 @@ TEST(ChooseDesign, TightensTheMotionOfTheGivenBodyAsWell) {
   const CandidateRecord& initial = searched.candidate(choice, "initial");
   EXPECT_FALSE(initial.played.pass);
   EXPECT_TRUE(choice.record.pass);
+  EXPECT_TRUE(choice.record.chosen.starts_with("initial, tightened motion"))
+      << choice.record.chosen;
   EXPECT_LT(choice.result.design.value, 1.1 * initial.F);
 
   // A glance ends with the first gain that fails, and sees all three where none does.

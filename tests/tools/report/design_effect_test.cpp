@@ -101,7 +101,20 @@ TEST_F(DesignEffect, ABodyThatStaysIsToldAsSuch) {
   EXPECT_TRUE(has(text, "Why the body did not change"));
   EXPECT_TRUE(has(text, "the same body, its gait tightened"));
   EXPECT_FALSE(has(text, "What changed in the body"));
+  EXPECT_TRUE(has(text, "so the difference is the gait’s."));
+  EXPECT_TRUE(in_order(text, {"Why the body did not change", "What it does", "mechanical power"}));
+  EXPECT_FALSE(has(text, "buys most"));
   EXPECT_TRUE(has(report_summary(data), "after: the same body, its gait tightened"));
+}
+
+TEST_F(DesignEffect, NothingIsSaidToStayBeforeTheEnd) {
+  edit_run([](Json& run) {
+    for (Json& parameter : run["parameters"]) parameter["final"] = parameter["initial"];
+    run["status"] = "running";
+  });
+  EXPECT_FALSE(read_run(run_).run.body_kept());
+  EXPECT_FALSE(has(page(), "did not change"));
+  EXPECT_FALSE(has(report_summary(read_run(run_)), "the same body"));
 }
 
 /// The order and its words are those of "What changed in the body": by what each buys.

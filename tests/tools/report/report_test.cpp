@@ -298,6 +298,9 @@ TEST_F(ReportTest, TellsHowFewChangesWouldDo) {
       "b.";
   EXPECT_EQ(fewest_words(read_run(run_).run), words);
   EXPECT_TRUE(has(page(), words));
+  RunRecord tightened = read_run(run_).run;
+  tightened.choice.emplace().chosen = "tightened: larger margins";
+  EXPECT_TRUE(has(fewest_words(tightened), words + " F is that of the tightened search"));
   EXPECT_TRUE(has(page(), "F by number of changed parameters"));
   expect_well_formed(page());
   EXPECT_TRUE(has(report_summary(read_run(run_)), "2 of 3 changes buy 96 %"));

@@ -55,6 +55,20 @@ TEST_F(RunSummary, StaysShortWhateverFails) {
   EXPECT_TRUE(has(text, "… and 80 more.")) << text;
 }
 
+TEST_F(RunSummary, SaysWhyAResultIsInfeasibleAndWhichWasPicked) {
+  const std::string before = report_summary(read_run(run_));
+  EXPECT_FALSE(has(before, "**Infeasible.**"));
+  EXPECT_FALSE(has(before, "picked by hand"));
+  edit_run([](Json& run) {
+    run["feasible"] = false;
+    run["reasons"] = {"joint hip needs 2 N m", "MuJoCo does not pass it"};
+    run["picked"] = "iteration 3";
+  });
+  EXPECT_TRUE(in_order(report_summary(read_run(run_)),
+                       {"Result picked by hand: iteration 3.", "**Infeasible.**",
+                        "- joint hip needs 2 N m", "- MuJoCo does not pass it"}));
+}
+
 TEST_F(RunSummary, HostileNamesStayText) {
   for (const std::string& raw : hostile_names()) {
     const std::string name = clean_utf8(raw);

@@ -61,7 +61,11 @@ TEST_F(Pick, FindsTheOptimumWherePhysicsChoseAnotherDesign) {
   EXPECT_TRUE(choice["pass"].get<bool>());
   EXPECT_EQ(call({"validate", "run", "--quick"}).code, 0);
 
-  ASSERT_EQ(call({"pick", "run", "--candidate", "optimum"}).code, 0);
+  const test::Outcome picked = call({"pick", "run", "--candidate", "optimum"});
+  ASSERT_EQ(picked.code, 0) << picked.err;
+  EXPECT_TRUE(test::contains(picked.out, "back: legwright pick run --candidate '" +
+                                             choice["chosen"].get<std::string>() + "'\n"))
+      << picked.out;
   EXPECT_EQ(run()["picked"], "optimum");
   EXPECT_EQ(run()["final_F"], choice["candidates"][0]["F"]);
   EXPECT_FALSE(run()["feasible"].get<bool>());

@@ -54,6 +54,36 @@ TEST(OptimizeSummary, TellsTheWholeCommandAndItsParts) {
       << text;
 }
 
+/// Not a design whose start is called after a task of that name, nor one that was picked instead.
+TEST(OptimizeSummary, TellsWhenFOfFewerChangesIsThatOfATightenedSearch) {
+  RunRecord run;
+  run.task.emplace().name = "walk";
+  run.status = "converged";
+  run.reasons.emplace();
+  run.seconds.emplace();
+  FewestChangesRecord& fewest = run.fewest_changes.emplace();
+  fewest.share = 0.95;
+  fewest.fewest = 1;
+  fewest.designs = {{{"a", "b"}, 1.0, {}}, {{"a"}, 1.04, {}}};
+  const auto told = [&] {
+    return optimize_summary(run, "runs/a").find("(F 1.04) of the tightened search") !=
+           std::string::npos;
+  };
+  EXPECT_FALSE(told());
+  for (const char* name :
+       {"tightened: larger margins", "initial, tightened motion: more clearance"}) {
+    run.choice.emplace().chosen = name;
+    EXPECT_TRUE(told()) << name;
+  }
+  run.picked = "optimum";
+  EXPECT_FALSE(told());
+  run.picked.reset();
+  for (const char* name : {"optimum", "from tightened_walk-alone"}) {
+    run.choice->chosen = name;
+    EXPECT_FALSE(told()) << name;
+  }
+}
+
 TEST(ViewerCure, SaysWhatStandsInTheWay) {
   const std::string cure = viewer_cure();
   EXPECT_TRUE(cure.find("--target legwright_viewer") != std::string::npos ||
