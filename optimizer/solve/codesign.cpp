@@ -9,6 +9,7 @@
 
 #include "optimizer/base/parallel.hpp"
 #include "optimizer/base/stopwatch.hpp"
+#include "optimizer/solve/joint_search.hpp"
 #include "optimizer/solve/lbfgs.hpp"
 #include "optimizer/solve/reduced_step.hpp"
 
@@ -35,6 +36,8 @@ class Codesign {
  private:
   SolveStatus optimise();
   SolveStatus search(int iterations);
+  bool search_jointly(int iterations);
+  bool follow(const JointPoint& point, bool last);
   bool has_outer() const;
   bool minimise_outer();
   void for_each_task(const std::function<void(int)>& work) const;
@@ -45,7 +48,6 @@ class Codesign {
   VectorXd lbfgs_direction() const;
   bool search_along(const VectorXd& direction);
   double first_step(const VectorXd& direction) const;
-  std::vector<double> ceilings(double total) const;
   double try_design(const VectorXd& s, double ceiling);
   void adapt_trust(double promised, double reached, double step);
   bool publish(const Stopwatch& watch);
@@ -59,7 +61,7 @@ class Codesign {
   Lbfgs lbfgs_;
   double trust_;         // largest change of a parameter in the next step [natural units]
   bool newton_ = false;  // the direction at hand is Newton's
-  std::vector<std::unique_ptr<TaskSolver>> solvers_;
+  TaskSolvers solvers_;
   DesignIteration now_;
   double searched_ = 0.0;        // Σ wᵢ Fᵢ, and Jᵢ where it counts: what the search lowers
   std::vector<double> history_;  // of it
@@ -101,11 +103,56 @@ SolveStatus Codesign::optimise() {
   }
   const int limit = options_.max_iterations;
   const bool alone = has_outer() && !options_.near_optimum;  // first F
-  SolveStatus status = search(alone ? (limit + 1) / 2 : limit);
+  const int first = alone ? (limit + 1) / 2 : limit;
+  if (!search_jointly(first)) return SolveStatus::stopped;
+  SolveStatus status = search(first);
   if (status != SolveStatus::stopped && alone && minimise_outer()) status = search(limit);
   if (status == SolveStatus::stopped) return status;
   polish();
   return status == SolveStatus::converged && !at_minimum() ? SolveStatus::stalled : status;
+}
+
+// Body and motions together, from the first motions and from those on the way of iteration 0.
+// @return false where the caller asked to stop
+bool Codesign::search_jointly(int iterations) {
+  const bool wanted = options_.method == DesignMethod::joint && !options_.near_optimum;
+  if (!wanted || iterations <= 0) return true;
+  const JointNewtonResult found = joint_search(solvers_, box_, now_.s, options_);
+  result_.newton_iterations += found.iterations;
+  result_.factorisations += found.factorisations;
+  result_.evaluations += found.evaluations;
+  if (found.path.empty() || !(found.best().value < searched_)) return true;
+  const DesignIteration before = now_;
+  const bool stopped = found.status == SolveStatus::stopped;
+  // The first point has the design that iteration 0 has.
+  const std::size_t count = std::min<std::size_t>(found.path.size() - 1, iterations);
+  for (std::size_t k = stopped ? count : 1; k <= count; ++k) {
+    const Stopwatch watch;
+    for (const auto& solver : solvers_) solver->begin_iteration();
+    if (!follow(found.path[k], k == count)) break;
+    now_.index = ++result_.design_iterations;
+    if (!publish(watch) || stopped) return false;
+  }
+  if (result_.design_iterations == 0) now_ = before;
+  history_.clear();
+  return true;
+}
+
+// Makes a point of a joint search the iterate; the last one with its motions at their minimum.
+bool Codesign::follow(const JointPoint& point, bool last) {
+  const DesignIteration before = now_;
+  std::vector<int> finite(solvers_.size());
+  for_each_task([&](int i) {
+    finite[i] = solvers_[i]->adopt(point.s, point.motions[i]);
+    if (finite[i] && last) solvers_[i]->polish();
+  });
+  now_.s = point.s;
+  if (std::all_of(finite.begin(), finite.end(), [](int c) { return c != 0; }) && differentiate())
+    return true;
+  for (std::size_t i = 0; i < solvers_.size(); ++i)
+    (void)solvers_[i]->adopt(before.s, before.tasks[i].m);
+  now_ = before;
+  return false;
 }
 
 bool Codesign::has_outer() const {
@@ -171,7 +218,7 @@ bool Codesign::differentiate() {
   const int count = static_cast<int>(solvers_.size());
   const bool outer = std::any_of(solvers_.begin(), solvers_.end(),
                                  [](const auto& s) { return s->outer_counts(); });
-  const bool second = options_.method == DesignMethod::newton && !outer && !options_.motion_only;
+  const bool second = options_.method != DesignMethod::lbfgs && !outer && !options_.motion_only;
   std::vector<int> finite(count), curved(count);
   std::vector<Eigen::MatrixXd> hessians(count);
   for_each_task([&](int i) {
@@ -276,26 +323,8 @@ void Codesign::adapt_trust(double promised, double reached, double step) {
     trust_ = std::min(2.0 * trust_, options_.largest_change);
 }
 
-// How high each Fᵢ may be so that F_joint can still come down to `total`.
-std::vector<double> Codesign::ceilings(double total) const {
-  std::vector<double> values;
-  double others = 0.0;
-  for (const auto& solver : solvers_) {
-    const double value = solver->weight() * solver->searched_value();
-    values.push_back(value - options_.largest_task_gain * std::abs(value));
-    others += values.back();
-  }
-  std::vector<double> result;
-  for (std::size_t i = 0; i < solvers_.size(); ++i) {
-    const double alone = solvers_.size() == 1 ? 0.0 : others - values[i];
-    result.push_back(solvers_[i]->outer_counts() ? std::numeric_limits<double>::infinity()
-                                                 : (total - alone) / solvers_[i]->weight());
-  }
-  return result;
-}
-
 double Codesign::try_design(const VectorXd& s, double ceiling) {
-  const std::vector<double> limits = ceilings(ceiling);
+  const std::vector<double> limits = ceilings(solvers_, ceiling, options_.largest_task_gain);
   std::vector<double> values(solvers_.size());
   for_each_task([&](int i) { values[i] = solvers_[i]->try_design(s, limits[i]); });
   double total = 0.0;

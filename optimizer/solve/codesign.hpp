@@ -34,7 +34,8 @@ struct DesignIteration {
 
 /// How s is stepped.
 enum class DesignMethod {
-  newton,  // with the exact reduced Hessian where it is known, L-BFGS elsewhere
+  joint,   // together with the motions (solve/joint_newton), then as `newton`
+  newton,  // by itself, with the exact reduced Hessian where it is known, L-BFGS elsewhere
   lbfgs,   // the paper's
 };
 
@@ -44,7 +45,7 @@ struct CodesignOptions : MotionLimits {
   int history = 10;                // L-BFGS pairs
   double design_tolerance = 1e-4;  // on projected_gradient_norm
   double value_tolerance = 1e-5;   // relative decrease of F over three iterations that is none
-  DesignMethod method = DesignMethod::newton;
+  DesignMethod method = DesignMethod::joint;
   int threads = 1;  // at most one per task is of use; results do not depend on it
 
   // Decrease of F that a step needs, as a share of what the gradient promises.
@@ -56,9 +57,11 @@ struct CodesignOptions : MotionLimits {
   // than this share of its F in one step.
   double largest_task_gain = 0.5;
   bool motion_only = false;   // stop after iteration 0
-  bool near_optimum = false;  // the start is near an optimum of F + J: J counts at once
+  bool near_optimum = false;  // the start is near an optimum of F + J: J counts at once, and
+                              // Algorithm 1 alone is the shorter way
   /// Called after every accepted iteration, in order; return false to stop (status `stopped`).
   std::function<bool(const DesignIteration&)> on_iteration = {};
+  std::function<bool()> go_on = {};  // asked between iterations too; false: stop
 };
 
 /// Wall seconds by phase; `motion`, `adjoint` and `predictor` are sums over tasks.
@@ -81,8 +84,11 @@ struct CodesignResult {
   std::vector<double> solve_seconds;  // of each motion solve after iteration 0
 };
 
-/// Algorithm 1 for F_joint(s, m₁ … m_k) = Σ wᵢ Fᵢ(s, mᵢ): Newton's method or L-BFGS on s within
-/// hard bounds, exact Newton on each mᵢ, dF/ds by the adjoint equations (7), (8). With an outer
+/// min F_joint(s, m₁ … m_k) = Σ wᵢ Fᵢ(s, mᵢ). Algorithm 1: Newton's method or L-BFGS on s within
+/// hard bounds, exact Newton on each mᵢ, dF/ds by the adjoint equations (7), (8). Before it, unless
+/// the method says otherwise, body and motions are stepped together, from the first motions and
+/// from those on the way of iteration 0, and Algorithm 1 sets out from the better end; iterations
+/// are then points of that way, a few tenths of a natural unit of s apart. With an outer
 /// objective Σ wᵢ (Fᵢ + Jᵢ) is minimised over s, and the motions still minimise Fᵢ: at most half of
 /// the iterations go to the optimum of Fᵢ, unless near_optimum, and from there L-BFGS steps s.
 /// `converged`: projected gradient below design_tolerance (motion_only: the motions' status).

@@ -3,14 +3,29 @@
 
 namespace legwright {
 
+void CostFunction::set_step_base(const Eigen::VectorXd&, const Eigen::VectorXd&, bool) {}
+
+void CostFunction::correct_step(const Eigen::VectorXd&, Eigen::VectorXd&) {}
+
 ObjectiveCost::ObjectiveCost(const Objective& objective)
-    : objective_(objective), workspace_(objective.make_workspace()) {}
+    : objective_(objective),
+      workspace_(objective.make_workspace()),
+      poses_(objective.morphology(), objective.layout(), objective.motion_units()) {}
 
 ObjectiveCost::~ObjectiveCost() = default;
 
 void ObjectiveCost::evaluate(const Eigen::VectorXd& s, const Eigen::VectorXd& m, Order order,
                              Evaluation& out) {
   objective_.evaluate(s, m, order, *workspace_, out);
+}
+
+void ObjectiveCost::set_step_base(const Eigen::VectorXd& s, const Eigen::VectorXd& m,
+                                  bool design_moves) {
+  poses_.set_base(s, m, design_moves);
+}
+
+void ObjectiveCost::correct_step(const Eigen::VectorXd& s, Eigen::VectorXd& m) {
+  poses_.correct(s, m);
 }
 
 const Eigen::VectorXd& ObjectiveCost::motion_units() const { return objective_.motion_units(); }

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "optimizer/motion/pose_correction.hpp"
 #include "optimizer/objective/objective.hpp"
 
 namespace legwright {
@@ -20,6 +21,12 @@ class CostFunction {
                         Evaluation& out) = 0;
   /// Physical unit of each entry of m, all positive: Newton damps and measures in these.
   virtual const Eigen::VectorXd& motion_units() const = 0;
+  /// The point that steps set out from, before correct_step(). @param design_moves whether s will
+  /// change in them
+  virtual void set_step_base(const Eigen::VectorXd& s, const Eigen::VectorXd& m, bool design_moves);
+  /// Second-order correction: bends the end m of a straight step in (s, m) so that it stays where
+  /// the linear model of stiff terms has it. Of second order in the step; here none.
+  virtual void correct_step(const Eigen::VectorXd& s, Eigen::VectorXd& m);
   /// Names of Evaluation::term_values; empty where F has no parts.
   virtual std::vector<std::string_view> term_names() const { return {}; }
 };
@@ -32,11 +39,16 @@ class ObjectiveCost final : public CostFunction {
   void evaluate(const Eigen::VectorXd& s, const Eigen::VectorXd& m, Order order,
                 Evaluation& out) override;
   const Eigen::VectorXd& motion_units() const override;
+  /// Eq (12), by motion/pose_correction.
+  void set_step_base(const Eigen::VectorXd& s, const Eigen::VectorXd& m,
+                     bool design_moves) override;
+  void correct_step(const Eigen::VectorXd& s, Eigen::VectorXd& m) override;
   std::vector<std::string_view> term_names() const override;
 
  private:
   const Objective& objective_;
   std::unique_ptr<Objective::Workspace> workspace_;
+  PoseCorrection poses_;
 };
 
 }  // namespace legwright

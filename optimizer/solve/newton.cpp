@@ -97,6 +97,7 @@ SolveReport Newton::run() {
     if (beyond_ceiling()) return finish(SolveStatus::stopped);
     if (iterate() != Outcome::moved) return finish(SolveStatus::stalled);
     ++report_.iterations;
+    if (options_.on_step) options_.on_step(report_.iterations, m_);
   }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <limits>
 
 #include "optimizer/factor/hessian_factor.hpp"
@@ -42,6 +43,9 @@ struct NewtonOptions {
   double stagnation_decrease = 1e-4;
   // A solve whose F cannot be expected to come below this one is left with status `stopped`.
   double value_ceiling = std::numeric_limits<double>::infinity();
+
+  /// Called after each step with the number of steps so far and the motion.
+  std::function<void(int, const Eigen::VectorXd&)> on_step = {};
 };
 
 /// Memory of motion solves. Reused from call to call, so that the pattern is analysed once.

@@ -62,6 +62,19 @@ VectorXd reduced_newton_step(const MatrixXd& hessian, const VectorXd& gradient, 
   return step.cwiseMax(low).cwiseMin(high).cwiseProduct(box.scale);
 }
 
+VectorXd steepest_step(const MatrixXd& hessian, const VectorXd& gradient, const VectorXd& s,
+                       const DesignBox& box, double largest_change) {
+  const VectorXd g = gradient.cwiseProduct(box.scale);
+  const double largest = g.lpNorm<Eigen::Infinity>();
+  if (!(largest > 0.0)) return VectorXd::Zero(s.size());
+  const VectorXd low = (box.lower - s).cwiseQuotient(box.scale).cwiseMax(-largest_change);
+  const VectorXd high = (box.upper - s).cwiseQuotient(box.scale).cwiseMin(largest_change);
+  const VectorXd whole = (-g * (largest_change / largest)).cwiseMax(low).cwiseMin(high);
+  const VectorXd step = whole.cwiseProduct(box.scale);
+  const double slope = gradient.dot(step), curvature = step.dot(hessian * step);
+  return curvature > 0.0 ? std::min(1.0, -slope / curvature) * step : step;
+}
+
 double model_change(const MatrixXd& hessian, const VectorXd& gradient, const VectorXd& step) {
   return gradient.dot(step) + 0.5 * step.dot(hessian * step);
 }

@@ -20,6 +20,12 @@ Eigen::VectorXd reduced_newton_step(const Eigen::MatrixXd& hessian, const Eigen:
                                     const Eigen::VectorXd& s, const DesignBox& box,
                                     double largest_change);
 
+/// The model's least along the scaled gradient, within the same limits: never uphill, as Newton's
+/// step is where the limits cut it much. Zero where the gradient is.
+Eigen::VectorXd steepest_step(const Eigen::MatrixXd& hessian, const Eigen::VectorXd& gradient,
+                              const Eigen::VectorXd& s, const DesignBox& box,
+                              double largest_change);
+
 /// Change of F that the quadratic model promises for a step, gᵀΔs + ½ ΔsᵀBΔs.
 double model_change(const Eigen::MatrixXd& hessian, const Eigen::VectorXd& gradient,
                     const Eigen::VectorXd& step);

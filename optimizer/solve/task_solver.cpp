@@ -15,6 +15,7 @@ namespace {
 
 using Eigen::VectorXd;
 
+constexpr int kEarlySteps = 10;  // of iteration 0
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 std::vector<TermValue> named_terms(const CostFunction& cost, const Evaluation& at) {
@@ -78,8 +79,11 @@ double TaskSolver::outer_value(const VectorXd& s, const VectorXd& m) {
 // would be thrown away with the design, so the solve is left when F hardly falls any more.
 bool TaskSolver::start(const VectorXd& s) {
   here_.s = s;
-  const SolveReport report =
-      solve(s, here_.m, options(limits_.final_tolerance, limits_.motion_iterations));
+  NewtonOptions rules = options(limits_.final_tolerance, limits_.motion_iterations);
+  rules.on_step = [this](int steps, const VectorXd& m) {
+    if (steps == kEarlySteps) early_motion_ = m;
+  };
+  const SolveReport report = solve(s, here_.m, rules);
   motion_only_trace_ = report.history;
   take(report, here_);
   std::swap(factor_, workspace_.factor);
@@ -180,6 +184,16 @@ VectorXd TaskSolver::predicted_motion(const VectorXd& s) {
   return start;
 }
 
+bool TaskSolver::adopt(const VectorXd& s, const VectorXd& m) {
+  task_.cost->evaluate(s, m, Order::value, probe_);
+  ++effort_.evaluations;
+  here_ = {s, m};
+  here_.value = probe_.value;
+  here_.outer_value = outer_value(s, m);
+  show_here();
+  return std::isfinite(here_.value) && std::isfinite(here_.outer_value);
+}
+
 void TaskSolver::polish() {
   trial_.s = here_.s;
   trial_.m = here_.m;
@@ -191,6 +205,23 @@ void TaskSolver::polish() {
     return;
   trial_.outer_value = outer_value(trial_.s, trial_.m);
   accept();
+}
+
+std::vector<double> ceilings(const TaskSolvers& solvers, double total, double largest_gain) {
+  std::vector<double> values;
+  double others = 0.0;
+  for (const auto& solver : solvers) {
+    const double value = solver->weight() * solver->searched_value();
+    values.push_back(value - largest_gain * std::abs(value));
+    others += values.back();
+  }
+  std::vector<double> result;
+  for (std::size_t i = 0; i < solvers.size(); ++i) {
+    const double alone = solvers.size() == 1 ? 0.0 : others - values[i];
+    result.push_back(solvers[i]->outer_counts() ? kInfinite
+                                                : (total - alone) / solvers[i]->weight());
+  }
+  return result;
 }
 
 }  // namespace legwright

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <string_view>
 #include <vector>
 
@@ -83,6 +84,8 @@ class TaskSolver {
   bool reduced_hessian(Eigen::MatrixXd& hessian);
   /// Solves the iterate's motion to the final tolerance.
   void polish();
+  /// Makes a design and its motion, found elsewhere, the iterate. False where F or J is not finite.
+  bool adopt(const Eigen::VectorXd& s, const Eigen::VectorXd& m);
 
   const TaskIterate& now() const { return now_; }
   double weight() const { return task_.weight; }
@@ -93,8 +96,12 @@ class TaskSolver {
   /// F, and J where it counts, at the iterate.
   double searched_value() const { return now_.value + (outer_counts_ ? now_.outer_value : 0.0); }
   const TaskEffort& effort() const { return effort_; }
+  const WeightedCost& task() const { return task_; }
   /// F by Newton step of iteration 0.
   const std::vector<double>& motion_only_trace() const { return motion_only_trace_; }
+  /// The motion after ten steps of iteration 0: what a body that cannot do the task does before its
+  /// motion gives way to that. Empty where there were fewer.
+  const Eigen::VectorXd& early_motion() const { return early_motion_; }
 
  private:
   SolveReport solve(const Eigen::VectorXd& s, Eigen::VectorXd& m, const NewtonOptions& options);
@@ -124,6 +131,13 @@ class TaskSolver {
   TaskIterate now_;
   TaskEffort effort_;
   std::vector<double> motion_only_trace_;
+  Eigen::VectorXd early_motion_;
 };
+
+using TaskSolvers = std::vector<std::unique_ptr<TaskSolver>>;
+
+/// How high each Fᵢ, with Jᵢ where that counts, may be so that F_joint can still come down to
+/// `total` although each other task gains no more than that share of its F.
+std::vector<double> ceilings(const TaskSolvers& solvers, double total, double largest_gain);
 
 }  // namespace legwright

@@ -24,6 +24,7 @@ constexpr std::size_t kLeversKept = 7;  // from the second round on
 constexpr std::size_t kFinalists = 6;   // that are played to the end where nothing passes
 constexpr int kSearchIterations = 12;   // of each: it starts from a design that is nearly right
 constexpr double kDear = 1.3;  // × F of the optimum: a design that passes with more is not the last
+constexpr double kAnother = 1.01;  // × F of the optimum: another start's end with more is another
 constexpr double kGain = 0.99;  // of the distance from passing: a round that gains less is the last
 
 /// Searches on from a candidate with tightened tasks. @return nothing where there is no such design
@@ -98,6 +99,22 @@ std::vector<Candidate> further_candidates(const MultistartResult& found,
   return out;
 }
 
+/// The optimum of the other starts that has the least F, if that is another design.
+std::optional<Candidate> other_optimum(const MultistartResult& found) {
+  const double best = found.winner().best.value;
+  const StartedRun* least = nullptr;
+  for (std::size_t i = 0; i < found.joint.size(); ++i) {
+    const StartedRun& run = found.joint[i];
+    const double value = run.result.best.value;
+    if (static_cast<int>(i) == found.best || run.result.best.tasks.empty() ||
+        !(value > kAnother * best && value < kDear * best))
+      continue;
+    if (least == nullptr || value < least->result.best.value) least = &run;
+  }
+  if (least == nullptr) return std::nullopt;
+  return Candidate{"from " + least->label.start, least->result.best, {}, {}};
+}
+
 /// Plays candidates and keeps the best of them.
 class DesignChooser {
  public:
@@ -116,6 +133,7 @@ class DesignChooser {
   /// alone first, which cost one motion solve each, then in rounds of body and motion. Each goes
   /// on from the nearest ones of the last.
   void tighten(const Candidate& from, const PlayedCandidate& played) {
+    set_origin(from);
     std::vector<PlayedDesign> beam{{from, played, {}}};
     if (!options_.codesign.motion_only)  // with a kept body the rounds are of the motion alone
       play_by_rising_cost(search_pulls(pulls_on(beam), Searched::motion));
@@ -141,11 +159,12 @@ class DesignChooser {
 
   /// One pull of each lever on the motion alone of another design that failed.
   void tighten_motion(const Candidate& from, const PlayedCandidate& played) {
-    levers_ = all_levers();
+    set_origin(from);
     const std::vector<PlayedDesign> beam{{from, played, {}}};
     play_by_rising_cost(search_pulls(pulls_on(beam), Searched::motion));
   }
 
+  bool passes() const { return played_.pass; }
   bool stopped() const { return options_.stop && options_.stop(); }
   /// Whether a candidate with this F could still become the result.
   bool worth_playing(double value) const { return !played_.pass || value < best_->design.value; }
@@ -197,6 +216,12 @@ class DesignChooser {
     Lever lever;
     std::vector<Tightening> tightening;
   };
+
+  /// Where tightened searches set out from; all levers again.
+  void set_origin(const Candidate& from) {
+    origin_ = from.name == kOptimum ? "" : from.name + ", ";
+    levers_ = all_levers();
+  }
 
   /// What did least in the first round, each lever by itself, is left alone from then on.
   void keep_best_levers(const std::vector<PlayedDesign>& sorted) {
@@ -263,8 +288,8 @@ class DesignChooser {
       auto design = search_tightened(problem_, tasks_, pull.from->design, pull.tightening,
                                      options_.space.value_or(problem_.robot.space), search);
       if (!design) return;
-      design->name = (pull.from->design.name == kGivenBody ? kGivenBody + std::string(", ") : "") +
-                     kTightened + (motion ? " motion: " : ": ") + words_of(pull.tightening);
+      design->name =
+          origin_ + kTightened + (motion ? " motion: " : ": ") + words_of(pull.tightening);
       slots[i] = {std::move(*design), {}, pull.lever};
     });
     std::vector<PlayedDesign> out;
@@ -328,6 +353,7 @@ class DesignChooser {
   const std::vector<JointTask>& tasks_;
   const ChoiceOptions& options_;
   std::vector<Lever> levers_ = all_levers();
+  std::string origin_;  // how names of designs from there begin
   ChoiceRecord record_;
   std::vector<std::pair<std::size_t, Candidate>> kept_;
   std::vector<Finalist> finalists_;
@@ -343,7 +369,7 @@ ChosenDesign choose_design(const CodesignProblem& problem, const std::vector<Joi
   const Stopwatch watch;
   load_gait_plugin();
   DesignChooser chooser(problem, tasks, options);
-  const Candidate optimum{"optimum", found.winner().best, {}, {}};
+  const Candidate optimum{kOptimum, found.winner().best, {}, {}};
   const PlayedCandidate played = chooser.consider(optimum);
   if (!played.pass) {
     const DesignIteration& initial = found.joint.front().result.initial;
@@ -356,6 +382,9 @@ ChosenDesign choose_design(const CodesignProblem& problem, const std::vector<Joi
     if (other_body && !played_given.pass && !chooser.stopped() &&
         chooser.worth_playing(initial.value))
       chooser.tighten_motion(given, played_given);
+    if (const auto other = other_optimum(found);
+        other && !chooser.passes() && !chooser.stopped() && !options.space)
+      chooser.tighten(*other, chooser.consider(*other));
     const std::vector<Candidate> further =
         options.space ? std::vector<Candidate>{} : further_candidates(found, along);
     for (const Candidate& candidate : further)

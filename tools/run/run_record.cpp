@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 
 namespace legwright {
 
@@ -231,10 +230,9 @@ bool RunRecord::body_kept() const {
 
 bool RunRecord::tightened() const {
   if (!choice) return false;
-  std::string_view result = picked ? *picked : choice->chosen;
-  const std::string given = kGivenBody + std::string(", ");
-  if (result.starts_with(given)) result.remove_prefix(given.size());
-  return result.starts_with(kTightened);  // elsewhere it may be part of a task's name
+  const std::string& result = picked ? *picked : choice->chosen;
+  return result.starts_with(kTightened) ||
+         result.find(std::string(", ") + kTightened) != std::string::npos;
 }
 
 std::optional<double> RunRecord::fall_of_cost() const {

@@ -24,7 +24,9 @@ struct PayloadRecord {
 };
 void fields(Fields& f, PayloadRecord& payload);
 
-// What candidates are called: the given body, and, first word, what a tightened search found.
+// What candidates are called: F's optimum; the given body; and what a tightened search found, from
+// the optimum, or from another candidate: "initial, tightened motion: larger margins".
+inline constexpr const char* kOptimum = "optimum";
 inline constexpr const char* kGivenBody = "initial";
 inline constexpr const char* kTightened = "tightened";
 

@@ -28,7 +28,10 @@ MultistartOptions settings_of(const OptimizeOptions& options, int task_count) {
   MultistartOptions settings;
   settings.codesign.max_iterations = options.max_iterations;
   settings.codesign.motion_only = options.motion_only;
-  settings.codesign.method = options.lbfgs ? DesignMethod::lbfgs : DesignMethod::newton;
+  settings.codesign.method = options.lbfgs     ? DesignMethod::lbfgs
+                             : options.bilevel ? DesignMethod::newton
+                                               : DesignMethod::joint;
+  settings.codesign.go_on = [] { return !StopSignals::asked(); };
   settings.codesign.threads = std::min(task_count, all_threads(options));
   settings.from_single_tasks = !options.one_start && !options.motion_only;
   settings.perturbations = options.motion_only ? 0 : options.starts;
@@ -89,8 +92,12 @@ void add_options(CLI::App& verb, OptimizeOptions& options) {
   verb.add_flag("--no-reasons", options.no_reasons,
                 "not what each change of the body buys, nor how few of them would do; both cost "
                 "about as much as the search");
+  verb.add_flag("--bilevel", options.bilevel,
+                "solve the motion anew for each body, as the paper's Algorithm 1 does, instead of "
+                "stepping body and motion together");
   verb.add_flag("--lbfgs", options.lbfgs,
-                "step the design by L-BFGS, as the paper does, instead of Newton's method");
+                "the same, with the design stepped by L-BFGS, as in the paper, instead of Newton's "
+                "method");
   verb.add_flag("--few", options.few,
                 "hand back the body with the fewest changes that keeps most of the fall of F");
   verb.add_option("--few-keeps", options.few_keeps, "how much of the fall of F [%]")

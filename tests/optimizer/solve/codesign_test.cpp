@@ -16,8 +16,10 @@ using Eigen::VectorXd;
 using toy::kDesignSize;
 using toy::kMotionSize;
 
+/// Algorithm 1 by itself.
 CodesignOptions tight() {
   CodesignOptions options;
+  options.method = DesignMethod::newton;
   options.design_tolerance = 1e-7;
   options.value_tolerance = 1e-14;
   options.motion_tolerance = 1e-9;
@@ -191,6 +193,41 @@ TEST(Codesign, BothMethodsFindTheSameMinimumNewtonInFewerSteps) {
   EXPECT_EQ(lbfgs.status, SolveStatus::converged);
   EXPECT_LT((newton.best.s - lbfgs.best.s).norm(), 1e-5);
   EXPECT_LT(newton.design_iterations, lbfgs.design_iterations);
+}
+
+TEST(Codesign, StepsBodyAndMotionTogetherByDefault) {
+  CodesignOptions options = exact;
+  options.method = CodesignOptions{}.method;
+  ASSERT_EQ(options.method, DesignMethod::joint);
+  std::vector<DesignIteration> seen;
+  options.on_iteration = [&](const DesignIteration& i) { return seen.push_back(i), true; };
+  const CodesignResult joint = run(10.0, options), bilevel = run(10.0);
+  ASSERT_EQ(joint.status, SolveStatus::converged);
+  EXPECT_LT((joint.best.s - bilevel.best.s).norm(), 1e-6);
+  EXPECT_EQ(joint.initial.value, bilevel.initial.value) << "iteration 0 is the given body's own";
+  ASSERT_EQ(static_cast<int>(seen.size()), joint.design_iterations + 1);
+  for (std::size_t k = 0; k < seen.size(); ++k) {
+    EXPECT_EQ(seen[k].index, static_cast<int>(k));
+    if (k > 0) {
+      EXPECT_LT(seen[k].value, seen[k - 1].value);
+    }
+  }
+  EXPECT_GT(joint.best.reduced_hessian.size(), 0);
+  // As many of its points as there may be iterations.
+  options.max_iterations = 1;
+  options.on_iteration = {};
+  EXPECT_EQ(run(10.0, options).design_iterations, 1);
+}
+
+TEST(Codesign, AStopBetweenIterationsKeepsTheBestSoFar) {
+  CodesignOptions options = exact;
+  options.method = DesignMethod::joint;
+  int asked = 0;
+  options.go_on = [&] { return ++asked < 4; };
+  const CodesignResult result = run(10.0, options);
+  EXPECT_EQ(result.status, SolveStatus::stopped);
+  EXPECT_EQ(result.design_iterations, 1);
+  EXPECT_LT(result.best.value, result.initial.value);
 }
 
 /// Two different tasks for one body.

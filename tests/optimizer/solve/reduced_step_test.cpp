@@ -77,5 +77,19 @@ TEST(ReducedNewtonStep, NothingWithoutFiniteNumbers) {
             0.0);
 }
 
+TEST(SteepestStep, IsTheModelsLeastAlongTheGradientWithinTheBox) {
+  const MatrixXd h = convex(3);
+  const VectorXd g(VectorXd::LinSpaced(3, -0.5, 0.7)), s = VectorXd::Zero(3);
+  const VectorXd step = steepest_step(h, g, s, box(3, 10.0), 10.0);
+  EXPECT_LT((step / step.norm() + g / g.norm()).norm(), 1e-12);
+  EXPECT_NEAR(step.dot(h * step), -g.dot(step), 1e-12);  // the slope is gone at its end
+  // Curved downwards it goes as far as it may.
+  EXPECT_NEAR(steepest_step(-h, g, s, box(3, 10.0), 0.2).lpNorm<Eigen::Infinity>(), 0.2, 1e-15);
+  DesignBox narrow = box(3, 10.0);
+  narrow.lower[2] = 0.0;  // where the gradient pushes
+  EXPECT_EQ(steepest_step(h, g, s, narrow, 0.2)[2], 0.0);
+  EXPECT_EQ(steepest_step(h, VectorXd::Zero(3), s, narrow, 0.2).norm(), 0.0);
+}
+
 }  // namespace
 }  // namespace legwright

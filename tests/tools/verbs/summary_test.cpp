@@ -70,8 +70,8 @@ TEST(OptimizeSummary, TellsWhenFOfFewerChangesIsThatOfATightenedSearch) {
            std::string::npos;
   };
   EXPECT_FALSE(told());
-  for (const char* name :
-       {"tightened: larger margins", "initial, tightened motion: more clearance"}) {
+  for (const char* name : {"tightened: larger margins", "initial, tightened motion: more clearance",
+                           "from pace, tightened: wider stance"}) {
     run.choice.emplace().chosen = name;
     EXPECT_TRUE(told()) << name;
   }

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimizer/solve/joint_search.hpp"
+
+#include <utility>
+
+namespace legwright {
+
+using Eigen::VectorXd;
+
+JointNewtonResult joint_search(const TaskSolvers& solvers, const DesignBox& box, const VectorXd& s,
+                               const CodesignOptions& options) {
+  JointNewtonOptions rules;
+  rules.motion_tolerance = options.motion_tolerance;
+  rules.design_tolerance = options.design_tolerance;
+  rules.first_trust = options.largest_first_change;
+  rules.largest_trust = options.largest_change;
+  rules.threads = options.threads;
+  rules.go_on = options.go_on;
+  std::vector<WeightedCost> tasks;
+  std::vector<VectorXd> first, early;
+  for (const auto& solver : solvers) {
+    tasks.push_back(solver->task());
+    first.push_back(solver->task().initial_motion);
+    if (solver->early_motion().size() > 0) early.push_back(solver->early_motion());
+  }
+  std::vector<std::vector<VectorXd>> starts{first};
+  if (early.size() == first.size()) starts.push_back(std::move(early));
+  return joint_newton(tasks, box, s, starts, rules);
+}
+
+}  // namespace legwright
