@@ -268,6 +268,7 @@ JointNewtonResult joint_newton(const std::vector<WeightedCost>& tasks, const Des
                                const std::vector<std::vector<VectorXd>>& motions,
                                const JointNewtonOptions& options) {
   std::vector<std::unique_ptr<JointNewton>> searches;
+  searches.reserve(motions.size());
   for (const std::vector<VectorXd>& first : motions)
     searches.push_back(std::make_unique<JointNewton>(tasks, box, start, first, options));
   if (searches.empty()) return {};

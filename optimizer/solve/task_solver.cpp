@@ -58,7 +58,7 @@ NewtonOptions TaskSolver::options(double tolerance, int limit) const {
 
 SolveReport TaskSolver::solve(const VectorXd& s, VectorXd& m, const NewtonOptions& options) {
   const Stopwatch watch;
-  const SolveReport report = newton(*task_.cost, s, m, options, workspace_);
+  SolveReport report = newton(*task_.cost, s, m, options, workspace_);
   effort_.newton_iterations += report.iterations;
   effort_.factorisations += report.factorisations;
   effort_.evaluations += report.evaluations;
@@ -104,7 +104,8 @@ double TaskSolver::try_design(const VectorXd& s, double ceiling) {
   if (report.status == SolveStatus::not_finite) return kInfinite;
   trial_.outer_value = outer_value(s, trial_.m);
   const double total = trial_.value + (outer_counts_ ? trial_.outer_value : 0.0);
-  return std::isfinite(total) ? total : kInfinite;
+  if (!std::isfinite(total)) return kInfinite;
+  return total;
 }
 
 // Newton's last factor becomes the one of the iterate.
