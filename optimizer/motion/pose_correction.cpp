@@ -47,19 +47,19 @@ void PoseCorrection::take_design(const VectorXd& s) {
   geometry_s_ = s;
 }
 
-void PoseCorrection::set_base(const VectorXd& s, const VectorXd& m, bool design_moves) {
+void PoseCorrection::set_base(const VectorXd& s, const VectorXd& m) {
   take_design(s);
   base_s_ = s;
   base_m_ = m;
-  for (int i = 0; i <= layout_.knot_count(); ++i) linearise(m, i, design_moves);
+  for (int i = 0; i <= layout_.knot_count(); ++i) linearise(m, i);
 }
 
-void PoseCorrection::linearise(const VectorXd& m, int index, bool design_moves) {
+void PoseCorrection::linearise(const VectorXd& m, int index) {
   Knot& knot = knots_[index];
-  const int size = layout_.pose_size(), columns = size + (design_moves ? layout_.design_size() : 0);
+  const int size = layout_.pose_size(), columns = size + layout_.design_size();
   compute_miss(m, index, knot.miss);
   const auto q = m.segment(at(layout_.pose(index)), size);
-  pose_.compute(morphology_, geometry_, q, design_moves ? PoseDetail::design : PoseDetail::rates);
+  pose_.compute(morphology_, geometry_, q, PoseDetail::design);
   knot.jacobian.resize(columns, miss_size());
   const auto add = [&](int first) {
     rows_.setZero(columns, 3);
@@ -88,9 +88,7 @@ void PoseCorrection::predict_miss(const VectorXd& m, int index) {
   };
   wanted_ = knot.miss;
   wanted_ += knot.jacobian.topRows(size).transpose() * moved(layout_.pose(index), size);
-  if (knot.jacobian.rows() > size)
-    wanted_ +=
-        knot.jacobian.bottomRows(layout_.design_size()).transpose() * (geometry_s_ - base_s_);
+  wanted_ += knot.jacobian.bottomRows(layout_.design_size()).transpose() * (geometry_s_ - base_s_);
   wanted_.head<3>() -= moved(layout_.com(index), 3);
   for (int j = 0; j < layout_.foot_count(); ++j)
     wanted_.segment<3>(3 + 3 * j) -= moved(layout_.foot(index, j), 3);
@@ -109,8 +107,7 @@ void PoseCorrection::correct_pose(const Knot& knot, int index, VectorXd& m) {
     if (k == kCorrections || now < kSmallMiss * morphology_.leg_length) return;
     m.segment(start, size) -= knot.pull_back * miss_;
   }
-  if (best_.size() == size && least < std::numeric_limits<double>::infinity())
-    m.segment(start, size) = best_;
+  if (least < std::numeric_limits<double>::infinity()) m.segment(start, size) = best_;
 }
 
 void PoseCorrection::correct(const VectorXd& s, VectorXd& m) {

@@ -21,8 +21,8 @@ class PoseCorrection {
   /// @param units of the motion (Layout::motion_units): in these a pose moves as little as it can
   PoseCorrection(const Morphology& morphology, const Layout& layout, const Eigen::VectorXd& units);
 
-  /// The point that steps set out from. @param design_moves whether s will change in a step
-  void set_base(const Eigen::VectorXd& s, const Eigen::VectorXd& m, bool design_moves);
+  /// The point that steps set out from.
+  void set_base(const Eigen::VectorXd& s, const Eigen::VectorXd& m);
   /// Moves the poses of m, which a straight step from the base led to; a pose of which that does
   /// not make the miss smaller stays. @param s design after the step
   void correct(const Eigen::VectorXd& s, Eigen::VectorXd& m);
@@ -38,7 +38,7 @@ class PoseCorrection {
   void take_design(const Eigen::VectorXd& s);
   /// φ(q_i, s) − (x_i, e_i) [m].
   void compute_miss(const Eigen::VectorXd& m, int knot, Eigen::VectorXd& out);
-  void linearise(const Eigen::VectorXd& m, int index, bool design_moves);
+  void linearise(const Eigen::VectorXd& m, int index);
   /// What the linear model says of the miss after the step to m.
   void predict_miss(const Eigen::VectorXd& m, int index);
   void correct_pose(const Knot& knot, int index, Eigen::VectorXd& m);

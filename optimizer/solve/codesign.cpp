@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <utility>
 
@@ -117,25 +116,28 @@ SolveStatus Codesign::optimise() {
 bool Codesign::search_jointly(int iterations) {
   const bool wanted = options_.method == DesignMethod::joint && !options_.near_optimum;
   if (!wanted || iterations <= 0) return true;
+  const Stopwatch whole;
   const JointNewtonResult found = joint_search(solvers_, box_, now_.s, options_);
-  result_.newton_iterations += found.iterations;
+  result_.newton_iterations += found.iterations * static_cast<int>(solvers_.size());
   result_.factorisations += found.factorisations;
   result_.evaluations += found.evaluations;
-  if (found.path.empty() || !(found.best().value < searched_)) return true;
-  const DesignIteration before = now_;
+  result_.seconds.motion += whole.seconds();
   const bool stopped = found.status == SolveStatus::stopped;
-  // The first point has the design that iteration 0 has.
-  const std::size_t count = std::min<std::size_t>(found.path.size() - 1, iterations);
-  for (std::size_t k = stopped ? count : 1; k <= count; ++k) {
+  // Its first points may have more F than iteration 0, whose motion is the best for its design.
+  std::vector<const JointPoint*> points;
+  for (const JointPoint& point : found.path)
+    if (point.value < searched_ && point.s != now_.s) points.push_back(&point);
+  const std::size_t most = stopped ? 1 : static_cast<std::size_t>(iterations);
+  if (points.size() > most) points.erase(points.begin(), points.end() - static_cast<long>(most));
+  for (const JointPoint* point : points) {
     const Stopwatch watch;
     for (const auto& solver : solvers_) solver->begin_iteration();
-    if (!follow(found.path[k], k == count)) break;
+    if (!follow(*point, point == points.back())) break;
     now_.index = ++result_.design_iterations;
-    if (!publish(watch) || stopped) return false;
+    if (!publish(watch)) return false;
   }
-  if (result_.design_iterations == 0) now_ = before;
-  history_.clear();
-  return true;
+  if (!points.empty()) history_.clear();
+  return !stopped;
 }
 
 // Makes a point of a joint search the iterate; the last one with its motions at their minimum.
@@ -149,8 +151,10 @@ bool Codesign::follow(const JointPoint& point, bool last) {
   now_.s = point.s;
   if (std::all_of(finite.begin(), finite.end(), [](int c) { return c != 0; }) && differentiate())
     return true;
-  for (std::size_t i = 0; i < solvers_.size(); ++i)
-    (void)solvers_[i]->adopt(before.s, before.tasks[i].m);
+  for_each_task([&](int i) {
+    (void)solvers_[i]->adopt(before.s, before.tasks[static_cast<std::size_t>(i)].m);
+    (void)solvers_[i]->differentiate();
+  });
   now_ = before;
   return false;
 }
@@ -177,6 +181,7 @@ SolveStatus Codesign::search(int iterations) {
       status = at_minimum() ? SolveStatus::converged : SolveStatus::stalled;
       break;
     }
+    if (options_.go_on && !options_.go_on()) return SolveStatus::stopped;
     const Stopwatch watch;
     if (value_settled() || !step()) {
       status = SolveStatus::stalled;

@@ -12,8 +12,9 @@
 
 namespace legwright {
 
-/// One accepted iterate (s, m₁*(s) … m_k*(s)) of Algorithm 1. Iteration 0 is motion-only
-/// optimisation of the design that the run starts from.
+/// One accepted iterate (s, m₁*(s) … m_k*(s)) of Algorithm 1, or a point on the way of body and
+/// motions together, whose motions are on their way to m*(s), too, and its gradient with them.
+/// Iteration 0 is motion-only optimisation of the design that the run starts from.
 struct DesignIteration {
   int index = 0;
   Eigen::VectorXd s;
@@ -61,10 +62,11 @@ struct CodesignOptions : MotionLimits {
                               // Algorithm 1 alone is the shorter way
   /// Called after every accepted iteration, in order; return false to stop (status `stopped`).
   std::function<bool(const DesignIteration&)> on_iteration = {};
-  std::function<bool()> go_on = {};  // asked between iterations too; false: stop
+  std::function<bool()> go_on = {};  // asked before each iteration; false: stop
 };
 
-/// Wall seconds by phase; `motion`, `adjoint` and `predictor` are sums over tasks.
+/// Wall seconds by phase; `motion`, `adjoint` and `predictor` are sums over tasks. The search of
+/// body and motions together counts as `motion`.
 struct CodesignSeconds {
   double total = 0.0, motion = 0.0, adjoint = 0.0, predictor = 0.0;
 };

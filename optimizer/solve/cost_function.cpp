@@ -3,7 +3,7 @@
 
 namespace legwright {
 
-void CostFunction::set_step_base(const Eigen::VectorXd&, const Eigen::VectorXd&, bool) {}
+void CostFunction::set_step_base(const Eigen::VectorXd&, const Eigen::VectorXd&) {}
 
 void CostFunction::correct_step(const Eigen::VectorXd&, Eigen::VectorXd&) {}
 
@@ -19,9 +19,8 @@ void ObjectiveCost::evaluate(const Eigen::VectorXd& s, const Eigen::VectorXd& m,
   objective_.evaluate(s, m, order, *workspace_, out);
 }
 
-void ObjectiveCost::set_step_base(const Eigen::VectorXd& s, const Eigen::VectorXd& m,
-                                  bool design_moves) {
-  poses_.set_base(s, m, design_moves);
+void ObjectiveCost::set_step_base(const Eigen::VectorXd& s, const Eigen::VectorXd& m) {
+  poses_.set_base(s, m);
 }
 
 void ObjectiveCost::correct_step(const Eigen::VectorXd& s, Eigen::VectorXd& m) {

@@ -21,9 +21,8 @@ class CostFunction {
                         Evaluation& out) = 0;
   /// Physical unit of each entry of m, all positive: Newton damps and measures in these.
   virtual const Eigen::VectorXd& motion_units() const = 0;
-  /// The point that steps set out from, before correct_step(). @param design_moves whether s will
-  /// change in them
-  virtual void set_step_base(const Eigen::VectorXd& s, const Eigen::VectorXd& m, bool design_moves);
+  /// The point that steps set out from, before correct_step().
+  virtual void set_step_base(const Eigen::VectorXd& s, const Eigen::VectorXd& m);
   /// Second-order correction: bends the end m of a straight step in (s, m) so that it stays where
   /// the linear model of stiff terms has it. Of second order in the step; here none.
   virtual void correct_step(const Eigen::VectorXd& s, Eigen::VectorXd& m);
@@ -40,8 +39,7 @@ class ObjectiveCost final : public CostFunction {
                 Evaluation& out) override;
   const Eigen::VectorXd& motion_units() const override;
   /// Eq (12), by motion/pose_correction.
-  void set_step_base(const Eigen::VectorXd& s, const Eigen::VectorXd& m,
-                     bool design_moves) override;
+  void set_step_base(const Eigen::VectorXd& s, const Eigen::VectorXd& m) override;
   void correct_step(const Eigen::VectorXd& s, Eigen::VectorXd& m) override;
   std::vector<std::string_view> term_names() const override;
 

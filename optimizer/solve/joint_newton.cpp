@@ -53,6 +53,8 @@ class JointNewton {
   /// Goes on until so many iterations have been made in all.
   void run(int iterations) {
     if (result_.status != SolveStatus::iteration_limit) return;
+    if (!history_.empty())  // another search may have used the costs in between
+      for (const auto& block : blocks_) block->set_step_base(s_);
     result_.status = search(iterations);
     result_.factorisations = result_.evaluations = 0;
     for (const auto& block : blocks_) {
@@ -66,7 +68,8 @@ class JointNewton {
                                                      : value_;
   }
   JointNewtonResult take() {
-    if (!result_.path.empty() && value_ < result_.best().value) tell();
+    const bool known = !result_.path.empty() && result_.status != SolveStatus::not_finite;
+    if (known && value_ < result_.best().value) tell();
     return std::move(result_);
   }
   const JointNewtonResult& result() const { return result_; }
@@ -210,7 +213,8 @@ bool JointNewton::search_along(const JointStep& step) {
     double value = 0.0;
     for (std::size_t j = 0; j < values.size(); ++j) value += blocks_[j]->weight() * values[j];
     if (!acceptable(value, -t * step.slope)) continue;
-    const double promised = -step.slope * t * (1.0 - 0.5 * t);
+    const double whole = step.by_motions + step.by_design;  // of t = 1
+    const double promised = t * (-step.slope - t * (-step.slope - whole));
     s_ = s;
     for (const auto& block : blocks_) block->accept();
     adapt(step, t, (value_ - value) / promised);

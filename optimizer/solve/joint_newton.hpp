@@ -3,7 +3,6 @@
 
 #include <Eigen/Core>
 #include <functional>
-
 #include <vector>
 
 #include "optimizer/solve/reduced_step.hpp"
@@ -16,7 +15,7 @@ namespace legwright {
 /// design in DesignSpace::scale().
 struct JointNewtonOptions {
   int max_iterations = 150;
-  int scout_iterations = 30;       // of each start where there are several; the lowest goes on
+  int scout_iterations = 20;       // of each start where there are several; the lowest goes on
   double motion_tolerance = 1e-4;  // on max |G·unit|
   double design_tolerance = 1e-4;  // on the projected gradient
   // F not falling by this share over so many iterations: `stalled`.
@@ -38,10 +37,10 @@ struct JointPoint {
 
 struct JointNewtonResult {
   SolveStatus status = SolveStatus::iteration_limit;
-  std::vector<JointPoint> path;  // points that are told, the last one included; F falls
+  std::vector<JointPoint> path;  // points that are told, and the best; empty: F is not finite
   int iterations = 0, factorisations = 0, evaluations = 0;  // of all starts
 
-  const JointPoint& best() const { return path.back(); }  // path is empty where F is not finite
+  const JointPoint& best() const { return path.back(); }
 };
 
 /// min Σ wᵢ Fᵢ(s, mᵢ) over body and motions at once, within the bounds of s, instead of eq (3)'s

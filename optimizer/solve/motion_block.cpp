@@ -5,20 +5,16 @@
 #include <cmath>
 #include <utility>
 
+#include "optimizer/solve/newton.hpp"
+
 namespace legwright {
 namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// σ, as in NewtonOptions.
-constexpr double kSeedShift = 1e-3, kLeastShift = 1e-6;
-constexpr double kShiftGrowth = 8.0, kShiftDecay = 0.3;
-constexpr int kShifts = 12;
-
-constexpr double kLargestCorrection = 1.0;  // max |Δm/unit|
-constexpr int kMostCorrections = 6;
-constexpr double kWorthwhileGain = 0.02;  // of the decrease so far: a correction below is the last
+// Damping and corrections are those of motion-only solves.
+const NewtonOptions kRules;
 
 }  // namespace
 
@@ -36,7 +32,7 @@ void MotionBlock::evaluate_at(const VectorXd& s, const VectorXd& m, Evaluation& 
 bool MotionBlock::evaluate(const VectorXd& s) {
   cost_.evaluate(s, m_, Order::design, at_);
   ++evaluations_;
-  cost_.set_step_base(s, m_, true);
+  set_step_base(s);
   const Eigen::Map<const VectorXd> hessian(at_.hessian_mm.valuePtr(), at_.hessian_mm.nonZeros());
   return std::isfinite(at_.value) && at_.stationarity.allFinite() && at_.partial_s.allFinite() &&
          hessian.allFinite() && at_.hessian_ms.allFinite() && at_.hessian_ss.allFinite();
@@ -46,7 +42,7 @@ bool MotionBlock::reduce() {
   const Eigen::Index n = at_.hessian_ms.cols();
   right_.resize(m_.size(), n + 1);
   right_ << at_.hessian_ms, at_.stationarity;
-  for (int k = 0; k < kShifts; ++k) {
+  for (int k = 0; k < kRules.shifts_per_iteration; ++k) {
     ++factorisations_;
     const VectorXd diagonal = shift_ * units_.cwiseAbs2().cwiseInverse();
     if (factor_.factor(at_.hessian_mm, diagonal) && factor_.solve(right_, solved_)) {
@@ -55,7 +51,9 @@ bool MotionBlock::reduce() {
       return true;
     }
     // Faster from the third failure on, to reach any curvature that F may have.
-    shift_ = std::max(shift_ * (k < 2 ? kShiftGrowth : kShiftGrowth * kShiftGrowth), kSeedShift);
+    shift_ =
+        std::max(shift_ * (k < 2 ? kRules.shift_growth : kRules.shift_growth * kRules.shift_growth),
+                 kRules.seed_shift);
   }
   return false;
 }
@@ -100,25 +98,25 @@ void MotionBlock::bend(const VectorXd& s, double t) {
 
 // Steps with the same factor from there, each kept as long as F falls.
 void MotionBlock::correct(const VectorXd& s) {
-  for (int k = 0; k < kMostCorrections && std::isfinite(trial_.value); ++k) {
+  for (int k = 0; k < kRules.corrections && std::isfinite(trial_.value); ++k) {
     if (!factor_.solve(-trial_.stationarity, correction_)) return;
     const double length = correction_.cwiseQuotient(units_).lpNorm<Eigen::Infinity>();
-    other_m_ = trial_m_ + std::min(1.0, kLargestCorrection / length) * correction_;
+    other_m_ = trial_m_ + std::min(1.0, kRules.largest_step / length) * correction_;
     evaluate_at(s, other_m_, probe_);
     const double gain = trial_.value - probe_.value;
     if (!(gain > 0.0)) return;
     trial_m_.swap(other_m_);
     std::swap(trial_.value, probe_.value);
     trial_.stationarity.swap(probe_.stationarity);
-    if (gain < kWorthwhileGain * std::abs(at_.value - trial_.value)) return;
+    if (gain < kRules.worthwhile * std::abs(at_.value - trial_.value)) return;
   }
 }
 
 void MotionBlock::relax() {
-  shift_ *= kShiftDecay;
-  if (shift_ < kLeastShift) shift_ = 0.0;
+  shift_ *= kRules.shift_decay;
+  if (shift_ < kRules.least_shift) shift_ = 0.0;
 }
 
-void MotionBlock::damp() { shift_ = std::max(shift_ * kShiftGrowth, kSeedShift); }
+void MotionBlock::damp() { shift_ = std::max(shift_ * kRules.shift_growth, kRules.seed_shift); }
 
 }  // namespace legwright

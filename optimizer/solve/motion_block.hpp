@@ -18,6 +18,8 @@ class MotionBlock {
 
   /// Evaluates everything at (s, m). False where something is not finite.
   bool evaluate(const Eigen::VectorXd& s);
+  /// Tells the cost again where steps set out from: s of the last evaluate(), and the motion.
+  void set_step_base(const Eigen::VectorXd& s) { cost_.set_step_base(s, m_); }
   /// Factors H + σ diag(1/unit²), σ raised until that is positive, and solves for X and y. False
   /// where no σ does.
   bool reduce();

@@ -64,7 +64,10 @@ VectorXd reduced_newton_step(const MatrixXd& hessian, const VectorXd& gradient, 
 
 VectorXd steepest_step(const MatrixXd& hessian, const VectorXd& gradient, const VectorXd& s,
                        const DesignBox& box, double largest_change) {
-  const VectorXd g = gradient.cwiseProduct(box.scale);
+  VectorXd g = gradient.cwiseProduct(box.scale);
+  const std::vector<bool> free = free_parameters(s, gradient, box.lower, box.upper);
+  for (int i = 0; i < g.size(); ++i)
+    if (!free[static_cast<std::size_t>(i)]) g[i] = 0.0;
   const double largest = g.lpNorm<Eigen::Infinity>();
   if (!(largest > 0.0)) return VectorXd::Zero(s.size());
   const VectorXd low = (box.lower - s).cwiseQuotient(box.scale).cwiseMax(-largest_change);

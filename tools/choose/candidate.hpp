@@ -17,7 +17,9 @@ namespace legwright {
 
 /// A body with its motions that a search came by. All tasks of the problem, in their order.
 struct Candidate {
-  std::string name;  // "optimum", "initial", "iteration 7", "tightened: larger margins"
+  // "optimum", "initial", "iteration 7", "from pace", "tightened: larger margins"; where that does
+  // not set out from the optimum "initial, tightened motion: larger margins".
+  std::string name;
   DesignIteration design;
   // Of each task in the search that found it, and F as that search had it; or empty: as asked.
   std::vector<Tightening> tightening = {};

@@ -11,20 +11,19 @@
 #include "mjcf/text/input_error.hpp"
 #include "optimizer/base/parallel.hpp"
 #include "optimizer/base/stopwatch.hpp"
+#include "tools/choose/other_designs.hpp"
 #include "tools/choose/physics_trial.hpp"
 #include "tools/simulate/mujoco_host.hpp"
 
 namespace legwright {
 namespace {
 
-constexpr int kIteratesPlayed = 6;      // along the way, evenly by number
 constexpr int kRounds = 4;              // of tightened searches, at most
 constexpr std::size_t kBeam = 2;        // designs that a round goes on from
 constexpr std::size_t kLeversKept = 7;  // from the second round on
 constexpr std::size_t kFinalists = 6;   // that are played to the end where nothing passes
 constexpr int kSearchIterations = 12;   // of each: it starts from a design that is nearly right
 constexpr double kDear = 1.3;  // × F of the optimum: a design that passes with more is not the last
-constexpr double kAnother = 1.01;  // × F of the optimum: another start's end with more is another
 constexpr double kGain = 0.99;  // of the distance from passing: a round that gains less is the last
 
 /// Searches on from a candidate with tightened tasks. @return nothing where there is no such design
@@ -78,41 +77,6 @@ std::vector<Lever> all_levers() {
   out.reserve(kLeverCount);
   for (int lever = 0; lever < kLeverCount; ++lever) out.push_back(static_cast<Lever>(lever));
   return out;
-}
-
-/// What else the search came by, by rising F.
-std::vector<Candidate> further_candidates(const MultistartResult& found,
-                                          const std::vector<DesignIteration>& along) {
-  std::vector<Candidate> out;
-  for (std::size_t i = 0; i < found.joint.size(); ++i)
-    if (static_cast<int>(i) != found.best)
-      out.push_back({"from " + found.joint[i].label.start, found.joint[i].result.best, {}, {}});
-  const std::size_t step = std::max<std::size_t>(1, along.size() / kIteratesPlayed);
-  for (std::size_t i = step; i + 1 < along.size(); i += step)
-    out.push_back({fmt::format("iteration {}", i), along[i], {}, {}});
-  std::erase_if(out, [](const Candidate& candidate) {
-    return !std::isfinite(candidate.design.value) || candidate.design.tasks.empty();
-  });
-  std::stable_sort(out.begin(), out.end(), [](const Candidate& a, const Candidate& b) {
-    return a.design.value < b.design.value;
-  });
-  return out;
-}
-
-/// The optimum of the other starts that has the least F, if that is another design.
-std::optional<Candidate> other_optimum(const MultistartResult& found) {
-  const double best = found.winner().best.value;
-  const StartedRun* least = nullptr;
-  for (std::size_t i = 0; i < found.joint.size(); ++i) {
-    const StartedRun& run = found.joint[i];
-    const double value = run.result.best.value;
-    if (static_cast<int>(i) == found.best || run.result.best.tasks.empty() ||
-        !(value > kAnother * best && value < kDear * best))
-      continue;
-    if (least == nullptr || value < least->result.best.value) least = &run;
-  }
-  if (least == nullptr) return std::nullopt;
-  return Candidate{"from " + least->label.start, least->result.best, {}, {}};
 }
 
 /// Plays candidates and keeps the best of them.
@@ -382,13 +346,18 @@ ChosenDesign choose_design(const CodesignProblem& problem, const std::vector<Joi
     if (other_body && !played_given.pass && !chooser.stopped() &&
         chooser.worth_playing(initial.value))
       chooser.tighten_motion(given, played_given);
-    if (const auto other = other_optimum(found);
-        other && !chooser.passes() && !chooser.stopped() && !options.space)
-      chooser.tighten(*other, chooser.consider(*other));
+    std::string tightened_too;
+    if (const auto other = other_optimum(found, kDear);
+        other && !chooser.passes() && !chooser.stopped() && !options.space) {
+      tightened_too = other->name;
+      const PlayedCandidate played_other = chooser.consider(*other);
+      if (!played_other.pass) chooser.tighten(*other, played_other);
+    }
     const std::vector<Candidate> further =
         options.space ? std::vector<Candidate>{} : further_candidates(found, along);
     for (const Candidate& candidate : further)
-      if (!chooser.stopped() && chooser.worth_playing(candidate.design.value))
+      if (!chooser.stopped() && candidate.name != tightened_too &&
+          chooser.worth_playing(candidate.design.value))
         chooser.consider(candidate);
   }
   chooser.play_finalists();

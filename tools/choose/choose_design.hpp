@@ -38,9 +38,10 @@ struct ChosenDesign {
 /// goes on from the optimum with tightened tasks: of the motion alone, then in rounds of body and
 /// motion, each of which pulls every lever once and goes on from what brings physics nearest to
 /// passing. Where none passes, or with more F than the given body has, the motion of that body is
-/// tightened, too. Iterates on the way and the optima of other starts are played as well. Designs
-/// are played by rising F, and none whose F is above that of one that passes. So the result never
-/// fails where the given body passes.
+/// tightened, too; where still none does, the search goes on from another start's optimum that has
+/// up to 1.3 times the F. Iterates on the way and the optima of other starts are played as well.
+/// Designs are played by rising F, and none whose F is above that of one that passes. So the result
+/// never fails where the given body passes.
 /// @param tasks costs of the problem. @param along the iterates of all starts, those of the whole
 /// problem. Throws MujocoError.
 ChosenDesign choose_design(const CodesignProblem& problem, const std::vector<JointTask>& tasks,

@@ -147,8 +147,9 @@ void ChangeReasons::keep_fewest(MultistartResult& found, const OnIteration& on_i
   find_fewest(found.joint.front().result.initial.value, winner.result.best,
               rows_of(winner.result.best));
   CodesignOptions options;
+  options.method = DesignMethod::newton;  // what is to settle is nearly an optimum
   options.threads = threads_;
-  options.on_iteration = [](const DesignIteration&) { return !StopSignals::asked(); };
+  options.go_on = [] { return !StopSignals::asked(); };
   CodesignResult few =
       settle(costs().tasks().front(), space, space.initial(), designs_[fewest_.fewest], options);
   few.best.index = winner.result.best.index + 1;

@@ -213,10 +213,49 @@ TEST(Codesign, StepsBodyAndMotionTogetherByDefault) {
     }
   }
   EXPECT_GT(joint.best.reduced_hessian.size(), 0);
-  // As many of its points as there may be iterations.
+  // As many of its points as there may be iterations, the best one among them.
   options.max_iterations = 1;
   options.on_iteration = {};
-  EXPECT_EQ(run(10.0, options).design_iterations, 1);
+  const CodesignResult one = run(10.0, options);
+  EXPECT_EQ(one.design_iterations, 1);
+  EXPECT_NEAR(one.best.value, joint.best.value, 1e-9);
+}
+
+/// The way begins at the first motion, which may be far from the best one: points above iteration 0
+/// are no iterations.
+TEST(Codesign, NeverRisesAboveIterationZeroHoweverBadTheFirstMotion) {
+  toy::CoupledCost cost(kMotionSize, kDesignSize);
+  WeightedCost task;
+  task.cost = &cost;
+  task.initial_motion = VectorXd::Constant(kMotionSize, 30.0);
+  for (const int limit : {1, 2, 3, 60}) {
+    CodesignOptions options = exact;
+    options.method = DesignMethod::joint;
+    options.max_iterations = limit;
+    std::vector<double> values;
+    options.on_iteration = [&](const DesignIteration& i) {
+      return values.push_back(i.value), true;
+    };
+    const CodesignResult result =
+        codesign({task}, toy::box(10.0), toy::box(10.0).initial(), options);
+    EXPECT_LE(result.design_iterations, limit);
+    EXPECT_LT(result.best.value, result.initial.value);
+    for (std::size_t k = 1; k < values.size(); ++k) EXPECT_LT(values[k], values[k - 1]) << limit;
+  }
+}
+
+TEST(Codesign, NaNOnTheWayOfBodyAndMotionNeverConverges) {
+  for (int call = 2; call < 80; call += 3) {
+    toy::CoupledCost cost(kMotionSize, kDesignSize);
+    cost.poisoned_call = call;
+    CodesignOptions options = exact;
+    options.method = DesignMethod::joint;
+    const CodesignResult result = run_one(cost, 10.0, options);
+    EXPECT_TRUE(result.best.s.allFinite()) << "call " << call;
+    if (result.status != SolveStatus::converged) continue;
+    EXPECT_LT(result.best.projected_gradient_norm, exact.design_tolerance) << "call " << call;
+    EXPECT_TRUE(std::isfinite(result.best.value)) << "call " << call;
+  }
 }
 
 TEST(Codesign, AStopBetweenIterationsKeepsTheBestSoFar) {

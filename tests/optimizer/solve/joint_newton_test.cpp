@@ -116,9 +116,16 @@ TEST(JointNewton, NaNNeverConverges) {
     Toys toys;
     toys.second.poisoned_call = call;
     const JointNewtonResult found = toys.run(10.0, strict());
+    Toys fresh;
     for (const JointPoint& point : found.path) {
-      EXPECT_TRUE(std::isfinite(point.value)) << call;
-      EXPECT_TRUE(point.s.allFinite()) << call;
+      const std::vector<WeightedCost> tasks = fresh.tasks();
+      double value = 0.0;
+      for (std::size_t k = 0; k < tasks.size(); ++k) {
+        Evaluation at;
+        tasks[k].cost->evaluate(point.s, point.motions[k], Order::value, at);
+        value += tasks[k].weight * at.value;
+      }
+      EXPECT_NEAR(point.value, value, 1e-12) << "call " << call << ": F of another point";
     }
     if (call == 1) {
       EXPECT_EQ(found.status, SolveStatus::not_finite);
@@ -138,6 +145,28 @@ TEST(JointNewton, PursuesTheBetterStart) {
                                               {{far, far}, {Toys::rest(), Toys::rest()}}, options);
   EXPECT_EQ(both.best().s, near.best().s);
   EXPECT_EQ(both.iterations, near.iterations + 3);
+}
+
+/// Searches of one cost take turns; each goes on as if it were alone.
+TEST(JointNewton, StartsDoNotDisturbEachOther) {
+  const test::Puppy puppy = test::make_puppy(true);
+  const Objective objective(puppy.morphology, puppy.space, test::make_sideways_task(true, 12));
+  const DesignSpace& space = objective.space();
+  const DesignBox box{space.lower(), space.upper(), space.scale()};
+  const VectorXd guess = initial_guess(objective, space.initial());
+  ObjectiveCost cost(objective);
+  WeightedCost task;
+  task.cost = &cost;
+  JointNewtonOptions options;
+  options.max_iterations = 15;
+  options.scout_iterations = 8;
+  const VectorXd worse = guess + 0.3 * cost.motion_units();
+  const JointNewtonResult alone = joint_newton({task}, box, space.initial(), {{guess}}, options);
+  const JointNewtonResult both =
+      joint_newton({task}, box, space.initial(), {{guess}, {worse}}, options);
+  ASSERT_EQ(both.iterations, alone.iterations + 8);
+  EXPECT_EQ(both.best().s, alone.best().s);
+  EXPECT_EQ(both.best().value, alone.best().value);
 }
 
 /// Eq (12) bends steps: without that the puppy takes more of them.

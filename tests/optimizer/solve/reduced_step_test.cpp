@@ -87,7 +87,9 @@ TEST(SteepestStep, IsTheModelsLeastAlongTheGradientWithinTheBox) {
   EXPECT_NEAR(steepest_step(-h, g, s, box(3, 10.0), 0.2).lpNorm<Eigen::Infinity>(), 0.2, 1e-15);
   DesignBox narrow = box(3, 10.0);
   narrow.lower[2] = 0.0;  // where the gradient pushes
-  EXPECT_EQ(steepest_step(h, g, s, narrow, 0.2)[2], 0.0);
+  const VectorXd held = steepest_step(-h, 10.0 * g, s, narrow, 0.2);
+  EXPECT_EQ(held[2], 0.0);
+  EXPECT_NEAR(held.lpNorm<Eigen::Infinity>(), 0.2, 1e-15) << "what is held does not hold the rest";
   EXPECT_EQ(steepest_step(h, VectorXd::Zero(3), s, narrow, 0.2).norm(), 0.0);
 }
 
