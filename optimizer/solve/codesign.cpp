@@ -11,11 +11,14 @@
 #include "optimizer/solve/joint_search.hpp"
 #include "optimizer/solve/lbfgs.hpp"
 #include "optimizer/solve/reduced_step.hpp"
+#include "optimizer/solve/trust_region.hpp"
 
 namespace legwright {
 namespace {
 
 using Eigen::VectorXd;
+
+constexpr double kLeastDesignStep = 1e-6;  // trusted after a poor step
 
 class Codesign {
  public:
@@ -24,7 +27,7 @@ class Codesign {
       : options_(options),
         box_{space.lower(), space.upper(), space.scale()},
         lbfgs_(box_.scale, options.history),
-        trust_(options.largest_first_change) {
+        trust_{options.largest_first_change, options.largest_change, kLeastDesignStep} {
     for (const WeightedCost& task : tasks)
       solvers_.push_back(std::make_unique<TaskSolver>(task, options));
     now_.s = start;
@@ -48,7 +51,6 @@ class Codesign {
   bool search_along(const VectorXd& direction);
   double first_step(const VectorXd& direction) const;
   double try_design(const VectorXd& s, double ceiling);
-  void adapt_trust(double promised, double reached, double step);
   bool publish(const Stopwatch& watch);
   bool value_settled() const;
   bool at_minimum() const;
@@ -58,7 +60,7 @@ class Codesign {
   const CodesignOptions& options_;
   const DesignBox box_;
   Lbfgs lbfgs_;
-  double trust_;         // largest change of a parameter in the next step [natural units]
+  TrustRegion trust_;
   bool newton_ = false;  // the direction at hand is Newton's
   TaskSolvers solvers_;
   DesignIteration now_;
@@ -124,15 +126,12 @@ bool Codesign::search_jointly(int iterations) {
   result_.seconds.motion += whole.seconds();
   const bool stopped = found.status == SolveStatus::stopped;
   // Its first points may have more F than iteration 0, whose motion is the best for its design.
-  std::vector<const JointPoint*> points;
-  for (const JointPoint& point : found.path)
-    if (point.value < searched_ && point.s != now_.s) points.push_back(&point);
-  const std::size_t most = stopped ? 1 : static_cast<std::size_t>(iterations);
-  if (points.size() > most) points.erase(points.begin(), points.end() - static_cast<long>(most));
-  for (const JointPoint* point : points) {
+  const std::vector<JointPoint> points =
+      last_points(found, searched_, now_.s, stopped ? 1 : iterations);
+  for (const JointPoint& point : points) {
     const Stopwatch watch;
     for (const auto& solver : solvers_) solver->begin_iteration();
-    if (!follow(*point, point == points.back())) break;
+    if (!follow(point, &point == &points.back())) break;
     now_.index = ++result_.design_iterations;
     if (!publish(watch)) return false;
   }
@@ -277,7 +276,8 @@ bool Codesign::step() {
 }
 
 VectorXd Codesign::newton_direction() const {
-  return reduced_newton_step(now_.reduced_hessian, now_.design_gradient, now_.s, box_, trust_);
+  return reduced_newton_step(now_.reduced_hessian, now_.design_gradient, now_.s, box_,
+                             trust_.radius);
 }
 
 VectorXd Codesign::lbfgs_direction() const {
@@ -307,25 +307,17 @@ bool Codesign::search_along(const VectorXd& direction) {
       ++result_.rejected_trials;
       continue;
     }
-    if (newton_)
-      adapt_trust(-model_change(now_.reduced_hessian, now_.design_gradient, s - now_.s),
-                  searched_ - value,
-                  (s - now_.s).cwiseQuotient(box_.scale).lpNorm<Eigen::Infinity>());
+    if (newton_) {
+      const double promised = -model_change(now_.reduced_hessian, now_.design_gradient, s - now_.s);
+      trust_.adapt((searched_ - value) / std::max(promised, 1e-300),
+                   (s - now_.s).cwiseQuotient(box_.scale).lpNorm<Eigen::Infinity>());
+    }
     for (const auto& solver : solvers_) solver->accept();
     now_.s = s;
     now_.design_step = design_step;
     return true;
   }
   return false;
-}
-
-// The quadratic model is trusted as far as it was right.
-void Codesign::adapt_trust(double promised, double reached, double step) {
-  const double agreement = reached / std::max(promised, 1e-300);
-  if (agreement < 0.25)
-    trust_ = std::max(0.5 * step, 1e-6);
-  else if (agreement > 0.7 && step > 0.5 * trust_)
-    trust_ = std::min(2.0 * trust_, options_.largest_change);
 }
 
 double Codesign::try_design(const VectorXd& s, double ceiling) {

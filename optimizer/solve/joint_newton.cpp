@@ -12,6 +12,7 @@
 #include "optimizer/solve/lbfgs.hpp"
 #include "optimizer/solve/motion_block.hpp"
 #include "optimizer/solve/reduced_step.hpp"
+#include "optimizer/solve/trust_region.hpp"
 
 namespace legwright {
 namespace {
@@ -23,7 +24,6 @@ constexpr int kAttempts = 14;  // to find a step, each with more damping
 constexpr int kCuts = 6;       // of one step
 constexpr double kCut = 0.4;
 constexpr double kSufficientDecrease = 1e-4;
-constexpr double kLargestMotion = 1.0;      // max |Δm/unit| of a first trial
 constexpr double kLeastTrust = 1e-6;        // where no step is found
 constexpr double kLeastUsefulTrust = 1e-4;  // after a step
 // A failed step is laid to the motions, or to the design, only where they promised this share.
@@ -45,7 +45,10 @@ class JointNewton {
  public:
   JointNewton(const std::vector<WeightedCost>& tasks, const DesignBox& box, const VectorXd& start,
               const std::vector<VectorXd>& motions, const JointNewtonOptions& options)
-      : options_(options), box_(box), s_(start), trust_(options.first_trust) {
+      : options_(options),
+        box_(box),
+        s_(start),
+        trust_{options.first_trust, options.largest_trust, kLeastUsefulTrust} {
     for (std::size_t k = 0; k < tasks.size(); ++k)
       blocks_.push_back(std::make_unique<MotionBlock>(tasks[k], motions.at(k)));
   }
@@ -87,7 +90,7 @@ class JointNewton {
   bool search_along(const JointStep& step);
   bool acceptable(double value, double promised) const;
   void adapt(const JointStep& step, double t, double agreement);
-  void back_off(const JointStep& step);
+  bool back_off(const JointStep& step);
   void tell();
   double change_since_told() const;
 
@@ -96,7 +99,7 @@ class JointNewton {
   std::vector<std::unique_ptr<MotionBlock>> blocks_;
   VectorXd s_;
   double value_ = 0.0;
-  double trust_;  // largest change of a parameter in the next step [natural units]
+  TrustRegion trust_;
   MatrixXd hessian_;
   VectorXd gradient_;  // reduced, as the Hessian
   std::vector<double> history_;
@@ -114,8 +117,8 @@ bool JointNewton::for_all(const std::function<bool(MotionBlock&)>& work) const {
 
 // @param iterations that may have been made at the end
 SolveStatus JointNewton::search(int iterations) {
+  if (history_.empty() && !look()) return SolveStatus::not_finite;
   while (result_.iterations < iterations) {
-    if (history_.empty() && !look()) return SolveStatus::not_finite;
     if (options_.go_on && !options_.go_on()) return SolveStatus::stopped;
     if (!reduce()) return SolveStatus::stalled;
     if (stationary()) {
@@ -175,29 +178,26 @@ bool JointNewton::stagnated() const {
 // One accepted step; damping grows until there is one.
 bool JointNewton::move() {
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
-    if (attempt > 0 && !reduce()) return false;
     const JointStep next = step();
     if (next.slope < 0.0 && search_along(next)) return true;
-    back_off(next);
+    if (back_off(next) && !reduce()) return false;
   }
   return false;
 }
 
 JointStep JointNewton::step() const {
   JointStep out;
-  out.design = reduced_newton_step(hessian_, gradient_, s_, box_, trust_);
+  out.design = reduced_newton_step(hessian_, gradient_, s_, box_, trust_.radius);
   out.by_design = -model_change(hessian_, gradient_, out.design);
   if (!(out.by_design > 0.0)) {
-    out.design = steepest_step(hessian_, gradient_, s_, box_, trust_);
+    out.design = steepest_step(hessian_, gradient_, s_, box_, trust_.radius);
     out.by_design = -model_change(hessian_, gradient_, out.design);
   }
-  double length = 0.0;
   for (const auto& block : blocks_) {
-    length = std::max(length, block->set_step(out.design));
+    out.first = std::min(out.first, block->set_step(out.design));
     out.slope += block->weight() * block->slope(out.design);
     out.by_motions += block->weight() * block->promise();
   }
-  out.first = std::min(1.0, kLargestMotion / length);
   return out;
 }
 
@@ -237,22 +237,22 @@ void JointNewton::adapt(const JointStep& step, double t, double agreement) {
       if (agreement > 0.5) block->relax();
       if (agreement < 0.1 && step.blames_motions()) block->damp();
     }
-    if (agreement > 0.7 && change > 0.5 * trust_)
-      trust_ = std::min(2.0 * trust_, options_.largest_trust);
-    else if (agreement < 0.25)
-      trust_ = std::max(0.5 * change, kLeastUsefulTrust);
+    trust_.adapt(agreement, change);
   } else if (t < 0.25) {
     if (step.blames_motions())
       for (const auto& block : blocks_) block->damp();
-    if (step.blames_design()) trust_ = std::max(0.5 * trust_, kLeastUsefulTrust);
+    if (step.blames_design()) trust_.radius = std::max(0.5 * trust_.radius, kLeastUsefulTrust);
   }
 }
 
-void JointNewton::back_off(const JointStep& step) {
+// After a step that failed. @return whether the factors are others now
+bool JointNewton::back_off(const JointStep& step) {
   const bool uphill = !(step.slope < 0.0);
-  if (uphill || step.blames_motions())
+  const bool damped = uphill || step.blames_motions();
+  if (damped)
     for (const auto& block : blocks_) block->damp();
-  if (uphill || step.blames_design()) trust_ = std::max(0.3 * trust_, kLeastTrust);
+  if (uphill || step.blames_design()) trust_.radius = std::max(0.3 * trust_.radius, kLeastTrust);
+  return damped;
 }
 
 double JointNewton::change_since_told() const {

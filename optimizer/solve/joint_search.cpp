@@ -28,4 +28,14 @@ JointNewtonResult joint_search(const TaskSolvers& solvers, const DesignBox& box,
   return joint_newton(tasks, box, s, starts, rules);
 }
 
+std::vector<JointPoint> last_points(const JointNewtonResult& found, double value, const VectorXd& s,
+                                    int most) {
+  std::vector<JointPoint> out;
+  for (const JointPoint& point : found.path)
+    if (point.value < value && point.s != s) out.push_back(point);
+  const auto kept = static_cast<std::size_t>(most);
+  if (out.size() > kept) out.erase(out.begin(), out.end() - most);
+  return out;
+}
+
 }  // namespace legwright

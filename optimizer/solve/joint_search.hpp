@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "optimizer/solve/codesign.hpp"
 #include "optimizer/solve/joint_newton.hpp"
@@ -14,5 +15,10 @@ namespace legwright {
 [[nodiscard]] JointNewtonResult joint_search(const TaskSolvers& solvers, const DesignBox& box,
                                              const Eigen::VectorXd& s,
                                              const CodesignOptions& options);
+
+/// The points of a joint search that are iterates of a run that stood at design s with this F: the
+/// last `most` of those that have less F and another design.
+[[nodiscard]] std::vector<JointPoint> last_points(const JointNewtonResult& found, double value,
+                                                  const Eigen::VectorXd& s, int most);
 
 }  // namespace legwright

@@ -22,7 +22,8 @@ MotionBlock::MotionBlock(const WeightedCost& task, const VectorXd& first_motion)
     : cost_(*task.cost),
       weight_(task.weight),
       units_(task.cost->motion_units()),
-      m_(first_motion) {}
+      m_(first_motion),
+      damping_(kRules) {}
 
 void MotionBlock::evaluate_at(const VectorXd& s, const VectorXd& m, Evaluation& out) {
   cost_.evaluate(s, m, Order::gradient, out);
@@ -44,16 +45,13 @@ bool MotionBlock::reduce() {
   right_ << at_.hessian_ms, at_.stationarity;
   for (int k = 0; k < kRules.shifts_per_iteration; ++k) {
     ++factorisations_;
-    const VectorXd diagonal = shift_ * units_.cwiseAbs2().cwiseInverse();
-    if (factor_.factor(at_.hessian_mm, diagonal) && factor_.solve(right_, solved_)) {
+    if (factor_.factor(at_.hessian_mm, damping_.diagonal(units_)) &&
+        factor_.solve(right_, solved_)) {
       follow_ = solved_.leftCols(n);
       y_ = solved_.col(n);
       return true;
     }
-    // Faster from the third failure on, to reach any curvature that F may have.
-    shift_ =
-        std::max(shift_ * (k < 2 ? kRules.shift_growth : kRules.shift_growth * kRules.shift_growth),
-                 kRules.seed_shift);
+    damping_.grow(k);
   }
   return false;
 }
@@ -69,7 +67,7 @@ VectorXd MotionBlock::reduced_gradient() const {
 
 double MotionBlock::set_step(const VectorXd& design_step) {
   step_ = -y_ - follow_ * design_step;
-  return step_.cwiseQuotient(units_).lpNorm<Eigen::Infinity>();
+  return std::min(1.0, kRules.largest_step / step_.cwiseQuotient(units_).lpNorm<Eigen::Infinity>());
 }
 
 double MotionBlock::slope(const VectorXd& design_step) const {
@@ -90,10 +88,7 @@ void MotionBlock::bend(const VectorXd& s, double t) {
   evaluate_at(s, trial_m_, trial_);
   if (trial_.value < at_.value || trial_m_ == other_m_) return;
   evaluate_at(s, other_m_, probe_);
-  if (!(probe_.value < trial_.value) && std::isfinite(trial_.value)) return;
-  trial_m_.swap(other_m_);
-  std::swap(trial_.value, probe_.value);
-  trial_.stationarity.swap(probe_.stationarity);
+  if (probe_.value < trial_.value || !std::isfinite(trial_.value)) take_probe();
 }
 
 // Steps with the same factor from there, each kept as long as F falls.
@@ -105,18 +100,16 @@ void MotionBlock::correct(const VectorXd& s) {
     evaluate_at(s, other_m_, probe_);
     const double gain = trial_.value - probe_.value;
     if (!(gain > 0.0)) return;
-    trial_m_.swap(other_m_);
-    std::swap(trial_.value, probe_.value);
-    trial_.stationarity.swap(probe_.stationarity);
+    take_probe();
     if (gain < kRules.worthwhile * std::abs(at_.value - trial_.value)) return;
   }
 }
 
-void MotionBlock::relax() {
-  shift_ *= kRules.shift_decay;
-  if (shift_ < kRules.least_shift) shift_ = 0.0;
+// F and G of a gradient's Evaluation; its matrices are not of use here.
+void MotionBlock::take_probe() {
+  trial_m_.swap(other_m_);
+  std::swap(trial_.value, probe_.value);
+  trial_.stationarity.swap(probe_.stationarity);
 }
-
-void MotionBlock::damp() { shift_ = std::max(shift_ * kRules.shift_growth, kRules.seed_shift); }
 
 }  // namespace legwright

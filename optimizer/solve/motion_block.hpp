@@ -5,6 +5,7 @@
 
 #include "optimizer/factor/hessian_factor.hpp"
 #include "optimizer/solve/cost_function.hpp"
+#include "optimizer/solve/damping.hpp"
 #include "optimizer/solve/task_solver.hpp"
 
 namespace legwright {
@@ -27,7 +28,7 @@ class MotionBlock {
   Eigen::MatrixXd reduced_hessian() const;
   Eigen::VectorXd reduced_gradient() const;
 
-  /// Takes the design's step. Returns max |Δm/unit|.
+  /// Takes the design's step. Returns how much of the step a first trial may take, at most 1.
   double set_step(const Eigen::VectorXd& design_step);
   /// Slope of F along (Δs, Δm), and what its part at fixed s promises: ½ Gᵀy.
   double slope(const Eigen::VectorXd& design_step) const;
@@ -38,14 +39,14 @@ class MotionBlock {
   void accept() { m_.swap(trial_m_); }
 
   /// After steps that succeed or not.
-  void relax();
-  void damp();
-  void drop_shift() { shift_ = 0.0; }
+  void relax() { damping_.decay(); }
+  void damp() { damping_.grow(); }
+  void drop_shift() { damping_.drop(); }
 
   const Eigen::VectorXd& motion() const { return m_; }
   double weight() const { return weight_; }
   double value() const { return at_.value; }
-  bool exact() const { return shift_ == 0.0; }
+  bool exact() const { return damping_.shift() == 0.0; }
   double stationarity() const { return norm(at_.stationarity); }
   int factorisations() const { return factorisations_; }
   int evaluations() const { return evaluations_; }
@@ -57,6 +58,7 @@ class MotionBlock {
   void evaluate_at(const Eigen::VectorXd& s, const Eigen::VectorXd& m, Evaluation& out);
   void bend(const Eigen::VectorXd& s, double t);
   void correct(const Eigen::VectorXd& s);
+  void take_probe();
 
   CostFunction& cost_;
   double weight_;
@@ -65,7 +67,7 @@ class MotionBlock {
   Eigen::MatrixXd right_, solved_, follow_;  // [B G], H⁻¹[B G], X
   HessianFactor factor_;
   Evaluation at_, trial_, probe_;
-  double shift_ = 0.0;  // σ
+  Damping damping_;
   int factorisations_ = 0, evaluations_ = 0;
 };
 

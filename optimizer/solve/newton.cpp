@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "optimizer/solve/damping.hpp"
+
 namespace legwright {
 namespace {
 
@@ -40,7 +42,7 @@ class Newton {
         options_(options),
         w_(w),
         units_(cost.motion_units()),
-        shift_(options.initial_shift) {}
+        damping_(options) {}
 
   SolveReport run();
 
@@ -54,13 +56,12 @@ class Newton {
   double norm(const VectorXd& g) const { return g.cwiseProduct(units_).lpNorm<Eigen::Infinity>(); }
   double noise() const { return kValueNoise * std::max(1.0, std::abs(w_.here.value)); }
 
-  bool factor(double shift);
+  bool factor();
   Outcome iterate();
   bool search();
   double trial_value(double t);
   bool settle_within_noise();
   bool take();
-  void grow(int failures = 0);
   void relax();
   bool stagnated() const;
   bool beyond_ceiling() const;
@@ -74,7 +75,7 @@ class Newton {
   NewtonWorkspace& w_;
   const VectorXd& units_;
   SolveReport report_;
-  double shift_;
+  Damping damping_;
   double factored_shift_ = -1.0;  // σ in the factor at hand for `here`; −1: another matrix
   double slope_ = 0.0;            // Gᵀp
   double step_length_ = 0.0;      // t of the step taken
@@ -101,10 +102,10 @@ SolveReport Newton::run() {
   }
 }
 
-bool Newton::factor(double shift) {
-  w_.shift_diagonal = shift * units_.cwiseAbs2().cwiseInverse();
+bool Newton::factor() {
+  w_.shift_diagonal = damping_.diagonal(units_);
   ++report_.factorisations;
-  factored_shift_ = shift;
+  factored_shift_ = damping_.shift();
   return w_.factor.factor(w_.here.hessian_mm, w_.shift_diagonal);
 }
 
@@ -113,8 +114,8 @@ bool Newton::factor(double shift) {
 Newton::Outcome Newton::iterate() {
   Outcome failure = Outcome::no_direction;
   for (int attempt = 0; attempt < options_.shifts_per_iteration; ++attempt) {
-    if (!factor(shift_) || !w_.factor.solve(-w_.here.stationarity, w_.step)) {
-      grow(attempt);
+    if (!factor() || !w_.factor.solve(-w_.here.stationarity, w_.step)) {
+      damping_.grow(attempt);
       continue;
     }
     slope_ = w_.here.stationarity.dot(w_.step);
@@ -126,7 +127,7 @@ Newton::Outcome Newton::iterate() {
       return Outcome::moved;
     }
     failure = Outcome::no_decrease;
-    grow(attempt);
+    damping_.grow(attempt);
   }
   return failure;
 }
@@ -190,21 +191,13 @@ bool Newton::take() {
   return true;
 }
 
-// Faster from the third failure on: twelve tries must reach any curvature that F may have.
-void Newton::grow(int failures) {
-  const double factor =
-      failures < 2 ? options_.shift_growth : options_.shift_growth * options_.shift_growth;
-  shift_ = std::max(shift_ * factor, options_.seed_shift);
-}
-
 void Newton::relax() {
   if (!full_step_) {
-    if (step_length_ < 0.25) grow();
+    if (step_length_ < 0.25) damping_.grow();
     return;
   }
-  if (agreement_ > 0.5) shift_ *= options_.shift_decay;
-  if (agreement_ < 0.1) grow();
-  if (shift_ < options_.least_shift) shift_ = 0.0;
+  if (agreement_ > 0.5) damping_.decay();
+  if (agreement_ < 0.1) damping_.grow();
 }
 
 bool Newton::stagnated() const {
@@ -224,7 +217,8 @@ bool Newton::beyond_ceiling() const {
 
 // G vanishes here; only the exact factor shows whether it is a minimum.
 SolveReport Newton::certify() {
-  return finish(factor(0.0) ? SolveStatus::converged : SolveStatus::not_a_minimum);
+  damping_.drop();
+  return finish(factor() ? SolveStatus::converged : SolveStatus::not_a_minimum);
 }
 
 SolveReport Newton::finish(SolveStatus status) {

@@ -128,7 +128,21 @@ class DesignChooser {
     play_by_rising_cost(search_pulls(pulls_on(beam), Searched::motion));
   }
 
-  bool passes() const { return played_.pass; }
+  /// What else the search came by. Where nothing passes yet, another start's optimum is tightened
+  /// as the best one was.
+  void consider_others(const MultistartResult& found, const std::vector<DesignIteration>& along) {
+    const std::optional<Candidate> other =
+        played_.pass ? std::nullopt : other_optimum(found, kDear);
+    if (other && !stopped()) {
+      const PlayedCandidate played = consider(*other);
+      if (!played.pass) tighten(*other, played);
+    }
+    for (const Candidate& candidate : further_candidates(found, along))
+      if (!stopped() && (!other || candidate.name != other->name) &&
+          worth_playing(candidate.design.value))
+        consider(candidate);
+  }
+
   bool stopped() const { return options_.stop && options_.stop(); }
   /// Whether a candidate with this F could still become the result.
   bool worth_playing(double value) const { return !played_.pass || value < best_->design.value; }
@@ -144,7 +158,9 @@ class DesignChooser {
     });
     best_.reset();
     for (std::size_t i = 0; i < finalists_.size(); ++i) {
-      record_.candidates[finalists_[i].place].played = played[i].record();
+      CandidateRecord& record = record_.candidates[finalists_[i].place];
+      record.played = played[i].record();
+      record.failing = failing(played[i]);
       count_rollouts(played[i]);
       take_if_nearer(finalists_[i].design, played[i]);
     }
@@ -284,12 +300,22 @@ class DesignChooser {
     for (const GaitTrial& trial : played.trials) record_.rollouts += trial.rollouts;
   }
 
+  std::optional<ByName<std::string>> failing(const PlayedCandidate& played) const {
+    if (!problem_.set.joint()) return std::nullopt;
+    ByName<std::string> out;
+    for (std::size_t k = 0; k < played.trials.size(); ++k)
+      if (!played.trials[k].pass)
+        out.emplace_back(problem_.task(static_cast<int>(k)).name, played.trials[k].line);
+    return out;
+  }
+
   void note(const Candidate& candidate, const PlayedCandidate& played) {
     count_rollouts(played);
     if (options_.tell)
       options_.tell(fmt::format("physics, {} (F {:.5g}): {}", candidate.name,
                                 candidate.design.value, played.line));
-    record_.candidates.push_back({candidate.name, candidate.design.value, played.record(), {}});
+    record_.candidates.push_back(
+        {candidate.name, candidate.design.value, played.record(), {}, failing(played)});
     if (played.pass || record_.candidates.size() == 1)
       kept_.emplace_back(record_.candidates.size() - 1, candidate);
     add_finalist(candidate, played);
@@ -346,19 +372,7 @@ ChosenDesign choose_design(const CodesignProblem& problem, const std::vector<Joi
     if (other_body && !played_given.pass && !chooser.stopped() &&
         chooser.worth_playing(initial.value))
       chooser.tighten_motion(given, played_given);
-    std::string tightened_too;
-    if (const auto other = other_optimum(found, kDear);
-        other && !chooser.passes() && !chooser.stopped() && !options.space) {
-      tightened_too = other->name;
-      const PlayedCandidate played_other = chooser.consider(*other);
-      if (!played_other.pass) chooser.tighten(*other, played_other);
-    }
-    const std::vector<Candidate> further =
-        options.space ? std::vector<Candidate>{} : further_candidates(found, along);
-    for (const Candidate& candidate : further)
-      if (!chooser.stopped() && candidate.name != tightened_too &&
-          chooser.worth_playing(candidate.design.value))
-        chooser.consider(candidate);
+    if (!options.space) chooser.consider_others(found, along);
   }
   chooser.play_finalists();
   return chooser.result(watch.seconds());

@@ -12,14 +12,17 @@ namespace {
 constexpr int kIteratesPlayed = 6;  // along the way, evenly by number
 constexpr double kAnother = 1.01;   // × F of the optimum: another start's end with more is another
 
+Candidate end_of(const StartedRun& run) {
+  return {"from " + run.label.start, run.result.best, {}, {}};
+}
+
 }  // namespace
 
 std::vector<Candidate> further_candidates(const MultistartResult& found,
                                           const std::vector<DesignIteration>& along) {
   std::vector<Candidate> out;
   for (std::size_t i = 0; i < found.joint.size(); ++i)
-    if (static_cast<int>(i) != found.best)
-      out.push_back({"from " + found.joint[i].label.start, found.joint[i].result.best, {}, {}});
+    if (static_cast<int>(i) != found.best) out.push_back(end_of(found.joint[i]));
   const std::size_t step = std::max<std::size_t>(1, along.size() / kIteratesPlayed);
   for (std::size_t i = step; i + 1 < along.size(); i += step)
     out.push_back({fmt::format("iteration {}", i), along[i], {}, {}});
@@ -44,7 +47,7 @@ std::optional<Candidate> other_optimum(const MultistartResult& found, double dea
     if (least == nullptr || value < least->result.best.value) least = &run;
   }
   if (least == nullptr) return std::nullopt;
-  return Candidate{"from " + least->label.start, least->result.best, {}, {}};
+  return end_of(*least);
 }
 
 }  // namespace legwright

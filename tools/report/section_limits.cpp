@@ -55,10 +55,12 @@ servo gains that were played.</p>
 {table})",
                   {{"kept", limits_kept(after)}, Hole::markup("table", table_html(after))}));
   if (!before.empty() && !motion_only(data))
-    page.raw(fill(R"(<details><summary>The same before the body changed</summary><p>{kept}</p>
+    page.raw(fill(R"(<details><summary>The same before the {what} changed</summary><p>{kept}</p>
 {table}</details>
 )",
-                  {{"kept", limits_kept(before)}, Hole::markup("table", table_html(before))}));
+                  {{"what", data.run.body_kept() ? "gait" : "body"},
+                   {"kept", limits_kept(before)},
+                   Hole::markup("table", table_html(before))}));
   page.close();
 }
 

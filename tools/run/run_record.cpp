@@ -23,6 +23,7 @@ void fields(Fields& f, CandidateRecord& candidate) {
   f("played", candidate.played);
   f("folder", candidate.folder,
     "of its files, in the run; a folder per task where there are several");
+  f("failing", candidate.failing, "of several tasks: the line of each that fails");
 }
 
 void fields(Fields& f, ChoiceRecord& choice) {
@@ -221,6 +222,16 @@ void fields(Fields& f, RunRecord& run) {
   visit_inputs(f, run);
   visit_outcome(f, run);
   visit_effort(f, run);
+}
+
+std::optional<std::string> ChoiceRecord::complaint(const std::string& candidate,
+                                                   const std::string& task) const {
+  for (const CandidateRecord& each : candidates) {
+    if (each.name != candidate || each.played.pass) continue;
+    const std::string* line = each.failing ? each.failing->find(task) : &each.played.line;
+    if (line != nullptr) return "MuJoCo does not pass it: " + *line;
+  }
+  return std::nullopt;
 }
 
 bool RunRecord::body_kept() const {

@@ -35,7 +35,8 @@ struct CandidateRecord {
   std::string name;
   double F = 0.0;  // of the task as the user gave it
   PlayedGait played;
-  std::optional<std::string> folder;  // of its files in the run, where they are kept
+  std::optional<std::string> folder;           // of its files in the run, where they are kept
+  std::optional<ByName<std::string>> failing;  // of several tasks: the line of each that fails
 };
 void fields(Fields& f, CandidateRecord& candidate);
 
@@ -46,6 +47,10 @@ struct ChoiceRecord {
   int rollouts = 0;
   double seconds = 0.0;
   std::vector<CandidateRecord> candidates;
+
+  /// Why MuJoCo does not pass a candidate; of several tasks, why it does not pass this one. Nothing
+  /// where it passes, or was not played.
+  std::optional<std::string> complaint(const std::string& candidate, const std::string& task) const;
 };
 void fields(Fields& f, ChoiceRecord& choice);
 

@@ -53,12 +53,6 @@ std::vector<TaskOutcome> write_results(const ResultFolder& folder, const Codesig
   return outcomes;
 }
 
-std::string verdict_of_choice(const ChoiceRecord& choice) {
-  for (const CandidateRecord& candidate : choice.candidates)
-    if (candidate.name == choice.chosen) return candidate.played.line;
-  return "";
-}
-
 /// The result plays for a second in MuJoCo; what the engine warns of is told and noted.
 std::vector<EngineWarningRecord> engine_warnings(const ResultFolder& folder,
                                                  const CodesignProblem& problem) {
@@ -88,9 +82,10 @@ void write_end(const ResultFolder& folder, const CodesignProblem& problem,
                const MultistartResult& found, const Candidate& chosen, int signal,
                Recorder& recorder, RunRecord& run) {
   std::vector<TaskOutcome> outcomes = write_results(folder, problem, found, chosen, recorder);
-  if (run.choice && !run.choice->pass)
+  if (run.choice)
     for (TaskOutcome& outcome : outcomes)
-      outcome.reasons.push_back("MuJoCo does not pass it: " + verdict_of_choice(*run.choice));
+      if (auto words = run.choice->complaint(run.choice->chosen, problem.task(outcome.task).name))
+        outcome.reasons.push_back(std::move(*words));
   RunEffort effort = effort_of(found);
   effort.file_seconds = recorder.seconds();
   run.engine_warnings = engine_warnings(folder, problem);

@@ -145,9 +145,13 @@ double value_of(const ByName<double>& s, const std::string& parameter) {
   return *value;
 }
 
+std::string speed_unit_of(const TaskRecord& task) {
+  return task.velocity[0] == 0.0 && task.velocity[1] == 0.0 ? "rad/s" : "m/s";
+}
+
 /// Why the picked plan does not do its task, and what MuJoCo said of it if it was played.
 std::vector<std::string> reasons_of(const RunRecord& run, const std::string& name,
-                                    const IterationMetrics& metrics, const std::string& unit) {
+                                    const IterationMetrics& metrics, const TaskRecord& task) {
   PlanQuality quality;
   quality.speed_reached = metrics.speed_reached;
   quality.speed_wanted = metrics.speed_wanted;
@@ -155,16 +159,10 @@ std::vector<std::string> reasons_of(const RunRecord& run, const std::string& nam
   quality.ground_error = metrics.ground_error;
   quality.slide_share = metrics.slide_share;
   quality.root_residual = metrics.root_residual;
-  std::vector<std::string> reasons = infeasible_reasons(true, quality, unit);
+  std::vector<std::string> reasons = infeasible_reasons(true, quality, speed_unit_of(task));
   if (!run.choice) return reasons;
-  for (const CandidateRecord& candidate : run.choice->candidates)
-    if (candidate.name == name && !candidate.played.pass)
-      reasons.push_back("MuJoCo does not pass it: " + candidate.played.line);
+  if (auto words = run.choice->complaint(name, task.name)) reasons.push_back(std::move(*words));
   return reasons;
-}
-
-std::string speed_unit_of(const TaskRecord& task) {
-  return task.velocity[0] == 0.0 && task.velocity[1] == 0.0 ? "rad/s" : "m/s";
 }
 
 /// What run.json says of the design in result/. What was said of the old one goes away.
@@ -189,7 +187,7 @@ void note_design(RunRecord& run, const RobotModel& robot, const std::string& nam
 void note_task_design(RunRecord& run, const RobotModel& robot, const std::string& name,
                       const IterationMetrics& metrics) {
   note_design(run, robot, name, metrics);
-  run.reasons = reasons_of(run, name, metrics, speed_unit_of(*run.task));
+  run.reasons = reasons_of(run, name, metrics, *run.task);
   run.feasible = run.reasons->empty();
   run.speed_reached = metrics.speed_reached;
   run.heading_error = metrics.heading_error;
@@ -215,7 +213,7 @@ void pick_joint(const ResultFolder& folder, const PickedDesign& picked, const Ro
     task.F = metrics.F;
     task.speed_reached = metrics.speed_reached;
     task.physics_steps.reset();
-    const auto own_reasons = reasons_of(run, picked.name, metrics, speed_unit_of(task));
+    const auto own_reasons = reasons_of(run, picked.name, metrics, task);
     task.feasible = own_reasons.empty();
     for (const std::string& reason : own_reasons) reasons.push_back(task.name + ": " + reason);
     F += task.weight.value_or(1.0) * (metrics.F + metrics.J);

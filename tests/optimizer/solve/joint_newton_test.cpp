@@ -103,6 +103,10 @@ TEST(JointNewton, EndsWhereItIsToldTo) {
   const JointNewtonResult two = toys.run(10.0, options);
   EXPECT_EQ(two.status, SolveStatus::iteration_limit);
   EXPECT_EQ(two.iterations, 2);
+  options.max_iterations = 0;
+  const JointNewtonResult none = toys.run(10.0, options);
+  EXPECT_EQ(none.status, SolveStatus::iteration_limit);
+  EXPECT_EQ(none.best().s, toy::box(10.0).initial()) << "the start is the best that is known";
   options = strict();
   int asked = 0;
   options.go_on = [&] { return ++asked < 3; };
@@ -147,23 +151,32 @@ TEST(JointNewton, PursuesTheBetterStart) {
   EXPECT_EQ(both.iterations, near.iterations + 3);
 }
 
-/// Searches of one cost take turns; each goes on as if it were alone.
-TEST(JointNewton, StartsDoNotDisturbEachOther) {
+/// The puppy that is asked to walk sideways.
+class PuppyJointNewton : public testing::Test {
+ protected:
+  JointNewtonResult run(CostFunction& cost, const std::vector<std::vector<VectorXd>>& starts,
+                        const JointNewtonOptions& options) const {
+    const DesignSpace& space = objective.space();
+    WeightedCost task;
+    task.cost = &cost;
+    return joint_newton({task}, {space.lower(), space.upper(), space.scale()}, space.initial(),
+                        starts, options);
+  }
+
   const test::Puppy puppy = test::make_puppy(true);
-  const Objective objective(puppy.morphology, puppy.space, test::make_sideways_task(true, 12));
-  const DesignSpace& space = objective.space();
-  const DesignBox box{space.lower(), space.upper(), space.scale()};
-  const VectorXd guess = initial_guess(objective, space.initial());
+  const Objective objective{puppy.morphology, puppy.space, test::make_sideways_task(true, 12)};
+  const VectorXd guess = initial_guess(objective, objective.space().initial());
+};
+
+/// Searches of one cost take turns; each goes on as if it were alone.
+TEST_F(PuppyJointNewton, StartsDoNotDisturbEachOther) {
   ObjectiveCost cost(objective);
-  WeightedCost task;
-  task.cost = &cost;
   JointNewtonOptions options;
   options.max_iterations = 15;
   options.scout_iterations = 8;
   const VectorXd worse = guess + 0.3 * cost.motion_units();
-  const JointNewtonResult alone = joint_newton({task}, box, space.initial(), {{guess}}, options);
-  const JointNewtonResult both =
-      joint_newton({task}, box, space.initial(), {{guess}, {worse}}, options);
+  const JointNewtonResult alone = run(cost, {{guess}}, options);
+  const JointNewtonResult both = run(cost, {{guess}, {worse}}, options);
   ASSERT_EQ(both.iterations, alone.iterations + 8);
   EXPECT_EQ(both.best().s, alone.best().s);
   EXPECT_EQ(both.best().value, alone.best().value);
@@ -182,22 +195,13 @@ class StraightCost final : public CostFunction {
   ObjectiveCost cost_;
 };
 
-TEST(JointNewton, CorrectedStepsTakeThePuppyFartherThanStraightOnes) {
-  const test::Puppy puppy = test::make_puppy(true);
-  const Objective objective(puppy.morphology, puppy.space, test::make_sideways_task(true, 12));
-  const DesignSpace& space = objective.space();
-  const DesignBox box{space.lower(), space.upper(), space.scale()};
-  const VectorXd guess = initial_guess(objective, space.initial());
+TEST_F(PuppyJointNewton, CorrectedStepsGoFartherThanStraightOnes) {
   JointNewtonOptions options;
   options.max_iterations = 40;
-  const auto run = [&](CostFunction& cost) {
-    WeightedCost task;
-    task.cost = &cost;
-    return joint_newton({task}, box, space.initial(), {{guess}}, options).best().value;
-  };
   ObjectiveCost bent(objective);
   StraightCost straight(objective);
-  const double with = run(bent), without = run(straight);
+  const double with = run(bent, {{guess}}, options).best().value;
+  const double without = run(straight, {{guess}}, options).best().value;
   EXPECT_LT(with, 0.8 * without);
 }
 

@@ -113,10 +113,22 @@ TEST(ChooseDesign, PlaysAnOptimumThatPassesAndNothingElse) {
 /// Where nothing passes, the result is never farther from passing than the given body or the
 /// optimum of F: all three are played to the end.
 TEST(ChooseDesign, IsNeverFartherFromPassingThanTheGivenBody) {
-  const SearchedProblem searched(test::problem_of(
+  SearchedProblem searched(test::problem_of(
       "quadruped", "[gait]\nname = \"trot\"\nperiod = 0.5\n[travel]\nvelocity = [0.9, 0.0]\n"));
+  StartedRun elsewhere = searched.found.joint[searched.found.best];
+  elsewhere.label.start = "elsewhere";
+  elsewhere.result.best.value *= 1.1;
+  searched.found.joint.push_back(elsewhere);
   const ChosenDesign choice = searched.choose(2);
   EXPECT_FALSE(choice.record.pass);
+  const auto played = [&](const std::string& beginning) {
+    return std::any_of(
+        choice.record.candidates.begin(), choice.record.candidates.end(),
+        [&](const CandidateRecord& record) { return record.name.starts_with(beginning); });
+  };
+  EXPECT_TRUE(played("from elsewhere"));
+  EXPECT_TRUE(played("tightened: "));
+  EXPECT_TRUE(played("from elsewhere, tightened: ")) << "another start's optimum is tightened, too";
   EXPECT_EQ(std::count_if(choice.kept.begin(), choice.kept.end(),
                           [&](const auto& kept) { return kept.second.name == choice.result.name; }),
             1);
