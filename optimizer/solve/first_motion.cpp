@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 #include <random>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "optimizer/solve/task_solver.hpp"
@@ -67,27 +69,31 @@ VectorXd perturbed(const Objective& objective, VectorXd m, std::mt19937_64& rand
 VectorXd best_first_motion(const Objective& objective, const VectorXd& s,
                            const FirstMotionOptions& options) {
   const VectorXd guess = initial_guess(objective, s);
-  std::vector<VectorXd> starts;
+  std::vector<std::pair<std::string, VectorXd>> starts;
+  starts.emplace_back("first guess", guess);
   const Task& task = objective.task();
   if (task.velocity.norm() > 0.0 || task.turn_rate != 0.0) {
-    starts.push_back(initial_guess(at_speed(objective, 0.0), s));
+    starts.emplace_back("guess on the spot", initial_guess(at_speed(objective, 0.0), s));
     const Objective slower = at_speed(objective, kHalfSpeed);
     const ScoutedMotion plan = scout(slower, s, initial_guess(slower, s));
-    if (std::isfinite(plan.value)) starts.push_back(plan.m);
+    if (std::isfinite(plan.value)) starts.emplace_back("plan of half the speed", plan.m);
   }
   std::mt19937_64 random(options.seed);
   for (int k = 0; k < options.perturbations; ++k)
-    starts.push_back(perturbed(objective, guess, random));
+    starts.emplace_back("perturbed guess " + std::to_string(k + 1),
+                        perturbed(objective, guess, random));
 
-  double least = kBetter * scout(objective, s, guess).value;
-  VectorXd best = guess;
-  for (const VectorXd& start : starts) {
+  double least = std::numeric_limits<double>::infinity();
+  const VectorXd* best = &guess;
+  for (const auto& [name, start] : starts) {
     const double value = scout(objective, s, start).value;
-    if (!(value < least)) continue;
-    least = value;
-    best = start;
+    if (options.tell) options.tell(name, value);
+    const bool first = &start == &starts.front().second;
+    if (!(value < least) && !first) continue;
+    least = first ? kBetter * value : value;
+    best = &start;
   }
-  return best;
+  return *best;
 }
 
 }  // namespace legwright

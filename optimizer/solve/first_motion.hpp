@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <functional>
+#include <string>
 
 #include "optimizer/objective/objective.hpp"
 
@@ -11,6 +13,8 @@ namespace legwright {
 struct FirstMotionOptions {
   int perturbations = 0;  // further starts: the first guess, moved at random
   std::uint64_t seed = 1;
+  /// Told of each start with the F that a solve comes to from it; infinite where there is none.
+  std::function<void(const std::string& start, double F)> tell = {};
 };
 
 /// m₀ for a body: of several first motions the one from which Newton's method comes to the least

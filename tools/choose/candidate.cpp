@@ -59,6 +59,13 @@ class CandidateOnTrial {
   void glance() {
     for_each_gait([](const GaitOnTrial& gait, GaitTrial& trial) { trial = gait.glance(); });
   }
+  double largest_multiplier() const {
+    double largest = 0.0;
+    for (const auto& gait : gaits_)
+      largest = std::max(largest, gait != nullptr ? gait->largest_multiplier(threads_)
+                                                  : std::numeric_limits<double>::infinity());
+    return largest;
+  }
   const std::vector<GaitTrial>& trials() const { return trials_; }
 
  private:
@@ -87,7 +94,7 @@ class CandidateOnTrial {
     gaits_[i].reset();
     trials_[i] = {};
     trials_[i].distance = std::numeric_limits<double>::infinity();
-    trials_[i].line = why;
+    trials_[i].line = trials_[i].brief = why;
   }
 
   int threads_;
@@ -128,6 +135,10 @@ PlayedCandidate play_candidate(const CodesignProblem& problem, const Candidate& 
     if (pass || length == PlayLength::whole) on_trial.ask_other_numerics();
   }
   return played_tasks(on_trial.trials());
+}
+
+double largest_multiplier(const CodesignProblem& problem, const Candidate& candidate, int threads) {
+  return CandidateOnTrial(problem, candidate, threads).largest_multiplier();
 }
 
 std::vector<std::optional<PlayedCandidate>> play_beside(

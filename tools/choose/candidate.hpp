@@ -50,6 +50,10 @@ enum class PlayLength { until_failure, whole };
 PlayedCandidate play_candidate(const CodesignProblem& problem, const Candidate& candidate,
                                int threads, PlayLength length = PlayLength::until_failure);
 
+/// The largest Floquet multiplier of its gaits at these gains: below 1 each comes back to its cycle
+/// by itself after a small disturbance. Infinite where one falls or cannot be played.
+double largest_multiplier(const CodesignProblem& problem, const Candidate& candidate, int threads);
+
 /// Glances at designs of the candidate's own search in MuJoCo, each where there is one.
 std::vector<std::optional<PlayedCandidate>> play_beside(
     const CodesignProblem& problem, const Candidate& candidate,

@@ -5,14 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <optional>
 
-#include "mjcf/text/input_error.hpp"
 #include "optimizer/base/parallel.hpp"
 #include "optimizer/base/stopwatch.hpp"
 #include "tools/choose/other_designs.hpp"
-#include "tools/choose/physics_trial.hpp"
+#include "tools/choose/tightened_search.hpp"
 #include "tools/simulate/mujoco_host.hpp"
 
 namespace legwright {
@@ -24,60 +22,8 @@ constexpr std::size_t kLeversKept = 7;  // from the second round on
 constexpr std::size_t kFinalists = 6;   // that are played to the end where nothing passes
 constexpr int kSearchIterations = 12;   // of each: it starts from a design that is nearly right
 constexpr double kDear = 1.3;  // × F of the optimum: a design that passes with more is not the last
+constexpr double kAlmostAsCheap = 1.1;  // × F of the best that passes: stability decides
 constexpr double kGain = 0.99;  // of the distance from passing: a round that gains less is the last
-
-/// Searches on from a candidate with tightened tasks. @return nothing where there is no such design
-std::optional<Candidate> search_tightened(const CodesignProblem& problem,
-                                          const std::vector<JointTask>& tasks,
-                                          const Candidate& from,
-                                          const std::vector<Tightening>& tightening,
-                                          const DesignSpace& space,
-                                          const CodesignOptions& options) {
-  Candidate out;
-  out.tightening = tightening;
-  std::vector<std::unique_ptr<ObjectiveCost>> costs;
-  std::vector<WeightedCost> weighted_costs;
-  try {
-    for (int k = 0; k < problem.task_count(); ++k) {
-      const auto i = static_cast<std::size_t>(k);
-      const Task task = tightened_task(problem, k, tightening[i]);
-      out.planned.push_back(std::make_shared<const Objective>(
-          as_in_task(problem.robot.morphology, task), problem.robot.space, task));
-      costs.push_back(std::make_unique<ObjectiveCost>(*out.planned.back()));
-      weighted_costs.push_back(weighted(tasks[i], tasks[i].weight, from.design.tasks[i].m));
-      weighted_costs.back().cost = costs.back().get();
-    }
-  } catch (const InputError&) {
-    return std::nullopt;  // out of reach, or no knot left for a swing
-  }
-  CodesignResult result = codesign(weighted_costs, space, from.design.s, options);
-  if (!std::isfinite(result.best.value)) return std::nullopt;
-  out.design = std::move(result.best);
-  evaluate_as_asked(problem, out);
-  return out;
-}
-
-/// The tightening of a candidate with one lever pulled once more, in the tasks that fail.
-std::vector<Tightening> pulled(const Candidate& candidate, const PlayedCandidate& played,
-                               Lever lever) {
-  std::vector<Tightening> out = candidate.tightening;
-  out.resize(played.trials.size());
-  for (std::size_t k = 0; k < out.size(); ++k)
-    if (!played.trials[k].pass) out[k] = out[k].with(lever, played.trials[k]);
-  return out;
-}
-
-bool alike(const std::vector<Tightening>& a, const std::vector<Tightening>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const Tightening& x, const Tightening& y) { return x.pulls == y.pulls; });
-}
-
-std::vector<Lever> all_levers() {
-  std::vector<Lever> out;
-  out.reserve(kLeverCount);
-  for (int lever = 0; lever < kLeverCount; ++lever) out.push_back(static_cast<Lever>(lever));
-  return out;
-}
 
 /// Plays candidates and keeps the best of them.
 class DesignChooser {
@@ -163,6 +109,31 @@ class DesignChooser {
       record.failing = failing(played[i]);
       count_rollouts(played[i]);
       take_if_nearer(finalists_[i].design, played[i]);
+    }
+  }
+
+  /// Of several designs that pass and cost about as much, the cheapest whose cycle is stable at all
+  /// three gains is better than a cheaper one that passes while nothing disturbs it.
+  void prefer_stable() {
+    if (!played_.pass || stopped()) return;
+    const double most = kAlmostAsCheap * best_->design.value;
+    std::vector<const std::pair<std::size_t, Candidate>*> rivals;
+    for (const auto& kept : kept_)
+      if (record_.candidates[kept.first].played.pass && kept.second.design.value <= most)
+        rivals.push_back(&kept);
+    if (rivals.size() < 2) return;
+    std::stable_sort(rivals.begin(), rivals.end(), [](const auto* a, const auto* b) {
+      return a->second.design.value < b->second.design.value;
+    });
+    for (const auto* rival : rivals) {
+      const double multiplier = largest_multiplier(problem_, rival->second, options_.threads);
+      record_.candidates[rival->first].multiplier = multiplier;
+      if (options_.tell)
+        options_.tell(fmt::format("physics, {} (F {:.5g}): largest Floquet multiplier {:.2f}",
+                                  rival->second.name, rival->second.design.value, multiplier));
+      if (!(multiplier < 1.0)) continue;
+      best_ = rival->second;
+      return;
     }
   }
 
@@ -300,6 +271,20 @@ class DesignChooser {
     for (const GaitTrial& trial : played.trials) record_.rollouts += trial.rollouts;
   }
 
+  /// For a terminal: the whole is in run.json.
+  std::string brief_words(const PlayedCandidate& played) const {
+    if (played.pass) return "PASS";
+    std::vector<std::string> failing;
+    for (std::size_t k = 0; k < played.trials.size(); ++k) {
+      const GaitTrial& trial = played.trials[k];
+      if (trial.pass) continue;
+      const std::string& task = problem_.task(static_cast<int>(k)).name;
+      failing.push_back(problem_.set.joint() ? fmt::format("{} {}", task, trial.brief)
+                                             : trial.brief);
+    }
+    return fmt::format("FAIL {}", fmt::join(failing, "; "));
+  }
+
   std::optional<ByName<std::string>> failing(const PlayedCandidate& played) const {
     if (!problem_.set.joint()) return std::nullopt;
     ByName<std::string> out;
@@ -313,9 +298,9 @@ class DesignChooser {
     count_rollouts(played);
     if (options_.tell)
       options_.tell(fmt::format("physics, {} (F {:.5g}): {}", candidate.name,
-                                candidate.design.value, played.line));
+                                candidate.design.value, brief_words(played)));
     record_.candidates.push_back(
-        {candidate.name, candidate.design.value, played.record(), {}, failing(played)});
+        {candidate.name, candidate.design.value, played.record(), {}, failing(played), {}});
     if (played.pass || record_.candidates.size() == 1)
       kept_.emplace_back(record_.candidates.size() - 1, candidate);
     add_finalist(candidate, played);
@@ -375,6 +360,7 @@ ChosenDesign choose_design(const CodesignProblem& problem, const std::vector<Joi
     if (!options.space) chooser.consider_others(found, along);
   }
   chooser.play_finalists();
+  chooser.prefer_stable();
   return chooser.result(watch.seconds());
 }
 

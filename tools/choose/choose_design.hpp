@@ -41,7 +41,8 @@ struct ChosenDesign {
 /// tightened, too; where still none does, the search goes on from another start's optimum that has
 /// up to 1.3 times the F. Iterates on the way and the optima of other starts are played as well.
 /// Designs are played by rising F, and none whose F is above that of one that passes. So the result
-/// never fails where the given body passes.
+/// never fails where the given body passes. Where several pass within a tenth of the least F, the
+/// cheapest with a stable cycle (largest_multiplier() below 1) is the result, if there is one.
 /// @param tasks costs of the problem. @param along the iterates of all starts, those of the whole
 /// problem. Throws MujocoError.
 ChosenDesign choose_design(const CodesignProblem& problem, const std::vector<JointTask>& tasks,

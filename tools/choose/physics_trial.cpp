@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "optimizer/base/parallel.hpp"
+#include "tools/validate/floquet.hpp"
 #include "tools/validate/limits.hpp"
 #include "tools/validate/measure.hpp"
 #include "tools/validate/numerics.hpp"
@@ -93,6 +95,13 @@ NumericalSetting setting_called(const std::string& name, double timestep) {
   throw std::logic_error("no numerics called " + name);
 }
 
+/// "falls after 1.1 s at half gains (and 2 more)"; empty where it passes.
+std::string brief_words(const Verdict& verdict) {
+  if (verdict.reasons.empty()) return "";
+  const std::size_t more = verdict.reasons.size() - 1;
+  return verdict.reasons.front() + (more > 0 ? " (and " + std::to_string(more) + " more)" : "");
+}
+
 /// What roll-outs of a gait say together.
 GaitTrial trial_of(const std::vector<Measurements>& runs, const TaskFile& wanted,
                    double planned_seconds) {
@@ -113,6 +122,7 @@ GaitTrial trial_of(const std::vector<Measurements>& runs, const TaskFile& wanted
       Eigen::Map<const VectorXd>(residual.data(), static_cast<Eigen::Index>(residual.size()));
   trial.pass = verdict.pass;
   trial.line = verdict.line;
+  trial.brief = brief_words(verdict);
   trial.speed_ratio = middle(speed_ratios, 1.0);
   trial.heading_drift = middle(drifts, 0.0);
   return trial;
@@ -149,7 +159,7 @@ void GaitOnTrial::ask_other_numerics(int threads, GaitTrial& trial) const {
   const WantedMotion motion{wanted_.velocity, wanted_.turn_rate};
   const Limits limits = with_step_over(default_limits(), wanted_.margins.step_over);
   std::array<double, kAskedNumerics.size()> far{};
-  std::array<std::string, kAskedNumerics.size()> lines;
+  std::array<std::string, kAskedNumerics.size()> lines, briefs;
   parallel_for(static_cast<int>(kAskedNumerics.size()), threads, [&](int k) {
     const auto i = static_cast<std::size_t>(k);
     const AskedNumerics& asked = kAskedNumerics[i];
@@ -161,11 +171,13 @@ void GaitOnTrial::ask_other_numerics(int threads, GaitTrial& trial) const {
     if (verdict.pass) return;
     far[i] = distance_of(run, motion, limits, kTrialCycles * scene.trajectory.period);
     lines[i] = verdict.line + ", " + setting.words;
+    briefs[i] = brief_words(verdict) + ", " + setting.words;
   });
   double sum = 0.0;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (lines[i].empty()) continue;
     trial.line = trial.pass ? lines[i] : trial.line + "; " + lines[i];
+    if (trial.brief.empty()) trial.brief = briefs[i];
     trial.pass = false;
     sum += far[i];
   }
@@ -183,6 +195,16 @@ GaitTrial GaitOnTrial::glance() const {
     if (!trial.pass) break;
   }
   return trial;
+}
+
+double GaitOnTrial::largest_multiplier(int threads) const {
+  FloquetOptions options;
+  options.threads = threads;
+  double largest = 0.0;
+  for (const double gain : kTrialGains)
+    largest = std::max(largest, floquet_multiplier(this->scene(gain), options)
+                                    .value_or(std::numeric_limits<double>::infinity()));
+  return largest;
 }
 
 GaitTrial try_in_physics(const RobotModel& robot, const TaskFile& wanted,

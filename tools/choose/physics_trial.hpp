@@ -26,6 +26,7 @@ struct GaitTrial : PhysicsTrial {
   double speed_ratio = 1.0;    // in the middle between the gains; 1 where unknown
   double heading_drift = 0.0;  // the same [rad a cycle]
   int rollouts = 0;            // that it took
+  std::string brief;           // the first reason why it fails; empty where it passes
 };
 
 /// For how long a gait is played. One that fails within its first cycles fails; two that fail can
@@ -51,6 +52,9 @@ class GaitOnTrial {
   /// fails: of a design beside a result, which nobody hands back. Its distance is of the gains
   /// played.
   GaitTrial glance() const;
+  /// The largest Floquet multiplier at the three gains (validate/floquet); infinite where the gait
+  /// falls or diverges at one.
+  double largest_multiplier(int threads) const;
 
  private:
   Scene scene(double gain) const;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "tools/report/judged_words.hpp"
 #include "tools/report/number_words.hpp"
@@ -25,7 +26,12 @@ void add_row(Html& page, const CandidateRecord& candidate, bool chosen) {
     page.text(candidate.name);
   page.close().number(three_digits(candidate.F), "F");
   page.element("td", candidate.played.pass ? "✓ pass" : "✗ fail");
-  page.element("td", verdict_details(candidate.played.line)).close();
+  std::string why = verdict_details(candidate.played.line);
+  if (candidate.multiplier)
+    why += fmt::format("; largest Floquet multiplier {}", std::isfinite(*candidate.multiplier)
+                                                              ? three_digits(*candidate.multiplier)
+                                                              : "unknown: it falls");
+  page.element("td", why).close();
 }
 
 }  // namespace
@@ -38,7 +44,8 @@ std::string choice_words(const RunRecord& run) {
                                  three_digits(optimum.F), verdict_details(optimum.played.line));
   text += fmt::format("Of {} designs that it played the result is “{}”, F {}, ",
                       choice.candidates.size(), chosen.name, three_digits(chosen.F));
-  text += choice.pass ? "the least F that passes." : "the nearest to passing; none passes.";
+  text += choice.pass ? "the least F that passes" : "the nearest to passing; none passes";
+  text += choice.by_stability() ? ", but for designs whose cycle is not stable." : ".";
   if (run.picked) text += fmt::format(" Since then {} was picked instead.", *run.picked);
   return text;
 }

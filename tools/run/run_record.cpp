@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace legwright {
 
@@ -24,6 +25,8 @@ void fields(Fields& f, CandidateRecord& candidate) {
   f("folder", candidate.folder,
     "of its files, in the run; a folder per task where there are several");
   f("failing", candidate.failing, "of several tasks: the line of each that fails");
+  f("multiplier", candidate.multiplier,
+    "largest Floquet multiplier at half, default and double gains, where it decides");
 }
 
 void fields(Fields& f, ChoiceRecord& choice) {
@@ -232,6 +235,15 @@ std::optional<std::string> ChoiceRecord::complaint(const std::string& candidate,
     if (line != nullptr) return "MuJoCo does not pass it: " + *line;
   }
   return std::nullopt;
+}
+
+bool ChoiceRecord::by_stability() const {
+  double F = -std::numeric_limits<double>::infinity();
+  for (const CandidateRecord& each : candidates)
+    if (each.name == chosen) F = each.F;
+  return std::any_of(candidates.begin(), candidates.end(), [&](const CandidateRecord& each) {
+    return each.multiplier.has_value() && each.F < F;
+  });
 }
 
 bool RunRecord::body_kept() const {

@@ -37,10 +37,14 @@ struct CandidateRecord {
   PlayedGait played;
   std::optional<std::string> folder;           // of its files in the run, where they are kept
   std::optional<ByName<std::string>> failing;  // of several tasks: the line of each that fails
+  // The largest Floquet multiplier at the three gains; of designs that pass, where there are several
+  // to choose between.
+  std::optional<double> multiplier;
 };
 void fields(Fields& f, CandidateRecord& candidate);
 
-/// Which of its designs `optimize` handed back: the one with the least F that physics passes.
+/// Which of its designs `optimize` handed back: the one with the least F that physics passes, but
+/// for one with almost as little and a stable cycle.
 struct ChoiceRecord {
   std::string chosen;
   bool pass = false;
@@ -51,6 +55,8 @@ struct ChoiceRecord {
   /// Why MuJoCo does not pass a candidate; of several tasks, why it does not pass this one. Nothing
   /// where it passes, or was not played.
   std::optional<std::string> complaint(const std::string& candidate, const std::string& task) const;
+  /// Whether a design that passes with less F was left for one whose cycle is stable.
+  bool by_stability() const;
 };
 void fields(Fields& f, ChoiceRecord& choice);
 

@@ -40,7 +40,12 @@ MultistartOptions settings_of(const OptimizeOptions& options, int task_count) {
 }
 
 FirstMotionOptions first_motion_of(const OptimizeOptions& options) {
-  return {options.motion_only ? options.starts : 0, options.seed};
+  FirstMotionOptions out{options.motion_only ? options.starts : 0, options.seed};
+  if (out.perturbations > 0 && !options.quiet)
+    out.tell = [](const std::string& start, double F) {
+      fmt::print(stderr, "motion from {}: F {:.5g}\n", start, F);
+    };
+  return out;
 }
 
 ChoiceOptions choice_options(const OptimizeOptions& options, const MultistartOptions& settings) {

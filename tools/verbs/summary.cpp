@@ -94,9 +94,12 @@ std::string choice_lines(const std::optional<ChoiceRecord>& choice) {
       text += fmt::format("           so the result is '{}', F {:.5g}: {}\n", candidate.name,
                           candidate.F, candidate.played.line);
   if (choice->candidates.size() > 1)
-    text += fmt::format(
-        "           of {} designs played the one {} ({:.1f} s)\n", choice->candidates.size(),
-        choice->pass ? "with the least F that passes" : "nearest to passing", choice->seconds);
+    text += fmt::format("           of {} designs played the one {} ({:.1f} s)\n",
+                        choice->candidates.size(),
+                        choice->by_stability() ? "with the least F that passes with a stable cycle"
+                        : choice->pass         ? "with the least F that passes"
+                                               : "nearest to passing",
+                        choice->seconds);
   return text;
 }
 
