@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <vector>
 
 #include "mjcf/read/read_robot.hpp"
@@ -41,16 +42,16 @@ class GaitOnTrial {
   /// this
   GaitOnTrial(const RobotModel& robot, const TaskFile& wanted, DesignTexts texts);
 
-  /// At half, default and double gains. @param threads of these; results do not depend on it
+  /// At half, default and double gains; goes on from where an earlier call ended.
+  /// @param threads of these; results do not depend on it
   GaitTrial play(PlayedCycles cycles, int threads = 1);
   /// Adds to the trial of a gait that passes all cycles: plays them once more with those numerics
   /// in which such gaits fail most often: half the step at the highest gains, a pyramidal cone at
   /// these and the default ones (docs/findings/physics_in_the_search.md). A gait that fails in
   /// these alone is nearer to passing than any that misses a limit at its gains.
   void ask_other_numerics(int threads, GaitTrial& trial) const;
-  /// Plays fewer cycles still, at double, half and default gains, up to the first at which it
-  /// fails: of a design beside a result, which nobody hands back. Its distance is of the gains
-  /// played.
+  /// Plays fewer cycles still, at double and half gains, up to the first at which it fails: of a
+  /// design beside a result, which nobody hands back. Its distance is of the gains played.
   GaitTrial glance() const;
   /// The largest Floquet multiplier at the three gains (validate/floquet); infinite where the gait
   /// falls or diverges at one.
@@ -63,7 +64,8 @@ class GaitOnTrial {
   std::filesystem::path folder_;
   const TaskFile& wanted_;
   DesignTexts texts_;
-  std::vector<Scene> scenes_;  // at the gains
+  std::vector<std::unique_ptr<const Scene>> scenes_;  // at the gains
+  std::vector<GaitMeasurement> played_;               // the same
 };
 
 /// First cycles, all of them and other numerics, as far as the gait passes. Throws as GaitOnTrial.

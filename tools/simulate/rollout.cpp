@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace legwright {
 namespace {
@@ -41,42 +42,49 @@ std::optional<Fall> find_fall(const Scene& scene, const mjData& data, double tim
 
 }  // namespace
 
+ResumableRollout::ResumableRollout(const Scene& scene, RolloutOptions options)
+    : scene_(scene), options_(std::move(options)), data_(make_data(*scene.model)) {
+  mj_resetDataKeyframe(scene.model.get(), data_.get(), scene.start_key);
+  if (options_.prepare) options_.prepare(*data_);
+}
+
+// @return whether to go on
+bool ResumableRollout::play_step(const std::function<void(const RolloutSample&)>& observe) {
+  const mjModel& model = *scene_.model;
+  mjData& data = *data_;
+  const double time = static_cast<double>(next_) * model.opt.timestep;  // no rounding adds up
+  if (next_frame_ <= time + 1e-9 && time <= options_.frame_until + 1e-9 &&
+      options_.frame_until > 0) {
+    out_.frames.push_back({time, {data.qpos, data.qpos + model.nq}});
+    next_frame_ = static_cast<double>(out_.frames.size()) * options_.frame_interval;
+  }
+  // One step beyond the end, whose only use is what it derives from the last state.
+  if (options_.step)
+    options_.step(data, time);
+  else
+    mj_step(&model, &data);
+  health_.look(data, time);
+  out_.seconds = time;
+  out_.diverged = Health::diverged(data);
+  if (out_.diverged) return false;
+  if (observe) observe({model, data, time});
+  if (next_ == 0) start_height_ = data.xpos[3 * scene_.joints.root_body + 2];
+  out_.fall = find_fall(scene_, data, time, start_height_, options_.fall);
+  return !out_.fall;
+}
+
+const Rollout& ResumableRollout::play_to(int cycles,
+                                         const std::function<void(const RolloutSample&)>& observe) {
+  const MujocoMessages messages;
+  const auto last = std::llround(cycles * scene_.trajectory.period / scene_.model->opt.timestep);
+  while (!out_.fall && !out_.diverged && next_ <= last && play_step(observe)) ++next_;
+  out_.warnings = health_.warnings(*data_);
+  return out_;
+}
+
 Rollout rollout(const Scene& scene, const RolloutOptions& options,
                 const std::function<void(const RolloutSample&)>& observe) {
-  const MujocoMessages messages;
-  const mjModel& model = *scene.model;
-  const DataPointer data = make_data(model);
-  mj_resetDataKeyframe(&model, data.get(), scene.start_key);
-  if (options.prepare) options.prepare(*data);
-  const auto steps = std::llround(options.cycles * scene.trajectory.period / model.opt.timestep);
-  Rollout out;
-  Health health;
-  double start_height = 0.0, next_frame = 0.0;
-  for (long long n = 0; n <= steps; ++n) {
-    const double time = static_cast<double>(n) * model.opt.timestep;  // no rounding adds up
-    if (next_frame <= time + 1e-9 && time <= options.frame_until + 1e-9 &&
-        options.frame_until > 0) {
-      out.frames.push_back({time, {data->qpos, data->qpos + model.nq}});
-      next_frame = static_cast<double>(out.frames.size()) * options.frame_interval;
-    }
-    // One step beyond the end, whose only use is what it derives from the last state.
-    if (options.step)
-      options.step(*data, time);
-    else
-      mj_step(&model, data.get());
-    health.look(*data, time);
-    out.seconds = time;
-    if (Health::diverged(*data)) {
-      out.diverged = true;
-      break;
-    }
-    if (observe) observe({model, *data, time});
-    if (n == 0) start_height = data->xpos[3 * scene.joints.root_body + 2];
-    out.fall = find_fall(scene, *data, time, start_height, options.fall);
-    if (out.fall) break;
-  }
-  out.warnings = health.warnings(*data);
-  return out;
+  return ResumableRollout(scene, options).play_to(options.cycles, observe);
 }
 
 }  // namespace legwright

@@ -49,6 +49,29 @@ struct Rollout {
   std::vector<RolloutFrame> frames;
 };
 
+/// A roll-out of a scene that can be played on from where it stands: the same bits as in one go.
+class ResumableRollout {
+ public:
+  /// Stands at the keyframe. Keeps a reference to the scene. @param options of which `cycles` does
+  /// not count
+  ResumableRollout(const Scene& scene, RolloutOptions options);
+
+  /// Plays on until so many cycles since the start are whole; nothing where it stopped before.
+  /// @return everything since the start
+  const Rollout& play_to(int cycles, const std::function<void(const RolloutSample&)>& observe);
+
+ private:
+  bool play_step(const std::function<void(const RolloutSample&)>& observe);
+
+  const Scene& scene_;
+  RolloutOptions options_;
+  DataPointer data_;
+  Health health_;
+  Rollout out_;
+  long long next_ = 0;  // step
+  double start_height_ = 0.0, next_frame_ = 0.0;
+};
+
 /// Plays a scene from its keyframe for whole cycles, headless, as fast as it goes. Stops early at a
 /// fall or when the simulation diverges; MuJoCo never resets it. The same scene gives the same
 /// bits.

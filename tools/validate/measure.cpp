@@ -13,15 +13,8 @@
 #include "tools/validate/saturation.hpp"
 
 namespace legwright {
-namespace {
 
-struct Mark {                // the robot at the start of a cycle
-  Eigen::Vector2d position;  // of its COM: where a robot turns, its trunk's origin goes round that
-  double yaw;                // of the trunk, unwrapped [rad]
-  double work;               // of the servos so far [J]
-};
-
-class Measurer {
+class GaitMeasurement::Measurer {
  public:
   Measurer(const Scene& scene, const MeasureOptions& options)
       : scene_(scene),
@@ -47,6 +40,12 @@ class Measurer {
               Measurements& out);
 
  private:
+  struct Mark {  // the robot at the start of a cycle
+    Eigen::Vector2d
+        position;  // of its COM: where a robot turns, its trunk's origin goes round that
+    double yaw;    // of the trunk, unwrapped [rad]
+    double work;   // of the servos so far [J]
+  };
   struct JointSums {
     double torque_squared = 0.0, peak = 0.0, error_squared = 0.0;
     long long saturated = 0;
@@ -71,7 +70,7 @@ class Measurer {
   long long samples_ = 0, settled_ = 0, saturated_ = 0;
 };
 
-void Measurer::watch_trunk(const RolloutSample& sample) {
+void GaitMeasurement::Measurer::watch_trunk(const RolloutSample& sample) {
   const mjtNum* rotation =
       sample.data.xmat + static_cast<std::ptrdiff_t>(9) * scene_.joints.root_body;
   const double yaw = std::atan2(rotation[3], rotation[0]);
@@ -86,7 +85,7 @@ void Measurer::watch_trunk(const RolloutSample& sample) {
   ++samples_;
 }
 
-void Measurer::watch_contacts(const RolloutSample& sample) {
+void GaitMeasurement::Measurer::watch_contacts(const RolloutSample& sample) {
   penetration_ = std::max(penetration_, read_foot_touches(scene_, sample.data, touch_));
   for (std::size_t j = 0; j < feet_.size(); ++j) {
     const FootMotion motion = foot_motion(model_, sample.data, scene_.foot_geom[j]);
@@ -99,7 +98,7 @@ void Measurer::watch_contacts(const RolloutSample& sample) {
   }
 }
 
-void Measurer::watch_joints(const RolloutSample& sample) {
+void GaitMeasurement::Measurer::watch_joints(const RolloutSample& sample) {
   const bool settled = sample.time >= scene_.trajectory.period;
   const SplinePhase phase = phase_at(scene_.trajectory, sample.time + scene_.t0);
   bool any = false;
@@ -124,8 +123,10 @@ void Measurer::watch_joints(const RolloutSample& sample) {
   saturated_ += any;
 }
 
-void Measurer::finish_speeds(const WantedMotion& wanted, const Eigen::Vector2d& plan_velocity,
-                             const MeasureOptions& options, Measurements& out) const {
+void GaitMeasurement::Measurer::finish_speeds(const WantedMotion& wanted,
+                                              const Eigen::Vector2d& plan_velocity,
+                                              const MeasureOptions& options,
+                                              Measurements& out) const {
   const auto first = static_cast<std::size_t>(options.settle_cycles);
   if (marks_.size() < first + 2) return;
   const double period = scene_.trajectory.period;
@@ -163,7 +164,7 @@ void Measurer::finish_speeds(const WantedMotion& wanted, const Eigen::Vector2d& 
 
 // The path that is wanted sets off where the robot does, in the heading of the plan: what turns it
 // in its first steps leads it astray as well.
-void Measurer::finish_path(const WantedMotion& wanted, Measurements& out) const {
+void GaitMeasurement::Measurer::finish_path(const WantedMotion& wanted, Measurements& out) const {
   if (!wanted.travels() || marks_.size() < 2) return;
   std::vector<Eigen::Vector2d> way;
   for (const Mark& mark : marks_) way.push_back(mark.position);
@@ -173,9 +174,9 @@ void Measurer::finish_path(const WantedMotion& wanted, Measurements& out) const 
       length;
 }
 
-void Measurer::finish(const Rollout& played, const WantedMotion& wanted,
-                      const Eigen::Vector2d& plan_velocity, const MeasureOptions& options,
-                      Measurements& out) {
+void GaitMeasurement::Measurer::finish(const Rollout& played, const WantedMotion& wanted,
+                                       const Eigen::Vector2d& plan_velocity,
+                                       const MeasureOptions& options, Measurements& out) {
   out.cycles = std::max(0, static_cast<int>(marks_.size()) - 1);
   out.tilt_max = tilt_max_;
   out.penetration_max = penetration_;
@@ -204,25 +205,53 @@ void Measurer::finish(const Rollout& played, const WantedMotion& wanted,
   out.self_contact = self_contact_.finish();
 }
 
-}  // namespace
+struct GaitMeasurement::Parts {
+  const Scene& scene;
+  WantedMotion wanted;
+  Eigen::Vector2d plan_velocity;
+  MeasureOptions options;
+  ResumableRollout rollout;
+  Measurer measurer;
+  Rollout played = {};
+};
+
+GaitMeasurement::GaitMeasurement(const Scene& scene, const WantedMotion& wanted,
+                                 const Eigen::Vector2d& plan_velocity,
+                                 const RolloutOptions& rollout_options,
+                                 const MeasureOptions& options)
+    : parts_(new Parts{scene, wanted, plan_velocity, options,
+                       ResumableRollout(scene, rollout_options), Measurer(scene, options)}) {}
+
+GaitMeasurement::~GaitMeasurement() = default;
+GaitMeasurement::GaitMeasurement(GaitMeasurement&&) noexcept = default;
+
+Measurements GaitMeasurement::play_to(int cycles,
+                                      const std::function<void(const RolloutSample&)>& also) {
+  Parts& parts = *parts_;
+  parts.played = parts.rollout.play_to(cycles, [&](const RolloutSample& sample) {
+    parts.measurer.observe(sample);
+    if (also) also(sample);
+  });
+  Measurements out;
+  out.gain_scale = parts.scene.gain_scale;
+  out.seconds = parts.played.seconds;
+  out.fall = parts.played.fall;
+  out.warnings = parts.played.warnings;
+  out.diverged = parts.played.diverged;
+  Measurer so_far = parts.measurer;  // finishing ends stances that may go on
+  so_far.finish(parts.played, parts.wanted, parts.plan_velocity, parts.options, out);
+  return out;
+}
+
+const Rollout& GaitMeasurement::played() const { return parts_->played; }
 
 Measurements measure(const Scene& scene, const WantedMotion& wanted,
                      const Eigen::Vector2d& plan_velocity, const RolloutOptions& rollout_options,
                      const MeasureOptions& options, Rollout* played,
                      const std::function<void(const RolloutSample&)>& also) {
-  Measurer measurer(scene, options);
-  Rollout result = rollout(scene, rollout_options, [&](const RolloutSample& sample) {
-    measurer.observe(sample);
-    if (also) also(sample);
-  });
-  Measurements out;
-  out.gain_scale = scene.gain_scale;
-  out.seconds = result.seconds;
-  out.fall = result.fall;
-  out.warnings = result.warnings;
-  out.diverged = result.diverged;
-  measurer.finish(result, wanted, plan_velocity, options, out);
-  if (played != nullptr) *played = std::move(result);
+  GaitMeasurement measurement(scene, wanted, plan_velocity, rollout_options, options);
+  Measurements out = measurement.play_to(rollout_options.cycles, also);
+  if (played != nullptr) *played = measurement.played();
   return out;
 }
 

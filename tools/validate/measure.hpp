@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "tools/simulate/rollout.hpp"
@@ -29,6 +30,29 @@ struct Measurements : RolloutMetrics {
 struct MeasureOptions {
   int settle_cycles = 2;        // left out of the speeds
   double contacts_until = 4.0;  // record contacts of the feet up to here [s]
+};
+
+/// Plays a scene and measures, in several goes where it may end early: what has been measured at the
+/// end of each is what one roll-out of so many cycles measures, to the bit.
+class GaitMeasurement {
+ public:
+  /// Keeps a reference to the scene. @param plan_velocity that the plan reached along its arc
+  /// [m/s], heading frame; zero if unknown
+  GaitMeasurement(const Scene& scene, const WantedMotion& wanted,
+                  const Eigen::Vector2d& plan_velocity, const RolloutOptions& rollout_options = {},
+                  const MeasureOptions& options = {});
+  ~GaitMeasurement();
+  GaitMeasurement(GaitMeasurement&&) noexcept;
+
+  /// @param also sees each moment of the roll-out from here on
+  Measurements play_to(int cycles, const std::function<void(const RolloutSample&)>& also = {});
+  /// What was played so far.
+  const Rollout& played() const;
+
+ private:
+  class Measurer;
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
 };
 
 /// Plays the scene and measures. @param plan_velocity that the plan reached along its arc [m/s],

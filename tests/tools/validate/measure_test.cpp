@@ -6,6 +6,7 @@
 #include <string>
 
 #include "tests/tools/simulate/tiny_scene.hpp"
+#include "tools/validate/records.hpp"
 
 namespace legwright {
 namespace {
@@ -48,6 +49,39 @@ TEST(Measure, WholeCyclesBeforeTheStartChangeNothing) {
         << foot;
   }
   EXPECT_EQ(measured_from("0", 1.0).feet[0].stances, early.feet[0].stances);
+}
+
+/// All numbers of a roll-out as text.
+std::string record_of(const Measurements& run) {
+  SceneValidation validation;
+  validation.at_gains = {run};
+  return json_of(metrics_by_gain(validation).front().second).dump();
+}
+
+TEST(GaitMeasurement, GoesOnFromWhereItStoodToTheBit) {
+  TinyScene tiny;
+  tiny.swinging_foot = true;
+  const Scene scene = parse_scene(tiny.xml(), "tiny");
+  const auto in_one_go = [&](int cycles) {
+    RolloutOptions options;
+    options.cycles = cycles;
+    return record_of(measure(scene, {}, Eigen::Vector2d::Zero(), options));
+  };
+  GaitMeasurement measurement(scene, {}, Eigen::Vector2d::Zero());
+  EXPECT_EQ(record_of(measurement.play_to(2)), in_one_go(2));
+  EXPECT_EQ(record_of(measurement.play_to(5)), in_one_go(5));
+  EXPECT_EQ(record_of(measurement.play_to(5)), in_one_go(5)) << "nothing is left to play";
+  EXPECT_NE(in_one_go(2), in_one_go(5));
+}
+
+TEST(GaitMeasurement, StaysFallen) {
+  TinyScene tiny;
+  tiny.start_qpos = "0 0 0.25 0.8 0.6 0 0 0";  // rolled by 1.29 rad, in the air
+  const Scene scene = parse_scene(tiny.xml(), "tiny");
+  GaitMeasurement measurement(scene, {}, Eigen::Vector2d::Zero());
+  const Measurements first = measurement.play_to(4);
+  ASSERT_TRUE(first.fall) << "this test shows nothing";
+  EXPECT_EQ(record_of(measurement.play_to(9)), record_of(first));
 }
 
 }  // namespace
