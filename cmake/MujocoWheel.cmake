@@ -1,14 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-# Defines mujoco::mujoco: the pinned PyPI wheel, downloaded once into .deps/ with its hash checked,
-# or the unpacked `mujoco` package that LEGWRIGHT_MUJOCO_ROOT names.
-set(LEGWRIGHT_MUJOCO_VERSION 3.17.0)  # the only place that names the version
-set(LEGWRIGHT_MUJOCO_HEADER_VERSION 3017000)
-set(LEGWRIGHT_MUJOCO_WHEEL_SHA256
-    d66928d86a2d1b601bbaa4dc11db50214d17d5301bb8afd84721313b67ff0874)
+# Defines mujoco::mujoco: the PyPI wheel of LEGWRIGHT_MUJOCO_VERSION, downloaded once into .deps/ with
+# its hash checked, or the unpacked `mujoco` package that LEGWRIGHT_MUJOCO_ROOT names.
 set(LEGWRIGHT_MUJOCO_ROOT "" CACHE PATH "Unpacked mujoco package of that version (skips the download)")
 
 set(legwright_deps "${PROJECT_SOURCE_DIR}/.deps")  # git-ignored, shared by all build trees
-set(legwright_mujoco_root "${LEGWRIGHT_MUJOCO_ROOT}")
 
 # The Python whose pip downloads, into `result`.
 function(legwright_find_pip result)
@@ -23,41 +18,56 @@ function(legwright_find_pip result)
   set(${result} "${python}" PARENT_SCOPE)
 endfunction()
 
-function(legwright_download_mujoco_wheel destination)
+function(legwright_download_mujoco_wheel version destination)
   legwright_find_pip(python)
-  message(STATUS "Downloading the wheel mujoco==${LEGWRIGHT_MUJOCO_VERSION}")
+  set(requirement "${legwright_mujoco_${version}_package}==${version}")
+  message(STATUS "Downloading the wheel ${requirement}")
   execute_process(
     COMMAND "${python}" -m pip download --quiet --disable-pip-version-check --no-deps
             --only-binary :all: --python-version 311 --platform manylinux_2_28_x86_64
-            --dest "${legwright_deps}/wheels" "mujoco==${LEGWRIGHT_MUJOCO_VERSION}"
+            --dest "${legwright_deps}/wheels" "${requirement}"
             COMMAND_ERROR_IS_FATAL ANY)
-  file(GLOB wheel "${legwright_deps}/wheels/mujoco-${LEGWRIGHT_MUJOCO_VERSION}-*.whl")
+  set(wheel "${legwright_deps}/wheels/${legwright_mujoco_${version}_wheel}")
+  if(NOT EXISTS "${wheel}")
+    message(FATAL_ERROR "pip took another wheel for ${requirement} than ${wheel}, which "
+            "cmake/MujocoVersions.cmake names. Correct the name there, or name a MuJoCo you trust "
+            "with -DLEGWRIGHT_MUJOCO_ROOT=DIR.")
+  endif()
+  set(expected "${legwright_mujoco_${version}_wheel_sha256}")
   file(SHA256 "${wheel}" hash)
-  if(NOT hash STREQUAL LEGWRIGHT_MUJOCO_WHEEL_SHA256)
+  if(NOT hash STREQUAL expected)
     file(REMOVE "${wheel}")
-    message(FATAL_ERROR "The MuJoCo wheel ${wheel} has SHA-256 ${hash}, expected "
-            "${LEGWRIGHT_MUJOCO_WHEEL_SHA256}. It was removed; configure again, or name a "
-            "MuJoCo you trust with -DLEGWRIGHT_MUJOCO_ROOT=DIR.")
+    message(FATAL_ERROR "The MuJoCo wheel ${wheel} has SHA-256 ${hash}, expected ${expected}. It "
+            "was removed; configure again, or name a MuJoCo you trust with "
+            "-DLEGWRIGHT_MUJOCO_ROOT=DIR.")
   endif()
   file(ARCHIVE_EXTRACT INPUT "${wheel}" DESTINATION "${destination}"
        PATTERNS "mujoco/include/*" "mujoco/libmujoco*" "mujoco/plugin/*" "*.dist-info/*")
 endfunction()
 
-if(NOT legwright_mujoco_root)
-  set(unpacked "${legwright_deps}/mujoco-${LEGWRIGHT_MUJOCO_VERSION}")
-  set(legwright_mujoco_root "${unpacked}/mujoco")
-  if(NOT EXISTS "${legwright_mujoco_root}/include/mujoco/mujoco.h")
-    legwright_download_mujoco_wheel("${unpacked}")
+# The folder of the unpacked package `mujoco` of a version, into `result`; downloads what is missing.
+function(legwright_find_mujoco version result)
+  set(root "")
+  if(version STREQUAL LEGWRIGHT_MUJOCO_VERSION)
+    set(root "${LEGWRIGHT_MUJOCO_ROOT}")
   endif()
-endif()
+  if(NOT root)
+    set(unpacked "${legwright_deps}/mujoco-${version}")
+    set(root "${unpacked}/mujoco")
+    if(NOT EXISTS "${root}/include/mujoco/mujoco.h")
+      legwright_download_mujoco_wheel("${version}" "${unpacked}")
+    endif()
+  endif()
+  file(STRINGS "${root}/include/mujoco/mujoco.h" found REGEX "define mjVERSION_HEADER +[0-9]+")
+  if(NOT found MATCHES "mjVERSION_HEADER +${legwright_mujoco_${version}_header}$")
+    message(FATAL_ERROR "MuJoCo ${version} expected in ${root}, found: ${found}. Unset "
+            "LEGWRIGHT_MUJOCO_ROOT to download the right one, or name the version that is there "
+            "with -DLEGWRIGHT_MUJOCO_VERSION=….")
+  endif()
+  set(${result} "${root}" PARENT_SCOPE)
+endfunction()
 
-file(STRINGS "${legwright_mujoco_root}/include/mujoco/mujoco.h" found
-     REGEX "define mjVERSION_HEADER +[0-9]+")
-if(NOT found MATCHES "${LEGWRIGHT_MUJOCO_HEADER_VERSION}")
-  message(FATAL_ERROR "MuJoCo ${LEGWRIGHT_MUJOCO_VERSION} expected in ${legwright_mujoco_root}, "
-          "found: ${found}. Unset LEGWRIGHT_MUJOCO_ROOT to download the right one.")
-endif()
-
+legwright_find_mujoco("${LEGWRIGHT_MUJOCO_VERSION}" legwright_mujoco_root)
 set(legwright_mujoco_library "libmujoco.so.${LEGWRIGHT_MUJOCO_VERSION}")
 add_library(mujoco::mujoco SHARED IMPORTED GLOBAL)
 set_target_properties(mujoco::mujoco PROPERTIES

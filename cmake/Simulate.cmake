@@ -1,25 +1,25 @@
 # SPDX-License-Identifier: Apache-2.0
-# MuJoCo's own viewer, unpatched, from PyPI's sdist of the pinned version. Defines the library mujoco_simulate (its
+# MuJoCo's own viewer, unpatched, from PyPI's sdist of LEGWRIGHT_MUJOCO_VERSION. Defines the library mujoco_simulate (its
 # window, for programs of ours) and the program bin/simulate, which finds our plugin in bin/mujoco_plugin/. Without
 # GLFW or the sources neither is there; a status line says what to do, and the rest builds.
-set(LEGWRIGHT_MUJOCO_SDIST_SHA256
-    5e49c15905e7a39eaa1efb1cae809a81c5f5c2439467f23e7e6e383624d957be)
 set(LEGWRIGHT_MUJOCO_SOURCE "" CACHE PATH
-    "Unpacked mujoco sdist of the pinned version (skips the download)")
+    "Unpacked MuJoCo sdist of that version (skips the download)")
 
 # Downloads and unpacks into `destination`, which appears whole; other build trees may do the same at the same time.
 # pip asks an sdist for its metadata by running its setup.py. With the hash in the requirement it refuses an archive
 # that is not the pinned one before it runs anything of it.
-function(legwright_download_mujoco_sdist destination)
+function(legwright_download_mujoco_sdist version destination)
   legwright_find_pip(python)
+  set(package "${legwright_mujoco_${version}_package}")
+  set(hash "${legwright_mujoco_${version}_sdist_sha256}")
   string(RANDOM LENGTH 8 suffix)
   set(scratch "${legwright_deps}/.sdist-${suffix}")
   file(WRITE "${scratch}/requirement.txt"
-       "mujoco==${LEGWRIGHT_MUJOCO_VERSION} --hash=sha256:${LEGWRIGHT_MUJOCO_SDIST_SHA256}\n")
-  message(STATUS "Downloading the sources mujoco==${LEGWRIGHT_MUJOCO_VERSION}")
+       "${package}==${version} --hash=sha256:${hash}\n")
+  message(STATUS "Downloading the sources ${package}==${version}")
   execute_process(
     COMMAND "${python}" -m pip download --quiet --disable-pip-version-check --no-deps
-            --no-binary mujoco --require-hashes --dest "${scratch}"
+            --no-binary "${package}" --require-hashes --dest "${scratch}"
             --requirement "${scratch}/requirement.txt"
     RESULT_VARIABLE failed ERROR_VARIABLE reason)
   if(failed)
@@ -32,9 +32,11 @@ function(legwright_download_mujoco_sdist destination)
     message(STATUS "pip cannot download the sources of MuJoCo: ${reason}")
     return()
   endif()
-  file(ARCHIVE_EXTRACT INPUT "${scratch}/mujoco-${LEGWRIGHT_MUJOCO_VERSION}.tar.gz"
-       DESTINATION "${scratch}" PATTERNS "*/mujoco/simulate/*" "*/LICENSE*")
-  file(RENAME "${scratch}/mujoco-${LEGWRIGHT_MUJOCO_VERSION}" "${destination}" RESULT taken)
+  set(archive "${legwright_mujoco_${version}_sdist}")
+  file(ARCHIVE_EXTRACT INPUT "${scratch}/${archive}" DESTINATION "${scratch}"
+       PATTERNS "*/mujoco/simulate/*" "*/LICENSE*")
+  string(REPLACE ".tar.gz" "" folder "${archive}")
+  file(RENAME "${scratch}/${folder}" "${destination}" RESULT taken)
   file(REMOVE_RECURSE "${scratch}")
 endfunction()
 
@@ -52,7 +54,7 @@ liblodepng-dev, and configure again" PARENT_SCOPE)
   if(NOT sources)
     set(sources "${legwright_deps}/mujoco-${LEGWRIGHT_MUJOCO_VERSION}-source")
     if(NOT EXISTS "${sources}/mujoco/simulate/main.cc")
-      legwright_download_mujoco_sdist("${sources}")
+      legwright_download_mujoco_sdist("${LEGWRIGHT_MUJOCO_VERSION}" "${sources}")
     endif()
   endif()
   if(NOT EXISTS "${sources}/mujoco/simulate/main.cc")
