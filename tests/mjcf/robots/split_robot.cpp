@@ -27,6 +27,13 @@ std::string cut(std::string& text, const std::string& from, const std::string& t
   return out;
 }
 
+std::string bytes_of(const std::string& hex) {
+  std::string bytes;
+  for (std::size_t k = 0; k < hex.size(); k += 2)
+    bytes += static_cast<char>(std::stoi(hex.substr(k, 2), nullptr, 16));
+  return bytes;
+}
+
 void append(std::string& bytes, float value) {
   char raw[4];
   std::memcpy(raw, &value, 4);
@@ -63,13 +70,15 @@ std::string tetrahedron_obj() {
 }
 
 std::string one_pixel_png() {
-  const std::string hex =
+  return bytes_of(
       "89504e470d0a1a0a0000000d49484452000000010000000108060000001f15c4890000000d4944415478da63"
-      "64f8cf500f00038601805a347d6b0000000049454e44ae426082";
-  std::string bytes;
-  for (std::size_t k = 0; k < hex.size(); k += 2)
-    bytes += static_cast<char>(std::stoi(hex.substr(k, 2), nullptr, 16));
-  return bytes;
+      "64f8cf500f00038601805a347d6b0000000049454e44ae426082");
+}
+
+std::string four_pixel_png() {
+  return bytes_of(
+      "89504e470d0a1a0a0000000d494844520000000200000002080000000057dd52f8000000114944415478010106"
+      "00f9ff0000ff00ff00060001ff0ca335e40000000049454e44ae426082");
 }
 
 fs::path write_split_puppy(const fs::path& folder) {

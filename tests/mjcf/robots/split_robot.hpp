@@ -8,10 +8,11 @@ namespace legwright::test {
 
 /// Writes bytes, with the folders above them.
 void put(const std::filesystem::path& file, const std::string& bytes);
-/// A tetrahedron as a binary STL, as an OBJ; a PNG picture of one pixel.
+/// A tetrahedron as a binary STL, as an OBJ; PNG pictures of one pixel and of two by two.
 std::string tetrahedron_stl(float size);
 std::string tetrahedron_obj();
 std::string one_pixel_png();
+std::string four_pixel_png();
 
 /// The puppy of the examples in several files below a folder: dog.xml, which includes
 /// parts/defaults.xml, parts/front_left.xml (in the trunk; includes parts/shank.xml) and

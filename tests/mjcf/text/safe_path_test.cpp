@@ -179,7 +179,7 @@ TEST_F(SafePath, AssetsAreThoseThatMujocoReads) {
   put(home_ / "shapes/tet.stl", test::tetrahedron_stl(0.1f));
   put(home_ / "tet.stl", test::tetrahedron_stl(0.3f));
   put(home_ / "skin/t.png", test::one_pixel_png());
-  put(home_ / "shapes/hills.png", test::one_pixel_png());
+  put(home_ / "shapes/hills.png", test::four_pixel_png());
   const struct {
     const char *compiler, *mesh, *path;
     double radius;
