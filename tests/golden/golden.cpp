@@ -116,12 +116,17 @@ void adopt(const fs::path& run, const std::string& name) {
   write_json(target / "poses.json", json);
 }
 
+bool Versions::cover(const Versions& here) const {
+  return gl_renderer == here.gl_renderer && gl_version == here.gl_version &&
+         std::ranges::find(mujoco, here.mujoco.at(0)) != mujoco.end();
+}
+
 std::string Versions::text() const {
-  return gl_renderer + ", " + gl_version + ", MuJoCo " + mujoco;
+  return fmt::format("{}, {}, MuJoCo {}", gl_renderer, gl_version, fmt::join(mujoco, " or "));
 }
 
 Versions versions_here(const GlContext& context) {
-  return {context.renderer(), context.version(), mj_versionString()};
+  return {context.renderer(), context.version(), {mj_versionString()}};
 }
 
 Versions read_versions() {
@@ -129,12 +134,18 @@ Versions read_versions() {
   return {json.at("gl_renderer"), json.at("gl_version"), json.at("mujoco")};
 }
 
-void write_versions(const Versions& versions) {
+void write_versions(const Versions& here, bool same_pictures) {
+  Versions stored = here;
+  if (const Versions before = read_versions(); same_pictures) {
+    if (before.cover(here)) return;
+    if (before.gl_renderer == here.gl_renderer && before.gl_version == here.gl_version)
+      stored.mujoco.insert(stored.mujoco.begin(), before.mujoco.begin(), before.mujoco.end());
+  }
   write_json(folder() / "versions.json", {{"schema", "legwright/golden_versions"},
-                                          {"version", 1},
-                                          {"gl_renderer", versions.gl_renderer},
-                                          {"gl_version", versions.gl_version},
-                                          {"mujoco", versions.mujoco}});
+                                          {"version", 2},
+                                          {"gl_renderer", stored.gl_renderer},
+                                          {"gl_version", stored.gl_version},
+                                          {"mujoco", stored.mujoco}});
 }
 
 Image side_by_side(const Image& before, const Image& after) {

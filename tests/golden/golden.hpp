@@ -44,15 +44,19 @@ Robot read_robot(const std::string& name);
 /// planned gait.
 void adopt(const std::filesystem::path& run, const std::string& name);
 
-/// What colours depend on: rasteriser, its version, MuJoCo.
+/// What colours depend on: rasteriser, its version, MuJoCo. Of MuJoCo there may be several releases
+/// that draw the same.
 struct Versions {
-  std::string gl_renderer, gl_version, mujoco;
-  bool operator==(const Versions&) const = default;
+  std::string gl_renderer, gl_version;
+  std::vector<std::string> mujoco;
+  /// Whether colours must be the same to the byte here, where there is one MuJoCo.
+  bool cover(const Versions& here) const;
   std::string text() const;
 };
 Versions versions_here(const GlContext& context);
 Versions read_versions();
-void write_versions(const Versions& versions);
+/// Stores `here`: alone, or beside the releases that draw the same pictures.
+void write_versions(const Versions& here, bool same_pictures);
 
 /// Before | after | difference side by side: what differs is red on a pale copy.
 Image side_by_side(const Image& before, const Image& after);

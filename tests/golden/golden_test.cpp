@@ -54,7 +54,7 @@ TEST_P(Golden, ColoursAreTheSameBytesOnThePinnedVersions) {
   LEGWRIGHT_NEEDS_GL();
   const GlContext context;
   const golden::Versions pinned = golden::read_versions(), here = golden::versions_here(context);
-  if (here != pinned) {
+  if (!pinned.cover(here)) {
     GTEST_SKIP() << "NOT TESTED, the colours were stored with " << pinned.text() << "; here is "
                  << here.text();
   }
