@@ -17,6 +17,10 @@ set_target_properties(${programs} PROPERTIES INSTALL_RPATH "$ORIGIN/${up}")
 install(TARGETS ${programs} RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
 install(TARGETS legwright_plugin
         LIBRARY DESTINATION "${CMAKE_INSTALL_BINDIR}/mujoco_plugin")  # beside what scans it
+foreach(version IN LISTS legwright_other_plugin_versions)  # for hosts with another MuJoCo
+  install(TARGETS legwright_plugin_${version}
+          LIBRARY DESTINATION "${CMAKE_INSTALL_BINDIR}/legwright_plugins/${version}")
+endforeach()
 install(FILES "${legwright_mujoco_root}/${legwright_mujoco_library}"
         DESTINATION "${private_lib}")
 

@@ -6,6 +6,7 @@
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <exception>
 #include <memory>
@@ -22,6 +23,11 @@ namespace {
 constexpr const char* kGait = "legwright.gait";
 constexpr const char* kSensor = "legwright.sensor";
 
+/// Which MuJoCo the file serves, for who reads it without loading it: `strings`, and
+/// served_mujoco() of tools/simulate.
+[[gnu::used]] constexpr char kServes[] = "legwright.gait for MuJoCo " LEGWRIGHT_SERVED_MUJOCO;
+static_assert(mjVERSION_HEADER == LEGWRIGHT_SERVED_HEADER, "headers of another MuJoCo");
+
 /// What an instance of legwright.gait keeps for one mjData.
 struct Gait {
   Gait(const mjModel* m, int instance) : playback(m, instance) {}
@@ -32,7 +38,7 @@ struct Gait {
 
 template <typename Kept>
 Kept* kept(const mjData* d, int instance) noexcept {
-  return reinterpret_cast<Kept*>(d->plugin_data[instance]);
+  return std::bit_cast<Kept*>(d->plugin_data[instance]);
 }
 
 int gait_slot() noexcept {
@@ -57,8 +63,10 @@ std::string version_text(int version) {
 /// The loader checks the version by the library's name; this is the second line of defence.
 void check_version(int running) {
   if (running == mjVERSION_HEADER) return;
-  throw ConfigError(fmt::format("built for MuJoCo {}, but this is {}; rebuild Legwright with it",
-                                version_text(mjVERSION_HEADER), version_text(running)));
+  throw ConfigError(
+      fmt::format("built for MuJoCo {}, but this is {}; load the plugin for it, or "
+                  "rebuild Legwright with it",
+                  version_text(mjVERSION_HEADER), version_text(running)));
 }
 
 /// Makes what an instance keeps. Only the model and the configuration can be trusted here: the rest

@@ -36,7 +36,8 @@ TEST(Library, CannotEndTheHost) {
 
 TEST(Library, LeavesTheChoiceOfMujocoToTheHost) {
   const std::string dynamic = output_of("readelf -d '" + kFile + "'");
-  EXPECT_NE(dynamic.find("libmujoco.so.3"), std::string::npos);  // named with its version
+  EXPECT_NE(dynamic.find("[libmujoco.so." LEGWRIGHT_MUJOCO_VERSION "]"),
+            std::string::npos);  // named with its version
   EXPECT_EQ(dynamic.find("RPATH"), std::string::npos);
   EXPECT_EQ(dynamic.find("RUNPATH"), std::string::npos);
   EXPECT_EQ(dynamic.find("libfmt"), std::string::npos);
@@ -50,23 +51,26 @@ std::string output_of_other_host(const std::string& arguments) {
 
 TEST(Library, NamesTheVersionOfMujocoThatIsMissing) {
   const std::string output = output_of_other_host("");
-  EXPECT_NE(output.find("not loaded: libmujoco.so.3.17.0: cannot open shared object file"),
+  EXPECT_NE(output.find("not loaded: libmujoco.so." LEGWRIGHT_MUJOCO_VERSION
+                        ": cannot open shared object file"),
             std::string::npos)
       << output;
 }
 
 TEST(Library, RefusesAnotherVersionUnderTheRightName) {
   const std::string engine = "'" LEGWRIGHT_OTHER_MUJOCO "' ";
-  const std::string other = output_of_other_host(engine + "3018002");
-  EXPECT_NE(other.find("legwright.gait: init -1: legwright.gait \"gait\": built for MuJoCo 3.17.0, "
-                       "but this is 3.18.2; rebuild Legwright with it"),
+  const std::string other = output_of_other_host(engine + "9008007");
+  EXPECT_NE(other.find("legwright.gait: init -1: legwright.gait \"gait\": built for "
+                       "MuJoCo " LEGWRIGHT_MUJOCO_VERSION
+                       ", but this is 9.8.7; load the plugin for it, or "
+                       "rebuild Legwright with it"),
             std::string::npos)
       << other;
   EXPECT_NE(other.find("legwright.sensor: init -1: legwright.sensor \"gait\": built for MuJoCo"),
             std::string::npos)
       << other;
   // Negative control: of the right version, it is the model that is at fault.
-  const std::string right = output_of_other_host(engine + "3017000");
+  const std::string right = output_of_other_host(engine + LEGWRIGHT_MUJOCO_HEADER);
   EXPECT_NE(right.find("no actuator refers to this instance"), std::string::npos) << right;
   EXPECT_EQ(right.find("built for"), std::string::npos) << right;
 }

@@ -4,15 +4,11 @@
 #include <dlfcn.h>
 
 #include <array>
-#include <cstdlib>
 #include <mutex>
-#include <system_error>
 #include <utility>
 
 namespace legwright {
 namespace {
-
-constexpr const char* kPluginFile = "liblegwright.so";
 
 thread_local MujocoMessages* messages_of_thread = nullptr;
 
@@ -22,17 +18,6 @@ void handle(const mjLogMessage* message) {
   // Leaving by exception is the only way not to return into mju_error, which would end the process.
   // What MuJoCo was working on is given up by the caller.
   if (message->level == mjLOG_ERROR) throw MujocoError(message->subject);
-}
-
-std::filesystem::path folder_of_program() {
-  std::error_code error;
-  const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
-  return error ? std::filesystem::path() : program.parent_path();
-}
-
-bool is_there(const std::filesystem::path& file) {
-  std::error_code error;
-  return std::filesystem::is_regular_file(file, error);
 }
 
 bool plugin_known() {
@@ -69,44 +54,22 @@ MujocoMessages::MujocoMessages() : outer_(messages_of_thread) {
 
 MujocoMessages::~MujocoMessages() { messages_of_thread = outer_; }
 
-std::vector<std::filesystem::path> plugin_candidates() {
-  if (const char* named = std::getenv("LEGWRIGHT_PLUGIN"); named != nullptr && *named != '\0')
-    return {named};
-  std::vector<std::filesystem::path> candidates;
-  if (const auto folder = folder_of_program(); !folder.empty()) {
-    candidates.push_back(folder / "mujoco_plugin" / kPluginFile);
-  }
-#ifdef LEGWRIGHT_BUILD_TREE_PLUGIN
-  candidates.emplace_back(LEGWRIGHT_BUILD_TREE_PLUGIN);
-#endif
-  return candidates;
-}
-
 void load_gait_plugin() {
   static std::mutex mutex;
   const std::lock_guard lock(mutex);
   take_over_mujoco_messages();
   if (plugin_known()) return;
-  std::string searched;
-  for (const auto& file : plugin_candidates()) {
-    searched += "\n  " + file.string();
-    if (!is_there(file)) continue;
-    // Opened here instead of by mj_loadPluginLibrary, whose only answer to a faulty file is to end
-    // the process. The library registers itself as it is loaded and stays for good.
-    if (dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL) == nullptr) {
-      const char* why = dlerror();
-      throw PluginError("the MuJoCo plugin " + file.string() + " cannot be loaded: " +
-                        (why ? why : "unknown reason") + "; it needs exactly MuJoCo " +
-                        mj_versionString() + ", build it with this program");
-    }
-    if (plugin_known()) return;
-    throw PluginError("the library " + file.string() + " is no " + kGaitPlugin + " plugin");
+  const std::filesystem::path file = require_plugin(mj_versionString());
+  // Opened here instead of by mj_loadPluginLibrary, whose only answer to a faulty file is to end
+  // the process. The library registers itself as it is loaded and stays for good.
+  if (dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL) == nullptr) {
+    const char* why = dlerror();
+    throw PluginError("the MuJoCo plugin " + file.string() + " cannot be loaded: " +
+                      (why ? why : "unknown reason") + "; it needs exactly MuJoCo " +
+                      mj_versionString() + ", build it with this program");
   }
-  throw PluginError(
-      std::string("the MuJoCo plugin ") + kGaitPlugin +
-      " was not found; build the target legwright_plugin or name the file in the environment "
-      "variable LEGWRIGHT_PLUGIN. Searched:" +
-      searched);
+  if (!plugin_known())
+    throw PluginError("the library " + file.string() + " is no " + kGaitPlugin + " plugin");
 }
 
 ModelPointer compile_model(const std::string& xml, const std::string& name,

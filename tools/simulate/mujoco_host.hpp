@@ -10,7 +10,7 @@
 
 #include "mjcf/scene/gait_plugin.hpp"
 #include "mjcf/text/mujoco_pointers.hpp"
-#include "tools/files/io_error.hpp"
+#include "tools/simulate/plugin_files.hpp"
 
 namespace legwright {
 
@@ -18,13 +18,6 @@ namespace legwright {
 class MujocoError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
-};
-
-/// The plugin is not where it was looked for, or cannot be loaded: the installation's fault, not
-/// the scene's, hence exit code 3.
-class PluginError : public IoError {
- public:
-  using IoError::IoError;
 };
 
 /// Takes over MuJoCo's messages for this process: nothing is printed, no MUJOCO_LOG.TXT is written.
@@ -47,11 +40,6 @@ class MujocoMessages {
   MujocoMessages* outer_;
   std::vector<std::string> warnings_;
 };
-
-/// Where the plugin legwright.gait is looked for, best first: the file that the environment
-/// variable LEGWRIGHT_PLUGIN names (then nowhere else), mujoco_plugin/ beside the running program,
-/// the build tree.
-std::vector<std::filesystem::path> plugin_candidates();
 
 /// Makes legwright.gait known to MuJoCo, once per process. Throws PluginError which lists the
 /// places where it was looked for, or why it could not be loaded.

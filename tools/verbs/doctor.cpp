@@ -6,7 +6,7 @@
 
 #include "tools/files/json_file.hpp"
 #include "tools/run/install.hpp"
-#include "tools/simulate/mujoco_host.hpp"
+#include "tools/simulate/plugin_files.hpp"
 #include "tools/verbs/verbs.hpp"
 #include "tools/verbs/viewer_programs.hpp"
 
@@ -27,13 +27,16 @@ struct Item {
 };
 
 Item check_plugin() {
-  const auto plugin = find_plugin();
+  const std::string version = versions()["mujoco"];
   Item item{"plugin", false, true, "",
             "build the target legwright_plugin, or name the file in LEGWRIGHT_PLUGIN"};
+  const auto plugin = find_plugin(version);
   if (!plugin) {
-    item.detail = "liblegwright.so not found";
-    for (const auto& candidate : plugin_candidates())
-      item.detail += ", not at " + candidate.string();
+    item.detail = "none for MuJoCo " + version;
+    for (const auto& candidate : plugin_candidates(version)) {
+      const auto served = served_mujoco(candidate);
+      item.detail += (served ? ", that for " + *served + " at " : ", not at ") + candidate.string();
+    }
     return item;
   }
   // By hand first: where dlopen fails MuJoCo would tell less.
@@ -43,7 +46,8 @@ Item check_plugin() {
     return item;
   }
   item.found = true;
-  item.detail = std::filesystem::absolute(*plugin).string() + ", loadable";
+  item.detail = std::filesystem::absolute(*plugin).string() + ", loadable, for MuJoCo " + version;
+  for (const std::string& other : other_served_mujocos()) item.detail += ", another for " + other;
   return item;
 }
 
@@ -73,13 +77,13 @@ Item check_viewer() {
 }
 
 Item check_python() {
-  const std::string wanted = versions()["mujoco"];
   Item item{"python", false, false, "",
-            "pip install mujoco==" + wanted + " and name its python in LEGWRIGHT_PYTHON"};
+            viewer_python_cure() + " and name its python in LEGWRIGHT_PYTHON"};
   const auto python = find_viewer_python();
-  item.detail = python ? fmt::format("{} has mujoco {}", python->command, python->mujoco_version)
+  item.found = python && find_plugin(python->mujoco_version);
+  item.detail = python ? fmt::format("{} has mujoco {}{}", python->command, python->mujoco_version,
+                                     item.found ? "" : ", for which there is no plugin")
                        : "no Python with mujoco.viewer, which `play --viewer python` wants";
-  item.found = python && python->mujoco_version == wanted;
   return item;
 }
 

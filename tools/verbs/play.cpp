@@ -9,7 +9,7 @@
 #include "tools/run/install.hpp"
 #include "tools/run/result_folder.hpp"
 #include "tools/run/task_folders.hpp"
-#include "tools/simulate/mujoco_host.hpp"
+#include "tools/simulate/plugin_files.hpp"
 #include "tools/verbs/summary.hpp"
 #include "tools/verbs/verbs.hpp"
 #include "tools/verbs/viewer_programs.hpp"
@@ -52,16 +52,6 @@ fs::path scene_to_play(const PlayOptions& options) {
   return fs::absolute(scene);
 }
 
-fs::path plugin_to_load() {
-  if (const auto plugin = find_plugin()) return fs::absolute(*plugin);
-  std::string places;
-  for (const fs::path& candidate : plugin_candidates()) places += "\n  " + candidate.string();
-  throw IoError(
-      "the plugin liblegwright.so was not found; build it, or name it in LEGWRIGHT_PLUGIN. Looked "
-      "for:" +
-      places);
-}
-
 std::string as_shell(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : " ") + shell_word(word);
@@ -95,21 +85,23 @@ std::string choose_viewer(const PlayOptions& options) {
   // Python is what is left, and only where it has MuJoCo; else the missing viewer is the fault.
   const bool only_told = options.print || options.json;
   if (options.viewer.empty() && chosen == "python" && !only_told && !find_viewer_python())
-    refuse_without(kViewerProgram,
-                   "; or pip install mujoco==" + versions()["mujoco"].get<std::string>() +
-                       " and use --viewer python");
+    refuse_without(kViewerProgram, "; or " + viewer_python_cure() + " and use --viewer python");
   return chosen;
 }
 
-void require_python(const std::optional<ViewerPython>& python) {
-  const std::string wanted = versions()["mujoco"];
+/// The plugin for the MuJoCo of that Python.
+fs::path plugin_for(const std::optional<ViewerPython>& python) {
   if (!python)
-    throw IoError("no Python with MuJoCo's viewer was found; pip install mujoco==" + wanted +
+    throw IoError("no Python with MuJoCo's viewer was found; " + viewer_python_cure() +
                   " and name its interpreter in LEGWRIGHT_PYTHON, or use --print and run the "
                   "command yourself");
-  if (python->mujoco_version != wanted)
-    throw IoError(fmt::format("{} has mujoco {}, the plugin is for {}; pip install mujoco=={}",
-                              python->command, python->mujoco_version, wanted, wanted));
+  try {
+    return fs::absolute(require_plugin(python->mujoco_version));
+  } catch (const PluginError& error) {
+    throw PluginError(fmt::format("{} has mujoco {}: {}\nOr give it the MuJoCo of this program: {}",
+                                  python->command, python->mujoco_version, error.what(),
+                                  viewer_python_cure()));
+  }
 }
 
 void require_display() {
@@ -130,27 +122,36 @@ const char* hint_for(const std::string& viewer) {
   return "In the viewer, Simulation > Load key puts the robot at the start of its gait.";
 }
 
-std::vector<std::string> command_for(const std::string& viewer, const PlayOptions& options,
-                                     const fs::path& plugin, const fs::path& path) {
-  if (viewer == "python") {
-    // Looking for Python takes a second: not where only the command is wanted.
-    const bool only_told = options.print || options.json;
-    const auto python = only_told ? std::nullopt : find_viewer_python();
-    if (!only_told) require_python(python);
-    return viewer_command(python ? python->command : "python3", plugin, path);
+/// What opens the window, and the plugin that comes into it.
+struct Opening {
+  fs::path plugin;
+  std::vector<std::string> command;
+};
+
+/// The plugin for the MuJoCo of this program and its viewers.
+fs::path own_plugin() { return fs::absolute(require_plugin(versions()["mujoco"])); }
+
+Opening open_by(const std::string& viewer, const PlayOptions& options, const fs::path& path) {
+  // Looking for Python takes a second: not where only the command is wanted.
+  if (viewer == "python" && !options.print && !options.json) {
+    const auto python = find_viewer_python();
+    const fs::path plugin = plugin_for(python);
+    return {plugin, viewer_command(python->command, plugin, path)};
   }
+  const fs::path plugin = own_plugin();
+  if (viewer == "python") return {plugin, viewer_command("python3", plugin, path)};
   std::vector<std::string> command{
       find_beside(viewer == "simulate" ? kSimulateProgram : kViewerProgram)->string()};
   if (options.live) command.emplace_back("--live");
   command.push_back(path.string());
-  return command;
+  return {plugin, command};
 }
 
 int play(const PlayOptions& options) {
   const fs::path path = options.live ? run_to_follow(options) : scene_to_play(options);
-  const fs::path plugin = plugin_to_load();
+  if (options.viewer != "python") own_plugin();  // without which no viewer is of use
   const std::string viewer = choose_viewer(options);
-  const std::vector<std::string> command = command_for(viewer, options, plugin, path);
+  const auto [plugin, command] = open_by(viewer, options, path);
   if (options.json) {
     fmt::print("{}", to_text({{"schema", "legwright/play"},
                               {"version", 1},

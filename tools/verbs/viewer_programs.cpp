@@ -11,7 +11,6 @@
 #include <system_error>
 
 #include "tools/run/install.hpp"
-#include "tools/simulate/mujoco_host.hpp"
 
 namespace legwright {
 namespace {
@@ -27,6 +26,7 @@ std::string python_text(const std::string& text) {
 
 [[noreturn]] void run_child(const std::vector<std::string>& words, int output) {
   std::vector<char*> argv;
+  argv.reserve(words.size() + 1);
   for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
   argv.push_back(nullptr);
   if (output >= 0) {
@@ -94,13 +94,8 @@ std::optional<std::filesystem::path> find_beside(const std::string& program) {
   return std::nullopt;
 }
 
-std::string viewer_cure() { return LEGWRIGHT_VIEWER_CURE; }
+std::string viewer_python_cure() { return "pip install '" LEGWRIGHT_PYTHON_VIEWER "'"; }
 
-std::optional<std::filesystem::path> find_plugin() {
-  std::error_code error;
-  for (const std::filesystem::path& candidate : plugin_candidates())
-    if (std::filesystem::is_regular_file(candidate, error)) return candidate;
-  return std::nullopt;
-}
+std::string viewer_cure() { return LEGWRIGHT_VIEWER_CURE; }
 
 }  // namespace legwright

@@ -17,6 +17,9 @@ struct ViewerPython {
 /// The first of $LEGWRIGHT_PYTHON, python3 and python that can import mujoco.viewer.
 std::optional<ViewerPython> find_viewer_python();
 
+/// What a shell is told to get such a Python with the MuJoCo of this program.
+std::string viewer_python_cure();
+
 /// The command that opens a scene in MuJoCo's viewer with the plugin loaded, word by word.
 std::vector<std::string> viewer_command(const std::string& python,
                                         const std::filesystem::path& plugin,
@@ -31,9 +34,6 @@ std::optional<std::filesystem::path> find_beside(const std::string& program);
 
 /// What to do where they are missing: build them, or what stands in the way of building them.
 std::string viewer_cure();
-
-/// A plugin library that is there, or nothing.
-std::optional<std::filesystem::path> find_plugin();
 
 /// Runs a command without a shell and waits for it. With `output` it reads nothing, what it prints
 /// is appended there and its messages are thrown away; without, it has this program's own stdin,

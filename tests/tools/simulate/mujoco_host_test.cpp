@@ -8,7 +8,9 @@
 #include <functional>
 
 #include "plugin/spline.hpp"
+#include "tests/tools/files/temporary_folder.hpp"
 #include "tests/tools/simulate/tiny_scene.hpp"
+#include "tools/files/atomic_file.hpp"
 #include "tools/simulate/scene.hpp"
 
 namespace legwright {
@@ -94,6 +96,15 @@ TEST(GaitPluginDeathTest, FileThatIsNoLibraryIsReportedAndDoesNotEndTheProcess) 
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   EXPECT_EXIT(std::exit(exit_code_with_plugin(LEGWRIGHT_SOURCE_DIR "/README.md")),
               testing::ExitedWithCode(7), "cannot be loaded");
+}
+
+TEST(GaitPluginDeathTest, APluginForAnotherMujocoIsNotLoaded) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const test::TemporaryFolder folder;
+  const std::string file = (folder.path() / "gait.so").string();
+  write_file(file, "legwright.gait for MuJoCo 9.8.7");
+  EXPECT_EXIT(std::exit(exit_code_with_plugin(file.c_str())), testing::ExitedWithCode(7),
+              "unset LEGWRIGHT_PLUGIN[^$]*gait.so, which serves MuJoCo 9.8.7");
 }
 
 TEST(Scene, FindsWhatIsMeasured) {

@@ -2,31 +2,12 @@
 // A machine without OpenGL: `optimize` does all but the pictures, `render` says why and exits 3.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 #include "tests/tools/verbs/program.hpp"
 
 namespace legwright {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Sets a variable of the environment for the programs that are started meanwhile.
-class Variable {
- public:
-  Variable(const char* name, const std::string& value) : name_(name) {
-    const char* old = std::getenv(name);
-    if (old != nullptr) old_ = old;
-    ::setenv(name, value.c_str(), 1);
-  }
-  ~Variable() { old_.empty() ? ::unsetenv(name_) : ::setenv(name_, old_.c_str(), 1); }
-  Variable(const Variable&) = delete;
-  Variable& operator=(const Variable&) = delete;
-
- private:
-  const char* name_;
-  std::string old_;
-};
 
 class NoOpenGl : public testing::Test, protected test::CallsInFolder {
  protected:
@@ -53,7 +34,7 @@ TEST_F(NoOpenGl, OptimizeGoesOnAndRenderExitsThree) {
   const test::TemporaryFolder libraries;
   for (const char* name : {"libOSMesa.so.8", "libEGL.so.1"})
     write_file(libraries.path() / name, "");  // there, but broken
-  const Variable path("LD_LIBRARY_PATH", libraries.path().string());
+  const test::Variable path("LD_LIBRARY_PATH", libraries.path().string());
   const test::Outcome without = optimize("without");
   EXPECT_EQ(without.code, usual.code) << without.err;
   for (const char* part : {"warning: no pictures: no off-screen OpenGL", "libOSMesa.so.8",
@@ -68,7 +49,7 @@ TEST_F(NoOpenGl, OptimizeGoesOnAndRenderExitsThree) {
 
 TEST_F(NoOpenGl, TheEnvironmentCanRuleItOut) {
   ASSERT_LE(optimize("run", {"--no-pictures"}).code, 1);
-  const Variable none("LEGWRIGHT_GL", "none");
+  const test::Variable none("LEGWRIGHT_GL", "none");
   const test::Outcome render = call({"render", "run", "--still"});
   EXPECT_EQ(render.code, 3);
   EXPECT_TRUE(test::contains(render.err, "LEGWRIGHT_GL=none")) << render.err;
