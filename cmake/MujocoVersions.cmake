@@ -4,7 +4,7 @@
 # same for all) and its sdist with their SHA-256, what mjVERSION_HEADER is in its headers, and what
 # pip installs for its viewer in Python.
 set(LEGWRIGHT_MUJOCO_VERSIONS 4.0.1 4.0.0 3.17.0)
-set(LEGWRIGHT_MUJOCO_VERSION 3.17.0 CACHE STRING
+set(LEGWRIGHT_MUJOCO_VERSION 4.0.1 CACHE STRING
     "The MuJoCo to build with: one of ${LEGWRIGHT_MUJOCO_VERSIONS}")
 set_property(CACHE LEGWRIGHT_MUJOCO_VERSION PROPERTY STRINGS ${LEGWRIGHT_MUJOCO_VERSIONS})
 
