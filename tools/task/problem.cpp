@@ -66,9 +66,15 @@ std::string CodesignProblem::speed_unit(int k) const {
 
 CodesignProblem read_problem(const std::filesystem::path& task_file,
                              const std::filesystem::path& robot) {
+  TaskSet set = read_task_set(task_file, robot);
+  RobotModel model = read_robot(set.robot);
+  return make_problem(std::move(set), std::move(model));
+}
+
+CodesignProblem make_problem(TaskSet set, RobotModel robot) {
   CodesignProblem problem;
-  problem.set = read_task_set(task_file, robot);
-  problem.robot = read_robot(problem.set.robot);
+  problem.set = std::move(set);
+  problem.robot = std::move(robot);
   problem.robot.space = restricted(problem.robot.space, problem.set.design,
                                    problem.set.file.string(), problem.set.lines);
   for (const TaskFile& file : problem.set.tasks) {

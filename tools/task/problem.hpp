@@ -32,6 +32,8 @@ struct CodesignProblem {
 /// that is wrong. @param robot instead of the one that the task file names
 CodesignProblem read_problem(const std::filesystem::path& task_file,
                              const std::filesystem::path& robot = {});
+/// The same of what is read already. Throws InputError where tasks and robot do not fit.
+CodesignProblem make_problem(TaskSet set, RobotModel robot);
 
 /// The costs of a problem, as the solvers want them. Keeps references to the problem.
 class ProblemCosts {

@@ -277,8 +277,7 @@ void read_tasks(const std::vector<const toml::table*>& tables, const TaskFile& s
 
 }  // namespace
 
-TaskSet parse_task_set(const std::string& text, const std::filesystem::path& file,
-                       const std::filesystem::path& other_robot) {
+TaskSet parse_task_tables(const std::string& text, const std::filesystem::path& file) {
   refuse_robot(text, file);
   toml::table root;
   try {
@@ -314,12 +313,20 @@ TaskSet parse_task_set(const std::string& text, const std::filesystem::path& fil
     read_tasks(tables, shared, set, problems);
   }
   problems.throw_if_any();
-  set.robot =
-      other_robot.empty() ? find_robot(*robot, file, set.line("robot")) : given_robot(other_robot);
+  set.robot = *robot;
   for (TaskFile& task : set.tasks) {
     task.robot = set.robot;
     task.lines.insert(set.lines.begin(), set.lines.end());  // of what holds for all
   }
+  return set;
+}
+
+TaskSet parse_task_set(const std::string& text, const std::filesystem::path& file,
+                       const std::filesystem::path& other_robot) {
+  TaskSet set = parse_task_tables(text, file);
+  set.robot = other_robot.empty() ? find_robot(set.robot.string(), file, set.line("robot"))
+                                  : given_robot(other_robot);
+  for (TaskFile& task : set.tasks) task.robot = set.robot;
   return set;
 }
 

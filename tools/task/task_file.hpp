@@ -20,6 +20,8 @@ TaskSet read_task_set(const std::filesystem::path& file, const std::filesystem::
 /// The same from text; `file` is for messages and to find the robot from.
 TaskSet parse_task_set(const std::string& text, const std::filesystem::path& file,
                        const std::filesystem::path& robot = {});
+/// The same without looking for the robot, which is as the text names it.
+TaskSet parse_task_tables(const std::string& text, const std::filesystem::path& file);
 
 /// Reads the file of one task strictly: TOML 1.0, known keys only, right types, finite and in
 /// range. Throws InputError with one line for each thing that is wrong; also where the file or its

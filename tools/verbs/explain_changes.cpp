@@ -12,7 +12,6 @@
 #include "tools/run/by_name.hpp"
 #include "tools/simulate/mujoco_host.hpp"
 #include "tools/verbs/joint_folders.hpp"
-#include "tools/verbs/stop_signals.hpp"
 
 namespace legwright {
 namespace {
@@ -98,8 +97,11 @@ class ChangeReasons::CostsByThread {
 };
 
 ChangeReasons::ChangeReasons(const CodesignProblem& problem, int threads, double share,
-                             bool physics)
-    : problem_(problem), threads_(thread_count(threads)), physics_(physics) {
+                             bool physics, StopAsked stop)
+    : problem_(problem),
+      threads_(thread_count(threads)),
+      physics_(physics),
+      stop_(std::move(stop)) {
   fewest_.share = share;
 }
 
@@ -112,7 +114,7 @@ const ChangeReasons::CostsByThread& ChangeReasons::costs() {
 
 std::vector<PutBack> ChangeReasons::rows_of(const DesignIteration& design) {
   PutBackOptions options;
-  options.stop = StopSignals::asked;
+  options.stop = stop_;
   return put_back(costs().tasks(), problem_.robot.space.initial(), design, options);
 }
 
@@ -122,7 +124,7 @@ void ChangeReasons::find_fewest(double initial_F, const DesignIteration& best,
   const DesignSpace& space = problem_.robot.space;
   FewestChangesOptions options;
   options.codesign.threads = threads_;
-  options.stop = StopSignals::asked;
+  options.stop = stop_;
   options.share = fewest_.share;
   fewest_.initial_F = initial_F;
   designs_ = fewest_changes(costs().tasks(), space, space.initial(), fewest_.initial_F, best, rows,
@@ -141,7 +143,7 @@ void ChangeReasons::find_fewest(double initial_F, const DesignIteration& best,
 void ChangeReasons::keep_fewest(MultistartResult& found, const OnIteration& on_iteration) {
   const DesignSpace& space = problem_.robot.space;
   StartedRun& winner = found.joint[static_cast<std::size_t>(found.best)];
-  if (StopSignals::asked() || !std::isfinite(winner.result.best.value) ||
+  if (stop_() || !std::isfinite(winner.result.best.value) ||
       winner.result.best.s == space.initial())
     return;
   find_fewest(found.joint.front().result.initial.value, winner.result.best,
@@ -149,7 +151,7 @@ void ChangeReasons::keep_fewest(MultistartResult& found, const OnIteration& on_i
   CodesignOptions options;
   options.method = DesignMethod::newton;  // what is to settle is nearly an optimum
   options.threads = threads_;
-  options.go_on = [] { return !StopSignals::asked(); };
+  options.go_on = [this] { return !stop_(); };
   CodesignResult few =
       settle(costs().tasks().front(), space, space.initial(), designs_[fewest_.fewest], options);
   few.best.index = winner.result.best.index + 1;
@@ -170,7 +172,7 @@ std::vector<std::optional<PlayedCandidate>> ChangeReasons::play(
     const Candidate& chosen, const std::vector<std::optional<DesignIteration>>& designs) {
   if (!physics_) return std::vector<std::optional<PlayedCandidate>>(designs.size());
   load_gait_plugin();
-  return play_beside(problem_, chosen, designs, threads_, StopSignals::asked);
+  return play_beside(problem_, chosen, designs, threads_, stop_);
 }
 
 void ChangeReasons::play_fewest(const Candidate& chosen) {

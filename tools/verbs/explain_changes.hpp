@@ -11,6 +11,7 @@
 #include "tools/run/result_folder.hpp"
 #include "tools/run/run_record.hpp"
 #include "tools/task/problem.hpp"
+#include "tools/verbs/stop_asked.hpp"
 
 namespace legwright {
 
@@ -20,7 +21,8 @@ class ChangeReasons {
  public:
   /// @param threads 0: all cores @param share of the fall of F that few changes shall keep
   /// @param physics whether to ask it at all
-  ChangeReasons(const CodesignProblem& problem, int threads, double share, bool physics);
+  ChangeReasons(const CodesignProblem& problem, int threads, double share, bool physics,
+                StopAsked stop);
   ~ChangeReasons();
 
   using OnIteration = std::function<bool(const RunLabel&, const DesignIteration&)>;
@@ -46,6 +48,7 @@ class ChangeReasons {
   const CodesignProblem& problem_;
   const int threads_;
   const bool physics_;
+  const StopAsked stop_;
   std::unique_ptr<CostsByThread> costs_;
   FewestChangesRecord fewest_;
   std::vector<FewerChanges> designs_;

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <thread>
 
-#include "tools/verbs/stop_signals.hpp"
-
 namespace legwright {
 namespace {
 
@@ -24,14 +22,15 @@ std::function<void(const std::string&)> teller_of(const OptimizeOptions& options
 
 }  // namespace
 
-MultistartOptions settings_of(const OptimizeOptions& options, int task_count) {
+MultistartOptions settings_of(const OptimizeOptions& options, int task_count,
+                              const StopAsked& stop) {
   MultistartOptions settings;
   settings.codesign.max_iterations = options.max_iterations;
   settings.codesign.motion_only = options.motion_only;
   settings.codesign.method = options.lbfgs     ? DesignMethod::lbfgs
                              : options.bilevel ? DesignMethod::newton
                                                : DesignMethod::joint;
-  settings.codesign.go_on = [] { return !StopSignals::asked(); };
+  settings.codesign.go_on = [stop] { return !stop(); };
   settings.codesign.threads = std::min(task_count, all_threads(options));
   settings.from_single_tasks = !options.one_start && !options.motion_only;
   settings.perturbations = options.motion_only ? 0 : options.starts;
@@ -48,17 +47,18 @@ FirstMotionOptions first_motion_of(const OptimizeOptions& options) {
   return out;
 }
 
-ChoiceOptions choice_options(const OptimizeOptions& options, const MultistartOptions& settings) {
+ChoiceOptions choice_options(const OptimizeOptions& options, const MultistartOptions& settings,
+                             const StopAsked& stop) {
   ChoiceOptions out;
   out.codesign = settings.codesign;
   out.threads = all_threads(options);
   out.tell = teller_of(options);
-  out.stop = StopSignals::asked;
+  out.stop = stop;
   return out;
 }
 
-CloseGapOptions gap_options(const OptimizeOptions& options) {
-  return {options.physics_steps, all_threads(options), teller_of(options), StopSignals::asked};
+CloseGapOptions gap_options(const OptimizeOptions& options, const StopAsked& stop) {
+  return {options.physics_steps, all_threads(options), teller_of(options), stop};
 }
 
 void add_options(CLI::App& verb, OptimizeOptions& options) {

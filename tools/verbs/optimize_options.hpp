@@ -10,6 +10,7 @@
 #include "optimizer/solve/multistart.hpp"
 #include "tools/choose/choose_design.hpp"
 #include "tools/verbs/close_gap.hpp"
+#include "tools/verbs/stop_asked.hpp"
 
 namespace legwright {
 
@@ -29,10 +30,12 @@ struct OptimizeOptions {
 /// Binds the options of the command line, with their help.
 void add_options(CLI::App& verb, OptimizeOptions& options);
 
-/// What the solvers, and the choice among what they find, take from them.
-MultistartOptions settings_of(const OptimizeOptions& options, int task_count);
+/// What the solvers, and the choice among what they find, take from them. @param stop ends them
+MultistartOptions settings_of(const OptimizeOptions& options, int task_count,
+                              const StopAsked& stop);
 FirstMotionOptions first_motion_of(const OptimizeOptions& options);
-CloseGapOptions gap_options(const OptimizeOptions& options);
-ChoiceOptions choice_options(const OptimizeOptions& options, const MultistartOptions& settings);
+CloseGapOptions gap_options(const OptimizeOptions& options, const StopAsked& stop);
+ChoiceOptions choice_options(const OptimizeOptions& options, const MultistartOptions& settings,
+                             const StopAsked& stop);
 
 }  // namespace legwright

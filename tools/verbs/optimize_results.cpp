@@ -54,16 +54,17 @@ std::vector<TaskOutcome> write_results(const ResultFolder& folder, const Codesig
 }
 
 /// The result plays for a second in MuJoCo; what the engine warns of is told and noted.
-std::vector<EngineWarningRecord> engine_warnings(const ResultFolder& folder,
-                                                 const CodesignProblem& problem) {
+std::vector<EngineWarningRecord> engine_warnings(
+    const ResultFolder& folder, const CodesignProblem& problem,
+    const std::function<void(const std::string&)>& warn) {
   std::vector<EngineWarningRecord> found;
   for (int k = 0; k < problem.task_count(); ++k) {
     const fs::path scene = result_folder(folder, problem, k) / "scene.xml";
     if (!fs::exists(scene)) continue;
     for (const HealthWarning& warning : warnings_in_gait(scene)) {
       found.push_back({problem.task(k).name, warning.text, warning.count, warning.time});
-      fmt::print(stderr, "legwright: warning: {}: MuJoCo warns: {}, {} times, first at {:.3g} s\n",
-                 scene.string(), warning.text, warning.count, warning.time);
+      warn(fmt::format("{}: MuJoCo warns: {}, {} times, first at {:.3g} s", scene.string(),
+                       warning.text, warning.count, warning.time));
     }
   }
   return found;
@@ -80,7 +81,8 @@ bool usable(const DesignIteration& iteration) {
 
 void write_end(const ResultFolder& folder, const CodesignProblem& problem,
                const MultistartResult& found, const Candidate& chosen, int signal,
-               Recorder& recorder, RunRecord& run) {
+               Recorder& recorder, RunRecord& run,
+               const std::function<void(const std::string&)>& warn) {
   std::vector<TaskOutcome> outcomes = write_results(folder, problem, found, chosen, recorder);
   if (run.choice)
     for (TaskOutcome& outcome : outcomes)
@@ -88,7 +90,7 @@ void write_end(const ResultFolder& folder, const CodesignProblem& problem,
         outcome.reasons.push_back(std::move(*words));
   RunEffort effort = effort_of(found);
   effort.file_seconds = recorder.seconds();
-  run.engine_warnings = engine_warnings(folder, problem);
+  run.engine_warnings = engine_warnings(folder, problem, warn);
   const std::string status = status_text(found.winner().status, signal);
   if (problem.set.joint()) {
     finish_joint_run(run, status, found, outcomes, effort, problem);

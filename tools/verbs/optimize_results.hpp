@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "optimizer/solve/multistart.hpp"
@@ -18,9 +20,11 @@ bool usable(const DesignIteration& iteration);
 
 /// Writes the results of a run, and what run.json says of them. @param chosen the design that is
 /// handed back. @param signal that ended the search, or 0
+/// @param warn of what the engine warns
 void write_end(const ResultFolder& folder, const CodesignProblem& problem,
                const MultistartResult& found, const Candidate& chosen, int signal,
-               Recorder& recorder, RunRecord& run);
+               Recorder& recorder, RunRecord& run,
+               const std::function<void(const std::string&)>& warn);
 
 /// Writes the designs beside the result that physics was asked about into candidates/, and notes
 /// where they are.

@@ -8,7 +8,6 @@
 
 #include "optimizer/base/stopwatch.hpp"
 #include "tools/run/run_json.hpp"
-#include "tools/verbs/stop_signals.hpp"
 
 namespace legwright {
 
@@ -20,12 +19,13 @@ std::string start_folder(const CodesignProblem& problem, const RunLabel& label) 
 }
 
 Recorder::Recorder(const ResultFolder& folder, const CodesignProblem& problem, Progress& progress,
-                   bool pictures)
+                   bool pictures, StopAsked stop)
     : folder_(folder),
       problem_(problem),
       progress_(progress),
       events_(folder.events()),
-      pictures_(pictures) {}
+      pictures_(pictures),
+      stop_(std::move(stop)) {}
 
 void Recorder::start() {
   StartEvent event;
@@ -68,7 +68,7 @@ bool Recorder::iteration(const RunLabel& label, const DesignIteration& iteration
   progress_.iteration(label, iteration, qualities);
   ++count_;
   seconds_ += watch.seconds();
-  return !StopSignals::asked();
+  return !stop_();
 }
 
 PlanQuality Recorder::result(const fs::path& folder, const Objective& planned,
@@ -88,9 +88,9 @@ void Recorder::draw_rest(bool quiet) {
   const std::size_t waiting = pictures_.waiting();
   if (!quiet && waiting > 1)
     fmt::print(stderr, "drawing {} more pictures (may be interrupted)\n", waiting);
-  while (pictures_.waiting() > 0 && !StopSignals::asked())
+  while (pictures_.waiting() > 0 && !stop_())
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  if (StopSignals::asked()) return;
+  if (stop_()) return;
   const std::string warning = pictures_.finish();
   if (!warning.empty()) fmt::print(stderr, "legwright: warning: {}\n", warning);
 }

@@ -14,6 +14,7 @@
 #include "tools/task/problem.hpp"
 #include "tools/verbs/picture_queue.hpp"
 #include "tools/verbs/progress.hpp"
+#include "tools/verbs/stop_asked.hpp"
 
 namespace legwright {
 
@@ -26,7 +27,7 @@ std::string start_folder(const CodesignProblem& problem, const RunLabel& label);
 class Recorder {
  public:
   Recorder(const ResultFolder& folder, const CodesignProblem& problem, Progress& progress,
-           bool pictures);
+           bool pictures, StopAsked stop);
 
   void start();
   /// @return false to stop
@@ -56,6 +57,7 @@ class Recorder {
   Progress& progress_;
   EventLog events_;
   PictureQueue pictures_;
+  StopAsked stop_;
   int count_ = 0;  // iterations so far
   std::vector<double> history_;
   std::map<std::pair<std::string, int>, std::vector<IterationEvent>> task_events_;

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/verbs/optimize_run.hpp"
+
+#include <fmt/format.h>
+
+#include "mjcf/text/input_error.hpp"
+#include "tools/choose/choose_design.hpp"
+#include "tools/files/clean_text.hpp"
+#include "tools/files/licence.hpp"
+#include "tools/run/install.hpp"
+#include "tools/run/robot_folder.hpp"
+#include "tools/run/run_json.hpp"
+#include "tools/verbs/explain_changes.hpp"
+#include "tools/verbs/joint_folders.hpp"
+#include "tools/verbs/optimize_results.hpp"
+#include "tools/verbs/recorder.hpp"
+
+namespace legwright {
+namespace {
+
+/// What stands in the run's folder before anything is solved. @return run.json
+RunRecord write_start(const ResultFolder& folder, const CodesignProblem& problem,
+                      bool motion_only) {
+  RunRecord run = problem.set.joint() ? start_of_joint_run(command_line(), problem)
+                                      : start_of_run(command_line(), problem, 0);
+  run.motion_only = motion_only || problem.robot.space.size() == 0;
+  write_json(folder.run_json(), json_of(run));
+  write_file(folder.inputs() / "task.toml", text_beside_robot(problem.set.text));
+  write_robot_files(folder.inputs(), problem.robot.files);
+  copy_licences(problem.robot.files.folder(), folder.inputs());
+  return run;
+}
+
+Progress make_progress(const OptimizeOptions& options, const CodesignOptions& settings,
+                       const CodesignProblem& problem) {
+  std::vector<std::string> names, units;
+  int unknowns = 0;
+  for (int k = 0; k < problem.task_count(); ++k) {
+    names.push_back(problem.task(k).name);
+    units.push_back(problem.speed_unit(k));
+    unknowns += problem.objectives[k]->layout().motion_size();
+  }
+  Progress progress(Progress::mode_for_stderr(options.quiet), settings, names, units,
+                    problem.set.outer.empty() ? "F" : "F + J");
+  progress.start(fmt::format(
+      "{} design parameters, {} motion unknowns; first the motion of the initial design ...",
+      problem.robot.space.size(), unknowns));
+  return progress;
+}
+
+/// A run that has started. What is written of it in the end stands in its record.
+class OptimizeRun {
+ public:
+  OptimizeRun(const ResultFolder& folder, const CodesignProblem& problem,
+              const OptimizeOptions& options, const RunFollower& follower, CommandTimes& times,
+              RunRecord& run)
+      : folder_(folder),
+        problem_(problem),
+        options_(options),
+        follower_(follower),
+        times_(times),
+        run_(run),
+        stop_([&follower] { return follower.stop_signal() != 0; }),
+        settings_(settings_of(options, problem.task_count(), stop_)),
+        progress_(make_progress(options, settings_.codesign, problem)),
+        recorder_(folder, problem, progress_, !options.no_pictures, stop_),
+        costs_(problem, first_motion_of(options)),
+        reasons_(problem, options.threads, options.few_keeps / 100.0, !options.plan_only, stop_) {}
+
+  /// Solves the problem and writes what comes of it.
+  void solve() {
+    const MultistartResult found = search();
+    const int signal = follower_.stop_signal();
+    Candidate chosen{kOptimum, found.winner().best, {}, {}};
+    if (signal == 0 && !options_.plan_only && usable(chosen.design)) chosen = choose(found);
+    write_end(folder_, problem_, found, chosen, signal, recorder_, run_, follower_.warn);
+    times_.end_of("results");
+    if (usable(chosen.design)) explain(found, chosen);
+    if (options_.front > 0 && !stop_()) {
+      CodesignOptions rules = settings_.codesign;
+      rules.on_iteration = [this](const DesignIteration&) { return !stop_(); };
+      run_.front = write_front(folder_, problem_, costs_.tasks(), found, options_.front, rules);
+      times_.end_of("front");
+    }
+    finish();
+  }
+
+ private:
+  MultistartResult search() {
+    settings_.on_iteration = [this](const RunLabel& label, const DesignIteration& iteration) {
+      const bool whole = static_cast<int>(label.tasks.size()) == problem_.task_count();
+      if (whole) along_.push_back(iteration);
+      const bool low_enough = whole && options_.stop_at && iteration.value <= *options_.stop_at;
+      const bool go_on = recorder_.iteration(label, iteration) && !low_enough;
+      return (!follower_.on_iteration || follower_.on_iteration(label, iteration)) && go_on;
+    };
+    recorder_.start();
+    times_.end_of("reading");
+    MultistartResult found = codesign_from_starts(costs_.tasks(), problem_.robot.space, settings_);
+    if (options_.few) reasons_.keep_fewest(found, settings_.on_iteration);
+    times_.end_of("search");
+    progress_.finish();
+    return found;
+  }
+
+  Candidate choose(const MultistartResult& found) {
+    ChoiceOptions how = choice_options(options_, settings_, stop_);
+    how.space = reasons_.space_of_fewest();
+    ChosenDesign choice = choose_design(problem_, costs_.tasks(), found, along_, how);
+    run_.choice = choice.record;
+    write_candidates(folder_, problem_, choice, *run_.choice);
+    times_.end_of("physics");
+    return std::move(choice.result);
+  }
+
+  /// Reasons, certificate, steps on the gait.
+  void explain(const MultistartResult& found, const Candidate& chosen) {
+    if (!stop_() && !options_.no_reasons) {
+      reasons_.write(folder_, found, chosen, run_);
+      times_.end_of("reasons");
+    }
+    write_json(folder_.run_json(), json_of(run_));  // what follows may take a while, and adds to it
+    if (!stop_() && !options_.no_certificate) {
+      run_.certificate =
+          write_certificate(folder_, problem_, costs_.tasks(), chosen, settings_.codesign.threads);
+      times_.end_of("certificate");
+    }
+    const CloseGapOptions gaps = gap_options(options_, stop_);
+    if (gaps.steps > 0 && !stop_()) {
+      close_gaps(folder_, problem_, chosen.design, gaps, run_);
+      times_.end_of("physics_steps");
+    }
+  }
+
+  void finish() {
+    recorder_.end(run_);
+    write_json(folder_.run_json(), json_of(run_));  // complete, should the pictures be interrupted
+    if (!options_.no_pictures && !stop_()) {
+      recorder_.draw_rest(options_.quiet);
+      times_.end_of("pictures");
+    }
+    times_.add_to(*run_.seconds);
+    write_json(folder_.run_json(), json_of(run_));
+  }
+
+  const ResultFolder& folder_;
+  const CodesignProblem& problem_;
+  const OptimizeOptions& options_;
+  const RunFollower& follower_;
+  CommandTimes& times_;
+  RunRecord& run_;
+  const StopAsked stop_;
+  MultistartOptions settings_;
+  Progress progress_;
+  Recorder recorder_;
+  const ProblemCosts costs_;
+  ChangeReasons reasons_;
+  std::vector<DesignIteration> along_;  // of the whole problem
+};
+
+/// Whoever follows a run need not wait for one that was given up.
+void note_failure(const ResultFolder& folder, RunRecord& run, const char* why) {
+  if (run.status != "running") return;
+  run.status = "failed";
+  run.failure = clean_utf8(why);
+  try {
+    write_json(folder.run_json(), json_of(run));
+  } catch (const std::exception&) {  // what went wrong first is told
+  }
+}
+
+}  // namespace
+
+void check_options(const OptimizeOptions& options, const CodesignProblem& problem) {
+  if (options.front > 0 && (problem.task_count() != 2 || options.one_start || options.motion_only))
+    throw InputError(problem.set.file.string(), 0, "",
+                     fmt::format("--front needs two [[task]] tables, each solved alone (no "
+                                 "--one-start, no --motion-only); the file has {}",
+                                 problem.task_count()));
+}
+
+void tell_warnings(const CodesignProblem& problem, const RunFollower& follower) {
+  for (const auto& objective : problem.objectives)
+    for (const std::string& warning : task_warnings(objective->task(), problem.robot))
+      follower.warn((problem.set.joint() ? objective->task().name + ": " : "") + warning);
+}
+
+RunRecord optimize_into(const ResultFolder& folder, CodesignProblem& problem,
+                        const OptimizeOptions& options, const RunFollower& follower,
+                        CommandTimes& times) {
+  RunRecord run = write_start(folder, problem, options.motion_only);
+  try {
+    // From here on the run has files of its own: what becomes of the user's does not matter to it.
+    problem.robot.files = problem.robot.files.moved_to(folder.inputs() / "robot.xml");
+    OptimizeRun(folder, problem, options, follower, times, run).solve();
+  } catch (const std::exception& error) {
+    note_failure(folder, run, error.what());
+    throw;
+  }
+  return run;
+}
+
+}  // namespace legwright

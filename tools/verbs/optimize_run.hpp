@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "optimizer/solve/multistart.hpp"
+#include "tools/run/result_folder.hpp"
+#include "tools/run/run_record.hpp"
+#include "tools/task/problem.hpp"
+#include "tools/verbs/command_times.hpp"
+#include "tools/verbs/optimize_options.hpp"
+
+namespace legwright {
+
+/// Who follows a co-design run while it goes on.
+struct RunFollower {
+  /// After an iteration is on disk, on the thread of the run; false ends the search, and the best
+  /// so far is what the run goes on with.
+  std::function<bool(const RunLabel&, const DesignIteration&)> on_iteration = {};
+  /// A sentence on what looks doubtful.
+  std::function<void(const std::string&)> warn = [](const std::string&) {};
+  /// The signal that asks to stop at once, or 0; asked often and from several threads.
+  std::function<int()> stop_signal = [] { return 0; };
+};
+
+/// Throws InputError where options ask for what the problem has not.
+void check_options(const OptimizeOptions& options, const CodesignProblem& problem);
+
+/// Tells what looks doubtful about robot and tasks before anything is solved.
+void tell_warnings(const CodesignProblem& problem, const RunFollower& follower);
+
+/// Co-designs a problem into a new run folder: search, choice by physics, reasons, certificate and
+/// pictures, as the options ask. On stderr it prints nothing that options.quiet forbids. Where it
+/// fails, run.json says so. Throws InputError, IoError, MujocoError, std::system_error.
+/// @param problem its robot's files become those of the folder
+/// @return run.json as it stands in the end
+RunRecord optimize_into(const ResultFolder& folder, CodesignProblem& problem,
+                        const OptimizeOptions& options, const RunFollower& follower,
+                        CommandTimes& times);
+
+}  // namespace legwright
