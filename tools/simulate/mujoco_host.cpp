@@ -11,9 +11,14 @@ namespace legwright {
 namespace {
 
 thread_local MujocoMessages* messages_of_thread = nullptr;
+bool others_keep_their_messages = false;    // set before there are threads
+mjfLogHandler handler_of_others = nullptr;  // likewise
 
 void handle(const mjLogMessage* message) {
-  if (messages_of_thread == nullptr) return;
+  if (messages_of_thread == nullptr) {
+    if (handler_of_others != nullptr) handler_of_others(message);
+    return;
+  }
   if (message->level == mjLOG_WARNING) messages_of_thread->add(message->subject);
   // Leaving by exception is the only way not to return into mju_error, which would end the process.
   // What MuJoCo was working on is given up by the caller.
@@ -39,12 +44,21 @@ std::string reason(const char* error, const MujocoMessages& messages) {
 void take_over_mujoco_messages() {
   static std::once_flag once;
   std::call_once(once, [] {
+    if (others_keep_their_messages) {
+      handler_of_others = mju_setLogHandler(handle);
+      return;
+    }
     mjLogConfig config = mju_getLogConfig();
     config.logto_console = 0;
     config.logto_file = 0;
     mju_setLogConfig(config);
     mju_setLogHandler(handle);
   });
+}
+
+void leave_others_their_messages() {
+  others_keep_their_messages = true;
+  take_over_mujoco_messages();
 }
 
 MujocoMessages::MujocoMessages() : outer_(messages_of_thread) {

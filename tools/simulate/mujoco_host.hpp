@@ -26,6 +26,10 @@ class MujocoError : public std::runtime_error {
 /// it.
 void take_over_mujoco_messages();
 
+/// For a host that has other users of MuJoCo, like Python: what threads without a MujocoMessages
+/// say goes where it went before. To be called before all else.
+void leave_others_their_messages();
+
 /// Collects the warnings that MuJoCo gives on this thread while it lives; nests.
 class MujocoMessages {
  public:
