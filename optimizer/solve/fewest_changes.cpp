@@ -143,6 +143,7 @@ std::vector<FewerChanges> fewest_changes(const std::vector<std::vector<WeightedC
                                          const std::vector<PutBack>& rows_of_result,
                                          const FewestChangesOptions& options) {
   const std::vector<WeightedCost>& tasks = threads.front();
+  const auto stopped = [&] { return options.stop && options.stop(); };
   std::vector<FewerChanges> designs;
   designs.push_back({changed_parameters_of(result.s, old_values), result});
   const double fall = initial_value - result.value;
@@ -157,7 +158,7 @@ std::vector<FewerChanges> fewest_changes(const std::vector<std::vector<WeightedC
     const std::size_t count = designs.back().changed.size();
     if (order.empty() || count <= kFew) {
       const std::vector<PutBack> rows = put_back(threads, old_values, designs.back().design, rules);
-      if (rows.size() < count && options.stop && options.stop()) break;
+      if (stopped()) break;
       order = cheapest_first(rows, tasks);
       known_anew = true;
     }
@@ -176,6 +177,7 @@ std::vector<FewerChanges> fewest_changes(const std::vector<std::vector<WeightedC
       FewerChanges next =
           without(designs.back(), first_of(order, batch), tasks, space, old_values, initial_value,
                   designs.back().design.value + most, options.codesign);
+      if (stopped()) return designs;
       const double cost = next.design.value - designs.back().design.value;
       if (batch > 1 && !(cost <= most)) continue;
       if (!known_anew && !(cost <= most)) {

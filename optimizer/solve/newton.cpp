@@ -96,6 +96,7 @@ SolveReport Newton::run() {
       return finish(SolveStatus::iteration_limit);
     }
     if (beyond_ceiling()) return finish(SolveStatus::stopped);
+    if (options_.go_on && !options_.go_on()) return finish(SolveStatus::stopped);
     if (iterate() != Outcome::moved) return finish(SolveStatus::stalled);
     ++report_.iterations;
     if (options_.on_step) options_.on_step(report_.iterations, m_);

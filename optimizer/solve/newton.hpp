@@ -46,6 +46,7 @@ struct NewtonOptions {
 
   /// Called after each step with the number of steps so far and the motion.
   std::function<void(int, const Eigen::VectorXd&)> on_step = {};
+  std::function<bool()> go_on = {};  // asked before each step; false: `stopped`
 };
 
 /// Memory of motion solves. Reused from call to call, so that the pattern is analysed once.

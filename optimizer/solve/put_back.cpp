@@ -117,9 +117,10 @@ std::vector<PutBack> put_back(const std::vector<std::vector<WeightedCost>>& thre
     for (std::size_t i = 0; i < threads[worker].size(); ++i)
       tasks.push_back(std::make_unique<BesideResult>(threads[worker][i], result,
                                                      static_cast<int>(i), options.limits));
-    for (int k = next++; k < count && !(options.stop && options.stop()); k = next++) {
+    const auto stopped = [&] { return options.stop && options.stop(); };
+    for (int k = next++; k < count && !stopped(); k = next++) {
       for (const auto& task : tasks) task->solve(rows[k]);
-      done[k] = 1;
+      if (!stopped()) done[k] = 1;  // else its motions may have been left early
     }
   });
   std::size_t kept = 0;  // those before the first that was left out

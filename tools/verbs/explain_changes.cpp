@@ -115,6 +115,7 @@ const ChangeReasons::CostsByThread& ChangeReasons::costs() {
 std::vector<PutBack> ChangeReasons::rows_of(const DesignIteration& design) {
   PutBackOptions options;
   options.stop = stop_;
+  options.limits.newton.go_on = [this] { return !stop_(); };
   return put_back(costs().tasks(), problem_.robot.space.initial(), design, options);
 }
 
@@ -124,6 +125,7 @@ void ChangeReasons::find_fewest(double initial_F, const DesignIteration& best,
   const DesignSpace& space = problem_.robot.space;
   FewestChangesOptions options;
   options.codesign.threads = threads_;
+  options.codesign.go_on = options.codesign.newton.go_on = [this] { return !stop_(); };
   options.stop = stop_;
   options.share = fewest_.share;
   fewest_.initial_F = initial_F;
@@ -148,10 +150,11 @@ void ChangeReasons::keep_fewest(MultistartResult& found, const OnIteration& on_i
     return;
   find_fewest(found.joint.front().result.initial.value, winner.result.best,
               rows_of(winner.result.best));
+  if (stop_()) return;
   CodesignOptions options;
   options.method = DesignMethod::newton;  // what is to settle is nearly an optimum
   options.threads = threads_;
-  options.go_on = [this] { return !stop_(); };
+  options.go_on = options.newton.go_on = [this] { return !stop_(); };
   CodesignResult few =
       settle(costs().tasks().front(), space, space.initial(), designs_[fewest_.fewest], options);
   few.best.index = winner.result.best.index + 1;

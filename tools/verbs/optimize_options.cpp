@@ -30,7 +30,7 @@ MultistartOptions settings_of(const OptimizeOptions& options, int task_count,
   settings.codesign.method = options.lbfgs     ? DesignMethod::lbfgs
                              : options.bilevel ? DesignMethod::newton
                                                : DesignMethod::joint;
-  settings.codesign.go_on = [stop] { return !stop(); };
+  settings.codesign.go_on = settings.codesign.newton.go_on = [stop] { return !stop(); };
   settings.codesign.threads = std::min(task_count, all_threads(options));
   settings.from_single_tasks = !options.one_start && !options.motion_only;
   settings.perturbations = options.motion_only ? 0 : options.starts;
