@@ -23,6 +23,7 @@ FOLDERS = (
     'mjcf',
     'plugin',
     'tools',
+    'python',
     'tests',
     'examples',
     'benchmarks',
@@ -90,6 +91,7 @@ LAYERS = {
     'tools/viewer': ('mjcf/text', 'tools/files', 'tools/run', 'tools/simulate'),
     'tools/verbs': OPTIMIZER + MJCF + ('trajectory',) + TOOLS[:9],
     'program': OPTIMIZER + MJCF + TOOLS,
+    'python/core': OPTIMIZER + MJCF + TOOLS,
     'tests': OPTIMIZER + MJCF + TOOLS + ('trajectory', 'plugin'),
 }
 # Files whose layer is not their folder: the trajectory's format serves the plugin and the program.
@@ -114,6 +116,7 @@ LIBRARIES = (  # include path: paths that may use it; tests and benchmarks may u
             'tools/render/',
             'tools/viewer/',
             'tools/studio/',
+            'python/core/',
         ),
     ),
     (
@@ -128,9 +131,10 @@ LIBRARIES = (  # include path: paths that may use it; tests and benchmarks may u
         ),
     ),
     (r'cholmod\.h|suitesparse/', ('optimizer/factor/',)),
-    (r'Eigen/|unsupported/Eigen/', ('optimizer/', 'mjcf/', 'tools/')),
+    (r'Eigen/|unsupported/Eigen/', ('optimizer/', 'mjcf/', 'tools/', 'python/core/')),
     (r'fmt/', ('mjcf/', 'plugin/', 'tools/')),
     (r'toml\+\+/|nlohmann/|CLI/', ('tools/',)),
+    (r'nanobind/|Python\.h', ('python/core/',)),
     (r'simulate\.h|glfw_adapter\.h', ('tools/viewer/',)),
     (r'X11/', ()),
     (r'GL/|EGL/', ('tools/render/',)),

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+// legwright._core: what the package needs of the project, as few functions as do. Everything that
+// is for people stands in python/legwright.
+#include <mujoco/mujoco.h>
+#include <nanobind/eigen/dense.h>
+#include <nanobind/nanobind.h>
+#include <nanobind/stl/filesystem.h>
+#include <nanobind/stl/map.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include <map>
+#include <memory>
+
+#include "mjcf/read/read_robot.hpp"
+#include "python/core/followed_run.hpp"
+#include "python/core/iteration.hpp"
+#include "python/core/python_errors.hpp"
+#include "tools/run/install.hpp"
+#include "tools/run/result_folder.hpp"
+#include "tools/simulate/mujoco_host.hpp"
+#include "tools/task/design_table.hpp"
+#include "tools/task/starter_task.hpp"
+#include "tools/task/task_file.hpp"
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+using BoundsByName = std::map<std::string, std::pair<double, double>>;
+
+void bind_robot(nb::module_& module) {
+  nb::class_<DesignParameter>(module, "DeclaredParameter",
+                              "One entry of s as the robot's file declares it.")
+      .def_ro("name", &DesignParameter::name)
+      .def_ro("unit", &DesignParameter::unit)
+      .def_ro("sentence", &DesignParameter::sentence)
+      .def_prop_ro("kind", [](const DesignParameter& p) { return std::string(to_string(p.kind)); })
+      .def_ro("value", &DesignParameter::initial)
+      .def_ro("lower", &DesignParameter::lower)
+      .def_ro("upper", &DesignParameter::upper)
+      .def_ro("ties", &DesignParameter::tied_count);
+
+  nb::class_<RobotModel>(module, "RobotModel", "A robot that has been read.")
+      .def_prop_ro("name", [](const RobotModel& robot) { return robot.morphology.name; })
+      .def_prop_ro("feet", [](const RobotModel& robot) { return foot_names(robot.morphology); })
+      .def_prop_ro("parameters", [](const RobotModel& robot) { return robot.space.parameters; })
+      .def(
+          "check_bounds",
+          [](const RobotModel& robot, const BoundsByName& bounds) {
+            DesignTable table;
+            for (const auto& [name, pair] : bounds) table.bounds[name] = {pair.first, pair.second};
+            (void)restricted(robot.space, table, robot.file.string(), {});
+          },
+          "bounds"_a, "Raises InputError for bounds that the robot does not allow.")
+      .def(
+          "starter_text",
+          [](const RobotModel& robot, const std::optional<std::string>& gait) {
+            return starter_text(starter_task(robot, gait), "robot.xml");
+          },
+          "gait"_a.none(), nb::call_guard<nb::gil_scoped_release>(),
+          "The task file that `legwright init` writes for this robot.");
+}
+
+void bind_run(nb::module_& module) {
+  nb::class_<PythonIteration>(
+      module, "Iteration", "An accepted iterate of the search: what on_iteration is called with.")
+      .def_ro("index", &PythonIteration::index, "From 0, the given body with its best motion.")
+      .def_ro("start", &PythonIteration::start,
+              "Where its search set out from: \"initial\", the name of a task, \"perturbed-1\".")
+      .def_ro("tasks", &PythonIteration::tasks, "Names of the tasks of its search.")
+      .def_ro("F", &PythonIteration::value,
+              "The cost, of several tasks the weighted sum, with the outer objective.")
+      .def_ro("s", &PythonIteration::s, "The body, in the order of robot.parameters [m, rad].")
+      .def_ro("terms", &PythonIteration::terms, "What F consists of, by term.")
+      .def_ro("projected_gradient_norm", &PythonIteration::projected_gradient_norm,
+              "How far the body is from a minimum.")
+      .def_ro("seconds", &PythonIteration::seconds, "Wall time that it took.");
+
+  nb::class_<OptimizeOptions>(module, "Options", "The options of `legwright optimize`.")
+      .def(nb::init<>())
+      .def_rw("max_iterations", &OptimizeOptions::max_iterations)
+      .def_rw("motion_only", &OptimizeOptions::motion_only)
+      .def_rw("plan_only", &OptimizeOptions::plan_only)
+      .def_rw("one_start", &OptimizeOptions::one_start)
+      .def_rw("starts", &OptimizeOptions::starts)
+      .def_rw("seed", &OptimizeOptions::seed)
+      .def_rw("threads", &OptimizeOptions::threads)
+      .def_rw("few", &OptimizeOptions::few)
+      .def_rw("few_keeps", &OptimizeOptions::few_keeps)
+      .def_rw("physics_steps", &OptimizeOptions::physics_steps)
+      .def_rw("no_reasons", &OptimizeOptions::no_reasons)
+      .def_rw("no_certificate", &OptimizeOptions::no_certificate)
+      .def_rw("no_pictures", &OptimizeOptions::no_pictures)
+      .def_rw("force", &OptimizeOptions::force)
+      .def_prop_rw(
+          "stop_at", [](const OptimizeOptions& options) { return options.stop_at; },
+          [](OptimizeOptions& options, std::optional<double> F) { options.stop_at = F; },
+          nb::for_setter(nb::arg("F").none()));
+
+  module.def(
+      "codesign",
+      [](const RobotModel& robot, std::string text, fs::path file, fs::path folder,
+         OptimizeOptions options, nb::object on_iteration) {
+        options.quiet = true;
+        return run_followed(robot, {std::move(text), std::move(file), std::move(folder),
+                                    std::move(options), std::move(on_iteration)});
+      },
+      "robot"_a, "text"_a, "file"_a, "folder"_a, "options"_a, "on_iteration"_a.none(),
+      "Runs `legwright optimize` into a new folder. Returns what looks doubtful.");
+}
+
+void bind_files(nb::module_& module) {
+  module.def(
+      "read_robot", [](const fs::path& file) { return read_robot(file); }, "file"_a,
+      nb::call_guard<nb::gil_scoped_release>(), "Reads an MJCF. Raises InputError, IoError.");
+  module.def(
+      "check_task",
+      [](const std::string& text, const fs::path& file) { (void)parse_task_tables(text, file); },
+      "text"_a, "file"_a,
+      "Reads the text of a task file strictly. Raises InputError with all that is wrong.");
+  module.def(
+      "open_run", [](const fs::path& folder) { (void)ResultFolder::open(folder); }, "folder"_a,
+      "Raises IoError where there is no run.");
+  module.def(
+      "create_run",
+      [](const fs::path& folder, bool force) { (void)ResultFolder::create(folder, force); },
+      "folder"_a, "force"_a, "Makes the folder of a run. Raises IoError where one is there.");
+}
+
+}  // namespace
+}  // namespace legwright
+
+NB_MODULE(_core, module) {
+  using namespace legwright;
+  if (mj_version() != mjVERSION_HEADER)
+    throw nb::import_error(
+        "legwright was built for another version of MuJoCo than the one that "
+        "this process has loaded; start anew, or rebuild legwright for it");
+  nb::set_leak_warnings(false);  // threads that outlive the interpreter hold on to what they use
+  leave_others_their_messages();
+  translate_errors();
+  bind_robot(module);
+  bind_run(module);
+  bind_files(module);
+  module.attr("__version__") = program_version();
+  module.attr("mujoco_version") = mj_versionString();
+}

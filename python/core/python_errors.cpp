@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "python/core/python_errors.hpp"
+
+#include <nanobind/nanobind.h>
+#include <nanobind/stl/string.h>
+
+#include <exception>
+#include <system_error>
+
+#include "mjcf/text/input_error.hpp"
+#include "tools/files/io_error.hpp"
+#include "tools/simulate/mujoco_host.hpp"
+
+namespace nb = nanobind;
+
+namespace legwright {
+namespace {
+
+/// The error as an instance of Python's InputError.
+nb::object python_error_of(const nb::object& type, const InputError& error) {
+  nb::list reasons;
+  for (const InputError& reason : error.reasons()) reasons.append(python_error_of(type, reason));
+  return type(std::string(error.what()), error.file(), error.line(), error.where(), error.message(),
+              nb::tuple(reasons));
+}
+
+void raise(const nb::object& type, const nb::object& instance) {
+  PyErr_SetObject(type.ptr(), instance.ptr());
+}
+
+void translate(const std::exception_ptr& failure, void*) {
+  const auto type = [](const char* name) -> nb::object {
+    return nb::module_::import_("legwright._errors").attr(name);
+  };
+  try {
+    std::rethrow_exception(failure);
+  } catch (const InputError& error) {
+    raise(type("InputError"), python_error_of(type("InputError"), error));
+  } catch (const IoError& error) {
+    raise(type("IoError"), type("IoError")(std::string(error.what())));
+  } catch (const MujocoError& error) {
+    raise(type("MujocoError"), type("MujocoError")(std::string(error.what())));
+  } catch (const std::system_error& error) {  // filesystem_error included
+    raise(type("IoError"), type("IoError")(error.code().value(), std::string(error.what())));
+  }
+}
+
+}  // namespace
+
+void translate_errors() { nb::register_exception_translator(translate); }
+
+}  // namespace legwright

@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Co-design of body and gait of legged robots, in MuJoCo.
+
+    import legwright as lw
+
+    robot = lw.Robot('puppy.xml')
+    design = lw.codesign(robot, lw.Task(gait='trot', velocity=(0.4, 0.0)))
+    print(design.F, design.verdict)
+    design.save('runs/mine')
+
+Importing it makes the plugin legwright.gait known to MuJoCo.
+"""
+
+from legwright._codesign import Iteration, codesign
+from legwright._core import __version__, mujoco_version
+from legwright._design import Design, Verdict
+from legwright._errors import InputError, IoError, LegwrightError, LegwrightWarning, MujocoError
+from legwright._motion import Motion
+from legwright._plugin import register as _register
+from legwright._robot import Parameter, Robot
+from legwright._task import Task
+
+__all__ = [
+    'Design',
+    'InputError',
+    'IoError',
+    'Iteration',
+    'LegwrightError',
+    'LegwrightWarning',
+    'Motion',
+    'MujocoError',
+    'Parameter',
+    'Robot',
+    'Task',
+    'Verdict',
+    '__version__',
+    'codesign',
+    'mujoco_version',
+]
+
+_register()

@@ -1,0 +1,222 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a co-design hands back: a view of a run folder."""
+
+import json
+import os
+import shutil
+import tempfile
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from legwright import _core
+from legwright._motion import Motion, read_motion
+from legwright._plugin import served_mujoco
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What MuJoCo says of a design at half, default and double servo gains."""
+
+    passed: bool
+    line: str
+    """The verdict in words: "PASS  walk sideways at 0.100 m/s: …"."""
+    merit: float
+    """How far the gait is from passing; 0 where it passes, not finite where the robot fell."""
+
+    def __bool__(self) -> bool:
+        return self.passed
+
+    def __str__(self) -> str:
+        return self.line
+
+
+class Design:
+    """A body with its motion, as codesign() or `legwright optimize` left it in a run folder.
+
+    Of several tasks, what belongs to one task (`motion`, `model()`) is asked of `tasks[NAME]`.
+    """
+
+    def __init__(
+        self,
+        folder: str | os.PathLike[str],
+        temporary: 'tempfile.TemporaryDirectory[str] | None' = None,
+    ) -> None:
+        """A run folder. Raises IoError where it holds no run; `temporary` goes with the design."""
+        self.folder = Path(folder)
+        """Where its files are; a temporary one goes with the design."""
+        self._temporary = temporary
+        _core.open_run(self.folder)
+        self.record: dict[str, Any] = self._json('run.json')
+        """All that run.json says: docs/schema/run.json is its schema."""
+
+    @classmethod
+    def load(cls, folder: str | os.PathLike[str]) -> 'Design':
+        """The design of a run folder. Raises IoError where it holds no run."""
+        return cls(folder)
+
+    def _json(self, name: str) -> dict[str, Any]:
+        document: dict[str, Any] = json.loads((self.folder / name).read_text(encoding='utf-8'))
+        return document
+
+    # ---- the body and its cost ----
+
+    @property
+    def parameters(self) -> dict[str, float]:
+        """The body: value of each design parameter by name [m, rad]."""
+        return {each['name']: each['final'] for each in self.record['parameters']}
+
+    @property
+    def s(self) -> NDArray[np.float64]:
+        """The body, in the order of robot.parameters [m, rad]."""
+        return np.array(list(self.parameters.values()), dtype=np.float64)
+
+    @property
+    def initial_s(self) -> NDArray[np.float64]:
+        """The given body, likewise."""
+        return np.array([each['initial'] for each in self.record['parameters']], dtype=np.float64)
+
+    @property
+    def F(self) -> float:
+        """The cost of the task as it was given; of several the weighted sum, without J."""
+        return float(self.record['final_F'])
+
+    @property
+    def J(self) -> float:
+        """The outer objective; 0 without one."""
+        return float(self.record['final_J'])
+
+    @property
+    def motion_only_F(self) -> float:
+        """F of the given body with its best motion."""
+        return float(self.record['motion_only_F'])
+
+    @cached_property
+    def terms(self) -> dict[str, float]:
+        """What F consists of, by term; of several tasks the weighted sums."""
+        if not self.joint:
+            terms: dict[str, float] = self._json('result/metrics.json')['terms']
+            return terms
+        sums: dict[str, float] = {}
+        for task in self.record['tasks']:
+            for name, value in self.tasks[task['name']].terms.items():
+                sums[name] = sums.get(name, 0.0) + task['weight'] * value
+        return sums
+
+    # ---- how it came about, and what physics says ----
+
+    @property
+    def status(self) -> str:
+        """How the search ended: "converged", "stalled", "iteration_limit", "stopped"."""
+        return str(self.record['status'])
+
+    @property
+    def feasible(self) -> bool:
+        """Whether the plan keeps its constraints and MuJoCo passes it: exit code 0, not 1."""
+        return bool(self.record['feasible'])
+
+    @property
+    def reasons(self) -> list[str]:
+        """Why it is not feasible; else empty."""
+        return list(self.record['reasons'])
+
+    @property
+    def verdict(self) -> Verdict | None:
+        """What MuJoCo says of the result; None where it was not asked (plan_only)."""
+        choice = self.record.get('choice')
+        if choice is None:
+            return None
+        chosen = next(each for each in choice['candidates'] if each['name'] == choice['chosen'])
+        played = chosen['played']
+        merit = played['merit']
+        return Verdict(played['pass'], played['line'], float('inf') if merit is None else merit)
+
+    @cached_property
+    def certificate(self) -> dict[str, Any] | None:
+        """How well the result is an optimum (result/certificate.json); None where not asked for."""
+        there = (self.folder / 'result/certificate.json').exists()
+        return self._json('result/certificate.json') if there else None
+
+    # ---- the tasks ----
+
+    @property
+    def joint(self) -> bool:
+        """Whether one body does several tasks."""
+        return 'tasks' in self.record
+
+    @cached_property
+    def tasks(self) -> Mapping[str, 'Design']:
+        """The design as each task has it, by name; one task: itself."""
+        if not self.joint:
+            return {self.record['task']['name']: self}
+        return {
+            task['name']: Design(self.folder / 'tasks' / task['name'], self._temporary)
+            for task in self.record['tasks']
+        }
+
+    def _of_one_task(self, what: str) -> None:
+        if self.joint:
+            names = ', '.join(repr(name) for name in self.tasks)
+            raise ValueError(f'{what} belongs to one task: design.tasks[NAME], NAME of {names}')
+
+    @cached_property
+    def motion(self) -> Motion:
+        """The planned motion. Raises ValueError for several tasks."""
+        self._of_one_task('a motion')
+        return read_motion(self.folder / 'result/motion.csv')
+
+    def model(self) -> Any:
+        """The robot on its ground with the gait: a mujoco.MjModel with the plugin.
+
+        Raises:
+            ImportError: where mujoco is not installed in the version served, with what to install.
+            ValueError: for several tasks.
+        """
+        self._of_one_task('a model')
+        mujoco = served_mujoco()
+        return mujoco.MjModel.from_xml_path(str(self.folder / 'result/scene.xml'))
+
+    def data(self, model: Any) -> Any:
+        """A mujoco.MjData of model() in the gait's first pose, from where mj_step() walks on."""
+        mujoco = served_mujoco()
+        data = mujoco.MjData(model)
+        mujoco.mj_resetDataKeyframe(model, data, model.key('gait').id)
+        mujoco.mj_forward(model, data)
+        return data
+
+    # ---- files ----
+
+    def save(self, folder: str | os.PathLike[str], *, force: bool = False) -> Path:
+        """Writes the run folder that `legwright optimize` writes; validate, render, report and play
+        take it.
+
+        Args:
+            force: replace the run that the folder holds.
+
+        Raises:
+            IoError: where the folder holds a run, or cannot be written.
+        """
+        target = Path(folder)
+        _core.create_run(target, force)
+        copies: dict[tuple[int, int], str] = {}
+
+        def copy(source: str, to: str) -> str:
+            about = os.stat(source)  # meshes that designs share stay one file
+            key = (about.st_dev, about.st_ino)
+            if about.st_nlink > 1 and key in copies:
+                os.link(copies[key], to)
+                return to
+            copies[key] = to
+            return shutil.copy2(source, to)
+
+        shutil.copytree(self.folder, target, copy_function=copy, dirs_exist_ok=True)
+        return target
+
+    def __repr__(self) -> str:
+        verdict = self.verdict
+        return f'<Design F = {self.F:.4g}: {verdict if verdict else self.status}>'

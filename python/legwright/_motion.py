@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A planned motion, as numpy arrays."""
+
+import csv
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Motion:
+    """One cycle of a gait at T + 1 knots; the last is the first, one cycle later. World frame.
+
+    n joints, k feet.
+    """
+
+    time: Array
+    """T + 1 [s]."""
+    joints: Array
+    """(T + 1) x n joint positions [rad]."""
+    torques: Array
+    """(T + 1) x n motor torques by inverse dynamics [N m]."""
+    root: Array
+    """(T + 1) x 6: position of the trunk [m] and its rotation vector [rad]."""
+    com: Array
+    """(T + 1) x 3 centre of mass [m]."""
+    feet: Array
+    """(T + 1) x k x 3 centres of the feet [m]."""
+    forces: Array
+    """(T + 1) x k x 3 ground forces [N]; zero where a foot swings."""
+    contact: NDArray[np.bool_]
+    """(T + 1) x k: whether a foot stands."""
+    joint_names: tuple[str, ...]
+    foot_names: tuple[str, ...]
+
+    @property
+    def period(self) -> float:
+        """Of the cycle [s]."""
+        return float(self.time[-1] - self.time[0])
+
+    @property
+    def travel(self) -> Array:
+        """Of the trunk over the cycle: 3 [m]."""
+        return self.root[-1, :3] - self.root[0, :3]
+
+
+def read_motion(file: Path) -> Motion:
+    """The motion of a motion.csv. Raises OSError where there is none."""
+    with file.open(encoding='utf-8', newline='') as stream:
+        rows = list(csv.reader(stream))
+    table = np.array([[float(cell) for cell in row] for row in rows[1:]])
+    column = {name: table[:, i] for i, name in enumerate(rows[0])}
+
+    def named(prefix: str, suffix: str) -> tuple[str, ...]:
+        names = (name for name in column if name.startswith(prefix) and name.endswith(suffix))
+        return tuple(name[len(prefix) : len(name) - len(suffix)] for name in names)
+
+    def stack(names: list[str]) -> Array:
+        return np.stack([column[name] for name in names], axis=-1)
+
+    joints, feet = named('q:', '_rad'), named('contact:', '')
+    return Motion(
+        time=column['time_s'],
+        joints=stack([f'q:{name}_rad' for name in joints]),
+        torques=stack([f'tau:{name}_Nm' for name in joints]),
+        root=stack([f'root_{a}_m' for a in 'xyz'] + [f'root_r{a}_rad' for a in 'xyz']),
+        com=stack([f'com_{axis}_m' for axis in 'xyz']),
+        feet=np.stack([stack([f'foot:{name}_{a}_m' for a in 'xyz']) for name in feet], axis=1),
+        forces=np.stack([stack([f'foot:{name}_f{a}_N' for a in 'xyz']) for name in feet], axis=1),
+        contact=stack([f'contact:{name}' for name in feet]) != 0.0,
+        joint_names=joints,
+        foot_names=feet,
+    )

@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the robot shall do: the text of a task file, from a file or from keywords."""
+
+import os
+import tomllib
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from legwright import _core, _toml
+from legwright._errors import InputError
+from legwright._robot import Robot
+
+_MADE = '<task>'  # what messages name in the place of a file
+_OF_THE_BODY = ('design', 'outer', 'task')  # tables that hold for all tasks
+
+
+class Task:
+    """One task: gait, speed and how to do it. SI units.
+
+    Keywords become the text of a task file, which the program's own reader reads: the tables `gait`
+    to `weights` have the keys of a task file, explained in examples/puppy/sideways.toml.
+
+    Args:
+        gait: name in the library (`legwright gaits` draws them), or a table like
+            `{"name": "mine", "touchdown": [0, 0.5, 0.75, 0.25], "duty": 0.75}`.
+        velocity: forward and left [m/s].
+        period: of one cycle [s]. Without one it is that of the first task which `legwright init`
+            writes for the robot, with its duty, knots, swing height and servos.
+        turn_rate: to the left [rad/s].
+        name: names folders where there are several tasks; default: the gait's.
+        style, limits, ground, payload, servos, weights, outer: tables of a task file.
+        dynamics: "full" or "constant_inertia".
+
+    Raises:
+        InputError: with everything that is wrong; `file` is "<task>", `line` that of `text()`.
+    """
+
+    def __init__(
+        self,
+        gait: str | Mapping[str, Any],
+        velocity: Sequence[float],
+        *,
+        period: float | None = None,
+        turn_rate: float | None = None,
+        name: str | None = None,
+        style: Mapping[str, Any] | None = None,
+        limits: Mapping[str, Any] | None = None,
+        ground: Mapping[str, Any] | None = None,
+        payload: Mapping[str, Any] | None = None,
+        servos: Mapping[str, Any] | None = None,
+        weights: Mapping[str, float] | None = None,
+        outer: Mapping[str, Any] | None = None,
+        dynamics: str | None = None,
+    ) -> None:
+        pattern = {'name': gait} if isinstance(gait, str) else dict(gait)
+        if period is not None:
+            pattern['period'] = period
+        travel: dict[str, Any] = {'velocity': velocity}
+        if turn_rate is not None:
+            travel['turn_rate'] = turn_rate
+        self.name: str = name or str(pattern.get('name', 'task'))
+        content: dict[str, Any] = {'robot': 'robot.xml', 'name': self.name}
+        if dynamics is not None:
+            content['dynamics'] = dynamics
+        content['gait'] = pattern
+        content['travel'] = travel
+        tables = {'style': style, 'limits': limits, 'ground': ground, 'payload': payload}
+        tables |= {'servos': servos, 'weights': weights, 'outer': outer}
+        content |= {key: dict(table) for key, table in tables.items() if table is not None}
+        self._content: dict[str, Any] | None = content
+        self._loaded = ''
+        self.file = Path(_MADE)
+        checked = content if self._complete else self._with_defaults({'gait': {'period': 1.0}})
+        _core.check_task(_toml.document(checked), self.file)
+
+    @classmethod
+    def load(cls, file: str | os.PathLike[str]) -> 'Task':
+        """A task file, as it is; it may hold several tasks for one body.
+
+        Its robot is not looked for: codesign() is given one.
+
+        Raises:
+            InputError: with everything that is wrong, by file and line.
+            OSError: where it cannot be read.
+        """
+        task = cls.__new__(cls)
+        task.file = Path(file)
+        try:
+            task._loaded = task.file.read_bytes().decode('utf-8')
+        except UnicodeDecodeError as error:
+            raise InputError(f'{file}: is no UTF-8, as TOML is: {error}', str(file)) from None
+        task._content = None
+        _core.check_task(task._loaded, task.file)
+        task.name = str(tomllib.loads(task._loaded).get('name', task.file.stem))
+        return task
+
+    @property
+    def _complete(self) -> bool:
+        return self._content is None or 'period' in self._content['gait']
+
+    def _with_defaults(self, defaults: Mapping[str, Any]) -> dict[str, Any]:
+        """The content, with what it does not say taken from another task's tables."""
+        assert self._content is not None
+        content = dict(self._content)
+        for table in ('gait', 'limits', 'servos'):
+            if table in defaults:
+                content[table] = {**defaults[table], **content.get(table, {})}
+        return content
+
+    def text(self, robot: Robot | None = None) -> str:
+        """The text of its task file. Without a period of its own it needs the robot.
+
+        Raises:
+            InputError: where the robot has no such gait.
+            ValueError: where the robot is needed and not given.
+        """
+        if self._content is None:
+            return self._loaded
+        if self._complete:
+            return _toml.document(self._content)
+        if robot is None:
+            raise ValueError('a task without a period needs the robot: text(robot)')
+        gait = self._content['gait'].get('name')
+        starter = tomllib.loads(robot._model.starter_text(gait))
+        return _toml.document(self._with_defaults(starter))
+
+    def __repr__(self) -> str:
+        return f'<Task {self.name}>'
+
+
+Tasks = Task | Iterable[Task | tuple[Task, float]]
+"""What codesign() takes: one task, or several for one body, each with a weight or 1/number."""
+
+
+def text_of(tasks: Tasks, robot: Robot) -> tuple[str, Path]:
+    """The text of the task file for a run, and the file that messages name."""
+    if isinstance(tasks, Task):
+        text, file = tasks.text(robot), tasks.file
+    else:
+        listed = [each if isinstance(each, tuple) else (each, None) for each in tasks]
+        if not listed:
+            raise InputError('an empty list of tasks; give one at least')
+        text, file = _joint_text(listed, robot), Path(_MADE)
+    if design := robot._design_table():
+        if 'design' in tomllib.loads(text):
+            message = (
+                '[design] stands in the task file, and bounds were set on the robot, too; '
+                'say in one place what may change'
+            )
+            raise InputError(f'{file}: {message}', str(file), 0, 'design', message)
+        text = text.rstrip('\n') + '\n' + _toml.document({'design': design})
+    return text, file
+
+
+def _joint_text(listed: Sequence[tuple[Task, float | None]], robot: Robot) -> str:
+    tables = []
+    for task, weight in listed:
+        content = tomllib.loads(task.text(robot))
+        for key in _OF_THE_BODY:
+            if key in content:
+                message = f'[{key}] holds for all tasks of a file and cannot stand in one of a list'
+                raise InputError(f'{task.file}: {message}', str(task.file), 0, key, message)
+        for key in ('robot', 'name'):
+            content.pop(key, None)
+        head: dict[str, Any] = {'name': task.name}
+        if weight is not None:
+            head['weight'] = float(weight)
+        tables.append({**head, **content})
+    name = '-'.join(table['name'] for table in tables)
+    return _toml.document({'robot': 'robot.xml', 'name': name, 'task': tables})

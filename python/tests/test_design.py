@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: Apache-2.0
+import gc
+import json
+
+import legwright as lw
+import numpy as np
+import pytest
+
+
+def test_terms_sum_to_the_cost(walk):
+    assert sum(walk.terms.values()) == pytest.approx(walk.F, rel=1e-12)
+    assert walk.terms['travel'] < 1e-3 and walk.J == 0.0
+
+
+def test_motion_keeps_what_a_motion_must(walk, puppy):
+    motion = walk.motion
+    knots, joints, feet = motion.time.size, 12, 4
+    assert motion.joints.shape == motion.torques.shape == (knots, joints)
+    assert motion.root.shape == (knots, 6) and motion.com.shape == (knots, 3)
+    assert motion.feet.shape == motion.forces.shape == (knots, feet, 3)
+    assert motion.contact.shape == (knots, feet) and motion.contact.dtype == bool
+    assert motion.foot_names == tuple(puppy.feet) and len(motion.joint_names) == joints
+    assert motion.period == pytest.approx(1.0)
+    assert motion.travel == pytest.approx([0.0, 0.1, 0.0], abs=1e-3)
+    assert np.allclose(motion.joints[0], motion.joints[-1], atol=1e-3)
+    assert np.all(motion.forces[~motion.contact] == 0.0)
+    weight = 9.81 * walk.record['body']['final']['mass_kg']
+    assert motion.forces[:-1, :, 2].sum(axis=1).mean() == pytest.approx(weight, rel=0.01)
+    heights = motion.feet[..., 2]
+    assert heights[motion.contact].max() < 0.013 < heights[~motion.contact].max()
+
+
+def test_verdict_and_certificate_are_those_of_the_run(walk):
+    assert walk.verdict and str(walk.verdict).startswith('PASS  walk sideways')
+    assert walk.verdict.merit == 0.0
+    assert walk.certificate['schema'] == 'legwright/certificate'
+    assert walk.certificate['worst_gradient_error'] < 1e-6
+
+
+def test_what_fails_is_handed_back_with_reasons(puppy, sideways):
+    design = lw.codesign(puppy, sideways, motion_only=True, reasons=False, certificate=False)
+    assert not design.feasible and design.reasons
+    assert not design.verdict and 'FAIL' in design.verdict.line
+    assert design.s.tolist() == puppy.s.tolist()
+    assert design.certificate is None
+
+
+def test_saved_runs_are_loaded_as_they_were(walk, tmp_path):
+    folder = walk.save(tmp_path / 'mine')
+    saved = sorted(path.relative_to(folder) for path in folder.rglob('*') if path.is_file())
+    for path in saved:
+        assert (folder / path).read_bytes() == (walk.folder / path).read_bytes()
+    again = lw.Design.load(folder)
+    assert again.F == walk.F and again.s.tolist() == walk.s.tolist()
+    with pytest.raises(lw.IoError, match='already holds a run'):
+        walk.save(folder)
+    assert walk.save(folder, force=True) == folder
+
+
+def test_a_folder_without_a_run_is_refused(tmp_path):
+    with pytest.raises(lw.IoError, match='holds no run'):
+        lw.Design.load(tmp_path)
+
+
+def test_a_temporary_run_goes_with_its_design(puppy, sideways):
+    design = lw.codesign(
+        puppy, sideways, max_iterations=1, plan_only=True, reasons=False, certificate=False
+    )
+    folder = design.folder
+    assert json.loads((folder / 'run.json').read_text())['schema'] == 'legwright/run'
+    del design
+    gc.collect()
+    assert not folder.exists()

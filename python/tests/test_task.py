@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: Apache-2.0
+import tomllib
+
+import legwright as lw
+import numpy as np
+import pytest
+
+
+def test_keywords_become_the_text_of_a_task_file():
+    task = lw.Task(
+        {'name': 'walk', 'knots': 24},
+        (0.0, 0.1),
+        period=1.0,
+        style={'com_height': 0.175, 'foot_targets': {'FL': [[0.13, 0.09], [0.11, 0.09]]}},
+        limits={'friction': 0.4, 'limb_pairs': [['FL_foot', 'HL_thigh']]},
+        weights={'smoothness': 0.3},
+        outer={'objective': 'mechanical_work'},
+    )
+    assert tomllib.loads(task.text()) == {
+        'robot': 'robot.xml',
+        'name': 'walk',
+        'gait': {'name': 'walk', 'knots': 24, 'period': 1.0},
+        'travel': {'velocity': [0.0, 0.1]},
+        'style': {'com_height': 0.175, 'foot_targets': {'FL': [[0.13, 0.09], [0.11, 0.09]]}},
+        'limits': {'friction': 0.4, 'limb_pairs': [['FL_foot', 'HL_thigh']]},
+        'weights': {'smoothness': 0.3},
+        'outer': {'objective': 'mechanical_work'},
+    }
+
+
+def test_numpy_numbers_and_odd_names_are_written_as_toml():
+    task = lw.Task('walk', np.array([0.0, 0.1]), period=np.float64(0.5), name='a "b" c')
+    content = tomllib.loads(task.text())
+    assert content['travel']['velocity'] == [0.0, 0.1]
+    assert content['gait']['period'] == 0.5
+    assert content['name'] == 'a "b" c'
+
+
+def test_what_is_wrong_is_told_by_line_and_remedy():
+    with pytest.raises(lw.InputError) as caught:
+        lw.Task('walk', (0.0, 0.1), period=1.0, limits={'fricton': 0.4})
+    assert caught.value.where == 'limits.fricton' or 'limits.fricton' in str(caught.value)
+    assert 'friction' in str(caught.value) and '<task>:' in str(caught.value)
+
+
+def test_a_task_without_a_period_is_checked_at_once_too():
+    with pytest.raises(lw.InputError, match='velocity'):
+        lw.Task('walk', (0.0, 99.0))
+
+
+def test_what_toml_has_no_word_for_is_a_type_error():
+    with pytest.raises(TypeError, match='not object'):
+        lw.Task('walk', (0.0, 0.1), period=1.0, style={'com_height': object()})
+
+
+def test_a_wrong_file_is_told_by_file_and_line(tmp_path, examples):
+    text = (examples / 'puppy/sideways.toml').read_text(encoding='utf-8')
+    lines = text.replace('period = 1.0 ', 'period = -1.0').splitlines()
+    line = next(i for i, each in enumerate(lines, 1) if each.startswith('period = -1.0'))
+    wrong = tmp_path / 'sideways.toml'
+    wrong.write_text('\n'.join(lines), encoding='utf-8')
+    with pytest.raises(lw.InputError) as caught:
+        lw.Task.load(wrong)
+    assert f'{wrong}:{line}: gait.period' in str(caught.value)
+
+
+def test_a_missing_file_is_an_os_error(tmp_path):
+    with pytest.raises(OSError, match='gone.toml'):
+        lw.Task.load(tmp_path / 'gone.toml')
+
+
+def test_without_a_period_it_is_the_first_task_of_the_robot(puppy):
+    task = lw.Task('trot', (0.1, 0.0))
+    with pytest.raises(ValueError, match='needs the robot'):
+        task.text()
+    content = tomllib.loads(task.text(puppy))
+    starter = tomllib.loads(puppy._model.starter_text('trot'))
+    assert content['gait'] == starter['gait']
+    assert content['travel'] == {'velocity': [0.1, 0.0]}
+    own = lw.Task({'name': 'trot', 'duty': 0.7}, (0.1, 0.0), limits={'swing_height': 0.03})
+    content = tomllib.loads(own.text(puppy))
+    assert content['gait']['duty'] == 0.7 and content['limits']['swing_height'] == 0.03
+    assert content['gait']['period'] == starter['gait']['period']
+
+
+def test_a_gait_that_the_robot_has_not_is_told_with_the_nearest(puppy):
+    with pytest.raises(lw.InputError, match="did you mean 'trot'"):
+        lw.Task('trott', (0.1, 0.0)).text(puppy)
+
+
+def test_bounds_in_two_places_are_refused(puppy, examples, tmp_path):
+    text = (examples / 'puppy/sideways.toml').read_text(encoding='utf-8')
+    file = tmp_path / 'frozen.toml'
+    file.write_text(text + '\n[design]\nfreeze = ["body_width"]\n', encoding='utf-8')
+    puppy.parameters['body_length'].freeze()
+    with pytest.raises(lw.InputError, match='in one place'):
+        lw.codesign(puppy, lw.Task.load(file))
+
+
+def test_lists_take_no_tables_that_hold_for_all(puppy):
+    efficient = lw.Task('walk', (0.0, 0.1), period=1.0, outer={'objective': 'mechanical_work'})
+    with pytest.raises(lw.InputError, match='outer'):
+        lw.codesign(puppy, [efficient, lw.Task('trot', (0.1, 0.0))])
+    with pytest.raises(lw.InputError, match='empty list'):
+        lw.codesign(puppy, [])
