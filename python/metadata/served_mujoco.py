@@ -8,10 +8,8 @@ import re
 TABLE = pathlib.Path(__file__).resolve().parents[2] / 'cmake/MujocoWheel.cmake'
 
 
-def dynamic_metadata(field, settings=None, project=None):
+def dynamic_metadata(settings, project):
     """The extra `mujoco`: MuJoCo's own package in the version that the plugin is built for."""
-    if field != 'optional-dependencies':
-        raise ValueError(f'no metadata for {field} here; there is optional-dependencies')
     found = re.search(
         r'^set\(LEGWRIGHT_MUJOCO_VERSION ([0-9.]+)', TABLE.read_text(encoding='utf-8'), re.M
     )
@@ -19,4 +17,4 @@ def dynamic_metadata(field, settings=None, project=None):
         raise ValueError(f'{TABLE}: no line set(LEGWRIGHT_MUJOCO_VERSION ...)')
     version = found.group(1)
     package = 'mujoco' if version.startswith('3.') else 'mujoco-core'  # since 4 the bindings' own
-    return {'mujoco': [f'{package}=={version}']}
+    return {'optional-dependencies': {'mujoco': [f'{package}=={version}']}}
