@@ -5,16 +5,19 @@ stands."""
 import pathlib
 import re
 
-TABLE = pathlib.Path(__file__).resolve().parents[2] / 'cmake/MujocoWheel.cmake'
+TABLE = pathlib.Path(__file__).resolve().parents[2] / 'cmake/MujocoVersions.cmake'
 
 
 def dynamic_metadata(settings, project):
     """The extra `mujoco`: MuJoCo's own package in the version that the plugin is built for."""
-    found = re.search(
-        r'^set\(LEGWRIGHT_MUJOCO_VERSION ([0-9.]+)', TABLE.read_text(encoding='utf-8'), re.M
-    )
-    if not found:
-        raise ValueError(f'{TABLE}: no line set(LEGWRIGHT_MUJOCO_VERSION ...)')
-    version = found.group(1)
-    package = 'mujoco' if version.startswith('3.') else 'mujoco-core'  # since 4 the bindings' own
+    table = TABLE.read_text(encoding='utf-8')
+
+    def value(name):
+        found = re.search(rf'^set\({re.escape(name)} ([^ )]+)', table, re.M)
+        if not found:
+            raise ValueError(f'{TABLE}: no line set({name} ...)')
+        return found.group(1)
+
+    version = value('LEGWRIGHT_MUJOCO_VERSION')
+    package = value(f'legwright_mujoco_{version}_package')
     return {'optional-dependencies': {'mujoco': [f'{package}=={version}']}}
