@@ -117,10 +117,9 @@ std::vector<PutBack> put_back(const std::vector<std::vector<WeightedCost>>& thre
     for (std::size_t i = 0; i < threads[worker].size(); ++i)
       tasks.push_back(std::make_unique<BesideResult>(threads[worker][i], result,
                                                      static_cast<int>(i), options.limits));
-    const auto stopped = [&] { return options.stop && options.stop(); };
-    for (int k = next++; k < count && !stopped(); k = next++) {
+    for (int k = next++; k < count && !(options.stop && options.stop()); k = next++) {
       for (const auto& task : tasks) task->solve(rows[k]);
-      if (!stopped()) done[k] = 1;  // else its motions may have been left early
+      done[k] = rows[k].motion_status != SolveStatus::stopped ? 1 : 0;
     }
   });
   std::size_t kept = 0;  // those before the first that was left out

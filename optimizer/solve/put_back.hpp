@@ -27,7 +27,7 @@ struct PutBack {
 
 struct PutBackOptions {
   MotionLimits limits = put_back_limits();
-  std::function<bool()> stop = {};  // asked around each row: true leaves it and the rest out
+  std::function<bool()> stop = {};  // asked before each row: true leaves the rest out
 
   static MotionLimits put_back_limits();
 };

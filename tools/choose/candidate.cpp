@@ -26,7 +26,8 @@ double sum_of(const std::vector<TermValue>& terms) {
 /// The gaits of a candidate, one for each task.
 class CandidateOnTrial {
  public:
-  CandidateOnTrial(const CodesignProblem& problem, const Candidate& candidate, int threads)
+  CandidateOnTrial(const CodesignProblem& problem, const Candidate& candidate, int threads,
+                   const std::function<bool()>& stop)
       : threads_(threads),
         gaits_(static_cast<std::size_t>(problem.task_count())),
         trials_(gaits_.size()) {
@@ -36,7 +37,8 @@ class CandidateOnTrial {
       gaits_[i] =
           std::make_unique<GaitOnTrial>(problem.robot, problem.task(k),
                                         design_texts(problem.robot, candidate.objective(problem, k),
-                                                     design.s, design.tasks.at(i).m));
+                                                     design.s, design.tasks.at(i).m),
+                                        stop);
     });
   }
 
@@ -128,8 +130,8 @@ const Objective& Candidate::objective(const CodesignProblem& problem, int k) con
 }
 
 PlayedCandidate play_candidate(const CodesignProblem& problem, const Candidate& candidate,
-                               int threads, PlayLength length) {
-  CandidateOnTrial on_trial(problem, candidate, threads);
+                               int threads, PlayLength length, const std::function<bool()>& stop) {
+  CandidateOnTrial on_trial(problem, candidate, threads, stop);
   if (length == PlayLength::whole || on_trial.play(PlayedCycles::first)) {
     const bool pass = on_trial.play(PlayedCycles::all);
     if (pass || length == PlayLength::whole) on_trial.ask_other_numerics();
@@ -151,9 +153,12 @@ std::vector<std::optional<PlayedCandidate>> play_beside(
     if (!designs[i] || (stop && stop())) return;
     Candidate beside = candidate;
     beside.design = *designs[i];
-    CandidateOnTrial on_trial(problem, beside, 1);
-    on_trial.glance();
-    out[i] = played_tasks(on_trial.trials());
+    try {
+      CandidateOnTrial on_trial(problem, beside, 1, stop);
+      on_trial.glance();
+      out[i] = played_tasks(on_trial.trials());
+    } catch (const RolloutStopped&) {  // nothing is known of it
+    }
   });
   return out;
 }

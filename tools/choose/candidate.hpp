@@ -47,8 +47,10 @@ struct PlayedCandidate {
 enum class PlayLength { until_failure, whole };
 
 /// Plays every task of a candidate at half, default and double gains. Needs load_gait_plugin().
+/// Throws RolloutStopped where `stop` says so.
 PlayedCandidate play_candidate(const CodesignProblem& problem, const Candidate& candidate,
-                               int threads, PlayLength length = PlayLength::until_failure);
+                               int threads, PlayLength length = PlayLength::until_failure,
+                               const std::function<bool()>& stop = {});
 
 /// The largest Floquet multiplier of its gaits at these gains: below 1 each comes back to its cycle
 /// by itself after a small disturbance. Infinite where one falls or cannot be played.

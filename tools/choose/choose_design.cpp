@@ -34,7 +34,7 @@ class DesignChooser {
 
   /// @return what physics says of it
   PlayedCandidate consider(const Candidate& candidate) {
-    PlayedCandidate played = play_candidate(problem_, candidate, options_.threads);
+    PlayedCandidate played = play(candidate, options_.threads);
     note(candidate, played);
     return played;
   }
@@ -89,6 +89,7 @@ class DesignChooser {
         consider(candidate);
   }
 
+  bool has_result() const { return best_.has_value(); }
   bool stopped() const { return options_.stop && options_.stop(); }
   /// Whether a candidate with this F could still become the result.
   bool worth_playing(double value) const { return !played_.pass || value < best_->design.value; }
@@ -100,7 +101,7 @@ class DesignChooser {
     std::vector<PlayedCandidate> played(finalists_.size());
     parallel_for(static_cast<int>(finalists_.size()), options_.threads, [&](int k) {
       const auto i = static_cast<std::size_t>(k);
-      played[i] = play_candidate(problem_, finalists_[i].design, 1, PlayLength::whole);
+      played[i] = play(finalists_[i].design, 1, PlayLength::whole);
     });
     best_.reset();
     for (std::size_t i = 0; i < finalists_.size(); ++i) {
@@ -168,6 +169,11 @@ class DesignChooser {
     std::vector<Tightening> tightening;
   };
 
+  PlayedCandidate play(const Candidate& candidate, int threads,
+                       PlayLength length = PlayLength::until_failure) const {
+    return play_candidate(problem_, candidate, threads, length, options_.stop);
+  }
+
   /// Where tightened searches set out from; all levers again.
   void set_origin(const Candidate& from) {
     origin_ = from.name == kOptimum ? "" : from.name + ", ";
@@ -211,7 +217,7 @@ class DesignChooser {
           std::min(static_cast<std::size_t>(options_.threads), found.size() - first);
       parallel_for(static_cast<int>(count), options_.threads, [&](int k) {
         PlayedDesign& each = found[first + static_cast<std::size_t>(k)];
-        each.played = play_candidate(problem_, each.design, 1);
+        each.played = play(each.design, 1);
       });
       for (; played < first + count && !passed; ++played) {
         note(found[played].design, found[played].played);
@@ -336,14 +342,9 @@ class DesignChooser {
   PlayedCandidate played_;  // of best_
 };
 
-}  // namespace
-
-ChosenDesign choose_design(const CodesignProblem& problem, const std::vector<JointTask>& tasks,
-                           const MultistartResult& found, const std::vector<DesignIteration>& along,
-                           const ChoiceOptions& options) {
-  const Stopwatch watch;
-  load_gait_plugin();
-  DesignChooser chooser(problem, tasks, options);
+/// All that choose_design() tries, in its order.
+void try_designs(DesignChooser& chooser, const MultistartResult& found,
+                 const std::vector<DesignIteration>& along, const ChoiceOptions& options) {
   const Candidate optimum{kOptimum, found.winner().best, {}, {}};
   const PlayedCandidate played = chooser.consider(optimum);
   if (!played.pass) {
@@ -361,6 +362,21 @@ ChosenDesign choose_design(const CodesignProblem& problem, const std::vector<Joi
   }
   chooser.play_finalists();
   chooser.prefer_stable();
+}
+
+}  // namespace
+
+ChosenDesign choose_design(const CodesignProblem& problem, const std::vector<JointTask>& tasks,
+                           const MultistartResult& found, const std::vector<DesignIteration>& along,
+                           const ChoiceOptions& options) {
+  const Stopwatch watch;
+  load_gait_plugin();
+  DesignChooser chooser(problem, tasks, options);
+  try {
+    try_designs(chooser, found, along, options);
+  } catch (const RolloutStopped&) {  // the best of those that were played
+    if (!chooser.has_result()) throw;
+  }
   return chooser.result(watch.seconds());
 }
 

@@ -43,6 +43,7 @@ struct ChosenDesign {
 /// Designs are played by rising F, and none whose F is above that of one that passes. So the result
 /// never fails where the given body passes. Where several pass within a tenth of the least F, the
 /// cheapest with a stable cycle (largest_multiplier() below 1) is the result, if there is one.
+/// Stopped, it hands back the best of those that were played, or throws RolloutStopped.
 /// @param tasks costs of the problem. @param along the iterates of all starts, those of the whole
 /// problem. Throws MujocoError.
 ChosenDesign choose_design(const CodesignProblem& problem, const std::vector<JointTask>& tasks,

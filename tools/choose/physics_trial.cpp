@@ -130,8 +130,12 @@ GaitTrial trial_of(const std::vector<Measurements>& runs, const TaskFile& wanted
 
 }  // namespace
 
-GaitOnTrial::GaitOnTrial(const RobotModel& robot, const TaskFile& wanted, DesignTexts texts)
-    : folder_(robot.files.folder()), wanted_(wanted), texts_(std::move(texts)) {}
+GaitOnTrial::GaitOnTrial(const RobotModel& robot, const TaskFile& wanted, DesignTexts texts,
+                         std::function<bool()> stop)
+    : folder_(robot.files.folder()),
+      wanted_(wanted),
+      texts_(std::move(texts)),
+      stop_(std::move(stop)) {}
 
 Scene GaitOnTrial::scene(double gain) const {
   return parse_scene(texts_.scene_xml, "scene.xml", gain, folder_);
@@ -140,6 +144,7 @@ Scene GaitOnTrial::scene(double gain) const {
 Measurements GaitOnTrial::play(const Scene& scene, int cycles) const {
   RolloutOptions options;
   options.cycles = cycles;
+  options.stop = stop_;
   return measure(scene, {wanted_.velocity, wanted_.turn_rate}, texts_.quality.planned_velocity,
                  options);
 }
@@ -148,8 +153,10 @@ GaitTrial GaitOnTrial::play(PlayedCycles cycles, int threads) {
   const bool begun = !played_.empty();
   while (played_.size() < kTrialGains.size()) {
     scenes_.push_back(std::make_unique<const Scene>(scene(kTrialGains[played_.size()])));
+    RolloutOptions options;
+    options.stop = stop_;
     played_.emplace_back(*scenes_.back(), WantedMotion{wanted_.velocity, wanted_.turn_rate},
-                         texts_.quality.planned_velocity);
+                         texts_.quality.planned_velocity, options);
   }
   const int count = cycles == PlayedCycles::first ? kFirstCycles : kTrialCycles;
   std::vector<Measurements> at_gains(played_.size());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -39,8 +40,9 @@ enum class PlayedCycles { first, all };
 class GaitOnTrial {
  public:
   /// @param wanted the task that it is judged by, which it need not be planned for; must outlive
-  /// this
-  GaitOnTrial(const RobotModel& robot, const TaskFile& wanted, DesignTexts texts);
+  /// this @param stop where it says so, playing throws RolloutStopped
+  GaitOnTrial(const RobotModel& robot, const TaskFile& wanted, DesignTexts texts,
+              std::function<bool()> stop = {});
 
   /// At half, default and double gains; goes on from where an earlier call ended.
   /// @param threads of these; results do not depend on it
@@ -64,6 +66,7 @@ class GaitOnTrial {
   std::filesystem::path folder_;
   const TaskFile& wanted_;
   DesignTexts texts_;
+  std::function<bool()> stop_;
   std::vector<std::unique_ptr<const Scene>> scenes_;  // at the gains
   std::vector<GaitMeasurement> played_;               // the same
 };

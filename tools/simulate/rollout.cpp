@@ -10,6 +10,8 @@
 namespace legwright {
 namespace {
 
+constexpr long long kStepsBetweenStops = 100;
+
 // Feet may sit on the trunk itself; they are there to touch the ground.
 bool trunk_touches_world(const Scene& scene, const mjData& data) {
   const mjModel& model = *scene.model;
@@ -77,7 +79,10 @@ const Rollout& ResumableRollout::play_to(int cycles,
                                          const std::function<void(const RolloutSample&)>& observe) {
   const MujocoMessages messages;
   const auto last = std::llround(cycles * scene_.trajectory.period / scene_.model->opt.timestep);
-  while (!out_.fall && !out_.diverged && next_ <= last && play_step(observe)) ++next_;
+  for (; !out_.fall && !out_.diverged && next_ <= last; ++next_) {
+    if (options_.stop && next_ % kStepsBetweenStops == 0 && options_.stop()) throw RolloutStopped();
+    if (!play_step(observe)) break;
+  }
   out_.warnings = health_.warnings(*data_);
   return out_;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <exception>
 #include <functional>
 #include <optional>
 #include <string>
@@ -26,11 +27,17 @@ struct FallLimits {
   double height_share = 0.4;  // of the trunk's height at the start
 };
 
+/// The caller asked to stop in the middle of a roll-out.
+struct RolloutStopped : std::exception {
+  const char* what() const noexcept override { return "the roll-out was stopped"; }
+};
+
 struct RolloutOptions {
   int cycles = 20;
   FallLimits fall = {};
-  double frame_interval = 0.01;  // of recorded frames [s]
-  double frame_until = 0.0;      // record frames up to here [s]; 0: none
+  double frame_interval = 0.01;     // of recorded frames [s]
+  double frame_until = 0.0;         // record frames up to here [s]; 0: none
+  std::function<bool()> stop = {};  // asked now and then; true: throws RolloutStopped
   // For disturbed roll-outs:
   std::function<void(mjData&)> prepare = {};       // changes the state at the keyframe
   std::function<void(mjData&, double)> step = {};  // does the work of mj_step, at this time [s]

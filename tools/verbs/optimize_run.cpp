@@ -10,6 +10,7 @@
 #include "tools/run/install.hpp"
 #include "tools/run/robot_folder.hpp"
 #include "tools/run/run_json.hpp"
+#include "tools/simulate/rollout.hpp"
 #include "tools/verbs/explain_changes.hpp"
 #include "tools/verbs/joint_folders.hpp"
 #include "tools/verbs/optimize_results.hpp"
@@ -71,7 +72,7 @@ class OptimizeRun {
   void solve() {
     const MultistartResult found = search();
     const int signal = follower_.stop_signal();
-    Candidate chosen{kOptimum, found.winner().best, {}, {}};
+    Candidate chosen = optimum_of(found);
     if (signal == 0 && !options_.plan_only && usable(chosen.design)) chosen = choose(found);
     write_end(folder_, problem_, found, chosen, signal, recorder_, run_, follower_.warn);
     times_.end_of("results");
@@ -103,14 +104,22 @@ class OptimizeRun {
     return found;
   }
 
+  static Candidate optimum_of(const MultistartResult& found) {
+    return {kOptimum, found.winner().best, {}, {}};
+  }
+
   Candidate choose(const MultistartResult& found) {
     ChoiceOptions how = choice_options(options_, settings_, stop_);
     how.space = reasons_.space_of_fewest();
-    ChosenDesign choice = choose_design(problem_, costs_.tasks(), found, along_, how);
-    run_.choice = choice.record;
-    write_candidates(folder_, problem_, choice, *run_.choice);
-    times_.end_of("physics");
-    return std::move(choice.result);
+    try {
+      ChosenDesign choice = choose_design(problem_, costs_.tasks(), found, along_, how);
+      run_.choice = choice.record;
+      write_candidates(folder_, problem_, choice, *run_.choice);
+      times_.end_of("physics");
+      return std::move(choice.result);
+    } catch (const RolloutStopped&) {  // before anything was played to the end
+      return optimum_of(found);
+    }
   }
 
   /// Reasons, certificate, steps on the gait.

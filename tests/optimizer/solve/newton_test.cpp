@@ -279,6 +279,17 @@ TEST(Newton, LeavesATrialThatWillStayAboveTheCeilingEarly) {
   EXPECT_LT(left.iterations, whole.iterations / 2);
 }
 
+TEST(Newton, AsksBeforeEachStepWhetherToGoOn) {
+  VectorXd m = VectorXd::Constant(20, -1.2);
+  MotionFunction valley(rosenbrock, VectorXd::Ones(20));
+  int asked = 0;
+  const SolveReport report =
+      solve(valley, m, {.tolerance = 1e-8, .go_on = [&] { return ++asked < 3; }});
+  EXPECT_EQ(report.status, SolveStatus::stopped);
+  EXPECT_EQ(report.iterations, 2);
+  EXPECT_EQ(asked, 3);
+}
+
 TEST(Newton, StagnationIsALimitNotConvergence) {
   VectorXd m = VectorXd::Constant(20, -1.2);
   MotionFunction valley(rosenbrock, VectorXd::Ones(20));

@@ -122,6 +122,9 @@ TEST_F(PutBackOfThePuppy, RowsComeInOrderAndAStopLeavesTheRestOut) {
   int asked = 0;
   options.stop = [&] { return ++asked > 1; };
   EXPECT_EQ(put_back(tasks(1), old_, result_, options).size(), 1U);
+  options.stop = {};
+  options.limits.newton.go_on = [] { return false; };
+  EXPECT_TRUE(put_back(tasks(1), old_, result_, options).empty()) << "motions left early";
   result_.s = old_;
   EXPECT_TRUE(put_back(tasks(1), old_, result_).empty()) << "nothing changed";
 }

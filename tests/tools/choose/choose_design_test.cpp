@@ -8,6 +8,7 @@
 #include "tools/choose/physics_trial.hpp"
 #include "tools/run/design_folder.hpp"
 #include "tools/simulate/mujoco_host.hpp"
+#include "tools/simulate/rollout.hpp"
 
 namespace legwright {
 namespace {
@@ -184,6 +185,31 @@ TEST(ChooseDesign, StableCyclesAreBetterThanAlmostTheSameF) {
       EXPECT_GT(*record.multiplier, 1.0) << record.name;
       EXPECT_LT(chosen.F, 1.1 * record.F);
     }
+}
+
+/// Who asks to stop waits for a few steps of a roll-out, not for the rest of the choice.
+TEST_F(ChooseDesignInstead, HandsBackTheBestOfWhatWasPlayedWhenStopped) {
+  const SearchedProblem& searched = this->searched();
+  int asked = 0;
+  bool stop = false;
+  ChoiceOptions options;
+  options.tell = [&](const std::string&) { stop = true; };  // once the optimum is played
+  options.stop = [&] {
+    asked += stop;
+    return stop;
+  };
+  const ChosenDesign choice = choose_design(searched.problem, searched.costs.tasks(),
+                                            searched.found, searched.along, options);
+  ASSERT_EQ(choice.record.candidates.size(), 1u);
+  EXPECT_EQ(choice.record.chosen, "optimum");
+  EXPECT_FALSE(choice.record.pass);
+  EXPECT_LE(asked, 4);
+
+  options.tell = {};
+  stop = true;
+  EXPECT_THROW(choose_design(searched.problem, searched.costs.tasks(), searched.found,
+                             searched.along, options),
+               RolloutStopped);
 }
 
 /// A task that fails in its first cycles ends the trial of all: at three gains each, and no more.
