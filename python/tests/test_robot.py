@@ -47,7 +47,6 @@ def test_an_unknown_parameter_is_told_with_the_nearest(puppy):
 
 def test_a_wrong_robot_is_told_by_file_and_line(tmp_path, examples):
     text = (examples / 'puppy/robot.xml').read_text(encoding='utf-8')
-    assert text.count('"0.036 0.096"') or True
     wrong = tmp_path / 'robot.xml'
     lines = text.splitlines()
     at = next(i for i, line in enumerate(lines) if 'name="legwright/front_thigh_length"' in line)
