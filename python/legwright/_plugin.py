@@ -3,13 +3,31 @@
 
 import ctypes
 import importlib
+import importlib.metadata
 import os
 from pathlib import Path
 from typing import Any
 
 from legwright import _core
 
-_LIBRARY = Path(__file__).parent / 'bin/mujoco_plugin/liblegwright.so'
+_BIN = Path(__file__).parent / 'bin'
+_OTHERS = _BIN / 'legwright_plugins'  # a folder for each release
+
+
+def _library(version: str) -> Path:
+    """The plugin for a release of MuJoCo; it may not be there."""
+    own = version == _core.mujoco_version
+    return (_BIN / 'mujoco_plugin' if own else _OTHERS / version) / 'liblegwright.so'
+
+
+def _installed_mujoco() -> str:
+    """The release that `import mujoco` brings; the own one where it brings none."""
+    for package in ('mujoco-core', 'mujoco'):  # what holds the library since MuJoCo 4, and before
+        try:
+            return importlib.metadata.version(package)
+        except importlib.metadata.PackageNotFoundError:
+            pass
+    return _core.mujoco_version
 
 
 def register() -> None:
@@ -18,24 +36,32 @@ def register() -> None:
     `import legwright` does it; from MuJoCo 4 on `import mujoco` does, too. The library registers
     itself as it is loaded, once.
     """
-    ctypes.CDLL(str(_LIBRARY), os.RTLD_NOW | os.RTLD_LOCAL)
+    installed = _installed_mujoco()
+    if installed != _core.mujoco_version and _library(installed).exists():
+        try:
+            importlib.import_module('mujoco')  # the plugin finds its library where it is loaded
+        except ImportError:
+            return
+        ctypes.CDLL(str(_library(installed)), os.RTLD_NOW | os.RTLD_LOCAL)
+        return
+    ctypes.CDLL(str(_library(_core.mujoco_version)), os.RTLD_NOW | os.RTLD_LOCAL)
 
 
 def served_mujoco() -> Any:
-    """The module mujoco, in the version that the plugin is built for.
+    """The module mujoco, in a release that there is a plugin for.
 
     Raises ImportError, with what to install, where it is missing or another one.
     """
-    wanted = _core.mujoco_version
-    cure = f'pip install "legwright[mujoco]", which is MuJoCo {wanted}'
+    served = sorted({_core.mujoco_version, *(each.name for each in _OTHERS.glob('*'))}, reverse=True)
+    cure = f'pip install "legwright[mujoco]", which is MuJoCo {_core.mujoco_version}'
     try:
         mujoco = importlib.import_module('mujoco')
     except ImportError as error:
         raise ImportError(f"a model needs MuJoCo's Python package ({error}): {cure}") from error
     found = mujoco.mj_versionString()
-    if found != wanted:
+    if found not in served:
         raise ImportError(
-            f'MuJoCo {found} is installed, and a plugin holds for one version of it, here '
-            f'{wanted}: {cure}, or build legwright for {found}'
+            f'MuJoCo {found} is installed, and a plugin holds for one release of it, here for '
+            f'{", ".join(served)}: {cure}, or build legwright for {found}'
         )
     return mujoco
