@@ -52,7 +52,7 @@ def served_mujoco() -> Any:
 
     Raises ImportError, with what to install, where it is missing or another one.
     """
-    served = sorted({_core.mujoco_version, *(each.name for each in _OTHERS.glob('*'))}, reverse=True)
+    served = [_core.mujoco_version, *sorted(each.name for each in _OTHERS.glob('*'))]
     cure = f'pip install "legwright[mujoco]", which is MuJoCo {_core.mujoco_version}'
     try:
         mujoco = importlib.import_module('mujoco')

@@ -139,8 +139,9 @@ PlayedCandidate play_candidate(const CodesignProblem& problem, const Candidate& 
   return played_tasks(on_trial.trials());
 }
 
-double largest_multiplier(const CodesignProblem& problem, const Candidate& candidate, int threads) {
-  return CandidateOnTrial(problem, candidate, threads).largest_multiplier();
+double largest_multiplier(const CodesignProblem& problem, const Candidate& candidate, int threads,
+                          const std::function<bool()>& stop) {
+  return CandidateOnTrial(problem, candidate, threads, stop).largest_multiplier();
 }
 
 std::vector<std::optional<PlayedCandidate>> play_beside(

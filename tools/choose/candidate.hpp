@@ -53,8 +53,10 @@ PlayedCandidate play_candidate(const CodesignProblem& problem, const Candidate& 
                                const std::function<bool()>& stop = {});
 
 /// The largest Floquet multiplier of its gaits at these gains: below 1 each comes back to its cycle
-/// by itself after a small disturbance. Infinite where one falls or cannot be played.
-double largest_multiplier(const CodesignProblem& problem, const Candidate& candidate, int threads);
+/// by itself after a small disturbance. Infinite where one falls or cannot be played. Throws
+/// RolloutStopped where `stop` says so.
+double largest_multiplier(const CodesignProblem& problem, const Candidate& candidate, int threads,
+                          const std::function<bool()>& stop = {});
 
 /// Glances at designs of the candidate's own search in MuJoCo, each where there is one.
 std::vector<std::optional<PlayedCandidate>> play_beside(

@@ -127,7 +127,8 @@ class DesignChooser {
       return a->second.design.value < b->second.design.value;
     });
     for (const auto* rival : rivals) {
-      const double multiplier = largest_multiplier(problem_, rival->second, options_.threads);
+      const double multiplier =
+          largest_multiplier(problem_, rival->second, options_.threads, options_.stop);
       record_.candidates[rival->first].multiplier = multiplier;
       if (options_.tell)
         options_.tell(fmt::format("physics, {} (F {:.5g}): largest Floquet multiplier {:.2f}",

@@ -37,8 +37,8 @@ struct CandidateRecord {
   PlayedGait played;
   std::optional<std::string> folder;           // of its files in the run, where they are kept
   std::optional<ByName<std::string>> failing;  // of several tasks: the line of each that fails
-  // The largest Floquet multiplier at the three gains; of designs that pass, where there are several
-  // to choose between.
+  // The largest Floquet multiplier at the three gains; of designs that pass, where there are
+  // several to choose between.
   std::optional<double> multiplier;
 };
 void fields(Fields& f, CandidateRecord& candidate);

@@ -32,8 +32,8 @@ struct MeasureOptions {
   double contacts_until = 4.0;  // record contacts of the feet up to here [s]
 };
 
-/// Plays a scene and measures, in several goes where it may end early: what has been measured at the
-/// end of each is what one roll-out of so many cycles measures, to the bit.
+/// Plays a scene and measures, in several goes where it may end early: what has been measured at
+/// the end of each is what one roll-out of so many cycles measures, to the bit.
 class GaitMeasurement {
  public:
   /// Keeps a reference to the scene. @param plan_velocity that the plan reached along its arc
