@@ -63,9 +63,10 @@ class CandidateOnTrial {
   }
   double largest_multiplier() const {
     double largest = 0.0;
-    for (const auto& gait : gaits_)
-      largest = std::max(largest, gait != nullptr ? gait->largest_multiplier(threads_)
-                                                  : std::numeric_limits<double>::infinity());
+    for (const auto& gait : gaits_) {
+      if (gait == nullptr) return std::numeric_limits<double>::infinity();
+      largest = std::max(largest, gait->largest_multiplier(threads_));
+    }
     return largest;
   }
   const std::vector<GaitTrial>& trials() const { return trials_; }
