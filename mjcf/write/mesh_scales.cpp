@@ -29,8 +29,9 @@ using Eigen::Vector3d;
 constexpr double kAlongDrawn = 5e-5, kAlongColliding = 1e-12;
 constexpr double kSame = 1e-12;
 constexpr double kLongestFoot = 0.5;  // of the link: a foot that is longer is the link itself
-constexpr std::size_t kMostCopied = 8 * 1024 * 1024;  // [bytes] of numbers of meshes in the file
-constexpr std::size_t kLongestStem = 150;             // [bytes] of a name that a copy adds to
+constexpr std::size_t kMostCopied = std::size_t{8}
+                                    << 20;  // [bytes] of numbers of meshes in the file
+constexpr std::size_t kLongestStem = 150;   // [bytes] of a name that a copy adds to
 
 /// How a geom wants its asset, and how it is then turned itself.
 struct ScaleRequest {
@@ -73,6 +74,7 @@ Matrix3d rotation_onto(const std::vector<Vector3d>& directions) {
 /// Scale and turns whose product is what the mesh shall look like, R S Qᵀ.
 void decompose(const Matrix3d& wanted, ScaleRequest& request) {
   const Eigen::JacobiSVD<Matrix3d> parts(wanted, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  if (parts.info() != Eigen::Success) return;  // numbers that are none have no parts
   Matrix3d u = parts.matrixU(), v = parts.matrixV();
   request.scale = parts.singularValues();
   for (Matrix3d* const turn : {&u, &v})
@@ -250,7 +252,7 @@ class Writer {
 double extent_along(const mjModel& model, int geom, const Vector3d& direction) {
   const int mesh = model.geom_dataid[geom];
   const Eigen::Map<const Eigen::Matrix<float, 3, Eigen::Dynamic>> corners(
-      model.mesh_vert + 3 * model.mesh_vertadr[mesh], 3, model.mesh_vertnum[mesh]);
+      model.mesh_vert + std::ptrdiff_t{3} * model.mesh_vertadr[mesh], 3, model.mesh_vertnum[mesh]);
   const Eigen::RowVectorXd along =
       (rotation_at(model.geom_quat, geom).transpose() * direction).transpose() *
       corners.cast<double>();
@@ -304,7 +306,8 @@ void write_mesh_scales(const XmlFile& xml, const mjModel& model, const TreeEleme
   for (int g = 0; g < model.ngeom; ++g) {
     const XmlElement* const element = elements.geoms[static_cast<std::size_t>(g)];
     const char* const mesh = inherited_attribute(xml, *element, "mesh");
-    const auto asset = mesh ? meshes.find(mesh) : meshes.end();
+    if (mesh == nullptr) continue;
+    const auto asset = meshes.find(mesh);
     if (asset == meshes.end()) continue;
     const ScaleRequest request = reader.of(g, asset->second);
     std::vector<Group>& groups = groups_by_mesh[mesh];

@@ -91,6 +91,35 @@ std::string judgement(const ExportFacts& facts) {
   return out + "- " + escaped(facts.standing) + "\n";
 }
 
+/// What the files of the gait hold, for whoever writes a driver.
+std::string gait_files(const ExportFacts& facts) {
+  if (facts.gaits.empty()) return "";
+  const bool several = !facts.gaits.front().empty();
+  std::string out = "## The gait\n\n`play.py` walks it in stock MuJoCo, without Legwright:\n\n";
+  for (const std::string& task : facts.gaits)
+    out += code_block("python play.py --view" + (several ? " " + task : ""));
+  const char* const prefix = several ? "TASK_" : "";
+  out += fmt::format(
+      "\n| file | holds |\n|---|---|\n"
+      "| `{0}gait.csv` | one cycle: targets `q:JOINT` [rad; slides m], feed-forward `tau:JOINT` [N "
+      "m; N], "
+      "and the planned root, COM, feet and their forces, SI units in the names. The rows are "
+      "control "
+      "points of a periodic uniform cubic B-spline: at row i a target is (q₋ + 4 q + q₊)/6, its "
+      "speed "
+      "(q₊ − q₋)/(2h), h the step of `time_s`. Torques are linear between the rows. |\n"
+      "| `{0}gains.json` | period, travel and turn of a cycle, and each servo's kp, kd and limit: "
+      "τ = "
+      "kp (q* − q) + kd (dq*/dt − dq/dt) + tau. A servo on a tendon does so along its length L: F "
+      "= "
+      "kp (L(q*) − L) + kd (dL*/dt − dL/dt) + tau/L′. |\n"
+      "| `{0}walk.xml` | the robot as the gait was judged: ground, payload, limits and servos of "
+      "its "
+      "task, no plugin |\n\n",
+      prefix);
+  return out;
+}
+
 std::string list(const std::vector<std::string>& names) {
   std::string out;
   for (const std::string& name : names) out += (out.empty() ? "" : ", ") + escaped(name);
@@ -111,7 +140,7 @@ std::string export_readme(const ExportFacts& facts) {
       "    python -m mujoco.viewer --mjcf=scene.xml\n\n",
       facts.name);
   if (!facts.others.empty()) out += "The robot also consists of: " + list(facts.others) + ".\n\n";
-  out += provenance(facts) + "\n" + changes(facts) + "\n" + judgement(facts);
+  out += gait_files(facts) + provenance(facts) + "\n" + changes(facts) + "\n" + judgement(facts);
   out += "\n## Licence\n\n";
   out += facts.licences.empty()
              ? "No licence stood beside the robot's file. Ask its author before you pass it on.\n"

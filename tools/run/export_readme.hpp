@@ -31,6 +31,7 @@ struct ExportFacts {
   std::string picture;  // file, or empty
   std::vector<std::string> licences;  // files
   std::vector<std::string> others;    // files that the robot's names: parts and assets
+  std::vector<std::string> gaits;     // tasks whose gaits are here; one empty name for one task
 };
 
 /// README.md of an exported robot: what it is, where it comes from, what changed. Texts from files

@@ -16,6 +16,7 @@
 #include "tools/run/result_folder.hpp"
 #include "tools/verbs/export_facts.hpp"
 #include "tools/verbs/export_files.hpp"
+#include "tools/verbs/export_gait.hpp"
 #include "tools/verbs/summary.hpp"
 #include "tools/verbs/verbs.hpp"
 
@@ -59,7 +60,7 @@ int export_run(const ExportOptions& options) {
   const ExportedRun from = read_exported_run(options.run);
   std::string name = plain_name(from.after.morphology.name);
   if (name.empty()) name = "robot";
-  if (name == "scene") name = "scene_robot";
+  if (name == "scene" || name == "walk") name += "_robot";
   name = free_name(std::move(name), from.after.files);
   UnfinishedFolder folder(target);
   const fs::path robot = folder.path() / (name + ".xml"), scene = folder.path() / "scene.xml";
@@ -76,6 +77,7 @@ int export_run(const ExportOptions& options) {
   facts.others = others;
   const std::vector<HomeTouch> touches = home_touches(from);
   facts.touches = describe(touches);
+  facts.gaits = write_gaits(options.run, folder.path());
   std::string left_out;
   std::string picture = name + ".png";
   while (fs::exists(folder.path() / picture)) picture.insert(0, "picture_of_");  // a texture's
@@ -106,9 +108,11 @@ int export_run(const ExportOptions& options) {
                               {"engine_warnings", stood.warnings.size()}}));
   } else {
     fmt::print("{}\n", terminal_text(facts.standing));
-    fmt::print("written  {}: {} files\nnext: python -m mujoco.viewer --mjcf={}\n",
-               shell_word(target.string()), files.size(),
-               shell_word((target / "scene.xml").string()));
+    fmt::print(
+        "written  {}: {} files\nnext: python {} --view{}   or: python -m mujoco.viewer --mjcf={}\n",
+        shell_word(target.string()), files.size(), shell_word((target / "play.py").string()),
+        facts.gaits.front().empty() ? "" : " " + shell_word(facts.gaits.front()),
+        shell_word((target / "scene.xml").string()));
   }
   return healthy ? kOk : kInfeasible;
 }
@@ -127,9 +131,12 @@ void add_export(CLI::App& program, Action& action) {
   verb->footer(
       "Writes, whole or not at all: NAME.xml (the robot, byte for byte as in result/), scene.xml "
       "(it on a floor; no plugin),\n"
-      "NAME.png, README.md (where it comes from, what changed, what physics says), and the licence "
-      "that stood beside\n"
-      "the robot's file. The scene is opened, compared with the robot, and simulated for 1 s.\n"
+      "the gait (walk.xml, gait.csv, gains.json; of several tasks TASK_walk.xml ...) with play.py, "
+      "which walks it without the\n"
+      "plugin, NAME.png, README.md (where it comes from, what changed, what physics says, what the "
+      "files are), and the\n"
+      "licence that stood beside the robot's file. The scene is opened, compared with the robot, "
+      "and simulated for 1 s.\n"
       "Exit code: 0; 1 where that second brought a warning of MuJoCo; 3 where the folder exists or "
       "the run has no result.");
 }

@@ -76,7 +76,8 @@ TEST_F(Export, MakesAFolderThatStockMujocoOpens) {
   EXPECT_EQ(told["engine_warnings"], 0);
   const fs::path folder = root() / "puppy";
   const std::set<std::string> files = files_in(folder);
-  for (const char* name : {"puppy.xml", "scene.xml", "README.md", "LICENSE"})
+  for (const char* name : {"puppy.xml", "scene.xml", "README.md", "LICENSE", "walk.xml", "gait.csv",
+                           "gains.json", "play.py"})
     EXPECT_EQ(files.count(name), 1u) << name;
   EXPECT_EQ(std::set<std::string>(told["files"].begin(), told["files"].end()), files);
   EXPECT_EQ(read_file(folder / "puppy.xml"), read_file(root() / "run" / "result" / "robot.xml"));
@@ -91,9 +92,26 @@ TEST_F(Export, MakesAFolderThatStockMujocoOpens) {
   EXPECT_GE(mj_name2id(scene.get(), mjOBJ_GEOM, "floor"), 0);
   EXPECT_GE(mj_name2id(scene.get(), mjOBJ_KEY, "home"), 0);
 
+  const std::unique_ptr<mjModel, void (*)(mjModel*)> walk(
+      mj_loadXML((folder / "walk.xml").c_str(), nullptr, error, sizeof error), mj_deleteModel);
+  ASSERT_TRUE(walk) << error;
+  EXPECT_EQ(walk->nplugin, 0);
+  EXPECT_EQ(walk->nu, 12);
+  EXPECT_GE(mj_name2id(walk.get(), mjOBJ_KEY, "gait"), 0);
+  const Json gains = read_json(folder / "gains.json");
+  ASSERT_EQ(gains["servos"].size(), 12u);
+  const std::string columns = read_file(folder / "gait.csv");
+  for (const Json& servo : gains["servos"]) {
+    EXPECT_GE(mj_name2id(walk.get(), mjOBJ_ACTUATOR, servo["actuator"].get<std::string>().c_str()),
+              0);
+    EXPECT_TRUE(contains(columns, servo["target"].get<std::string>() + ","));
+    EXPECT_GT(servo["kp"].get<double>(), 0.0);
+  }
+
   const std::string readme = read_file(folder / "README.md");
   for (const std::string& part :
-       {std::string("# puppy\n"), sha256_hex(read_file(root() / "mine" / "robot.xml")),
+       {std::string("# puppy\n"), std::string("python play.py --view"),
+        sha256_hex(read_file(root() / "mine" / "robot.xml")),
         sha256_hex(read_file(root() / "mine" / "task.toml")), std::string("mine/robot.xml"),
         std::string("--max-iterations 1"), std::string("| front\\_thigh\\_length | 0.06 |"),
         std::string("was not validated"), std::string("no warning of the engine"),
@@ -160,6 +178,10 @@ TEST_F(Export, ARobotOfSeveralFilesKeepsThem) {
       mj_loadXML((folder / "scene.xml").c_str(), nullptr, error, sizeof error), mj_deleteModel);
   ASSERT_TRUE(scene) << error;
   EXPECT_EQ(scene->nmesh, 1);
+  const std::unique_ptr<mjModel, void (*)(mjModel*)> walk(
+      mj_loadXML((folder / "walk.xml").c_str(), nullptr, error, sizeof error), mj_deleteModel);
+  ASSERT_TRUE(walk) << error;
+  EXPECT_EQ(walk->nmesh, 1);
 }
 
 /// A part that is called like the model keeps its name; parts that are no longer what the run read
