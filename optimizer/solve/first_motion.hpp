@@ -15,6 +15,7 @@ struct FirstMotionOptions {
   std::uint64_t seed = 1;
   /// Told of each start with the F that a solve comes to from it; infinite where there is none.
   std::function<void(const std::string& start, double F)> tell = {};
+  std::function<bool()> go_on = {};  // asked before each Newton step; false: no further start
 };
 
 /// m₀ for a body: of several first motions the one from which Newton's method comes to the least

@@ -106,6 +106,8 @@ std::vector<std::string> optimize_followed(const RobotModel& robot, const Follow
       return conversation.ask(python_iteration(problem, label, iteration));
     };
   tell_warnings(problem, follower);
+  follower.command = {"legwright", "codesign()", "from", "Python"};
+  if (run.options.force) check_not_in_run(run.folder, problem.robot.files);
   const ResultFolder folder = ResultFolder::create(run.folder, run.options.force);
   optimize_into(folder, problem, run.options, follower, times);
   return warnings;

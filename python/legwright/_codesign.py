@@ -40,9 +40,10 @@ def codesign(
 ) -> Design:
     """Changes body and gait together until the robot can do its tasks, as `legwright optimize`.
 
-    Of the designs that the search comes by, the one with the least F that MuJoCo passes is handed
-    back; where it passes none, the nearest, with `feasible` False and `reasons`. Same input, same
-    bits as the program. The interpreter's lock is free meanwhile.
+    Of the designs that the search comes by, the one with the least F that MuJoCo passes (of nearly
+    equal ones a stable one) is handed back; where it passes none, the nearest, with `feasible`
+    False and `reasons`. Same input, same bits as the program. The interpreter's lock is free
+    meanwhile.
 
     Args:
         robot: what may change is what its parameters say.

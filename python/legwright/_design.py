@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from legwright import _core
+from legwright._errors import IoError
 from legwright._motion import Motion, read_motion
 from legwright._plugin import served_mujoco
 
@@ -53,7 +54,7 @@ class Design:
         self._temporary = temporary
         _core.open_run(self.folder)
         self.record: dict[str, Any] = self._json('run.json')
-        """All that run.json says: docs/schema/run.json is its schema."""
+        """All that run.json says: docs/schema/run.schema.json is its schema."""
 
     @classmethod
     def load(cls, folder: str | os.PathLike[str]) -> 'Design':
@@ -127,12 +128,19 @@ class Design:
 
     @property
     def verdict(self) -> Verdict | None:
-        """What MuJoCo says of the result; None where it was not asked (plan_only)."""
-        choice = self.record.get('choice')
-        if choice is None:
+        """What MuJoCo says of the result; None where it was not asked: plan_only, or an iterate
+        that was picked."""
+        steps, choice = self.record.get('physics_steps'), self.record.get('choice')
+        if steps is not None and steps['changed']:
+            played = steps['after']
+        elif choice is not None:
+            name = self.record.get('picked') or choice['chosen']
+            found = [each['played'] for each in choice['candidates'] if each['name'] == name]
+            if not found:
+                return None
+            played = found[0]
+        else:
             return None
-        chosen = next(each for each in choice['candidates'] if each['name'] == choice['chosen'])
-        played = chosen['played']
         merit = played['merit']
         return Verdict(played['pass'], played['line'], float('inf') if merit is None else merit)
 
@@ -199,9 +207,15 @@ class Design:
             force: replace the run that the folder holds.
 
         Raises:
-            IoError: where the folder holds a run, or cannot be written.
+            IoError: where the folder holds a run, cannot be written, or lies in that of the design
+                or around it.
         """
         target = Path(folder)
+        here, there = self.folder.resolve(), target.resolve()
+        if here == there:
+            return target
+        if here.is_relative_to(there) or there.is_relative_to(here):
+            raise IoError(f'{target}: the design itself lies in {self.folder}; name another folder')
         _core.create_run(target, force)
         copies: dict[tuple[int, int], str] = {}
 

@@ -64,4 +64,5 @@ def served_mujoco() -> Any:
             f'MuJoCo {found} is installed, and a plugin holds for one release of it, here for '
             f'{", ".join(served)}: {cure}, or build legwright for {found}'
         )
+    ctypes.CDLL(str(_library(found)), os.RTLD_NOW | os.RTLD_LOCAL)  # metadata may name another
     return mujoco

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 import gc
 import json
+import subprocess
+import sys
+from pathlib import Path
 
 import legwright as lw
 import numpy as np
@@ -55,6 +58,24 @@ def test_saved_runs_are_loaded_as_they_were(walk, tmp_path):
     with pytest.raises(lw.IoError, match='already holds a run'):
         walk.save(folder)
     assert walk.save(folder, force=True) == folder
+
+
+def test_saving_where_it_lies_loses_nothing(walk, tmp_path):
+    design = lw.Design.load(walk.save(tmp_path / 'mine'))
+    before = sorted(tmp_path.rglob('*'))
+    assert design.save(tmp_path / 'mine', force=True) == tmp_path / 'mine'
+    with pytest.raises(lw.IoError, match='name another folder'):
+        design.save(tmp_path / 'mine/result/inside', force=True)
+    assert sorted(tmp_path.rglob('*')) == before
+
+
+def test_another_design_that_was_picked_has_its_own_verdict(walk, tmp_path):
+    """An iterate that nobody played has none."""
+    folder = walk.save(tmp_path / 'mine')
+    program = Path(sys.executable).parent / 'legwright'
+    done = subprocess.run([program, 'pick', folder, '--iteration', '1'], check=False)
+    assert done.returncode in (0, 1)
+    assert lw.Design.load(folder).verdict is None
 
 
 def test_a_folder_without_a_run_is_refused(tmp_path):

@@ -63,9 +63,13 @@ class CandidateOnTrial {
   }
   double largest_multiplier() const {
     double largest = 0.0;
-    for (const auto& gait : gaits_) {
-      if (gait == nullptr) return std::numeric_limits<double>::infinity();
-      largest = std::max(largest, gait->largest_multiplier(threads_));
+    try {
+      for (const auto& gait : gaits_) {
+        if (gait == nullptr) return std::numeric_limits<double>::infinity();
+        largest = std::max(largest, gait->largest_multiplier(threads_));
+      }
+    } catch (const MujocoError&) {  // a disturbed state that MuJoCo gives up
+      return std::numeric_limits<double>::infinity();
     }
     return largest;
   }

@@ -129,7 +129,9 @@ class DesignChooser {
     for (const auto* rival : rivals) {
       const double multiplier =
           largest_multiplier(problem_, rival->second, options_.threads, options_.stop);
-      record_.candidates[rival->first].multiplier = multiplier;
+      CandidateRecord& record = record_.candidates[rival->first];
+      record.stable = multiplier < 1.0;
+      if (std::isfinite(multiplier)) record.multiplier = multiplier;
       if (options_.tell)
         options_.tell(fmt::format("physics, {} (F {:.5g}): largest Floquet multiplier {:.2f}",
                                   rival->second.name, rival->second.design.value, multiplier));
@@ -216,11 +218,17 @@ class DesignChooser {
       const std::size_t first = played;
       const std::size_t count =
           std::min(static_cast<std::size_t>(options_.threads), found.size() - first);
+      std::vector<char> ended(count);
       parallel_for(static_cast<int>(count), options_.threads, [&](int k) {
-        PlayedDesign& each = found[first + static_cast<std::size_t>(k)];
-        each.played = play(each.design, 1);
+        const auto i = static_cast<std::size_t>(k);
+        try {
+          found[first + i].played = play(found[first + i].design, 1);
+          ended[i] = 1;
+        } catch (const RolloutStopped&) {  // the others' play counts
+        }
       });
       for (; played < first + count && !passed; ++played) {
+        if (ended[played - first] == 0) throw RolloutStopped();
         note(found[played].design, found[played].played);
         passed = found[played].played.pass;
       }
@@ -307,7 +315,7 @@ class DesignChooser {
       options_.tell(fmt::format("physics, {} (F {:.5g}): {}", candidate.name,
                                 candidate.design.value, brief_words(played)));
     record_.candidates.push_back(
-        {candidate.name, candidate.design.value, played.record(), {}, failing(played), {}});
+        {candidate.name, candidate.design.value, played.record(), {}, failing(played), {}, {}});
     if (played.pass || record_.candidates.size() == 1)
       kept_.emplace_back(record_.candidates.size() - 1, candidate);
     add_finalist(candidate, played);

@@ -214,9 +214,9 @@ GaitTrial GaitOnTrial::glance() const {
 double GaitOnTrial::largest_multiplier(int threads) const {
   FloquetOptions options;
   options.threads = threads;
+  options.stop = stop_;
   double largest = 0.0;
   for (const double gain : kTrialGains) {
-    if (stop_ && stop_()) throw RolloutStopped();
     largest = std::max(largest, floquet_multiplier(this->scene(gain), options)
                                     .value_or(std::numeric_limits<double>::infinity()));
   }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "tools/report/judged_words.hpp"
 #include "tools/report/number_words.hpp"
@@ -27,8 +26,8 @@ void add_row(Html& page, const CandidateRecord& candidate, bool chosen) {
   page.close().number(three_digits(candidate.F), "F");
   page.element("td", candidate.played.pass ? "✓ pass" : "✗ fail");
   std::string why = verdict_details(candidate.played.line);
-  if (candidate.multiplier)
-    why += fmt::format("; largest Floquet multiplier {}", std::isfinite(*candidate.multiplier)
+  if (candidate.stable)
+    why += fmt::format("; largest Floquet multiplier {}", candidate.multiplier
                                                               ? three_digits(*candidate.multiplier)
                                                               : "unknown: it falls");
   page.element("td", why).close();

@@ -25,8 +25,9 @@ void fields(Fields& f, CandidateRecord& candidate) {
   f("folder", candidate.folder,
     "of its files, in the run; a folder per task where there are several");
   f("failing", candidate.failing, "of several tasks: the line of each that fails");
+  f("stable", candidate.stable, "whether its cycle is stable at all gains, where that decides");
   f("multiplier", candidate.multiplier,
-    "largest Floquet multiplier at half, default and double gains, where it decides");
+    "largest Floquet multiplier at half, default and double gains; absent where it falls");
 }
 
 void fields(Fields& f, ChoiceRecord& choice) {
@@ -242,7 +243,7 @@ bool ChoiceRecord::by_stability() const {
   for (const CandidateRecord& each : candidates)
     if (each.name == chosen) F = each.F;
   return std::any_of(candidates.begin(), candidates.end(), [&](const CandidateRecord& each) {
-    return each.multiplier.has_value() && each.F < F;
+    return each.stable.has_value() && each.F < F;
   });
 }
 

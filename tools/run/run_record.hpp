@@ -37,8 +37,9 @@ struct CandidateRecord {
   PlayedGait played;
   std::optional<std::string> folder;           // of its files in the run, where they are kept
   std::optional<ByName<std::string>> failing;  // of several tasks: the line of each that fails
-  // The largest Floquet multiplier at the three gains; of designs that pass, where there are
-  // several to choose between.
+  // Of designs that pass, where there are several to choose between: whether the largest Floquet
+  // multiplier at the three gains is below 1, and that number, absent where the gait falls.
+  std::optional<bool> stable;
   std::optional<double> multiplier;
 };
 void fields(Fields& f, CandidateRecord& candidate);

@@ -164,7 +164,7 @@ struct SettledGait {
   CycleStart start;
 };
 
-SettledGait settle(const Scene& scene, int cycles) {
+SettledGait settle(const Scene& scene, const FloquetOptions& from) {
   mjModel& model = *scene.model;
   SettledGait out;
   const double period = scene.trajectory.period;
@@ -172,8 +172,9 @@ SettledGait settle(const Scene& scene, int cycles) {
   model.opt.timestep = period / steps;
   out.data = make_data(model);
   RolloutOptions options;
-  options.cycles = cycles;
-  const long long last = static_cast<long long>(cycles) * steps - 1;
+  options.cycles = from.settle_cycles;
+  options.stop = from.stop;
+  const long long last = static_cast<long long>(from.settle_cycles) * steps - 1;
   long long n = 0;
   const Rollout played = rollout(scene, options, [&](const RolloutSample& sample) {
     if (n++ == last) mj_copyData(out.data.get(), &model, &sample.data);
@@ -188,13 +189,15 @@ SettledGait settle(const Scene& scene, int cycles) {
 std::optional<double> floquet_multiplier(const CycleStart& start, const FloquetOptions& options) {
   const ReducedState state(start);
   MatrixXd jacobian(state.size(), state.size());
-  parallel_for(state.size(), options.threads,
-               [&](int k) { jacobian.col(k) = response(start, state, k, options.step); });
+  parallel_for(state.size(), options.threads, [&](int k) {
+    if (options.stop && options.stop()) throw RolloutStopped();
+    jacobian.col(k) = response(start, state, k, options.step);
+  });
   return largest_eigenvalue(jacobian);
 }
 
 std::optional<double> floquet_multiplier(const Scene& scene, const FloquetOptions& options) {
-  const SettledGait gait = settle(scene, options.settle_cycles);
+  const SettledGait gait = settle(scene, options);
   if (!gait.data) return std::nullopt;
   return floquet_multiplier(gait.start, options);
 }

@@ -3,6 +3,7 @@
 
 #include <mujoco/mujoco.h>
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct FloquetOptions {
   double step = 3e-3;      // of the differences, in units of length, angle and their speeds
   int threads = 2;
   ProgressListener progress = {};
+  std::function<bool()> stop = {};  // asked now and then; true: throws RolloutStopped
 };
 
 /// The largest Floquet multiplier of a cycle: by how much the cycle multiplies a small disturbance

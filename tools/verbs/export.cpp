@@ -55,13 +55,18 @@ fs::path target_of(const ExportOptions& options) {
   return out;
 }
 
+/// The robot's file without .xml: none of its other files is called so, nor a scene or gait.
+std::string robot_name(const ExportedRun& from) {
+  std::string name = plain_name(from.after.morphology.name);
+  if (name.empty()) name = "robot";
+  if (name == "scene" || name == "walk" || name.ends_with("_walk")) name += "_robot";
+  return free_name(std::move(name), from.after.files);
+}
+
 int export_run(const ExportOptions& options) {
   const fs::path target = target_of(options);
   const ExportedRun from = read_exported_run(options.run);
-  std::string name = plain_name(from.after.morphology.name);
-  if (name.empty()) name = "robot";
-  if (name == "scene" || name == "walk") name += "_robot";
-  name = free_name(std::move(name), from.after.files);
+  const std::string name = robot_name(from);
   UnfinishedFolder folder(target);
   const fs::path robot = folder.path() / (name + ".xml"), scene = folder.path() / "scene.xml";
   const std::vector<std::string> others =

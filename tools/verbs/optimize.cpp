@@ -27,23 +27,6 @@ fs::path root_of(const OptimizeOptions& options, const CodesignProblem& problem)
   return fs::path("runs") / (plain_name(problem.robot.morphology.name) + "-" + problem.set.name);
 }
 
-/// --force removes the old run first; a robot's meshes and licences are copied after that.
-void check_not_in_run(const fs::path& root, const RobotFiles& files) {
-  const fs::path run = fs::weakly_canonical(fs::absolute(root));
-  std::vector<fs::path> needed;
-  for (const AssetFile& asset : files.assets()) needed.push_back(asset.source);
-  for (const std::string& licence : licences_in(files.folder()))
-    needed.push_back(files.folder() / licence);
-  for (const fs::path& file : needed) {
-    const fs::path inside = fs::weakly_canonical(fs::absolute(file)).lexically_relative(run);
-    if (!inside.empty() && *inside.begin() != "..")
-      throw IoError(
-          fmt::format("{}: the robot's own files lie in it, like {}; choose another folder "
-                      "with -o, or copy the robot elsewhere first",
-                      root.string(), inside.string()));
-  }
-}
-
 int optimize(const OptimizeOptions& options) {
   CommandTimes times;
   CodesignProblem problem = read_problem(options.task, options.robot);

@@ -38,8 +38,9 @@ MultistartOptions settings_of(const OptimizeOptions& options, int task_count,
   return settings;
 }
 
-FirstMotionOptions first_motion_of(const OptimizeOptions& options) {
+FirstMotionOptions first_motion_of(const OptimizeOptions& options, const StopAsked& stop) {
   FirstMotionOptions out{options.motion_only ? options.starts : 0, options.seed};
+  out.go_on = [stop] { return !stop(); };
   if (out.perturbations > 0 && !options.quiet)
     out.tell = [](const std::string& start, double F) {
       fmt::print(stderr, "motion from {}: F {:.5g}\n", start, F);

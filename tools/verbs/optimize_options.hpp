@@ -33,7 +33,7 @@ void add_options(CLI::App& verb, OptimizeOptions& options);
 /// What the solvers, and the choice among what they find, take from them. @param stop ends them
 MultistartOptions settings_of(const OptimizeOptions& options, int task_count,
                               const StopAsked& stop);
-FirstMotionOptions first_motion_of(const OptimizeOptions& options);
+FirstMotionOptions first_motion_of(const OptimizeOptions& options, const StopAsked& stop);
 CloseGapOptions gap_options(const OptimizeOptions& options, const StopAsked& stop);
 ChoiceOptions choice_options(const OptimizeOptions& options, const MultistartOptions& settings,
                              const StopAsked& stop);

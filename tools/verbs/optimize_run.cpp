@@ -20,10 +20,10 @@ namespace legwright {
 namespace {
 
 /// What stands in the run's folder before anything is solved. @return run.json
-RunRecord write_start(const ResultFolder& folder, const CodesignProblem& problem,
-                      bool motion_only) {
-  RunRecord run = problem.set.joint() ? start_of_joint_run(command_line(), problem)
-                                      : start_of_run(command_line(), problem, 0);
+RunRecord write_start(const ResultFolder& folder, const CodesignProblem& problem, bool motion_only,
+                      const std::vector<std::string>& command) {
+  RunRecord run = problem.set.joint() ? start_of_joint_run(command, problem)
+                                      : start_of_run(command, problem, 0);
   run.motion_only = motion_only || problem.robot.space.size() == 0;
   write_json(folder.run_json(), json_of(run));
   write_file(folder.inputs() / "task.toml", text_beside_robot(problem.set.text));
@@ -65,16 +65,21 @@ class OptimizeRun {
         settings_(settings_of(options, problem.task_count(), stop_)),
         progress_(make_progress(options, settings_.codesign, problem)),
         recorder_(folder, problem, progress_, !options.no_pictures, stop_),
-        costs_(problem, first_motion_of(options)),
+        costs_(problem, first_motion_of(options, stop_)),
         reasons_(problem, options.threads, options.few_keeps / 100.0, !options.plan_only, stop_) {}
 
   /// Solves the problem and writes what comes of it.
   void solve() {
     const MultistartResult found = search();
-    const int signal = follower_.stop_signal();
     Candidate chosen = optimum_of(found);
-    if (signal == 0 && !options_.plan_only && usable(chosen.design)) chosen = choose(found);
-    write_end(folder_, problem_, found, chosen, signal, recorder_, run_, follower_.warn);
+    const bool to_play = !stop_() && !options_.plan_only && usable(chosen.design);
+    if (to_play) chosen = choose(found);
+    write_end(folder_, problem_, found, chosen, follower_.stop_signal(), recorder_, run_,
+              follower_.warn);
+    if (to_play && !run_.choice) {
+      run_.reasons->push_back("MuJoCo was not asked: the run was interrupted before");
+      run_.feasible = false;
+    }
     times_.end_of("results");
     if (usable(chosen.design)) explain(found, chosen);
     if (options_.front > 0 && !stop_()) {
@@ -194,10 +199,27 @@ void tell_warnings(const CodesignProblem& problem, const RunFollower& follower) 
       follower.warn((problem.set.joint() ? objective->task().name + ": " : "") + warning);
 }
 
+void check_not_in_run(const std::filesystem::path& root, const RobotFiles& files) {
+  namespace fs = std::filesystem;
+  const fs::path run = fs::weakly_canonical(fs::absolute(root));
+  std::vector<fs::path> needed;
+  for (const AssetFile& asset : files.assets()) needed.push_back(asset.source);
+  for (const std::string& licence : licences_in(files.folder()))
+    needed.push_back(files.folder() / licence);
+  for (const fs::path& file : needed) {
+    const fs::path inside = fs::weakly_canonical(fs::absolute(file)).lexically_relative(run);
+    if (!inside.empty() && *inside.begin() != "..")
+      throw IoError(
+          fmt::format("{}: the robot's own files lie in it, like {}; choose another folder, "
+                      "or copy the robot elsewhere first",
+                      root.string(), inside.string()));
+  }
+}
+
 RunRecord optimize_into(const ResultFolder& folder, CodesignProblem& problem,
                         const OptimizeOptions& options, const RunFollower& follower,
                         CommandTimes& times) {
-  RunRecord run = write_start(folder, problem, options.motion_only);
+  RunRecord run = write_start(folder, problem, options.motion_only, follower.command);
   try {
     // From here on the run has files of its own: what becomes of the user's does not matter to it.
     problem.robot.files = problem.robot.files.moved_to(folder.inputs() / "robot.xml");

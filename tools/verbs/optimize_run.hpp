@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "optimizer/solve/multistart.hpp"
+#include "tools/run/install.hpp"
 #include "tools/run/result_folder.hpp"
 #include "tools/run/run_record.hpp"
 #include "tools/task/problem.hpp"
@@ -22,10 +25,16 @@ struct RunFollower {
   std::function<void(const std::string&)> warn = [](const std::string&) {};
   /// The signal that asks to stop at once, or 0; asked often and from several threads.
   std::function<int()> stop_signal = [] { return 0; };
+  /// What run.json says of who called.
+  std::vector<std::string> command = command_line();
 };
 
 /// Throws InputError where options ask for what the problem has not.
 void check_options(const OptimizeOptions& options, const CodesignProblem& problem);
+
+/// For a run that replaces another: that goes first, and a robot's meshes and licences are copied
+/// after that. Throws IoError where they lie in its folder.
+void check_not_in_run(const std::filesystem::path& root, const RobotFiles& files);
 
 /// Tells what looks doubtful about robot and tasks before anything is solved.
 void tell_warnings(const CodesignProblem& problem, const RunFollower& follower);

@@ -62,7 +62,8 @@ def play(task, cycles, show):
         mujoco.mj_fwdPosition(model, plan)
         mujoco.mj_fwdVelocity(model, plan)
         length, arm = plan.actuator_length[actuators], plan.actuator_velocity[actuators]
-        data.ctrl[actuators] = kp * length + kd * arm * velocities + torques / arm
+        forces = torques / np.where(arm == 0, np.inf, arm)
+        data.ctrl[actuators] = kp * length + kd * arm * velocities + forces
         mujoco.mj_step(model, data)
         show(model, data)
     planned, turned = np.zeros(2), 0.0
@@ -80,7 +81,7 @@ def main():
     parser.add_argument('--view', action='store_true', help="in MuJoCo's viewer, at true speed")
     options = parser.parse_args()
     files = HERE.glob('*gains.json')
-    tasks = sorted(file.name.removesuffix('gains.json').rstrip('_') for file in files)
+    tasks = sorted(file.name.removesuffix('gains.json').removesuffix('_') for file in files)
     if options.task not in tasks:
         parser.error(f'there is no gait {options.task!r} here, but {", ".join(tasks)}')
     viewers = []

@@ -61,7 +61,8 @@ TEST_F(ChooseDesignInstead, HandsBackTheLeastFThatPasses) {
   EXPECT_EQ(choice.result.name, choice.record.chosen);
   for (const CandidateRecord& record : choice.record.candidates)
     if (record.played.pass) {
-      EXPECT_LE(choice.result.design.value, record.F) << record.name;
+      const double room = choice.record.by_stability() ? 1.1 : 1.0;
+      EXPECT_LE(choice.result.design.value, room * record.F) << record.name;
     }
   EXPECT_LE(choice.result.design.value, searched.candidate(choice, "initial").F);
 
