@@ -118,7 +118,9 @@ class Design:
 
     @property
     def feasible(self) -> bool:
-        """Whether the plan keeps its constraints and MuJoCo passes it: exit code 0, not 1."""
+        """Whether the plan keeps its constraints and MuJoCo, where it was to be asked, passes it:
+        exit code 0, not 1. With plan_only it is the plan alone; a run that was interrupted before
+        MuJoCo had an answer is not feasible."""
         return bool(self.record['feasible'])
 
     @property

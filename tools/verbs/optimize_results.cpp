@@ -6,6 +6,7 @@
 #include <cmath>
 #include <csignal>
 #include <memory>
+#include <optional>
 
 #include "optimizer/base/stopwatch.hpp"
 #include "tools/run/certificate_json.hpp"
@@ -80,14 +81,18 @@ bool usable(const DesignIteration& iteration) {
 }
 
 void write_end(const ResultFolder& folder, const CodesignProblem& problem,
-               const MultistartResult& found, const Candidate& chosen, int signal,
+               const MultistartResult& found, const Candidate& chosen, bool was_to_play, int signal,
                Recorder& recorder, RunRecord& run,
                const std::function<void(const std::string&)>& warn) {
   std::vector<TaskOutcome> outcomes = write_results(folder, problem, found, chosen, recorder);
-  if (run.choice)
-    for (TaskOutcome& outcome : outcomes)
-      if (auto words = run.choice->complaint(run.choice->chosen, problem.task(outcome.task).name))
-        outcome.reasons.push_back(std::move(*words));
+  for (TaskOutcome& outcome : outcomes) {
+    std::optional<std::string> words;
+    if (run.choice)
+      words = run.choice->complaint(run.choice->chosen, problem.task(outcome.task).name);
+    else if (was_to_play)
+      words = "MuJoCo was not asked: the run was interrupted before";
+    if (words) outcome.reasons.push_back(std::move(*words));
+  }
   RunEffort effort = effort_of(found);
   effort.file_seconds = recorder.seconds();
   run.engine_warnings = engine_warnings(folder, problem, warn);

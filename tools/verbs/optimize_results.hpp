@@ -19,10 +19,11 @@ namespace legwright {
 bool usable(const DesignIteration& iteration);
 
 /// Writes the results of a run, and what run.json says of them. @param chosen the design that is
-/// handed back. @param signal that ended the search, or 0
+/// handed back. @param was_to_play whether MuJoCo was to be asked; where run.choice is none all the
+/// same, no task is feasible. @param signal that ended the run, or 0
 /// @param warn of what the engine warns
 void write_end(const ResultFolder& folder, const CodesignProblem& problem,
-               const MultistartResult& found, const Candidate& chosen, int signal,
+               const MultistartResult& found, const Candidate& chosen, bool was_to_play, int signal,
                Recorder& recorder, RunRecord& run,
                const std::function<void(const std::string&)>& warn);
 

@@ -74,12 +74,8 @@ class OptimizeRun {
     Candidate chosen = optimum_of(found);
     const bool to_play = !stop_() && !options_.plan_only && usable(chosen.design);
     if (to_play) chosen = choose(found);
-    write_end(folder_, problem_, found, chosen, follower_.stop_signal(), recorder_, run_,
+    write_end(folder_, problem_, found, chosen, to_play, follower_.stop_signal(), recorder_, run_,
               follower_.warn);
-    if (to_play && !run_.choice) {
-      run_.reasons->push_back("MuJoCo was not asked: the run was interrupted before");
-      run_.feasible = false;
-    }
     times_.end_of("results");
     if (usable(chosen.design)) explain(found, chosen);
     if (options_.front > 0 && !stop_()) {
@@ -223,6 +219,7 @@ RunRecord optimize_into(const ResultFolder& folder, CodesignProblem& problem,
   try {
     // From here on the run has files of its own: what becomes of the user's does not matter to it.
     problem.robot.files = problem.robot.files.moved_to(folder.inputs() / "robot.xml");
+    problem.robot.file = problem.robot.files.file();
     OptimizeRun(folder, problem, options, follower, times, run).solve();
   } catch (const std::exception& error) {
     note_failure(folder, run, error.what());
