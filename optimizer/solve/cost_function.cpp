@@ -31,4 +31,12 @@ const Eigen::VectorXd& ObjectiveCost::motion_units() const { return objective_.m
 
 std::vector<std::string_view> ObjectiveCost::term_names() const { return objective_.term_names(); }
 
+std::vector<TermValue> named_terms(const CostFunction& cost, const Evaluation& at) {
+  std::vector<TermValue> terms;
+  const std::vector<std::string_view> names = cost.term_names();
+  for (std::size_t k = 0; k < names.size() && k < at.term_values.size(); ++k)
+    terms.push_back({names[k], at.term_values[k]});
+  return terms;
+}
+
 }  // namespace legwright

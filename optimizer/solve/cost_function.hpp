@@ -30,6 +30,9 @@ class CostFunction {
   virtual std::vector<std::string_view> term_names() const { return {}; }
 };
 
+/// The terms' values at a point, by name; empty where F has no parts.
+std::vector<TermValue> named_terms(const CostFunction& cost, const Evaluation& at);
+
 /// An Objective with a workspace of its own. Keeps a reference: the objective must live longer.
 class ObjectiveCost final : public CostFunction {
  public:

@@ -91,6 +91,7 @@ class JointNewton {
   bool acceptable(double value, double promised) const;
   void adapt(const JointStep& step, double t, double agreement);
   bool back_off(const JointStep& step);
+  JointPoint here() const;
   void tell();
   double change_since_told() const;
 
@@ -129,6 +130,7 @@ SolveStatus JointNewton::search(int iterations) {
     if (stagnated() || !move()) return SolveStatus::stalled;
     ++result_.iterations;
     if (!look()) return SolveStatus::not_finite;
+    if (options_.on_step) options_.on_step(here());
   }
   return SolveStatus::iteration_limit;
 }
@@ -259,11 +261,13 @@ double JointNewton::change_since_told() const {
   return (s_ - result_.path.back().s).cwiseQuotient(box_.scale).lpNorm<Eigen::Infinity>();
 }
 
-void JointNewton::tell() {
+JointPoint JointNewton::here() const {
   JointPoint point{s_, {}, value_};
   for (const auto& block : blocks_) point.motions.push_back(block->motion());
-  result_.path.push_back(std::move(point));
+  return point;
 }
+
+void JointNewton::tell() { result_.path.push_back(here()); }
 
 }  // namespace
 

@@ -11,6 +11,13 @@
 
 namespace legwright {
 
+/// A point (s, m₁ … m_k) of the search.
+struct JointPoint {
+  Eigen::VectorXd s;
+  std::vector<Eigen::VectorXd> motions;
+  double value = 0.0;  // Σ wᵢ Fᵢ
+};
+
 /// Knobs of a search over body and motions at once. Motions are measured in motion_units(), the
 /// design in DesignSpace::scale().
 struct JointNewtonOptions {
@@ -26,13 +33,8 @@ struct JointNewtonOptions {
   double told_change = 0.3;
   int threads = 1;                   // at most one per task is of use; results do not depend on it
   std::function<bool()> go_on = {};  // asked before every iteration; false: `stopped`
-};
-
-/// A point (s, m₁ … m_k) of the search.
-struct JointPoint {
-  Eigen::VectorXd s;
-  std::vector<Eigen::VectorXd> motions;
-  double value = 0.0;  // Σ wᵢ Fᵢ
+  /// Called after each step, of each start, with the point that it came to.
+  std::function<void(const JointPoint&)> on_step = {};
 };
 
 struct JointNewtonResult {

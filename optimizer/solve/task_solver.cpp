@@ -18,14 +18,6 @@ using Eigen::VectorXd;
 constexpr int kEarlySteps = 10;  // of iteration 0
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-std::vector<TermValue> named_terms(const CostFunction& cost, const Evaluation& at) {
-  std::vector<TermValue> terms;
-  const std::vector<std::string_view> names = cost.term_names();
-  for (std::size_t k = 0; k < names.size() && k < at.term_values.size(); ++k)
-    terms.push_back({names[k], at.term_values[k]});
-  return terms;
-}
-
 }  // namespace
 
 TaskSolver::TaskSolver(const WeightedCost& task, const MotionLimits& limits)
@@ -169,7 +161,6 @@ bool TaskSolver::reduced_hessian(Eigen::MatrixXd& hessian) {
   return hessian.allFinite();
 }
 
-// The motion predicted for the new design, or the old one where that is no better.
 VectorXd TaskSolver::predicted_motion(const VectorXd& s) {
   const Stopwatch watch;
   VectorXd ahead;

@@ -67,6 +67,9 @@ class TaskSolver {
 
   /// Iteration 0: motion-only optimisation at s. False where F is not finite.
   bool start(const Eigen::VectorXd& s);
+  /// First-order motion of another design, eq (4), or the iterate's own where that has no more F
+  /// there. Needs differentiate() at the iterate.
+  Eigen::VectorXd predicted_motion(const Eigen::VectorXd& s);
   /// Solves for the motion of another design, from the predicted one; now() stays as it is.
   /// @param ceiling F above it is of no use: the solve may be left early. @return F + J there;
   /// infinite where there is no finite motion; J counts once minimise_outer() is called.
@@ -106,7 +109,6 @@ class TaskSolver {
  private:
   SolveReport solve(const Eigen::VectorXd& s, Eigen::VectorXd& m, const NewtonOptions& options);
   NewtonOptions options(double tolerance, int limit) const;
-  Eigen::VectorXd predicted_motion(const Eigen::VectorXd& s);
   void restore_shifted_factor();
   double outer_value(const Eigen::VectorXd& s, const Eigen::VectorXd& m);
 

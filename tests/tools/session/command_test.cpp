@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/session/command.hpp"
+
+#include <gtest/gtest.h>
+
+#include "mjcf/text/input_error.hpp"
+
+namespace legwright {
+namespace {
+
+SessionCommand read(const std::string& text) {
+  return command_of(Json::parse(text), "session.jsonl", 7);
+}
+
+TEST(SessionCommand, EveryKindComesBackAsItWasWritten) {
+  const std::vector<SessionCommand> all{
+      session::Edit{{{"thigh", 0.1}, {"body", 1.0 / 3.0}}, true},
+      session::Freeze{{"thigh", "body"}, false},
+      session::Bounds{"thigh", 0.05, 0.15},
+      session::Tasks{"[gait]\nname = \"walk\"\n"},
+      session::Weights{{0.3, 0.7}},
+      session::Reset{},
+      session::Undo{},
+      session::Redo{},
+      session::Snapshot{"first"},
+      session::Branch{"first"},
+      session::Step{},
+      session::Settled{},
+      session::Searched{17}};
+  ASSERT_EQ(all.size(), std::variant_size_v<SessionCommand>);
+  for (const SessionCommand& command : all) {
+    const std::string text = json_of(command).dump();
+    EXPECT_EQ(json_of(read(text)).dump(), text);
+    EXPECT_EQ(read(text).index(), command.index()) << text;
+  }
+  const auto edit = std::get<session::Edit>(read(json_of(all[0]).dump()));
+  EXPECT_EQ(edit.values.at("body"), 1.0 / 3.0);  // the same bits
+}
+
+TEST(SessionCommand, WhatIsNoCommandIsToldByLine) {
+  for (const char* text :
+       {"[]", "{}", R"({"do": "dance"})", R"({"do": "edit"})", R"({"do": "undo", "times": 2})",
+        R"({"do": "edit", "values": {"thigh": "long"}, "goes_on": false})",
+        R"({"do": "searched", "points": 0})"}) {
+    try {
+      (void)read(text);
+      FAIL() << text;
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.line(), 7) << text;
+      EXPECT_NE(std::string(error.what()).find("session.jsonl:7: "), std::string::npos);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace legwright

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "mjcf/read/read_robot.hpp"
+#include "tools/files/atomic_file.hpp"
+#include "tools/session/state.hpp"
+
+/// The robot that sessions are tested with, and how their states are compared.
+namespace legwright::test {
+
+inline const std::filesystem::path kPuppy = LEGWRIGHT_SOURCE_DIR "/examples/puppy";
+inline const std::filesystem::path kSideways = kPuppy / "sideways.toml";
+inline std::string sideways() { return read_file(kSideways); }
+
+inline constexpr const char* kThigh = "front_thigh_length";
+inline RobotModel puppy() { return read_robot(kPuppy / "robot.xml"); }
+
+/// All that a state says, to the last bit.
+inline std::vector<double> bits(const SessionState& state) {
+  std::vector<double> out;
+  const auto add = [&](const Eigen::VectorXd& x) {
+    out.insert(out.end(), x.data(), x.data() + x.size());
+  };
+  add(state.s());
+  add(state.lower);
+  add(state.upper);
+  add(state.design_gradient());
+  out.insert(out.end(), state.weights.begin(), state.weights.end());
+  out.insert(out.end(), state.frozen.begin(), state.frozen.end());
+  out.push_back(state.iterations);
+  for (const TaskIterate& task : state.now->tasks) {
+    add(task.m);
+    out.push_back(task.value);
+  }
+  return out;
+}
+
+}  // namespace legwright::test

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "tools/files/json_file.hpp"
+
+namespace legwright {
+
+/// What a user does to a session, and what it did by itself: replayed in this order, they lead to
+/// the same state, bit by bit. Names and units are those of the robot's parameters.
+namespace session {
+
+/// Sets parameters [m, rad].
+struct Edit {
+  std::map<std::string, double> values;
+  bool goes_on = false;  // with the edit before it, as one: a handle that moves on
+};
+struct Freeze {
+  std::vector<std::string> names;
+  bool frozen = true;
+};
+/// Narrower bounds than the robot's, or those again.
+struct Bounds {
+  std::string name;
+  double lower = 0.0, upper = 0.0;
+};
+/// Other tasks: the text of a task file. Its [design] does not count.
+struct Tasks {
+  std::string text;
+};
+struct Weights {
+  std::vector<double> weights;  // of each task
+};
+struct Reset {};  // to the body that was given
+struct Undo {};
+struct Redo {};
+struct Snapshot {
+  std::string name;  // under which the state is kept
+};
+struct Branch {
+  std::string name;  // of the snapshot from which to go on
+};
+struct Step {};     // one design iteration
+struct Settled {};  // the motions were solved
+/// A search ran for so many points.
+struct Searched {
+  int points = 0;
+};
+
+}  // namespace session
+
+using SessionCommand =
+    std::variant<session::Edit, session::Freeze, session::Bounds, session::Tasks, session::Weights,
+                 session::Reset, session::Undo, session::Redo, session::Snapshot, session::Branch,
+                 session::Step, session::Settled, session::Searched>;
+
+/// The command as a line of the journal: {"do": "edit", …}.
+Json json_of(const SessionCommand& command);
+/// Reads such a line strictly. Throws InputError that names what is wrong.
+/// @param file, line for messages
+SessionCommand command_of(const Json& json, const std::string& file, int line);
+
+}  // namespace legwright

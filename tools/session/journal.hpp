@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tools/run/events.hpp"
+#include "tools/session/command.hpp"
+
+namespace legwright {
+
+/// What a session began with.
+struct SessionBegin {
+  std::filesystem::path robot;  // file that was read
+  std::string robot_sha256;     // of its MJCF, all parts in one text
+  std::string text;             // of the task file
+  std::filesystem::path file;   // its name, for messages
+};
+
+/// The begin of a session with this robot.
+SessionBegin begin_of(const RobotModel& robot, std::string text, std::filesystem::path file);
+
+/// A journal as it was read.
+struct ReadJournal {
+  SessionBegin begin;
+  std::vector<SessionCommand> commands;
+};
+
+/// Reads a journal up to the first line that is torn. A search that was going on counts with the
+/// points that it had. Throws InputError for lines that are no session's, std::system_error where
+/// the file cannot be read.
+ReadJournal read_journal(const std::filesystem::path& file);
+
+/// Everything that happened in a session, in order; on disk, too, as it happens: each line is one
+/// write, so what was told before a process dies is there. Replayed, it leads to the same state.
+class SessionJournal {
+ public:
+  /// @param file to write to, or empty. One that is there is replaced.
+  /// Throws std::system_error where it cannot be written.
+  SessionJournal(const SessionBegin& begin, const std::filesystem::path& file);
+
+  void add(const SessionCommand& command);
+  /// The search that goes on has had so many points: for a process that dies meanwhile.
+  void searching(int points);
+  const std::vector<SessionCommand>& commands() const { return commands_; }
+  /// A copy, complete, as file. Throws std::system_error.
+  void save(const std::filesystem::path& file) const;
+
+ private:
+  SessionBegin begin_;
+  std::vector<SessionCommand> commands_;
+  std::unique_ptr<EventLog> log_;
+};
+
+}  // namespace legwright

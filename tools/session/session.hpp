@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <future>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include "tools/session/engine.hpp"
+#include "tools/session/journal.hpp"
+
+namespace legwright {
+
+/// What a session is doing.
+enum class SessionPhase { idle, solving, searching };
+std::string_view to_string(SessionPhase phase);
+
+/// What readers see of a session; never changed once it is made.
+struct SessionSnapshot {
+  std::uint64_t revision = 0;  // rises with each snapshot
+  StatePointer state;
+  SessionPhase phase = SessionPhase::idle;
+  bool can_undo = false, can_redo = false;
+  std::vector<std::string> names;  // of what was kept under one
+};
+using SnapshotPointer = std::shared_ptr<const SessionSnapshot>;
+
+/// Something that happened, for whoever follows.
+struct SessionEvent {
+  enum class Kind {
+    changed,   // a command was obeyed; motions are first-order ones
+    solved,    // the motions are those of the body
+    unsolved,  // Newton's method found none
+    point,     // a search came to another body
+    ended,     // a search ended, or was paused; `words` say how
+    failed,    // what was posted could not be obeyed; `words` say why
+  };
+  std::uint64_t number = 0;  // from 1, without gaps
+  Kind kind = Kind::changed;
+  SnapshotPointer snapshot;
+  std::string words;
+};
+std::string_view to_string(SessionEvent::Kind kind);
+
+/// Co-design with somebody who takes part. Every call may come from any thread. A worker thread
+/// owns the state: it obeys commands in their order, at once, and does the long work between them:
+/// solving for motions that a change left behind, and the search. A command interrupts that within
+/// one Newton step; a search is then paused, and start() goes on from what is there. What happened
+/// stands in the journal, whose replay leads to the same bits.
+class Session {
+ public:
+  struct Options {
+    std::filesystem::path journal = {};         // file, or none
+    std::vector<SessionCommand> commands = {};  // of a journal, to be obeyed first
+    int threads = 0;                            // 0: all cores
+  };
+
+  /// Throws InputError where text, robot, tasks and commands do not fit, std::system_error where the
+  /// journal cannot be written.
+  Session(const RobotModel& robot, const std::string& text, const std::filesystem::path& file,
+          const Options& options);
+  Session(const RobotModel& robot, const std::string& text, const std::filesystem::path& file)
+      : Session(robot, text, file, Options()) {}
+  ~Session();  // ends what goes on
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  /// Throws InputError, with nothing changed, where the command does not fit; returns once it is
+  /// obeyed and motions are predicted. Of session::Searched, Settled and Step the work is done, too,
+  /// whatever waits.
+  void apply(SessionCommand command);
+  /// The same without waiting. Edits of the same parameters that wait are replaced by the last one;
+  /// what does not fit is an event.
+  void post(SessionCommand command);
+  /// Searches on, in the background, until pause(), another command, or its end.
+  void start();
+  /// Returns once no search goes on.
+  void pause();
+  /// One design iteration. @return whether there was a better body near
+  bool step();
+  /// Returns once nothing goes on: commands obeyed, searches ended, motions solved.
+  /// @return false after `limit`
+  bool wait(std::chrono::milliseconds limit = std::chrono::hours(24 * 365));
+
+  SnapshotPointer snapshot() const;
+  /// What happened after the event of this number (0: from the first that is kept), waiting up to
+  /// `limit` for one. The last thousand are kept.
+  std::vector<SessionEvent> events(std::uint64_t after, std::chrono::milliseconds limit) const;
+  void save_journal(const std::filesystem::path& file) const;
+
+ private:
+  struct Item {
+    std::function<void()> work;          // on the worker, which may throw
+    std::shared_ptr<std::promise<void>> done;  // null: nobody waits
+    std::vector<std::string> edits;      // of a posted edit: names, for the next of the same
+  };
+
+  void end();
+  void run();
+  void work();
+  void obey(Item& item);
+  void search();
+  void settle();
+  bool has_work() const;  // needs mutex_
+  bool interrupted() const;
+  void enqueue(Item item);
+  void call(std::function<void()> work);
+  void obey_all(const std::vector<SessionCommand>& commands);
+  void note(const SessionCommand& command);
+  void publish(SessionEvent::Kind kind, std::string words = {});
+  void show();
+
+  mutable std::mutex mutex_;  // of all below but what the worker owns
+  mutable std::condition_variable changed_;
+  std::deque<Item> queue_;
+  std::deque<SessionEvent> events_;
+  std::uint64_t event_count_ = 0, revision_ = 0;
+  SnapshotPointer snapshot_;
+  SessionPhase phase_ = SessionPhase::idle;
+  bool closing_ = false, searching_ = false;
+  bool busy_ = false;  // the worker is at something
+  bool held_ = false;  // what it is at must not be interrupted
+  StatePointer given_up_;  // a state whose motions cannot be solved
+
+  // The worker's own.
+  SessionEngine engine_;
+  SessionJournal journal_;
+  std::thread worker_;
+};
+
+}  // namespace legwright
