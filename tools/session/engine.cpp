@@ -207,6 +207,7 @@ void SessionEngine::apply(const session::Tasks& tasks) {
 }
 
 void SessionEngine::apply(const session::Weights& weights) {
+  if (state_->weights.size() < 2) refuse("weights", "there is one task; they are between several");
   if (weights.weights.size() != state_->weights.size())
     refuse("weights", fmt::format("are {}; expected one for each of the {} tasks",
                                   weights.weights.size(), state_->weights.size()));

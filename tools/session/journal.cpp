@@ -80,10 +80,10 @@ void SessionJournal::searching(int points) {
   if (log_) log_->append({{"do", kSearching}, {"points", points}});
 }
 
-void SessionJournal::save(const fs::path& file) const {
+std::string SessionJournal::text() const {
   std::string text = event_line(json_of(begin_)) + "\n";
   for (const SessionCommand& command : commands_) text += event_line(json_of(command)) + "\n";
-  write_file(file, text);
+  return text;
 }
 
 }  // namespace legwright

@@ -45,8 +45,8 @@ class SessionJournal {
   /// The search that goes on has had so many points: for a process that dies meanwhile.
   void searching(int points);
   const std::vector<SessionCommand>& commands() const { return commands_; }
-  /// A copy, complete, as file. Throws std::system_error.
-  void save(const std::filesystem::path& file) const;
+  /// The same as the file has it, without what searches told on their way.
+  std::string text() const;
 
  private:
   SessionBegin begin_;

@@ -329,9 +329,14 @@ std::vector<SessionEvent> Session::events(std::uint64_t after,
   return out;
 }
 
-void Session::save_journal(const std::filesystem::path& file) const {
-  const std::lock_guard lock(mutex_);
-  journal_.save(file);
+SessionRecord Session::record() {
+  SessionRecord out;
+  call([&] {
+    out.state = engine_.state();
+    const std::lock_guard lock(mutex_);
+    out.journal = journal_.text();
+  });
+  return out;
 }
 
 }  // namespace legwright

@@ -35,6 +35,12 @@ struct SessionSnapshot {
 };
 using SnapshotPointer = std::shared_ptr<const SessionSnapshot>;
 
+/// A state and the journal whose replay leads to it, as text.
+struct SessionRecord {
+  StatePointer state;
+  std::string journal;
+};
+
 /// Something that happened, for whoever follows.
 struct SessionEvent {
   enum class Kind {
@@ -96,7 +102,8 @@ class Session {
   /// What happened after the event of this number (0: from the first that is kept), waiting up to
   /// `limit` for one. The last thousand are kept.
   std::vector<SessionEvent> events(std::uint64_t after, std::chrono::milliseconds limit) const;
-  void save_journal(const std::filesystem::path& file) const;
+  /// Where it stands, and the journal that leads there. A search is paused for it.
+  SessionRecord record();
 
  private:
   struct Item {

@@ -21,7 +21,6 @@ namespace {
 
 constexpr std::size_t kMostBytes = 1 << 20;
 constexpr double kSteepest = 1.0;  // [rad]
-constexpr const char* kRobotBeside = "robot.xml";
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Eigen::Vector2d vector2(const std::vector<double>& values) { return {values[0], values[1]}; }
@@ -149,18 +148,6 @@ std::filesystem::path find_robot(const std::string& name, const std::filesystem:
         fmt::format("no such file: {}; give the robot's MJCF, relative to the task file",
                     path.string()));
   return path;
-}
-
-/// Where a position of the TOML parser, which counts code points, is in the text [bytes].
-std::size_t offset_of(const std::string& text, const toml::source_position& position) {
-  std::size_t at = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
-  for (toml::source_index line = 1; line < position.line; ++line) at = text.find('\n', at) + 1;
-  const auto continues = [&] {
-    return at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0) == 0x80;
-  };
-  for (toml::source_index column = 1; column < position.column; ++column)
-    for (++at; continues();) ++at;
-  return std::min(at, text.size());
 }
 
 /// A robot in the place of a task is told by what to do with it, not by where its TOML is wrong.
@@ -336,15 +323,6 @@ TaskFile parse_task_file(const std::string& text, const std::filesystem::path& f
     throw InputError(file.string(), set.line("task"), "task",
                      "one task was expected here; the file holds several");
   return std::move(set.tasks.front());
-}
-
-std::string text_beside_robot(const std::string& text) {
-  const toml::table root = toml::parse(text);
-  const toml::node* robot = root.get("robot");
-  if (robot == nullptr || robot->value<std::string>() == kRobotBeside) return text;
-  const std::size_t begin = offset_of(text, robot->source().begin);
-  const std::size_t end = offset_of(text, robot->source().end);
-  return text.substr(0, begin) + '"' + kRobotBeside + '"' + text.substr(end);
 }
 
 namespace {

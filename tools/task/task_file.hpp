@@ -30,10 +30,6 @@ TaskFile read_task_file(const std::filesystem::path& file);
 /// The same from text; `file` is for messages and to find the robot from.
 TaskFile parse_task_file(const std::string& text, const std::filesystem::path& file);
 
-/// The text of a task file with `robot = "robot.xml"`, everything else byte for byte: what can be
-/// run again beside a copy of the robot under that name.
-std::string text_beside_robot(const std::string& text);
-
 /// The task for this robot: gait pattern chosen, feet put in the robot's order, seconds turned into
 /// knots. Throws InputError, with file and line of the key, where task and robot do not fit or the
 /// speed is out of reach.

@@ -9,9 +9,12 @@
 #include <optional>
 
 #include "optimizer/base/stopwatch.hpp"
+#include "tools/files/licence.hpp"
 #include "tools/run/certificate_json.hpp"
+#include "tools/run/robot_folder.hpp"
 #include "tools/run/run_json.hpp"
 #include "tools/simulate/stand.hpp"
+#include "tools/task/task_text.hpp"
 #include "tools/verbs/feasibility.hpp"
 #include "tools/verbs/joint_folders.hpp"
 
@@ -72,6 +75,20 @@ std::vector<EngineWarningRecord> engine_warnings(
 }
 
 }  // namespace
+
+RunRecord write_start(const ResultFolder& folder, CodesignProblem& problem, bool motion_only,
+                      const std::vector<std::string>& command) {
+  RunRecord run = problem.set.joint() ? start_of_joint_run(command, problem)
+                                      : start_of_run(command, problem, 0);
+  run.motion_only = motion_only || problem.robot.space.size() == 0;
+  write_json(folder.run_json(), json_of(run));
+  write_file(folder.inputs() / "task.toml", text_beside_robot(problem.set.text));
+  write_robot_files(folder.inputs(), problem.robot.files);
+  copy_licences(problem.robot.files.folder(), folder.inputs());
+  problem.robot.files = problem.robot.files.moved_to(folder.inputs() / "robot.xml");
+  problem.robot.file = problem.robot.files.file();
+  return run;
+}
 
 bool usable(const DesignIteration& iteration) {
   if (iteration.tasks.empty() || !std::isfinite(iteration.value)) return false;

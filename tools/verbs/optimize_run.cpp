@@ -8,7 +8,6 @@
 #include "tools/files/clean_text.hpp"
 #include "tools/files/licence.hpp"
 #include "tools/run/install.hpp"
-#include "tools/run/robot_folder.hpp"
 #include "tools/run/run_json.hpp"
 #include "tools/simulate/rollout.hpp"
 #include "tools/verbs/explain_changes.hpp"
@@ -18,19 +17,6 @@
 
 namespace legwright {
 namespace {
-
-/// What stands in the run's folder before anything is solved. @return run.json
-RunRecord write_start(const ResultFolder& folder, const CodesignProblem& problem, bool motion_only,
-                      const std::vector<std::string>& command) {
-  RunRecord run = problem.set.joint() ? start_of_joint_run(command, problem)
-                                      : start_of_run(command, problem, 0);
-  run.motion_only = motion_only || problem.robot.space.size() == 0;
-  write_json(folder.run_json(), json_of(run));
-  write_file(folder.inputs() / "task.toml", text_beside_robot(problem.set.text));
-  write_robot_files(folder.inputs(), problem.robot.files);
-  copy_licences(problem.robot.files.folder(), folder.inputs());
-  return run;
-}
 
 Progress make_progress(const OptimizeOptions& options, const CodesignOptions& settings,
                        const CodesignProblem& problem) {
@@ -217,9 +203,6 @@ RunRecord optimize_into(const ResultFolder& folder, CodesignProblem& problem,
                         CommandTimes& times) {
   RunRecord run = write_start(folder, problem, options.motion_only, follower.command);
   try {
-    // From here on the run has files of its own: what becomes of the user's does not matter to it.
-    problem.robot.files = problem.robot.files.moved_to(folder.inputs() / "robot.xml");
-    problem.robot.file = problem.robot.files.file();
     OptimizeRun(folder, problem, options, follower, times, run).solve();
   } catch (const std::exception& error) {
     note_failure(folder, run, error.what());

@@ -78,7 +78,7 @@ TEST_F(SessionTest, ItsJournalLeadsToTheSameBits) {
   (void)session->step();
   ASSERT_TRUE(session->wait(60s));
   const std::vector<double> found = bits(*session->snapshot()->state);
-  session->save_journal(folder_.path() / "saved.jsonl");
+  write_file(folder_.path() / "saved.jsonl", session->record().journal);
   session.reset();
   const ReadJournal read = read_journal(journal_);
   // What is saved is the same, without what a search told on its way.

@@ -130,20 +130,6 @@ TEST(TaskFile, TakesWholeNumbersWhereNumbersAreAsked) {
   EXPECT_EQ(parse_task_file(text, kPuppy / "x.toml").velocity.y(), 1.0);
 }
 
-TEST(TaskFile, BesideItsRobotNamesItAndNothingElseChanges) {
-  const auto copy = [](const std::string& text) { return text_beside_robot(text); };
-  const std::string rest = " # the dog: \"../robots/dog.xml\"\r\n[gait]\nrobot = \"x\"\n";
-  for (const char* name : {"\"../robots/dog.xml\"", "'../röbots/dög.xml'", "\"\"\"dog.xml\"\"\"",
-                           "\"\"\"\ndog.xml\"\"\"", "\"do\\u0067.xml\""})
-    for (const char* before : {"", "\xEF\xBB\xBF", "# größer\n", "# ä\r\n\t"}) {
-      const std::string head = before;
-      EXPECT_EQ(copy(head + "robot = " + name + rest), head + "robot = \"robot.xml\"" + rest);
-    }
-  for (const char* same : {"robot = 'robot.xml' # as it is\n", "robot = \"robot.xml\""})
-    EXPECT_EQ(copy(same), same);
-  EXPECT_EQ(copy("robot=\"a\""), "robot=\"robot.xml\"");
-}
-
 TEST(TaskFile, TellsAMissingFile) {
   EXPECT_THROW(read_task_file(kPuppy / "no_such.toml"), InputError);
   EXPECT_THROW(read_task_file(kPuppy), InputError);

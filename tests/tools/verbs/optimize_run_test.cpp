@@ -13,6 +13,7 @@
 #include "tools/files/atomic_file.hpp"
 #include "tools/files/json_file.hpp"
 #include "tools/simulate/mujoco_host.hpp"
+#include "tools/verbs/save_session.hpp"
 
 namespace legwright {
 namespace {
@@ -79,6 +80,33 @@ TEST_F(OptimizeRun, AStopBeforeTheFirstVerdictIsAReasonForEveryTask) {
     EXPECT_FALSE(own["feasible"].get<bool>()) << task;
     EXPECT_EQ(own["reasons"].back(), "MuJoCo was not asked: the run was interrupted before");
   }
+}
+
+// A session is saved as a run; its verbs take it.
+TEST(SaveSession, IsARunThatCanBeOpenedAndReplayed) {
+  const test::TemporaryFolder root;
+  const fs::path task = kExamples / "quadruped" / "both.toml";
+  const RobotModel robot = read_robot(kExamples / "quadruped" / "robot.xml");
+  Session session(robot, read_file(task), task);
+  (void)session.step();
+  session.apply(session::Weights{{0.25, 0.75}});
+  const SessionRecord record = session.record();
+  const ResultFolder folder = ResultFolder::create(root.path() / "run", false);
+  save_session(record, folder);
+  const Json run = read_json(folder.run_json());
+  EXPECT_EQ(run["status"], "stopped");
+  EXPECT_EQ(run["parameters"][0]["final"].get<double>(), record.state->s()[0]);
+  EXPECT_NEAR(run["final_F"].get<double>(), record.state->value(),
+              1e-6 * record.state->value());
+  EXPECT_TRUE(fs::is_regular_file(root.path() / "run/tasks/pace/result/scene.xml"));
+  // Its inputs have the weights that it was left with, and lead there.
+  const TaskSet tasks = read_task_set(folder.inputs() / "task.toml");
+  EXPECT_EQ(tasks.tasks[1].weight, 0.75);
+  Session::Options options;
+  options.commands = read_journal(folder.inputs() / "session.jsonl").commands;
+  Session again(robot, read_file(task), task, options);
+  EXPECT_EQ(again.snapshot()->state->s(), record.state->s());
+  EXPECT_EQ(again.snapshot()->state->weights, record.state->weights);
 }
 
 }  // namespace
