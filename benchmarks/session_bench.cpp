@@ -111,8 +111,9 @@ int main(int argc, char** argv) {
       edits = std::stoi(argv[++k]);
     else
       tasks.emplace_back(argv[k]);
-  fmt::print("| task | edit to prediction p50, p95 [ms] | edit to solved p50, p95 [ms] | pause p50, "
-             "most [ms] | first point [s] | points | points/s |\n|---|---|---|---|---|---|---|\n");
+  fmt::print(
+      "| task | edit to prediction p50, p95 [ms] | edit to solved p50, p95 [ms] | pause p50, "
+      "most [ms] | first point [s] | points | points/s |\n|---|---|---|---|---|---|---|\n");
   for (const std::string& task : tasks) {
     const Times t = measure(task, edits);
     fmt::print("| {} | {:.1f}, {:.1f} | {:.0f}, {:.0f} | {:.0f}, {:.0f} | {:.2f} | {} | {:.0f} |\n",

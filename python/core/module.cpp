@@ -18,6 +18,7 @@
 #include "python/core/followed_run.hpp"
 #include "python/core/iteration.hpp"
 #include "python/core/python_errors.hpp"
+#include "python/core/session.hpp"
 #include "tools/run/install.hpp"
 #include "tools/run/result_folder.hpp"
 #include "tools/simulate/mujoco_host.hpp"
@@ -148,6 +149,7 @@ NB_MODULE(_core, module) {
   bind_robot(module);
   bind_run(module);
   bind_files(module);
+  bind_session(module);
   module.attr("__version__") = program_version();
   module.attr("mujoco_version") = mj_versionString();
 }

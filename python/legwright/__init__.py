@@ -18,6 +18,7 @@ from legwright._errors import InputError, IoError, LegwrightError, LegwrightWarn
 from legwright._motion import Motion
 from legwright._plugin import register as _register
 from legwright._robot import Parameter, Robot
+from legwright._session import Session, SessionEvent, SessionState
 from legwright._task import Task
 
 __all__ = [
@@ -31,6 +32,9 @@ __all__ = [
     'MujocoError',
     'Parameter',
     'Robot',
+    'Session',
+    'SessionEvent',
+    'SessionState',
     'Task',
     'Verdict',
     '__version__',

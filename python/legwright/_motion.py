@@ -50,8 +50,12 @@ class Motion:
 
 def read_motion(file: Path) -> Motion:
     """The motion of a motion.csv. Raises OSError where there is none."""
-    with file.open(encoding='utf-8', newline='') as stream:
-        rows = list(csv.reader(stream))
+    return motion_of(file.read_text(encoding='utf-8'))
+
+
+def motion_of(text: str) -> Motion:
+    """The motion that the text of a motion.csv says."""
+    rows = list(csv.reader(text.splitlines()))
     table = np.array([[float(cell) for cell in row] for row in rows[1:]])
     column = {name: table[:, i] for i, name in enumerate(rows[0])}
 

@@ -29,9 +29,8 @@ bool DesignMotions::for_all(const std::function<bool(int)>& work) const {
 // The factor that a solve leaves may differ in its last bits from that of the point: it is made
 // anew, so that a point which undo brought back predicts the same motions.
 bool DesignMotions::load(const VectorXd& s, const std::vector<VectorXd>& motions) {
-  return for_all([&](int k) {
-    return solvers_[k]->adopt(s, motions[k]) && solvers_[k]->differentiate();
-  });
+  return for_all(
+      [&](int k) { return solvers_[k]->adopt(s, motions[k]) && solvers_[k]->differentiate(); });
 }
 
 std::vector<VectorXd> DesignMotions::predict(const std::shared_ptr<const DesignPoint>& from,

@@ -17,7 +17,8 @@ using Eigen::VectorXd;
 
 /// What evaluates and solves one problem: with memory of its own, so not for several threads.
 struct SessionEngine::Costs {
-  Costs(std::shared_ptr<const CodesignProblem> which, int threads, const std::function<bool()>& stop)
+  Costs(std::shared_ptr<const CodesignProblem> which, int threads,
+        const std::function<bool()>& stop)
       : problem(std::move(which)),
         solved(*problem, first_motion(stop)),
         shown(*problem),
@@ -41,7 +42,8 @@ SessionEngine::SessionEngine(RobotModel robot, const std::string& text,
   if (threads_ <= 0) threads_ = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   TaskSet set = parse_task_tables(text, file);
   set.robot = robot_.file;
-  const auto problem = std::make_shared<const CodesignProblem>(make_problem(std::move(set), robot_));
+  const auto problem =
+      std::make_shared<const CodesignProblem>(make_problem(std::move(set), robot_));
   SessionState first;
   first.problem = problem;
   first.lower = robot_.space.lower();
@@ -96,6 +98,7 @@ std::shared_ptr<const DesignPoint> SessionEngine::shown(const VectorXd& s,
 std::shared_ptr<const DesignPoint> SessionEngine::guessed(const SessionState& state,
                                                           const VectorXd& s) {
   std::vector<VectorXd> motions;
+  motions.reserve(state.cold.size());
   for (int k = 0; k < state.problem->task_count(); ++k)
     motions.push_back(state.cold[k] ? initial_guess(*state.problem->objectives[k], s)
                                     : state.now->tasks[k].m);
@@ -139,8 +142,8 @@ void SessionEngine::apply(const session::Edit& edit) {
     const int i = find(name);
     const std::string& unit = robot_.space.parameters[i].unit;
     if (state_->frozen[i])
-      refuse(name, fmt::format("is frozen at {} {}; freeze it no longer before it is set",
-                               s[i], unit));
+      refuse(name,
+             fmt::format("is frozen at {} {}; freeze it no longer before it is set", s[i], unit));
     if (!(value >= state_->lower[i] && value <= state_->upper[i]))
       refuse(name, fmt::format("is to be {}; expected {} to {} {}, its bounds", value,
                                state_->lower[i], state_->upper[i], unit));
@@ -169,8 +172,8 @@ void SessionEngine::apply(const session::Bounds& bounds) {
     refuse(bounds.name,
            fmt::format("bounds are to be {} to {}; expected them within the robot's, {} to {} {}, "
                        "around the present value {}",
-                       bounds.lower, bounds.upper, parameter.lower, parameter.upper,
-                       parameter.unit, value));
+                       bounds.lower, bounds.upper, parameter.lower, parameter.upper, parameter.unit,
+                       value));
   SessionState next = *state_;
   next.lower[i] = bounds.lower;
   next.upper[i] = bounds.upper;
@@ -182,7 +185,8 @@ void SessionEngine::apply(const session::Tasks& tasks) {
   set.robot = robot_.file;
   set.design = {};
   SessionState next = *state_;
-  const auto problem = std::make_shared<const CodesignProblem>(make_problem(std::move(set), robot_));
+  const auto problem =
+      std::make_shared<const CodesignProblem>(make_problem(std::move(set), robot_));
   const VectorXd s = state_->s();
   next.problem = problem;
   next.weights.clear();

@@ -19,8 +19,8 @@ JointPoint point_of(const DesignIteration& iteration) {
 CodesignOptions bilevel_rules(const std::vector<WeightedCost>& tasks, const SearchRules& rules) {
   CodesignOptions options;
   options.method = DesignMethod::newton;
-  options.near_optimum = std::any_of(tasks.begin(), tasks.end(),
-                                     [](const WeightedCost& task) { return task.outer; });
+  options.near_optimum =
+      std::any_of(tasks.begin(), tasks.end(), [](const WeightedCost& task) { return task.outer; });
   options.threads = rules.threads;
   options.go_on = options.newton.go_on = [stop = rules.stop] { return !stop(); };
   return options;
@@ -54,9 +54,8 @@ class Search {
     options.on_step = [this](const JointPoint& point) { tell(point); };
     std::vector<VectorXd> motions;
     for (const WeightedCost& task : tasks_) motions.push_back(task.initial_motion);
-    const JointNewtonResult found =
-        joint_newton(tasks_, {space_.lower(), space_.upper(), space_.scale()}, s, {motions},
-                     options);
+    const JointNewtonResult found = joint_newton(
+        tasks_, {space_.lower(), space_.upper(), space_.scale()}, s, {motions}, options);
     end_.status = found.status;
     if (found.path.empty()) return;  // F is not finite
     s = found.best().s;

@@ -21,7 +21,7 @@ struct SearchRules {
 };
 
 struct SearchEnd {
-  int points = 0;  // that were told
+  int points = 0;                                     // that were told
   SolveStatus status = SolveStatus::iteration_limit;  // `stopped`: by `stop` or `most`
 };
 

@@ -93,7 +93,8 @@ void Session::end() {
   worker_.join();
   for (Item& item : queue_)
     if (item.done)
-      item.done->set_exception(std::make_exception_ptr(std::runtime_error("the session is closed")));
+      item.done->set_exception(
+          std::make_exception_ptr(std::runtime_error("the session is closed")));
 }
 
 bool Session::interrupted() const {
@@ -276,8 +277,8 @@ void Session::apply(SessionCommand command) {
 void Session::post(SessionCommand command) {
   std::vector<std::string> edits;
   if (const auto* edit = std::get_if<session::Edit>(&command)) edits = names_of(*edit);
-  enqueue({[this, command = std::move(command)] { obey_all({command}); }, nullptr,
-           std::move(edits)});
+  enqueue(
+      {[this, command = std::move(command)] { obey_all({command}); }, nullptr, std::move(edits)});
 }
 
 void Session::start() {
@@ -310,8 +311,7 @@ bool Session::step() {
 
 bool Session::wait(std::chrono::milliseconds limit) {
   std::unique_lock lock(mutex_);
-  return changed_.wait_for(lock, limit,
-                           [this] { return !busy_ && !has_work(); });
+  return changed_.wait_for(lock, limit, [this] { return !busy_ && !has_work(); });
 }
 
 SnapshotPointer Session::snapshot() const {

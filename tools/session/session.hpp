@@ -71,8 +71,8 @@ class Session {
     int threads = 0;                            // 0: all cores
   };
 
-  /// Throws InputError where text, robot, tasks and commands do not fit, std::system_error where the
-  /// journal cannot be written.
+  /// Throws InputError where text, robot, tasks and commands do not fit, std::system_error where
+  /// the journal cannot be written.
   Session(const RobotModel& robot, const std::string& text, const std::filesystem::path& file,
           const Options& options);
   Session(const RobotModel& robot, const std::string& text, const std::filesystem::path& file)
@@ -82,8 +82,8 @@ class Session {
   Session& operator=(const Session&) = delete;
 
   /// Throws InputError, with nothing changed, where the command does not fit; returns once it is
-  /// obeyed and motions are predicted. Of session::Searched, Settled and Step the work is done, too,
-  /// whatever waits.
+  /// obeyed and motions are predicted. Of session::Searched, Settled and Step the work is done,
+  /// too, whatever waits.
   void apply(SessionCommand command);
   /// The same without waiting. Edits of the same parameters that wait are replaced by the last one;
   /// what does not fit is an event.
@@ -107,9 +107,9 @@ class Session {
 
  private:
   struct Item {
-    std::function<void()> work;          // on the worker, which may throw
+    std::function<void()> work;                // on the worker, which may throw
     std::shared_ptr<std::promise<void>> done;  // null: nobody waits
-    std::vector<std::string> edits;      // of a posted edit: names, for the next of the same
+    std::vector<std::string> edits;            // of a posted edit: names, for the next of the same
   };
 
   void end();
@@ -135,8 +135,8 @@ class Session {
   SnapshotPointer snapshot_;
   SessionPhase phase_ = SessionPhase::idle;
   bool closing_ = false, searching_ = false;
-  bool busy_ = false;  // the worker is at something
-  bool held_ = false;  // what it is at must not be interrupted
+  bool busy_ = false;      // the worker is at something
+  bool held_ = false;      // what it is at must not be interrupted
   StatePointer given_up_;  // a state whose motions cannot be solved
 
   // The worker's own.

@@ -21,14 +21,14 @@ struct DesignPoint {
 /// may keep it.
 struct SessionState {
   std::shared_ptr<const CodesignProblem> problem;
-  std::vector<double> weights;    // wᵢ of each task
-  Eigen::VectorXd lower, upper;   // bounds of s, within the robot's
-  std::vector<bool> frozen;       // of each parameter: stays where it is
-  std::vector<bool> cold;         // of each task: its motion is a first guess, nothing is solved yet
+  std::vector<double> weights;   // wᵢ of each task
+  Eigen::VectorXd lower, upper;  // bounds of s, within the robot's
+  std::vector<bool> frozen;      // of each parameter: stays where it is
+  std::vector<bool> cold;        // of each task: its motion is a first guess, nothing is solved yet
   std::shared_ptr<const DesignPoint> now;   // what is shown
   std::shared_ptr<const DesignPoint> base;  // the last with m*(s), from which motions are
                                             // predicted; null before the first
-  int iterations = 0;  // of searches, along the way to here
+  int iterations = 0;                       // of searches, along the way to here
 
   /// Whether the motions shown are m*(s), as near as Newton's method comes.
   bool settled() const { return now == base; }

@@ -15,8 +15,8 @@
 
 namespace legwright {
 
-/// Writes what stands in a run's folder before anything is solved. From then on the run has files of
-/// its own: what becomes of the user's does not matter to it. Throws std::system_error.
+/// Writes what stands in a run's folder before anything is solved. From then on the run has files
+/// of its own: what becomes of the user's does not matter to it. Throws std::system_error.
 /// @param problem its robot's files become those of the folder @return run.json
 RunRecord write_start(const ResultFolder& folder, CodesignProblem& problem, bool motion_only,
                       const std::vector<std::string>& command);

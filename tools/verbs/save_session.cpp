@@ -47,7 +47,8 @@ MultistartResult found_by(const SessionState& state, const std::vector<JointTask
   DesignMotions motions(tasks, static_cast<int>(tasks.size()), [] { return false; });
   const auto settled = [&](const Eigen::VectorXd& s, const std::vector<Eigen::VectorXd>& from) {
     auto point = motions.settle(s, from);
-    if (!point) throw InputError("the session's body has no finite motion; change it before saving");
+    if (!point)
+      throw InputError("the session's body has no finite motion; change it before saving");
     return point;
   };
   std::vector<Eigen::VectorXd> first, here;

@@ -13,20 +13,19 @@ SessionCommand read(const std::string& text) {
 }
 
 TEST(SessionCommand, EveryKindComesBackAsItWasWritten) {
-  const std::vector<SessionCommand> all{
-      session::Edit{{{"thigh", 0.1}, {"body", 1.0 / 3.0}}, true},
-      session::Freeze{{"thigh", "body"}, false},
-      session::Bounds{"thigh", 0.05, 0.15},
-      session::Tasks{"[gait]\nname = \"walk\"\n"},
-      session::Weights{{0.3, 0.7}},
-      session::Reset{},
-      session::Undo{},
-      session::Redo{},
-      session::Snapshot{"first"},
-      session::Branch{"first"},
-      session::Step{},
-      session::Settled{},
-      session::Searched{17}};
+  const std::vector<SessionCommand> all{session::Edit{{{"thigh", 0.1}, {"body", 1.0 / 3.0}}, true},
+                                        session::Freeze{{"thigh", "body"}, false},
+                                        session::Bounds{"thigh", 0.05, 0.15},
+                                        session::Tasks{"[gait]\nname = \"walk\"\n"},
+                                        session::Weights{{0.3, 0.7}},
+                                        session::Reset{},
+                                        session::Undo{},
+                                        session::Redo{},
+                                        session::Snapshot{"first"},
+                                        session::Branch{"first"},
+                                        session::Step{},
+                                        session::Settled{},
+                                        session::Searched{17}};
   ASSERT_EQ(all.size(), std::variant_size_v<SessionCommand>);
   for (const SessionCommand& command : all) {
     const std::string text = json_of(command).dump();

@@ -114,8 +114,9 @@ TEST_F(Engine, SnapshotsAreBranchedFrom) {
 }
 
 TEST_F(Engine, WhatDoesNotFitIsRefusedWithARemedy) {
-  EXPECT_NE(refusal(session::Edit{{{"front_thigh_lenght", 0.1}}}).find("'front_thigh_length' meant"),
-            std::string::npos);
+  EXPECT_NE(
+      refusal(session::Edit{{{"front_thigh_lenght", 0.1}}}).find("'front_thigh_length' meant"),
+      std::string::npos);
   EXPECT_NE(refusal(session::Edit{{{kThigh, 9.0}}}).find("its bounds"), std::string::npos);
   const double none = std::numeric_limits<double>::quiet_NaN();
   EXPECT_NE(refusal(session::Edit{{{kThigh, none}}}).find("its bounds"), std::string::npos);

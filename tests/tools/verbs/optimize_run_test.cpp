@@ -96,8 +96,7 @@ TEST(SaveSession, IsARunThatCanBeOpenedAndReplayed) {
   const Json run = read_json(folder.run_json());
   EXPECT_EQ(run["status"], "stopped");
   EXPECT_EQ(run["parameters"][0]["final"].get<double>(), record.state->s()[0]);
-  EXPECT_NEAR(run["final_F"].get<double>(), record.state->value(),
-              1e-6 * record.state->value());
+  EXPECT_NEAR(run["final_F"].get<double>(), record.state->value(), 1e-6 * record.state->value());
   EXPECT_TRUE(fs::is_regular_file(root.path() / "run/tasks/pace/result/scene.xml"));
   // Its inputs have the weights that it was left with, and lead there.
   const TaskSet tasks = read_task_set(folder.inputs() / "task.toml");
