@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // How quickly a session answers: from an edit to the predicted motion and to the solved one, from a
 // command to the end of a search, and how many points a search shows a second. One thread.
-//   session_bench TASK… [--edits N]
+// Usage: session_bench TASK…
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,6 +18,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
+
+constexpr int kEdits = 100, kPauses = 20;
 
 double milliseconds_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -76,13 +78,13 @@ void time_cancels(Session& session, int count, Times& times) {
   }
 }
 
-Times measure(const std::string& task, int edits) {
+Times measure(const std::string& task) {
   CodesignProblem problem = read_problem(task);
   Session::Options options;
   options.threads = 1;
   Session session(problem.robot, problem.set.text, problem.set.file, options);
   Times times;
-  time_cancels(session, 20, times);
+  time_cancels(session, kPauses, times);
   session.apply(session::Reset{});
   std::uint64_t seen = 0;
   for (const SessionEvent& event : session.events(seen, 0ms)) seen = event.number;
@@ -95,7 +97,7 @@ Times measure(const std::string& task, int edits) {
   (void)session.wait();
   times.points = session.snapshot()->state->iterations;
   times.points_per_second = (times.points - 1) / seconds;
-  time_edits(session, edits, times);
+  time_edits(session, kEdits, times);
   return times;
 }
 
@@ -104,18 +106,12 @@ Times measure(const std::string& task, int edits) {
 
 int main(int argc, char** argv) {
   using namespace legwright;
-  int edits = 100;
-  std::vector<std::string> tasks;
-  for (int k = 1; k < argc; ++k)
-    if (std::string(argv[k]) == "--edits" && k + 1 < argc)
-      edits = std::stoi(argv[++k]);
-    else
-      tasks.emplace_back(argv[k]);
+  const std::vector<std::string> tasks(argv + 1, argv + argc);
   fmt::print(
       "| task | edit to prediction p50, p95 [ms] | edit to solved p50, p95 [ms] | pause p50, "
       "most [ms] | first point [s] | points | points/s |\n|---|---|---|---|---|---|---|\n");
   for (const std::string& task : tasks) {
-    const Times t = measure(task, edits);
+    const Times t = measure(task);
     fmt::print("| {} | {:.1f}, {:.1f} | {:.0f}, {:.0f} | {:.0f}, {:.0f} | {:.2f} | {} | {:.0f} |\n",
                task, quantile(t.predicted, 0.5), quantile(t.predicted, 0.95),
                quantile(t.solved, 0.5), quantile(t.solved, 0.95), quantile(t.cancelled, 0.5),

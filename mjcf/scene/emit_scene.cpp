@@ -24,6 +24,13 @@ using tinyxml2::XMLElement;
 
 constexpr const char* kSensorPlugin = "legwright.sensor";
 constexpr const char* kInstance = "gait";
+constexpr const char* kHowToLoad =
+    " An engine plugin plays the gait; MuJoCo must know it before it reads this file. In Python: "
+    "import legwright. For simulate and other programs: liblegwright.so, built for the same "
+    "MuJoCo, "
+    "in the folder mujoco_plugin beside the program. `legwright play RUN` sees to that. Without "
+    "it: "
+    "`legwright export RUN` writes walk.xml with play.py for stock MuJoCo. ";
 // What the plugin measures of the gait, as sensors "gait:KIND" (plugin/README.md).
 constexpr const char* kSensorKinds[] = {"phase", "planned_contact", "measured_contact",
                                         "base_error", "torque_share"};
@@ -98,6 +105,7 @@ void replace_servos(XMLElement& root, const RobotModel& robot, double gain_scale
 
 void add_plugin(XMLElement& root, const RobotModel& robot, const SceneSettings& settings) {
   XMLElement& extension = add(root, "extension");
+  extension.InsertEndChild(root.GetDocument()->NewComment(kHowToLoad));
   XMLElement& plugin = add(extension, "plugin");
   plugin.SetAttribute("plugin", kGaitPlugin);
   add(extension, "plugin").SetAttribute("plugin", kSensorPlugin);

@@ -18,7 +18,7 @@
 #include "python/core/followed_run.hpp"
 #include "python/core/iteration.hpp"
 #include "python/core/python_errors.hpp"
-#include "python/core/session.hpp"
+#include "python/core/session_binding.hpp"
 #include "tools/run/install.hpp"
 #include "tools/run/result_folder.hpp"
 #include "tools/simulate/mujoco_host.hpp"

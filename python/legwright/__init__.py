@@ -20,8 +20,10 @@ from legwright._plugin import register as _register
 from legwright._robot import Parameter, Robot
 from legwright._session import Session, SessionEvent, SessionState
 from legwright._task import Task
+from legwright._why import Change
 
 __all__ = [
+    'Change',
     'Design',
     'InputError',
     'IoError',

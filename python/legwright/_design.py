@@ -18,6 +18,7 @@ from legwright import _core
 from legwright._errors import IoError
 from legwright._motion import Motion, read_motion
 from legwright._plugin import served_mujoco
+from legwright._why import Change, changes_of
 
 
 @dataclass(frozen=True)
@@ -151,6 +152,11 @@ class Design:
         """How well the result is an optimum (result/certificate.json); None where not asked for."""
         there = (self.folder / 'result/certificate.json').exists()
         return self._json('result/certificate.json') if there else None
+
+    @cached_property
+    def why(self) -> list[Change]:
+        """The changes of the body and what each buys, most first; they do not add up."""
+        return changes_of(self.record)
 
     # ---- the tasks ----
 

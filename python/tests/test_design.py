@@ -40,12 +40,25 @@ def test_verdict_and_certificate_are_those_of_the_run(walk):
     assert walk.certificate['worst_gradient_error'] < 1e-6
 
 
+def test_why_tells_what_each_change_buys(walk, puppy):
+    changed = {n for n, value in walk.parameters.items() if value != puppy.parameters[n].value}
+    assert {change.parameter for change in walk.why} == changed
+    most = walk.why[0]
+    assert most.before == puppy.parameters[most.parameter].value
+    assert most.after == walk.parameters[most.parameter]
+    assert [c.buys for c in walk.why] == sorted((c.buys for c in walk.why), reverse=True)
+    assert most.buys > 0.01 * walk.F and sum(most.terms.values()) == pytest.approx(most.buys)
+    assert most.played.startswith(('PASS', 'FAIL')) and most.parameter in str(most)
+    text = lw.Design.load(walk.folder).why
+    assert text == walk.why
+
+
 def test_what_fails_is_handed_back_with_reasons(puppy, sideways):
     design = lw.codesign(puppy, sideways, motion_only=True, reasons=False, certificate=False)
     assert not design.feasible and design.reasons
     assert not design.verdict and 'FAIL' in design.verdict.line
     assert design.s.tolist() == puppy.s.tolist()
-    assert design.certificate is None
+    assert design.certificate is None and design.why == []
 
 
 def test_saved_runs_are_loaded_as_they_were(walk, tmp_path):

@@ -50,6 +50,7 @@ TOOLS = (
     'tools/image',
     'tools/validate',
     'tools/choose',
+    'tools/session',
     'tools/render',
     'tools/report',
     'tools/viewer',
@@ -78,6 +79,7 @@ LAYERS = {
     'tools/image': ('tools/files',),
     'tools/validate': OPTIMIZER + MJCF + ('trajectory',) + TOOLS[:4],
     'tools/choose': OPTIMIZER + MJCF + TOOLS[:4] + TOOLS[5:6],
+    'tools/session': OPTIMIZER + MJCF + TOOLS[:2] + TOOLS[3:4],
     'tools/render': ('trajectory', 'mjcf/text', 'mjcf/scene') + TOOLS[:5],
     'tools/report': (
         'trajectory',
@@ -89,7 +91,7 @@ LAYERS = {
     )
     + OPTIMIZER,
     'tools/viewer': ('mjcf/text', 'tools/files', 'tools/run', 'tools/simulate'),
-    'tools/verbs': OPTIMIZER + MJCF + ('trajectory',) + TOOLS[:9],
+    'tools/verbs': OPTIMIZER + MJCF + ('trajectory',) + TOOLS[:10],
     'program': OPTIMIZER + MJCF + TOOLS,
     'python/core': OPTIMIZER + MJCF + TOOLS,
     'tests': OPTIMIZER + MJCF + TOOLS + ('trajectory', 'plugin'),

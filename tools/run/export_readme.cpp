@@ -115,7 +115,9 @@ std::string gait_files(const ExportFacts& facts) {
       "kp (L(q*) − L) + kd (dL*/dt − dL/dt) + tau/L′. |\n"
       "| `{0}walk.xml` | the robot as the gait was judged: ground, payload, limits and servos of "
       "its "
-      "task, no plugin |\n\n",
+      "task, no plugin |\n"
+      "| `{0}plugin_walk.xml` | the same played by Legwright's plugin; a comment in it says how to "
+      "load that |\n\n",
       prefix);
   return out;
 }

@@ -136,9 +136,10 @@ void add_export(CLI::App& program, Action& action) {
   verb->footer(
       "Writes, whole or not at all: NAME.xml (the robot, byte for byte as in result/), scene.xml "
       "(it on a floor; no plugin),\n"
-      "the gait (walk.xml, gait.csv, gains.json; of several tasks TASK_walk.xml ...) with play.py, "
-      "which walks it without the\n"
-      "plugin, NAME.png, README.md (where it comes from, what changed, what physics says, what the "
+      "the gait (walk.xml, plugin_walk.xml, gait.csv, gains.json; of several tasks TASK_walk.xml "
+      "...) with play.py, which\n"
+      "walks it without the plugin, NAME.png, README.md (where it comes from, what changed, what "
+      "physics says, what the "
       "files are), and the\n"
       "licence that stood beside the robot's file. The scene is opened, compared with the robot, "
       "and simulated for 1 s.\n"

@@ -83,6 +83,7 @@ void write_gait(const fs::path& scene_file, const std::string& prefix, const fs:
   const Trajectory& plan = scene.trajectory;
   write_new(folder / (prefix + "walk.xml"),
             stock_scene(read_file(scene_file), scene_file.string()));
+  write_new(folder / (prefix + "plugin_walk.xml"), read_file(scene_file));
   write_new(folder / (prefix + "gait.csv"), csv_of(plan));
   write_new(folder / (prefix + "gains.json"), to_text({{"schema", "legwright/gains"},
                                                        {"version", 1},

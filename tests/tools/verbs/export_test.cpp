@@ -76,8 +76,8 @@ TEST_F(Export, MakesAFolderThatStockMujocoOpens) {
   EXPECT_EQ(told["engine_warnings"], 0);
   const fs::path folder = root() / "puppy";
   const std::set<std::string> files = files_in(folder);
-  for (const char* name : {"puppy.xml", "scene.xml", "README.md", "LICENSE", "walk.xml", "gait.csv",
-                           "gains.json", "play.py"})
+  for (const char* name : {"puppy.xml", "scene.xml", "README.md", "LICENSE", "walk.xml",
+                           "plugin_walk.xml", "gait.csv", "gains.json", "play.py"})
     EXPECT_EQ(files.count(name), 1u) << name;
   EXPECT_EQ(std::set<std::string>(told["files"].begin(), told["files"].end()), files);
   EXPECT_EQ(read_file(folder / "puppy.xml"), read_file(root() / "run" / "result" / "robot.xml"));
@@ -92,6 +92,11 @@ TEST_F(Export, MakesAFolderThatStockMujocoOpens) {
   EXPECT_GE(mj_name2id(scene.get(), mjOBJ_GEOM, "floor"), 0);
   EXPECT_GE(mj_name2id(scene.get(), mjOBJ_KEY, "home"), 0);
 
+  // The gait with the plugin says how that is loaded; the one without has nothing to load.
+  const std::string played = read_file(folder / "plugin_walk.xml");
+  EXPECT_EQ(played, read_file(root() / "run" / "result" / "scene.xml"));
+  EXPECT_TRUE(test::contains(played, "<!-- An engine plugin plays the gait"));
+  EXPECT_FALSE(test::contains(read_file(folder / "walk.xml"), "engine plugin"));
   const std::unique_ptr<mjModel, void (*)(mjModel*)> walk(
       mj_loadXML((folder / "walk.xml").c_str(), nullptr, error, sizeof error), mj_deleteModel);
   ASSERT_TRUE(walk) << error;

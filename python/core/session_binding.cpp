@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "python/core/session.hpp"
+#include "python/core/session_binding.hpp"
 
 #include <nanobind/eigen/dense.h>
 #include <nanobind/stl/filesystem.h>
