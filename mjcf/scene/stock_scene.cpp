@@ -18,7 +18,7 @@ std::string_view plugin_of(const XMLElement& element) {
   return plugin == nullptr ? "" : plugin;
 }
 
-/// Drops the plugin elements that are Legwright's, and a section that has nothing else.
+/// Drops the plugin elements that are Legwright's, and a section that has no other element.
 void drop_ours(XMLElement& root, const char* tag) {
   for (XMLElement* part = root.FirstChildElement(tag); part != nullptr;) {
     XMLElement* const next = part->NextSiblingElement(tag);
@@ -27,7 +27,7 @@ void drop_ours(XMLElement& root, const char* tag) {
       if (plugin_of(*each).starts_with("legwright.")) part->DeleteChild(each);
       each = after;
     }
-    if (part->NoChildren()) root.DeleteChild(part);
+    if (part->FirstChildElement() == nullptr) root.DeleteChild(part);
     part = next;
   }
 }
