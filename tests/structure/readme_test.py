@@ -103,6 +103,28 @@ class Readme(unittest.TestCase):
         self.readme.fill(self.page, text, {'table': 'new 2\n'})
         self.assertEqual(self.page.read_text(encoding='utf-8'), text.replace('old 1', 'new 2'))
 
+    def test_keys_are_compared_to_the_letter_and_others_left_alone(self):
+        text = (
+            '<!-- tools/readme: keys -->\nbelow 5\n<!-- /tools/readme -->\n'
+            '<!-- tools/readme: table -->\nold 1\n<!-- /tools/readme -->\n'
+        )
+        stale = self.readme.stale_blocks
+        self.assertEqual(len(list(stale(self.page, text, {'keys': 'below 6\n'}))), 1)
+        self.assertEqual(list(stale(self.page, text, {'keys': 'below 5\n'})), [])
+        self.readme.fill(self.page, text, {'keys': 'below 6\n'})
+        self.assertEqual(self.page.read_text(encoding='utf-8'), text.replace('5', '6'))
+
+    def test_keys_of_a_task_file_become_a_table_for_each_of_the_file(self):
+        form = {'type': 'number', 'unit': 's', 'low': 0.0, 'low_open': True, 'high': 20.0}
+        form['high_open'] = False
+        key = {'key': 'gait.period', 'in': 'task', 'forms': [form, dict(form, type='list')]}
+        key |= {'default': 'needed', 'example': '1.0', 'meaning': 'One cycle.'}
+        page = self.readme.key_tables({'keys': [key], 'terms': []})
+        self.assertIn('## `[gait]`\n', page)
+        self.assertIn(
+            '| `period` | number or list | s | 0 < x ≤ 20 | needed | One cycle. `1.0` |', page
+        )
+
 
 if __name__ == '__main__':
     unittest.main()

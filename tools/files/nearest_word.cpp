@@ -7,14 +7,18 @@
 namespace legwright {
 namespace {
 
-int edit_distance(std::string_view a, std::string_view b) {
+/// @param wild whether `*` and `?` in `a` stand for others
+int edit_distance(std::string_view a, std::string_view b, bool wild = false) {
   std::vector<int> row(b.size() + 1);
   std::iota(row.begin(), row.end(), 0);
   for (std::size_t i = 0; i < a.size(); ++i) {
-    int diagonal = row[0]++;
+    const bool any = wild && a[i] == '*', one = wild && a[i] == '?';
+    int diagonal = row[0];
+    if (!any) ++row[0];
     for (std::size_t j = 0; j < b.size(); ++j) {
       const int above = row[j + 1];
-      row[j + 1] = std::min({above + 1, row[j] + 1, diagonal + (a[i] != b[j])});
+      row[j + 1] = any ? std::min(above, row[j])
+                       : std::min({above + 1, row[j] + 1, diagonal + (a[i] != b[j] && !one)});
       diagonal = above;
     }
   }
@@ -32,6 +36,20 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
   }
   const auto longest = static_cast<int>(std::max(word.size(), best.size()));
   return 2 * least <= longest ? best : "";
+}
+
+std::vector<std::string> nearest_to_pattern(std::string_view pattern,
+                                            const std::vector<std::string>& candidates) {
+  constexpr std::size_t kMost = 3;
+  std::vector<std::pair<int, std::string>> found;
+  for (const std::string& candidate : candidates)
+    found.emplace_back(edit_distance(pattern, candidate, true), candidate);
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<std::string> out;
+  for (const auto& [distance, name] : found)
+    if (out.size() < kMost && distance == found.front().first) out.push_back(name);
+  return out;
 }
 
 }  // namespace legwright

@@ -11,4 +11,9 @@ namespace legwright {
 /// "".
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
 
+/// The candidates, three at most, with the smallest edit distance to what a pattern stands for, in
+/// which `*` is any text and `?` any letter.
+std::vector<std::string> nearest_to_pattern(std::string_view pattern,
+                                            const std::vector<std::string>& candidates);
+
 }  // namespace legwright

@@ -2,6 +2,7 @@
 #include "tools/task/design_table.hpp"
 
 #include <fmt/format.h>
+#include <fnmatch.h>
 
 #include "mjcf/text/input_error.hpp"
 #include "tools/files/nearest_word.hpp"
@@ -9,13 +10,18 @@
 namespace legwright {
 namespace {
 
+std::vector<std::string> names_in(const DesignSpace& space) {
+  std::vector<std::string> names;
+  for (const DesignParameter& parameter : space.parameters) names.push_back(parameter.name);
+  return names;
+}
+
 /// Position of a parameter in s, or an error that offers the nearest name.
 int find_parameter(const DesignSpace& space, const std::string& name, const std::string& key,
                    Problems& problems, int line) {
   const int k = space.find(name);
   if (k >= 0) return k;
-  std::vector<std::string> names;
-  for (const DesignParameter& parameter : space.parameters) names.push_back(parameter.name);
+  const std::vector<std::string> names = names_in(space);
   const std::string near = nearest(name, names);
   problems.add(line, key,
                fmt::format("the robot has no design parameter '{}'; {}", name,
@@ -25,9 +31,27 @@ int find_parameter(const DesignSpace& space, const std::string& name, const std:
   return -1;
 }
 
+/// Positions in s of what [design] freeze names: a parameter, or a pattern of names.
+std::vector<int> find_frozen(const DesignSpace& space, const std::string& name, Problems& problems,
+                             int line) {
+  const std::string key = "design.freeze";
+  if (space.size() == 0 || name.find_first_of("*?[") == std::string::npos) {
+    const int k = find_parameter(space, name, key, problems, line);
+    return k >= 0 ? std::vector<int>{k} : std::vector<int>{};
+  }
+  std::vector<int> found;
+  for (int k = 0; k < space.size(); ++k)
+    if (::fnmatch(name.c_str(), space.parameters[k].name.c_str(), 0) == 0) found.push_back(k);
+  if (found.empty())
+    problems.add(line, key,
+                 fmt::format("no design parameter of the robot is like '{}'; the nearest: {}", name,
+                             fmt::join(nearest_to_pattern(name, names_in(space)), ", ")));
+  return found;
+}
+
 }  // namespace
 
-DesignTable read_design_table(TableReader in, Problems& problems) {
+DesignTable read_design_table(TaskTable in, Problems& problems) {
   DesignTable table;
   if (const toml::node* node = in.node("freeze")) {
     const toml::array* array = node->as_array();
@@ -39,9 +63,10 @@ DesignTable read_design_table(TableReader in, Problems& problems) {
     }
     if (!good)
       problems.add(in.line_of("freeze"), in.full("freeze"),
-                   "expected names of design parameters: freeze = [\"body_width\"]");
+                   "expected names of design parameters, or patterns of them: freeze = "
+                   "[\"body_width\", \"front_*\"]");
   }
-  table.bounds = in.numbers_of_names("bounds", {-100.0, 100.0, false, false, ""}, 2);
+  table.bounds = in.numbers_of_names("bounds");
   in.finish();
   return table;
 }
@@ -72,8 +97,10 @@ DesignSpace restricted(const DesignSpace& space, const DesignTable& table, const
     parameter.upper = bounds[1];
   }
   for (const std::string& name : table.freeze) {
-    const int k = find_parameter(space, name, "design.freeze", problems, line("design.freeze"));
-    if (k >= 0) out.parameters[k].lower = out.parameters[k].upper = out.parameters[k].initial;
+    for (const int k : find_frozen(space, name, problems, line("design.freeze"))) {
+      DesignParameter& parameter = out.parameters[k];
+      parameter.lower = parameter.upper = parameter.initial;
+    }
   }
   problems.throw_if_any();
   return out;

@@ -7,11 +7,11 @@
 
 #include "optimizer/design/design.hpp"
 #include "tools/task/task_keys.hpp"
-#include "tools/task/toml_reader.hpp"
+#include "tools/task/task_table.hpp"
 
 namespace legwright {
 
-DesignTable read_design_table(TableReader in, Problems& problems);
+DesignTable read_design_table(TaskTable in, Problems& problems);
 
 /// The robot's design space with narrower bounds; a frozen parameter stays in it with equal bounds.
 /// Throws InputError, with file and line of the key, for unknown names and for bounds that leave

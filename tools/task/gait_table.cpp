@@ -121,26 +121,24 @@ int stance_knots(const GaitPattern& pattern, std::size_t place, int knot_count) 
 
 }  // namespace
 
-void read_gait(TableReader in, TaskFile& task) {
-  constexpr Range kPhase{0.0, 1.0, false, true, ""};
-  constexpr Range kShare{0.0, 1.0, true, false, ""};
+void read_gait(TaskTable in, TaskFile& task) {
   task.gait = in.text("name").value_or("");
-  const auto period = in.number("period", {0.05, 20.0, false, false, "s"});
+  const auto period = in.number("period");
   in.require(period.has_value(), "period", "period = 1.0  # s");
   task.period = period.value_or(1.0);
-  task.knots = in.integer("knots", 8, 384).value_or(task.knots);
+  task.knots = in.integer("knots").value_or(task.knots);
   const toml::node* duty = in.node("duty");
   if (duty && duty->is_table())
-    task.duty_by_foot = in.numbers_by_name("duty", kShare);
+    task.duty_by_foot = in.numbers_by_name("duty");
   else if (duty && duty->is_array())
-    task.foot_duty = in.numbers("duty", kShare, 0).value_or(std::vector<double>{});
+    task.foot_duty = in.numbers("duty").value_or(std::vector<double>{});
   else
-    task.duty = in.number("duty", kShare);
+    task.duty = in.number("duty");
   const toml::node* touchdown = in.node("touchdown");
   if (touchdown && touchdown->is_table())
-    task.touchdown_by_foot = in.numbers_by_name("touchdown", kPhase);
+    task.touchdown_by_foot = in.numbers_by_name("touchdown");
   else
-    task.touchdown = in.numbers("touchdown", kPhase, 0).value_or(std::vector<double>{});
+    task.touchdown = in.numbers("touchdown").value_or(std::vector<double>{});
   if (touchdown)
     in.require(in.has("duty"), "duty", "duty = 0.75  # share of the cycle on the ground");
   else

@@ -6,13 +6,13 @@
 
 #include "optimizer/motion/gait.hpp"
 #include "tools/task/task_keys.hpp"
-#include "tools/task/toml_reader.hpp"
+#include "tools/task/task_table.hpp"
 
 namespace legwright {
 
 /// The table [gait]: a name of the library, or a pattern of one's own by `touchdown` and `duty`.
 /// What is wrong goes to the reader's problems.
-void read_gait(TableReader in, TaskFile& task);
+void read_gait(TaskTable in, TaskFile& task);
 
 /// The gait that the file asks for, of a robot whose feet have these names and this footfall order.
 /// Throws InputError, with file and line of the key, where the two do not fit or a foot would stand

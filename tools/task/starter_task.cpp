@@ -154,9 +154,9 @@ std::string no_task_text(const RobotModel& robot) {
 
 std::string starter_text(const StarterTask& task, const std::string& robot) {
   std::string out =
-      "# A first task for this robot. SI units; every other key has a default, legwright's "
-      "examples/puppy/sideways.toml\n"
-      "# explains them all.\n"
+      "# A first task for this robot. SI units; every other key has a default: docs/task_file.md "
+      "of\n"
+      "# Legwright, or `legwright check --keys`, explains them all.\n"
       "robot = " +
       quoted(robot) + "\n\n[gait]\n" +
       fmt::format("name = {:24} # `legwright gaits` draws all that there are\n",

@@ -10,11 +10,6 @@
 namespace legwright {
 namespace {
 
-constexpr Range kReach{-5.0, 5.0, false, false, "m"};
-constexpr Range kHeight{0.0, 5.0, true, false, "m"};
-constexpr Range kFootHeight{0.0, 5.0, false, false, "m"};
-constexpr Range kAngle{-10.0, 10.0, false, false, "rad"};
-
 std::vector<Eigen::Vector2d> vectors(const std::vector<std::vector<double>>& pairs) {
   std::vector<Eigen::Vector2d> out;
   out.reserve(pairs.size());
@@ -105,26 +100,26 @@ void check_joint_angles(const TaskFile& file, const Morphology& morphology) {
 
 }  // namespace
 
-void read_style(TableReader in, TaskFile& task) {
+void read_style(TaskTable in, TaskFile& task) {
   if (is_array(in.node("com_height")))
-    task.com_heights = in.numbers("com_height", kHeight, 0).value_or(std::vector<double>{});
+    task.com_heights = in.numbers("com_height").value_or(std::vector<double>{});
   else if (in.has("com_height")) {  // else what stands outside [[task]] holds
-    task.com_height = in.number("com_height", kHeight);
+    task.com_height = in.number("com_height");
     task.com_heights.clear();
   }
-  if (const auto path = in.pairs("com_path", kReach)) task.com_path = vectors(*path);
+  if (const auto path = in.pairs("com_path")) task.com_path = vectors(*path);
   const toml::node* footprint = in.node("footprint");
   if (is_array(footprint) && !footprint->as_array()->empty() &&
       footprint->as_array()->get(0)->is_array()) {
-    if (const auto pairs = in.pairs("footprint", kReach)) task.footprint = vectors(*pairs);
-  } else if (const auto half = in.numbers("footprint", {0.0, 5.0, false, false, "m"}, 2)) {
+    if (const auto pairs = in.pairs("footprint")) task.footprint = vectors(*pairs);
+  } else if (const auto half = in.numbers("footprint")) {
     task.footprint = vectors({*half});
   }
-  for (const auto& [name, pairs] : in.pairs_by_name("foot_targets", kReach))
+  for (const auto& [name, pairs] : in.pairs_by_name("foot_targets"))
     task.foot_targets[name] = vectors(pairs);
-  for (const auto& [name, target] : in.targets_by_name("foot_heights", kFootHeight))
+  for (const auto& [name, target] : in.targets_by_name("foot_heights"))
     task.foot_heights[name] = target;
-  for (const auto& [name, target] : in.targets_by_name("joint_angles", kAngle))
+  for (const auto& [name, target] : in.targets_by_name("joint_angles"))
     task.joint_angles[name] = target;
   in.finish();
 }

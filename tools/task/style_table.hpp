@@ -7,13 +7,13 @@
 #include "optimizer/design/morphology.hpp"
 #include "optimizer/motion/task.hpp"
 #include "tools/task/task_keys.hpp"
-#include "tools/task/toml_reader.hpp"
+#include "tools/task/task_table.hpp"
 
 namespace legwright {
 
 /// The table [style]: what eqs (10) shall pull COM, feet and joints to, constant or as lists over
 /// the cycle. What is wrong goes to the reader's problems.
-void read_style(TableReader in, TaskFile& task);
+void read_style(TaskTable in, TaskFile& task);
 
 /// Puts the file's style targets into the task, feet and joints in the robot's order. Throws
 /// InputError, with file and line of the key, where they do not fit the robot's feet and joints.

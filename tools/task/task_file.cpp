@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <system_error>
 
 #include "mjcf/text/input_error.hpp"
@@ -14,27 +13,26 @@
 #include "tools/task/design_table.hpp"
 #include "tools/task/gait_table.hpp"
 #include "tools/task/style_table.hpp"
-#include "tools/task/toml_reader.hpp"
+#include "tools/task/task_table.hpp"
 
 namespace legwright {
 namespace {
 
 constexpr std::size_t kMostBytes = 1 << 20;
-constexpr double kSteepest = 1.0;  // [rad]
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr const char* kReference = "every key: docs/task_file.md, `legwright check --keys`";
 
 Eigen::Vector2d vector2(const std::vector<double>& values) { return {values[0], values[1]}; }
 
-void read_travel(TableReader in, TaskFile& task) {
-  const auto velocity = in.numbers("velocity", {-10.0, 10.0, false, false, "m/s"}, 2);
+void read_travel(TaskTable in, TaskFile& task) {
+  const auto velocity = in.numbers("velocity");
   in.require(velocity.has_value(), "velocity", "velocity = [0.0, 0.1]  # m/s forward, left");
   if (velocity) task.velocity = vector2(*velocity);
-  task.turn_rate = in.number("turn_rate", {-10.0, 10.0, false, false, "rad/s"}).value_or(0.0);
+  task.turn_rate = in.number("turn_rate").value_or(0.0);
   in.finish();
 }
 
 /// [["one limb", "another"], …]; names are looked up when the robot is known.
-void read_limb_pairs(TableReader& in, Task& margins, Problems& problems) {
+void read_limb_pairs(TaskTable& in, Task& margins, Problems& problems) {
   const toml::node* found = in.node("limb_pairs");
   if (!found) return;
   std::vector<std::pair<std::string, std::string>> pairs;
@@ -56,12 +54,10 @@ void read_limb_pairs(TableReader& in, Task& margins, Problems& problems) {
 }
 
 /// Without a height of its own the plan swings high enough (margins.hpp).
-void read_swing(TableReader& in, TaskFile& task, Problems& problems) {
+void read_swing(TaskTable& in, TaskFile& task, Problems& problems) {
   Task& margins = task.margins;
-  if (const auto height = in.number("swing_height", {0.0, 1.0, false, false, "m"}))
-    margins.swing_height = height;
-  margins.step_over =
-      in.number("step_over", {0.0, 0.7, true, false, "m"}).value_or(margins.step_over);
+  if (const auto height = in.number("swing_height")) margins.swing_height = height;
+  margins.step_over = in.number("step_over").value_or(margins.step_over);
   if (!margins.swing_height || *margins.swing_height >= margins.step_over) return;
   const char* key = in.has("swing_height") ? "swing_height" : "step_over";
   problems.add(
@@ -71,25 +67,18 @@ void read_swing(TableReader& in, TaskFile& task, Problems& problems) {
                   margins.step_over, *margins.swing_height, kSwingOver * margins.step_over));
 }
 
-void read_limits(TableReader in, TaskFile& task, Problems& problems) {
+void read_limits(TaskTable in, TaskFile& task, Problems& problems) {
   Task& margins = task.margins;
-  constexpr Range kFriction{0.0, 5.0, true, false, ""};
-  margins.floor_friction = in.number("floor_friction", kFriction).value_or(margins.floor_friction);
-  margins.friction = in.number("friction", kFriction).value_or(margins.friction);
+  margins.floor_friction = in.number("floor_friction").value_or(margins.floor_friction);
+  margins.friction = in.number("friction").value_or(margins.friction);
   read_swing(in, task, problems);
-  if (const auto limit = in.number("torque_limit", {0.0, 1e4, true, false, "N m"}))
-    margins.torque_limit = limit;
-  margins.min_normal =
-      in.number("min_normal", {0.0, 0.5, false, false, ""}).value_or(margins.min_normal);
-  margins.joint_margin =
-      in.number("joint_margin", {0.0, 1.5, false, false, "rad"}).value_or(margins.joint_margin);
-  margins.torque_margin =
-      in.number("torque_margin", {0.0, 1.0, false, true, ""}).value_or(margins.torque_margin);
-  if (const auto clearance = in.number("clearance", {0.0, 1.0, true, false, "m"}))
-    margins.clearance = clearance;
+  if (const auto limit = in.number("torque_limit")) margins.torque_limit = limit;
+  margins.min_normal = in.number("min_normal").value_or(margins.min_normal);
+  margins.joint_margin = in.number("joint_margin").value_or(margins.joint_margin);
+  margins.torque_margin = in.number("torque_margin").value_or(margins.torque_margin);
+  if (const auto clearance = in.number("clearance")) margins.clearance = clearance;
   read_limb_pairs(in, margins, problems);
-  if (const auto margin = in.number("planted_margin", {0.0, 1.0, false, false, "s"}))
-    task.planted_margin = margin;
+  if (const auto margin = in.number("planted_margin")) task.planted_margin = margin;
   if (margins.friction > margins.floor_friction)
     problems.add(
         in.line_of("friction"), in.full("friction"),
@@ -101,17 +90,16 @@ void read_limits(TableReader in, TaskFile& task, Problems& problems) {
 }
 
 /// The slope of the ground; up on it is known with the way to go.
-void read_ground(TableReader in, TaskFile& task) {
-  constexpr Range kSlope{-kSteepest, kSteepest, false, false, "rad"};
-  task.slope_along = in.number("slope_along", kSlope).value_or(task.slope_along);
-  task.slope_across = in.number("slope_across", kSlope).value_or(task.slope_across);
+void read_ground(TaskTable in, TaskFile& task) {
+  task.slope_along = in.number("slope_along").value_or(task.slope_along);
+  task.slope_across = in.number("slope_across").value_or(task.slope_across);
   in.finish();
 }
 
-void read_payload(TableReader in, TaskFile& task) {
-  const auto mass = in.number("mass", {0.0, 1e4, true, false, "kg"});
-  const auto position = in.numbers("position", {-10.0, 10.0, false, false, "m"}, 3);
-  const auto size = in.numbers("size", {0.0, 10.0, true, false, "m"}, 3);
+void read_payload(TaskTable in, TaskFile& task) {
+  const auto mass = in.number("mass");
+  const auto position = in.numbers("position");
+  const auto size = in.numbers("size");
   if (in.has("position") || in.has("size")) in.require(in.has("mass"), "mass", "mass = 0.5  # kg");
   in.finish();
   if (!mass) return;
@@ -122,11 +110,9 @@ void read_payload(TableReader in, TaskFile& task) {
 }
 
 /// How stiff servos are played that the robot's file has softer.
-void read_servos(TableReader in, TaskFile& task) {
-  if (const auto kp = in.number("kp", {0.0, 1e9, true, false, "N m/rad"}))
-    task.margins.servo_kp = kp;
-  if (const auto kd = in.number("kd", {0.0, 1e9, false, false, "N m s/rad"}))
-    task.margins.servo_kd = kd;
+void read_servos(TaskTable in, TaskFile& task) {
+  if (const auto kp = in.number("kp")) task.margins.servo_kp = kp;
+  if (const auto kd = in.number("kd")) task.margins.servo_kd = kd;
   if (in.has("kd")) in.require(in.has("kp"), "kp", "kp = 300.0  # N m/rad");
   in.finish();
 }
@@ -168,7 +154,7 @@ std::string message_of(const toml::parse_error& error) {
   return text + "; mend the TOML there, or cut the file back to the last line that is whole";
 }
 
-void check_name(TableReader& in, const std::string& name, Problems& problems) {
+void check_name(TaskTable& in, const std::string& name, Problems& problems) {
   if (name.find_first_of("/\\") == std::string::npos && !name.empty() && name.front() != '.')
     return;
   problems.add(in.line_of("name"), in.full("name"),
@@ -176,7 +162,7 @@ void check_name(TableReader& in, const std::string& name, Problems& problems) {
 }
 
 /// Names of tasks become folders beside those of the starts: "from-NAME", "NAME-alone".
-void check_task_name(TableReader& in, const std::string& name, Problems& problems) {
+void check_task_name(TaskTable& in, const std::string& name, Problems& problems) {
   const bool plain = std::all_of(name.begin(), name.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
            c == '-';
@@ -190,16 +176,16 @@ void check_task_name(TableReader& in, const std::string& name, Problems& problem
                            name));
 }
 
-void read_outer(TableReader in, TaskSet& set) {
+void read_outer(TaskTable in, TaskSet& set) {
   set.outer = in.text("objective").value_or("");
   if (in.has("weight"))
     in.require(in.has("objective"), "objective", "objective = \"mechanical_work\"");
-  set.outer_weight = in.number("weight", {0.0, kInfinity, true, false, ""}).value_or(1.0);
+  set.outer_weight = in.number("weight").value_or(1.0);
   in.finish();
 }
 
 /// Which model eq (13) has of the robot that turns.
-void read_dynamics(TableReader& in, TaskFile& task, Problems& problems) {
+void read_dynamics(TaskTable& in, TaskFile& task, Problems& problems) {
   const auto name = in.text("dynamics");
   if (!name) return;
   if (*name == "full")
@@ -214,9 +200,9 @@ void read_dynamics(TableReader& in, TaskFile& task, Problems& problems) {
 }
 
 /// What may stand outside [[task]] and then holds for all.
-void read_shared_tables(TableReader& in, TaskFile& task, Problems& problems) {
+void read_shared_tables(TaskTable& in, TaskFile& task, Problems& problems) {
   const auto section = [&](std::string_view key) {
-    return TableReader(in.table(key), in.full(key), problems, task.lines);
+    return TaskTable(in.table(key), in.full(key), problems, task.lines);
   };
   read_dynamics(in, task, problems);
   read_style(section("style"), task);
@@ -224,14 +210,12 @@ void read_shared_tables(TableReader& in, TaskFile& task, Problems& problems) {
   read_ground(section("ground"), task);
   read_payload(section("payload"), task);
   read_servos(section("servos"), task);
-  for (const auto& [name, weight] :
-       in.numbers_by_name("weights", {0.0, kInfinity, false, false, ""}))
-    task.weights[name] = weight;
+  for (const auto& [name, weight] : in.numbers_by_name("weights")) task.weights[name] = weight;
 }
 
-void read_task_tables(TableReader& in, TaskFile& task, Problems& problems) {
+void read_task_tables(TaskTable& in, TaskFile& task, Problems& problems) {
   const auto section = [&](std::string_view key) {
-    return TableReader(in.table(key), in.full(key), problems, task.lines);
+    return TaskTable(in.table(key), in.full(key), problems, task.lines);
   };
   read_gait(section("gait"), task);
   read_travel(section("travel"), task);
@@ -242,7 +226,7 @@ void read_tasks(const std::vector<const toml::table*>& tables, const TaskFile& s
                 Problems& problems) {
   for (const toml::table* table : tables) {
     TaskFile task = shared;
-    TableReader in(table, "", problems, task.lines);
+    TaskTable in(table, "", problems, task.lines);
     const auto name = in.text("name");
     in.require(name.has_value(), "name", "name = \"pace\"");
     task.name = name.value_or("");
@@ -254,8 +238,7 @@ void read_tasks(const std::vector<const toml::table*>& tables, const TaskFile& s
                    fmt::format("another task is named '{}' too; each has a folder of its own, so "
                                "give different names",
                                task.name));
-    task.weight = in.number("weight", {0.0, kInfinity, true, false, ""})
-                      .value_or(1.0 / static_cast<double>(tables.size()));
+    task.weight = in.number("weight").value_or(1.0 / static_cast<double>(tables.size()));
     read_task_tables(in, task, problems);
     in.finish();
     set.tasks.push_back(std::move(task));
@@ -276,16 +259,16 @@ TaskSet parse_task_tables(const std::string& text, const std::filesystem::path& 
   TaskSet set;
   set.file = file;
   set.text = text;
-  Problems problems(file.string());
-  TableReader in(&root, "", problems, set.lines);
+  Problems problems(file.string(), kReference);
+  TaskTable in(&root, "", problems, set.lines);
   const auto robot = in.text("robot");
   in.require(robot.has_value(), "robot", "robot = \"robot.xml\"");
   set.name = in.text("name").value_or(file.stem().string());
   check_name(in, set.name, problems);
   const auto tables = in.tables("task");
-  read_outer(TableReader(in.table("outer"), "outer", problems, set.lines), set);
+  read_outer(TaskTable(in.table("outer"), "outer", problems, set.lines), set);
   set.design =
-      read_design_table(TableReader(in.table("design"), "design", problems, set.lines), problems);
+      read_design_table(TaskTable(in.table("design"), "design", problems, set.lines), problems);
   TaskFile shared;  // what stands outside [[task]]
   shared.file = file;
   shared.text = text;

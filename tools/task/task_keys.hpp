@@ -57,10 +57,10 @@ struct TaskFile {
   [[noreturn]] void refuse(const std::string& key, const std::string& message) const;
 };
 
-/// What a task file says about s: [design] freeze = ["body_width"] and [design.bounds]
+/// What a task file says about s: [design] freeze = ["body_width", "front_*"] and [design.bounds]
 /// body_length = [0.2, 0.3].
 struct DesignTable {
-  std::vector<std::string> freeze;                    // stay at their initial value
+  std::vector<std::string> freeze;                    // names or patterns: stay as they are
   std::map<std::string, std::vector<double>> bounds;  // lower, upper, within those of the robot
 };
 

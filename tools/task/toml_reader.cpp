@@ -31,6 +31,15 @@ std::string type_name(const toml::node& node) {
   }
 }
 
+bool inside(double value, const Range& range) {
+  return (range.low_open ? value > range.low : value >= range.low) &&
+         (range.high_open ? value < range.high : value <= range.high);
+}
+
+int line(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
+
+}  // namespace
+
 std::string range_text(const Range& range, std::string_view what) {
   const std::string unit = range.unit.empty() ? "" : fmt::format(" {}", range.unit);
   const bool from = std::isfinite(range.low), to = std::isfinite(range.high);
@@ -40,15 +49,6 @@ std::string range_text(const Range& range, std::string_view what) {
       to ? fmt::format(" {} {}", range.high_open ? "<" : "<=", range.high) : "";
   return fmt::format("{}{}{}{}", low, what, high, unit);
 }
-
-bool inside(double value, const Range& range) {
-  return (range.low_open ? value > range.low : value >= range.low) &&
-         (range.high_open ? value < range.high : value <= range.high);
-}
-
-int line(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
-
-}  // namespace
 
 void Problems::add(int line_number, const std::string& key, const std::string& message) {
   by_line_.emplace(line_number, InputError(file_, line_number, key, message).what());
@@ -63,7 +63,7 @@ void Problems::throw_if_any() const {
   std::string text;
   for (const auto* list : {&by_line_, &missing_})
     for (const auto& [number, message] : *list) text += (text.empty() ? "" : "\n") + message;
-  throw InputError(text);
+  throw InputError(reference_.empty() ? text : fmt::format("{} ({})", text, reference_));
 }
 
 TableReader::TableReader(const toml::table* table, std::string prefix, Problems& problems,
@@ -263,7 +263,8 @@ std::optional<CycleTarget> TableReader::target(std::string_view key, const Range
 }
 
 std::map<std::string, CycleTarget> TableReader::targets_by_name(std::string_view key,
-                                                                const Range& range) {
+                                                                const Range& range,
+                                                                const Range& weight_range) {
   std::map<std::string, CycleTarget> targets;
   const toml::table* found = table(key);
   if (!found) return targets;
@@ -278,7 +279,7 @@ std::map<std::string, CycleTarget> TableReader::targets_by_name(std::string_view
     TableReader row(within.table(name.str()), within.full(name.str()), problems_, lines_);
     auto target = row.target("over_cycle", range);
     row.require(target.has_value(), "over_cycle", "over_cycle = [0.0, 0.05]");
-    const auto weight = row.number("weight", {0.0, 1e6, false, false, ""});
+    const auto weight = row.number("weight", weight_range);
     row.finish();
     if (!target) continue;
     target->weight = weight.value_or(1.0);

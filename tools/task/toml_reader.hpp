@@ -16,7 +16,9 @@ namespace legwright {
 /// Everything that is wrong with one file, gathered so that it can be told at once.
 class Problems {
  public:
-  explicit Problems(std::string file) : file_(std::move(file)) {}
+  /// @param reference where to read on, told behind the last problem; may be empty
+  explicit Problems(std::string file, std::string reference = "")
+      : file_(std::move(file)), reference_(std::move(reference)) {}
   /// @param message what is wrong; how to fix it
   void add(int line, const std::string& key, const std::string& message);
   /// The same of a key that is not there.
@@ -26,7 +28,7 @@ class Problems {
   void throw_if_any() const;
 
  private:
-  std::string file_;
+  std::string file_, reference_;
   std::multimap<int, std::string> by_line_, missing_;
 };
 
@@ -37,6 +39,9 @@ struct Range {
   bool high_open = false;
   std::string_view unit;  // "s", "m/s", … or empty
 };
+
+/// "0.05 <= period <= 20 s". @param what is in that range
+std::string range_text(const Range& range, std::string_view what);
 
 /// Reads one table strictly: every key must be asked for, have the right type and lie in range.
 /// What is wrong goes to `problems`; the value is then absent.
@@ -63,7 +68,8 @@ class TableReader {
                                                                         const Range& range);
   /// A table of names and targets over the cycle, each a list of evenly spaced values, a list of
   /// [phase, value], or a table {over_cycle = either list, weight = …}; the names are free.
-  std::map<std::string, CycleTarget> targets_by_name(std::string_view key, const Range& range);
+  std::map<std::string, CycleTarget> targets_by_name(std::string_view key, const Range& range,
+                                                     const Range& weight_range);
   /// A table of names and arrays of `count` numbers; the names are free.
   std::map<std::string, std::vector<double>> numbers_of_names(std::string_view key,
                                                               const Range& range,

@@ -4,10 +4,12 @@
 #include <algorithm>
 
 #include "mjcf/read/moving_parts.hpp"
+#include "mjcf/text/input_error.hpp"
 #include "optimizer/terms/registry.hpp"
 #include "tools/files/json_file.hpp"
 #include "tools/task/problem.hpp"
 #include "tools/task/servo_sag.hpp"
+#include "tools/verbs/check_keys.hpp"
 #include "tools/verbs/gradients.hpp"
 #include "tools/verbs/summary.hpp"
 #include "tools/verbs/verbs.hpp"
@@ -17,7 +19,7 @@ namespace {
 
 struct CheckOptions {
   std::string task, robot;
-  bool json = false, gradients = false;
+  bool json = false, gradients = false, keys = false;
 };
 
 /// All that `check` found; both outputs are made from it.
@@ -264,6 +266,12 @@ int check_all_gradients(const CheckOptions& options) {
 }
 
 int check(const CheckOptions& options) {
+  if (options.keys) {
+    fmt::print("{}", options.json ? to_text(keys_json()) : keys_text());
+    return kOk;
+  }
+  if (options.task.empty())
+    throw InputError("TASK is required: `legwright check TASK`; --keys tells what it may say");
   if (options.gradients) return check_all_gradients(options);
   const std::vector<Finding> all = find(options);
   if (options.json) {
@@ -297,11 +305,16 @@ void add_check(CLI::App& program, Action& action) {
   const auto [verb, options] =
       add_verb(program, action, "check",
                "Read a task and its robot; explain them, or refuse with a reason", check);
-  verb->add_option("TASK", options->task, "task file (TOML), which names its robot")->required();
+  CLI::Option* const task =
+      verb->add_option("TASK", options->task, "task file (TOML), which names its robot");
   verb->add_option("--robot", options->robot, "MJCF of another robot than the one the task names");
   verb->add_flag(
       "--gradients", options->gradients,
       "check all derivatives of F, and the adjoint, against central differences instead");
+  verb->add_flag(
+          "--keys", options->keys,
+          "without a task: tell every key of a task file, its type, unit, bounds and default")
+      ->excludes(task);
   verb->add_flag("--json", options->json, "print one JSON document");
 }
 

@@ -4,14 +4,13 @@
 #include <cmath>
 #include <optional>
 
-#include "mjcf/propose/declare.hpp"
-#include "mjcf/propose/proposals.hpp"
 #include "mjcf/text/input_error.hpp"
 #include "tools/files/atomic_file.hpp"
 #include "tools/files/clean_text.hpp"
 #include "tools/files/io_error.hpp"
 #include "tools/files/json_file.hpp"
 #include "tools/task/starter_task.hpp"
+#include "tools/verbs/init_files.hpp"
 #include "tools/verbs/init_text.hpp"
 #include "tools/verbs/summary.hpp"
 #include "tools/verbs/verbs.hpp"
@@ -106,16 +105,6 @@ bool lacks_task(const InitOptions& options, const ProposedParameters& found) {
   return options.gait.empty() && !no_task_text(found.model).empty();
 }
 
-/// A task in the place of its robot is told by what to do with it.
-void refuse_task(const fs::path& file) {
-  if (file.extension() != ".toml") return;
-  throw InputError(file.string(), 0, "",
-                   fmt::format("found a task file (TOML), expected the robot (MJCF) that it names; "
-                               "`legwright check {0}` explains the task, `legwright optimize {0}` "
-                               "runs it",
-                               shell_word(file.string())));
-}
-
 std::string next_step(const InitOptions& options, const ProposedParameters& found,
                       const std::string& written, const std::string& task) {
   if (!task.empty())
@@ -140,43 +129,18 @@ std::string next_step(const InitOptions& options, const ProposedParameters& foun
                      adds ? "puts them into the file's <custom> section and " : "");
 }
 
-/// Other files are named by paths from the main file's folder.
-void check_output(const InitOptions& options, const RobotFiles& files) {
-  if (options.output.empty() || (files.includes().empty() && files.assets().empty())) return;
-  const fs::path from = fs::weakly_canonical(fs::absolute(files.file())).parent_path(),
-                 to = fs::weakly_canonical(fs::absolute(options.output)).parent_path();
-  if (from != to)
-    throw InputError(options.output, 0, "",
-                     fmt::format("the robot includes other files or has meshes, which are found "
-                                 "from the folder {} only; write the output there",
-                                 from.string()));
-}
-
 int init(const InitOptions& options) {
-  const fs::path file = options.robot;
   if (!options.gait.empty() && options.task.empty())
     throw InputError("--gait is for the task file that --task FILE writes; give both");
-  refuse_task(file);
-  const RobotFiles files = RobotFiles::read(file);
-  const ProposedParameters found =
-      files.at_their_lines([&] { return propose_parameters(files.text(), file); });
-  check_output(options, files);
+  const StudiedRobot robot = study_robot(options.robot);
+  const ProposedParameters& found = robot.found;
+  check_output(robot, options.output);
   const bool writes = options.write || !options.output.empty();
   const FirstTask task =
       options.task.empty() || lacks_task(options, found)
           ? FirstTask{}
           : first_task(options, found, options.output.empty() ? options.robot : options.output);
-  std::string written;
-  if (writes) {
-    written = options.output.empty() ? options.robot : options.output;
-    if (!options.output.empty() && fs::exists(options.output) &&
-        !fs::equivalent(options.output, file))
-      throw IoError(options.output + ": exists already; name a new file, or remove it");
-    if (found.proposals.empty() && options.output.empty())
-      written.clear();  // nothing to add
-    else
-      write_file(written, with_declarations(files.main_text(), file, found.proposals));
-  }
+  const std::string written = writes ? write_proposals(robot, options.output) : "";
   const std::string written_task = task.text.empty() ? "" : options.task;
   if (!task.text.empty()) write_file(options.task, task.text);
   const int code = task.text.empty() && !options.task.empty() ? kInfeasible : kOk;

@@ -45,6 +45,34 @@ TEST(DesignTable, FreezesAndNarrows) {
   EXPECT_EQ(space.scale(), robot.space.scale());
 }
 
+TEST(DesignTable, FreezesWhatAPatternMeets) {
+  const auto frozen = [](const std::string& list) {
+    const TaskSet set = with_design("[design]\nfreeze = [" + list + "]\n");
+    const DesignSpace space =
+        restricted(read_robot(set.robot).space, set.design, "test.toml", set.lines);
+    std::string names;
+    for (const DesignParameter& parameter : space.parameters)
+      if (parameter.frozen()) names += parameter.name + " ";
+    return names;
+  };
+  EXPECT_EQ(frozen(R"("front_*_length")"),
+            "front_thigh_length front_shank_length front_foot_length ");
+  EXPECT_EQ(frozen(R"("body_?????", "hind_[ft]*_length")"),
+            "hind_thigh_length hind_foot_length body_width ");
+  EXPECT_EQ(frozen(R"("*")"), [] {
+    std::string all;
+    for (const auto& parameter : read_robot(kPuppy / "robot.xml").space.parameters)
+      all += parameter.name + " ";
+    return all;
+  }());
+  const std::string error = design_error("[design]\nfreeze = [\"frnt_*\", \"body_*\"]\n");
+  EXPECT_NE(error.find("design.freeze: no design parameter of the robot is like 'frnt_*'; the "
+                       "nearest: front_thigh_length, front_shank_length, front_foot_length"),
+            std::string::npos)
+      << error;
+  EXPECT_EQ(error.find("body_*"), std::string::npos) << error;
+}
+
 /// Bounds of a task are not the robot's: a design that is written keeps those of its file.
 TEST(DesignTable, LeavesTheRobotsFileAlone) {
   RobotModel robot = read_robot(kPuppy / "robot.xml");

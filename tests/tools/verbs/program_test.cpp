@@ -102,6 +102,23 @@ TEST(Check, GivesOneJsonDocument) {
   EXPECT_TRUE(json["weights"].contains("friction_cone"));
 }
 
+TEST(Check, TellsTheKeysOfATaskWithoutOne) {
+  const Outcome told = call({"check", "--keys"}), listed = call({"check", "--keys", "--json"});
+  EXPECT_EQ(told.code, 0);
+  const Json keys = Json::parse(listed.out);
+  EXPECT_EQ(keys["schema"], "legwright/task_keys");
+  EXPECT_GT(keys["keys"].size(), 50u);
+  for (const Json& key : keys["keys"])
+    EXPECT_TRUE(contains(told.out, "\n" + key["key"].get<std::string>() + " = "));
+  for (const Json& term : keys["terms"])
+    EXPECT_EQ(contains(told.out, "\n    " + term["name"].get<std::string>() + " "),
+              term["role"] != "outer");
+  EXPECT_EQ(call({"check", "--keys", kWalk}).code, 2);
+  const Outcome nothing = call({"check"});
+  EXPECT_EQ(nothing.code, 2);
+  EXPECT_TRUE(contains(nothing.err, "TASK is required")) << nothing.err;
+}
+
 TEST(Check, RefusesEveryBrokenTaskWithExitCode2) {
   int count = 0;
   for (const auto& entry : fs::directory_iterator(kExamples / "broken" / "tasks")) {

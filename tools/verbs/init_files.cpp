@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/verbs/init_files.hpp"
+
+#include <fmt/format.h>
+
+#include "mjcf/propose/declare.hpp"
+#include "mjcf/text/input_error.hpp"
+#include "tools/files/atomic_file.hpp"
+#include "tools/files/io_error.hpp"
+#include "tools/verbs/summary.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A task in the place of its robot is told by what to do with it.
+void refuse_task(const fs::path& file) {
+  if (file.extension() != ".toml") return;
+  throw InputError(file.string(), 0, "",
+                   fmt::format("found a task file (TOML), expected the robot (MJCF) that it names; "
+                               "`legwright check {0}` explains the task, `legwright optimize {0}` "
+                               "runs it",
+                               shell_word(file.string())));
+}
+
+}  // namespace
+
+StudiedRobot study_robot(const fs::path& file) {
+  refuse_task(file);
+  RobotFiles files = RobotFiles::read(file);
+  ProposedParameters found =
+      files.at_their_lines([&] { return propose_parameters(files.text(), file); });
+  return {std::move(files), std::move(found)};
+}
+
+/// Other files are named by paths from the main file's folder.
+void check_output(const StudiedRobot& robot, const std::string& output) {
+  const RobotFiles& files = robot.files;
+  if (output.empty() || (files.includes().empty() && files.assets().empty())) return;
+  const fs::path from = fs::weakly_canonical(fs::absolute(files.file())).parent_path(),
+                 to = fs::weakly_canonical(fs::absolute(output)).parent_path();
+  if (from != to)
+    throw InputError(output, 0, "",
+                     fmt::format("the robot includes other files or has meshes, which are found "
+                                 "from the folder {} only; write the output there",
+                                 from.string()));
+}
+
+std::string write_proposals(const StudiedRobot& robot, const std::string& output) {
+  check_output(robot, output);
+  const fs::path& file = robot.files.file();
+  if (!output.empty() && fs::exists(output) && !fs::equivalent(output, file))
+    throw IoError(output + ": exists already; name a new file, or remove it");
+  if (robot.found.proposals.empty() && output.empty()) return "";  // nothing to add
+  const std::string written = output.empty() ? file.string() : output;
+  write_file(written, with_declarations(robot.files.main_text(), file, robot.found.proposals));
+  return written;
+}
+
+}  // namespace legwright

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "mjcf/propose/proposals.hpp"
+#include "mjcf/text/robot_files.hpp"
+
+namespace legwright {
+
+/// A robot as `legwright init` studies it: its files, and what a designer may change in it.
+struct StudiedRobot {
+  RobotFiles files;
+  ProposedParameters found;
+};
+
+/// Throws InputError as parse_robot() does, and for a task file in the place of its robot.
+StudiedRobot study_robot(const std::filesystem::path& file);
+
+/// Throws InputError where the robot's other files would not be found from the folder of `output`.
+void check_output(const StudiedRobot& robot, const std::string& output);
+
+/// Declares the proposals in the robot's file, or in the new file `output`; all other bytes stay.
+/// Throws as check_output(), and IoError where `output` is there already.
+/// @param output empty for the robot's file @return what was written; empty: nothing to add
+std::string write_proposals(const StudiedRobot& robot, const std::string& output);
+
+}  // namespace legwright
