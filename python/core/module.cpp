@@ -25,6 +25,7 @@
 #include "tools/task/design_table.hpp"
 #include "tools/task/starter_task.hpp"
 #include "tools/task/task_file.hpp"
+#include "tools/verbs/init_files.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -68,6 +69,59 @@ void bind_robot(nb::module_& module) {
           "The task file that `legwright init` writes for this robot.");
 }
 
+/// Names of the joints of each leg by its foot, front to hind.
+std::vector<std::pair<std::string, std::vector<std::string>>> legs_of(const StudiedRobot& robot) {
+  const Morphology& morphology = robot.found.model.morphology;
+  std::vector<std::pair<std::string, std::vector<std::string>>> legs;
+  for (const Limb& limb : robot.found.limbs) {
+    std::vector<std::string> joints;
+    for (const int k : limb.links)
+      joints.push_back(morphology.links[static_cast<std::size_t>(k)].joint.name);
+    legs.emplace_back(morphology.feet[static_cast<std::size_t>(limb.foot)].name, joints);
+  }
+  return legs;
+}
+
+void bind_study(nb::module_& module) {
+  nb::class_<Proposal>(module, "DeclarableParameter",
+                       "A design parameter that a robot's file could declare.")
+      .def_ro("name", &Proposal::name)
+      .def_ro("value", &Proposal::value)
+      .def_ro("lower", &Proposal::lower)
+      .def_ro("upper", &Proposal::upper)
+      .def_ro("unit", &Proposal::unit)
+      .def_ro("binding", &Proposal::binding)
+      .def_ro("sentence", &Proposal::sentence);
+
+  nb::class_<StudiedRobot>(module, "StudiedRobot", "A robot as `legwright init` studies it.")
+      .def_prop_ro("legs", legs_of)
+      .def_prop_ro("proposals", [](const StudiedRobot& robot) { return robot.found.proposals; })
+      .def_prop_ro("left_out", [](const StudiedRobot& robot) { return robot.found.left_out; })
+      .def_prop_ro("not_standing",
+                   [](const StudiedRobot& robot) { return robot.found.not_standing; })
+      .def_prop_ro("declared",
+                   [](const StudiedRobot& robot) {
+                     std::vector<std::string> names;
+                     for (const DesignParameter& parameter : robot.found.model.space.parameters)
+                       names.push_back(parameter.name);
+                     return names;
+                   })
+      .def(
+          "write",
+          [](const StudiedRobot& robot, const std::string& output) {
+            (void)write_proposals(robot, output);
+            return output.empty() ? robot.files.file() : fs::path(output);
+          },
+          "output"_a, nb::call_guard<nb::gil_scoped_release>(),
+          "Declares the proposals in the robot's file, or in a new one. Raises InputError, "
+          "IoError.");
+
+  module.def(
+      "study_robot", [](const fs::path& file) { return study_robot(file); }, "file"_a,
+      nb::call_guard<nb::gil_scoped_release>(),
+      "What a designer may change in a robot. Raises InputError.");
+}
+
 void bind_run(nb::module_& module) {
   nb::class_<PythonIteration>(
       module, "Iteration", "An accepted iterate of the search: what on_iteration is called with.")
@@ -94,6 +148,7 @@ void bind_run(nb::module_& module) {
       .def_rw("threads", &OptimizeOptions::threads)
       .def_rw("few", &OptimizeOptions::few)
       .def_rw("few_keeps", &OptimizeOptions::few_keeps)
+      .def_rw("front", &OptimizeOptions::front)
       .def_rw("physics_steps", &OptimizeOptions::physics_steps)
       .def_rw("no_reasons", &OptimizeOptions::no_reasons)
       .def_rw("no_certificate", &OptimizeOptions::no_certificate)
@@ -147,6 +202,7 @@ NB_MODULE(_core, module) {
   leave_others_their_messages();
   translate_errors();
   bind_robot(module);
+  bind_study(module);
   bind_run(module);
   bind_files(module);
   bind_session(module);

@@ -13,10 +13,11 @@ Importing it makes the plugin legwright.gait known to MuJoCo.
 
 from legwright._codesign import Iteration, codesign
 from legwright._core import __version__, mujoco_version
-from legwright._design import Design, Verdict
+from legwright._design import Design, FrontPoint, Verdict
 from legwright._errors import InputError, IoError, LegwrightError, LegwrightWarning, MujocoError
 from legwright._motion import Motion
 from legwright._plugin import register as _register
+from legwright._propose import Proposal, Proposals, propose
 from legwright._robot import Parameter, Robot
 from legwright._session import Session, SessionEvent, SessionState
 from legwright._task import Task
@@ -25,6 +26,7 @@ from legwright._why import Change
 __all__ = [
     'Change',
     'Design',
+    'FrontPoint',
     'InputError',
     'IoError',
     'Iteration',
@@ -33,6 +35,8 @@ __all__ = [
     'Motion',
     'MujocoError',
     'Parameter',
+    'Proposal',
+    'Proposals',
     'Robot',
     'Session',
     'SessionEvent',
@@ -42,6 +46,7 @@ __all__ = [
     '__version__',
     'codesign',
     'mujoco_version',
+    'propose',
 ]
 
 _register()

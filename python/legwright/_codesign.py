@@ -32,6 +32,7 @@ def codesign(
     stop_at: float | None = None,
     few: bool = False,
     few_keeps: float = 95.0,
+    front: int = 0,
     physics_steps: int = 0,
     reasons: bool = True,
     certificate: bool = True,
@@ -60,6 +61,8 @@ def codesign(
         starts: further starts from perturbed bodies, by `seed`.
         stop_at: end the search once F is as low as this.
         few: the body with the fewest changes that keeps `few_keeps` percent of the fall of F.
+        front: two tasks: so many points of their trade-off besides the ends and the weights asked
+            for, as `design.front`.
         physics_steps: then so many steps on the gait from roll-outs in MuJoCo.
         reasons: what each change of the body buys, which costs about as much as the search.
         certificate: how well the result is an optimum.
@@ -78,7 +81,7 @@ def codesign(
     options.motion_only, options.plan_only = motion_only, plan_only
     options.one_start, options.starts, options.seed = one_start, starts, seed
     options.stop_at, options.few, options.few_keeps = stop_at, few, few_keeps
-    options.physics_steps, options.threads = physics_steps, threads
+    options.front, options.physics_steps, options.threads = front, physics_steps, threads
     options.no_reasons, options.no_certificate = not reasons, not certificate
     options.no_pictures, options.force = not pictures, force
     text, file = text_of(task, robot)

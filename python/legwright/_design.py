@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from legwright import _core
 from legwright._errors import IoError
+from legwright._html import design_html
 from legwright._motion import Motion, read_motion
 from legwright._plugin import served_mujoco
 from legwright._why import Change, changes_of
@@ -26,6 +27,7 @@ class Verdict:
     """What MuJoCo says of a design at half, default and double servo gains."""
 
     passed: bool
+    """Whether the gait does what the task asks for at all three gains."""
     line: str
     """The verdict in words: "PASS  walk sideways at 0.100 m/s: …"."""
     merit: float
@@ -36,6 +38,22 @@ class Verdict:
 
     def __str__(self) -> str:
         return self.line
+
+
+@dataclass(frozen=True)
+class FrontPoint:
+    """A body on the trade-off between two tasks, with its best motions."""
+
+    weight: float
+    """Of the first task; 1 minus it of the second. 0 and 1 are the bodies for one task alone."""
+    F: float
+    """The weighted sum."""
+    F_of: dict[str, float]
+    """F of each task, by its name."""
+    s: NDArray[np.float64]
+    """The body, in the order of robot.parameters [m, rad]."""
+    status: str
+    """How its search ended."""
 
 
 class Design:
@@ -90,8 +108,10 @@ class Design:
 
     @property
     def J(self) -> float:
-        """The outer objective; 0 without one."""
-        return float(self.record['final_J'])
+        """The outer objective; 0 without one; of several tasks the weighted sum."""
+        if not self.joint:
+            return float(self.record['final_J'])
+        return sum(task['weight'] * self.tasks[task['name']].J for task in self.record['tasks'])
 
     @property
     def motion_only_F(self) -> float:
@@ -175,6 +195,23 @@ class Design:
             for task in self.record['tasks']
         }
 
+    @cached_property
+    def front(self) -> list[FrontPoint]:
+        """The trade-off between two tasks, by rising weight of the first; empty where codesign()
+        was not asked for it. MuJoCo has played none of these bodies but the result."""
+        if not (self.folder / 'result/front.json').exists():
+            return []
+        return [
+            FrontPoint(
+                point['weight'],
+                point['F'],
+                dict(point['F_tasks']),
+                np.array(list(point['s'].values()), dtype=np.float64),
+                point['status'],
+            )
+            for point in self._json('result/front.json')['points']
+        ]
+
     def _of_one_task(self, what: str) -> None:
         if self.joint:
             names = ', '.join(repr(name) for name in self.tasks)
@@ -238,6 +275,10 @@ class Design:
 
         shutil.copytree(self.folder, target, copy_function=copy, dirs_exist_ok=True)
         return target
+
+    def _repr_html_(self) -> str:
+        """For notebooks: verdict, cost, changed parameters, and pictures of a run that has some."""
+        return design_html(self)
 
     def __repr__(self) -> str:
         verdict = self.verdict

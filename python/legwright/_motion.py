@@ -35,7 +35,9 @@ class Motion:
     contact: NDArray[np.bool_]
     """(T + 1) x k: whether a foot stands."""
     joint_names: tuple[str, ...]
+    """n names, in the order of `joints`."""
     foot_names: tuple[str, ...]
+    """k names, in the order of `feet`."""
 
     @property
     def period(self) -> float:

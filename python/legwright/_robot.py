@@ -19,6 +19,7 @@ class Parameter:
     def __init__(self, model: _core.RobotModel, declared: _core.DeclaredParameter) -> None:
         self._model = model
         self.name: str = declared.name
+        """As the file declares it."""
         self.value: float = declared.value
         """Of the given body, in `unit`."""
         self.unit: str = declared.unit
@@ -103,8 +104,10 @@ class Robot:
 
     def __init__(self, file: str | os.PathLike[str]) -> None:
         self.file = Path(file)
+        """Of the robot, as it was given."""
         self._model = _core.read_robot(self.file)
         self.name: str = self._model.name
+        """That of its <mujoco model>."""
         self.feet: list[str] = self._model.feet
         """Names of the feet, in the order of the arrays of a motion."""
         self.parameters = Parameters(

@@ -19,7 +19,8 @@ class Task:
     """One task: gait, speed and how to do it. SI units.
 
     Keywords become the text of a task file, which the program's own reader reads: the tables `gait`
-    to `weights` have the keys of a task file, explained in examples/puppy/sideways.toml.
+    to `weights` have the keys of a task file, listed in docs/task_file.md and by
+    `legwright check --keys`.
 
     Args:
         gait: name in the library (`legwright gaits` draws them), or a table like
@@ -60,6 +61,7 @@ class Task:
         if turn_rate is not None:
             travel['turn_rate'] = turn_rate
         self.name: str = name or str(pattern.get('name', 'task'))
+        """Of the run, and of a folder where there are several tasks."""
         content: dict[str, Any] = {'robot': 'robot.xml', 'name': self.name}
         if dynamics is not None:
             content['dynamics'] = dynamics
@@ -71,6 +73,7 @@ class Task:
         self._content: dict[str, Any] | None = content
         self._loaded = ''
         self.file = Path(_MADE)
+        """That messages name: the task file, or "<task>"."""
         checked = content if self._complete else self._with_defaults({'gait': {'period': 1.0}})
         _core.check_task(_toml.document(checked), self.file)
 

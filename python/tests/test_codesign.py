@@ -147,8 +147,14 @@ def test_several_tasks_share_one_body(examples):
     assert pytest.approx(0.25 * fast.F + 0.75 * slow.F, rel=1e-12) == design.F
     assert sum(design.terms.values()) == pytest.approx(design.F, rel=1e-12)
     assert fast.motion.period < slow.motion.period
+    assert design.J == 0.0 and design.front == []
     with pytest.raises(ValueError, match=r"NAME of 'fast', 'crawl'"):
         _ = design.motion
+
+
+def test_a_front_needs_two_tasks(puppy, sideways):
+    with pytest.raises(lw.InputError, match='needs two'):
+        lw.codesign(puppy, sideways, front=3)
 
 
 def test_what_does_not_fit_is_told_by_file_and_line(examples, tmp_path):

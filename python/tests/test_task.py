@@ -99,6 +99,17 @@ def test_bounds_in_two_places_are_refused(puppy, examples, tmp_path):
         lw.codesign(puppy, lw.Task.load(file))
 
 
+def test_patterns_freeze_what_they_meet(puppy, examples, tmp_path):
+    text = (examples / 'puppy/sideways.toml').read_text(encoding='utf-8')
+    file = tmp_path / 'frozen.toml'
+    file.write_text(text + '\n[design]\nfreeze = ["*_axis_*"]\n', encoding='utf-8')
+    quick = {'reasons': False, 'certificate': False, 'plan_only': True}
+    design = lw.codesign(puppy, lw.Task.load(file), max_iterations=2, **quick)
+    given = dict(zip(puppy.parameters, puppy.s, strict=True))
+    moved = [name for name, value in design.parameters.items() if value != given[name]]
+    assert moved and not any('_axis_' in name for name in moved)
+
+
 def test_lists_take_no_tables_that_hold_for_all(puppy):
     efficient = lw.Task('walk', (0.0, 0.1), period=1.0, outer={'objective': 'mechanical_work'})
     with pytest.raises(lw.InputError, match='outer'):

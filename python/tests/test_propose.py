@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: Apache-2.0
+import re
+import subprocess
+from pathlib import Path
+
+import legwright as lw
+import pytest
+
+PROGRAM = Path(lw.__file__).parent / 'bin/legwright'
+
+
+@pytest.fixture
+def bare(examples, tmp_path):
+    """The quadruped without a word about what may change."""
+    text = (examples / 'quadruped/robot.xml').read_text(encoding='utf-8')
+    file = tmp_path / 'robot.xml'
+    file.write_text(re.sub(r'<custom>.*?</custom>', '', text, flags=re.DOTALL), encoding='utf-8')
+    assert len(lw.Robot(file).parameters) == 0
+    return file
+
+
+def test_proposals_are_those_of_init(bare, tmp_path):
+    before = bare.read_bytes()
+    proposals = lw.propose(bare)
+    assert bare.read_bytes() == before
+    assert list(proposals.legs) == ['FL', 'FR', 'HL', 'HR']
+    assert {len(joints) for joints in proposals.legs.values()} == {2}
+    assert proposals.declared == [] and proposals.not_standing == ''
+    thigh = proposals['front_thigh_length']
+    assert thigh.unit == 'm' and thigh.bounds[0] < thigh.value < thigh.bounds[1]
+    assert thigh.sentence.startswith('Length of') and thigh.binding.startswith('stretch ')
+    written = proposals.write(tmp_path / 'declared.xml')
+    theirs = tmp_path / 'by_init.xml'
+    done = subprocess.run([PROGRAM, 'init', bare, '-o', theirs], capture_output=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert written.read_bytes() == theirs.read_bytes()
+    robot = lw.Robot(written)
+    assert set(robot.parameters) == set(proposals)
+    assert robot.parameters['front_thigh_length'].bounds == pytest.approx(thigh.bounds)
+    again = lw.propose(written)
+    assert set(again.declared) == set(proposals) and len(again) == 0
+
+
+def test_write_puts_them_into_the_robots_own_file(bare):
+    assert lw.propose(bare).write() == bare
+    assert len(lw.Robot(bare).parameters) == len(lw.propose(bare).declared) > 0
+
+
+def test_a_file_that_is_there_is_left_alone(bare, tmp_path):
+    other = tmp_path / 'other.xml'
+    other.write_text('mine', encoding='utf-8')
+    with pytest.raises(lw.IoError, match='exists already'):
+        lw.propose(bare).write(other)
+    assert other.read_text(encoding='utf-8') == 'mine'
+
+
+def test_what_is_left_out_has_its_reason(bare):
+    text = bare.read_text(encoding='utf-8')
+    text = re.sub(r'(<joint name="F._hip")', r'\1 ref="0.1"', text)
+    bare.write_text(text, encoding='utf-8')
+    left_out = lw.propose(bare).left_out
+    assert 'ref' in left_out['front_hip_axis_yaw']
+
+
+def test_a_task_in_its_place_is_told_as_such(examples):
+    with pytest.raises(lw.InputError, match=r'found a task file .* expected the robot'):
+        lw.propose(examples / 'puppy/sideways.toml')
