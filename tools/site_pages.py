@@ -5,8 +5,8 @@ pages lead where they do in the repository, and what else pages link to.
 
 Usage: tools/site_pages.py FOLDER
 Pictures are copied. Other files, and all robots and tasks of the examples, become pages with their
-text, FILE.md; notebooks become pages with the outputs that are stored in them. docs/gallery.md is
-left to examples/gallery.
+text, FILE.md; folders become lists of their files, notebooks pages with the outputs that are stored
+in them. docs/gallery.md is left to examples/gallery.
 """
 
 import base64
@@ -122,6 +122,10 @@ class Site:
 
         self.write(name, spaced(outside_code(text, lambda part: bars(LINK.sub(link, part)))))
 
+    def folder_page(self, name, files):
+        listed = ''.join(f'- `{each}`\n' for each in files)
+        self.write(f'{name}.md', f'# {posixpath.basename(name)}\n\n{listed}')
+
     def linked_file(self, name):
         if name.endswith(PICTURES):
             path = self.folder / name
@@ -171,9 +175,11 @@ class Site:
             elif name.endswith('.ipynb'):
                 self.notebook(name)
         there = set(self.files)
-        for name in sorted(self.linked):
-            if name in there:  # else mkdocs tells the page and the link
+        for name in sorted(self.linked):  # what is not there mkdocs tells, with page and link
+            if name in there:
                 self.linked_file(name)
+            elif within := [each for each in self.files if each.startswith(name + '/')]:
+                self.folder_page(name, within)
         shutil.copyfile(ROOT / 'docs/site.css', self.folder / 'site.css')
 
 

@@ -30,7 +30,13 @@ class Task:
             writes for the robot, with its duty, knots, swing height and servos.
         turn_rate: to the left [rad/s].
         name: names folders where there are several tasks; default: the gait's.
-        style, limits, ground, payload, servos, weights, outer: tables of a task file.
+        style: table of a task file: where body, feet and joints shall be [m, rad].
+        limits: likewise: friction, margins, swing height.
+        ground: its slope [rad].
+        payload: a box on the trunk [kg, m].
+        servos: stiffness and damping of soft ones [N m/rad, N m s/rad].
+        weights: of the terms of F, by name.
+        outer: the outer objective J.
         dynamics: "full" or "constant_inertia".
 
     Raises:

@@ -55,6 +55,12 @@ class SitePages(unittest.TestCase):
         self.assertIn('~~~~toml\nx = 1\n~~~~', self.text('code/a.toml.md'))
         self.assertEqual(self.text('docs/p.png'), 'a picture')
 
+    def test_folders_that_pages_link_to_become_lists(self):
+        self.files |= {'code/a.cpp': '', 'code/b/c.cpp': '', 'coder.cpp': ''}
+        self.lay_out(docs__a_md='[f](../code)\n')
+        self.assertIn('(../code.md)', self.text('docs/a.md'))
+        self.assertEqual(self.text('code.md'), '# code\n\n- `code/a.cpp`\n- `code/b/c.cpp`\n')
+
     def test_a_link_to_nothing_stays_for_mkdocs_to_find(self):
         self.lay_out(docs__a_md='[f](../gone.toml)\n')
         self.assertIn('(../gone.toml.md)', self.text('docs/a.md'))
