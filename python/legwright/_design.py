@@ -56,6 +56,11 @@ class FrontPoint:
     """How its search ended."""
 
 
+def _finite_or_inf(number: float | None) -> float:
+    """JSON has null for what is not finite."""
+    return float('inf') if number is None else number
+
+
 class Design:
     """A body with its motion, as codesign() or `legwright optimize` left it in a run folder.
 
@@ -111,7 +116,8 @@ class Design:
         """The outer objective; 0 without one; of several tasks the weighted sum."""
         if not self.joint:
             return float(self.record['final_J'])
-        return sum(task['weight'] * self.tasks[task['name']].J for task in self.record['tasks'])
+        tasks = self.record['tasks']
+        return float(sum(task['weight'] * self.tasks[task['name']].J for task in tasks))
 
     @property
     def motion_only_F(self) -> float:
@@ -164,8 +170,7 @@ class Design:
             played = found[0]
         else:
             return None
-        merit = played['merit']
-        return Verdict(played['pass'], played['line'], float('inf') if merit is None else merit)
+        return Verdict(played['pass'], played['line'], _finite_or_inf(played['merit']))
 
     @cached_property
     def certificate(self) -> dict[str, Any] | None:
@@ -198,14 +203,14 @@ class Design:
     @cached_property
     def front(self) -> list[FrontPoint]:
         """The trade-off between two tasks, by rising weight of the first; empty where codesign()
-        was not asked for it. MuJoCo has played none of these bodies but the result."""
+        was not asked for it. The bodies are optima of F, which MuJoCo has not judged."""
         if not (self.folder / 'result/front.json').exists():
             return []
         return [
             FrontPoint(
                 point['weight'],
-                point['F'],
-                dict(point['F_tasks']),
+                _finite_or_inf(point['F']),
+                {name: _finite_or_inf(F) for name, F in point['F_tasks'].items()},
                 np.array(list(point['s'].values()), dtype=np.float64),
                 point['status'],
             )

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace legwright {
 namespace {
@@ -42,6 +43,7 @@ std::vector<std::string> nearest_to_pattern(std::string_view pattern,
                                             const std::vector<std::string>& candidates) {
   constexpr std::size_t kMost = 3;
   std::vector<std::pair<int, std::string>> found;
+  found.reserve(candidates.size());
   for (const std::string& candidate : candidates)
     found.emplace_back(edit_distance(pattern, candidate, true), candidate);
   std::stable_sort(found.begin(), found.end(),

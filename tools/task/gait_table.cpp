@@ -22,7 +22,7 @@ std::vector<double> by_place(const TaskFile& file, const std::string& key,
   for (const auto& [name, value] : by_name)
     if (std::find(names.begin(), names.end(), name) == names.end()) {
       const std::string guess = nearest(name, names);
-      file.refuse(key + "." + name,
+      file.refuse(fmt::format("{}.{}", key, name),
                   fmt::format("the robot has no such foot; {}its feet are {}",
                               guess.empty() ? "" : fmt::format("did you mean '{}'? ", guess),
                               fmt::join(names, ", ")));

@@ -146,7 +146,7 @@ std::string no_gait_text(int foot_count) {
 }
 
 std::string no_task_text(const RobotModel& robot) {
-  const std::string gait = no_gait_text(robot.morphology.foot_count());
+  std::string gait = no_gait_text(robot.morphology.foot_count());
   if (!gait.empty()) return gait;
   const std::string falls = two_feet(robot).why_it_falls();
   return falls.empty() ? "" : falls + "; --gait walk writes a task all the same";

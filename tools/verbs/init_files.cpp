@@ -53,7 +53,7 @@ std::string write_proposals(const StudiedRobot& robot, const std::string& output
   if (!output.empty() && fs::exists(output) && !fs::equivalent(output, file))
     throw IoError(output + ": exists already; name a new file, or remove it");
   if (robot.found.proposals.empty() && output.empty()) return "";  // nothing to add
-  const std::string written = output.empty() ? file.string() : output;
+  std::string written = output.empty() ? file.string() : output;
   write_file(written, with_declarations(robot.files.main_text(), file, robot.found.proposals));
   return written;
 }
