@@ -14,6 +14,7 @@
 #include "tools/task/gait_table.hpp"
 #include "tools/task/style_table.hpp"
 #include "tools/task/task_table.hpp"
+#include "tools/task/toml_text.hpp"
 
 namespace legwright {
 namespace {
@@ -147,13 +148,6 @@ void refuse_robot(const std::string& text, const std::filesystem::path& file) {
                   file.string()));
 }
 
-std::string message_of(const toml::parse_error& error) {
-  std::string text(error.description());
-  if (text.find("','") != std::string::npos)
-    text += " (numbers have a decimal point: 0.4, not 0,4)";
-  return text + "; mend the TOML there, or cut the file back to the last line that is whole";
-}
-
 void check_name(TaskTable& in, const std::string& name, Problems& problems) {
   if (name.find_first_of("/\\") == std::string::npos && !name.empty() && name.front() != '.')
     return;
@@ -249,13 +243,7 @@ void read_tasks(const std::vector<const toml::table*>& tables, const TaskFile& s
 
 TaskSet parse_task_tables(const std::string& text, const std::filesystem::path& file) {
   refuse_robot(text, file);
-  toml::table root;
-  try {
-    root = toml::parse(text, file.string());
-  } catch (const toml::parse_error& error) {
-    throw InputError(file.string(), static_cast<int>(error.source().begin.line), "",
-                     message_of(error));
-  }
+  const toml::table root = parse_toml(text, file);
   TaskSet set;
   set.file = file;
   set.text = text;
