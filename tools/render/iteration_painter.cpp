@@ -23,9 +23,13 @@ IterationPainter::IterationPainter(const std::filesystem::path& first_scene) {
 
 void IterationPainter::paint(const std::filesystem::path& scene,
                              const std::filesystem::path& png) const {
+  write_png(png, draw(scene));
+}
+
+Image IterationPainter::draw(const std::filesystem::path& scene) const {
   const ModelPointer model = load_drawn_scene(scene);
   Renderer renderer(context_, *model, kWidth, kHeight, RenderStyle::cheap);
-  write_png(png, renderer.render(start_pose(*model), view_));
+  return renderer.render(start_pose(*model), view_);
 }
 
 }  // namespace legwright

@@ -23,6 +23,8 @@ class IterationPainter {
   /// Draws the start of the scene's gait and writes it as PNG, whole or not at all.
   /// Throws std::runtime_error for the scene, std::system_error for the file.
   void paint(const std::filesystem::path& scene, const std::filesystem::path& png) const;
+  /// The same, as a picture. Throws std::runtime_error for the scene.
+  Image draw(const std::filesystem::path& scene) const;
 
   const GlContext& context() const { return context_; }
 

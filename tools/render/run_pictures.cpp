@@ -10,6 +10,7 @@
 #include "tools/files/atomic_file.hpp"
 #include "tools/files/io_error.hpp"
 #include "tools/image/png.hpp"
+#include "tools/image/webp.hpp"
 #include "tools/render/contact_timeline.hpp"
 #include "tools/render/gait_animation.hpp"
 #include "tools/render/iteration_painter.hpp"
@@ -22,17 +23,24 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
+constexpr int kSmaller = 3;            // small.webp is a third of the painter's width and height
+constexpr float kSmallQuality = 70.0;  // of WebP, 0 … 100
+
 class RunDrawing {
  public:
   RunDrawing(const fs::path& run, const RunPictureOptions& options)
       : run_(run), options_(options), painter_(run / "iterations" / "0000" / "scene.xml") {}
 
   RunPictures draw() {
-    if (!options_.only_phases) draw_iterations();
+    if (!options_.only_phases && !options_.only_small) draw_iterations();
     const fs::path result = run_ / "result";
     if (!fs::exists(result / "scene.xml") || !fs::exists(result / "motion.csv")) {
       out_.left_out.push_back(
           "pictures of the result: the run has none yet; finish legwright optimize");
+      return std::move(out_);
+    }
+    if (options_.only_small) {
+      draw_small(result / "scene.xml");
       return std::move(out_);
     }
     const std::vector<GaitClip> clips = load_clips(run_);
@@ -76,6 +84,14 @@ class RunDrawing {
       finish_at(folder / "frame.png",
                 [&](const fs::path& file) { painter_.paint(folder / "scene.xml", file); });
     }
+  }
+
+  void draw_small(const fs::path& scene) {
+    finish("small.webp", [&](const fs::path& file) {
+      const Image picture = downsample(painter_.draw(scene), kSmaller);
+      const auto bytes = encode_webp({{picture}, {1000}}, kSmallQuality);
+      write_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    });
   }
 
   void draw_phases(const std::vector<GaitClip>& clips) {

@@ -19,6 +19,7 @@ struct RunPictureOptions {
   /// Phases (0 … 1) of the planned gait of which to draw stills.
   std::vector<double> phases{};
   bool only_phases = false;  // nothing but these
+  bool only_small = false;   // nothing but small.webp
   /// Called after each picture; may be empty.
   std::function<void(const MadePicture&)> on_picture{};
 };
@@ -33,7 +34,8 @@ struct RunPictures {
 /// - strip_physics.png, overlay.png, contact_timeline.png, once validate has run: what the
 ///   simulation did, the plan's ghost over it, and when each foot touched the ground;
 /// - gait.webp: the gait in real time, a loop of at most kAnimationBytes;
-/// - still_P.png and still_before_after_P.png for each phase P asked for.
+/// - still_P.png and still_before_after_P.png for each phase P asked for;
+/// - small.webp, where asked for: the result by the camera of iteration 0, for overviews.
 /// Of a motion-only run there is nothing before: its strips have one row.
 /// The plugins that its scenes name must have been loaded. Throws GlError, std::system_error for
 /// files, std::runtime_error for files that do not fit together.

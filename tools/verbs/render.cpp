@@ -18,7 +18,7 @@ namespace {
 struct RenderOptions {
   std::string run;
   std::vector<double> phases;
-  bool all = false, still = false, json = false;
+  bool all = false, still = false, small = false, json = false;
 };
 
 /// The run itself; of a joint run each of its tasks, where the designs are.
@@ -37,6 +37,7 @@ int render(const RenderOptions& options) {
   how.all = options.all;
   how.phases = options.phases;
   how.only_phases = options.still;
+  how.only_small = options.small;
   if (options.still && how.phases.empty()) how.phases = {0.0};
   if (!options.json) {
     how.on_picture = [](const MadePicture& made) {
@@ -84,6 +85,7 @@ void add_render(CLI::App& program, Action& action) {
       ->check(CLI::Range(0.0, 1.0));
   verb->add_flag("--still", options->still,
                  "Nothing but the stills of --phase (without it: of phase 0)");
+  verb->add_flag("--small", options->small, "Nothing but result/small.webp, for overviews");
   verb->add_flag("--all", options->all, "Draw frame.png of iterations again that exist already");
   verb->add_flag("--json", options->json, "One JSON document on stdout: files and milliseconds");
   verb->footer(

@@ -11,6 +11,7 @@
 #include "tools/files/io_error.hpp"
 #include "tools/files/json_file.hpp"
 #include "tools/image/png.hpp"
+#include "tools/image/webp.hpp"
 #include "tools/render/gait_clip.hpp"
 #include "tools/run/metrics_record.hpp"
 #include "tools/run/run_record.hpp"
@@ -110,6 +111,22 @@ TEST(RunPictures, StillsAtPhasesAlone) {
                            "result/still_0.25.png", "result/still_before_after_0.25.png"})
     EXPECT_TRUE(made.contains(name)) << name;
   EXPECT_NE(made.at("result/still_0.png"), made.at("result/still_0.25.png"));
+}
+
+TEST(RunPictures, SmallIsOneSmallPictureOfTheResultAlone) {
+  LEGWRIGHT_NEEDS_GL();
+  const fs::path run = toy_run("pictures_small", false);
+  ASSERT_EQ(draw_run(run, {.only_small = true}).made.size(), 1U);
+  const auto made = pictures(run);
+  ASSERT_EQ(made.size(), 1U);
+  const std::string& bytes = made.at("result/small.webp");
+  const Animation small = decode_webp({bytes.begin(), bytes.end()});
+  ASSERT_EQ(small.frames.size(), 1U);
+  EXPECT_EQ(small.frames[0].width, 213);
+  EXPECT_EQ(small.frames[0].height, 160);
+  EXPECT_LT(bytes.size(), 10'000U);
+  draw_run(run, {.only_small = true});
+  EXPECT_EQ(pictures(run), made);
 }
 
 TEST(RunPictures, MotionOnlyHasOneRobot) {
