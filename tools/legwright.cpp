@@ -25,8 +25,8 @@ using legwright::Action;
 constexpr void (*kVerbs[])(CLI::App&, Action&) = {
     legwright::add_init,     legwright::add_check,  legwright::add_optimize, legwright::add_pick,
     legwright::add_validate, legwright::add_render, legwright::add_report,   legwright::add_curves,
-    legwright::add_play,     legwright::add_export, legwright::add_gaits,    legwright::add_diff,
-    legwright::add_doctor,
+    legwright::add_play,     legwright::add_study,  legwright::add_export,   legwright::add_gaits,
+    legwright::add_diff,     legwright::add_doctor,
 };
 
 int complain(const char* message, int code) {
@@ -65,9 +65,7 @@ int run(const Action& action) {
   }
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run_program(int argc, char** argv) {
   CLI::App program{"Legwright designs body and gait of a legged robot together, for MuJoCo.",
                    "legwright"};
   program.set_version_flag("--version", legwright::program_version());
@@ -89,4 +87,15 @@ int main(int argc, char** argv) {
     return legwright::kBadInput;
   }
   return run(action);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run_program(argc, argv);
+  } catch (...) {  // of the parser, or no memory to say what went wrong
+    std::fputs("legwright: internal error\n", stderr);
+    return legwright::kInternal;
+  }
 }

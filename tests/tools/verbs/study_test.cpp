@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// `study` is the module legwright.study: how its Python is found, called, stopped and judged by its
+// exit code. The module itself is tested in python/tests.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+#include "tests/tools/verbs/program.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+using test::contains;
+
+class StudyTest : public testing::Test, protected test::CallsInFolder {
+ protected:
+  /// A Python program for LEGWRIGHT_PYTHON: the probe ends with `probe`, the module runs `script`.
+  std::string interpreter(int probe, const std::string& script) const {
+    const fs::path file = folder_.path() / "python";
+    write_file(file, "#!/bin/sh\nif [ \"$1\" = -c ]; then echo 'No module'; exit " +
+                         std::to_string(probe) + "; fi\n" + script + "\n");
+    fs::permissions(file, fs::perms::owner_all);
+    return file.string();
+  }
+};
+
+TEST_F(StudyTest, CallsTheModuleWithTheOptionsAndReturnsItsExitCode) {
+  const test::Variable python("LEGWRIGHT_PYTHON",
+                              interpreter(0, "printf '%s|' \"$@\"; echo told >&2; exit 75"));
+  const test::Outcome study = call(
+      {"study", "-strange.toml", "-o", "out", "--workers", "3", "--force", "--quiet", "--json"});
+  EXPECT_EQ(study.code, 2);  // what begins with a dash is an option
+  const test::Outcome good =
+      call({"study", "my study.toml", "-o", "out", "--workers", "3", "--force", "--json"});
+  EXPECT_EQ(good.code, 75);
+  EXPECT_EQ(good.out,
+            "-m|legwright.study|--output|out|--workers|3|--force|--json|--|my study.toml|");
+  EXPECT_EQ(good.err, "told\n");
+  const test::Outcome cluster = call({"study", "s.toml", "--scheduler", "tcp://a:1", "--quiet"});
+  EXPECT_EQ(cluster.out, "-m|legwright.study|--scheduler|tcp://a:1|--quiet|--|s.toml|");
+}
+
+TEST_F(StudyTest, RefusesOptionsThatContradictEachOther) {
+  EXPECT_EQ(call({"study"}).code, 2);
+  EXPECT_EQ(call({"study", "s.toml", "--workers", "0"}).code, 2);
+  EXPECT_EQ(call({"study", "s.toml", "--workers", "1", "--scheduler", "tcp://a:1"}).code, 2);
+}
+
+TEST_F(StudyTest, SaysHowToGetAPythonThatHasTheModule) {
+  {
+    const test::Variable none("LEGWRIGHT_PYTHON", (folder_.path() / "gone").string());
+    const test::Outcome study = call({"study", "s.toml"});
+    EXPECT_EQ(study.code, 3);
+    for (const char* part :
+         {"gone: this Python does not run", "pip install \".[study]\"", "LEGWRIGHT_PYTHON"})
+      EXPECT_TRUE(contains(study.err, part)) << part << " in: " << study.err;
+  }
+  const test::Variable bare("LEGWRIGHT_PYTHON", interpreter(1, "exit 9"));
+  const test::Outcome study = call({"study", "s.toml"});
+  EXPECT_EQ(study.code, 3);
+  EXPECT_TRUE(contains(study.err, "has no legwright.study (No module)")) << study.err;
+  EXPECT_TRUE(contains(study.err, "pip install \".[study]\"")) << study.err;
+}
+
+TEST_F(StudyTest, SignalsGoOnToTheModuleWhoseExitCodeCounts) {
+  const test::Variable python(
+      "LEGWRIGHT_PYTHON",
+      interpreter(0,
+                  "trap 'exit 75' TERM; trap 'exit 130' INT; touch ready; while :; do sleep "
+                  "0.02; done"));
+  for (const auto& [signal, code] : {std::pair(SIGTERM, 75), std::pair(SIGINT, 130)}) {
+    fs::remove(folder_.path() / "ready");
+    const pid_t child = test::start({"study", "s.toml"}, folder_.path());
+    while (!fs::exists(folder_.path() / "ready"))
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    ::kill(child, signal);
+    EXPECT_EQ(test::wait_for(child, folder_.path()).code, code);
+  }
+}
+
+TEST_F(StudyTest, AModuleThatIsKilledIsAnInternalError) {
+  const test::Variable python("LEGWRIGHT_PYTHON", interpreter(0, "kill -9 $$"));
+  const test::Outcome study = call({"study", "s.toml"});
+  EXPECT_EQ(study.code, 4);
+  EXPECT_TRUE(contains(study.err, "was ended by signal 9")) << study.err;
+}
+
+}  // namespace
+}  // namespace legwright
