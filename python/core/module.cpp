@@ -19,12 +19,15 @@
 #include "python/core/iteration.hpp"
 #include "python/core/python_errors.hpp"
 #include "python/core/session_binding.hpp"
+#include "tools/report/page.hpp"
 #include "tools/run/install.hpp"
 #include "tools/run/result_folder.hpp"
+#include "tools/run/robot_folder.hpp"
 #include "tools/simulate/mujoco_host.hpp"
 #include "tools/task/design_table.hpp"
 #include "tools/task/starter_task.hpp"
 #include "tools/task/task_file.hpp"
+#include "tools/task/toml_text.hpp"
 #include "tools/verbs/init_files.hpp"
 
 namespace nb = nanobind;
@@ -82,7 +85,7 @@ std::vector<std::pair<std::string, std::vector<std::string>>> legs_of(const Stud
   return legs;
 }
 
-void bind_study(nb::module_& module) {
+void bind_proposals(nb::module_& module) {
   nb::class_<Proposal>(module, "DeclarableParameter",
                        "A design parameter that a robot's file could declare.")
       .def_ro("name", &Proposal::name)
@@ -189,6 +192,22 @@ void bind_files(nb::module_& module) {
       "folder"_a, "force"_a, "Makes the folder of a run. Raises IoError where one is there.");
 }
 
+void bind_study(nb::module_& module) {
+  module.def("key_lines", &key_lines, "text"_a, "file"_a,
+             "Where the keys of a TOML text stand: their names from the root on, entries of arrays "
+             "by number, and the line. Raises InputError where it is no TOML.");
+  module.def(
+      "copy_robot",
+      [](const RobotModel& robot, const fs::path& folder) {
+        write_robot_files(folder, robot.files);
+      },
+      "robot"_a, "folder"_a,
+      "Writes a robot's files as they are into a folder that is there: the main one as robot.xml.");
+  module.def(
+      "report_style", [] { return std::string(report_style()); },
+      "The style sheet of the report's pages.");
+}
+
 }  // namespace
 }  // namespace legwright
 
@@ -202,10 +221,11 @@ NB_MODULE(_core, module) {
   leave_others_their_messages();
   translate_errors();
   bind_robot(module);
-  bind_study(module);
+  bind_proposals(module);
   bind_run(module);
   bind_files(module);
   bind_session(module);
+  bind_study(module);
   module.attr("__version__") = program_version();
   module.attr("mujoco_version") = mj_versionString();
 }

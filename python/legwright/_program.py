@@ -10,5 +10,5 @@ from typing import NoReturn
 def main() -> NoReturn:
     """Becomes the program, with the words of the command line."""
     program = Path(__file__).parent / 'bin/legwright'
-    os.environ.setdefault('LEGWRIGHT_PYTHON', sys.executable)  # for `legwright play`
+    os.environ.setdefault('LEGWRIGHT_PYTHON', sys.executable)  # for `play` and `study`
     os.execv(program, ['legwright', *sys.argv[1:]])

@@ -93,20 +93,35 @@ class Task:
             InputError: with everything that is wrong, by file and line.
             OSError: where it cannot be read.
         """
-        task = cls.__new__(cls)
-        task.file = Path(file)
         try:
-            task._loaded = task.file.read_bytes().decode('utf-8')
+            text = Path(file).read_bytes().decode('utf-8')
         except UnicodeDecodeError as error:
             raise InputError(f'{file}: is no UTF-8, as TOML is: {error}', str(file)) from None
-        task._content = None
-        _core.check_task(task._loaded, task.file)
-        task.name = str(tomllib.loads(task._loaded).get('name', task.file.stem))
+        return cls._from_text(text, Path(file))
+
+    @classmethod
+    def _from_text(cls, text: str, file: Path) -> 'Task':
+        """The text of a task file; messages name `file`."""
+        task = cls.__new__(cls)
+        task.file, task._loaded, task._content = file, text, None
+        _core.check_task(text, file)
+        task.name = str(tomllib.loads(text).get('name', file.stem))
+        return task
+
+    @classmethod
+    def _from_content(cls, content: Mapping[str, Any], file: Path) -> 'Task':
+        """What a task file consists of, unchecked: one task may lack its period."""
+        task = cls.__new__(cls)
+        task.file, task._loaded, task._content = file, '', dict(content)
+        task.name = str(content.get('name', file.stem))
         return task
 
     @property
     def _complete(self) -> bool:
-        return self._content is None or 'period' in self._content['gait']
+        if self._content is None or 'task' in self._content:
+            return True
+        gait = self._content.get('gait')
+        return not isinstance(gait, Mapping) or 'period' in gait
 
     def _with_defaults(self, defaults: Mapping[str, Any]) -> dict[str, Any]:
         """The content, with what it does not say taken from another task's tables."""

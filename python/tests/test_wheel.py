@@ -57,8 +57,15 @@ def test_version_types_licence_and_the_served_mujoco_are_told():
     files = {str(file) for file in DISTRIBUTION.files or ()}
     assert {'legwright/py.typed', 'legwright/_core.pyi'} <= files
     assert any(file.endswith('licenses/LICENSE') for file in files)
-    extra = [each for each in DISTRIBUTION.requires or () if 'extra ==' in each]
-    assert len(extra) == 1 and f'=={lw.mujoco_version}' in extra[0].replace(' ', '')
+    extras = {'mujoco': [], 'study': []}
+    for each in DISTRIBUTION.requires or ():
+        for name, packages in extras.items():
+            if f'extra == "{name}"' in each.replace("'", '"'):
+                packages.append(each.split(';')[0].replace(' ', ''))
+    (mujoco,) = extras['mujoco']
+    assert f'=={lw.mujoco_version}' in mujoco
+    assert [each.split('>')[0] for each in extras['study']] == ['dask', 'distributed', 'pyarrow']
+    assert {f'legwright/study/page.{kind}' for kind in ('html', 'css', 'js')} <= files
 
 
 def test_no_library_is_looked_for_outside_but_those_of_the_system():

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Metadata of the wheel that names the version of MuJoCo: read from CMake's table, where alone it
-stands."""
+"""Extras of the wheel. The version of MuJoCo is read from CMake's table, where alone it stands."""
 
 import pathlib
 import re
@@ -8,8 +7,13 @@ import re
 TABLE = pathlib.Path(__file__).resolve().parents[2] / 'cmake/MujocoVersions.cmake'
 
 
+# What legwright.study needs, from the releases on that python/tests has seen.
+STUDY = ['dask>=2026.8', 'distributed>=2026.8', 'pyarrow>=26']
+
+
 def dynamic_metadata(settings, project):
-    """The extra `mujoco`: MuJoCo's own package in the version that the plugin is built for."""
+    """The extras: `mujoco`, MuJoCo's own package in the version that the plugin is built for, and
+    `study`."""
     table = TABLE.read_text(encoding='utf-8')
 
     def value(name):
@@ -20,4 +24,4 @@ def dynamic_metadata(settings, project):
 
     version = value('LEGWRIGHT_MUJOCO_VERSION')
     package = value(f'legwright_mujoco_{version}_package')
-    return {'optional-dependencies': {'mujoco': [f'{package}=={version}']}}
+    return {'optional-dependencies': {'mujoco': [f'{package}=={version}'], 'study': STUDY}}

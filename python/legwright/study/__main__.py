@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`python -m legwright.study`: what `legwright study` runs."""
+
+import argparse
+import json
+import signal
+import sys
+import traceback
+from pathlib import Path
+from types import FrameType
+from typing import NoReturn
+
+from legwright._errors import InputError
+from legwright.study._run import Done, Study, default_folder, run
+
+# As tools/files/exit_code.hpp has them.
+OK, INCOMPLETE, BAD_INPUT, IO_ERROR, INTERNAL, STOPPED, INTERRUPTED = 0, 1, 2, 3, 4, 75, 130
+
+
+class Stopped(KeyboardInterrupt):
+    """SIGTERM, SIGHUP or SIGUSR1 came."""
+
+
+def _stop(_number: int, _frame: FrameType | None) -> NoReturn:
+    raise Stopped
+
+
+def _parsed(words: list[str] | None) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(prog='legwright study', description=__doc__)
+    parser.add_argument('study', type=Path, metavar='STUDY', help='study file (TOML)')
+    parser.add_argument('-o', '--output', type=Path, help='folder of the study')
+    where = parser.add_mutually_exclusive_group()
+    where.add_argument('--workers', type=int, help='processes on this machine')
+    where.add_argument('--scheduler', help='address of a Dask scheduler that runs')
+    parser.add_argument('--force', action='store_true', help='run all points anew')
+    parser.add_argument('--quiet', action='store_true', help='say nothing but errors')
+    parser.add_argument('--json', action='store_true', help='one JSON document on stdout')
+    options = parser.parse_args(words)
+    if options.workers is not None and options.workers < 1:
+        parser.error(f'--workers is {options.workers}; expected 1 or more')
+    return options
+
+
+def _line(done: Done) -> str:
+    width = len(str(done.count))
+    head = f'{done.number:{width}}/{done.count}  '
+    if done.status != 'done':
+        return f'{head}{done.status}  {done.point.name}: {(done.reason or "").splitlines()[0]}'
+    found = done.record['measures']
+    word = {True: 'PASS', False: 'FAIL', None: 'plan'}[found['pass']]
+    return f'{head}{word}  F {found["F"]:<8.4g} {done.record["seconds"]:6.1f} s  {done.point.name}'
+
+
+def _summary(study: Study, folder: Path) -> str:
+    records = [study.records.get(point.hash) for point in study.points]
+    done = [each for each in records if each is not None and each['status'] == 'done']
+    passed = sum(each['measures']['pass'] is True for each in done)
+    lines = [
+        f'{study.name}: {len(done)} of {len(records)} points have a design, MuJoCo passes {passed}'
+    ]
+    for point, record in zip(study.points, records):
+        reason = record['reason'] if record else study.failures.get(point.hash)
+        if reason:
+            lines.append(f'  {point.name}: {reason.splitlines()[0]}')
+    return '\n'.join(
+        [*lines, f'table: {folder / "study.parquet"}', f'page:  {folder / "study.html"}']
+    )
+
+
+def _document(study: Study, folder: Path) -> str:
+    keep = ('point', 'name', 'hash', 'status', 'reason', 'F', 'pass')
+    rows = study.table.select(keep).to_pylist()
+    document = {'schema': 'legwright/study', 'version': 1, 'folder': str(folder), 'points': rows}
+    return json.dumps(document, indent=1, ensure_ascii=False)
+
+
+def main(words: list[str] | None = None) -> int:
+    """The command; returns its exit code."""
+    options = _parsed(words)
+    folder = options.output or default_folder(options.study)
+    for number in (signal.SIGTERM, signal.SIGHUP, signal.SIGUSR1):
+        signal.signal(number, _stop)
+
+    def tell(done: Done) -> None:
+        if not options.quiet:
+            print(_line(done), file=sys.stderr, flush=True)
+
+    try:
+        study = run(
+            options.study,
+            folder,
+            workers=options.workers,
+            scheduler=options.scheduler,
+            force=options.force,
+            on_point=tell,
+        )
+    except KeyboardInterrupt as stop:
+        print('legwright: stopped; what is done is kept: the same command goes on', file=sys.stderr)
+        return STOPPED if isinstance(stop, Stopped) else INTERRUPTED
+    except InputError as error:
+        print(f'legwright: {error}', file=sys.stderr)
+        return BAD_INPUT
+    except (OSError, ImportError) as error:
+        print(f'legwright: {error}', file=sys.stderr)
+        return IO_ERROR
+    except Exception:
+        print('legwright: internal error:', file=sys.stderr)
+        traceback.print_exc()
+        return INTERNAL
+    print(_document(study, folder) if options.json else _summary(study, folder))
+    return OK if study.complete else INCOMPLETE
+
+
+if __name__ == '__main__':
+    sys.exit(main())

@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a study keeps of a design: one number or word a column of the table."""
+
+import json
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from legwright._design import Design
+
+
+@dataclass(frozen=True)
+class Measure:
+    """A column."""
+
+    kind: str
+    """Of Arrow: "float64", "int64", "bool", "string"."""
+    unit: str
+    about: str
+
+
+KNOWN: Mapping[str, Measure] = {
+    'feasible': Measure('bool', '', 'whether the plan keeps its constraints and MuJoCo passes it'),
+    'pass': Measure('bool', '', "MuJoCo's verdict; empty where it was not asked"),
+    'verdict': Measure('string', '', 'the verdict in words'),
+    'merit': Measure('float64', '', 'how far the gait is from passing: 0 passes, infinite fell'),
+    'F': Measure('float64', '', 'the cost of body and motion'),
+    'J': Measure('float64', '', 'the outer objective; 0 without one'),
+    'motion_only_F': Measure('float64', '', 'F of the given body with its best motion'),
+    'search': Measure('string', '', 'how the search ended'),
+    'design_iterations': Measure('int64', '', 'of the search'),
+    'newton_iterations': Measure('int64', '', 'of all motions of the search'),
+    'initial_mass': Measure('float64', 'kg', 'of the given body, without payload'),
+    'mass': Measure('float64', 'kg', 'of the body, without payload'),
+    'initial_printed_volume': Measure('float64', 'm^3', 'of the given body'),
+    'printed_volume': Measure('float64', 'm^3', 'of the printed parts of the body'),
+    'validated': Measure('bool', '', 'what `legwright validate` says'),
+    'validated_verdict': Measure('string', '', 'the same in words'),
+    'survival': Measure('float64', '1', 'share of the disturbed walks that get through'),
+    'seconds': Measure('float64', 's', 'wall time of the point on its worker'),
+}
+"""By name; beside these stand `s.NAME`, `term.NAME` and `limit.NAME`."""
+
+
+def of_design(design: Design) -> dict[str, Any]:
+    """Measures of a design, by column; `units` has those of `s.NAME`."""
+    record, verdict = design.record, design.verdict
+    out: dict[str, Any] = {
+        'feasible': design.feasible,
+        'pass': None if verdict is None else verdict.passed,
+        'verdict': None if verdict is None else verdict.line,
+        'merit': None if verdict is None else _number(verdict.merit),
+        'F': design.F,
+        'J': design.J,
+        'motion_only_F': design.motion_only_F,
+        'search': design.status,
+        'design_iterations': record.get('design_iterations'),
+        'newton_iterations': record.get('newton_iterations'),
+    }
+    for prefix, which in (('initial_', 'initial'), ('', 'final')):
+        body = (record.get('body') or {}).get(which) or {}
+        out[f'{prefix}mass'] = body.get('mass_kg')
+        out[f'{prefix}printed_volume'] = body.get('printed_volume_m3')
+    out |= {f's.{name}': value for name, value in design.parameters.items()}
+    out |= {f'term.{name}': value for name, value in design.terms.items()}
+    out['units'] = {f's.{each["name"]}': each['unit'] for each in record['parameters']}
+    return out
+
+
+def _number(value: float) -> float | str:
+    """JSON has no infinity."""
+    return value if math.isfinite(value) else 'infinite'
+
+
+def of_validation(design: Design) -> dict[str, Any]:
+    """Measures of a design that `legwright validate` has judged; of several tasks the worst."""
+    out: dict[str, Any] = {'validated': True, 'validated_verdict': ''}
+    lines = []
+    for name, each in design.tasks.items():
+        verdict = json.loads((each.folder / 'result/verdict.json').read_text(encoding='utf-8'))
+        out['validated'] = out['validated'] and verdict['pass']
+        lines.append((f'{name}: ' if design.joint else '') + verdict['result']['line'])
+        if not design.joint:
+            out |= {f'limit.{row["name"]}': row['value'] for row in verdict['result']['limits']}
+        robustness = each.folder / 'result/robustness.json'
+        if robustness.exists():
+            drawn = json.loads(robustness.read_text(encoding='utf-8'))['monte_carlo']
+            if drawn['samples'] > 0:
+                out['survival'] = min(drawn['share'], out.get('survival', 1.0))
+    out['validated_verdict'] = '; '.join(lines)
+    return out

@@ -1,0 +1,217 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A study from its file to its table and page."""
+
+import os
+import time
+from collections.abc import Callable, Mapping
+from contextlib import nullcontext
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+from legwright._design import Design
+from legwright.study._extra import require_extra
+from legwright.study._file import MADE, StudyFile, read_study
+from legwright.study._folder import FolderRobots, StudyFolder, write_text
+from legwright.study._points import Point, points_of
+from legwright.study._work import Job, work
+
+_LATE = 30.0  # [s]
+
+
+@dataclass(frozen=True)
+class Done:
+    """A point that has ended: what `on_point` is called with."""
+
+    point: Point
+    status: str
+    """"done", "refused" (its inputs are to blame) or "failed" (worker, files or cluster are)."""
+    reason: str | None
+    """Why it has no design; else None."""
+    record: Mapping[str, Any]
+    """point.json; empty where it failed."""
+    number: int
+    """How many points have ended, with those that were done before."""
+    count: int
+    """Of the study."""
+
+
+@dataclass
+class Study:
+    """What a study found: a view of its folder."""
+
+    folder: Path
+    name: str
+    points: list[Point]
+    failures: dict[str, str] = field(default_factory=dict)
+    """Why points failed that run again next time, by hash."""
+
+    @cached_property
+    def _folder(self) -> StudyFolder:
+        return StudyFolder(self.folder)
+
+    @cached_property
+    def records(self) -> dict[str, dict[str, Any]]:
+        """point.json of each point that is done or refused, by hash."""
+        found = {point.hash: self._folder.record(point.hash) for point in self.points}
+        return {hash_: record for hash_, record in found.items() if record is not None}
+
+    @cached_property
+    def table(self) -> Any:
+        """A pyarrow.Table with a row for each point: study.parquet. `.to_pandas()` where pandas
+        is there."""
+        from legwright.study._table import table_of
+
+        return table_of(self)
+
+    def design(self, point: Point | int) -> Design:
+        """The design of a point, or of the point with this number.
+
+        Raises IndexError where there is no such point, IoError where it has no design.
+        """
+        chosen = self.points[point] if isinstance(point, int) else point
+        return Design.load(self._folder.point(chosen.hash))
+
+    @property
+    def complete(self) -> bool:
+        """Whether every point has a design."""
+        status = [self.records.get(point.hash, {}).get('status') for point in self.points]
+        return all(each == 'done' for each in status)
+
+    def __repr__(self) -> str:
+        return f'<Study {self.name}: {len(self.records)} of {len(self.points)} points>'
+
+
+def default_folder(study: str | os.PathLike[str] | Mapping[str, Any]) -> Path:
+    """runs/NAME, NAME that of the study file."""
+    name = MADE.name.strip('<>') if isinstance(study, Mapping) else Path(study).stem
+    return Path('runs') / name
+
+
+def run(
+    study: str | os.PathLike[str] | Mapping[str, Any],
+    folder: str | os.PathLike[str] | None = None,
+    *,
+    workers: int | None = None,
+    scheduler: str | None = None,
+    client: Any = None,
+    force: bool = False,
+    on_point: Callable[[Done], None] | None = None,
+) -> Study:
+    """Co-designs every point of a study, as `legwright study`, and writes its table and page.
+
+    Each point is a run folder that the hash of its inputs addresses: what is done is not done
+    again, so that a study that was stopped goes on, and one that has grown does what is new. Dask
+    schedules the points.
+
+    Args:
+        study: a study file (docs/studies.md), or a mapping with its keys.
+        folder: of the study; default: runs/NAME.
+        workers: processes on this machine; default: one for each core.
+        scheduler: address of a Dask scheduler that runs, in the place of own processes.
+        client: a distributed.Client, in the place of both; its workers see the folder.
+        force: run all points anew.
+        on_point: called with each point as it ends.
+
+    Raises:
+        ImportError: without the extra `study`, with what to install.
+        InputError: for a study, task or robot that is wrong, by file, line and key; nothing runs.
+        IoError: where the folder holds something else, or no scheduler answers.
+        ValueError: for fewer than one worker.
+        KeyboardInterrupt: on Ctrl-C; what is done is kept, table and page tell of it.
+    """
+    if workers is not None and workers < 1:
+        raise ValueError(f'workers is {workers}; expected 1 or more')
+    read = read_study(study)
+    require_extra()
+    place = StudyFolder.make(Path(folder) if folder is not None else default_folder(study))
+    with place.locked():
+        place.sweep()
+        try:
+            points = points_of(read, FolderRobots(place))
+        except BaseException:
+            place.unmake()
+            raise
+        write_text(place.study_file, _text_of(read))
+        found = Study(place.root, read.name, points)
+        try:
+            _carry_out(found, place, read, force, _opener(scheduler, workers, client), on_point)
+        finally:
+            _write_results(found, place)
+    return found
+
+
+def _opener(scheduler: str | None, workers: int | None, client: Any) -> Callable[[], Any]:
+    from legwright.study._cluster import client_of
+
+    return (lambda: nullcontext(client)) if client else (lambda: client_of(scheduler, workers))
+
+
+def _text_of(study: StudyFile) -> str:
+    """What study.toml of the folder says; of a mapping only its name."""
+    return study.text or f'# {study.name}: given as a mapping\n'
+
+
+def _carry_out(
+    found: Study,
+    place: StudyFolder,
+    read: StudyFile,
+    force: bool,
+    opened: Callable[[], Any],
+    on_point: Callable[[Done], None] | None,
+) -> None:
+    """Does what is not done."""
+    from legwright.study._cluster import carry_out
+
+    by_hash: dict[str, Point] = {}
+    for point in found.points:
+        by_hash.setdefault(point.hash, point)
+    if force:
+        for hash_ in by_hash:
+            place.forget(hash_)
+    records = {hash_: place.record(hash_) for hash_ in by_hash}
+    wanted = [hash_ for hash_, record in records.items() if _to_do(record, read.pictures)]
+    ended = len(by_hash) - len(wanted)
+
+    def told(hash_: str, why: str | None) -> None:
+        nonlocal ended
+        ended += 1
+        record = place.record(hash_) if why else _awaited(place, hash_)
+        if record is None:
+            found.failures[hash_] = why = why or 'it ended, but its folder is not to be seen'
+        if on_point is not None:
+            status = 'failed' if record is None else record['status']
+            reason = why if record is None else record['reason']
+            on_point(Done(by_hash[hash_], status, reason, record or {}, ended, len(by_hash)))
+
+    if wanted:
+        with opened() as client:
+            jobs = [(h, Job(str(place.root), h, by_hash[h].inputs, read.pictures)) for h in wanted]
+            carry_out(client, work, jobs, told)
+
+
+def _awaited(place: StudyFolder, hash_: str) -> dict[str, Any] | None:
+    """The record of a point that has ended; a network file system may show it late."""
+    end = time.monotonic() + _LATE
+    while (record := place.record(hash_)) is None and time.monotonic() < end:
+        time.sleep(0.2)
+    return record
+
+
+def _to_do(record: Mapping[str, Any] | None, pictures: bool) -> bool:
+    if record is None:
+        return True
+    return pictures and record['status'] == 'done' and 'picture' not in record['measures']
+
+
+def _write_results(found: Study, place: StudyFolder) -> None:
+    """Table and page of what is there, also where the study was stopped."""
+    import pyarrow.parquet
+
+    from legwright.study._page import page_of
+
+    part = place.root / '.study.parquet.part'
+    pyarrow.parquet.write_table(found.table, part, compression='zstd')
+    part.replace(place.root / 'study.parquet')
+    write_text(place.root / 'study.html', page_of(found))
