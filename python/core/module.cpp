@@ -15,6 +15,7 @@
 #include <memory>
 
 #include "mjcf/read/read_robot.hpp"
+#include "python/core/engine.hpp"
 #include "python/core/followed_run.hpp"
 #include "python/core/iteration.hpp"
 #include "python/core/python_errors.hpp"
@@ -223,6 +224,7 @@ NB_MODULE(_core, module) {
   bind_robot(module);
   bind_proposals(module);
   bind_run(module);
+  bind_engine(module);
   bind_files(module);
   bind_session(module);
   bind_study(module);

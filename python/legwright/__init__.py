@@ -21,6 +21,7 @@ from legwright._propose import Proposal, Proposals, propose
 from legwright._robot import Parameter, Robot
 from legwright._session import Session, SessionEvent, SessionState
 from legwright._task import Task
+from legwright._validate import Validation, validate
 from legwright._why import Change
 
 __all__ = [
@@ -42,11 +43,13 @@ __all__ = [
     'SessionEvent',
     'SessionState',
     'Task',
+    'Validation',
     'Verdict',
     '__version__',
     'codesign',
     'mujoco_version',
     'propose',
+    'validate',
 ]
 
 _register()

@@ -34,8 +34,10 @@ def register() -> None:
     """Makes legwright.gait and legwright.sensor known to the MuJoCo that this process has loaded.
 
     `import legwright` does it; from MuJoCo 4 on `import mujoco` does, too. The library registers
-    itself as it is loaded, once.
+    itself as it is loaded, once. Co-design plays in the MuJoCo that the package holds, whichever
+    other is installed: that one gets its own.
     """
+    ctypes.CDLL(str(_library(_core.mujoco_version)), os.RTLD_NOW | os.RTLD_LOCAL)
     installed = _installed_mujoco()
     if installed != _core.mujoco_version and _library(installed).exists():
         try:
@@ -43,8 +45,6 @@ def register() -> None:
         except ImportError:
             return
         ctypes.CDLL(str(_library(installed)), os.RTLD_NOW | os.RTLD_LOCAL)
-        return
-    ctypes.CDLL(str(_library(_core.mujoco_version)), os.RTLD_NOW | os.RTLD_LOCAL)
 
 
 def served_mujoco() -> Any:

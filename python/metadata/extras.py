@@ -4,6 +4,7 @@
 import pathlib
 import re
 
+DRAKE = 'drake>=1.51.1,<2'  # the oldest that was tried; docs/findings/second_engine.md
 TABLE = pathlib.Path(__file__).resolve().parents[2] / 'cmake/MujocoVersions.cmake'
 
 
@@ -12,8 +13,8 @@ STUDY = ['dask>=2026.8', 'distributed>=2026.8', 'pyarrow>=26']
 
 
 def dynamic_metadata(settings, project):
-    """The extras: `mujoco`, MuJoCo's own package in the version that the plugin is built for, and
-    `study`."""
+    """The extras: `mujoco`, MuJoCo's own package in the version that the plugin is built for;
+    `drake`, the second engine, whose plant is built from MuJoCo's model; and `study`."""
     table = TABLE.read_text(encoding='utf-8')
 
     def value(name):
@@ -24,4 +25,6 @@ def dynamic_metadata(settings, project):
 
     version = value('LEGWRIGHT_MUJOCO_VERSION')
     package = value(f'legwright_mujoco_{version}_package')
-    return {'optional-dependencies': {'mujoco': [f'{package}=={version}'], 'study': STUDY}}
+    mujoco = f'{package}=={version}'
+    extras = {'mujoco': [mujoco], 'drake': [mujoco, DRAKE], 'study': STUDY}
+    return {'optional-dependencies': extras}

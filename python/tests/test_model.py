@@ -5,6 +5,7 @@ import importlib
 import subprocess
 import sys
 import types
+from pathlib import Path
 
 import legwright as lw
 import pytest
@@ -24,6 +25,18 @@ def run(code, tmp_path):
         text=True,
         check=False,
     )
+
+
+def test_co_design_has_its_plugin_whichever_mujoco_is_installed(tmp_path):
+    """It plays in the package's own MuJoCo; the build tree is no place to find the plugin in."""
+    done = run(
+        'import legwright\nprint(legwright.__file__)\n'
+        'print(*{line.split()[-1] for line in open("/proc/self/maps") if "liblegwright" in line})',
+        tmp_path,
+    )
+    assert done.returncode == 0, done.stderr
+    package, plugins = done.stdout.splitlines()
+    assert str(Path(package).parent / 'bin/mujoco_plugin/liblegwright.so') in plugins.split()
 
 
 def test_the_model_walks_as_planned(walk):

@@ -57,13 +57,15 @@ def test_version_types_licence_and_the_served_mujoco_are_told():
     files = {str(file) for file in DISTRIBUTION.files or ()}
     assert {'legwright/py.typed', 'legwright/_core.pyi'} <= files
     assert any(file.endswith('licenses/LICENSE') for file in files)
-    extras = {'mujoco': [], 'study': []}
+    extras = {'mujoco': [], 'drake': [], 'study': []}
     for each in DISTRIBUTION.requires or ():
         for name, packages in extras.items():
             if f'extra == "{name}"' in each.replace("'", '"'):
                 packages.append(each.split(';')[0].replace(' ', ''))
     (mujoco,) = extras['mujoco']
     assert f'=={lw.mujoco_version}' in mujoco
+    # The second engine builds its plant from MuJoCo's model.
+    assert mujoco in extras['drake'] and sum(e.startswith('drake') for e in extras['drake']) == 1
     assert [each.split('>')[0] for each in extras['study']] == ['dask', 'distributed', 'pyarrow']
     assert {f'legwright/study/page.{kind}' for kind in ('html', 'css', 'js')} <= files
 

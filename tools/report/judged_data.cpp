@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostPhases = 400, kMostCurves = 32, kMostFeet = 16, kMostJoints = 64,
-                      kMostRows = 100;
+                      kMostRows = 100, kMostGains = 6;
 
 template <class T>
 void cut(std::vector<T>& list, std::size_t most, const char* key, const std::string& where,
@@ -90,6 +90,11 @@ JudgedData read_judged(const fs::path& result, std::vector<std::string>& notes) 
     RobustnessRecord robustness = read_record_file<RobustnessRecord>(file);
     cut(robustness.factors, kMostCurves, "factors", "result/robustness.json", notes);
     data.robustness = std::move(robustness);
+  });
+  if_present(result / engine_file(kDrake), notes, [&](const fs::path& file) {
+    EngineRecord record = read_record_file<EngineRecord>(file);
+    if (record.result.size() > kMostGains) record.result.resize(kMostGains);
+    data.second_engine = std::move(record);
   });
   return data;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tools/run/comparison_record.hpp"
+#include "tools/run/engine_record.hpp"
 #include "tools/run/metrics_record.hpp"
 #include "tools/run/numerics_record.hpp"
 #include "tools/run/robustness_record.hpp"
@@ -25,6 +26,7 @@ struct JudgedData {
   std::optional<ComparisonRecord> comparison;
   std::optional<NumericsRecord> numerics;
   std::optional<RobustnessRecord> robustness;
+  std::optional<EngineRecord> second_engine;  // that of `validate --engine drake`
 
   /// What was judged of a design; null without.
   const DesignVerdict* verdict_of(Design design) const;

@@ -21,6 +21,14 @@ bool in_percent(const LimitRow& row) {
                              row.name.find("survival") != std::string::npos);
 }
 
+/// "a, b and c"
+std::string in_words(const std::vector<std::string>& parts) {
+  std::string out;
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    out += (k == 0 ? "" : k + 1 == parts.size() ? " and " : ", ") + parts[k];
+  return out;
+}
+
 /// Shares and ratios in per cent, the rest in its unit.
 std::string value_words(const LimitRow& row, std::optional<double> value) {
   return in_percent(row) ? percent(value) : amount_words(value, row.unit);
@@ -71,7 +79,7 @@ std::string verdict_details(const std::string& line) {
 
 std::string measured_words(const LimitRow& row) {
   if (!row.value) return "not measured";
-  const std::string text = value_words(row, row.value);
+  std::string text = value_words(row, row.value);
   for (const std::optional<double>& bound : {row.low, row.high}) {
     const bool alike = bound && *bound != *row.value && value_words(row, bound) == text;
     if (alike && (row.strict || !row.pass)) return words_beside(row, *row.value, *bound);
@@ -141,6 +149,39 @@ std::string numerics_words(const NumericsRecord& numerics) {
           ? "All agree: the verdict does not hang on how the physics is computed."
           : "They do not agree: part of what was measured comes from how the physics is computed.";
   for (const std::string& reason : numerics.reasons) out += fmt::format(" {}.", reason);
+  return out;
+}
+
+std::string engine_name(const EngineRecord& record) {
+  std::string name = record.engine == kDrake ? "Drake" : record.engine;
+  return name + " " + record.version;
+}
+
+std::string engine_words(const EngineRecord& record) {
+  std::vector<std::string> good, bad;
+  for (const auto& [gains, pass] : record.passes) (pass ? good : bad).push_back(gains);
+  std::string out = engine_name(record);
+  if (!good.empty()) out += " passes at " + in_words(good) + " gains";
+  if (!bad.empty())
+    out += (good.empty() ? " fails at " : " and fails at ") + in_words(bad) + " gains";
+  const char* lead = ", at ";
+  const auto told = [&](std::optional<double> GainMetrics::*ratio, const char* what) {
+    std::optional<double> low, high;
+    for (const auto& [gains, measured] : record.result)
+      if (const std::optional<double>& value = measured.*ratio) {
+        low = std::min(low.value_or(*value), *value);
+        high = std::max(high.value_or(*value), *value);
+      }
+    if (!low) return;
+    out += fmt::format("{}{} … {} of the planned {}", lead, percent(low), percent(high), what);
+    lead = " and ";
+  };
+  told(&GainMetrics::speed_ratio, "speed");
+  told(&GainMetrics::turn_ratio, "turn rate");
+  out += ".";
+  if (record.verdict.pass) return out;
+  for (const std::string& reason : record.verdict.reasons)
+    out += " It " + with_degrees(reason) + ".";
   return out;
 }
 

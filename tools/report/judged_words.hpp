@@ -36,6 +36,10 @@ std::string survival_words(const MonteCarlo& drawn);
 std::string no_margins_words(const JudgedData& data);
 /// One sentence on numerics.json; empty without.
 std::string numerics_words(const NumericsRecord& numerics);
+/// The engine as it is called: "Drake 1.51.1".
+std::string engine_name(const EngineRecord& record);
+/// One sentence on validation_drake.json: at which gains it passes and at which not, and why.
+std::string engine_words(const EngineRecord& record);
 /// What inverse dynamics says of the plan, in words.
 std::string inverse_dynamics_words(const InverseDynamics& plan);
 

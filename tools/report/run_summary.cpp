@@ -90,7 +90,10 @@ std::string margins(const RunData& data) {
   const std::string survival = data.robustness ? survival_words(data.robustness->monte_carlo) : "";
   if (!survival.empty()) out += "**Everything off at once.** " + survival + "\n\n";
   const std::string numerics = data.numerics ? numerics_words(*data.numerics) : "";
-  if (!numerics.empty()) out += "**Other numerics.** " + cell(numerics) + "\n\n";
+  if (!numerics.empty()) out += "**Other numerics.** " + cell(numerics) + "\n";
+  if (data.second_engine)
+    out += "**Second engine.** " + cell(engine_words(*data.second_engine), kLongestLine) + "\n";
+  if (!numerics.empty() || data.second_engine) out += "\n";
   return out;
 }
 

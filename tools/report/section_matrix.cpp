@@ -21,6 +21,7 @@ std::string limits_html(const RunData& run) {
   const auto limits = run.limits_of(Design::result);
   std::string words = limits.empty() ? "" : limits_kept(limits) + " ";
   if (run.robustness) words += survival_words(run.robustness->monte_carlo);
+  if (run.second_engine) words += " " + engine_words(*run.second_engine);
   return words.empty() ? "" : fill("<p>{words}</p>\n", {{"words", words}});
 }
 

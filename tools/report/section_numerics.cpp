@@ -71,32 +71,66 @@ std::string run_html(const NumericsRun& run, const std::vector<NumericsColumn>& 
                             }))});
 }
 
-}  // namespace
-
-void add_numerics(Html& page, const RunData& data) {
-  page.open("section").element("h2", "Second opinion");
-  if (!data.numerics || data.numerics->runs.empty()) {
-    add_hint(page, "The gait has not been played with other numerics yet.", "validate", data);
-    page.close();
-    return;
+/// The second engine's roll-outs as rows of the same table, against MuJoCo's at the same gains.
+std::vector<NumericsRun> engine_runs(const RunData& data) {
+  std::vector<NumericsRun> out;
+  if (!data.second_engine) return out;
+  for (const auto& [gains, measured] : data.second_engine->result) {
+    NumericsRun run;
+    run.label = engine_name(*data.second_engine);
+    run.gains = gains;
+    const bool* const pass = data.second_engine->passes.find(gains);
+    run.pass = pass != nullptr && *pass;
+    run.numbers = numbers_of(measured);
+    if (const GainMetrics* in_mujoco = data.gains_of(Design::result).find(gains))
+      run.difference = numbers_of(measured) - numbers_of(*in_mujoco);
+    out.push_back(std::move(run));
   }
-  auto runs = data.numerics->runs;
+  return out;
+}
+
+void add_runs(Html& page, const std::vector<NumericsRun>& runs, const std::string& note) {
   const auto columns = columns_of(runs);
-  if (runs.size() > kMostRuns) runs.resize(kMostRuns);
   page.raw(fill(
-      R"(<p>The same gait with finer time steps, another integrator and another model of friction.
-{words}</p>
-<table class="limits stack"><thead><tr><th></th><th></th>{heads}</tr></thead><tbody>
+      R"(<table class="limits stack"><thead><tr><th></th><th></th>{heads}</tr></thead><tbody>
 {rows}</tbody></table>
-<p class="note">Below each number: its difference from the scene as it is, at the same gains.</p>
+<p class="note">{note}</p>
 )",
-      {{"words", numerics_words(*data.numerics)},
+      {{"note", note},
        Hole::markup("heads", each(columns,
                                   [](const NumericsColumn& column) {
                                     return number_head_html(column.head);
                                   })),
        Hole::markup("rows",
                     each(runs, [&](const NumericsRun& run) { return run_html(run, columns); }))}));
+}
+
+void add_second_engine(Html& page, const RunData& data) {
+  if (!data.second_engine) return;
+  page.element("p", "A second physics engine, of another contact model and solver: " +
+                        engine_words(*data.second_engine));
+  add_runs(page, engine_runs(data),
+           "Below each number: its difference from MuJoCo’s, at the same "
+           "gains.");
+}
+
+}  // namespace
+
+void add_numerics(Html& page, const RunData& data) {
+  page.open("section").element("h2", "Second opinion");
+  if (!data.numerics || data.numerics->runs.empty()) {
+    add_hint(page, "The gait has not been played with other numerics yet.", "validate", data);
+  } else {
+    auto runs = data.numerics->runs;
+    if (runs.size() > kMostRuns) runs.resize(kMostRuns);
+    page.element("p",
+                 "The same gait with finer time steps, another integrator and another model of "
+                 "friction. " +
+                     numerics_words(*data.numerics));
+    add_runs(page, runs,
+             "Below each number: its difference from the scene as it is, at the same gains.");
+  }
+  add_second_engine(page, data);
   page.close();
 }
 

@@ -134,6 +134,7 @@ struct MetricsRecord {
 void fields(Fields& f, Fall& fall);
 void fields(Fields& f, HealthWarning& warning);
 void fields(Fields& f, GainMetrics& metrics);
+void fields(Fields& f, LimitRange& range);
 void fields(Fields& f, MetricsRecord& metrics);
 
 /// The metrics.json of a validated run; nothing where the file is not there or still that of the

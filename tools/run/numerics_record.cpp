@@ -2,6 +2,26 @@
 #include "tools/run/numerics_record.hpp"
 
 namespace legwright {
+namespace {
+
+/// A number of a run; null where it could not be measured.
+using Number = std::optional<double>;
+
+Number difference(const Number& a, const Number& b) {
+  return a && b ? Number(*a - *b) : std::nullopt;
+}
+
+}  // namespace
+
+NumericsNumbers numbers_of(const RolloutMetrics& m) {
+  return {m.speed_ratio, m.turn_ratio, m.tilt_max, m.heading_drift, m.torque_rms};
+}
+
+NumericsNumbers operator-(const NumericsNumbers& a, const NumericsNumbers& b) {
+  return {difference(a.speed_ratio, b.speed_ratio), difference(a.turn_ratio, b.turn_ratio),
+          difference(a.tilt_max, b.tilt_max), difference(a.heading_drift, b.heading_drift),
+          difference(a.torque_rms, b.torque_rms)};
+}
 
 void fields(Fields& f, NumericsNumbers& numbers) {
   f.nullable("speed_ratio", numbers.speed_ratio);

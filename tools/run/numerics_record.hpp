@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/run/metrics_record.hpp"
 #include "tools/run/record.hpp"
 
 namespace legwright {
@@ -15,6 +16,10 @@ struct NumericsNumbers {
   std::optional<double> tilt_max, heading_drift;  // [rad]
   std::optional<double> torque_rms;               // [N m]
 };
+
+/// What is told of a roll-out, and by how much two of them differ.
+NumericsNumbers numbers_of(const RolloutMetrics& measured);
+NumericsNumbers operator-(const NumericsNumbers& a, const NumericsNumbers& b);
 
 /// The gait played with one time step, integrator and model of friction.
 struct NumericsRun {

@@ -4,6 +4,7 @@
 #include "tools/files/json_file.hpp"
 #include "tools/run/certificate_record.hpp"
 #include "tools/run/comparison_record.hpp"
+#include "tools/run/engine_record.hpp"
 #include "tools/run/iteration_record.hpp"
 #include "tools/run/matrix_record.hpp"
 #include "tools/run/metrics_record.hpp"
@@ -28,7 +29,8 @@ std::vector<std::pair<std::string, Json>> record_schemas() {
           {"verdict", schema_of<VerdictRecord>()},
           {"comparison", schema_of<ComparisonRecord>()},
           {"numerics", schema_of<NumericsRecord>()},
-          {"robustness", schema_of<RobustnessRecord>()}};
+          {"robustness", schema_of<RobustnessRecord>()},
+          {"engine_validation", schema_of<EngineRecord>()}};
 }
 
 }  // namespace legwright

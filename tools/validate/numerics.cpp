@@ -82,13 +82,6 @@ std::string disagreement(const NumericalRun& run, const NumericalRun& reference)
                      reference.verdict.pass ? "PASS" : line);
 }
 
-/// A number of a run; null where it could not be measured.
-using Number = std::optional<double>;
-
-Number difference(const Number& a, const Number& b) {
-  return a && b ? Number(*a - *b) : std::nullopt;
-}
-
 }  // namespace
 
 std::vector<NumericalSetting> other_numerics(double timestep) {
@@ -188,16 +181,6 @@ std::string describe(const SecondOpinion& opinion) {
   if (first.speed_ratio) out += fmt::format("speed within {:.1f} %, ", 100 * *worst.speed_ratio);
   if (first.turn_ratio) out += fmt::format("turn rate within {:.1f} %, ", 100 * *worst.turn_ratio);
   return out + fmt::format("tilt within {:.1f} mrad)", 1000 * *worst.tilt_max);
-}
-
-NumericsNumbers numbers_of(const Measurements& m) {
-  return {m.speed_ratio, m.turn_ratio, m.tilt_max, m.heading_drift, m.torque_rms};
-}
-
-NumericsNumbers operator-(const NumericsNumbers& a, const NumericsNumbers& b) {
-  return {difference(a.speed_ratio, b.speed_ratio), difference(a.turn_ratio, b.turn_ratio),
-          difference(a.tilt_max, b.tilt_max), difference(a.heading_drift, b.heading_drift),
-          difference(a.torque_rms, b.torque_rms)};
 }
 
 }  // namespace legwright

@@ -59,8 +59,4 @@ SecondOpinion second_opinion(const SceneToValidate& scene, const WantedMotion& w
 /// default and double gains (…)".
 std::string describe(const SecondOpinion& opinion);
 
-/// What is told of a run, and by how much two of them differ.
-NumericsNumbers numbers_of(const Measurements& measured);
-NumericsNumbers operator-(const NumericsNumbers& a, const NumericsNumbers& b);
-
 }  // namespace legwright

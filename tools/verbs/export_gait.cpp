@@ -10,7 +10,7 @@
 #include "tools/files/io_error.hpp"
 #include "tools/files/json_file.hpp"
 #include "tools/run/task_folders.hpp"
-#include "tools/simulate/scene.hpp"
+#include "tools/simulate/servo_gait.hpp"
 #include "tools/verbs/play_script.hpp"
 
 namespace legwright {
@@ -27,43 +27,22 @@ void write_new(const fs::path& file, const std::string& text) {
   write_file(file, text);
 }
 
-/// The actuator that moves a joint of the plan. The plugin has refused a scene without one.
-int actuator_of(const Scene& scene, std::size_t joint) {
-  if (scene.tendon_actuator[joint] >= 0) return scene.tendon_actuator[joint];
-  const mjModel& model = *scene.model;
-  for (int a = 0; a < model.nu; ++a) {
-    const int type = model.actuator_trntype[a];
-    const bool on_joint = type == mjTRN_JOINT || type == mjTRN_JOINTINPARENT;
-    const int* const moved = model.actuator_trnid + static_cast<std::ptrdiff_t>(2) * a;
-    if (on_joint && *moved == scene.joints.joint[joint]) return a;
-  }
-  throw MujocoError(scene.name + ": joint '" + scene.trajectory.joint_names[joint] +
-                    "' of the gait has no actuator");
-}
-
 Json servos_of(const Scene& scene) {
   const mjModel& model = *scene.model;
   const Trajectory& plan = scene.trajectory;
   const std::vector<std::string> columns = plan.header();
   Json out = Json::array();
   for (std::size_t joint = 0; joint < plan.joint_names.size(); ++joint) {
-    const int actuator = actuator_of(scene, joint);
-    const mjtNum* const bias =
-        model.actuator_biasprm + static_cast<std::ptrdiff_t>(mjNBIAS) * actuator;
+    const SceneServo found = servo_of(scene, joint);
     const auto k = static_cast<int>(joint);
     Json servo = {{"joint", plan.joint_names[joint]},
-                  {"actuator", mj_id2name(&model, mjOBJ_ACTUATOR, actuator)},
+                  {"actuator", mj_id2name(&model, mjOBJ_ACTUATOR, found.actuator)},
                   {"target", columns.at(static_cast<std::size_t>(plan.target_column(k)))},
                   {"torque", columns.at(static_cast<std::size_t>(plan.torque_column(k)))},
-                  {"kp", -bias[1]},
-                  {"kd", -bias[2]}};
-    const bool linear = scene.tendon_actuator[joint] >= 0;
-    const double limit =
-        linear && model.actuator_forcelimited[actuator]
-            ? model.actuator_forcerange[static_cast<std::ptrdiff_t>(2) * actuator + 1]
-            : scene.torque_limit[joint];
-    if (std::isfinite(limit)) servo["limit"] = limit;
-    servo["unit"] = linear || plan.slides(k) ? "N" : "N m";
+                  {"kp", found.kp},
+                  {"kd", found.kd}};
+    if (std::isfinite(found.limit)) servo["limit"] = found.limit;
+    servo["unit"] = found.linear || plan.slides(k) ? "N" : "N m";
     out.push_back(std::move(servo));
   }
   return out;

@@ -3,64 +3,18 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
-
 #include "mjcf/text/input_error.hpp"
-#include "optimizer/motion/path.hpp"
-#include "tools/files/io_error.hpp"
 #include "tools/run/install.hpp"
-#include "tools/run/motion_csv.hpp"
 #include "tools/run/outer_measured.hpp"
 #include "tools/simulate/mujoco_host.hpp"
 #include "tools/validate/floquet.hpp"
 #include "tools/validate/robustness_limits.hpp"
+#include "tools/verbs/task_of_run.hpp"
 
 namespace legwright {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct TaskOfRun {
-  std::string gait;
-  WantedMotion wanted;
-  double step_over = 0.0;                      // that every foot shall pass over [m]
-  std::optional<std::string> early_stop = {};  // status of a search that did not end
-};
-
-TaskOfRun read_task(const ResultFolder& folder) {
-  const auto run = read_record_file<RunRecord>(folder.run_json());
-  if (!run.task)
-    throw InputError(folder.run_json().string(), 0, "task",
-                     "expected the task of a run, as `legwright optimize` writes it; found none");
-  const TaskRecord& task = *run.task;
-  return {task.gait,
-          {{task.velocity[0], task.velocity[1]}, task.turn_rate},
-          task.step_over.value_or(0.0),
-          run.stopped_early() ? std::optional(run.status) : std::nullopt};
-}
-
-// What the plan itself reached in its cycle, against which the simulation is compared as well: the
-// velocity of the COM along its arc. The plan holds what the root did; its COM goes along with it.
-Eigen::Vector2d velocity_of(const Trajectory& plan) {
-  const auto at_start = [&](int column) { return plan.at(0, column); };
-  const Eigen::Vector2d com(at_start(plan.com_column(0)) - at_start(plan.root_column(0)),
-                            at_start(plan.com_column(1)) - at_start(plan.root_column(1)));
-  const Eigen::Vector2d step =
-      Eigen::Vector2d(plan.travel[0], plan.travel[1]) + Eigen::Rotation2Dd(plan.turn) * com - com;
-  return WantedPath::velocity_along_arc(step, plan.turn, plan.period);
-}
-
-SceneToValidate scene_in(const fs::path& folder) {
-  SceneToValidate out{folder / "scene.xml", Eigen::Vector2d::Zero()};
-  if (!fs::is_regular_file(out.scene)) {
-    throw IoError(out.scene.string() +
-                  ": no such file; the run was stopped before it was written: run `legwright " +
-                  "optimize` again, with --force");
-  }
-  const Trajectory plan = read_motion_csv(folder / "motion.csv");
-  out.plan_velocity = velocity_of(plan);
-  return out;
-}
 
 MetricsRecord metrics_record(const TaskOfRun& task, const ValidationOptions& options,
                              const std::vector<SceneToValidate>& scenes,
@@ -203,13 +157,14 @@ std::string early_stop_words(const std::string& status) {
 
 JudgedRun judge_run(const ResultFolder& folder, const std::vector<fs::path>& others,
                     const JudgeOptions& asked) {
-  const TaskOfRun task = read_task(folder);
+  const TaskOfRun task = task_of_run(folder);
   JudgeOptions options = asked;
   options.validation.limits = with_step_over(asked.validation.limits, task.step_over);
   JudgedRun judged;
   try {
-    std::vector<SceneToValidate> scenes{scene_in(folder.iteration(0)), scene_in(folder.result())};
-    for (const fs::path& other : others) scenes.push_back(scene_in(other));
+    std::vector<SceneToValidate> scenes{scene_to_validate(folder.iteration(0)),
+                                        scene_to_validate(folder.result())};
+    for (const fs::path& other : others) scenes.push_back(scene_to_validate(other));
     judged.designs = validate_scenes(scenes, task.wanted, task.gait, options.validation);
     judge_further(task, scenes[1], options, judged);
     judged.metrics = metrics_record(task, options.validation, scenes, judged.designs);

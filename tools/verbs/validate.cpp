@@ -13,6 +13,7 @@
 #include "tools/validate/limits_file.hpp"
 #include "tools/validate/robustness_limits.hpp"
 #include "tools/verbs/judge_run.hpp"
+#include "tools/verbs/validate_by_python.hpp"
 #include "tools/verbs/verbs.hpp"
 
 namespace legwright {
@@ -20,6 +21,7 @@ namespace {
 
 struct ValidateOptions {
   std::string run, limits, junit;
+  std::string engine = "mujoco";
   JudgeOptions judge;
   bool json = false, quick = false;
 };
@@ -142,7 +144,22 @@ void refuse_if_too_quick(const ValidateOptions& options) {
                        ", which --quick leaves out; validate without --quick, or take them out");
 }
 
+/// In another engine. Throws InputError for what only MuJoCo's validation has.
+int validate_elsewhere(const ValidateOptions& options) {
+  for (const auto& [given, name] :
+       {std::pair{options.quick, "--quick"}, {!options.junit.empty(), "--junit"}})
+    if (given)
+      throw InputError(
+          fmt::format("{} is for MuJoCo's validation, not for --engine {}: leave one "
+                      "of them out",
+                      name, options.engine));
+  (void)ResultFolder::open(options.run);
+  return validate_by_python(
+      {options.run, options.engine, options.limits, options.judge.validation.cycles, options.json});
+}
+
 int validate(const ValidateOptions& asked) {
+  if (asked.engine != "mujoco") return validate_elsewhere(asked);
   ValidateOptions options = asked;
   if (!options.limits.empty()) options.judge.validation.limits = read_limits(options.limits);
   refuse_if_too_quick(options);
@@ -170,6 +187,11 @@ int validate(const ValidateOptions& asked) {
 void add_options(CLI::App& verb, ValidateOptions& options) {
   JudgeOptions& judge = options.judge;
   verb.add_option("run", options.run, "Folder that legwright optimize wrote")->required();
+  verb.add_option("--engine", options.engine,
+                  "Physics engine that plays the result: mujoco, or drake, a second engine, in the "
+                  "Python of LEGWRIGHT_PYTHON or python3")
+      ->check(CLI::IsMember({"mujoco", "drake"}))
+      ->capture_default_str();
   verb.add_option("--limits", options.limits,
                   "TOML file of what passes; examples/limits.toml has all that may be limited");
   verb.add_option("--junit", options.junit, "Write the verdict as JUnit XML, a case per limit");
@@ -221,6 +243,10 @@ void add_validate(CLI::App& program, Action& action) {
       "Writes metrics.json, verdict.json, comparison.json, numerics.json, robustness.json, "
       "playback_initial.csv and\n"
       "playback_result.csv into result/.\n"
+      "--engine drake plays the result alone, at the same gains, with the same measures and "
+      "limits, "
+      "and writes\n"
+      "validation_drake.json into result/ (docs/findings/second_engine.md).\n"
       "Exit code: 0 the result passes, 1 it fails, 2 bad input, 3 a file cannot be read or "
       "written.");
 }

@@ -16,6 +16,7 @@ namespace fs = std::filesystem;
 constexpr const char* kComparison = "result/comparison.json";
 constexpr const char* kRobustness = "result/robustness.json";
 constexpr const char* kNumerics = "result/numerics.json";
+constexpr const char* kDrake = "result/validation_drake.json";
 constexpr const char* kVerdict = "result/verdict.json";
 
 class JudgedSections : public RunFixture {
@@ -56,6 +57,31 @@ TEST_F(JudgedSections, TellWhatTheFilesHold) {
                               "0.8 (", "3.02 N", "6.2 %", "HR"}));
   EXPECT_TRUE(in_order(page, {"187 of 200", "93.5 %", "89.2 % … 96.2 %"}));
   EXPECT_FALSE(has(page, "Could not be used"));
+}
+
+TEST_F(JudgedSections, TellOfTheSecondEngineWhereItPlayed) {
+  const std::string words =
+      "Drake 1.51.1 passes at half and default gains and fails at double gains, at 63.2 % … 98.4 % "
+      "of the planned speed. It tilts by 0.620 at double gains (less than 5.7° (0.1 rad) passes).";
+  std::string page = this->page();
+  expect_well_formed(page);
+  EXPECT_TRUE(in_order(page, {words.c_str(), "✓", "Drake 1.51.1, half gains", "98.1 %", "same", "✗",
+                              "Drake 1.51.1, double gains", "63.2 %", "from MuJoCo’s"}));
+  EXPECT_TRUE(has(report_summary(read_run(run_)), "**Second engine.** Drake 1.51.1 passes at"));
+  edit(kDrake, [](Json& file) {
+    file["passes"]["double"] = file["verdict"]["pass"] = true;
+    file["verdict"]["reasons"] = Json::array();
+    file["result"]["double"]["speed_ratio"] = 0.979;
+    file["result"]["half"]["turn_ratio"] = 0.99;
+  });
+  page = this->page();
+  EXPECT_TRUE(
+      has(page,
+          "Drake 1.51.1 passes at half, default and double gains, at 97.9 % … 98.4 % of the "
+          "planned speed and 99.0 % … 99.0 % of the planned turn rate.</p>"));
+  fs::remove(run_ / kDrake);
+  EXPECT_FALSE(has(this->page(), "Drake"));
+  EXPECT_FALSE(has(report_summary(read_run(run_)), "Second engine"));
 }
 
 TEST_F(JudgedSections, FailingLimitsComeFirst) {
@@ -207,7 +233,7 @@ TEST_F(JudgedSections, LeaveOutWhatHasAnotherFormWithANoteOfTheKey) {
 }
 
 TEST_F(JudgedSections, SurviveFilesOfWrongTypes) {
-  for (const char* file : {kComparison, kRobustness, kNumerics}) {
+  for (const char* file : {kComparison, kRobustness, kNumerics, kDrake}) {
     edit(file, [](Json& document) {
       for (auto& [key, value] : document.items())
         if (key != "schema" && key != "version")

@@ -80,6 +80,10 @@ TEST_F(RunSummary, HostileNamesStayText) {
     });
     edit("result/robustness.json", [&](Json& file) { file["factors"][0]["label"] = name; });
     edit("result/numerics.json", [&](Json& file) { file["reasons"] = {name}; });
+    edit("result/validation_drake.json", [&](Json& file) {
+      file["engine"] = file["engine_version"] = name;
+      file["verdict"]["reasons"] = {name};
+    });
     const std::string text = report_summary(read_run(run_));
     EXPECT_FALSE(has(text, "<")) << name;
     EXPECT_EQ(count_of(text, "]("), count_of(text, "\\](")) << name;

@@ -34,8 +34,9 @@ TEST(Schemas, AreStoredAsTheRecordsAre) {
 }
 
 TEST(Schemas, TakeWhatARunHoldsAndNothingElse) {
-  for (const char* name : {"run", "result/certificate", "result/metrics", "result/verdict",
-                           "result/comparison", "result/numerics", "result/robustness"}) {
+  for (const char* name :
+       {"run", "result/certificate", "result/metrics", "result/verdict", "result/comparison",
+        "result/numerics", "result/robustness", "result/validation_drake"}) {
     const fs::path file = kFixture / (std::string(name) + ".json");
     const std::string schema_key = read_json(file)["schema"];
     const std::string kind = schema_key.substr(schema_key.find('/') + 1);

@@ -11,11 +11,11 @@
 namespace legwright {
 namespace {
 
-using ModelPointer = std::unique_ptr<mjModel, void (*)(mjModel*)>;
-using DataPointer = std::unique_ptr<mjData, void (*)(mjData*)>;
+using OwnModel = std::unique_ptr<mjModel, void (*)(mjModel*)>;
+using OwnData = std::unique_ptr<mjData, void (*)(mjData*)>;
 
 /// Two balls above a floor, one of which flies at the other; no gravity.
-ModelPointer balls(bool collide) {
+OwnModel balls(bool collide) {
   const std::string xml = fmt::format(
       R"(<mujoco><option gravity="0 0 0"/><worldbody>
   <geom type="plane" size="5 5 1"/>
@@ -26,13 +26,13 @@ ModelPointer balls(bool collide) {
   char error[256] = "";
   mjSpec* spec = mj_parseXMLString(xml.c_str(), nullptr, error, sizeof error);
   EXPECT_NE(spec, nullptr) << error;
-  ModelPointer model(mj_compile(spec, nullptr), mj_deleteModel);
+  OwnModel model(mj_compile(spec, nullptr), mj_deleteModel);
   mj_deleteSpec(spec);
   return model;
 }
 
 SelfContact fly(const mjModel& model) {
-  DataPointer data(mj_makeData(&model), mj_deleteData);
+  OwnData data(mj_makeData(&model), mj_deleteData);
   data->qpos[2] = 0.299;  // lifted off the floor, which it touched
   data->qvel[0] = 1.0;
   SelfContactWatch watch(model);
@@ -44,7 +44,7 @@ SelfContact fly(const mjModel& model) {
 }
 
 TEST(SelfContact, TwoBodiesThatMeetOnceTouchOnce) {
-  const ModelPointer model = balls(true);
+  const OwnModel model = balls(true);
   const SelfContact seen = fly(*model);
   EXPECT_EQ(seen.count, 1);
   EXPECT_GT(seen.share, 0.0);
@@ -58,7 +58,7 @@ TEST(SelfContact, TwoBodiesThatMeetOnceTouchOnce) {
 }
 
 TEST(SelfContact, BodiesThatPassThroughEachOtherDoNotTouch) {
-  const ModelPointer model = balls(false);
+  const OwnModel model = balls(false);
   const SelfContact seen = fly(*model);
   EXPECT_EQ(seen.count, 0);
   EXPECT_EQ(seen.share, 0.0);
@@ -68,8 +68,8 @@ TEST(SelfContact, BodiesThatPassThroughEachOtherDoNotTouch) {
 }
 
 TEST(SelfContact, TheFloorIsNotPartOfTheRobot) {
-  const ModelPointer model = balls(true);
-  DataPointer data(mj_makeData(model.get()), mj_deleteData);
+  const OwnModel model = balls(true);
+  OwnData data(mj_makeData(model.get()), mj_deleteData);
   mj_forward(model.get(), data.get());
   ASSERT_GT(data->ncon, 0);  // the left ball is in the floor by a millimetre
   SelfContactWatch watch(*model);
@@ -81,11 +81,11 @@ TEST(SelfContact, TheFloorIsNotPartOfTheRobot) {
 /// file.
 SelfContact hexapod(const char* joint, double angle, const char* other, double other_angle) {
   char error[256] = "";
-  ModelPointer model(
+  OwnModel model(
       mj_loadXML(LEGWRIGHT_SOURCE_DIR "/examples/hexapod/robot.xml", nullptr, error, sizeof error),
       mj_deleteModel);
   EXPECT_NE(model, nullptr) << error;
-  DataPointer data(mj_makeData(model.get()), mj_deleteData);
+  OwnData data(mj_makeData(model.get()), mj_deleteData);
   mj_resetDataKeyframe(model.get(), data.get(), 0);
   for (const auto& [name, value] : {std::pair{joint, angle}, {other, other_angle}}) {
     const int id = mj_name2id(model.get(), mjOBJ_JOINT, name);
