@@ -128,8 +128,7 @@ class Design:
     def terms(self) -> dict[str, float]:
         """What F consists of, by term; of several tasks the weighted sums."""
         if not self.joint:
-            terms: dict[str, float] = self._json('result/metrics.json')['terms']
-            return terms
+            return dict(self.record['final_terms'])
         sums: dict[str, float] = {}
         for task in self.record['tasks']:
             for name, value in self.tasks[task['name']].terms.items():

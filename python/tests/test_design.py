@@ -15,6 +15,18 @@ def test_terms_sum_to_the_cost(walk):
     assert walk.terms['travel'] < 1e-3 and walk.J == 0.0
 
 
+def test_terms_are_there_after_the_verbs_have_been_at_the_run(walk, tmp_path):
+    copy = lw.Design.load(walk.save(tmp_path / 'run'))
+    program = Path(lw.__file__).parent / 'bin/legwright'
+    subprocess.run([program, 'validate', '--quick', tmp_path / 'run'], check=True)
+    validated = lw.Design.load(tmp_path / 'run')
+    assert validated.terms == walk.terms and copy.terms == walk.terms
+    subprocess.run([program, 'pick', '--iteration', '1', tmp_path / 'run'], check=True)
+    picked = lw.Design.load(tmp_path / 'run')
+    assert sum(picked.terms.values()) == pytest.approx(picked.F, rel=1e-12)
+    assert picked.F > 1.01 * walk.F
+
+
 def test_motion_keeps_what_a_motion_must(walk, puppy):
     motion = walk.motion
     knots, joints, feet = motion.time.size, 12, 4

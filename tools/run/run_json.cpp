@@ -189,6 +189,7 @@ void finish_run(RunRecord& run, const std::string& status, const TaskOutcome& ou
   run.motion_only_trace = outcome.motion_only_trace;
   run.final_F = best.value;
   run.final_J = best.outer_value;
+  run.final_terms = by_term(best);
   if (run.outer && run.outer->reference && run.outer->weight > 0.0) {
     const double amount = *run.outer->reference / run.outer->weight;  // of J = 1
     run.outer->plan_initial = amount * outcome.initial->tasks.at(outcome.task).outer_value;

@@ -190,6 +190,7 @@ void visit_outcome(Fields& f, RunRecord& run) {
   f.required_if(single, "motion_only_trace", run.motion_only_trace, "the same by Newton step");
   f.required_if(ended, "final_F", run.final_F);
   f.required_if(single, "final_J", run.final_J);
+  f("final_terms", run.final_terms, "what final_F consists of");
   f.required_if(joint, "best_start", run.best_start);
   f.required_if(joint, "starts", run.starts);
   f.required_if(joint, "alone", run.alone, "searches for one task");

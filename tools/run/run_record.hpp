@@ -204,6 +204,7 @@ struct RunRecord {
   std::optional<double> motion_only_F;
   std::optional<std::vector<double>> motion_only_trace;  // F by Newton step
   std::optional<double> final_F, final_J;
+  std::optional<ByName<double>> final_terms;  // of final_F
   std::optional<std::string> best_start;
   std::optional<std::vector<StartRecord>> starts, alone;
   std::optional<std::vector<double>> history;  // F by iteration

@@ -187,6 +187,7 @@ void note_design(RunRecord& run, const RobotModel& robot, const std::string& nam
 void note_task_design(RunRecord& run, const RobotModel& robot, const std::string& name,
                       const IterationMetrics& metrics) {
   note_design(run, robot, name, metrics);
+  run.final_terms = metrics.terms;
   run.reasons = reasons_of(run, name, metrics, *run.task);
   run.feasible = run.reasons->empty();
   run.speed_reached = metrics.speed_reached;

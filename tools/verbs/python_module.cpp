@@ -13,40 +13,49 @@
 #include <system_error>
 
 #include "tools/files/io_error.hpp"
+#include "tools/run/install.hpp"
 #include "tools/verbs/viewer_programs.hpp"
 
 namespace legwright {
 namespace {
 
-// Finds the module without running it; where that fails, prints why.
+// Prints the version of the package, then whether the library is there, without loading it.
 constexpr const char* kProbe =
-    "import importlib.util, sys\n"
-    "try: found = importlib.util.find_spec(sys.argv[1])\n"
-    "except BaseException as error: sys.exit(print(error) or 1)\n"
-    "sys.exit(0 if found else print('No module named ' + repr(sys.argv[1])) or 1)\n";
+    "import importlib.util, sys, legwright\n"
+    "there = importlib.util.find_spec(sys.argv[1])\n"
+    "print(legwright.__version__, 'has' if there else 'lacks', end='')\n";
 
-std::string chosen_interpreter() {
-  const char* own = std::getenv("LEGWRIGHT_PYTHON");
-  return own && *own ? own : "python3";
+std::vector<std::string> candidates() {
+  if (const char* own = std::getenv("LEGWRIGHT_PYTHON"); own && *own) return {own};
+  return {"python3", "python"};
 }
 
-/// Throws IoError where this interpreter cannot run the module.
-void require_module(const std::string& python, const std::string& module,
-                    const std::string& extra) {
-  const std::string cure = fmt::format(
-      "pip install \".[{}]\" in a clone of Legwright, and name the interpreter that has it in "
+/// What an interpreter lacks; empty where it can run the part.
+std::string lack_of(const std::string& python, const PythonPart& part) {
+  std::string found;
+  // -P: what lies in the working directory is no package.
+  const int code = run_command({python, "-P", "-c", kProbe, part.library}, &found);
+  if (code < 0) return "does not run";
+  if (code != 0 || found.empty()) return "has no package legwright";
+  if (found == program_version() + " has") return "";
+  if (found == program_version() + " lacks") return "has legwright, but not " + part.library;
+  return fmt::format("has legwright {}, and this program is {}", found.substr(0, found.find(' ')),
+                     program_version());
+}
+
+/// The interpreter to run. Throws IoError with what is wrong of each that was tried.
+std::string find_python(const PythonPart& part) {
+  std::string tried;
+  for (const std::string& python : candidates()) {
+    const std::string lack = lack_of(python, part);
+    if (lack.empty()) return python;
+    tried += fmt::format("{}{} {}", tried.empty() ? "" : "; ", python, lack);
+  }
+  throw IoError(fmt::format(
+      "{} runs in Python, and there is none for it: {}. Install it with `pip install "
+      "\".[{}]\"` in a clone, or \"legwright[{}]\" from a wheel, and name that Python in "
       "LEGWRIGHT_PYTHON",
-      extra);
-  std::string said;
-  const int code = run_command({python, "-c", kProbe, module}, &said);
-  if (code == 0) return;
-  if (code < 0)
-    throw IoError(
-        fmt::format("{}: this Python does not run, and {} is a part of Legwright in "
-                    "Python: {}",
-                    python, module, cure));
-  while (!said.empty() && said.back() == '\n') said.pop_back();
-  throw IoError(fmt::format("{} has no {} ({}): {}", python, module, said, cure));
+      part.module, tried, part.extra, part.extra));
 }
 
 volatile sig_atomic_t started_child = 0;
@@ -81,11 +90,9 @@ class PassedSignals {
 
 }  // namespace
 
-int run_python_module(const std::string& module, const std::string& extra,
-                      const std::vector<std::string>& arguments) {
-  const std::string python = chosen_interpreter();
-  require_module(python, module, extra);
-  std::vector<std::string> words{python, "-m", module};
+int run_python_module(const PythonPart& part, const std::vector<std::string>& arguments) {
+  const std::string python = find_python(part);
+  std::vector<std::string> words{python, "-P", "-m", part.module};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
   argv.reserve(words.size() + 1);
@@ -103,7 +110,7 @@ int run_python_module(const std::string& module, const std::string& extra,
   }
   if (WIFEXITED(status)) return WEXITSTATUS(status);
   throw std::runtime_error(
-      fmt::format("{} -m {} was ended by signal {}", python, module, WTERMSIG(status)));
+      fmt::format("{} -m {} was ended by signal {}", python, part.module, WTERMSIG(status)));
 }
 
 }  // namespace legwright

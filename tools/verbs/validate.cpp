@@ -13,7 +13,7 @@
 #include "tools/validate/limits_file.hpp"
 #include "tools/validate/robustness_limits.hpp"
 #include "tools/verbs/judge_run.hpp"
-#include "tools/verbs/validate_by_python.hpp"
+#include "tools/verbs/python_module.hpp"
 #include "tools/verbs/verbs.hpp"
 
 namespace legwright {
@@ -154,8 +154,11 @@ int validate_elsewhere(const ValidateOptions& options) {
                       "of them out",
                       name, options.engine));
   (void)ResultFolder::open(options.run);
-  return validate_by_python(
-      {options.run, options.engine, options.limits, options.judge.validation.cycles, options.json});
+  std::vector<std::string> words{options.run, "--cycles",
+                                 std::to_string(options.judge.validation.cycles)};
+  if (!options.limits.empty()) words.insert(words.end(), {"--limits", options.limits});
+  if (options.json) words.emplace_back("--json");
+  return run_python_module({"legwright." + options.engine, "pydrake", "drake"}, words);
 }
 
 int validate(const ValidateOptions& asked) {

@@ -42,24 +42,25 @@ class SecondEngine : public testing::Test, protected test::CallsInFolder {
 };
 
 TEST_F(SecondEngine, RunsThePackageAndEndsWithItsExitCode) {
-  const test::Outcome run = validate_with(program_version() + " drake");
+  const test::Outcome run = validate_with(program_version() + " has");
   EXPECT_EQ(run.out, "-P -m legwright.drake run --cycles 20\n");
   EXPECT_EQ(run.code, 1) << run.err;
-  EXPECT_EQ(validate_with(program_version() + " drake", {"--limits", "a b.toml", "--json"}).out,
+  EXPECT_EQ(validate_with(program_version() + " has", {"--limits", "a b.toml", "--json"}).out,
             "-P -m legwright.drake run --cycles 20 --limits a b.toml --json\n");
 }
 
 TEST_F(SecondEngine, SaysHowToGetIt) {
   const std::string cure = "pip install \".[drake]\"";
   expect_refusal(validate_with(""), 3, {"has no package legwright", cure, "LEGWRIGHT_PYTHON"});
-  expect_refusal(validate_with(program_version()), 3, {"has legwright, but not drake", cure});
-  expect_refusal(validate_with("9.8.7 drake"), 3,
+  expect_refusal(validate_with(program_version() + " lacks"), 3,
+                 {"has legwright, but not pydrake", cure});
+  expect_refusal(validate_with("9.8.7 has"), 3,
                  {"has legwright 9.8.7, and this program is " + program_version(), cure});
 }
 
 TEST_F(SecondEngine, RefusesWhatOnlyMujocoMeasures) {
   for (const char* option : {"--quick", "--junit=x.xml"})
-    expect_refusal(validate_with(program_version() + " drake", {option}), 2,
+    expect_refusal(validate_with(program_version() + " has", {option}), 2,
                    {std::string(option).substr(0, 7), "for MuJoCo's validation"});
 }
 

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "tests/tools/verbs/program.hpp"
+#include "tools/run/install.hpp"
 
 namespace legwright {
 namespace {
@@ -16,11 +17,12 @@ using test::contains;
 
 class StudyTest : public testing::Test, protected test::CallsInFolder {
  protected:
-  /// A Python program for LEGWRIGHT_PYTHON: the probe ends with `probe`, the module runs `script`.
-  std::string interpreter(int probe, const std::string& script) const {
+  /// A Python program for LEGWRIGHT_PYTHON whose module runs `script`.
+  /// @param has what it answers of the library
+  std::string interpreter(const std::string& script, const std::string& has = "has") const {
     const fs::path file = folder_.path() / "python";
-    write_file(file, "#!/bin/sh\nif [ \"$1\" = -c ]; then echo 'No module'; exit " +
-                         std::to_string(probe) + "; fi\n" + script + "\n");
+    write_file(file, "#!/bin/sh\nif [ \"$2\" = -c ]; then printf '" + program_version() + " " +
+                         has + "'; exit; fi\n" + script + "\n");
     fs::permissions(file, fs::perms::owner_all);
     return file.string();
   }
@@ -28,7 +30,7 @@ class StudyTest : public testing::Test, protected test::CallsInFolder {
 
 TEST_F(StudyTest, CallsTheModuleWithTheOptionsAndReturnsItsExitCode) {
   const test::Variable python("LEGWRIGHT_PYTHON",
-                              interpreter(0, "printf '%s|' \"$@\"; echo told >&2; exit 75"));
+                              interpreter("printf '%s|' \"$@\"; echo told >&2; exit 75"));
   const test::Outcome study = call(
       {"study", "-strange.toml", "-o", "out", "--workers", "3", "--force", "--quiet", "--json"});
   EXPECT_EQ(study.code, 2);  // what begins with a dash is an option
@@ -36,10 +38,10 @@ TEST_F(StudyTest, CallsTheModuleWithTheOptionsAndReturnsItsExitCode) {
       call({"study", "my study.toml", "-o", "out", "--workers", "3", "--force", "--json"});
   EXPECT_EQ(good.code, 75);
   EXPECT_EQ(good.out,
-            "-m|legwright.study|--output|out|--workers|3|--force|--json|--|my study.toml|");
+            "-P|-m|legwright.study|--output|out|--workers|3|--force|--json|--|my study.toml|");
   EXPECT_EQ(good.err, "told\n");
   const test::Outcome cluster = call({"study", "s.toml", "--scheduler", "tcp://a:1", "--quiet"});
-  EXPECT_EQ(cluster.out, "-m|legwright.study|--scheduler|tcp://a:1|--quiet|--|s.toml|");
+  EXPECT_EQ(cluster.out, "-P|-m|legwright.study|--scheduler|tcp://a:1|--quiet|--|s.toml|");
 }
 
 TEST_F(StudyTest, RefusesOptionsThatContradictEachOther) {
@@ -53,22 +55,20 @@ TEST_F(StudyTest, SaysHowToGetAPythonThatHasTheModule) {
     const test::Variable none("LEGWRIGHT_PYTHON", (folder_.path() / "gone").string());
     const test::Outcome study = call({"study", "s.toml"});
     EXPECT_EQ(study.code, 3);
-    for (const char* part :
-         {"gone: this Python does not run", "pip install \".[study]\"", "LEGWRIGHT_PYTHON"})
+    for (const char* part : {"gone does not run", "pip install \".[study]\"", "LEGWRIGHT_PYTHON"})
       EXPECT_TRUE(contains(study.err, part)) << part << " in: " << study.err;
   }
-  const test::Variable bare("LEGWRIGHT_PYTHON", interpreter(1, "exit 9"));
+  const test::Variable bare("LEGWRIGHT_PYTHON", interpreter("exit 9", "lacks"));
   const test::Outcome study = call({"study", "s.toml"});
   EXPECT_EQ(study.code, 3);
-  EXPECT_TRUE(contains(study.err, "has no legwright.study (No module)")) << study.err;
+  EXPECT_TRUE(contains(study.err, "has legwright, but not distributed")) << study.err;
   EXPECT_TRUE(contains(study.err, "pip install \".[study]\"")) << study.err;
 }
 
 TEST_F(StudyTest, SignalsGoOnToTheModuleWhoseExitCodeCounts) {
   const test::Variable python(
       "LEGWRIGHT_PYTHON",
-      interpreter(0,
-                  "trap 'exit 75' TERM; trap 'exit 130' INT; touch ready; while :; do sleep "
+      interpreter("trap 'exit 75' TERM; trap 'exit 130' INT; touch ready; while :; do sleep "
                   "0.02; done"));
   for (const auto& [signal, code] : {std::pair(SIGTERM, 75), std::pair(SIGINT, 130)}) {
     fs::remove(folder_.path() / "ready");
@@ -82,7 +82,7 @@ TEST_F(StudyTest, SignalsGoOnToTheModuleWhoseExitCodeCounts) {
 }
 
 TEST_F(StudyTest, AModuleThatIsKilledIsAnInternalError) {
-  const test::Variable python("LEGWRIGHT_PYTHON", interpreter(0, "kill -9 $$"));
+  const test::Variable python("LEGWRIGHT_PYTHON", interpreter("kill -9 $$"));
   const test::Outcome study = call({"study", "s.toml"});
   EXPECT_EQ(study.code, 4);
   EXPECT_TRUE(contains(study.err, "was ended by signal 9")) << study.err;
