@@ -15,7 +15,7 @@
 #include <memory>
 
 #include "mjcf/read/read_robot.hpp"
-#include "python/core/engine.hpp"
+#include "python/core/second_engine.hpp"
 #include "python/core/followed_run.hpp"
 #include "python/core/iteration.hpp"
 #include "python/core/python_errors.hpp"

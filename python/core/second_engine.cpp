@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "python/core/engine.hpp"
+#include "python/core/second_engine.hpp"
 
 #include <nanobind/eigen/dense.h>
 #include <nanobind/stl/filesystem.h>
