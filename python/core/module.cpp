@@ -15,10 +15,10 @@
 #include <memory>
 
 #include "mjcf/read/read_robot.hpp"
-#include "python/core/second_engine.hpp"
 #include "python/core/followed_run.hpp"
 #include "python/core/iteration.hpp"
 #include "python/core/python_errors.hpp"
+#include "python/core/second_engine.hpp"
 #include "python/core/session_binding.hpp"
 #include "tools/report/page.hpp"
 #include "tools/run/install.hpp"

@@ -109,10 +109,12 @@ class SessionState:
 
     @property
     def can_undo(self) -> bool:
+        """Whether there is something to undo."""
         return bool(self._snapshot.can_undo)
 
     @property
     def can_redo(self) -> bool:
+        """Whether something was undone, and nothing changed since."""
         return bool(self._snapshot.can_redo)
 
     @property

@@ -19,9 +19,11 @@ class Validation:
     """The verdict of one engine on a design, and what it was passed on."""
 
     engine: str
+    """"mujoco" or "drake"."""
     version: str
     """Of the engine."""
     passed: bool
+    """Whether the gait keeps its limits at all gains."""
     line: str
     """The verdict in words: "PASS  walk sideways at 0.100 m/s: …"."""
     reasons: tuple[str, ...]

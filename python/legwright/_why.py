@@ -11,10 +11,13 @@ class Change:
     """A parameter that is not what it was, and what that brought."""
 
     parameter: str
+    """Its name."""
     unit: str
     """"m" or "rad"."""
     before: float
+    """In the given body."""
     after: float
+    """In the result."""
     buys: float | None
     """F + J of the body with this change put back and its motion solved anew, less that of the
     result. None where it was not asked for (reasons=False), infinite where no motion is left."""
