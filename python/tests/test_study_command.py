@@ -86,7 +86,7 @@ def test_folders_and_missing_packages_are_three(tmp_path):
 
 
 def test_ctrl_c_keeps_what_is_done_and_the_same_command_goes_on(tmp_path):
-    file = written(tmp_path, grid=heights(8))
+    file = written(tmp_path, grid=heights(24))
     words = [sys.executable, '-m', 'legwright.study', str(file), '-o', 'out', '--workers', '2']
     process = subprocess.Popen(
         words,
@@ -96,17 +96,17 @@ def test_ctrl_c_keeps_what_is_done_and_the_same_command_goes_on(tmp_path):
         text=True,
         start_new_session=True,
     )
-    assert process.stderr.readline().startswith('1/8')
+    assert process.stderr.readline().startswith('1/24')
     os.killpg(process.pid, signal.SIGINT)  # as a terminal sends it, to workers, too
     _, errors = process.communicate(timeout=60)
     assert process.returncode == command.INTERRUPTED
     assert 'what is done is kept' in errors and 'Traceback' not in errors
     done = {each.name for each in (tmp_path / 'out/points').iterdir()}
     status = pyarrow.parquet.read_table(tmp_path / 'out/study.parquet')['status'].to_pylist()
-    assert 1 <= len(done) < 8 and 'open' in status
+    assert 1 <= len(done) < 24 and 'open' in status
     rest = call(tmp_path, *words[3:])
     assert rest.returncode == 0
-    assert len(rest.stderr.splitlines()) == 8 - len(done), 'what was done ran again'
+    assert len(rest.stderr.splitlines()) == 24 - len(done), 'what was done ran again'
 
 
 def test_sigterm_is_stopped_early(tmp_path):

@@ -60,6 +60,7 @@ TEST(OptimizeSummary, TellsWhenFOfFewerChangesIsThatOfATightenedSearch) {
   run.task.emplace().name = "walk";
   run.status = "converged";
   run.reasons.emplace();
+  run.feasible = true;
   run.seconds.emplace();
   FewestChangesRecord& fewest = run.fewest_changes.emplace();
   fewest.share = 0.95;
