@@ -20,15 +20,15 @@ struct PaperRow {
 /// An example that is timed, beside the paper's and what is asked of it.
 struct Case {
   std::string label;
-  std::string task_file;  // from the folder examples/
+  std::filesystem::path task_file;
   std::optional<PaperRow> paper;
-  int least_parameters;                    // s and m
-  double ask_seconds, stretch_seconds;     // co-design, one core
-  int ask_iterations, stretch_iterations;  // of Newton's method, in the whole co-design
+  double goal_seconds;            // co-design, one core
+  double goal_step_milliseconds;  // a motion solve after a design step
 };
 
-/// Which examples are timed: edit here.
-std::vector<Case> cases();
+/// The examples that are timed, and the task of each robot in a folder ROBOTS/NAME/task.toml, by
+/// name. @param robots empty: none
+std::vector<Case> cases(const std::filesystem::path& examples, const std::filesystem::path& robots);
 
 /// A case with the body that co-design gave it.
 struct SolvedCase {

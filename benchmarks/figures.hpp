@@ -11,21 +11,31 @@ namespace legwright::bench {
 
 using Json = nlohmann::ordered_json;
 
-/// One line of the table: what is asked, and what was measured.
+/// One line of the table: the goal, and what was measured.
 struct Figure {
   std::string name;
-  double ask, stretch;
-  double measured;
+  double goal, measured;
   bool at_least;      // true: larger is better
   std::string unit;   // "s", "×", "" …
   std::string where;  // on which robot
 };
 
-/// What a group of figures hands back: all numbers for the JSON, the table's lines, and what could
+/// How a time grows.
+struct Curve {
+  std::string what, against, where;
+  std::vector<double> x, seconds;
+  std::string why_steep;  // why it may be steeper than a line
+
+  /// Of seconds against x, by least squares on the logarithms.
+  double exponent() const;
+};
+
+/// What a group of figures hands back: all numbers for the JSON, the tables' lines, and what could
 /// not be measured and why.
 struct Group {
   Json details;
   std::vector<Figure> figures;
+  std::vector<Curve> curves;
   std::vector<std::string> notes;
 };
 
@@ -39,7 +49,14 @@ Group iteration_figures(const SolvedCase& solved);
 Group ipopt_figures(const SolvedCase& solved);
 /// Design gradient over one Newton iteration and over central differences, by number of parameters.
 Group gradient_figures(const SolvedCase& solved);
-/// Time of one Newton iteration against the number of knots.
+/// An SQP method without second derivatives on the same F; a note where NLopt is not installed.
+Group sqp_figures(const SolvedCase& solved);
+/// How times grow, with exponents fitted to them: of a Newton iteration with the number of knots
+/// and of legs (the case is a hexapod), of a step of body and motions with the number of design
+/// parameters and of tasks.
 Group knots_figures(const SolvedCase& solved);
+Group legs_figures(const SolvedCase& solved);
+Group parameters_figures(const SolvedCase& solved);
+Group tasks_figures(const SolvedCase& solved);
 
 }  // namespace legwright::bench

@@ -160,7 +160,7 @@ Group ipopt_figures(const SolvedCase& solved) {
                            {"F_apart", apart}};
     const std::string where = solved.of.label + ": " + name;
     if (contest.solved && apart <= 1e-6)
-      group.figures.push_back({"IPOPT + MUMPS over our inner solve, same F, start, tolerance", 4, 8,
+      group.figures.push_back({"IPOPT + MUMPS over our inner solve, same F, start, tolerance", 10,
                                ratio, true, "×", where});
     else
       group.notes.push_back(where + ": IPOPT and we ended at different F (" +

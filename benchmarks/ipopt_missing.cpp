@@ -4,7 +4,9 @@
 namespace legwright::bench {
 
 Group ipopt_figures(const SolvedCase& solved) {
-  return {{}, {}, {solved.of.label + ": IPOPT + MUMPS not measured: IPOPT not installed"}};
+  Group group;
+  group.notes.push_back(solved.of.label + ": IPOPT + MUMPS not measured: IPOPT not installed");
+  return group;
 }
 
 }  // namespace legwright::bench

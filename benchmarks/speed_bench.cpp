@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// All figures of the speed table. Usage: speed_bench [--examples FOLDER] [--commit TEXT]
-// [--markdown FILE] [GROUP ...] Groups: codesign cold iteration ipopt gradient knots; all of them
-// by default. JSON on stdout, with the tables under "markdown"; FILE gets the tables alone.
+// All figures of the speed table. Usage: speed_bench [--examples FOLDER] [--robots FOLDER]
+// [--commit TEXT] [--markdown FILE] [GROUP ...] Groups: codesign cold iteration ipopt sqp gradient
+// knots legs parameters tasks; all of them by default. JSON on stdout, with the tables under
+// "markdown"; FILE gets the tables alone.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -19,6 +20,7 @@ namespace {
 
 struct Options {
   std::filesystem::path examples = "examples";
+  std::filesystem::path robots;  // ROBOTS/NAME/task.toml are timed, too; empty: none
   std::string commit = "unknown";
   std::string markdown;  // file, or empty
   std::vector<std::string> groups;
@@ -34,6 +36,8 @@ Options parse(int count, char** arguments) {
     const std::string argument = arguments[k];
     if (argument == "--examples" && k + 1 < count)
       options.examples = arguments[++k];
+    else if (argument == "--robots" && k + 1 < count)
+      options.robots = arguments[++k];
     else if (argument == "--commit" && k + 1 < count)
       options.commit = arguments[++k];
     else if (argument == "--markdown" && k + 1 < count)
@@ -67,10 +71,17 @@ void run_case(const Options& options, bool first, SolvedCase& solved, Json& into
   run("codesign", [&] { return codesign_figures(solved); });
   run("cold", [&] { return cold_start_figures(solved); });
   run("iteration", [&] { return iteration_figures(solved); });
-  run("ipopt", [&] { return ipopt_figures(solved); });
+  if (solved.of.paper) {
+    run("ipopt", [&] { return ipopt_figures(solved); });
+    run("sqp", [&] { return sqp_figures(solved); });
+    if (solved.problem.robot.morphology.foot_count() == 6)
+      run("legs", [&] { return legs_figures(solved); });
+  }
   if (!first) return;
   run("gradient", [&] { return gradient_figures(solved); });
   run("knots", [&] { return knots_figures(solved); });
+  run("parameters", [&] { return parameters_figures(solved); });
+  run("tasks", [&] { return tasks_figures(solved); });
 }
 
 int run(int count, char** arguments) {
@@ -79,12 +90,13 @@ int run(int count, char** arguments) {
   result["machine"] = settings(options.commit);
   std::vector<Group> groups;
   bool first = true;
-  for (const Case& of : cases()) {
-    SolvedCase solved{of, read_problem(options.examples / of.task_file), {}, {}};
+  const std::vector<Case> all = cases(options.examples, options.robots);
+  for (const Case& of : all) {
+    SolvedCase solved{of, read_problem(of.task_file), {}, {}};
     run_case(options, first, solved, result["cases"][of.label], groups);
     first = false;
   }
-  result["markdown"] = markdown(result, groups);
+  result["markdown"] = markdown(result, all, groups);
   std::puts(result.dump(2).c_str());
   if (options.markdown.empty()) return 0;
   std::ofstream file(options.markdown);

@@ -2,11 +2,15 @@
 #include "benchmarks/tables.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace legwright::bench {
 namespace {
+
+constexpr double kLine = 1.05;  // a steeper exponent is explained
 
 std::string number(double value) {
   if (value >= 100.0) return fmt::format("{:.0f}", value);
@@ -33,12 +37,12 @@ std::string our_row(const std::string& label, const std::string& what, int param
                      run["F"].get<double>());
 }
 
-void add_table_one(const Json& cases_json, Json& lines) {
+void add_table_one(const Json& cases_json, const std::vector<Case>& cases, Json& lines) {
   lines.push_back(
       "| robot, tasks | | parameters s + m | Newton iterations | design iterations | s | ms / "
       "Newton iteration | F |");
   lines.push_back("|---|---|---|---|---|---|---|---|");
-  for (const Case& of : cases()) {
+  for (const Case& of : cases) {
     if (of.paper) lines.push_back(paper_row(of));
     const Json& run = cases_json[of.label]["codesign"];
     lines.push_back(our_row(of.label, "here", run["parameters"], run));
@@ -49,8 +53,7 @@ void add_table_one(const Json& cases_json, Json& lines) {
 
 std::string verdict(const Figure& figure) {
   const double sign = figure.at_least ? -1.0 : 1.0;
-  if (sign * figure.measured <= sign * figure.stretch) return "stretch";
-  return sign * figure.measured <= sign * figure.ask ? "yes" : "no";
+  return sign * figure.measured <= sign * figure.goal ? "yes" : "no";
 }
 
 void add_figures(const std::vector<Group>& groups, Json& lines) {
@@ -61,17 +64,20 @@ void add_figures(const std::vector<Group>& groups, Json& lines) {
   for (const Figure& figure : figures)
     if (std::find(names.begin(), names.end(), figure.name) == names.end())
       names.push_back(figure.name);
-  lines.push_back("| figure | on | ask | stretch | measured | reached |");
-  lines.push_back("|---|---|---|---|---|---|");
+  lines.push_back("| figure | on | goal | measured | reached |");
+  lines.push_back("|---|---|---|---|---|");
   for (const std::string& name : names)
     for (const Figure& figure : figures) {
       if (figure.name != name) continue;
       const std::string bound = figure.at_least ? "≥ " : "≤ ";
       const std::string unit = figure.unit.empty() ? "" : " " + figure.unit;
-      lines.push_back(fmt::format("| {} | {} | {}{}{} | {}{} | {}{} | {} |", figure.name,
-                                  figure.where, bound, wish(figure.ask), unit, wish(figure.stretch),
-                                  unit, number(figure.measured), unit, verdict(figure)));
+      lines.push_back(fmt::format("| {} | {} | {}{}{} | {}{} | {} |", figure.name, figure.where,
+                                  bound, wish(figure.goal), unit, number(figure.measured), unit,
+                                  verdict(figure)));
     }
+}
+
+void add_notes(const std::vector<Group>& groups, Json& lines) {
   for (const Group& group : groups)
     for (const std::string& note : group.notes) {
       lines.push_back("");
@@ -79,13 +85,36 @@ void add_figures(const std::vector<Group>& groups, Json& lines) {
     }
 }
 
+/// Milliseconds at each point, and the exponent.
+void add_curves(const std::vector<Group>& groups, Json& lines) {
+  bool first = true;
+  for (const Group& group : groups)
+    for (const Curve& curve : group.curves) {
+      if (std::exchange(first, false)) {
+        lines.push_back("");
+        lines.push_back("| ms of | on | against | | exponent | steeper than a line, as |");
+        lines.push_back("|---|---|---|---|---|---|");
+      }
+      std::vector<std::string> points;
+      for (std::size_t k = 0; k < curve.x.size(); ++k)
+        points.push_back(fmt::format("{:g}: {}", curve.x[k], number(1e3 * curve.seconds[k])));
+      const double exponent = curve.exponent();
+      lines.push_back(fmt::format("| {} | {} | {} | {} | {:.2f} | {} |", curve.what, curve.where,
+                                  curve.against, fmt::join(points, ", "), exponent,
+                                  exponent > kLine ? curve.why_steep : ""));
+    }
+}
+
 }  // namespace
 
-Json markdown(const Json& result, const std::vector<Group>& groups) {
+Json markdown(const Json& result, const std::vector<Case>& cases,
+              const std::vector<Group>& groups) {
   Json lines = Json::array();
-  add_table_one(result["cases"], lines);
+  add_table_one(result["cases"], cases, lines);
   lines.push_back("");
   add_figures(groups, lines);
+  add_notes(groups, lines);
+  add_curves(groups, lines);
   const Json& machine = result["machine"];
   const auto text = [&](const char* key) { return machine[key].get<std::string>(); };
   lines.push_back("");

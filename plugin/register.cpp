@@ -9,7 +9,10 @@
 #include <bit>
 #include <cstdint>
 #include <exception>
+#include <functional>
 #include <memory>
+#include <mutex>
+#include <set>
 #include <string>
 
 #include "plugin/gait_view.hpp"
@@ -47,13 +50,40 @@ int gait_slot() noexcept {
   return slot;
 }
 
-int refuse_instance(const mjModel* m, int instance, const char* plugin,
+/// Whether the model came out of the compiler, which signs it last: there a refusal becomes an
+/// error text, later it ends the host.
+bool compiled(const mjModel* m) noexcept { return m->signature != 0; }
+
+/// Whether the process has not been told of this configuration before. Randomised models come by
+/// the thousand, each with another number in its reason.
+bool first_time(const mjModel* m, int instance) noexcept {
+  try {
+    static std::mutex mutex;
+    static std::set<std::size_t> told;
+    constexpr std::size_t kMost = 1000;
+    std::string text;
+    for (const char* const key : {"trajectory", "kp", "kd", "kind", "gait"})
+      text += std::string(attribute(m, instance, key)) + '\n';
+    const std::lock_guard lock(mutex);
+    return told.size() < kMost && told.insert(std::hash<std::string>()(text)).second;
+  } catch (...) {
+    return false;  // no memory to remember it by
+  }
+}
+
+/// The compiler gets a refusal. A model that was edited after it is played without the plugin.
+int refuse_instance(const mjModel* m, int instance, const char* plugin, bool ends_host,
                     const char* reason) noexcept {
+  if (ends_host && !first_time(m, instance)) return 0;
   const char* name = mj_id2name(m, mjOBJ_PLUGIN, instance);
   for (int s = 0; s < m->nsensor && (name == nullptr || *name == '\0'); ++s)
     if (m->sensor_plugin[s] == instance) name = mj_id2name(m, mjOBJ_SENSOR, s);
-  mju_warning("%s \"%.40s\": %.400s", plugin, name == nullptr ? "" : name, reason);
-  return -1;
+  mju_warning("%s \"%.40s\": %.400s%s", plugin, name == nullptr ? "" : name, reason,
+              ends_host
+                  ? "; the model was changed after it was compiled: it is played without this "
+                    "instance, which gives no force and measures nothing (said once)"
+                  : "");
+  return ends_host ? 0 : -1;
 }
 
 std::string version_text(int version) {
@@ -74,14 +104,16 @@ void check_version(int running) {
 template <typename Make>
 int init(const mjModel* m, mjData* d, int instance, const char* plugin, const Make& make) noexcept {
   d->plugin_data[instance] = 0;
+  bool ends_host = false;
   try {
     check_version(mj_version());
+    ends_host = compiled(m);
     d->plugin_data[instance] = reinterpret_cast<std::uintptr_t>(make());
     return 0;
   } catch (const std::exception& error) {
-    return refuse_instance(m, instance, plugin, error.what());
+    return refuse_instance(m, instance, plugin, ends_host, error.what());
   } catch (...) {
-    return refuse_instance(m, instance, plugin, "unknown failure");
+    return refuse_instance(m, instance, plugin, ends_host, "unknown failure");
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <stdexcept>
 
 #include "plugin/number_text.hpp"
@@ -25,7 +26,12 @@ template <typename... Args>
 /// The joint that the actuator drives, by itself or through its tendon.
 int joint_of(const mjModel* m, int actuator, std::optional<HingeLength>& length) {
   const int transmission = m->actuator_trntype[actuator], target = m->actuator_trnid[2 * actuator];
+  const auto check_range = [&](mjtSize count) {
+    if (target < 0 || target >= count)
+      refuse_actuator(m, actuator, "trnid = {}, expected 0 to {}", target, count - 1);
+  };
   if (transmission == mjTRN_TENDON) {
+    check_range(m->ntendon);
     try {
       length = hinge_length(m, target);
       return length->joint;
@@ -37,6 +43,7 @@ int joint_of(const mjModel* m, int actuator, std::optional<HingeLength>& length)
     refuse_actuator(m, actuator,
                     "expected joint=, jointinparent= or tendon=: legwright.gait moves joints");
   }
+  check_range(m->njnt);
   if (m->jnt_type[target] != mjJNT_HINGE && m->jnt_type[target] != mjJNT_SLIDE) {
     refuse_actuator(m, actuator, "joint {} is neither a hinge nor a slide",
                     name_of(m, mjOBJ_JOINT, target));
@@ -46,7 +53,7 @@ int joint_of(const mjModel* m, int actuator, std::optional<HingeLength>& length)
 
 /// What the servo law does not know, it must not pretend to honour.
 void check_plain(const mjModel* m, int actuator) {
-  const double gear = m->actuator_gear[6 * m->actuator_outadr[actuator]];
+  const double gear = m->actuator_gear[std::ptrdiff_t{6} * m->actuator_outadr[actuator]];
   if (gear != 1.0)
     refuse_actuator(m, actuator,
                     "gear = {}, expected 1: kp and kd are gains at the joint or tendon", gear);
@@ -65,7 +72,7 @@ bool agree(double a, double b) { return std::abs(a - b) <= kGainTolerance * std:
 /// The engine takes the derivative of this servo from biasprm (README.md): it must tell the same
 /// gains.
 void check_bias(const mjModel* m, int actuator, double kp, double kd) {
-  const double* const bias = m->actuator_biasprm + mjNBIAS * actuator;
+  const double* const bias = m->actuator_biasprm + std::ptrdiff_t{mjNBIAS} * actuator;
   if (m->actuator_biastype[actuator] == mjBIAS_AFFINE && bias[0] == 0.0 && agree(bias[1], -kp) &&
       agree(bias[2], -kd)) {
     return;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -16,6 +17,8 @@
 #include "tools/files/io_error.hpp"
 #include "tools/files/nearest_word.hpp"
 #include "tools/run/install.hpp"
+#include "tools/verbs/parent_death.hpp"
+#include "tools/verbs/start_of_process.hpp"
 #include "tools/verbs/verbs.hpp"
 
 namespace {
@@ -25,8 +28,8 @@ using legwright::Action;
 constexpr void (*kVerbs[])(CLI::App&, Action&) = {
     legwright::add_init,     legwright::add_check,  legwright::add_optimize, legwright::add_pick,
     legwright::add_validate, legwright::add_render, legwright::add_report,   legwright::add_curves,
-    legwright::add_play,     legwright::add_study,  legwright::add_export,   legwright::add_gaits,
-    legwright::add_diff,     legwright::add_doctor,
+    legwright::add_play,     legwright::add_studio, legwright::add_study,    legwright::add_export,
+    legwright::add_gaits,    legwright::add_diff,   legwright::add_doctor,
 };
 
 int complain(const char* message, int code) {
@@ -56,6 +59,10 @@ int run(const Action& action) {
   } catch (const legwright::IoError& error) {
     return complain(error.what(), legwright::kIoError);
   } catch (const std::system_error& error) {  // filesystem_error included
+    if (error.code() == std::errc::broken_pipe && std::ferror(stdout) != 0)
+      return legwright::kIoError;  // who reads has seen enough: `| head`
+    if (error.code() == std::errc::not_enough_memory)
+      return complain("out of memory", legwright::kInternal);
     return complain(error.what(), legwright::kIoError);
   } catch (const std::bad_alloc&) {
     return complain("out of memory", legwright::kInternal);
@@ -89,11 +96,25 @@ int run_program(int argc, char** argv) {
   return run(action);
 }
 
+/// The code of the program; 3 where what it had to say on stdout did not get there.
+int with_output(int code) {
+  if (legwright::flush_stdout() || code > legwright::kInfeasible) return code;
+  if (errno == EPIPE) return legwright::kIoError;  // who reads has seen enough: `| head`
+  return complain(
+      fmt::format("cannot write to stdout: {}", std::generic_category().message(errno)).c_str(),
+      legwright::kIoError);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   try {
-    return run_program(argc, argv);
+    legwright::start_of_process();
+    legwright::end_with_caller();
+    return with_output(run_program(argc, argv));
+  } catch (const std::bad_alloc&) {
+    std::fputs("legwright: out of memory\n", stderr);
+    return legwright::kInternal;
   } catch (...) {  // of the parser, or no memory to say what went wrong
     std::fputs("legwright: internal error\n", stderr);
     return legwright::kInternal;

@@ -17,16 +17,19 @@ std::string nine_digits(double value) {
   return text == "-0" ? "0" : text;
 }
 
-std::string declarations(const std::vector<Proposal>& proposals, const std::string& indent,
-                         const std::string& end) {
-  std::string out;
+std::string line_end(const std::string& text) {
+  return text.find("\r\n") == std::string::npos ? "\n" : "\r\n";
+}
+
+std::vector<std::string> declarations(const std::vector<Proposal>& proposals,
+                                      const std::string& end) {
+  std::vector<std::string> out;
   for (const Proposal& p : proposals) {
     const std::string name = escape_xml(std::string(kDeclarationPrefix) + p.name, "\"");
-    out += fmt::format("{}<numeric name=\"{}\" data=\"{} {} {}\"/>{}", indent, name,
-                       nine_digits(p.value), nine_digits(p.lower), nine_digits(p.upper), end);
-    out +=
-        fmt::format("{}<text name=\"{}\"{}{}      data=\"{} | {} | {}\"/>{}", indent, name, end,
-                    indent, p.unit, escape_xml(p.binding, "\""), escape_xml(p.sentence, "\""), end);
+    out.push_back(fmt::format("<numeric name=\"{}\" data=\"{} {} {}\"/>", name,
+                              nine_digits(p.value), nine_digits(p.lower), nine_digits(p.upper)));
+    out.push_back(fmt::format("<text name=\"{}\"{}          data=\"{} | {} | {}\"/>", name, end,
+                              p.unit, escape_xml(p.binding, "\""), escape_xml(p.sentence, "\"")));
   }
   return out;
 }
@@ -35,11 +38,11 @@ std::string without_last(std::string text, const std::string& end) {
   return text.substr(0, text.size() - end.size());
 }
 
-/// Behind the start tag of the file's <custom> section; npos where there is none that is open.
-std::size_t inside_custom(const XmlFile& xml) {
-  const XmlElement* custom = xml.root().FirstChildElement("custom");
-  if (!custom) return std::string::npos;
-  const TagSpan& tag = xml.tag(*custom);
+/// Behind the start tag of such a section of the file; npos where there is none that is open.
+std::size_t inside_section(const XmlFile& xml, const char* section) {
+  const XmlElement* found = xml.root().FirstChildElement(section);
+  if (!found) return std::string::npos;
+  const TagSpan& tag = xml.tag(*found);
   const std::size_t from = tag.attributes.empty() ? tag.name_end : tag.attributes.back().end;
   const std::size_t close = xml.text.find('>', from);
   return xml.text[close - 1] == '/' ? std::string::npos : close + 1;
@@ -67,21 +70,28 @@ std::size_t end_tag(const XmlFile& xml) {
 
 }  // namespace
 
-std::string with_declarations(const std::string& text, const std::filesystem::path& file,
-                              const std::vector<Proposal>& proposals) {
-  if (proposals.empty()) return text;
+std::string with_lines_in_section(const std::string& text, const std::filesystem::path& file,
+                                  const char* section, const std::vector<std::string>& lines) {
   const auto xml = load_xml(text, file);
-  const std::string end = text.find("\r\n") == std::string::npos ? "\n" : "\r\n";
+  const std::string end = line_end(text), indent = "    ";
+  std::string all;
+  for (const std::string& line : lines) all += indent + line + end;
   std::string out = xml->text;
-  if (const std::size_t at = inside_custom(*xml); at != std::string::npos)
-    return out.insert(at, end + without_last(declarations(proposals, "    ", end), end));
+  if (const std::size_t at = inside_section(*xml, section); at != std::string::npos)
+    return out.insert(at, end + without_last(all, end));
   const std::size_t close = end_tag(*xml);
   if (close == std::string::npos)
     throw xml->error(xml->root(), "has no end tag </mujoco>; a robot is a <body> in <worldbody>");
   // Before the last line's end tag: on a line of its own, as it mostly stands already.
   const bool own_line = close == 0 || out[close - 1] == '\n';
-  return out.insert(close, (own_line ? "" : end) + "  <custom>" + end +
-                               declarations(proposals, "    ", end) + "  </custom>" + end);
+  return out.insert(
+      close, fmt::format("{0}  <{1}>{2}{3}  </{1}>{2}", own_line ? "" : end, section, end, all));
+}
+
+std::string with_declarations(const std::string& text, const std::filesystem::path& file,
+                              const std::vector<Proposal>& proposals) {
+  if (proposals.empty()) return text;
+  return with_lines_in_section(text, file, "custom", declarations(proposals, line_end(text)));
 }
 
 }  // namespace legwright

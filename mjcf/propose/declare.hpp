@@ -15,4 +15,9 @@ namespace legwright {
 std::string with_declarations(const std::string& xml, const std::filesystem::path& file,
                               const std::vector<Proposal>& proposals);
 
+/// The text with lines in a section of that name under its root, which is made where there is none
+/// or where it is empty; else as above. @param lines without their indent and line ends
+std::string with_lines_in_section(const std::string& xml, const std::filesystem::path& file,
+                                  const char* section, const std::vector<std::string>& lines);
+
 }  // namespace legwright

@@ -245,7 +245,7 @@ class ProposalBuilder {
         offer({name, 0.0, -most, most, "rad",
                fmt::format("axis {}: {}{}", directions[n], joint.name,
                            limb.partner < 0 ? "" : " ~" + twin.name),
-               fmt::format("Turn of the axis of joint {} of the {} about the body's {}{}.",
+               fmt::format("Turn of the axis of joint {} of the {} about {} of its body{}.",
                            joint.name, words(limb), directions[n],
                            limb.partner < 0 ? "" : "; left and right mirror each other")});
       }
@@ -323,7 +323,7 @@ class ProposalBuilder {
                at + most, "m",
                fmt::format("place {}: {}{}", axis, name,
                            twin ? " ~" + name_of(*compiled_, mjOBJ_SITE, other) : ""),
-               fmt::format("Where the linear actuator {} is attached, along the body's {}{}.",
+               fmt::format("Where the linear actuator {} is attached, along {} of its body{}.",
                            actuator.name, axis, twin ? "; left and right mirror each other" : "")});
       }
     }

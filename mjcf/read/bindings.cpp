@@ -116,8 +116,18 @@ TargetWord read_target(const XmlFile& xml, const XmlElement& text, std::string_v
   return out;
 }
 
+/// What a <text> says, as MuJoCo reads it: its attribute, or else its CDATA section, where MuJoCo
+/// itself writes whatever holds an apostrophe or markup.
+std::string_view said_by(const XmlElement& text) {
+  if (has_attribute(text, "data")) return attribute(text, "data");
+  for (const tinyxml2::XMLNode* node = text.FirstChild(); node; node = node->NextSibling())
+    if (const tinyxml2::XMLText* inside = node->ToText(); inside && inside->CData())
+      return inside->Value();
+  return {};
+}
+
 DeclaredBinding read_text(const XmlFile& xml, const XmlElement& text, DesignParameter& parameter) {
-  const std::string_view data = attribute(text, "data");
+  const std::string_view data = said_by(text);
   const std::size_t first = data.find('|');
   const std::size_t second = first == std::string_view::npos ? first : data.find('|', first + 1);
   if (second == std::string_view::npos)

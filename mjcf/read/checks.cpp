@@ -123,13 +123,10 @@ void check_scene_needs(const XmlFile& xml, const XmlElement& element, Refusals& 
   const bool is_class =
       is_tag(element, "default") && attribute(element, "class").substr(0, 13) == "legwright_pd_";
   const bool is_foot = is_tag(element, "site") && name.substr(0, 5) == "foot:";
-  if (is_foot || is("geom", "floor") || is("key", "gait") || is("texture", "legwright_floor") ||
+  if (is_foot || is("key", "gait") || is("texture", "legwright_floor") ||
       is("material", "legwright_floor") || is_sensor || is_class)
     reasons.add(xml.error(
-        element, is("geom", "floor")
-                     ? "the scene brings a floor of this name; give the robot's own file, "
-                       "without surroundings, or remove the floor"
-                     : "the scene adds an element of this name; remove it or name it otherwise"));
+        element, "the scene adds an element of this name; remove it or name it otherwise"));
 }
 
 /// Told before MuJoCo stumbles over a keyframe that does not fit a robot without free joint.
@@ -150,6 +147,21 @@ void check_has_free_joint(const XmlFile& xml) {
       "no free root: the trunk of a walking robot moves freely; add <freejoint/> to it");
 }
 
+/// Throws InputError at the first thing in an element with which no robot is read.
+void check_element(const XmlFile& xml, const XmlElement& element) {
+  if (is_listed(kGenerators, element.Name()))
+    throw xml.error(element, "generated parts are not read; write the bodies out");
+  if (is_tag(element, "compiler") && attribute(element, "fusestatic") == "true")
+    throw xml.error(element, "attribute fusestatic: hides bodies that parameters name; remove it");
+  if (is_tag(element, "plugin") || is_tag(element, "extension"))
+    throw xml.error(element,
+                    "a robot with engine plugins is not read; use the elements of plain MJCF");
+  check_texts(xml, element);
+  check_sizes(xml, element);
+  check_numbers(xml, element);
+  check_axis(xml, element);
+}
+
 }  // namespace
 
 void check_values(const XmlFile& xml) {
@@ -163,22 +175,21 @@ void check_values(const XmlFile& xml) {
 void check_text(const XmlFile& xml, Refusals& reasons) {
   if (!is_tag(xml.root(), "mujoco"))
     throw xml.error(xml.root(), "the root element of a robot is <mujoco>; is this an MJCF file?");
+  bool is_readable = true;
+  const auto collect = [&](const auto& check) {
+    try {
+      check();
+    } catch (const InputError& fault) {
+      reasons.add(fault);
+      is_readable = false;
+    }
+  };
   for_each_element(xml.root(), [&](const XmlElement& element) {
-    if (is_listed(kGenerators, element.Name()))
-      throw xml.error(element, "generated parts are not read; write the bodies out");
-    if (is_tag(element, "compiler") && attribute(element, "fusestatic") == "true")
-      throw xml.error(element,
-                      "attribute fusestatic: hides bodies that parameters name; remove it");
-    if (is_tag(element, "plugin") || is_tag(element, "extension"))
-      throw xml.error(element,
-                      "a robot with engine plugins is not read; use the elements of plain MJCF");
-    check_texts(xml, element);
-    check_sizes(xml, element);
-    check_numbers(xml, element);
-    check_axis(xml, element);
+    collect([&] { check_element(xml, element); });
     check_scene_needs(xml, element, reasons);
   });
-  check_has_free_joint(xml);
+  collect([&] { check_has_free_joint(xml); });
+  if (!is_readable) reasons.throw_if_any();
 }
 
 InputError error_at(const XmlFile& xml, const mjModel& model, mjtObj type, int id,

@@ -9,7 +9,8 @@
 namespace legwright {
 
 /// What can be told from the text before MuJoCo sees it: unsupported elements, numbers that MuJoCo
-/// would misread or accept though no design can hold them, zero axes. Throws InputError.
+/// would misread or accept though no design can hold them, zero axes. Throws one InputError with
+/// all such faults.
 /// @param reasons names that a scene needs for itself are added here instead: they need not hide
 ///        what else stands against the robot
 void check_text(const XmlFile& xml, Refusals& reasons);

@@ -21,8 +21,8 @@
 namespace legwright {
 namespace {
 
-// A leg ends near the ground: not higher above the lowest foot than this share of the trunk's
-// height, or of half the longest reach where the file draws the robot lying flat.
+// A leg ends near the ground: not higher above the lowest foot than this share of the height of
+// the trunk's centre of mass, or of half the longest reach where the file draws the robot lying.
 constexpr double kLegNearGround = 0.25;
 // The same for a link that a design parameter names: it was a leg's before, and a keyframe of some
 // designs lifts feet.
@@ -167,9 +167,9 @@ class StructureReader {
       ground = std::min(ground, lowest_of(end));
       for (int k = 0; k < 3; ++k)
         reach =
-            std::max(reach, std::abs(data_->xpos[3 * end + k] - data_->xpos[3 * out_.trunk + k]));
+            std::max(reach, std::abs(data_->xpos[3 * end + k] - data_->xipos[3 * out_.trunk + k]));
     }
-    const double height = data_->xpos[3 * out_.trunk + 2] - ground;
+    const double height = data_->xipos[3 * out_.trunk + 2] - ground;
     const double scale = std::max(height, 0.5 * reach);
     const std::set<std::string> declared = declared_names(model_);
     for (bool changed = true; changed;) {
@@ -253,7 +253,7 @@ class StructureReader {
     std::vector<int> joints;
     for (int b = end; b != out_.trunk; b = model_.body_parentid[b])
       for (const int joint : moving_joints(model_, out_, b)) joints.push_back(joint);
-    const double height = data_->xpos[3 * out_.trunk + 2] - points.front().z();
+    const double height = data_->xipos[3 * out_.trunk + 2] - points.front().z();
     if (!can_lay_down(*data_, joints, points.front(), height)) return;
     const int body = foot_body(model_, foot);
     const auto world = matrix_at(data_->xmat, body);

@@ -51,6 +51,8 @@ std::string held_text(const Structure& structure) {
 }
 
 int home_keyframe(const mjModel& model) {
+  const int found = mj_name2id(&model, mjOBJ_KEY, kStandingKey);
+  if (found >= 0) return found;
   const int home = mj_name2id(&model, mjOBJ_KEY, "home");
   return home < 0 && model.nkey == 1 ? 0 : home;
 }

@@ -23,8 +23,11 @@ int moving_body(const mjModel& model, const Structure& structure, int body);
 /// What is held, for people: a line for each reason, with the joints that it holds.
 std::string held_text(const Structure& structure);
 
-/// The keyframe named "home", else the only one; −1 if there is none of them (then the home pose is
-/// that of the file).
+/// The keyframe that `init --write` adds to a robot whose file has none to stand in.
+inline constexpr const char* kStandingKey = "legwright";
+
+/// The keyframe of that name, else "home", else the only one; −1 if there is none of them (then the
+/// home pose is that of the file).
 int home_keyframe(const mjModel& model);
 /// qpos of the home pose.
 const mjtNum* home_qpos(const mjModel& model);

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <numbers>
+#include <stdexcept>
+
 #include "mjcf/read/bindings.hpp"
 #include "mjcf/read/checks.hpp"
 #include "mjcf/read/legs.hpp"
@@ -16,16 +19,20 @@
 namespace legwright {
 namespace {
 
+double degrees(double angle) { return angle * 180.0 / std::numbers::pi; }
+
 void check_home(const XmlFile& xml, const mjModel& model, const Morphology& morphology) {
   for (int a = 0; a < morphology.joint_count(); ++a) {
     const Joint& joint = morphology.links[a + 1].joint;
     if (joint.nominal < joint.lower || joint.nominal > joint.upper)
       throw error_at(
           xml, model, mjOBJ_JOINT, mj_name2id(&model, mjOBJ_JOINT, joint.name.c_str()),
-          fmt::format(
-              "the home pose has {} rad, outside of its range {} to {}; change the range or the "
-              "keyframe 'home'",
-              joint.nominal, joint.lower, joint.upper));
+          fmt::format("the home pose has {:.6g} rad, outside of its range {:.6g} to "
+                      "{:.6g} (in degrees {:.6g}, "
+                      "{:.6g} to {:.6g}); change the range or the keyframe 'home', or let "
+                      "`legwright init ROBOT --write` find a pose to stand in",
+                      joint.nominal, joint.lower, joint.upper, degrees(joint.nominal),
+                      degrees(joint.lower), degrees(joint.upper)));
   }
 }
 
@@ -41,7 +48,8 @@ auto together_with(Refusals& reasons, const Work& work) {
     if (error.reasons().empty()) reasons.add(error);
     for (const InputError& reason : error.reasons()) reasons.add(reason);
   }
-  throw InputError(reasons.all());
+  reasons.throw_if_any();
+  throw std::logic_error("a refusal without a reason");
 }
 
 RobotModel parse_text(const std::string& xml_text, const std::filesystem::path& file,

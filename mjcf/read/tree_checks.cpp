@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Core>
 #include <cmath>
+#include <tuple>
 
 #include "mjcf/read/checks.hpp"
 #include "mjcf/text/compile.hpp"
@@ -38,6 +40,21 @@ void refuse_mass_from_nowhere(const XmlFile& xml, const mjModel& model, int trun
                                           name_of(model, mjOBJ_BODY, b))));
 }
 
+/// What a gravity that is not the planner's tells of the file, and the cure.
+std::string fault_of_gravity(const Eigen::Vector3d& gravity) {
+  const double times = gravity.norm() / kGravity;
+  for (const auto& [factor, unit, of_a_metre] :
+       {std::tuple{100.0, "centimetres", 0.01}, {1000.0, "millimetres", 0.001}})
+    if (std::abs(times / factor - 1.0) < 0.01)
+      return fmt::format(
+          "which is that of a file in {0}, but lengths are read in metres: multiply all lengths by "
+          "{1} (positions, sizes, meshes by their scale; inertias by {1} squared; forces in their "
+          "units likewise), then write 0 0 -{2}",
+          unit, of_a_metre, kGravity);
+  return fmt::format("but gaits are planned for 0 0 -{}; write that or remove the attribute",
+                     kGravity);
+}
+
 /// The planner knows one gravity; with another the played gait would fall for no visible reason.
 void check_gravity(const XmlFile& xml, const mjModel& model, Refusals& reasons) {
   if (model.opt.disableflags & mjDSBL_GRAVITY)
@@ -46,11 +63,9 @@ void check_gravity(const XmlFile& xml, const mjModel& model, Refusals& reasons) 
                           "remove the attribute"));
   const mjtNum* g = model.opt.gravity;
   if (g[0] != 0.0 || g[1] != 0.0 || std::abs(g[2] + kGravity) > 1e-9)
-    reasons.add(
-        xml.error(last_with(xml, "option", "gravity"),
-                  fmt::format("attribute gravity: {} {} {}, but gaits are planned for 0 0 -{}; "
-                              "write that or remove the attribute",
-                              g[0], g[1], g[2], kGravity)));
+    reasons.add(xml.error(last_with(xml, "option", "gravity"),
+                          fmt::format("attribute gravity: {} {} {}, {}", g[0], g[1], g[2],
+                                      fault_of_gravity(Eigen::Vector3d(g[0], g[1], g[2])))));
   for (int b = 1; b < model.nbody; ++b)
     if (model.body_gravcomp[b] != 0.0)
       reasons.add(error_at(xml, model, mjOBJ_BODY, b,
@@ -135,15 +150,12 @@ void check_surroundings(const XmlFile& xml, const mjModel& model, int trunk, Ref
   refuse_section(xml, static_cast<int>(model.nskin), "asset", "skins are not carried", reasons);
   check_gravity(xml, model, reasons);
   refuse_mass_from_nowhere(xml, model, trunk, reasons);
-  for (int g = 0; g < model.ngeom; ++g) {
-    const int root = model.body_rootid[model.geom_bodyid[g]];
-    const bool is_reported = name_of(model, mjOBJ_GEOM, g) == "floor";  // by check_text
-    if (root != trunk && !is_free_root(root) && !is_reported &&
-        (model.geom_contype[g] || model.geom_conaffinity[g]))
+  for (int g = 0; g < model.ngeom; ++g)
+    if (model.body_rootid[model.geom_bodyid[g]] == trunk &&
+        name_of(model, mjOBJ_GEOM, g) == "floor")
       reasons.add(error_at(xml, model, mjOBJ_GEOM, g,
-                           "collides but does not belong to the robot; the scene adds its own "
-                           "floor, remove this one"));
-  }
+                           "the scene adds a floor of this name; name this part of the robot "
+                           "otherwise"));
   check_keyframes(xml, model, reasons);
 }
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "mjcf/read/moving_parts.hpp"
 #include "mjcf/scene/gait_plugin.hpp"
 #include "mjcf/scene/played_robot.hpp"
 #include "mjcf/scene/scene_parts.hpp"
@@ -103,6 +104,15 @@ void replace_servos(XMLElement& root, const RobotModel& robot, double gain_scale
   }
 }
 
+bool has_key(XMLElement& root, const char* name) {
+  for (XMLElement* keys = root.FirstChildElement("keyframe"); keys;
+       keys = keys->NextSiblingElement("keyframe"))
+    for (XMLElement* key = keys->FirstChildElement("key"); key;
+         key = key->NextSiblingElement("key"))
+      if (key->Attribute("name", name) != nullptr) return true;
+  return false;
+}
+
 void add_plugin(XMLElement& root, const RobotModel& robot, const SceneSettings& settings) {
   XMLElement& extension = add(root, "extension");
   extension.InsertEndChild(root.GetDocument()->NewComment(kHowToLoad));
@@ -129,6 +139,7 @@ void add_plugin(XMLElement& root, const RobotModel& robot, const SceneSettings& 
   config("turn", format_number(settings.turn));
   config("t0", format_number(settings.t0));
   config("trajectory", settings.trajectory);
+  if (has_key(root, kStandingKey)) config("rest", kStandingKey);
 }
 
 void add_sensors(XMLElement& root, const Morphology& morphology) {
@@ -202,6 +213,7 @@ std::string emit_scene(const RobotModel& robot, const std::string& design_xml,
   replace_servos(root, robot, settings.gain_scale);
   add_settings(root, *model, view);
   add_floor(root, *model, view, settings.floor_friction);
+  add_side_camera(root, view);
   add_sensors(root, robot.morphology);
   write_keyframes(root, settings);
   add_plugin(root, robot, settings);

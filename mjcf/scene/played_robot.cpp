@@ -9,6 +9,7 @@
 #include "mjcf/read/feet.hpp"
 #include "mjcf/read/moving_parts.hpp"
 #include "mjcf/read/tree.hpp"
+#include "mjcf/read/world_parts.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/elements.hpp"
 #include "mjcf/text/numbers.hpp"
@@ -39,6 +40,7 @@ class Player {
         root_(*xml.dom.RootElement()) {}
 
   void run() {
+    drop_surroundings();
     for (const FootContact& foot : structure_.feet) name_foot(foot);
     if (!structure_.frozen.empty()) {
       trim_keyframes();
@@ -52,6 +54,19 @@ class Player {
   }
 
  private:
+  /// A floor comes in their place; what names one of them goes with it.
+  void drop_surroundings() {
+    bool any = false;
+    for (int g = 0; g < model_.ngeom; ++g) {
+      if (!is_of_surroundings(model_, g)) continue;
+      XMLElement& geom = writable(elements_.geoms[static_cast<std::size_t>(g)]);
+      if (const char* name = geom.Attribute("name")) record_removed("geom", name);
+      geom.Parent()->DeleteChild(&geom);
+      any = true;
+    }
+    if (any) drop_references("contact");
+  }
+
   void name_foot(const FootContact& foot) {
     if (foot.geom >= 0) {
       writable(elements_.geoms[static_cast<std::size_t>(foot.geom)])
@@ -225,6 +240,8 @@ class Player {
 
 bool is_played_as_it_is(const mjModel& model, const Structure& structure) {
   const auto& reads = structure.reads_tendon;
+  for (int g = 0; g < model.ngeom; ++g)
+    if (is_of_surroundings(model, g)) return false;
   return structure.frozen.empty() && std::count(reads.begin(), reads.end(), false) == 0 &&
          std::all_of(structure.feet.begin(), structure.feet.end(), [&](const FootContact& foot) {
            return is_ball(model, foot) && name_of(model, mjOBJ_GEOM, foot.geom) == foot.name;

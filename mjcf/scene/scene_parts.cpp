@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mjcf/read/solver_options.hpp"
 #include "mjcf/text/numbers.hpp"
 #include "mjcf/text/xml.hpp"
 #include "optimizer/design/rotation.hpp"
@@ -118,12 +119,7 @@ bool has_light(const mjModel& robot) {
 }
 
 void add_settings(XMLElement& root, const mjModel& robot, const SceneView& view) {
-  XMLElement& option = add(root, "option");
-  for (const auto& [name, value] : {std::pair{"timestep", "0.001"},
-                                    {"integrator", "implicitfast"},
-                                    {"cone", "elliptic"},
-                                    {"impratio", "10"}})
-    option.SetAttribute(name, value);
+  set_solver(add(root, "option"), robot.opt);
   XMLElement& visual = add(root, "visual");
   XMLElement& global = add(visual, "global");
   set(global, "offwidth", "1280");
@@ -178,8 +174,11 @@ void add_floor(XMLElement& root, const mjModel& robot, const SceneView& view, do
   set(floor, "solimp", "0.9 0.95 0.001 0.5 2");
   set(floor, "margin", "0");
   set(floor, "gap", "0");
-  place_camera(add(world, "camera"), "side", view.centre + view.distance * view.back, view.right,
-               view.up);
+}
+
+void add_side_camera(XMLElement& root, const SceneView& view, const std::string& name) {
+  place_camera(add(section(root, "worldbody"), "camera"), name.c_str(),
+               view.centre + view.distance * view.back, view.right, view.up);
 }
 
 void add_followers(XMLElement& trunk, const SceneView& view, const Matrix3d& orientation,

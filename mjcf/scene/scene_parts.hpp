@@ -5,6 +5,7 @@
 #include <tinyxml2.h>
 
 #include <Eigen/Core>
+#include <string>
 
 #include "optimizer/design/morphology.hpp"
 
@@ -28,10 +29,12 @@ SceneView scene_view(const Morphology& morphology, const Eigen::VectorXd& s,
 /// Adds <option>, <visual>, <statistic>. An arrow of the robot's weight is 2.5 legs long. The head
 /// light is the robot's where it brings a light.
 void add_settings(tinyxml2::XMLElement& root, const mjModel& robot, const SceneView& view);
-/// Adds floor, sky and the still camera "side". The floor's contact settings hold against any of
-/// the robot's.
+/// Adds floor and sky. The floor's contact settings hold against any of the robot's.
 void add_floor(tinyxml2::XMLElement& root, const mjModel& robot, const SceneView& view,
                double friction);
+/// Adds the still camera "side".
+void add_side_camera(tinyxml2::XMLElement& root, const SceneView& view,
+                     const std::string& name = "side");
 /// Adds to the trunk what follows it: camera "track" and, if the robot brings none, the light that
 /// casts its shadow.
 /// @param trunk_orientation world ← trunk in the file's reference pose.

@@ -4,7 +4,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <limits>
+#include <mutex>
+#include <utility>
 
 namespace legwright {
 namespace {
@@ -29,6 +32,10 @@ struct Hull {
   std::vector<Vector3d> corners;
 
   VectorXd room(const Vector3d& x) const { return offsets - normals * x; }
+  bool operator==(const Hull& other) const {
+    return normals.rows() == other.normals.rows() && corners == other.corners &&
+           normals == other.normals && offsets == other.offsets;
+  }
 };
 
 /// As the engine keeps it: numbers of corners and faces, then for each corner its first edge and
@@ -166,10 +173,7 @@ Eigen::ArrayXf beside(const HullCapsule& capsule, const Eigen::ArrayX3f& points)
   return ((off(0) + off(1) + off(2)).sqrt() - static_cast<float>(capsule.radius)).max(0.0f);
 }
 
-}  // namespace
-
-std::vector<HullCapsule> cover_hull(const mjModel& model, int mesh, int most, double enough) {
-  const Hull hull = hull_of(model, mesh);
+std::vector<HullCapsule> cover(const Hull& hull, int most, double enough) {
   const SurfaceSamples samples(hull);
   std::vector<HullCapsule> choice, out;
   for (std::size_t a = 0; a < samples.balls().size(); ++a)
@@ -200,6 +204,42 @@ std::vector<HullCapsule> cover_hull(const mjModel& model, int mesh, int most, do
     out.push_back(choice[static_cast<std::size_t>(best)]);
   }
   return out;
+}
+
+/// The hulls that were covered last: a mesh whose size does not follow the design is the same in
+/// every design.
+class CoveredHulls {
+ public:
+  std::vector<HullCapsule> cover_once(Hull hull, int most, double enough) {
+    {
+      const std::lock_guard lock(mutex_);
+      for (const Covered& each : covered_)
+        if (each.most == most && each.enough == enough && each.hull == hull) return each.capsules;
+    }
+    std::vector<HullCapsule> capsules = cover(hull, most, enough);
+    const std::lock_guard lock(mutex_);
+    if (covered_.size() == kKept) covered_.pop_front();
+    covered_.push_back({std::move(hull), most, enough, capsules});
+    return capsules;
+  }
+
+ private:
+  static constexpr std::size_t kKept = 32;  // a quadruped has some dozen
+  struct Covered {
+    Hull hull;
+    int most;
+    double enough;
+    std::vector<HullCapsule> capsules;
+  };
+  std::mutex mutex_;
+  std::deque<Covered> covered_;  // the oldest first
+};
+
+}  // namespace
+
+std::vector<HullCapsule> cover_hull(const mjModel& model, int mesh, int most, double enough) {
+  static CoveredHulls covered;
+  return covered.cover_once(hull_of(model, mesh), most, enough);
 }
 
 }  // namespace legwright

@@ -62,6 +62,14 @@ InputError refusal(const std::filesystem::path& file, std::string message) {
                     message + "; mend the file so that MuJoCo opens it without Legwright");
 }
 
+SpecPointer parsed(const std::string& xml, const std::filesystem::path& file) {
+  std::array<char, 1000> error{};
+  SpecPointer spec(
+      mj_parseXMLString(xml.c_str(), nullptr, error.data(), static_cast<int>(error.size())));
+  if (!spec) throw refusal(file, error.data());
+  return spec;
+}
+
 }  // namespace
 
 void call_engine(const std::filesystem::path& file, const std::function<void()>& work) {
@@ -75,19 +83,34 @@ void call_engine(const std::filesystem::path& file, const std::function<void()>&
   }
 }
 
+void shrink_painted_textures(mjSpec& spec) {
+  constexpr int kPixels = 2;
+  for (mjsElement* each = mjs_firstElement(&spec, mjOBJ_TEXTURE); each != nullptr;
+       each = mjs_nextElement(&spec, each)) {
+    mjsTexture& texture = *mjs_asTexture(each);
+    if (texture.builtin == mjBUILTIN_NONE) continue;
+    if (texture.width > kPixels) texture.width = kPixels;
+    if (texture.height > kPixels) texture.height = kPixels;
+  }
+}
+
 ModelPointer compile_mjcf(const std::string& xml, const std::filesystem::path& file) {
   ModelPointer model;
   call_engine(file, [&] {
-    std::array<char, 1000> error{};
-    const SpecPointer spec(
-        mj_parseXMLString(xml.c_str(), nullptr, error.data(), static_cast<int>(error.size())));
-    if (!spec) throw refusal(file, error.data());
+    const SpecPointer spec = parsed(xml, file);
+    shrink_painted_textures(*spec);
     if (file.has_parent_path())
       mjs_setString(spec->modelfiledir, (file.parent_path().string() + "/").c_str());
     model.reset(mj_compile(spec.get(), nullptr));
     if (!model) throw refusal(file, mjs_getError(spec.get()));
   });
   return model;
+}
+
+mjOption options_of_mjcf(const std::string& xml, const std::filesystem::path& file) {
+  mjOption out{};
+  call_engine(file, [&] { out = parsed(xml, file)->option; });
+  return out;
 }
 
 DataPointer kinematics_at(const mjModel& model, const mjtNum* qpos,

@@ -16,11 +16,20 @@ namespace legwright {
 /// handler that was set before. Calls take turns and must not nest.
 void call_engine(const std::filesystem::path& file, const std::function<void()>& work);
 
+/// Makes the textures that MuJoCo would paint itself as small as can be: of a model that nobody
+/// looks at. Painting them takes longer than the rest of a compilation.
+void shrink_painted_textures(mjSpec& spec);
+
 /// Compiles the text of a model's files (RobotFiles::text), in which no <include> is left. Assets
 /// are read from the folder of `file`: only RobotFiles, which looks at each of them, may be the
 /// source of a text that names some. Throws InputError with MuJoCo's reason, `file` for messages.
 /// MuJoCo neither prints, writes a log file nor ends the process meanwhile; calls take turns.
+/// Its painted textures are small.
 ModelPointer compile_mjcf(const std::string& xml, const std::filesystem::path& file);
+
+/// What the text's <option> says, where MuJoCo's defaults hold for the rest; nothing is compiled.
+/// Throws as compile_mjcf().
+mjOption options_of_mjcf(const std::string& xml, const std::filesystem::path& file);
 
 /// The model's state in a pose, with the places of bodies and geoms. Throws InputError at `file`
 /// where the engine fails, as for want of memory.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "mjcf/text/input_error.hpp"
@@ -19,9 +21,15 @@ class Refusals {
   }
   bool empty() const { return reasons_.empty(); }
   const std::vector<InputError>& all() const { return reasons_; }
-  /// Throws one InputError with all reasons, if there are some.
+  /// Throws one InputError with all reasons, if there are some, in the order of the file; those
+  /// without a line come last.
   void throw_if_any() const {
-    if (!reasons_.empty()) throw InputError(reasons_);
+    if (reasons_.empty()) return;
+    std::vector<InputError> sorted = reasons_;
+    std::stable_sort(sorted.begin(), sorted.end(), [](const InputError& a, const InputError& b) {
+      return b.line() <= 0 ? a.line() > 0 : a.line() > 0 && a.line() < b.line();
+    });
+    throw InputError(std::move(sorted));
   }
 
  private:

@@ -221,23 +221,7 @@ InputError RobotFiles::located(const InputError& error) const {
     copied = end;
   }
   words.append(message, copied, std::string::npos);
-  if (place.file == file_ && error.where() == "geom 'floor'") words += robot_of_scene();
   return InputError(place.file.string(), place.line, error.where(), words);
-}
-
-std::string RobotFiles::robot_of_scene() const {
-  const auto is_robot = [](const std::string& text) {
-    return text.find("<freejoint") != std::string::npos ||
-           text.find("type=\"free\"") != std::string::npos;
-  };
-  if (is_robot(main_text())) return "";
-  for (const IncludedFile& part : includes())
-    if (is_robot(part.text))
-      return fmt::format(
-          ": this is a scene around '{}', so give that file; a home keyframe of the scene is not "
-          "read then, copy it there",
-          part.path.string());
-  return "";
 }
 
 void RobotFiles::check_names_of_runs() const {

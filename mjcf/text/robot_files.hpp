@@ -66,8 +66,7 @@ class RobotFiles {
     std::filesystem::path file;
     int line = 0;
   };
-  Place place_of(int line) const;      // of a line of text()
-  std::string robot_of_scene() const;  // where the main file is a scene: which file to give
+  Place place_of(int line) const;                             // of a line of text()
   RobotFiles with_attributes(const std::string& text) const;  // with_text without new elements
 
   std::filesystem::path file_;

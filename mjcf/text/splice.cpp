@@ -140,10 +140,11 @@ class Splicer {
     out_.parts.push_back({found.path, read_regular_file(found.source, XmlLimits{}.bytes)});
     const auto own = load_xml(out_.parts.back().text, found.source);
     const XmlElement& root = own->root();
-    if (!is_tag(root, "mujoco") && !is_tag(root, "mujocoinclude"))
+    // MuJoCo takes the elements out of a root of any name.
+    if (is_tag(root, "robot") && root.FirstChildElement("link"))
       throw own->error(root,
-                       "the root element of an included file is <mujocoinclude> or <mujoco>; "
-                       "is this an MJCF file?");
+                       "an included URDF; what is included are elements of MJCF: convert the file "
+                       "first (MuJoCo's `compile` does)");
     if (!root.FirstChildElement())
       throw own->error(root,
                        "an included file without elements; write them, or remove the <include>");

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "optimizer/factor/cholesky_kernels.hpp"
 #include "optimizer/factor/factor_backend.hpp"
-#include "optimizer/factor/supernodes.hpp"
+#include "optimizer/factor/supernodal_plan.hpp"
 
 namespace legwright {
 
@@ -24,22 +24,13 @@ class SupernodalCholesky final : public FactorBackend {
   void solve(Eigen::VectorXd& x) override;
   void solve(Eigen::MatrixXd& x) override;
 
-  const Supernodes& supernodes() const { return nodes_; }
+  const Supernodes& supernodes() const { return plan_->nodes; }
 
  private:
-  // Neighbouring values of H that go down a column of a panel, or along a row of it.
-  struct Load {
-    int source, target, step, length;
-  };
-  void plan_loads(const SymmetricPattern& pattern);
-  double* panel(int j) { return panels_.data() + panel_start_[j]; }
+  double* panel(int j) { return panels_.data() + plan_->panel_start[j]; }
 
   const CholeskyKernels* kernels_;
-  Supernodes nodes_;
-  UpdatePlan plan_;
-  std::vector<int> stride_;
-  std::vector<std::size_t> panel_start_, load_start_;
-  std::vector<Load> loads_;
+  std::shared_ptr<const SupernodalPlan> plan_;
   std::vector<double> panels_, least_pivot_, inverse_diagonal_;
   std::vector<double> x_, gathered_, many_, below_;
 };

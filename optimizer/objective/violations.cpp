@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <utility>
 
 #include "optimizer/objective/parts.hpp"
 
@@ -31,22 +33,43 @@ class ViolationFinder {
     return found;
   }
 
+  std::vector<Violation> broken(double least) {
+    std::vector<Violation> found;
+    for (const WeightedTerm& entry : impl_.terms) {
+      if (entry.entry->role != TermRole::constraint) continue;
+      const auto first = found.size();
+      for (int e = 0; e < static_cast<int>(entry.plans.size()); ++e) {
+        Violation worst;
+        worst.relative = -std::numeric_limits<double>::infinity();
+        look_at(entry, e, worst);
+        if (!(worst.relative <= least)) found.push_back(std::move(worst));
+      }
+      std::stable_sort(found.begin() + static_cast<std::ptrdiff_t>(first), found.end(),
+                       [](const Violation& a, const Violation& b) { return a.knot < b.knot; });
+    }
+    return found;
+  }
+
  private:
   Violation worst_of(const WeightedTerm& entry) {
     Violation worst;
     worst.relative = -std::numeric_limits<double>::infinity();
-    const bool inequality = is_inequality(entry.term->penalty());
-    for (int e = 0; e < static_cast<int>(entry.plans.size()); ++e) {
-      impl_.residual(entry, e, workspace_);
-      const Eigen::VectorXd& r = workspace_.element.residual;
-      for (int row = 0; row < r.size(); ++row) {
-        const double relative = inequality ? -r[row] : norm_of_unit(*entry.term, e, row, r);
-        // Not a number is the worst there is.
-        if (!(relative <= worst.relative)) take(entry, e, row, relative, worst);
-        if (std::isnan(relative)) return worst;
-      }
-    }
+    for (int e = 0; e < static_cast<int>(entry.plans.size()); ++e)
+      if (!look_at(entry, e, worst)) return worst;
     return worst;
+  }
+
+  /// Takes what is worse. @return false once something is not a number, which is the worst there is
+  bool look_at(const WeightedTerm& entry, int e, Violation& worst) {
+    const bool inequality = is_inequality(entry.term->penalty());
+    impl_.residual(entry, e, workspace_);
+    const Eigen::VectorXd& r = workspace_.element.residual;
+    for (int row = 0; row < r.size(); ++row) {
+      const double relative = inequality ? -r[row] : norm_of_unit(*entry.term, e, row, r);
+      if (!(relative <= worst.relative)) take(entry, e, row, relative, worst);
+      if (std::isnan(relative)) return false;
+    }
+    return true;
   }
 
   /// Over the rows that share the unit of `row`.
@@ -80,6 +103,11 @@ class ViolationFinder {
 std::vector<Violation> worst_violations(const Objective& objective, const Eigen::VectorXd& s,
                                         const Eigen::VectorXd& m) {
   return ViolationFinder(objective, s, m).find();
+}
+
+std::vector<Violation> broken_elements(const Objective& objective, const Eigen::VectorXd& s,
+                                       const Eigen::VectorXd& m, double least) {
+  return ViolationFinder(objective, s, m).broken(least);
 }
 
 }  // namespace legwright

@@ -29,4 +29,9 @@ struct Violation {
 std::vector<Violation> worst_violations(const Objective& objective, const Eigen::VectorXd& s,
                                         const Eigen::VectorXd& m);
 
+/// Every element of a constraint that is broken by more than `least` in the term's own scale, term
+/// by term, and knot by knot within it.
+std::vector<Violation> broken_elements(const Objective& objective, const Eigen::VectorXd& s,
+                                       const Eigen::VectorXd& m, double least);
+
 }  // namespace legwright

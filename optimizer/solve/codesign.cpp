@@ -100,7 +100,7 @@ SolveStatus Codesign::optimise() {
     const bool go_on = publish(watch);
     result_.initial = now_;
     if (!go_on) return SolveStatus::stopped;
-    if (options_.motion_only) return now_.motion_status();
+    if (options_.motion_only || now_.s.size() == 0) return now_.motion_status();
   }
   const int limit = options_.max_iterations;
   const bool alone = has_outer() && !options_.near_optimum;  // first F

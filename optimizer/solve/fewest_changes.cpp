@@ -5,7 +5,9 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
+#include "optimizer/solve/predictor.hpp"
 #include "optimizer/solve/put_back.hpp"
 
 namespace legwright {
@@ -63,18 +65,19 @@ double allowed_at_once(const FewestChangesOptions& options, double fall, double 
   return room > 0.0 ? std::max(options.free_share * fall, 0.5 * room) : kBeyond * fall;
 }
 
-/// The motions of `design` carried to other parameters by dm/ds, eq (4), where that is known and
-/// lowers F.
+/// The motions of `design` carried to other parameters by dm/ds, eq (4), and bent to eq (12), where
+/// that is known and lowers F.
 void predict_motions(const std::vector<WeightedCost>& tasks, const VectorXd& s,
                      DesignIteration& design) {
   Evaluation stay, ahead;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     TaskIterate& task = design.tasks[i];
     if (task.sensitivity.cols() != s.size() || task.sensitivity.rows() != task.m.size()) continue;
-    const VectorXd there = task.m + task.sensitivity * (s - design.s);
+    VectorXd there = task.m + task.sensitivity * (s - design.s);
     tasks[i].cost->evaluate(s, task.m, Order::value, stay);
-    tasks[i].cost->evaluate(s, there, Order::value, ahead);
-    if (ahead.value < stay.value) task.m = there;
+    const PredictedValue carried =
+        bend_prediction(*tasks[i].cost, design.s, task.m, s, there, ahead);
+    if (carried.value < stay.value) task.m = std::move(there);
   }
 }
 
@@ -154,19 +157,18 @@ std::vector<FewerChanges> fewest_changes(const std::vector<std::vector<WeightedC
   std::vector<int> order = cheapest_first(rows_of_result, tasks);
   std::size_t batch = designs.back().changed.size();
   bool known_anew = true;  // the order is of this very design
-  while (designs.back().changed.size() > 1) {
-    const std::size_t count = designs.back().changed.size();
-    if (order.empty() || count <= kFew) {
+  while (designs.back().changed.size() > 1 && !stopped()) {
+    const std::vector<int>& changed = designs.back().changed;
+    const std::size_t count = changed.size();
+    std::erase_if(order, [&](int k) {
+      return std::find(changed.begin(), changed.end(), k) == changed.end();
+    });
+    if (order.size() < count || count <= kFew) {  // a stop leaves rows out
       const std::vector<PutBack> rows = put_back(threads, old_values, designs.back().design, rules);
-      if (stopped()) break;
+      if (stopped() || rows.size() < count) break;
       order = cheapest_first(rows, tasks);
       known_anew = true;
     }
-    std::erase_if(order, [&](int k) {
-      const std::vector<int>& changed = designs.back().changed;
-      return std::find(changed.begin(), changed.end(), k) == changed.end();
-    });
-    if (order.empty()) break;
     const double lost = designs.back().design.value - result.value;
     if (lost > (1.0 - options.share) * fall) batch = std::max(2 * batch, count / 4);
     batch = count > kFew ? std::clamp<std::size_t>(batch, 1, std::min(count / 2, count - kFew)) : 1;

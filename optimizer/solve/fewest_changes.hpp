@@ -33,7 +33,8 @@ struct FewerChanges {
 /// Greedy: another choice of so many parameters may do better.
 /// @param threads the same tasks once for each thread; bits do not depend on how many there are
 /// @param initial_value Σ w (F + J) of the old values with the best motions
-/// @param rows_of_result what put_back() says of the result
+/// @param rows_of_result what put_back() says of the result; where some are left out, it is asked
+/// anew
 /// @return from the result itself, or what it is without the changes that cost nothing, down to one
 /// change; counts may be left out where several were put back at once
 [[nodiscard]] std::vector<FewerChanges> fewest_changes(

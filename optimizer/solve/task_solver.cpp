@@ -168,9 +168,9 @@ VectorXd TaskSolver::predicted_motion(const VectorXd& s) {
   if (predict(factor_, here_.m, at_.stationarity, at_.hessian_ms, s - here_.s, ahead)) {
     task_.cost->evaluate(s, here_.m, Order::value, probe_);
     const double stay = probe_.value;
-    task_.cost->evaluate(s, ahead, Order::value, probe_);
-    effort_.evaluations += 2;
-    if (std::isfinite(probe_.value) && !(probe_.value >= stay)) start = std::move(ahead);
+    const PredictedValue there = bend_prediction(*task_.cost, here_.s, here_.m, s, ahead, probe_);
+    effort_.evaluations += 1 + there.evaluations;
+    if (std::isfinite(there.value) && !(there.value >= stay)) start = std::move(ahead);
   }
   effort_.predictor_seconds += watch.seconds();
   return start;

@@ -67,8 +67,8 @@ class TaskSolver {
 
   /// Iteration 0: motion-only optimisation at s. False where F is not finite.
   bool start(const Eigen::VectorXd& s);
-  /// First-order motion of another design, eq (4), or the iterate's own where that has no more F
-  /// there. Needs differentiate() at the iterate.
+  /// First-order motion of another design, eq (4), bent to eq (12), or the iterate's own where that
+  /// has no more F there. Needs differentiate() at the iterate.
   Eigen::VectorXd predicted_motion(const Eigen::VectorXd& s);
   /// Solves for the motion of another design, from the predicted one; now() stays as it is.
   /// @param ceiling F above it is of no use: the solve may be left early. @return F + J there;

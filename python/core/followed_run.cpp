@@ -2,15 +2,15 @@
 #include "python/core/followed_run.hpp"
 
 #include <atomic>
-#include <chrono>
-#include <condition_variable>
 #include <csignal>
 #include <exception>
-#include <mutex>
-#include <optional>
+#include <functional>
 #include <thread>
+#include <utility>
 
+#include "python/core/conversation.hpp"
 #include "python/core/iteration.hpp"
+#include "python/core/own_objective.hpp"
 #include "tools/run/result_folder.hpp"
 #include "tools/task/task_file.hpp"
 #include "tools/verbs/optimize_run.hpp"
@@ -20,93 +20,42 @@ namespace nb = nanobind;
 namespace legwright {
 namespace {
 
-constexpr std::chrono::milliseconds kSignalInterval{50};
-
-/// How the thread of the run and the thread that called it talk to each other.
-class Conversation {
- public:
-  /// The run's thread: hands over an iteration and waits for the answer. @return whether to go on
-  bool ask(PythonIteration iteration) {
-    std::unique_lock lock(mutex_);
-    question_ = std::move(iteration);
-    answer_.reset();
-    changed_.notify_all();
-    changed_.wait(lock, [this] { return answer_.has_value(); });
-    return *answer_;
-  }
-  /// The run's thread: nothing more will come.
-  void end() {
-    const std::lock_guard lock(mutex_);
-    ended_ = true;
-    changed_.notify_all();
-  }
-
-  /// The calling thread: waits for a question, the end, or a while.
-  std::optional<PythonIteration> wait() {
-    std::unique_lock lock(mutex_);
-    changed_.wait_for(lock, kSignalInterval, [this] { return ended_ || question_.has_value(); });
-    return std::exchange(question_, std::nullopt);
-  }
-  void answer(bool go_on) {
-    const std::lock_guard lock(mutex_);
-    answer_ = go_on;
-    changed_.notify_all();
-  }
-  bool ended() {
-    const std::lock_guard lock(mutex_);
-    return ended_;
-  }
-
- private:
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  std::optional<PythonIteration> question_;
-  std::optional<bool> answer_;
-  bool ended_ = false;
-};
-
-/// The exception that Python has set, kept until the run has stopped.
-class KeptError {
- public:
-  /// Calls `work`, which may throw nb::python_error; only the first is kept. @return whether it did
-  template <class Work>
-  bool caught(Work&& work) {
-    try {
-      work();
-      return false;
-    } catch (nb::python_error& error) {
-      if (!error_) error_.emplace(std::move(error));
-      return true;
-    }
-  }
-  void raise_if_any() {
-    if (error_) throw std::move(*error_);
-  }
-
- private:
-  std::optional<nb::python_error> error_;
-};
-
 /// The run itself, without Python. @return what looks doubtful
 std::vector<std::string> optimize_followed(const RobotModel& robot, const FollowedRun& run,
-                                           Conversation& conversation, bool asks,
-                                           const std::atomic<int>& signal) {
+                                           Conversation& conversation, KeptError& kept,
+                                           std::atomic<int>& signal) {
   CommandTimes times;
   std::vector<std::string> warnings;
   TaskSet set = parse_task_tables(run.text, run.file);
   set.robot = robot.file;
   for (TaskFile& task : set.tasks) task.robot = robot.file;
   CodesignProblem problem = make_problem(std::move(set), robot);
+  if (run.objective.is_valid() && !run.objective.is_none())
+    set_own_objective(problem, run.objective, conversation, [&](nb::python_error&& interrupt) {
+      kept.keep(std::move(interrupt));
+      signal = SIGINT;
+    });
   check_options(run.options, problem);
   RunFollower follower;
   follower.warn = [&](const std::string& what) { warnings.push_back(what); };
   follower.stop_signal = [&] { return signal.load(); };
-  if (asks)
+  if (!run.on_iteration.is_none())
     follower.on_iteration = [&](const RunLabel& label, const DesignIteration& iteration) {
-      return conversation.ask(python_iteration(problem, label, iteration));
+      PythonIteration told = python_iteration(problem, label, iteration);
+      bool go_on = true;
+      const bool done = conversation.ask([&] {
+        if (signal != 0) return;
+        try {
+          go_on = !run.on_iteration(std::move(told)).is(nb::handle(Py_False));
+        } catch (nb::python_error&) {
+          signal = SIGINT;
+          throw;
+        }
+      });
+      return done && go_on && signal == 0;
     };
   tell_warnings(problem, follower);
-  follower.command = {"legwright", "codesign()", "from", "Python"};
+  follower.command = {"legwright.codesign()"};
   if (run.options.force) check_not_in_run(run.folder, problem.robot.files);
   const ResultFolder folder = ResultFolder::create(run.folder, run.options.force);
   optimize_into(folder, problem, run.options, follower, times);
@@ -121,27 +70,24 @@ std::vector<std::string> run_followed(const RobotModel& robot, const FollowedRun
   std::atomic<int> signal{0};
   Conversation conversation;
   KeptError kept;
-  const bool asks = !run.on_iteration.is_none();
   {
     const nb::gil_scoped_release released;
     std::thread thread([&] {
       try {
-        warnings = optimize_followed(robot, run, conversation, asks, signal);
+        warnings = optimize_followed(robot, run, conversation, kept, signal);
       } catch (...) {
         failure = std::current_exception();
       }
       conversation.end();
     });
     while (!conversation.ended()) {
-      auto question = conversation.wait();
+      const std::function<void()>* const work = conversation.wait();
       const nb::gil_scoped_acquire held;
-      bool go_on = true;
-      const bool failed = kept.caught([&] {
+      const bool stopped = kept.caught([] {
         if (PyErr_CheckSignals() != 0) nb::raise_python_error();
-        if (question) go_on = !run.on_iteration(std::move(*question)).is(nb::handle(Py_False));
       });
-      if (failed) signal = SIGINT;
-      if (question) conversation.answer(go_on && !failed);
+      if (stopped) signal = SIGINT;
+      if (work != nullptr) conversation.answer(!kept.caught(*work));
     }
     thread.join();
   }

@@ -15,11 +15,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "mjcf/text/input_error.hpp"
 #include "tools/run/design_folder.hpp"
-#include "tools/run/result_folder.hpp"
 #include "tools/session/session.hpp"
 #include "tools/verbs/save_session.hpp"
 
@@ -42,6 +42,10 @@ class PythonSession {
                 const std::optional<fs::path>& journal, const std::optional<fs::path>& replay,
                 int threads) {
     Session::Options options;
+    std::error_code none;
+    if (replay && journal && fs::equivalent(*replay, *journal, none))
+      throw InputError(journal->string(), 0, "journal",
+                       "is the journal to obey, which it would replace; name another file");
     if (replay) options.commands = checked_commands(*replay, robot, text);
     if (journal) options.journal = *journal;
     options.threads = threads;
@@ -55,8 +59,11 @@ class PythonSession {
   }
   void close() {
     std::shared_ptr<Session> gone;
-    const std::lock_guard lock(mutex_);
-    gone.swap(session_);
+    {
+      const std::lock_guard lock(mutex_);
+      gone.swap(session_);
+    }
+    if (gone) gone->close();  // other threads may still be at calls of it
   }
 
  private:
@@ -69,6 +76,11 @@ class PythonSession {
       throw InputError(file.string(), 1, "robot",
                        "is another one, or has been changed, since this journal began with " +
                            read.begin.robot.string() + "; give the one that it was");
+    if (read.begin.text != text)
+      throw InputError(
+          file.string(), 1, "text",
+          "has other tasks, or other bounds of the robot's parameters, than are given; "
+          "give those that the session began with");
     return std::move(read.commands);
   }
 
@@ -206,13 +218,10 @@ void bind_session(nb::module_& module) {
       .def(
           "save",
           [](const PythonSession& s, const fs::path& folder, bool force) {
-            save_session(s.get()->record(), ResultFolder::create(folder, force));
+            save_session(s.get()->record(), folder, force);
           },
           "folder"_a, "force"_a, free)
       .def("close", &PythonSession::close, free);
-  module.def(
-      "journal_task", [](const fs::path& file) { return read_journal(file).begin.text; }, "file"_a,
-      "The text of the tasks that a journal began with.");
 }
 
 }  // namespace legwright

@@ -16,6 +16,7 @@ from legwright._core import __version__, mujoco_version
 from legwright._design import Design, FrontPoint, Verdict
 from legwright._errors import InputError, IoError, LegwrightError, LegwrightWarning, MujocoError
 from legwright._motion import Motion
+from legwright._objective import Objective, PlannedMotion
 from legwright._plugin import register as _register
 from legwright._propose import Proposal, Proposals, propose
 from legwright._robot import Parameter, Robot
@@ -35,7 +36,9 @@ __all__ = [
     'LegwrightWarning',
     'Motion',
     'MujocoError',
+    'Objective',
     'Parameter',
+    'PlannedMotion',
     'Proposal',
     'Proposals',
     'Robot',

@@ -4,22 +4,39 @@
 import os
 import tempfile
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
+from typing import Any
 
 from legwright import _core
 from legwright._design import Design
 from legwright._errors import LegwrightWarning
+from legwright._objective import Objective, ObjectiveFunction, asked
+from legwright._options import CODESIGN, checked, kind_of
 from legwright._robot import Robot
 from legwright._task import Tasks, text_of
 
 Iteration = _core.Iteration
+_NEGATED = ('reasons', 'certificate', 'pictures')
+
+
+def _options_of(words: Mapping[str, Any]) -> _core.Options:
+    """Keywords, checked, as the program's options."""
+    options = _core.Options()
+    for name, value in words.items():
+        if name in _NEGATED:
+            setattr(options, f'no_{name}', not value)
+        elif name != 'check_gradient' and value is not None:
+            setattr(options, name, value)
+    return options
 
 
 def codesign(
     robot: Robot,
     task: Tasks,
     *,
+    objective: Objective | ObjectiveFunction | None = None,
+    check_gradient: bool = True,
     on_iteration: Callable[[Iteration], bool | None] | None = None,
     folder: str | os.PathLike[str] | None = None,
     force: bool = False,
@@ -49,6 +66,10 @@ def codesign(
     Args:
         robot: what may change is what its parameters say.
         task: one task, or several for one body: tasks, or pairs of a task and its weight.
+        objective: an outer objective J of one's own, minimised over the body besides F: a function
+            `J(s, motion)` that returns J, dJ_ds and dJ_dm, or an Objective, which says more of it.
+            Called on the calling thread, one call at a time. In the place of a task's `outer`.
+        check_gradient: compare its gradients with central differences before the search.
         on_iteration: called on the calling thread with each accepted iterate; where it returns
             False, the search ends and the best so far is what the run goes on with.
         folder: of the run, written as it goes (`legwright play --live` follows it); default: a
@@ -70,26 +91,29 @@ def codesign(
         threads: default: all cores; results do not depend on it.
 
     Raises:
-        InputError: for a robot and tasks that do not fit, by file and line.
+        InputError: for a robot and tasks that do not fit, by file and line; for options outside
+            their range, by keyword; for an objective that is not finite, has the wrong shape or a
+            wrong gradient. What it raises is raised.
+        TypeError: for a robot, task or on_iteration that is something else.
         IoError: where the folder holds a run or cannot be written.
         MujocoError: where MuJoCo refuses a scene.
         KeyboardInterrupt: on Ctrl-C, once the run has stopped; what was found stands in `folder`.
     """
-    options = _core.Options()
-    if max_iterations is not None:
-        options.max_iterations = max_iterations
-    options.motion_only, options.plan_only = motion_only, plan_only
-    options.one_start, options.starts, options.seed = one_start, starts, seed
-    options.stop_at, options.few, options.few_keeps = stop_at, few, few_keeps
-    options.front, options.physics_steps, options.threads = front, physics_steps, threads
-    options.no_reasons, options.no_certificate = not reasons, not certificate
-    options.no_pictures, options.force = not pictures, force
+    given = locals()  # before there are others than the keywords
+    words = checked(CODESIGN, {name: given[name] for name in CODESIGN})
+    if on_iteration is not None and not callable(on_iteration):
+        raise TypeError(
+            f'on_iteration is {kind_of(on_iteration)}; expected a function of an Iteration'
+        )
     text, file = text_of(task, robot)
     temporary = None
     if folder is None:
         temporary = tempfile.TemporaryDirectory(prefix='legwright-')
         folder = Path(temporary.name) / 'run'
-    doubts = _core.codesign(robot._model, text, file, Path(folder), options, on_iteration)
+    asks = None if objective is None else asked(objective, words['check_gradient'])
+    doubts = _core.codesign(
+        robot._model, text, file, Path(folder), _options_of(words), on_iteration, asks
+    )
     for doubt in doubts:
         warnings.warn(doubt, LegwrightWarning, stacklevel=2)
     return Design(folder, temporary)

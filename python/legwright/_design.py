@@ -58,7 +58,7 @@ class FrontPoint:
 
 def _finite_or_inf(number: float | None) -> float:
     """JSON has null for what is not finite."""
-    return float('inf') if number is None else number
+    return float('inf') if number is None else float(number)
 
 
 class Design:
@@ -108,27 +108,29 @@ class Design:
 
     @property
     def F(self) -> float:
-        """The cost of the task as it was given; of several the weighted sum, without J."""
-        return float(self.record['final_F'])
+        """The cost of the task as it was given; of several the weighted sum, without J. Infinite
+        where the search found no motion."""
+        return _finite_or_inf(self.record['final_F'])
 
     @property
     def J(self) -> float:
         """The outer objective; 0 without one; of several tasks the weighted sum."""
         if not self.joint:
-            return float(self.record['final_J'])
+            return _finite_or_inf(self.record['final_J'])
         tasks = self.record['tasks']
         return float(sum(task['weight'] * self.tasks[task['name']].J for task in tasks))
 
     @property
     def motion_only_F(self) -> float:
         """F of the given body with its best motion."""
-        return float(self.record['motion_only_F'])
+        return _finite_or_inf(self.record['motion_only_F'])
 
     @cached_property
     def terms(self) -> dict[str, float]:
         """What F consists of, by term; of several tasks the weighted sums."""
         if not self.joint:
-            return dict(self.record['final_terms'])
+            found = self.record['final_terms'] or {}
+            return {name: _finite_or_inf(value) for name, value in found.items()}
         sums: dict[str, float] = {}
         for task in self.record['tasks']:
             for name, value in self.tasks[task['name']].terms.items():
@@ -239,10 +241,19 @@ class Design:
         return mujoco.MjModel.from_xml_path(str(self.folder / 'result/scene.xml'))
 
     def data(self, model: Any) -> Any:
-        """A mujoco.MjData of model() in the gait's first pose, from where mj_step() walks on."""
+        """A mujoco.MjData of model() in the gait's first pose, from where mj_step() walks on: that
+        of the keyframe `gait`, where a plain MjData has all joints at zero and falls.
+
+        Raises ValueError for another model, which has no such keyframe.
+        """
         mujoco = served_mujoco()
+        key = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_KEY, 'gait')
+        if key < 0:
+            raise ValueError(
+                "the model is not this design's: it has no keyframe 'gait'; give the one of model()"
+            )
         data = mujoco.MjData(model)
-        mujoco.mj_resetDataKeyframe(model, data, model.key('gait').id)
+        mujoco.mj_resetDataKeyframe(model, data, key)
         mujoco.mj_forward(model, data)
         return data
 

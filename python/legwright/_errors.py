@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """What goes wrong, by kind: as the program's exit codes tell it apart."""
 
+import os
+from collections.abc import Sequence
+
 
 class LegwrightError(Exception):
     """What Legwright refuses or cannot do, told so that it can be mended."""
@@ -34,8 +37,32 @@ class InputError(LegwrightError, ValueError):
         """What an error of several lines consists of; else empty."""
 
 
+def together(errors: 'Sequence[InputError]') -> InputError:
+    """One error that tells several: a line each; a single one as it is."""
+    if len(errors) == 1:
+        return errors[0]
+    text = '\n'.join(map(str, errors))
+    return InputError(text, errors[0].file, errors[0].line, '', text, tuple(errors))
+
+
 class IoError(LegwrightError, OSError):
     """A file or folder that cannot be used as asked. Exit code 3 of the program."""
+
+
+def unreadable(file: 'str | os.PathLike[str]', error: OSError, cure: str) -> IoError:
+    """What reading a file raised, told with what to give; with the same errno."""
+    refusal = IoError(f'{os.fspath(file)}: {error.strerror}; {cure}')
+    refusal.errno = error.errno
+    return refusal
+
+
+def check_readable(file: 'str | os.PathLike[str]', cure: str) -> None:
+    """Raises IoError where a file cannot be read."""
+    try:
+        with open(file, 'rb'):
+            pass
+    except OSError as error:
+        raise unreadable(file, error, cure) from None
 
 
 class MujocoError(LegwrightError, RuntimeError):

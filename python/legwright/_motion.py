@@ -39,6 +39,12 @@ class Motion:
     foot_names: tuple[str, ...]
     """k names, in the order of `feet`."""
 
+    def __repr__(self) -> str:
+        return (
+            f'<{type(self).__name__}: {len(self.joint_names)} joints, {len(self.foot_names)} feet '
+            f'over {self.period:g} s at {len(self.time)} knots>'
+        )
+
     @property
     def period(self) -> float:
         """Of the cycle [s]."""

@@ -5,13 +5,18 @@ import ctypes
 import importlib
 import importlib.metadata
 import os
+import warnings
 from pathlib import Path
 from typing import Any
 
 from legwright import _core
+from legwright._errors import LegwrightWarning
 
 _BIN = Path(__file__).parent / 'bin'
 _OTHERS = _BIN / 'legwright_plugins'  # a folder for each release
+_DOUBTFUL = {
+    '4.0.0': 'factorises wrongly where the constraint Jacobian is sparse (its issue 3767)',
+}
 
 
 def _library(version: str) -> Path:
@@ -64,5 +69,8 @@ def served_mujoco() -> Any:
             f'MuJoCo {found} is installed, and a plugin holds for one release of it, here for '
             f'{", ".join(served)}: {cure}, or build legwright for {found}'
         )
+    if found in _DOUBTFUL:
+        doubt = f'MuJoCo {found} {_DOUBTFUL[found]}; {cure}'
+        warnings.warn(doubt, LegwrightWarning, stacklevel=3)
     ctypes.CDLL(str(_library(found)), os.RTLD_NOW | os.RTLD_LOCAL)  # metadata may name another
     return mujoco

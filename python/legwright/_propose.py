@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from legwright import _core
+from legwright._robot_source import file_of
 
 
 @dataclass(frozen=True)
@@ -76,7 +77,8 @@ class Proposals(Mapping[str, Proposal]):
 
         Raises:
             InputError: where the robot's other files would not be found from there.
-            IoError: where `output` is there already.
+            IoError: where `output` is there already, or the robot's file has been changed since
+                propose() read it.
             OSError: where it cannot be written.
         """
         return Path(self._studied.write('' if output is None else os.fspath(output)))
@@ -97,5 +99,6 @@ def propose(file: str | os.PathLike[str]) -> Proposals:
 
     Raises:
         InputError: for anything wrong with the file, with its line.
+        IoError: where it is not there or cannot be read.
     """
-    return Proposals(_core.study_robot(Path(file)))
+    return Proposals(_core.study_robot(file_of(file, names=False)))

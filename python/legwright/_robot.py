@@ -3,36 +3,85 @@
 
 import difflib
 import os
+import tempfile
 from collections.abc import Iterator, Mapping
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from legwright import _core
+from legwright import _core, _robot_source
+from legwright._errors import InputError
+
+if TYPE_CHECKING:
+    import mujoco
+
+
+def pair_of(name: str, bounds: Any) -> tuple[float, float]:
+    """Lower and upper bound of a parameter. Raises InputError where they are not two numbers."""
+    try:
+        if isinstance(bounds, str):
+            raise TypeError
+        lower, upper = (float(bound) for bound in bounds)
+    except (TypeError, ValueError):
+        message = f'bounds are {bounds!r}; expected two numbers: (lower, upper)'
+        raise InputError(f'{name}: {message}', '', 0, name, message) from None
+    return lower, upper
 
 
 class Parameter:
     """One entry of s, as the robot's file declares it, and how far it may go in a co-design."""
 
+    __slots__ = ('_bounds', '_declared', '_model')
+
     def __init__(self, model: _core.RobotModel, declared: _core.DeclaredParameter) -> None:
-        self._model = model
-        self.name: str = declared.name
-        """As the file declares it."""
-        self.value: float = declared.value
-        """Of the given body, in `unit`."""
-        self.unit: str = declared.unit
-        """"m" or "rad"."""
-        self.kind: str = declared.kind
-        """"length", "axis_angle" or "position"."""
-        self.sentence: str = declared.sentence
-        """What it is, for people."""
-        self.ties: int = declared.ties
-        """How many bodies or joints follow it."""
-        self.declared_bounds: tuple[float, float] = (declared.lower, declared.upper)
-        """Those of the file; `bounds` may be narrower."""
+        self._model, self._declared = model, declared
         self._bounds = self.declared_bounds
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        if name not in ('bounds', *self.__slots__):
+            raise AttributeError(
+                f"{self.name}: {name} cannot be set; value, unit and the like are the file's: "
+                'change them there (legwright.Session.edit sets values). bounds, freeze() and '
+                'reset() say how far a co-design may go'
+            )
+        object.__setattr__(self, name, value)
+
+    @property
+    def name(self) -> str:
+        """As the file declares it."""
+        return str(self._declared.name)
+
+    @property
+    def value(self) -> float:
+        """Of the given body, in `unit`."""
+        return float(self._declared.value)
+
+    @property
+    def unit(self) -> str:
+        """ "m" or "rad"."""
+        return str(self._declared.unit)
+
+    @property
+    def kind(self) -> str:
+        """ "length", "axis_angle" or "position"."""
+        return str(self._declared.kind)
+
+    @property
+    def sentence(self) -> str:
+        """What it is, for people."""
+        return str(self._declared.sentence)
+
+    @property
+    def ties(self) -> int:
+        """How many bodies or joints follow it."""
+        return int(self._declared.ties)
+
+    @property
+    def declared_bounds(self) -> tuple[float, float]:
+        """Those of the file; `bounds` may be narrower."""
+        return self._declared.lower, self._declared.upper
 
     @property
     def bounds(self) -> tuple[float, float]:
@@ -44,7 +93,7 @@ class Parameter:
 
     @bounds.setter
     def bounds(self, bounds: tuple[float, float]) -> None:
-        lower, upper = (float(bound) for bound in bounds)
+        lower, upper = pair_of(self.name, bounds)
         self._model.check_bounds({self.name: (lower, upper)})
         self._bounds = (lower, upper)
 
@@ -95,17 +144,32 @@ class Robot:
     """A robot read from its MJCF.
 
     Args:
-        file: MJCF whose <custom> section declares what may change; `legwright init` writes one.
+        robot: MJCF whose <custom> section declares what may change (`legwright init` writes one;
+            without, the body stays as it is); or a mujoco.MjSpec; or a name of the package
+            robot_descriptions that has an MJCF: "go2_mj_description".
 
     Raises:
-        InputError: for anything wrong with the file, with its line, or one that is not there.
-        IoError: where the file cannot be read.
+        InputError: for anything wrong with the robot, with its line. Of a spec the file is
+            "<MjSpec NAME>", the line that of what `to_xml()` writes.
+        IoError: where the file is not there or cannot be read, or robot_descriptions cannot fetch
+            it.
     """
 
-    def __init__(self, file: str | os.PathLike[str]) -> None:
-        self.file = Path(file)
-        """Of the robot, as it was given."""
-        self._model = _core.read_robot(self.file)
+    def __init__(self, robot: 'str | os.PathLike[str] | mujoco.MjSpec') -> None:
+        self._temporary: tempfile.TemporaryDirectory[str] | None = None  # goes with the robot
+        self.file: Path
+        """Of the robot, as it was given; of a spec or name the file that was read for it."""
+        if _robot_source.is_spec(robot):
+            self._temporary, self.file = _robot_source.write_spec(robot)
+            try:
+                self._model = _core.read_robot(self.file)
+            except InputError as error:
+                raise _robot_source.of_spec(error, robot, self.file) from None
+        elif isinstance(robot, (str, os.PathLike)):
+            self.file = _robot_source.file_of(robot)
+            self._model = _core.read_robot(self.file)
+        else:
+            raise TypeError(f'a robot is a file or a mujoco.MjSpec, not {type(robot).__name__}')
         self.name: str = self._model.name
         """That of its <mujoco model>."""
         self.feet: list[str] = self._model.feet

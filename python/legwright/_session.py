@@ -2,7 +2,6 @@
 """Co-design with somebody who takes part."""
 
 import json
-import math
 import os
 import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -18,7 +17,8 @@ from legwright import _core
 from legwright._design import Design
 from legwright._errors import InputError
 from legwright._motion import Motion, motion_of
-from legwright._robot import Robot
+from legwright._options import THREADS, checked
+from legwright._robot import Robot, pair_of
 from legwright._task import Tasks, text_of
 
 _SLICE = 0.05  # seconds without a look at signals
@@ -151,6 +151,15 @@ class SessionEvent:
     """How a search ended, or why something failed."""
 
 
+def _line(what: str, **fields: Any) -> str:
+    """A command as a line of the journal. Raises InputError for numbers that are none."""
+    try:
+        return json.dumps({'do': what, **fields}, allow_nan=False)
+    except ValueError:
+        told = ', '.join(f'{name} {value}' for name, value in fields.items())
+        raise InputError(f'<session>: {what}: expected finite numbers, found {told}') from None
+
+
 class Session:
     """Co-design with somebody who takes part: edit, search, pause, edit, go on.
 
@@ -172,14 +181,17 @@ class Session:
     Args:
         robot: its frozen parameters and bounds are where the session begins.
         task: as codesign() takes it.
-        journal: file that is written as it goes, so that a process that dies loses nothing; one
-            that is there is replaced.
-        replay: a journal to obey first; may not be the same file as `journal`.
+        journal: file that is written as it goes, so that a process that dies loses no more than
+            the last half second of a search. A journal that is there is replaced, nothing else.
+            Where it can be written no further, as on a full disk, an event "failed" says so and
+            the session goes on without it.
+        replay: a journal of the same robot and tasks to obey first; not the file of `journal`. It
+            takes as long as its searches took.
         threads: default: all cores; results do not depend on it.
 
     Raises:
-        InputError: where robot, tasks and journal do not fit.
-        OSError: where a journal cannot be read or written.
+        InputError: where robot, tasks and journal do not fit, or a journal is damaged.
+        OSError: where a journal cannot be read or begun.
     """
 
     def __init__(
@@ -191,6 +203,7 @@ class Session:
         replay: str | os.PathLike[str] | None = None,
         threads: int = 0,
     ) -> None:
+        words = checked({'threads': THREADS}, {'threads': threads})
         text, file = text_of(task, robot)
         self._core = _core.Session(
             robot._model,
@@ -198,7 +211,7 @@ class Session:
             file,
             None if journal is None else Path(journal),
             None if replay is None else Path(replay),
-            threads,
+            words['threads'],
         )
         self._robot = robot
         self._seen = 0
@@ -206,7 +219,7 @@ class Session:
     # ---- what the user does ----
 
     def _apply(self, what: str, **fields: Any) -> None:
-        self._core.apply(json.dumps({'do': what, **fields}))
+        self._core.apply(_line(what, **fields))
 
     def edit(
         self,
@@ -231,10 +244,8 @@ class Session:
         for name, number in values.items():
             if number is None:
                 raise TypeError(f'edit({name!r}) without a value')
-            if not math.isfinite(number):
-                raise InputError(f'<session>: {name}: is to be {number}; expected a finite number')
         values = {name: float(number) for name, number in values.items()}
-        command = json.dumps({'do': 'edit', 'values': values, 'goes_on': goes_on})
+        command = _line('edit', values=values, goes_on=goes_on)
         if wait:
             self._core.apply(command)
         else:
@@ -248,15 +259,18 @@ class Session:
         """Lets them change again. Raises InputError for unknown names."""
         self._apply('freeze', names=list(names), frozen=False)
 
-    def set_bounds(self, name: str, lower: float, upper: float) -> None:
-        """Narrower bounds than the robot's, or those again. Raises InputError where they are not
-        around the present value."""
-        self._apply('bounds', name=name, lower=float(lower), upper=float(upper))
+    def set_bounds(
+        self, name: str, lower: float | tuple[float, float], upper: float | None = None
+    ) -> None:
+        """Narrower bounds than the robot's, or those again: two numbers, or a pair as that of
+        Parameter.bounds. Raises InputError where they are not around the present value."""
+        low, high = pair_of(name, lower if upper is None else (lower, upper))
+        self._apply('bounds', name=name, lower=low, upper=high)
 
     def set_task(self, task: Tasks) -> None:
         """Other tasks; motions go on from what they were where gait and knots are the same."""
-        text, _ = text_of(task, self._robot)
-        self._apply('tasks', text=text)
+        text, file = text_of(task, self._robot)
+        self._apply('tasks', text=text, file=str(file))
 
     def set_weights(self, weights: Sequence[float]) -> None:
         """Of the tasks, in their order. Raises InputError unless all are above 0."""
@@ -285,7 +299,7 @@ class Session:
         self._apply('redo')
 
     def reset(self) -> None:
-        """Back to the given body; bounds and tasks stay."""
+        """Back to the given body. Tasks and bounds stay; bounds that leave it out are widened."""
         self._apply('reset')
 
     def snapshot(self, name: str) -> None:
@@ -314,25 +328,27 @@ class Session:
         return bool(self._core.wait(0.0))
 
     def events(self, timeout: float | None = None) -> Iterator[SessionEvent]:
-        """What happened since the last call, and on, as it happens.
+        """What happened since the last call, and on, as it happens. Several threads that follow at
+        once are each told everything.
 
         Args:
-            timeout: ends after so many seconds without an event; default: once nothing goes on.
-                The last thousand events are kept.
+            timeout: ends after so many seconds without an event, 0 at once; default: once nothing
+                goes on. The last thousand events are kept.
         """
-        waited = 0.0
+        seen, waited = self._seen, 0.0
         while True:
             idle = self._core.wait(0.0)  # before the look: what ended it is told
-            news = self._core.events(self._seen, 0.0 if idle and timeout is None else _SLICE)
+            left = float(not idle) if timeout is None else max(timeout - waited, 0.0)
+            slice_ = min(_SLICE, left)
+            news = self._core.events(seen, slice_)
             for event in news:
-                self._seen = event.number
-                yield SessionEvent(
-                    event.number, event.kind, SessionState(event.snapshot), event.words
-                )
+                seen = event.number
+                self._seen = max(self._seen, seen)
+                yield SessionEvent(seen, event.kind, SessionState(event.snapshot), event.words)
             if news:
                 waited = 0.0
                 continue
-            waited += _SLICE
+            waited += slice_
             if idle if timeout is None else waited >= timeout:
                 return
 
@@ -347,7 +363,8 @@ class Session:
 
     def save(self, folder: str | os.PathLike[str] | None = None, *, force: bool = False) -> Design:
         """Where it stands as a run folder like that of codesign(plan_only=True), with the journal
-        in inputs/session.jsonl; `legwright validate` judges it. A search is paused for it.
+        in inputs/session.jsonl; `legwright validate` judges it. A search is paused for it. What was
+        frozen or bounded in the session stands in the journal alone: run.json has the robot's.
 
         Args:
             folder: default: a temporary one that goes with the design.
@@ -365,7 +382,8 @@ class Session:
         return Design(folder, temporary)
 
     def close(self) -> None:
-        """Ends what goes on. Calls after that raise ValueError."""
+        """Ends what goes on; calls of other threads that wait, and all after it, raise
+        ValueError."""
         self._core.close()
 
     def __enter__(self) -> 'Session':

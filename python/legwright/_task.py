@@ -8,11 +8,21 @@ from pathlib import Path
 from typing import Any
 
 from legwright import _core, _toml
-from legwright._errors import InputError
+from legwright._errors import InputError, unreadable
+from legwright._options import kind_of
 from legwright._robot import Robot
 
 _MADE = '<task>'  # what messages name in the place of a file
 _OF_THE_BODY = ('design', 'outer', 'task')  # tables that hold for all tasks
+
+
+def _table(key: str, table: Any) -> dict[str, Any]:
+    if isinstance(table, Mapping):
+        return dict(table)
+    raise TypeError(
+        f'{key} is {kind_of(table)}; expected a table with the keys that [{key}] has in a task '
+        'file, as a dict'
+    )
 
 
 class Task:
@@ -37,10 +47,14 @@ class Task:
         servos: stiffness and damping of soft ones [N m/rad, N m s/rad].
         weights: of the terms of F, by name.
         outer: the outer objective J.
+        design: which parameters stay as they are, and narrower bounds of others [m, rad]:
+            `{"freeze": ["body_width"], "bounds": {"thigh_length": [0.05, 0.08]}}`. It holds for all
+            tasks: of a list of tasks none has it.
         dynamics: "full" or "constant_inertia".
 
     Raises:
         InputError: with everything that is wrong; `file` is "<task>", `line` that of `text()`.
+        TypeError: for a keyword that is no such thing at all, as a table that is a number.
     """
 
     def __init__(
@@ -58,11 +72,16 @@ class Task:
         servos: Mapping[str, Any] | None = None,
         weights: Mapping[str, float] | None = None,
         outer: Mapping[str, Any] | None = None,
+        design: Mapping[str, Any] | None = None,
         dynamics: str | None = None,
     ) -> None:
-        pattern = {'name': gait} if isinstance(gait, str) else dict(gait)
+        pattern: Any = {'name': gait} if isinstance(gait, str) else gait
+        if not isinstance(pattern, Mapping):
+            raise TypeError(
+                f'gait is {kind_of(gait)}; expected its name in the library, as "trot", or a table'
+            )
         if period is not None:
-            pattern['period'] = period
+            pattern = {**pattern, 'period': period}
         travel: dict[str, Any] = {'velocity': velocity}
         if turn_rate is not None:
             travel['turn_rate'] = turn_rate
@@ -74,8 +93,8 @@ class Task:
         content['gait'] = pattern
         content['travel'] = travel
         tables = {'style': style, 'limits': limits, 'ground': ground, 'payload': payload}
-        tables |= {'servos': servos, 'weights': weights, 'outer': outer}
-        content |= {key: dict(table) for key, table in tables.items() if table is not None}
+        tables |= {'servos': servos, 'weights': weights, 'outer': outer, 'design': design}
+        content |= {key: _table(key, table) for key, table in tables.items() if table is not None}
         self._content: dict[str, Any] | None = content
         self._loaded = ''
         self.file = Path(_MADE)
@@ -91,10 +110,12 @@ class Task:
 
         Raises:
             InputError: with everything that is wrong, by file and line.
-            OSError: where it cannot be read.
+            IoError: where it is not there or cannot be read.
         """
         try:
             text = Path(file).read_bytes().decode('utf-8')
+        except OSError as error:
+            raise unreadable(file, error, 'give the path of a task file') from None
         except UnicodeDecodeError as error:
             raise InputError(f'{file}: is no UTF-8, as TOML is: {error}', str(file)) from None
         return cls._from_text(text, Path(file))
@@ -146,7 +167,11 @@ class Task:
         if robot is None:
             raise ValueError('a task without a period needs the robot: text(robot)')
         gait = self._content['gait'].get('name')
-        starter = tomllib.loads(robot._model.starter_text(gait))
+        try:
+            starter = tomllib.loads(robot._model.starter_text(gait))
+        except InputError as error:
+            text = f'{self.file}: gait.name: {error.message}'
+            raise InputError(text, str(self.file), 0, 'gait.name', error.message) from None
         return _toml.document(self._with_defaults(starter))
 
     def __repr__(self) -> str:
@@ -157,12 +182,34 @@ Tasks = Task | Iterable[Task | tuple[Task, float]]
 """What codesign() takes: one task, or several for one body, each with a weight or 1/number."""
 
 
+def _listed(tasks: Any) -> list[tuple[Task, float | None]]:
+    """Tasks with their weights. Raises TypeError for what is neither."""
+    several = isinstance(tasks, Iterable) and not isinstance(tasks, (str, bytes, Mapping))
+    listed = []
+    for each in tasks if several else [tasks]:
+        pair = each if isinstance(each, tuple) else (each, None)
+        if len(pair) != 2 or not isinstance(pair[0], Task):
+            raise TypeError(
+                f'task is {kind_of(each)}; expected a Task, as Task("trot", (0.4, 0.0)) or '
+                'Task.load("trot.toml"), or a list of tasks or of pairs (task, weight)'
+            )
+        listed.append(pair)
+    return listed
+
+
 def text_of(tasks: Tasks, robot: Robot) -> tuple[str, Path]:
-    """The text of the task file for a run, and the file that messages name."""
+    """The text of the task file for a run, and the file that messages name.
+
+    Raises TypeError where the robot is no Robot or the tasks are none.
+    """
+    if not isinstance(robot, Robot):
+        raise TypeError(
+            f'robot is {kind_of(robot)}; expected a legwright.Robot, as Robot("robot.xml")'
+        )
     if isinstance(tasks, Task):
         text, file = tasks.text(robot), tasks.file
     else:
-        listed = [each if isinstance(each, tuple) else (each, None) for each in tasks]
+        listed = _listed(tasks)
         if not listed:
             raise InputError('an empty list of tasks; give one at least')
         text, file = _joint_text(listed, robot), Path(_MADE)

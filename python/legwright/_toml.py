@@ -35,6 +35,13 @@ def value(item: Any) -> str:
     raise TypeError(f'a task has numbers, texts, lists and tables, not {type(item).__name__}')
 
 
+def _value_of(key: str, item: Any) -> str:
+    try:
+        return value(item)
+    except TypeError as error:
+        raise TypeError(f'{key}: {error}') from None
+
+
 def document(content: Mapping[str, Any], path: str = '', header: str | None = None) -> str:
     """The text of a table, its own tables below it. A list under the key `task` becomes [[task]].
 
@@ -51,5 +58,5 @@ def document(content: Mapping[str, Any], path: str = '', header: str | None = No
         elif isinstance(item, Mapping):
             tables.append(document(item, full + '.', f'[{full}]'))
         else:
-            lines.append(f'{_key(name)} = {value(item)}')
+            lines.append(f'{_key(name)} = {_value_of(full, item)}')
     return '\n'.join(lines) + '\n' + ''.join(tables)

@@ -9,7 +9,9 @@ import time
 from pathlib import Path
 
 import legwright as lw
+import numpy as np
 import pytest
+from legwright._options import CODESIGN
 
 PROGRAM = Path(lw.__file__).parent / 'bin/legwright'
 QUICK = {'reasons': False, 'certificate': False, 'plan_only': True}
@@ -89,16 +91,18 @@ def test_other_threads_go_on_meanwhile(puppy, sideways):
     assert counted > 100 * seconds, f'{counted} counts in {seconds:.1f} s'
 
 
-@pytest.mark.parametrize('seconds', [0.2, 6.0])  # in the search, in the choice by physics
-def test_ctrl_c_stops_within_two_seconds(examples, seconds):
+# In the search; and behind its last iterate, where MuJoCo plays the designs for some seconds.
+@pytest.mark.parametrize(('index', 'seconds'), [(0, 0.2), (3, 1.0)])
+def test_ctrl_c_stops_within_two_seconds(examples, tmp_path, index, seconds):
     code = (
         'import signal, sys, legwright as lw\n'
         'signal.signal(signal.SIGINT, signal.default_int_handler)\n'
         f'robot = lw.Robot({str(examples / "quadruped/robot.xml")!r})\n'
         f'task = lw.Task.load({str(examples / "quadruped/both.toml")!r})\n'
         'def show(each):\n'
-        '    if each.index == 0: print("here", flush=True)\n'
-        'lw.codesign(robot, task, on_iteration=show, one_start=True)\n'
+        f'    if each.index == {index}: print("here", flush=True)\n'
+        'lw.codesign(robot, task, on_iteration=show, one_start=True, max_iterations=3,\n'
+        f'            folder={str(tmp_path / "run")!r})\n'
     )
     process = subprocess.Popen(
         [sys.executable, '-c', code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
@@ -111,6 +115,10 @@ def test_ctrl_c_stops_within_two_seconds(examples, seconds):
     assert time.monotonic() - start < 2.0
     assert errors.rstrip().endswith('KeyboardInterrupt')
     assert process.returncode == -signal.SIGINT
+    record = json.loads((tmp_path / 'run/run.json').read_text(encoding='utf-8'))
+    assert record['status'] == 'interrupted'
+    assert (record['design_iterations'] == 3) == (index == 3)
+    assert 'seconds' in record and 'certificate' not in record
 
 
 def test_what_is_frozen_or_bounded_stays_so(puppy, sideways):
@@ -134,6 +142,15 @@ def test_a_task_from_keywords_walks(puppy):
     assert str(design.record['task']['gait']) == 'trot'
 
 
+def test_a_robot_without_parameters_keeps_its_body_and_gets_a_gait(examples):
+    robot = lw.Robot(examples.parent / 'tests/robots/servo_dog/robot.xml')
+    assert len(robot.parameters) == 0
+    with pytest.warns(lw.LegwrightWarning, match='declares no design parameters'):
+        design = lw.codesign(robot, lw.Task('trot', (0.1, 0.0)), **QUICK)
+    assert design.s.size == 0 and design.motion_only_F == design.F
+    assert design.status == 'converged' and design.motion.travel[0] > 0.0
+
+
 def test_several_tasks_share_one_body(examples):
     robot = lw.Robot(examples / 'quadruped/robot.xml')
     pace = lw.Task('pace', (0.5, 0.0), name='fast')
@@ -153,8 +170,47 @@ def test_several_tasks_share_one_body(examples):
 
 
 def test_a_front_needs_two_tasks(puppy, sideways):
-    with pytest.raises(lw.InputError, match='needs two'):
+    with pytest.raises(lw.InputError, match='needs two') as caught:
         lw.codesign(puppy, sideways, front=3)
+    assert '--' not in str(caught.value)  # words of the command line
+
+
+def test_options_are_checked_before_the_search_all_at_once(puppy, sideways):
+    wrong = {'max_iterations': 1.5, 'front': -2, 'starts': '3', 'threads': -1, 'few_keeps': 500}
+    with pytest.raises(lw.InputError) as caught:
+        lw.codesign(puppy, sideways, **wrong, few=1)
+    assert {each.where for each in caught.value.reasons} == {*wrong, 'few'}
+    told = str(caught.value).splitlines()
+    assert 'max_iterations: is a number; expected an integer' in told
+    assert 'threads: is -1; expected 0 to 64' in told
+    with pytest.raises(TypeError, match='^on_iteration is an integer; expected a function'):
+        lw.codesign(puppy, sideways, on_iteration=3)
+    with pytest.raises(lw.InputError, match='^threads: is -1'):
+        lw.Session(puppy, sideways, threads=-1)
+    words = {'max_iterations': np.int64(0), 'few_keeps': np.float64(90.0), 'stop_at': 1}
+    assert lw.codesign(puppy, sideways, **words, **QUICK).record['design_iterations'] == 0
+
+
+def test_the_ranges_of_options_are_those_of_the_program(examples, tmp_path):
+    task = examples / 'puppy/sideways.toml'
+    for name, option in CODESIGN.items():
+        if option.kind is bool or option.high > 1e9:
+            continue
+        for value in (option.low - 1, option.high + 1):
+            word = f'--{name.replace("_", "-")}={value:g}'
+            done = run_program('optimize', task, '-o', tmp_path / 'run', word)
+            assert done.returncode == 2 and f'{option.high:g}' in done.stderr, (word, done.stderr)
+
+
+def test_what_is_no_robot_or_task_is_told_by_name(puppy, sideways):
+    for call in (lw.codesign, lw.Session):
+        with pytest.raises(TypeError, match='^robot is a text; expected a legwright.Robot'):
+            call('robot.xml', sideways)
+        for wrong in ('trot', 3, None, [sideways, 'trot'], [(sideways, 1.0, 2.0)], [()], {'a': 1}):
+            with pytest.raises(TypeError, match='^task is .*; expected a Task'):
+                call(puppy, wrong)
+    with pytest.raises(TypeError, match='^robot is a Task'):
+        lw.codesign(sideways, puppy)
 
 
 def test_what_does_not_fit_is_told_by_file_and_line(examples, tmp_path):

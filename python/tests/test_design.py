@@ -45,6 +45,12 @@ def test_motion_keeps_what_a_motion_must(walk, puppy):
     assert heights[motion.contact].max() < 0.013 < heights[~motion.contact].max()
 
 
+def test_a_motion_is_shown_in_a_line(walk):
+    joints, knots = walk.motion.joints.shape[1], len(walk.motion.time)
+    wanted = f'<Motion: {joints} joints, 4 feet over {walk.motion.period:g} s at {knots} knots>'
+    assert repr(walk.motion) == str(walk.motion) == wanted
+
+
 def test_verdict_and_certificate_are_those_of_the_run(walk):
     assert walk.verdict and str(walk.verdict).startswith('PASS  walk sideways')
     assert walk.verdict.merit == 0.0
@@ -63,6 +69,15 @@ def test_why_tells_what_each_change_buys(walk, puppy):
     assert most.played.startswith(('PASS', 'FAIL')) and most.parameter in str(most)
     text = lw.Design.load(walk.folder).why
     assert text == walk.why
+
+
+def test_a_cost_that_is_none_is_infinite(walk, tmp_path):
+    design = lw.Design.load(walk.save(tmp_path / 'run'))
+    for key in ('final_F', 'final_J', 'motion_only_F'):
+        design.record[key] = None
+    design.record['final_terms'] = {'smoothness': None}
+    assert design.F == design.J == design.motion_only_F == float('inf')
+    assert design.terms == {'smoothness': float('inf')} and 'inf' in design._repr_html_()
 
 
 def test_what_fails_is_handed_back_with_reasons(puppy, sideways):

@@ -192,6 +192,9 @@ def test_the_command_tells_of_a_walk_and_of_a_fall(walk, tmp_path):
     done = call('validate', '--engine', 'drake', 'run', cwd=tmp_path)
     assert done.returncode == 1 and done.stderr == ''
     assert 'FAIL  walk sideways' in done.stdout and 'falls after' in done.stdout
+    (tmp_path / 'run/run.json').write_text('{"schema": "legwright/run"}')
+    done = call('validate', '--engine', 'drake', 'run', cwd=tmp_path)
+    assert done.returncode == 4 and 'internal error' in done.stderr  # 1 would be a verdict
 
 
 def test_floors_that_are_no_plane_are_refused(walk, tmp_path):

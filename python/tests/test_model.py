@@ -53,6 +53,29 @@ def test_the_model_walks_as_planned(walk):
 
 
 @pytest.mark.parametrize(
+    'edit',
+    [
+        'model.actuator_gear[0, 0] = 2',
+        'model.actuator_biasprm[0, 1] *= 1.1',
+        'model.actuator_trnid[0] = model.actuator_trnid[1]',
+        'model.jnt_type[model.actuator_trnid[0, 0]] = mujoco.mjtJoint.mjJNT_SLIDE',
+    ],
+)
+def test_a_model_edited_after_compiling_does_not_end_the_host(walk, edit, tmp_path):
+    scene = str(walk.folder / 'result/scene.xml')
+    done = run(
+        f'import legwright, mujoco\nmodel = mujoco.MjModel.from_xml_path({scene!r})\n'
+        f'{edit}\ndata = [mujoco.MjData(model) for _ in range(3)][-1]\n'
+        'mujoco.mj_step(model, data)\n'
+        'print(abs(data.actuator_force).max())',
+        tmp_path,
+    )
+    assert done.returncode == 0, done.stderr
+    assert float(done.stdout.splitlines()[-1]) == 0.0
+    assert done.stderr.count('changed after it was compiled') == 1
+
+
+@pytest.mark.parametrize(
     'order', ['import mujoco, legwright', 'import legwright, mujoco', 'import legwright']
 )
 def test_any_order_of_imports_makes_the_plugin_known(walk, order, tmp_path):
@@ -69,6 +92,22 @@ def test_any_order_of_imports_makes_the_plugin_known(walk, order, tmp_path):
     assert plugins > 0
     releases = {mujoco.mj_versionString(), lw.mujoco_version}
     assert libraries == len(releases), 'two copies of one MuJoCo in a process'
+
+
+def test_data_of_another_model_is_refused(walk):
+    other = mujoco.MjModel.from_xml_string('<mujoco><worldbody/></mujoco>')
+    with pytest.raises(ValueError, match="not this design's: it has no keyframe 'gait'"):
+        walk.data(other)
+
+
+def test_a_doubtful_version_is_told(walk, monkeypatch):
+    found = mujoco.mj_versionString()
+    monkeypatch.setattr(lw._plugin, '_DOUBTFUL', {found: 'errs'})
+    with pytest.warns(lw.LegwrightWarning, match=f'MuJoCo {found} errs; pip install') as caught:
+        walk.model()
+    assert caught[0].filename == __file__
+    monkeypatch.undo()
+    assert set(lw._plugin._DOUBTFUL) == {'4.0.0'}
 
 
 def test_another_version_is_told_with_what_to_install(walk, monkeypatch):

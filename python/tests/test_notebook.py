@@ -54,3 +54,14 @@ def test_an_own_robot_gets_its_parameters_and_walks(run):
     design = names['design']
     assert design.verdict
     assert design.F / design.motion_only_F < 0.2
+
+
+def test_an_objective_of_ones_own_lowers_what_it_measures(run):
+    pytest.importorskip('matplotlib')
+    names = run('own_objective.ipynb')
+    plain, design = names['plain'], names['design']
+    assert plain.verdict and design.verdict
+    planned = names['hip_torque']
+    assert planned(design.s, design.motion)[0] < 0.6 * planned(plain.s, plain.motion)[0]
+    before, after = names['in_mujoco']
+    assert after < 0.7 * before

@@ -46,6 +46,18 @@ def test_write_puts_them_into_the_robots_own_file(bare):
     assert len(lw.Robot(bare).parameters) == len(lw.propose(bare).declared) > 0
 
 
+def test_a_file_that_was_changed_meanwhile_is_left_alone(bare):
+    proposals = lw.propose(bare)
+    bare.write_text(bare.read_text(encoding='utf-8') + '<!-- mine -->', encoding='utf-8')
+    with pytest.raises(lw.IoError, match='changed since it was studied'):
+        proposals.write()
+    assert bare.read_text(encoding='utf-8').endswith('<!-- mine -->')
+    again = lw.propose(bare)
+    again.write()
+    again.write()  # what is there already may be written again
+    assert '<!-- mine -->' in bare.read_text(encoding='utf-8')
+
+
 def test_a_file_that_is_there_is_left_alone(bare, tmp_path):
     other = tmp_path / 'other.xml'
     other.write_text('mine', encoding='utf-8')

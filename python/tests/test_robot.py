@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
+import errno
 import re
 
 import legwright as lw
@@ -60,6 +61,34 @@ def test_a_wrong_robot_is_told_by_file_and_line(tmp_path, examples):
     assert isinstance(error, ValueError) and isinstance(error, lw.LegwrightError)
 
 
-def test_a_missing_robot_is_an_input_error(tmp_path):
-    with pytest.raises(lw.InputError, match='gone.xml'):
-        lw.Robot(tmp_path / 'gone.xml')
+@pytest.mark.parametrize('read', [lw.Robot, lw.propose, lw.Task.load, lw.Design.load])
+def test_a_missing_file_is_an_io_error_whatever_it_is(read, tmp_path):
+    with pytest.raises(lw.IoError, match=r'^/.*/gone.xml: .*; give ') as caught:
+        read(tmp_path / 'gone.xml')
+    if 'give the path' in str(caught.value):  # Design.load has a folder
+        assert caught.value.errno == errno.ENOENT
+        with pytest.raises(lw.IoError, match='Is a directory; give the path'):
+            read(tmp_path)
+
+
+@pytest.mark.parametrize('read', [lw.Robot, lw.propose])
+def test_the_text_of_a_robot_is_told_as_such(read, examples):
+    text = (examples / 'puppy/robot.xml').read_text(encoding='utf-8')
+    with pytest.raises(lw.InputError, match='^<text>: is the text of a robot; .*MjSpec') as caught:
+        read('\n' + text)
+    assert 'worldbody' not in str(caught.value)
+
+
+@pytest.mark.parametrize('name', ['value', 'unit', 'name', 'ties', 'declared_bounds', 'bound'])
+def test_what_the_file_says_of_a_parameter_cannot_be_set(puppy, name):
+    thigh = puppy.parameters['front_thigh_length']
+    with pytest.raises(AttributeError, match=f'front_thigh_length: {name} cannot be set'):
+        setattr(thigh, name, 0.07)
+    assert thigh.value == 0.06
+
+
+@pytest.mark.parametrize('bounds', ['ab', (0.05, 0.06, 0.07), 0.05, (None, 0.07)])
+def test_bounds_are_two_numbers(puppy, bounds):
+    thigh = puppy.parameters['front_thigh_length']
+    with pytest.raises(lw.InputError, match='^front_thigh_length: bounds are .*two numbers'):
+        thigh.bounds = bounds

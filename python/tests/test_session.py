@@ -1,4 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
+import json
+import os
+import signal
+import subprocess
+import sys
 import threading
 import time
 
@@ -45,7 +50,7 @@ def test_events_come_in_order_and_end(session):
     assert len(costs) > 20 and costs[-1] < 0.05 * costs[0]
 
 
-def test_a_journal_leads_to_the_same_bits_also_after_a_process_died(puppy, sideways, tmp_path):
+def test_a_journal_leads_to_the_same_bits(puppy, sideways, tmp_path):
     with lw.Session(puppy, sideways, journal=tmp_path / 'a.jsonl') as first:
         first.start()
         while first.state.iterations < 7:
@@ -58,10 +63,83 @@ def test_a_journal_leads_to_the_same_bits_also_after_a_process_died(puppy, sidew
         assert second.state.s.tolist() == wanted.s.tolist()
         assert second.state.F == wanted.F and second.state.snapshots == ['mine']
         assert second.journal() == text
-    puppy.parameters[THIGH].freeze()  # no matter: it is the file that counts
+    with pytest.raises(lw.InputError, match='to obey, which it would replace'):
+        lw.Session(puppy, sideways, journal=tmp_path / 'a.jsonl', replay=tmp_path / 'a.jsonl')
+    with pytest.raises(lw.InputError, match='has other tasks'):
+        lw.Session(puppy, lw.Task('trot', (0.1, 0.0)), replay=tmp_path / 'a.jsonl')
+    puppy.parameters[THIGH].freeze()
+    with pytest.raises(lw.InputError, match='other bounds'):
+        lw.Session(puppy, sideways, replay=tmp_path / 'a.jsonl')
     other = lw.Robot(puppy.file.parents[1] / 'quadruped/robot.xml')
     with pytest.raises(lw.InputError, match='another one'):
         lw.Session(other, lw.Task('trot', (0.1, 0.0)), replay=tmp_path / 'a.jsonl')
+
+
+DIES = """
+import os, signal, sys, time
+import legwright as lw
+session = lw.Session(lw.Robot(sys.argv[1]), lw.Task.load(sys.argv[2]), journal='died.jsonl')
+session.edit('front_thigh_length', 0.061)
+session.start()
+while '"searching"' not in open('died.jsonl').read():
+    time.sleep(0.01)
+os.kill(os.getpid(), signal.SIGKILL)
+"""
+
+
+def test_the_journal_of_a_process_that_died_leads_to_where_it_was(examples, sideways, tmp_path):
+    robot = examples / 'quadruped/robot.xml'
+    words = [sys.executable, '-c', DIES, robot, examples / 'quadruped/both.toml']
+    environment = {**os.environ, 'PYTHONPATH': os.pathsep.join(sys.path)}
+    done = subprocess.run(words, cwd=tmp_path, env=environment, timeout=120, check=False)
+    assert done.returncode == -signal.SIGKILL
+    task = lw.Task.load(examples / 'quadruped/both.toml')
+    with lw.Session(lw.Robot(robot), task, replay=tmp_path / 'died.jsonl') as session:
+        told = [json.loads(line) for line in session.journal().splitlines()]
+        assert [line['do'] for line in told][:3] == ['begin', 'edit', 'searched']
+        assert told[2]['points'] == session.state.iterations > 0
+
+
+def test_threads_that_follow_are_each_told_everything(session):
+    seen: list[list[int]] = [[], []]
+
+    def follow(numbers):
+        for event in session.events(timeout=60.0):
+            numbers.append(event.number)
+            if event.kind == 'ended':
+                return
+
+    threads = [threading.Thread(target=follow, args=(numbers,)) for numbers in seen]
+    for thread in threads:
+        thread.start()
+    session.start()
+    while session.state.iterations < 5:
+        time.sleep(0.01)
+    session.pause()
+    for thread in threads:
+        thread.join()
+    assert seen[0] == seen[1] == list(range(1, len(seen[0]) + 1)) and len(seen[0]) > 5
+    session.wait()
+    assert [event.kind for event in session.events(timeout=0)] == ['solved']
+    assert list(session.events(timeout=0)) == []
+
+
+def test_close_ends_the_calls_of_other_threads(session):
+    closed = threading.Event()
+
+    def wait():
+        with pytest.raises(ValueError, match='closed'):
+            session.wait()
+        closed.set()
+
+    session.start()
+    thread = threading.Thread(target=wait)
+    thread.start()
+    while session.state.iterations < 1:
+        time.sleep(0.01)
+    session.close()
+    thread.join()
+    assert closed.is_set()
 
 
 def test_undo_redo_reset_branch(session):
@@ -80,20 +158,36 @@ def test_undo_redo_reset_branch(session):
     assert session.state.parameters == given and session.state.snapshots == ['given']
 
 
+def test_bounds_are_two_numbers_or_a_pair(session):
+    session.set_bounds(THIGH, 0.05, 0.07)
+    assert session.state.bounds[THIGH] == (0.05, 0.07)
+    session.set_bounds(THIGH, (0.04, 0.08))
+    assert session.state.bounds[THIGH] == (0.04, 0.08)
+    with pytest.raises(lw.InputError, match='expected two numbers'):
+        session.set_bounds(THIGH, 0.05)
+    session.freeze(THIGH)
+    with pytest.raises(lw.InputError, match='unfreeze it first'):
+        session.edit(THIGH, 0.05)
+
+
 def test_what_does_not_fit_is_refused(session):
     for wrong in (
         lambda: session.edit('front_thigh_lenght', 0.06),
         lambda: session.edit(THIGH, 9.0),
         lambda: session.edit(THIGH, float('nan')),
         lambda: session.set_bounds(THIGH, 0.0, 9.0),
+        lambda: session.set_bounds(THIGH, float('nan'), 0.1),
         lambda: session.set_weights([1.0]),
+        lambda: session.set_weights([float('inf')]),
         lambda: session.branch('none'),
         lambda: session.undo(),
     ):
-        with pytest.raises(lw.InputError):
+        with pytest.raises(lw.InputError, match='^<session>: '):
             wrong()
     with pytest.raises(TypeError):
         session.edit(THIGH)
+    with pytest.raises(lw.InputError, match='^<task>:.* travel.velocity'):  # names the new one
+        session.set_task(lw.Task('trot', (9.0, 0.0)))
     session.edit(THIGH, 9.0, wait=False)
     words = [event.words for event in session.events() if event.kind == 'failed']
     assert len(words) == 1 and 'its bounds' in words[0]

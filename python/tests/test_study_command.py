@@ -1,14 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
 """`python -m legwright.study`, as `legwright study` runs it: exit codes, progress, Ctrl-C."""
 
+import contextlib
 import json
 import os
 import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import pyarrow.parquet
+import pytest
 from legwright import _toml
 from legwright.study import __main__ as command
 from tiny_study import heights, tiny
@@ -41,7 +44,7 @@ def test_a_study_ends_with_its_table_and_page(tmp_path):
     assert [line.split()[0] for line in lines] == ['1/2', '2/2']
     assert all('plan  F' in line and 'limits.swing_height' in line for line in lines)
     assert first.stdout.splitlines() == [
-        'heights: 2 of 2 points have a design, MuJoCo passes 0',
+        'heights: 2 of 2 points have a design, MuJoCo was not asked',
         'table: runs/heights/study.parquet',
         'page:  runs/heights/study.html',
     ]
@@ -119,3 +122,20 @@ def test_sigterm_is_stopped_early(tmp_path):
     process.terminate()
     assert process.wait(60) == command.STOPPED
     process.stderr.close()
+
+
+def test_an_interrupt_that_a_callback_swallows_is_raised_again():
+    taken = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGUSR1)
+    before = {number: signal.getsignal(number) for number in taken}
+    try:
+        for number, kind in ((signal.SIGINT, KeyboardInterrupt), (signal.SIGTERM, command.Stopped)):
+            interrupts = command.Interrupts()
+            interrupts.check()
+            with contextlib.suppress(KeyboardInterrupt):  # as a callback's
+                os.kill(os.getpid(), number)
+                time.sleep(1.0)
+            with pytest.raises(kind):
+                interrupts.check()
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)

@@ -6,6 +6,7 @@ import tomllib
 from pathlib import Path
 
 import legwright as lw
+import numpy as np
 import pytest
 from legwright.study._file import read_study
 from legwright.study._folder import FolderRobots, StudyFolder
@@ -116,6 +117,19 @@ def test_one_byte_of_a_mesh_makes_another_hash(tmp_path):
     ]
 
 
+def test_a_mapping_may_hold_what_python_has_in_the_place_of_toml(tmp_path):
+    plain = {'task': str(PUPPY.parent / 'sideways_trot.toml'), 'pictures': False}
+    listed = plain | {'grid': {'gait': {'period': [0.4, 0.5]}}, 'codesign': {'seed': 3}}
+    other = {'task': PUPPY.parent / 'sideways_trot.toml', 'pictures': False}
+    other |= {'grid': {'gait': {'period': np.array([0.4, 0.5])}}, 'codesign': {'seed': np.int64(3)}}
+    wanted = [point.hash for point in points(listed, tmp_path / 'a')]
+    assert [point.hash for point in points(other, tmp_path / 'b')] == wanted
+    other['grid']['gait']['period'] = (0.4, 0.5)
+    assert [point.hash for point in points(other, tmp_path / 'c')] == wanted
+    with pytest.raises(lw.InputError, match='is a set; expected a list of values'):
+        points(plain | {'grid': {'gait': {'period': {0.4}}}}, tmp_path / 'd')
+
+
 def test_what_is_wrong_is_told_by_line_with_a_remedy(tmp_path):
     text = (
         HEAD
@@ -162,6 +176,35 @@ def test_what_is_wrong_is_told_by_line_with_a_remedy(tmp_path):
 )
 def test_what_cannot_run_is_refused(text, said, tmp_path):
     assert said in '\n'.join(refused(text, tmp_path))
+
+
+def test_what_is_wrong_with_file_and_points_is_told_at_once(tmp_path):
+    text = (
+        HEAD
+        + 'nme = 3\n[base]\ngait.name = "trot"\ntravel.velocity = [0.1, 0.0]\n'
+        + '[codesign]\nseed = 1.5\n[grid]\ngait.perid = [0.5]\nlimits.friction = [-1.0]\n'
+        + 'validate.cycles = [1, 8]\n'
+    )
+    said = refused(text, tmp_path)
+    assert [line.split(': ')[1] for line in said] == [
+        'nme',
+        'codesign.seed',
+        'grid.gait.perid',
+        'grid.limits.friction',
+        'grid.validate.cycles.0',
+    ]
+    assert [line.split(':')[0] for line in said] == ['2', '7', '9', '10', '11']
+
+
+def test_a_gait_that_is_not_there_is_told_by_line_and_key(tmp_path):
+    base = '[base]\ntravel.velocity = [0.1, 0.0]\ngait.name = "trott"\n'
+    (said,) = refused(HEAD + base + '[grid]\ngait.duty = [0.6]\n', tmp_path)
+    assert said.startswith("4: base.gait.name: gait 'trott' is not in the library")
+    (said,) = refused(HEAD + '[base]\ngait.name = "trot"\n[grid]\ngait.duty = [0.6]\n', tmp_path)
+    assert said.startswith('2: base: travel.velocity: is missing')
+    study = tiny(base={'gait': {'name': 'trott'}, 'travel': {'velocity': [0.1, 0.0]}})
+    with pytest.raises(lw.InputError, match='^<study>: base.gait.name: .*did you mean'):
+        points(study, tmp_path / 'mapping')
 
 
 def test_too_many_points_are_refused(tmp_path):

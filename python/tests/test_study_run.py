@@ -4,8 +4,11 @@
 import json
 import os
 import signal
+import subprocess
+import sys
 import threading
 import time
+import warnings
 from pathlib import Path
 
 import dask
@@ -148,7 +151,11 @@ def test_kill_9_of_workers_loses_the_points_they_were_at_alone(tmp_path):
     real, study._run.work = study._run.work, logged
     try:
         options = {'motion_only': False, 'max_iterations': 1, 'plan_only': True}
-        found = study.run(tiny(grid=heights(10), codesign=options), tmp_path / 'study', workers=2)
+        with warnings.catch_warnings(record=True) as told:
+            warnings.simplefilter('always', lw.LegwrightWarning)
+            found = study.run(
+                tiny(grid=heights(10), codesign=options), tmp_path / 'study', workers=2
+            )
     finally:
         study._run.work = real
         thread.join()
@@ -156,10 +163,12 @@ def test_kill_9_of_workers_loses_the_points_they_were_at_alone(tmp_path):
     starts = [line.split()[0] for line in log.read_text().splitlines()]
     assert set(starts) == {point.hash for point in found.points}
     assert len(starts) <= len(found.points) + kills  # a kill may come as its point is done
-    left = os.listdir(tmp_path / 'study/unfinished')
-    assert len(left) <= kills and {name.split('-')[0] for name in left} <= set(starts)
-    study.run(tiny(grid=heights(10), codesign=options), tmp_path / 'study', workers=1)
     assert os.listdir(tmp_path / 'study/unfinished') == []
+    twice = {point.name for point in found.points if starts.count(point.hash) > 1}
+    said = [str(each.message) for each in told if each.category is lw.LegwrightWarning]
+    assert all('another worker did the point' in each for each in said) and len(said) <= kills
+    assert {each.split(': ')[0].removeprefix('a worker died at ') for each in said} <= twice
+    assert said or len(starts) == len(found.points)
 
 
 def test_a_point_that_kills_its_workers_is_told_and_the_others_are_done(tmp_path):
@@ -204,6 +213,56 @@ def test_what_a_killed_worker_left_counts_for_nothing(client, tmp_path):
     study.run(tiny(), tmp_path, client=client, on_point=again.append)
     assert [each.point.hash for each in again] == [done.name]
     assert not half.exists() and json.loads((done / 'point.json').read_text())['status'] == 'done'
+
+
+def test_a_damaged_record_is_told_and_a_folder_without_one_is_no_point(client, tmp_path):
+    found = study.run(tiny(), tmp_path, client=client)
+    file = tmp_path / 'points' / found.points[0].hash / 'point.json'
+    for damaged in (b'', b'{"status": "done"', b'[]', b'\xff', b'{"status": "done"}'):
+        file.write_bytes(damaged)
+        with pytest.raises(lw.IoError, match='is damaged; remove the folder'):
+            study.run(tiny(), tmp_path, client=client)
+    file.unlink()
+    again = []
+    assert study.run(tiny(), tmp_path, client=client, on_point=again.append).complete
+    assert [each.point.hash for each in again] == [found.points[0].hash]
+
+
+def test_a_worker_whose_folder_is_swept_away_leaves_no_half_point(tmp_path, monkeypatch):
+    point = points_of(read_study(tiny()), FolderRobots(StudyFolder.make(tmp_path)))[0]
+
+    def swept(job, folder, made):  # as by the same command on another machine
+        folder.sweep()
+        (made / 'result').mkdir(parents=True)  # as a run does that goes on
+        return {'F': 1.0}, []
+
+    monkeypatch.setattr(_work, '_design', swept)
+    with pytest.raises(lw.IoError, match='another `legwright study` removed it'):
+        _work.work(_work.Job(str(tmp_path), point.hash, point.inputs, False))
+    assert os.listdir(tmp_path / 'points') == os.listdir(tmp_path / 'unfinished') == []
+
+
+def test_the_program_of_a_worker_dies_with_it(walk, tmp_path):
+    run = walk.save(tmp_path / 'run')
+    code = 'from legwright.study import _work; _work._validate({"quick": False, "limits": None, '
+    code += f'"cycles": 10000, "samples": 100000, "seed": 1}}, {str(run)!r})'
+    environment = {**os.environ, 'PYTHONPATH': os.pathsep.join(sys.path)}
+    worker = subprocess.Popen([sys.executable, '-c', code], env=environment)
+    children = Path(f'/proc/{worker.pid}/task/{worker.pid}/children')
+    while not (child := children.read_text().split()):
+        time.sleep(0.01)
+    status = Path(f'/proc/{child[0]}/stat')
+    time.sleep(0.3)  # it has begun
+    assert status.read_text().split(') ')[1][0] in 'RSD'
+    worker.kill()
+    worker.wait()
+    end = time.monotonic() + 10
+    while runs_on := status.exists() and status.read_text().split(') ')[1][0] != 'Z':
+        if time.monotonic() > end:
+            os.kill(int(child[0]), signal.SIGKILL)
+            break
+        time.sleep(0.01)
+    assert not runs_on
 
 
 def test_validation_by_limits_and_pictures_are_kept(client, tmp_path):

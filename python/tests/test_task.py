@@ -66,9 +66,26 @@ def test_a_wrong_file_is_told_by_file_and_line(tmp_path, examples):
     assert f'{wrong}:{line}: gait.period' in str(caught.value)
 
 
-def test_a_missing_file_is_an_os_error(tmp_path):
-    with pytest.raises(OSError, match='gone.toml'):
-        lw.Task.load(tmp_path / 'gone.toml')
+def test_what_is_no_table_is_told_by_keyword():
+    with pytest.raises(TypeError, match='^gait is None; expected its name'):
+        lw.Task(None, (0.0, 0.1))
+    with pytest.raises(TypeError, match='^weights is an integer; expected a table'):
+        lw.Task('walk', (0.0, 0.1), weights=3)
+    with pytest.raises(TypeError, match='^travel.velocity: .*not NoneType'):
+        lw.Task('walk', None)
+
+
+def test_a_table_of_the_design_holds_as_in_a_task_file(puppy):
+    task = lw.Task('walk', (0.0, 0.1), period=1.0, design={'freeze': ['body_width']})
+    assert tomllib.loads(task.text())['design'] == {'freeze': ['body_width']}
+    quick = {'reasons': False, 'certificate': False, 'plan_only': True}
+    design = lw.codesign(puppy, task, max_iterations=2, **quick)
+    assert design.parameters['body_width'] == puppy.parameters['body_width'].value
+    assert design.parameters['body_length'] != puppy.parameters['body_length'].value
+    with pytest.raises(lw.InputError, match=r'\[design\] holds for all tasks'):
+        lw.codesign(puppy, [task, lw.Task('trot', (0.1, 0.0))])
+    with pytest.raises(lw.InputError, match='design.freze'):
+        lw.Task('walk', (0.0, 0.1), design={'freze': []})
 
 
 def test_without_a_period_it_is_the_first_task_of_the_robot(puppy):

@@ -2,6 +2,8 @@
 """What is there beside the modules once the package is installed."""
 
 import importlib.metadata
+import importlib.util
+import json
 import os
 import subprocess
 import sys
@@ -28,6 +30,29 @@ def test_the_command_is_the_program_with_its_own_plugin():
     plugin = Path(lw.__file__).parent / 'bin/mujoco_plugin/liblegwright.so'
     assert f'{plugin}, loadable' in doctor.stdout
     assert run(command, 'optimize').returncode == 2  # exit codes are the program's
+
+
+def test_without_a_viewer_it_is_told_what_to_install_not_what_to_build(walk, tmp_path):
+    command = Path(sys.executable).parent / 'legwright'
+    told = json.loads(run(command, 'doctor', '--json').stdout)['items']
+    (viewer,) = (each for each in told if each['name'] == 'viewer')
+    play = run(command, 'play', walk.folder, '--viewer', 'legwright')
+    assert play.returncode == 3
+    for said in (viewer['fix'], play.stderr):
+        assert '[rendering]==' in said and '--viewer python' in said and 'cmake' not in said
+
+
+def test_doctor_tells_which_extras_are_there():
+    command = Path(sys.executable).parent / 'legwright'
+    told = json.loads(run(command, 'doctor', '--json').stdout)['items']
+    items = {each['name']: each for each in told}
+    for extra, libraries in {'study': ('distributed', 'pyarrow'), 'drake': ('pydrake',)}.items():
+        there = all(importlib.util.find_spec(each) for each in libraries)
+        assert items[extra]['found'] is there and not items[extra]['required']
+        if there:
+            assert f'has legwright with {libraries[0]}' in items[extra]['detail']
+        else:
+            assert f'"legwright[{extra}]" from a wheel' in items[extra]['fix']
 
 
 def test_mujoco_finds_the_plugin_by_its_entry_point():

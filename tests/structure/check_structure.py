@@ -54,8 +54,10 @@ TOOLS = (
     'tools/render',
     'tools/report',
     'tools/viewer',
+    'tools/studio',
     'tools/verbs',
 )
+DRAWN = ('tools/drawables', 'tools/studio/page')  # for pages in a browser
 LAYERS = {
     'optimizer/base': (),
     'optimizer/factor': (),
@@ -76,7 +78,9 @@ LAYERS = {
     'tools/task': OPTIMIZER + MJCF + TOOLS[:1],
     'tools/simulate': OPTIMIZER + MJCF + ('trajectory', 'tools/files'),
     'tools/run': OPTIMIZER + MJCF + ('trajectory',) + TOOLS[:3],
+    'tools/drawables': ('trajectory', 'tools/files', 'tools/simulate') + OPTIMIZER + MJCF,
     'tools/image': ('tools/files',),
+    'tools/studio/page': (),
     'tools/validate': OPTIMIZER + MJCF + ('trajectory',) + TOOLS[:4],
     'tools/choose': OPTIMIZER + MJCF + TOOLS[:4] + TOOLS[5:6],
     'tools/session': OPTIMIZER + MJCF + TOOLS[:2] + TOOLS[3:4],
@@ -89,15 +93,18 @@ LAYERS = {
         'tools/run',
         'tools/image',
     )
-    + OPTIMIZER,
+    + OPTIMIZER
+    + DRAWN,
     'tools/viewer': ('mjcf/text', 'tools/files', 'tools/run', 'tools/simulate'),
-    'tools/verbs': OPTIMIZER + MJCF + ('trajectory',) + TOOLS[:10],
-    'program': OPTIMIZER + MJCF + TOOLS,
-    'python/core': OPTIMIZER + MJCF + TOOLS,
-    'tests': OPTIMIZER + MJCF + TOOLS + ('trajectory', 'plugin'),
+    'tools/studio': OPTIMIZER + MJCF + ('trajectory',) + TOOLS[:6] + TOOLS[7:8] + DRAWN,
+    'tools/verbs': OPTIMIZER + MJCF + ('trajectory',) + TOOLS[:10] + TOOLS[11:12],
+    'program': OPTIMIZER + MJCF + TOOLS + DRAWN,
+    'python/core': OPTIMIZER + MJCF + TOOLS + DRAWN,
+    'tests': OPTIMIZER + MJCF + TOOLS + DRAWN + ('trajectory', 'plugin'),
 }
 # Files whose layer is not their folder: the trajectory's format serves the plugin and the program.
 EXCEPTIONS = (
+    ('tools/studio/page/', 'tools/studio/page'),
     ('plugin/trajectory.', 'trajectory'),
     ('plugin/spline.', 'trajectory'),
     ('plugin/number_text.', 'trajectory'),
@@ -117,6 +124,7 @@ LIBRARIES = (  # include path: paths that may use it; tests and benchmarks may u
             'tools/validate/',
             'tools/render/',
             'tools/viewer/',
+            'tools/drawables/',
             'tools/studio/',
             'python/core/',
         ),
@@ -137,6 +145,7 @@ LIBRARIES = (  # include path: paths that may use it; tests and benchmarks may u
     (r'fmt/', ('mjcf/', 'plugin/', 'tools/')),
     (r'toml\+\+/|nlohmann/|CLI/', ('tools/',)),
     (r'nanobind/|Python\.h', ('python/core/',)),
+    (r'httplib\.h', ('tools/studio/',)),
     (r'simulate\.h|glfw_adapter\.h', ('tools/viewer/',)),
     (r'X11/', ()),
     (r'GL/|EGL/', ('tools/render/',)),

@@ -93,5 +93,13 @@ class SitePages(unittest.TestCase):
         self.assertIn('(../n/a.md)', self.text('docs/a.md'))
 
 
+class Order(unittest.TestCase):
+    def test_every_page_of_docs_has_its_place(self):
+        root = TOOL.parents[1]
+        order = (root / 'mkdocs.yml').read_text(encoding='utf-8')
+        for page in sorted((root / 'docs').glob('*.md')):
+            self.assertIn(f' docs/{page.name}\n', order)
+
+
 if __name__ == '__main__':
     unittest.main()

@@ -10,9 +10,9 @@
 
 #include "mjcf/text/input_error.hpp"
 #include "optimizer/base/parallel.hpp"
+#include "tools/choose/candidate_on_trial.hpp"
 #include "tools/choose/physics_trial.hpp"
-#include "tools/run/design_folder.hpp"
-#include "tools/simulate/mujoco_host.hpp"
+#include "tools/simulate/rollout.hpp"
 
 namespace legwright {
 namespace {
@@ -21,104 +21,6 @@ double sum_of(const std::vector<TermValue>& terms) {
   double sum = 0.0;
   for (const TermValue& term : terms) sum += term.value;
   return sum;
-}
-
-/// The gaits of a candidate, one for each task.
-class CandidateOnTrial {
- public:
-  CandidateOnTrial(const CodesignProblem& problem, const Candidate& candidate, int threads,
-                   const std::function<bool()>& stop)
-      : threads_(threads),
-        gaits_(static_cast<std::size_t>(problem.task_count())),
-        trials_(gaits_.size()) {
-    for_each_task([&](std::size_t i) {
-      const auto k = static_cast<int>(i);
-      const DesignIteration& design = candidate.design;
-      gaits_[i] =
-          std::make_unique<GaitOnTrial>(problem.robot, problem.task(k),
-                                        design_texts(problem.robot, candidate.objective(problem, k),
-                                                     design.s, design.tasks.at(i).m),
-                                        stop);
-    });
-  }
-
-  /// @return whether all tasks pass
-  bool play(PlayedCycles cycles) {
-    for_each_gait([&](GaitOnTrial& gait, GaitTrial& trial) {
-      const int before = trial.rollouts;
-      trial = gait.play(cycles, threads_of_gait());
-      trial.rollouts += before;
-    });
-    return std::all_of(trials_.begin(), trials_.end(),
-                       [](const GaitTrial& trial) { return trial.pass; });
-  }
-  /// Of each task that passes.
-  void ask_other_numerics() {
-    for_each_gait([&](const GaitOnTrial& gait, GaitTrial& trial) {
-      if (trial.pass) gait.ask_other_numerics(threads_of_gait(), trial);
-    });
-  }
-  void glance() {
-    for_each_gait([](const GaitOnTrial& gait, GaitTrial& trial) { trial = gait.glance(); });
-  }
-  double largest_multiplier() const {
-    double largest = 0.0;
-    try {
-      for (const auto& gait : gaits_) {
-        if (gait == nullptr) return std::numeric_limits<double>::infinity();
-        largest = std::max(largest, gait->largest_multiplier(threads_));
-      }
-    } catch (const MujocoError&) {  // a disturbed state that MuJoCo gives up
-      return std::numeric_limits<double>::infinity();
-    }
-    return largest;
-  }
-  const std::vector<GaitTrial>& trials() const { return trials_; }
-
- private:
-  int threads_of_gait() const { return std::max(1, threads_ / static_cast<int>(gaits_.size())); }
-  template <class Work>
-  void for_each_gait(const Work& work) {
-    for_each_task([&](std::size_t i) {
-      if (gaits_[i] != nullptr) work(*gaits_[i], trials_[i]);
-    });
-  }
-  template <class Work>
-  void for_each_task(const Work& work) {
-    parallel_for(static_cast<int>(gaits_.size()), threads_, [&](int k) {
-      const auto i = static_cast<std::size_t>(k);
-      try {
-        work(i);
-      } catch (const InputError& error) {
-        cannot_play(i, error.what());
-      } catch (const MujocoError& error) {
-        cannot_play(i, error.what());
-      }
-    });
-  }
-  /// There is no such robot: that never passes.
-  void cannot_play(std::size_t i, const char* why) {
-    gaits_[i].reset();
-    trials_[i] = {};
-    trials_[i].distance = std::numeric_limits<double>::infinity();
-    trials_[i].line = trials_[i].brief = why;
-  }
-
-  int threads_;
-  std::vector<std::unique_ptr<GaitOnTrial>> gaits_;
-  std::vector<GaitTrial> trials_;
-};
-
-PlayedCandidate played_tasks(std::vector<GaitTrial> trials) {
-  PlayedCandidate out{true, 0.0, "", {}};
-  for (const GaitTrial& trial : trials) {
-    out.pass = out.pass && trial.pass;
-    out.distance += trial.distance;
-  }
-  for (const GaitTrial& trial : trials)
-    if (trial.pass == out.pass) out.line += (out.line.empty() ? "" : "; ") + trial.line;
-  out.trials = std::move(trials);
-  return out;
 }
 
 }  // namespace

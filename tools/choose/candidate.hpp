@@ -32,8 +32,9 @@ struct Candidate {
 /// What physics says of a candidate in all tasks together.
 struct PlayedCandidate {
   bool pass = false;
-  double distance = 0.0;  // from passing, sum over tasks; infinite where one cannot be played
-  std::string line;       // of the tasks that fail, or of all
+  double distance = 0.0;   // from passing, sum over tasks; infinite where one cannot be played
+  bool to_the_end = true;  // false: it fails, by at least this distance, and was played no further
+  std::string line;        // of the tasks that fail, or of all
   std::vector<GaitTrial> trials = {};  // of each task
 
   /// For run.json. @param task of which alone it is told; nothing: of all together

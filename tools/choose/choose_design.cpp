@@ -9,7 +9,9 @@
 
 #include "optimizer/base/parallel.hpp"
 #include "optimizer/base/stopwatch.hpp"
+#include "tools/choose/finalists.hpp"
 #include "tools/choose/other_designs.hpp"
+#include "tools/choose/play_in_turn.hpp"
 #include "tools/choose/tightened_search.hpp"
 #include "tools/simulate/mujoco_host.hpp"
 
@@ -19,7 +21,6 @@ namespace {
 constexpr int kRounds = 4;              // of tightened searches, at most
 constexpr std::size_t kBeam = 2;        // designs that a round goes on from
 constexpr std::size_t kLeversKept = 7;  // from the second round on
-constexpr std::size_t kFinalists = 6;   // that are played to the end where nothing passes
 constexpr int kSearchIterations = 12;   // of each: it starts from a design that is nearly right
 constexpr double kDear = 1.3;  // × F of the optimum: a design that passes with more is not the last
 constexpr double kAlmostAsCheap = 1.1;  // × F of the best that passes: stability decides
@@ -46,12 +47,12 @@ class DesignChooser {
     set_origin(from);
     std::vector<PlayedDesign> beam{{from, played, {}}};
     if (!options_.codesign.motion_only)  // with a kept body the rounds are of the motion alone
-      play_by_rising_cost(search_pulls(pulls_on(beam), Searched::motion));
+      play_by_rising_cost(search_pulls(pulls_on(beam), Searched::motion), 0);
     if (played_.pass && best_->design.value <= kDear * from.design.value) return;
     double nearest = played.distance;
     for (int round = 0; round < kRounds && !stopped(); ++round) {
-      std::vector<PlayedDesign> found =
-          play_by_rising_cost(search_pulls(pulls_on(beam), Searched::body));
+      std::vector<PlayedDesign> found = play_by_rising_cost(
+          search_pulls(pulls_on(beam), Searched::body), round == 0 ? kLeversKept : kBeam);
       if (found.empty() || found.back().played.pass) return;
       std::stable_sort(found.begin(), found.end(),
                        [](const PlayedDesign& a, const PlayedDesign& b) {
@@ -71,7 +72,7 @@ class DesignChooser {
   void tighten_motion(const Candidate& from, const PlayedCandidate& played) {
     set_origin(from);
     const std::vector<PlayedDesign> beam{{from, played, {}}};
-    play_by_rising_cost(search_pulls(pulls_on(beam), Searched::motion));
+    play_by_rising_cost(search_pulls(pulls_on(beam), Searched::motion), 0);
   }
 
   /// What else the search came by. Where nothing passes yet, another start's optimum is tightened
@@ -83,10 +84,10 @@ class DesignChooser {
       const PlayedCandidate played = consider(*other);
       if (!played.pass) tighten(*other, played);
     }
-    for (const Candidate& candidate : further_candidates(found, along))
-      if (!stopped() && (!other || candidate.name != other->name) &&
-          worth_playing(candidate.design.value))
-        consider(candidate);
+    std::vector<PlayedDesign> further;
+    for (Candidate& candidate : further_candidates(found, along))
+      if (!other || candidate.name != other->name) further.push_back({std::move(candidate), {}});
+    play_by_rising_cost(std::move(further), 0);
   }
 
   bool has_result() const { return best_.has_value(); }
@@ -98,18 +99,21 @@ class DesignChooser {
   /// failed early was played for a few cycles only, and keeps the one that is nearest then.
   void play_finalists() {
     if (played_.pass || stopped()) return;
-    std::vector<PlayedCandidate> played(finalists_.size());
-    parallel_for(static_cast<int>(finalists_.size()), options_.threads, [&](int k) {
+    while (const Finalist* each = failed_.unknown()) {
+      const PlayedCandidate played = play(each->design, options_.threads);
+      write_again(each->place, played);
+      failed_.tell(played);
+    }
+    const std::vector<Finalist> finalists = failed_.in_order();
+    std::vector<PlayedCandidate> played(finalists.size());
+    parallel_for(static_cast<int>(finalists.size()), options_.threads, [&](int k) {
       const auto i = static_cast<std::size_t>(k);
-      played[i] = play(finalists_[i].design, 1, PlayLength::whole);
+      played[i] = play(finalists[i].design, 1, PlayLength::whole);
     });
     best_.reset();
-    for (std::size_t i = 0; i < finalists_.size(); ++i) {
-      CandidateRecord& record = record_.candidates[finalists_[i].place];
-      record.played = played[i].record();
-      record.failing = failing(played[i]);
-      count_rollouts(played[i]);
-      take_if_nearer(finalists_[i].design, played[i]);
+    for (std::size_t i = 0; i < finalists.size(); ++i) {
+      write_again(finalists[i].place, played[i]);
+      take_if_nearer(finalists[i].design, played[i]);
     }
   }
 
@@ -158,12 +162,8 @@ class DesignChooser {
   struct PlayedDesign {
     Candidate design;
     PlayedCandidate played;
-    std::optional<Lever> lever = {};  // the last that was pulled
-  };
-  struct Finalist {
-    Candidate design;
-    double distance;
-    std::size_t place;  // in record_.candidates
+    std::optional<Lever> lever = {};        // the last that was pulled
+    const PlayedCandidate* like = nullptr;  // what it comes from, as it was played
   };
   enum class Searched { motion, body };
   struct LeverPull {
@@ -206,34 +206,26 @@ class DesignChooser {
   }
 
   /// Plays designs, up to the first that passes: those after it cannot become the result.
+  /// @param nearest so many of those that fail shall be known in full, if none passes
   /// @return what was played
-  std::vector<PlayedDesign> play_by_rising_cost(std::vector<PlayedDesign> found) {
+  std::vector<PlayedDesign> play_by_rising_cost(std::vector<PlayedDesign> found,
+                                                std::size_t nearest) {
     std::stable_sort(found.begin(), found.end(), [](const PlayedDesign& a, const PlayedDesign& b) {
       return a.design.design.value < b.design.design.value;
     });
     std::erase_if(
         found, [&](const PlayedDesign& each) { return !worth_playing(each.design.design.value); });
-    std::size_t played = 0;
-    for (bool passed = false; played < found.size() && !passed && !stopped();) {
-      const std::size_t first = played;
-      const std::size_t count =
-          std::min(static_cast<std::size_t>(options_.threads), found.size() - first);
-      std::vector<char> ended(count);
-      parallel_for(static_cast<int>(count), options_.threads, [&](int k) {
-        const auto i = static_cast<std::size_t>(k);
-        try {
-          found[first + i].played = play(found[first + i].design, 1);
-          ended[i] = 1;
-        } catch (const RolloutStopped&) {  // the others' play counts
-        }
-      });
-      for (; played < first + count && !passed; ++played) {
-        if (ended[played - first] == 0) throw RolloutStopped();
-        note(found[played].design, found[played].played);
-        passed = found[played].played.pass;
-      }
+    if (stopped()) found.clear();
+    std::vector<CandidateInTurn> turns;
+    turns.reserve(found.size());
+    for (const PlayedDesign& each : found) turns.push_back({&each.design, each.like});
+    PlayedInTurn played = play_in_turn(problem_, turns, nearest, options_.threads, options_.stop);
+    found.resize(played.played.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      found[i].played = std::move(played.played[i]);
+      note(found[i].design, found[i].played);
     }
-    found.resize(played);
+    if (played.stopped) throw RolloutStopped();
     return found;
   }
 
@@ -256,7 +248,7 @@ class DesignChooser {
       if (!design) return;
       design->name =
           origin_ + kTightened + (motion ? " motion: " : ": ") + words_of(pull.tightening);
-      slots[i] = {std::move(*design), {}, pull.lever};
+      slots[i] = {std::move(*design), {}, pull.lever, &pull.from->played};
     });
     std::vector<PlayedDesign> out;
     for (auto& slot : slots)
@@ -318,25 +310,21 @@ class DesignChooser {
         {candidate.name, candidate.design.value, played.record(), {}, failing(played), {}, {}});
     if (played.pass || record_.candidates.size() == 1)
       kept_.emplace_back(record_.candidates.size() - 1, candidate);
-    add_finalist(candidate, played);
+    failed_.add(candidate, record_.candidates.size() - 1, played);
     take_if_nearer(candidate, played);
   }
 
   void take_if_nearer(const Candidate& candidate, const PlayedCandidate& played) {
-    if (best_ && !nearer(candidate, played, *best_, played_)) return;
+    if (best_ && (!played.to_the_end || !nearer(candidate, played, *best_, played_))) return;
     best_ = candidate;
     played_ = played;
   }
 
-  /// Keeps the nearest few, and what was there before any tightening.
-  void add_finalist(const Candidate& candidate, const PlayedCandidate& played) {
-    finalists_.push_back({candidate, played.distance, record_.candidates.size() - 1});
-    const auto farther = [](const Finalist& a, const Finalist& b) {
-      const bool a_stays = a.place <= 1, b_stays = b.place <= 1;
-      return a_stays != b_stays ? b_stays : a.distance > b.distance;
-    };
-    if (finalists_.size() > kFinalists)
-      finalists_.erase(std::min_element(finalists_.begin(), finalists_.end(), farther));
+  /// What is known of a candidate now that it was played for longer.
+  void write_again(std::size_t place, const PlayedCandidate& played) {
+    record_.candidates[place].played = played.record();
+    record_.candidates[place].failing = failing(played);
+    count_rollouts(played);
   }
 
   const CodesignProblem& problem_;
@@ -346,7 +334,7 @@ class DesignChooser {
   std::string origin_;  // how names of designs from there begin
   ChoiceRecord record_;
   std::vector<std::pair<std::size_t, Candidate>> kept_;
-  std::vector<Finalist> finalists_;
+  Finalists failed_;
   std::optional<Candidate> best_;
   PlayedCandidate played_;  // of best_
 };

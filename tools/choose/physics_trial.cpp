@@ -22,8 +22,6 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr std::array<double, 3> kTrialGains = {0.5, 1.0, 2.0};
-
 /// A gain and what MuJoCo computes with there (other_numerics).
 struct AskedNumerics {
   double gain_scale = 1.0;
@@ -112,7 +110,8 @@ GaitTrial trial_of(const std::vector<Measurements>& runs, const TaskFile& wanted
   std::vector<double> residual, speed_ratios, drifts;
   for (const Measurements& run : runs) {
     add_residuals(run, motion, planned_seconds, residual);
-    trial.distance += distance_of(run, motion, limits, planned_seconds);
+    trial.at_gains.push_back(distance_of(run, motion, limits, planned_seconds));
+    trial.distance += trial.at_gains.back();
     if (run.fall || run.diverged) continue;
     if (run.speed_ratio) speed_ratios.push_back(*run.speed_ratio);
     if (run.cycles > 0) drifts.push_back(run.heading_drift / run.cycles);
@@ -149,24 +148,52 @@ Measurements GaitOnTrial::play(const Scene& scene, int cycles) const {
                  options);
 }
 
+// @return whether it had not begun yet
+bool GaitOnTrial::begin(std::size_t gain) {
+  if (played_[gain]) return false;
+  scenes_[gain] = std::make_unique<const Scene>(scene(kTrialGains[gain]));
+  RolloutOptions options;
+  options.stop = stop_;
+  played_[gain] = std::make_unique<GaitMeasurement>(
+      *scenes_[gain], WantedMotion{wanted_.velocity, wanted_.turn_rate},
+      texts_.quality.planned_velocity, options);
+  return true;
+}
+
 GaitTrial GaitOnTrial::play(PlayedCycles cycles, int threads) {
-  const bool begun = !played_.empty();
-  while (played_.size() < kTrialGains.size()) {
-    scenes_.push_back(std::make_unique<const Scene>(scene(kTrialGains[played_.size()])));
-    RolloutOptions options;
-    options.stop = stop_;
-    played_.emplace_back(*scenes_.back(), WantedMotion{wanted_.velocity, wanted_.turn_rate},
-                         texts_.quality.planned_velocity, options);
-  }
+  int begun = 0;
+  for (std::size_t i = 0; i < kTrialGains.size(); ++i) begun += begin(i);
   const int count = cycles == PlayedCycles::first ? kFirstCycles : kTrialCycles;
-  std::vector<Measurements> at_gains(played_.size());
-  parallel_for(static_cast<int>(played_.size()), threads, [&](int k) {
+  std::vector<Measurements> at_gains(kTrialGains.size());
+  parallel_for(static_cast<int>(kTrialGains.size()), threads, [&](int k) {
     const auto i = static_cast<std::size_t>(k);
-    at_gains[i] = played_[i].play_to(count);
+    at_gains[i] = played_[i]->play_to(count);
   });
   GaitTrial trial = trial_of(at_gains, wanted_, count * scenes_.front()->trajectory.period);
-  if (begun) trial.rollouts = 0;
+  trial.rollouts = begun;
   return trial;
+}
+
+FirstCycles GaitOnTrial::play_first(std::size_t gain, bool goes_on) {
+  begin(gain);
+  FirstCycles out;
+  out.measured = played_[gain]->play_to(kFirstCycles);
+  out.planned_seconds = kFirstCycles * scenes_[gain]->trajectory.period;
+  out.distance =
+      distance_of(out.measured, {wanted_.velocity, wanted_.turn_rate},
+                  with_step_over(default_limits(), wanted_.margins.step_over), out.planned_seconds);
+  if (!goes_on || out.distance > 0.0) {
+    played_[gain].reset();
+    scenes_[gain].reset();
+  }
+  return out;
+}
+
+GaitTrial GaitOnTrial::trial_of_first(const std::vector<FirstCycles>& runs) const {
+  std::vector<Measurements> measured;
+  measured.reserve(runs.size());
+  for (const FirstCycles& run : runs) measured.push_back(run.measured);
+  return trial_of(measured, wanted_, runs.front().planned_seconds);
 }
 
 void GaitOnTrial::ask_other_numerics(int threads, GaitTrial& trial) const {

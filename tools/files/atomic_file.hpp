@@ -15,12 +15,14 @@ enum class Durability {
 };
 
 /// Writes a file whole or not at all: a temporary file in the same folder, then a rename over
-/// `path`. Throws std::system_error that names the path; the old file is then untouched and no
-/// temporary left.
+/// `path`, whose mode and owner stay. Links are followed: they stay links. Pipes, devices and open
+/// descriptors (`/dev/stdout`) are written directly. Throws std::system_error that names the path;
+/// the old file is then untouched and no temporary left.
 void write_file(const std::filesystem::path& path, std::string_view bytes,
                 Durability durability = Durability::power);
 
-/// The bytes of a file. Throws std::system_error that names it; IoError above `most` bytes.
+/// The bytes of a regular file. Throws std::system_error that names it; IoError above `most` bytes,
+/// and for pipes, sockets and devices, which might never end.
 std::string read_file(const std::filesystem::path& path, std::size_t most = std::size_t{64} << 20);
 
 /// Flushes a folder's entries to the disk. Throws std::system_error.

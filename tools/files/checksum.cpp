@@ -62,19 +62,8 @@ void add_block(Sha256State& state, const char* block) {
   for (int i = 0; i < 8; ++i) state[i] += round[i];
 }
 
-}  // namespace
-
-std::uint32_t crc32(std::string_view bytes) {
-  static constexpr auto kTable = crc_table();
-  std::uint32_t rest = 0xFFFFFFFFu;
-  for (char byte : bytes)
-    rest = (rest >> 8) ^ kTable[(rest ^ static_cast<std::uint8_t>(byte)) & 0xFF];
-  return ~rest;
-}
-
-std::string crc32_hex(std::string_view bytes) { return hex(crc32(bytes)); }
-
-std::string sha256_hex(std::string_view bytes) {
+/// The eight words of the digest, most significant byte first.
+Sha256State sha256(std::string_view bytes) {
   Sha256State state{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
                     0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
   const std::uint64_t bit_count = 8 * static_cast<std::uint64_t>(bytes.size());
@@ -90,10 +79,32 @@ std::string sha256_hex(std::string_view bytes) {
     tail.push_back(static_cast<char>(bit_count >> shift));
   for (std::size_t start = 0; start < tail.size(); start += 64)
     add_block(state, tail.data() + start);
+  return state;
+}
 
+}  // namespace
+
+std::uint32_t crc32(std::string_view bytes) {
+  static constexpr auto kTable = crc_table();
+  std::uint32_t rest = 0xFFFFFFFFu;
+  for (char byte : bytes)
+    rest = (rest >> 8) ^ kTable[(rest ^ static_cast<std::uint8_t>(byte)) & 0xFF];
+  return ~rest;
+}
+
+std::string crc32_hex(std::string_view bytes) { return hex(crc32(bytes)); }
+
+std::string sha256_hex(std::string_view bytes) {
   std::string text;
-  for (std::uint32_t word : state) text += hex(word);
+  for (const std::uint32_t word : sha256(bytes)) text += hex(word);
   return text;
+}
+
+std::string sha256_bytes(std::string_view bytes) {
+  std::string digest;
+  for (const std::uint32_t word : sha256(bytes))
+    for (int shift = 24; shift >= 0; shift -= 8) digest += static_cast<char>(word >> shift);
+  return digest;
 }
 
 }  // namespace legwright

@@ -14,5 +14,7 @@ std::string crc32_hex(std::string_view bytes);
 
 /// SHA-256 (FIPS 180-4) as 64 lower-case hexadecimal digits.
 std::string sha256_hex(std::string_view bytes);
+/// The same as its 32 bytes.
+std::string sha256_bytes(std::string_view bytes);
 
 }  // namespace legwright

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "tools/files/base64.hpp"
 #include "tools/files/clean_text.hpp"
 
 namespace legwright {
@@ -81,18 +82,8 @@ std::string escape_markdown(std::string_view text) {
 }
 
 std::string data_uri(std::string_view media_type, std::span<const std::uint8_t> bytes) {
-  constexpr std::string_view kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string out = fmt::format("data:{};base64,", media_type);
-  out.reserve(out.size() + (bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t left = std::min<std::size_t>(3, bytes.size() - i);
-    unsigned group = static_cast<unsigned>(bytes[i]) << 16;
-    if (left > 1) group |= static_cast<unsigned>(bytes[i + 1]) << 8;
-    if (left > 2) group |= bytes[i + 2];
-    for (std::size_t k = 0; k < 4; ++k) out += k > left ? '=' : kDigits[group >> (18 - 6 * k) & 63];
-  }
-  return out;
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  return fmt::format("data:{};base64,{}", media_type, base64_of(text));
 }
 
 }  // namespace legwright

@@ -16,6 +16,8 @@ using Json = nlohmann::ordered_json;
 /// The document as text: two-space indent, final newline; bytes that are no UTF-8 become U+FFFD.
 /// Numbers are shortest round trip; one that is not finite becomes null.
 std::string to_text(const Json& document);
+/// The same in one line without its end.
+std::string to_line(const Json& document);
 
 void write_json(const std::filesystem::path& path, const Json& document,
                 Durability durability = Durability::power);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "tools/report/number_words.hpp"
+#include "tools/report/page_viewer.hpp"
 #include "tools/report/parameter_view.hpp"
 #include "tools/report/report.hpp"
 #include "tools/report/sections.hpp"
@@ -48,9 +49,12 @@ std::string joint_report_page(const JointData& data) {
   for (const JointTaskData& task : data.tasks)
     frame.island["verdict"][task.name] =
         task.run && task.run->verdict ? json_of(*task.run->verdict) : Json();
+  const PageViewer viewer = viewer_of(data);
+  frame.scenes = viewer.scenes;
   return framed_page(frame, [&](Html& page) {
     add_notes(page, data.whole);  // and once more at the end
     add_task_cards(page, data);
+    add_viewer(page, viewer);
     add_matrix(page, data);
     add_task_pictures(page, data);
     add_bodies(page, data);

@@ -58,8 +58,8 @@ std::string outer_words(const RunData& data) {
     out += fmt::format(" {}: {}.", outer.unit == "m^3" ? "Of the bodies" : "In the plan",
                        change_of(outer, outer.plan_initial, outer.plan_final));
   if (outer.unit == "m^3") return out;
-  const auto measured = data.metrics ? outer_measured(outer.objective, *data.metrics)
-                                     : std::optional<OuterMeasured>();
+  const auto measured =
+      data.metrics ? outer_measured(outer, *data.metrics) : std::optional<OuterMeasured>();
   return out + measured_words(outer, measured.value_or(OuterMeasured{}));
 }
 

@@ -18,7 +18,8 @@ struct PageFrame {
   std::string title, line;  // at the top
   std::string footer;
   std::string id = "legwright-report";  // of the script element that holds the island
-  Json island = {};  // the main numbers once more, for programs that read the page
+  Json island = {};         // the main numbers once more, for programs that read the page
+  std::string scenes = {};  // that the viewer shows; empty: there is none
 };
 
 /// A page, self-contained: head with content policy and style, the frame and what `sections` adds.

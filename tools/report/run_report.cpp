@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page of a run of one task.
+#include "tools/report/page_viewer.hpp"
 #include "tools/report/report.hpp"
 #include "tools/report/sections.hpp"
 #include "tools/report/words.hpp"
@@ -9,6 +10,8 @@ namespace legwright {
 std::string report_page(const RunData& data) {
   PageFrame frame = frame_of(data, task_words(data.run));
   frame.island["verdict"] = data.verdict ? json_of(*data.verdict) : Json();
+  const PageViewer viewer = viewer_of(data);
+  frame.scenes = viewer.scenes;
   return framed_page(frame, [&](Html& page) {
     if (data.run.joint_run == "../..") {
       page.open("p", {{"class", "note"}}).text("One task of a joint run: ");
@@ -16,6 +19,7 @@ std::string report_page(const RunData& data) {
     }
     add_notes(page, data);  // and once more at the end
     add_verdicts(page, data);
+    add_viewer(page, viewer);
     PictureBudget budget;
     add_pictures(page, data, budget);
     add_design_effect(page, data);

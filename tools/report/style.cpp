@@ -54,6 +54,7 @@ figure { margin: 0; }
 .strip img { display: block; width: 100%; min-width: 56rem; height: auto; border: 1px solid var(--line); border-radius: 6px; }
 .moving { margin: 0 0 1.25rem; } .moving img { display: block; max-width: 100%; height: auto; border-radius: 6px; margin-top: .4rem; } .moving figcaption { font-size: .92rem; color: var(--pale); } .moving b { color: var(--ink); }
 .only .terms td:nth-child(2), .only .terms th:nth-child(2), .only .share:first-child { display: none; }
+.turned { margin: 0 0 2.75rem; } .turned[hidden] { display: none; } .turned figcaption { font-size: .92rem; color: var(--pale); margin-bottom: .4rem; } .turned b { color: var(--ink); } .stage3d { height: min(30rem, 80vh); border: 1px solid var(--line); border-radius: 8px; overflow: hidden; } @media print { .turned { display: none; } }
 .gallery { display: grid; grid-template-columns: repeat(auto-fill, minmax(10rem, 1fr)); gap: .8rem; }
 .gallery img { display: block; width: 100%; height: auto; border-radius: 6px; }
 .gallery figcaption { font-size: .8rem; color: var(--pale); margin-top: .2rem; font-variant-numeric: tabular-nums; }

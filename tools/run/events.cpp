@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/run/events.hpp"
+#include "tools/files/parse_json.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -28,7 +29,7 @@ Json parse_line(std::string_view line) {
   const std::string body = std::string(line.substr(0, split)) + "}";
   if (line.substr(split) != std::string(kCrcField) + crc32_hex(body) + "\"}")
     return Json::value_t::discarded;
-  return Json::parse(body, nullptr, false);
+  return parse_json(body);
 }
 
 }  // namespace

@@ -77,7 +77,11 @@ std::string changes(const ExportFacts& facts) {
 std::string judgement(const ExportFacts& facts) {
   std::string out = "## What physics says\n\n";
   for (const std::string& verdict : facts.verdicts) out += "- " + escaped(verdict) + "\n";
-  if (facts.verdicts.empty())
+  if (facts.verdicts.empty() && !facts.chosen_verdict.empty())
+    out += "- " + escaped(facts.chosen_verdict) +
+           "\n- So the search played it, at half, default and double gains; `legwright validate`, "
+           "which also disturbs it and changes the numerics, was not run.\n";
+  else if (facts.verdicts.empty())
     out += "- The gait of this design was not validated (`legwright validate`).\n";
   if (facts.servo_kp)
     out += fmt::format(
@@ -122,6 +126,35 @@ std::string gait_files(const ExportFacts& facts) {
   return out;
 }
 
+/// URDF and the ROS 2 package, with what is lost.
+std::string urdf_files(const ExportFacts& facts) {
+  if (!facts.urdf) return "";
+  std::string out = fmt::format(
+      "## URDF\n\n`urdf/{0}.urdf` is the same robot: MuJoCo reads masses, inertias, axes and "
+      "ranges "
+      "of the MJCF from it. A link's frame is at the anchor of its joint. A URDF has no root that "
+      "floats; in MuJoCo it gets one so:\n\n"
+      "    spec = mujoco.MjSpec.from_file('urdf/{0}.urdf')\n"
+      "    spec.worldbody.first_body().add_freejoint()\n"
+      "    model = spec.compile()\n\n"
+      "What URDF cannot say, or says otherwise:\n\n",
+      facts.name);
+  for (const std::string& lost : facts.urdf_lost) out += "- " + escaped(lost) + "\n";
+  if (facts.ros_package.empty()) return out + "\n";
+  return out +
+         fmt::format(
+             "\n## ROS 2\n\n`ros/{0}` is a package for a workspace's `src` with that URDF, "
+             "each gait as a `trajectory_msgs/JointTrajectory` in `config`, a node that "
+             "publishes it cycle by cycle, and a launch file:\n\n"
+             "    colcon build --packages-select {0} && source install/setup.bash\n"
+             "    ros2 launch {0} walk.launch.py\n\n"
+             "The gait is open loop: nothing balances the robot. No controller is configured; "
+             "the node's `topic` is that of a joint trajectory controller. Legwright's tests "
+             "parse these files but do not run ROS. In `package.xml` fill in maintainer and "
+             "licence: the robot's is below.\n\n",
+             facts.ros_package);
+}
+
 std::string list(const std::vector<std::string>& names) {
   std::string out;
   for (const std::string& name : names) out += (out.empty() ? "" : ", ") + escaped(name);
@@ -142,7 +175,8 @@ std::string export_readme(const ExportFacts& facts) {
       "    python -m mujoco.viewer --mjcf=scene.xml\n\n",
       facts.name);
   if (!facts.others.empty()) out += "The robot also consists of: " + list(facts.others) + ".\n\n";
-  out += gait_files(facts) + provenance(facts) + "\n" + changes(facts) + "\n" + judgement(facts);
+  out += gait_files(facts) + urdf_files(facts) + provenance(facts) + "\n" + changes(facts) + "\n" +
+         judgement(facts);
   out += "\n## Licence\n\n";
   out += facts.licences.empty()
              ? "No licence stood beside the robot's file. Ask its author before you pass it on.\n"

@@ -25,13 +25,17 @@ struct ExportFacts {
   std::vector<ExportedParameter> parameters;
   double mass_before = 0.0, mass_after = 0.0;  // [kg]
   std::vector<std::string> verdicts;           // of physics; none: it was not validated
+  std::string chosen_verdict;                  // as the search played its result, or empty
   std::optional<double> servo_kp;              // least that the gait was judged with [N m/rad]
   std::string standing;                        // what a second of standing showed
   std::string touches;  // what of its body touches itself at home, which did not before; or empty
   std::string picture;  // file, or empty
   std::vector<std::string> licences;  // files
   std::vector<std::string> others;    // files that the robot's names: parts and assets
-  std::vector<std::string> gaits;     // tasks whose gaits are here; one empty name for one task
+  bool urdf = false;
+  std::vector<std::string> urdf_lost;  // what URDF cannot say of it
+  std::string ros_package;             // its name, or empty
+  std::vector<std::string> gaits;      // tasks whose gaits are here; one empty name for one task
 };
 
 /// README.md of an exported robot: what it is, where it comes from, what changed. Texts from files

@@ -27,9 +27,11 @@ std::optional<double> measured_amount(const std::string& objective, const GainMe
   return out && std::isfinite(*out) ? out : std::nullopt;
 }
 
-std::optional<OuterMeasured> outer_measured(const std::string& objective,
+std::optional<OuterMeasured> outer_measured(const OuterRecord& outer,
                                             const MetricsRecord& metrics) {
-  OuterMeasured out{by_gain(objective, metrics.initial), by_gain(objective, metrics.result)};
+  if (outer.source) return std::nullopt;  // whatever its name is
+  OuterMeasured out{by_gain(outer.objective, metrics.initial),
+                    by_gain(outer.objective, metrics.result)};
   if (out.initial.empty() && out.result.empty()) return std::nullopt;
   return out;
 }

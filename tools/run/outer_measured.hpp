@@ -14,8 +14,8 @@ namespace legwright {
 /// Nothing where the robot fell, and for what is no matter of motion.
 std::optional<double> measured_amount(const std::string& objective, const GainMetrics& metrics);
 
-/// The same of both designs at all gains. Nothing where a roll-out cannot tell.
-std::optional<OuterMeasured> outer_measured(const std::string& objective,
-                                            const MetricsRecord& metrics);
+/// The same of both designs at all gains. Nothing where a roll-out cannot tell, as of a function of
+/// the caller's.
+std::optional<OuterMeasured> outer_measured(const OuterRecord& outer, const MetricsRecord& metrics);
 
 }  // namespace legwright

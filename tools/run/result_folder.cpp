@@ -54,14 +54,14 @@ ResultFolder ResultFolder::create(const fs::path& root, bool force) {
   std::error_code error;
   const bool existed = fs::exists(root, error);
   if (existed && !fs::is_directory(root, error))
-    refuse(root, "is a file, not a folder", "choose another folder with -o");
+    refuse(root, "is a file, not a folder", "choose another folder");
   if (holds_any_entry(root)) {
     if (!is_run(root))
       refuse(root, "holds files of the names of a run that are not Legwright's",
-             "choose another folder with -o");
+             "choose another folder");
     if (!force)
       refuse(root, "already holds a run",
-             "choose another folder with -o, or replace that run with --force");
+             "choose another folder, or replace that run with --force (in Python force=True)");
   }
   try {
     fs::create_directories(root);
@@ -76,7 +76,7 @@ ResultFolder ResultFolder::create(const fs::path& root, bool force) {
     return folder;
   } catch (const std::system_error& failure) {
     refuse(root, "cannot be written: " + failure.code().message(),
-           "choose another folder with -o, or mend its permissions or the disk");
+           "choose another folder, or mend its permissions or the disk");
   }
 }
 

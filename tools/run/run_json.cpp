@@ -44,14 +44,13 @@ RunRecord head(const std::vector<std::string>& argv, const CodesignProblem& prob
   RunRecord run;
   run.status = "running";
   run.robot = problem.robot.morphology.name;
-  if (!problem.outers.empty())
-    run.outer = {problem.set.outer,
-                 problem.set.outer_weight,
-                 std::string(problem.outers.front()->unit()),
-                 {},
-                 {},
-                 {},
-                 {}};
+  if (!problem.outers.empty()) {
+    OuterRecord& outer = run.outer.emplace();
+    outer.objective = problem.set.outer;
+    if (!problem.set.outer_source.empty()) outer.source = problem.set.outer_source;
+    outer.weight = problem.set.outer_weight;
+    outer.unit = std::string(problem.outers.front()->unit());
+  }
   run.design_size = problem.robot.space.size();
   for (const DesignParameter& p : problem.robot.space.parameters)
     run.parameters.push_back({p.name, p.unit, std::string(to_string(p.kind)), p.sentence, p.initial,

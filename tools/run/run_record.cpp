@@ -104,6 +104,7 @@ void fields(Fields& f, OuterMeasured& measured) {
 
 void fields(Fields& f, OuterRecord& outer) {
   f("objective", outer.objective);
+  f("source", outer.source, "of a function of the caller's: its language and name");
   f("weight", outer.weight, "of the quantity over its reference, in J");
   f("unit", outer.unit, "of the quantity");
   f("reference", outer.reference, "in that unit");

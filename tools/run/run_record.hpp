@@ -120,6 +120,7 @@ void fields(Fields& f, OuterMeasured& measured);
 /// J = weight · v/v₀ of a quantity v in `unit`.
 struct OuterRecord {
   std::string objective;
+  std::optional<std::string> source;  // where it comes from, if it is no term
   double weight = 0.0;
   std::optional<std::string> unit;                 // "N m", "J" or "m^3"
   std::optional<double> reference;                 // v₀

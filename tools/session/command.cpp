@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <type_traits>
@@ -51,6 +52,7 @@ void fields(Bounds& c, F&& f) {
 template <class F>
 void fields(Tasks& c, F&& f) {
   f("text", c.text);
+  f("file", c.file);
 }
 template <class F>
 void fields(Weights& c, F&& f) {
@@ -87,7 +89,12 @@ std::optional<SessionCommand> read_kind(const std::string& kind, const Json& jso
     if (kind != kind_of(command)) return read_kind<I + 1>(kind, json);
     std::size_t read = 1;  // the kind itself
     fields(command, [&](const char* key, auto& value) {
-      json.at(key).get_to(value);
+      const Json& found = json.at(key);
+      if constexpr (std::is_same_v<std::decay_t<decltype(value)>, int>) {
+        if (!found.is_number_integer() || found < 0 || found > std::numeric_limits<int>::max())
+          throw std::invalid_argument(fmt::format("{} is no whole number that counts", key));
+      }
+      found.get_to(value);
       ++read;
     });
     if constexpr (std::is_same_v<decltype(command), Searched>)

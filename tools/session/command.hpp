@@ -31,11 +31,13 @@ struct Bounds {
 /// Other tasks: the text of a task file. Its [design] does not count.
 struct Tasks {
   std::string text;
+  std::string file = {};  // its name, for messages; empty: that of the session
 };
 struct Weights {
   std::vector<double> weights;  // of each task
 };
-struct Reset {};  // to the body that was given
+/// To the body that was given. Bounds stay; those that leave it out are widened to it.
+struct Reset {};
 struct Undo {};
 struct Redo {};
 struct Snapshot {

@@ -62,8 +62,8 @@ SessionEngine::SessionEngine(RobotModel robot, const std::string& text,
   state_ = std::make_shared<const SessionState>(std::move(first));
 }
 
-void SessionEngine::refuse(const std::string& where, const std::string& message) const {
-  throw InputError(file_.string(), 0, where, message);
+void SessionEngine::refuse(const std::string& where, const std::string& message) {
+  throw InputError("<session>", 0, where, message);
 }
 
 SessionEngine::Costs& SessionEngine::costs() {
@@ -142,8 +142,7 @@ void SessionEngine::apply(const session::Edit& edit) {
     const int i = find(name);
     const std::string& unit = robot_.space.parameters[i].unit;
     if (state_->frozen[i])
-      refuse(name,
-             fmt::format("is frozen at {} {}; freeze it no longer before it is set", s[i], unit));
+      refuse(name, fmt::format("is frozen at {} {}; unfreeze it first", s[i], unit));
     if (!(value >= state_->lower[i] && value <= state_->upper[i]))
       refuse(name, fmt::format("is to be {}; expected {} to {} {}, its bounds", value,
                                state_->lower[i], state_->upper[i], unit));
@@ -181,7 +180,8 @@ void SessionEngine::apply(const session::Bounds& bounds) {
 }
 
 void SessionEngine::apply(const session::Tasks& tasks) {
-  TaskSet set = parse_task_tables(tasks.text, file_);
+  const std::filesystem::path told = tasks.file;
+  TaskSet set = parse_task_tables(tasks.text, told.empty() ? file_ : told);
   set.robot = robot_.file;
   set.design = {};
   SessionState next = *state_;
@@ -228,7 +228,10 @@ void SessionEngine::apply(const session::Reset&) {
   next.cold.assign(next.cold.size(), true);
   next.base = nullptr;
   next.iterations = 0;
-  next.now = guessed(next, robot_.space.initial());
+  const VectorXd given = robot_.space.initial();
+  next.lower = next.lower.cwiseMin(given);
+  next.upper = next.upper.cwiseMax(given);
+  next.now = guessed(next, given);
   change(std::move(next));
 }
 
@@ -324,7 +327,13 @@ SearchEnd SessionEngine::search(int most, const std::function<void()>& tell) {
     if (tell) tell();
   };
   const DesignSpace space = state_->space();
-  const SearchEnd end = search_on(weighted_costs(), space, state_->s(), how);
+  SearchEnd end;
+  try {
+    end = search_on(weighted_costs(), space, state_->s(), how);
+  } catch (...) {
+    state_ = before;
+    throw;
+  }
   if (end.points == 0) {
     state_ = before;
     return end;

@@ -74,7 +74,7 @@ class SessionEngine {
   std::shared_ptr<const DesignPoint> guessed(const SessionState& state, const Eigen::VectorXd& s);
   void move_to(const Eigen::VectorXd& s, bool goes_on);
   void change(SessionState next, bool goes_on = false);
-  [[noreturn]] void refuse(const std::string& where, const std::string& message) const;
+  [[noreturn]] static void refuse(const std::string& where, const std::string& message);
 
   RobotModel robot_;  // with the bounds of its file
   std::filesystem::path file_;

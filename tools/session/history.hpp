@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <deque>
 #include <map>
 #include <memory>
 #include <string>
@@ -16,9 +18,13 @@ using StatePointer = std::shared_ptr<const SessionState>;
 /// What undo and redo go back and forth through, and what was given a name.
 class SessionHistory {
  public:
+  /// So many steps can be undone; of more the oldest are given up.
+  static constexpr std::size_t kSteps = 1000;
+
   /// The state that a change is about to leave.
   void leave(StatePointer state) {
     undo_.push_back(std::move(state));
+    if (undo_.size() > kSteps) undo_.pop_front();
     redo_.clear();
   }
   bool can_undo() const { return !undo_.empty(); }
@@ -33,6 +39,7 @@ class SessionHistory {
     const auto found = named_.find(name);
     return found == named_.end() ? nullptr : found->second;
   }
+  const std::map<std::string, StatePointer>& kept() const { return named_; }
   std::vector<std::string> names() const {
     std::vector<std::string> out;
     for (const auto& [name, state] : named_) out.push_back(name);
@@ -40,7 +47,7 @@ class SessionHistory {
   }
 
  private:
-  static StatePointer swap(std::vector<StatePointer>& from, std::vector<StatePointer>& to,
+  static StatePointer swap(std::deque<StatePointer>& from, std::deque<StatePointer>& to,
                            StatePointer now) {
     StatePointer state = std::move(from.back());
     from.pop_back();
@@ -48,7 +55,7 @@ class SessionHistory {
     return state;
   }
 
-  std::vector<StatePointer> undo_, redo_;
+  std::deque<StatePointer> undo_, redo_;
   std::map<std::string, StatePointer> named_;
 };
 

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/session/journal.hpp"
 
-#include <system_error>
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <utility>
 
 #include "mjcf/text/input_error.hpp"
+#include "tools/files/atomic_file.hpp"
 #include "tools/files/checksum.hpp"
+#include "tools/files/io_error.hpp"
 #include "tools/run/install.hpp"
 
 namespace legwright {
@@ -35,6 +39,27 @@ SessionBegin begin_of(const Json& json, const std::string& file) {
   }
 }
 
+/// All lines of a journal, but a torn one at its end.
+std::vector<Json> whole_lines(const fs::path& file) {
+  std::vector<Json> lines = read_events(file);
+  if (lines.empty())
+    throw InputError(file.string(), 0, "", "has no whole line; expected the journal of a session");
+  const std::string text = read_file(file);
+  const auto there = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+  if (lines.size() + 1 < there)
+    throw InputError(file.string(), static_cast<int>(lines.size()) + 1, "",
+                     fmt::format("is damaged, and {} lines follow; to have what comes before it, "
+                                 "keep the first {} lines alone",
+                                 there - lines.size() - 1, lines.size()));
+  return lines;
+}
+
+bool is_journal(const fs::path& file) {
+  if (!fs::is_regular_file(fs::symlink_status(file))) return false;
+  const std::vector<Json> lines = read_events(file);
+  return !lines.empty() && lines[0].contains("do") && lines[0]["do"] == kBegin;
+}
+
 }  // namespace
 
 SessionBegin begin_of(const RobotModel& robot, std::string text, fs::path file) {
@@ -42,15 +67,13 @@ SessionBegin begin_of(const RobotModel& robot, std::string text, fs::path file) 
 }
 
 ReadJournal read_journal(const fs::path& file) {
-  const std::vector<Json> lines = read_events(file);
-  if (lines.empty())
-    throw InputError(file.string(), 0, "", "has no whole line; expected the journal of a session");
+  const std::vector<Json> lines = whole_lines(file);
   ReadJournal out;
   out.begin = begin_of(lines[0], file.string());
   int going_on = 0;  // points of a search that has not ended
   for (std::size_t k = 1; k < lines.size(); ++k) {
     const int line = static_cast<int>(k) + 1;
-    if (lines[k].value("do", "") == kSearching) {
+    if (lines[k].contains("do") && lines[k]["do"] == kSearching) {
       Json told = lines[k];
       told["do"] = "searched";
       going_on = std::get<session::Searched>(command_of(told, file.string(), line)).points;
@@ -65,19 +88,31 @@ ReadJournal read_journal(const fs::path& file) {
 
 SessionJournal::SessionJournal(const SessionBegin& begin, const fs::path& file) : begin_(begin) {
   if (file.empty()) return;
-  std::error_code none;
-  fs::remove(file, none);  // where there is none, or it cannot be: the log says so
+  if (fs::exists(fs::symlink_status(file))) {
+    if (!is_journal(file))
+      throw IoError(file.string() + ": is there and is no journal of a session; name a new file");
+    fs::remove(file);
+  }
   log_ = std::make_unique<EventLog>(file);
   log_->append(json_of(begin_));
 }
 
 void SessionJournal::add(const SessionCommand& command) {
   commands_.push_back(command);
-  if (log_) log_->append(json_of(command));
+  write(json_of(command));
 }
 
-void SessionJournal::searching(int points) {
-  if (log_) log_->append({{"do", kSearching}, {"points", points}});
+void SessionJournal::searching(int points) { write({{"do", kSearching}, {"points", points}}); }
+
+// Nothing is written behind a line that was torn.
+void SessionJournal::write(const Json& line) {
+  if (!log_) return;
+  try {
+    log_->append(line);
+  } catch (...) {
+    log_.reset();
+    throw;
+  }
 }
 
 std::string SessionJournal::text() const {

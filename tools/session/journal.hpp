@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "mjcf/read/robot_model.hpp"
 #include "tools/run/events.hpp"
 #include "tools/session/command.hpp"
 
@@ -28,27 +29,31 @@ struct ReadJournal {
   std::vector<SessionCommand> commands;
 };
 
-/// Reads a journal up to the first line that is torn. A search that was going on counts with the
-/// points that it had. Throws InputError for lines that are no session's, std::system_error where
-/// the file cannot be read.
+/// Reads a journal, whose last line may be torn. A search that was going on counts with the points
+/// that it had. Throws InputError for lines that are no session's and for damaged ones before the
+/// last, std::system_error where the file cannot be read.
 ReadJournal read_journal(const std::filesystem::path& file);
 
 /// Everything that happened in a session, in order; on disk, too, as it happens: each line is one
-/// write, so what was told before a process dies is there. Replayed, it leads to the same state.
+/// write, so a process that dies has it there. Replayed, it leads to the same state.
 class SessionJournal {
  public:
-  /// @param file to write to, or empty. One that is there is replaced.
-  /// Throws std::system_error where it cannot be written.
+  /// @param file to write to, or empty. A journal that is there is replaced.
+  /// Throws IoError where something else is there, std::system_error where it cannot be written.
   SessionJournal(const SessionBegin& begin, const std::filesystem::path& file);
 
+  /// Throws std::system_error where the file cannot be written, say on a full disk: it ends there.
   void add(const SessionCommand& command);
-  /// The search that goes on has had so many points: for a process that dies meanwhile.
+  /// The search that goes on has had so many points: for a process that dies meanwhile. Throws
+  /// likewise.
   void searching(int points);
   const std::vector<SessionCommand>& commands() const { return commands_; }
   /// The same as the file has it, without what searches told on their way.
   std::string text() const;
 
  private:
+  void write(const Json& line);
+
   SessionBegin begin_;
   std::vector<SessionCommand> commands_;
   std::unique_ptr<EventLog> log_;

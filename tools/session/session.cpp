@@ -2,6 +2,8 @@
 #include "tools/session/session.hpp"
 
 #include <algorithm>
+#include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include "mjcf/text/input_error.hpp"
@@ -19,12 +21,18 @@ std::vector<std::string> names_of(const session::Edit& edit) {
   return names;
 }
 
+constexpr const char* kPaused = "paused";
+
+std::exception_ptr closed() {
+  return std::make_exception_ptr(std::invalid_argument("the session is closed"));
+}
+
 std::string end_words(const SearchEnd& end) {
   switch (end.status) {
     case SolveStatus::converged:
       return "converged: no body near is better";
     case SolveStatus::stopped:
-      return "paused";
+      return kPaused;
     case SolveStatus::not_finite:
       return "the cost is not finite here; change the body or the task";
     default:
@@ -72,29 +80,29 @@ Session::Session(const RobotModel& robot, const std::string& text,
   engine_.set_stop([this] { return interrupted(); });
   show();
   const auto done = std::make_shared<std::promise<void>>();
-  queue_.push_back({[this, &options] { obey_all(options.commands); }, done, {}});
+  queue_.push_back({[this, &options] { obey_all(options.commands); }, done, std::nullopt});
   worker_ = std::thread([this] { run(); });
   try {
     done->get_future().get();
   } catch (...) {
-    end();
+    close();
     throw;
   }
 }
 
-Session::~Session() { end(); }
+Session::~Session() { close(); }
 
-void Session::end() {
+void Session::close() {
   {
     const std::lock_guard lock(mutex_);
-    closing_ = true;
+    closing_ = true;  // nothing enters the queue from here on
   }
   changed_.notify_all();
+  const std::lock_guard joining(joining_);
+  if (!worker_.joinable()) return;
   worker_.join();
   for (Item& item : queue_)
-    if (item.done)
-      item.done->set_exception(
-          std::make_exception_ptr(std::runtime_error("the session is closed")));
+    if (item.done) item.done->set_exception(closed());
 }
 
 bool Session::interrupted() const {
@@ -119,7 +127,10 @@ void Session::run() {
     if (!queue_.empty()) {
       Item item = std::move(queue_.front());
       queue_.pop_front();
+      // A search that was asked for and has not begun is paused, too.
+      const bool paused = !item.starts && std::exchange(searching_, false);
       lock.unlock();
+      if (paused) publish(SessionEvent::Kind::ended, kPaused);
       obey(item);
     } else {
       phase_ = searching_ ? SessionPhase::searching : SessionPhase::solving;
@@ -145,7 +156,7 @@ void Session::work() {
       search();
     else
       settle();
-  } catch (const std::exception& error) {  // a full disk, no memory
+  } catch (const std::exception& error) {  // no memory
     {
       const std::lock_guard lock(mutex_);
       searching_ = false;
@@ -157,7 +168,10 @@ void Session::work() {
 
 void Session::obey(Item& item) {
   try {
-    item.work();
+    if (item.edit)
+      obey_all({*item.edit});
+    else
+      item.work();
     if (item.done) item.done->set_value();
   } catch (const std::exception& error) {
     if (item.done)
@@ -173,8 +187,9 @@ void Session::search() {
   const SearchEnd end = engine_.search(0, [&] {
     ++points;
     publish(SessionEvent::Kind::point);
-    if (const auto now = std::chrono::steady_clock::now(); now - noted > kSearchNoted) {
-      journal_.searching(points);
+    const auto now = std::chrono::steady_clock::now();
+    if (points == 1 || now - noted > kSearchNoted) {
+      write_journal([&] { journal_.searching(points); });
       noted = now;
     }
   });
@@ -203,8 +218,19 @@ void Session::settle() {
 }
 
 void Session::note(const SessionCommand& command) {
-  const std::lock_guard lock(mutex_);
-  journal_.add(command);
+  write_journal([&] { journal_.add(command); });
+}
+
+/// A full disk ends the file, not the session: what happened is kept in memory all the same.
+void Session::write_journal(const std::function<void()>& write) {
+  try {
+    write();
+  } catch (const std::system_error& error) {
+    publish(
+        SessionEvent::Kind::failed,
+        std::string(error.what()) +
+            "; the session goes on without that file: save and the journal as text have it all");
+  }
 }
 
 /// Makes a snapshot of what is there.
@@ -214,10 +240,14 @@ void Session::show() {
   next->can_undo = engine_.history().can_undo();
   next->can_redo = engine_.history().can_redo();
   next->names = engine_.history().names();
-  const std::lock_guard lock(mutex_);
-  next->phase = phase_;
-  next->revision = ++revision_;
-  snapshot_ = std::move(next);
+  next->kept = engine_.history().kept();
+  {
+    const std::lock_guard lock(mutex_);
+    next->phase = phase_;
+    next->revision = ++revision_;
+    snapshot_ = std::move(next);
+  }
+  changed_.notify_all();
 }
 
 void Session::publish(SessionEvent::Kind kind, std::string words) {
@@ -235,9 +265,13 @@ void Session::publish(SessionEvent::Kind kind, std::string words) {
 void Session::enqueue(Item item) {
   {
     const std::lock_guard lock(mutex_);
-    const bool replaces = !item.edits.empty() && !queue_.empty() &&
-                          queue_.back().edits == item.edits && !queue_.back().done;
-    if (replaces) queue_.pop_back();
+    if (closing_) std::rethrow_exception(closed());
+    if (item.edit && !queue_.empty() && queue_.back().edit &&
+        names_of(*queue_.back().edit) == names_of(*item.edit)) {
+      // One that begins a change of its own still does.
+      item.edit->goes_on = item.edit->goes_on && queue_.back().edit->goes_on;
+      queue_.pop_back();
+    }
     queue_.push_back(std::move(item));
   }
   changed_.notify_all();
@@ -245,7 +279,7 @@ void Session::enqueue(Item item) {
 
 void Session::call(std::function<void()> work) {
   auto done = std::make_shared<std::promise<void>>();
-  enqueue({std::move(work), done, {}});
+  enqueue({std::move(work), done, std::nullopt});
   done->get_future().get();
 }
 
@@ -275,10 +309,10 @@ void Session::apply(SessionCommand command) {
 }
 
 void Session::post(SessionCommand command) {
-  std::vector<std::string> edits;
-  if (const auto* edit = std::get_if<session::Edit>(&command)) edits = names_of(*edit);
-  enqueue(
-      {[this, command = std::move(command)] { obey_all({command}); }, nullptr, std::move(edits)});
+  if (auto* edit = std::get_if<session::Edit>(&command))
+    enqueue({{}, nullptr, std::move(*edit)});
+  else
+    enqueue({[this, command = std::move(command)] { obey_all({command}); }, nullptr, std::nullopt});
 }
 
 void Session::start() {
@@ -290,8 +324,7 @@ void Session::start() {
              const std::lock_guard lock(mutex_);
              searching_ = true;
            },
-           nullptr,
-           {}});
+           nullptr, std::nullopt, true});
 }
 
 void Session::pause() {
@@ -311,11 +344,20 @@ bool Session::step() {
 
 bool Session::wait(std::chrono::milliseconds limit) {
   std::unique_lock lock(mutex_);
-  return changed_.wait_for(lock, limit, [this] { return !busy_ && !has_work(); });
+  const auto idle = [this] { return !busy_ && !has_work(); };
+  changed_.wait_for(lock, limit, [&] { return closing_ || idle(); });
+  return idle();
 }
 
 SnapshotPointer Session::snapshot() const {
   const std::lock_guard lock(mutex_);
+  return snapshot_;
+}
+
+SnapshotPointer Session::next_snapshot(std::uint64_t revision,
+                                       std::chrono::milliseconds limit) const {
+  std::unique_lock lock(mutex_);
+  changed_.wait_for(lock, limit, [&] { return snapshot_->revision != revision || closing_; });
   return snapshot_;
 }
 
@@ -333,7 +375,6 @@ SessionRecord Session::record() {
   SessionRecord out;
   call([&] {
     out.state = engine_.state();
-    const std::lock_guard lock(mutex_);
     out.journal = journal_.text();
   });
   return out;

@@ -9,8 +9,10 @@
 #include <filesystem>
 #include <functional>
 #include <future>
+#include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -31,7 +33,8 @@ struct SessionSnapshot {
   StatePointer state;
   SessionPhase phase = SessionPhase::idle;
   bool can_undo = false, can_redo = false;
-  std::vector<std::string> names;  // of what was kept under one
+  std::vector<std::string> names;            // of what was kept under one
+  std::map<std::string, StatePointer> kept;  // under these
 };
 using SnapshotPointer = std::shared_ptr<const SessionSnapshot>;
 
@@ -72,12 +75,13 @@ class Session {
   };
 
   /// Throws InputError where text, robot, tasks and commands do not fit, std::system_error where
-  /// the journal cannot be written.
+  /// the journal cannot be begun. Where it can be written no further, an event `failed` says so,
+  /// and the session goes on without its file.
   Session(const RobotModel& robot, const std::string& text, const std::filesystem::path& file,
           const Options& options);
   Session(const RobotModel& robot, const std::string& text, const std::filesystem::path& file)
       : Session(robot, text, file, Options()) {}
-  ~Session();  // ends what goes on
+  ~Session();  // as close()
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
@@ -95,24 +99,30 @@ class Session {
   /// One design iteration. @return whether there was a better body near
   bool step();
   /// Returns once nothing goes on: commands obeyed, searches ended, motions solved.
-  /// @return false after `limit`
+  /// @return false after `limit`, or where the session is closed before
   bool wait(std::chrono::milliseconds limit = std::chrono::hours(24 * 365));
 
   SnapshotPointer snapshot() const;
+  /// The same, waiting up to `limit` for one of another revision than this.
+  SnapshotPointer next_snapshot(std::uint64_t revision, std::chrono::milliseconds limit) const;
   /// What happened after the event of this number (0: from the first that is kept), waiting up to
   /// `limit` for one. The last thousand are kept.
   std::vector<SessionEvent> events(std::uint64_t after, std::chrono::milliseconds limit) const;
   /// Where it stands, and the journal that leads there. A search is paused for it.
   SessionRecord record();
+  /// Ends what goes on, within one Newton step but for a journal that is being obeyed. Calls that
+  /// wait for their turn, and all after this one that change or ask the worker, throw
+  /// std::invalid_argument.
+  void close();
 
  private:
   struct Item {
     std::function<void()> work;                // on the worker, which may throw
     std::shared_ptr<std::promise<void>> done;  // null: nobody waits
-    std::vector<std::string> edits;            // of a posted edit: names, for the next of the same
+    std::optional<session::Edit> edit;         // posted, in the place of work
+    bool starts = false;                       // a search; what does not pauses one
   };
 
-  void end();
   void run();
   void work();
   void obey(Item& item);
@@ -124,6 +134,7 @@ class Session {
   void call(std::function<void()> work);
   void obey_all(const std::vector<SessionCommand>& commands);
   void note(const SessionCommand& command);
+  void write_journal(const std::function<void()>& write);
   void publish(SessionEvent::Kind kind, std::string words = {});
   void show();
 
@@ -143,6 +154,7 @@ class Session {
   SessionEngine engine_;
   SessionJournal journal_;
   std::thread worker_;
+  std::mutex joining_;  // of the worker, by close() alone
 };
 
 }  // namespace legwright

@@ -51,12 +51,16 @@ void for_each_element(XMLElement* element, const Visit& visit) {
 }  // namespace
 
 std::string scale_gains(const std::string& scene_xml, double scale, const std::string& name) {
-  if (scale == 1.0) return scene_xml;
+  return scale_gains(scene_xml, scale, std::sqrt(scale), name);
+}
+
+std::string scale_gains(const std::string& scene_xml, double stiffness, double damping,
+                        const std::string& name) {
+  if (stiffness == 1.0 && damping == 1.0) return scene_xml;
   tinyxml2::XMLDocument document;
   if (document.Parse(scene_xml.data(), scene_xml.size()) != tinyxml2::XML_SUCCESS) {
     throw MujocoError(name + ": cannot read it: " + document.ErrorStr());
   }
-  const double root = std::sqrt(scale);
   std::set<std::string> classes;
   int scaled_keys = 0, scaled_classes = 0;
   for_each_element(document.RootElement(), [&](XMLElement& element) {
@@ -66,7 +70,7 @@ std::string scale_gains(const std::string& scene_xml, double scale, const std::s
     for_each_element(element.FirstChildElement(), [&](XMLElement& config) {
       const bool kp = attribute_is(config, "key", "kp"), kd = attribute_is(config, "key", "kd");
       if (!kp && !kd) return;
-      scale_numbers(config, "value", {kp ? scale : root}, name);
+      scale_numbers(config, "value", {kp ? stiffness : damping}, name);
       ++scaled_keys;
     });
   });
@@ -76,7 +80,7 @@ std::string scale_gains(const std::string& scene_xml, double scale, const std::s
       return;
     if (auto* general = element.FirstChildElement("general");
         general && general->Attribute("biasprm")) {
-      scale_numbers(*general, "biasprm", {1.0, scale, root}, name);
+      scale_numbers(*general, "biasprm", {1.0, stiffness, damping}, name);
       ++scaled_classes;
     }
   });

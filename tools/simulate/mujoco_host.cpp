@@ -7,6 +7,8 @@
 #include <mutex>
 #include <utility>
 
+#include "mjcf/text/compile.hpp"
+
 namespace legwright {
 namespace {
 
@@ -93,6 +95,7 @@ ModelPointer compile_model(const std::string& xml, const std::string& name,
   const SpecPointer spec(
       mj_parseXMLString(xml.c_str(), nullptr, error.data(), static_cast<int>(error.size())));
   if (!spec) throw MujocoError(name + ": MuJoCo cannot read it: " + reason(error.data(), messages));
+  shrink_painted_textures(*spec);
   if (!folder.empty()) mjs_setString(spec->modelfiledir, (folder.string() + "/").c_str());
   ModelPointer model(mj_compile(spec.get(), nullptr));
   if (!model) {

@@ -99,6 +99,10 @@ std::vector<double> last_row(const Trajectory& trajectory, const Layout& layout,
 
 }  // namespace
 
+Trajectory planned_trajectory(const Objective& objective, const Eigen::VectorXd& m) {
+  return make_trajectory(objective.morphology(), objective.layout(), objective.task().gait, m);
+}
+
 PlayablePlan make_playable(const Morphology& morphology, const std::string& robot_xml,
                            const Layout& layout, const Gait& gait, const Eigen::VectorXd& m,
                            const std::filesystem::path& folder) {

@@ -7,6 +7,7 @@
 
 #include "mjcf/read/read_robot.hpp"
 #include "optimizer/objective/objective.hpp"
+#include "plugin/trajectory.hpp"
 
 namespace legwright {
 
@@ -24,6 +25,10 @@ struct PlayablePlan {
   Eigen::Vector3d travel = Eigen::Vector3d::Zero();  // of the plan per cycle [m]; z is 0
   double turn = 0.0;                                 // of the plan per cycle [rad]
 };
+
+/// The plan as the plugin plays it, without feed-forward torques: where body and feet are, with
+/// which forces.
+Trajectory planned_trajectory(const Objective& objective, const Eigen::VectorXd& m);
 
 /// Feed-forward by MuJoCo's inverse dynamics of the played B-spline minus Jᵀ·planned forces, at
 /// each knot. Travel and turn are those that the plan reached between knots 0 and T, so that the

@@ -12,11 +12,11 @@ namespace {
 
 constexpr long long kStepsBetweenStops = 100;
 
-// Feet may sit on the trunk itself; they are there to touch the ground.
+// With all that is fixed to it. Feet may sit on it; they are there to touch the ground.
 bool trunk_touches_world(const Scene& scene, const mjData& data) {
   const mjModel& model = *scene.model;
   const auto is_trunk = [&](int geom) {
-    return model.geom_bodyid[geom] == scene.joints.root_body &&
+    return model.body_weldid[model.geom_bodyid[geom]] == scene.joints.root_body &&
            std::find(scene.foot_geom.begin(), scene.foot_geom.end(), geom) == scene.foot_geom.end();
   };
   for (int c = 0; c < data.ncon; ++c) {
@@ -28,6 +28,18 @@ bool trunk_touches_world(const Scene& scene, const mjData& data) {
   return false;
 }
 
+}  // namespace
+
+double trunk_com_height(const mjModel& model, const mjData& data, int root_body) {
+  double mass = 0.0, moment = 0.0;
+  for (int body = root_body; body < static_cast<int>(model.nbody); ++body) {
+    if (model.body_weldid[body] != root_body) continue;
+    mass += model.body_mass[body];
+    moment += model.body_mass[body] * data.xipos[3 * body + 2];
+  }
+  return mass > 0.0 ? moment / mass : data.xipos[3 * root_body + 2];
+}
+
 std::optional<Fall> find_fall(const Scene& scene, const mjData& data, double time,
                               double start_height, const FallLimits& limits) {
   const int body = scene.joints.root_body;
@@ -35,14 +47,12 @@ std::optional<Fall> find_fall(const Scene& scene, const mjData& data, double tim
   const double up = std::clamp(data.xmat[9 * body + 8], -1.0, 1.0);
   if (std::acos(up) > limits.tilt)
     return Fall{time, fmt::format("tilted by more than {} rad", limits.tilt)};
-  if (data.xpos[3 * body + 2] < limits.height_share * start_height) {
+  if (trunk_com_height(*scene.model, data, body) < limits.height_share * start_height) {
     return Fall{time, fmt::format("the trunk sank below {:.0f} % of its height",
                                   100 * limits.height_share)};
   }
   return std::nullopt;
 }
-
-}  // namespace
 
 ResumableRollout::ResumableRollout(const Scene& scene, RolloutOptions options)
     : scene_(scene), options_(std::move(options)), data_(make_data(*scene.model)) {
@@ -70,7 +80,7 @@ bool ResumableRollout::play_step(const std::function<void(const RolloutSample&)>
   out_.diverged = Health::diverged(data);
   if (out_.diverged) return false;
   if (observe) observe({model, data, time});
-  if (next_ == 0) start_height_ = data.xpos[3 * scene_.joints.root_body + 2];
+  if (next_ == 0) start_height_ = trunk_com_height(model, data, scene_.joints.root_body);
   out_.fall = find_fall(scene_, data, time, start_height_, options_.fall);
   return !out_.fall;
 }

@@ -24,8 +24,18 @@ struct RolloutSample {
 /// When the robot is taken for fallen.
 struct FallLimits {
   double tilt = 1.0;          // of the trunk's z axis from the vertical [rad]
-  double height_share = 0.4;  // of the trunk's height at the start
+  double height_share = 0.4;  // of trunk_com_height() at the start
 };
+
+/// Height of the trunk's centre of mass, with all that is fixed to it, above z = 0 [m]. The origin
+/// of a trunk's frame may lie anywhere, also on the ground.
+double trunk_com_height(const mjModel& model, const mjData& data, int root_body);
+
+/// Whether the robot of a scene has fallen: its trunk, or what is fixed to it, touches the ground,
+/// tilts or sank.
+/// @param start_height trunk_com_height() at the start [m]
+std::optional<Fall> find_fall(const Scene& scene, const mjData& data, double time,
+                              double start_height, const FallLimits& limits);
 
 /// The caller asked to stop in the middle of a roll-out.
 struct RolloutStopped : std::exception {

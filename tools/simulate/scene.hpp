@@ -33,6 +33,9 @@ struct Scene {
 /// actuators, which must agree. Scale 1 gives the text back byte for byte. Throws MujocoError where
 /// the scene is not of the shape that plugin/README.md describes.
 std::string scale_gains(const std::string& scene_xml, double scale, const std::string& name);
+/// The same with a factor for each.
+std::string scale_gains(const std::string& scene_xml, double stiffness, double damping,
+                        const std::string& name);
 
 /// Compiles a scene with its gains scaled. Loads the plugin.
 /// @param folder against which asset paths are meant. Throws MujocoError which says what is

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "mjcf/read/moving_parts.hpp"
 #include "mjcf/write/model_diff.hpp"
 #include "tools/simulate/mujoco_host.hpp"
 #include "tools/simulate/rollout.hpp"
@@ -35,25 +36,39 @@ int free_body(const mjModel& model) {
   return model.nbody - 1;
 }
 
+/// How deep the deepest contact between the robot and the world is [m].
+double depth_in_world(const mjModel& model, const mjData& data) {
+  double depth = 0.0;
+  for (int c = 0; c < data.ncon; ++c) {
+    const int a = data.contact[c].geom[0], b = data.contact[c].geom[1];
+    if (a < 0 || b < 0) continue;
+    if ((model.geom_bodyid[a] == 0) != (model.geom_bodyid[b] == 0))
+      depth = std::max(depth, -data.contact[c].dist);
+  }
+  return depth;
+}
+
 StandingResult stand(mjModel& model, double seconds) {
   const MujocoMessages messages;
   model.opt.disableflags |= mjDSBL_AUTORESET;
   const DataPointer data = make_data(model);
-  const int home = mj_name2id(&model, mjOBJ_KEY, "home");
-  if (model.nkey > 0) mj_resetDataKeyframe(&model, data.get(), std::max(home, 0));
+  if (model.nkey > 0) mj_resetDataKeyframe(&model, data.get(), std::max(home_keyframe(model), 0));
   mj_forward(&model, data.get());
   const int trunk = free_body(model);
   StandingResult out;
-  out.trunk_before = data->xpos[3 * trunk + 2];
+  out.trunk_before = out.highest = trunk_com_height(model, *data, trunk);
+  out.sunk_in = depth_in_world(model, *data);
   Health health;
   const auto steps = std::llround(seconds / model.opt.timestep);
   for (long long n = 1; n <= steps && !out.diverged; ++n) {
     mj_step(&model, data.get());
     out.seconds = static_cast<double>(n) * model.opt.timestep;
     health.look(*data, out.seconds);
+    if (const double height = trunk_com_height(model, *data, trunk); !(height <= out.highest))
+      out.highest = height;
     out.diverged = Health::diverged(*data);
   }
-  out.trunk_after = data->xpos[3 * trunk + 2];
+  out.trunk_after = trunk_com_height(model, *data, trunk);
   out.warnings = health.warnings(*data);
   return out;
 }

@@ -51,8 +51,8 @@ std::unique_ptr<OuterObjective> make_outer(const TaskSet& set, const TaskFile& f
   RobotModel played = with_task_servos(robot, task);
   set_gains(played.servos, robot.space.initial(), played.morphology);
   try {
-    return std::make_unique<OuterObjective>(make_objective(file, played, outer_task(set, task)),
-                                            set.outer, set.outer_weight);
+    return std::make_unique<OuterTerm>(make_objective(file, played, outer_task(set, task)),
+                                       set.outer, set.outer_weight);
   } catch (const std::invalid_argument& error) {
     refuse_outer(set, std::string(error.what()) + "; take out [outer], or choose another");
   }
@@ -87,6 +87,27 @@ CodesignProblem make_problem(TaskSet set, RobotModel robot) {
   return problem;
 }
 
+void set_outer(CodesignProblem& problem, const OwnOuter& own) {
+  TaskSet& set = problem.set;
+  if (!set.outer.empty())
+    refuse_outer(set, fmt::format("the task asks for '{}', and an objective was given, too; take "
+                                  "out [outer], or do without the other",
+                                  set.outer));
+  set.outer = own.name;
+  set.outer_source = own.source;
+  set.outer_weight = own.weight;
+  for (int k = 0; k < problem.task_count(); ++k) {
+    try {
+      problem.outers.push_back(std::make_unique<OuterFunction>(
+          *problem.objectives[k], own.functions(k), own.unit, own.weight, own.reference));
+    } catch (const std::invalid_argument& error) {
+      throw InputError(
+          set.file.string(), 0, "objective",
+          fmt::format("{}: {}; give reference a positive amount", own.name, error.what()));
+    }
+  }
+}
+
 ProblemCosts::ProblemCosts(const CodesignProblem& problem, const FirstMotionOptions& first) {
   for (int k = 0; k < problem.task_count(); ++k) {
     const Objective& objective = *problem.objectives[k];
@@ -95,7 +116,7 @@ ProblemCosts::ProblemCosts(const CodesignProblem& problem, const FirstMotionOpti
     task.weight = problem.task(k).weight;
     task.cost = costs_.emplace_back(std::make_unique<ObjectiveCost>(objective)).get();
     if (!problem.outers.empty())
-      task.outer = costs_.emplace_back(std::make_unique<OuterCost>(*problem.outers[k])).get();
+      task.outer = costs_.emplace_back(problem.outers[k]->make_cost()).get();
     task.guess = [&objective, first](const Eigen::VectorXd& s) {
       return best_first_motion(objective, s, first);
     };

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +13,7 @@
 #include "optimizer/solve/first_motion.hpp"
 #include "optimizer/solve/multistart.hpp"
 #include "optimizer/solve/outer_cost.hpp"
+#include "optimizer/solve/outer_function.hpp"
 #include "tools/task/task_file.hpp"
 
 namespace legwright {
@@ -34,6 +37,20 @@ CodesignProblem read_problem(const std::filesystem::path& task_file,
                              const std::filesystem::path& robot = {});
 /// The same of what is read already. Throws InputError where tasks and robot do not fit.
 CodesignProblem make_problem(TaskSet set, RobotModel robot);
+
+/// An outer objective that is no term of the registry.
+struct OwnOuter {
+  std::string name;
+  std::string source;  // where it comes from, for the record of the run
+  std::string unit;
+  double weight = 1.0;
+  std::optional<double> reference;                    // v₀; none: v of each task's first guess
+  std::function<MotionQuantity(int task)> functions;  // v, by task
+};
+
+/// Makes it the problem's J. Throws InputError where the task file has one, too, or its reference
+/// is not positive.
+void set_outer(CodesignProblem& problem, const OwnOuter& own);
 
 /// The costs of a problem, as the solvers want them. Keeps references to the problem.
 class ProblemCosts {

@@ -306,7 +306,10 @@ std::string text_of(const std::filesystem::path& file) {
         file.string(), 0, "",
         error.code().message() + "; give the path of a task file, for instance sideways.toml");
   } catch (const IoError&) {
-    throw InputError(file.string(), 0, "", "larger than 1 MiB; this is no task file");
+    throw InputError(file.string(), 0, "",
+                     std::filesystem::is_regular_file(file)
+                         ? "larger than 1 MiB; this is no task file"
+                         : "is a pipe, a socket or a device; expected a regular file");
   }
 }
 

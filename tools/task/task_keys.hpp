@@ -72,6 +72,7 @@ struct TaskSet {
   std::filesystem::path robot;       // found from the folder of the task file
   std::vector<TaskFile> tasks;       // in the file's order, at least one; names differ
   std::string outer;                 // name of the term that is the outer objective J, or empty
+  std::string outer_source;          // where J comes from, if it is no term
   double outer_weight = 1.0;         // of J in F + weight·J
   DesignTable design;                // [design]: what is frozen or bounded
   std::map<std::string, int> lines;  // of the keys outside [[task]]

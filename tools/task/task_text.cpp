@@ -8,13 +8,16 @@
 
 #include <toml++/toml.h>
 
+#include "tools/task/text_place.hpp"
+
 namespace legwright {
 namespace {
 
 constexpr const char* kRobotBeside = "robot.xml";
 
-/// Where a position of the TOML parser, which counts code points, is in the text [bytes].
-std::size_t offset_of(const std::string& text, const toml::source_position& position) {
+}  // namespace
+
+std::size_t text_offset(const std::string& text, const toml::source_position& position) {
   std::size_t at = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
   for (toml::source_index line = 1; line < position.line; ++line) at = text.find('\n', at) + 1;
   const auto continues = [&] {
@@ -25,20 +28,17 @@ std::size_t offset_of(const std::string& text, const toml::source_position& posi
   return std::min(at, text.size());
 }
 
-/// The text with other bytes in the place of a value.
-std::string replaced(const std::string& text, const toml::node& value, const std::string& by) {
-  const std::size_t begin = offset_of(text, value.source().begin);
-  const std::size_t end = offset_of(text, value.source().end);
+std::string with_value_at(const std::string& text, const toml::node& value, const std::string& by) {
+  const std::size_t begin = text_offset(text, value.source().begin);
+  const std::size_t end = text_offset(text, value.source().end);
   return text.substr(0, begin) + by + text.substr(end);
 }
-
-}  // namespace
 
 std::string text_beside_robot(const std::string& text) {
   const toml::table root = toml::parse(text);
   const toml::node* robot = root.get("robot");
   if (robot == nullptr || robot->value<std::string>() == kRobotBeside) return text;
-  return replaced(text, *robot, fmt::format("\"{}\"", kRobotBeside));
+  return with_value_at(text, *robot, fmt::format("\"{}\"", kRobotBeside));
 }
 
 std::string with_weights(const std::string& text, const std::vector<double>& weights) {
@@ -52,9 +52,9 @@ std::string with_weights(const std::string& text, const std::vector<double>& wei
     if (weight != nullptr && weight->value<double>() == weights[k]) continue;
     const std::string number = fmt::format("{}", weights[k]);
     if (weight != nullptr) {
-      out = replaced(out, *weight, number);
+      out = with_value_at(out, *weight, number);
     } else if (name != nullptr) {
-      out.insert(offset_of(out, name->source().end), "\nweight = " + number);
+      out.insert(text_offset(out, name->source().end), "\nweight = " + number);
     }
   }
   return out;

@@ -10,6 +10,7 @@
 #include "tools/files/atomic_file.hpp"
 #include "tools/files/io_error.hpp"
 #include "tools/task/toml_reader.hpp"
+#include "tools/task/toml_text.hpp"
 #include "tools/validate/robustness_limits.hpp"
 
 namespace legwright {
@@ -96,13 +97,7 @@ class Reader {
 }  // namespace
 
 Limits parse_limits(const std::string& text, const std::filesystem::path& file) {
-  toml::table root;
-  try {
-    root = toml::parse(text, file.string());
-  } catch (const toml::parse_error& error) {
-    throw InputError(file.string(), static_cast<int>(error.source().begin.line), "",
-                     std::string(error.description()));
-  }
+  const toml::table root = parse_toml(text, file);
   Limits limits = default_limits();
   Problems problems(file.string());
   Reader reader(root, problems, limits);
@@ -122,7 +117,10 @@ Limits read_limits(const std::filesystem::path& file) {
                      error.code().message() + "; give the path of a limits file, for instance " +
                          "examples/limits.toml");
   } catch (const IoError&) {
-    throw InputError(file.string(), 0, "", "larger than 1 MiB; this is no limits file");
+    throw InputError(file.string(), 0, "",
+                     std::filesystem::is_regular_file(file)
+                         ? "larger than 1 MiB; this is no limits file"
+                         : "is a pipe, a socket or a device; expected a regular file");
   }
   return parse_limits(text, file);
 }

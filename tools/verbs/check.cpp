@@ -11,6 +11,7 @@
 #include "tools/task/servo_sag.hpp"
 #include "tools/verbs/check_keys.hpp"
 #include "tools/verbs/gradients.hpp"
+#include "tools/verbs/init_text.hpp"
 #include "tools/verbs/summary.hpp"
 #include "tools/verbs/verbs.hpp"
 
@@ -78,7 +79,7 @@ std::string robot_text(const Finding& found) {
                         foot.name, fmt::join(limb_of(morphology, foot), " -> "), shape,
                         stretched_limb(morphology, j, s), feet[j].x(), feet[j].y());
   }
-  return text + held_text(found.robot.structure);
+  return text + held_text(found.robot.structure) + file_notes(found.robot);
 }
 
 std::string design_text(const Finding& found) {

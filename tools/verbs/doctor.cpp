@@ -7,6 +7,7 @@
 #include "tools/files/json_file.hpp"
 #include "tools/run/install.hpp"
 #include "tools/simulate/plugin_files.hpp"
+#include "tools/verbs/python_module.hpp"
 #include "tools/verbs/verbs.hpp"
 #include "tools/verbs/viewer_programs.hpp"
 
@@ -87,6 +88,17 @@ Item check_python() {
   return item;
 }
 
+/// What a verb needs that Python does.
+Item check_python_part(const PythonPart& part) {
+  const PythonFound found = look_for_python(part);
+  const bool there = !found.python.empty();
+  return {
+      part.extra, there, false,
+      there ? fmt::format("{} has legwright with {}", found.python, fmt::join(part.libraries, ", "))
+            : found.lacks,
+      python_cure(part)};
+}
+
 Item check_display() {
   const char* display =
       std::getenv("DISPLAY") ? std::getenv("DISPLAY") : std::getenv("WAYLAND_DISPLAY");
@@ -107,6 +119,8 @@ std::vector<Item> diagnose() {
   items.push_back(check_opengl());
   items.push_back(check_viewer());
   items.push_back(check_python());
+  for (const PythonPart& part : {study_part(), drake_part()})
+    items.push_back(check_python_part(part));
   items.push_back(check_display());
   return items;
 }

@@ -63,6 +63,20 @@ std::vector<std::optional<DesignIteration>> designs_of(const std::vector<PutBack
   return out;
 }
 
+/// Whether two designs have the same body and move alike.
+bool same_gaits(const DesignIteration& a, const DesignIteration& b) {
+  return a.s == b.s &&
+         std::equal(a.tasks.begin(), a.tasks.end(), b.tasks.begin(), b.tasks.end(),
+                    [](const TaskIterate& x, const TaskIterate& y) { return x.m == y.m; });
+}
+
+/// What physics said of the result when it was chosen, after more cycles than a glance has.
+const PlayedGait* played_result(const ChoiceRecord& choice) {
+  for (const CandidateRecord& each : choice.candidates)
+    if (each.name == choice.chosen) return &each.played;
+  return nullptr;
+}
+
 /// What physics says of each row. @param task that it is said of; nothing: of all together
 void add_played(const std::vector<std::optional<PlayedCandidate>>& played, std::optional<int> task,
                 std::vector<PutBackRecord>& rows) {
@@ -178,10 +192,16 @@ std::vector<std::optional<PlayedCandidate>> ChangeReasons::play(
   return play_beside(problem_, chosen, designs, threads_, stop_);
 }
 
-void ChangeReasons::play_fewest(const Candidate& chosen) {
+void ChangeReasons::play_fewest(const Candidate& chosen,
+                                const std::optional<ChoiceRecord>& choice) {
+  const PlayedGait* const of_result = choice ? played_result(*choice) : nullptr;
   std::vector<std::optional<DesignIteration>> designs;
-  designs.reserve(designs_.size());
-  for (const FewerChanges& each : designs_) designs.emplace_back(each.design);
+  for (std::size_t i = 0; i < designs_.size(); ++i) {
+    std::optional<DesignIteration>& design = designs.emplace_back(designs_[i].design);
+    if (of_result == nullptr || !same_gaits(*design, chosen.design)) continue;
+    fewest_.designs[i].played = *of_result;
+    design.reset();
+  }
   const auto played = play(chosen, designs);
   for (std::size_t i = 0; i < played.size(); ++i)
     if (played[i]) fewest_.designs[i].played = played[i]->record();
@@ -201,7 +221,7 @@ void ChangeReasons::write(const ResultFolder& folder, const MultistartResult& fo
   const std::vector<PutBack> rows = rows_of(best);
   if (!fewest_.kept || !chosen.planned.empty()) find_fewest(initial_F, best, rows);
   if (fewest_.kept && !chosen.planned.empty()) fewest_.fewest = 0;  // searched on in its space
-  play_fewest(chosen);
+  play_fewest(chosen, run.choice);
   run.fewest_changes = fewest_;
   const std::vector<WeightedCost>& tasks = costs().tasks().front();
   const auto played = play(chosen, designs_of(rows, tasks, best.value));

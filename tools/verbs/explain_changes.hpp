@@ -43,7 +43,7 @@ class ChangeReasons {
   void find_fewest(double initial_F, const DesignIteration& best, const std::vector<PutBack>& rows);
   std::vector<std::optional<PlayedCandidate>> play(
       const Candidate& chosen, const std::vector<std::optional<DesignIteration>>& designs);
-  void play_fewest(const Candidate& chosen);
+  void play_fewest(const Candidate& chosen, const std::optional<ChoiceRecord>& choice);
 
   const CodesignProblem& problem_;
   const int threads_;

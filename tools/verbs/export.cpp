@@ -17,6 +17,7 @@
 #include "tools/verbs/export_facts.hpp"
 #include "tools/verbs/export_files.hpp"
 #include "tools/verbs/export_gait.hpp"
+#include "tools/verbs/export_urdf.hpp"
 #include "tools/verbs/summary.hpp"
 #include "tools/verbs/verbs.hpp"
 
@@ -27,7 +28,7 @@ namespace fs = std::filesystem;
 
 struct ExportOptions {
   std::string run, output;
-  bool no_picture = false, json = false;
+  bool no_picture = false, urdf = false, ros = false, json = false;
 };
 
 /// Draws it, or says why not: a machine without OpenGL exports all the same.
@@ -83,6 +84,9 @@ int export_run(const ExportOptions& options) {
   const std::vector<HomeTouch> touches = home_touches(from);
   facts.touches = describe(touches);
   facts.gaits = write_gaits(options.run, folder.path());
+  facts.urdf = options.urdf || options.ros;
+  if (facts.urdf) facts.urdf_lost = write_urdf(from.after, folder.path(), name);
+  if (options.ros) facts.ros_package = write_ros(from.after, options.run, folder.path(), name);
   std::string left_out;
   std::string picture = name + ".png";
   while (fs::exists(folder.path() / picture)) picture.insert(0, "picture_of_");  // a texture's
@@ -96,7 +100,8 @@ int export_run(const ExportOptions& options) {
   std::sort(files.begin(), files.end());
   folder.appear();
 
-  const bool healthy = stood.warnings.empty() && !stood.diverged;
+  const bool healthy =
+      stood.warnings.empty() && !stood.diverged && !stood.flew() && !stood.in_ground();
   if (!left_out.empty()) fmt::print(stderr, "legwright: warning: no picture: {}\n", left_out);
   if (!touches.empty())
     fmt::print(stderr, "legwright: warning: {}\n", terminal_text(facts.touches));
@@ -110,9 +115,12 @@ int export_run(const ExportOptions& options) {
                               {"files", files},
                               {"verdicts", facts.verdicts},
                               {"home_touches", touches.size()},
+                              {"urdf_lost", facts.urdf_lost},
                               {"engine_warnings", stood.warnings.size()}}));
   } else {
     fmt::print("{}\n", terminal_text(facts.standing));
+    for (const std::string& sentence : facts.urdf_lost)
+      fmt::print("not in the URDF: {}\n", terminal_text(sentence));
     fmt::print(
         "written  {}: {} files\nnext: python {} --view{}   or: python -m mujoco.viewer --mjcf={}\n",
         shell_word(target.string()), files.size(), shell_word((target / "play.py").string()),
@@ -132,6 +140,9 @@ void add_export(CLI::App& program, Action& action) {
   verb->add_option("-o,--output", options->output,
                    "new folder, which must not exist; default: exports/RUN");
   verb->add_flag("--no-picture", options->no_picture, "leave the picture out");
+  verb->add_flag("--urdf", options->urdf,
+                 "also urdf/NAME.urdf with its meshes; tells what it lacks");
+  verb->add_flag("--ros", options->ros, "also ros/PACKAGE, a ROS 2 package with URDF and gait");
   verb->add_flag("--json", options->json, "print one JSON document");
   verb->footer(
       "Writes, whole or not at all: NAME.xml (the robot, byte for byte as in result/), scene.xml "
@@ -143,6 +154,8 @@ void add_export(CLI::App& program, Action& action) {
       "files are), and the\n"
       "licence that stood beside the robot's file. The scene is opened, compared with the robot, "
       "and simulated for 1 s.\n"
+      "--urdf: each body is a link at the anchor of its joint, one with several hinges a chain of "
+      "links; refused where a joint is a ball.\n"
       "Exit code: 0; 1 where that second brought a warning of MuJoCo; 3 where the folder exists or "
       "the run has no result.");
 }

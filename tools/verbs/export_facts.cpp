@@ -34,7 +34,8 @@ std::string without_folders(const std::string& word) {
 std::string command_of(const RunRecord& run) {
   std::string out;
   for (const std::string& word : run.argv)
-    out += out.empty() ? "legwright" : " " + shell_word(without_folders(word));
+    out +=
+        out.empty() ? fs::path(word).filename().string() : " " + shell_word(without_folders(word));
   return out;
 }
 
@@ -83,6 +84,25 @@ std::vector<std::string> verdicts_of(const fs::path& root) {
   return lines;
 }
 
+/// What MuJoCo said of the result as the search chose it; empty where it was not asked, or not
+/// for each task of several.
+std::string line_of_choice(const RunRecord& run) {
+  if (run.physics_steps && run.physics_steps->changed) return run.physics_steps->after.line;
+  for (const TaskRecord& task : run.tasks.value_or(std::vector<TaskRecord>{}))
+    if (task.physics_steps && task.physics_steps->changed) return "";
+  if (!run.choice) return "";
+  const std::string& name = run.picked.value_or(run.choice->chosen);
+  for (const CandidateRecord& candidate : run.choice->candidates)
+    if (candidate.name == name) return candidate.played.line;
+  return "";
+}
+
+/// A task from keywords has no file of its own.
+std::string task_file_of(const RunRecord& run) {
+  const std::string file = without_folders(value_or_empty(run.files, "task.toml"));
+  return file == "<task>" ? "from keywords in Python: inputs/task.toml of the run" : file;
+}
+
 }  // namespace
 
 ExportedRun read_exported_run(const fs::path& root) {
@@ -126,8 +146,19 @@ std::string describe(const StandingResult& stand) {
     out += fmt::format("{}{} ({} times, first at {:.3g} s)", k ? ", " : "", stand.warnings[k].text,
                        stand.warnings[k].count, stand.warnings[k].time);
   if (std::isfinite(stand.trunk_after))
-    out += fmt::format("; its trunk went from {:.3f} to {:.3f} m", stand.trunk_before,
-                       stand.trunk_after);
+    out += fmt::format("; its trunk's centre of mass went from {:.3f} to {:.3f} m",
+                       stand.trunk_before, stand.trunk_after);
+  if (stand.in_ground())
+    out += fmt::format(" (it starts {:.3g} m deep in the ground)", stand.sunk_in);
+  if (stand.flew())
+    out += fmt::format(
+        " (it is thrown up to {:.3g} m: that pose does not stand; give the robot's file a keyframe "
+        "`home` in which its feet touch the ground and no links overlap)",
+        stand.highest);
+  else if (stand.sank())
+    out +=
+        " (that pose has no servo commands that hold it: a keyframe `home` without `ctrl`, or "
+        "torque motors; the gait has its own)";
   return out + ".";
 }
 
@@ -137,7 +168,7 @@ ExportFacts facts_of(const ExportedRun& from, const fs::path& root, const std::s
   facts.model = from.after.morphology.name;
   facts.robot_file = without_folders(value_or_empty(from.run.files, "robot.xml"));
   facts.robot_sha256 = sha256_hex(from.before.files.main_text());
-  facts.task_file = without_folders(value_or_empty(from.run.files, "task.toml"));
+  facts.task_file = task_file_of(from.run);
   facts.task_sha256 = value_or_empty(from.run.sha256, "task.toml");
   facts.version = value_or_empty(from.run.versions, "legwright");
   facts.engine = value_or_empty(from.run.versions, "mujoco");
@@ -151,6 +182,7 @@ ExportFacts facts_of(const ExportedRun& from, const fs::path& root, const std::s
   facts.mass_before = from.before.morphology.total_mass();
   facts.mass_after = from.after.morphology.total_mass();
   facts.verdicts = verdicts_of(root);
+  facts.chosen_verdict = line_of_choice(from.run);
   if (from.run.task) facts.servo_kp = from.run.task->servo_kp;
   return facts;
 }

@@ -84,7 +84,9 @@ void check_all(const CodesignProblem& problem, int task, const VectorXd& s, cons
                GradientCheck& check) {
   const VectorXd scale = problem.robot.space.scale();
   Checker(*problem.objectives[task], scale).at(s, m, check);
-  if (!problem.outers.empty()) Checker(problem.outers[task]->quantity(), scale).at(s, m, check);
+  if (problem.outers.empty()) return;
+  if (const auto* term = dynamic_cast<const OuterTerm*>(problem.outers[task].get()))
+    Checker(term->quantity(), scale).at(s, m, check);
 }
 
 GradientCheck solved_check(const CodesignProblem& problem, const JointTask& task, int k) {

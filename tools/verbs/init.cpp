@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "mjcf/read/world_parts.hpp"
+#include "mjcf/text/compile.hpp"
 #include "mjcf/text/input_error.hpp"
 #include "tools/files/atomic_file.hpp"
 #include "tools/files/clean_text.hpp"
@@ -25,7 +27,19 @@ struct InitOptions {
   bool write = false, json = false;
 };
 
-Json to_json(const ProposedParameters& found, const std::string& written, const std::string& task) {
+/// What init found to stand in, where the file has no such pose.
+std::string pose_text(const StudiedRobot& robot, bool writes) {
+  if (!robot.pose) return "";
+  return fmt::format(
+      "stands   in a pose that was found for it, as it does not in its home pose: {}\n"
+      "         {}\n{}",
+      robot.pose->why, robot.pose->words,
+      writes ? "         which is keyframe 'legwright' now\n"
+             : "         --write adds it as keyframe 'legwright'\n");
+}
+
+Json to_json(const StudiedRobot& robot, const std::string& written, const std::string& task) {
+  const ProposedParameters& found = robot.found;
   const Morphology& morphology = found.model.morphology;
   Json limbs = Json::array();
   for (const Limb& limb : found.limbs) {
@@ -60,7 +74,10 @@ Json to_json(const ProposedParameters& found, const std::string& written, const 
           {"trunk", found.model.root_body},
           {"limbs", limbs},
           {"held", held},
+          {"surroundings", surroundings_of(*compile_mjcf(found.model.xml, found.model.file))},
           {"not_standing", found.not_standing.empty() ? Json(nullptr) : Json(found.not_standing)},
+          {"standing_pose",
+           robot.pose ? Json{{"why", robot.pose->why}, {"qpos", robot.pose->qpos}} : Json(nullptr)},
           {"declared", declared},
           {"proposals", proposals},
           {"left_out", found.left_out},
@@ -105,12 +122,13 @@ bool lacks_task(const InitOptions& options, const ProposedParameters& found) {
   return options.gait.empty() && !no_task_text(found.model).empty();
 }
 
-std::string next_step(const InitOptions& options, const ProposedParameters& found,
+std::string next_step(const InitOptions& options, const StudiedRobot& robot,
                       const std::string& written, const std::string& task) {
+  const ProposedParameters& found = robot.found;
   if (!task.empty())
     return fmt::format("next: legwright optimize {} -o {}\n", shell_word(task),
                        shell_word("runs/" + fs::path(task).stem().string()));
-  const bool adds = written.empty() && !found.proposals.empty();
+  const bool adds = written.empty() && (!found.proposals.empty() || robot.pose);
   if (lacks_task(options, found)) {
     const std::string gait = no_gait_text(found.model.morphology.foot_count());
     std::string text;
@@ -135,6 +153,11 @@ int init(const InitOptions& options) {
   const StudiedRobot robot = study_robot(options.robot);
   const ProposedParameters& found = robot.found;
   check_output(robot, options.output);
+  if (robot.pose && !options.task.empty() && !options.write && options.output.empty())
+    throw InputError(options.robot, 0, "",
+                     "no task is written, in which the robot would not stand: " + robot.pose->why +
+                         "; add --write, which puts the pose that was found into the file as "
+                         "keyframe 'legwright'");
   const bool writes = options.write || !options.output.empty();
   const FirstTask task =
       options.task.empty() || lacks_task(options, found)
@@ -148,9 +171,10 @@ int init(const InitOptions& options) {
     fmt::print(stderr, "legwright: {} is not written: {}\n", options.task,
                no_task_text(found.model));
   if (options.json) {
-    fmt::print("{}", to_text(to_json(found, written, written_task)));
+    fmt::print("{}", to_text(to_json(robot, written, written_task)));
     return code;
   }
+  fmt::print("{}", terminal_text(pose_text(robot, writes)));
   fmt::print("{}", terminal_text(writes ? robot_summary(found)
                                         : robot_tree(found) + proposal_table(found) + "\n"));
   if (writes)
@@ -164,7 +188,7 @@ int init(const InitOptions& options) {
                found.left_out.empty() ? ""
                                       : fmt::format(", and why {} more parameters were left out",
                                                     found.left_out.size()));
-  fmt::print("{}", next_step(options, found, written, written_task));
+  fmt::print("{}", next_step(options, robot, written, written_task));
   return code;
 }
 

@@ -29,9 +29,12 @@ void refuse_task(const fs::path& file) {
 StudiedRobot study_robot(const fs::path& file) {
   refuse_task(file);
   RobotFiles files = RobotFiles::read(file);
+  std::string text = files.main_text();
+  std::optional<StandingPose> pose = find_standing_pose(files.text(), file);
+  if (pose) files = RobotFiles::from_text(with_keyframe(text, file, *pose), file);
   ProposedParameters found =
       files.at_their_lines([&] { return propose_parameters(files.text(), file); });
-  return {std::move(files), std::move(found)};
+  return {std::move(files), std::move(found), std::move(pose), std::move(text)};
 }
 
 /// Other files are named by paths from the main file's folder.
@@ -52,9 +55,12 @@ std::string write_proposals(const StudiedRobot& robot, const std::string& output
   const fs::path& file = robot.files.file();
   if (!output.empty() && fs::exists(output) && !fs::equivalent(output, file))
     throw IoError(output + ": exists already; name a new file, or remove it");
-  if (robot.found.proposals.empty() && output.empty()) return "";  // nothing to add
+  if (robot.found.proposals.empty() && !robot.pose && output.empty()) return "";  // nothing to add
   std::string written = output.empty() ? file.string() : output;
-  write_file(written, with_declarations(robot.files.main_text(), file, robot.found.proposals));
+  const std::string text = with_declarations(robot.files.main_text(), file, robot.found.proposals);
+  if (const std::string now = read_file(file); now != robot.text && now != text)
+    throw IoError(file.string() + ": has been changed since it was studied; study it again");
+  write_file(written, text);
   return written;
 }
 

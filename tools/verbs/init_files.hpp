@@ -2,17 +2,21 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "mjcf/propose/proposals.hpp"
+#include "mjcf/propose/standing_pose.hpp"
 #include "mjcf/text/robot_files.hpp"
 
 namespace legwright {
 
 /// A robot as `legwright init` studies it: its files, and what a designer may change in it.
 struct StudiedRobot {
-  RobotFiles files;
+  RobotFiles files;  // with the keyframe of `pose`
   ProposedParameters found;
+  std::optional<StandingPose> pose;  // found for it; nothing where its home pose is one
+  std::string text;                  // of the main file as it was read
 };
 
 /// Throws InputError as parse_robot() does, and for a task file in the place of its robot.
@@ -21,8 +25,10 @@ StudiedRobot study_robot(const std::filesystem::path& file);
 /// Throws InputError where the robot's other files would not be found from the folder of `output`.
 void check_output(const StudiedRobot& robot, const std::string& output);
 
-/// Declares the proposals in the robot's file, or in the new file `output`; all other bytes stay.
-/// Throws as check_output(), and IoError where `output` is there already.
+/// Declares the proposals in the robot's file, or in the new file `output`, and adds the keyframe
+/// of a pose that was found; all other bytes stay.
+/// Throws as check_output(), and IoError where `output` is there already or the robot's file has
+/// been changed since it was studied.
 /// @param output empty for the robot's file @return what was written; empty: nothing to add
 std::string write_proposals(const StudiedRobot& robot, const std::string& output);
 

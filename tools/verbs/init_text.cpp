@@ -10,6 +10,9 @@
 #include <vector>
 
 #include "mjcf/read/moving_parts.hpp"
+#include "mjcf/read/solver_options.hpp"
+#include "mjcf/read/world_parts.hpp"
+#include "mjcf/text/compile.hpp"
 
 namespace legwright {
 namespace {
@@ -202,6 +205,15 @@ std::string table_of(const std::vector<Proposal>& proposals) {
 
 }  // namespace
 
+std::string file_notes(const RobotModel& robot) {
+  const ModelPointer model = compile_mjcf(robot.xml, robot.file);
+  std::string text;
+  for (const std::string& note : {describe_surroundings(surroundings_of(*model)),
+                                  describe_overridden(overridden_options(model->opt))})
+    if (!note.empty()) text += "  " + note + "\n";
+  return text;
+}
+
 std::string robot_tree(const ProposedParameters& found) {
   std::vector<std::pair<std::string, std::vector<TreeLine>>> legs;
   if (std::vector<TreeLine> shared = shared_joints(found); !shared.empty())
@@ -224,12 +236,13 @@ std::string robot_tree(const ProposedParameters& found) {
     for (const TreeLine& line : lines)
       text += fmt::format("    {:{}}  {}\n", line.names, width, line.what);
   }
-  text += held_text(found.model.structure);
+  text += held_text(found.model.structure) + file_notes(found.model);
   return found.not_standing.empty() ? text : text + "  " + found.not_standing + "\n";
 }
 
 std::string robot_summary(const ProposedParameters& found) {
-  const std::string text = title(found) + held_text(found.model.structure);
+  const std::string text =
+      title(found) + held_text(found.model.structure) + file_notes(found.model);
   return found.not_standing.empty() ? text : text + "  " + found.not_standing + "\n";
 }
 

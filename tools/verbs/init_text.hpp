@@ -14,6 +14,9 @@ std::string robot_tree(const ProposedParameters& found);
 /// The robot in a line, and what of it is held or keeps it from standing.
 std::string robot_summary(const ProposedParameters& found);
 
+/// What the file brings that scenes have otherwise, surroundings and solver options, a line each.
+std::string file_notes(const RobotModel& robot);
+
 /// "26 design parameters (10 lengths, 16 angles) in its <custom> section"; what the file had
 /// already besides.
 std::string proposal_summary(const ProposedParameters& found);

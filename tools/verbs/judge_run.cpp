@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include "mjcf/text/compile.hpp"
 #include "mjcf/text/input_error.hpp"
+#include "mjcf/text/robot_files.hpp"
 #include "tools/run/install.hpp"
 #include "tools/run/outer_measured.hpp"
 #include "tools/simulate/mujoco_host.hpp"
@@ -96,6 +98,15 @@ VerdictRecord verdict_record(const JudgedRun& judged, const TaskOfRun& task) {
   return out;
 }
 
+/// What the scenes set otherwise than the robot's file; of a run without that file nothing.
+std::vector<OverriddenOption> overridden_in(const ResultFolder& folder) {
+  const fs::path robot = folder.result() / "robot.xml";
+  if (!fs::exists(robot)) return {};
+  const RobotFiles files = RobotFiles::read(robot);
+  return overridden_options(
+      files.at_their_lines([&] { return options_of_mjcf(files.text(), files.file()); }));
+}
+
 /// What of the designed body touches itself in the home pose that did not before. A run without the
 /// robots' files, as older programs wrote them, tells nothing.
 std::vector<HomeTouch> home_touches_of(const ResultFolder& folder) {
@@ -118,7 +129,7 @@ void write_or_remove(const fs::path& file, const std::optional<Record>& record) 
 void tell_outer(const ResultFolder& folder, const MetricsRecord& metrics) {
   auto run = read_record_file<RunRecord>(folder.run_json());
   if (!run.outer) return;
-  run.outer->measured = outer_measured(run.outer->objective, metrics);
+  run.outer->measured = outer_measured(*run.outer, metrics);
   write_json(folder.run_json(), json_of(run));
 }
 
@@ -169,6 +180,7 @@ JudgedRun judge_run(const ResultFolder& folder, const std::vector<fs::path>& oth
     judge_further(task, scenes[1], options, judged);
     judged.metrics = metrics_record(task, options.validation, scenes, judged.designs);
     judged.home_touches = home_touches_of(folder);
+    judged.overridden = overridden_in(folder);
   } catch (const MujocoError& error) {
     throw InputError(error.what());
   } catch (const TrajectoryError& error) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mjcf/propose/home_touches.hpp"
+#include "mjcf/read/solver_options.hpp"
 #include "tools/files/json_file.hpp"
 #include "tools/run/matrix_record.hpp"
 #include "tools/run/result_folder.hpp"
@@ -16,12 +17,13 @@ namespace legwright {
 
 /// What physics says about a run of one task.
 struct JudgedRun {
-  MetricsRecord metrics;                  // as written into result/
-  VerdictRecord verdict;                  // likewise
-  std::vector<SceneValidation> designs;   // initial body, result, then the others
-  std::optional<SecondOpinion> numerics;  // on the result
-  std::optional<Robustness> robustness;   // of the result
-  std::vector<HomeTouch> home_touches;    // of the designed body, which the initial one has not
+  MetricsRecord metrics;                     // as written into result/
+  VerdictRecord verdict;                     // likewise
+  std::vector<SceneValidation> designs;      // initial body, result, then the others
+  std::optional<SecondOpinion> numerics;     // on the result
+  std::optional<Robustness> robustness;      // of the result
+  std::vector<HomeTouch> home_touches;       // of the designed body, which the initial one has not
+  std::vector<OverriddenOption> overridden;  // of the robot's file, by the scenes
 
   std::optional<NumericsRecord> numerics_record() const;
   std::optional<RobustnessRecord> robustness_record() const;

@@ -64,12 +64,7 @@ class OptimizeRun {
               follower_.warn);
     times_.end_of("results");
     if (usable(chosen.design)) explain(found, chosen);
-    if (options_.front > 0 && !stop_()) {
-      CodesignOptions rules = settings_.codesign;
-      rules.on_iteration = [this](const DesignIteration&) { return !stop_(); };
-      run_.front = write_front(folder_, problem_, costs_.tasks(), found, options_.front, rules);
-      times_.end_of("front");
-    }
+    if (options_.front > 0 && !stop_()) trade_off(found);
     finish();
   }
 
@@ -128,6 +123,17 @@ class OptimizeRun {
     }
   }
 
+  void trade_off(const MultistartResult& found) {
+    if (static_cast<int>(found.alone.size()) < problem_.task_count()) {
+      follower_.warn("no trade-off front: the search ended before each task was solved alone");
+      return;
+    }
+    CodesignOptions rules = settings_.codesign;
+    rules.on_iteration = [this](const DesignIteration&) { return !stop_(); };
+    run_.front = write_front(folder_, problem_, costs_.tasks(), found, options_.front, rules);
+    times_.end_of("front");
+  }
+
   void finish() {
     recorder_.end(run_);
     write_json(folder_.run_json(), json_of(run_));  // complete, should the pictures be interrupted
@@ -169,10 +175,12 @@ void note_failure(const ResultFolder& folder, RunRecord& run, const char* why) {
 
 void check_options(const OptimizeOptions& options, const CodesignProblem& problem) {
   if (options.front > 0 && (problem.task_count() != 2 || options.one_start || options.motion_only))
-    throw InputError(problem.set.file.string(), 0, "",
-                     fmt::format("--front needs two [[task]] tables, each solved alone (no "
-                                 "--one-start, no --motion-only); the file has {}",
-                                 problem.task_count()));
+    throw InputError(
+        problem.set.file.string(), 0, "",
+        fmt::format("a front needs two tasks ([[task]] tables, in Python a list), each "
+                    "solved alone, so neither one start nor motion only; found {}{}{}",
+                    problem.task_count(), options.one_start ? ", one start" : "",
+                    options.motion_only ? ", motion only" : ""));
 }
 
 void tell_warnings(const CodesignProblem& problem, const RunFollower& follower) {

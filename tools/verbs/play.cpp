@@ -81,11 +81,13 @@ std::string choose_viewer(const PlayOptions& options) {
     throw InputError("--live needs Legwright's own viewer, not --viewer " + chosen);
   if ((chosen == "legwright" && !legwright) || (chosen == "simulate" && !simulate))
     refuse_without(chosen == "simulate" ? kSimulateProgram : kViewerProgram,
-                   options.live ? "" : ", or use --viewer python");
+                   options.live || is_packaged() ? "" : ", or use --viewer python");
   // Python is what is left, and only where it has MuJoCo; else the missing viewer is the fault.
   const bool only_told = options.print || options.json;
   if (options.viewer.empty() && chosen == "python" && !only_told && !find_viewer_python())
-    refuse_without(kViewerProgram, "; or " + viewer_python_cure() + " and use --viewer python");
+    refuse_without(
+        kViewerProgram,
+        is_packaged() ? "" : "; or " + viewer_python_cure() + " and use --viewer python");
   return chosen;
 }
 

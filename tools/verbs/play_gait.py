@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Walks the exported gait in stock MuJoCo: joint targets, velocities and torques from gait.csv,
-gains from gains.json, as the driver of a real robot takes them. README.md here explains both.
+"""Walks the exported gait in stock MuJoCo, as gait.csv and gains.json have it.
+
+Joint targets, velocities and torques come from gait.csv, gains from gains.json, as the driver of a
+real robot takes them. README.md here explains both.
 
 Usage: python play.py [--cycles N] [--view] [TASK]; needs `pip install mujoco`.
 """
@@ -88,7 +90,14 @@ def main():
 
     def show(model, data):
         if not viewers:
-            import mujoco.viewer
+            try:
+                import mujoco.viewer
+            except ImportError as error:
+                raise SystemExit(
+                    f"play.py: MuJoCo's viewer is not there ({error}); install it with "
+                    "pip install 'mujoco-core[rendering]' (before MuJoCo 4: mujoco), or leave "
+                    '--view out'
+                ) from None
 
             viewers.append(mujoco.viewer.launch_passive(model, data))
         if data.time % 0.02 < model.opt.timestep:
@@ -96,8 +105,10 @@ def main():
             time.sleep(0.02)
 
     way, planned = play(options.task, options.cycles, show if options.view else lambda *_: None)
-    print(f'{options.cycles} cycles: {way[0]:+.4f} {way[1]:+.4f} m, '
-          f'planned {planned[0]:+.4f} {planned[1]:+.4f} m')
+    print(
+        f'{options.cycles} cycles: {way[0]:+.4f} {way[1]:+.4f} m, '
+        f'planned {planned[0]:+.4f} {planned[1]:+.4f} m'
+    )
 
 
 if __name__ == '__main__':

@@ -5,6 +5,7 @@
 
 #include "mjcf/text/input_error.hpp"
 #include "optimizer/solve/lbfgs.hpp"
+#include "tools/run/result_folder.hpp"
 #include "tools/run/run_json.hpp"
 #include "tools/session/design_motions.hpp"
 #include "tools/task/task_text.hpp"
@@ -52,17 +53,17 @@ MultistartResult found_by(const SessionState& state, const std::vector<JointTask
     return point;
   };
   std::vector<Eigen::VectorXd> first, here;
-  const Eigen::VectorXd given = state.problem->robot.space.initial();
-  for (std::size_t k = 0; k < tasks.size(); ++k) {
-    first.push_back(tasks[k].guess(given));
+  for (std::size_t k = 0; k < tasks.size(); ++k)
     here.push_back(state.cold[k] ? tasks[k].guess(state.s()) : state.now->tasks[k].m);
-  }
+  const auto last = settled(state.s(), here);
+  const Eigen::VectorXd given = state.problem->robot.space.initial();
+  for (const JointTask& task : tasks) first.push_back(task.guess(given));
   StartedRun run;
   run.label.start = "initial";
   for (int k = 0; k < static_cast<int>(tasks.size()); ++k) run.label.tasks.push_back(k);
   run.result.status = SolveStatus::stopped;
   run.result.initial = iteration_of(state, 0, *settled(given, first));
-  run.result.best = iteration_of(state, 1, *settled(state.s(), here));
+  run.result.best = iteration_of(state, 1, *last);
   run.result.motion_only_traces.resize(tasks.size());
   run.result.design_iterations = state.iterations;
   MultistartResult found;
@@ -72,10 +73,11 @@ MultistartResult found_by(const SessionState& state, const std::vector<JointTask
 
 }  // namespace
 
-void save_session(const SessionRecord& session, const ResultFolder& folder) {
+void save_session(const SessionRecord& session, const std::filesystem::path& root, bool force) {
   CodesignProblem problem = problem_of(*session.state);
   const ProblemCosts costs(problem);
   const MultistartResult found = found_by(*session.state, costs.tasks());
+  const ResultFolder folder = ResultFolder::create(root, force);
   RunRecord run = write_start(folder, problem, false, {"legwright", "session"});
   write_file(folder.inputs() / "session.jsonl", session.journal);
   Progress progress(Progress::Mode::quiet, {}, {}, {});

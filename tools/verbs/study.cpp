@@ -23,7 +23,7 @@ int study(const StudyOptions& options) {
   if (options.quiet) words.emplace_back("--quiet");
   if (options.json) words.emplace_back("--json");
   words.insert(words.end(), {"--", options.study});
-  return run_python_module({"legwright.study", "distributed", "study"}, words);
+  return run_python_module(study_part(), words);
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ struct ValidateOptions {
   std::string run, limits, junit;
   std::string engine = "mujoco";
   JudgeOptions judge;
-  bool json = false, quick = false;
+  bool json = false, quick = false, progress = false;
 };
 
 /// Read before anything is played: a damaged file must not cost the roll-outs. Throws InputError.
@@ -36,8 +36,12 @@ RunRecord read_run_record(const ResultFolder& folder) {
 }
 
 /// Tells on stderr from the first moment what is done and how far it is: one live line on a
-/// terminal, none elsewhere.
-ProgressListener live_progress() {
+/// terminal, none elsewhere; or a line for each step, for programs.
+ProgressListener live_progress(bool lines) {
+  if (lines)
+    return [](const std::string& stage, int done, int total) {
+      fmt::print(stderr, "{}\n", to_line(Json{{"stage", stage}, {"done", done}, {"total", total}}));
+    };
   if (::isatty(STDERR_FILENO) == 0) return {};
   return [](const std::string& stage, int done, int total) {
     if (done == total)
@@ -83,6 +87,8 @@ void print_judged(const JudgedRun& judged, bool same, const std::string& indent)
         indent, indent);
   if (!judged.home_touches.empty())
     fmt::print("{}warning: {}\n", indent, terminal_text(describe(judged.home_touches)));
+  if (!judged.overridden.empty())
+    fmt::print("{}{}\n", indent, describe_overridden(judged.overridden));
   if (const auto& comparison = judged.designs[1].comparison)
     fmt::print("{}{}\n", indent, describe(*comparison));
   if (judged.verdict.run_status)
@@ -158,7 +164,7 @@ int validate_elsewhere(const ValidateOptions& options) {
                                  std::to_string(options.judge.validation.cycles)};
   if (!options.limits.empty()) words.insert(words.end(), {"--limits", options.limits});
   if (options.json) words.emplace_back("--json");
-  return run_python_module({"legwright." + options.engine, "pydrake", "drake"}, words);
+  return run_python_module(drake_part(), words);
 }
 
 int validate(const ValidateOptions& asked) {
@@ -167,7 +173,7 @@ int validate(const ValidateOptions& asked) {
   if (!options.limits.empty()) options.judge.validation.limits = read_limits(options.limits);
   refuse_if_too_quick(options);
   options.judge.numerics = options.judge.robustness = options.judge.stability = !options.quick;
-  options.judge.validation.progress = live_progress();
+  options.judge.validation.progress = live_progress(options.progress);
   const ResultFolder folder = ResultFolder::open(options.run);
   const RunRecord run = read_run_record(folder);
   if (run.joint()) return validate_joint(folder, run, options);
@@ -213,6 +219,8 @@ void add_options(CLI::App& verb, ValidateOptions& options) {
   verb.add_option("--threads", judge.validation.threads,
                   "Roll-outs at the same time; results do not depend on it; default: all cores")
       ->check(CLI::Range(1, 64));
+  verb.add_flag("--progress", options.progress,
+                "Tell what is done as lines of JSON on stderr, for programs");
   verb.add_flag("--json", options.json,
                 "One JSON document on stdout: verdict, metrics, robustness, numerics");
 }

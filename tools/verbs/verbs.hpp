@@ -40,6 +40,7 @@ void add_render(CLI::App& program, Action& action);
 void add_report(CLI::App& program, Action& action);
 void add_curves(CLI::App& program, Action& action);
 void add_play(CLI::App& program, Action& action);
+void add_studio(CLI::App& program, Action& action);
 void add_study(CLI::App& program, Action& action);
 void add_gaits(CLI::App& program, Action& action);
 void add_export(CLI::App& program, Action& action);

@@ -96,6 +96,14 @@ std::optional<std::filesystem::path> find_beside(const std::string& program) {
 
 std::string viewer_python_cure() { return "pip install '" LEGWRIGHT_PYTHON_VIEWER "'"; }
 
-std::string viewer_cure() { return LEGWRIGHT_VIEWER_CURE; }
+bool is_packaged() {
+  return std::filesystem::exists(program_file().parent_path().parent_path() / "__init__.py");
+}
+
+std::string viewer_cure() {
+  if (!is_packaged()) return LEGWRIGHT_VIEWER_CURE;
+  return "the Python package has none of its own; " + viewer_python_cure() +
+         " for `legwright play --viewer python` (which has no --live)";
+}
 
 }  // namespace legwright

@@ -32,7 +32,10 @@ inline constexpr const char* kSimulateProgram = "simulate";
 /// The program of that name in the folder of the running one, or nothing.
 std::optional<std::filesystem::path> find_beside(const std::string& program);
 
-/// What to do where they are missing: build them, or what stands in the way of building them.
+/// Whether this program is that of the Python package, whose users have no build tree.
+bool is_packaged();
+/// What to do where they are missing: build them, or what stands in the way of building them; of a
+/// packaged program, which viewer there is instead.
 std::string viewer_cure();
 
 /// Runs a command without a shell and waits for it. With `output` it reads nothing, what it prints

@@ -8,13 +8,14 @@ Writes validation_drake.json into result/, of several tasks into that of each.
 import argparse
 import json
 import sys
+import traceback
 from pathlib import Path
 
 from legwright._design import Design
 from legwright._errors import InputError, IoError
 from legwright._validate import GAINS, Validation, in_drake
 
-OK, FAILS, BAD_INPUT, NO_FILE, INTERRUPTED = 0, 1, 2, 3, 130  # tools/files/exit_code.hpp
+OK, FAILS, BAD_INPUT, NO_FILE, INTERNAL, INTERRUPTED = 0, 1, 2, 3, 4, 130  # exit_code.hpp
 
 
 def _progress(seconds: float):
@@ -79,6 +80,10 @@ def main() -> int:
         return BAD_INPUT
     except KeyboardInterrupt:
         return INTERRUPTED
+    except Exception:
+        print('legwright: internal error:', file=sys.stderr)
+        traceback.print_exc()
+        return INTERNAL
 
 
 if __name__ == '__main__':

@@ -6,11 +6,13 @@ import json
 import signal
 import sys
 import traceback
+import warnings
 from pathlib import Path
 from types import FrameType
 from typing import NoReturn
 
-from legwright._errors import InputError
+from legwright._errors import InputError, LegwrightWarning
+from legwright.study._measures import as_float
 from legwright.study._run import Done, Study, default_folder, run
 
 # As tools/files/exit_code.hpp has them.
@@ -21,8 +23,26 @@ class Stopped(KeyboardInterrupt):
     """SIGTERM, SIGHUP or SIGUSR1 came."""
 
 
-def _stop(_number: int, _frame: FrameType | None) -> NoReturn:
-    raise Stopped
+class Interrupts:
+    """Signals as exceptions.
+
+    One that came in a callback of the interpreter, where exceptions are swallowed, is raised again
+    by check().
+    """
+
+    def __init__(self) -> None:
+        self._asked: KeyboardInterrupt | None = None
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGUSR1):
+            signal.signal(number, self._stop)
+
+    def _stop(self, number: int, _frame: FrameType | None) -> NoReturn:
+        self._asked = KeyboardInterrupt() if number == signal.SIGINT else Stopped()
+        raise self._asked
+
+    def check(self) -> None:
+        """Raises what was asked for, if anything was."""
+        if self._asked is not None:
+            raise self._asked
 
 
 def _parsed(words: list[str] | None) -> argparse.Namespace:
@@ -48,16 +68,18 @@ def _line(done: Done) -> str:
         return f'{head}{done.status}  {done.point.name}: {(done.reason or "").splitlines()[0]}'
     found = done.record['measures']
     word = {True: 'PASS', False: 'FAIL', None: 'plan'}[found['pass']]
-    return f'{head}{word}  F {found["F"]:<8.4g} {done.record["seconds"]:6.1f} s  {done.point.name}'
+    F, seconds = as_float(found['F']), done.record['seconds']
+    return f'{head}{word}  F {F:<8.4g} {seconds:6.1f} s  {done.point.name}'
 
 
 def _summary(study: Study, folder: Path) -> str:
     records = [study.records.get(point.hash) for point in study.points]
     done = [each for each in records if each is not None and each['status'] == 'done']
-    passed = sum(each['measures']['pass'] is True for each in done)
-    lines = [
-        f'{study.name}: {len(done)} of {len(records)} points have a design, MuJoCo passes {passed}'
-    ]
+    said = [each['measures']['pass'] for each in done]
+    asked = len(said) - said.count(None)
+    passed = f'passes {said.count(True)}' + (f' of the {asked} asked about' * (asked < len(said)))
+    mujoco = f'MuJoCo {passed if asked else "was not asked"}'
+    lines = [f'{study.name}: {len(done)} of {len(records)} points have a design, {mujoco}']
     for point, record in zip(study.points, records):
         reason = record['reason'] if record else study.failures.get(point.hash)
         if reason:
@@ -78,22 +100,27 @@ def main(words: list[str] | None = None) -> int:
     """The command; returns its exit code."""
     options = _parsed(words)
     folder = options.output or default_folder(options.study)
-    for number in (signal.SIGTERM, signal.SIGHUP, signal.SIGUSR1):
-        signal.signal(number, _stop)
+    interrupts = Interrupts()
 
     def tell(done: Done) -> None:
+        interrupts.check()
         if not options.quiet:
             print(_line(done), file=sys.stderr, flush=True)
 
     try:
-        study = run(
-            options.study,
-            folder,
-            workers=options.workers,
-            scheduler=options.scheduler,
-            force=options.force,
-            on_point=tell,
-        )
+        with warnings.catch_warnings(record=True) as doubts:
+            warnings.simplefilter('always', LegwrightWarning)
+            study = run(
+                options.study,
+                folder,
+                workers=options.workers,
+                scheduler=options.scheduler,
+                force=options.force,
+                on_point=tell,
+            )
+        for doubt in doubts:
+            if issubclass(doubt.category, LegwrightWarning) and not options.quiet:
+                print(f'legwright: warning: {doubt.message}', file=sys.stderr)
     except KeyboardInterrupt as stop:
         print('legwright: stopped; what is done is kept: the same command goes on', file=sys.stderr)
         return STOPPED if isinstance(stop, Stopped) else INTERRUPTED

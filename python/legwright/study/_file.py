@@ -10,8 +10,9 @@ from typing import Any
 
 from legwright import _core
 from legwright._errors import InputError
+from legwright._options import kind_of
 from legwright.study import _options
-from legwright.study._problems import Key, Problems, kind_of
+from legwright.study._problems import Key, Problems
 
 MADE = Path('<study>')  # what messages name in the place of a file
 KEYS = ('name', 'robot', 'task', 'pictures', 'base', 'codesign', 'validate', 'grid', 'points')
@@ -71,8 +72,10 @@ def leaves(table: Mapping[str, Any], key: Key = ()) -> Iterator[tuple[Key, Any]]
             yield (*key, name), value
 
 
-def _check_setting(key: Key, value: Any, place: Key, problems: Problems) -> None:
-    """What can be told of a setting without its task: a path, an option, a key without dots."""
+def _check_setting(key: Key, value: Any, place: Key, problems: Problems) -> bool:
+    """What can be told of a setting without its task: a path, an option, a key without dots.
+    @return whether it is fine"""
+    before = len(problems)
     if '.' in key[-1] or any('.' in name for name in key[:-1]):
         problems.add(place, 'has a dot within quotes; write the key without quotes: gait.period')
     elif key[0] in ('robot', 'task') and len(key) == 1:
@@ -85,6 +88,7 @@ def _check_setting(key: Key, value: Any, place: Key, problems: Problems) -> None
             place,
             'cannot vary: expected a key of a task file, robot, task, codesign.… or validate.…',
         )
+    return len(problems) == before
 
 
 def _read_axes(grid: Any, problems: Problems) -> tuple[Axis, ...]:
@@ -96,33 +100,39 @@ def _read_axes(grid: Any, problems: Problems) -> tuple[Axis, ...]:
             continue
         if not values:
             problems.add(place, 'is an empty list; give one value at least')
+        good = []
         for i, value in enumerate(values):
-            _check_setting(key, value, (*place, str(i)), problems)
             if value in values[:i]:
                 problems.add((*place, str(i)), f'has {value!r} twice')
-        axes.append(Axis(key, tuple(values)))
+            elif _check_setting(key, value, (*place, str(i)), problems):
+                good.append(value)
+        if good:
+            axes.append(Axis(key, tuple(good)))
     return tuple(axes)
 
 
-def _read_points(listed: Any, axes: tuple[Axis, ...], problems: Problems) -> tuple[Listed, ...]:
+def _read_points(listed: Any, grid: Any, problems: Problems) -> tuple[Listed, ...]:
     points = []
+    varied = [key for key, _ in leaves(grid)]
     for i, table in enumerate(listed):
         place: Key = ('points', str(i))
         settings = dict(leaves(table))
         name = settings.pop(('name',), None)
         if name is not None and not isinstance(name, str):
             problems.add((*place, 'name'), f'is {kind_of(name)}; expected a text')
+        good = {}
         for key, value in settings.items():
-            _check_setting(key, value, (*place, *key), problems)
-            for axis in axes:
-                if axis.key[: len(key)] == key[: len(axis.key)]:
+            if _check_setting(key, value, (*place, *key), problems):
+                good[key] = value
+            for other in varied:
+                if other[: len(key)] == key[: len(other)]:
                     problems.add(
                         (*place, *key),
                         f'stands in [grid], too (line '
-                        f'{problems.line(("grid", *axis.key))}); say it in one '
+                        f'{problems.line(("grid", *other))}); say it in one '
                         'place',
                     )
-        points.append(Listed(place, settings, name))
+        points.append(Listed(place, good, name if isinstance(name, str) else None))
     return tuple(points)
 
 
@@ -144,10 +154,11 @@ def _text(content: Mapping[str, Any], name: str, problems: Problems) -> str | No
 
 
 def _options_of(content: Mapping[str, Any], name: str, problems: Problems) -> dict[str, Any]:
-    table = dict(_table(content, name, problems))
-    for key, value in table.items():
-        _options.check(OPTIONS[name], key, value, (name, key), problems)
-    return table
+    return {
+        key: value
+        for key, value in _table(content, name, problems).items()
+        if _options.check(OPTIONS[name], key, value, (name, key), problems)
+    }
 
 
 def _parse(
@@ -166,14 +177,15 @@ def _parse(
         listed = []
     grid = _table(content, 'grid', problems)
     axes = _read_axes(grid, problems)
-    points = _read_points(listed, axes, problems)
+    points = _read_points(listed, grid, problems)
     if not len(problems) and not axes and not points:
         problems.add(
             (),
             'neither [grid] nor [[points]] is there; add for instance: '
             'grid.gait.period = [0.8, 1.0]',
         )
-    if 'task' not in content and 'base' not in content and not _varies('task', axes, points):
+    has_task = 'task' in content or 'base' in content or _varies('task', axes, points)
+    if not has_task:
         problems.add(
             (),
             'names no task; add for instance: task = "trot.toml", or keys of a task below [base]',
@@ -194,8 +206,19 @@ def _parse(
         points=points,
         problems=problems,
     )
-    problems.raise_if_any()
+    if len(problems) and not (has_task and _has_points(study, content)):
+        problems.raise_if_any()
     return study
+
+
+def _has_points(study: StudyFile, content: Mapping[str, Any]) -> bool:
+    """Whether what is wrong leaves points to look at, whose problems are then told with it."""
+    given = (study.task is not None or 'task' not in content) and (
+        study.robot is not None or 'robot' not in content
+    )
+    return (
+        given and isinstance(content.get('base', {}), Mapping) and bool(study.axes or study.points)
+    )
 
 
 def _varies(name: str, axes: tuple[Axis, ...], points: tuple[Listed, ...]) -> bool:
@@ -204,14 +227,27 @@ def _varies(name: str, axes: tuple[Axis, ...], points: tuple[Listed, ...]) -> bo
     return in_grid or bool(points) and all((name,) in each.settings for each in points)
 
 
+def _plain(value: Any) -> Any:
+    """As TOML would have it: tuples and NumPy's arrays and numbers are what they hold, paths
+    texts."""
+    if isinstance(value, Mapping):
+        return {str(name): _plain(each) for name, each in value.items()}
+    if hasattr(value, 'tolist'):
+        value = value.tolist()
+    if isinstance(value, os.PathLike):
+        return os.fspath(value)
+    return [_plain(each) for each in value] if isinstance(value, (list, tuple)) else value
+
+
 def read_study(study: str | os.PathLike[str] | Mapping[str, Any]) -> StudyFile:
     """A study file, or a mapping with its keys.
 
     Raises:
-        InputError: with everything that is wrong, by file, line and key; where it cannot be read.
+        InputError: where it cannot be read, or nothing can be told of its points. What is wrong
+            besides is in `problems`, which points_of() raises with what is wrong of points.
     """
     if isinstance(study, Mapping):
-        return _parse(study, MADE, '', {})
+        return _parse(_plain(study), MADE, '', {})
     file = Path(study)
     try:
         text = file.read_bytes().decode('utf-8')

@@ -75,9 +75,14 @@ class StudyFolder:
         with (self.root / '.lock').open('w') as file:
             try:
                 fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            except OSError:
+            except BlockingIOError:
                 raise IoError(
                     f'{self.root}: another `legwright study` is at work there; wait for its end'
+                ) from None
+            except OSError as error:
+                raise IoError(
+                    f'{self.root}: its file system locks no files ({error.strerror}); name a '
+                    'folder elsewhere'
                 ) from None
             yield
 
@@ -86,25 +91,40 @@ class StudyFolder:
         return self.points / hash_
 
     def record(self, hash_: str) -> dict[str, Any] | None:
-        """point.json of a point that is done; None of one that is not."""
+        """point.json of a point that is done; None of one that is not. Raises IoError where it is
+        damaged."""
+        file = self.point(hash_) / RECORD
         try:
-            text = (self.point(hash_) / RECORD).read_text(encoding='utf-8')
+            record = json.loads(file.read_bytes())
         except FileNotFoundError:
             return None
-        record: dict[str, Any] = json.loads(text)
+        except ValueError:
+            record = None
+        if not _is_record(record):
+            raise IoError(
+                f'{file}: is damaged; remove the folder {file.parent}, and the same command makes '
+                'the point again'
+            )
         return record
 
-    def sweep(self) -> None:
-        """Removes what workers left that were killed."""
-        for each in self.unfinished.iterdir():
-            shutil.rmtree(each, ignore_errors=True)
+    def sweep(self) -> set[str]:
+        """Removes what workers left that were killed. One that still lives finds that its folder
+        is another one, or none. @return the hashes of the points that they were at"""
+        left = sorted(self.unfinished.iterdir())
+        for each in left:
+            self._remove(each)
+        return {each.name.partition('-')[0] for each in left}
 
     def forget(self, hash_: str) -> None:
         """Makes a point one that is not done."""
+        self._remove(self.point(hash_))
+
+    def _remove(self, folder: Path) -> None:
+        """All at once for whoever looks; what is not there, or vanishes meanwhile, is as well."""
+        away = self.scratch('removed')
         with suppress(FileNotFoundError):
-            away = self.scratch(hash_)
-            self.point(hash_).rename(away)
-            shutil.rmtree(away)
+            folder.rename(away)
+            shutil.rmtree(away, ignore_errors=True)
 
     def scratch(self, name: str) -> Path:
         """A name in unfinished/ that nobody else has."""
@@ -123,6 +143,17 @@ class StudyFolder:
                 raise
             shutil.rmtree(made)
         _sync(place.parent)
+
+
+def _is_record(record: Any) -> bool:
+    """Whether it has what a study reads of a point."""
+    return (
+        isinstance(record, dict)
+        and record.get('status') in ('done', 'refused')
+        and 'reason' in record
+        and isinstance(record.get('measures'), dict)
+        and isinstance(record.get('seconds'), (int, float))
+    )
 
 
 def _sync(directory: Path) -> None:

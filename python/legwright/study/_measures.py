@@ -51,9 +51,9 @@ def of_design(design: Design) -> dict[str, Any]:
         'pass': None if verdict is None else verdict.passed,
         'verdict': None if verdict is None else verdict.line,
         'merit': None if verdict is None else _number(verdict.merit),
-        'F': design.F,
-        'J': design.J,
-        'motion_only_F': design.motion_only_F,
+        'F': _number(design.F),
+        'J': _number(design.J),
+        'motion_only_F': _number(design.motion_only_F),
         'search': design.status,
         'design_iterations': record.get('design_iterations'),
         'newton_iterations': record.get('newton_iterations'),
@@ -63,7 +63,7 @@ def of_design(design: Design) -> dict[str, Any]:
         out[f'{prefix}mass'] = body.get('mass_kg')
         out[f'{prefix}printed_volume'] = body.get('printed_volume_m3')
     out |= {f's.{name}': value for name, value in design.parameters.items()}
-    out |= {f'term.{name}': value for name, value in design.terms.items()}
+    out |= {f'term.{name}': _number(value) for name, value in design.terms.items()}
     out['units'] = {f's.{each["name"]}': each['unit'] for each in record['parameters']}
     return out
 
@@ -71,6 +71,11 @@ def of_design(design: Design) -> dict[str, Any]:
 def _number(value: float) -> float | str:
     """JSON has no infinity."""
     return value if math.isfinite(value) else 'infinite'
+
+
+def as_float(measured: float | str) -> float:
+    """The number again that _number() told."""
+    return math.inf if measured == 'infinite' else float(measured)
 
 
 def of_validation(design: Design) -> dict[str, Any]:

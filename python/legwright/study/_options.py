@@ -1,49 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """The options of a point: of codesign(), and of `legwright validate`."""
 
-import math
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Any
 
-from legwright.study._problems import Key, Problems, kind_of
+from legwright._options import OF_SEARCH, Option
+from legwright.study._problems import Key, Problems
 
-
-@dataclass(frozen=True)
-class Option:
-    """What a key accepts."""
-
-    kind: type
-    default: Any
-    low: float = -math.inf
-    high: float = math.inf
-
-    def fault(self, value: Any) -> str | None:
-        """What is wrong with a value; None where nothing is."""
-        numeric = self.kind in (int, float)
-        accepted = (int, float) if self.kind is float else self.kind
-        if not isinstance(value, accepted) or (numeric and isinstance(value, bool)):
-            words = {bool: 'true or false', int: 'an integer', float: 'a number', str: 'a text'}
-            return f'is {kind_of(value)}; expected {words[self.kind]}'
-        if numeric and not self.low <= value <= self.high:
-            return f'is {value}; expected {self.low:g} to {self.high:g}'
-        return None
-
-
-CODESIGN: Mapping[str, Option] = {
-    'max_iterations': Option(int, None, 0, 100000),
-    'motion_only': Option(bool, False),
-    'plan_only': Option(bool, False),
-    'one_start': Option(bool, False),
-    'starts': Option(int, 0, 0, 1000),
-    'seed': Option(int, 1, 0, 2**63 - 1),
-    'stop_at': Option(float, None, -1e300, 1e300),
-    'few': Option(bool, False),
-    'few_keeps': Option(float, 95.0, 1.0, 100.0),
-    'physics_steps': Option(int, 0, 0, 100),
-    'reasons': Option(bool, False),
-    'certificate': Option(bool, True),
-}
+CODESIGN: Mapping[str, Option] = {**OF_SEARCH, 'reasons': Option(bool, False)}
 """Of codesign(), with its defaults; but reasons, which take half the time, only where asked for."""
 
 VALIDATE: Mapping[str, Option] = {

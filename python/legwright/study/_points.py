@@ -15,17 +15,18 @@ from typing import Any
 
 from legwright import _core
 from legwright._errors import InputError
+from legwright._options import kind_of
 from legwright._robot import Robot
 from legwright._task import Task
 from legwright.study import _options
 from legwright.study._file import MADE, Listed, StudyFile
-from legwright.study._problems import Key, dotted, kind_of
+from legwright.study._problems import Key, dotted
 
 MOST = 100_000  # points of a study
 Places = Mapping[Key, Key]
 """Where each setting stands in the study file."""
 _POINT = Path('<point>')
-_COMPLAINT = re.compile(r'<point>:\d+: (?:([^\s:]+): )?(.*)')
+_COMPLAINT = re.compile(r'<point>:(?:\d+:)? (?:([^\s:]+): )?(.*)')
 
 
 @dataclass(frozen=True)
@@ -223,6 +224,8 @@ class _Expansion:
                 key = self._setting_of(where or '', places)
                 if key is not None:
                     self.problems.add(places[key], message)
+                elif file == MADE:
+                    self.problems.add(('base',), f'{where}: {message}' if where else message)
                 else:
                     self.problems.add_of(file, 0, where or '', message)
         except TypeError as error:
@@ -238,7 +241,8 @@ class _Expansion:
                 return key
             if key[0] == 'tasks' and where.endswith('.' + name):
                 return key
-        return None
+        # Of a table that lacks something: the first that is set in it.
+        return next((key for key in places if where and dotted(key).startswith(where + '.')), None)
 
 
 def _name_of(index: int, listed: Listed, settings: Mapping[Key, Any]) -> str:

@@ -4,9 +4,8 @@
 import difflib
 from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import Any
 
-from legwright._errors import InputError
+from legwright._errors import InputError, together
 
 Key = tuple[str, ...]
 """Names of a key from the root on; entries of arrays by their number."""
@@ -15,18 +14,6 @@ Key = tuple[str, ...]
 def dotted(key: Iterable[str]) -> str:
     """The key as people write it: `grid.gait.period`."""
     return '.'.join(key)
-
-
-def kind_of(value: Any) -> str:
-    """What a value is, as messages say it."""
-    if isinstance(value, bool):
-        return 'true or false'
-    for kind, word in ((int, 'an integer'), (float, 'a number'), (str, 'a text')):
-        if isinstance(value, kind):
-            return word
-    if isinstance(value, Mapping):
-        return 'a table'
-    return 'an array' if isinstance(value, (list, tuple)) else 'a date or time'
 
 
 class Problems:
@@ -68,7 +55,4 @@ class Problems:
         if not self._found:
             return
         errors = sorted(self._found.values(), key=lambda error: (error.file, error.line))
-        if len(errors) == 1:
-            raise errors[0]
-        text = '\n'.join(map(str, errors))
-        raise InputError(text, errors[0].file, errors[0].line, '', text, tuple(errors))
+        raise together(errors)

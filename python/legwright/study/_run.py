@@ -3,6 +3,7 @@
 
 import os
 import time
+import warnings
 from collections.abc import Callable, Mapping
 from contextlib import nullcontext
 from dataclasses import dataclass, field
@@ -11,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from legwright._design import Design
+from legwright._errors import LegwrightWarning
 from legwright.study._extra import require_extra
 from legwright.study._file import MADE, StudyFile, read_study
 from legwright.study._folder import FolderRobots, StudyFolder, write_text
@@ -114,6 +116,8 @@ def run(
         force: run all points anew.
         on_point: called with each point as it ends.
 
+    A worker that died at a point which another one did is a LegwrightWarning.
+
     Raises:
         ImportError: without the extra `study`, with what to install.
         InputError: for a study, task or robot that is wrong, by file, line and key; nothing runs.
@@ -137,6 +141,7 @@ def run(
         found = Study(place.root, read.name, points)
         try:
             _carry_out(found, place, read, force, _opener(scheduler, workers, client), on_point)
+            _tell_of_the_killed(place.sweep(), found)
         finally:
             _write_results(found, place)
     return found
@@ -189,6 +194,18 @@ def _carry_out(
         with opened() as client:
             jobs = [(h, Job(str(place.root), h, by_hash[h].inputs, read.pictures)) for h in wanted]
             carry_out(client, work, jobs, told)
+
+
+def _tell_of_the_killed(lost: set[str], found: Study) -> None:
+    """Workers that died at points which others then did; of the other points `failures` tells."""
+    done = [point for point in found.points if point.hash in lost - set(found.failures)]
+    for point in {each.hash: each for each in done}.values():
+        warnings.warn(
+            f'a worker died at {point.name}: something killed it, as for its memory; another '
+            'worker did the point',
+            LegwrightWarning,
+            stacklevel=3,
+        )
 
 
 def _awaited(place: StudyFolder, hash_: str) -> dict[str, Any] | None:

@@ -2,7 +2,6 @@
 """The table of a study: a row for each point, typed columns that say what they are."""
 
 import json
-import math
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -56,7 +55,7 @@ def _typed(value: Any, kind: str) -> Any:
     if value is None:
         return None
     if kind == 'float64':
-        return math.inf if value == 'infinite' else float(value)
+        return _measures.as_float(value)
     if kind == 'string' and not isinstance(value, str):
         return json.dumps(value, ensure_ascii=False)
     return value

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a worker does: one point, from its inputs to a folder that is done."""
 
+import os
 import shutil
 import socket
 import subprocess
@@ -56,11 +57,18 @@ def work(job: Job) -> None:
         _add_picture(job, folder, there)
         return
     made = folder.scratch(job.hash)
+    made.mkdir()
+    own = os.open(made, os.O_RDONLY | os.O_DIRECTORY)  # held, so that no other folder is the same
     try:
         record = _carry_out(job, folder, made)
+        if not made.exists() or not os.path.samestat(os.fstat(own), made.stat()):
+            raise IoError(f'{made}: another `legwright study` removed it; this one was given up')
         write_record(made, record)
+        if folder.record(job.hash) is None:
+            folder.forget(job.hash)  # what stands there without a record is no point
         folder.finish(made, folder.point(job.hash))
     finally:
+        os.close(own)
         shutil.rmtree(made, ignore_errors=True)
 
 
@@ -81,11 +89,18 @@ def _carry_out(job: Job, folder: StudyFolder, made: Path) -> dict[str, Any]:
     try:
         record['measures'], record['warnings'] = _design(job, folder, made)
     except (InputError, MujocoError) as error:
-        shutil.rmtree(made, ignore_errors=True)
-        made.mkdir()
+        _empty(made)
         record |= {'status': 'refused', 'reason': str(error)}
     record['seconds'] = round(time.perf_counter() - start, 3)
     return record
+
+
+def _empty(folder: Path) -> None:
+    for each in folder.iterdir():
+        if each.is_dir():
+            shutil.rmtree(each)
+        else:
+            each.unlink()
 
 
 def _design(job: Job, folder: StudyFolder, made: Path) -> tuple[dict[str, Any], list[str]]:
@@ -105,8 +120,14 @@ def _design(job: Job, folder: StudyFolder, made: Path) -> tuple[dict[str, Any], 
 
 
 def _run_program(*words: str) -> subprocess.CompletedProcess[str]:
+    """The program, which dies with this process."""
     return subprocess.run(
-        [PROGRAM, *words], stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False
+        [PROGRAM, *words],
+        env={**os.environ, 'LEGWRIGHT_ENDS_WITH': str(os.getpid())},
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        text=True,
+        check=False,
     )
 
 

@@ -57,6 +57,8 @@ TEST(StudyRobot, FindsRowsAndMirrorImagesByGeometry) {
   EXPECT_EQ(proposal_named(found, "middle_femur_length").binding,
             "stretch link: ML_femur MR_femur");
   EXPECT_EQ(proposal_named(found, "hind_knee_axis_yaw").binding, "axis z: HL_knee ~HR_knee");
+  for (const Proposal& proposal : found.proposals)  // MuJoCo writes those with one as CDATA
+    EXPECT_EQ(proposal.sentence.find('\''), std::string::npos) << proposal.sentence;
 }
 
 TEST(StudyRobot, ProposesTheWidthOfBeamsThatCarryLegs) {

@@ -318,15 +318,34 @@ TEST(Couplings, LoopsAmongWhatIsHeldAreNone) {
   EXPECT_TRUE(holds(error_message(test::with(tied, " body2=\"pelvis\"", "")), "in the world"));
 }
 
-TEST(Refusals, AFloorHidesNothingElseAndIsReportedOnce) {
+TEST(Refusals, SurroundingsAreNoFaultAndHideNone) {
   std::string xml = test::hopper_with("<geom name=\"tip\" size=\"0.02\" pos=\"0 0 -0.2\"/>");
   xml = test::with(xml, "<worldbody>",
                    "<option gravity=\"0 0 -9.8\"/><worldbody>"
                    "<geom name=\"floor\" type=\"plane\" size=\"0 0 1\"/>");
   const std::string all = error_message(xml);
-  EXPECT_TRUE(holds(all, "geom 'floor': the scene brings a floor of this name")) << all;
   EXPECT_TRUE(holds(all, "attribute gravity: 0 0 -9.8")) << all;
-  EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 1) << all;
+  EXPECT_FALSE(holds(all, "floor")) << all;
+  EXPECT_EQ(error_message(test::with(xml, "0 0 -9.8\"", "0 0 -9.81\"")), "");
+  EXPECT_TRUE(holds(error_message(test::with(xml, "-9.8\"", "-981\"")), "in centimetres"));
+  EXPECT_TRUE(holds(error_message(test::with(xml, "-9.8\"", "-9810\"")), "in millimetres"));
+  EXPECT_FALSE(holds(error_message(test::with(xml, "-9.8\"", "-1.62\"")), "metres"));
+}
+
+TEST(Refusals, AllFaultsOfTheTextAreToldInTheOrderOfTheFile) {
+  std::string xml = test::hopper_with("<geom name=\"tip\" size=\"0,02\" pos=\"0 0 nan\"/>");
+  xml = test::with(xml, "<worldbody>", "<compiler fusestatic=\"true\"/><worldbody>");
+  xml = test::with(xml, "<joint name=\"knee\" axis=\"0 1 0\"/>",
+                   "<site name=\"foot:a\"/><joint name=\"knee\" axis=\"0 0 0\"/>");
+  const std::string all = error_message(xml);
+  std::size_t at = 0;
+  for (const char* part : {"attribute fusestatic", "foot:a", "a zero axis", "0,02"}) {
+    const std::size_t found = all.find(part);
+    ASSERT_NE(found, std::string::npos) << part << " not in " << all;
+    EXPECT_GE(found, at) << all;
+    at = found;
+  }
+  EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 3) << all;
 }
 
 TEST(Refusals, AllReasonsAreReportedAtOnceEachWithItsLine) {

@@ -74,6 +74,24 @@ TEST(ReadRobot, ReadsTheParametersOfThePuppy) {
   EXPECT_EQ(robot.bindings[6].targets[1].direction, Vector3d(0, 0, -1));
 }
 
+TEST(ReadRobot, ReadsASentenceThatMujocoWroteAsCdata) {
+  const std::string sentence = "Length of the front legs from hip to knee.";
+  const std::string xml = test::example_robot("puppy");
+  const std::size_t said = xml.find(sentence), from = xml.rfind("data=\"", said) + 6,
+                    to = xml.find("\"/>", said);
+  const std::string data = xml.substr(from, said - from) + "The thigh's length & <more>.";
+  const auto with_content = [&](const std::string& content) {
+    return xml.substr(0, from - 6) + content + xml.substr(to + 3);
+  };
+  const RobotModel robot =
+      parse_robot(with_content(">\n<!-- - --><![CDATA[" + data + "]]></text>"), "r.xml");
+  EXPECT_EQ(robot.space.parameters[0].sentence, "The thigh's length & <more>.");
+  EXPECT_EQ(robot.space.parameters[0].tied_count, 2);
+  // As in MuJoCo, plain content says nothing.
+  EXPECT_THROW((void)parse_robot(with_content(">m | stretch link: x | y</text>"), "r.xml"),
+               InputError);
+}
+
 TEST(ReadRobot, MirroredAxesStayMirrorImages) {
   const RobotModel robot = read_robot(test::puppy_file());
   std::mt19937 random(1);

@@ -10,6 +10,8 @@
 #include <filesystem>
 #include <numbers>
 
+#include "mjcf/read/solver_options.hpp"
+#include "mjcf/read/world_parts.hpp"
 #include "mjcf/scene/plain_scene.hpp"
 #include "mjcf/scene/played_robot.hpp"
 #include "mjcf/text/compile.hpp"
@@ -91,6 +93,81 @@ TEST(EmitScene, TheRobotsOwnCamerasMakeRoomForItsViews) {
   ASSERT_GE(track, 0);
   EXPECT_EQ(scene->cam_mode[track], mjCAMLIGHT_TRACKCOM);
   EXPECT_GE(mj_name2id(scene.get(), mjOBJ_CAMERA, "eye"), 0);
+}
+
+/// The puppy with what published files bring around their robot.
+std::string puppy_in_surroundings() {
+  return test::with(
+      test::with(test::named_robot("puppy"), "<worldbody>",
+                 "<asset><hfield name=\"hills\" nrow=\"2\" ncol=\"2\" size=\"5 5 1 0.1\"/></asset>"
+                 "<option iterations=\"1\" ls_iterations=\"4\" timestep=\"0.004\">"
+                 "<flag eulerdamp=\"disable\" contact=\"disable\"/></option><worldbody>"
+                 "<geom name=\"floor\" type=\"plane\" size=\"0 0 0.05\" contype=\"1\"/>"
+                 "<geom type=\"hfield\" hfield=\"hills\"/>"
+                 "<geom type=\"box\" size=\"1 1 1\" contype=\"1\"/><body name=\"step\">"
+                 "<geom name=\"edge\" type=\"box\" size=\"1 1 0.1\" contype=\"1\"/></body>"
+                 "<geom name=\"picture\" size=\"0.1\" contype=\"0\" conaffinity=\"0\"/>"
+                 "<camera name=\"side\" pos=\"0 0 9\"/>"),
+      "</worldbody>",
+      "</worldbody><contact><exclude body1=\"world\" body2=\"step\"/>"
+      "<pair geom1=\"edge\" geom2=\"FL\"/></contact>");
+}
+
+TEST(EmitScene, ALevelFloorComesInThePlaceOfTheFilesSurroundings) {
+  const RobotModel robot = parse_robot(puppy_in_surroundings(), "puppy.xml");
+  const ModelPointer file = compile_mjcf(robot.xml, robot.file);
+  const std::vector<std::string> told = surroundings_of(*file);
+  EXPECT_EQ(told,
+            (std::vector<std::string>{"plane 'floor'", "box 'edge'", "a height field", "a box"}));
+  EXPECT_NE(describe_surroundings(told).find("plane 'floor', box 'edge'"), std::string::npos);
+  const ModelPointer scene = compile_scene(emit_scene(robot, robot.xml, settings_for(robot)));
+  int in_world = 0;
+  for (int g = 0; g < scene->ngeom; ++g) in_world += scene->body_weldid[scene->geom_bodyid[g]] == 0;
+  EXPECT_EQ(in_world, 2);  // the floor and the picture, which nothing touches
+  EXPECT_EQ(scene->npair, 0);
+  const int floor = mj_name2id(scene.get(), mjOBJ_GEOM, "floor");
+  ASSERT_GE(floor, 0);
+  EXPECT_EQ(scene->geom_solref[floor * mjNREF], 0.005);  // the scene's own
+}
+
+TEST(EmitScene, OptionsThatStarveContactsAreOverriddenAndTold) {
+  const RobotModel robot = parse_robot(puppy_in_surroundings(), "puppy.xml");
+  const ModelPointer scene = compile_scene(emit_scene(robot, robot.xml, settings_for(robot)));
+  mjOption defaults;
+  mj_defaultOption(&defaults);
+  EXPECT_EQ(scene->opt.iterations, defaults.iterations);
+  EXPECT_EQ(scene->opt.ls_iterations, defaults.ls_iterations);
+  EXPECT_EQ(scene->opt.timestep, 0.001);
+  EXPECT_EQ(scene->opt.disableflags & mjDSBL_CONTACT, 0);
+  const std::string told =
+      describe_overridden(overridden_options(options_of_mjcf(robot.xml, robot.file)));
+  for (const char* part : {"timestep 0.001 (its file has 0.004)", "(its file has 1)",
+                           "(its file has 4)", "contact enable (its file has disable)"})
+    EXPECT_NE(told.find(part), std::string::npos) << told;
+  EXPECT_EQ(told.find("impratio"), std::string::npos) << told;
+  const RobotModel plain = parse_robot(test::named_robot("puppy"), "puppy.xml");
+  EXPECT_EQ(describe_overridden(overridden_options(options_of_mjcf(plain.xml, plain.file))), "");
+}
+
+/// There the robot's file is included as it is, with its names and its ground.
+TEST(PlainScene, NamesAndFloorsOfTheFileAreNotDoubled) {
+  const RobotModel robot = parse_robot(puppy_in_surroundings(), "puppy.xml");
+  const std::string plain = plain_scene(robot, robot.xml, "puppy.xml", 0.8);
+  EXPECT_NE(plain.find("name=\"side_2\""), std::string::npos) << plain;
+  EXPECT_EQ(plain.find("name=\"side\""), std::string::npos) << plain;
+  EXPECT_EQ(plain.find("name=\"floor\""), std::string::npos) << plain;
+  // A plane that nothing touches is no ground, but keeps its name.
+  const RobotModel drawn = parse_robot(test::with(robot.xml,
+                                                  "size=\"0 0 0.05\" contype=\"1\"/>"
+                                                  "<geom type=\"hfield\" hfield=\"hills\"/>",
+                                                  "size=\"0 0 0.05\"/>"),
+                                       "puppy.xml");
+  EXPECT_NE(plain_scene(drawn, drawn.xml, "puppy.xml", 0.8).find("name=\"floor_2\""),
+            std::string::npos);
+  EXPECT_NE(plain_scene(parse_robot(test::named_robot("puppy"), "puppy.xml"),
+                        test::named_robot("puppy"), "puppy.xml", 0.8)
+                .find("name=\"floor\""),
+            std::string::npos);
 }
 
 /// With the scene's light on top of the robot's own everything would be white.

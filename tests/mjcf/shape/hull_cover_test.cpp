@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <numbers>
 #include <random>
+#include <vector>
 
 #include "mjcf/read/read_robot.hpp"
 #include "mjcf/text/compile.hpp"
@@ -43,6 +44,25 @@ std::string two(const std::string& first, const std::string& second, double apar
 
 const std::string kShapes[] = {prism(0.05, 0.05, 0.02, 24, 1.0), prism(0.2, 0.1, 0.05, 4, 1.0),
                                prism(0.03, 0.02, 0.15, 12, 0.5), prism(0.1, 0.06, 0.03, 4, 0.6)};
+
+// What was covered before is not covered again; other hulls in between change nothing.
+TEST(HullCover, IsTheSameWhenAskedAgain) {
+  const auto numbers_of = [](const mjModel& model, int most) {
+    std::vector<double> out;
+    for (const HullCapsule& each : cover_hull(model, 0, most, 0.0))
+      out.insert(out.end(), {each.from.x(), each.from.y(), each.from.z(), each.to.x(), each.to.y(),
+                             each.to.z(), each.radius});
+    return out;
+  };
+  const ModelPointer model = compile_mjcf(two(kShapes[0], kShapes[0], 1.0), "two.xml");
+  const std::vector<double> first = numbers_of(*model, 4);
+  EXPECT_EQ(first, numbers_of(*model, 4));
+  for (int k = 0; k < 40; ++k) {  // more than are kept
+    const std::string wider = prism(0.05 + 1e-3 * (k + 1), 0.05, 0.02, 24, 1.0);
+    EXPECT_NE(first, numbers_of(*compile_mjcf(two(wider, wider, 1.0), "two.xml"), 4));
+  }
+  EXPECT_EQ(first, numbers_of(*model, 4));
+}
 
 TEST(HullCover, IsWithinTheHullAndNearItsSurface) {
   for (const std::string& shape : kShapes) {

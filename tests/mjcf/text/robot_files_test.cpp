@@ -10,6 +10,7 @@
 #include "mjcf/propose/declare.hpp"
 #include "mjcf/propose/proposals.hpp"
 #include "mjcf/read/read_robot.hpp"
+#include "mjcf/read/world_parts.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/write/model_diff.hpp"
 #include "mjcf/write/rewrite_robot.hpp"
@@ -234,24 +235,17 @@ TEST_F(SplitPuppy, SeveralFaultsAreReportedInTheirFiles) {
                          fmt::format("\n{}:{}: ", file_.string(), line_of(file_, "HR_knee"))});
 }
 
-TEST_F(SplitPuppy, ASceneNamesTheFileOfItsRobot) {
-  const auto error_of = [&](const std::string& included) {
-    const fs::path scene = folder_.path() / "scene.xml";
-    test::put(scene, "<mujoco><include file=\"" + included +
-                         "\"/><worldbody><geom name=\"floor\" type=\"plane\" size=\"0 0 1\"/>"
-                         "</worldbody></mujoco>");
-    try {
-      read_robot(scene);
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
-    return std::string();
-  };
-  EXPECT_NE(error_of("dog.xml").find("this is a scene around 'dog.xml', so give that file; a home "
-                                     "keyframe of the scene is not read"),
-            std::string::npos)
-      << error_of("dog.xml");
-  EXPECT_EQ(error_of("parts/defaults.xml").find("this is a scene"), std::string::npos);
+TEST_F(SplitPuppy, ASceneAroundARobotIsReadLikeIt) {
+  const fs::path scene = folder_.path() / "scene.xml";
+  test::put(scene,
+            "<mujoco><include file=\"dog.xml\"/><worldbody><geom name=\"floor\" type=\"plane\" "
+            "size=\"0 0 1\"/></worldbody></mujoco>");
+  const RobotModel robot = read_robot(file_), around = read_robot(scene);
+  EXPECT_EQ(around.morphology.feet.size(), robot.morphology.feet.size());
+  EXPECT_EQ(around.space.size(), robot.space.size());
+  EXPECT_EQ(around.space.initial(), robot.space.initial());
+  EXPECT_EQ(surroundings_of(*compile_mjcf(around.xml, around.file)),
+            std::vector<std::string>{"plane 'floor'"});
 }
 
 TEST_F(SplitPuppy, XmlFaultsAreReportedInTheirFile) {
@@ -260,8 +254,8 @@ TEST_F(SplitPuppy, XmlFaultsAreReportedInTheirFile) {
   expect_words(error_message(file_), {shank.string() + ":", "an element is not closed"});
   put(shank, "<!DOCTYPE x>\n<mujoco><body/></mujoco>");
   expect_words(error_message(file_), {shank.string() + ":1: <!DOCTYPE>"});
-  put(shank, "<robot><body/></robot>");
-  expect_words(error_message(file_), {shank.string() + ":1: robot: ", "<mujocoinclude>"});
+  put(shank, "<robot><link/></robot>");
+  expect_words(error_message(file_), {shank.string() + ":1: robot: ", "an included URDF"});
   put(shank, "<mujoco>\n</mujoco>");
   expect_words(error_message(file_), {shank.string() + ":1: ", "without elements"});
 }

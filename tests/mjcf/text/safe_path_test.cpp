@@ -167,6 +167,9 @@ TEST_F(SafePath, IncludesAreOfOneForm) {
   EXPECT_TRUE(has(refusal("<mujoco><include/></mujoco>"), "names no file"));
   EXPECT_TRUE(
       has(refusal("<mujoco><include file=\"parts/leg.xml\"><a/></include></mujoco>"), "nothing"));
+  // The root of an included file may have any name.
+  put(home_ / "parts/any.xml", "<group>\n<option timestep=\"0.001\"/></group>");
+  EXPECT_EQ(refusal("<mujoco><include file=\"parts/any.xml\"/></mujoco>"), "accepted");
   // MuJoCo looks beside the including file for some spellings of the main file's path only.
   put(home_ / "parts/outer.xml", "<mujoco>\n<include file=\"leg.xml\"/></mujoco>");
   const std::string message = refusal("<mujoco><include file=\"parts/outer.xml\"/></mujoco>");

@@ -17,6 +17,7 @@
 
 #include "mjcf/propose/declare.hpp"
 #include "mjcf/propose/proposals.hpp"
+#include "mjcf/propose/standing_pose.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/input_error.hpp"
 #include "mjcf/text/robot_files.hpp"
@@ -65,7 +66,8 @@ const std::vector<std::pair<std::string, std::string>>& bases() {
         if (entry.path().filename() == "robot.xml") files.push_back(entry.path());
     std::sort(files.begin(), files.end());
     for (const auto& file : files) {  // they declare nothing: what init proposes is put in
-      const std::string text = RobotFiles::read(file).text();  // with what it includes
+      std::string text = RobotFiles::read(file).text();  // with what it includes
+      if (const auto pose = find_standing_pose(text, file)) text = with_keyframe(text, file, *pose);
       out.emplace_back(file.parent_path().filename(),
                        with_declarations(text, file, propose_parameters(text, file).proposals));
     }

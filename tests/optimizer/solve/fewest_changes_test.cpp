@@ -107,6 +107,26 @@ TEST_F(FewestChangesOfAToy, AStopKeepsWhatIsThere) {
   EXPECT_EQ(designs.front().design.s, result_.s);
 }
 
+// A stop leaves rows out of what put_back() hands back. Those that are there are no order of all
+// changes: beyond their end lies memory of others.
+TEST_F(FewestChangesOfAToy, RowsThatAreLeftOutAreAskedForAnew) {
+  const std::vector<FewerChanges> whole = run(1);
+  const auto all = tasks(1);
+  std::vector<PutBack> rows = put_back(all, old_, result_);
+  while (!rows.empty()) {
+    rows.pop_back();
+    options_.stop = nullptr;
+    const auto designs = fewest_changes(all, space_, old_, initial_, result_, rows, options_);
+    ASSERT_EQ(designs.size(), whole.size()) << rows.size() << " rows";
+    for (std::size_t k = 0; k < designs.size(); ++k) {
+      EXPECT_EQ(designs[k].changed, whole[k].changed) << rows.size() << " rows";
+      EXPECT_EQ(designs[k].design.s, whole[k].design.s) << rows.size() << " rows";
+    }
+    options_.stop = [] { return true; };
+    EXPECT_EQ(fewest_changes(all, space_, old_, initial_, result_, rows, options_).size(), 1U);
+  }
+}
+
 TEST(FewestChanges, TheLastThatKeepsTheShareOfTheFall) {
   std::vector<FewerChanges> designs(4);
   for (const auto& [k, value] :

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <random>
 #include <string>
 
@@ -17,7 +18,7 @@ using Eigen::VectorXd;
 
 class OuterCosts : public testing::TestWithParam<const char*> {
  protected:
-  static OuterObjective make(const std::string& term, double weight) {
+  static OuterTerm make(const std::string& term, double weight) {
     test::Puppy puppy = test::make_puppy(true);
     test::print_bodies(puppy);
     for (Link& link : puppy.morphology.links) {
@@ -29,28 +30,28 @@ class OuterCosts : public testing::TestWithParam<const char*> {
       task.weights[std::string(entry.name)] = entry.name == term ? 1.0 : 0.0;
     return {Objective(puppy.morphology, puppy.space, task), term, weight};
   }
-  OuterCosts() : outer_(make(GetParam(), 3.0)), cost_(outer_) {
+  OuterCosts() : outer_(make(GetParam(), 3.0)), cost_(outer_.make_cost()) {
     s_ = outer_.quantity().space().initial();
     m_ = initial_guess(outer_.quantity(), s_);
     std::mt19937 random(3);
     std::normal_distribution<double> normal;
-    for (int k = 0; k < m_.size(); ++k) m_[k] += 0.01 * cost_.motion_units()[k] * normal(random);
+    for (int k = 0; k < m_.size(); ++k) m_[k] += 0.01 * cost_->motion_units()[k] * normal(random);
   }
   double value(const VectorXd& s, const VectorXd& m) {
     Evaluation at;
-    cost_.evaluate(s, m, Order::value, at);
+    cost_->evaluate(s, m, Order::value, at);
     return at.value;
   }
-  OuterObjective outer_;
-  OuterCost cost_;
+  OuterTerm outer_;
+  std::unique_ptr<CostFunction> cost_;
   VectorXd s_, m_;
 };
 
 TEST_P(OuterCosts, GradientsMatchDifferences) {
   Evaluation at;
-  cost_.evaluate(s_, m_, Order::gradients, at);
+  cost_->evaluate(s_, m_, Order::gradients, at);
   EXPECT_DOUBLE_EQ(at.value, value(s_, m_));
-  const VectorXd units = cost_.motion_units(), scale = outer_.quantity().space().scale();
+  const VectorXd units = cost_->motion_units(), scale = outer_.quantity().space().scale();
   std::mt19937 random(5);
   std::normal_distribution<double> normal;
   const double h = 1e-6;
@@ -81,7 +82,7 @@ TEST(OuterCost, APeakIsTheLargestOfAllTorques) {
   Task task = test::make_sideways_task(false, 12);
   for (const TermEntry& entry : term_registry())
     task.weights[std::string(entry.name)] = entry.name == "peak_torque" ? 1.0 : 0.0;
-  const OuterObjective outer(Objective(puppy.morphology, puppy.space, task), "peak_torque", 1.0);
+  const OuterTerm outer(Objective(puppy.morphology, puppy.space, task), "peak_torque", 1.0);
   const double unit = 2.0 * outer.reference();
   EXPECT_NEAR(outer.amount(std::pow(0.5, kPeakNorm)), 0.5 * unit, 1e-12);
   EXPECT_NEAR(outer.amount(100 * std::pow(0.5, kPeakNorm)), 0.5 * unit * std::pow(100.0, 1.0 / 16),
@@ -94,9 +95,8 @@ TEST(OuterCost, RefusesWhatABodyHasNothingOf) {
   Task task = test::make_sideways_task(false, 12);
   for (const TermEntry& entry : term_registry())
     task.weights[std::string(entry.name)] = entry.name == "printed_volume" ? 1.0 : 0.0;
-  EXPECT_THROW(
-      OuterObjective(Objective(puppy.morphology, puppy.space, task), "printed_volume", 1.0),
-      std::invalid_argument);
+  EXPECT_THROW(OuterTerm(Objective(puppy.morphology, puppy.space, task), "printed_volume", 1.0),
+               std::invalid_argument);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "tests/tools/report/run_fixture.hpp"
+#include "tests/tools/simulate/tiny_scene.hpp"
 #include "tools/report/pair_report.hpp"
 
 namespace legwright {
@@ -27,6 +28,8 @@ function look(frame) {
     if (box.right <= frame.clientWidth + 1 || box.width === 0 || one.closest('.scroll')) continue;
     said.textContent += `WIDE ${frame.dataset.page} ${frame.clientWidth} ${one.tagName}.${one.className}\n`;
   }
+  const turned = page.querySelector('.turned');
+  if (turned) said.textContent += `TURNED ${frame.dataset.page} ${turned.querySelectorAll('canvas').length} ${turned.hidden}\n`;
   said.textContent += `LOOKED ${frame.dataset.page} ${frame.clientWidth} ${page.title.length > 0}\n`;
   if (--left === 0) said.textContent += 'DONE\n';
 }
@@ -66,7 +69,8 @@ class BrowserTest : public RunFixture {
     harness.replace(harness.find("PAGES"), 5, "[" + list + "]");
     write_file(run_ / "harness.html", harness);
     const std::string command = fmt::format(
-        "timeout 120 {} --headless --no-sandbox --disable-gpu --disable-dev-shm-usage "
+        "timeout 120 {} --headless --no-sandbox --disable-dev-shm-usage "
+        "--use-angle=swiftshader --enable-unsafe-swiftshader "
         "--allow-file-access-from-files --enable-logging=stderr --v=0 "
         "--host-resolver-rules='MAP * ~NOTFOUND' --user-data-dir='{}' --virtual-time-budget=20000 "
         "--dump-dom 'file://{}' >'{}' 2>'{}'",
@@ -105,14 +109,20 @@ TEST_F(BrowserTest, ConsoleStaysEmptyAndNothingIsWiderThanAPhone) {
   });
   write_report(run_);
   write_file(run_ / "pair.html", pair_page(read_pair(run_, run_)));
+  write_file(run_ / "iterations/0000/scene.xml", TinyScene{}.xml());
+  write_file(run_ / "result/scene.xml", TinyScene{}.xml());
+  write_file(run_ / "turned.html", page());
   fs::remove_all(run_ / "result");
+  fs::remove(run_ / "iterations/0000/scene.xml");
   write_file(run_ / "bare.html", page());
-  const Seen seen = open({"report.html", "pair.html", "bare.html"});
+  const Seen seen = open({"report.html", "pair.html", "turned.html", "bare.html"});
   if (!started_) GTEST_SKIP() << "NOT LOOKED AT: " << browser_ << " does not start here";
   EXPECT_TRUE(has(seen.said, "DONE")) << seen.said;
   EXPECT_FALSE(has(seen.said, "WIDE")) << seen.said;
   for (const char* page : {"report.html 390 true", "pair.html 1100 true", "bare.html 390 true"})
     EXPECT_TRUE(has(seen.said, std::string("LOOKED ") + page)) << page;
+  EXPECT_TRUE(has(seen.said, "TURNED turned.html 1 false")) << seen.said;
+  EXPECT_FALSE(has(seen.said, "TURNED report.html"));
   EXPECT_EQ(seen.console, "");
 }
 

@@ -29,7 +29,11 @@ TEST(ExportReadme, TellsWhatChanged) {
   EXPECT_TRUE(contains(text, "| width | 0.2 | 0.2 |  | m | Width. |")) << text;
   EXPECT_TRUE(contains(text, "2 kg before, 2.5 kg after"));
   EXPECT_TRUE(contains(text, "was not validated"));
+  facts.chosen_verdict = "PASS  walk";
+  EXPECT_FALSE(contains(export_readme(facts), "was not validated"));
+  EXPECT_TRUE(contains(export_readme(facts), "- PASS  walk\n- So the search played it"));
   facts.verdicts = {"PASS  trot"};
+  EXPECT_FALSE(contains(export_readme(facts), "PASS  walk"));
   EXPECT_FALSE(contains(export_readme(facts), "was not validated"));
   EXPECT_FALSE(contains(export_readme(facts), "firmer servos"));
   EXPECT_FALSE(contains(export_readme(facts), "touches itself"));

@@ -26,12 +26,18 @@ TEST(OuterMeasured, LeavesOutGainsAtWhichItFell) {
   for (const char* gain : {"half", "double"}) metrics.initial.of(gain) = walked();
   metrics.initial.of("half").fall.emplace();
   metrics.result.of("half") = walked();
-  const auto found = outer_measured("peak_torque", metrics);
+  OuterRecord outer;
+  outer.objective = "peak_torque";
+  const auto found = outer_measured(outer, metrics);
   ASSERT_TRUE(found);
   ASSERT_EQ(found->initial.size(), 1u);
   EXPECT_EQ(found->initial[0].first, "double");
   EXPECT_EQ(found->result.size(), 1u);
-  EXPECT_FALSE(outer_measured("printed_volume", metrics));
+  outer.source = "Python: peak_torque";  // another quantity that has that name
+  EXPECT_FALSE(outer_measured(outer, metrics));
+  outer = {};
+  outer.objective = "printed_volume";
+  EXPECT_FALSE(outer_measured(outer, metrics));
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ TEST(SessionCommand, EveryKindComesBackAsItWasWritten) {
   const std::vector<SessionCommand> all{session::Edit{{{"thigh", 0.1}, {"body", 1.0 / 3.0}}, true},
                                         session::Freeze{{"thigh", "body"}, false},
                                         session::Bounds{"thigh", 0.05, 0.15},
-                                        session::Tasks{"[gait]\nname = \"walk\"\n"},
+                                        session::Tasks{"[gait]\nname = \"walk\"\n", "other.toml"},
                                         session::Weights{{0.3, 0.7}},
                                         session::Reset{},
                                         session::Undo{},
@@ -40,7 +40,8 @@ TEST(SessionCommand, WhatIsNoCommandIsToldByLine) {
   for (const char* text :
        {"[]", "{}", R"({"do": "dance"})", R"({"do": "edit"})", R"({"do": "undo", "times": 2})",
         R"({"do": "edit", "values": {"thigh": "long"}, "goes_on": false})",
-        R"({"do": "searched", "points": 0})"}) {
+        R"({"do": "searched", "points": 0})", R"({"do": "searched", "points": 1e300})",
+        R"({"do": "searched", "points": 4294967297})", R"({"do": "searched", "points": 2.5})"}) {
     try {
       (void)read(text);
       FAIL() << text;

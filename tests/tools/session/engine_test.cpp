@@ -103,6 +103,18 @@ TEST_F(Engine, UndoAndRedoBringBackTheSameStates) {
   EXPECT_FALSE(engine_.history().can_redo());
 }
 
+TEST_F(Engine, UndoEndsAfterSoManySteps) {
+  const int more = 3, steps = static_cast<int>(SessionHistory::kSteps) + more;
+  for (int i = 0; i < steps; ++i) engine_.apply(session::Freeze{{kThigh}, i % 2 == 0});
+  int undone = 0;
+  for (; engine_.history().can_undo(); ++undone) engine_.apply(session::Undo{});
+  EXPECT_EQ(undone, steps - more);
+  for (int i = 0; engine_.history().can_redo(); ++i) {
+    ASSERT_LT(i, undone);
+    engine_.apply(session::Redo{});
+  }
+}
+
 TEST_F(Engine, SnapshotsAreBranchedFrom) {
   engine_.apply(session::Snapshot{"given"});
   edit(0.062);
@@ -123,7 +135,8 @@ TEST_F(Engine, WhatDoesNotFitIsRefusedWithARemedy) {
   EXPECT_NE(refusal(session::Bounds{kThigh, 0.0, 1.0}).find("within the robot's"),
             std::string::npos);
   EXPECT_NE(refusal(session::Weights{{1.0}}).find("there is one task"), std::string::npos);
-  EXPECT_NE(refusal(session::Tasks{"gait = 3"}), "obeyed");
+  EXPECT_TRUE(refusal(session::Tasks{"gait = 3", "other.toml"}).starts_with("other.toml:1"));
+  EXPECT_TRUE(refusal(session::Branch{"gone"}).starts_with("<session>: gone"));
   engine_.apply(session::Freeze{{kThigh}, true});
   EXPECT_NE(refusal(session::Edit{{{kThigh, 0.062}}}).find("frozen at 0.06"), std::string::npos);
 }
@@ -220,6 +233,17 @@ TEST_F(Engine, ResetIsTheGivenBody) {
   engine_.apply(session::Reset{});
   SessionEngine fresh(test::puppy(), test::sideways(), test::kSideways);
   EXPECT_EQ(bits(*engine_.state()), bits(*fresh.state()));
+}
+
+TEST_F(Engine, ResetWidensBoundsThatLeaveTheGivenBodyOut) {
+  edit(0.062);
+  engine_.apply(session::Bounds{kThigh, 0.061, 0.063});
+  engine_.apply(session::Reset{});
+  EXPECT_EQ(thigh(), 0.06);
+  const SessionState& state = *engine_.state();
+  EXPECT_TRUE((state.lower.array() <= state.s().array()).all());
+  EXPECT_EQ(state.upper[state.problem->robot.space.find(kThigh)], 0.063);
+  edit(0.06);  // within them
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "tests/tools/files/temporary_folder.hpp"
 #include "tests/tools/session/puppy.hpp"
 #include "tools/files/atomic_file.hpp"
+#include "tools/files/io_error.hpp"
 
 namespace legwright {
 namespace {
@@ -48,6 +49,43 @@ TEST_F(Journal, WhatIsNoneIsRefused) {
   EXPECT_THROW((void)read_journal(file_), InputError);
   write_file(file_, event_line({{"do", "undo"}}) + "\n");
   EXPECT_THROW((void)read_journal(file_), InputError);
+  const std::string begin = SessionJournal(begin_, {}).text();
+  for (const Json& line : {Json{{"do", 5}}, Json{{"do", nullptr}}, Json{{"points", 3}},
+                           Json{{"do", "searching"}, {"points", "three"}}}) {
+    write_file(file_, begin + event_line(line) + "\n");
+    EXPECT_THROW((void)read_journal(file_), InputError) << line;
+  }
+}
+
+TEST_F(Journal, ADamagedLineWithOthersBehindItIsToldNotPassedOver) {
+  SessionJournal journal(begin_, file_);
+  for (int k = 0; k < 4; ++k) journal.add(session::Reset{});
+  std::string text = read_file(file_);
+  const std::size_t second = text.find("reset", text.find("reset") + 1);
+  text[second] = 'R';
+  write_file(file_, text);
+  try {
+    (void)read_journal(file_);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.line(), 3);
+    EXPECT_NE(std::string(error.what()).find("2 lines follow"), std::string::npos) << error.what();
+  }
+  write_file(file_, text.substr(0, text.find('\n', second) + 1));  // the last one
+  EXPECT_EQ(read_journal(file_).commands.size(), 1u);
+}
+
+TEST_F(Journal, ReplacesAJournalAndNothingElse) {
+  { const SessionJournal first(begin_, file_); }
+  { const SessionJournal second(begin_, file_); }
+  write_file(file_, "<mujoco/>\n");
+  EXPECT_THROW(SessionJournal(begin_, file_), IoError);
+  EXPECT_EQ(read_file(file_), "<mujoco/>\n");
+  const std::filesystem::path link = folder_.path() / "link.jsonl";
+  std::filesystem::create_symlink("session.jsonl", link);
+  EXPECT_THROW(SessionJournal(begin_, link), IoError);
+  EXPECT_TRUE(std::filesystem::is_symlink(link));
+  EXPECT_THROW(SessionJournal(begin_, folder_.path()), IoError);
 }
 
 }  // namespace

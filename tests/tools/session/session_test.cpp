@@ -2,6 +2,10 @@
 #include "tools/session/session.hpp"
 
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
+
+#include <algorithm>
 
 #include "mjcf/text/input_error.hpp"
 #include "tests/tools/files/temporary_folder.hpp"
@@ -16,6 +20,26 @@ using test::kThigh;
 using Kind = SessionEvent::Kind;
 
 constexpr const char* kShank = "front_shank_length";
+
+/// While one lives, no file of this process grows beyond a size, as on a full disk.
+class SmallFiles {
+ public:
+  explicit SmallFiles(std::uintmax_t bytes) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit small{bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &small);
+  }
+  ~SmallFiles() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    ::signal(SIGXFSZ, action_);
+  }
+  SmallFiles(const SmallFiles&) = delete;
+  SmallFiles& operator=(const SmallFiles&) = delete;
+
+ private:
+  rlimit before_{};
+  sighandler_t action_ = ::signal(SIGXFSZ, SIG_IGN);
+};
 
 class SessionTest : public testing::Test {
  protected:
@@ -101,6 +125,19 @@ TEST_F(SessionTest, ACommandInterruptsWithinANewtonStep) {
   EXPECT_NE(session->snapshot()->phase, SessionPhase::searching);
 }
 
+TEST_F(SessionTest, ACommandRightBehindStartPausesASearchThatHasNotBegun) {
+  const auto session = open();
+  ASSERT_TRUE(session->wait(60s));
+  for (int k = 0; k < 20; ++k) {
+    const double value = 0.06 + 0.0001 * (k + 1);
+    session->start();
+    session->apply(session::Edit{{{kThigh, value}}});
+    ASSERT_TRUE(session->wait(60s));
+    const SessionState& state = *session->snapshot()->state;
+    ASSERT_EQ(state.s()[state.problem->robot.space.find(kThigh)], value);
+  }
+}
+
 TEST_F(SessionTest, RefusalsReachTheCallerOrTheEvents) {
   const auto session = open();
   EXPECT_THROW(session->apply(session::Edit{{{kThigh, 9.0}}}), InputError);
@@ -143,10 +180,97 @@ TEST_F(SessionTest, CallsComeFromManyThreads) {
   }
 }
 
-TEST_F(SessionTest, EndsWhileASearchGoesOn) {
+TEST_F(SessionTest, WhatIsAskedBeforeASearchBeganPausesItToo) {
   const auto session = open();
+  session->post(session::Searched{30});  // at which the worker is while the others come
+  session->start();
+  session->post(session::Edit{{{kThigh, 0.061}}});
+  ASSERT_TRUE(session->wait(60s));
+  EXPECT_EQ(session->snapshot()->state->iterations, 30);
+  const std::vector<SessionEvent> events = session->events(0, 0ms);
+  EXPECT_EQ(std::count_if(events.begin(), events.end(),
+                          [](const SessionEvent& event) {
+                            return event.kind == Kind::ended && event.words == "paused";
+                          }),
+            1);
+  session->post(session::Step{});
+  session->start();
+  session->pause();
+  const int paused_at = session->snapshot()->state->iterations;
+  ASSERT_TRUE(session->wait(60s));
+  EXPECT_EQ(session->snapshot()->state->iterations, paused_at);
+}
+
+TEST_F(SessionTest, AnEditThatTakesTheLastOnesPlaceIsNoPartOfTheOneBefore) {
+  const auto session = open();
+  session->apply(session::Edit{{{kThigh, 0.061}}});
+  session->post(session::Settled{});  // at which the worker is while the others come
+  session->post(session::Edit{{{kThigh, 0.062}}});
+  session->post(session::Edit{{{kThigh, 0.063}}, true});
+  session->pause();
+  const int thigh = session->snapshot()->state->problem->robot.space.find(kThigh);
+  EXPECT_EQ(session->snapshot()->state->s()[thigh], 0.063);
+  session->apply(session::Undo{});
+  EXPECT_EQ(session->snapshot()->state->s()[thigh], 0.061);
+}
+
+TEST_F(SessionTest, AFullDiskEndsTheJournalsFileAndNotTheSession) {
+  const auto session = open();
+  ASSERT_TRUE(session->wait(60s));
+  const std::size_t whole = read_journal(journal_).commands.size();
+  {
+    const SmallFiles full(std::filesystem::file_size(journal_) + 20);
+    session->apply(session::Edit{{{kThigh, 0.061}}});
+    session->start();
+    ASSERT_TRUE(session->wait(60s));
+  }
+  session->apply(session::Edit{{{kThigh, 0.062}}});  // there is room again: no gap in the file
+  const std::vector<SessionEvent> events = session->events(0, 0ms);
+  EXPECT_EQ(std::count_if(events.begin(), events.end(),
+                          [](const SessionEvent& event) {
+                            return event.kind == Kind::failed &&
+                                   event.words.find("goes on without") != std::string::npos;
+                          }),
+            1);
+  EXPECT_EQ(read_journal(journal_).commands.size(), whole);
+  const auto kept = folder_.path() / "kept.jsonl";
+  const std::vector<double> here = bits(*session->snapshot()->state);
+  write_file(kept, session->record().journal);
+  session->close();
+  std::vector<SessionCommand> commands = read_journal(kept).commands;
+  while (!std::holds_alternative<session::Edit>(commands.back())) commands.pop_back();
+  EXPECT_EQ(bits(*open(commands)->snapshot()->state), here);
+}
+
+TEST_F(SessionTest, CallsOfAClosedSessionAreRefused) {
+  const auto session = open();
+  session->post(session::Searched{20});
+  auto waiting = std::async(std::launch::async, [&] { session->apply(session::Reset{}); });
+  std::this_thread::sleep_for(10ms);
+  session->close();
+  session->close();
+  EXPECT_THROW(waiting.get(), std::invalid_argument);
+  EXPECT_THROW(session->apply(session::Reset{}), std::invalid_argument);
+  EXPECT_THROW(session->start(), std::invalid_argument);
+  EXPECT_THROW((void)session->record(), std::invalid_argument);
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_FALSE(session->wait(60s));  // motions are left unsolved for good
+  EXPECT_LT(std::chrono::steady_clock::now() - start, 30s);
+  EXPECT_GT(session->snapshot()->revision, 0u);
+}
+
+TEST_F(SessionTest, EndsWhileASearchGoesOnWithItsPointsInTheJournal) {
+  auto session = open();
   session->start();
   wait_for_points(*session, 1);
+  session.reset();
+  const std::vector<SessionCommand> commands = read_journal(journal_).commands;
+  ASSERT_FALSE(commands.empty());
+  const auto* const searched = std::get_if<session::Searched>(&commands.back());
+  ASSERT_TRUE(searched);
+  const int points = searched->points;
+  EXPECT_GE(points, 1);
+  EXPECT_EQ(open(commands)->snapshot()->state->iterations, points);
 }
 
 }  // namespace

@@ -40,6 +40,33 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 
 TEST(MujocoHost, CompilesAModel) { EXPECT_EQ(compile_model(kPlain, "plain")->ngeom, 1); }
 
+/// Nobody looks at a model that is only played: its painted textures are two pixels wide, and
+/// nothing else is another.
+TEST(MujocoHost, PaintedTexturesAreSmallAndThePhysicsIsTheSame) {
+  const std::string painted =
+      "<mujoco><asset>"
+      "<texture name='floor' type='2d' builtin='checker' width='300' height='200' rgb1='1 1 1'/>"
+      "<texture name='ball' type='cube' builtin='flat' mark='random' width='64' height='64'/>"
+      "<texture type='skybox' builtin='gradient' width='128' height='768'/>"
+      "<material name='floor' texture='floor'/><material name='ball' texture='ball'/></asset>"
+      "<worldbody><geom type='plane' size='1 1 0.1' material='floor'/>"
+      "<body pos='0 0 0.5'><freejoint/><geom size='0.1' material='ball'/>"
+      "<geom type='box' size='0.1 0.05 0.02' pos='0.1 0 0'/></body></worldbody></mujoco>";
+  const auto end_of = [](const mjModel& model) {
+    const DataPointer data = make_data(model);
+    for (int step = 0; step < 400; ++step) mj_step(&model, data.get());
+    return std::vector<double>(data->qpos, data->qpos + model.nq);
+  };
+  const ModelPointer small = compile_model(painted, "painted");
+  const SpecPointer spec(mj_parseXMLString(painted.c_str(), nullptr, nullptr, 0));
+  const ModelPointer whole(mj_compile(spec.get(), nullptr));
+  ASSERT_TRUE(whole);
+  EXPECT_LT(100 * small->ntexdata, whole->ntexdata);
+  EXPECT_EQ(small->ntex, whole->ntex);
+  EXPECT_EQ(small->nmat, whole->nmat);
+  EXPECT_EQ(end_of(*small), end_of(*whole));
+}
+
 TEST(MujocoHost, SaysWhatMujocoRefuses) {
   expect_words(message_of([] { compile_model("<mujoco><worldbody>", "cut.xml"); }),
                {"cut.xml", "cannot read"});

@@ -124,6 +124,24 @@ TEST(Rollout, TrunkOnTheGroundIsAFall) {
   ASSERT_TRUE(run.fall);
 }
 
+/// Fall and sink are judged by the trunk, wherever its frame is.
+TEST(Rollout, ATrunkWhoseFrameIsOnTheGroundHasNotFallen) {
+  const Scene scene = parse_scene(TinyScene{}.xml(), "tiny");
+  const int trunk = scene.joints.root_body;
+  ModelPointer model(mj_copyModel(nullptr, scene.model.get()));
+  const DataPointer data = make_data(*model);
+  mj_resetDataKeyframe(model.get(), data.get(), scene.start_key);
+  mj_forward(model.get(), data.get());
+  const double height = trunk_com_height(*model, *data, trunk);
+  EXPECT_NEAR(height, 0.1, 1e-9);
+  EXPECT_FALSE(find_fall(scene, *data, 0.0, height, {}));
+  data->xpos[3 * trunk + 2] = 0.0;  // the frame's origin says nothing
+  EXPECT_FALSE(find_fall(scene, *data, 0.0, height, {}));
+  data->xipos[3 * trunk + 2] = 0.39 * height;
+  ASSERT_TRUE(find_fall(scene, *data, 0.0, height, {}));
+  EXPECT_NE(find_fall(scene, *data, 0.0, height, {})->cause.find("sank"), std::string::npos);
+}
+
 TEST(Rollout, DivergenceIsReportedAndNeverReset) {
   TinyScene tiny;
   tiny.start_qvel = "0 0 0 0 0 0 1e11";

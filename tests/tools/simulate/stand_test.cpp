@@ -78,6 +78,25 @@ TEST_F(StandTest, WhatFliesApartIsReported) {
   EXPECT_NE(stood.warnings[0].text.find("bad number"), std::string::npos);
 }
 
+TEST_F(StandTest, WhatStartsInTheGroundAndIsThrownUpDoesNotStand) {
+  const StandingResult stood = stand(scene_of(read_file(example("puppy"))));
+  EXPECT_FALSE(stood.flew() || stood.in_ground() || stood.sank());
+  const std::filesystem::path scene = scene_of(read_file(example("puppy")));
+  write_file(scene, with(read_file(scene), "name=\"floor\" type=\"plane\" pos=\"0 0 0\"",
+                         "name=\"floor\" type=\"plane\" pos=\"0 0 0.035\""));
+  const StandingResult deep = stand(scene);
+  EXPECT_TRUE(deep.in_ground()) << deep.sunk_in;
+  EXPECT_NEAR(deep.sunk_in, 0.035, 2e-3);
+  write_file(scene, read_file(scene));
+  write_file(robot(), with(read_file(robot()), "<key name=\"home\"",
+                           "<key name=\"home\" qvel=\"0 0 19 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0\""));
+  EXPECT_TRUE(stand(scene).flew());
+  StandingResult lost;
+  lost.trunk_before = 0.2;
+  lost.trunk_after = lost.highest = lost.sunk_in = NAN;
+  EXPECT_TRUE(lost.flew() && lost.in_ground() && lost.sank());
+}
+
 TEST_F(StandTest, WarningsOfAGaitAreReported) {
   const auto warnings = [&](const TinyScene& tiny) {
     write_file(robot(), tiny.xml());

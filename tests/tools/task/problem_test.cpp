@@ -46,7 +46,7 @@ TEST_F(WithOuter, JIsOneTermAndNothingElse) {
   const CodesignProblem problem =
       read("\n[outer]\nobjective = \"mechanical_work\"\nweight = 2.0\n");
   ASSERT_EQ(problem.outers.size(), 1u);
-  const OuterObjective& J = *problem.outers[0];
+  const auto& J = dynamic_cast<const OuterTerm&>(*problem.outers[0]);
   const VectorXd s = problem.robot.space.initial(), m = initial_guess(J.quantity(), s);
   int live = 0;
   for (const TermValue& term : J.quantity().terms(s, m)) live += term.value != 0.0;
@@ -54,9 +54,8 @@ TEST_F(WithOuter, JIsOneTermAndNothingElse) {
   EXPECT_EQ(J.unit(), "J");
   // Of the first guess of the given body J is its weight.
   EXPECT_DOUBLE_EQ(J.cost(J.amount_at(s, m)), 2.0);
-  OuterCost cost(J);
   Evaluation at;
-  cost.evaluate(s, m, Order::value, at);
+  J.make_cost()->evaluate(s, m, Order::value, at);
   EXPECT_DOUBLE_EQ(at.value, 2.0);
 }
 

@@ -265,5 +265,41 @@ TEST_F(Export, ALinkIsNoLicence) {
   EXPECT_TRUE(contains(read_file(root() / "there" / "README.md"), "No licence stood beside"));
 }
 
+TEST_F(Export, WritesUrdfAndARosPackageAndTellsWhatTheyLack) {
+  const Outcome done = call({"export", "run", "-o", "dog", "--ros", "--no-picture"});
+  ASSERT_EQ(done.code, 0) << done.err;
+  const std::string readme = read_file(root() / "dog" / "README.md");
+  for (const char* lost : {"armature, the reflected inertia of rotors (joints: 12)",
+                           "gains of actuators (12)", "keyframes, the home pose among them (1)"}) {
+    EXPECT_TRUE(contains(done.out, std::string("not in the URDF: ") + lost + "\n")) << done.out;
+    EXPECT_TRUE(contains(readme, std::string("- ") + lost + "\n")) << readme;
+  }
+  EXPECT_TRUE(contains(readme, "ros2 launch puppy walk.launch.py"));
+  EXPECT_TRUE(contains(readme, "`urdf/puppy.urdf`"));
+  const Json gait = read_json(root() / "dog/ros/puppy/config/gait.yaml");
+  EXPECT_EQ(gait["points"].size(), 25u);
+  char error[500] = "";
+  const std::unique_ptr<mjModel, void (*)(mjModel*)> model(
+      mj_loadXML((root() / "dog/urdf/puppy.urdf").c_str(), nullptr, error, sizeof error),
+      mj_deleteModel);
+  ASSERT_TRUE(model) << error;
+  EXPECT_EQ(model->nv, 12);
+  const Outcome plain = call({"export", "run", "-o", "plain", "--no-picture"});
+  EXPECT_FALSE(fs::exists(root() / "plain" / "urdf"));
+  EXPECT_FALSE(contains(plain.out, "URDF"));
+}
+
+TEST_F(Export, AFolderUrdfOfTheRobotIsNotMixedWithTheExports) {
+  give_mesh("dots.xml", "urdf/dot.obj");
+  const Outcome again =
+      call({"optimize", "mine/task.toml", "-o", "run", "--force", "--plan-only", "--max-iterations",
+            "1", "--no-pictures", "--no-certificate", "--no-reasons"});
+  ASSERT_TRUE(again.code == 0 || again.code == 1) << again.err;
+  const Outcome refused = call({"export", "run", "-o", "dog", "--urdf", "--no-picture"});
+  EXPECT_EQ(refused.code, 3);
+  EXPECT_TRUE(contains(refused.err, "urdf: the robot has files there")) << refused.err;
+  EXPECT_FALSE(fs::exists(root() / "dog"));
+}
+
 }  // namespace
 }  // namespace legwright

@@ -124,7 +124,8 @@ TEST_F(Joint, FrontNeedsTwoTasksSolvedAlone) {
   const std::string single = (test::kExamples / "quadruped" / "pace.toml").string();
   const Outcome one = call({"optimize", single, "--front", "3", "-o", "run"});
   EXPECT_EQ(one.code, 2);
-  EXPECT_TRUE(contains(one.err, "--front") && contains(one.err, "[[task]]")) << one.err;
+  EXPECT_TRUE(contains(one.err, "front needs two tasks") && contains(one.err, "[[task]]"))
+      << one.err;
   EXPECT_EQ(call({"optimize", kBoth, "--front", "3", "--one-start", "-o", "run"}).code, 2);
   EXPECT_FALSE(fs::exists(folder_.path() / "run"));
 }

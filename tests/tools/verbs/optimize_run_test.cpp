@@ -82,6 +82,48 @@ TEST_F(OptimizeRun, AStopBeforeTheFirstVerdictIsAReasonForEveryTask) {
   }
 }
 
+// Whoever stops the reasons at any moment gets those that are there.
+TEST_F(OptimizeRun, AStopAmongTheReasonsKeepsThoseThatAreKnown) {
+  options_.max_iterations = 1;
+  options_.plan_only = true;
+  options_.no_reasons = false;
+  options_.threads = 2;
+  std::size_t stopped_among_rows = 0;
+  for (const int last : {30, 60}) {
+    std::atomic<int> questions{0};
+    follower_.stop_signal = [&] {
+      return fs::exists(run_ / "result/scene.xml") && ++questions > last ? SIGINT : 0;
+    };
+    const RunRecord record = run(kExamples / "puppy" / "sideways.toml");
+    ASSERT_TRUE(record.put_back && record.fewest_changes) << last;
+    const auto& designs = record.fewest_changes->designs;
+    ASSERT_FALSE(designs.empty()) << last;
+    const std::size_t rows = record.put_back->size(), changes = designs.front().changed.size();
+    ASSERT_LE(rows, changes) << last;
+    if (rows < changes) {
+      EXPECT_EQ(designs.size(), 1U) << last << ": " << rows << " of " << changes << " rows";
+      stopped_among_rows += rows > 0 ? 1 : 0;
+    }
+    fs::remove_all(run_);
+  }
+  EXPECT_EQ(stopped_among_rows, 2U) << "this shows nothing";
+}
+
+// Its ends are the tasks solved alone.
+TEST_F(OptimizeRun, ASearchThatIsEndedEarlyHasNoFront) {
+  options_.one_start = false;
+  options_.plan_only = true;
+  options_.front = 1;
+  follower_.on_iteration = [](const RunLabel&, const DesignIteration&) { return false; };
+  std::vector<std::string> warnings;
+  follower_.warn = [&](const std::string& what) { warnings.push_back(what); };
+  const RunRecord record = run(kExamples / "quadruped" / "both.toml");
+  EXPECT_EQ(record.status, "stopped");
+  EXPECT_FALSE(record.front);
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_NE(warnings[0].find("no trade-off front"), std::string::npos) << warnings[0];
+}
+
 // A session is saved as a run; its verbs take it.
 TEST(SaveSession, IsARunThatCanBeOpenedAndReplayed) {
   const test::TemporaryFolder root;
@@ -91,8 +133,8 @@ TEST(SaveSession, IsARunThatCanBeOpenedAndReplayed) {
   (void)session.step();
   session.apply(session::Weights{{0.25, 0.75}});
   const SessionRecord record = session.record();
-  const ResultFolder folder = ResultFolder::create(root.path() / "run", false);
-  save_session(record, folder);
+  save_session(record, root.path() / "run", false);
+  const ResultFolder folder = ResultFolder::open(root.path() / "run");
   const Json run = read_json(folder.run_json());
   EXPECT_EQ(run["status"], "stopped");
   EXPECT_EQ(run["parameters"][0]["final"].get<double>(), record.state->s()[0]);
@@ -106,6 +148,15 @@ TEST(SaveSession, IsARunThatCanBeOpenedAndReplayed) {
   Session again(robot, read_file(task), task, options);
   EXPECT_EQ(again.snapshot()->state->s(), record.state->s());
   EXPECT_EQ(again.snapshot()->state->weights, record.state->weights);
+  // What cannot be saved takes no run away.
+  SessionState none = *record.state;
+  DesignPoint point = *none.now;
+  point.tasks[0].m.setConstant(std::numeric_limits<double>::quiet_NaN());
+  none.now = std::make_shared<const DesignPoint>(point);
+  none.cold.assign(none.cold.size(), false);
+  const SessionRecord broken{std::make_shared<const SessionState>(none), record.journal};
+  EXPECT_THROW(save_session(broken, root.path() / "run", true), InputError);
+  EXPECT_EQ(read_json(folder.run_json()), run);
 }
 
 }  // namespace

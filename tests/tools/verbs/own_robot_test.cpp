@@ -88,7 +88,8 @@ TEST_P(OwnRobot, WalksByItsFirstTask) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, OwnRobot,
-                         testing::Values("servo_dog", "strider", "ox", "octopod", "porter"));
+                         testing::Values("lurcher", "servo_dog", "strider", "ox", "octopod",
+                                         "porter"));
 
 class OctopodGait : public testing::TestWithParam<const char*> {};
 
@@ -203,15 +204,36 @@ TEST(OwnRobotBesideItsTrunk, DrivesItsThighsIntoItWithoutLimbClearance) {
   expect_clear_of_trunk(false);
 }
 
+TEST(OwnRobotInit, WritesAPoseForARobotWhoseFileHasNone) {
+  const test::TemporaryFolder folder;
+  const fs::path robot = copy_of("lurcher", folder.path() / "lurcher"),
+                 task = folder.path() / "task.toml";
+  const std::string text = read_file(robot);
+  const Outcome told = call({"init", robot.string()});
+  EXPECT_EQ(told.code, 0) << told.err;
+  EXPECT_TRUE(contains(told.out, "outside of its range")) << told.out;
+  EXPECT_TRUE(contains(told.out, "--write adds it as keyframe 'legwright'")) << told.out;
+  const Outcome without = call({"init", robot.string(), "--task", task.string()});
+  EXPECT_EQ(without.code, 2);
+  EXPECT_TRUE(contains(without.err, "add --write")) << without.err;
+  EXPECT_EQ(read_file(robot), text);
+  EXPECT_FALSE(fs::exists(task));
+  EXPECT_EQ(call({"init", robot.string(), "--write", "--task", task.string()}).code, 0);
+  EXPECT_TRUE(contains(read_file(robot), "<key name=\"legwright\" qpos=\"0 0 "));
+  EXPECT_EQ(call({"check", task.string()}).code, 0);
+  const std::string written = read_file(robot);
+  EXPECT_EQ(call({"init", robot.string(), "--write"}).code, 0);  // nothing to add
+  EXPECT_EQ(read_file(robot), written);
+}
+
 TEST(OwnRobotInit, WritesNothingForARobotThatDoesNotStand) {
   const test::TemporaryFolder folder;
   std::string text = read_file(fs::path(LEGWRIGHT_SOURCE_DIR) / "tests/robots/servo_dog/robot.xml");
-  const std::size_t key = text.find("<keyframe>"), end = text.find("</keyframe>");
-  ASSERT_NE(key, std::string::npos);
   const std::string before = text;
-  const std::size_t upright = text.find(" 1 0 0 0 ", key);
-  ASSERT_LT(upright, end);
-  text.replace(upright, 9, " 0 1 0 0 ");  // on its back
+  const std::string box =
+      "size=\"0.1 0.045 0.02\"";  // so high that no pose lifts it off the ground
+  ASSERT_NE(text.find(box), std::string::npos);
+  text.replace(text.find(box), box.size(), "size=\"0.1 0.045 0.2\" contype=\"1\"");
   const fs::path robot = folder.path() / "robot.xml", task = folder.path() / "task.toml";
   write_file(robot, text);
   const Outcome told = call({"init", robot.string(), "--write", "--task", task.string()});

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/variable.hpp"
 #include "tests/tools/files/temporary_folder.hpp"
 #include "tools/files/atomic_file.hpp"
 #include "tools/files/json_file.hpp"
@@ -79,23 +80,6 @@ class CallsInFolder {
     return call_in(folder_.path(), words);
   }
   TemporaryFolder folder_;
-};
-
-/// Sets a variable of the environment for the programs that are started meanwhile.
-class Variable {
- public:
-  Variable(const char* name, const std::string& value) : name_(name) {
-    const char* old = std::getenv(name);
-    if (old != nullptr) old_ = old;
-    ::setenv(name, value.c_str(), 1);
-  }
-  ~Variable() { old_.empty() ? ::unsetenv(name_) : ::setenv(name_, old_.c_str(), 1); }
-  Variable(const Variable&) = delete;
-  Variable& operator=(const Variable&) = delete;
-
- private:
-  const char* name_;
-  std::string old_;
 };
 
 inline bool contains(const std::string& text, const std::string& part) {

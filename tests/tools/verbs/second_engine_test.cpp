@@ -52,7 +52,7 @@ TEST_F(SecondEngine, RunsThePackageAndEndsWithItsExitCode) {
 TEST_F(SecondEngine, SaysHowToGetIt) {
   const std::string cure = "pip install \".[drake]\"";
   expect_refusal(validate_with(""), 3, {"has no package legwright", cure, "LEGWRIGHT_PYTHON"});
-  expect_refusal(validate_with(program_version() + " lacks"), 3,
+  expect_refusal(validate_with(program_version() + " lacks pydrake"), 3,
                  {"has legwright, but not pydrake", cure});
   expect_refusal(validate_with("9.8.7 has"), 3,
                  {"has legwright 9.8.7, and this program is " + program_version(), cure});

@@ -58,7 +58,7 @@ TEST_F(StudyTest, SaysHowToGetAPythonThatHasTheModule) {
     for (const char* part : {"gone does not run", "pip install \".[study]\"", "LEGWRIGHT_PYTHON"})
       EXPECT_TRUE(contains(study.err, part)) << part << " in: " << study.err;
   }
-  const test::Variable bare("LEGWRIGHT_PYTHON", interpreter("exit 9", "lacks"));
+  const test::Variable bare("LEGWRIGHT_PYTHON", interpreter("exit 9", "lacks distributed"));
   const test::Outcome study = call({"study", "s.toml"});
   EXPECT_EQ(study.code, 3);
   EXPECT_TRUE(contains(study.err, "has legwright, but not distributed")) << study.err;
@@ -81,11 +81,50 @@ TEST_F(StudyTest, SignalsGoOnToTheModuleWhoseExitCodeCounts) {
   }
 }
 
-TEST_F(StudyTest, AModuleThatIsKilledIsAnInternalError) {
+TEST_F(StudyTest, TheModuleIsAskedToStopWhereTheProgramIsKilled) {
+  const test::Variable python("LEGWRIGHT_PYTHON",
+                              interpreter("trap 'touch asked; exit 75' TERM; touch ready; while :; "
+                                          "do sleep 0.02; done"));
+  const pid_t child = test::start({"study", "s.toml"}, folder_.path());
+  const auto wait_for_file = [&](const char* name) {
+    for (int k = 0; k < 2000 && !fs::exists(folder_.path() / name); ++k)
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    return fs::exists(folder_.path() / name);
+  };
+  ASSERT_TRUE(wait_for_file("ready"));
+  ::kill(child, SIGKILL);
+  EXPECT_EQ(test::wait_for(child, folder_.path()).code, -SIGKILL);
+  EXPECT_TRUE(wait_for_file("asked"));
+}
+
+TEST_F(StudyTest, DoctorTellsWhatPythonHasOfStudiesAndOfDrake) {
+  const auto item_of = [this](const std::string& has, const std::string& extra) {
+    const test::Variable python("LEGWRIGHT_PYTHON", interpreter("exit 9", has));
+    const test::Outcome doctor = call({"doctor", "--json"});
+    EXPECT_EQ(doctor.code, 0) << doctor.out;  // none of them is required
+    const Json told = Json::parse(doctor.out);
+    for (const Json& item : told["items"])
+      if (item["name"] == extra) return item;
+    return Json();
+  };
+  for (const auto& [extra, library] :
+       {std::pair("study", "pyarrow"), std::pair("drake", "pydrake")}) {
+    const Json here = item_of("has", extra), gone = item_of(std::string("lacks ") + library, extra);
+    EXPECT_EQ(here["found"], true);
+    EXPECT_TRUE(contains(here["detail"].get<std::string>(), library)) << here;
+    EXPECT_EQ(gone["found"], false);
+    EXPECT_TRUE(contains(gone["detail"].get<std::string>(), std::string("but not ") + library));
+    EXPECT_TRUE(
+        contains(gone["fix"].get<std::string>(), "\"legwright[" + std::string(extra) + "]\""));
+  }
+}
+
+TEST_F(StudyTest, AModuleThatIsKilledIsToldWithTheWayOn) {
   const test::Variable python("LEGWRIGHT_PYTHON", interpreter("kill -9 $$"));
   const test::Outcome study = call({"study", "s.toml"});
-  EXPECT_EQ(study.code, 4);
-  EXPECT_TRUE(contains(study.err, "was ended by signal 9")) << study.err;
+  EXPECT_EQ(study.code, 3);
+  EXPECT_TRUE(contains(study.err, "was ended by signal 9 (Killed)")) << study.err;
+  EXPECT_TRUE(contains(study.err, "the same command goes on")) << study.err;
 }
 
 }  // namespace

@@ -86,6 +86,7 @@ TEST(OptimizeSummary, TellsWhenFOfFewerChangesIsThatOfATightenedSearch) {
 }
 
 TEST(ViewerCure, SaysWhatStandsInTheWay) {
+  EXPECT_FALSE(is_packaged());  // that one is python/tests/test_wheel.py's
   const std::string cure = viewer_cure();
   EXPECT_TRUE(cure.find("--target legwright_viewer") != std::string::npos ||
               cure.find("configured without viewers: ") != std::string::npos)

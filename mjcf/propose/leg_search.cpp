@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mjcf/propose/leg_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <utility>
+
+#include "mjcf/read/feet.hpp"
+
+namespace legwright {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr double kOneBuild = 0.25;      // of the length: legs of one build
+constexpr double kHangsHigher = 0.4;    // of the length, above the lowest: an arm
+constexpr double kOffEnds = 0.05;       // of a range, at both of its ends
+constexpr double kFarthestTurn = 2.6;   // from rest, of joints without range [rad]
+constexpr double kBesideWeight = 0.25;  // of the place beside the hip against that below it
+constexpr double kBelowWeight = 4.0;
+constexpr double kKneeBack = 0.02, kNearRest = 0.003;
+constexpr std::size_t kSearchStarts = 6;              // of the grid, from which the search goes on
+constexpr double kFirstTurn = 0.2, kLastTurn = 1e-6;  // [rad]
+constexpr double kExactHeight = 1e-9;                 // [m]
+
+VectorXd angles_of(const SearchedLeg& leg, const mjModel& model, const mjData& data) {
+  VectorXd out(static_cast<Eigen::Index>(leg.joints.size()));
+  for (std::size_t k = 0; k < leg.joints.size(); ++k)
+    out[static_cast<Eigen::Index>(k)] = data.qpos[model.jnt_qposadr[leg.joints[k]]];
+  return out;
+}
+
+void set_angles(const SearchedLeg& leg, const mjModel& model, mjData& data,
+                const VectorXd& angles) {
+  for (std::size_t k = 0; k < leg.joints.size(); ++k)
+    data.qpos[model.jnt_qposadr[leg.joints[k]]] = angles[static_cast<Eigen::Index>(k)];
+  mj_kinematics(&model, &data);
+}
+
+VectorXd rest_of(const SearchedLeg& leg) {
+  VectorXd out(static_cast<Eigen::Index>(leg.joints.size()));
+  for (std::size_t k = 0; k < leg.joints.size(); ++k)
+    out[static_cast<Eigen::Index>(k)] = std::clamp(0.0, leg.lower[k], leg.upper[k]);
+  return out;
+}
+
+/// Least cost of a leg's angles: a grid, then steps along one angle each, from its best points.
+class LegSearch {
+ public:
+  using Cost = std::function<double()>;  // of the pose in data
+  LegSearch(const SearchedLeg& leg, const mjModel& model, mjData& data, Cost cost)
+      : leg_(leg), model_(model), data_(data), cost_(std::move(cost)), rest_(rest_of(leg)) {}
+
+  /// Leaves the best angles in the data.
+  void run() {
+    grid(rest_, 0);
+    std::stable_sort(points_.begin(), points_.end(),
+                     [](const Point& a, const Point& b) { return a.cost < b.cost; });
+    points_.resize(std::min(points_.size(), kSearchStarts));
+    Point best{std::numeric_limits<double>::infinity(), rest_};
+    for (Point& point : points_) {
+      descend(point);
+      if (point.cost < best.cost) best = point;
+    }
+    set_angles(leg_, model_, data_, best.angles);
+  }
+
+ private:
+  struct Point {
+    double cost;
+    VectorXd angles;
+  };
+
+  double cost_at(const VectorXd& angles) {
+    set_angles(leg_, model_, data_, angles);
+    return cost_() + kNearRest * (angles - rest_).squaredNorm();
+  }
+
+  void grid(VectorXd angles, std::size_t joint) {
+    if (joint == leg_.joints.size()) {
+      points_.push_back({cost_at(angles), angles});
+      return;
+    }
+    const auto k = static_cast<Eigen::Index>(joint);
+    const int count = leg_.joints.size() <= 3 ? 7 : 3;
+    for (int n = 0; n < count; ++n) {
+      const double share = (n + 0.5) / count;
+      angles[k] = leg_.lower[joint] + share * (leg_.upper[joint] - leg_.lower[joint]);
+      grid(angles, joint + 1);
+    }
+  }
+
+  void descend(Point& point) {
+    for (double step = kFirstTurn; step > kLastTurn;) {
+      bool better = false;
+      for (Eigen::Index k = 0; k < point.angles.size(); ++k)
+        for (const double sign : {1.0, -1.0}) {
+          const auto joint = static_cast<std::size_t>(k);
+          VectorXd next = point.angles;
+          next[k] = std::clamp(next[k] + sign * step, leg_.lower[joint], leg_.upper[joint]);
+          const double cost = cost_at(next);
+          if (!(cost < point.cost)) continue;
+          point = {cost, std::move(next)};
+          better = true;
+        }
+      step *= better ? 1.0 : 0.5;
+    }
+  }
+
+  const SearchedLeg& leg_;
+  const mjModel& model_;
+  mjData& data_;
+  const Cost cost_;
+  const VectorXd rest_;
+  std::vector<Point> points_;
+};
+
+/// The ends of chains of hinges under the trunk.
+std::vector<int> chain_ends(const mjModel& model, int trunk) {
+  std::vector<bool> carries(static_cast<std::size_t>(model.nbody), false);
+  std::vector<int> ends;
+  for (int b = static_cast<int>(model.nbody) - 1; b > trunk; --b) {
+    if (model.body_rootid[b] != trunk) continue;
+    const auto at = static_cast<std::size_t>(b);
+    const bool moves = model.body_jntnum[b] > 0;
+    if (moves && !carries[at]) ends.insert(ends.begin(), b);
+    if (moves || carries[at]) carries[static_cast<std::size_t>(model.body_parentid[b])] = true;
+  }
+  return ends;
+}
+
+SearchedLeg leg_to(const mjModel& model, int trunk, int end) {
+  SearchedLeg leg;
+  for (int b = end; b != trunk; b = model.body_parentid[b])
+    for (int n = model.body_jntnum[b] - 1; n >= 0; --n)
+      leg.joints.insert(leg.joints.begin(), model.body_jntadr[b] + n);
+  for (int b = end; b < static_cast<int>(model.nbody); ++b)
+    if (model.body_weldid[b] == model.body_weldid[end]) leg.bodies.push_back(b);
+  for (const int joint : leg.joints) {
+    const mjtNum* range = model.jnt_range + 2 * joint;
+    const bool limited = model.jnt_limited[joint] != 0;
+    const double off = limited ? kOffEnds * (range[1] - range[0]) : 0.0;
+    leg.lower.push_back(limited ? std::max(range[0] + off, -kFarthestTurn) : -kFarthestTurn);
+    leg.upper.push_back(limited ? std::min(range[1] - off, kFarthestTurn) : kFarthestTurn);
+    if (leg.lower.back() > leg.upper.back())  // turned away by more than that
+      leg.lower.back() = leg.upper.back() = 0.5 * (range[0] + range[1]);
+  }
+  return leg;
+}
+
+/// From hinge to hinge, and on to the last link's lowest point.
+double length_of_chain(const mjModel& model, const mjData& data, const SearchedLeg& leg) {
+  double length = 0.0;
+  Vector3d at = Vector3d::Map(data.xanchor + 3 * leg.joints.front());
+  for (const int joint : leg.joints) {
+    const Vector3d next = Vector3d::Map(data.xanchor + 3 * joint);
+    length += (next - at).norm();
+    at = next;
+  }
+  return length + (leg.touch(model, data) - at).norm();
+}
+
+}  // namespace
+
+Vector3d SearchedLeg::touch(const mjModel& model, const mjData& data) const {
+  int geom = -1;
+  double low = std::numeric_limits<double>::infinity();
+  for (const bool drawn : {false, true}) {
+    for (const int body : bodies)
+      for (int k = 0; k < model.body_geomnum[body]; ++k) {
+        const int g = model.body_geomadr[body] + k;
+        if (!drawn && !collides(model, g)) continue;
+        if (const double own = lowest_point(model, data, g); own < low) {
+          low = own;
+          geom = g;
+        }
+      }
+    if (geom >= 0) break;
+  }
+  if (geom < 0) return Vector3d::Map(data.xpos + 3 * bodies.back());
+  Vector3d at = Vector3d::Map(data.geom_xpos + 3 * geom);
+  const int type = model.geom_type[geom];
+  if (type == mjGEOM_CAPSULE || type == mjGEOM_CYLINDER) {
+    const mjtNum* frame = data.geom_xmat + 9 * geom;
+    const Vector3d axis(frame[2], frame[5], frame[8]);
+    at -= std::copysign(model.geom_size[3 * geom + 1], axis.z()) * axis;
+  }
+  at.z() = low;
+  return at;
+}
+
+void SearchedLeg::measure(const mjModel& model, mjData& data) {
+  const VectorXd before = angles_of(*this, model, data);
+  set_angles(*this, model, data, rest_of(*this));
+  hip = Vector3d::Map(data.xanchor + 3 * hip_joint());
+  rest = touch(model, data);
+  LegSearch(*this, model, data, [&] { return touch(model, data).z(); }).run();
+  reach = std::max(1e-6, data.xanchor[3 * hip_joint() + 2] - touch(model, data).z());
+  set_angles(*this, model, data, before);
+}
+
+bool SearchedLeg::put(const mjModel& model, mjData& data, const Vector3d& place) const {
+  const auto cost = [&] {
+    const Vector3d miss = (touch(model, data) - place) / reach;
+    const double knee = (data.xanchor[3 * joints.back()] - hip.x()) / reach;
+    return miss.x() * miss.x() + kBesideWeight * miss.y() * miss.y() +
+           kBelowWeight * miss.z() * miss.z() + kKneeBack * knee;
+  };
+  LegSearch(*this, model, data, cost).run();
+  // The height exactly, by the least turn.
+  VectorXd angles = angles_of(*this, model, data);
+  for (int step = 0; step < 50; ++step) {
+    const double miss = touch(model, data).z() - place.z();
+    if (std::abs(miss) <= kExactHeight) return true;
+    VectorXd slope(angles.size());
+    for (Eigen::Index k = 0; k < angles.size(); ++k) {
+      constexpr double kTurn = 1e-6;
+      VectorXd next = angles;
+      next[k] += kTurn;
+      set_angles(*this, model, data, next);
+      slope[k] = (touch(model, data).z() - place.z() - miss) / kTurn;
+    }
+    if (!(slope.norm() > 1e-6 * reach)) return false;
+    angles -= miss / slope.squaredNorm() * slope;
+    for (std::size_t k = 0; k < joints.size(); ++k) {
+      double& angle = angles[static_cast<Eigen::Index>(k)];
+      angle = std::clamp(angle, lower[k], upper[k]);
+    }
+    set_angles(*this, model, data, angles);
+  }
+  return std::abs(touch(model, data).z() - place.z()) <= kExactHeight;
+}
+
+std::vector<SearchedLeg> legs_of_one_build(const mjModel& model, int trunk, const mjData& data) {
+  std::vector<SearchedLeg> chains;
+  std::vector<double> lengths, hangs;
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const int end : chain_ends(model, trunk)) {
+    SearchedLeg leg = leg_to(model, trunk, end);
+    const bool hinges = std::all_of(leg.joints.begin(), leg.joints.end(), [&](int joint) {
+      return model.jnt_type[joint] == mjJNT_HINGE;
+    });
+    if (!hinges || leg.joints.size() < 2) continue;
+    lengths.push_back(length_of_chain(model, data, leg));
+    hangs.push_back(data.xanchor[3 * leg.joints.front() + 2]);
+    lowest = std::min(lowest, hangs.back());
+    chains.push_back(std::move(leg));
+  }
+  std::vector<std::size_t> best;
+  for (std::size_t k = 0; k < chains.size(); ++k) {
+    std::vector<std::size_t> group;
+    for (std::size_t n = 0; n < chains.size(); ++n)
+      if (chains[n].joints.size() == chains[k].joints.size() && lengths[n] <= lengths[k] &&
+          lengths[n] >= (1.0 - kOneBuild) * lengths[k] &&
+          hangs[n] - lowest <= kHangsHigher * lengths[n])
+        group.push_back(n);
+    if (group.size() > best.size() ||
+        (group.size() == best.size() && !best.empty() && lengths[k] > lengths[best.front()]))
+      best = std::move(group);
+  }
+  std::vector<SearchedLeg> legs;
+  for (const std::size_t k : best) legs.push_back(chains[k]);
+  return legs;
+}
+
+}  // namespace legwright

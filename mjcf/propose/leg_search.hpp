@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace legwright {
+
+/// A chain of hinges on the trunk, whose angles are searched for with the file's own geoms: before
+/// anything is known of feet, as a robot that does not stand has none. World axes.
+struct SearchedLeg {
+  std::vector<int> joints;                         // ids, from the trunk down
+  std::vector<int> bodies;                         // of the last link
+  std::vector<double> lower, upper;                // within which angles are searched [rad]
+  double reach = 0.0;                              // farthest below the hinge above the knee [m]
+  Eigen::Vector3d hip = Eigen::Vector3d::Zero();   // that hinge, at angles of rest [m]
+  Eigen::Vector3d rest = Eigen::Vector3d::Zero();  // the foot, at angles of rest [m]
+
+  /// The hinge above the knee: the last but one.
+  int hip_joint() const { return joints[joints.size() - 2]; }
+  /// Where the last link reaches lowest: what collides, else what is drawn, else its frame.
+  Eigen::Vector3d touch(const mjModel& model, const mjData& data) const;
+  /// Finds reach, hip and rest; angles in `data` are as before then.
+  void measure(const mjModel& model, mjData& data);
+  /// Turns the joints until the foot is at the height of `place` (to 1e-9 m) and otherwise near it.
+  /// False where the height is out of reach.
+  bool put(const mjModel& model, mjData& data, const Eigen::Vector3d& place) const;
+};
+
+/// Legs: of the chains of two hinges and more those of as many hinges and, to a quarter, one
+/// length, that hang about as low as the lowest; of several such groups the largest, of equal ones
+/// the longest.
+std::vector<SearchedLeg> legs_of_one_build(const mjModel& model, int trunk, const mjData& data);
+
+}  // namespace legwright

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mjcf/propose/standing_pose.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "mjcf/propose/declare.hpp"
+#include "mjcf/propose/leg_search.hpp"
+#include "mjcf/read/checks.hpp"
+#include "mjcf/read/feet.hpp"
+#include "mjcf/read/moving_parts.hpp"
+#include "mjcf/read/tree_checks.hpp"
+#include "mjcf/text/compile.hpp"
+#include "mjcf/text/input_error.hpp"
+
+namespace legwright {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kBentTo = 0.87;         // of a leg's reach downwards
+constexpr double kStretched = 0.97;      // a leg that reaches so far is straight
+constexpr double kFolded = 0.35;         // a leg whose foot is under its hip and reaches no farther
+constexpr double kUnderHip = 0.3;        // of its reach: what is under a hip
+constexpr double kUnevenEnds = 0.25;     // of the reach: ends of legs at different heights
+constexpr double kAsLowAsFeet = 1e-3;    // [m]: as low as the feet
+constexpr double kMostShiftToCom = 0.2;  // of the reach, towards the centre of mass
+constexpr double kPoseGrain = 1e6;       // numbers are written to a millionth
+constexpr double kLevelTrunk = 0.99;     // least cosine of the trunk's tilt
+constexpr double kUprightTrunk = 0.5;    // the same, of one that does not lie
+constexpr std::size_t kFewestLegs = 2;   // legs
+constexpr std::size_t kTooFewToBend = 3;  // two straight legs stand on flat feet
+
+double to_grain(double value) { return std::round(value * kPoseGrain) / kPoseGrain + 0.0; }
+
+/// Of the trunk and what is fixed to it, what collides [m].
+double lowest_of_trunk_link(const mjModel& model, const mjData& data, int trunk) {
+  double low = std::numeric_limits<double>::infinity();
+  for (int g = 0; g < model.ngeom; ++g)
+    if (model.body_weldid[model.geom_bodyid[g]] == trunk && collides(model, g))
+      low = std::min(low, lowest_point(model, data, g));
+  return low;
+}
+
+class PoseFinder {
+ public:
+  PoseFinder(const mjModel& model, int trunk, const std::filesystem::path& file)
+      : model_(model),
+        trunk_(trunk),
+        root_(model.jnt_qposadr[model.body_jntadr[trunk]]),
+        data_(kinematics_at(model, home_qpos(model), file)),
+        legs_(legs_of_one_build(model, trunk, *data_)) {}
+
+  std::optional<StandingPose> run() {
+    if (legs_.size() < kFewestLegs) return std::nullopt;
+    StandingPose out;
+    out.why = fault_of_range();
+    if (out.why.empty() && data_->xmat[9 * trunk_ + 8] < kUprightTrunk)
+      out.why = "the trunk lies there on its side or back";
+    level_trunk();
+    measure_reaches();
+    if (out.why.empty()) out.why = fault_of_home();
+    if (out.why.empty() || !stand_up()) return std::nullopt;
+    write(out);
+    return out;
+  }
+
+ private:
+  /// How far a foot is below the hinge above its knee, in the pose of data_.
+  double drop(const SearchedLeg& leg) const {
+    return data_->xanchor[3 * leg.hip_joint() + 2] - leg.touch(model_, *data_).z();
+  }
+
+  std::string fault_of_range() const {
+    for (const SearchedLeg& leg : legs_)
+      for (const int joint : leg.joints) {
+        const double angle = data_->qpos[model_.jnt_qposadr[joint]];
+        const mjtNum* range = model_.jnt_range + 2 * joint;
+        if (model_.jnt_limited[joint] && (angle < range[0] || angle > range[1]))
+          return fmt::format(
+              "joint '{}' is at {:.3g} rad there, outside of its range {:.3g} to "
+              "{:.3g}",
+              name_of(model_, mjOBJ_JOINT, joint), angle, range[0], range[1]);
+      }
+    return "";
+  }
+
+  void measure_reaches() {
+    for (SearchedLeg& leg : legs_) {
+      home_drop_.push_back(drop(leg));
+      const Vector3d foot = leg.touch(model_, *data_);
+      away_.push_back(std::hypot(foot.x() - data_->xanchor[3 * leg.hip_joint()],
+                                 foot.y() - data_->xanchor[3 * leg.hip_joint() + 1]));
+      low_at_home_.push_back(foot.z());
+    }
+    trunk_at_home_ = lowest_of_trunk_link(model_, *data_, trunk_);
+    for (SearchedLeg& leg : legs_) leg.measure(model_, *data_);
+  }
+
+  std::string fault_of_home() const {
+    double reach = 0.0, stretched = 2.0;
+    bool folded = true;
+    for (std::size_t k = 0; k < legs_.size(); ++k) {
+      reach = std::max(reach, legs_[k].reach);
+      stretched = std::min(stretched, home_drop_[k] / legs_[k].reach);
+      folded = folded && home_drop_[k] < kFolded * legs_[k].reach &&
+               away_[k] < kUnderHip * legs_[k].reach;
+    }
+    const auto [low, high] = std::minmax_element(low_at_home_.begin(), low_at_home_.end());
+    if (*high - *low > kUnevenEnds * reach)
+      return fmt::format("legs of one build end there at heights that differ by {:.2g} m",
+                         *high - *low);
+    if (trunk_at_home_ <= *low + kAsLowAsFeet) return "the trunk is there as low as its feet";
+    if (folded) return "its legs are folded there";
+    if (home_keyframe(model_) < 0 && legs_.size() >= kTooFewToBend && stretched > kStretched)
+      return "the file has no keyframe and draws its legs stretched out";
+    return "";
+  }
+
+  void level_trunk() {
+    if (data_->xmat[9 * trunk_ + 8] < kLevelTrunk) {
+      const mjtNum upright[] = {1, 0, 0, 0};
+      mju_copy(data_->qpos + root_ + 3, upright, 4);
+    }
+    mj_kinematics(&model_, data_.get());
+  }
+
+  /// Puts the feet below their hips, twice: then their middle is below the centre of mass.
+  bool stand_up() {
+    double ground = -std::numeric_limits<double>::infinity(), reach = ground;
+    for (const SearchedLeg& leg : legs_) {
+      ground = std::max(ground, leg.hip.z() - kBentTo * leg.reach);
+      reach = std::max(reach, leg.reach);
+    }
+    Vector3d shift = Vector3d::Zero();
+    for (int round = 0; round < 2; ++round) {
+      Vector3d middle = Vector3d::Zero();
+      for (const SearchedLeg& leg : legs_) {
+        if (!leg.put(model_, *data_, {leg.hip.x() + shift.x(), leg.rest.y(), ground})) return false;
+        middle += leg.touch(model_, *data_) / static_cast<double>(legs_.size());
+      }
+      mj_comPos(&model_, data_.get());
+      shift.x() = std::clamp(data_->subtree_com[3 * trunk_] - (middle.x() - shift.x()),
+                             -kMostShiftToCom * reach, kMostShiftToCom * reach);
+    }
+    for (const SearchedLeg& leg : legs_)
+      for (const int joint : leg.joints) {
+        mjtNum& angle = data_->qpos[model_.jnt_qposadr[joint]];
+        angle = to_grain(angle);
+      }
+    mj_kinematics(&model_, data_.get());
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const SearchedLeg& leg : legs_) {
+      low = std::min(low, leg.touch(model_, *data_).z());
+      high = std::max(high, leg.touch(model_, *data_).z());
+    }
+    if (high - low > kAsLowAsFeet ||
+        lowest_of_trunk_link(model_, *data_, trunk_) <= high + kAsLowAsFeet)
+      return false;
+    data_->qpos[root_ + 2] = to_grain(data_->qpos[root_ + 2] - low);
+    return true;
+  }
+
+  void write(StandingPose& out) const {
+    out.words = "level, feet below the hips: ";
+    for (const SearchedLeg& leg : legs_)
+      for (const int joint : leg.joints)
+        out.words += fmt::format("{}{} {:.3g}", out.words.ends_with(": ") ? "" : ", ",
+                                 name_of(model_, mjOBJ_JOINT, joint),
+                                 data_->qpos[model_.jnt_qposadr[joint]]);
+    out.words += " rad";
+    for (int k = 0; k < static_cast<int>(model_.nq); ++k)
+      out.qpos += fmt::format("{}{:.10g}", k ? " " : "", data_->qpos[k] + 0.0);
+    std::vector<double> ctrl(static_cast<std::size_t>(model_.nu), 0.0);
+    bool any = false;
+    for (int i = 0; i < static_cast<int>(model_.nactuator); ++i) {
+      if (model_.actuator_trntype[i] != mjTRN_JOINT ||
+          model_.actuator_biastype[i] != mjBIAS_AFFINE ||
+          !(model_.actuator_biasprm[mjNBIAS * i + 1] < 0.0))
+        continue;
+      const int at = model_.actuator_ctrladr[i];
+      const mjtNum* range = model_.actuator_ctrlrange + 2 * at;
+      double value = model_.actuator_gear[6 * model_.actuator_outadr[i]] *
+                     data_->qpos[model_.jnt_qposadr[model_.actuator_trnid[2 * i]]];
+      if (model_.actuator_ctrllimited[at]) value = std::clamp(value, range[0], range[1]);
+      ctrl[static_cast<std::size_t>(at)] = value + 0.0;
+      any = true;
+    }
+    for (std::size_t k = 0; any && k < ctrl.size(); ++k)
+      out.ctrl += fmt::format("{}{:.10g}", k ? " " : "", ctrl[k]);
+  }
+
+  const mjModel& model_;
+  const int trunk_, root_;
+  DataPointer data_;
+  std::vector<SearchedLeg> legs_;
+  std::vector<double> home_drop_, away_, low_at_home_;  // of each leg [m]
+  double trunk_at_home_ = 0.0;
+};
+
+}  // namespace
+
+std::optional<StandingPose> find_standing_pose(const std::string& text,
+                                               const std::filesystem::path& file) {
+  try {
+    const auto xml = load_xml(text, file);
+    Refusals reasons;
+    check_text(*xml, reasons);  // sizes among it, for which MuJoCo would take minutes
+    const ModelPointer model = compile_mjcf(xml->text, file);
+    const int trunk = find_trunk(*xml, *model, reasons);
+    if (trunk < 0 || !reasons.empty() || mj_name2id(model.get(), mjOBJ_KEY, kStandingKey) >= 0)
+      return std::nullopt;
+    return PoseFinder(*model, trunk, file).run();
+  } catch (const InputError&) {
+    return std::nullopt;  // its reader tells all faults
+  }
+}
+
+std::string with_keyframe(const std::string& xml, const std::filesystem::path& file,
+                          const StandingPose& pose) {
+  std::string key = fmt::format("<key name=\"{}\" qpos=\"{}\"", kStandingKey, pose.qpos);
+  if (!pose.ctrl.empty()) key += fmt::format(" ctrl=\"{}\"", pose.ctrl);
+  return with_lines_in_section(xml, file, "keyframe", {key + "/>"});
+}
+
+}  // namespace legwright

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <mujoco/mujoco.h>
+#include <tinyxml2.h>
+
+#include <string>
+#include <vector>
+
+namespace legwright {
+
+/// An option of a robot's file that a scene sets otherwise, as both are written in MJCF.
+struct OverriddenOption {
+  std::string name, file, scene;
+};
+
+/// What the robot's file sets of MuJoCo's steps, solvers and flags, and its scenes set otherwise:
+/// files that are tuned for many robots at once on a GPU have a solver of one iteration, with which
+/// contacts give way and every robot falls. In the order of MuJoCo's documentation; what the file
+/// leaves at MuJoCo's default is not listed.
+std::vector<OverriddenOption> overridden_options(const mjOption& robot);
+
+/// Writes step, integrator, cone and impratio of a scene into its own <option>, and every other
+/// setting that the robot's file has otherwise than a scene may have it.
+void set_solver(tinyxml2::XMLElement& option, const mjOption& robot);
+
+/// "scenes have options of their own: iterations 100 (its file has 1), …"; empty where nothing is
+/// overridden.
+std::string describe_overridden(const std::vector<OverriddenOption>& overridden);
+
+}  // namespace legwright

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mjcf/propose/standing_pose.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mjcf/propose/proposals.hpp"
+#include "mjcf/read/feet.hpp"
+#include "mjcf/read/moving_parts.hpp"
+#include "mjcf/text/compile.hpp"
+#include "mjcf/text/input_error.hpp"
+#include "mjcf/text/numbers.hpp"
+#include "tests/mjcf/robots/robots.hpp"
+
+namespace legwright {
+namespace {
+
+const char* const kLurcherFile = "lurcher.xml";
+
+/// Of tests/robots: no keyframe, straight legs out of their ranges, the trunk's frame on the
+/// ground.
+std::string lurcher() {
+  return test::read_file(test::source_path("tests/robots/lurcher/robot.xml"));
+}
+
+std::string with_home(const std::string& xml, double trunk, const std::string& legs) {
+  return test::with(xml, "</mujoco>",
+                    fmt::format("<keyframe><key name=\"home\" qpos=\"0 0 {} 1 0 0 0 {}\"/>"
+                                "</keyframe></mujoco>",
+                                trunk, legs));
+}
+
+std::string four(const std::string& leg) { return leg + " " + leg + " " + leg + " " + leg; }
+
+TEST(StandingPose, IsFoundWithinRangesLevelAndUnderTheHips) {
+  EXPECT_THROW(parse_robot(lurcher(), kLurcherFile), InputError);
+  const auto pose = find_standing_pose(lurcher(), kLurcherFile);
+  ASSERT_TRUE(pose);
+  EXPECT_NE(pose->why.find("'lf_knee' is at 0 rad there, outside of its range"), std::string::npos)
+      << pose->why;
+  const std::string text = with_keyframe(lurcher(), kLurcherFile, *pose);
+  const ProposedParameters found = propose_parameters(text, kLurcherFile);
+  EXPECT_EQ(found.not_standing, "");
+  EXPECT_EQ(found.limbs.size(), 4u);
+  for (const Joint& joint :
+       {found.model.morphology.links[2].joint, found.model.morphology.links[3].joint}) {
+    EXPECT_GT(joint.nominal, joint.lower + 0.05);
+    EXPECT_LT(joint.nominal, joint.upper - 0.05);
+  }
+  const ModelPointer model = compile_mjcf(text, kLurcherFile);
+  const DataPointer data = kinematics_at(*model, home_qpos(*model), kLurcherFile);
+  mj_comPos(model.get(), data.get());
+  double middle = 0.0;
+  for (const FootContact& foot : found.model.structure.feet) {
+    EXPECT_NEAR(lowest_point(*model, *data, foot.geom), 0.0, 2e-6) << foot.name;
+    middle += data->geom_xpos[3 * foot.geom] / 4;
+  }
+  EXPECT_NEAR(middle, data->subtree_com[3], 0.01);
+  // Left and right are mirror images, so that init ties them.
+  EXPECT_TRUE(std::any_of(found.proposals.begin(), found.proposals.end(), [](const Proposal& p) {
+    return p.binding == "stretch link: lf_shank rf_shank";
+  }));
+}
+
+TEST(StandingPose, IsTheSameEachTime) {
+  EXPECT_EQ(find_standing_pose(lurcher(), kLurcherFile)->qpos,
+            find_standing_pose(lurcher(), kLurcherFile)->qpos);
+}
+
+TEST(StandingPose, AFoldedHomeIsNone) {
+  const auto folded =
+      find_standing_pose(with_home(lurcher(), -0.2, four("0 1.45 -2.6")), kLurcherFile);
+  ASSERT_TRUE(folded);
+  EXPECT_NE(folded->why.find("folded"), std::string::npos) << folded->why;
+}
+
+TEST(StandingPose, LegsOfOneBuildInTheAirAreLegs) {
+  const std::string half = with_home(lurcher(), -0.1, "0 0.5 -1 0 0.5 -1 0 2.5 -2.6 0 2.5 -2.6");
+  EXPECT_LT(parse_robot(half, kLurcherFile).morphology.foot_count(), 4);  // what it was read as
+  const auto pose = find_standing_pose(half, kLurcherFile);
+  ASSERT_TRUE(pose);
+  const RobotModel robot = parse_robot(with_keyframe(half, kLurcherFile, *pose), kLurcherFile);
+  EXPECT_EQ(robot.morphology.foot_count(), 4);
+  EXPECT_EQ(robot.morphology.joint_count(), 12);
+}
+
+TEST(StandingPose, APoseThatStandsIsLeftAlone) {
+  EXPECT_FALSE(find_standing_pose(with_home(lurcher(), 0.0, four("0 0.7 -1.4")), kLurcherFile));
+  for (const char* name : {"puppy", "quadruped", "hexapod", "biped", "printed_quadruped"})
+    EXPECT_FALSE(find_standing_pose(test::example_robot(name), "robot.xml")) << name;
+}
+
+TEST(StandingPose, HoldsPositionServosThere) {
+  std::string servos = lurcher();
+  for (std::size_t at; (at = servos.find("<motor name")) != std::string::npos;)
+    servos.replace(at, 6, "<position kp=\"60\"");
+  const auto pose = find_standing_pose(servos, kLurcherFile);
+  ASSERT_TRUE(pose);
+  const auto qpos = parse_numbers(pose->qpos.c_str()), ctrl = parse_numbers(pose->ctrl.c_str());
+  ASSERT_TRUE(qpos && ctrl);
+  EXPECT_TRUE(std::equal(ctrl->begin(), ctrl->end(), qpos->begin() + 7));
+}
+
+}  // namespace
+}  // namespace legwright

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0
+// Co-design over HTTP, as a page does it.
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "tests/tools/studio/browser.hpp"
+#include "tools/files/base64.hpp"
+
+namespace legwright {
+namespace {
+
+using test::Browser;
+using test::OpenStudio;
+
+class EditingTest : public testing::Test {
+ protected:
+  Json command(Json body) { return browser_.post("/api/command", body); }
+  static double value(const Json& state) { return state["s"][0].get<double>(); }
+
+  OpenStudio studio_{test::kSidewaysTask};
+  Browser& browser_ = *studio_.browser;
+};
+
+constexpr const char* kThigh = "front_thigh_length";
+
+TEST_F(EditingTest, ANewPageIsToldEverythingThatIsPresent) {
+  (void)browser_.settled();
+  std::string kinds;
+  Json motion;
+  browser_.follow([&](const std::string& kind, const Json& data) {
+    kinds += kind + " ";
+    if (kind == "motion") motion = data;
+    return kind == "state";
+  });
+  for (const char* kind : {"opened ", "design ", "motion ", "state "})
+    EXPECT_NE(kinds.find(kind), std::string::npos) << kinds;
+  const auto frames = motion["frames"].get<std::size_t>(),
+             bodies = motion["bodies"].get<std::size_t>();
+  EXPECT_EQ(from_base64(motion["poses"].get<std::string>())->size(), frames * bodies * 7 * 4);
+  EXPECT_EQ(motion["feet"].size(), 4U);
+  EXPECT_FALSE(motion["predicted"].get<bool>());
+  EXPECT_FALSE(motion["faults"].empty()) << "as it is built the puppy cannot walk sideways";
+}
+
+TEST_F(EditingTest, AnEditIsDrawnAndSolvedAndUndone) {
+  (void)browser_.settled();
+  EXPECT_EQ(command({{"do", "edit"}, {"values", {{kThigh, 0.061}}}})["status"], 200);
+  const Json moved = browser_.settled();
+  EXPECT_EQ(value(moved), 0.061);
+  EXPECT_TRUE(moved["can_undo"].get<bool>());
+  EXPECT_EQ(command({{"do", "undo"}})["status"], 200);
+  EXPECT_EQ(value(browser_.settled()), 0.06);
+  const Json refused = command({{"do", "edit"}, {"values", {{kThigh, 9.0}}}});
+  EXPECT_EQ(refused["status"], 400);
+  EXPECT_NE(refused["error"]["message"].get<std::string>().find("its bounds"), std::string::npos);
+  EXPECT_EQ(refused["error"]["where"], kThigh);
+}
+
+TEST_F(EditingTest, UndoAndEditsInterruptASearch) {
+  (void)browser_.settled();
+  command({{"do", "edit"}, {"values", {{kThigh, 0.061}}}});
+  command({{"do", "start"}});
+  const Json point = browser_.next("point", [](const Json& p) { return !p["changed"].empty(); });
+  ASSERT_FALSE(point.is_null());
+  EXPECT_GT(point["iteration"].get<int>(), 0);
+  EXPECT_EQ(command({{"do", "undo"}})["status"], 200);  // the search
+  EXPECT_EQ(value(browser_.settled()), 0.061);
+  command({{"do", "start"}});
+  command({{"do", "edit"}, {"values", {{kThigh, 0.062}}}});
+  EXPECT_EQ(value(browser_.settled()), 0.062);
+}
+
+TEST_F(EditingTest, ABrowserThatComesBackIsAtThePresent) {
+  (void)browser_.settled();
+  command({{"do", "edit"}, {"values", {{kThigh, 0.064}}}});
+  (void)browser_.settled();
+  Browser second(studio_.server->url());
+  EXPECT_EQ(value(second.settled()), 0.064);
+  EXPECT_EQ(second.post("/api/command", {{"do", "undo"}})["status"], 200);
+  EXPECT_EQ(value(second.settled()), 0.06);
+  EXPECT_EQ(value(browser_.settled()), 0.06) << "the first one follows";
+}
+
+TEST_F(EditingTest, TasksChangeByTheirKeys) {
+  const Json before = browser_.get("/api/document");
+  const auto change = [&](Json changes) {
+    return browser_.post("/api/task", {{"task", 0}, {"changes", std::move(changes)}});
+  };
+  EXPECT_EQ(
+      change({{"travel", {{"velocity", {0.05, 0.0}}}}, {"gait", {{"period", 0.8}}}})["status"],
+      200);
+  EXPECT_EQ(change({{"payload", {{"mass", 0.5}}}})["status"], 200);
+  Json task = browser_.get("/api/document")["tasks"][0];
+  EXPECT_EQ(task["velocity"], Json::array({0.05, 0.0}));
+  EXPECT_EQ(task["period"], 0.8);
+  EXPECT_EQ(task["payload"], 0.5);
+  const Json motion = browser_.next("motion", [](const Json& m) { return !m["extra"].empty(); });
+  EXPECT_EQ(motion["extra"][0]["name"], "payload");
+  EXPECT_EQ(change({{"payload", nullptr}})["status"], 200);
+  EXPECT_EQ(browser_.get("/api/document")["tasks"][0]["payload"], nullptr);
+  const Json refused = change({{"gait", {{"perriod", 0.8}}}});
+  EXPECT_EQ(refused["status"], 400);
+  EXPECT_NE(refused["error"]["message"].get<std::string>().find("period"), std::string::npos);
+  EXPECT_GT(browser_.settled()["document"].get<int>(), before["document"].get<int>());
+}
+
+TEST_F(EditingTest, FootfallsComeBackAsTheyWereDrawn) {
+  const Json cells = browser_.get("/api/document")["tasks"][0]["footfalls"];
+  const auto knots = cells[0]["cells"].size();
+  Json touchdown, duty;
+  std::size_t first = 3;
+  for (const Json& row : cells) {  // each foot stands for 15 knots, one after the other
+    touchdown[row["foot"].get<std::string>()] = static_cast<double>(first) / knots;
+    duty[row["foot"].get<std::string>()] = 15.0 / static_cast<double>(knots);
+    first += 6;
+  }
+  const Json answer = browser_.post(
+      "/api/task",
+      {{"task", 0},
+       {"changes", {{"gait", {{"name", "mine"}, {"touchdown", touchdown}, {"duty", duty}}}}}});
+  ASSERT_EQ(answer["status"], 200) << answer;
+  const Json task = browser_.get("/api/document")["tasks"][0];
+  EXPECT_EQ(task["gait_kind"], "own");
+  first = 3;
+  for (const Json& row : task["footfalls"]) {
+    for (std::size_t k = 0; k < knots; ++k)
+      EXPECT_EQ(row["cells"][k], (k + knots - first) % knots < 15 ? 1 : 0) << row["foot"] << k;
+    first = (first + 6) % knots;
+  }
+}
+
+TEST_F(EditingTest, WhatCannotBeOpenedLeavesWhatIsOpen) {
+  const std::string text = read_file(test::kSidewaysTask);
+  const auto task = studio_.folder.path() / "canter.toml";
+  std::string wrong = text;
+  wrong.replace(wrong.find("\"robot.xml\""), 11,
+                "\"" LEGWRIGHT_SOURCE_DIR "/examples/puppy/robot.xml\"");
+  wrong.replace(wrong.find("name = \"walk\""), 13, "name = \"tripod\"");
+  write_file(task, wrong);
+  const Json answer = browser_.post("/api/open", {{"path", task.string()}});
+  EXPECT_EQ(answer["status"], 400);
+  EXPECT_GT(answer["error"]["line"].get<int>(), 0);
+  EXPECT_EQ(browser_.get("/api/document")["path"], test::kSidewaysTask);
+}
+
+TEST_F(EditingTest, SnapshotsAreShownAndCompared) {
+  command({{"do", "snapshot"}, {"name", "as built"}});
+  command({{"do", "edit"}, {"values", {{kThigh, 0.07}}}});
+  const Json table = browser_.get("/api/compare?a=as%20built&b=");
+  EXPECT_EQ(table["rows"][0]["a"], 0.06);
+  EXPECT_EQ(table["rows"][0]["b"], 0.07);
+  const Json shown = browser_.get("/api/shown?name=as%20built&task=0");
+  EXPECT_EQ(shown["design"]["bodies"].size(), shown["motion"]["bodies"].get<std::size_t>());
+  EXPECT_EQ(browser_.get("/api/shown?name=nobody")["status"], 400);
+  const std::string ghost = "/api/design?values=%7B%22front_thigh_length%22%3A0.09%7D";
+  EXPECT_EQ(browser_.get(ghost)["handles"][0][0], Json::array({0.0, 0.0, -0.09}));
+  EXPECT_EQ(value(browser_.settled()), 0.07) << "a ghost changes nothing";
+}
+
+TEST_F(EditingTest, ASavedSessionIsTakenUpFromItsRun) {
+  command({{"do", "edit"}, {"values", {{kThigh, 0.066}}}});
+  (void)browser_.settled();
+  EXPECT_EQ(browser_.post("/api/save", {{"path", "runs/mine"}})["status"], 200);
+  EXPECT_EQ(browser_.post("/api/save", {{"path", "runs/mine"}})["status"], 409) << "is there";
+  command({{"do", "edit"}, {"values", {{kThigh, 0.05}}}});
+  EXPECT_EQ(browser_.post("/api/open", {{"path", "runs/mine"}})["status"], 200);
+  const Json state = browser_.settled();
+  EXPECT_EQ(value(state), 0.066);
+  EXPECT_TRUE(state["can_undo"].get<bool>());
+  const Json start = browser_.get("/api/start");
+  EXPECT_EQ(start["recent"][0]["path"], (studio_.folder.path() / "runs/mine").string());
+  ASSERT_EQ(start["unsaved"].size(), 1U) << "what came after it was saved is kept";
+  EXPECT_EQ(start["unsaved"][0]["origin"], test::kSidewaysTask);
+}
+
+TEST_F(EditingTest, PhysicsPlayTheGaitAndAPushIsFelt) {
+  browser_.post("/api/task", {{"changes", {{"travel", {{"velocity", {0.05, 0.0}}}}}}});
+  (void)browser_.settled();
+  EXPECT_EQ(browser_.post("/api/physics", {{"run", true}})["status"], 200);
+  const Json walking =
+      browser_.next("physics", [](const Json& p) { return p["time"].get<double>() > 0.5; });
+  ASSERT_FALSE(walking.is_null());
+  EXPECT_EQ(walking["fell"], nullptr);
+  double carried = 0.0;
+  for (const Json& foot : walking["feet"]) carried += foot["force"][2].get<double>();
+  EXPECT_NEAR(carried, 23.3, 12.0) << "its feet carry the puppy";
+  EXPECT_NEAR(walking["speed"].get<double>(), 1.0, 0.8);
+  const Json push{{"body", 1}, {"force", {0.0, 60.0, 30.0}}, {"point", {0.0, 0.0, 0.0}}};
+  browser_.post("/api/physics", {{"push", push}});
+  const Json fallen = browser_.next("physics", [](const Json& p) { return !p["fell"].is_null(); });
+  EXPECT_FALSE(fallen["fell"]["words"].get<std::string>().empty());
+  browser_.post("/api/physics", {{"push", nullptr}, {"reset", true}});
+  EXPECT_FALSE(
+      browser_.next("physics", [](const Json& p) { return p["fell"].is_null(); }).is_null());
+  browser_.post("/api/physics", {{"run", false}});
+  EXPECT_FALSE(browser_.next("physics", [](const Json& p) { return !p["running"]; }).is_null());
+  EXPECT_EQ(browser_.post("/api/physics", {{"gains", {0.0, 1.0}}})["status"], 400);
+  EXPECT_EQ(browser_.post("/api/physics", {{"friction", -1.0}})["status"], 400);
+}
+
+TEST(OpeningTest, ARobotWithoutParametersIsProposedAndThenOpened) {
+  OpenStudio studio;
+  Browser& browser = *studio.browser;
+  EXPECT_EQ(browser.post("/api/command", {{"do", "start"}})["status"], 400) << "nothing is open";
+  std::string plain = read_file(LEGWRIGHT_SOURCE_DIR "/examples/puppy/robot.xml");
+  plain.erase(plain.find("<custom>"), plain.find("</custom>") + 9 - plain.find("<custom>"));
+  const Json files = Json::array({{{"name", "dropped/mine.xml"}, {"base64", base64_of(plain)}}});
+  ASSERT_EQ(browser.post("/api/open", {{"files", files}})["status"], 200);
+  EXPECT_TRUE(browser.next("opened")["proposes"].get<bool>());
+  const Json found = browser.get("/api/proposal");
+  EXPECT_EQ(found["limbs"].size(), 4U);
+  ASSERT_GT(found["parameters"].size(), 10U);
+  const std::string first = found["parameters"][0]["name"], second = found["parameters"][1]["name"];
+  EXPECT_EQ(browser.post("/api/proposal", {{"parameters", {"tail"}}})["status"], 400);
+  ASSERT_EQ(browser.post("/api/proposal",
+                         {{"parameters", {first, second}}, {"path", "mine.xml"}})["status"],
+            200);
+  const Json document = browser.get("/api/document");
+  EXPECT_EQ(document["parameters"].size(), 2U);
+  EXPECT_EQ(document["tasks"][0]["gait"], "trot");
+  EXPECT_NE(read_file(studio.folder.path() / "mine.xml").find("legwright/" + first),
+            std::string::npos);
+}
+
+TEST(OpeningTest, ExamplesHavePicturesAndOpenByName) {
+  OpenStudio studio;
+  const Json start = studio.browser->get("/api/start");
+  ASSERT_GT(start["examples"].size(), 10U);
+  const Json drawn = studio.browser->get("/api/example?name=hexapod/wave");
+  EXPECT_EQ(from_base64(drawn["poses"].get<std::string>())->size(), drawn["bodies"].size() * 28);
+  EXPECT_EQ(studio.browser->post("/api/open", {{"example", "quadruped/both"}})["status"], 200);
+  EXPECT_EQ(studio.browser->get("/api/document")["tasks"].size(), 2U);
+}
+
+}  // namespace
+}  // namespace legwright

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Tests of pages that are touched, and of one that is killed; browser_test.py runs them."""
+
+import unittest
+
+from studio_browser import ROOT, Page, Server, browser
+
+
+class Apart(unittest.TestCase):
+    def setUp(self):
+        self.server = Server(str(ROOT / 'examples/puppy/sideways.toml'))
+        self.stack = browser()
+        self.browser = self.stack.__enter__()
+
+    def tearDown(self):
+        self.stack.__exit__(None, None, None)
+        self.server.close()
+
+    def test_fingers_drag_handles_and_turn_the_camera(self):
+        page = Page(self.browser, self.server.url, width=1024, height=768, touch=True)
+        page.ready()
+        before = page.value('front_foot_length')
+        at = page.handle('front_foot_length')
+        end = at['x'] + 2 * at['dx'], at['y'] + 2 * at['dy']
+        page.swipe((at['x'], at['y']), end)
+        page.settled()
+        self.assertAlmostEqual(page.value('front_foot_length'), before + 0.02, delta=0.004)
+        camera = page.js('legwrightStudio.view.stage.camera.position.toArray()')
+        box = page.page.locator('canvas').first.bounding_box()
+        left, top = box['x'] + 20, box['y'] + box['height'] / 2
+        page.swipe((left, top), (left + 150, top))
+        self.assertNotEqual(
+            camera, page.js('legwrightStudio.view.stage.camera.position.toArray()')
+        )
+        page.workspace('Simulate')
+        joystick = page.page.locator('.joystick svg')
+        joystick.scroll_into_view_if_needed()
+        box = joystick.bounding_box()
+        x, y = box['x'] + box['width'] / 2, box['y'] + box['height'] / 2
+        page.swipe((x, y), (x, y - 0.2 * box['height']))
+        page.until('legwrightStudio.store.get("document").tasks[0].velocity[0] > 0')
+        for _ in range(2):
+            page.js('legwrightStudio.command("undo")')
+        page.until('v => legwrightStudio.readParameter("front_foot_length").value === v', before)
+        self.assertEqual(page.console, [])
+        page.close()
+
+    def test_a_killed_page_leaves_the_session_as_it_was(self):
+        studio = Page(self.browser, self.server.url)
+        studio.ready()
+        before = studio.value('body_length')
+        other = Page(self.browser, self.server.url)
+        other.ready()
+        other.js('legwrightStudio.edit("body_length", legwrightStudio.readParameter('
+                 '"body_length").value + 0.01, "begin")')
+        studio.until(
+            'v => legwrightStudio.readParameter("body_length").value !== v', before
+        )
+        other.crash()  # in the middle of a drag
+        studio.settled()
+        again = Page(self.browser, self.server.url)
+        again.ready()
+        self.assertAlmostEqual(again.value('body_length'), before + 0.01, places=9)
+        again.js('legwrightStudio.command("undo")')
+        studio.until('v => legwrightStudio.readParameter("body_length").value === v', before)
+        again.close()

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program itself: what survives when it is killed, and what it does in processes of its own.
+#include <gtest/gtest.h>
+
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdlib>
+#include <thread>
+#include <vector>
+
+#include "tests/tools/studio/browser.hpp"
+#include "tools/studio/kept_sessions.hpp"
+
+namespace legwright {
+namespace {
+
+using test::Browser;
+
+/// `legwright studio …` in a process of its own.
+class RunningStudio {
+ public:
+  RunningStudio(const std::filesystem::path& folder, const std::string& path) {
+    std::array<int, 2> ends{};
+    if (::pipe(ends.data()) != 0) return;
+    child_ = ::fork();
+    if (child_ == 0) {
+      ::dup2(ends[1], STDOUT_FILENO);
+      ::close(ends[0]);
+      ::setenv("XDG_STATE_HOME", (folder / "state").c_str(), 1);
+      if (::chdir(folder.c_str()) != 0) ::_exit(1);
+      ::execl(LEGWRIGHT_PROGRAM, "legwright", "studio", path.c_str(), "--no-browser", nullptr);
+      ::_exit(127);
+    }
+    ::close(ends[1]);
+    char letter = 0;
+    while (::read(ends[0], &letter, 1) == 1 && letter != '\n') url_ += letter;
+    ::close(ends[0]);
+  }
+  ~RunningStudio() { end(SIGTERM); }
+  RunningStudio(const RunningStudio&) = delete;
+  RunningStudio& operator=(const RunningStudio&) = delete;
+
+  /// @return exit code, or minus the signal
+  int end(int signal) {
+    if (child_ <= 0) return 0;
+    ::kill(child_, signal);
+    int status = 0;
+    ::waitpid(child_, &status, 0);
+    child_ = -1;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  }
+  const std::string& url() const { return url_; }
+
+ private:
+  pid_t child_ = -1;
+  std::string url_;
+};
+
+class StudioProgramTest : public testing::Test {
+ protected:
+  test::TemporaryFolder folder_;
+  const KeptSessions kept_{folder_.path() / "state" / "legwright" / "studio"};
+};
+
+constexpr const char* kThigh = "front_thigh_length";
+
+TEST_F(StudioProgramTest, NothingOlderThanASecondIsLostWhenItIsKilled) {
+  std::vector<double> last;  // what a page was shown, a second and more before the end
+  int iterations = 0;
+  {
+    RunningStudio studio(folder_.path(), test::kSidewaysTask);
+    Browser browser(studio.url());
+    browser.post("/api/command", {{"do", "edit"}, {"values", {{kThigh, 0.061}}}});
+    browser.post("/api/command", {{"do", "snapshot"}, {"name", "mine"}});
+    (void)browser.settled();
+    browser.post("/api/command", {{"do", "start"}});
+    const Json point = browser.next("state", [](const Json& s) { return s["iterations"] >= 12; });
+    iterations = point["iterations"].get<int>();
+    last = point["s"].get<std::vector<double>>();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1000));
+    EXPECT_EQ(studio.end(SIGKILL), -SIGKILL);
+  }
+  const std::vector<KeptSession> left = kept_.left_behind();
+  ASSERT_EQ(left.size(), 1U);
+  EXPECT_EQ(left[0].origin, test::kSidewaysTask);
+  RunningStudio again(folder_.path(), left[0].folder.string());
+  Browser browser(again.url());
+  const Json state = browser.settled();
+  EXPECT_GE(state["iterations"].get<int>(), iterations);
+  EXPECT_EQ(state["names"], Json::array({"mine"}));
+  EXPECT_TRUE(state["can_undo"].get<bool>());
+  browser.post("/api/command", {{"do", "undo"}});
+  EXPECT_EQ(browser.settled()["s"][0], 0.061) << "the search is one step back";
+  EXPECT_TRUE(kept_.left_behind().empty()) << "it has been taken up";
+}
+
+TEST_F(StudioProgramTest, ARunGoesOnWhereAKilledStudioLeftIt) {
+  const std::string run = (folder_.path() / "run").string();
+  {
+    RunningStudio studio(folder_.path(), test::kSidewaysTask);
+    Browser browser(studio.url());
+    ASSERT_EQ(browser.post("/api/save", {{"path", run}})["status"], 200);
+    EXPECT_EQ(studio.end(SIGTERM), 0);
+  }
+  EXPECT_TRUE(kept_.left_behind().empty()) << "nothing was done that was not saved";
+  {
+    RunningStudio studio(folder_.path(), run);
+    Browser browser(studio.url());
+    browser.post("/api/command", {{"do", "edit"}, {"values", {{kThigh, 0.07}}}});
+    EXPECT_EQ(studio.end(SIGKILL), -SIGKILL);
+  }
+  RunningStudio again(folder_.path(), run);
+  EXPECT_EQ(Browser(again.url()).settled()["s"][0], 0.07);
+}
+
+TEST_F(StudioProgramTest, JudgesReportsAndExportsWhatStands) {
+  RunningStudio studio(folder_.path(), LEGWRIGHT_SOURCE_DIR "/examples/quadruped/crawl.toml");
+  Browser browser(studio.url());
+  (void)browser.settled();
+  ASSERT_EQ(browser.post("/api/judge", Json::object())["status"], 200);
+  EXPECT_EQ(browser.post("/api/judge", Json::object())["status"], 400) << "one at a time";
+  const Json judged = browser.next("judge", [](const Json& j) { return !j["running"]; });
+  ASSERT_TRUE(judged.contains("lines")) << judged;
+  EXPECT_GT(judged["lines"].size(), 5U);
+  EXPECT_FALSE(judged["verdict"]["words"].get<std::string>().empty());
+  ASSERT_EQ(browser.post("/api/export", {{"path", "mine"}})["status"], 200);
+  const Json exported = browser.next("job", [](const Json& j) { return !j["running"]; });
+  EXPECT_EQ(exported.value("failed", ""), "");
+  EXPECT_TRUE(std::filesystem::exists(folder_.path() / "mine" / "play.py"));
+  ASSERT_EQ(browser.post("/api/save", {{"path", "run"}})["status"], 200);
+  browser.post("/api/command", {{"do", "edit"}, {"values", {{"front_thigh_length", 0.1}}}});
+  (void)browser.settled();
+  EXPECT_EQ(browser.post("/api/report", {{"path", "run"}})["status"], 400) << "another state";
+  browser.post("/api/command", {{"do", "undo"}});
+  ASSERT_EQ(browser.post("/api/report", {{"path", "reported"}})["status"], 200);
+  const Json reported = browser.next("job", [&](const Json& j) {
+    return !j["running"] && j.value("path", "") != exported.value("path", "");
+  });
+  EXPECT_EQ(reported.value("failed", ""), "");
+  EXPECT_TRUE(std::filesystem::exists(folder_.path() / "reported" / "report.html"));
+  EXPECT_EQ(browser.post("/api/judge", Json::object())["status"], 200);
+  EXPECT_EQ(browser.remove("/api/judge")["status"], 200);
+  const Json ended = browser.next(
+      "judge", [](const Json& j) { return !j["running"] && j.value("failed", "") == "cancelled"; });
+  EXPECT_FALSE(ended.is_null());
+}
+
+}  // namespace
+}  // namespace legwright

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a shell does to the program: streams that are closed or full, readers that go away, pipes
+// and devices in the place of files, texts that nest without end.
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <cstdlib>
+#include <sstream>
+
+#include "tests/tools/verbs/program.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Process : public testing::Test, protected test::CallsInFolder {
+ protected:
+  /// The exit code of a line of shell in the folder; $LEGWRIGHT is the program.
+  int shell(const std::string& line) const {
+    const std::string command = "cd '" + folder_.path().string() + "' && LEGWRIGHT='" +
+                                LEGWRIGHT_PROGRAM + "' && TASK='" +
+                                (test::kExamples / "puppy/sideways.toml").string() +
+                                "' && FAST='--motion-only --plan-only --no-pictures' && " + line;
+    const int status = std::system(command.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+  std::string text(const std::string& name) const { return read_file(folder_.path() / name); }
+  void expect_whole_run() const {
+    EXPECT_NE(Json::parse(text("run/run.json"))["status"], "running");
+    std::istringstream lines(text("run/events.jsonl"));
+    int count = 0;
+    for (std::string line; std::getline(lines, line); ++count)
+      EXPECT_TRUE(Json::accept(line)) << line;
+    EXPECT_GE(count, 3);
+  }
+};
+
+TEST_F(Process, ClosedStreamsGetNothingIntoTheFilesOfTheRun) {
+  EXPECT_LE(shell("\"$LEGWRIGHT\" optimize \"$TASK\" $FAST -o run <&- >&- 2>&-"), 1);
+  expect_whole_run();
+}
+
+TEST_F(Process, ProgressThatNobodyReadsDoesNotEndTheRun) {
+  EXPECT_EQ(shell("{ \"$LEGWRIGHT\" optimize \"$TASK\" $FAST -o run > out; echo $? > code; } 2>&1 "
+                  "| true"),
+            0);
+  EXPECT_LE(text("code"), "1\n");
+  EXPECT_NE(text("out"), "");
+  expect_whole_run();
+}
+
+TEST_F(Process, OutputThatDoesNotGetThereIsAnError) {
+  EXPECT_EQ(shell("\"$LEGWRIGHT\" gaits > out 2> err"), 0);  // else the rest proves nothing
+  EXPECT_EQ(shell("\"$LEGWRIGHT\" gaits > /dev/full 2> err"), 3);
+  EXPECT_TRUE(test::contains(text("err"), "No space left")) << text("err");
+  EXPECT_EQ(shell("\"$LEGWRIGHT\" --help > /dev/full 2> err"), 3);
+  EXPECT_EQ(shell("{ \"$LEGWRIGHT\" check --keys; echo $? > code; } 2> err | true"), 0);
+  EXPECT_EQ(text("code"), "3\n");
+  EXPECT_EQ(text("err"), "") << "a reader that goes away has seen enough";
+}
+
+TEST_F(Process, JunitGoesIntoStdoutBesideTheVerdict) {
+  ASSERT_LE(shell("\"$LEGWRIGHT\" optimize \"$TASK\" $FAST -o run > out 2> err"), 1);
+  for (const char* to : {"> both", "| cat > both"}) {
+    SCOPED_TRACE(to);
+    EXPECT_LE(shell(std::string("\"$LEGWRIGHT\" validate run --quick --junit /dev/stdout ") + to),
+              1);
+    EXPECT_TRUE(test::contains(text("both"), "<testsuite")) << text("both");
+    EXPECT_TRUE(test::contains(text("both"), "initial design:")) << text("both");
+  }
+}
+
+TEST_F(Process, PipesDevicesAndEndlessNestingAreRefusedAtOnce) {
+  ASSERT_EQ(::mkfifo((folder_.path() / "fifo").c_str(), 0600), 0);
+  for (const char* file : {"fifo", "/dev/zero"}) {
+    const test::Outcome outcome = call({"check", file});
+    EXPECT_EQ(outcome.code, 2) << outcome.err;
+    EXPECT_TRUE(test::contains(outcome.err, "expected a regular file")) << outcome.err;
+  }
+  std::string dots = "robot = \"a.b.c\" # d.e\n\n[gait]\na";
+  for (int k = 0; k < 40000; ++k) dots += ".b";
+  write_file(folder_.path() / "deep.toml", dots + " = 1\n");
+  const test::Outcome deep = call({"check", "deep.toml"});
+  EXPECT_EQ(deep.code, 2) << deep.err;
+  EXPECT_TRUE(test::contains(deep.err, "deep.toml:4: ")) << deep.err;
+  EXPECT_TRUE(test::contains(deep.err, "more than 32 parts")) << deep.err;
+  fs::create_directories(folder_.path() / "run");
+  write_file(folder_.path() / "run/run.json", std::string(200'000, '['));
+  const test::Outcome nested = call({"report", "run"});
+  EXPECT_EQ(nested.code, 3) << nested.err;
+  EXPECT_TRUE(test::contains(nested.err, "is damaged")) << nested.err;
+}
+
+}  // namespace
+}  // namespace legwright

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/studio/kept_sessions.hpp"
+
+#include <fcntl.h>
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstdlib>
+#include <memory>
+#include <system_error>
+
+#include "tools/files/clean_text.hpp"
+#include "tools/files/io_error.hpp"
+#include "tools/run/robot_folder.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kRecentKept = 12, kSessionsKept = 20;
+
+/// Holds a folder's lock, or −1 where another process does.
+int lock_of(const fs::path& folder) {
+  const fs::path file = folder / "lock";
+  const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+  if (descriptor < 0)
+    throw std::system_error(errno, std::generic_category(), "cannot lock " + file.string());
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return descriptor;
+  ::close(descriptor);
+  return -1;
+}
+
+/// A folder of a new name that sorts by time.
+fs::path new_folder(const fs::path& above, const std::string& name) {
+  fs::create_directories(above);
+  const auto now = std::chrono::system_clock::now();
+  const std::string time =
+      fmt::format("{:%Y%m%d-%H%M%S}", fmt::localtime(std::chrono::system_clock::to_time_t(now)));
+  for (int k = 0;; ++k) {
+    fs::path path = above / fmt::format("{}-{}-{}", time, plain_name(name), k);
+    if (fs::create_directory(path)) return path;
+  }
+}
+
+}  // namespace
+
+fs::path studio_state_folder() {
+  const char* state = std::getenv("XDG_STATE_HOME");
+  if (state && *state == '/') return fs::path(state) / "legwright" / "studio";
+  const char* home = std::getenv("HOME");
+  if (!home || *home != '/')
+    throw IoError(
+        "neither XDG_STATE_HOME nor HOME names a folder; set one of them: sessions are "
+        "kept there as they go");
+  return fs::path(home) / ".local" / "state" / "legwright" / "studio";
+}
+
+SessionFolder::~SessionFolder() {
+  std::error_code ignored;
+  if (!kept_) fs::remove_all(path_, ignored);
+  ::close(lock_);
+}
+
+std::unique_ptr<SessionFolder> KeptSessions::begin(const RobotFiles& robot,
+                                                   const std::string& origin,
+                                                   const std::string& name) const {
+  const fs::path folder = new_folder(root_ / "sessions", name);
+  const int lock = lock_of(folder);
+  auto out = std::make_unique<SessionFolder>(folder, lock);
+  fs::create_directory(folder / "robot");
+  write_robot_files(folder / "robot", robot, Durability::process);
+  const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  write_json(folder / "about.json",
+             {{"schema", "legwright/studio-session"},
+              {"version", 1},
+              {"origin", origin},
+              {"name", name},
+              {"begun", fmt::format("{:%Y-%m-%d %H:%M}", fmt::localtime(now))}},
+             Durability::process);
+  return out;
+}
+
+std::optional<KeptSession> kept_session(const fs::path& folder) {
+  std::error_code none;
+  if (!fs::is_regular_file(folder / "about.json", none) ||
+      !fs::is_regular_file(folder / "session.jsonl", none))
+    return std::nullopt;
+  const Json about = read_json(folder / "about.json", "remove the folder");
+  return KeptSession{folder, about.value("origin", ""), about.value("name", ""),
+                     about.value("begun", "")};
+}
+
+std::vector<KeptSession> KeptSessions::left_behind() const {
+  std::vector<fs::path> folders;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(root_ / "sessions", none))
+    folders.push_back(entry.path());
+  std::sort(folders.rbegin(), folders.rend());
+  std::vector<KeptSession> out;
+  for (const fs::path& folder : folders) {
+    const auto session = kept_session(folder);
+    if (!session) continue;
+    const int lock = lock_of(folder);
+    if (lock < 0) continue;
+    if (out.size() < kSessionsKept)
+      out.push_back(*session);
+    else
+      fs::remove_all(folder, none);
+    ::close(lock);
+  }
+  return out;
+}
+
+void KeptSessions::remove(const fs::path& folder) {
+  std::error_code ignored;
+  fs::remove_all(folder, ignored);
+}
+
+fs::path KeptSessions::new_robot_folder() const { return new_folder(root_ / "robots", "dropped"); }
+
+void KeptSessions::note_recent(const fs::path& path, const std::string& words) const {
+  Json kept = Json::array({{{"path", path.string()}, {"words", words}}});
+  for (const Json& one : recent())
+    if (one["path"] != path.string() && kept.size() < kRecentKept) kept.push_back(one);
+  fs::create_directories(root_);
+  write_json(root_ / "recent.json", kept, Durability::process);
+}
+
+Json KeptSessions::recent() const {
+  Json out = Json::array();
+  std::error_code none;
+  if (!fs::is_regular_file(root_ / "recent.json", none)) return out;
+  const Json kept = Json::parse(read_file(root_ / "recent.json"), nullptr, false);
+  if (!kept.is_array()) return out;  // somebody's edit: nothing of worth is lost
+  for (const Json& one : kept)
+    if (one.is_object() && one.contains("path") && one["path"].is_string() &&
+        fs::exists(one["path"].get<std::string>(), none))
+      out.push_back({{"path", one["path"]}, {"words", one.value("words", "")}});
+  return out;
+}
+
+}  // namespace legwright

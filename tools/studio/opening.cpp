@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/studio/opening.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "mjcf/text/input_error.hpp"
+#include "tools/files/io_error.hpp"
+#include "tools/run/result_folder.hpp"
+#include "tools/run/run_record.hpp"
+#include "tools/session/journal.hpp"
+#include "tools/studio/kept_sessions.hpp"
+#include "tools/task/starter_task.hpp"
+#include "tools/task/task_file.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+Opening open_task(const fs::path& file, const AllowedPaths& paths) {
+  const TaskSet set = read_task_set(file);
+  Opening out;
+  out.origin = out.file = file;
+  out.text = set.text;
+  out.robot = read_robot(paths.to_read(set.robot.string()));
+  return out;
+}
+
+Opening open_robot_file(const fs::path& file) {
+  RobotModel robot = read_robot(file);
+  if (robot.space.size() > 0) return open_robot(std::move(robot), file);
+  Opening out;
+  out.origin = file;
+  out.proposes = true;
+  return out;
+}
+
+/// What a journal of this robot says. Throws InputError where it is another robot.
+Opening open_journal(const fs::path& journal, const fs::path& robot_file) {
+  ReadJournal read = read_journal(journal);
+  Opening out;
+  out.robot = read_robot(robot_file);
+  const SessionBegin now = begin_of(*out.robot, read.begin.text, read.begin.file);
+  if (now.robot_sha256 != read.begin.robot_sha256)
+    throw InputError(journal.string(), 1, "robot",
+                     robot_file.string() +
+                         " is another one, or has been changed, since this "
+                         "journal began; put back the one that it was");
+  out.text = std::move(read.begin.text);
+  out.file = std::move(read.begin.file);
+  out.commands = std::move(read.commands);
+  return out;
+}
+
+/// The edits that lead from the given body to a run's result.
+std::vector<SessionCommand> edits_to(const RunRecord& run) {
+  session::Edit edit;
+  for (const ParameterRecord& one : run.parameters)
+    if (one.final != one.initial && one.lower < one.upper)
+      edit.values[one.name] = std::clamp(one.final, one.lower, one.upper);
+  if (edit.values.empty()) return {};
+  return {edit};
+}
+
+Opening open_run(const fs::path& folder) {
+  const ResultFolder run = ResultFolder::open(folder);
+  const auto record = read_record_file<RunRecord>(run.run_json());
+  const fs::path robot = run.inputs() / "robot.xml", journal = run.inputs() / "session.jsonl";
+  Opening out;
+  if (fs::is_regular_file(journal)) {
+    out = open_journal(journal, robot);
+  } else {
+    out.file = run.inputs() / "task.toml";
+    out.text = read_file(out.file);
+    out.robot = read_robot(robot);
+    out.commands = edits_to(record);
+  }
+  out.origin = folder;
+  return out;
+}
+
+}  // namespace
+
+Opening open_robot(RobotModel robot, const fs::path& origin) {
+  const std::string missing = no_task_text(robot);
+  if (!missing.empty()) throw InputError(origin.string(), 0, "", missing);
+  Opening out;
+  out.origin = origin;
+  out.text = starter_text(starter_task(robot, std::nullopt), origin.filename().string());
+  out.file = origin.parent_path() / "first.toml";
+  out.robot = std::move(robot);
+  return out;
+}
+
+Opening open_path(const fs::path& path, const AllowedPaths& paths) {
+  if (fs::is_directory(path)) {
+    if (fs::is_regular_file(path / "run.json")) return open_run(path);
+    if (const auto kept = kept_session(path)) {
+      Opening out = open_journal(path / "session.jsonl", path / "robot" / "robot.xml");
+      out.origin = kept->origin.empty() ? path : fs::path(kept->origin);
+      out.taken_up = path;
+      return out;
+    }
+    throw InputError(path.string() +
+                     ": is no run and no session; open a robot's MJCF, a task file, or the folder "
+                     "of a run");
+  }
+  if (!fs::is_regular_file(path)) throw IoError(path.string() + ": no such file");
+  return path.extension() == ".toml" ? open_task(path, paths) : open_robot_file(path);
+}
+
+}  // namespace legwright

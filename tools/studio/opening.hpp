@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mjcf/read/read_robot.hpp"
+#include "tools/session/command.hpp"
+#include "tools/studio/allowed_paths.hpp"
+
+namespace legwright {
+
+/// What a path that is opened has to say.
+struct Opening {
+  std::filesystem::path origin;          // what was opened
+  std::optional<RobotModel> robot;       // none: only `proposes`
+  std::string text;                      // of the task file
+  std::filesystem::path file;            // its name, for messages
+  std::vector<SessionCommand> commands;  // that lead to where it stood
+  std::filesystem::path taken_up;        // a kept session that this goes on with
+  bool proposes = false;  // a robot that declares nothing yet: what may change is to be chosen
+};
+
+/// Reads a robot's MJCF, a task file, the folder of a run or that of a kept session. A robot alone
+/// gets a first task by its size. A run goes on from its journal, one that no session wrote from
+/// its result. Throws InputError and IoError that name what is wrong with it.
+/// @param paths what may be read
+Opening open_path(const std::filesystem::path& path, const AllowedPaths& paths);
+
+/// A robot and the first task by its size. Throws InputError where there is none for it.
+Opening open_robot(RobotModel robot, const std::filesystem::path& origin);
+
+}  // namespace legwright

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// The page: starts where the server stands, at the first page, at what is proposed for a robot, or
+// at the workspace.
+import { h } from "./dom.js";
+import { Studio } from "./studio.js";
+import { ProposalPage } from "./ui/proposal_page.js";
+import { StartPage, takeDrops } from "./ui/start_page.js";
+import { followTheme } from "./ui/theme.js";
+import { Workspace } from "./ui/workspace.js";
+
+const NOTHING_OPEN = 250; // ms after which it is clear that nothing is open
+
+const root = document.getElementById("app");
+const studio = new Studio();
+
+function begin() {
+  followTheme(() => {});
+  const start = new StartPage(studio);
+  const proposal = new ProposalPage(studio);
+  const workspace = new Workspace(studio);
+  const pages = { start, proposal, workspace };
+  root.append(
+    start.element,
+    proposal.element,
+    workspace.element,
+    studio.notices.element,
+    h("div.opening", { role: "status", aria: { live: "polite" } }, "Opening …"),
+  );
+  workspace.element.hidden = start.element.hidden = true;
+  const show = (name) => {
+    for (const [each, page] of Object.entries(pages)) page.element.hidden = each !== name;
+    document.body.dataset.page = name;
+    pages[name].load?.();
+  };
+  studio.showStart = () => show("start");
+  studio.store.on("opened", ({ path, proposes }) =>
+    show(proposes ? "proposal" : path ? "workspace" : "start"),
+  );
+  studio.store.on("opening", (on) => document.body.classList.toggle("is-opening", on));
+  takeDrops(document.body, studio);
+  studio.start();
+  studio.store.on("connected", (on) => on && setTimeout(() => beginAtStart(show), NOTHING_OPEN));
+}
+
+/** Shows the first page where nothing is open: the server tells at once of what is. */
+function beginAtStart(show) {
+  if (!studio.store.get("opened") && !document.body.dataset.page) show("start");
+}
+
+try {
+  begin();
+} catch (error) {
+  root.append(h("p.fatal", { role: "alert" }, error.message));
+  throw error;
+}
+// What tests and the benchmark look at.
+globalThis.legwrightStudio = studio;

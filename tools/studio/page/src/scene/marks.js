@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// Marks where something is wrong: a ring that faces the viewer, and its words beside it.
+import { DoubleSide, Group, Mesh, MeshBasicMaterial, RingGeometry, Vector3 } from "three";
+
+const RING = new RingGeometry(0.72, 1, 28);
+const MOST = 6; // marks at once
+
+export class Marks {
+  /** @param {HTMLElement} layer over the canvas, for the words */
+  constructor(layer) {
+    this.root = new Group();
+    this.layer = layer;
+    this.material = new MeshBasicMaterial({
+      color: 0xd8342c,
+      side: DoubleSide,
+      depthTest: false,
+      transparent: true,
+      opacity: 0.95,
+      fog: false,
+    });
+    this.labels = [];
+    this.point = new Vector3();
+    for (let i = 0; i < MOST; i++) {
+      const ring = new Mesh(RING, this.material);
+      ring.renderOrder = 8;
+      ring.visible = false;
+      this.root.add(ring);
+      const label = document.createElement("div");
+      label.className = "mark-label";
+      label.hidden = true;
+      layer.append(label);
+      this.labels.push(label);
+    }
+  }
+
+  /** @param {{at: Vector3, words: string}[]} marks in the frame of `root` */
+  show(marks, radius, camera) {
+    this.shown = marks.slice(0, MOST);
+    this.root.children.forEach((ring, i) => {
+      const mark = this.shown[i];
+      ring.visible = Boolean(mark);
+      if (!mark) return;
+      ring.position.copy(mark.at);
+      ring.scale.setScalar(radius);
+      ring.quaternion.copy(camera.quaternion);
+    });
+    this.place(camera);
+  }
+
+  /** Puts the words beside their marks, as the camera sees them. */
+  place(camera) {
+    if (!this.shown.length) {
+      for (const label of this.labels) label.hidden = true;
+      return;
+    }
+    const { clientWidth: width, clientHeight: height } = this.layer; // lays the page out
+    this.labels.forEach((label, i) => {
+      const mark = this.shown[i];
+      label.hidden = !mark?.words;
+      if (label.hidden) return;
+      const ring = this.root.children[i];
+      ring.getWorldPosition(this.point).project(camera);
+      if (label.textContent !== mark.words) label.textContent = mark.words;
+      const x = (this.point.x * 0.5 + 0.5) * width + 14;
+      const y = (0.5 - this.point.y * 0.5) * height - 22 * (i % 2) - 8;
+      label.style.transform = `translate(${x.toFixed(0)}px, ${y.toFixed(0)}px)`;
+    });
+  }
+}

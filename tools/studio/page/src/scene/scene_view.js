@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: Apache-2.0
+// A robot and its motion as a picture that can be turned, scrubbed and taken hold of. Knows nothing
+// of server or session: a report shows its data with the same code.
+import { Color, Group, Vector3 } from "three";
+import { Arrows } from "./arrows.js";
+import { sizeOf, soleFinder } from "./extent.js";
+import { Footprints } from "./footprints.js";
+import { Handles } from "./handles.js";
+import { Marks } from "./marks.js";
+import { MotionPlayer } from "./motion_player.js";
+import { RobotBody } from "./robot_body.js";
+import { Shadow } from "./shadow.js";
+import { Stage } from "./stage.js";
+
+const GHOST = new Color(0x7b8cff);
+const ARROW_SHARE = 0.55; // of the robot's size, for a force as large as its weight
+
+export class SceneView {
+  /**
+   * @param {HTMLElement} host positioned; filled by the picture
+   * @param {{meshSource?: (id: string) => Promise<import("../types.js").Mesh>}} options
+   */
+  constructor(host, { meshSource } = {}) {
+    this.stage = new Stage(host);
+    this.labels = document.createElement("div");
+    this.labels.className = "scene-labels";
+    host.append(this.labels);
+    const options = { meshSource, changed: () => this.stage.touch() };
+    this.robot = new RobotBody(options);
+    this.ghost = new RobotBody({ ...options, ghost: 0.32, tint: GHOST });
+    this.ghost.root.visible = false;
+    this.planned = new Arrows(0x1f8a70);
+    this.measured = new Arrows(0xe8871e);
+    this.pushArrow = new Arrows(0xc2185b);
+    this.footprints = new Footprints();
+    this.handles = new Handles();
+    this.marks = new Marks(this.labels);
+    this.shadow = new Shadow(this.stage.sun);
+    this.walker = new Group();
+    this.walker.add(this.robot.root, this.ghost.root, this.footprints.root, this.handles.root);
+    for (const each of [this.planned, this.measured, this.pushArrow, this.marks])
+      this.walker.add(each.root);
+    this.stage.world.add(this.walker);
+    this.stage.scene.add(this.shadow.root);
+    this.show = { forces: true, paths: true, faults: true, follow: true };
+    this.playing = true;
+    this.speed = 1;
+    this.time = 0;
+    this.live = null; // what physics says, instead of the plan
+    this.readParameter = () => ({ value: 0, lower: 0, upper: 0, locked: false });
+    this.offset = new Vector3();
+    this.stage.before.push((now) => this.advance(now));
+  }
+
+  /** @param {"light"|"dark"} theme */
+  setTheme(theme) {
+    this.shadow.setTheme(theme);
+    this.stage.setTheme(theme);
+  }
+
+  /** @param {import("../types.js").Design} design */
+  setDesign(design) {
+    this.design = design;
+    this.dress();
+    this.findSoles = null;
+    this.stage.touch();
+  }
+
+  /** @param {import("../types.js").Motion} motion that goes on in the phase of the one before */
+  setMotion(motion) {
+    const phase = this.player ? this.player.at(this.time) : { cycle: 0, phase: 0 };
+    this.player = new MotionPlayer(motion);
+    this.time = (phase.cycle + phase.phase) * this.player.period;
+    this.poses = new Float32Array(7 * this.player.bodyCount);
+    this.findSoles = null;
+    this.dress();
+    this.stage.touch();
+  }
+
+  /** Draws the body with what the task adds to it: its payload. */
+  dress() {
+    if (!this.design) return;
+    const extra = this.player?.motion.extra ?? [];
+    const { design } = this;
+    this.robot.setDesign(extra.length ? { ...design, geoms: [...design.geoms, ...extra] } : design);
+  }
+
+  /** Shows another design within this one; null takes it away. @param {?{design, motion}} other */
+  setGhost(other) {
+    this.ghost.root.visible = Boolean(other);
+    this.ghostPlayer = null;
+    if (other) {
+      this.ghost.setDesign(other.design);
+      if (other.motion) {
+        this.ghostPlayer = new MotionPlayer(other.motion);
+        this.ghostPoses = new Float32Array(7 * this.ghostPlayer.bodyCount);
+      }
+    }
+    this.pose();
+  }
+
+  /**
+   * Shows what physics says instead of the plan; null shows the plan again.
+   * @param {?{poses: Float32Array, feet: object[]}} live poses of all bodies, and of each foot where
+   * it is, its force and the planned one
+   */
+  setLive(live) {
+    this.live = live;
+    this.pose();
+  }
+
+  /** @param {number} phase of the cycle, 0 to 1 */
+  seekPhase(phase) {
+    if (!this.player) return;
+    const { cycle } = this.player.at(this.time);
+    this.seek((cycle + Math.min(Math.max(phase, 0), 0.999999)) * this.player.period);
+  }
+
+  /** @param {number} time [s] */
+  seek(time) {
+    this.time = time;
+    this.pose();
+  }
+
+  setPlaying(playing) {
+    this.playing = playing;
+    this.last = null;
+    this.onPlaying?.(playing);
+  }
+
+  phase() {
+    return this.player ? this.player.at(this.time).phase : 0;
+  }
+
+  advance(now) {
+    const passed = this.last ? Math.min((now - this.last) / 1000, 0.2) : 0;
+    if (this.playing && this.player && !this.live) {
+      this.time += passed * this.speed;
+      this.pose();
+    } else if (this.stage.dirty) this.pose();
+    this.last = now;
+  }
+
+  /** Puts everything where it is at the present time. */
+  pose() {
+    this.stage.touch();
+    if (!this.design || !(this.player || this.live)) return;
+    const poses = this.live?.poses ?? this.player.sample(this.time, this.poses);
+    this.robot.setPoses(poses);
+    if (!this.framed) this.frame();
+    this.follow(poses);
+    this.poseGhost();
+    this.drawForces(poses);
+    this.drawFeet(poses);
+    this.stage.scene.updateMatrixWorld();
+    this.shadow.follow(this.robot.meshes);
+    const { camera, host } = this.stage;
+    this.handles.update(this.robot, camera, host.clientHeight, this.size, this.readParameter);
+    this.drawFaults();
+    this.onPose?.();
+  }
+
+  /** Puts the whole robot into the picture, and sets all that goes by its size. */
+  frame() {
+    this.framed = true;
+    const { size, height } = sizeOf(this.robot);
+    this.size = size;
+    for (const each of [this.planned, this.measured, this.pushArrow]) each.thickness = size * 0.011;
+    this.stage.frameRobot(size, height);
+  }
+
+  follow(poses) {
+    if (!this.show.follow) this.offset.set(0, 0, 0);
+    else if (this.live) this.offset.set(poses[7] ?? 0, poses[8] ?? 0, 0);
+    else this.player.path(this.time, this.offset);
+    this.walker.position.copy(this.offset).negate();
+    this.stage.ground.moveTo(-this.offset.x, -this.offset.y);
+  }
+
+  poseGhost() {
+    if (!this.ghost.root.visible) return;
+    const root = this.ghost.root.position;
+    root.set(0, 0, 0);
+    if (!this.ghostPlayer) return this.ghost.setPoses(this.live?.poses ?? this.poses);
+    const { cycle, phase } = this.player?.at(this.time) ?? { cycle: 0, phase: 0 };
+    const time = (cycle + phase) * this.ghostPlayer.period;
+    this.ghost.setPoses(this.ghostPlayer.sample(time, this.ghostPoses));
+    root.copy(this.offset).sub(this.ghostPlayer.path(time, new Vector3()));
+  }
+
+  drawForces(poses) {
+    this.planned.clear();
+    this.measured.clear();
+    this.pushArrow.clear();
+    if (this.push) {
+      this.robot.place(this.push.body, this.push.at, (this.pushFrom ??= new Vector3()));
+      this.pushArrow.add(this.pushFrom, this.push.along);
+    }
+    if (!this.show.forces || !this.player) return;
+    const scale = this.forceScale();
+    const [from, along] = [new Vector3(), new Vector3()];
+    if (this.live) {
+      for (const { at, force, planned } of this.live.feet ?? []) {
+        this.measured.add(from.fromArray(at), along.fromArray(force).multiplyScalar(scale));
+        if (planned) this.planned.add(from, along.fromArray(planned).multiplyScalar(scale));
+      }
+      return;
+    }
+    this.player.feet.forEach((_, i) => {
+      this.soles()(poses, i, from);
+      this.planned.add(from, this.player.force(this.time, i, along).multiplyScalar(scale));
+    });
+  }
+
+  /** Metres of an arrow for a newton. */
+  forceScale() {
+    const { player } = this;
+    if (player.weight === undefined) {
+      let sum = 0;
+      for (let i = 2; i < player.forces.length; i += 3) sum += player.forces[i];
+      player.weight = sum / Math.max(player.frames, 1);
+    }
+    return player.weight > 0 ? (ARROW_SHARE * this.size) / player.weight : 0;
+  }
+
+  soles() {
+    if (!this.findSoles) {
+      this.findSoles = soleFinder(this.design, this.player);
+      this.footprints.setMotion(this.player, this.findSoles);
+    }
+    return this.findSoles;
+  }
+
+  drawFeet(poses) {
+    const { root } = this.footprints;
+    root.visible = Boolean(this.show.paths && this.player && !this.live);
+    if (!root.visible) return;
+    this.soles();
+    this.footprints.update(this.player, this.time, poses, this.size * 0.032);
+  }
+
+  drawFaults() {
+    const marks = [];
+    if (this.show.faults && this.player && !this.live)
+      for (const fault of this.player.faultsAt(this.time))
+        marks.push({ at: this.placeOf(fault, new Vector3()), words: fault.words });
+    this.marks.show(marks, this.size * 0.045, this.stage.camera);
+  }
+
+  /** Where a fault is drawn: at the point of a body or at the foot that it names. */
+  placeOf({ body, at, where }, out) {
+    const foot = this.player.feet.findIndex((each) => each.name === where);
+    if (foot >= 0) return this.soles()(this.poses, foot, out);
+    return this.robot.place(typeof body === "number" ? body : 1, at ?? [0, 0, 0], out);
+  }
+
+  dispose() {
+    this.stage.dispose();
+    this.labels.remove();
+  }
+}

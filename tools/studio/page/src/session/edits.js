@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// Edits of parameters on their way to the server: one at a time, the latest values win, and what is
+// under the user's hand is shown at once.
+import { command } from "./api.js";
+
+export class Edits {
+  /** @param {(error: Error) => void} failed @param {() => void} changed when a draft comes or goes */
+  constructor(failed, changed) {
+    this.failed = failed;
+    this.changed = changed;
+    this.drafts = new Map(); // values that are not in the server's state yet
+    this.waiting = new Map();
+    this.flying = false;
+    this.moving = null; // the parameters that move on as one edit
+  }
+
+  /** The value that is shown of a parameter. */
+  value(name, known) {
+    return this.drafts.get(name)?.value ?? known;
+  }
+
+  /** @param {Object<string, number>} values @param {"begin"|"drag"|"end"|"once"} phase */
+  set(values, phase = "once") {
+    const names = Object.keys(values).sort().join();
+    if (phase === "begin" || phase === "once") this.moving = null;
+    for (const [name, value] of Object.entries(values)) {
+      this.waiting.set(name, value);
+      this.drafts.set(name, { value, revision: Infinity });
+    }
+    this.next = { names, fresh: this.next?.fresh || this.moving !== names };
+    this.moving = phase === "end" || phase === "once" ? null : names;
+    this.changed();
+    this.pump();
+  }
+
+  async pump() {
+    if (this.flying || !this.waiting.size) return;
+    const values = Object.fromEntries(this.waiting);
+    const goes_on = !this.next.fresh;
+    this.waiting.clear();
+    this.next = null;
+    this.flying = true;
+    try {
+      const { revision } = await command("edit", { values, goes_on });
+      for (const [name, value] of Object.entries(values)) {
+        const draft = this.drafts.get(name);
+        if (draft?.value === value) draft.revision = revision ?? 0;
+      }
+      this.settle(this.seen ?? 0);
+    } catch (error) {
+      for (const name of Object.keys(values)) this.drafts.delete(name);
+      this.changed();
+      this.failed(error);
+    } finally {
+      this.flying = false;
+      this.pump();
+    }
+  }
+
+  /** Whether nothing is on its way. */
+  get idle() {
+    return !this.flying && !this.waiting.size;
+  }
+
+  /** Drops drafts that a state of this revision holds. */
+  settle(revision) {
+    this.seen = revision;
+    for (const [name, draft] of this.drafts)
+      if (draft.revision <= revision) this.drafts.delete(name);
+  }
+}

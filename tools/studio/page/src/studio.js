@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: Apache-2.0
+// The page's own state and what can be done to it: all panels read from here and act through here.
+import { Edits } from "./session/edits.js";
+import { ApiError, command, get, meshSource, post } from "./session/api.js";
+import { follow } from "./session/events.js";
+import { Latest } from "./session/latest.js";
+import { Store } from "./session/store.js";
+import { ask, Notices } from "./ui/dialogs.js";
+import { Selection } from "./ui/selection.js";
+
+export class Studio {
+  constructor() {
+    this.store = new Store({ connected: false });
+    this.selection = new Selection();
+    this.notices = new Notices();
+    this.motions = new Map(); // by task
+    const fail = (error) => this.fail(error);
+    this.edits = new Edits(fail, () => this.store.touch("state"));
+    this.sender = new Latest(fail);
+    this.meshSource = meshSource;
+    this.store.on("task", () => this.showMotion());
+  }
+
+  start() {
+    this.stopFollowing = follow(
+      (kind, data) => this.take(kind, data),
+      (connected) => this.store.set("connected", connected),
+    );
+  }
+
+  /** Takes an event of the server. */
+  take(kind, data) {
+    const acts = {
+      opened: () => this.opened(data),
+      state: () => this.takeState(data),
+      motion: () => {
+        this.motions.set(data.task ?? 0, data);
+        if ((data.task ?? 0) === (this.store.get("task") ?? 0)) this.store.set("motion", data);
+      },
+      notice: () => this.notices.show(data.level, data.words),
+    };
+    (acts[kind] ?? (() => this.store.set(kind, data)))();
+  }
+
+  takeState(state) {
+    this.edits.settle(state.revision);
+    this.store.set("state", state);
+    if (state.document !== undefined && state.document !== this.known) {
+      this.known = state.document;
+      this.loadDocument();
+    }
+  }
+
+  /** Something else is open: what the stream told before is of the old one, so it begins anew. */
+  async opened(opened) {
+    const session = `${opened.path} ${opened.kept}`;
+    const other = this.session !== undefined && this.session !== session;
+    this.session = session;
+    if (other) {
+      this.forget();
+      this.stopFollowing();
+      this.start();
+      return;
+    }
+    this.store.set("opened", opened);
+    if (!opened.proposes && opened.path) await this.loadDocument();
+  }
+
+  forget() {
+    this.known = undefined;
+    this.motions.clear();
+    const keys = ["opened", "state", "motion", "design", "document", "judge", "physics"];
+    for (const key of keys) this.store.values[key] = null;
+    this.store.set("paused", false);
+    this.store.set("task", 0);
+    this.selection.hovered = null;
+    this.selection.set([]);
+    this.store.touch("forgotten");
+    this.store.touch("searchCleared");
+  }
+
+  async loadDocument() {
+    if (this.loading) return (this.again = true);
+    this.loading = true;
+    try {
+      const document = await get("/api/document");
+      if ((this.store.get("task") ?? 0) >= document.tasks.length) this.store.set("task", 0);
+      this.store.set("document", document);
+      this.showMotion();
+    } catch (error) {
+      if (error.status !== 400) this.fail(error);
+    } finally {
+      this.loading = false;
+      if (this.again) {
+        this.again = false;
+        this.loadDocument();
+      }
+    }
+  }
+
+  isOpen() {
+    return Boolean(this.store.get("document"));
+  }
+
+  /** A name for files. */
+  name() {
+    return (this.store.get("document")?.name ?? "legwright").replaceAll(/\W+/g, "_");
+  }
+
+  showMotion() {
+    const motion = this.motions.get(this.store.get("task") ?? 0);
+    if (motion) this.store.set("motion", motion);
+  }
+
+  /** Index and what is known of a parameter, with what is under the user's hand. */
+  readParameter(name) {
+    const state = this.store.get("state");
+    const document = this.store.get("document");
+    const i = document?.parameters.findIndex((p) => p.name === name) ?? -1;
+    if (i < 0 || !state) return { value: 0, lower: 0, upper: 0, locked: true, gradient: null };
+    const parameter = document.parameters[i];
+    return {
+      value: this.edits.value(name, state.s[i]),
+      lower: state.lower?.[i] ?? parameter.robot_lower,
+      upper: state.upper?.[i] ?? parameter.robot_upper,
+      locked: Boolean(state.frozen?.[i]),
+      gradient: state.gradient?.[i] ?? null,
+    };
+  }
+
+  /** @param {"begin"|"drag"|"end"|"once"} phase */
+  edit(name, value, phase) {
+    if (this.store.get("state")?.phase === "searching") this.store.set("paused", true);
+    this.edits.set({ [name]: value }, phase);
+  }
+
+  lock(name, frozen) {
+    return this.command("freeze", { names: [name], frozen });
+  }
+
+  /** Gives a parameter its given value again, and keeps it there. */
+  async putBack(name, given) {
+    await this.command("edit", { values: { [name]: given }, goes_on: false });
+    await this.lock(name, true);
+  }
+
+  setBounds(name, lower, upper) {
+    if (Number.isFinite(lower) && Number.isFinite(upper))
+      this.command("bounds", { name, lower, upper });
+  }
+
+  /** Runs what may fail; a failure is told, and undefined comes back. */
+  async act(run) {
+    try {
+      return await run();
+    } catch (error) {
+      this.fail(error);
+      return undefined;
+    }
+  }
+
+  fail(error) {
+    if (error.name === "AbortError") return;
+    if (!(error instanceof ApiError)) console.error(error);
+    this.notices.show("error", error.words ?? error.message);
+  }
+
+  command(name, fields) {
+    return this.act(() => command(name, fields));
+  }
+
+  /** For what is sent often: the caller keeps one on its way. */
+  commandQuietly(name, fields) {
+    return command(name, fields);
+  }
+
+  /** Sends what `make` makes, the latest of each kind, one at a time. */
+  latest(kind, make) {
+    this.sender.send(kind, make);
+  }
+
+  setTask(task, changes) {
+    this.latest("task", () => post("/api/task", { task, changes }));
+  }
+
+  showTask(index) {
+    this.store.set("task", index);
+  }
+
+  startSearch() {
+    if (!this.store.get("paused")) this.store.touch("searchCleared");
+    this.store.set("paused", false);
+    return this.command("start");
+  }
+
+  pauseSearch() {
+    this.store.set("paused", true);
+    return this.command("pause");
+  }
+
+  stopSearch() {
+    this.store.set("paused", false);
+    return this.command("pause");
+  }
+
+  /** Opens something else, with the page dimmed while the server reads it. */
+  async open(request) {
+    this.store.set("opening", true);
+    await this.act(request);
+    this.store.set("opening", false);
+  }
+
+  async toFolder(title, action, suggestion, request) {
+    const path = await ask(title, suggestion, {
+      label: "Folder",
+      action,
+      hint: "Below the folders that the studio was started with.",
+    });
+    if (!path) return;
+    this.notices.show("info", `${action}: ${path} …`);
+    const done = await this.act(() => post(request, { path }));
+    if (done) this.notices.show("info", `Done: ${done.path ?? path}`);
+  }
+
+  save() {
+    return this.toFolder("Save as a run", "Save", `runs/${this.name()}`, "/api/save");
+  }
+
+  report() {
+    return this.toFolder(
+      "Write the report of a run",
+      "Report",
+      `runs/${this.name()}`,
+      "/api/report",
+    );
+  }
+
+  exportRobot() {
+    return this.toFolder(
+      "Export robot and gait",
+      "Export",
+      `exports/${this.name()}`,
+      "/api/export",
+    );
+  }
+
+  /** Jumps to the worst moment of a fault. */
+  showFault({ from, to }) {
+    this.view.setPlaying(false);
+    this.view.seekPhase(from <= to ? (from + to) / 2 : from);
+  }
+
+  /** Plays to a moment of the verdict. */
+  showMoment({ task, time }, gains) {
+    this.showTask(task ?? 0);
+    this.showWorkspace("simulate");
+    this.physics.playUntil(time, gains);
+  }
+}

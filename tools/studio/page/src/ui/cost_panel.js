@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the design costs now: F, what it consists of, the mass; and what is wrong, as words, each
+// with a way to the moment at which it is worst.
+import { fill, h, setText } from "../dom.js";
+import { significant } from "../units.js";
+import { atMost } from "./rate.js";
+
+const MOST_TERMS = 9;
+
+export class CostPanel {
+  constructor(studio) {
+    this.studio = studio;
+    this.F = h("strong.figure");
+    this.rest = h("span.figures");
+    this.terms = h("table.terms", { aria: { label: "What F consists of" } });
+    this.element = h(
+      "section.panel",
+      { aria: { label: "Cost" } },
+      h("h2", {}, "Cost F"),
+      h("p.headline", {}, this.F, this.rest),
+      this.terms,
+    );
+    studio.store.on("state", (state) => this.update(state));
+  }
+
+  update(state) {
+    setText(this.F, significant(state.F));
+    const parts = [
+      state.settled ? "" : "predicted",
+      state.J ? `J ${significant(state.J)}` : "",
+      Number.isFinite(state.mass) ? `${state.mass.toFixed(3)} kg` : "",
+      ...(state.task_F?.length > 1
+        ? state.task_F.map((F, i) => `${this.taskName(i)} ${significant(F, 3)}`)
+        : []),
+    ];
+    setText(this.rest, parts.filter(Boolean).join(" · "));
+    this.F.classList.toggle("pending", !state.settled);
+    const key = state.revision;
+    if (key === this.key || performance.now() - (this.at ?? 0) < 150) return this.later(state);
+    this.showTerms(state);
+  }
+
+  /** The table follows five times a second; the last state is always shown. */
+  later(state) {
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => this.showTerms(state), 200);
+  }
+
+  taskName(i) {
+    return this.studio.store.get("document")?.tasks?.[i]?.name ?? `task ${i + 1}`;
+  }
+
+  showTerms(state) {
+    this.key = state.revision;
+    this.at = performance.now();
+    const terms = [...(state.terms ?? [])].sort((a, b) => b.value - a.value);
+    const most = terms[0]?.value || 1;
+    const rows = terms.slice(0, MOST_TERMS).map(({ name, words, value }) => {
+      const bar = h("span.bar");
+      bar.style.width = `${Math.max(1, (100 * Math.max(0, value)) / most).toFixed(1)}%`;
+      return h(
+        "tr",
+        { title: name },
+        h("th", { scope: "row" }, words ?? name),
+        h("td.bar-cell", {}, bar),
+        h("td.value", {}, significant(value, 3)),
+      );
+    });
+    fill(this.terms, h("tbody", {}, rows));
+  }
+}
+
+export class FaultsPanel {
+  constructor(studio) {
+    this.studio = studio;
+    this.list = h("ul.faults");
+    this.title = h("h2", {}, "What is wrong");
+    this.element = h("section.panel", { aria: { label: "What is wrong" } }, this.title, this.list);
+    studio.store.on(
+      "motion",
+      atMost(200, (motion) => this.update(motion)),
+    );
+  }
+
+  update(motion) {
+    const faults = motion.faults ?? [];
+    const key = JSON.stringify(faults.map(({ words, from }) => [words, from]));
+    if (key === this.key) return;
+    this.key = key;
+    setText(this.title, faults.length ? `What is wrong (${faults.length})` : "What is wrong");
+    if (!faults.length)
+      return fill(this.list, h("li.good", {}, "Nothing: the plan keeps all limits."));
+    fill(
+      this.list,
+      faults.slice(0, 12).map((fault) => this.row(fault)),
+      faults.length > 12 ? h("li.more", {}, `and ${faults.length - 12} more`) : null,
+    );
+  }
+
+  row(fault) {
+    const { words, where = "" } = fault;
+    const at = words.lastIndexOf(": ");
+    const [name, amount] = at < 0 ? [words, ""] : [words.slice(0, at), words.slice(at + 2)];
+    return h(
+      "li",
+      { title: words },
+      h("strong", {}, where),
+      h("span.fault-name", {}, name.replace(`, ${where}`, "")),
+      h("span.amount", {}, amount),
+      h("button.link", { type: "button", onClick: () => this.studio.showFault(fault) }, "Show"),
+    );
+  }
+}

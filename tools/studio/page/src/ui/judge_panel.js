@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// The judge: roll-outs in the background with progress, and the verdict's lines, each with a way to
+// the moment it speaks of.
+import { fill, h, setText } from "../dom.js";
+import { post, remove } from "../session/api.js";
+
+/** The verdict of each task without its reasons, which the lines below tell. */
+const headline = (words) =>
+  words
+    .split("\n")
+    .map((line) => (line.startsWith("FAIL") ? line.split(":")[0] : line))
+    .join("\n");
+
+export class JudgePanel {
+  constructor(studio) {
+    this.studio = studio;
+    this.start = h("button.primary", { type: "button", onClick: () => this.begin() }, "Judge");
+    this.cancel = h(
+      "button",
+      { type: "button", hidden: true, onClick: () => studio.act(() => remove("/api/judge")) },
+      "Cancel",
+    );
+    this.progress = h("progress", {
+      max: 1,
+      value: 0,
+      hidden: true,
+      aria: { label: "Progress of the judge" },
+    });
+    this.title = h("h2", {}, "Verdict");
+    this.verdict = h("p.verdict", { role: "status" });
+    this.lines = h("ul.verdict-lines");
+    this.element = h(
+      "section.panel",
+      { aria: { label: "Judge" } },
+      this.title,
+      h("p.hint", {}, "Plays the gait in MuJoCo at half, default and double gains."),
+      h("div.button-row", {}, this.start, this.cancel, this.progress),
+      this.verdict,
+      this.lines,
+    );
+    studio.store.on("judge", (judge) => this.update(judge));
+    studio.store.on("state", (state) => this.markOld(state));
+  }
+
+  begin() {
+    this.studio.act(() => post("/api/judge", {}));
+  }
+
+  update({ running, words, done = 0, of = 0, lines = [], verdict, failed, revision }) {
+    this.start.disabled = Boolean(running);
+    this.cancel.hidden = this.progress.hidden = !running;
+    if (of > 0) this.progress.value = done / of;
+    else this.progress.removeAttribute("value");
+    const doing = `${words ?? "playing"}${of > 0 ? `, ${done} of ${of}` : ""} …`;
+    setText(this.verdict, running ? doing : verdict ? headline(verdict.words) : (failed ?? ""));
+    const sign = verdict?.word === "PASS" ? "good" : "bad";
+    this.verdict.className = `verdict ${running || !verdict ? "" : sign}`;
+    this.judged = verdict ? revision : undefined;
+    const failing = lines.filter((line) => !line.passed);
+    const passing = lines.filter((line) => line.passed);
+    fill(
+      this.lines,
+      [...failing, ...passing].map((line) => this.line(line)),
+    );
+  }
+
+  line({ words, passed, moment, numbers }) {
+    return h(
+      `li.${passed ? "good" : "bad"}`,
+      {},
+      h("span.sign", { aria: { hidden: "true" } }, passed ? "✓" : "✗"),
+      h("span", {}, h("span.unseen", {}, passed ? "passed: " : "failed: "), words),
+      moment
+        ? h(
+            "button.link",
+            { type: "button", onClick: () => this.studio.showMoment(moment, numbers?.gains) },
+            "Show me",
+          )
+        : null,
+    );
+  }
+
+  /** Says so where the design has changed since. */
+  markOld({ revision }) {
+    const old = this.judged !== undefined && this.judged !== revision;
+    this.element.classList.toggle("old", old);
+    this.title.textContent = old ? "Verdict of an earlier design" : "Verdict";
+  }
+}

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// Keys for everything that a pointer does, and the list of them.
+import { h } from "../dom.js";
+import { openDialog } from "./dialogs.js";
+
+const LIST = [
+  ["space", "play or pause the motion"],
+  [", .", "one frame back, on"],
+  ["ctrl z, ctrl shift z", "undo, redo"],
+  ["[ ]", "the parameter before, after"],
+  ["+ −", "change the selected parameter; with shift ten steps"],
+  ["L", "lock or unlock the selected parameter"],
+  ["escape", "select nothing"],
+  ["O", "optimise, pause, continue"],
+  ["arrows on the picture", "turn the camera; with shift zoom"],
+  ["1 2 3 4", "camera: corner, side, front, top"],
+  ["D, S", "workspace: design, simulate"],
+  ["ctrl s", "save"],
+  ["?", "this list"],
+];
+
+export function showShortcuts() {
+  const close = h("button.primary", { type: "button", onClick: () => dialog.close() }, "Close");
+  const dialog = openDialog(
+    "Keys",
+    h(
+      "table.keys",
+      {},
+      h(
+        "tbody",
+        {},
+        LIST.map(([keys, words]) =>
+          h("tr", {}, h("th", { scope: "row" }, h("kbd", {}, keys)), h("td", {}, words)),
+        ),
+      ),
+    ),
+    h("div.actions", {}, close),
+  );
+}
+
+const typing = (element) =>
+  element.matches?.("input:not([type=range]), textarea, select, dialog *") ?? false;
+
+const WAYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+
+/** Turns or zooms the camera; false where the key is for something else. */
+function moveCamera({ stage }, event) {
+  const way = WAYS[event.key];
+  if (!way || event.target !== stage.canvas) return false;
+  if (event.shiftKey) stage.zoom(way[0] + way[1] > 0 ? 0.9 : 1.11);
+  else stage.orbit(way[0] * 0.12, way[1] * 0.08);
+  return true;
+}
+
+/** What each key without ctrl does. */
+function plainKeys(studio) {
+  const { view, selection } = studio;
+  const choose = (step) => {
+    const names = studio.store.get("document").parameters.map((p) => p.name);
+    const at = names.indexOf(selection.first);
+    selection.set([names[(at + step + names.length) % names.length]]);
+  };
+  const nudge = (sign, event) =>
+    selection.first && studio.list.nudge(selection.first, sign * (event.shiftKey ? 10 : 1));
+  return {
+    " ": (event) =>
+      event.target.tagName !== "BUTTON" &&
+      event.target.tagName !== "SUMMARY" &&
+      (studio.timeline.toggle(), true),
+    ",": () => studio.timeline.stepFrame(-1),
+    ".": () => studio.timeline.stepFrame(1),
+    "[": () => choose(-1),
+    "]": () => choose(1),
+    "+": (event) => nudge(1, event),
+    "=": (event) => nudge(1, event),
+    "-": (event) => nudge(-1, event),
+    l: () =>
+      selection.first &&
+      studio.lock(selection.first, !studio.readParameter(selection.first).locked),
+    o: () => studio.searchButtons.toggle(),
+    1: () => view.stage.view("corner"),
+    2: () => view.stage.view("side"),
+    3: () => view.stage.view("front"),
+    4: () => view.stage.view("top"),
+    d: () => studio.showWorkspace("design"),
+    s: () => studio.showWorkspace("simulate"),
+    "?": () => showShortcuts(),
+    Escape: () => selection.set([]),
+  };
+}
+
+export function takeKeys(studio) {
+  const plain = plainKeys(studio);
+  addEventListener("keydown", (event) => {
+    if (event.defaultPrevented || event.altKey || document.body.dataset.page !== "workspace")
+      return;
+    if (event.ctrlKey || event.metaKey) {
+      const act = {
+        z: () => studio.command(event.shiftKey ? "redo" : "undo"),
+        y: () => studio.command("redo"),
+        s: () => studio.save(),
+      }[event.key.toLowerCase()];
+      if (!act || (typing(event.target) && event.key !== "s")) return;
+      event.preventDefault();
+      act();
+      return;
+    }
+    if (typing(event.target)) return;
+    if (moveCamera(studio.view, event)) return event.preventDefault();
+    const act = plain[event.key] ?? plain[event.key.toLowerCase()];
+    if (act && act(event) !== false) event.preventDefault();
+  });
+}

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "mjcf/read/read_robot.hpp"
+#include "tools/files/json_file.hpp"
+
+namespace legwright {
+
+/// What `legwright init` finds of a robot: {words, limbs, parameters with reasons and bounds,
+/// left_out}. Throws InputError as propose_parameters().
+Json proposal_json(const std::filesystem::path& robot);
+
+/// The robot with the proposals of these names declared in its file's text, which is not written.
+/// Throws InputError for a name that is not proposed.
+RobotModel with_proposals(const std::filesystem::path& robot,
+                          const std::vector<std::string>& names);
+
+/// Files of a robot that were sent: written into a folder. Throws InputError for names that lead
+/// out of it, and where none of them is a robot or a task file.
+/// @param files [{name, base64}] @return the one to open
+std::filesystem::path write_sent_files(const std::filesystem::path& folder, const Json& files);
+
+}  // namespace legwright

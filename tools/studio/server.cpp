@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/studio/server.hpp"
+#include "tools/files/parse_json.hpp"
+
+#include <fmt/format.h>
+#include <httplib.h>
+
+#include <atomic>
+#include <chrono>
+#include <string_view>
+#include <thread>
+#include <utility>
+
+#include "tools/files/io_error.hpp"
+#include "tools/studio/access.hpp"
+#include "tools/studio/page/page_bundle.hpp"
+
+namespace legwright {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr int kStreams = 4;   // that follow events
+constexpr int kThreads = 48;  // each connection holds one: streams, and six of each browser
+constexpr std::size_t kBody = std::size_t{1} << 20, kUpload = std::size_t{64} << 20;
+constexpr const char* kJson = "application/json";
+
+RequestOrigin origin_of(const httplib::Request& request) {
+  return {request.method,
+          request.get_header_value("Host"),
+          request.get_header_value("Origin"),
+          request.get_header_value("Sec-Fetch-Site"),
+          request.get_header_value("Cookie"),
+          request.get_header_value("Content-Type")};
+}
+
+void refuse(httplib::Response& response, int status, const std::string& words) {
+  response.status = status;
+  const Json json{{"error", {{"where", ""}, {"message", words}, {"line", 0}}}};
+  response.set_content(to_line(json), kJson);
+}
+
+std::string event_text(const StudioEvent& event) {
+  return fmt::format("event: {}\ndata: {}\n\n", event.kind, *event.json);
+}
+
+}  // namespace
+
+struct StudioServer::Parts {
+  Parts(StudioService& of, int port, const std::string& token) : studio(of) {
+    http.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
+    http.set_payload_max_length(kUpload);
+    http.set_tcp_nodelay(true);
+    http.set_keep_alive_max_count(100000);
+    bound = port == 0 ? http.bind_to_any_port("127.0.0.1")
+                      : (http.bind_to_port("127.0.0.1", port) ? port : -1);
+    if (bound < 0)
+      throw IoError(
+          fmt::format("port {} of 127.0.0.1 is taken; leave --port out, or name another", port));
+    gate = std::make_unique<AccessGate>(bound, token);
+    http.set_default_headers({{"Content-Security-Policy",
+                               "default-src 'self'; img-src 'self' blob: data:; "
+                               "frame-ancestors 'none'; base-uri 'none'; form-action 'none'"},
+                              {"X-Content-Type-Options", "nosniff"},
+                              {"Referrer-Policy", "no-referrer"},
+                              {"Cache-Control", "no-store"}});
+    route();
+    thread = std::thread([this] { http.listen_after_bind(); });
+    while (!http.is_running()) std::this_thread::sleep_for(1ms);
+  }
+
+  void route() {
+    http.Get("/", [this](const auto& request, auto& response) { front(request, response); });
+    http.Get("/api/events",
+             [this](const auto& request, auto& response) { events(request, response); });
+    http.Get(R"(/api/mesh/([0-9a-f]+))",
+             [this](const auto& request, auto& response) { mesh(request, response); });
+    http.Get(R"(/api/.*)",
+             [this](const auto& request, auto& response) { plain(request, response); });
+    http.Get(R"(/(.+))", [this](const auto& request, auto& response) { file(request, response); });
+    http.Post(R"(/.*)",
+              [this](const httplib::Request& request, httplib::Response& response,
+                     const httplib::ContentReader& reader) { post(request, response, reader); });
+    http.Delete(R"(/.*)",
+                [this](const auto& request, auto& response) { plain(request, response); });
+    const auto no_method = [](const httplib::Request&, httplib::Response& response) {
+      refuse(response, 405, "the studio knows GET, POST and DELETE");
+    };
+    http.Put(R"(/.*)", no_method);
+    http.Patch(R"(/.*)", no_method);
+    http.Options(R"(/.*)", no_method);
+  }
+
+  /// Whether the request may be answered; if not, it is refused.
+  bool let_in(const httplib::Request& request, httplib::Response& response) const {
+    const auto refusal = gate->check(origin_of(request));
+    if (refusal) refuse(response, refusal->status, refusal->words);
+    return !refusal;
+  }
+
+  void front(const httplib::Request& request, httplib::Response& response) {
+    if (request.has_param("token")) {
+      const auto refusal = gate->check_origin(origin_of(request));
+      if (refusal) return refuse(response, refusal->status, refusal->words);
+      if (!gate->token_fits(request.get_param_value("token")))
+        return refuse(response, 401, "this is no token of this studio; it has been started anew");
+      response.set_header("Set-Cookie", gate->cookie_header());
+      return response.set_redirect("/", 303);
+    }
+    send_file("index.html", request, response);
+  }
+
+  void file(const httplib::Request& request, httplib::Response& response) {
+    send_file(request.matches[1], request, response);
+  }
+
+  void send_file(const std::string& name, const httplib::Request& request,
+                 httplib::Response& response) {
+    if (!let_in(request, response)) return;
+    const auto found = page_file(name);
+    if (!found) return refuse(response, 404, name + ": the studio has no such file");
+    response.set_content(found->bytes.data(), found->bytes.size(), found->type);
+  }
+
+  void mesh(const httplib::Request& request, httplib::Response& response) {
+    if (!let_in(request, response)) return;
+    const auto found = studio.meshes().find(request.matches[1]);
+    if (!found) return refuse(response, 404, "there is no such mesh");
+    response.set_header("Cache-Control", "private, max-age=31536000, immutable");
+    response.set_content(*found, kJson);
+  }
+
+  void answer(const httplib::Request& request, httplib::Response& response, Json body) {
+    StudioRequest asked{request.method, request.path, {}, std::move(body)};
+    for (const auto& [key, value] : request.params) asked.query[key] = value;
+    const StudioReply reply = studio.answer(asked);
+    response.status = reply.status;
+    response.set_content(reply.json, kJson);
+  }
+
+  void plain(const httplib::Request& request, httplib::Response& response) {
+    if (let_in(request, response)) answer(request, response, nullptr);
+  }
+
+  // What is refused is read all the same, to its end: else the rest of it would be taken for the
+  // next request.
+  void post(const httplib::Request& request, httplib::Response& response,
+            const httplib::ContentReader& reader) {
+    const bool may = let_in(request, response);
+    const std::size_t most = request.path == "/api/open" ? kUpload : kBody;
+    std::string body;
+    std::size_t size = 0;
+    const bool whole = reader([&](const char* bytes, std::size_t count) {
+      size += count;
+      if (may && size <= most) body.append(bytes, count);
+      return true;
+    });
+    if (!whole && response.status < 400) return refuse(response, 413, "the body is too big");
+    if (!may || !whole) return;
+    if (size > most)
+      return refuse(response, 413,
+                    fmt::format("the body has {} bytes; expected at most {}", size, most));
+    Json json = parse_json(body);
+    if (json.is_discarded()) return refuse(response, 400, "the body is no JSON");
+    answer(request, response, std::move(json));
+  }
+
+  void events(const httplib::Request& request, httplib::Response& response) {
+    if (!let_in(request, response)) return;
+    if (streams.fetch_add(1) >= kStreams) {
+      streams.fetch_sub(1);
+      return refuse(response, 429,
+                    fmt::format("{} pages follow this studio already; close one", kStreams));
+    }
+    const std::uint64_t joined = studio.hub().now();
+    response.set_chunked_content_provider(
+        "text/event-stream",
+        [this, joined, last = std::uint64_t{0}](std::size_t, httplib::DataSink& sink) mutable {
+          if (studio.hub().closed()) return false;
+          const auto told = studio.hub().after(last, joined, 2000ms);
+          std::string text = told.empty() ? ": still here\n\n" : "";
+          for (const StudioEvent& event : told) {
+            text += event_text(event);
+            last = event.number;
+          }
+          return sink.write(text.data(), text.size());
+        },
+        [this](bool) { streams.fetch_sub(1); });
+  }
+
+  StudioService& studio;
+  httplib::Server http;
+  std::unique_ptr<AccessGate> gate;
+  std::atomic<int> streams = 0;
+  int bound = -1;
+  std::thread thread;
+};
+
+StudioServer::StudioServer(StudioService& studio, int port, const std::string& token)
+    : parts_(std::make_unique<Parts>(studio, port, token)) {}
+
+StudioServer::~StudioServer() { stop(); }
+
+std::string StudioServer::url() const { return parts_->gate->url(); }
+
+int StudioServer::port() const { return parts_->bound; }
+
+void StudioServer::stop() {
+  parts_->studio.hub().close();
+  parts_->http.stop();
+  if (parts_->thread.joinable()) parts_->thread.join();
+}
+
+}  // namespace legwright

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the studio does in processes of its own: judge, report, export.
+#include <fmt/format.h>
+
+#include "mjcf/text/input_error.hpp"
+#include "tools/studio/request_body.hpp"
+#include "tools/studio/studio_service.hpp"
+#include "tools/studio/verdict_lines.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A run that was saved for a piece of work alone, and goes with it.
+class PassingRun {
+ public:
+  explicit PassingRun(fs::path folder) : folder_(std::move(folder)) {}
+  ~PassingRun() {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+  }
+  PassingRun(const PassingRun&) = delete;
+  PassingRun& operator=(const PassingRun&) = delete;
+  const fs::path& folder() const { return folder_; }
+
+ private:
+  fs::path folder_;
+};
+
+}  // namespace
+
+fs::path StudioService::scratch(const std::string& name) const {
+  const std::lock_guard lock(mutex_);
+  if (!folder_) throw InputError("nothing is open; open a robot, a task file or a run first");
+  return folder_->path() / name;
+}
+
+/// Saves what stands now, plays it at three gains in a process of its own, and tells the verdict.
+Json StudioService::post_judge(const StudioRequest&) {
+  const auto space = workspace();
+  const fs::path folder = scratch("judged");
+  const std::uint64_t revision = space->session().snapshot()->revision;
+  auto record = std::make_shared<SessionRecord>(space->session().record());
+  judge_.start([this, folder, record, revision](JobRunner& job) {
+    const PassingRun run(folder);
+    job.tell({{"words", "saving"}, {"done", 0}, {"of", 0}, {"lines", Json::array()}}, true);
+    options_.save(*record, run.folder(), true);
+    job.run("playing",
+            {options_.program.string(), "validate", run.folder().string(), "--quick", "--progress"},
+            1);
+    Json told = verdict_lines(run.folder());
+    told["done"] = told["of"] = 1;
+    told["revision"] = revision;
+    job.tell(std::move(told), false);
+  });
+  return Json::object();
+}
+
+Json StudioService::delete_judge(const StudioRequest&) {
+  judge_.cancel();
+  return Json::object();
+}
+
+Json StudioService::delete_job(const StudioRequest&) {
+  jobs_.cancel();
+  return Json::object();
+}
+
+/// Saves a run, validates it and draws it, so that its report has all that reports have.
+Json StudioService::post_report(const StudioRequest& request) {
+  const auto space = workspace();
+  const fs::path path = paths_.to_write(needed<std::string>(request.body, "path"));
+  const bool saved = stands_in(path);
+  if (!saved && fs::exists(path / "run.json"))
+    throw InputError(path.string() +
+                     ": holds another state than what stands; save that there first, in its place, "
+                     "or name a new folder");
+  auto record = std::make_shared<SessionRecord>(space->session().record());
+  jobs_.start([this, path, record, saved](JobRunner& job) {
+    const std::string program = options_.program.string();
+    if (!saved) options_.save(*record, path, false);
+    job.run("playing", {program, "validate", path.string(), "--quick", "--progress"}, 1);
+    job.run("drawing", {program, "render", path.string()});
+    job.run("writing the report", {program, "report", path.string()});
+    job.tell({{"words", "written"}, {"path", (path / "report.html").string()}}, false);
+    hub_.notice("info", "The report is written: " + (path / "report.html").string());
+  });
+  return {{"path", (path / "report.html").string()}};
+}
+
+/// The robot and its gait for stock MuJoCo, in a new folder.
+Json StudioService::post_export(const StudioRequest& request) {
+  const auto space = workspace();
+  const fs::path path = paths_.to_write(needed<std::string>(request.body, "path"));
+  if (fs::exists(path)) throw InputError(path.string() + ": exists already; name a new folder");
+  const fs::path folder = scratch("exported");
+  auto record = std::make_shared<SessionRecord>(space->session().record());
+  jobs_.start([this, path, folder, record](JobRunner& job) {
+    const PassingRun run(folder);
+    options_.save(*record, run.folder(), true);
+    job.run("exporting",
+            {options_.program.string(), "export", run.folder().string(), "-o", path.string()}, 1);
+    job.tell({{"words", "written"}, {"path", path.string()}}, false);
+    hub_.notice("info", "Exported: " + path.string());
+  });
+  return {{"path", path.string()}};
+}
+
+}  // namespace legwright

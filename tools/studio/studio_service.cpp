@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/studio/studio_service.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "mjcf/text/input_error.hpp"
+#include "tools/task/problem.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The newest session that was left behind of what is opened.
+std::optional<fs::path> left_of(const KeptSessions& kept, const fs::path& origin) {
+  for (const KeptSession& session : kept.left_behind())
+    if (session.origin == origin.string()) return session.folder;
+  return std::nullopt;
+}
+
+/// Throws InputError where tasks and robot do not fit: before what is open is closed for them.
+void check_fit(const Opening& opening) {
+  TaskSet set = parse_task_tables(opening.text, opening.file);
+  set.robot = opening.robot->file;
+  (void)make_problem(std::move(set), *opening.robot);
+}
+
+}  // namespace
+
+StudioService::StudioService(StudioOptions options)
+    : options_(std::move(options)),
+      paths_(options_.roots, {options_.examples, options_.state}),
+      kept_(options_.state) {
+  fs::create_directories(options_.state);
+  paths_.allow_reading(options_.state);
+}
+
+StudioService::~StudioService() {
+  hub_.close();
+  leave();
+}
+
+void StudioService::leave() {
+  const std::lock_guard lock(mutex_);
+  if (workspace_ && folder_) {
+    const SnapshotPointer last = workspace_->session().snapshot();
+    const bool untouched = !last->can_undo && last->names.empty();
+    if (untouched || saved_ == last->state) folder_->forget();
+  }
+  workspace_.reset();
+  folder_.reset();
+  saved_.reset();
+}
+
+bool StudioService::stands_in(const fs::path& run) const {
+  const std::lock_guard lock(mutex_);
+  return saved_ && saved_at_ == run && workspace_ &&
+         saved_ == workspace_->session().snapshot()->state;
+}
+
+std::shared_ptr<Workspace> StudioService::workspace() const {
+  const std::lock_guard lock(mutex_);
+  if (!workspace_) throw InputError("nothing is open; open a robot, a task file or a run first");
+  return workspace_;
+}
+
+fs::path StudioService::proposing() const {
+  const std::lock_guard lock(mutex_);
+  if (!opened_.proposes)
+    throw InputError("nothing is proposed: no robot is open that declares no parameters");
+  return opened_.origin;
+}
+
+void StudioService::open(const std::string& path) {
+  const std::lock_guard opening_lock(opening_);
+  const fs::path asked = paths_.to_read(path);
+  const bool run = fs::is_regular_file(asked / "run.json");
+  const auto left = left_of(kept_, asked);
+  if (left && run)
+    hub_.notice("info", "This takes up what was left unsaved of " + asked.string() + ".");
+  take(open_path(left && run ? *left : asked, paths_));
+  if (left && !run)
+    hub_.notice("info", fmt::format("An unsaved session of this file is left: open {} to go on "
+                                    "with it.",
+                                    left->string()));
+}
+
+void StudioService::take(Opening opening) {
+  std::shared_ptr<Workspace> next;
+  std::unique_ptr<SessionFolder> folder;
+  if (opening.robot) {
+    check_fit(opening);
+    const RobotModel& robot = *opening.robot;
+    folder = kept_.begin(robot.files, opening.origin.string(), robot.morphology.name);
+    // The session works on the copy: the file may change while somebody works.
+    RobotModel copy = read_robot(folder->robot());
+    copy.morphology.name = robot.morphology.name;
+    leave();  // from now on nothing of what was may be told
+    hub_.forget("");
+    next =
+        std::make_shared<Workspace>(WorkspaceBegin{std::move(copy), opening.text, opening.file,
+                                                   folder->journal(), std::move(opening.commands)},
+                                    hub_, meshes_);
+    folder->keep();
+    if (!opening.taken_up.empty()) KeptSessions::remove(opening.taken_up);
+    kept_.note_recent(opening.origin, robot.morphology.name);
+    opening.robot.reset();
+  }
+  {
+    const std::lock_guard lock(mutex_);
+    workspace_ = std::move(next);
+    folder_ = std::move(folder);
+    opened_ = std::move(opening);
+  }
+  tell_opened();
+}
+
+/// The page asks for the document, or for what is proposed, once it sees this.
+void StudioService::tell_opened() {
+  const std::lock_guard lock(mutex_);
+  hub_.publish("opened", Json{{"path", opened_.origin.string()},
+                              {"proposes", opened_.proposes},
+                              {"kept", folder_ ? Json(folder_->path().string()) : Json(nullptr)}}
+                             .dump());
+}
+
+}  // namespace legwright

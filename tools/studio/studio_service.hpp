@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/run/result_folder.hpp"
+#include "tools/session/session.hpp"
+#include "tools/studio/allowed_paths.hpp"
+#include "tools/studio/event_hub.hpp"
+#include "tools/studio/job_runner.hpp"
+#include "tools/studio/kept_sessions.hpp"
+#include "tools/studio/opening.hpp"
+#include "tools/studio/workspace.hpp"
+
+namespace legwright {
+
+struct StudioOptions {
+  std::vector<std::filesystem::path> roots;  // what pages may read and write
+  std::filesystem::path state;               // of the user, where sessions are kept
+  std::filesystem::path examples;            // empty: none
+  std::filesystem::path program;  // `legwright`, for what is done in a process of its own
+  /// Writes where a session stands as a run folder; true: in the place of one that is there.
+  std::function<void(const SessionRecord&, const std::filesystem::path&, bool)> save;
+};
+
+/// A request to the studio, whoever sent it.
+struct StudioRequest {
+  std::string method, path;                  // "POST", "/api/command"
+  std::map<std::string, std::string> query;  // each key once
+  Json body = nullptr;
+};
+
+struct StudioReply {
+  int status = 200;
+  std::string json;
+};
+
+/// The studio without its server: what is open, and an answer to each request. Any thread may call.
+class StudioService {
+ public:
+  /// Throws IoError where a root or the state folder cannot be used.
+  explicit StudioService(StudioOptions options);
+  ~StudioService();
+  StudioService(const StudioService&) = delete;
+  StudioService& operator=(const StudioService&) = delete;
+
+  /// Opens a robot, a task file, a run or a kept session in the place of what is open. Throws as
+  /// open_path().
+  void open(const std::string& path);
+  /// Every error is a reply.
+  StudioReply answer(const StudioRequest& request);
+  EventHub& hub() { return hub_; }
+  const MeshStore& meshes() const { return meshes_; }
+  /// What is open. Throws InputError where nothing is.
+  std::shared_ptr<Workspace> workspace() const;
+
+ private:
+  using Answer = Json (StudioService::*)(const StudioRequest&);
+  static const std::map<std::string, Answer>& answers();
+
+  Json get_start(const StudioRequest& request);
+  Json get_document(const StudioRequest& request);
+  Json get_design(const StudioRequest& request);
+  Json get_motion(const StudioRequest& request);
+  Json get_compare(const StudioRequest& request);
+  Json post_open(const StudioRequest& request);
+  Json post_command(const StudioRequest& request);
+  Json post_tasks(const StudioRequest& request);
+  Json post_save(const StudioRequest& request);
+  Json get_shown(const StudioRequest& request);
+  Json get_example(const StudioRequest& request);
+  Json get_proposal(const StudioRequest& request);
+  Json post_proposal(const StudioRequest& request);
+  Json post_task(const StudioRequest& request);
+  Json post_physics(const StudioRequest& request);
+  Json post_judge(const StudioRequest& request);
+  Json delete_judge(const StudioRequest& request);
+  Json delete_job(const StudioRequest& request);
+  Json post_report(const StudioRequest& request);
+  Json post_export(const StudioRequest& request);
+
+  void take(Opening opening);
+  /// The robot for which parameters are proposed. Throws InputError where there is none.
+  std::filesystem::path proposing() const;
+  /// Whether the run in a folder is what stands: saved from here, and nothing changed since.
+  bool stands_in(const std::filesystem::path& run) const;
+  /// A folder in that of the session.
+  std::filesystem::path scratch(const std::string& name) const;
+  void tell_opened();
+  /// Closes what is open. A session whose state was saved, or in which nothing was done, need not
+  /// be kept.
+  void leave();
+
+  StudioOptions options_;
+  AllowedPaths paths_;
+  KeptSessions kept_;
+  EventHub hub_;
+  MeshStore meshes_;
+  std::mutex opening_;  // one at a time
+  mutable std::mutex mutex_;
+  std::shared_ptr<Workspace> workspace_;  // by mutex_, with what follows
+  std::unique_ptr<SessionFolder> folder_;
+  Opening opened_;
+  StatePointer saved_;              // what was saved last
+  std::filesystem::path saved_at_;  // the run that holds it
+  JobRunner judge_{hub_, "judge"}, jobs_{hub_, "job"};
+};
+
+}  // namespace legwright

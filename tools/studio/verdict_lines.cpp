@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/studio/verdict_lines.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <vector>
+
+#include "tools/run/metrics_record.hpp"
+#include "tools/run/task_folders.hpp"
+#include "tools/run/verdict_record.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string value_words(const LimitRow& row) {
+  const std::string unit = row.unit == "1" || row.unit.empty() ? "" : " " + row.unit;
+  std::string words = row.what + ": " +
+                      (row.value ? fmt::format("{:.3g}{}", *row.value, unit)
+                                 : std::string("could not be measured"));
+  if (!row.where.empty()) words += " at " + row.where;
+  if (row.low && row.high)
+    return words + fmt::format(" ({:.3g} to {:.3g} passes)", *row.low, *row.high);
+  if (row.high) return words + fmt::format(" (at most {:.3g})", *row.high);
+  if (row.low) return words + fmt::format(" (at least {:.3g})", *row.low);
+  return words;
+}
+
+/// When it was: the fall, the hardest touch, the first warning of those gains. None for what is
+/// measured over a whole walk.
+std::optional<double> moment_of(const LimitRow& row, const MetricsRecord& metrics) {
+  for (const auto& [gain, measured] : metrics.result) {
+    if (!row.where.empty() && row.where.find(gain) == std::string::npos) continue;
+    if (measured.fall && !row.pass) return measured.fall->time;
+    if (row.name.starts_with("self_contact") && measured.self_contact.count > 0)
+      return measured.self_contact.force_time;
+    if (row.name.find("warning") != std::string::npos && !measured.warnings.empty())
+      return measured.warnings.front().time;
+  }
+  return std::nullopt;
+}
+
+void add_lines(const fs::path& folder, int task, const std::string& name, Json& lines,
+               std::string& words) {
+  const auto verdict = read_record_file<VerdictRecord>(folder / "result" / "verdict.json");
+  const auto metrics = read_metrics(folder / "result" / "metrics.json");
+  words += (words.empty() ? "" : "\n") + verdict.result.line;
+  for (const LimitRow& row : verdict.result.limits) {
+    const auto moment = metrics ? moment_of(row, *metrics) : std::nullopt;
+    lines.push_back({{"words", (name.empty() ? "" : name + ": ") + value_words(row)},
+                     {"name", row.name},
+                     {"passed", row.pass},
+                     {"numbers",
+                      {{"value", or_null(row.value)},
+                       {"low", or_null(row.low)},
+                       {"high", or_null(row.high)},
+                       {"unit", row.unit},
+                       {"gains", row.where}}},
+                     {"moment", moment ? Json{{"task", task}, {"time", *moment}} : Json(nullptr)}});
+  }
+}
+
+}  // namespace
+
+Json verdict_lines(const fs::path& run) {
+  Json lines = Json::array();
+  std::string words;
+  const std::vector<TaskFolder> tasks = task_folders_of(run);
+  if (tasks.empty()) add_lines(run, 0, "", lines, words);
+  for (std::size_t k = 0; k < tasks.size(); ++k)
+    add_lines(run / tasks[k].relative, static_cast<int>(k), tasks[k].name, lines, words);
+  bool pass = true;
+  for (const Json& line : lines) pass = pass && line["passed"].get<bool>();
+  return {{"lines", lines}, {"verdict", {{"word", pass ? "PASS" : "FAIL"}, {"words", words}}}};
+}
+
+}  // namespace legwright
