@@ -34,7 +34,7 @@ std::vector<std::string> declarations(const std::vector<Proposal>& proposals,
   return out;
 }
 
-std::string without_last(std::string text, const std::string& end) {
+std::string without_last(const std::string& text, const std::string& end) {
   return text.substr(0, text.size() - end.size());
 }
 
@@ -75,7 +75,7 @@ std::string with_lines_in_section(const std::string& text, const std::filesystem
   const auto xml = load_xml(text, file);
   const std::string end = line_end(text), indent = "    ";
   std::string all;
-  for (const std::string& line : lines) all += indent + line + end;
+  for (const std::string& line : lines) all.append(indent).append(line).append(end);
   std::string out = xml->text;
   if (const std::size_t at = inside_section(*xml, section); at != std::string::npos)
     return out.insert(at, end + without_last(all, end));
@@ -92,6 +92,20 @@ std::string with_declarations(const std::string& text, const std::filesystem::pa
                               const std::vector<Proposal>& proposals) {
   if (proposals.empty()) return text;
   return with_lines_in_section(text, file, "custom", declarations(proposals, line_end(text)));
+}
+
+std::string with_named_bodies(const std::string& text, const std::filesystem::path& file,
+                              const std::set<std::string>& joints) {
+  const auto xml = load_xml(text, file);
+  TextEdits edits(*xml);
+  for (const std::string& name : joints) {
+    const XmlElement* const joint = find_named(xml->root(), "joint", name);
+    const XmlElement* const body = joint ? joint->Parent()->ToElement() : nullptr;
+    if (!body || !is_tag(*body, "body") || has_attribute(*body, "name")) continue;
+    const bool free = !find_named(xml->root(), "body", name);
+    edits.set(*body, "name", free ? name : name + "_body");
+  }
+  return edits.apply();
 }
 
 }  // namespace legwright

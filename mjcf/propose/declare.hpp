@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,11 @@ namespace legwright {
 /// is no MJCF.
 std::string with_declarations(const std::string& xml, const std::filesystem::path& file,
                               const std::vector<Proposal>& proposals);
+
+/// The text with a name for each unnamed body that directly holds one of these joints: the joint's,
+/// with "_body" behind it where a body has that already. Bodies in included files stay unnamed.
+std::string with_named_bodies(const std::string& xml, const std::filesystem::path& file,
+                              const std::set<std::string>& joints);
 
 /// The text with lines in a section of that name under its root, which is made where there is none
 /// or where it is empty; else as above. @param lines without their indent and line ends

@@ -3,16 +3,18 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <set>
 
 #include "mjcf/propose/home_stance_check.hpp"
+#include "mjcf/propose/nearly_mirrored.hpp"
 #include "mjcf/propose/proposal_trial.hpp"
+#include "mjcf/propose/side_words.hpp"
 #include "mjcf/read/checks.hpp"
 #include "mjcf/read/mirror.hpp"
+#include "mjcf/read/moving_parts.hpp"
 #include "mjcf/read/stretch.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/input_error.hpp"
@@ -35,42 +37,13 @@ constexpr double kNarrowerGirdle = 0.75, kWiderGirdle = 1.5;
 constexpr double kTurn = 1.0, kTurnOfAble = 0.25;
 constexpr double kOneDirection = 0.966;  // cosine of 15 degrees
 constexpr double kShortestLink = 0.02;   // [m]: shorter ones are offsets, not legs
+constexpr double kSameLength = 1e-6;     // [m]: what differs by so much was rounded
+constexpr double kMirroredAlike = 0.05;  // of a link: so much left and right may differ and be tied
 constexpr double kAcross =
     0.7;  // cosine: turning an axis about a direction nearer to it does little
 constexpr double kLargestBall = 0.5;      // radius of a foot over the length of its link
 constexpr double kAttachmentShare = 0.3;  // of its distance from the hinge, either way
 constexpr double kShortestMove = 0.01;    // [m]
-
-bool is_side_word(const std::string& word) {
-  static const std::set<std::string> words{
-      "fl",   "fr",     "hl",  "hr", "rl", "rr",   "lf",    "rf",    "lh",   "rh",
-      "lr",   "l",      "r",   "f",  "h",  "left", "right", "front", "hind", "rear",
-      "back", "middle", "mid", "lm", "rm", "ml",   "mr",    "fore"};
-  return words.count(word) > 0;
-}
-
-/// "FL_thigh" and "thigh_front_left" are both a thigh. Empty where nothing is left.
-std::string without_side(const std::string& name) {
-  std::string out, word;
-  const auto end_word = [&] {
-    std::string low = word;
-    std::transform(low.begin(), low.end(), low.begin(), [](unsigned char c) {
-      return static_cast<char>(c < 128 ? std::tolower(c) : c);
-    });
-    while (!low.empty() && low.back() >= '0' && low.back() <= '9') low.pop_back();
-    if (!word.empty() && !is_side_word(low) && !low.empty()) out += (out.empty() ? "" : "_") + word;
-    word.clear();
-  };
-  for (const char c : name) {
-    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-    if (letter)
-      word += c;
-    else
-      end_word();
-  }
-  end_word();
-  return out;
-}
 
 /// Collects proposals and tries each on the file itself.
 class ProposalBuilder {
@@ -88,6 +61,7 @@ class ProposalBuilder {
 
   ProposedParameters run() {
     out_.not_standing = why_not_standing(*xml_, *compiled_, out_.model.structure);
+    out_.remarks = nearly_mirrored(out_.model, out_.limbs);
     add_shared();
     for (const Limb& limb : out_.limbs) add_lengths(limb);
     for (const Limb& limb : out_.limbs) add_axes(limb);
@@ -120,24 +94,38 @@ class ProposalBuilder {
     const std::string where = place(limb);
     return (where.empty() ? "" : where + "_") + (own.empty() ? fmt::format("link{}", k + 1) : own);
   }
-  double foot_radius(const Limb& limb) const {
-    return out_.model.morphology.feet[static_cast<std::size_t>(limb.foot)].radius;
-  }
   std::string words(const Limb& limb) const {
     const std::string where = row_name(limb.row, rows_);
     if (limb.partner >= 0) return fmt::format("{}{}legs", where, where.empty() ? "" : " ");
     return "leg of " + place(limb);
   }
 
-  std::optional<double> length_of(const std::string& body, const char* direction) const {
-    const int id = mj_name2id(compiled_.get(), mjOBJ_BODY, body.c_str());
-    if (id <= 0) return std::nullopt;
+  /// The length of a body, or why it has none.
+  struct Length {
+    std::optional<double> metres;
+    std::string why_none;
+  };
+
+  Length length_of(int body, const char* direction) const {
     try {
-      return measure_stretch(*xml_, *compiled_, xml_->root(), id, direction, out_.model.structure)
-          .length;
-    } catch (const InputError&) {
-      return std::nullopt;  // it has none, or not where it could be stretched
+      return {
+          measure_stretch(*xml_, *compiled_, xml_->root(), body, direction, out_.model.structure)
+              .length,
+          ""};
+    } catch (const InputError& error) {
+      return {std::nullopt, error.message()};
     }
+  }
+
+  int joint_id(int index) const {
+    return mj_name2id(compiled_.get(), mjOBJ_JOINT, link(index).joint.name.c_str());
+  }
+  int body_id(int index) const { return compiled_->jnt_bodyid[joint_id(index)]; }
+  std::string body_name(int index) const { return name_of(*compiled_, mjOBJ_BODY, body_id(index)); }
+  /// Of several hinges on one body the last has its length.
+  bool is_whole_body(int index) const {
+    return moving_joints(*compiled_, out_.model.structure, body_id(index)).back() ==
+           joint_id(index);
   }
 
   /// Joints between the trunk and several legs, as a waist: neither left nor right.
@@ -156,49 +144,71 @@ class ProposalBuilder {
 
   void add_lengths(const Limb& limb) {
     if (!names_pair(limb)) return;
+    for (auto k = static_cast<std::size_t>(limb.shared); k < limb.links.size(); ++k)
+      if (is_whole_body(limb.links[k])) add_length(limb, k);
+  }
+
+  void add_length(const Limb& limb, std::size_t k) {
     const Limb& other = partner(limb);
-    for (auto k = static_cast<std::size_t>(limb.shared); k < limb.links.size(); ++k) {
-      const std::string body = link(limb.links[k]).name, twin = link(other.links[k]).name;
-      const std::string name = title(limb, static_cast<int>(k)) + "_length";
-      const bool last = k + 1 == limb.links.size();
-      if (last && out_.model.morphology.feet[static_cast<std::size_t>(limb.foot)].sole) {
-        leave_out(name,
-                  "the foot is flat, and stretched obliquely its sole would tilt; declare "
-                  "x, y or z by hand");
-        continue;
-      }
-      const auto length = length_of(body, "link"), twin_length = length_of(twin, "link");
-      if (!length || *length < kShortestLink) continue;
-      if (!twin_length || std::abs(*twin_length - *length) > 1e-6) {
-        leave_out(name, fmt::format("bodies '{}' and '{}' differ in length", body, twin));
-        continue;
-      }
-      if (last && foot_radius(limb) > kLargestBall * *length) {
-        leave_out(name, "the foot is a round sole, not the end of a leg of that length");
-        continue;
-      }
-      const std::string from = link(limb.links[k]).joint.name,
-                        to = last ? "the foot" : "joint " + link(limb.links[k + 1]).joint.name;
-      offer({name, *length, kShorterLink * *length, kLongerLink * *length, "m",
-             "stretch link: " + body + (limb.partner < 0 ? "" : " " + twin),
-             fmt::format("Length of the {} from joint {} to {}{}.", words(limb), from, to,
-                         limb.partner < 0 ? "" : "; left and right alike")});
+    const std::string name = title(limb, static_cast<int>(k)) + "_length";
+    const Length own = length_of(body_id(limb.links[k]), "link"),
+                 twin = length_of(body_id(other.links[k]), "link");
+    if (const std::string why = why_no_length(limb, k, own, twin); !why.empty()) {
+      leave_out(name, why);
+      return;
     }
+    const std::string from = link(limb.links[k]).joint.name,
+                      to = k + 1 == limb.links.size()
+                               ? "the foot"
+                               : "joint " + link(limb.links[k + 1]).joint.name;
+    const double length = *own.metres, factor = *twin.metres / length;
+    const bool alike = std::abs(factor - 1.0) * length <= kSameLength;
+    const std::string tied = fmt::format(" {}{}", alike ? "" : fmt::format("{:.12g}*", factor),
+                                         body_name(other.links[k]));
+    offer({name, length, kShorterLink * length, kLongerLink * length, "m",
+           "stretch link: " + body_name(limb.links[k]) + (limb.partner < 0 ? "" : tied),
+           fmt::format("Length of the {} from joint {} to {}{}.", words(limb), from, to,
+                       limb.partner < 0 ? ""
+                       : alike          ? "; left and right alike"
+                                        : "; of the left one, the right one in proportion")});
+  }
+
+  /// Why the k-th link of a limb and of its partner has no length to be changed; empty where it has.
+  std::string why_no_length(const Limb& limb, std::size_t k, const Length& own,
+                            const Length& twin) {
+    const bool last = k + 1 == limb.links.size();
+    const Limb& other = partner(limb);
+    const Foot& foot = out_.model.morphology.feet[static_cast<std::size_t>(limb.foot)];
+    if (last && foot.sole)
+      return "the foot is flat, and stretched obliquely its sole would tilt; declare x, y or z by "
+             "hand";
+    if (!own.metres || !twin.metres) return own.metres ? twin.why_none : own.why_none;
+    if (*own.metres < kShortestLink)
+      return fmt::format("is {:.3g} mm, an offset between two joints and no link",
+                         1e3 * *own.metres);
+    bool named = true;
+    for (const int index : {limb.links[k], other.links[k]})
+      if (body_name(index).empty()) {
+        out_.unnamed.insert(link(index).joint.name);
+        named = false;
+      }
+    if (!named)
+      return "its body has no name in the file, by which it could be declared; give it one";
+    if (std::abs(*twin.metres - *own.metres) > kMirroredAlike * *own.metres)
+      return fmt::format(
+          "bodies '{}' and '{}' differ in length, {:.4g} and {:.4g} m: mend the file, or declare "
+          "each by hand where it is meant",
+          body_name(limb.links[k]), body_name(other.links[k]), *own.metres, *twin.metres);
+    if (last && foot.radius > kLargestBall * *own.metres)
+      return "the foot is a round sole, not the end of a leg of that length";
+    return "";
   }
 
   /// Whether all joints of a limb turn about one direction in the home pose.
-  bool planar(const Limb& limb) const {
-    Eigen::Matrix3d frame = Eigen::Matrix3d::Identity();
-    Vector3d first = Vector3d::Zero();
-    for (const int k : limb.links) {
-      const Joint& joint = link(k).joint;
-      const Vector3d axis = joint.axis.at(s_);
-      frame *= link(k).orientation;
-      if (first.isZero()) first = frame * axis;
-      if (std::abs(first.dot(frame * axis)) < kOneDirection) return false;
-      frame *= Eigen::AngleAxisd(joint.nominal, axis).toRotationMatrix();
-    }
-    return true;
+  static bool planar(const Limb& limb) {
+    return std::all_of(limb.axes.begin(), limb.axes.end(), [&](const Vector3d& axis) {
+      return std::abs(limb.axes.front().dot(axis)) >= kOneDirection;
+    });
   }
 
   /// Why the axes of two joints cannot be tied as mirror images; empty where they can.
@@ -257,7 +267,7 @@ class ProposalBuilder {
     const double shorter = rows_ > 2 ? kShorterTrunkOfMany : kShorterTrunk;
     const double longer = rows_ > 2 ? kLongerTrunkOfMany : kLongerTrunk;
     const auto add = [&](const char* direction, const char* name, const char* what) {
-      const auto length = length_of(body, direction);
+      const auto length = length_of(out_.model.structure.trunk, direction).metres;
       if (!length || *length < kShortestLink) return;
       offer({name, *length, shorter * *length, longer * *length, "m",
              fmt::format("stretch {}: {}", direction, body), what});
@@ -276,7 +286,7 @@ class ProposalBuilder {
       limbs += compiled_->body_parentid[child] == id && compiled_->body_jntnum[child] > 0 &&
                structure.moves[static_cast<std::size_t>(compiled_->body_jntadr[child])];
     const std::string body = name_of(*compiled_, mjOBJ_BODY, id);
-    const auto length = body.empty() ? std::nullopt : length_of(body, "y");
+    const auto length = body.empty() ? std::nullopt : length_of(id, "y").metres;
     if (limbs < 2 || !length || *length < kShortestLink) return;
     offer({body + "_width", *length, kNarrowerGirdle * *length, kWiderGirdle * *length, "m",
            "stretch y: " + body, "Distance from the left to the right hips on body " + body + "."});

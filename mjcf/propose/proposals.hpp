@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,9 @@ struct ProposedParameters {
   std::vector<Limb> limbs;
   std::vector<Proposal> proposals;    // each and all of them together are accepted by parse_robot
   std::vector<std::string> left_out;  // "front_thigh_length: why", one each
+  std::vector<std::string> remarks;   // what may be a mistake in the file
   std::string not_standing;           // why the home pose is none to walk from; empty where it is
+  std::set<std::string> unnamed;      // joints of links that lack but a name of their body
 };
 
 /// Reads a robot and proposes its design parameters: length of each link of a leg, left and right

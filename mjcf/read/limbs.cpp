@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kMirroredAlike = 0.01;  // of the leg length: mirrored feet may differ by so much
+constexpr double kMirroredAlike = 0.03;  // of the leg length: mirrored feet may differ by so much
 constexpr double kRowShare = 0.2;  // of the feet's longer spread: closer along x, they share a row
 constexpr double kNearAxis = 0.966;  // cosine of 15 degrees
 
@@ -39,6 +39,7 @@ std::vector<Limb> find_limbs(const Morphology& morphology, const VectorXd& s) {
   const GeometryAtDesign geometry(morphology, s);
   const PoseKinematics home = home_pose(morphology, geometry);
   std::vector<Vector3d> feet;
+  feet.reserve(static_cast<std::size_t>(morphology.foot_count()));
   for (int foot = 0; foot < morphology.foot_count(); ++foot)
     feet.push_back(foot_place(morphology, geometry, home, foot));
   double spread = 0.0;  // the longer one, as footfall_order() has it

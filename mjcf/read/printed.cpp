@@ -92,15 +92,13 @@ class Printer {
     add_part(solid, 8.0 * solid.size.prod(), solid.centre, Vector3d::Zero(), solid.size, grows);
   }
 
-  void add_rod(const Solid& solid) {
+  void add_rod(Solid solid) {
     const double r = solid.size[0], h = solid.size[1];
     const Vector3d axis = solid.axes.col(2);
     if (solid.from_to) along(solid, axis, true);  // for its check
     const bool grows =
         growing_axes(solid.type, {r, r, h}, solid.axes, solid.from_to, stretches_)[2] != nullptr;
-    // Its density would change, and with it the share of its round ends.
-    refuse_if(grows && solid.mass_given && solid.type == mjGEOM_CAPSULE, solid,
-              "a mass of its own for a capsule that grows; give its density");
+    if (solid.type == mjGEOM_CAPSULE && grows) solid.mass_given = false;  // its density is kept
     add_part(solid, std::numbers::pi * r * r * 2 * h, solid.centre, Vector3d::Zero(),
              {std::sqrt(0.75) * r, std::sqrt(0.75) * r, h}, {false, false, grows});
     if (solid.type == mjGEOM_CYLINDER) return;

@@ -16,6 +16,7 @@
 #include "mjcf/text/elements.hpp"
 #include "mjcf/text/numbers.hpp"
 #include "mjcf/text/text_edits.hpp"
+#include "mjcf/write/capsule_masses.hpp"
 #include "mjcf/write/keyframes.hpp"
 #include "mjcf/write/mesh_scales.hpp"
 #include "mjcf/write/verify.hpp"
@@ -274,7 +275,7 @@ std::string difference_from_intent(const RobotModel& robot, const VectorXd& s,
   try {
     const RobotModel written = parse_robot(text, robot.file, &robot.structure);
     if (written.space.size() != s.size() || written.space.initial() != s) return "declared values";
-    const std::string difference = find_difference(robot.morphology, s, written.morphology, s);
+    std::string difference = find_difference(robot.morphology, s, written.morphology, s);
     if (!difference.empty() || keys.empty()) return difference;
     return find_lifted_foot(written.structure, keys, *load_xml(text, robot.file),
                             *compile_mjcf(text, robot.file));
@@ -304,6 +305,7 @@ std::string rewrite_robot(const RobotModel& robot, const VectorXd& design) {
         .run();
   write_places(robot, *xml, all, places, s, edits);
   write_mesh_scales(*xml, *model, elements, all, rigid, s, edits);
+  write_capsule_masses(*xml, *model, elements, all, s, edits);
   // A pose that the robot's reader would refuse is given up; the design itself never is.
   std::string first;
   for (const KeyframeEffort effort :

@@ -38,6 +38,20 @@ std::string pose_text(const StudiedRobot& robot, bool writes) {
              : "         --write adds it as keyframe 'legwright'\n");
 }
 
+/// Bodies that got a name, by which their lengths are declared.
+std::string names_text(const StudiedRobot& robot, bool writes) {
+  if (robot.named.empty()) return "";
+  return fmt::format("named    the bodies of the joints {}, which {} none, after {}\n",
+                     fmt::join(robot.named, ", "), writes ? "had" : "have",
+                     writes ? "them" : "them (--write does)");
+}
+
+std::string remarks_text(const ProposedParameters& found) {
+  std::string text;
+  for (const std::string& remark : found.remarks) text += "note     " + remark + "\n";
+  return text;
+}
+
 Json to_json(const StudiedRobot& robot, const std::string& written, const std::string& task) {
   const ProposedParameters& found = robot.found;
   const Morphology& morphology = found.model.morphology;
@@ -81,6 +95,8 @@ Json to_json(const StudiedRobot& robot, const std::string& written, const std::s
           {"declared", declared},
           {"proposals", proposals},
           {"left_out", found.left_out},
+          {"named_bodies", robot.named},
+          {"remarks", found.remarks},
           {"written", written.empty() ? Json(nullptr) : Json(written)},
           {"task", task.empty() ? Json(nullptr) : Json(task)}};
 }
@@ -174,7 +190,8 @@ int init(const InitOptions& options) {
     fmt::print("{}", to_text(to_json(robot, written, written_task)));
     return code;
   }
-  fmt::print("{}", terminal_text(pose_text(robot, writes)));
+  fmt::print("{}", terminal_text(pose_text(robot, writes) + names_text(robot, writes) +
+                                 remarks_text(found)));
   fmt::print("{}", terminal_text(writes ? robot_summary(found)
                                         : robot_tree(found) + proposal_table(found) + "\n"));
   if (writes)

@@ -34,7 +34,13 @@ StudiedRobot study_robot(const fs::path& file) {
   if (pose) files = RobotFiles::from_text(with_keyframe(text, file, *pose), file);
   ProposedParameters found =
       files.at_their_lines([&] { return propose_parameters(files.text(), file); });
-  return {std::move(files), std::move(found), std::move(pose), std::move(text)};
+  std::set<std::string> named = found.unnamed;
+  if (!named.empty()) {
+    files = RobotFiles::from_text(with_named_bodies(files.main_text(), file, named), file);
+    found = files.at_their_lines([&] { return propose_parameters(files.text(), file); });
+    for (const std::string& still : found.unnamed) named.erase(still);
+  }
+  return {std::move(files), std::move(found), std::move(pose), std::move(text), std::move(named)};
 }
 
 /// Other files are named by paths from the main file's folder.

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "mjcf/propose/proposals.hpp"
@@ -13,10 +14,11 @@ namespace legwright {
 
 /// A robot as `legwright init` studies it: its files, and what a designer may change in it.
 struct StudiedRobot {
-  RobotFiles files;  // with the keyframe of `pose`
+  RobotFiles files;  // with the keyframe of `pose` and the names of `named`
   ProposedParameters found;
   std::optional<StandingPose> pose;  // found for it; nothing where its home pose is one
   std::string text;                  // of the main file as it was read
+  std::set<std::string> named;       // joints whose bodies had no name
 };
 
 /// Throws InputError as parse_robot() does, and for a task file in the place of its robot.

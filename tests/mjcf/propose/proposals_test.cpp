@@ -87,6 +87,55 @@ TEST(StudyRobot, TiesNothingThatIsNoMirrorImage) {
   for (const Proposal& proposal : found.proposals)
     EXPECT_TRUE(proposal.binding.find("FL_shank FR_shank") == std::string::npos)
         << proposal.binding;
+  ASSERT_EQ(found.remarks.size(), 1u);  // that is rather a mistake
+  EXPECT_TRUE(test::holds(found.remarks[0], "feet 'FL' and 'FR' would be mirror images"))
+      << found.remarks[0];
+  EXPECT_TRUE(study(bare(example_robot("quadruped"))).remarks.empty());
+}
+
+TEST(StudyRobot, TiesWhatTheFileDrawsAFewMillimetresApart) {
+  const std::string xml =
+      test::with(bare(example_robot("quadruped")), "class=\"foot\" pos=\"0 0 -0.1\"",
+                 "class=\"foot\" pos=\"0 0 -0.103\"");
+  const ProposedParameters found = study(xml);
+  const Proposal& length = proposal_named(found, "front_shank_length");
+  EXPECT_EQ(length.binding, "stretch link: FL_shank 0.970873786408*FR_shank");
+  EXPECT_NEAR(length.value, 0.103, 1e-9);
+  const RobotModel robot = parse_robot(with_declarations(xml, "r.xml", found.proposals), "r.xml");
+  Eigen::VectorXd s = robot.space.initial();
+  for (int k = 0; k < robot.space.size(); ++k)
+    if (robot.space.parameters[static_cast<std::size_t>(k)].name == "front_shank_length")
+      s[k] = 0.1236;  // a fifth longer, both
+  const std::string text = rewrite_robot(robot, s);
+  EXPECT_TRUE(test::holds(text, "-0.1236\"")) << text;
+  EXPECT_TRUE(test::holds(text, "-0.12\"")) << text;
+}
+
+TEST(StudyRobot, ALengthOfAnUnnamedBodyNeedsItsName) {
+  std::string xml = bare(example_robot("puppy"));
+  for (const char* name : {" name=\"FL_thigh\"", " name=\"FR_thigh\""}) {
+    const std::size_t at = xml.find(name);
+    ASSERT_NE(at, std::string::npos);
+    xml.erase(at, std::string(name).size());
+  }
+  const ProposedParameters found = study(xml);
+  EXPECT_EQ(found.unnamed, (std::set<std::string>{"FL_hip", "FR_hip"}));
+  const std::string named = with_named_bodies(xml, "r.xml", found.unnamed);
+  const ProposedParameters again = study(named);
+  EXPECT_TRUE(again.unnamed.empty());
+  EXPECT_EQ(again.proposals.size(), study(bare(example_robot("puppy"))).proposals.size());
+  EXPECT_TRUE(test::holds(named, "name=\"FL_hip\""));
+}
+
+TEST(StudyRobot, AnOffsetBetweenJointsIsNoLink) {
+  const std::string xml =
+      test::with(bare(example_robot("puppy")), "name=\"FL_shank\" pos=\"0 0 -0.06\"",
+                 "name=\"FL_shank\" pos=\"0 0 -0.01\"");
+  bool told = false;
+  for (const std::string& line : study(xml).left_out)
+    told = told || test::holds(line, "mm, an offset between two joints and no link") ||
+           test::holds(line, "differ in length");
+  EXPECT_TRUE(told);
 }
 
 TEST(StudyRobot, ProposesTheEndsOfPistons) {

@@ -128,7 +128,7 @@ TEST_P(MatchesMujoco, AtRandomPosesAndVelocities) {
 }
 INSTANTIATE_TEST_SUITE_P(Robots, MatchesMujoco,
                          testing::Values("puppy", "crooked", "piston_puppy", "crooked_piston",
-                                         "crooked_printed"));
+                                         "crooked_printed", "crooked_weighed"));
 
 TEST(ReadRobot, ReadsGeneralTrees) {
   const RobotModel robot = parse_robot(test::crooked_robot(), "crooked");

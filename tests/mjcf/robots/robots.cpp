@@ -161,6 +161,9 @@ std::string crooked_printed_robot() {
 std::string named_robot(const std::string& name) {
   if (name == "puppy" || name == "piston_puppy") return example_robot(name);
   if (name == "crooked_printed") return crooked_printed_robot();
+  if (name == "crooked_weighed")  // its capsules' weight is told by `mass`
+    return with(crooked_printed_robot(), "size=\"0.012\" density=\"700\"",
+                "size=\"0.012\" mass=\"0.07\"");
   return name == "crooked" ? crooked_robot() : crooked_piston_robot();
 }
 

@@ -26,7 +26,7 @@ std::string crooked_piston_robot();
 /// The crooked robot with printed bodies: boxes, capsules, cylinders, balls and ellipsoids along,
 /// across and off the stretches.
 std::string crooked_printed_robot();
-/// By the names "crooked_printed", "puppy", "piston_puppy" (of the examples), "crooked",
+/// By the names "crooked_printed", "crooked_weighed", "puppy", "piston_puppy" (of the examples), "crooked",
 /// "crooked_piston".
 std::string named_robot(const std::string& name);
 /// Replaces the first occurrence; fails the test if there is none.

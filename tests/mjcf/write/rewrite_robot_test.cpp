@@ -33,8 +33,8 @@ std::string blanked(const std::string& text, const std::set<std::string>& attrib
 }
 
 TEST(RewriteRobot, InitialDesignGivesTheSameBytes) {
-  for (const char* name :
-       {"puppy", "crooked", "piston_puppy", "crooked_piston", "crooked_printed"}) {
+  for (const char* name : {"puppy", "crooked", "piston_puppy", "crooked_piston", "crooked_printed",
+                           "crooked_weighed"}) {
     const std::string xml = test::named_robot(name);
     const RobotModel robot = parse_robot(xml, "robot.xml");
     EXPECT_TRUE(rewrite_robot(robot, robot.space.initial()) == xml);
@@ -76,7 +76,7 @@ TEST_P(RandomDesigns, CompileAndMatchMujoco) {
 }
 INSTANTIATE_TEST_SUITE_P(Robots, RandomDesigns,
                          testing::Values("puppy", "crooked", "piston_puppy", "crooked_piston",
-                                         "crooked_printed"));
+                                         "crooked_printed", "crooked_weighed"));
 
 TEST(RewriteRobot, TouchesBoundAttributesOnly) {
   const RobotModel robot = read_robot(test::puppy_file());
@@ -152,8 +152,8 @@ std::size_t longest_new_number(const std::string& before, const std::string& aft
 }
 
 TEST(RewriteRobot, WritesTwelveDigitsAndTheDesignThatTheyMean) {
-  for (const char* name :
-       {"puppy", "crooked", "piston_puppy", "crooked_piston", "crooked_printed"}) {
+  for (const char* name : {"puppy", "crooked", "piston_puppy", "crooked_piston", "crooked_printed",
+                           "crooked_weighed"}) {
     const RobotModel robot = parse_robot(test::named_robot(name), "robot.xml");
     std::mt19937 random(9);
     const VectorXd s = test::random_design(robot.space, random);

@@ -34,7 +34,9 @@ class Studio(unittest.TestCase):
 
     def setUp(self):
         self.studio.workspace('Design')
-        self.studio.js('legwrightStudio.command("reset")')
+        reset = self.studio.js('legwrightStudio.command("reset")')
+        # What is present may look the same: what the reset brings must be here, too.
+        self.studio.until('r => legwrightStudio.store.get("state").revision >= r', reset['revision'])
         self.studio.until(
             'legwrightStudio.store.get("document").parameters.every((p) => '
             'legwrightStudio.readParameter(p.name).value === p.given)'
