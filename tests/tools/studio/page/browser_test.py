@@ -36,7 +36,8 @@ class Studio(unittest.TestCase):
         self.studio.workspace('Design')
         reset = self.studio.js('legwrightStudio.command("reset")')
         # What is present may look the same: what the reset brings must be here, too.
-        self.studio.until('r => legwrightStudio.store.get("state").revision >= r', reset['revision'])
+        reached = 'r => legwrightStudio.store.get("state").revision >= r'
+        self.studio.until(reached, reset['revision'])
         self.studio.until(
             'legwrightStudio.store.get("document").parameters.every((p) => '
             'legwrightStudio.readParameter(p.name).value === p.given)'
