@@ -173,7 +173,7 @@ class ProposalBuilder {
                                         : "; of the left one, the right one in proportion")});
   }
 
-  /// Why the k-th link of a limb and of its partner has no length to be changed; empty where it has.
+  /// Why the k-th link of a limb and its partner has no length to be changed; empty where it has.
   std::string why_no_length(const Limb& limb, std::size_t k, const Length& own,
                             const Length& twin) {
     const bool last = k + 1 == limb.links.size();

@@ -26,8 +26,8 @@ std::string crooked_piston_robot();
 /// The crooked robot with printed bodies: boxes, capsules, cylinders, balls and ellipsoids along,
 /// across and off the stretches.
 std::string crooked_printed_robot();
-/// By the names "crooked_printed", "crooked_weighed", "puppy", "piston_puppy" (of the examples), "crooked",
-/// "crooked_piston".
+/// By the names "crooked_printed", "crooked_weighed", "puppy", "piston_puppy" (of the examples),
+/// "crooked", "crooked_piston".
 std::string named_robot(const std::string& name);
 /// Replaces the first occurrence; fails the test if there is none.
 std::string with(std::string text, const std::string& old_part, const std::string& new_part);
