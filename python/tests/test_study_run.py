@@ -16,7 +16,7 @@ import legwright as lw
 import pyarrow.parquet
 import pytest
 from legwright import study
-from legwright.study import _cluster, _work
+from legwright.study import _cluster, _measures, _work
 from legwright.study._file import read_study
 from legwright.study._folder import FolderRobots, StudyFolder
 from legwright.study._points import points_of
@@ -282,6 +282,12 @@ def test_validation_by_limits_and_pictures_are_kept(client, tmp_path):
     assert (run / 'inputs/limits.toml').read_text() == limits.read_text()
     assert row['pass'] is not None and row['verdict'] and row['merit'] >= 0.0
     assert found.records[row['hash']]['measures']['picture'] == 'result/small.webp'
+    motion = run / 'result/motion.csv'
+    motion.write_text(motion.read_text() + '\n')  # another result than the judged one
+    assert _measures.of_validation(found.design(0)) == {
+        'validated': None,
+        'validated_verdict': 'not of this result: judge again',
+    }
     assert 'data:image/webp;base64,' in (tmp_path / 'study/study.html').read_text()
     limits.write_text('[tilt]\nhigh = 0.2\n', encoding='utf-8')  # the bytes count, not the path
     again = study.run(tiny(**one, **more), tmp_path / 'study', client=client)

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "mjcf/text/input_error.hpp"
 #include "tools/files/io_error.hpp"
@@ -49,6 +50,39 @@ void add_metrics(const ByName<GainMetrics>& gains, GaitClip& clip) {
     clip.feet.push_back({foot.name, foot.planned, foot.contacts});
 }
 
+constexpr const char* kPlaybacks[] = {"playback_initial.csv", "playback_result.csv"};
+
+/// What `validate` left of the result that stands in a run: nothing that is of another one, or of
+/// another judgement than the verdict.
+struct JudgedClips {
+  std::optional<VerdictRecord> verdict;
+  std::optional<MetricsRecord> metrics;
+  std::set<std::string> playbacks;
+};
+
+JudgedClips judged_of(const fs::path& run) {
+  const fs::path result = run / "result";
+  JudgedClips out;
+  out.verdict = read_of("validate", [&] {
+    const fs::path file = result / "verdict.json";
+    return fs::exists(file) ? std::optional(read_record_file<VerdictRecord>(file)) : std::nullopt;
+  });
+  out.metrics = read_of("validate", [&] { return read_metrics(result / "metrics.json"); });
+  const JudgedSums here = sums_of_run(run);
+  const auto of_another = [&](const auto& record) {
+    return record && standing_of(record->of, here) == Standing::of_another;
+  };
+  if (of_another(out.verdict) || of_another(out.metrics)) return {};
+  const auto belongs = [&](const std::string& name) {
+    return !out.verdict || !out.verdict->with ||
+           names_bytes(*out.verdict->with, name, result / name);
+  };
+  for (const char* name : kPlaybacks)
+    if (belongs(name)) out.playbacks.insert(name);
+  if (out.metrics && !belongs("metrics.json")) out.metrics.reset();
+  return out;
+}
+
 }  // namespace
 
 std::vector<double> GaitClip::planned_at(double time) const {
@@ -57,23 +91,22 @@ std::vector<double> GaitClip::planned_at(double time) const {
 
 std::vector<GaitClip> load_clips(const fs::path& run) {
   const fs::path result = run / "result";
-  const auto verdict = read_of("validate", [&] {
-    const fs::path file = result / "verdict.json";
-    return fs::exists(file) ? std::optional(read_record_file<VerdictRecord>(file)) : std::nullopt;
-  });
-  const auto metrics = read_of("validate", [&] { return read_metrics(result / "metrics.json"); });
+  const auto [verdict, metrics, playbacks] = judged_of(run);
+  const auto playback = [&](const char* name) {
+    return playbacks.contains(name) ? result / name : fs::path();
+  };
   const bool motion_only = read_of(
       "optimize", [&] { return read_record_file<RunRecord>(run / "run.json").motion_only; });
   std::vector<GaitClip> clips;
   if (!motion_only) {
     clips.push_back(load_clip("Before: the initial body, its gait optimised",
-                              run / "iterations" / "0000", result / "playback_initial.csv"));
+                              run / "iterations" / "0000", playback(kPlaybacks[0])));
     if (verdict) clips.back().passed = verdict->initial.pass;
     if (metrics) add_metrics(metrics->initial, clips.back());
   }
   clips.push_back(load_clip(
       motion_only ? "The initial body, its gait optimised" : "After: body and gait co-designed",
-      result, result / "playback_result.csv"));
+      result, playback(kPlaybacks[1])));
   if (verdict) clips.back().passed = verdict->result.pass;
   if (metrics) add_metrics(metrics->result, clips.back());
   return clips;

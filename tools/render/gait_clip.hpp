@@ -38,7 +38,8 @@ struct GaitClip {
   std::vector<double> planned_at(double time) const;
 };
 
-/// Before and after; of a motion-only run, where the two are one, that one.
+/// Before and after; of a motion-only run, where the two are one, that one. Nothing simulated where
+/// validate judged another result.
 /// Throws InputError for a damaged file, std::system_error where one cannot be read.
 std::vector<GaitClip> load_clips(const std::filesystem::path& run);
 

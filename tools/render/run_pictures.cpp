@@ -15,6 +15,7 @@
 #include "tools/render/gait_animation.hpp"
 #include "tools/render/iteration_painter.hpp"
 #include "tools/render/strips.hpp"
+#include "tools/run/judged_sums.hpp"
 #include "tools/run/result_folder.hpp"
 
 namespace legwright {
@@ -29,7 +30,10 @@ constexpr float kSmallQuality = 70.0;  // of WebP, 0 … 100
 class RunDrawing {
  public:
   RunDrawing(const fs::path& run, const RunPictureOptions& options)
-      : run_(run), options_(options), painter_(run / "iterations" / "0000" / "scene.xml") {}
+      : run_(run),
+        options_(options),
+        sums_(sums_of_run(run)),
+        painter_(run / "iterations" / "0000" / "scene.xml") {}
 
   RunPictures draw() {
     if (!options_.only_phases && !options_.only_small) draw_iterations();
@@ -44,13 +48,15 @@ class RunDrawing {
       return std::move(out_);
     }
     const std::vector<GaitClip> clips = load_clips(run_);
+    if (fs::exists(result / "verdict.json") && !clips.back().passed)
+      out_.left_out.push_back(std::string("what result/verdict.json says: ") + kOfAnother +
+                              " (legwright validate)");
     draw_phases(clips);
     if (options_.only_phases) return std::move(out_);
     draw_planned(clips);
     draw_simulated(clips);
-    finish("gait.webp", [&](const fs::path& file) {
-      const auto bytes = encode_webp_within(animate_gait(context(), clips.back()), kAnimationBytes);
-      write_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    finish("gait.webp", [&] {
+      return encode_webp_within(animate_gait(context(), clips.back()), kAnimationBytes);
     });
     return std::move(out_);
   }
@@ -67,9 +73,14 @@ class RunDrawing {
     out_.made.push_back({file, spent.count()});
     if (options_.on_picture) options_.on_picture(out_.made.back());
   }
+  /// A picture of the result, as bytes, unless another result stands there by now.
   template <class Make>
   void finish(const std::string& name, const Make& make) {
-    finish_at(run_ / "result" / name, make);
+    finish_at(run_ / "result" / name, [&](const fs::path& file) {
+      const std::vector<std::uint8_t> bytes = make();
+      check_unchanged(run_, sums_, sums_of_run(run_), "render");
+      write_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    });
   }
 
   void draw_iterations() {
@@ -87,21 +98,19 @@ class RunDrawing {
   }
 
   void draw_small(const fs::path& scene) {
-    finish("small.webp", [&](const fs::path& file) {
+    finish("small.webp", [&] {
       const Image picture = downsample(painter_.draw(scene), kSmaller);
-      const auto bytes = encode_webp({{picture}, {1000}}, kSmallQuality);
-      write_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+      return encode_webp({{picture}, {1000}}, kSmallQuality);
     });
   }
 
   void draw_phases(const std::vector<GaitClip>& clips) {
     for (const double phase : options_.phases) {
       finish(fmt::format("still_{}.png", phase),
-             [&](const fs::path& file) { write_png(file, still(context(), clips.back(), phase)); });
+             [&] { return encode_png(still(context(), clips.back(), phase)); });
       if (clips.size() < 2) continue;  // nothing before
-      finish(fmt::format("still_before_after_{}.png", phase), [&](const fs::path& file) {
-        write_png(file, still_side_by_side(context(), clips, phase));
-      });
+      finish(fmt::format("still_before_after_{}.png", phase),
+             [&] { return encode_png(still_side_by_side(context(), clips, phase)); });
     }
   }
 
@@ -111,14 +120,12 @@ class RunDrawing {
       Renderer letters = cell_renderer(context(), *clips[0].model, strip.layout);
       return compose_strip(strip.layout, {rows.begin(), rows.end()}, strip.captions, letters);
     };
-    finish("strip_initial.png", [&](const fs::path& file) {
+    finish("strip_initial.png", [&] {
       strip = planned_strip(context(), clips);
-      write_png(file, compose(std::span(strip.rows).first(1)));
+      return encode_png(compose(std::span(strip.rows).first(1)));
     });
-    finish("strip_result.png",
-           [&](const fs::path& file) { write_png(file, compose(std::span(strip.rows).last(1))); });
-    finish("strip_before_after.png",
-           [&](const fs::path& file) { write_png(file, compose(strip.rows)); });
+    finish("strip_result.png", [&] { return encode_png(compose(std::span(strip.rows).last(1))); });
+    finish("strip_before_after.png", [&] { return encode_png(compose(strip.rows)); });
   }
 
   void draw_simulated(const std::vector<GaitClip>& clips) {
@@ -128,24 +135,23 @@ class RunDrawing {
         out_.left_out.push_back(std::string(name) + ": run legwright validate first");
       return;
     }
-    finish("strip_physics.png",
-           [&](const fs::path& file) { write_png(file, physics_strip(context(), clips)); });
-    finish("overlay.png",
-           [&](const fs::path& file) { write_png(file, overlay_strip(context(), clips)); });
+    finish("strip_physics.png", [&] { return encode_png(physics_strip(context(), clips)); });
+    finish("overlay.png", [&] { return encode_png(overlay_strip(context(), clips)); });
     if (!every([](const GaitClip& clip) { return !clip.feet.empty(); })) {
       out_.left_out.push_back(
           "contact_timeline.png: metrics.json does not tell of the feet; run legwright validate "
           "again");
       return;
     }
-    finish("contact_timeline.png", [&](const fs::path& file) {
+    finish("contact_timeline.png", [&] {
       Renderer letters(context(), *clips[0].model, 64, 48, RenderStyle::cheap);
-      write_png(file, contact_timeline(clips, letters));
+      return encode_png(contact_timeline(clips, letters));
     });
   }
 
   fs::path run_;
   RunPictureOptions options_;
+  JudgedSums sums_;  // of what is drawn
   IterationPainter painter_;
   RunPictures out_;
 };

@@ -37,8 +37,9 @@ struct RunPictures {
 /// - still_P.png and still_before_after_P.png for each phase P asked for;
 /// - small.webp, where asked for: the result by the camera of iteration 0, for overviews.
 /// Of a motion-only run there is nothing before: its strips have one row.
-/// The plugins that its scenes name must have been loaded. Throws GlError, std::system_error for
-/// files, std::runtime_error for files that do not fit together.
+/// The plugins that its scenes name must have been loaded. Throws GlError, IoError where
+/// another result stands there by now, std::system_error for files, std::runtime_error for files
+/// that do not fit together.
 RunPictures draw_run(const std::filesystem::path& run, const RunPictureOptions& options = {});
 
 }  // namespace legwright

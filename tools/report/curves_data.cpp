@@ -81,6 +81,10 @@ CurvePoint point_of(const RunData& data) {
   CurvePoint point;
   point.run = data.root;
   point.wanted = wanted_speed(data);
+  if (data.of_another)
+    throw InputError(
+        (data.root / "result/verdict.json").string(), 0, "",
+        std::string(kOfAnother) + " with `legwright validate " + data.root.generic_string() + "`");
   if (!data.verdict || !data.metrics)
     throw InputError(
         data.root.string(), 0, "",

@@ -94,7 +94,8 @@ std::string joint_report_summary(const JointData& data) {
   }
   if (const std::string words = stepped_words(data); !words.empty())
     out += fmt::format("\n{}\n", escape_markdown(words));
-  return out + "\nPictures, charts and measurements: report.html in the folder above.\n";
+  return out + "\n" + told_sums(data.whole) +
+         "Pictures, charts and measurements: report.html in the folder above.\n";
 }
 
 }  // namespace legwright

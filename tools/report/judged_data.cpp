@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "tools/files/io_error.hpp"
 #include "tools/report/if_present.hpp"
 
 namespace legwright {
@@ -68,31 +69,53 @@ const std::vector<RobustnessFactor>& JudgedData::factors() const {
   return robustness ? robustness->factors : none;
 }
 
-JudgedData read_judged(const fs::path& result, std::vector<std::string>& notes) {
+void refuse_of_another(const fs::path& file, const std::optional<JudgedSums>& of,
+                       const JudgedSums& here) {
+  if (standing_of(of, here) == Standing::of_another)
+    throw IoError(file.string() + ": " + kOfAnother);
+}
+
+JudgedData read_judged(const fs::path& run, std::vector<std::string>& notes) {
   JudgedData data;
-  if_present(result / "metrics.json", notes,
-             [&](const fs::path& file) { data.metrics = read_metrics(file); });
+  data.sums = sums_of_run(run);
+  const fs::path result = run / "result";
+  std::optional<JudgedSums> with;
   if_present(result / "verdict.json", notes, [&](const fs::path& file) {
     VerdictRecord verdict = read_record_file<VerdictRecord>(file);
+    data.of_another = standing_of(verdict.of, data.sums) == Standing::of_another;
+    refuse_of_another(file, verdict.of, data.sums);
+    data.without_sums = !verdict.of;
+    with = verdict.with;
     cut(verdict.initial.limits, kMostRows, "limits", "result/verdict.json, initial", notes);
     cut(verdict.result.limits, kMostRows, "limits", "result/verdict.json, result", notes);
     data.verdict = std::move(verdict);
   });
+  const auto checked = [&](const fs::path& file, auto record) {
+    refuse_of_another(file, record.of, data.sums);
+    if (with && !names_bytes(*with, file.filename().string(), file))
+      throw IoError(file.string() + ": not of the verdict beside it: judge again");
+    return record;
+  };
+  if_present(result / "metrics.json", notes, [&](const fs::path& file) {
+    if (auto metrics = read_metrics(file)) data.metrics = checked(file, *std::move(metrics));
+  });
   if_present(result / "comparison.json", notes, [&](const fs::path& file) {
-    ComparisonRecord comparison = read_comparison(file);
+    ComparisonRecord comparison = checked(file, read_comparison(file));
     cut_comparison(comparison.initial, "result/comparison.json, initial", notes);
     cut_comparison(comparison.result, "result/comparison.json, result", notes);
     data.comparison = std::move(comparison);
   });
-  if_present(result / "numerics.json", notes,
-             [&](const fs::path& file) { data.numerics = read_record_file<NumericsRecord>(file); });
+  if_present(result / "numerics.json", notes, [&](const fs::path& file) {
+    data.numerics = checked(file, read_record_file<NumericsRecord>(file));
+  });
   if_present(result / "robustness.json", notes, [&](const fs::path& file) {
-    RobustnessRecord robustness = read_record_file<RobustnessRecord>(file);
+    RobustnessRecord robustness = checked(file, read_record_file<RobustnessRecord>(file));
     cut(robustness.factors, kMostCurves, "factors", "result/robustness.json", notes);
     data.robustness = std::move(robustness);
   });
   if_present(result / engine_file(kDrake), notes, [&](const fs::path& file) {
     EngineRecord record = read_record_file<EngineRecord>(file);
+    refuse_of_another(file, record.of, sums_of_result(run));
     if (record.result.size() > kMostGains) record.result.resize(kMostGains);
     data.second_engine = std::move(record);
   });

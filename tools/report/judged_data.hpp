@@ -27,6 +27,9 @@ struct JudgedData {
   std::optional<NumericsRecord> numerics;
   std::optional<RobustnessRecord> robustness;
   std::optional<EngineRecord> second_engine;  // that of `validate --engine drake`
+  JudgedSums sums;                            // of what stands in the folder, when it was read
+  bool of_another = false;    // there is a verdict of another result, which is left out
+  bool without_sums = false;  // the verdict does not say what it is of
 
   /// What was judged of a design; null without.
   const DesignVerdict* verdict_of(Design design) const;
@@ -40,7 +43,13 @@ struct JudgedData {
   const std::vector<RobustnessFactor>& factors() const;
 };
 
-/// A file that cannot be used becomes a note that names it and the key.
-JudgedData read_judged(const std::filesystem::path& result, std::vector<std::string>& notes);
+/// A file that cannot be used becomes a note that names it and the key; so does one that is of
+/// another result, or of another judgement than the verdict. @param run of one task
+JudgedData read_judged(const std::filesystem::path& run, std::vector<std::string>& notes);
+
+/// Throws IoError where a judgement is of another result. @param file that says so
+/// @param here sums of what stands in the folder
+void refuse_of_another(const std::filesystem::path& file, const std::optional<JudgedSums>& of,
+                       const JudgedSums& here);
 
 }  // namespace legwright

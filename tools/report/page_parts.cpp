@@ -29,6 +29,7 @@ Json island_of(const RunData& data) {
   island["motion_only_F"] = or_null(run.motion_only_F);
   island["final_F"] = or_null(run.final_F);
   island["parameters"] = json_of(run.parameters);
+  island["of"] = json_of(data.sums);
   return island;
 }
 

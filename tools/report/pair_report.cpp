@@ -78,6 +78,8 @@ std::filesystem::path write_pair_report(const std::filesystem::path& a,
   std::filesystem::path file = output.empty() ? pair_file(a, b) : output;
   const RunPair pair = read_pair(a, b);
   const std::string page = pair_page(pair);
+  for (const RunData* run : {&pair.a, &pair.b})
+    check_unchanged(run->root, run->sums, sums_of_run(run->root), "write the report");
   write_file(file, page);
   return file;
 }

@@ -8,14 +8,17 @@
 namespace legwright {
 
 std::vector<std::filesystem::path> write_report(const std::filesystem::path& run) {
-  const auto write = [](const std::filesystem::path& folder, const std::string& page,
-                        const std::string& summary) {
+  RunData data = read_run(run);
+  const RunRecord record = data.run;
+  const JudgedSums before = data.sums;
+  const auto write = [&](const std::filesystem::path& folder, const std::string& page,
+                         const std::string& summary) {
+    check_unchanged(run, before, sums_of(run, record), "write the report");
     write_file(folder / "report.html", page);
     std::filesystem::create_directories(folder / "result");
     write_file(folder / "result" / "summary.md", summary);
     return folder / "report.html";
   };
-  RunData data = read_run(run);
   if (!data.run.joint()) return {write(run, report_page(data), report_summary(data))};
   const JointData joint = joint_data_of(std::move(data));
   std::vector<std::filesystem::path> pages{

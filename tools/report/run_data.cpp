@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "mjcf/text/safe_path.hpp"
+#include "tools/files/io_error.hpp"
 #include "tools/report/if_present.hpp"
 #include "tools/report/words.hpp"
 #include "tools/run/motion_csv.hpp"
@@ -38,12 +40,21 @@ RunData read_run(const fs::path& root) {
     data.joint_iterations = std::move(found.joint);
   });
   const fs::path result = root / "result";
-  static_cast<JudgedData&>(data) = read_judged(result, data.notes);
+  static_cast<JudgedData&>(data) = read_judged(root, data.notes);
+  if (data.run.joint()) data.sums = sums_of_joint_run(root, data.run);
   if_present(result / "certificate.json", data.notes, [&](const fs::path& file) {
     data.certificate = read_record_file<CertificateRecord>(file);
   });
-  if_present(result / "matrix.json", data.notes,
-             [&](const fs::path& file) { data.matrix = read_record_file<MatrixRecord>(file); });
+  if_present(result / "matrix.json", data.notes, [&](const fs::path& file) {
+    MatrixRecord matrix = read_record_file<MatrixRecord>(file);
+    data.of_another = standing_of(matrix.of, data.sums) == Standing::of_another;
+    refuse_of_another(file, matrix.of, data.sums);
+    data.without_sums = !matrix.of;
+    for (const auto& [verdict, sum] : matrix.with.value_or(JudgedSums()))
+      if (!names_bytes(*matrix.with, verdict, root / path_below(verdict)))
+        throw IoError(file.string() + ": not of the verdicts of its tasks: judge again");
+    data.matrix = std::move(matrix);
+  });
   if_present(result / "front.json", data.notes,
              [&](const fs::path& file) { data.front = read_record_file<FrontRecord>(file); });
   if_present(data.iteration(0) / "motion.csv", data.notes,

@@ -43,7 +43,9 @@ std::string verdict_row(const RunData& data, Design design, const std::string& h
   const DesignVerdict* verdict = data.verdict_of(design);
   const std::string line = verdict == nullptr ? "" : verdict->line;
   const char* mark = verdict == nullptr ? "–" : verdict->pass ? "✅ PASS" : "❌ FAIL";
-  const std::string words = line.empty() ? "not validated" : verdict_details(line);
+  const std::string words = !line.empty()     ? verdict_details(line)
+                            : data.of_another ? kOfAnother
+                                              : "not validated";
   return fmt::format("| {} | {} | {} |\n", head, mark, cell(words));
 }
 
@@ -160,6 +162,15 @@ std::string parameters(const RunData& data) {
 
 }  // namespace
 
+std::string told_sums(const RunData& data) {
+  std::string out;
+  for (const auto& [file, sum] : data.sums)
+    if (file.ends_with("result/scene.xml"))
+      out += fmt::format("{}`{}` (SHA-256 `{}`)", out.empty() ? "Of " : ", ", file, sum);
+  if (data.without_sums) out += out.empty() ? "Verdict without sums" : "; verdict without sums";
+  return out.empty() ? out : out + ". ";
+}
+
 std::string report_summary(const RunData& data) {
   std::string out = fmt::format("# {}\n\n{}\n\n", cell(data.title), cell(task_words(data.run)));
   if (data.run.picked)
@@ -174,7 +185,8 @@ std::string report_summary(const RunData& data) {
                        short_number(data.run.design_iterations));
   }
   out += design_effect(data) + closing(data) + margins(data) + parameters(data);
-  return out + "Pictures, charts and measurements: report.html in the folder above.\n";
+  return out + told_sums(data) +
+         "Pictures, charts and measurements: report.html in the folder above.\n";
 }
 
 }  // namespace legwright

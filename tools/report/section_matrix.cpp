@@ -103,12 +103,17 @@ void add_task_cards(Html& page, const JointData& data) {
   for (const JointTaskData& task : data.tasks) add_task_card(page, task);
   if (const std::string words = stepped_words(data); !words.empty()) page.note(words, "note wide");
   if (!data.judged()) {
-    add_hint(page, "The bodies have not been compared in MuJoCo yet.", "validate", data.whole);
+    add_hint(page,
+             data.whole.of_another ? std::string("result/matrix.json is ") + kOfAnother + "."
+                                   : "The bodies have not been compared in MuJoCo yet.",
+             "validate", data.whole);
   } else {
     page.note(
         "One body for all tasks, each with a gait of its own. Verdicts are MuJoCo’s, at "
         "half, default and double servo gains.",
         "note wide");
+    if (data.whole.without_sums)
+      page.note(std::string("The verdicts are ") + kWithoutSums + ".", "note wide");
   }
   page.close();
 }

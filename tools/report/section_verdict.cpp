@@ -105,14 +105,17 @@ void add_verdicts(Html& page, const RunData& data) {
   if (!data.verdict) {
     const bool damaged = fs::exists(data.root / "result" / "verdict.json");
     add_hint(page,
-             damaged ? "No verdict: result/verdict.json could not be used."
-                     : "No verdict yet: the gaits have not been played in MuJoCo.",
+             data.of_another ? std::string("No verdict: result/verdict.json is ") + kOfAnother + "."
+             : damaged       ? "No verdict: result/verdict.json could not be used."
+                             : "No verdict yet: the gaits have not been played in MuJoCo.",
              "validate", data);
   } else {
     page.note(
         "Verdicts are MuJoCo’s: each gait is played as planned, at half, default and "
         "double servo gains.",
         "note wide");
+    if (data.without_sums)
+      page.note(std::string("The verdict is ") + kWithoutSums + ".", "note wide");
   }
   page.close();
 }

@@ -102,6 +102,7 @@ void fields(Fields& f, Comparison& c) {
 void fields(Fields& f, ComparisonRecord& comparison) {
   f.nullable("initial", comparison.initial, "null where it fell before two cycles");
   f.nullable("result", comparison.result);
+  of_field(f, comparison.of);
 }
 
 namespace {

@@ -105,6 +105,7 @@ struct Comparison {
 struct ComparisonRecord {
   static constexpr RecordKind kKind{"legwright/comparison", 1, "validate"};
   std::optional<Comparison> initial, result;
+  std::optional<JudgedSums> of = {};
 };
 
 void fields(Fields& f, ComparisonRecord& comparison);

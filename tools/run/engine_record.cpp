@@ -14,6 +14,7 @@ void fields(Fields& f, EngineRecord& record) {
   f("passes", record.passes, "by servo gains: the verdict on that roll-out alone");
   f("verdict", record.verdict, "on all gains together");
   f("result", record.result, "what was measured, by servo gains");
+  of_field(f, record.of);
 }
 
 std::string engine_file(const std::string& engine) { return "validation_" + engine + ".json"; }

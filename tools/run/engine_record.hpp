@@ -22,6 +22,7 @@ struct EngineRecord {
   ByName<bool> passes;  // by servo gains: the verdict on that roll-out alone
   DesignVerdict verdict;
   ByName<GainMetrics> result;
+  std::optional<JudgedSums> of = {};
 };
 
 void fields(Fields& f, EngineRecord& record);

@@ -77,6 +77,9 @@ std::string changes(const ExportFacts& facts) {
 std::string judgement(const ExportFacts& facts) {
   std::string out = "## What physics says\n\n";
   for (const std::string& verdict : facts.verdicts) out += "- " + escaped(verdict) + "\n";
+  for (const auto& [file, sum] : facts.scenes)
+    if (!facts.verdicts.empty())
+      out += fmt::format("- Judged: `{}` of the run, SHA-256 `{}`\n", escaped(file), sum);
   if (facts.verdicts.empty() && !facts.chosen_verdict.empty())
     out += "- " + escaped(facts.chosen_verdict) +
            "\n- So the search played it, at half, default and double gains; `legwright validate`, "

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace legwright {
@@ -19,9 +20,10 @@ struct ExportFacts {
   std::string model;                     // as the file calls itself
   std::string robot_file, robot_sha256;  // where it comes from
   std::string task_file, task_sha256;
-  std::string version, engine;  // of Legwright and of MuJoCo
-  std::string command;          // that made the run
-  std::string status;           // how the run ended
+  std::vector<std::pair<std::string, std::string>> scenes;  // of the run, which are judged: SHA-256
+  std::string version, engine;                              // of Legwright and of MuJoCo
+  std::string command;                                      // that made the run
+  std::string status;                                       // how the run ended
   std::vector<ExportedParameter> parameters;
   double mass_before = 0.0, mass_after = 0.0;  // [kg]
   std::vector<std::string> verdicts;           // of physics; none: it was not validated

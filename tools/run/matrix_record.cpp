@@ -19,6 +19,8 @@ void fields(Fields& f, MatrixRecord& matrix) {
   f("designs", matrix.designs);
   f("cells", matrix.cells, "by task, in the order of the designs");
   f("pass", matrix.pass, "whether the common design passes in each task");
+  of_field(f, matrix.of);
+  f("with", matrix.with, "SHA-256 sums of the tasks' verdicts, by their paths in the run's folder");
 }
 
 void fields(Fields& f, FrontRecord& front) {

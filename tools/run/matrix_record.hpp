@@ -29,6 +29,8 @@ struct MatrixRecord {
   std::vector<MatrixDesignRecord> designs;
   ByName<std::vector<MatrixCellRecord>> cells;  // by task, in the order of the designs
   bool pass = false;
+  std::optional<JudgedSums> of = {};
+  std::optional<JudgedSums> with = {};  // SHA-256 of the tasks' verdicts, by their paths
 };
 void fields(Fields& f, MatrixRecord& matrix);
 

@@ -132,6 +132,7 @@ void fields(Fields& f, MetricsRecord& metrics) {
   f("versions", metrics.versions);
   f("initial", metrics.initial, "by servo gains");
   f("result", metrics.result);
+  of_field(f, metrics.of);
 }
 
 std::optional<MetricsRecord> read_metrics(const std::filesystem::path& file) {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "tools/run/judged_sums.hpp"
 #include "tools/run/record.hpp"
 #include "tools/simulate/incidents.hpp"
 
@@ -129,6 +130,7 @@ struct MetricsRecord {
   std::map<std::string, LimitRange> limits;
   ByName<std::string> versions;
   ByName<GainMetrics> initial, result;
+  std::optional<JudgedSums> of = {};
 };
 
 void fields(Fields& f, Fall& fall);

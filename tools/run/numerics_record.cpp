@@ -52,6 +52,7 @@ void fields(Fields& f, NumericsRecord& numerics) {
   f("runs", numerics.runs, "of each gain the first is the reference, the scene as it is");
   f("agree", numerics.agree);
   f("reasons", numerics.reasons, "which run disagrees, and how");
+  of_field(f, numerics.of);
 }
 
 }  // namespace legwright

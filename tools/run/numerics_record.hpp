@@ -39,6 +39,7 @@ struct NumericsRecord {
   std::vector<NumericsRun> runs;  // of each gain the first is the scene as it is
   bool agree = true;
   std::vector<std::string> reasons;  // which run disagrees, and how
+  std::optional<JudgedSums> of = {};
 };
 
 void fields(Fields& f, NumericsRecord& numerics);

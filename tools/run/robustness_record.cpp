@@ -45,6 +45,7 @@ void fields(Fields& f, RobustnessRecord& robustness) {
              "where it fails undisturbed; then the rest is empty");
   f("factors", robustness.factors, "one varied at a time");
   f("monte_carlo", robustness.monte_carlo, "all drawn at once");
+  of_field(f, robustness.of);
 }
 
 }  // namespace legwright

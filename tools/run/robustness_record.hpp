@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "tools/run/judged_sums.hpp"
 #include "tools/run/record.hpp"
 
 namespace legwright {
@@ -47,6 +48,7 @@ struct RobustnessRecord {
   std::optional<std::string> undisturbed_cause;  // where it fails undisturbed: then all is empty
   std::vector<RobustnessFactor> factors;
   MonteCarlo monte_carlo;
+  std::optional<JudgedSums> of = {};
 };
 
 void fields(Fields& f, RobustnessRecord& robustness);

@@ -44,6 +44,9 @@ void fields(Fields& f, VerdictRecord& verdict) {
              "what of the designed body touches itself in the home pose and did not before");
   f("run_status", verdict.run_status,
     "only of a search that did not come to its end: \"interrupted\", \"running\", \"failed\"");
+  of_field(f, verdict.of);
+  f("with", verdict.with,
+    "SHA-256 sums of the other files of this judgement, which stand beside this one");
 }
 
 }  // namespace legwright

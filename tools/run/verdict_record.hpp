@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/run/judged_sums.hpp"
 #include "tools/run/record.hpp"
 
 namespace legwright {
@@ -44,6 +45,8 @@ struct VerdictRecord {
   bool pass = false;  // of the result
   std::optional<HomeTouchesRecord> home_touches;
   std::optional<std::string> run_status;  // of a search that did not come to its end
+  std::optional<JudgedSums> of = {};      // what was judged; absent in older files
+  std::optional<JudgedSums> with = {};    // SHA-256 of the other files of the judgement, by name
 };
 
 void fields(Fields& f, DesignVerdict& verdict);

@@ -42,11 +42,19 @@ std::optional<double> moment_of(const LimitRow& row, const MetricsRecord& metric
   return std::nullopt;
 }
 
-void add_lines(const fs::path& folder, int task, const std::string& name, Json& lines,
+/// @return whether the verdict is of what stands in the folder
+bool add_lines(const fs::path& folder, int task, const std::string& name, Json& lines,
                std::string& words) {
   const auto verdict = read_record_file<VerdictRecord>(folder / "result" / "verdict.json");
+  words += words.empty() ? "" : "\n";
+  const Standing standing = standing_of(verdict.of, sums_of_run(folder));
+  if (standing == Standing::of_another) {
+    words += (name.empty() ? "" : name + ": ") + kOfAnother;
+    return false;
+  }
   const auto metrics = read_metrics(folder / "result" / "metrics.json");
-  words += (words.empty() ? "" : "\n") + verdict.result.line;
+  words += verdict.result.line;
+  if (standing == Standing::without_sums) words += std::string(" (") + kWithoutSums + ")";
   for (const LimitRow& row : verdict.result.limits) {
     const auto moment = metrics ? moment_of(row, *metrics) : std::nullopt;
     lines.push_back({{"words", (name.empty() ? "" : name + ": ") + value_words(row)},
@@ -60,6 +68,7 @@ void add_lines(const fs::path& folder, int task, const std::string& name, Json& 
                        {"gains", row.where}}},
                      {"moment", moment ? Json{{"task", task}, {"time", *moment}} : Json(nullptr)}});
   }
+  return true;
 }
 
 }  // namespace
@@ -68,12 +77,19 @@ Json verdict_lines(const fs::path& run) {
   Json lines = Json::array();
   std::string words;
   const std::vector<TaskFolder> tasks = task_folders_of(run);
-  if (tasks.empty()) add_lines(run, 0, "", lines, words);
+  bool known = true;
+  if (tasks.empty()) known = add_lines(run, 0, "", lines, words);
   for (std::size_t k = 0; k < tasks.size(); ++k)
-    add_lines(run / tasks[k].relative, static_cast<int>(k), tasks[k].name, lines, words);
+    known = add_lines(run / tasks[k].relative, static_cast<int>(k), tasks[k].name, lines, words) &&
+            known;
   bool pass = true;
   for (const Json& line : lines) pass = pass && line["passed"].get<bool>();
-  return {{"lines", lines}, {"verdict", {{"word", pass ? "PASS" : "FAIL"}, {"words", words}}}};
+  return {{"lines", lines},
+          {"verdict",
+           {{"word", !known ? "UNKNOWN"
+                     : pass ? "PASS"
+                            : "FAIL"},
+            {"words", words}}}};
 }
 
 }  // namespace legwright

@@ -38,6 +38,15 @@ std::string case_xml(const std::string& suite, const JudgedLimit& row) {
       escape_attribute(message), escape_text(facts(row)));
 }
 
+/// "of result/scene.xml": its SHA-256, and so on.
+std::string properties_xml(const JudgedSums& of) {
+  std::string out;
+  for (const auto& [name, sum] : of)
+    out += fmt::format("      <property name=\"of {}\" value=\"{}\"/>\n", escape_attribute(name),
+                       escape_attribute(sum));
+  return out.empty() ? "" : "    <properties>\n" + out + "    </properties>\n";
+}
+
 }  // namespace
 
 std::string junit_xml(const std::vector<JunitSuite>& suites) {
@@ -49,6 +58,7 @@ std::string junit_xml(const std::vector<JunitSuite>& suites) {
         std::count_if(rows.begin(), rows.end(), [](const auto& row) { return !row.pass; }));
     body += fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\">\n",
                         escape_attribute(suite.name), rows.size(), failures);
+    body += properties_xml(suite.of);
     for (const auto& row : rows) body += case_xml(suite.name, row);
     body += fmt::format("    <system-out>{}</system-out>\n  </testsuite>\n",
                         escape_text(suite.verdict.line));

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/run/judged_sums.hpp"
 #include "tools/validate/verdict.hpp"
 
 namespace legwright {
@@ -12,9 +13,11 @@ namespace legwright {
 struct JunitSuite {
   std::string name;
   Verdict verdict;
+  JudgedSums of = {};  // what was judged
 };
 
-/// The verdicts as JUnit XML: a suite per task, a case per limit. Valid XML whatever the names are.
+/// The verdicts as JUnit XML: a suite per task, a case per limit, what was
+/// judged as properties "of FILE". Valid XML whatever the names are.
 std::string junit_xml(const std::vector<JunitSuite>& suites);
 
 }  // namespace legwright

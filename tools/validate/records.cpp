@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/validate/records.hpp"
 
+#include <fmt/format.h>
+
+#include "tools/files/checksum.hpp"
+
 namespace legwright {
 namespace {
 
@@ -68,6 +72,16 @@ std::map<std::string, LimitRange> limit_ranges(const Limits& limits) {
   std::map<std::string, LimitRange> out;
   for (const auto& [name, bounds] : limits) out[name] = {bounds.low, bounds.high};
   return out;
+}
+
+std::string limits_sum(const Limits& limits) {
+  const auto words = [](const std::optional<double>& bound) {
+    return bound ? fmt::format("{}", *bound) : "none";
+  };
+  std::string text;
+  for (const auto& [name, bounds] : limits)
+    text += fmt::format("{} {} {}\n", name, words(bounds.low), words(bounds.high));
+  return sha256_hex(text);
 }
 
 NumericsRecord numerics_record(const SecondOpinion& opinion) {

@@ -18,6 +18,8 @@ ByName<GainMetrics> metrics_by_gain(const SceneValidation& validation);
 DesignVerdict verdict_record(const Verdict& verdict);
 /// The limits that the verdict was judged by.
 std::map<std::string, LimitRange> limit_ranges(const Limits& limits);
+/// SHA-256 of them, as judgements name it.
+std::string limits_sum(const Limits& limits);
 NumericsRecord numerics_record(const SecondOpinion& opinion);
 RobustnessRecord robustness_record(const Robustness& robustness);
 /// Absent where the robot fell before two cycles.

@@ -98,6 +98,7 @@ int export_run(const ExportOptions& options) {
     if (entry.is_regular_file())
       files.push_back(fs::relative(entry.path(), folder.path()).generic_string());
   std::sort(files.begin(), files.end());
+  check_unchanged(options.run, from.sums, sums_of(options.run, from.run), "export");
   folder.appear();
 
   const bool healthy =

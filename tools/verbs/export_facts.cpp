@@ -63,11 +63,22 @@ void check_sums(const RunRecord& run, const RobotFiles& files) {
   check_assets(run, files);
 }
 
+/// What a verdict.json says that it is of.
+std::optional<JudgedSums> of_verdict(const Json& verdict) {
+  if (!verdict.contains("of")) return std::nullopt;
+  return record_of<ByName<std::string>>(verdict["of"], "result/verdict.json");
+}
+
 /// The verdict on the result in a verdict.json that others may have written; empty without.
-std::string line_of(const Json& verdict) {
+/// @param run whose verdict it should be
+std::string line_of(const Json& verdict, const fs::path& run) {
   if (!verdict.is_object()) return "";
+  const Standing standing = standing_of(of_verdict(verdict), sums_of_run(run));
+  if (standing == Standing::of_another) return std::string("result/verdict.json is ") + kOfAnother;
   const Json line = verdict.value("/result/line"_json_pointer, Json());
-  return line.is_string() ? line.get<std::string>() : std::string();
+  if (!line.is_string()) return "";
+  const std::string words = line.get<std::string>();
+  return standing == Standing::of_this ? words : words + " (" + kWithoutSums + ")";
 }
 
 /// One line for each task that was validated.
@@ -78,7 +89,7 @@ std::vector<std::string> verdicts_of(const fs::path& root) {
   for (const fs::path& folder : folders) {
     const fs::path file = folder / "result" / "verdict.json";
     if (!fs::exists(file)) continue;
-    const std::string line = line_of(read_json(file));
+    const std::string line = line_of(read_json(file), folder);
     if (!line.empty()) lines.push_back(line);
   }
   return lines;
@@ -109,6 +120,7 @@ ExportedRun read_exported_run(const fs::path& root) {
   const ResultFolder folder = ResultFolder::open(root);
   ExportedRun out;
   out.run = read_record_file<RunRecord>(folder.run_json());
+  out.sums = sums_of(root, out.run);
   const fs::path input = folder.inputs() / "robot.xml", result = folder.result() / "robot.xml";
   if (!fs::exists(result))
     throw IoError(result.string() +
@@ -172,6 +184,8 @@ ExportFacts facts_of(const ExportedRun& from, const fs::path& root, const std::s
   facts.task_sha256 = value_or_empty(from.run.sha256, "task.toml");
   facts.version = value_or_empty(from.run.versions, "legwright");
   facts.engine = value_or_empty(from.run.versions, "mujoco");
+  for (const auto& [file, sum] : from.sums)
+    if (file.ends_with("result/scene.xml")) facts.scenes.emplace_back(file, sum);
   facts.command = command_of(from.run);
   facts.status = from.run.status;
   for (int k = 0; k < from.before.space.size(); ++k) {

@@ -8,6 +8,7 @@
 #include "mjcf/propose/home_touches.hpp"
 #include "mjcf/read/read_robot.hpp"
 #include "tools/run/export_readme.hpp"
+#include "tools/run/judged_sums.hpp"
 #include "tools/run/run_record.hpp"
 #include "tools/simulate/stand.hpp"
 
@@ -16,6 +17,7 @@ namespace legwright {
 /// The robot of a run, before and after.
 struct ExportedRun {
   RunRecord run;
+  JudgedSums sums;  // of what stands in the folder, before it was read
   RobotModel before, after;
 };
 

@@ -65,6 +65,7 @@ EngineRecord record_of_runs(const Engine& engine, const TaskOfRun& task, const L
 EngineRecord judge_in_engine(const ResultFolder& folder, const Engine& engine,
                              const EngineOptions& options) {
   check(options);
+  JudgedSums of = sums_of_result(folder.root());
   const TaskOfRun task = task_of_run(folder);
   const Limits limits = limits_of(options, task, engine);
   SceneValidation played;
@@ -81,6 +82,9 @@ EngineRecord judge_in_engine(const ResultFolder& folder, const Engine& engine,
     throw InputError(error.what());
   }
   EngineRecord record = record_of_runs(engine, task, limits, played, options.cycles);
+  of.of(kLimitsSum) = limits_sum(limits);
+  check_unchanged(folder.root(), of, sums_of_result(folder.root()));
+  record.of = std::move(of);
   if (options.write) write_json(folder.result() / engine_file(engine.name), json_of(record));
   return record;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mjcf/text/input_error.hpp"
+#include "tools/files/checksum.hpp"
 #include "tools/run/task_folders.hpp"
 #include "tools/verbs/judge_run.hpp"
 
@@ -56,6 +57,20 @@ bool came_to_its_end(const RunRecord& run) {
   return true;
 }
 
+/// The files of each task, then the matrix, which names their verdicts.
+void write_all(const ResultFolder& folder, const std::vector<TaskFolder>& tasks,
+               std::vector<JudgedRun>& judged, const RunRecord& run, MatrixRecord& matrix) {
+  check_unchanged(folder.root(), *matrix.of, sums_of_joint_run(folder.root(), run));
+  matrix.with.emplace();
+  for (std::size_t t = 0; t < tasks.size(); ++t) {
+    const ResultFolder own = ResultFolder::open(folder.root() / tasks[t].relative);
+    write_judged(own, judged[t]);
+    const fs::path verdict = tasks[t].relative / "result" / "verdict.json";
+    matrix.with->of(verdict.generic_string()) = sha256_hex(read_file(folder.root() / verdict));
+  }
+  write_json(folder.result() / "matrix.json", json_of(matrix));
+}
+
 }  // namespace
 
 MatrixRecord judge_joint_run(const ResultFolder& folder, const RunRecord& run,
@@ -67,6 +82,8 @@ MatrixRecord judge_joint_run(const ResultFolder& folder, const RunRecord& run,
   const std::vector<AloneBody> bodies = bodies_alone(folder, run);
   const std::vector<TaskFolder> tasks = task_folders(run);  // checked: nothing outside the run
   MatrixRecord matrix;
+  matrix.of = sums_of_joint_run(folder.root(), run);
+  matrix.of->of(kLimitsSum) = limits_sum(options.validation.limits);
   matrix.pass = true;
   matrix.designs.push_back({"initial body", "initial"});
   for (const AloneBody& body : bodies)
@@ -78,7 +95,7 @@ MatrixRecord judge_joint_run(const ResultFolder& folder, const RunRecord& run,
       others.push_back(folder.root() / "starts" / ("from-" + body.task) / tasks[t].name /
                        "iterations" / "0000");
     const ResultFolder own = ResultFolder::open(folder.root() / tasks[t].relative);
-    judged.push_back(judge_run(own, others, options));
+    judged.push_back(play_and_judge(own, others, options));
     const auto order = in_order(judged.back());
     const auto costs = costs_of(run, bodies, t);
     auto& cells = matrix.cells.of(tasks[t].name);
@@ -87,7 +104,7 @@ MatrixRecord judge_joint_run(const ResultFolder& folder, const RunRecord& run,
           {costs[k], order[k]->verdict.pass, order[k]->verdict.line, metrics_by_gain(*order[k])});
     matrix.pass = matrix.pass && order.back()->verdict.pass;
   }
-  write_json(folder.result() / "matrix.json", json_of(matrix));
+  write_all(folder, tasks, judged, run, matrix);
   return matrix;
 }
 

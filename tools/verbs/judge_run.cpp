@@ -6,6 +6,7 @@
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/input_error.hpp"
 #include "mjcf/text/robot_files.hpp"
+#include "tools/files/checksum.hpp"
 #include "tools/run/install.hpp"
 #include "tools/run/outer_measured.hpp"
 #include "tools/simulate/mujoco_host.hpp"
@@ -115,14 +116,17 @@ std::vector<HomeTouch> home_touches_of(const ResultFolder& folder) {
   return new_home_touches(before, after);
 }
 
-/// A record; without one no file of an earlier validation stays, which this one would seem to have
-/// made.
-template <class Record>
-void write_or_remove(const fs::path& file, const std::optional<Record>& record) {
-  if (record)
-    write_json(file, json_of(*record));
-  else
-    fs::remove(file);
+void play_and_judge(const ResultFolder& folder, const TaskOfRun& task,
+                    const std::vector<fs::path>& others, const JudgeOptions& options,
+                    JudgedRun& judged) {
+  std::vector<SceneToValidate> scenes{scene_to_validate(folder.iteration(0)),
+                                      scene_to_validate(folder.result())};
+  for (const fs::path& other : others) scenes.push_back(scene_to_validate(other));
+  judged.designs = validate_scenes(scenes, task.wanted, task.gait, options.validation);
+  judge_further(task, scenes[1], options, judged);
+  judged.metrics = metrics_record(task, options.validation, scenes, judged.designs);
+  judged.home_touches = home_touches_of(folder);
+  judged.overridden = overridden_in(folder);
 }
 
 /// What the body was to lower, as measured, goes into run.json beside what the plans have of it.
@@ -133,30 +137,45 @@ void tell_outer(const ResultFolder& folder, const MetricsRecord& metrics) {
   write_json(folder.run_json(), json_of(run));
 }
 
-void write_judged(const ResultFolder& folder, const JudgedRun& judged) {
+/// The other files of a judgement by name, as they will stand.
+std::vector<std::pair<std::string, std::string>> texts_of(const JudgedRun& judged) {
   const SceneValidation &initial = judged.designs[0], &result = judged.designs[1];
-  const fs::path out = folder.result();
-  write_file(out / "playback_initial.csv", playback_csv(initial));
-  write_file(out / "playback_result.csv", playback_csv(result));
-  write_json(out / "metrics.json", json_of(judged.metrics));
-  tell_outer(folder, judged.metrics);
-  write_json(out / "comparison.json",
-             json_of(comparison_record(initial.comparison, result.comparison)));
-  write_or_remove(out / "numerics.json", judged.numerics_record());
-  write_or_remove(out / "robustness.json", judged.robustness_record());
-  write_json(out / "verdict.json", json_of(judged.verdict));  // last: all it rests on is there
+  ComparisonRecord compared = comparison_record(initial.comparison, result.comparison);
+  compared.of = judged.of;
+  std::vector<std::pair<std::string, std::string>> texts{
+      {"playback_initial.csv", playback_csv(initial)},
+      {"playback_result.csv", playback_csv(result)},
+      {"metrics.json", to_text(json_of(judged.metrics))},
+      {"comparison.json", to_text(json_of(compared))}};
+  if (const auto record = judged.numerics_record())
+    texts.emplace_back("numerics.json", to_text(json_of(*record)));
+  if (const auto record = judged.robustness_record())
+    texts.emplace_back("robustness.json", to_text(json_of(*record)));
+  return texts;
+}
+
+/// Pictures of what an earlier judgement played go away with it.
+void remove_pictures_of_another(const fs::path& result, const std::string& verdict) {
+  const fs::path old = result / "verdict.json";
+  if (!fs::is_regular_file(old) || read_file(old) == verdict) return;
+  for (const char* name : {"strip_physics.png", "overlay.png", "contact_timeline.png", "gait.webp"})
+    fs::remove(result / name);
 }
 
 }  // namespace
 
 std::optional<NumericsRecord> JudgedRun::numerics_record() const {
   if (!numerics) return std::nullopt;
-  return legwright::numerics_record(*numerics);
+  NumericsRecord record = legwright::numerics_record(*numerics);
+  record.of = of;
+  return record;
 }
 
 std::optional<RobustnessRecord> JudgedRun::robustness_record() const {
   if (!robustness) return std::nullopt;
-  return legwright::robustness_record(*robustness);
+  RobustnessRecord record = legwright::robustness_record(*robustness);
+  record.of = of;
+  return record;
 }
 
 std::string early_stop_words(const std::string& status) {
@@ -166,27 +185,46 @@ std::string early_stop_words(const std::string& status) {
   return "the search " + how + ": what is judged is the best so far, not its result";
 }
 
-JudgedRun judge_run(const ResultFolder& folder, const std::vector<fs::path>& others,
-                    const JudgeOptions& asked) {
+JudgedRun play_and_judge(const ResultFolder& folder, const std::vector<fs::path>& others,
+                         const JudgeOptions& asked) {
+  JudgedRun judged;
+  judged.of = sums_of_run(folder.root());
   const TaskOfRun task = task_of_run(folder);
   JudgeOptions options = asked;
   options.validation.limits = with_step_over(asked.validation.limits, task.step_over);
-  JudgedRun judged;
   try {
-    std::vector<SceneToValidate> scenes{scene_to_validate(folder.iteration(0)),
-                                        scene_to_validate(folder.result())};
-    for (const fs::path& other : others) scenes.push_back(scene_to_validate(other));
-    judged.designs = validate_scenes(scenes, task.wanted, task.gait, options.validation);
-    judge_further(task, scenes[1], options, judged);
-    judged.metrics = metrics_record(task, options.validation, scenes, judged.designs);
-    judged.home_touches = home_touches_of(folder);
-    judged.overridden = overridden_in(folder);
-  } catch (const MujocoError& error) {
-    throw InputError(error.what());
-  } catch (const TrajectoryError& error) {
-    throw InputError(error.what());
+    play_and_judge(folder, task, others, options, judged);
+  } catch (const std::exception& error) {
+    check_unchanged(folder.root(), judged.of,
+                    sums_of_run(folder.root()));  // then files that vanished are no fault of theirs
+    if (dynamic_cast<const MujocoError*>(&error) || dynamic_cast<const TrajectoryError*>(&error))
+      throw InputError(error.what());
+    throw;
   }
+  judged.of.of(kLimitsSum) = limits_sum(options.validation.limits);
+  judged.metrics.of = judged.of;
   judged.verdict = verdict_record(judged, task);
+  judged.verdict.of = judged.of;
+  return judged;
+}
+
+void write_judged(const ResultFolder& folder, JudgedRun& judged) {
+  const auto texts = texts_of(judged);
+  judged.verdict.with.emplace();
+  for (const auto& [name, text] : texts) judged.verdict.with->of(name) = sha256_hex(text);
+  const std::string verdict = to_text(json_of(judged.verdict));
+  check_unchanged(folder.root(), judged.of, sums_of_run(folder.root()));
+  const fs::path out = folder.result();
+  remove_pictures_of_another(out, verdict);
+  for (const auto& [name, text] : texts) write_file(out / name, text);
+  for (const char* name : {"numerics.json", "robustness.json"})
+    if (judged.verdict.with->find(name) == nullptr) fs::remove(out / name);
+  tell_outer(folder, judged.metrics);
+  write_file(out / "verdict.json", verdict);  // last: all it rests on is there
+}
+
+JudgedRun judge_run(const ResultFolder& folder, const JudgeOptions& options) {
+  JudgedRun judged = play_and_judge(folder, {}, options);
   write_judged(folder, judged);
   return judged;
 }

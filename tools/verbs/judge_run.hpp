@@ -24,6 +24,7 @@ struct JudgedRun {
   std::optional<Robustness> robustness;      // of the result
   std::vector<HomeTouch> home_touches;       // of the designed body, which the initial one has not
   std::vector<OverriddenOption> overridden;  // of the robot's file, by the scenes
+  JudgedSums of;                             // what was judged, when it was loaded
 
   std::optional<NumericsRecord> numerics_record() const;
   std::optional<RobustnessRecord> robustness_record() const;
@@ -42,16 +43,26 @@ struct JudgeOptions {
 std::string early_stop_words(const std::string& status);
 
 /// Plays the initial design and the result of a run of one task, and any other designs for the same
-/// task; writes metrics.json, verdict.json, comparison.json, numerics.json, robustness.json and the
-/// two playbacks into result/; of what was not asked for no old file stays. Throws InputError for a
-/// scene that cannot be played, IoError where the run has none.
+/// task. Throws InputError for a scene that cannot be played, IoError where the run has none or was
+/// replaced meanwhile.
 /// @param others folders of designs: scene.xml and motion.csv
-JudgedRun judge_run(const ResultFolder& folder, const std::vector<std::filesystem::path>& others,
-                    const JudgeOptions& options);
+JudgedRun play_and_judge(const ResultFolder& folder,
+                         const std::vector<std::filesystem::path>& others,
+                         const JudgeOptions& options);
+
+/// Writes metrics.json, comparison.json, numerics.json, robustness.json, the two playbacks and, as
+/// the last one, verdict.json, which names the others by their sums, into result/. Of what was not
+/// asked for no old file stays, nor pictures of another judgement. Throws IoError, and writes
+/// nothing, where the run is no longer the one that was judged.
+void write_judged(const ResultFolder& folder, JudgedRun& judged);
+
+/// Both.
+JudgedRun judge_run(const ResultFolder& folder, const JudgeOptions& options);
 
 /// Judges every task of a joint run, and for the trade-off every design of it at every task: the
-/// initial body, the best body of each task alone, the joint result. Writes result/matrix.json,
-/// which it returns. @param run run.json of the folder @param judged gets one entry per task
+/// initial body, the best body of each task alone, the joint result. Writes what write_judged()
+/// does, of all tasks once all are judged, then result/matrix.json, which it returns.
+/// @param run run.json of the folder @param judged gets one entry per task
 MatrixRecord judge_joint_run(const ResultFolder& folder, const RunRecord& run,
                              const JudgeOptions& options, std::vector<JudgedRun>& judged);
 

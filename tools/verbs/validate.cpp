@@ -122,7 +122,7 @@ int validate_joint(const ResultFolder& folder, const RunRecord& run,
   const MatrixRecord matrix = judge_joint_run(folder, run, options.judge, judged);
   std::vector<JunitSuite> suites;
   for (std::size_t k = 0; k < judged.size(); ++k)
-    suites.push_back({(*run.tasks)[k].name, judged[k].designs[1].verdict});
+    suites.push_back({(*run.tasks)[k].name, judged[k].designs[1].verdict, judged[k].of});
   if (!options.junit.empty()) write_file(options.junit, junit_xml(suites));
   if (options.json) {
     fmt::print("{}", to_text(json_of(matrix)));
@@ -177,10 +177,10 @@ int validate(const ValidateOptions& asked) {
   const ResultFolder folder = ResultFolder::open(options.run);
   const RunRecord run = read_run_record(folder);
   if (run.joint()) return validate_joint(folder, run, options);
-  const JudgedRun judged = judge_run(folder, {}, options.judge);
+  const JudgedRun judged = judge_run(folder, options.judge);
   const Verdict& verdict = judged.designs[1].verdict;
   const std::string name = run.name.value_or(folder.root().filename().string());
-  if (!options.junit.empty()) write_file(options.junit, junit_xml({{name, verdict}}));
+  if (!options.junit.empty()) write_file(options.junit, junit_xml({{name, verdict, judged.of}}));
   if (options.json) {
     Json document{{"verdict", json_of(judged.verdict)}, {"metrics", json_of(judged.metrics)}};
     if (const auto record = judged.robustness_record()) document["robustness"] = json_of(*record);

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a study keeps of a design: one number or word a column of the table."""
 
+import hashlib
 import json
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 from legwright._design import Design
@@ -78,14 +80,30 @@ def as_float(measured: float | str) -> float:
     return math.inf if measured == 'infinite' else float(measured)
 
 
+def _stands(folder: Path, of: Mapping[str, str]) -> bool:
+    """Whether a judgement is of what stands in a run: `of` has SHA-256 sums of files below, and of
+    other things by names without a slash."""
+
+    def same(name: str, known: str) -> bool:
+        file = (folder / name).resolve()
+        inside = file.is_relative_to(folder.resolve()) and file.is_file()
+        return inside and hashlib.sha256(file.read_bytes()).hexdigest() == known
+
+    return 'result/scene.xml' in of and all(same(*each) for each in of.items() if '/' in each[0])
+
+
 def of_validation(design: Design) -> dict[str, Any]:
     """Measures of a design that `legwright validate` has judged; of several tasks the worst."""
     out: dict[str, Any] = {'validated': True, 'validated_verdict': ''}
     lines = []
     for name, each in design.tasks.items():
         verdict = json.loads((each.folder / 'result/verdict.json').read_text(encoding='utf-8'))
+        of = verdict.get('of')
+        if of is not None and not _stands(each.folder, of):
+            return {'validated': None, 'validated_verdict': 'not of this result: judge again'}
         out['validated'] = out['validated'] and verdict['pass']
-        lines.append((f'{name}: ' if design.joint else '') + verdict['result']['line'])
+        line = verdict['result']['line'] + (' (without sums)' if of is None else '')
+        lines.append((f'{name}: ' if design.joint else '') + line)
         if not design.joint:
             out |= {f'limit.{row["name"]}': row['value'] for row in verdict['result']['limits']}
         robustness = each.folder / 'result/robustness.json'

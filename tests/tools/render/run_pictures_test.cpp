@@ -8,11 +8,13 @@
 #include "plugin/trajectory.hpp"
 #include "tests/tools/render/toy_scene.hpp"
 #include "tools/files/atomic_file.hpp"
+#include "tools/files/checksum.hpp"
 #include "tools/files/io_error.hpp"
 #include "tools/files/json_file.hpp"
 #include "tools/image/png.hpp"
 #include "tools/image/webp.hpp"
 #include "tools/render/gait_clip.hpp"
+#include "tools/run/judged_sums.hpp"
 #include "tools/run/metrics_record.hpp"
 #include "tools/run/run_record.hpp"
 #include "tools/run/verdict_record.hpp"
@@ -206,6 +208,49 @@ TEST(RunPictures, AFileThatIsNotAsItsRecordSaysIsToldByItsKey) {
   fs::remove(run / "result" / "verdict.json");
   EXPECT_EQ(load_clips(run).size(), 2U);
   EXPECT_FALSE(load_clips(run).back().passed);
+}
+
+/// The verdict of a toy run, with what it is of.
+void add_sums(const fs::path& run) {
+  auto verdict = read_record_file<VerdictRecord>(run / "result" / "verdict.json");
+  verdict.of = sums_of_run(run);
+  verdict.with.emplace();
+  for (const char* name : {"metrics.json", "playback_initial.csv", "playback_result.csv"})
+    verdict.with->of(name) = sha256_hex(read_file(run / "result" / name));
+  write_json(run / "result" / "verdict.json", json_of(verdict));
+}
+
+TEST(RunPictures, ShowNothingThatIsOfAnotherResult) {
+  const fs::path run = toy_run("pictures_of_another_result", true);
+  add_sums(run);
+  EXPECT_EQ(load_clips(run).back().passed, true);
+  EXPECT_TRUE(load_clips(run).back().playback);
+  write_file(run / "result/playback_result.csv",
+             read_file(run / "result/playback_result.csv") + "6,0,0.3,0.28,1,0,0,0,0,0\n");
+  EXPECT_EQ(load_clips(run).back().passed, true);
+  EXPECT_FALSE(load_clips(run).back().playback) << "of another judgement";
+  fs::create_directories(run / "inputs");
+  write_file(run / "inputs/task.toml", "another task");
+  EXPECT_FALSE(load_clips(run).back().passed);
+  EXPECT_FALSE(load_clips(run).front().playback);
+  LEGWRIGHT_NEEDS_GL();
+  const RunPictures drawn = draw_run(run);
+  ASSERT_FALSE(drawn.left_out.empty());
+  EXPECT_NE(drawn.left_out[0].find("not of this result: judge again"), std::string::npos);
+  EXPECT_FALSE(fs::exists(run / "result/strip_physics.png"));
+}
+
+TEST(RunPictures, AreNotPutIntoARunThatWasReplacedMeanwhile) {
+  LEGWRIGHT_NEEDS_GL();
+  const fs::path run = toy_run("pictures_replaced", true);
+  RunPictureOptions options;
+  options.on_picture = [&](const MadePicture& made) {
+    if (made.file.filename() == "strip_initial.png")
+      write_file(run / "result/motion.csv", read_file(run / "result/motion.csv") + "\n");
+  };
+  EXPECT_THROW(draw_run(run, options), IoError);
+  EXPECT_TRUE(fs::exists(run / "result/strip_initial.png"));
+  EXPECT_FALSE(fs::exists(run / "result/strip_result.png"));
 }
 
 TEST(RunPictures, DamagedFilesAreReportedWithTheirPathAndAWayOut) {

@@ -9,6 +9,7 @@
 #include "tests/tools/report/hostile_names.hpp"
 #include "tests/tools/report/run_fixture.hpp"
 #include "tools/files/atomic_file.hpp"
+#include "tools/files/checksum.hpp"
 #include "tools/files/clean_text.hpp"
 #include "tools/image/png.hpp"
 #include "tools/report/html.hpp"
@@ -157,6 +158,28 @@ TEST_F(JointReportTest, NamesTheCommandForWhatIsMissing) {
   EXPECT_TRUE(has(page, "Nothing has been proven"));
   EXPECT_FALSE(has(page, "✓ pass"));
   EXPECT_TRUE(has(page, "F 4.75")) << "known from run.json";
+}
+
+TEST_F(JointReportTest, AMatrixOfAnotherResultIsNotShown) {
+  const fs::path file = run_ / "result" / "matrix.json";
+  EXPECT_TRUE(has(page(), "without sums"));
+  Json matrix = read_json(file);
+  matrix["of"] = json_of(sums_of(run_, read_record_file<RunRecord>(run_ / "run.json")));
+  matrix["with"] = {{"tasks/ahead/result/verdict.json",
+                     sha256_hex(read_file(run_ / "tasks/ahead/result/verdict.json"))}};
+  write_json(file, matrix, Durability::process);
+  EXPECT_TRUE(has(page(), "✓ pass"));
+  EXPECT_FALSE(has(joint_report_page(joint_data_of(read_run(run_))), "The verdicts are without"));
+  Json of_others = matrix;
+  of_others["with"]["tasks/ahead/result/verdict.json"] = "0";
+  write_json(file, of_others, Durability::process);
+  EXPECT_TRUE(has(page(), "matrix.json: not of the verdicts of its tasks: judge again"));
+  write_json(file, matrix, Durability::process);
+  const fs::path motion = run_ / "tasks/ahead/result/motion.csv";
+  write_file(motion, read_file(motion) + "\n", Durability::process);
+  const std::string page = this->page();
+  EXPECT_FALSE(has(page, "✓ pass"));
+  EXPECT_TRUE(has(page, "result/matrix.json is not of this result: judge again."));
 }
 
 TEST_F(JointReportTest, StaysSmallWhateverThePictures) {

@@ -5,6 +5,7 @@
 #include "tests/support/text.hpp"
 #include "tests/tools/report/hostile_names.hpp"
 #include "tests/tools/report/run_fixture.hpp"
+#include "tools/files/checksum.hpp"
 #include "tools/files/clean_text.hpp"
 #include "tools/report/html.hpp"
 
@@ -82,6 +83,45 @@ TEST_F(JudgedSections, TellOfTheSecondEngineWhereItPlayed) {
   fs::remove(run_ / kDrake);
   EXPECT_FALSE(has(this->page(), "Drake"));
   EXPECT_FALSE(has(report_summary(read_run(run_)), "Second engine"));
+}
+
+TEST_F(JudgedSections, AVerdictOfAnotherResultIsNotShown) {
+  EXPECT_TRUE(has(page(), "✓ Pass"));
+  EXPECT_TRUE(has(page(), "without sums: an older Legwright judged"));
+  const auto of = json_of(sums_of_run(run_));
+  for (const char* file : {kVerdict, kRobustness, kNumerics})
+    edit(file, [&](Json& document) { document["of"] = of; });
+  EXPECT_TRUE(has(page(), "✓ Pass"));
+  EXPECT_FALSE(has(page(), "without sums"));
+  const fs::path motion = run_ / "result" / "motion.csv";
+  write_file(motion, read_file(motion) + "\n");
+  const std::string page = this->page();
+  expect_well_formed(page);
+  for (const char* shown : {"✓ Pass", "limits are kept", "187 of 200", "All agree: "})
+    EXPECT_FALSE(has(page, shown)) << shown;
+  EXPECT_TRUE(has(page, "No verdict: result/verdict.json is not of this result: judge again."));
+  for (const char* file : {"verdict.json", "robustness.json", "numerics.json"})
+    EXPECT_TRUE(has_note(std::string(file) + ": not of this result: judge again")) << file;
+  const std::string summary = report_summary(read_run(run_));
+  EXPECT_FALSE(has(summary, "PASS"));
+  EXPECT_TRUE(has(summary, "not of this result: judge again"));
+}
+
+TEST_F(JudgedSections, AFileOfAnotherJudgementThanTheVerdictIsNotShown) {
+  Json with;
+  for (const char* file : {"metrics.json", "comparison.json", "numerics.json", "robustness.json"})
+    with[file] = sha256_hex(read_file(run_ / "result" / file));
+  edit(kVerdict, [&](Json& document) { document["with"] = with; });
+  EXPECT_TRUE(read_run(run_).notes.empty());
+  EXPECT_TRUE(has(page(), "187 of 200"));
+  edit(kRobustness, [](Json& file) { file["seed"] = 7; });
+  edit(kVerdict, [](Json& document) { document["with"].erase("numerics.json"); });
+  const std::string page = this->page();
+  EXPECT_TRUE(has(page, "✓ Pass"));
+  EXPECT_FALSE(has(page, "187 of 200"));
+  EXPECT_FALSE(has(page, "All agree: "));
+  for (const char* file : {"robustness.json", "numerics.json"})
+    EXPECT_TRUE(has_note(std::string(file) + ": not of the verdict beside it: judge again"));
 }
 
 TEST_F(JudgedSections, FailingLimitsComeFirst) {

@@ -45,6 +45,18 @@ TEST(Junit, EachLimitIsACase) {
   EXPECT_STREQ(failure->Attribute("message"), "reaches 70 % <of> \"it\" & pace");
 }
 
+TEST(Junit, WhatWasJudgedIsAProperty) {
+  JunitSuite one = suite("pace");
+  one.of = {{"result/scene.xml", "0123"}};
+  tinyxml2::XMLDocument document;
+  ASSERT_EQ(document.Parse(junit_xml({one}).c_str()), tinyxml2::XML_SUCCESS);
+  const auto* properties = document.RootElement()->FirstChildElement()->FirstChildElement();
+  EXPECT_STREQ(properties->Name(), "properties");
+  EXPECT_STREQ(properties->FirstChildElement()->Attribute("name"), "of result/scene.xml");
+  EXPECT_STREQ(properties->FirstChildElement()->Attribute("value"), "0123");
+  EXPECT_EQ(junit_xml({suite("pace")}).find("properties"), std::string::npos);
+}
+
 TEST(Junit, BoundsAreToldAsTheyAreJudged) {
   JunitSuite one = suite("pace");
   EXPECT_NE(junit_xml({one}).find("largest tilt of the trunk: 0.04 rad, at most 0.1<"),
