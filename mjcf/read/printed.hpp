@@ -19,9 +19,9 @@ using PrintedMap = std::map<std::string, std::vector<PointMass>>;
 /// Masses of the stretched bodies that have no <inertial>: density times geometry of their geoms.
 /// Boxes grow along their own axes, cylinders and capsules placed by `fromto` along theirs (the
 /// round ends of a capsule do not), the rest keeps its size. A part's own `mass` stays, but for a
-/// capsule that grows: that keeps its density, and its `mass` is rewritten. Exactly what MuJoCo will
-/// compute of the rewritten file. Throws InputError for a geom that would not keep its shape, and
-/// where MuJoCo weighs the body otherwise.
+/// capsule that grows: that keeps its density, and its `mass` is rewritten. Exactly what MuJoCo
+/// will compute of the rewritten file. Throws InputError for a geom that would not keep its shape,
+/// and where MuJoCo weighs the body otherwise.
 PrintedMap read_printed(const XmlFile& xml, const mjModel& model, const Structure& structure,
                         const StretchMap& stretches);
 
