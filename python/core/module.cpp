@@ -189,10 +189,12 @@ void bind_files(nb::module_& module) {
   module.def(
       "open_run", [](const fs::path& folder) { (void)ResultFolder::open(folder); }, "folder"_a,
       "Raises IoError where there is no run.");
+  nb::class_<ResultFolder>(module, "RunFolder",
+                           "The folder of a run: while it lives, no other process writes there.");
   module.def(
-      "create_run",
-      [](const fs::path& folder, bool force) { (void)ResultFolder::create(folder, force); },
-      "folder"_a, "force"_a, "Makes the folder of a run. Raises IoError where one is there.");
+      "create_run", &ResultFolder::create, "folder"_a, "force"_a,
+      "Makes the folder of a run, a RunFolder. Raises IoError where one is there, or somebody "
+      "writes there.");
 }
 
 void bind_study(nb::module_& module) {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 
 #include "mjcf/scene/plain_scene.hpp"
@@ -14,6 +15,7 @@
 #include "tools/render/gl_context.hpp"
 #include "tools/render/portrait.hpp"
 #include "tools/run/result_folder.hpp"
+#include "tools/run/run_lock.hpp"
 #include "tools/verbs/export_facts.hpp"
 #include "tools/verbs/export_files.hpp"
 #include "tools/verbs/export_gait.hpp"
@@ -66,6 +68,8 @@ std::string robot_name(const ExportedRun& from) {
 
 int export_run(const ExportOptions& options) {
   const fs::path target = target_of(options);
+  std::optional<RunLock> lock;
+  if (const auto around = run_around(target)) lock.emplace(*around);
   const ExportedRun from = read_exported_run(options.run);
   const std::string name = robot_name(from);
   UnfinishedFolder folder(target);

@@ -2,10 +2,12 @@
 #include "tools/verbs/judge_in_engine.hpp"
 
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "mjcf/text/input_error.hpp"
 #include "tools/run/install.hpp"
+#include "tools/run/run_lock.hpp"
 #include "tools/validate/limits_file.hpp"
 #include "tools/validate/records.hpp"
 #include "tools/verbs/task_of_run.hpp"
@@ -65,6 +67,8 @@ EngineRecord record_of_runs(const Engine& engine, const TaskOfRun& task, const L
 EngineRecord judge_in_engine(const ResultFolder& folder, const Engine& engine,
                              const EngineOptions& options) {
   check(options);
+  std::optional<RunLock> lock;
+  if (options.write) lock.emplace(folder.root());
   JudgedSums of = sums_of_result(folder.root());
   const TaskOfRun task = task_of_run(folder);
   const Limits limits = limits_of(options, task, engine);

@@ -21,7 +21,7 @@ struct EngineOptions {
   int cycles = 20;
   std::vector<double> gain_scales = {0.5, 1.0, 2.0};
   std::filesystem::path limits;  // a limits file; empty: what holds by default
-  bool write = false;            // the record, into result/
+  bool write = false;            // the record, into result/, which is locked meanwhile
 };
 
 /// Plays the result of a run of one task in an engine, at each gain, and judges it by the measures

@@ -245,7 +245,7 @@ int pick(const PickOptions& options) {
   if (given != 1)
     throw InputError(fmt::format(
         "pick: expected one of --iteration, --start, --front and --candidate, found {}", given));
-  const ResultFolder folder = ResultFolder::open(options.run);
+  const ResultFolder folder = ResultFolder::open_to_write(options.run);
   auto run = read_record_file<RunRecord>(folder.run_json());
   if (!run.ended()) throw IoError(options.run + ": the run has not ended; let it end first");
   const PickedDesign picked = find_design(folder, run, options);

@@ -8,6 +8,7 @@
 #include "tools/files/json_file.hpp"
 #include "tools/render/gl_context.hpp"
 #include "tools/render/run_pictures.hpp"
+#include "tools/run/result_folder.hpp"
 #include "tools/run/task_folders.hpp"
 #include "tools/simulate/mujoco_host.hpp"
 #include "tools/verbs/verbs.hpp"
@@ -44,6 +45,7 @@ int render(const RenderOptions& options) {
       fmt::print(stderr, "{}  {:.0f} ms\n", made.file.string(), made.milliseconds);
     };
   }
+  const ResultFolder locked = ResultFolder::open_to_write(options.run);
   RunPictures pictures;
   try {
     for (const std::filesystem::path& run : runs_to_draw(options.run)) {

@@ -3,16 +3,21 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "mjcf/text/input_error.hpp"
 #include "tools/files/json_file.hpp"
 #include "tools/report/pair_report.hpp"
 #include "tools/report/report.hpp"
+#include "tools/run/result_folder.hpp"
+#include "tools/run/run_lock.hpp"
 #include "tools/verbs/verbs.hpp"
 
 namespace legwright {
 namespace {
+
+namespace fs = std::filesystem;
 
 struct ReportOptions {
   std::string run, other, output;
@@ -21,7 +26,11 @@ struct ReportOptions {
 
 /// Two runs side by side.
 int report_pair(const ReportOptions& options) {
-  const std::filesystem::path file = write_pair_report(options.run, options.other, options.output);
+  const auto around = run_around(options.output.empty() ? pair_file(options.run, options.other)
+                                                        : fs::path(options.output));
+  std::optional<RunLock> lock;
+  if (around) lock.emplace(*around);
+  const fs::path file = write_pair_report(options.run, options.other, options.output);
   if (options.json) {
     fmt::print("{}", to_text(Json{{"schema", "legwright/report-pair"},
                                   {"version", 1},
@@ -40,6 +49,7 @@ int report(const ReportOptions& options) {
         "report: --output is for two runs side by side (legwright report A B -o FILE); the report "
         "of "
         "one run is RUN/report.html");
+  const ResultFolder locked = ResultFolder::open_to_write(options.run);
   const std::vector<std::filesystem::path> pages = write_report(options.run);
   if (options.json) {
     Json document{

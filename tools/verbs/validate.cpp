@@ -174,7 +174,7 @@ int validate(const ValidateOptions& asked) {
   refuse_if_too_quick(options);
   options.judge.numerics = options.judge.robustness = options.judge.stability = !options.quick;
   options.judge.validation.progress = live_progress(options.progress);
-  const ResultFolder folder = ResultFolder::open(options.run);
+  const ResultFolder folder = ResultFolder::open_to_write(options.run);
   const RunRecord run = read_run_record(folder);
   if (run.joint()) return validate_joint(folder, run, options);
   const JudgedRun judged = judge_run(folder, options.judge);

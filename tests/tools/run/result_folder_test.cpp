@@ -7,6 +7,7 @@
 #include "tests/tools/files/temporary_folder.hpp"
 #include "tools/files/io_error.hpp"
 #include "tools/files/json_file.hpp"
+#include "tools/run/run_lock.hpp"
 
 namespace legwright {
 namespace {
@@ -36,7 +37,8 @@ TEST(ResultFolder, IsMadeWithItsParents) {
   EXPECT_TRUE(fs::is_directory(folder.iterations()));
   EXPECT_FALSE(fs::exists(folder.result()));
   EXPECT_EQ(folder.iteration(7).filename(), "0007");
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder.root()), fs::directory_iterator()), 2);
+  EXPECT_TRUE(fs::exists(folder.root() / RunLock::kFile));
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.root()), fs::directory_iterator()), 3);
 }
 
 TEST(ResultFolder, RefusesARunUntilForced) {

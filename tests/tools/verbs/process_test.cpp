@@ -2,7 +2,10 @@
 // What a shell does to the program: streams that are closed or full, readers that go away, pipes
 // and devices in the place of files, texts that nest without end.
 #include <gtest/gtest.h>
+#include <signal.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <sstream>
@@ -90,6 +93,37 @@ TEST_F(Process, PipesDevicesAndEndlessNestingAreRefusedAtOnce) {
   const test::Outcome nested = call({"report", "run"});
   EXPECT_EQ(nested.code, 3) << nested.err;
   EXPECT_TRUE(test::contains(nested.err, "is damaged")) << nested.err;
+}
+
+// The second writer of a run is told who the first one is; a killed one is in nobody's way.
+TEST_F(Process, ARunHasOneWriterAtATime) {
+  const std::string task = (test::kExamples / "puppy/sideways.toml").string();
+  const fs::path run = folder_.path() / "run";
+  const test::TemporaryFolder elsewhere;
+  const pid_t first =
+      test::start({"optimize", task, "--no-pictures", "-o", run.string()}, elsewhere.path());
+  for (int n = 0; n < 1000 && !fs::exists(run / "iterations/0000"); ++n) ::usleep(10'000);
+  ASSERT_TRUE(fs::exists(run / "iterations/0000"));
+  ::kill(first, SIGSTOP);  // it stays where it is
+  const std::string who = "in use by process " + std::to_string(first) + " on ";
+  for (const std::vector<std::string>& words :
+       std::vector<std::vector<std::string>>{{"optimize", task, "-o", "run"},
+                                             {"optimize", task, "--force", "-o", "run"},
+                                             {"validate", "run"},
+                                             {"render", "run"},
+                                             {"report", "run"},
+                                             {"pick", "run", "--iteration", "0"},
+                                             {"export", "run", "-o", "run/mine"}}) {
+    const test::Outcome outcome = call(words);
+    EXPECT_EQ(outcome.code, 3) << words[0] << outcome.err;
+    EXPECT_TRUE(test::contains(outcome.err, who)) << words[0] << outcome.err;
+  }
+  EXPECT_EQ(call({"curves", "run"}).code, 2) << "a reader is not kept away";
+  ::kill(first, SIGKILL);
+  ::waitpid(first, nullptr, 0);
+  EXPECT_LE(shell("\"$LEGWRIGHT\" optimize \"$TASK\" $FAST --force -o run > out 2> err"), 1)
+      << text("err");
+  expect_whole_run();
 }
 
 }  // namespace
