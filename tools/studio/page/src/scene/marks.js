@@ -4,6 +4,23 @@ import { DoubleSide, Group, Mesh, MeshBasicMaterial, RingGeometry, Vector3 } fro
 
 const RING = new RingGeometry(0.72, 1, 28);
 const MOST = 6; // marks at once
+const LINE = 19; // pixels from one label to the next below
+const LETTER = 6.4; // pixels of a letter, on average
+
+/** Moves labels down until none covers another. @param {{x: number, y: number, width: number}[]} spots */
+function apart(spots) {
+  spots.sort((a, b) => a.y - b.y);
+  spots.forEach((spot, i) => {
+    for (const above of spots.slice(0, i))
+      if (
+        spot.y < above.y + LINE &&
+        spot.x < above.x + above.width &&
+        above.x < spot.x + spot.width
+      )
+        spot.y = above.y + LINE;
+  });
+  return spots;
+}
 
 export class Marks {
   /** @param {HTMLElement} layer over the canvas, for the words */
@@ -54,6 +71,7 @@ export class Marks {
       return;
     }
     const { clientWidth: width, clientHeight: height } = this.layer; // lays the page out
+    const spots = [];
     this.labels.forEach((label, i) => {
       const mark = this.shown[i];
       label.hidden = !mark?.words;
@@ -62,8 +80,10 @@ export class Marks {
       ring.getWorldPosition(this.point).project(camera);
       if (label.textContent !== mark.words) label.textContent = mark.words;
       const x = (this.point.x * 0.5 + 0.5) * width + 14;
-      const y = (0.5 - this.point.y * 0.5) * height - 22 * (i % 2) - 8;
-      label.style.transform = `translate(${x.toFixed(0)}px, ${y.toFixed(0)}px)`;
+      const y = (0.5 - this.point.y * 0.5) * height - 8;
+      spots.push({ label, x, y, width: LETTER * mark.words.length + 12 });
     });
+    for (const { label, x, y } of apart(spots))
+      label.style.transform = `translate(${x.toFixed(0)}px, ${y.toFixed(0)}px)`;
   }
 }
