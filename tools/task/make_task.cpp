@@ -14,6 +14,7 @@
 #include "tools/task/gait_table.hpp"
 #include "tools/task/servo_sag.hpp"
 #include "tools/task/style_table.hpp"
+#include "tools/task/support_check.hpp"
 #include "tools/task/task_file.hpp"
 #include "tools/task/toml_reader.hpp"
 #include "tools/task/two_feet.hpp"
@@ -220,6 +221,8 @@ std::vector<std::string> task_warnings(const Task& task, const RobotModel& robot
         "at times no foot is on the ground: nothing steers the robot while it plays such a gait, "
         "and "
         "most fall; raise gait.duty for steadier ones");
+  if (std::string why = unsupported_stance(task, robot); !why.empty())
+    warnings.push_back(std::move(why));
   if (const ServoSag sag = servo_sag(robot, task); sag.soft() && sag.can_be_stiffer())
     warnings.push_back(
         fmt::format("soft servos: standing alone bends joint '{}' by {:.2g} rad (kp {:.4g} N "
