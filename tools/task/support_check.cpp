@@ -17,7 +17,7 @@ using Eigen::Vector2d;
 
 // Of the feet's mean distance from the centre of mass: from there on no step is short enough.
 constexpr double kOutside = 0.15, kBesideTheLine = 0.3;
-constexpr double kAcross = 0.2;  // of that distance: feet nearer along x share a row, along y a side
+constexpr double kAcross = 0.2;  // of that distance: feet nearer along x share a row
 
 /// How far the origin is outside of the convex hull of points; 0 within.
 double outside(const std::vector<Vector2d>& points) {

@@ -23,9 +23,7 @@ std::string told(const RobotModel& robot, const std::string& gait) {
       robot);
 }
 
-RobotModel example(const char* name) {
-  return read_robot(test::kExamples / name / "robot.xml");
-}
+RobotModel example(const char* name) { return read_robot(test::kExamples / name / "robot.xml"); }
 
 /// The trunk's weight moved forward, in the plan's own numbers.
 RobotModel with_weight_ahead(RobotModel robot, double metres) {
