@@ -11,6 +11,7 @@
 #include "python/core/conversation.hpp"
 #include "python/core/iteration.hpp"
 #include "python/core/own_objective.hpp"
+#include "tools/files/io_error.hpp"
 #include "tools/run/result_folder.hpp"
 #include "tools/task/task_file.hpp"
 #include "tools/verbs/optimize_run.hpp"
@@ -59,6 +60,9 @@ std::vector<std::string> optimize_followed(const RobotModel& robot, const Follow
   if (run.options.force) check_not_in_run(run.folder, problem.robot.files);
   const ResultFolder folder = ResultFolder::create(run.folder, run.options.force);
   optimize_into(folder, problem, run.options, follower, times);
+  if (!folder.stand() && signal == 0)
+    throw IoError(run.folder.string() +
+                  ": stopped before there was a result; the run that was there stays");
   return warnings;
 }
 

@@ -190,7 +190,9 @@ void bind_files(nb::module_& module) {
       "open_run", [](const fs::path& folder) { (void)ResultFolder::open(folder); }, "folder"_a,
       "Raises IoError where there is no run.");
   nb::class_<ResultFolder>(module, "RunFolder",
-                           "The folder of a run: while it lives, no other process writes there.");
+                           "The folder of a run: while it lives, no other process writes there.")
+      .def_prop_ro("path", &ResultFolder::root, "Where its files are to be written.")
+      .def("stand", &ResultFolder::stand, "Takes the place of the run that was there.");
   module.def(
       "create_run", &ResultFolder::create, "folder"_a, "force"_a,
       "Makes the folder of a run, a RunFolder. Raises IoError where one is there, or somebody "

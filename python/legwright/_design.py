@@ -276,7 +276,7 @@ class Design:
             return target
         if here.is_relative_to(there) or there.is_relative_to(here):
             raise IoError(f'{target}: the design itself lies in {self.folder}; name another folder')
-        locked = _core.create_run(target, force)
+        made = _core.create_run(target, force)
         copies: dict[tuple[int, int], str] = {}
 
         def copy(source: str, to: str) -> str:
@@ -290,9 +290,10 @@ class Design:
 
         lock = shutil.ignore_patterns('.lock')
         shutil.copytree(
-            self.folder, target, copy_function=copy, ignore=lock, dirs_exist_ok=True
+            self.folder, made.path, copy_function=copy, ignore=lock, dirs_exist_ok=True
         )
-        del locked  # nobody else could write there until now
+        made.stand()
+        del made  # nobody else could write there until now
         return target
 
     def _repr_html_(self) -> str:

@@ -3,11 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <system_error>
 
 #include "tools/files/io_error.hpp"
 #include "tools/files/json_file.hpp"
+#include "tools/run/run_build.hpp"
 #include "tools/run/run_lock.hpp"
 
 namespace legwright {
@@ -15,23 +17,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Everything a run consists of; --force removes these and nothing else.
+// Everything a run consists of, besides its report.
 constexpr std::array<const char*, 9> kEntries{"run.json",   "events.jsonl", "inputs",
                                               "iterations", "starts",       "tasks",
                                               "candidates", "front",        "result"};
-constexpr const char* kReport = "report.html";  // of `legwright report`; goes with the run
-
+/// Empty folders are nobody's loss: a process that was killed before it wrote run.json leaves some.
 bool holds_any_entry(const fs::path& root) {
   std::error_code error;
-  for (const char* name : kEntries)
-    if (fs::exists(fs::symlink_status(root / name, error))) return true;
+  for (const char* name : kEntries) {
+    const fs::file_status entry = fs::symlink_status(root / name, error);
+    if (fs::exists(entry) && !(fs::is_directory(entry) && fs::is_empty(root / name, error)))
+      return true;
+  }
   return false;
-}
-
-void remove_run(const fs::path& root) {
-  // run.json last: what is left after an interruption still counts as a run.
-  fs::remove(root / kReport);
-  for (auto name = kEntries.rbegin(); name != kEntries.rend(); ++name) fs::remove_all(root / *name);
 }
 
 [[noreturn]] void refuse(const fs::path& root, const std::string& why, const std::string& fix) {
@@ -63,7 +61,21 @@ std::shared_ptr<const RunLock> locked(const fs::path& root) {
   }
 }
 
+std::shared_ptr<RunBuild> build_of(const fs::path& root, std::shared_ptr<const RunLock> lock) {
+  try {
+    return std::make_shared<RunBuild>(root, std::move(lock));
+  } catch (const std::system_error& failure) {
+    refuse(fs::canonical(root).parent_path(), "cannot be written: " + failure.code().message(),
+           "the new run is built there beside the old one: mend its permissions or the disk, or "
+           "choose another folder");
+  }
+}
+
 }  // namespace
+
+bool is_part_of_run(std::string_view name) {
+  return std::find(kEntries.begin(), kEntries.end(), name) != kEntries.end();
+}
 
 bool is_run(const fs::path& root) {
   std::error_code error;
@@ -88,11 +100,11 @@ ResultFolder ResultFolder::create(const fs::path& root, bool force) {
     ResultFolder folder(root);
     folder.lock_ = locked(root);  // before a run is told of that is being written
     check_free(root, force);
-    // Probe before anything is removed: a folder that cannot be written must keep its old run.
-    const fs::path probe = root / ".legwright-probe";
+    if (is_run(root)) folder.build_ = build_of(root, folder.lock_);
+    sweep_leftovers(root);
+    const fs::path probe = folder.root() / ".legwright-probe";
     write_file(probe, "probe\n");
     fs::remove(probe);
-    if (force) remove_run(root);
     fs::create_directory(folder.inputs());
     fs::create_directory(folder.iterations());
     return folder;
@@ -105,6 +117,7 @@ ResultFolder ResultFolder::open_to_write(const fs::path& root) {
   ResultFolder folder = open(root);
   folder.lock_ = locked(root);
   (void)open(root);  // who held it until now may have removed the run
+  sweep_leftovers(root);
   return folder;
 }
 
@@ -120,6 +133,28 @@ ResultFolder ResultFolder::open(const fs::path& root) {
            "run `legwright optimize`, which writes it again, or give another folder");
   if (!is_run(root)) refuse(root, "holds no run", "give a folder that `legwright optimize` wrote");
   return ResultFolder(root);
+}
+
+const fs::path& ResultFolder::root() const { return build_ ? build_->at() : root_; }
+
+fs::path ResultFolder::in_the_end(const fs::path& path) const {
+  return build_ ? root_ / path.lexically_relative(root()) : path;
+}
+
+void ResultFolder::check_there() const {
+  if (build_ ? build_->is_there() : !lock_ || lock_->stands()) return;
+  throw IoError(
+      fmt::format("{}: was removed or replaced while it was written; the run ends, choose "
+                  "a folder that stays",
+                  root_.string()));
+}
+
+bool ResultFolder::stand() const {
+  if (!build_) return true;
+  check_there();
+  if (!fs::exists(result())) return false;
+  build_->stand();
+  return true;
 }
 
 fs::path ResultFolder::iteration(int index) const {

@@ -42,7 +42,7 @@ std::string utc_now() {
 /// Who holds a lock, as its file says.
 struct Holder {
   long process = 0;
-  std::string host, since;
+  std::string host, since, build;
 };
 
 Holder read_holder(int descriptor) {
@@ -55,6 +55,7 @@ Holder read_holder(int descriptor) {
   if (!std::getline(lines, process) || !std::getline(lines, holder.host) ||
       !std::getline(lines, holder.since) || lines.eof())
     return {};
+  std::getline(lines, holder.build);
   for (const char digit : process.substr(0, 18)) {
     if (digit < '0' || digit > '9') return {};
     holder.process = 10 * holder.process + (digit - '0');
@@ -93,8 +94,9 @@ bool is_same(int descriptor, const fs::path& path) {
          open.st_dev == named.st_dev && open.st_ino == named.st_ino;
 }
 
-void write_holder(int descriptor) {
-  const std::string text = fmt::format("{}\n{}\n{}\n", ::getpid(), host_name(), utc_now());
+/// @param build name of the folder in which it builds, or nothing
+void write_holder(int descriptor, const std::string& since, const std::string& build) {
+  const std::string text = fmt::format("{}\n{}\n{}\n{}\n", ::getpid(), host_name(), since, build);
   // A full disk is no reason not to go on: without the text nobody is told who it is.
   if (::ftruncate(descriptor, 0) == 0) (void)!::pwrite(descriptor, text.data(), text.size(), 0);
 }
@@ -108,7 +110,9 @@ fs::path locked_folder(const fs::path& run) {
 
 }  // namespace
 
-RunLock::RunLock(const fs::path& run) : folder_(locked_folder(run)) {
+RunLock::RunLock(const fs::path& run, Extent extent)
+    : folder_(extent == Extent::whole_run ? locked_folder(run) : fs::canonical(run)),
+      since_(utc_now()) {
   const fs::path file = folder_ / kFile;
   constexpr int kTries = 1000;  // each but the first is a writer that went away meanwhile
   for (int n = 0;; ++n) {
@@ -121,7 +125,7 @@ RunLock::RunLock(const fs::path& run) : folder_(locked_folder(run)) {
     if (is_same(opened, file) || n == kTries) {  // else it went away with whoever held it
       if (held) refuse_second_writer(opened, run);
       descriptor_ = opened;
-      write_holder(opened);
+      write_holder(opened, since_, "");
       return;
     }
     ::close(opened);
@@ -137,6 +141,23 @@ RunLock::~RunLock() {
 }
 
 bool RunLock::stands() const { return is_same(descriptor_, folder_ / kFile); }
+
+void RunLock::note(const std::string& build) const { write_holder(descriptor_, since_, build); }
+
+std::optional<fs::path> build_beside(const fs::path& run) {
+  std::error_code error;
+  const fs::path here = fs::canonical(run, error);
+  const int opened = ::open((here / RunLock::kFile).c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (opened < 0) return std::nullopt;
+  const Holder holder = read_holder(opened);
+  ::close(opened);
+  const std::string& line = holder.build;
+  const bool plain = line.starts_with('.') && line.ends_with(".tmp") && line.size() < 256 &&
+                     line.find('/') == std::string::npos;
+  if (error || !is_running(holder) || !plain || !fs::is_directory(here.parent_path() / line, error))
+    return std::nullopt;
+  return here.parent_path() / line;
+}
 
 std::optional<fs::path> run_around(const fs::path& path) {
   for (fs::path at = fs::weakly_canonical(fs::absolute(path)); at.has_relative_path();

@@ -11,10 +11,10 @@
 #include "optimizer/base/stopwatch.hpp"
 #include "optimizer/solve/task_solver.hpp"
 #include "tools/choose/physics_trial.hpp"
+#include "tools/files/replace_folder.hpp"
 #include "tools/run/design_folder.hpp"
 #include "tools/simulate/mujoco_host.hpp"
 #include "tools/verbs/joint_folders.hpp"
-#include "tools/verbs/replace_folder.hpp"
 
 namespace legwright {
 namespace {

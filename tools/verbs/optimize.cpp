@@ -42,8 +42,12 @@ int optimize(const OptimizeOptions& options) {
   const ResultFolder folder = ResultFolder::create(root, options.force);
   const StopSignals signals;
   const RunRecord run = optimize_into(folder, problem, options, follower, times);
+  const bool stands = folder.stand();
+  if (!stands)
+    follower.warn(root.string() +
+                  ": stopped before there was a result; the run that was there stays");
   if (options.json) fmt::print("{}", to_text(json_of(run)));
-  if (!options.json && !options.quiet)
+  if (!options.json && !options.quiet && stands)
     fmt::print("{}", problem.set.joint() ? joint_summary(run, root) : optimize_summary(run, root));
   std::fflush(stdout);
   return exit_code(StopSignals::received(), *run.reasons);

@@ -67,8 +67,9 @@ std::vector<EngineWarningRecord> engine_warnings(
     if (!fs::exists(scene)) continue;
     for (const HealthWarning& warning : warnings_in_gait(scene)) {
       found.push_back({problem.task(k).name, warning.text, warning.count, warning.time});
-      warn(fmt::format("{}: MuJoCo warns: {}, {} times, first at {:.3g} s", scene.string(),
-                       warning.text, warning.count, warning.time));
+      warn(fmt::format("{}: MuJoCo warns: {}, {} times, first at {:.3g} s",
+                       folder.in_the_end(scene).string(), warning.text, warning.count,
+                       warning.time));
     }
   }
   return found;

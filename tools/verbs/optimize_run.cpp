@@ -57,6 +57,7 @@ class OptimizeRun {
   /// Solves the problem and writes what comes of it.
   void solve() {
     const MultistartResult found = search();
+    folder_.check_there();
     Candidate chosen = optimum_of(found);
     const bool to_play = !stop_() && !options_.plan_only && usable(chosen.design);
     if (to_play) chosen = choose(found);
@@ -106,6 +107,7 @@ class OptimizeRun {
 
   /// Reasons, certificate, steps on the gait.
   void explain(const MultistartResult& found, const Candidate& chosen) {
+    folder_.check_there();
     if (!stop_() && !options_.no_reasons) {
       reasons_.write(folder_, found, chosen, run_);
       times_.end_of("reasons");
@@ -135,6 +137,7 @@ class OptimizeRun {
   }
 
   void finish() {
+    folder_.check_there();
     recorder_.end(run_);
     write_json(folder_.run_json(), json_of(run_));  // complete, should the pictures be interrupted
     if (!options_.no_pictures && !stop_()) {

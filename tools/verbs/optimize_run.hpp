@@ -32,8 +32,8 @@ struct RunFollower {
 /// Throws InputError where options ask for what the problem has not.
 void check_options(const OptimizeOptions& options, const CodesignProblem& problem);
 
-/// For a run that replaces another: that goes first, and a robot's meshes and licences are copied
-/// after that. Throws IoError where they lie in its folder.
+/// For a run that replaces another, which goes away in the end. Throws IoError where a robot's own
+/// meshes and licences lie in its folder.
 void check_not_in_run(const std::filesystem::path& root, const RobotFiles& files);
 
 /// Tells what looks doubtful about robot and tasks before anything is solved.
@@ -41,7 +41,9 @@ void tell_warnings(const CodesignProblem& problem, const RunFollower& follower);
 
 /// Co-designs a problem into a new run folder: search, choice by physics, reasons, certificate and
 /// pictures, as the options ask. On stderr it prints nothing that options.quiet forbids. Where it
-/// fails, run.json says so. Throws InputError, IoError, MujocoError, std::system_error.
+/// fails, run.json says so; where the folder is removed meanwhile, it ends. A run that replaces
+/// another stands in its place once folder.stand() was called. Throws InputError, IoError,
+/// MujocoError, std::system_error.
 /// @param problem its robot's files become those of the folder
 /// @return run.json as it stands in the end
 RunRecord optimize_into(const ResultFolder& folder, CodesignProblem& problem,

@@ -43,6 +43,7 @@ fs::path Recorder::design_folder(const RunLabel& label, int k, int index) {
 }
 
 bool Recorder::iteration(const RunLabel& label, const DesignIteration& iteration) {
+  folder_.check_there();
   const Stopwatch watch;
   std::vector<PlanQuality> qualities;
   for (std::size_t k = 0; k < label.tasks.size(); ++k) {

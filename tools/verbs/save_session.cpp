@@ -90,6 +90,7 @@ void save_session(const SessionRecord& session, const std::filesystem::path& roo
   write_end(folder, problem, found, chosen, false, 0, recorder, run, [](const std::string&) {});
   recorder.end(run);
   write_json(folder.run_json(), json_of(run));
+  folder.stand();
 }
 
 }  // namespace legwright

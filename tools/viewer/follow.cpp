@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "tools/run/iteration_record.hpp"
+#include "tools/run/run_lock.hpp"
 #include "tools/run/run_record.hpp"
 #include "tools/run/task_folders.hpp"
 
@@ -54,6 +55,11 @@ std::optional<R> read_or_nothing(const fs::path& file) {
   }
 }
 
+bool has_ended(const fs::path& folder) {
+  const auto run = read_or_nothing<RunRecord>(folder / "run.json");
+  return run && run->status != "running";
+}
+
 fs::path without_slash(fs::path folder) {
   folder = folder.lexically_normal();
   return folder.has_filename() ? folder : folder.parent_path();
@@ -82,19 +88,27 @@ std::vector<Fact> facts_of(const WrittenDesign& design) {
 
 RunFollower::RunFollower(fs::path run) : run_(without_slash(std::move(run))) {}
 
-std::vector<fs::path> RunFollower::places() const {
-  const fs::path tasks = run_.parent_path();
-  if (tasks.filename() != "tasks") return {run_ / "iterations"};
-  std::vector<fs::path> found;
-  for (const fs::path& start : entries(tasks.parent_path() / "starts"))
-    found.push_back(start / run_.filename() / "iterations");
-  // The run's own iterations are copies of those, made at the end.
-  return found.empty() ? std::vector{run_ / "iterations"} : found;
+fs::path RunFollower::watched() const {
+  const bool task = run_.parent_path().filename() == "tasks";
+  const fs::path whole = task ? run_.parent_path().parent_path() : run_;
+  const auto build = build_beside(whole.empty() ? "." : whole);
+  if (!build) return run_;
+  return task ? *build / "tasks" / run_.filename() : *build;
 }
 
-std::optional<RunFollower::Candidate> RunFollower::newest() const {
+std::vector<fs::path> RunFollower::places(const fs::path& run) {
+  const fs::path tasks = run.parent_path();
+  if (tasks.filename() != "tasks") return {run / "iterations"};
+  std::vector<fs::path> found;
+  for (const fs::path& start : entries(tasks.parent_path() / "starts"))
+    found.push_back(start / run.filename() / "iterations");
+  // The run's own iterations are copies of those, made at the end.
+  return found.empty() ? std::vector{run / "iterations"} : found;
+}
+
+std::optional<RunFollower::Candidate> RunFollower::newest(const fs::path& run) {
   std::optional<Candidate> best;
-  for (const fs::path& place : places())
+  for (const fs::path& place : places(run))
     for (const fs::path& folder : entries(place)) {
       std::error_code error;
       const auto written_at = fs::last_write_time(folder / kScene, error);
@@ -105,18 +119,14 @@ std::optional<RunFollower::Candidate> RunFollower::newest() const {
   return best;
 }
 
-bool RunFollower::run_has_ended() const {
-  const auto run = read_or_nothing<RunRecord>(run_ / "run.json");
-  return run && run->status != "running";
-}
-
 std::optional<WrittenDesign> RunFollower::next() {
-  ended_ = run_has_ended();
+  const fs::path run = watched();
+  ended_ = run == run_ && has_ended(run);
   std::error_code error;
-  const fs::path result = run_ / "result";
+  const fs::path result = run / "result";
   const auto written_at = fs::last_write_time(result / kScene, error);
   const bool found = ended_ && !error;
-  const std::optional<Candidate> best = found ? Candidate{written_at, result} : newest();
+  const std::optional<Candidate> best = found ? Candidate{written_at, result} : newest(run);
   if (!best || best == shown_) return std::nullopt;
   shown_ = best;
   return WrittenDesign{best->folder / kScene, name_of(best->folder), found};

@@ -29,7 +29,9 @@ std::vector<Fact> facts_of(const WrittenDesign& design);
 
 /// Watches the folder of a run, which need not exist yet, for designs that land there. A folder
 /// tasks/NAME of a joint run, which appears only at the end, stands for the designs of its task in
-/// all starts. Nothing here throws because of files that are missing, half there or vanish.
+/// all starts. Of a run that is being replaced (`optimize --force`) the designs of the new one are
+/// watched, which is built beside it. Nothing here throws because of files that are missing, half
+/// there or vanish.
 class RunFollower {
  public:
   explicit RunFollower(std::filesystem::path run);
@@ -50,9 +52,9 @@ class RunFollower {
     std::filesystem::path folder;
     auto operator<=>(const Candidate&) const = default;
   };
-  std::vector<std::filesystem::path> places() const;
-  std::optional<Candidate> newest() const;
-  bool run_has_ended() const;
+  std::filesystem::path watched() const;
+  static std::vector<std::filesystem::path> places(const std::filesystem::path& run);
+  static std::optional<Candidate> newest(const std::filesystem::path& run);
 
   std::filesystem::path run_;
   std::optional<Candidate> shown_;

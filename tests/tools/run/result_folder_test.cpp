@@ -49,7 +49,6 @@ TEST(ResultFolder, RefusesARunUntilForced) {
   EXPECT_NE(message.find("--force"), std::string::npos) << message;
   EXPECT_EQ(read_file(base.path() / "run" / "events.jsonl"), "line\n");
   EXPECT_EQ(refusal(base.path() / "run", true), "");
-  EXPECT_FALSE(fs::exists(base.path() / "run" / "events.jsonl"));
 }
 
 TEST(ResultFolder, ForceKeepsForeignFiles) {
@@ -57,11 +56,10 @@ TEST(ResultFolder, ForceKeepsForeignFiles) {
   make_run(base.path() / "run");
   for (const char* name : {"notes.txt", "summary.md"})
     write_file(base.path() / "run" / name, "mine");
-  write_file(base.path() / "run" / "report.html", "of the old run");
-  EXPECT_EQ(refusal(base.path() / "run", true), "");
+  EXPECT_NE(refusal(base.path() / "run", true).find("not of the run: notes.txt, summary.md;"),
+            std::string::npos);
   for (const char* name : {"notes.txt", "summary.md"})
     EXPECT_EQ(read_file(base.path() / "run" / name), "mine");
-  EXPECT_FALSE(fs::exists(base.path() / "run" / "report.html"));
 }
 
 TEST(ResultFolder, NeverRemovesWhatIsNoRun) {
@@ -71,6 +69,12 @@ TEST(ResultFolder, NeverRemovesWhatIsNoRun) {
   write_file(base.path() / "run.json", "{\"schema\": \"other\"}");
   for (const bool force : {false, true}) EXPECT_NE(refusal(base.path(), force), "");
   EXPECT_EQ(read_file(base.path() / "result" / "thesis.tex"), "years of work");
+}
+
+TEST(ResultFolder, TakesWhatAKilledProcessHadOnlyBegun) {
+  const TemporaryFolder base;
+  (void)ResultFolder::create(base.path() / "run", false);  // without run.json
+  EXPECT_EQ(refusal(base.path() / "run", false), "");
 }
 
 TEST(ResultFolder, RefusesAFileAndAFolderThatCannotBeWritten) {

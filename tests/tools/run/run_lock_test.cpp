@@ -162,12 +162,13 @@ int compete(const fs::path& run, bool force, Pipe& start, Pipe& told, Pipe& all_
     told.say();
     const std::string mine = std::to_string(::getpid());
     for (const fs::path& file : {folder.inputs() / "task.toml", folder.root() / "events.jsonl",
-                                 folder.iterations() / "robot.xml"})
+                                 folder.iterations() / "scene.xml"})
       write_file(file, mine, Durability::process);
     all_told.wait();
     write_json(folder.run_json(), {{"schema", "legwright/run"}, {"who", mine}},
                Durability::process);
-    return kWon;
+    fs::create_directory(folder.result());
+    return folder.stand() ? kWon : kBroken;
   } catch (const IoError& error) {
     told.say();
     return std::string(error.what()).find("in use by process ") != std::string::npos ? kRefused
@@ -204,7 +205,7 @@ TEST_F(RunLockOf, EightWritersAreOneThatWinsAndSevenThatAreRefused) {
     }
     ASSERT_NE(winner, 0);
     const std::string mine = std::to_string(winner);
-    for (const char* file : {"inputs/task.toml", "events.jsonl", "iterations/robot.xml"})
+    for (const char* file : {"inputs/task.toml", "events.jsonl", "iterations/scene.xml"})
       EXPECT_EQ(read_file(run_ / file), mine) << file;
     EXPECT_EQ(read_json(run_ / "run.json")["who"], mine);
     EXPECT_FALSE(fs::exists(run_ / RunLock::kFile));

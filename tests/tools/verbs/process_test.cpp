@@ -126,5 +126,62 @@ TEST_F(Process, ARunHasOneWriterAtATime) {
   expect_whole_run();
 }
 
+TEST_F(Process, AKilledRunLeavesTheOneThatItWasToReplace) {
+  ASSERT_LE(shell("\"$LEGWRIGHT\" optimize \"$TASK\" $FAST -o run > out 2> err"), 1);
+  ASSERT_LE(shell("\"$LEGWRIGHT\" validate run --quick > out 2> err && \"$LEGWRIGHT\" report run "
+                  "> out 2> err"),
+            1);
+  const std::string before = text("run/run.json"), verdict = text("run/result/verdict.json");
+  const std::string task = (test::kExamples / "puppy/sideways.toml").string();
+  const fs::path run = folder_.path() / "run";
+  const auto beside = [&] {
+    std::vector<fs::path> found;
+    for (const auto& entry : fs::directory_iterator(folder_.path()))
+      if (entry.path().filename().string().starts_with(".run.new-")) found.push_back(entry.path());
+    return found;
+  };
+  const test::TemporaryFolder elsewhere;
+  const pid_t killed = test::start(
+      {"optimize", task, "--no-pictures", "--force", "-o", run.string()}, elsewhere.path());
+  for (int n = 0; n < 1000 && (beside().empty() || !fs::exists(beside()[0] / "iterations/0000"));
+       ++n)
+    ::usleep(10'000);
+  ASSERT_EQ(beside().size(), 1U);
+  ::kill(killed, SIGKILL);
+  ::waitpid(killed, nullptr, 0);
+  EXPECT_EQ(text("run/run.json"), before);
+  EXPECT_EQ(text("run/result/verdict.json"), verdict);
+  EXPECT_EQ(call({"report", "run"}).code, 0);
+  EXPECT_EQ(beside().size(), 1U);
+
+  write_file(run / "notes.txt", "mine");
+  const test::Outcome kept = call({"optimize", task, "--force", "-o", "run"});
+  EXPECT_EQ(kept.code, 3);
+  EXPECT_TRUE(test::contains(kept.err, "notes.txt")) << kept.err;
+  fs::remove(run / "notes.txt");
+  EXPECT_LE(shell("\"$LEGWRIGHT\" optimize \"$TASK\" $FAST --force -o run > out 2> err"), 1)
+      << text("err");
+  expect_whole_run();
+  EXPECT_FALSE(fs::exists(run / "result/verdict.json")) << "of the old run";
+  EXPECT_FALSE(fs::exists(run / "report.html"));
+  EXPECT_TRUE(beside().empty());
+}
+
+TEST_F(Process, AFolderThatIsRemovedInMidRunEndsIt) {
+  const std::string task = (test::kExamples / "puppy/sideways.toml").string();
+  const fs::path run = folder_.path() / "run";
+  const test::TemporaryFolder elsewhere;
+  const pid_t child =
+      test::start({"optimize", task, "--no-pictures", "-o", run.string()}, elsewhere.path());
+  for (int n = 0; n < 1000 && !fs::exists(run / "iterations/0000"); ++n) ::usleep(10'000);
+  const fs::path away = folder_.path() / "away";
+  fs::rename(run, away);  // at once, where removing takes a while
+  const test::Outcome outcome = test::wait_for(child, elsewhere.path());
+  EXPECT_EQ(outcome.code, 3) << outcome.err;
+  EXPECT_TRUE(test::contains(outcome.err, "was removed or replaced while it was written"))
+      << outcome.err;
+  EXPECT_FALSE(fs::exists(run)) << "it came back";
+}
+
 }  // namespace
 }  // namespace legwright

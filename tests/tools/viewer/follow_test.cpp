@@ -9,6 +9,7 @@
 #include "tests/tools/files/temporary_folder.hpp"
 #include "tools/files/json_file.hpp"
 #include "tools/run/iteration_record.hpp"
+#include "tools/run/result_folder.hpp"
 #include "tools/run/run_record.hpp"
 #include "tools/viewer/message_lines.hpp"
 
@@ -91,6 +92,32 @@ TEST(RunFollower, NoticesThatARunIsMadeAnew) {
   EXPECT_FALSE(follower.next());
   land(run / "iterations" / "0000", 3);
   EXPECT_EQ(follower.next()->name, "iteration 0");
+}
+
+TEST(RunFollower, WatchesTheNewRunThatIsBuiltBesideTheOldOne) {
+  const TemporaryFolder folder;
+  const fs::path run = folder.path() / "run";
+  write_status(run, "converged");
+  land(run / "iterations" / "0007", 1);
+  land(run / "result", 2);
+  RunFollower follower(run), of_task(run / "tasks" / "trot");
+  EXPECT_TRUE(follower.next()->result);
+  {
+    const ResultFolder fresh = ResultFolder::create(run, true);
+    EXPECT_FALSE(follower.next());
+    EXPECT_FALSE(follower.ended());
+    write_status(fresh.root(), "running");
+    land(fresh.root() / "iterations" / "0000", 3);
+    EXPECT_EQ(follower.next()->name, "iteration 0");
+    land(fresh.root() / "starts" / "trot-alone" / "trot" / "iterations" / "0004", 4);
+    EXPECT_EQ(of_task.next()->name, "iteration 4 trot-alone");
+    land(fresh.root() / "result", 5);
+    write_status(fresh.root(), "converged");
+    ASSERT_TRUE(fresh.stand());
+  }
+  const auto result = follower.next();
+  ASSERT_TRUE(result && result->result && follower.ended());
+  EXPECT_EQ(result->scene, run / "result" / "scene.xml");
 }
 
 TEST(RunFollower, FollowsATaskOfAJointRunThroughItsStarts) {
