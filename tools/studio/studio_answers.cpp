@@ -83,6 +83,7 @@ const std::map<std::string, StudioService::Answer>& StudioService::answers() {
       {"POST /api/judge", &StudioService::post_judge},
       {"DELETE /api/judge", &StudioService::delete_judge},
       {"DELETE /api/job", &StudioService::delete_job},
+      {"POST /api/optimize", &StudioService::post_optimize},
       {"POST /api/report", &StudioService::post_report},
       {"POST /api/export", &StudioService::post_export},
       {"POST /api/save", &StudioService::post_save},

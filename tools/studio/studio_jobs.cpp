@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the studio does in processes of its own: judge, report, export.
+// What the studio does in processes of its own: judge, optimize, report, export.
 #include <fmt/format.h>
 
 #include "mjcf/text/input_error.hpp"
+#include "tools/files/atomic_file.hpp"
 #include "tools/studio/request_body.hpp"
 #include "tools/studio/studio_service.hpp"
 #include "tools/studio/verdict_lines.hpp"
+#include "tools/task/task_text.hpp"
 
 namespace legwright {
 namespace {
@@ -27,6 +29,26 @@ class PassingRun {
  private:
   fs::path folder_;
 };
+
+/// The task file of a state whose body is that of robot.xml beside it: with the state's weights and
+/// bounds, and what is locked frozen.
+std::string text_from_here(const SessionState& state) {
+  const TaskSet& set = state.problem->set;
+  std::string frozen, bounds;
+  for (int k = 0; k < state.s().size(); ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    const std::string name = to_line(Json(state.problem->robot.space.parameters[at].name));
+    if (state.frozen[at])
+      frozen += (frozen.empty() ? "" : ", ") + name;
+    else
+      bounds += fmt::format("{}{} = [{}, {}]", bounds.empty() ? "" : ", ", name, state.lower[k],
+                            state.upper[k]);
+  }
+  std::string text = set.joint() ? with_weights(set.text, state.weights) : set.text;
+  text = with_key(text, {"robot"}, "\"robot.xml\"");
+  text = with_key(text, {"design", "freeze"}, "[" + frozen + "]");
+  return with_key(text, {"design", "bounds"}, "{ " + bounds + " }");
+}
 
 }  // namespace
 
@@ -60,6 +82,32 @@ Json StudioService::post_judge(const StudioRequest&) {
 Json StudioService::delete_judge(const StudioRequest&) {
   judge_.cancel();
   return Json::object();
+}
+
+/// `optimize` from the body that stands, which plays what it finds and hands back what passes: a
+/// run of its own. The session stays as it is, whose motions are those of the task as written.
+Json StudioService::post_optimize(const StudioRequest& request) {
+  const auto space = workspace();
+  const fs::path path = paths_.to_write(needed<std::string>(request.body, "path"));
+  if (fs::exists(path)) throw InputError(path.string() + ": exists already; name a new folder");
+  const fs::path folder = scratch("asked");
+  auto record = std::make_shared<SessionRecord>(space->session().record());
+  jobs_.start([this, path, folder, record](JobRunner& job) {
+    const PassingRun run(folder);
+    options_.save(*record, run.folder(), true);
+    const fs::path task = run.folder() / "result" / "task.toml";
+    write_file(task, text_from_here(*record->state));
+    const bool passes = job.run("searching, with MuJoCo's verdicts",
+                                {options_.program.string(), "optimize", task.string(), "-o",
+                                 path.string(), "--no-pictures", "--no-reasons"},
+                                1);
+    job.tell({{"words", "written"}, {"path", path.string()}, {"passes", passes}}, false);
+    hub_.notice(passes ? "info" : "error",
+                fmt::format("{}: {}", path.string(),
+                            passes ? "a run that passes; `legwright report` and `export` take it"
+                                   : "no body was found that passes; this run is the best one"));
+  });
+  return {{"path", path.string()}};
 }
 
 Json StudioService::delete_job(const StudioRequest&) {

@@ -83,6 +83,7 @@ class StudioService {
   Json post_judge(const StudioRequest& request);
   Json delete_judge(const StudioRequest& request);
   Json delete_job(const StudioRequest& request);
+  Json post_optimize(const StudioRequest& request);
   Json post_report(const StudioRequest& request);
   Json post_export(const StudioRequest& request);
 

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdlib>
+#include <fstream>
 #include <thread>
 #include <vector>
 
@@ -114,6 +115,34 @@ TEST_F(StudioProgramTest, ARunGoesOnWhereAKilledStudioLeftIt) {
   }
   RunningStudio again(folder_.path(), run);
   EXPECT_EQ(Browser(again.url()).settled()["s"][0], 0.07);
+}
+
+TEST_F(StudioProgramTest, SearchesOnWithMujocoFromTheBodyThatStands) {
+  RunningStudio studio(folder_.path(), LEGWRIGHT_SOURCE_DIR "/examples/puppy/sideways.toml");
+  Browser browser(studio.url());
+  (void)browser.settled();
+  browser.post("/api/command", {{"do", "edit"}, {"values", {{"front_thigh_length", 0.081}}}});
+  browser.post("/api/command", {{"do", "freeze"}, {"names", {"front_thigh_length"}}});
+  browser.post("/api/command",
+               {{"do", "bounds"}, {"name", "hind_thigh_length"}, {"lower", 0.05}, {"upper", 0.07}});
+  (void)browser.settled();
+  ASSERT_EQ(browser.post("/api/optimize", {{"path", "found"}})["status"], 200);
+  EXPECT_EQ(browser.post("/api/optimize", {{"path", "other"}})["status"], 400) << "one at a time";
+  const Json found = browser.next("job", [](const Json& j) { return !j["running"]; });
+  ASSERT_EQ(found.value("failed", ""), "") << found;
+  const std::filesystem::path run = folder_.path() / "found";
+  EXPECT_EQ(found["path"], std::filesystem::canonical(run).string());
+  const Json told = Json::parse(std::ifstream(run / "run.json"));
+  EXPECT_TRUE(told["feasible"].get<bool>());
+  for (const Json& parameter : told["parameters"]) {
+    const double final = parameter["final"];
+    if (parameter["name"] == "front_thigh_length") {
+      EXPECT_EQ(final, 0.081);
+    } else if (parameter["name"] == "hind_thigh_length") {
+      EXPECT_LE(final, 0.07);
+    }
+  }
+  EXPECT_TRUE(found["passes"].get<bool>());
 }
 
 TEST_F(StudioProgramTest, JudgesReportsAndExportsWhatStands) {

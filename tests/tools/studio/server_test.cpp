@@ -155,7 +155,7 @@ TEST_F(ServerTest, PathsOutsideOfTheRootsAreRefused) {
   EXPECT_EQ(browser.post("/api/open", {{"path", test::kSidewaysTask}})["status"], 200)
       << "examples may be read";
   for (const char* path : {"/tmp/elsewhere", "../elsewhere", LEGWRIGHT_SOURCE_DIR "/examples/run"})
-    for (const char* verb : {"/api/save", "/api/report", "/api/export"}) {
+    for (const char* verb : {"/api/save", "/api/report", "/api/export", "/api/optimize"}) {
       const Json answer = browser.post(verb, {{"path", path}});
       EXPECT_EQ(answer["status"], 400) << verb << path;
       EXPECT_NE(answer["error"]["message"].get<std::string>().find("--roots"), std::string::npos);

@@ -219,11 +219,21 @@ export class Studio {
     if (!path) return;
     this.notices.show("info", `${action}: ${path} …`);
     const done = await this.act(() => post(request, { path }));
-    if (done) this.notices.show("info", `Done: ${done.path ?? path}`);
+    if (done && request !== "/api/optimize") this.notices.show("info", `Done: ${done.path ?? path}`);
   }
 
   save() {
     return this.toFolder("Save as a run", "Save", `runs/${this.name()}`, "/api/save");
+  }
+
+  /** `optimize` from the present body: what MuJoCo passes, as a run of its own. */
+  optimize() {
+    return this.toFolder(
+      "Search with MuJoCo's verdicts",
+      "Search",
+      `runs/${this.name()}_found`,
+      "/api/optimize",
+    );
   }
 
   report() {

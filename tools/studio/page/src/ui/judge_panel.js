@@ -20,6 +20,15 @@ export class JudgePanel {
       { type: "button", hidden: true, onClick: () => studio.act(() => remove("/api/judge")) },
       "Cancel",
     );
+    this.find = h(
+      "button",
+      {
+        type: "button",
+        title: "legwright optimize from this body: of many designs the best that MuJoCo passes",
+        onClick: () => studio.optimize(),
+      },
+      "Find one that passes…",
+    );
     this.progress = h("progress", {
       max: 1,
       value: 0,
@@ -34,7 +43,7 @@ export class JudgePanel {
       { aria: { label: "Judge" } },
       this.title,
       h("p.hint", {}, "Plays the gait in MuJoCo at half, default and double gains."),
-      h("div.button-row", {}, this.start, this.cancel, this.progress),
+      h("div.button-row", {}, this.start, this.cancel, this.find, this.progress),
       this.verdict,
       this.lines,
     );
