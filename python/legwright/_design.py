@@ -289,11 +289,14 @@ class Design:
             return shutil.copy2(source, to)
 
         lock = shutil.ignore_patterns('.lock')
-        shutil.copytree(
-            self.folder, made.path, copy_function=copy, ignore=lock, dirs_exist_ok=True
-        )
-        made.stand()
-        del made  # nobody else could write there until now
+        try:
+            shutil.copytree(
+                self.folder, made.path, copy_function=copy, ignore=lock, dirs_exist_ok=True
+            )
+            if not made.stand():
+                raise IoError(f'{target}: the design has no result; the run that is there stays')
+        finally:
+            del made  # nobody else could write there until now
         return target
 
     def _repr_html_(self) -> str:

@@ -16,7 +16,7 @@ fs::path exchange_folders(const fs::path& fresh, const fs::path& old) {
     return fresh;
   if (errno != EINVAL && errno != ENOSYS && errno != EOPNOTSUPP)
     throw std::system_error(errno, std::generic_category(), old.string());
-  const fs::path aside = old.parent_path() / ("." + old.filename().string() + "-replaced");
+  fs::path aside = old.parent_path() / ("." + old.filename().string() + "-replaced");
   fs::remove_all(aside);
   fs::rename(old, aside);
   fs::rename(fresh, old);

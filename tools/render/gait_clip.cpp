@@ -91,9 +91,9 @@ std::vector<double> GaitClip::planned_at(double time) const {
 
 std::vector<GaitClip> load_clips(const fs::path& run) {
   const fs::path result = run / "result";
-  const auto [verdict, metrics, playbacks] = judged_of(run);
+  const JudgedClips judged = judged_of(run);
   const auto playback = [&](const char* name) {
-    return playbacks.contains(name) ? result / name : fs::path();
+    return judged.playbacks.contains(name) ? result / name : fs::path();
   };
   const bool motion_only = read_of(
       "optimize", [&] { return read_record_file<RunRecord>(run / "run.json").motion_only; });
@@ -101,14 +101,14 @@ std::vector<GaitClip> load_clips(const fs::path& run) {
   if (!motion_only) {
     clips.push_back(load_clip("Before: the initial body, its gait optimised",
                               run / "iterations" / "0000", playback(kPlaybacks[0])));
-    if (verdict) clips.back().passed = verdict->initial.pass;
-    if (metrics) add_metrics(metrics->initial, clips.back());
+    if (judged.verdict) clips.back().passed = judged.verdict->initial.pass;
+    if (judged.metrics) add_metrics(judged.metrics->initial, clips.back());
   }
   clips.push_back(load_clip(
       motion_only ? "The initial body, its gait optimised" : "After: body and gait co-designed",
       result, playback(kPlaybacks[1])));
-  if (verdict) clips.back().passed = verdict->result.pass;
-  if (metrics) add_metrics(metrics->result, clips.back());
+  if (judged.verdict) clips.back().passed = judged.verdict->result.pass;
+  if (judged.metrics) add_metrics(judged.metrics->result, clips.back());
   return clips;
 }
 

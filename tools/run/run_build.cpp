@@ -31,16 +31,19 @@ std::string build_head(const fs::path& target) {
 }
 
 void check_replaceable(const fs::path& named, const fs::path& target) {
-  const std::vector<std::string> own = own_files_in(target);
-  if (!own.empty())
+  std::vector<std::string> own = own_files_in(target);
+  if (!own.empty()) {
+    constexpr std::size_t kTold = 5;
+    const std::size_t all = own.size();
+    own.resize(std::min(all, kTold));
     refuse_to_replace(
-        named,
-        fmt::format("holds files that are not of the run: {}{}; move them elsewhere, or "
-                    "choose another folder",
-                    fmt::join(own.begin(), own.begin() + std::min<long>(own.size(), 5), ", "),
-                    own.size() > 5 ? fmt::format(" and {} more", own.size() - 5) : ""));
-  struct stat here {
-  }, around{};
+        named, fmt::format("holds files that are not of the run: {}{}; move them elsewhere, or "
+                           "choose another folder",
+                           fmt::join(own, ", "),
+                           all > kTold ? fmt::format(" and {} more", all - kTold) : ""));
+  }
+  struct stat here {};
+  struct stat around {};
   if (::stat(target.c_str(), &here) == 0 && ::stat(target.parent_path().c_str(), &around) == 0 &&
       here.st_dev != around.st_dev)
     refuse_to_replace(
@@ -60,8 +63,7 @@ fs::path new_folder_beside(const fs::path& target) {
     std::uint64_t random = 0;
     if (::getrandom(&random, sizeof random, 0) != sizeof random)
       throw std::system_error(errno, std::generic_category(), "getrandom");
-    const fs::path path =
-        target.parent_path() / fmt::format("{}{:016x}.tmp", build_head(target), random);
+    fs::path path = target.parent_path() / fmt::format("{}{:016x}.tmp", build_head(target), random);
     if (fs::create_directory(path)) return path;
   }
 }

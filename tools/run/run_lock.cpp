@@ -103,7 +103,8 @@ void write_holder(int descriptor, const std::string& since, const std::string& b
 
 /// The folder whose lock counts for a run.
 fs::path locked_folder(const fs::path& run) {
-  const fs::path here = fs::canonical(run), tasks = here.parent_path();
+  fs::path here = fs::canonical(run);
+  const fs::path tasks = here.parent_path();
   if (tasks.filename() == "tasks" && is_run(tasks.parent_path())) return tasks.parent_path();
   return here;
 }

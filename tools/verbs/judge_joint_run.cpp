@@ -91,6 +91,7 @@ MatrixRecord judge_joint_run(const ResultFolder& folder, const RunRecord& run,
   matrix.designs.push_back({"for all tasks", *run.best_start});
   for (std::size_t t = 0; t < tasks.size(); ++t) {
     std::vector<fs::path> others;
+    others.reserve(bodies.size());
     for (const AloneBody& body : bodies)
       others.push_back(folder.root() / "starts" / ("from-" + body.task) / tasks[t].name /
                        "iterations" / "0000");

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 
 #include "tests/tools/files/temporary_folder.hpp"
 #include "tools/files/io_error.hpp"
