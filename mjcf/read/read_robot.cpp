@@ -90,8 +90,8 @@ RobotModel parse_text(const std::string& xml_text, const std::filesystem::path& 
 
 }  // namespace
 
-RobotModel read_robot(const std::filesystem::path& file) {
-  return parse_robot(RobotFiles::read(file));
+RobotModel read_robot(const std::filesystem::path& file, const FileReach& reach) {
+  return parse_robot(RobotFiles::read(file, reach));
 }
 
 RobotModel parse_robot(const std::string& xml_text, const std::filesystem::path& file,
@@ -105,6 +105,11 @@ RobotModel parse_robot(const RobotFiles& files, const Structure* known) {
       files.at_their_lines([&] { return parse_text(files.text(), files.file(), known); });
   robot.files = files;
   return robot;
+}
+
+void gather(RobotModel& robot) {
+  robot.files = robot.files.gathered();
+  robot.xml = robot.files.text();
 }
 
 }  // namespace legwright

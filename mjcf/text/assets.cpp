@@ -59,47 +59,63 @@ std::optional<PictureSize> picture_size(const fs::path& file) {
 
 }  // namespace
 
-std::vector<FoundAsset> find_assets(const XmlFile& xml, const fs::path& folder) {
+std::vector<AssetReference> asset_references(const XmlFile& xml) {
   const AssetFolders folders = asset_folders(xml);
+  std::vector<AssetReference> out;
+  for_each_element(xml.root(), [&](const XmlElement& element) {
+    const bool is_texture = is_tag(element, "texture");
+    const bool is_asset = is_texture || is_tag(element, "mesh") || is_tag(element, "hfield") ||
+                          is_tag(element, "skin");
+    const std::string& folder = is_texture ? folders.textures : folders.meshes;
+    for (const tinyxml2::XMLAttribute* a = element.FirstAttribute(); a; a = a->Next()) {
+      if (std::string_view(a->Name()).substr(0, 4) != "file" || a->Value()[0] == '\0') continue;
+      std::string path = a->Value();
+      if (folders.strips) path.erase(0, path.find_last_of("/\\") + 1);
+      if (!folder.empty() && !fs::path(path).is_absolute()) path.insert(0, folder + "/");
+      out.push_back({&element, a->Name(), is_asset, std::move(path)});
+    }
+  });
+  return out;
+}
+
+std::vector<FoundAsset> find_assets(const XmlFile& xml, const fs::path& folder,
+                                    const FileReach& reach) {
+  const std::vector<AssetReference> references = asset_references(xml);
   std::vector<FoundAsset> out;
   std::uintmax_t together = 0;
   PictureMemory pictures;
-  const auto add = [&](const XmlElement& element, std::string reference, bool is_face) {
-    const bool is_texture = is_tag(element, "texture");
-    if (folders.strips) reference.erase(0, reference.find_last_of("/\\") + 1);
-    const std::string& place = is_texture ? folders.textures : folders.meshes;
-    if (!place.empty() && !fs::path(reference).is_absolute()) reference = place + "/" + reference;
-    const FoundFile found = find_in_folder(folder, reference, kMostBytes);
+  const auto add = [&](const AssetReference& reference) {
+    const XmlElement& element = *reference.element;
+    const std::string& path = reference.path;
+    const FoundFile found = find_file(folder, path, kMostBytes, reach);
     if (!found.fault.empty())
-      throw xml.error(element, fmt::format("the file '{}' {}", reference, found.fault));
+      throw xml.error(element, fmt::format("the file '{}' {}", path, found.fault));
     together += found.bytes;
     if (together > kMostBytesTogether)
       throw xml.error(element, fmt::format("the file '{}': the files of the robot are together "
                                            "larger than {} MB; make them smaller",
-                                           reference, kMostBytesTogether >> 20));
+                                           path, kMostBytesTogether >> 20));
     if (auto picture = picture_size(found.source)) {
       if (std::max(picture->width, picture->height) > kMostPixels)
         throw xml.error(element,
                         fmt::format("the file '{}': a picture of more than {} pixels a side; make "
                                     "it smaller",
-                                    reference, kMostPixels));
-      picture->is_face = is_face;
+                                    path, kMostPixels));
+      picture->is_face = reference.attribute != std::string_view("file");
       pictures.add(xml, element, *picture);
     }
-    out.push_back({&element, {found.path, found.source, found.bytes, false}});
+    out.push_back(
+        {&element, {found.path, found.source, found.bytes, false}, path_below(path) == found.path});
   };
+  auto next = references.begin();
   for_each_element(xml.root(), [&](const XmlElement& element) {
-    const bool is_asset = is_tag(element, "mesh") || is_tag(element, "texture") ||
-                          is_tag(element, "hfield") || is_tag(element, "skin");
     pictures.add(xml, element);
-    for (const tinyxml2::XMLAttribute* a = element.FirstAttribute(); a; a = a->Next()) {
-      if (std::string_view(a->Name()).substr(0, 4) != "file" || a->Value()[0] == '\0') continue;
-      if (is_asset)
-        add(element, a->Value(), a->Name() != std::string_view("file"));
-      else
+    for (; next != references.end() && next->element == &element; ++next) {
+      if (!next->may)
         throw xml.error(element, fmt::format("refers to the file '{}'; only <include>, meshes, "
                                              "textures and height fields may: write it out here",
-                                             a->Value()));
+                                             attribute(element, next->attribute)));
+      add(*next);
     }
   });
   return out;

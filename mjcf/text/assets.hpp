@@ -2,24 +2,39 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
+#include "mjcf/text/file_reach.hpp"
 #include "mjcf/text/robot_parts.hpp"
 #include "mjcf/text/xml.hpp"
 
 namespace legwright {
 
+/// An attribute that names a file.
+struct AssetReference {
+  const XmlElement* element;
+  const char* attribute;
+  bool may;          // only meshes, textures, height fields and skins may name files
+  std::string path;  // with the folder that <compiler> gives for such
+};
+
+/// All of a text, in its order, with the folders and the stripping of paths that <compiler> asks
+/// for.
+std::vector<AssetReference> asset_references(const XmlFile& xml);
+
 /// A file that an element of a model names.
 struct FoundAsset {
   const XmlElement* element;
   AssetFile file;
+  bool gathered;  // the reference is the file's path, below the folder
 };
 
-/// The files of meshes, textures, height fields and skins, in the order of the text, with the
-/// folders and the stripping of paths that <compiler> asks for. Throws InputError at the element
-/// whose file find_in_folder() refuses, that is larger than 256 MB, that brings all together over
+/// The files of all asset_references(). Throws InputError at the element whose file find_file()
+/// refuses, that is larger than 256 MB, that brings all together over
 /// 1 GB, or that is a PNG picture of more than 16384 pixels a side; where textures and height
 /// fields take too much memory (PictureMemory); and at any other element that names a file.
-std::vector<FoundAsset> find_assets(const XmlFile& xml, const std::filesystem::path& folder);
+std::vector<FoundAsset> find_assets(const XmlFile& xml, const std::filesystem::path& folder,
+                                    const FileReach& reach);
 
 }  // namespace legwright

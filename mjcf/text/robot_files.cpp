@@ -4,12 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <stdexcept>
 #include <string_view>
 
 #include "mjcf/text/assets.hpp"
 #include "mjcf/text/mesh_copies.hpp"
+#include "mjcf/text/names_of_runs.hpp"
+#include "mjcf/text/safe_path.hpp"
 #include "mjcf/text/splice.hpp"
 #include "mjcf/text/text_scan.hpp"
 
@@ -17,38 +18,6 @@ namespace legwright {
 namespace {
 
 namespace fs = std::filesystem;
-
-// What a run's folders hold beside the robot's own files.
-constexpr std::string_view kNamesOfRuns[] = {"robot.xml",
-                                             "scene.xml",
-                                             "motion.csv",
-                                             "metrics.json",
-                                             "frame.png",
-                                             "task.toml",
-                                             "certificate.json",
-                                             "verdict.json",
-                                             "comparison.json",
-                                             "numerics.json",
-                                             "robustness.json",
-                                             "matrix.json",
-                                             "front.json",
-                                             "overlay.png",
-                                             "contact_timeline.png",
-                                             "gait.webp",
-                                             "strip_initial.png",
-                                             "strip_result.png",
-                                             "strip_physics.png",
-                                             "strip_before_after.png",
-                                             "playback_result.csv",
-                                             "playback_initial.csv",
-                                             "summary.md",
-                                             "README.md"};
-
-bool is_name_of_runs(std::string_view name) {
-  return name.substr(0, 6) == "still_" ||  // of `render --phase`
-         std::find(std::begin(kNamesOfRuns), std::end(kNamesOfRuns), name) !=
-             std::end(kNamesOfRuns);
-}
 
 /// Offset of the first byte of a line, counted from 1.
 std::size_t begin_of_line(std::string_view text, int line) {
@@ -92,19 +61,23 @@ bool is_same_between(std::string_view a, const TagScan& in_a, std::string_view b
 
 }  // namespace
 
-RobotFiles RobotFiles::read(const fs::path& file) { return from_text(read_main_file(file), file); }
+RobotFiles RobotFiles::read(const fs::path& file, const FileReach& reach) {
+  return from_text(read_main_file(file), file, reach);
+}
 
-RobotFiles RobotFiles::from_text(std::string text, const fs::path& file) {
+RobotFiles RobotFiles::from_text(std::string text, const fs::path& file, const FileReach& reach) {
   RobotFiles out;
   out.file_ = file;
-  SplicedText spliced = splice_includes(std::move(text), file);
+  out.reach_ = reach;
+  SplicedText spliced = splice_includes(std::move(text), file, reach);
+  out.gathered_ = spliced.gathered;
   out.parts_ = std::move(spliced.parts);
   out.text_ = std::move(spliced.text);
   out.segments_ = std::move(spliced.segments);
   out.mentions_ = std::move(spliced.mentions);
   out.at_their_lines([&] {
     const auto xml = spliced.main ? std::move(spliced.main) : load_xml(out.text_, file);
-    for (FoundAsset& asset : find_assets(*xml, out.folder())) {
+    for (FoundAsset& asset : find_assets(*xml, out.folder(), reach)) {
       const InputError place = out.located(xml->error(*asset.element, ""));
       for (std::size_t k = 1; k < out.parts_.size(); ++k)
         if (out.parts_[k].path == asset.file.path)
@@ -112,16 +85,22 @@ RobotFiles RobotFiles::from_text(std::string text, const fs::path& file) {
                            fmt::format("the file '{}' is included as well; a copy of the robot "
                                        "could not change it as MJCF and keep it here",
                                        asset.file.path.string()));
-      out.mentions_.push_back({asset.file.path, place.file(), place.line(), place.where()});
+      out.gathered_ = out.gathered_ && asset.gathered;
+      out.mentions_.push_back(
+          {asset.file.path, asset.file.source, place.file(), place.line(), place.where()});
       out.assets_.push_back(std::move(asset.file));
     }
   });
-  std::sort(out.assets_.begin(), out.assets_.end(),
-            [](const AssetFile& a, const AssetFile& b) { return a.path < b.path; });
-  const auto last = std::unique(out.assets_.begin(), out.assets_.end(),
-                                [](const auto& a, const auto& b) { return a.path == b.path; });
-  out.assets_.erase(last, out.assets_.end());
+  out.sort_assets();
   return out;
+}
+
+void RobotFiles::sort_assets() {
+  std::sort(assets_.begin(), assets_.end(),
+            [](const AssetFile& a, const AssetFile& b) { return a.path < b.path; });
+  const auto last = std::unique(assets_.begin(), assets_.end(),
+                                [](const auto& a, const auto& b) { return a.path == b.path; });
+  assets_.erase(last, assets_.end());
 }
 
 RobotFiles RobotFiles::with_text(const std::string& text) const {
@@ -178,7 +157,7 @@ RobotFiles RobotFiles::with_attributes(const std::string& text) const {
 }
 
 RobotFiles RobotFiles::moved_to(const fs::path& file) const {
-  RobotFiles out = *this;
+  RobotFiles out = gathered();
   out.file_ = file;
   for (AssetFile& asset : out.assets_) {
     asset.source = file.parent_path() / asset.path;
@@ -193,7 +172,7 @@ RobotFiles::Place RobotFiles::place_of(int line) const {
   for (const TextSegment& segment : segments_)
     if (segment.begin <= at) own = &segment;
   const IncludedFile& part = parts_[own->part];
-  return {own->part == 0 ? file_ : folder() / part.path,
+  return {own->part == 0 ? file_ : source_of(folder(), part.path),
           line_at(part.text, std::min(part.text.size(), own->source + (at - own->begin)))};
 }
 
@@ -226,7 +205,7 @@ InputError RobotFiles::located(const InputError& error) const {
 
 void RobotFiles::check_names_of_runs() const {
   for (const FileMention& mention : mentions_) {
-    const std::string first = mention.path.begin()->string();
+    const std::string first = mention.path.begin()->string();  // "..": gathered() finds a name
     if (is_name_of_runs(first))
       throw InputError(
           mention.file, mention.line, mention.where,

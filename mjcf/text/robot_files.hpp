@@ -2,9 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "mjcf/text/file_reach.hpp"
 #include "mjcf/text/input_error.hpp"
 #include "mjcf/text/robot_parts.hpp"
 
@@ -15,17 +18,20 @@ namespace legwright {
 /// or changes a robot works on that text; here its lines are led back to their files, and a changed
 /// text is taken apart into files again.
 ///
-/// Paths start in the folder of the main file, also those in included files. What is not a regular
-/// file in that folder or below is refused, also behind a symbolic link. Each file may be included
-/// once.
+/// Paths start in the folder of the main file, also those in included files; an <include> may start
+/// beside the file that it stands in, too. They may lead out of that folder (find_file()) as far as
+/// the reach goes; gathered() brings all files below it. Each file may be included once.
 class RobotFiles {
  public:
   RobotFiles() = default;
   /// Throws InputError at the element that names a file which cannot be read, or at a fault in the
   /// XML of one of the files; std::system_error where the disk fails.
-  static RobotFiles read(const std::filesystem::path& file);
+  static RobotFiles read(const std::filesystem::path& file, const FileReach& reach = {});
   /// The same from text that is not yet in the main file `file`.
-  static RobotFiles from_text(std::string text, const std::filesystem::path& file);
+  static RobotFiles from_text(std::string text, const std::filesystem::path& file,
+                              const FileReach& reach = {});
+  /// The same robot with another text in its main file; all else is read again, as far as before.
+  RobotFiles with_main(std::string text) const { return from_text(std::move(text), file_, reach_); }
 
   const std::filesystem::path& file() const { return file_; }
   /// Of the main file; empty: the current folder.
@@ -41,8 +47,12 @@ class RobotFiles {
   /// mesh assets behind elements (mesh_copies.hpp). Bytes between start tags must be as they are.
   /// Throws std::logic_error where that is not so.
   RobotFiles with_text(const std::string& text) const;
-  /// The files where they were copied to, as `file` and beside it, by somebody who will not change
-  /// them: assets may be linked from there.
+  /// The files as copies have them: each below the folder of the main file, named by its path from
+  /// there. Files that lie there already keep their names, and a robot of such only is as it was.
+  /// The model is the same: so are the names that assets get from their files.
+  RobotFiles gathered() const;
+  /// The gathered files where they were copied to, as `file` and beside it, by somebody who will
+  /// not change them: assets may be linked from there.
   RobotFiles moved_to(const std::filesystem::path& file) const;
 
   /// An error that names a line of text(), told with the file and the line where that stands.
@@ -62,19 +72,25 @@ class RobotFiles {
   void check_names_of_runs() const;
 
  private:
+  using PathMap = std::map<std::filesystem::path, std::filesystem::path>;
   struct Place {
     std::filesystem::path file;
     int line = 0;
   };
   Place place_of(int line) const;                             // of a line of text()
   RobotFiles with_attributes(const std::string& text) const;  // with_text without new elements
+  void sort_assets();                                         // and leaves each path once
+  std::string text_of_gathered(const PathMap& names) const;
+  void rename_includes(const PathMap& names);
 
   std::filesystem::path file_;
   std::vector<IncludedFile> parts_{1};  // the main file first
   std::string text_;
   std::vector<TextSegment> segments_;
   std::vector<AssetFile> assets_;
-  std::vector<FileMention> mentions_;  // of each file but the main one
+  std::vector<FileMention> mentions_;  // of each file but the main one, includes first
+  FileReach reach_;
+  bool gathered_ = true;
 };
 
 }  // namespace legwright

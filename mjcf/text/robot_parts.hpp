@@ -9,15 +9,18 @@
 
 namespace legwright {
 
+// A file's `path` is what it is called from the folder of the main file (named_path()). Where
+// RobotFiles::gathered() it is below that folder, without `.` and `..`: where a copy must have it.
+
 /// A file whose elements an <include> puts into the robot.
 struct IncludedFile {
-  std::filesystem::path path;  // below the folder of the main file, without `.` and `..`
+  std::filesystem::path path;
   std::string text;
 };
 
 /// A mesh, texture, height field or skin.
 struct AssetFile {
-  std::filesystem::path path;    // below the folder of the main file: where a copy must have it
+  std::filesystem::path path;
   std::filesystem::path source;  // where it is read
   std::uintmax_t bytes = 0;
   bool may_link = false;  // nobody changes the source: a hard link is as good as a copy
@@ -34,6 +37,7 @@ struct TextSegment {
 /// Where a file is named: by an <include> or an asset.
 struct FileMention {
   std::filesystem::path path;
+  std::filesystem::path source;  // where it was read
   std::string file;
   int line = 0;
   std::string where;

@@ -6,7 +6,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <system_error>
 
@@ -17,8 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kCopyIt =
-    "copy the file into the folder of the main file and write its path from there";
+constexpr const char* kCopyIt = "copy the file beside the main file and write its path from there";
 
 const char* kind_of(fs::file_type type) {
   switch (type) {
@@ -36,9 +34,10 @@ const char* kind_of(fs::file_type type) {
   }
 }
 
-bool is_below(const fs::path& file, const fs::path& folder) {
-  const auto [end, unused] = std::mismatch(folder.begin(), folder.end(), file.begin(), file.end());
-  return end == folder.end();
+/// Absolute and without `.`, `..` and a slash at its end; no link is followed.
+fs::path without_steps(const fs::path& folder) {
+  const fs::path out = fs::absolute(folder.empty() ? "." : folder).lexically_normal();
+  return out.has_filename() || out == out.root_path() ? out : out.parent_path();
 }
 
 /// What is wrong with the words of a path, before any disk is asked.
@@ -51,10 +50,6 @@ std::string fault_of_words(const std::string& reference) {
   for (const char c : reference)
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F)
       return "has a control character in its path; rename the file";
-  if (fs::path(reference).is_absolute())
-    return fmt::format("is an absolute path, which no copy of the robot could follow; {}", kCopyIt);
-  if (path_below(reference).empty())
-    return fmt::format("leads out of the folder of the main file; {}", kCopyIt);
   return "";
 }
 
@@ -80,16 +75,33 @@ fs::path path_below(const fs::path& reference) {
   return normal.empty() || *normal.begin() == ".." || normal == "." ? fs::path() : normal;
 }
 
-FoundFile find_in_folder(const fs::path& folder, const std::string& reference,
-                         std::uintmax_t most_bytes) {
+fs::path named_path(const fs::path& folder, const fs::path& reference) {
+  if (fs::path inside = path_below(reference); !inside.empty()) return inside;
+  const fs::path home = without_steps(folder);
+  const fs::path from_home = (home / reference).lexically_normal().lexically_relative(home);
+  if (fs::path inside = path_below(from_home); !inside.empty()) return inside;
+  return reference.is_absolute() ? reference.lexically_normal() : from_home;
+}
+
+fs::path source_of(const fs::path& folder, const fs::path& named) {
+  const bool below = !path_below(named).empty();
+  return below ? folder / named : (folder / named).lexically_normal();
+}
+
+FoundFile find_file(const fs::path& folder, const std::string& reference, std::uintmax_t most_bytes,
+                    const FileReach& reach) {
   FoundFile found;
   found.fault = fault_of_words(reference);
   if (!found.fault.empty()) return found;
-  found.path = path_below(reference);
-  found.source = folder / found.path;
+  const fs::path home = without_steps(folder);
+  found.path = named_path(folder, reference);
+  found.source = source_of(folder, found.path);
+  found.fault = reach.fault_of_place((home / found.path).lexically_normal(), home);
+  if (!found.fault.empty()) return found;
   std::error_code error;
   const fs::file_status status = fs::status(found.source, error);
   if (status.type() == fs::file_type::not_found) {
+    found.missing = true;
     found.fault = "is not there; check the path, which starts in the folder of the main file";
     return found;
   }
@@ -97,21 +109,10 @@ FoundFile find_in_folder(const fs::path& folder, const std::string& reference,
     found.fault = fmt::format("cannot be read: {}; mend the file or its path", error.message());
     return found;
   }
+  found.fault = reach.fault_of_target(found.source, home);
+  if (!found.fault.empty()) return found;
   if (!fs::is_regular_file(status)) {
     found.fault = fmt::format("is {}; name a regular file", kind_of(status.type()));
-    return found;
-  }
-  const fs::path real = fs::canonical(found.source, error);
-  const fs::path home = error ? fs::path() : fs::canonical(folder.empty() ? "." : folder, error);
-  if (error || !is_below(real, home)) {
-    found.fault = fmt::format(
-        "is a symbolic link that leads out of the folder of the main file; {}", kCopyIt);
-    return found;
-  }
-  // The kernel follows a link before it follows `..`; then the shorter path is another file.
-  if (fs::exists(folder / reference, error) &&
-      !fs::equivalent(folder / reference, found.source, error)) {
-    found.fault = "goes through a symbolic link and back by ..; write the path without ..";
     return found;
   }
   found.bytes = fs::file_size(found.source, error);

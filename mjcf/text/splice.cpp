@@ -18,18 +18,9 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMostFiles = 100;
 constexpr std::size_t kLongestChain = 8;
 
-/// MuJoCo knows <include> by any case.
-bool is_include(const XmlElement& element) {
-  const std::string_view name = element.Name();
-  constexpr std::string_view kInclude = "include";
-  return std::equal(name.begin(), name.end(), kInclude.begin(), kInclude.end(), [](char a, char b) {
-    return std::tolower(static_cast<unsigned char>(a)) == b;
-  });
-}
-
 class Splicer {
  public:
-  explicit Splicer(const fs::path& file) : file_(file) {}
+  Splicer(const fs::path& file, const FileReach& reach) : file_(file), reach_(reach) {}
 
   SplicedText run(std::string text) {
     out_.parts.push_back({{}, std::move(text)});
@@ -62,7 +53,7 @@ class Splicer {
       if (!is_include(element)) return;
       const TagSpan& tag = xml.tag(element);
       copy(part, xml, at, tag.begin);
-      include(xml, element);
+      include(part, xml, element);
       at = tag.close_end;
     });
     copy(part, xml, at, end);
@@ -74,7 +65,7 @@ class Splicer {
     out_.text.append(xml.text, begin, end - begin);
   }
 
-  void include(const XmlFile& xml, const XmlElement& element) {
+  void include(std::size_t part, const XmlFile& xml, const XmlElement& element) {
     for (const tinyxml2::XMLAttribute* a = element.FirstAttribute(); a; a = a->Next())
       if (a->Name() != std::string_view("file"))
         throw xml.error(
@@ -83,8 +74,10 @@ class Splicer {
     if (element.FirstChildElement())
       throw xml.error(element, "holds elements; an <include> names a file and holds nothing");
     const std::string reference(attribute(element, "file"));
-    const FoundFile found = find_in_folder(file_.parent_path(), reference, XmlLimits{}.bytes);
-    if (!found.fault.empty()) throw xml.error(element, describe_fault(xml, reference, found.fault));
+    const FoundFile found = look_up(part, reference);
+    if (!found.fault.empty())
+      throw xml.error(element, fmt::format("'{}' {}", reference, found.fault));
+    out_.gathered = out_.gathered && path_below(reference) == found.path;
     check_chain(xml, element, reference, found);
     bytes_ += found.bytes;
     if (bytes_ > XmlLimits{}.bytes || out_.parts.size() > kMostFiles)
@@ -95,20 +88,16 @@ class Splicer {
     add(xml, element, found);
   }
 
-  /// MuJoCo looks beside the including file only for some spellings of the main file's path.
-  std::string describe_fault(const XmlFile& xml, const std::string& reference,
-                             const std::string& fault) const {
-    const fs::path from = xml.file.parent_path().lexically_relative(
-        file_.has_parent_path() ? file_.parent_path() : fs::path("."));
-    const fs::path beside = path_below(from / reference);
-    std::error_code error;
-    if (!beside.empty() && beside != path_below(reference) &&
-        fs::is_regular_file(file_.parent_path() / beside, error))
-      return fmt::format(
-          "'{}': paths start in the folder of the main file, also in an included "
-          "file; write '{}'",
-          reference, beside.string());
-    return fmt::format("'{}' {}", reference, fault);
+  /// Newer releases of MuJoCo look beside the including file, too, older ones for some spellings of
+  /// the main file's path.
+  FoundFile look_up(std::size_t part, const std::string& reference) const {
+    const fs::path home = file_.parent_path();
+    FoundFile found = find_file(home, reference, XmlLimits{}.bytes, reach_);
+    const fs::path beside = out_.parts[part].path.parent_path();
+    if (!found.missing || beside.empty() || fs::path(reference).is_absolute()) return found;
+    const FoundFile other =
+        find_file(home, (beside / reference).string(), XmlLimits{}.bytes, reach_);
+    return other.missing ? found : other;
   }
 
   void check_chain(const XmlFile& xml, const XmlElement& element, const std::string& reference,
@@ -134,7 +123,7 @@ class Splicer {
   void add(const XmlFile& xml, const XmlElement& element, const FoundFile& found) {
     const std::size_t part = out_.parts.size();
     const InputError place = xml.error(element, "");
-    out_.mentions.push_back({found.path, place.file(), place.line(), place.where()});
+    out_.mentions.push_back({found.path, found.source, place.file(), place.line(), place.where()});
     first_.emplace(fs::canonical(found.source),
                    Chosen{part, fmt::format("{}:{}", place.file(), place.line())});
     out_.parts.push_back({found.path, read_regular_file(found.source, XmlLimits{}.bytes)});
@@ -155,6 +144,7 @@ class Splicer {
   }
 
   const fs::path& file_;
+  const FileReach& reach_;
   SplicedText out_;
   std::size_t bytes_ = 0;
   std::map<fs::path, Chosen> first_;
@@ -163,12 +153,20 @@ class Splicer {
 
 }  // namespace
 
+bool is_include(const XmlElement& element) {
+  const std::string_view name = element.Name();
+  constexpr std::string_view kInclude = "include";
+  return std::equal(name.begin(), name.end(), kInclude.begin(), kInclude.end(), [](char a, char b) {
+    return std::tolower(static_cast<unsigned char>(a)) == b;
+  });
+}
+
 std::string read_main_file(const fs::path& file) {
   return read_regular_file(file, XmlLimits{}.bytes);
 }
 
-SplicedText splice_includes(std::string text, const fs::path& file) {
-  return Splicer(file).run(std::move(text));
+SplicedText splice_includes(std::string text, const fs::path& file, const FileReach& reach) {
+  return Splicer(file, reach).run(std::move(text));
 }
 
 }  // namespace legwright

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "mjcf/text/file_reach.hpp"
 #include "mjcf/text/robot_parts.hpp"
 #include "mjcf/text/xml.hpp"
 
@@ -16,6 +17,7 @@ struct SplicedText {
   std::string text;
   std::vector<TextSegment> segments;
   std::vector<FileMention> mentions;
+  bool gathered = true;           // each <include> names its file by its path, below the folder
   std::unique_ptr<XmlFile> main;  // the text as XML, where nothing is included; else null
 };
 
@@ -25,8 +27,13 @@ std::string read_main_file(const std::filesystem::path& file);
 
 /// Puts the elements of included files into the place of each <include>, as MuJoCo does: what
 /// counts of an included file are the elements in its root. Refused, at the <include>: what
-/// find_in_folder() refuses, a file that is included twice or by itself, chains of more than 8
-/// files, more than 100 files. Throws InputError, std::system_error.
-SplicedText splice_includes(std::string text, const std::filesystem::path& file);
+/// find_file() refuses, a file that is included twice or by itself, chains of more than 8
+/// files, more than 100 files. What is not there from the folder of the main file is looked for
+/// beside the file that includes it. Throws InputError, std::system_error.
+SplicedText splice_includes(std::string text, const std::filesystem::path& file,
+                            const FileReach& reach);
+
+/// MuJoCo knows <include> by any case.
+bool is_include(const XmlElement& element);
 
 }  // namespace legwright

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/run/robot_folder.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <system_error>
 
 #include "mjcf/text/safe_path.hpp"
+#include "tools/files/io_error.hpp"
 
 namespace legwright {
 namespace {
@@ -25,16 +28,49 @@ void write_asset(const AssetFile& asset, const fs::path& to, Durability durabili
   write_file(to, read_regular_file(asset.source, asset.bytes), durability);
 }
 
-}  // namespace
-
-void write_robot_files(const fs::path& folder, const RobotFiles& files, Durability durability) {
-  write_file(folder / "robot.xml", files.main_text(), durability);
+/// What is included, and assets.
+void write_others(const fs::path& folder, const RobotFiles& files, Durability durability) {
   for (const IncludedFile& included : files.includes()) {
     const fs::path to = folder / included.path;
     fs::create_directories(to.parent_path());
     write_file(to, included.text, durability);
   }
   for (const AssetFile& asset : files.assets()) write_asset(asset, folder / asset.path, durability);
+}
+
+fs::path folder_behind_links(const fs::path& file) {
+  return fs::weakly_canonical(fs::absolute(file)).parent_path();
+}
+
+}  // namespace
+
+void write_robot_files(const fs::path& folder, const RobotFiles& files, Durability durability) {
+  const RobotFiles own = files.gathered();
+  write_file(folder / "robot.xml", own.main_text(), durability);
+  write_others(folder, own, durability);
+}
+
+void write_main_file(const fs::path& output, const RobotFiles& files) {
+  const fs::path from = folder_behind_links(files.file()), to = folder_behind_links(output);
+  if (from == to) return write_file(output, files.main_text());
+  const RobotFiles own = files.gathered();
+  const auto check = [&](const fs::path& path) {
+    if (*path.begin() == output.filename() || fs::exists(fs::symlink_status(to / path)))
+      throw IoError(
+          fmt::format("{}: the robot has a file of this name, which would replace it; "
+                      "write {} into a new folder",
+                      (output.parent_path() / path).string(), output.filename().string()));
+    for (fs::path above = path.parent_path(); !above.empty(); above = above.parent_path())
+      if (fs::is_symlink(fs::symlink_status(to / above)))
+        throw IoError(
+            fmt::format("{}: is a symbolic link, through which nothing is written; write "
+                        "{} into a new folder",
+                        (output.parent_path() / above).string(), output.filename().string()));
+  };
+  for (const IncludedFile& included : own.includes()) check(included.path);
+  for (const AssetFile& asset : own.assets()) check(asset.path);
+  write_others(output.parent_path(), own, Durability::power);
+  write_file(output, own.main_text());
 }
 
 void copy_design(const fs::path& from, const fs::path& to, const RobotFiles& files) {

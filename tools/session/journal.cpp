@@ -63,7 +63,7 @@ bool is_journal(const fs::path& file) {
 }  // namespace
 
 SessionBegin begin_of(const RobotModel& robot, std::string text, fs::path file) {
-  return {robot.file, sha256_hex(robot.files.text()), std::move(text), std::move(file)};
+  return {robot.file, sha256_hex(robot.files.gathered().text()), std::move(text), std::move(file)};
 }
 
 ReadJournal read_journal(const fs::path& file) {

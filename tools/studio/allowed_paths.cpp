@@ -64,6 +64,11 @@ fs::path AllowedPaths::to_read(const std::string& path) const {
   return full;
 }
 
+FileReach AllowedPaths::reach() const {
+  return FileReach::below(readable_, "outside of the folders that the studio may read, " +
+                                         listed(readable_) + "; name its folder with --roots");
+}
+
 fs::path AllowedPaths::to_write(const std::string& path) const {
   fs::path full = resolved(path);
   if (!below_any(full, writable_))

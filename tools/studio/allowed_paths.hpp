@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "mjcf/text/file_reach.hpp"
+
 namespace legwright {
 
 /// The folders that a page may read and write below.
@@ -20,6 +22,8 @@ class AllowedPaths {
   /// The same of one that may be written, and need not be there.
   std::filesystem::path to_write(const std::string& path) const;
   const std::vector<std::filesystem::path>& writable() const { return writable_; }
+  /// What a robot that is read may name.
+  FileReach reach() const;
   void allow_reading(const std::filesystem::path& folder);
 
  private:

@@ -26,12 +26,12 @@ Opening open_task(const fs::path& file, const AllowedPaths& paths) {
   Opening out;
   out.origin = out.file = file;
   out.text = set.text;
-  out.robot = read_robot(paths.to_read(set.robot.string()));
+  out.robot = read_robot(paths.to_read(set.robot.string()), paths.reach());
   return out;
 }
 
-Opening open_robot_file(const fs::path& file) {
-  RobotModel robot = read_robot(file);
+Opening open_robot_file(const fs::path& file, const FileReach& reach) {
+  RobotModel robot = read_robot(file, reach);
   if (robot.space.size() > 0) return open_robot(std::move(robot), file);
   Opening out;
   out.origin = file;
@@ -40,10 +40,10 @@ Opening open_robot_file(const fs::path& file) {
 }
 
 /// What a journal of this robot says. Throws InputError where it is another robot.
-Opening open_journal(const fs::path& journal, const fs::path& robot_file) {
+Opening open_journal(const fs::path& journal, const fs::path& robot_file, const FileReach& reach) {
   ReadJournal read = read_journal(journal);
   Opening out;
-  out.robot = read_robot(robot_file);
+  out.robot = read_robot(robot_file, reach);
   const SessionBegin now = begin_of(*out.robot, read.begin.text, read.begin.file);
   if (now.robot_sha256 != read.begin.robot_sha256)
     throw InputError(journal.string(), 1, "robot",
@@ -66,17 +66,17 @@ std::vector<SessionCommand> edits_to(const RunRecord& run) {
   return {edit};
 }
 
-Opening open_run(const fs::path& folder) {
+Opening open_run_folder(const fs::path& folder, const FileReach& reach) {
   const ResultFolder run = ResultFolder::open(folder);
   const auto record = read_record_file<RunRecord>(run.run_json());
   const fs::path robot = run.inputs() / "robot.xml", journal = run.inputs() / "session.jsonl";
   Opening out;
   if (fs::is_regular_file(journal)) {
-    out = open_journal(journal, robot);
+    out = open_journal(journal, robot, reach);
   } else {
     out.file = run.inputs() / "task.toml";
     out.text = read_file(out.file);
-    out.robot = read_robot(robot);
+    out.robot = read_robot(robot, reach);
     out.commands = edits_to(record);
   }
   out.origin = folder;
@@ -98,9 +98,10 @@ Opening open_robot(RobotModel robot, const fs::path& origin) {
 
 Opening open_path(const fs::path& path, const AllowedPaths& paths) {
   if (fs::is_directory(path)) {
-    if (fs::is_regular_file(path / "run.json")) return open_run(path);
+    if (fs::is_regular_file(path / "run.json")) return open_run_folder(path, paths.reach());
     if (const auto kept = kept_session(path)) {
-      Opening out = open_journal(path / "session.jsonl", path / "robot" / "robot.xml");
+      Opening out =
+          open_journal(path / "session.jsonl", path / "robot" / "robot.xml", paths.reach());
       out.origin = kept->origin.empty() ? path : fs::path(kept->origin);
       out.taken_up = path;
       return out;
@@ -110,7 +111,8 @@ Opening open_path(const fs::path& path, const AllowedPaths& paths) {
                      "of a run");
   }
   if (!fs::is_regular_file(path)) throw IoError(path.string() + ": no such file");
-  return path.extension() == ".toml" ? open_task(path, paths) : open_robot_file(path);
+  return path.extension() == ".toml" ? open_task(path, paths)
+                                     : open_robot_file(path, paths.reach());
 }
 
 }  // namespace legwright

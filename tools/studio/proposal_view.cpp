@@ -32,8 +32,8 @@ int rank_of(const fs::path& file) {
 
 }  // namespace
 
-Json proposal_json(const fs::path& robot) {
-  const ProposedParameters found = proposed(RobotFiles::read(robot));
+Json proposal_json(const fs::path& robot, const FileReach& reach) {
+  const ProposedParameters found = proposed(RobotFiles::read(robot, reach));
   const Morphology& morphology = found.model.morphology;
   Json limbs = Json::array(), parameters = Json::array(), left_out = Json::array();
   for (const Limb& limb : found.limbs) {
@@ -63,8 +63,9 @@ Json proposal_json(const fs::path& robot) {
           {"left_out", left_out}};
 }
 
-RobotModel with_proposals(const fs::path& robot, const std::vector<std::string>& names) {
-  const RobotFiles files = RobotFiles::read(robot);
+RobotModel with_proposals(const fs::path& robot, const std::vector<std::string>& names,
+                          const FileReach& reach) {
+  const RobotFiles files = RobotFiles::read(robot, reach);
   const ProposedParameters found = proposed(files);
   std::vector<Proposal> chosen;
   for (const std::string& name : names) {
@@ -76,8 +77,7 @@ RobotModel with_proposals(const fs::path& robot, const std::vector<std::string>&
   }
   if (chosen.empty())
     throw InputError(robot.string(), 0, "", "nothing is ticked; tick what may change");
-  return parse_robot(
-      RobotFiles::from_text(with_declarations(files.main_text(), robot, chosen), robot));
+  return parse_robot(files.with_main(with_declarations(files.main_text(), robot, chosen)));
 }
 
 fs::path write_sent_files(const fs::path& folder, const Json& files) {

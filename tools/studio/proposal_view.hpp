@@ -11,13 +11,13 @@
 namespace legwright {
 
 /// What `legwright init` finds of a robot: {words, limbs, parameters with reasons and bounds,
-/// left_out}. Throws InputError as propose_parameters().
-Json proposal_json(const std::filesystem::path& robot);
+/// left_out}. Throws InputError as propose_parameters(). @param reach of the files that it names
+Json proposal_json(const std::filesystem::path& robot, const FileReach& reach);
 
 /// The robot with the proposals of these names declared in its file's text, which is not written.
 /// Throws InputError for a name that is not proposed.
-RobotModel with_proposals(const std::filesystem::path& robot,
-                          const std::vector<std::string>& names);
+RobotModel with_proposals(const std::filesystem::path& robot, const std::vector<std::string>& names,
+                          const FileReach& reach);
 
 /// Files of a robot that were sent: written into a folder. Throws InputError for names that lead
 /// out of it, and where none of them is a robot or a task file.

@@ -11,6 +11,7 @@
 #include "mjcf/text/input_error.hpp"
 #include "tools/files/io_error.hpp"
 #include "tools/files/parse_json.hpp"
+#include "tools/run/robot_folder.hpp"
 #include "tools/studio/proposal_view.hpp"
 #include "tools/studio/request_body.hpp"
 #include "tools/studio/start_page.hpp"
@@ -172,21 +173,23 @@ Json StudioService::post_open(const StudioRequest& request) {
   return Json::object();
 }
 
-Json StudioService::get_proposal(const StudioRequest&) { return proposal_json(proposing()); }
+Json StudioService::get_proposal(const StudioRequest&) {
+  return proposal_json(proposing(), paths_.reach());
+}
 
 /// Declares what was ticked, in a file of its own where one is named, and opens the robot with the
 /// first task by its size.
 Json StudioService::post_proposal(const StudioRequest& request) {
   const std::lock_guard opening_lock(opening_);
   const auto file = proposing();
-  RobotModel robot =
-      with_proposals(file, needed<std::vector<std::string>>(request.body, "parameters"));
+  RobotModel robot = with_proposals(
+      file, needed<std::vector<std::string>>(request.body, "parameters"), paths_.reach());
   const auto path = given_or<std::string>(request.body, "path", "");
   if (!path.empty()) {
     const auto written = paths_.to_write(path);
     if (std::filesystem::exists(written))
       throw IoError(written.string() + ": exists already; name a new file");
-    write_file(written, robot.files.main_text());
+    write_main_file(written, robot.files);
   }
   take(open_robot(std::move(robot), file));
   return Json::object();

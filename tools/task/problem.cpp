@@ -65,9 +65,9 @@ std::string CodesignProblem::speed_unit(int k) const {
 }
 
 CodesignProblem read_problem(const std::filesystem::path& task_file,
-                             const std::filesystem::path& robot) {
+                             const std::filesystem::path& robot, const FileReach& reach) {
   TaskSet set = read_task_set(task_file, robot);
-  RobotModel model = read_robot(set.robot);
+  RobotModel model = read_robot(set.robot, reach);
   return make_problem(std::move(set), std::move(model));
 }
 

@@ -33,8 +33,9 @@ struct CodesignProblem {
 
 /// Reads a task file and its robot and builds F of each task. Throws InputError with everything
 /// that is wrong. @param robot instead of the one that the task file names
+/// @param reach of the files that the robot names
 CodesignProblem read_problem(const std::filesystem::path& task_file,
-                             const std::filesystem::path& robot = {});
+                             const std::filesystem::path& robot = {}, const FileReach& reach = {});
 /// The same of what is read already. Throws InputError where tasks and robot do not fit.
 CodesignProblem make_problem(TaskSet set, RobotModel robot);
 

@@ -18,7 +18,7 @@
 namespace legwright {
 namespace {
 
-struct CheckOptions {
+struct CheckOptions : ReadingOptions {
   std::string task, robot;
   bool json = false, gradients = false, keys = false;
 };
@@ -43,7 +43,8 @@ std::string outer_of(const CodesignProblem& problem, int task) {
 /// One for each task of the file.
 std::vector<Finding> find(const CheckOptions& options) {
   const CodesignProblem problem =
-      read_problem(options.task, options.robot);  // all that optimize would refuse is refused
+      read_problem(options.task, options.robot,
+                   options.reach());  // all that optimize would refuse is refused
   const RobotModel& robot = problem.robot;
   std::vector<Finding> all;
   for (int k = 0; k < problem.task_count(); ++k) {
@@ -254,7 +255,7 @@ Json to_json(const Finding& found) {
 
 int check_all_gradients(const CheckOptions& options) {
   const std::vector<GradientCheck> checks =
-      check_gradients(read_problem(options.task, options.robot));
+      check_gradients(read_problem(options.task, options.robot, options.reach()));
   if (options.json)
     fmt::print("{}", to_text(Json{{"schema", "legwright/gradients"},
                                   {"version", 1},

@@ -14,14 +14,14 @@
 namespace legwright {
 namespace {
 
-struct DiffOptions {
+struct DiffOptions : ReadingOptions {
   std::string before, after;
   double tolerance = 1e-9;
   bool json = false;
 };
 
-ModelPointer compiled(const std::string& file) {
-  const RobotFiles files = RobotFiles::read(file);
+ModelPointer compiled(const std::string& file, const FileReach& reach) {
+  const RobotFiles files = RobotFiles::read(file, reach);
   return files.at_their_lines([&] {
     check_values(*load_xml(files.text(), files.file()));
     return compile_mjcf(files.text(), files.file());
@@ -90,7 +90,8 @@ Json to_json(const DiffOptions& options, const mjModel& a, const mjModel& b, con
 
 /// 0 where nothing differs, 1 where something does, as `diff` has it.
 int diff(const DiffOptions& options) {
-  const ModelPointer a = compiled(options.before), b = compiled(options.after);
+  const ModelPointer a = compiled(options.before, options.reach()),
+                     b = compiled(options.after, options.reach());
   const Found found = compare(*a, *b, options.tolerance);
   const bool same = found.differences.empty();
   if (options.json) {

@@ -28,7 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct ExportOptions {
+struct ExportOptions : ReadingOptions {
   std::string run, output;
   bool no_picture = false, urdf = false, ros = false, json = false;
 };
@@ -70,6 +70,7 @@ int export_run(const ExportOptions& options) {
   const fs::path target = target_of(options);
   std::optional<RunLock> lock;
   if (const auto around = run_around(target)) lock.emplace(*around);
+  options.check_run(options.run);
   const ExportedRun from = read_exported_run(options.run);
   const std::string name = robot_name(from);
   UnfinishedFolder folder(target);

@@ -19,8 +19,9 @@ std::string free_name(std::string name, const RobotFiles& files) {
   return name;
 }
 
-std::vector<std::string> write_robot(const RobotFiles& files, const fs::path& folder,
+std::vector<std::string> write_robot(const RobotFiles& from, const fs::path& folder,
                                      const std::string& name) {
+  const RobotFiles files = from.gathered();
   std::vector<std::string> others;
   const auto place = [&](const fs::path& path) {
     if (fs::exists(folder / path) || path == "scene.xml" || path == "README.md")

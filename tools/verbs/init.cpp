@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct InitOptions {
+struct InitOptions : ReadingOptions {
   std::string robot, output, task, gait;
   bool write = false, json = false;
 };
@@ -166,9 +166,8 @@ std::string next_step(const InitOptions& options, const StudiedRobot& robot,
 int init(const InitOptions& options) {
   if (!options.gait.empty() && options.task.empty())
     throw InputError("--gait is for the task file that --task FILE writes; give both");
-  const StudiedRobot robot = study_robot(options.robot);
+  const StudiedRobot robot = study_robot(options.robot, options.reach());
   const ProposedParameters& found = robot.found;
-  check_output(robot, options.output);
   if (robot.pose && !options.task.empty() && !options.write && options.output.empty())
     throw InputError(options.robot, 0, "",
                      "no task is written, in which the robot would not stand: " + robot.pose->why +

@@ -7,6 +7,7 @@
 #include "mjcf/text/input_error.hpp"
 #include "tools/files/atomic_file.hpp"
 #include "tools/files/io_error.hpp"
+#include "tools/run/robot_folder.hpp"
 #include "tools/verbs/summary.hpp"
 
 namespace legwright {
@@ -26,12 +27,12 @@ void refuse_task(const fs::path& file) {
 
 }  // namespace
 
-StudiedRobot study_robot(const fs::path& file) {
+StudiedRobot study_robot(const fs::path& file, const FileReach& reach) {
   refuse_task(file);
-  RobotFiles files = RobotFiles::read(file);
+  RobotFiles files = RobotFiles::read(file, reach);
   std::string text = files.main_text();
   std::optional<StandingPose> pose = find_standing_pose(files.text(), file);
-  if (pose) files = RobotFiles::from_text(with_keyframe(text, file, *pose), file);
+  if (pose) files = files.with_main(with_keyframe(text, file, *pose));
   ProposedParameters found =
       files.at_their_lines([&] { return propose_parameters(files.text(), file); });
   std::set<std::string> named = found.unnamed;
@@ -43,21 +44,7 @@ StudiedRobot study_robot(const fs::path& file) {
   return {std::move(files), std::move(found), std::move(pose), std::move(text), std::move(named)};
 }
 
-/// Other files are named by paths from the main file's folder.
-void check_output(const StudiedRobot& robot, const std::string& output) {
-  const RobotFiles& files = robot.files;
-  if (output.empty() || (files.includes().empty() && files.assets().empty())) return;
-  const fs::path from = fs::weakly_canonical(fs::absolute(files.file())).parent_path(),
-                 to = fs::weakly_canonical(fs::absolute(output)).parent_path();
-  if (from != to)
-    throw InputError(output, 0, "",
-                     fmt::format("the robot includes other files or has meshes, which are found "
-                                 "from the folder {} only; write the output there",
-                                 from.string()));
-}
-
 std::string write_proposals(const StudiedRobot& robot, const std::string& output) {
-  check_output(robot, output);
   const fs::path& file = robot.files.file();
   if (!output.empty() && fs::exists(output) && !fs::equivalent(output, file))
     throw IoError(output + ": exists already; name a new file, or remove it");
@@ -66,7 +53,10 @@ std::string write_proposals(const StudiedRobot& robot, const std::string& output
   const std::string text = with_declarations(robot.files.main_text(), file, robot.found.proposals);
   if (const std::string now = read_file(file); now != robot.text && now != text)
     throw IoError(file.string() + ": has been changed since it was studied; study it again");
-  write_file(written, text);
+  if (output.empty())
+    write_file(written, text);
+  else
+    write_main_file(output, robot.files.with_main(text));
   return written;
 }
 

@@ -22,15 +22,13 @@ struct StudiedRobot {
 };
 
 /// Throws InputError as parse_robot() does, and for a task file in the place of its robot.
-StudiedRobot study_robot(const std::filesystem::path& file);
-
-/// Throws InputError where the robot's other files would not be found from the folder of `output`.
-void check_output(const StudiedRobot& robot, const std::string& output);
+StudiedRobot study_robot(const std::filesystem::path& file, const FileReach& reach = {});
 
 /// Declares the proposals in the robot's file, or in the new file `output`, and adds the keyframe
-/// of a pose that was found; all other bytes stay.
-/// Throws as check_output(), and IoError where `output` is there already or the robot's file has
-/// been changed since it was studied.
+/// of a pose that was found; all other bytes stay. In another folder than the robot's the files
+/// that it names are written beside `output` (write_main_file()).
+/// Throws IoError where `output` or one of those is there already, or the robot's file has been
+/// changed since it was studied.
 /// @param output empty for the robot's file @return what was written; empty: nothing to add
 std::string write_proposals(const StudiedRobot& robot, const std::string& output);
 

@@ -29,7 +29,7 @@ fs::path root_of(const OptimizeOptions& options, const CodesignProblem& problem)
 
 int optimize(const OptimizeOptions& options) {
   CommandTimes times;
-  CodesignProblem problem = read_problem(options.task, options.robot);
+  CodesignProblem problem = read_problem(options.task, options.robot, options.reach());
   check_options(options, problem);
   RunFollower follower;
   follower.warn = [](const std::string& what) {

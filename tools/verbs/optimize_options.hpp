@@ -10,12 +10,13 @@
 #include "optimizer/solve/multistart.hpp"
 #include "tools/choose/choose_design.hpp"
 #include "tools/verbs/close_gap.hpp"
+#include "tools/verbs/reading_options.hpp"
 #include "tools/verbs/stop_asked.hpp"
 
 namespace legwright {
 
 /// What `legwright optimize` was asked for.
-struct OptimizeOptions {
+struct OptimizeOptions : ReadingOptions {
   std::string task, robot, run;
   bool motion_only = false, no_pictures = false, quiet = false, json = false, force = false;
   bool few = false, one_start = false, lbfgs = false, bilevel = false, plan_only = false;

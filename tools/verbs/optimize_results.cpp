@@ -79,6 +79,7 @@ std::vector<EngineWarningRecord> engine_warnings(
 
 RunRecord write_start(const ResultFolder& folder, CodesignProblem& problem, bool motion_only,
                       const std::vector<std::string>& command) {
+  gather(problem.robot);
   RunRecord run = problem.set.joint() ? start_of_joint_run(command, problem)
                                       : start_of_run(command, problem, 0);
   run.motion_only = motion_only || problem.robot.space.size() == 0;

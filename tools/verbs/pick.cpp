@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct PickOptions {
+struct PickOptions : ReadingOptions {
   std::string run, start, candidate;
   int iteration = -1, front = -1;
 };
@@ -246,6 +246,7 @@ int pick(const PickOptions& options) {
     throw InputError(fmt::format(
         "pick: expected one of --iteration, --start, --front and --candidate, found {}", given));
   const ResultFolder folder = ResultFolder::open_to_write(options.run);
+  options.check_run(options.run);
   auto run = read_record_file<RunRecord>(folder.run_json());
   if (!run.ended()) throw IoError(options.run + ": the run has not ended; let it end first");
   const PickedDesign picked = find_design(folder, run, options);

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct PlayOptions {
+struct PlayOptions : ReadingOptions {
   std::string run;
   std::string viewer;  // one of kViewers; empty: the best that is there
   int iteration = -1;
@@ -40,6 +40,7 @@ void refuse_joint_run(const fs::path& root, const std::string& options) {
 
 fs::path scene_to_play(const PlayOptions& options) {
   const ResultFolder folder = ResultFolder::open(options.run);
+  options.check_run(options.run);
   refuse_joint_run(options.run, "");
   const fs::path design =
       options.iteration >= 0 ? folder.iteration(options.iteration) : folder.result();

@@ -16,7 +16,7 @@
 namespace legwright {
 namespace {
 
-struct RenderOptions {
+struct RenderOptions : ReadingOptions {
   std::string run;
   std::vector<double> phases;
   bool all = false, still = false, small = false, json = false;
@@ -46,6 +46,7 @@ int render(const RenderOptions& options) {
     };
   }
   const ResultFolder locked = ResultFolder::open_to_write(options.run);
+  options.check_run(options.run);
   RunPictures pictures;
   try {
     for (const std::filesystem::path& run : runs_to_draw(options.run)) {

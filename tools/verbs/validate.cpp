@@ -19,7 +19,7 @@
 namespace legwright {
 namespace {
 
-struct ValidateOptions {
+struct ValidateOptions : ReadingOptions {
   std::string run, limits, junit;
   std::string engine = "mujoco";
   JudgeOptions judge;
@@ -160,6 +160,7 @@ int validate_elsewhere(const ValidateOptions& options) {
                       "of them out",
                       name, options.engine));
   (void)ResultFolder::open(options.run);
+  options.check_run(options.run);
   std::vector<std::string> words{options.run, "--cycles",
                                  std::to_string(options.judge.validation.cycles)};
   if (!options.limits.empty()) words.insert(words.end(), {"--limits", options.limits});
@@ -175,6 +176,7 @@ int validate(const ValidateOptions& asked) {
   options.judge.numerics = options.judge.robustness = options.judge.stability = !options.quick;
   options.judge.validation.progress = live_progress(options.progress);
   const ResultFolder folder = ResultFolder::open_to_write(options.run);
+  options.check_run(options.run);
   const RunRecord run = read_run_record(folder);
   if (run.joint()) return validate_joint(folder, run, options);
   const JudgedRun judged = judge_run(folder, options.judge);

@@ -5,9 +5,11 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "tools/files/exit_code.hpp"
+#include "tools/verbs/reading_options.hpp"
 
 namespace legwright {
 
@@ -25,6 +27,9 @@ std::pair<CLI::App*, std::shared_ptr<Options>> add_verb(CLI::App& program, Actio
                                                         int (*run)(const Options&)) {
   CLI::App* verb = program.add_subcommand(name, about);
   const auto options = std::make_shared<Options>();
+  if constexpr (std::is_base_of_v<ReadingOptions, Options>)
+    verb->add_flag("--confined", options->confined,
+                   "read no file that a robot names outside of its folder");
   verb->callback([&action, options, run] { action = [options, run] { return run(*options); }; });
   return {verb, options};
 }

@@ -116,4 +116,28 @@ fs::path write_split_puppy(const fs::path& folder) {
   return folder / "dog.xml";
 }
 
+fs::path write_package_puppy(const fs::path& folder) {
+  const fs::path home = folder / "mjcf";
+  std::string dog = read_file(write_split_puppy(home));
+  fs::rename(home / "assets/pictures", folder / "textures");
+  fs::rename(home / "assets", folder / "meshes");
+  fs::rename(home / "parts", folder / "common");
+  fs::remove(home / "dog.xml");
+  dog = with(dog, "meshdir=\"assets\" texturedir=\"assets/pictures/\"",
+             "meshdir=\"../meshes\" texturedir=\"../textures\"");
+  for (const char* part : {"defaults", "front_left", "drives"})
+    dog = with(dog, std::string("parts/") + part, std::string("../common/") + part);
+  const fs::path leg = folder / "common/front_left.xml";
+  put(leg, with(read_file(leg), "parts/nowhere/../shank.xml", "shank.xml"));
+  dog = with(dog, "    <mesh file=\"./nose.obj\"/>\n",
+             "    <mesh file=\"nose.obj\"/>\n"
+             "    <mesh name=\"muzzle\" file=\"../mjcf/meshes/nose.obj\"/>\n");
+  dog = with(dog, "<geom type=\"mesh\" mesh=\"ear\"",
+             "<geom type=\"mesh\" mesh=\"muzzle\" pos=\"0.01 0 0\"/>\n"
+             "        <geom type=\"mesh\" mesh=\"ear\"");
+  put(home / "meshes/nose.obj", with(tetrahedron_obj(), "v 0.02 0 0", "v 0.03 0 0"));
+  put(home / "robot.xml", dog);
+  return home / "robot.xml";
+}
+
 }  // namespace legwright::test

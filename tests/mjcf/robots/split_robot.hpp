@@ -19,4 +19,10 @@ std::string four_pixel_png();
 /// parts/drives.xml; meshes and a texture in assets/ and assets/pictures/. Returns dog.xml's path.
 std::filesystem::path write_split_puppy(const std::filesystem::path& folder);
 
+/// The same puppy as many robots are published, below a folder: mjcf/robot.xml, with
+/// meshdir="../meshes", texturedir="../textures", the included files in ../common (of which one
+/// includes another beside itself), and a mesh in mjcf/meshes that is called as one in ../meshes.
+/// Returns robot.xml's path.
+std::filesystem::path write_package_puppy(const std::filesystem::path& folder);
+
 }  // namespace legwright::test

@@ -6,6 +6,7 @@
 
 #include "mjcf/text/input_error.hpp"
 #include "tests/tools/files/temporary_folder.hpp"
+#include "tools/files/io_error.hpp"
 
 namespace legwright {
 namespace {
@@ -52,6 +53,34 @@ TEST_F(RobotFolder, FilesOfTheUserAreCopiedThoseOfTheRunLinked) {
   EXPECT_EQ(fs::hard_link_count(design / "metrics.json"), 1u);
   EXPECT_EQ(read_file(copy / "metrics.json"), "{}");
   EXPECT_THROW(copy_design(design, copy, files), std::system_error);  // is there already
+}
+
+TEST_F(RobotFolder, FilesElsewhereAreGathered) {
+  fs::create_directories(home_ / "mjcf");
+  write_file(home_ / "mjcf/dog.xml",
+             "<mujoco><compiler meshdir=\"../meshes\"/><include file=\"../parts/leg.xml\"/>"
+             "<asset><mesh file=\"ear.stl\"/></asset></mujoco>");
+  const RobotFiles files = RobotFiles::read(home_ / "mjcf/dog.xml");
+  const fs::path inputs = fresh("inputs"), design = fresh("design");
+  write_robot_files(inputs, files);
+  EXPECT_EQ(read_file(inputs / "robot.xml"),
+            "<mujoco><compiler/><include file=\"parts/leg.xml\"/>"
+            "<asset><mesh file=\"meshes/ear.stl\"/></asset></mujoco>");
+  EXPECT_EQ(read_file(inputs / "meshes/ear.stl"), "an ear");
+  write_robot_files(design, files.moved_to(inputs / "robot.xml"), Durability::process);
+  EXPECT_TRUE(fs::equivalent(design / "meshes/ear.stl", inputs / "meshes/ear.stl"));
+
+  const fs::path beside = home_ / "mjcf/new.xml", other = fresh("other") / "new.xml";
+  write_main_file(beside, files);
+  EXPECT_EQ(read_file(beside), read_file(home_ / "mjcf/dog.xml"));
+  write_main_file(other, files);
+  EXPECT_EQ(read_file(other), read_file(inputs / "robot.xml"));
+  EXPECT_EQ(read_file(other.parent_path() / "parts/leg.xml"), read_file(home_ / "parts/leg.xml"));
+  EXPECT_EQ(fs::hard_link_count(home_ / "meshes/ear.stl"), 1u);
+  EXPECT_THROW(write_main_file(other.parent_path() / "newer.xml", files), IoError);
+  EXPECT_FALSE(fs::exists(other.parent_path() / "newer.xml"));
+  EXPECT_THROW(write_main_file(fresh("third") / "parts", files), IoError);
+  EXPECT_TRUE(fs::is_empty(folder_.path() / "third"));
 }
 
 /// Another file system cannot link.

@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 
 #include "mjcf/text/input_error.hpp"
+#include "tests/mjcf/robots/split_robot.hpp"
 #include "tests/tools/files/temporary_folder.hpp"
 #include "tests/tools/session/puppy.hpp"
 #include "tools/files/atomic_file.hpp"
 #include "tools/files/io_error.hpp"
+#include "tools/run/robot_folder.hpp"
 
 namespace legwright {
 namespace {
@@ -29,6 +31,17 @@ TEST_F(Journal, ComesBackLineByLineAndIsThereAtOnce) {
   ASSERT_EQ(read.commands.size(), 2u);
   EXPECT_EQ(json_of(read.commands[0]), json_of(journal.commands()[0]));
   EXPECT_EQ(journal.text(), read_file(file_));
+}
+
+/// A session of a robot whose files lie elsewhere goes on with the copy that a run has of it.
+TEST_F(Journal, ARobotIsKnownByWhatACopyOfItHas) {
+  const RobotModel robot = read_robot(test::write_package_puppy(folder_.path() / "pkg"));
+  const std::filesystem::path copy = folder_.path() / "copy";
+  std::filesystem::create_directory(copy);
+  write_robot_files(copy, robot.files);
+  const auto sum = [&](const RobotModel& of) { return begin_of(of, "", "").robot_sha256; };
+  EXPECT_EQ(sum(read_robot(copy / "robot.xml")), sum(robot));
+  EXPECT_NE(sum(test::puppy()), sum(robot));
 }
 
 TEST_F(Journal, ASearchThatDiedCountsWithThePointsThatItHad) {

@@ -10,6 +10,8 @@
 #include <thread>
 #include <vector>
 
+#include "tests/mjcf/robots/robots.hpp"
+#include "tests/mjcf/robots/split_robot.hpp"
 #include "tests/tools/studio/browser.hpp"
 
 namespace legwright {
@@ -162,6 +164,36 @@ TEST_F(ServerTest, PathsOutsideOfTheRootsAreRefused) {
     }
   const Json files = Json::array({{{"name", "../../robot.xml"}, {"base64", "AAAA"}}});
   EXPECT_EQ(browser.post("/api/open", {{"files", files}})["status"], 400);
+}
+
+TEST_F(ServerTest, WhatARobotNamesOutsideOfTheRootsIsRefused) {
+  namespace fs = std::filesystem;
+  const fs::path robot = test::write_package_puppy(studio_.folder.path() / "pkg");
+  const auto open = [&] { return studio_.browser->post("/api/open", {{"path", robot.string()}}); };
+  EXPECT_EQ(open()["status"], 200) << "beside its folder, below a root";
+  const test::TemporaryFolder elsewhere;
+  const fs::path moved = fs::canonical(elsewhere.path()) / "defaults.xml",
+                 named = studio_.folder.path() / "pkg/common/defaults.xml";
+  const auto expect_refused = [&] {
+    const Json answer = open();
+    EXPECT_EQ(answer["status"], 400);
+    const std::string message = answer["error"]["message"].get<std::string>();
+    for (const std::string& part :
+         {"lies at " + moved.string(), std::string("outside of the folders that the studio may "),
+          std::string("name its folder with --roots")})
+      EXPECT_NE(message.find(part), std::string::npos) << message;
+  };
+  fs::rename(named, moved);
+  fs::create_symlink(moved, named);
+  expect_refused();
+  fs::remove(named);
+  test::put(robot, test::with(test::read_file(robot), "../common/defaults.xml", moved.string()));
+  expect_refused();
+  // Nor may a robot that declares nothing, for which the page asks what may change.
+  std::string text = test::read_file(robot);
+  const std::size_t begin = text.find("  <custom>"), end = text.find("</custom>\n");
+  test::put(robot, text.erase(begin, end + 10 - begin));
+  expect_refused();
 }
 
 TEST_F(ServerTest, PagesComeWithAPolicyThatLetsInNothingElse) {

@@ -44,18 +44,17 @@ class OptimizeRun : public testing::Test {
 
 TEST_F(OptimizeRun, ARobotThatGoesAwayMeanwhileIsNotMissed) {
   const fs::path home = folder_.path() / "home";
-  test::write_split_puppy(home);
-  write_file(home / "sideways.toml", test::with(read_file(kExamples / "puppy" / "sideways.toml"),
-                                                "\"robot.xml\"", "\"dog.xml\""));
+  test::write_package_puppy(home);
+  fs::copy_file(kExamples / "puppy" / "sideways.toml", home / "mjcf/sideways.toml");
   options_.max_iterations = 2;
   follower_.on_iteration = [&](const RunLabel&, const DesignIteration& iteration) {
     if (iteration.index == 0) fs::remove_all(home);
     return true;
   };
-  const RunRecord record = run(home / "sideways.toml");
+  const RunRecord record = run(home / "mjcf/sideways.toml");
   EXPECT_NE(record.status, "failed");
   EXPECT_TRUE(record.choice);  // physics has played it, too, with its meshes
-  EXPECT_TRUE(fs::is_regular_file(run_ / "result/assets/ear.stl"));
+  EXPECT_TRUE(fs::is_regular_file(run_ / "result/meshes/ear.stl"));
 }
 
 // Counts the questions after the search, so that the stop falls into the first roll-out.

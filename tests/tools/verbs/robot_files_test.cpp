@@ -73,9 +73,7 @@ TEST_F(RobotFilesRun, InitWritesBesideTheMainFileByABareName) {
   const Outcome bare = test::call_in(home_, {"init", "dog.xml", "-o", "new.xml"});
   EXPECT_EQ(bare.code, 0) << bare.err;
   EXPECT_TRUE(fs::exists(home_ / "new.xml"));
-  const Outcome elsewhere = call({"init", "home/dog.xml", "-o", "new.xml"});
-  EXPECT_EQ(elsewhere.code, 2) << elsewhere.err;
-  EXPECT_FALSE(fs::exists(folder_.path() / "new.xml"));
+  EXPECT_FALSE(fs::exists(home_ / "robot.xml"));
 }
 
 TEST_F(RobotFilesRun, EveryFolderHoldsTheWholeRobotAndOpens) {
@@ -175,14 +173,19 @@ TEST_F(RobotFilesRun, InitAndDiffReadThem) {
   const std::size_t begin = dog.find("  <custom>"), end = dog.find("</custom>\n");
   write_file(home_ / "dog.xml", dog.erase(begin, end + 10 - begin));
   const auto before = contents("home/parts");
-  const Outcome elsewhere = call({"init", "home/dog.xml", "-o", "dog.xml"});
-  EXPECT_EQ(elsewhere.code, 2);
-  EXPECT_TRUE(contains(elsewhere.err, "write the output there")) << elsewhere.err;
+  const Outcome elsewhere = call({"init", "home/dog.xml", "-o", "other/dog.xml"});
+  EXPECT_EQ(elsewhere.code, 0) << elsewhere.err;
+  for (const std::string& part : kParts)
+    EXPECT_EQ(read_file(folder_.path() / "other" / part), read_file(home_ / part)) << part;
+  for (const std::string& asset : kAssets)
+    EXPECT_EQ(read_file(folder_.path() / "other" / asset), read_file(home_ / asset)) << asset;
+  EXPECT_TRUE(opened(folder_.path() / "other/dog.xml"));
   const Outcome beside = call({"init", "home/dog.xml", "-o", "home/dog2.xml"});
   EXPECT_EQ(beside.code, 0) << beside.err;
   const Outcome write = call({"init", "home/dog.xml", "--write"});
   EXPECT_EQ(write.code, 0) << write.err;
   EXPECT_EQ(read_file(home_ / "dog.xml"), read_file(home_ / "dog2.xml"));
+  EXPECT_EQ(read_file(home_ / "dog.xml"), read_file(folder_.path() / "other/dog.xml"));
   EXPECT_TRUE(contains(read_file(home_ / "dog.xml"), "legwright/front_shank_length"));
   EXPECT_EQ(contents("home/parts"), before);
 
@@ -206,9 +209,14 @@ TEST_F(RobotFilesRun, InitAndDiffReadThem) {
 TEST_F(RobotFilesRun, NothingIsWrittenForARefusedFile) {
   fs::create_symlink("/etc/hostname", home_ / "assets/tail.stl");
   write_file(home_ / "dog.xml", test::with(read_file(home_ / "dog.xml"), "ear.stl", "tail.stl"));
-  const Outcome outcome = call({"optimize", "home/sideways.toml", "-o", "run"});
+  const Outcome outcome = call({"optimize", "home/sideways.toml", "-o", "run", "--confined"});
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_TRUE(contains(outcome.err, "leads out of the folder")) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "dog.xml:")) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err,
+                       "is reached by a symbolic link and lies at /etc/hostname, "
+                       "outside of the folder of the robot's main file, and "
+                       "--confined was given: copy it"))
+      << outcome.err;
   EXPECT_FALSE(fs::exists(run_));
 }
 
