@@ -37,7 +37,7 @@ StudiedRobot study_robot(const fs::path& file, const FileReach& reach) {
       files.at_their_lines([&] { return propose_parameters(files.text(), file); });
   std::set<std::string> named = found.unnamed;
   if (!named.empty()) {
-    files = RobotFiles::from_text(with_named_bodies(files.main_text(), file, named), file);
+    files = files.with_main(with_named_bodies(files.main_text(), file, named));
     found = files.at_their_lines([&] { return propose_parameters(files.text(), file); });
     for (const std::string& still : found.unnamed) named.erase(still);
   }
