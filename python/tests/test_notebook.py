@@ -49,7 +49,7 @@ def test_two_tasks_have_a_front_between_their_ends(run):
 def test_an_own_robot_gets_its_parameters_and_walks(run):
     pytest.importorskip('matplotlib')
     names = run('own_robot.ipynb')
-    assert 'front_thigh_length' in names['without_density'].left_out
+    assert 'front_thigh_length' in names['of_shells'].left_out
     assert 'front_thigh_length' in names['proposals']
     design = names['design']
     assert design.verdict

@@ -110,8 +110,8 @@ PythonFound look_for_python(const PythonPart& part) {
 
 std::string python_cure(const PythonPart& part) {
   return fmt::format(
-      "`pip install \".[{}]\"` in a clone, or \"legwright[{}]\" from a wheel, and name that "
-      "Python in LEGWRIGHT_PYTHON",
+      "`pip install \".[{}]\"` in a clone, or \"legwright[{}]\" beside an installed wheel; "
+      "LEGWRIGHT_PYTHON names a Python other than that of the wheel or python3",
       part.extra, part.extra);
 }
 
