@@ -24,10 +24,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Bounds within which plans were followed by six robots of 1.5 to 45 kg at half and double gains:
-// legs of 1.6 times their length under a trunk as high as before crouch, and a long, narrow trunk
-// on two feet rocks; on three it does not, and its legs stand close together. Who wants more widens
-// them.
+// Bounds within which six robots of 1.5 to 45 kg followed plans at half and double gains: legs of
+// 1.6 times their length under a trunk as high as before crouch, and a long, narrow trunk on two
+// feet rocks; on three it does not, and its legs stand close together.
 constexpr double kShorterLink = 0.75, kLongerLink = 1.25;
 constexpr double kShorterTrunk = 0.95, kLongerTrunk = 1.05;            // up to two rows of legs
 constexpr double kShorterTrunkOfMany = 0.8, kLongerTrunkOfMany = 1.5;  // three rows and more
@@ -35,10 +34,10 @@ constexpr double kNarrowerGirdle = 0.75, kWiderGirdle = 1.5;
 // Of an axis, either way [rad]: a leg whose joints all turn about one direction needs much to leave
 // its plane, one that reaches to all sides as it is need not be twisted.
 constexpr double kTurn = 1.0, kTurnOfAble = 0.25;
-constexpr double kOneDirection = 0.966;  // cosine of 15 degrees
-constexpr double kShortestLink = 0.02;   // [m]: shorter ones are offsets, not legs
-constexpr double kSameLength = 1e-6;     // [m]: what differs by so much was rounded
-constexpr double kMirroredAlike = 0.05;  // of a link: so much left and right may differ and be tied
+constexpr double kOneDirection = 0.966;     // cosine of 15 degrees
+constexpr double kShortestLink = 0.02;      // [m]: shorter ones are offsets, not legs
+constexpr double kSameLength = 1e-6;        // [m]: what differs by so much was rounded
+constexpr double kTiedInProportion = 0.05;  // of a link: so much left and right may differ
 constexpr double kAcross =
     0.7;  // cosine: turning an axis about a direction nearer to it does little
 constexpr double kLargestBall = 0.5;      // radius of a foot over the length of its link
@@ -194,7 +193,7 @@ class ProposalBuilder {
       }
     if (!named)
       return "its body has no name in the file, by which it could be declared; give it one";
-    if (std::abs(*twin.metres - *own.metres) > kMirroredAlike * *own.metres)
+    if (std::abs(*twin.metres - *own.metres) > kTiedInProportion * *own.metres)
       return fmt::format(
           "bodies '{}' and '{}' differ in length, {:.4g} and {:.4g} m: mend the file, or declare "
           "each by hand where it is meant",

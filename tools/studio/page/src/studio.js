@@ -216,14 +216,16 @@ export class Studio {
       action,
       hint: "Below the folders that the studio was started with.",
     });
-    if (!path) return;
+    if (!path) return undefined;
     this.notices.show("info", `${action}: ${path} …`);
-    const done = await this.act(() => post(request, { path }));
-    if (done && request !== "/api/optimize") this.notices.show("info", `Done: ${done.path ?? path}`);
+    return this.act(() => post(request, { path }));
   }
 
-  save() {
-    return this.toFolder("Save as a run", "Save", `runs/${this.name()}`, "/api/save");
+  /** Done once it is answered; what goes on in the background tells its own end. */
+  async save() {
+    const name = `runs/${this.name()}`;
+    const done = await this.toFolder("Save as a run", "Save", name, "/api/save");
+    if (done) this.notices.show("info", `Done: ${done.path}`);
   }
 
   /** `optimize` from the present body: what MuJoCo passes, as a run of its own. */
