@@ -7,6 +7,8 @@
 #include <stdexcept>
 
 #include "mjcf/text/input_error.hpp"
+#include "mjcf/text/mesh_hulls.hpp"
+#include "mjcf/text/recent_models.hpp"
 
 namespace legwright {
 namespace {
@@ -62,6 +64,13 @@ InputError refusal(const std::filesystem::path& file, std::string message) {
                     message + "; mend the file so that MuJoCo opens it without Legwright");
 }
 
+template <class Visit>
+void for_each_texture(mjSpec& spec, const Visit& visit) {
+  for (mjsElement* each = mjs_firstElement(&spec, mjOBJ_TEXTURE); each != nullptr;
+       each = mjs_nextElement(&spec, each))
+    visit(*mjs_asTexture(each));
+}
+
 SpecPointer parsed(const std::string& xml, const std::filesystem::path& file) {
   std::array<char, 1000> error{};
   SpecPointer spec(
@@ -85,25 +94,41 @@ void call_engine(const std::filesystem::path& file, const std::function<void()>&
 
 void shrink_painted_textures(mjSpec& spec) {
   constexpr int kPixels = 2;
-  for (mjsElement* each = mjs_firstElement(&spec, mjOBJ_TEXTURE); each != nullptr;
-       each = mjs_nextElement(&spec, each)) {
-    mjsTexture& texture = *mjs_asTexture(each);
-    if (texture.builtin == mjBUILTIN_NONE) continue;
+  for_each_texture(spec, [](mjsTexture& texture) {
+    if (texture.builtin == mjBUILTIN_NONE) return;
     if (texture.width > kPixels) texture.width = kPixels;
     if (texture.height > kPixels) texture.height = kPixels;
-  }
+  });
 }
 
-ModelPointer compile_mjcf(const std::string& xml, const std::filesystem::path& file) {
-  ModelPointer model;
+void paint_over_pictures(mjSpec& spec) {
+  for_each_texture(spec, [](mjsTexture& texture) {
+    if (texture.builtin != mjBUILTIN_NONE) return;
+    mjs_setString(texture.file, "");
+    mjs_setString(texture.content_type, "");
+    mjs_setStringVec(texture.cubefiles, "");
+    texture.builtin = mjBUILTIN_FLAT;
+    texture.width = texture.height = 2;
+  });
+}
+
+ModelPointer compile_mjcf(const std::string& xml, const std::filesystem::path& file,
+                          MeshDetail detail) {
+  static RecentModels recent;
+  // Models with all triangles are large, and asked for once.
+  const bool may_be_known = detail == MeshDetail::hulls;
+  ModelPointer model = may_be_known ? recent.find(xml, file) : nullptr;
+  if (model) return model;
   call_engine(file, [&] {
     const SpecPointer spec = parsed(xml, file);
     shrink_painted_textures(*spec);
     if (file.has_parent_path())
       mjs_setString(spec->modelfiledir, (file.parent_path().string() + "/").c_str());
+    if (detail == MeshDetail::hulls) put_hulls_for_meshes(*spec);
     model.reset(mj_compile(spec.get(), nullptr));
     if (!model) throw refusal(file, mjs_getError(spec.get()));
   });
+  if (may_be_known) recent.keep(xml, file, *model);
   return model;
 }
 

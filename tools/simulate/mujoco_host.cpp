@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "mjcf/text/compile.hpp"
+#include "mjcf/text/mesh_hulls.hpp"
 
 namespace legwright {
 namespace {
@@ -95,8 +96,10 @@ ModelPointer compile_model(const std::string& xml, const std::string& name,
   const SpecPointer spec(
       mj_parseXMLString(xml.c_str(), nullptr, error.data(), static_cast<int>(error.size())));
   if (!spec) throw MujocoError(name + ": MuJoCo cannot read it: " + reason(error.data(), messages));
+  paint_over_pictures(*spec);
   shrink_painted_textures(*spec);
   if (!folder.empty()) mjs_setString(spec->modelfiledir, (folder.string() + "/").c_str());
+  put_hulls_for_meshes(*spec);
   ModelPointer model(mj_compile(spec.get(), nullptr));
   if (!model) {
     throw MujocoError(name +

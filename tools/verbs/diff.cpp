@@ -24,7 +24,7 @@ ModelPointer compiled(const std::string& file, const FileReach& reach) {
   const RobotFiles files = RobotFiles::read(file, reach);
   return files.at_their_lines([&] {
     check_values(*load_xml(files.text(), files.file()));
-    return compile_mjcf(files.text(), files.file());
+    return compile_mjcf(files.text(), files.file(), MeshDetail::triangles);
   });
 }
 

@@ -39,7 +39,7 @@ fs::path new_folder(const fs::path& folder) {
 /// @param text_file of the URDF. @param meshes folder for its meshes
 UrdfRobot write_robot_urdf(const RobotModel& robot, const fs::path& text_file,
                            const fs::path& meshes, const std::string& mesh_prefix) {
-  const ModelPointer model = compile_mjcf(robot.xml, robot.file);
+  const ModelPointer model = compile_mjcf(robot.xml, robot.file, MeshDetail::triangles);
   UrdfRobot urdf = urdf_of(robot, *model, mesh_prefix);
   fs::create_directories(text_file.parent_path());
   write_file(text_file, urdf.text);

@@ -83,7 +83,8 @@ class Gather : public testing::Test {
 
 TEST_F(Gather, APackageIsReadAsMujocoReadsIt) {
   const RobotFiles files = RobotFiles::read(robot_);
-  const ModelPointer stock = opened(robot_), ours = compile_mjcf(files.text(), robot_);
+  const ModelPointer stock = opened(robot_),
+                     ours = compile_mjcf(files.text(), robot_, MeshDetail::triangles);
   ASSERT_TRUE(stock);
   EXPECT_EQ(stock->nmesh, 3);
   EXPECT_TRUE(model_differences(*stock, *ours, 0.0).empty());

@@ -74,7 +74,8 @@ TEST_F(SplitPuppy, IsTheRobotThatMujocoReads) {
   EXPECT_EQ(files.main_text(), test::read_file(file_));
   for (const IncludedFile& included : files.includes())
     EXPECT_EQ(included.text, test::read_file(folder_.path() / included.path));
-  const ModelPointer stock = opened_by_mujoco(file_), ours = compile_mjcf(files.text(), file_);
+  const ModelPointer stock = opened_by_mujoco(file_),
+                     ours = compile_mjcf(files.text(), file_, MeshDetail::triangles);
   EXPECT_TRUE(model_differences(*stock, *ours, 0.0).empty());
   EXPECT_EQ(ours->nmesh, 2);
   EXPECT_EQ(ours->ntex, 1);
@@ -118,7 +119,7 @@ TEST_F(SplitPuppy, DesignsChangeEachFileForItself) {
     EXPECT_EQ(read.files.text(), text);
     EXPECT_LT((read.space.initial() - s).cwiseAbs().maxCoeff(), 1e-11);  // 12 digits
     EXPECT_TRUE(model_differences(*opened_by_mujoco(folder.path() / "dog.xml"),
-                                  *compile_mjcf(text, file_), 0.0)
+                                  *compile_mjcf(text, file_, MeshDetail::triangles), 0.0)
                     .empty());
     EXPECT_EQ(files.includes()[0].text, robot.files.includes()[0].text);  // defaults: no design
     EXPECT_NE(files.includes()[1].text, robot.files.includes()[1].text);
@@ -165,7 +166,8 @@ TEST(RobotFiles, SectionsOfSeveralFilesAreJoinedAsMujocoDoes) {
       "<mujocoinclude><geom class=\"blue\" size=\"0.3\"/><site euler=\"90 0 0\"/></mujocoinclude>");
   put(folder.path() / "meshes/tet.stl", test::tetrahedron_stl(0.2f));
   const RobotFiles files = RobotFiles::read(main);
-  const ModelPointer stock = opened_by_mujoco(main), ours = compile_mjcf(files.text(), main);
+  const ModelPointer stock = opened_by_mujoco(main),
+                     ours = compile_mjcf(files.text(), main, MeshDetail::triangles);
   ASSERT_TRUE(stock);
   EXPECT_TRUE(model_differences(*stock, *ours, 0.0).empty());
   EXPECT_EQ(stock->opt.timestep, ours->opt.timestep);
