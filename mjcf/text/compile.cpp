@@ -144,7 +144,7 @@ DataPointer kinematics_at(const mjModel& model, const mjtNum* qpos,
   call_engine(file, [&] {
     data.reset(mj_makeData(&model));
     if (!data) throw refusal(file, "no memory for the state of the model");
-    if (qpos) mju_copy(data->qpos, qpos, model.nq);
+    if (qpos) mju_copy(data->qpos, qpos, static_cast<int>(model.nq));
     mj_kinematics(&model, data.get());
   });
   return data;

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <deque>
 #include <filesystem>
 #include <fstream>
@@ -38,7 +39,7 @@ struct HullMesh {
 struct Graph {
   Graph(const mjModel& model, int mesh) {
     const int* const graph = model.mesh_graph + model.mesh_graphadr[mesh];
-    const int corner_count = graph[0], face_count = graph[1];
+    const std::ptrdiff_t corner_count = graph[0], face_count = graph[1];
     corners.assign(graph + 2 + corner_count, graph + 2 + 2 * corner_count);
     const int* const of_faces = graph + 2 + 3 * corner_count + 3 * face_count;
     faces.assign(of_faces, of_faces + 3 * face_count);
@@ -67,7 +68,8 @@ std::optional<HullMesh> hull_mesh(const mjModel& model, int mesh, int body) {
   if (!(squares.minCoeff() > kFlat * kFlat * squares.maxCoeff())) return std::nullopt;
   const Graph graph(model, mesh);
   const auto vertex = [&](int id) -> Vector3d {
-    return Eigen::Map<const Eigen::Vector3f>(model.mesh_vert + 3 * (model.mesh_vertadr[mesh] + id))
+    return Eigen::Map<const Eigen::Vector3f>(model.mesh_vert +
+                                             std::ptrdiff_t{3} * (model.mesh_vertadr[mesh] + id))
         .cast<double>();
   };
   double share = kLargest;
