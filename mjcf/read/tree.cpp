@@ -141,10 +141,16 @@ class MorphologyBuilder {
     out.axis = axis(j, out.name);
     out.nominal = home_qpos(model_)[model_.jnt_qposadr[j]];
     if (model_.jnt_limited[j]) {
-      out.lower = model_.jnt_range[2 * j];
-      out.upper = model_.jnt_range[2 * j + 1];
+      const mjtNum* const range = model_.jnt_range + std::ptrdiff_t{2} * j;
+      out.lower = range[0];
+      out.upper = range[1];
     }
-    out.armature = model_.dof_armature[model_.jnt_dofadr[j]];
+    const int dof = model_.jnt_dofadr[j];
+    out.armature = model_.dof_armature[dof];
+    out.damping = model_.dof_damping[dof];
+    out.friction_loss = model_.dof_frictionloss[dof];
+    out.stiffness = model_.jnt_stiffness[j];
+    out.slack_angle = model_.qpos_spring[model_.jnt_qposadr[j]];
     return out;
   }
 
@@ -181,8 +187,9 @@ class MorphologyBuilder {
     out.upper = attachment(span.upper_site);
     out.lower = attachment(span.lower_site);
     if (model_.tendon_limited[span.tendon]) {
-      out.shortest = model_.tendon_range[2 * span.tendon];
-      out.longest = model_.tendon_range[2 * span.tendon + 1];
+      const mjtNum* const range = model_.tendon_range + std::ptrdiff_t{2} * span.tendon;
+      out.shortest = range[0];
+      out.longest = range[1];
     }
     out_.linear_actuators.push_back(std::move(out));
   }

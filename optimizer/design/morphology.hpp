@@ -65,6 +65,9 @@ struct Joint {
   double upper = std::numeric_limits<double>::infinity();
   double torque_limit = std::numeric_limits<double>::infinity();  // [N m]
   double armature = 0.0;  // reflected rotor inertia [kg m²]
+  // What the motor works against besides: a damper [N m s/rad], a spring [N m/rad] that is slack at
+  // an angle [rad], dry friction [N m].
+  double damping = 0.0, stiffness = 0.0, slack_angle = 0.0, friction_loss = 0.0;
   // Gains of the servo [N m/rad], [N m s/rad]; of a linear actuator those about the joint in the
   // home pose of the initial design.
   double servo_kp = 0.0, servo_kd = 0.0;

@@ -13,7 +13,7 @@ namespace legwright {
 struct LimitedMotor {
   int knot;
   int slot;      // of its torque by inverse dynamics (Layout::joint_torque)
-  double limit;  // [N m], finite and positive
+  double limit;  // less the joint's dry friction [N m], finite and positive
   std::string name;
 };
 

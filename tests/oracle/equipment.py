@@ -10,6 +10,8 @@ PRINT_DENSITY = 1000.0  # of all but hip motors and payload; the box and the rod
 
 JOINT_LOWER, JOINT_UPPER = (0.2, -1.3, 0.3), (0.9, -0.6, np.inf)
 ARMATURE = (0.002, 0.003, 0.001)
+DAMPING, FRICTION_LOSS = (0.03, 0.0, 0.02), (0.2, 0.1, 0.0)
+STIFFNESS, SLACK_ANGLE = (0.5, 0.0, 0.4), (0.3, 0.2, -0.1)
 TORQUE_LIMIT = (3.5, 3.0, np.inf)
 
 # A piston drives each knee, joint 1, from the thigh to the shank. Its upper end is this and a sixth

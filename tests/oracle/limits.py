@@ -31,7 +31,7 @@ def joint_limits(state):
 
 def _torque_shares(state):
     """Torques of the motors that have a limit, as shares of it, (T, motors)."""
-    limit = np.array(equipment.TORQUE_LIMIT * 4)
+    limit = np.array((np.array(equipment.TORQUE_LIMIT) - equipment.FRICTION_LOSS).tolist() * 4)
     limited = np.flatnonzero(np.isfinite(limit))
     return state.joint_torques()[:, limited] / limit[limited]
 

@@ -11,6 +11,7 @@ import unittest
 
 import derivatives
 import document
+import equipment
 import numpy as np
 import penalties
 import segments
@@ -129,7 +130,9 @@ class Mechanics(unittest.TestCase):
         q = tape.tensor(pose[None])
         placed = Placed(task.robot, q, s)
         height = (placed.points * task.up).sum(-1)
-        (slope,) = tape.gradients((height * placed.masses * GRAVITY).sum(), [q])
+        bent = q[:, 6:] - np.array(equipment.SLACK_ANGLE * 4)
+        springs = (bent * bent * (np.array(equipment.STIFFNESS * 4) / 2)).sum()
+        (slope,) = tape.gradients((height * placed.masses * GRAVITY).sum() + springs, [q])
         np.testing.assert_allclose(torques[4], slope[0, 6:], atol=1e-14)
 
 

@@ -52,9 +52,22 @@ class State:
                 torques.append(
                     dot(placed.axes[:-1, joint], moment)
                     + armature(self.robot, joint) * bends[:, joint]
+                    + self._resistance(joint)
                 )
             self._torques = tape.stack(torques, 1)
         return self._torques
+
+
+    def _resistance(self, joint):
+        """Torque of a joint's damper and spring that its motor works against, at knots < T."""
+        if not self.robot.equipped:
+            return 0.0
+        angles, k = self.motion.pose[:, 6 + joint], joint % 3
+        before = tape.concatenate([angles[-2:-1], angles[:-2]])
+        speed = (angles[1:] - before) / (2.0 * self.task.step)
+        return equipment.DAMPING[k] * speed + equipment.STIFFNESS[k] * (
+            angles[:-1] - equipment.SLACK_ANGLE[k]
+        )
 
 
 def armature(robot, joint):

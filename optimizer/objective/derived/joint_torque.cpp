@@ -8,7 +8,8 @@
 namespace legwright {
 namespace {
 
-/// Torque of a joint's motor by inverse dynamics at a knot [N m], armature included.
+/// Torque of a joint's motor by inverse dynamics at a knot [N m], against armature, damper and
+/// spring of the joint, too; not against dry friction.
 class MotorTorque final : public DerivedQuantity {
  public:
   MotorTorque(const DerivedSetting& setting, int slot, int knot, int link)
@@ -20,7 +21,9 @@ class MotorTorque final : public DerivedQuantity {
         last_(setting.layout.knot_count()),
         link_(link),
         time_step_(setting.task.gait.time_step()),
-        armature_(setting.morphology.links[link].joint.armature / (time_step_ * time_step_)),
+        along_(torque_along(setting.morphology.links[link].joint, time_step_)),
+        spring_(setting.morphology.links[link].joint.stiffness *
+                setting.morphology.links[link].joint.slack_angle),
         up_(setting.task.up) {
     const std::vector<int> poses = knots(setting.layout, knot);
     for (std::size_t k = 0; k < 3; ++k) angles_[k] = setting.layout.pose(poses[k]) + 5 + link;
@@ -41,7 +44,7 @@ class MotorTorque final : public DerivedQuantity {
     for (const Carried& each : forces_) forces.push_back({each.foot, x.segment<3>(each.slot)});
     y[0] = JointTorque::value(input.morphology, input.robot.geometry, triple(input.robot), link_,
                               time_step_, forces) +
-           armature_ * (x[angles_[0]] - 2.0 * x[angles_[1]] + x[angles_[2]]);
+           along_.dot(Eigen::Vector3d(x[angles_[0]], x[angles_[1]], x[angles_[2]])) - spring_;
   }
   void jacobian(const DerivedInput& input, State& state, Eigen::MatrixXd& jacobian) const override {
     Held& held = static_cast<Held&>(state);
@@ -51,7 +54,7 @@ class MotorTorque final : public DerivedQuantity {
                         link_, time_step_, held.forces, where, static_cast<int>(jacobian.rows()));
     held.torque.add_jacobian(jacobian);
     for (std::size_t k = 0; k < 3; ++k)
-      jacobian(columns(k)[5 + link_], 0) += (k == 1 ? -2.0 : 1.0) * armature_;
+      jacobian(columns(k)[5 + link_], 0) += along_[static_cast<Eigen::Index>(k)];
   }
   void curvature(const Ancestry& ancestry, const State& state, const double* multiplier,
                  Eigen::MatrixXd& hessian) const override {
@@ -68,6 +71,11 @@ class MotorTorque final : public DerivedQuantity {
     int foot, slot, column;
   };
 
+  /// armature q̈ + damping q̇ + stiffness q by differences.
+  static Eigen::Vector3d torque_along(const Joint& joint, double h) {
+    const double inertia = joint.armature / (h * h), damping = joint.damping / (2.0 * h);
+    return {inertia - damping, joint.stiffness - 2.0 * inertia, inertia + damping};
+  }
   static std::vector<int> knots(const Layout& layout, int knot) {
     return {knot > 0 ? knot - 1 : layout.knot_count() - 1, knot, knot + 1};
   }
@@ -93,7 +101,8 @@ class MotorTorque final : public DerivedQuantity {
 
   int knot_, last_, link_;
   double time_step_;
-  double armature_;            // over h² [kg m²/s²]
+  Eigen::Vector3d along_;      // angles before, at and after the knot [N m/rad]
+  double spring_;              // stiffness times slack angle [N m]
   Eigen::Vector3d up_;         // against gravity
   std::array<int, 3> angles_;  // slots of the joint's angle before, at and after the knot
   std::vector<Carried> forces_;

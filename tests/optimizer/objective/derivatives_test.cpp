@@ -35,6 +35,9 @@ Objective make_objective(const std::string& only = "", bool printed = false,
     link.joint.upper = 1.2;
     link.joint.torque_limit = 0.6;
     link.joint.armature = 2e-4;
+    link.joint.damping = 0.01;
+    link.joint.stiffness = 0.1;
+    link.joint.slack_angle = 0.3;
   }
   Task task = test::make_sideways_task(true, 8);
   task.velocity = {0.05, 0.1};

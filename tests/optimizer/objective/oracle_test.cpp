@@ -117,6 +117,10 @@ test::Puppy make_robot(const json& settings) {
     read("joint_upper", joint.upper);
     read("torque_limit", joint.torque_limit);
     read("armature", joint.armature);
+    read("damping", joint.damping);
+    read("stiffness", joint.stiffness);
+    read("slack_angle", joint.slack_angle);
+    read("friction_loss", joint.friction_loss);
   }
   return puppy;
 }
@@ -323,6 +327,10 @@ TEST(OracleDocuments, NoticeEachSettingOfTheEquippedRobot) {  // negative contro
                            "/equipment/joint_upper/0",
                            "/equipment/torque_limit/0",
                            "/equipment/armature/0",
+                           "/equipment/damping/0",
+                           "/equipment/stiffness/0",
+                           "/equipment/slack_angle/0",
+                           "/equipment/friction_loss/0",
                            "/equipment/joint_margin",
                            "/equipment/torque_margin",
                            "/equipment/clearance",

@@ -38,6 +38,10 @@ Setting grown(double by) {
     link.joint.upper = 1.5;
     link.joint.torque_limit = 0.9 * std::pow(by, 4);
     link.joint.armature = 2e-4 * std::pow(by, 5);
+    link.joint.damping = 0.02 * std::pow(by, 4.5);
+    link.joint.stiffness = 0.3 * std::pow(by, 4);
+    link.joint.slack_angle = -0.2;
+    link.joint.friction_loss = 0.1 * std::pow(by, 4);
     for (PointMass& point : link.masses) {
       grow(point.position, by);
       point.mass *= std::pow(by, 3);
