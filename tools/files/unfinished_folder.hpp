@@ -8,8 +8,8 @@ namespace legwright {
 /// A folder that is filled and then appears whole under its name, or not at all.
 class UnfinishedFolder {
  public:
-  /// Makes a hidden folder of a new name, `.NAME.….tmp`, beside `target`; a killed process leaves
-  /// it. Throws std::filesystem::filesystem_error.
+  /// Makes a hidden folder of a new name, `.NAME.….tmp`, beside `target`, and removes those that
+  /// killed processes have left. Throws std::filesystem::filesystem_error.
   explicit UnfinishedFolder(const std::filesystem::path& target);
   /// Removes what was not handed over.
   ~UnfinishedFolder();
@@ -22,6 +22,7 @@ class UnfinishedFolder {
 
  private:
   std::filesystem::path target_, path_;
+  int held_ = -1;  // the folder, locked: nobody else sweeps it
 };
 
 }  // namespace legwright

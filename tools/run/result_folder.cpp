@@ -42,14 +42,16 @@ bool holds_any_entry(const fs::path& root) {
 }
 
 /// Where a run may come into being. Throws IoError where something else stands there.
-void check_free(const fs::path& root, bool force) {
-  if (!holds_any_entry(root)) return;
+/// @return whether a run is there, which the new one replaces
+bool check_free(const fs::path& root, bool force) {
+  if (!holds_any_entry(root)) return false;
   if (!is_run(root))
     refuse(root, "holds files of the names of a run that are not Legwright's",
            "choose another folder");
   if (!force)
     refuse(root, "already holds a run",
            "choose another folder, or replace that run with --force (in Python force=True)");
+  return true;
 }
 
 /// Throws IoError where another process writes into a run.
@@ -99,8 +101,7 @@ ResultFolder ResultFolder::create(const fs::path& root, bool force) {
     fs::create_directories(root);
     ResultFolder folder(root);
     folder.lock_ = locked(root);  // before a run is told of that is being written
-    check_free(root, force);
-    if (is_run(root)) folder.build_ = build_of(root, folder.lock_);
+    if (check_free(root, force)) folder.build_ = build_of(root, folder.lock_);
     sweep_leftovers(root);
     const fs::path probe = folder.root() / ".legwright-probe";
     write_file(probe, "probe\n");
@@ -113,15 +114,15 @@ ResultFolder ResultFolder::create(const fs::path& root, bool force) {
   }
 }
 
-ResultFolder ResultFolder::open_to_write(const fs::path& root) {
-  ResultFolder folder = open(root);
+ResultFolder ResultFolder::open_to_write(const fs::path& root, BetweenResults between) {
+  ResultFolder folder = open(root, between);
   folder.lock_ = locked(root);
-  (void)open(root);  // who held it until now may have removed the run
+  (void)open(root, between);  // who held it until now may have removed the run
   sweep_leftovers(root);
   return folder;
 }
 
-ResultFolder ResultFolder::open(const fs::path& root) {
+ResultFolder ResultFolder::open(const fs::path& root, BetweenResults between) {
   std::error_code error;
   if (fs::is_regular_file(root, error))
     refuse(root, "is a file, not the folder of a run",
@@ -132,7 +133,11 @@ ResultFolder ResultFolder::open(const fs::path& root) {
     refuse(root / "run.json", "is damaged, or not of Legwright",
            "run `legwright optimize`, which writes it again, or give another folder");
   if (!is_run(root)) refuse(root, "holds no run", "give a folder that `legwright optimize` wrote");
-  return ResultFolder(root);
+  ResultFolder folder(root);
+  if (between == BetweenResults::refused && fs::exists(folder.picking(), error))
+    refuse(root, "is between two results: a `legwright pick` was stopped on the way, or is at work",
+           "pick one of its designs (again)");
+  return folder;
 }
 
 const fs::path& ResultFolder::root() const { return build_ ? build_->at() : root_; }

@@ -25,10 +25,15 @@ class ResultFolder {
   /// it cannot be written. While it and its copies live, no other process may write there
   /// (RunLock).
   static ResultFolder create(const std::filesystem::path& root, bool force);
+  /// A run between two results, as a process that was killed while it picked one leaves it: record
+  /// and result tell of different designs. Only picking again may open it.
+  enum class BetweenResults { refused, taken_up };
   /// An existing run, to read. Throws IoError where `root` holds none.
-  static ResultFolder open(const std::filesystem::path& root);
+  static ResultFolder open(const std::filesystem::path& root,
+                           BetweenResults between = BetweenResults::refused);
   /// The same to write into: no other process may meanwhile. Throws IoError where one does.
-  static ResultFolder open_to_write(const std::filesystem::path& root);
+  static ResultFolder open_to_write(const std::filesystem::path& root,
+                                    BetweenResults between = BetweenResults::refused);
 
   /// Where its files are now.
   const std::filesystem::path& root() const;
@@ -45,6 +50,8 @@ class ResultFolder {
   std::filesystem::path iterations() const { return root() / "iterations"; }
   std::filesystem::path iteration(int index) const;  // iterations/0007
   std::filesystem::path result() const { return root() / "result"; }
+  /// There while the run is between two results.
+  std::filesystem::path picking() const { return root() / ".result-picking"; }
 
  private:
   explicit ResultFolder(std::filesystem::path root) : root_(std::move(root)) {}

@@ -8,6 +8,7 @@
 #include "mjcf/text/safe_path.hpp"
 #include "mjcf/write/rewrite_robot.hpp"
 #include "optimizer/design/inertia.hpp"
+#include "tools/files/atomic_file.hpp"
 #include "tools/files/io_error.hpp"
 #include "tools/files/json_file.hpp"
 #include "tools/files/replace_folder.hpp"
@@ -133,8 +134,14 @@ IterationMetrics replace_result(const fs::path& from, const fs::path& result,
   auto metrics = read_record_file<IterationMetrics>(from / "metrics.json");
   const fs::path fresh = result.parent_path() / ".result-picked";
   fs::remove_all(fresh);  // of a run that was killed
-  copy_design(from, fresh, files);
-  replace_folder(fresh, result);
+  try {
+    copy_design(from, fresh, files);
+    replace_folder(fresh, result);
+  } catch (const std::exception&) {
+    std::error_code ignored;
+    fs::remove_all(fresh, ignored);
+    throw;
+  }
   return metrics;
 }
 
@@ -245,7 +252,8 @@ int pick(const PickOptions& options) {
   if (given != 1)
     throw InputError(fmt::format(
         "pick: expected one of --iteration, --start, --front and --candidate, found {}", given));
-  const ResultFolder folder = ResultFolder::open_to_write(options.run);
+  const ResultFolder folder =
+      ResultFolder::open_to_write(options.run, ResultFolder::BetweenResults::taken_up);
   options.check_run(options.run);
   auto run = read_record_file<RunRecord>(folder.run_json());
   if (!run.ended()) throw IoError(options.run + ": the run has not ended; let it end first");
@@ -255,6 +263,7 @@ int pick(const PickOptions& options) {
       refuse_pick(from, "no such design in the run; events.jsonl lists its iterations");
   const RobotModel robot = read_robot(folder.inputs() / "robot.xml");
 
+  write_file(folder.picking(), picked.name + "\n");
   remove_what_told(folder, run);
   if (!run.joint()) {
     note_task_design(run, robot, picked.name,
@@ -263,6 +272,7 @@ int pick(const PickOptions& options) {
     pick_joint(folder, picked, robot, run);
   }
   write_json(folder.run_json(), json_of(run));
+  fs::remove(folder.picking());
   fmt::print("{}: the result is {} now, F {:.5g}\n", options.run, picked.name, *run.final_F);
   for (const std::string& reason : run.reasons.value_or(std::vector<std::string>{}))
     fmt::print("INFEASIBLE: {}\n", reason);

@@ -96,5 +96,24 @@ TEST(UnfinishedFolder, AppearsWholeOrNotAtAll) {
   EXPECT_EQ(read_file(target / "a"), "a");
 }
 
+TEST(UnfinishedFolder, SweepsWhatKilledProcessesLeftAndNothingElse) {
+  const test::TemporaryFolder root;
+  const fs::path target = root.path() / "out";
+  const fs::path left = root.path() / ".out.12345.0.tmp";
+  fs::create_directories(left / "deeper");
+  const std::vector<fs::path> others{root.path() / ".out.12345.tmp", root.path() / ".out.a.0.tmp",
+                                     root.path() / ".outer.12345.0.tmp",
+                                     root.path() / ".out.12345.0.tmp.mine"};
+  for (const fs::path& other : others) fs::create_directory(other);
+  fs::create_directory_symlink(others[0], root.path() / ".out.1.0.tmp");
+  const UnfinishedFolder first(target);
+  EXPECT_FALSE(fs::exists(left));
+  for (const fs::path& other : others) EXPECT_TRUE(fs::exists(other)) << other;
+  EXPECT_TRUE(fs::is_symlink(root.path() / ".out.1.0.tmp"));
+  const UnfinishedFolder second(target);  // as another process would
+  EXPECT_TRUE(fs::exists(first.path())) << "it is held";
+  EXPECT_NE(first.path(), second.path());
+}
+
 }  // namespace
 }  // namespace legwright

@@ -80,6 +80,22 @@ TEST_F(Pick, FindsTheOptimumWherePhysicsChoseAnotherDesign) {
   EXPECT_EQ(call({"validate", "run", "--quick"}).code, 0);
 }
 
+TEST_F(Pick, IsDoneAgainWhereItWasKilledOnTheWay) {
+  optimize({"--plan-only"});
+  write_file(folder_.path() / "run/.result-picking", "iteration 0\n");  // as a killed one leaves it
+  fs::copy_file(folder_.path() / "run/iterations/0000/scene.xml",
+                folder_.path() / "run/result/scene.xml", fs::copy_options::overwrite_existing);
+  for (const char* reader : {"validate", "report", "export"}) {
+    const test::Outcome refused = call({reader, "run"});
+    EXPECT_EQ(refused.code, 3) << reader;
+    EXPECT_TRUE(test::contains(refused.err, "between two results")) << refused.err;
+  }
+  ASSERT_EQ(call({"pick", "run", "--iteration", "0"}).code, 0);
+  EXPECT_FALSE(fs::exists(folder_.path() / "run/.result-picking"));
+  EXPECT_EQ(run()["picked"], "iteration 0");
+  EXPECT_EQ(call({"report", "run"}).code, 0);
+}
+
 TEST_F(Pick, RefusesWhatThereIsNotAndChangesNothing) {
   optimize({"--plan-only", "--max-iterations", "1"});
   const std::string before = file("run.json");
