@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "mjcf/text/input_error.hpp"
+#include "tools/files/parse_json.hpp"
 #include "tools/run/design_folder.hpp"
 #include "tools/session/session.hpp"
 #include "tools/verbs/save_session.hpp"
@@ -89,7 +90,7 @@ class PythonSession {
 };
 
 SessionCommand command_from(const std::string& json) {
-  const Json parsed = Json::parse(json, nullptr, false);
+  const Json parsed = parse_json(json);
   if (parsed.is_discarded()) throw InputError("<session>", 0, "", "is no JSON: " + json);
   return command_of(parsed, "<session>", 0);
 }

@@ -16,6 +16,7 @@
 
 #include "tools/files/clean_text.hpp"
 #include "tools/files/io_error.hpp"
+#include "tools/files/parse_json.hpp"
 #include "tools/run/robot_folder.hpp"
 
 namespace legwright {
@@ -136,7 +137,7 @@ Json KeptSessions::recent() const {
   Json out = Json::array();
   std::error_code none;
   if (!fs::is_regular_file(root_ / "recent.json", none)) return out;
-  const Json kept = Json::parse(read_file(root_ / "recent.json"), nullptr, false);
+  const Json kept = parse_json(read_file(root_ / "recent.json"));
   if (!kept.is_array()) return out;  // somebody's edit: nothing of worth is lost
   for (const Json& one : kept)
     if (one.is_object() && one.contains("path") && one["path"].is_string() &&

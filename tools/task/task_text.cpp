@@ -9,6 +9,7 @@
 #include <toml++/toml.h>
 
 #include "tools/task/text_place.hpp"
+#include "tools/task/toml_text.hpp"
 
 namespace legwright {
 namespace {
@@ -35,7 +36,7 @@ std::string with_value_at(const std::string& text, const toml::node& value, cons
 }
 
 std::string text_beside_robot(const std::string& text) {
-  const toml::table root = toml::parse(text);
+  const toml::table root = parse_toml(text, "task");
   const toml::node* robot = root.get("robot");
   if (robot == nullptr || robot->value<std::string>() == kRobotBeside) return text;
   return with_value_at(text, *robot, fmt::format("\"{}\"", kRobotBeside));
@@ -44,7 +45,7 @@ std::string text_beside_robot(const std::string& text) {
 std::string with_weights(const std::string& text, const std::vector<double>& weights) {
   std::string out = text;
   for (std::size_t k = 0; k < weights.size(); ++k) {  // each moves what comes after it
-    const toml::table root = toml::parse(out);
+    const toml::table root = parse_toml(out, "task");
     const toml::array* tasks = root["task"].as_array();
     if (tasks == nullptr || k >= tasks->size()) break;
     const toml::table& task = *tasks->get(k)->as_table();

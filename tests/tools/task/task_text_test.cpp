@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mjcf/text/input_error.hpp"
 #include "tools/files/atomic_file.hpp"
 #include "tools/task/task_file.hpp"
 
@@ -40,6 +41,14 @@ TEST(TaskText, TakesOtherWeightsAndNothingElseChanges) {
   EXPECT_EQ(with_weights(without, {0.25, 0.75}),
             "[[task]]\nname = \"pace\"\nweight = 0.25  # quick\n"
             "[[task]]\nname = \"walk\"\nweight = 0.75\n");
+}
+
+TEST(TaskText, OfAKeyOfTooManyPartsIsRefusedBeforeItIsParsed) {
+  std::string deep = "a";
+  for (int k = 0; k < 40000; ++k) deep += ".a";
+  deep += " = 1\n";
+  EXPECT_THROW(text_beside_robot(deep), InputError);
+  EXPECT_THROW(with_weights(deep, {1.0}), InputError);
 }
 
 }  // namespace
