@@ -9,8 +9,8 @@
 #include <set>
 
 #include "mjcf/propose/home_stance_check.hpp"
-#include "mjcf/propose/nearly_mirrored.hpp"
 #include "mjcf/propose/proposal_trial.hpp"
+#include "mjcf/propose/remarks.hpp"
 #include "mjcf/propose/side_words.hpp"
 #include "mjcf/read/checks.hpp"
 #include "mjcf/read/mirror.hpp"
@@ -60,7 +60,7 @@ class ProposalBuilder {
 
   ProposedParameters run() {
     out_.not_standing = why_not_standing(*xml_, *compiled_, out_.model.structure);
-    out_.remarks = nearly_mirrored(out_.model, out_.limbs);
+    out_.remarks = remarks_on(out_.model, out_.limbs);
     add_shared();
     for (const Limb& limb : out_.limbs) add_lengths(limb);
     for (const Limb& limb : out_.limbs) add_axes(limb);

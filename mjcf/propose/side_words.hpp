@@ -9,4 +9,8 @@ namespace legwright {
 /// "thigh_front_left" are both a thigh. Empty where nothing is left.
 std::string without_side(const std::string& name);
 
+/// 1 where a word of a name says front ("FL_thigh"), −1 where one says hind ("rear_left"), 0 where
+/// none or both do.
+int row_word(const std::string& name);
+
 }  // namespace legwright

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "optimizer/base/parallel.hpp"
+#include "tools/task/faced_frame.hpp"
 #include "tools/validate/floquet.hpp"
 #include "tools/validate/limits.hpp"
 #include "tools/validate/measure.hpp"
@@ -40,6 +41,10 @@ constexpr double kUnknownDistance = 5.0, kFallDistance = 10.0;
 // What counts as one unit of a residual: the verdict's own tolerances, and less than them where
 // every bit of tilt or saturation should go.
 constexpr double kRatioUnit = 0.05, kTiltUnit = 0.3, kSaturationUnit = 0.01, kFallUnit = 0.05;
+
+WantedMotion motion_of(const TaskFile& wanted) {
+  return {from_facing(wanted.velocity, wanted.forward), wanted.turn_rate, wanted.forward};
+}
 
 /// What physics says at one gain, in tolerances. A robot that fell early has no speed: then the
 /// share of the time that is missing pulls it up.
@@ -103,7 +108,7 @@ std::string brief_words(const Verdict& verdict) {
 /// What roll-outs of a gait say together.
 GaitTrial trial_of(const std::vector<Measurements>& runs, const TaskFile& wanted,
                    double planned_seconds) {
-  const WantedMotion motion{wanted.velocity, wanted.turn_rate};
+  const WantedMotion motion = motion_of(wanted);
   const Limits limits = with_step_over(default_limits(), wanted.margins.step_over);
   GaitTrial trial;
   trial.rollouts = static_cast<int>(runs.size());
@@ -144,8 +149,7 @@ Measurements GaitOnTrial::play(const Scene& scene, int cycles) const {
   RolloutOptions options;
   options.cycles = cycles;
   options.stop = stop_;
-  return measure(scene, {wanted_.velocity, wanted_.turn_rate}, texts_.quality.planned_velocity,
-                 options);
+  return measure(scene, motion_of(wanted_), texts_.quality.planned_velocity, options);
 }
 
 // @return whether it had not begun yet
@@ -154,9 +158,8 @@ bool GaitOnTrial::begin(std::size_t gain) {
   scenes_[gain] = std::make_unique<const Scene>(scene(kTrialGains[gain]));
   RolloutOptions options;
   options.stop = stop_;
-  played_[gain] = std::make_unique<GaitMeasurement>(
-      *scenes_[gain], WantedMotion{wanted_.velocity, wanted_.turn_rate},
-      texts_.quality.planned_velocity, options);
+  played_[gain] = std::make_unique<GaitMeasurement>(*scenes_[gain], motion_of(wanted_),
+                                                    texts_.quality.planned_velocity, options);
   return true;
 }
 
@@ -180,7 +183,7 @@ FirstCycles GaitOnTrial::play_first(std::size_t gain, bool goes_on) {
   out.measured = played_[gain]->play_to(kFirstCycles);
   out.planned_seconds = kFirstCycles * scenes_[gain]->trajectory.period;
   out.distance =
-      distance_of(out.measured, {wanted_.velocity, wanted_.turn_rate},
+      distance_of(out.measured, motion_of(wanted_),
                   with_step_over(default_limits(), wanted_.margins.step_over), out.planned_seconds);
   if (!goes_on || out.distance > 0.0) {
     played_[gain].reset();
@@ -197,7 +200,7 @@ GaitTrial GaitOnTrial::trial_of_first(const std::vector<FirstCycles>& runs) cons
 }
 
 void GaitOnTrial::ask_other_numerics(int threads, GaitTrial& trial) const {
-  const WantedMotion motion{wanted_.velocity, wanted_.turn_rate};
+  const WantedMotion motion = motion_of(wanted_);
   const Limits limits = with_step_over(default_limits(), wanted_.margins.step_over);
   std::array<double, kAskedNumerics.size()> far{};
   std::array<std::string, kAskedNumerics.size()> lines, briefs;

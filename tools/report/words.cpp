@@ -8,6 +8,7 @@
 
 #include "optimizer/terms/registry.hpp"
 #include "tools/report/number_words.hpp"
+#include "tools/task/faced_frame.hpp"
 
 namespace legwright {
 std::string spaced(std::string_view name) {
@@ -67,8 +68,11 @@ std::string way_words(const TaskRecord& task) {
       out += fmt::format("{}{} m/s {}", out.empty() ? "" : ", ", short_number(std::abs(speed)),
                          speed > 0 ? ahead : back);
   };
-  part(task.velocity[0], "forward", "backward");
-  part(task.velocity[1], "to the left", "to the right");
+  const Eigen::Vector2d velocity =
+      as_faced({task.velocity[0], task.velocity[1]},
+               facing_axis(task.forward.value_or("+x")).value_or(Eigen::Vector2d::UnitX()));
+  part(velocity.x(), "forward", "backward");
+  part(velocity.y(), "to the left", "to the right");
   if (task.turn_rate != 0.0) out += fmt::format(", turning {} rad/s", short_number(task.turn_rate));
   return out + demand_words(task) + fmt::format(", {} s per cycle", short_number(task.period));
 }

@@ -9,6 +9,7 @@
 #include "tools/files/checksum.hpp"
 #include "tools/run/by_name.hpp"
 #include "tools/run/install.hpp"
+#include "tools/task/faced_frame.hpp"
 
 namespace legwright {
 namespace {
@@ -24,6 +25,7 @@ TaskRecord record_of_task(const Task& task) {
   record.knots = task.gait.knot_count();
   record.planted_margin = task.planted_margin;
   record.velocity = {task.velocity.x(), task.velocity.y()};
+  if (task.forward != Eigen::Vector2d::UnitX()) record.forward = facing_text(task.forward);
   record.turn_rate = task.turn_rate;
   record.floor_friction = task.floor_friction;
   if (const SlopeAngles slope = slope_of(task.velocity, task.up);

@@ -64,7 +64,8 @@ void fields(Fields& f, TaskRecord& task) {
   f("period_s", task.period);
   f("knots", task.knots);
   f("planted_margin_knots", task.planted_margin);
-  f("velocity", task.velocity, "m/s, forward and to the left");
+  f("velocity", task.velocity, "m/s, along x and y of the trunk's frame");
+  f("forward", task.forward, "the axis of that frame along which the robot looks; absent: +x");
   f("turn_rate", task.turn_rate, "rad/s, to the left");
   f("floor_friction", task.floor_friction);
   f("slope_rad", task.slope);

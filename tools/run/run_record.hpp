@@ -86,8 +86,9 @@ struct TaskRecord {
   std::string name, gait;
   double period = 0.0;  // [s]
   int knots = 0, planted_margin = 0;
-  std::array<double, 2> velocity{};  // [m/s]
-  double turn_rate = 0.0;            // [rad/s]
+  std::array<double, 2> velocity{};    // along x, y of the trunk's frame [m/s]
+  double turn_rate = 0.0;              // [rad/s]
+  std::optional<std::string> forward;  // where it faces: "+y"; absent: +x
   double floor_friction = 0.0;
   std::optional<SlopeRecord> slope;
   std::optional<PayloadRecord> payload;

@@ -36,12 +36,25 @@ void fields(Fields& f, HomeTouchesRecord& touches) {
   f("pairs", touches.pairs);
 }
 
+void fields(Fields& f, OverriddenRecord::Option& option) {
+  f("name", option.name);
+  f("file", option.file, "in the robot's file");
+  f("scene", option.scene, "in the scene, which was judged");
+}
+
+void fields(Fields& f, OverriddenRecord& overridden) {
+  f("line", overridden.line);
+  f("options", overridden.options);
+}
+
 void fields(Fields& f, VerdictRecord& verdict) {
   f("initial", verdict.initial);
   f("result", verdict.result);
   f("pass", verdict.pass, "of the result");
   f.nullable("home_touches", verdict.home_touches,
              "what of the designed body touches itself in the home pose and did not before");
+  f("overridden", verdict.overridden,
+    "what scenes set otherwise than the robot's file does, of steps, solvers and flags");
   f("run_status", verdict.run_status,
     "only of a search that did not come to its end: \"interrupted\", \"running\", \"failed\"");
   of_field(f, verdict.of);

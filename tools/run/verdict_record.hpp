@@ -38,18 +38,29 @@ struct HomeTouchesRecord {
   std::vector<HomeTouchRecord> pairs;
 };
 
+/// What the scene sets otherwise than the <option> of the robot's file.
+struct OverriddenRecord {
+  struct Option {
+    std::string name, file, scene;  // as both are written in MJCF
+  };
+  std::string line;
+  std::vector<Option> options;
+};
+
 /// result/verdict.json.
 struct VerdictRecord {
   static constexpr RecordKind kKind{"legwright/verdict", 1, "validate"};
   DesignVerdict initial, result;
   bool pass = false;  // of the result
   std::optional<HomeTouchesRecord> home_touches;
-  std::optional<std::string> run_status;  // of a search that did not come to its end
-  std::optional<JudgedSums> of = {};      // what was judged; absent in older files
-  std::optional<JudgedSums> with = {};    // SHA-256 of the other files of the judgement, by name
+  std::optional<OverriddenRecord> overridden = {};  // absent where the file sets nothing otherwise
+  std::optional<std::string> run_status = {};       // of a search that did not come to its end
+  std::optional<JudgedSums> of = {};                // what was judged; absent in older files
+  std::optional<JudgedSums> with = {};  // SHA-256 of the other files of the judgement, by name
 };
 
 void fields(Fields& f, DesignVerdict& verdict);
+void fields(Fields& f, OverriddenRecord& overridden);
 void fields(Fields& f, VerdictRecord& verdict);
 
 }  // namespace legwright

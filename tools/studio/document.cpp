@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "optimizer/terms/registry.hpp"
+#include "tools/task/faced_frame.hpp"
 #include "tools/task/task_file.hpp"
 
 namespace legwright {
@@ -95,8 +96,9 @@ Json tasks_of(const SessionState& state, const std::vector<std::string>& feet) {
 Json gaits_of(const SessionState& state, const std::vector<std::string>& feet) {
   constexpr int kCells = 24;
   Json out = Json::array();
-  const std::vector<int> order = footfall_order(
-      home_feet(state.problem->robot.morphology, state.problem->robot.space.initial()));
+  const std::vector<int> order = order_as_faced(
+      home_feet(state.problem->robot.morphology, state.problem->robot.space.initial()),
+      state.problem->set.tasks.front().forward);
   for (const GaitPattern& pattern : gait_library(static_cast<int>(feet.size())))
     out.push_back({{"name", pattern.name},
                    {"words", pattern.about},

@@ -91,6 +91,10 @@ std::vector<TaskKey> keys_of_gait() {
 std::vector<TaskKey> keys_of_travel() {
   using enum KeyScope;
   return {
+      listed("travel.forward", {one_text()}, task, "\"+x\"", "\"+y\"",
+             "Where the robot faces, along an axis of its trunk's frame: `+x`, `-x`, `+y` or `-y`. "
+             "Velocity, front and hind, left and right are those of a robot that looks there; "
+             "mirror images of the body stay those about the trunk's x-z plane."),
       listed("travel.velocity", {list_of_numbers(kSpeedRange, 2)}, task, "needed", "[0.0, 0.1]",
              "Forward and left, as the robot faces."),
       listed("travel.turn_rate", {one_number(kTurnRateRange)}, task, "0", "0.3",

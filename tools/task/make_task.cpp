@@ -11,6 +11,7 @@
 #include "optimizer/motion/pendulum.hpp"
 #include "optimizer/terms/registry.hpp"
 #include "tools/files/nearest_word.hpp"
+#include "tools/task/faced_frame.hpp"
 #include "tools/task/gait_table.hpp"
 #include "tools/task/servo_sag.hpp"
 #include "tools/task/style_table.hpp"
@@ -254,7 +255,8 @@ std::vector<std::string> task_warnings(const Task& task, const RobotModel& robot
 }
 
 Task make_task(const TaskFile& file, const RobotModel& robot) {
-  const std::vector<int> order = footfall_order(home_feet(robot.morphology, robot.space.initial()));
+  const std::vector<int> order =
+      order_as_faced(home_feet(robot.morphology, robot.space.initial()), file.forward);
   check_weights(file);
   check_limb_pairs(file, robot.morphology);
   check_ground(file);
@@ -262,9 +264,10 @@ Task make_task(const TaskFile& file, const RobotModel& robot) {
   task.name = file.name;
   const std::vector<std::string> names = foot_names(robot.morphology);
   task.gait = make_gait(file, names, order);
-  task.velocity = file.velocity;
+  task.forward = file.forward;
+  task.velocity = from_facing(file.velocity, file.forward);
   task.turn_rate = file.turn_rate;
-  task.up = up_on_slope(file.velocity, file.slope_along, file.slope_across);
+  task.up = up_on_slope(task.velocity, file.slope_along, file.slope_across);
   apply_style(file, robot.morphology, order, task);
   const double leg = standing_leg(robot.morphology, robot.space.initial());
   // By the pattern's duty: rounded to knots, a pace of 0.6 at 24 knots would count as a slow gait.

@@ -7,10 +7,12 @@
 #include <cmath>
 #include <vector>
 
+#include "mjcf/propose/facing.hpp"
 #include "mjcf/text/input_error.hpp"
 #include "optimizer/motion/gait.hpp"
 #include "optimizer/motion/initial_guess.hpp"
 #include "tools/files/nearest_word.hpp"
+#include "tools/task/faced_frame.hpp"
 #include "tools/task/toml_reader.hpp"
 
 namespace legwright {
@@ -129,6 +131,7 @@ StarterTask starter_task(const RobotModel& robot, const std::optional<std::strin
   if ((1.0 - longest) * kUsualKnots < kSwingKnots - 1e-9)
     task.knots = static_cast<int>(std::ceil(kSwingKnots / (1.0 - longest) - 1e-9));
   task.sag = servo_sag(robot);
+  task.ahead = facing_of(robot, find_limbs(robot.morphology, robot.space.initial())).ahead;
   return task;
 }
 
@@ -171,9 +174,12 @@ std::string starter_text(const StarterTask& task, const std::string& robot) {
     out += fmt::format(
         "duty = {:24} # share of the cycle that a foot stands: pairs land before the others lift\n",
         two_digits(*task.duty));
+  out += "\n[travel]\n";
+  if (task.ahead != Eigen::Vector2d::UnitX())
+    out += fmt::format("forward = {:21} # axis of the trunk's frame along which the robot looks\n",
+                       quoted(facing_text(task.ahead)));
   out += fmt::format(
-      "\n[travel]\nvelocity = [{}, 0.0]{:{}} # m/s forward, left: unhurried for a robot of this "
-      "size\n",
+      "velocity = [{}, 0.0]{:{}} # m/s forward, left: unhurried for a robot of this size\n",
       two_digits(task.speed), "",
       std::max(0, 13 - static_cast<int>(two_digits(task.speed).size())));
   if (task.swing_height)

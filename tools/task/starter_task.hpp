@@ -12,10 +12,11 @@ namespace legwright {
 
 /// A first task for a robot: few numbers, all of which follow from its size. SI units.
 struct StarterTask {
-  std::string gait;                    // of the library
-  double period = 0.0;                 // [s]
-  std::optional<double> duty;          // where it is more than the library's
-  double speed = 0.0;                  // ahead [m/s]
+  std::string gait;                                  // of the library
+  double period = 0.0;                               // [s]
+  std::optional<double> duty;                        // where it is more than the library's
+  double speed = 0.0;                                // ahead [m/s]
+  Eigen::Vector2d ahead = Eigen::Vector2d::UnitX();  // in the trunk's frame (facing_of())
   std::optional<int> knots;            // where swings are too short for the usual ones
   std::optional<double> swing_height;  // where it is not the usual share of the leg [m]
   ServoSag sag;                        // of the file's servos; the task plays soft ones stiffer

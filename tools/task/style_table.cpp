@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "tools/files/nearest_word.hpp"
+#include "tools/task/faced_frame.hpp"
 
 namespace legwright {
 namespace {
@@ -34,8 +35,9 @@ std::optional<std::vector<Eigen::Vector2d>> footprint_of(const TaskFile& file,
     for (std::size_t place = 0; place < foot_count; ++place) {
       const std::size_t row = place / 2;
       const double along = rows > 1 ? 1.0 - 2.0 * static_cast<double>(row) / (rows - 1.0) : 0.0;
-      result[order[place]] =
-          file.footprint[0].cwiseProduct(Eigen::Vector2d(along, place % 2 == 0 ? 1.0 : -1.0));
+      result[order[place]] = from_facing(
+          file.footprint[0].cwiseProduct(Eigen::Vector2d(along, place % 2 == 0 ? 1.0 : -1.0)),
+          file.forward);
     }
     return result;
   }

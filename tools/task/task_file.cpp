@@ -11,6 +11,7 @@
 #include "tools/files/atomic_file.hpp"
 #include "tools/files/io_error.hpp"
 #include "tools/task/design_table.hpp"
+#include "tools/task/faced_frame.hpp"
 #include "tools/task/gait_table.hpp"
 #include "tools/task/style_table.hpp"
 #include "tools/task/task_table.hpp"
@@ -24,7 +25,21 @@ constexpr const char* kReference = "every key: docs/task_file.md, `legwright che
 
 Eigen::Vector2d vector2(const std::vector<double>& values) { return {values[0], values[1]}; }
 
-void read_travel(TaskTable in, TaskFile& task) {
+void read_forward(TaskTable& in, TaskFile& task, Problems& problems) {
+  const auto text = in.text("forward");
+  if (!text) return;
+  if (const auto axis = facing_axis(*text))
+    task.forward = *axis;
+  else
+    problems.add(
+        in.line_of("forward"), in.full("forward"),
+        fmt::format("is '{}'; expected the axis of the trunk's frame along which the robot "
+                    "looks: \"+x\", \"-x\", \"+y\" or \"-y\"",
+                    *text));
+}
+
+void read_travel(TaskTable in, TaskFile& task, Problems& problems) {
+  read_forward(in, task, problems);
   const auto velocity = in.numbers("velocity");
   in.require(velocity.has_value(), "velocity", "velocity = [0.0, 0.1]  # m/s forward, left");
   if (velocity) task.velocity = vector2(*velocity);
@@ -212,7 +227,7 @@ void read_task_tables(TaskTable& in, TaskFile& task, Problems& problems) {
     return TaskTable(in.table(key), in.full(key), problems, task.lines);
   };
   read_gait(section("gait"), task);
-  read_travel(section("travel"), task);
+  read_travel(section("travel"), task, problems);
   read_shared_tables(in, task, problems);
 }
 

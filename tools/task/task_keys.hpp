@@ -30,7 +30,8 @@ struct TaskFile {
   double period = 0.0;
   int knots = 24;
 
-  Eigen::Vector2d velocity = Eigen::Vector2d::Zero();
+  Eigen::Vector2d forward = Eigen::Vector2d::UnitX();  // where it faces, in the trunk's frame
+  Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  // forward, left of that
   double turn_rate = 0.0;
   double slope_along = 0.0,
          slope_across = 0.0;  // the ground rises on the way, to the left of it [rad]

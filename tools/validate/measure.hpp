@@ -15,8 +15,9 @@ namespace legwright {
 
 /// What the task wants of the trunk.
 struct WantedMotion {
-  Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  // forward, left in the heading frame [m/s]
+  Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  // along x, y of the heading frame [m/s]
   double turn_rate = 0.0;                              // [rad/s]
+  Eigen::Vector2d forward = Eigen::Vector2d::UnitX();  // where it faces in that frame, for words
 
   bool travels() const { return velocity.norm() > 1e-6; }
   bool turns() const { return std::abs(turn_rate) > 1e-6; }

@@ -132,7 +132,9 @@ std::string praise(const std::vector<Measurements>& at_gains, const WantedMotion
 }  // namespace
 
 std::string describe(const WantedMotion& wanted, const std::string& gait) {
-  const double forward = wanted.velocity.x(), left = wanted.velocity.y();
+  const double forward = wanted.velocity.dot(wanted.forward),
+               left = wanted.forward.x() * wanted.velocity.y() -
+                      wanted.forward.y() * wanted.velocity.x();
   std::string out = gait;
   if (wanted.travels()) {
     const bool mostly_ahead = std::abs(forward) >= 5 * std::abs(left);

@@ -87,11 +87,16 @@ void judge_further(const TaskOfRun& task, const SceneToValidate& scene, const Ju
 
 VerdictRecord verdict_record(const JudgedRun& judged, const TaskOfRun& task) {
   const Verdict& result = judged.designs[1].verdict;
-  VerdictRecord out{verdict_record(judged.designs[0].verdict),
-                    verdict_record(result),
-                    result.pass,
-                    {},
-                    task.early_stop};
+  VerdictRecord out{.initial = verdict_record(judged.designs[0].verdict),
+                    .result = verdict_record(result),
+                    .pass = result.pass,
+                    .home_touches = {},
+                    .run_status = task.early_stop};
+  if (!judged.overridden.empty()) {
+    out.overridden = {describe_overridden(judged.overridden), {}};
+    for (const OverriddenOption& option : judged.overridden)
+      out.overridden->options.push_back({option.name, option.file, option.scene});
+  }
   if (judged.home_touches.empty()) return out;
   out.home_touches = {describe(judged.home_touches), {}};
   for (const HomeTouch& touch : judged.home_touches)

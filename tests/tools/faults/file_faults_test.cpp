@@ -193,15 +193,15 @@ std::vector<std::string> other(std::vector<std::string> words) {
 INSTANTIATE_TEST_SUITE_P(
     Verbs, FileFaults,
     testing::Values(Case{"init", {}, {"init", "dog.xml", "--write"}, "dog.xml"},
-                    Case{"optimize", {}, kOptimize, "run", false, is_run_unfinished},
-                    Case{"replace", {other(kOptimize)}, kOptimize, "run", false},
+                    Case{"optimize", {}, kOptimize, "run/", false, is_run_unfinished},
+                    Case{"replace", {other(kOptimize)}, kOptimize, "run/", false},
                     Case{"pick",
                          {kOptimize},
                          {"pick", "run", "--iteration", "0"},
-                         "run",
+                         "run/",
                          true,
                          is_between_results},
-                    Case{"export", {kOptimize}, {"export", "run", "-o", "ex"}, "ex"}),
+                    Case{"export", {kOptimize}, {"export", "run", "-o", "ex"}, "ex/"}),
     [](const auto& each) { return each.param.name; });
 
 }  // namespace

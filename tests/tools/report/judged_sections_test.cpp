@@ -198,6 +198,18 @@ TEST_F(JudgedSections, ABodyThatTouchesItselfIsWarnedOf) {
   expect_well_formed(page());
 }
 
+TEST_F(JudgedSections, OptionsThatScenesSetOtherwiseAreTold) {
+  EXPECT_FALSE(has(page(), "In MuJoCo scenes have"));
+  edit(kVerdict, [](Json& file) {
+    const Json option{{"name", "iterations"}, {"file", "1"}, {"scene", "100"}};
+    file["overridden"] = {
+        {"line", "scenes have options of their own: iterations 100 (its file has 1)"},
+        {"options", Json::array({option})}};
+  });
+  EXPECT_TRUE(has(page(), "In MuJoCo scenes have options of their own: iterations 100 (its file"));
+  expect_well_formed(page());
+}
+
 TEST_F(JudgedSections, DrawEachFootAndTheInitialBodyToo) {
   edit(kComparison, [](Json& file) { file["initial"] = file["result"]; });
   EXPECT_TRUE(has(page(), "Contact forces before, with the initial body"));

@@ -177,7 +177,8 @@ TEST(StarterTask, TellsHowToDeclareAGaitThatTheLibraryLacks) {
 }
 
 TEST(StarterTask, QuotesTheRobotsName) {
-  const std::string text = starter_text({"trot", 0.5, {}, 0.3, {}, {}, {}, {}}, "a \"b\\c.xml");
+  const std::string text =
+      starter_text({"trot", 0.5, {}, 0.3, {1.0, 0.0}, {}, {}, {}, {}}, "a \"b\\c.xml");
   EXPECT_NE(text.find(R"(robot = "a \"b\\c.xml")"), std::string::npos) << text;
   EXPECT_EQ(text.find("duty"), std::string::npos);
 }

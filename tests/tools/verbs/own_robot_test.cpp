@@ -8,6 +8,7 @@
 #include <cmath>
 #include <csignal>
 #include <filesystem>
+#include <regex>
 
 #include "tests/tools/verbs/program.hpp"
 #include "tools/files/json_file.hpp"
@@ -111,6 +112,37 @@ TEST_P(Star, WalksOnAnOddNumberOfFeetByAWave) {
 
 INSTANTIATE_TEST_SUITE_P(Odd, Star, testing::Values(5, 7));
 
+/// Strider of tests/robots, drawn so that it faces +y: what hangs at its trunk is turned.
+std::string strider_to_the_left() {
+  const std::string xml =
+      read_file(fs::path(LEGWRIGHT_SOURCE_DIR) / "tests/robots/strider/robot.xml");
+  static const std::regex hip(R"re(_coxa" pos="(\S+) (\S+) (\S+)" euler="0 0 (\S+)">)re");
+  std::string out;
+  auto rest = xml.cbegin();
+  for (std::sregex_iterator at(xml.begin(), xml.end(), hip), end; at != end; ++at) {
+    out.append(rest, (*at)[0].first);
+    out += fmt::format(R"(_coxa" pos="{} {} {}" euler="0 0 {}">)", -std::stod((*at)[2]),
+                       (*at)[1].str(), (*at)[3].str(), std::stod((*at)[4]) + M_PI / 2);
+    rest = (*at)[0].second;
+  }
+  return out.append(rest, xml.cend());
+}
+
+TEST(OwnRobotThatFacesLeft, WalksToWhereItFaces) {
+  const test::TemporaryFolder folder;
+  const fs::path robot = folder.path() / "strider.xml";
+  write_file(robot, strider_to_the_left());
+  expect_first_task_passes(robot);
+  EXPECT_TRUE(contains(read_file(folder.path() / "task.toml"), "forward = \"+y\""));
+  const Json run = Json::parse(read_file(folder.path() / "run/run.json"));
+  EXPECT_EQ(run["task"]["forward"], "+y");
+  EXPECT_EQ(run["task"]["velocity"][0], 0.0);
+  EXPECT_GT(run["task"]["velocity"][1], 0.2);
+  EXPECT_LT(run["final_F"], 1.6) << "1.517 with the pattern of a robot that faces there";
+  const Json verdict = Json::parse(read_file(folder.path() / "run/result/verdict.json"));
+  EXPECT_TRUE(contains(verdict["result"]["line"], "tripod forward at"));
+}
+
 TEST(OwnRobotInit, WritesParametersButNoTaskWhereThereIsNoGait) {
   const test::TemporaryFolder folder;
   const fs::path robot = folder.path() / "star.xml", task = folder.path() / "task.toml";
@@ -196,6 +228,10 @@ void expect_clear_of_trunk(bool clear) {
   const Outcome verdict = call({"validate", "--quick", run.string()});
   EXPECT_EQ(verdict.code, clear ? 0 : 1) << verdict.out << verdict.err;
   EXPECT_EQ(contains(verdict.out, "touches itself"), !clear) << verdict.out;
+  const Json overridden =
+      Json::parse(read_file(run / "result/verdict.json"))["overridden"]["options"];
+  ASSERT_EQ(overridden.size(), 1u);
+  EXPECT_EQ(overridden[0], (Json{{"name", "impratio"}, {"file", "100"}, {"scene", "10"}}));
 }
 
 TEST(OwnRobotBesideItsTrunk, KeepsItsThighsClearOfIt) { expect_clear_of_trunk(true); }

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mjcf/propose/facing.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "mjcf/propose/side_words.hpp"
+#include "optimizer/design/kinematics.hpp"
+
+namespace legwright {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kAlong = 2.0;    // times as far apart along one axis as along the other
+constexpr double kLonger = 1.25;  // side of what hips span over the other: rows run along it
+constexpr std::size_t kRows = 6;  // legs, of which two rows can be told from four feet of a square
+
+/// Where a limb hangs at the trunk or waist [m].
+Vector2d hip_of(const Morphology& morphology, const Limb& limb, const Eigen::VectorXd& s) {
+  const Link& first =
+      morphology
+          .links[static_cast<std::size_t>(limb.links.at(static_cast<std::size_t>(limb.shared)))];
+  return first.parent == 0 ? Vector2d(first.origin.at(s).head<2>()) : Vector2d(limb.home.head<2>());
+}
+
+/// 1, −1 or 0: whether the names of a limb call it front, hind or neither.
+int row_of(const Morphology& morphology, const Limb& limb) {
+  if (const int row = row_word(morphology.feet[static_cast<std::size_t>(limb.foot)].name))
+    return row;
+  for (const int l : limb.links) {
+    const Link& link = morphology.links[static_cast<std::size_t>(l)];
+    for (const std::string& name : {link.name, link.joint.name})
+      if (const int row = row_word(name)) return row;
+  }
+  return 0;
+}
+
+Vector2d nearest_axis(const Vector2d& along) {
+  return std::abs(along.x()) >= std::abs(along.y()) ? Vector2d(std::copysign(1.0, along.x()), 0.0)
+                                                    : Vector2d(0.0, std::copysign(1.0, along.y()));
+}
+
+std::string words_of(const Vector2d& axis) {
+  return fmt::format("{}{}", axis.sum() > 0.0 ? "+" : "-", axis.x() != 0.0 ? "x" : "y");
+}
+
+std::string remark(const Vector2d& ahead, const std::string& known) {
+  return fmt::format(
+      "{0}, so it seems to face {1} of its trunk's frame: a task says so by forward = \"{1}\" in "
+      "[travel]; mirror images and names of parameters stay those of a robot that faces +x",
+      known, words_of(ahead));
+}
+
+}  // namespace
+
+Facing facing_of(const RobotModel& robot, const std::vector<Limb>& limbs) {
+  const Eigen::VectorXd s = robot.space.initial();
+  Vector2d front = Vector2d::Zero(), hind = front;
+  int fronts = 0, hinds = 0;
+  Eigen::Matrix2Xd hips(2, static_cast<Eigen::Index>(limbs.size()));
+  for (std::size_t k = 0; k < limbs.size(); ++k) {
+    const Vector2d hip = hip_of(robot.morphology, limbs[k], s);
+    hips.col(static_cast<Eigen::Index>(k)) = hip;
+    const int row = row_of(robot.morphology, limbs[k]);
+    if (row != 0) (row > 0 ? front : hind) += hip;
+    fronts += row > 0;
+    hinds += row < 0;
+  }
+  Facing out;
+  if (fronts > 0 && hinds > 0) {
+    const Vector2d apart = front / fronts - hind / hinds;
+    const double more = apart.cwiseAbs().maxCoeff(), less = apart.cwiseAbs().minCoeff();
+    if (!(more > kAlong * less)) return out;
+    out.ahead = nearest_axis(apart);
+    if (out.ahead != Vector2d::UnitX())
+      out.remark = remark(out.ahead, fmt::format("the legs that are called front hang {:.3g} m "
+                                                 "along {} from those that are called hind",
+                                                 more, words_of(out.ahead)));
+    return out;
+  }
+  if (limbs.size() < kRows) return out;
+  const Vector2d span = hips.rowwise().maxCoeff() - hips.rowwise().minCoeff();
+  if (!(span.y() > kLonger * span.x())) return out;
+  out.ahead = Vector2d::UnitY();
+  out.remark = remark(out.ahead, fmt::format("its hips span {:.3g} m along y and {:.3g} m along x",
+                                             span.y(), span.x()));
+  return out;
+}
+
+}  // namespace legwright

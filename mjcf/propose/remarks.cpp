@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mjcf/propose/remarks.hpp"
+
+#include "mjcf/propose/facing.hpp"
+#include "mjcf/propose/nearly_mirrored.hpp"
+
+namespace legwright {
+
+std::vector<std::string> remarks_on(const RobotModel& robot, const std::vector<Limb>& limbs) {
+  std::vector<std::string> out = nearly_mirrored(robot, limbs);
+  const Facing facing = facing_of(robot, limbs);
+  if (!facing.remark.empty()) out.insert(out.begin(), facing.remark);
+  return out;
+}
+
+}  // namespace legwright

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mjcf/read/limbs.hpp"
+#include "mjcf/read/read_robot.hpp"
+
+namespace legwright {
+
+/// What of how a robot is drawn may be a mistake, or is to be known: where it faces, and legs that
+/// are nearly mirror images.
+std::vector<std::string> remarks_on(const RobotModel& robot, const std::vector<Limb>& limbs);
+
+}  // namespace legwright

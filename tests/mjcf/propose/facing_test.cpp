@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mjcf/propose/facing.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "mjcf/propose/side_words.hpp"
+
+namespace legwright {
+namespace {
+
+using Eigen::Vector2d;
+
+struct Hip {
+  std::string name;
+  double x, y;
+};
+
+/// Legs of two joints below hips.
+Facing facing(const std::vector<Hip>& hips) {
+  std::string legs, servos;
+  for (const Hip& hip : hips) {
+    legs += fmt::format(
+        R"(<body name="{0}_thigh" pos="{1} {2} 0"><joint name="{0}_hip" axis="0 1 0"/>
+        <inertial pos="0 0 -.05" mass=".1" diaginertia="1e-4 1e-4 1e-4"/>
+        <body name="{0}_shank" pos="0 0 -.1"><joint name="{0}_knee" axis="0 1 0"/>
+        <inertial pos="0 0 -.05" mass=".1" diaginertia="1e-4 1e-4 1e-4"/>
+        <geom size=".01" pos="0 0 -.1"/></body></body>)",
+        hip.name, hip.x, hip.y);
+    for (const char* joint : {"hip", "knee"})
+      servos +=
+          fmt::format(R"(<position joint="{}_{}" kp="50" forcerange="-5 5"/>)", hip.name, joint);
+  }
+  const RobotModel robot = parse_robot(
+      R"(<mujoco><compiler angle="radian"/><worldbody><body name="trunk" pos="0 0 .21"><freejoint/>
+      <inertial pos="0 0 0" mass="2" diaginertia=".01 .01 .01"/>)" +
+          legs + "</body></worldbody><actuator>" + servos + "</actuator></mujoco>",
+      "robot.xml");
+  return facing_of(robot, find_limbs(robot.morphology, robot.space.initial()));
+}
+
+std::vector<Hip> turned(std::vector<Hip> hips) {
+  for (Hip& hip : hips) std::swap(hip.x, hip.y);
+  for (Hip& hip : hips) hip.x = -hip.x;
+  return hips;
+}
+
+const std::vector<Hip> kDog{{"FL", .2, .1}, {"FR", .2, -.1}, {"RL", -.2, .1}, {"RR", -.2, -.1}};
+const std::vector<Hip> kAnt{{"leg1", .2, .1},  {"leg2", 0, .12},  {"leg3", -.2, .1},
+                            {"leg4", .2, -.1}, {"leg5", 0, -.12}, {"leg6", -.2, -.1}};
+
+TEST(Facing, IsAheadWhereNothingSpeaksAgainstIt) {
+  for (const auto& hips : {kDog, kAnt}) {
+    const Facing found = facing(hips);
+    EXPECT_EQ(found.ahead, Vector2d(1, 0));
+    EXPECT_EQ(found.remark, "");
+  }
+}
+
+TEST(Facing, FollowsTheNamesOfTheLegs) {
+  const Facing left = facing(turned(kDog));
+  EXPECT_EQ(left.ahead, Vector2d(0, 1));
+  EXPECT_NE(left.remark.find("0.4 m along +y from those that are called hind"), std::string::npos)
+      << left.remark;
+  EXPECT_EQ(facing(turned(turned(kDog))).ahead, Vector2d(-1, 0));
+  EXPECT_EQ(facing(turned(turned(turned(kDog)))).ahead, Vector2d(0, -1));
+  // Names of rows that stand askew say nothing.
+  EXPECT_EQ(facing({{"FL", .2, .2}, {"FR", .1, .1}, {"RL", -.1, -.1}, {"RR", -.2, -.2}}).remark,
+            "");
+}
+
+TEST(Facing, FollowsTheRowsOfManyLegsWithoutNames) {
+  const Facing found = facing(turned(kAnt));
+  EXPECT_EQ(found.ahead, Vector2d(0, 1));
+  EXPECT_NE(found.remark.find("span 0.4 m along y and 0.24 m along x"), std::string::npos)
+      << found.remark;
+  std::vector<Hip> four = turned(kDog);  // a wide robot, for all that is known
+  for (std::size_t k = 0; k < four.size(); ++k) four[k].name = fmt::format("leg{}", k);
+  EXPECT_EQ(facing(four).remark, "");
+}
+
+TEST(SideWords, TellRows) {
+  for (const char* name : {"FL_hip", "hip_front_left", "rf1", "fore-leg", "f"})
+    EXPECT_EQ(row_word(name), 1) << name;
+  for (const char* name : {"RL_hip", "rear.left", "LH", "hind", "back_2", "h"})
+    EXPECT_EQ(row_word(name), -1) << name;
+  for (const char* name : {"", "hip", "left", "front_hind", "flange", "LM_coxa", "r", "l"})
+    EXPECT_EQ(row_word(name), 0) << name;
+}
+
+}  // namespace
+}  // namespace legwright
