@@ -201,12 +201,12 @@ bool is_weightless(const mjsGeom& geom) {
 }
 
 /// Whether a geom needs no more of its mesh than hull and frame.
-bool needs_hull_alone(const mjSpec& spec, const mjsGeom& geom) {
+bool needs_hull_alone(mjSpec& spec, const mjsGeom& geom) {
   if (geom.type != mjGEOM_MESH || geom.plugin.active || geom.fluid_ellipsoid > 0) return false;
   if (is_weightless(geom)) return true;
   const mjsBody* const body = mjs_getParent(geom.element);
   if (body == nullptr) return false;
-  return body == mjs_findBody(&const_cast<mjSpec&>(spec), "world") ||
+  return body == mjs_findBody(&spec, "world") ||
          (body->explicitinertial && spec.compiler.inertiafromgeom != mjINERTIAFROMGEOM_TRUE);
 }
 
