@@ -71,11 +71,12 @@ Json tasks_of(const SessionState& state, const std::vector<std::string>& feet) {
     const TaskFile& file = state.problem->task(k);
     const Task& task = state.problem->objectives[static_cast<std::size_t>(k)]->task();
     const SlopeAngles slope = slope_of(task.velocity, task.up);
+    const Eigen::Vector2d velocity = as_faced(task.velocity, task.forward);
     const bool own = !file.touchdown.empty() || !file.touchdown_by_foot.empty();
     out.push_back({{"name", file.name},
                    {"gait", file.gait},
                    {"gait_kind", own ? "own" : "library"},
-                   {"velocity", {task.velocity.x(), task.velocity.y()}},
+                   {"velocity", {velocity.x(), velocity.y()}},
                    {"turn", task.turn_rate},
                    {"period", task.gait.period()},
                    {"knots", task.gait.knot_count()},
