@@ -36,7 +36,7 @@ void add_scene(const fs::path& file, const std::string& name, std::vector<NamedS
                std::vector<std::string>& notes) {
   if (!fs::exists(file)) return;
   try {
-    scenes.push_back({name, load_scene(file)});
+    scenes.push_back({name, load_scene(file, 1.0, MeshDetail::triangles)});
   } catch (const std::exception& error) {
     notes.push_back(fmt::format("the 3-D view leaves out {}: {}", name, error.what()));
   }

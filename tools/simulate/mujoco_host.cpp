@@ -90,16 +90,16 @@ void load_gait_plugin() {
 }
 
 ModelPointer compile_model(const std::string& xml, const std::string& name,
-                           const std::filesystem::path& folder) {
+                           const std::filesystem::path& folder, MeshDetail detail) {
   MujocoMessages messages;
   std::array<char, 1000> error{};
   const SpecPointer spec(
       mj_parseXMLString(xml.c_str(), nullptr, error.data(), static_cast<int>(error.size())));
   if (!spec) throw MujocoError(name + ": MuJoCo cannot read it: " + reason(error.data(), messages));
-  paint_over_pictures(*spec);
+  if (detail == MeshDetail::hulls) paint_over_pictures(*spec);
   shrink_painted_textures(*spec);
   if (!folder.empty()) mjs_setString(spec->modelfiledir, (folder.string() + "/").c_str());
-  put_hulls_for_meshes(*spec);
+  if (detail == MeshDetail::hulls) put_hulls_for_meshes(*spec);
   ModelPointer model(mj_compile(spec.get(), nullptr));
   if (!model) {
     throw MujocoError(name +

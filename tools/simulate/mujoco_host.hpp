@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mjcf/scene/gait_plugin.hpp"
+#include "mjcf/text/compile.hpp"
 #include "mjcf/text/mujoco_pointers.hpp"
 #include "tools/simulate/plugin_files.hpp"
 
@@ -51,8 +52,10 @@ void load_gait_plugin();
 
 /// Compiles MJCF text. Throws MujocoError with MuJoCo's reason, led by `name`.
 /// @param folder against which the text's asset paths are meant; may be empty.
+/// @param detail hulls: of a model that nobody looks at, without pictures on it either
 ModelPointer compile_model(const std::string& xml, const std::string& name,
-                           const std::filesystem::path& folder = {});
+                           const std::filesystem::path& folder = {},
+                           MeshDetail detail = MeshDetail::hulls);
 
 /// Throws MujocoError unless `xml` asks for the plugin legwright.gait: a robot alone has no gait to
 /// play.

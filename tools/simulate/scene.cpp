@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/simulate/scene.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 
@@ -70,11 +72,11 @@ double torque_limit(const mjModel& model, int joint) {
   const auto lower = [&](const mjtNum* range) {
     limit = std::min({limit, std::abs(range[0]), std::abs(range[1])});
   };
-  if (model.jnt_actfrclimited[joint]) lower(&model.jnt_actfrcrange[2 * joint]);
+  if (model.jnt_actfrclimited[joint]) lower(&model.jnt_actfrcrange[2L * joint]);
   for (int a = 0; a < model.nactuator; ++a) {
     const bool ours =
-        model.actuator_trntype[a] == mjTRN_JOINT && model.actuator_trnid[2 * a] == joint;
-    if (ours && model.actuator_forcelimited[a]) lower(&model.actuator_forcerange[2 * a]);
+        model.actuator_trntype[a] == mjTRN_JOINT && model.actuator_trnid[2L * a] == joint;
+    if (ours && model.actuator_forcelimited[a]) lower(&model.actuator_forcerange[2L * a]);
   }
   return limit;
 }
@@ -89,7 +91,7 @@ int tendon_actuator(const mjModel& model, int joint) {
   };
   for (int a = 0; a < model.nactuator; ++a) {
     if (model.actuator_trntype[a] != mjTRN_TENDON) continue;
-    const int start = model.tendon_adr[model.actuator_trnid[2 * a]];
+    const int start = model.tendon_adr[model.actuator_trnid[2L * a]];
     if (model.wrap_type[start] != mjWRAP_SITE || model.wrap_type[start + 1] != mjWRAP_SITE)
       continue;
     const int one = rides_on(model.wrap_objid[start]), two = rides_on(model.wrap_objid[start + 1]);
@@ -106,12 +108,12 @@ int tendon_actuator(const mjModel& model, int joint) {
 }  // namespace
 
 Scene parse_scene(const std::string& xml, const std::string& name, double gain_scale,
-                  const std::filesystem::path& folder) {
+                  const std::filesystem::path& folder, MeshDetail detail) {
   load_gait_plugin();
   Scene scene;
   scene.name = name;
   scene.gain_scale = gain_scale;
-  scene.model = compile_model(scale_gains(xml, gain_scale, name), name, folder);
+  scene.model = compile_model(scale_gains(xml, gain_scale, name), name, folder, detail);
   mjModel& model = *scene.model;
   require_gait_plugin(model, name);
   const int instance = gait_instance(model);
@@ -129,8 +131,8 @@ Scene parse_scene(const std::string& xml, const std::string& name, double gain_s
   for (const auto& foot : scene.trajectory.foot_names) {
     const int geom = mj_name2id(&model, mjOBJ_GEOM, foot.c_str());
     if (geom < 0)
-      throw MujocoError(name + ": no geom is named '" + foot +
-                        "', which is a foot of the trajectory");
+      throw MujocoError(
+          fmt::format("{}: no geom is named '{}', which is a foot of the trajectory", name, foot));
     scene.foot_geom.push_back(geom);
   }
   scene.start_key = mj_name2id(&model, mjOBJ_KEY, kStartKey);
@@ -145,8 +147,8 @@ Scene parse_scene(const std::string& xml, const std::string& name, double gain_s
   return scene;
 }
 
-Scene load_scene(const std::filesystem::path& file, double gain_scale) {
-  return parse_scene(read_file(file), file.string(), gain_scale, file.parent_path());
+Scene load_scene(const std::filesystem::path& file, double gain_scale, MeshDetail detail) {
+  return parse_scene(read_file(file), file.string(), gain_scale, file.parent_path(), detail);
 }
 
 }  // namespace legwright

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "mjcf/text/compile.hpp"
 #include "plugin/trajectory.hpp"
 #include "tools/simulate/mujoco_host.hpp"
 #include "tools/simulate/played_state.hpp"
@@ -40,9 +41,11 @@ std::string scale_gains(const std::string& scene_xml, double stiffness, double d
 /// Compiles a scene with its gains scaled. Loads the plugin.
 /// @param folder against which asset paths are meant. Throws MujocoError which says what is
 /// missing.
+/// @param detail triangles where somebody looks at its meshes
 Scene parse_scene(const std::string& xml, const std::string& name, double gain_scale = 1.0,
-                  const std::filesystem::path& folder = {});
+                  const std::filesystem::path& folder = {}, MeshDetail detail = MeshDetail::hulls);
 /// The same from a file; std::system_error where it cannot be read.
-Scene load_scene(const std::filesystem::path& file, double gain_scale = 1.0);
+Scene load_scene(const std::filesystem::path& file, double gain_scale = 1.0,
+                 MeshDetail detail = MeshDetail::hulls);
 
 }  // namespace legwright

@@ -38,6 +38,19 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return at == std::string::npos ? text : text.replace(at, from.size(), to);
 }
 
+TEST(MujocoHost, LeavesTrianglesToWhoLooksAtThem) {
+  const test::TemporaryFolder folder;
+  // A tetrahedron, and in it a vertex that is no corner of its hull.
+  write_file(folder.path() / "m.obj",
+             "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv .3 .3 .1\n"
+             "f 1 2 4\nf 1 4 3\nf 2 3 4\nf 1 3 5\nf 3 2 5\nf 2 1 5\n");
+  const std::string xml =
+      "<mujoco><asset><mesh name=\"m\" file=\"m.obj\"/></asset><worldbody>"
+      "<geom type=\"mesh\" mesh=\"m\"/></worldbody></mujoco>";
+  EXPECT_EQ(compile_model(xml, "m", folder.path(), MeshDetail::triangles)->mesh_facenum[0], 6);
+  EXPECT_EQ(compile_model(xml, "m", folder.path())->mesh_facenum[0], 12);
+}
+
 TEST(MujocoHost, CompilesAModel) { EXPECT_EQ(compile_model(kPlain, "plain")->ngeom, 1); }
 
 /// Nobody looks at a model that is only played: its painted textures are two pixels wide, and

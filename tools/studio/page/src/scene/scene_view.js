@@ -160,9 +160,16 @@ export class SceneView {
     this.onPose?.();
   }
 
-  /** Puts the whole robot into the picture, and sets all that goes by its size. */
+  /** Puts the whole robot into the picture; again when its meshes are here, if nobody has turned it. */
   frame() {
     this.framed = true;
+    this.stage.turned = false;
+    this.fit();
+    this.robot.complete().then(() => this.stage.turned || this.fit());
+  }
+
+  /** Sets the camera and all that goes by the robot's size. */
+  fit() {
     const { size, height } = sizeOf(this.robot);
     this.size = size;
     for (const each of [this.planned, this.measured, this.pushArrow]) each.thickness = size * 0.011;

@@ -67,6 +67,8 @@ export class Stage {
     this.controls.enableDamping = false;
     this.controls.maxPolarAngle = Math.PI * 0.495;
     this.controls.addEventListener("change", () => this.touch());
+    this.controls.addEventListener("start", () => (this.turned = true));
+    this.turned = false; // by hand
     this.before = []; // called before each picture
     this.after = new Set(); // called after each
     this.size = 0.5;
