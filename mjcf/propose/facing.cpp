@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "mjcf/propose/side_words.hpp"
-#include "optimizer/design/kinematics.hpp"
+#include "optimizer/motion/faced_frame.hpp"
 
 namespace legwright {
 namespace {
@@ -42,15 +42,11 @@ Vector2d nearest_axis(const Vector2d& along) {
                                                     : Vector2d(0.0, std::copysign(1.0, along.y()));
 }
 
-std::string words_of(const Vector2d& axis) {
-  return fmt::format("{}{}", axis.sum() > 0.0 ? "+" : "-", axis.x() != 0.0 ? "x" : "y");
-}
-
 std::string remark(const Vector2d& ahead, const std::string& known) {
   return fmt::format(
       "{0}, so it seems to face {1} of its trunk's frame: a task says so by forward = \"{1}\" in "
       "[travel]; mirror images and names of parameters stay those of a robot that faces +x",
-      known, words_of(ahead));
+      known, facing_text(ahead));
 }
 
 }  // namespace
@@ -77,7 +73,7 @@ Facing facing_of(const RobotModel& robot, const std::vector<Limb>& limbs) {
     if (out.ahead != Vector2d::UnitX())
       out.remark = remark(out.ahead, fmt::format("the legs that are called front hang {:.3g} m "
                                                  "along {} from those that are called hind",
-                                                 more, words_of(out.ahead)));
+                                                 more, facing_text(out.ahead)));
     return out;
   }
   if (limbs.size() < kRows) return out;

@@ -3,23 +3,19 @@
 
 #include <algorithm>
 #include <cctype>
-#include <initializer_list>
 #include <set>
 #include <vector>
 
 namespace legwright {
 namespace {
 
-bool is_side_word(const std::string& word) {
-  static const std::set<std::string> words{
-      "fl",   "fr",     "hl",  "hr", "rl", "rr",   "lf",    "rf",    "lh",   "rh",
-      "lr",   "l",      "r",   "f",  "h",  "left", "right", "front", "hind", "rear",
-      "back", "middle", "mid", "lm", "rm", "ml",   "mr",    "fore"};
-  return words.count(word) > 0;
-}
+using Words = std::set<std::string>;
+const Words kFront{"fl", "fr", "lf", "rf", "front", "fore", "f"};
+const Words kHind{"hl", "hr", "rl", "rr", "lh", "rh", "lr", "hind", "rear", "back", "h"};
+const Words kOther{"l", "r", "left", "right", "middle", "mid", "lm", "rm", "ml", "mr"};
 
-bool is_among(const std::string& word, std::initializer_list<const char*> words) {
-  return std::find(words.begin(), words.end(), word) != words.end();
+bool is_side_word(const std::string& word) {
+  return kFront.contains(word) || kHind.contains(word) || kOther.contains(word);
 }
 
 /// A word in small letters, without the number at its end.
@@ -58,9 +54,8 @@ int row_word(const std::string& name) {
   bool front = false, hind = false;
   for (const std::string& word : words_in(name)) {
     const std::string low = plain(word);
-    front = front || is_among(low, {"fl", "fr", "lf", "rf", "front", "fore", "f"});
-    hind = hind ||
-           is_among(low, {"hl", "hr", "rl", "rr", "lh", "rh", "lr", "hind", "rear", "back", "h"});
+    front = front || kFront.contains(low);
+    hind = hind || kHind.contains(low);
   }
   return front - hind;
 }

@@ -9,6 +9,8 @@
 #include <mutex>
 #include <utility>
 
+#include "mjcf/text/hull_graph.hpp"
+
 namespace legwright {
 namespace {
 
@@ -38,30 +40,24 @@ struct Hull {
   }
 };
 
-/// As the engine keeps it: numbers of corners and faces, then for each corner its first edge and
-/// its vertex, the edges, the vertices of the faces.
 Hull hull_of(const mjModel& model, int mesh) {
   Hull hull;
-  if (model.mesh_graphadr[mesh] < 0) return hull;
-  const int* const graph = model.mesh_graph + model.mesh_graphadr[mesh];
-  const int corners = graph[0], faces = graph[1];
-  const int* const vertices = graph + 2 + corners;
-  const int* const of_faces = vertices + corners + corners + 3 * faces;
-  const auto vertex = [&](int id) -> Vector3d {
-    return Eigen::Map<const Eigen::Vector3f>(model.mesh_vert + 3 * (model.mesh_vertadr[mesh] + id))
-        .cast<double>();
-  };
+  if (!has_hull(model, mesh)) return hull;
+  const HullGraph graph(model, mesh);
+  const auto vertex = [&](int id) { return mesh_vertex(model, mesh, id); };
+  const auto corners = static_cast<double>(graph.corners.size());
   Vector3d middle = Vector3d::Zero();
-  for (int k = 0; k < corners; ++k) {
-    hull.corners.push_back(vertex(vertices[k]));
+  for (const int corner : graph.corners) {
+    hull.corners.push_back(vertex(corner));
     middle += hull.corners.back() / corners;
   }
+  const auto faces = static_cast<Eigen::Index>(graph.faces.size() / 3);
   hull.normals.resize(faces, 3);
   hull.offsets.resize(faces);
   int count = 0;
-  for (int f = 0; f < faces; ++f) {
-    const Vector3d a = vertex(of_faces[3 * f]), b = vertex(of_faces[3 * f + 1]),
-                   c = vertex(of_faces[3 * f + 2]);
+  for (std::size_t f = 0; f < graph.faces.size(); f += 3) {
+    const Vector3d a = vertex(graph.faces[f]), b = vertex(graph.faces[f + 1]),
+                   c = vertex(graph.faces[f + 2]);
     Vector3d normal = (b - a).cross(c - a);
     if (normal.norm() < kNoArea) continue;
     normal.normalize();

@@ -8,13 +8,14 @@
 #include <deque>
 #include <filesystem>
 #include <fstream>
-#include <map>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "mjcf/text/file_state.hpp"
+#include "mjcf/text/hull_graph.hpp"
 #include "mjcf/text/model_arrays.hpp"
 #include "mjcf/text/mujoco_pointers.hpp"
 
@@ -34,19 +35,6 @@ struct HullMesh {
   std::vector<int> faces;
 };
 
-/// Corners and faces of a hull as the engine keeps them: their numbers, for each corner its first
-/// edge and its vertex, the edges, the vertices of the faces.
-struct Graph {
-  Graph(const mjModel& model, int mesh) {
-    const int* const graph = model.mesh_graph + model.mesh_graphadr[mesh];
-    const std::ptrdiff_t corner_count = graph[0], face_count = graph[1];
-    corners.assign(graph + 2 + corner_count, graph + 2 + 2 * corner_count);
-    const int* const of_faces = graph + 2 + 3 * corner_count + 3 * face_count;
-    faces.assign(of_faces, of_faces + 3 * face_count);
-  }
-  std::vector<int> corners, faces;
-};
-
 /// Whether a box around the origin lies within a hull around it.
 bool is_within(const Vector3d& half, const std::vector<int>& faces, const auto& vertex) {
   for (std::size_t f = 0; f + 2 < faces.size(); f += 3) {
@@ -60,18 +48,14 @@ bool is_within(const Vector3d& half, const std::vector<int>& faces, const auto& 
 /// A mesh of the corners of a hull, and of a box within it that has the second moments of the whole
 /// up to a factor: both follow a linear map of all vertices alike. Nothing where there is no room.
 std::optional<HullMesh> hull_mesh(const mjModel& model, int mesh, int body) {
-  if (mesh < 0 || body < 0 || model.mesh_graphadr[mesh] < 0) return std::nullopt;
+  if (mesh < 0 || body < 0 || !has_hull(model, mesh)) return std::nullopt;
   const double mass = model.body_mass[body];
   const Vector3d inertia = vector_at(model.body_inertia, body);
   const Vector3d squares =
       (1.5 / mass) * (Vector3d::Constant(inertia.sum()) - 2.0 * inertia);  // of half sides
   if (!(squares.minCoeff() > kFlat * kFlat * squares.maxCoeff())) return std::nullopt;
-  const Graph graph(model, mesh);
-  const auto vertex = [&](int id) -> Vector3d {
-    return Eigen::Map<const Eigen::Vector3f>(model.mesh_vert +
-                                             std::ptrdiff_t{3} * (model.mesh_vertadr[mesh] + id))
-        .cast<double>();
-  };
+  const HullGraph graph(model, mesh);
+  const auto vertex = [&](int id) { return mesh_vertex(model, mesh, id); };
   double share = kLargest;
   while (!is_within(share * squares.cwiseSqrt(), graph.faces, vertex))
     if ((share /= 2) < kSmallest) return std::nullopt;
@@ -211,11 +195,11 @@ bool needs_hull_alone(mjSpec& spec, const mjsGeom& geom) {
 }
 
 std::vector<mjsMesh*> replaceable_meshes(mjSpec& spec) {
-  std::map<std::string, bool> needed_whole;
+  std::set<std::string> needed_whole;
   for (mjsElement* each = mjs_firstElement(&spec, mjOBJ_GEOM); each != nullptr;
        each = mjs_nextElement(&spec, each)) {
     const mjsGeom& geom = *mjs_asGeom(each);
-    if (!needs_hull_alone(spec, geom)) needed_whole[mjs_getString(geom.meshname)] = true;
+    if (!needs_hull_alone(spec, geom)) needed_whole.insert(mjs_getString(geom.meshname));
   }
   std::vector<mjsMesh*> out;
   for (mjsElement* each = mjs_firstElement(&spec, mjOBJ_MESH); each != nullptr;

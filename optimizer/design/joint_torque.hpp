@@ -43,7 +43,7 @@ class JointTorque {
     std::vector<int> force;
   };
 
-  /// A · N [N m], without the armature, which is linear in the joint's angles.
+  /// A · N [N m], without armature, damper and spring of the joint, which are linear in its angles.
   static double value(const Morphology& morphology, const GeometryAtDesign& geometry,
                       const PoseTriple& poses, int link, double time_step,
                       const std::vector<FootForce>& forces);

@@ -26,8 +26,6 @@ struct Task {
   Gait gait;
   Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  // along x, y of the heading frame [m/s]
   double turn_rate = 0.0;                              // [rad/s], positive to the left
-  /// Where the robot faces in that frame, unit vector: no term looks at it, words do.
-  Eigen::Vector2d forward = Eigen::Vector2d::UnitX();
 
   // Where it shall do it, and with what. The plan's frame is that of the ground: on a slope gravity
   // is what is oblique.

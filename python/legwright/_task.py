@@ -35,7 +35,8 @@ class Task:
     Args:
         gait: name in the library (`legwright gaits` draws them), or a table like
             `{"name": "mine", "touchdown": [0, 0.5, 0.75, 0.25], "duty": 0.75}`.
-        velocity: forward and left [m/s].
+        velocity: forward and left [m/s], as the robot faces.
+        forward: where it faces in the frame of its trunk: "+x" (the default), "-x", "+y" or "-y".
         period: of one cycle [s]. Without one it is that of the first task which `legwright init`
             writes for the robot, with its duty, knots, swing height and servos.
         turn_rate: to the left [rad/s].
@@ -62,6 +63,7 @@ class Task:
         gait: str | Mapping[str, Any],
         velocity: Sequence[float],
         *,
+        forward: str | None = None,
         period: float | None = None,
         turn_rate: float | None = None,
         name: str | None = None,
@@ -83,6 +85,8 @@ class Task:
         if period is not None:
             pattern = {**pattern, 'period': period}
         travel: dict[str, Any] = {'velocity': velocity}
+        if forward is not None:
+            travel['forward'] = forward
         if turn_rate is not None:
             travel['turn_rate'] = turn_rate
         self.name: str = name or str(pattern.get('name', 'task'))

@@ -36,6 +36,13 @@ def test_numpy_numbers_and_odd_names_are_written_as_toml():
     assert content['name'] == 'a "b" c'
 
 
+def test_a_robot_may_face_along_another_axis():
+    task = lw.Task('walk', (0.1, 0.0), forward='+y', period=1.0)
+    assert tomllib.loads(task.text())['travel'] == {'velocity': [0.1, 0.0], 'forward': '+y'}
+    with pytest.raises(lw.InputError, match="'north'; expected the axis"):
+        lw.Task('walk', (0.1, 0.0), forward='north', period=1.0)
+
+
 def test_what_is_wrong_is_told_by_line_and_remedy():
     meant = "limits.fricton.*did you mean 'limits.friction'"
     with pytest.raises(lw.InputError, match=meant) as caught:

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "optimizer/base/parallel.hpp"
-#include "tools/task/faced_frame.hpp"
+#include "optimizer/motion/faced_frame.hpp"
 #include "tools/validate/floquet.hpp"
 #include "tools/validate/limits.hpp"
 #include "tools/validate/measure.hpp"

@@ -7,7 +7,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
+#include <cerrno>
 #include <string_view>
 #include <system_error>
 
@@ -32,18 +32,27 @@ bool has_tail(std::string_view tail) {
          digits(tail.substr(dot + 1));
 }
 
-/// Opens a folder and locks it as long as the descriptor is open; −1 where another process has it,
-/// or it is no longer there.
-int lock_folder(const fs::path& folder) {
+/// What came of locking a folder.
+struct FolderLock {
+  int descriptor = -1;     // the lock holds as long as it is open; −1: there is none
+  bool is_others = false;  // another process has it, or had, and removed the folder
+};
+
+FolderLock lock_folder(const fs::path& folder) {
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
-  if (descriptor < 0) return -1;
+  if (descriptor < 0) return {-1, errno == ENOENT};
   struct stat opened {};
   struct stat named {};
-  if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && ::fstat(descriptor, &opened) == 0 &&
-      ::stat(folder.c_str(), &named) == 0 && opened.st_ino == named.st_ino)
-    return descriptor;
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
+    const bool is_others = errno == EWOULDBLOCK;  // else a file system without locks
+    ::close(descriptor);
+    return {-1, is_others};
+  }
+  if (::fstat(descriptor, &opened) == 0 && ::stat(folder.c_str(), &named) == 0 &&
+      opened.st_ino == named.st_ino)
+    return {descriptor, false};
   ::close(descriptor);
-  return -1;
+  return {-1, true};
 }
 
 /// Removes what killed processes have left: folders that nobody holds.
@@ -54,10 +63,10 @@ void sweep(const fs::path& target) {
   for (const auto& entry : fs::directory_iterator(around, ignored)) {
     const std::string name = entry.path().filename().string();
     if (!name.starts_with(head) || !has_tail(std::string_view(name).substr(head.size()))) continue;
-    const int held = lock_folder(entry.path());
-    if (held < 0) continue;
+    const FolderLock lock = lock_folder(entry.path());
+    if (lock.descriptor < 0) continue;
     fs::remove_all(entry.path(), ignored);
-    ::close(held);
+    ::close(lock.descriptor);
   }
 }
 
@@ -71,8 +80,9 @@ UnfinishedFolder::UnfinishedFolder(const fs::path& target) : target_(target) {
     const fs::path path =
         target.parent_path() / fmt::format("{}{}.{}.tmp", head_of(target), getpid(), n);
     if (!fs::create_directory(path)) continue;
-    held_ = lock_folder(path);
-    if (held_ < 0 && !fs::exists(path)) continue;  // swept by another process before it was held
+    const FolderLock lock = lock_folder(path);
+    if (lock.is_others) continue;  // swept by another process before it was held
+    held_ = lock.descriptor;
     path_ = path;
     return;
   }

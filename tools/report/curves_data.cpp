@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "mjcf/text/input_error.hpp"
+#include "optimizer/motion/faced_frame.hpp"
 #include "optimizer/terms/registry.hpp"
 #include "tools/report/number_words.hpp"
 #include "tools/report/parameter_view.hpp"
@@ -52,7 +53,9 @@ double wanted_speed(const RunData& data) {
 
 /// The task but for its speed: runs of one page have it in common.
 std::string way_of(const TaskRecord& task, double speed) {
-  const double x = task.velocity[0] / speed, y = task.velocity[1] / speed;
+  const Eigen::Vector2d way_of_it =
+      as_faced({task.velocity[0], task.velocity[1]}, task.facing()) / speed;
+  const double x = way_of_it.x(), y = way_of_it.y();
   std::string way = x > 0.99    ? "forward"
                     : x < -0.99 ? "backward"
                     : y > 0.99  ? "to the left"

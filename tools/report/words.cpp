@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "optimizer/motion/faced_frame.hpp"
 #include "optimizer/terms/registry.hpp"
 #include "tools/report/number_words.hpp"
-#include "tools/task/faced_frame.hpp"
 
 namespace legwright {
 std::string spaced(std::string_view name) {
@@ -68,9 +68,7 @@ std::string way_words(const TaskRecord& task) {
       out += fmt::format("{}{} m/s {}", out.empty() ? "" : ", ", short_number(std::abs(speed)),
                          speed > 0 ? ahead : back);
   };
-  const Eigen::Vector2d velocity =
-      as_faced({task.velocity[0], task.velocity[1]},
-               facing_axis(task.forward.value_or("+x")).value_or(Eigen::Vector2d::UnitX()));
+  const Eigen::Vector2d velocity = as_faced({task.velocity[0], task.velocity[1]}, task.facing());
   part(velocity.x(), "forward", "backward");
   part(velocity.y(), "to the left", "to the right");
   if (task.turn_rate != 0.0) out += fmt::format(", turning {} rad/s", short_number(task.turn_rate));

@@ -18,6 +18,8 @@ bool is_part_of_run(std::string_view name);
 /// Where the files of a run are: run.json, inputs/, events.jsonl, iterations/NNNN/, result/.
 class ResultFolder {
  public:
+  static constexpr const char* kPicking = ".result-picking";
+
   /// Makes the folder of a new run, with inputs/ and iterations/ in it. Where `root` holds a run
   /// and `force` is to replace it, the new one is built in a hidden folder beside it, until
   /// stand(). Throws IoError, with a way out in its message, where it holds a run without `force`,
@@ -51,7 +53,7 @@ class ResultFolder {
   std::filesystem::path iteration(int index) const;  // iterations/0007
   std::filesystem::path result() const { return root() / "result"; }
   /// There while the run is between two results.
-  std::filesystem::path picking() const { return root() / ".result-picking"; }
+  std::filesystem::path picking() const { return root() / kPicking; }
 
  private:
   explicit ResultFolder(std::filesystem::path root) : root_(std::move(root)) {}

@@ -6,10 +6,10 @@
 #include "mjcf/text/safe_path.hpp"
 #include "optimizer/design/inertia.hpp"
 #include "optimizer/factor/hessian_factor.hpp"
+#include "optimizer/motion/faced_frame.hpp"
 #include "tools/files/checksum.hpp"
 #include "tools/run/by_name.hpp"
 #include "tools/run/install.hpp"
-#include "tools/task/faced_frame.hpp"
 
 namespace legwright {
 namespace {
@@ -17,7 +17,8 @@ namespace {
 std::array<double, 3> numbers_of(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 /// What only some tasks have is there only then.
-TaskRecord record_of_task(const Task& task) {
+TaskRecord record_of_task(const CodesignProblem& problem, int k) {
+  const Task& task = problem.objectives[static_cast<std::size_t>(k)]->task();
   TaskRecord record;
   record.name = task.name;
   record.gait = task.gait.name();
@@ -25,7 +26,8 @@ TaskRecord record_of_task(const Task& task) {
   record.knots = task.gait.knot_count();
   record.planted_margin = task.planted_margin;
   record.velocity = {task.velocity.x(), task.velocity.y()};
-  if (task.forward != Eigen::Vector2d::UnitX()) record.forward = facing_text(task.forward);
+  if (const Eigen::Vector2d& forward = problem.task(k).forward; forward != Eigen::Vector2d::UnitX())
+    record.forward = facing_text(forward);
   record.turn_rate = task.turn_rate;
   record.floor_friction = task.floor_friction;
   if (const SlopeAngles slope = slope_of(task.velocity, task.up);
@@ -158,7 +160,7 @@ RunEffort effort_of(const MultistartResult& result) {
 RunRecord start_of_run(const std::vector<std::string>& argv, const CodesignProblem& problem,
                        int task) {
   RunRecord run = head(argv, problem);
-  run.task = record_of_task(problem.objectives[task]->task());
+  run.task = record_of_task(problem, task);
   run.motion_size = problem.objectives[task]->layout().motion_size();
   if (run.outer) run.outer->reference = problem.outers[task]->reference();
   return run;
@@ -169,7 +171,7 @@ RunRecord start_of_joint_run(const std::vector<std::string>& argv, const Codesig
   run.name = problem.set.name;
   run.tasks.emplace();
   for (int k = 0; k < problem.task_count(); ++k) {
-    TaskRecord task = record_of_task(problem.objectives[k]->task());
+    TaskRecord task = record_of_task(problem, k);
     task.weight = problem.task(k).weight;
     task.folder = "tasks/" + problem.task(k).name;
     task.motion_size = problem.objectives[k]->layout().motion_size();

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "optimizer/motion/faced_frame.hpp"
+
 namespace legwright {
 
 void fields(Fields& f, SlopeRecord& slope) {
@@ -56,6 +58,10 @@ void fields(Fields& f, PhysicsStepsRecord& steps) {
   f("changed", steps.changed, "whether the gait in result/ is another one than that of F");
   f("rollouts", steps.rollouts);
   f("steps", steps.steps);
+}
+
+Eigen::Vector2d TaskRecord::facing() const {
+  return facing_axis(forward.value_or("+x")).value_or(Eigen::Vector2d::UnitX());
 }
 
 void fields(Fields& f, TaskRecord& task) {

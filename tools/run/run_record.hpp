@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <optional>
 #include <string>
@@ -101,6 +102,9 @@ struct TaskRecord {
   std::optional<double> initial_F, F, speed_wanted, speed_reached;
   std::optional<bool> feasible;
   std::optional<PhysicsStepsRecord> physics_steps;
+
+  /// The unit vector of `forward`.
+  Eigen::Vector2d facing() const;
 };
 void fields(Fields& f, TaskRecord& task);
 

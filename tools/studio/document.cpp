@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "optimizer/motion/faced_frame.hpp"
 #include "optimizer/terms/registry.hpp"
-#include "tools/task/faced_frame.hpp"
 #include "tools/task/task_file.hpp"
 
 namespace legwright {
@@ -71,12 +71,11 @@ Json tasks_of(const SessionState& state, const std::vector<std::string>& feet) {
     const TaskFile& file = state.problem->task(k);
     const Task& task = state.problem->objectives[static_cast<std::size_t>(k)]->task();
     const SlopeAngles slope = slope_of(task.velocity, task.up);
-    const Eigen::Vector2d velocity = as_faced(task.velocity, task.forward);
     const bool own = !file.touchdown.empty() || !file.touchdown_by_foot.empty();
     out.push_back({{"name", file.name},
                    {"gait", file.gait},
                    {"gait_kind", own ? "own" : "library"},
-                   {"velocity", {velocity.x(), velocity.y()}},
+                   {"velocity", {file.velocity.x(), file.velocity.y()}},
                    {"turn", task.turn_rate},
                    {"period", task.gait.period()},
                    {"knots", task.gait.knot_count()},

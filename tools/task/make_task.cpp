@@ -6,12 +6,12 @@
 #include <stdexcept>
 
 #include "optimizer/design/kinematics.hpp"
+#include "optimizer/motion/faced_frame.hpp"
 #include "optimizer/motion/initial_guess.hpp"
 #include "optimizer/motion/margins.hpp"
 #include "optimizer/motion/pendulum.hpp"
 #include "optimizer/terms/registry.hpp"
 #include "tools/files/nearest_word.hpp"
-#include "tools/task/faced_frame.hpp"
 #include "tools/task/gait_table.hpp"
 #include "tools/task/servo_sag.hpp"
 #include "tools/task/style_table.hpp"
@@ -264,7 +264,6 @@ Task make_task(const TaskFile& file, const RobotModel& robot) {
   task.name = file.name;
   const std::vector<std::string> names = foot_names(robot.morphology);
   task.gait = make_gait(file, names, order);
-  task.forward = file.forward;
   task.velocity = from_facing(file.velocity, file.forward);
   task.turn_rate = file.turn_rate;
   task.up = up_on_slope(task.velocity, file.slope_along, file.slope_across);

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
+#include "optimizer/motion/faced_frame.hpp"
 #include "tools/files/nearest_word.hpp"
-#include "tools/task/faced_frame.hpp"
 
 namespace legwright {
 namespace {

@@ -7,11 +7,11 @@
 #include <system_error>
 
 #include "mjcf/text/input_error.hpp"
+#include "optimizer/motion/faced_frame.hpp"
 #include "optimizer/motion/margins.hpp"
 #include "tools/files/atomic_file.hpp"
 #include "tools/files/io_error.hpp"
 #include "tools/task/design_table.hpp"
-#include "tools/task/faced_frame.hpp"
 #include "tools/task/gait_table.hpp"
 #include "tools/task/style_table.hpp"
 #include "tools/task/task_table.hpp"

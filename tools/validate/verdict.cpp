@@ -9,6 +9,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "optimizer/motion/faced_frame.hpp"
+
 namespace legwright {
 namespace {
 
@@ -132,9 +134,8 @@ std::string praise(const std::vector<Measurements>& at_gains, const WantedMotion
 }  // namespace
 
 std::string describe(const WantedMotion& wanted, const std::string& gait) {
-  const double forward = wanted.velocity.dot(wanted.forward),
-               left = wanted.forward.x() * wanted.velocity.y() -
-                      wanted.forward.y() * wanted.velocity.x();
+  const Eigen::Vector2d velocity = as_faced(wanted.velocity, wanted.forward);
+  const double forward = velocity.x(), left = velocity.y();
   std::string out = gait;
   if (wanted.travels()) {
     const bool mostly_ahead = std::abs(forward) >= 5 * std::abs(left);

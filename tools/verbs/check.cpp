@@ -5,9 +5,9 @@
 
 #include "mjcf/read/moving_parts.hpp"
 #include "mjcf/text/input_error.hpp"
+#include "optimizer/motion/faced_frame.hpp"
 #include "optimizer/terms/registry.hpp"
 #include "tools/files/json_file.hpp"
-#include "tools/task/faced_frame.hpp"
 #include "tools/task/problem.hpp"
 #include "tools/task/servo_sag.hpp"
 #include "tools/verbs/check_keys.hpp"
@@ -73,7 +73,7 @@ std::string robot_text(const Finding& found) {
                   morphology.joint_count(), morphology.foot_count());
   const Eigen::VectorXd s = found.robot.space.initial();
   const std::vector<Eigen::Vector3d> feet = home_feet(morphology, s);
-  for (int j : order_as_faced(feet, found.task.forward)) {
+  for (int j : order_as_faced(feet, found.file.forward)) {
     const Foot& foot = morphology.feet[j];
     const std::string shape =
         foot.radius > 0.0 ? fmt::format("ball of {:.3g} mm", 1e3 * foot.radius) : "point";
@@ -146,13 +146,13 @@ std::string style_text(const Finding& found) {
 }
 
 std::string travel_text(const Finding& found) {
+  const Eigen::Vector2d& velocity = found.file.velocity;
   return fmt::format(
       "travel  {} m/s forward, {} m/s left, {} rad/s: {:.4g} m per cycle, {:.4g} m while a foot "
       "stands (more than {:.4g} m, "
       "twice the longest leg that the bounds allow, is refused)\n",
-      as_faced(found.task.velocity, found.task.forward).x(),
-      as_faced(found.task.velocity, found.task.forward).y(), found.task.turn_rate,
-      found.stride.per_cycle, found.stride.per_stance, found.stride.longest);
+      velocity.x(), velocity.y(), found.task.turn_rate, found.stride.per_cycle,
+      found.stride.per_stance, found.stride.longest);
 }
 
 /// What the task adds to robot and ground; nothing where it adds nothing.

@@ -77,6 +77,7 @@ void write_task_run(const ResultFolder& folder, const CodesignProblem& problem,
   write_robot_files(chain.run() / "inputs", problem.robot.files);
   RunRecord run = start_of_run(joint.argv, problem, outcome.task);
   run.joint_run = "../..";
+  run.files = joint.files;  // as they were given, not the copies
   run.motion_only = joint.motion_only;
   run.start = winner.label.start;
   finish_run(run, joint.status, outcome, effort_of(winner.result), problem.robot);

@@ -246,6 +246,14 @@ void remove_what_told(const ResultFolder& folder, const RunRecord& run) {
     fs::remove(folder.result() / name);
 }
 
+/// Where the run, and that of each of its tasks, say that they are between two results.
+std::vector<fs::path> between_results(const ResultFolder& folder, const RunRecord& run) {
+  std::vector<fs::path> out{folder.picking()};
+  for (const std::string& task : task_names(run))
+    out.push_back(folder.root() / "tasks" / task / ResultFolder::kPicking);
+  return out;
+}
+
 int pick(const PickOptions& options) {
   const int given = !options.candidate.empty() + !options.start.empty() + (options.front >= 0) +
                     (options.iteration >= 0);
@@ -263,7 +271,8 @@ int pick(const PickOptions& options) {
       refuse_pick(from, "no such design in the run; events.jsonl lists its iterations");
   const RobotModel robot = read_robot(folder.inputs() / "robot.xml");
 
-  write_file(folder.picking(), picked.name + "\n");
+  const std::vector<fs::path> between = between_results(folder, run);
+  for (const fs::path& mark : between) write_file(mark, picked.name + "\n");
   remove_what_told(folder, run);
   if (!run.joint()) {
     note_task_design(run, robot, picked.name,
@@ -272,7 +281,7 @@ int pick(const PickOptions& options) {
     pick_joint(folder, picked, robot, run);
   }
   write_json(folder.run_json(), json_of(run));
-  fs::remove(folder.picking());
+  for (const fs::path& mark : between) fs::remove(mark);
   fmt::print("{}: the result is {} now, F {:.5g}\n", options.run, picked.name, *run.final_F);
   for (const std::string& reason : run.reasons.value_or(std::vector<std::string>{}))
     fmt::print("INFEASIBLE: {}\n", reason);

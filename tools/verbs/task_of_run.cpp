@@ -8,7 +8,6 @@
 #include "tools/files/io_error.hpp"
 #include "tools/run/motion_csv.hpp"
 #include "tools/run/run_record.hpp"
-#include "tools/task/faced_frame.hpp"
 
 namespace legwright {
 namespace {
@@ -35,9 +34,7 @@ TaskOfRun task_of_run(const ResultFolder& folder) {
                      "expected the task of a run, as `legwright optimize` writes it; found none");
   const TaskRecord& task = *run.task;
   return {task.gait,
-          {{task.velocity[0], task.velocity[1]},
-           task.turn_rate,
-           facing_axis(task.forward.value_or("+x")).value_or(Eigen::Vector2d::UnitX())},
+          {{task.velocity[0], task.velocity[1]}, task.turn_rate, task.facing()},
           task.step_over.value_or(0.0),
           run.stopped_early() ? std::optional(run.status) : std::nullopt};
 }

@@ -38,6 +38,22 @@ TEST_F(PageViewerTest, ARunWithScenesHasBothBodiesInOneWellFormedPage) {
   EXPECT_LT(text.size(), 3'000'000U);
 }
 
+TEST_F(PageViewerTest, MeshFilesAreDrawnWithTheirDents) {
+  // A cube whose top is four triangles down to its middle; physics has its hull of twelve.
+  write_file(run_ / "result/dent.obj",
+             "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+             "v 0.5 0.5 0.5\nf 1 3 2\nf 1 4 3\nf 1 2 6\nf 1 6 5\nf 2 3 7\nf 2 7 6\nf 3 4 8\n"
+             "f 3 8 7\nf 4 1 5\nf 4 5 8\nf 5 6 9\nf 6 7 9\nf 7 8 9\nf 8 5 9\n");
+  std::string xml = TinyScene{}.xml();
+  xml.insert(xml.find("<worldbody>"), "<asset><mesh name='dent' file='dent.obj'/></asset>");
+  xml.insert(xml.find("<worldbody>") + 11, "<geom type='mesh' mesh='dent' pos='0 0 9'/>");
+  write_file(run_ / "result/scene.xml", xml);
+  const std::string text = page();
+  const std::size_t from = text.find("\"faces\":\"") + 9;
+  const std::size_t bytes = std::size_t{14} * 3 * sizeof(std::uint32_t);
+  EXPECT_EQ(text.find('"', from) - from, (bytes + 2) / 3 * 4);
+}
+
 TEST_F(PageViewerTest, OnlyItsOwnScriptsMayRun) {
   add_scenes();
   const std::string text = page();

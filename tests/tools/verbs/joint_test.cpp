@@ -59,6 +59,7 @@ TEST_F(Joint, RunIsCompleteAndItsTasksAreRunsOfTheirOwn) {
     EXPECT_EQ(read_file(own / "result" / "robot.xml"),
               read_file(folder_.path() / "run" / "result" / "robot.xml"))
         << "one body for all tasks";
+    EXPECT_EQ(read_json(own / "run.json")["files"], run["files"]) << "as given";
     EXPECT_EQ(read_events(own / "events.jsonl").front()["event"], "start");
   }
   EXPECT_LT(run["certificate"]["worst_gradient_error"].get<double>(), 1e-4);
@@ -178,6 +179,21 @@ TEST_F(Joint, FrontHasNoPointAboveABetterOne) {
       EXPECT_NEAR(json("run/run.json")["final_F"].get<double>(), start["F"].get<double>(), 1e-9);
     }
   EXPECT_EQ(call({"pick", "run", "--front", "5"}).code, 2);
+
+  // A pick that ends on the way leaves run and tasks between two results, until the next.
+  const fs::path record = folder_.path() / "run/tasks/sideways/run.json";
+  fs::rename(record, folder_.path() / "aside.json");
+  fs::create_directory(record);
+  EXPECT_NE(call({"pick", "run", "--front", "1"}).code, 0);
+  fs::remove(record);
+  fs::rename(folder_.path() / "aside.json", record);
+  for (const char* each : {"run", "run/tasks/pace", "run/tasks/sideways"}) {
+    const Outcome report = call({"report", each});
+    EXPECT_EQ(report.code, 3) << each;
+    EXPECT_TRUE(contains(report.err, "between two results")) << report.err;
+  }
+  expect_picked("--front", "1", "front point 1");
+  EXPECT_EQ(call({"report", "run/tasks/pace"}).code, 0);
 }
 
 TEST(CheckGradients, OfAllTasks) {

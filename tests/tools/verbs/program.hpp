@@ -39,12 +39,13 @@ struct Outcome {
   std::string out, err;
 };
 
-/// Starts the program in `folder`, with its output in the files out and err there.
-inline pid_t start(const std::vector<std::string>& words, const std::filesystem::path& folder) {
+/// Starts the program in `folder`, with its output in the files out and err of `outputs`.
+inline pid_t start(const std::vector<std::string>& words, const std::filesystem::path& folder,
+                   const std::filesystem::path& outputs) {
   const pid_t child = ::fork();
   if (child != 0) return child;
   const auto redirect = [&](const char* name, int to) {
-    ::dup2(::open((folder / name).c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), to);
+    ::dup2(::open((outputs / name).c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), to);
   };
   redirect("out", STDOUT_FILENO);
   redirect("err", STDERR_FILENO);
@@ -53,6 +54,10 @@ inline pid_t start(const std::vector<std::string>& words, const std::filesystem:
   argv.push_back(nullptr);
   if (::chdir(folder.c_str()) == 0) ::execv(argv[0], argv.data());
   ::_exit(126);
+}
+
+inline pid_t start(const std::vector<std::string>& words, const std::filesystem::path& folder) {
+  return start(words, folder, folder);
 }
 
 inline Outcome wait_for(pid_t child, const std::filesystem::path& folder) {

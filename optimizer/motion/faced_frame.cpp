@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/task/faced_frame.hpp"
+#include "optimizer/motion/faced_frame.hpp"
 
 #include "optimizer/motion/gait.hpp"
 
