@@ -28,8 +28,10 @@ class Codesign {
         box_{space.lower(), space.upper(), space.scale()},
         lbfgs_(box_.scale, options.history),
         trust_{options.largest_first_change, options.largest_change, kLeastDesignStep} {
-    for (const WeightedCost& task : tasks)
-      solvers_.push_back(std::make_unique<TaskSolver>(task, options));
+    for (const WeightedCost& task : tasks) {
+      const int k = static_cast<int>(solvers_.size());
+      solvers_.push_back(std::make_unique<TaskSolver>(task, options, options.checkpoint.in(k)));
+    }
     now_.s = start;
   }
 

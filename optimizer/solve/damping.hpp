@@ -31,6 +31,7 @@ class Damping {
     if (shift_ < rules_.least_shift) shift_ = 0.0;
   }
   void drop() { shift_ = 0.0; }
+  void pass_state(SolveState& state) { state(shift_); }
 
  private:
   const NewtonOptions& rules_;

@@ -153,6 +153,8 @@ std::vector<FewerChanges> fewest_changes(const std::vector<std::vector<WeightedC
   PutBackOptions rules;
   rules.limits = options.codesign;
   rules.stop = options.stop;
+  CodesignOptions refit = options.codesign;
+  int solved = 0;  // refits and lists of rows: the names of their checkpoints
   rules.limits.trial_iterations = kGlanceIterations;
   std::vector<int> order = cheapest_first(rows_of_result, tasks);
   std::size_t batch = designs.back().changed.size();
@@ -164,6 +166,7 @@ std::vector<FewerChanges> fewest_changes(const std::vector<std::vector<WeightedC
       return std::find(changed.begin(), changed.end(), k) == changed.end();
     });
     if (order.size() < count || count <= kFew) {  // a stop leaves rows out
+      rules.limits.checkpoint = options.codesign.checkpoint.in(solved++);
       const std::vector<PutBack> rows = put_back(threads, old_values, designs.back().design, rules);
       if (stopped() || rows.size() < count) break;
       order = cheapest_first(rows, tasks);
@@ -176,9 +179,9 @@ std::vector<FewerChanges> fewest_changes(const std::vector<std::vector<WeightedC
       const double most = batch > 1     ? allowed_at_once(options, fall, lost)
                           : !known_anew ? kDear * fall
                                         : std::numeric_limits<double>::infinity();
-      FewerChanges next =
-          without(designs.back(), first_of(order, batch), tasks, space, old_values, initial_value,
-                  designs.back().design.value + most, options.codesign);
+      refit.checkpoint = options.codesign.checkpoint.in(solved++);
+      FewerChanges next = without(designs.back(), first_of(order, batch), tasks, space, old_values,
+                                  initial_value, designs.back().design.value + most, refit);
       if (stopped()) return designs;
       const double cost = next.design.value - designs.back().design.value;
       if (batch > 1 && !(cost <= most)) continue;

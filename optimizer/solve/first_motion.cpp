@@ -29,7 +29,7 @@ struct ScoutedMotion {
 
 /// The plan that Newton's method comes to from a start.
 ScoutedMotion scout(const Objective& objective, const VectorXd& s, const VectorXd& start,
-                    const std::function<bool()>& go_on) {
+                    const FirstMotionOptions& options, const std::string& name) {
   ObjectiveCost cost(objective);
   WeightedCost task;
   task.cost = &cost;
@@ -37,8 +37,8 @@ ScoutedMotion scout(const Objective& objective, const VectorXd& s, const VectorX
   MotionLimits limits;
   limits.final_tolerance = kScoutTolerance;
   limits.motion_iterations = kScoutIterations;
-  limits.newton.go_on = go_on;
-  TaskSolver solver(task, limits);
+  limits.newton.go_on = options.go_on;
+  TaskSolver solver(task, limits, options.checkpoint.in(name));
   if (!solver.start(s)) return {};
   return {solver.now().m, solver.now().value};
 }
@@ -77,7 +77,8 @@ VectorXd best_first_motion(const Objective& objective, const VectorXd& s,
   if (task.velocity.norm() > 0.0 || task.turn_rate != 0.0) {
     starts.emplace_back("guess on the spot", initial_guess(at_speed(objective, 0.0), s));
     const Objective slower = at_speed(objective, kHalfSpeed);
-    const ScoutedMotion plan = scout(slower, s, initial_guess(slower, s), options.go_on);
+    const ScoutedMotion plan =
+        scout(slower, s, initial_guess(slower, s), options, "half the speed");
     if (std::isfinite(plan.value)) starts.emplace_back("plan of half the speed", plan.m);
   }
   std::mt19937_64 random(options.seed);
@@ -88,7 +89,7 @@ VectorXd best_first_motion(const Objective& objective, const VectorXd& s,
   double least = std::numeric_limits<double>::infinity();
   const VectorXd* best = &guess;
   for (const auto& [name, start] : starts) {
-    const double value = scout(objective, s, start, options.go_on).value;
+    const double value = scout(objective, s, start, options, name).value;
     if (options.go_on && !options.go_on()) break;
     if (options.tell) options.tell(name, value);
     const bool first = &start == &starts.front().second;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "optimizer/objective/objective.hpp"
+#include "optimizer/solve/checkpoint.hpp"
 
 namespace legwright {
 
@@ -15,6 +16,7 @@ struct FirstMotionOptions {
   std::uint64_t seed = 1;
   /// Told of each start with the F that a solve comes to from it; infinite where there is none.
   std::function<void(const std::string& start, double F)> tell = {};
+  Checkpoint checkpoint = {};        // of this first motion, as NewtonOptions::checkpoint
   std::function<bool()> go_on = {};  // asked before each Newton step; false: no further start
 };
 

@@ -44,27 +44,22 @@ struct JointStep {
 class JointNewton {
  public:
   JointNewton(const std::vector<WeightedCost>& tasks, const DesignBox& box, const VectorXd& start,
-              const std::vector<VectorXd>& motions, const JointNewtonOptions& options)
+              const std::vector<VectorXd>& motions, const JointNewtonOptions& options,
+              const Checkpoint& checkpoint)
       : options_(options),
         box_(box),
         s_(start),
-        trust_{options.first_trust, options.largest_trust, kLeastUsefulTrust} {
-    for (std::size_t k = 0; k < tasks.size(); ++k)
+        trust_{options.first_trust, options.largest_trust, kLeastUsefulTrust},
+        checkpoint_(checkpoint),
+        origin_(start.squaredNorm()) {
+    for (std::size_t k = 0; k < tasks.size(); ++k) {
       blocks_.push_back(std::make_unique<MotionBlock>(tasks[k], motions.at(k)));
+      origin_ += motions.at(k).squaredNorm();
+    }
   }
 
   /// Goes on until so many iterations have been made in all.
-  void run(int iterations) {
-    if (result_.status != SolveStatus::iteration_limit) return;
-    if (!history_.empty())  // another search may have used the costs in between
-      for (const auto& block : blocks_) block->set_step_base(s_);
-    result_.status = search(iterations);
-    result_.factorisations = result_.evaluations = 0;
-    for (const auto& block : blocks_) {
-      result_.factorisations += block->factorisations();
-      result_.evaluations += block->evaluations();
-    }
-  }
+  void run(int iterations);
   /// Σ wᵢ Fᵢ, infinite where that or a derivative is not finite.
   double value() const {
     return result_.status == SolveStatus::not_finite ? std::numeric_limits<double>::infinity()
@@ -79,6 +74,9 @@ class JointNewton {
 
  private:
   SolveStatus search(int iterations);
+  void pass_state(SolveState& state);
+  void take_up();
+  void keep_state();
   bool for_all(const std::function<bool(MotionBlock&)>& work) const;
   bool look();
   bool reduce();
@@ -105,7 +103,67 @@ class JointNewton {
   VectorXd gradient_;  // reduced, as the Hessian
   std::vector<double> history_;
   JointNewtonResult result_;
+  Checkpoint checkpoint_;
+  double origin_;  // tells (s, first motions): a state is of no use to a search from elsewhere
 };
+
+void JointNewton::run(int iterations) {
+  if (result_.status != SolveStatus::iteration_limit) return;
+  if (checkpoint_ && options_.go_on && !options_.go_on())
+    checkpoint_ = {};  // not as in a whole run
+  if (history_.empty()) take_up();
+  if (!history_.empty())  // another search may have used the costs in between
+    for (const auto& block : blocks_) block->set_step_base(s_);
+  if (result_.status == SolveStatus::iteration_limit) {
+    const SolveStatus status = search(iterations);
+    if (status != SolveStatus::stopped) result_.status = status;
+    keep_state();
+    result_.status = status;
+  }
+  result_.factorisations = result_.evaluations = 0;
+  for (const auto& block : blocks_) {
+    result_.factorisations += block->factorisations();
+    result_.evaluations += block->evaluations();
+  }
+}
+
+// All that the next iteration depends on, but for what is evaluated again.
+void JointNewton::pass_state(SolveState& state) {
+  state(s_);
+  state(value_);
+  state(trust_.radius);
+  state(history_);
+  state(result_.status);
+  state(result_.iterations);
+  for (const auto& block : blocks_) block->pass_state(state);
+  state.size_of(result_.path);
+  for (JointPoint& point : result_.path) {
+    state(point.s);
+    state(point.value);
+    state.size_of(point.motions);
+    for (VectorXd& motion : point.motions) state(motion);
+  }
+}
+
+// What a process before this one had come to, if anything.
+void JointNewton::take_up() {
+  std::vector<double> numbers = checkpoint_.find();
+  if (numbers.empty()) return;
+  SolveState state(std::move(numbers));
+  double origin = 0.0;
+  state(origin);
+  if (origin != origin_) return;
+  pass_state(state);
+  (void)for_all([&](MotionBlock& block) { return block.look_again(s_); });
+}
+
+void JointNewton::keep_state() {
+  if (!checkpoint_) return;
+  SolveState state;
+  state(origin_);
+  pass_state(state);
+  checkpoint_.keep(state);
+}
 
 bool JointNewton::for_all(const std::function<bool(MotionBlock&)>& work) const {
   std::vector<char> done(blocks_.size());
@@ -120,6 +178,7 @@ bool JointNewton::for_all(const std::function<bool(MotionBlock&)>& work) const {
 SolveStatus JointNewton::search(int iterations) {
   if (history_.empty() && !look()) return SolveStatus::not_finite;
   while (result_.iterations < iterations) {
+    if (checkpoint_.due()) keep_state();
     if (options_.go_on && !options_.go_on()) return SolveStatus::stopped;
     if (!reduce()) return SolveStatus::stalled;
     if (stationary()) {
@@ -277,8 +336,11 @@ JointNewtonResult joint_newton(const std::vector<WeightedCost>& tasks, const Des
                                const JointNewtonOptions& options) {
   std::vector<std::unique_ptr<JointNewton>> searches;
   searches.reserve(motions.size());
-  for (const std::vector<VectorXd>& first : motions)
-    searches.push_back(std::make_unique<JointNewton>(tasks, box, start, first, options));
+  for (const std::vector<VectorXd>& first : motions) {
+    const Checkpoint checkpoint = options.checkpoint.in(static_cast<int>(searches.size()));
+    searches.push_back(
+        std::make_unique<JointNewton>(tasks, box, start, first, options, checkpoint));
+  }
   if (searches.empty()) return {};
   if (searches.size() > 1)
     for (const auto& search : searches)

@@ -35,6 +35,8 @@ struct JointNewtonOptions {
   std::function<bool()> go_on = {};  // asked before every iteration; false: `stopped`
   /// Called after each step, of each start, with the point that it came to.
   std::function<void(const JointPoint&)> on_step = {};
+  /// Of this search, as NewtonOptions::checkpoint.
+  Checkpoint checkpoint = {};
 };
 
 struct JointNewtonResult {

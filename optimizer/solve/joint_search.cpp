@@ -16,6 +16,7 @@ JointNewtonResult joint_search(const TaskSolvers& solvers, const DesignBox& box,
   rules.largest_trust = options.largest_change;
   rules.threads = options.threads;
   rules.go_on = options.go_on;
+  rules.checkpoint = options.checkpoint.in("joint");
   std::vector<WeightedCost> tasks;
   std::vector<VectorXd> first, early;
   for (const auto& solver : solvers) {

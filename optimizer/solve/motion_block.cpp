@@ -31,12 +31,23 @@ void MotionBlock::evaluate_at(const VectorXd& s, const VectorXd& m, Evaluation& 
 }
 
 bool MotionBlock::evaluate(const VectorXd& s) {
-  cost_.evaluate(s, m_, Order::design, at_);
   ++evaluations_;
+  return look_again(s);
+}
+
+bool MotionBlock::look_again(const VectorXd& s) {
+  cost_.evaluate(s, m_, Order::design, at_);
   set_step_base(s);
   const Eigen::Map<const VectorXd> hessian(at_.hessian_mm.valuePtr(), at_.hessian_mm.nonZeros());
   return std::isfinite(at_.value) && at_.stationarity.allFinite() && at_.partial_s.allFinite() &&
          hessian.allFinite() && at_.hessian_ms.allFinite() && at_.hessian_ss.allFinite();
+}
+
+void MotionBlock::pass_state(SolveState& state) {
+  state(m_);
+  state(factorisations_);
+  state(evaluations_);
+  damping_.pass_state(state);
 }
 
 bool MotionBlock::reduce() {

@@ -19,6 +19,8 @@ class MotionBlock {
 
   /// Evaluates everything at (s, m). False where something is not finite.
   bool evaluate(const Eigen::VectorXd& s);
+  /// The same where that was done before, in another process: not counted.
+  bool look_again(const Eigen::VectorXd& s);
   /// Tells the cost again where steps set out from: s of the last evaluate(), and the motion.
   void set_step_base(const Eigen::VectorXd& s) { cost_.set_step_base(s, m_); }
   /// Factors H + σ diag(1/unit²), σ raised until that is positive, and solves for X and y. False
@@ -42,6 +44,9 @@ class MotionBlock {
   void relax() { damping_.decay(); }
   void damp() { damping_.grow(); }
   void drop_shift() { damping_.drop(); }
+
+  /// All that the next step depends on, but for what evaluate() finds.
+  void pass_state(SolveState& state);
 
   const Eigen::VectorXd& motion() const { return m_; }
   double weight() const { return weight_; }

@@ -60,6 +60,7 @@ class Multistart {
       costs.push_back(weighted(tasks_[i], weight, motions[i]));
     }
     CodesignOptions options = options_.codesign;
+    options.checkpoint = options.checkpoint.in(runs_++);
     options.on_iteration = [&](const DesignIteration& iteration) {
       const bool go_on = !options_.on_iteration || options_.on_iteration(label, iteration);
       result_.stopped = result_.stopped || !go_on;
@@ -87,6 +88,7 @@ class Multistart {
   const DesignSpace& space_;
   const MultistartOptions& options_;
   std::vector<int> all_;
+  int runs_ = 0;
   MultistartResult result_;
 };
 
@@ -196,7 +198,7 @@ class Front {
 
   /// A point from another one's design and motions; kept where that is lower, as that design
   /// itself is.
-  void improve(FrontPoint& point, const FrontPoint& from) const {
+  void improve(FrontPoint& point, const FrontPoint& from) {
     const DesignIteration& start = from.best;
     FrontPoint found = solve(point.weight, start.s, {start.tasks[0].m, start.tasks[1].m}, options_);
     if (!(found.best.value <= value_of(from, point.weight))) {  // stopped, or not finite
@@ -207,7 +209,8 @@ class Front {
   }
 
   FrontPoint solve(double weight, const VectorXd& s, const std::vector<VectorXd>& motions,
-                   const CodesignOptions& options) const {
+                   CodesignOptions options) {
+    options.checkpoint = options.checkpoint.in(solves_++);
     const CodesignResult result = codesign(
         {weighted(tasks_[0], weight, motions[0]), weighted(tasks_[1], 1.0 - weight, motions[1])},
         space_, s, options);
@@ -217,6 +220,7 @@ class Front {
   const std::vector<JointTask>& tasks_;
   const DesignSpace& space_;
   CodesignOptions options_;
+  int solves_ = 0;
   std::vector<FrontPoint> points_, known_;
 };
 

@@ -22,6 +22,20 @@ bool finite_hessian(const Evaluation& e) {
   return Eigen::Map<const VectorXd>(e.hessian_mm.valuePtr(), e.hessian_mm.nonZeros()).allFinite();
 }
 
+void pass_report(SolveState& state, SolveReport& report) {
+  state(report.status);
+  state(report.iterations);
+  state(report.factorisations);
+  state(report.evaluations);
+  state(report.value);
+  state(report.stationarity);
+  state(report.shift);
+  state(report.shifted_steps);
+  state(report.exact_factor);
+  state(report.stagnated);
+  state(report.history);
+}
+
 // Eigen's sparse matrices do not move: std::swap would copy half a megabyte three times.
 void exchange(Evaluation& a, Evaluation& b) {
   Eigen::SparseMatrix<double> of_a, of_b;
@@ -42,7 +56,10 @@ class Newton {
         options_(options),
         w_(w),
         units_(cost.motion_units()),
-        damping_(options) {}
+        damping_(options),
+        checkpoint_(options.checkpoint && options.go_on && !options.go_on() ? Checkpoint()
+                                                                            : options.checkpoint),
+        origin_(s.squaredNorm() + m.squaredNorm()) {}
 
   SolveReport run();
 
@@ -56,6 +73,9 @@ class Newton {
   double norm(const VectorXd& g) const { return g.cwiseProduct(units_).lpNorm<Eigen::Infinity>(); }
   double noise() const { return kValueNoise * std::max(1.0, std::abs(w_.here.value)); }
 
+  void pass_state(SolveState& state);
+  bool take_up();
+  void keep_state();
   bool factor();
   Outcome iterate();
   bool search();
@@ -82,13 +102,54 @@ class Newton {
   bool full_step_ = false;
   double agreement_ = 0.0;       // actual / promised decrease
   std::vector<double> history_;  // F by iteration
+  // What a solve does that begins once a run was asked to stop is not what it does in a whole run.
+  Checkpoint checkpoint_;
+  double origin_;  // tells (s, first m): a state is of no use to a solve from elsewhere
+  bool finished_ = false;
 };
 
+// All that the next iteration depends on, or what a finished solve returns.
+void Newton::pass_state(SolveState& state) {
+  state(m_);
+  state(history_);
+  state(factored_shift_);
+  state(finished_);
+  damping_.pass_state(state);
+  pass_report(state, report_);
+}
+
+// What a process before this one had come to. @return whether there is anything
+bool Newton::take_up() {
+  std::vector<double> numbers = checkpoint_.find();
+  if (numbers.empty()) return false;
+  SolveState state(std::move(numbers));
+  double origin = 0.0;
+  state(origin);
+  if (origin != origin_) return false;
+  pass_state(state);
+  cost_.evaluate(s_, m_, Order::hessian, w_.here);
+  if (finished_ && factored_shift_ >= 0.0)  // callers solve with the last factor
+    (void)w_.factor.factor(w_.here.hessian_mm, factored_shift_ * units_.cwiseAbs2().cwiseInverse());
+  return true;
+}
+
+void Newton::keep_state() {
+  if (!checkpoint_) return;
+  SolveState state;
+  state(origin_);
+  pass_state(state);
+  checkpoint_.keep(state);
+}
+
 SolveReport Newton::run() {
-  evaluate(m_, Order::hessian, w_.here);
-  if (!finite(w_.here) || !finite_hessian(w_.here)) return finish(SolveStatus::not_finite);
-  for (;;) {
+  if (!take_up()) {
+    evaluate(m_, Order::hessian, w_.here);
+    if (!finite(w_.here) || !finite_hessian(w_.here)) return finish(SolveStatus::not_finite);
     history_.push_back(w_.here.value);
+  }
+  if (finished_) return report_;
+  for (;;) {
+    if (checkpoint_.due()) keep_state();
     if (norm(w_.here.stationarity) < options_.tolerance) return certify();
     if (report_.iterations >= options_.max_iterations) return finish(SolveStatus::iteration_limit);
     if (stagnated()) {
@@ -96,9 +157,14 @@ SolveReport Newton::run() {
       return finish(SolveStatus::iteration_limit);
     }
     if (beyond_ceiling()) return finish(SolveStatus::stopped);
-    if (options_.go_on && !options_.go_on()) return finish(SolveStatus::stopped);
+    if (options_.go_on && !options_.go_on()) {
+      keep_state();
+      checkpoint_ = {};
+      return finish(SolveStatus::stopped);
+    }
     if (iterate() != Outcome::moved) return finish(SolveStatus::stalled);
     ++report_.iterations;
+    history_.push_back(w_.here.value);
     if (options_.on_step) options_.on_step(report_.iterations, m_);
   }
 }
@@ -230,6 +296,8 @@ SolveReport Newton::finish(SolveStatus status) {
                              ? norm(w_.here.stationarity)
                              : std::numeric_limits<double>::quiet_NaN();
   report_.exact_factor = factored_shift_ == 0.0 && w_.factor.positive();
+  finished_ = true;
+  keep_state();
   return report_;
 }
 

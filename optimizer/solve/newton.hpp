@@ -7,6 +7,7 @@
 
 #include "optimizer/factor/hessian_factor.hpp"
 #include "optimizer/objective/objective.hpp"
+#include "optimizer/solve/checkpoint.hpp"
 #include "optimizer/solve/cost_function.hpp"
 #include "optimizer/solve/line_search.hpp"
 #include "optimizer/solve/status.hpp"
@@ -47,6 +48,9 @@ struct NewtonOptions {
   /// Called after each step with the number of steps so far and the motion.
   std::function<void(int, const Eigen::VectorXd&)> on_step = {};
   std::function<bool()> go_on = {};  // asked before each step; false: `stopped`
+  /// Of this solve: where it is kept how far it is, and where it goes on if that is known. on_step
+  /// is not called for steps that were made before.
+  Checkpoint checkpoint = {};
 };
 
 /// Memory of motion solves. Reused from call to call, so that the pattern is analysed once.

@@ -21,7 +21,10 @@ class BesideResult {
  public:
   BesideResult(const WeightedCost& task, const DesignIteration& result, int index,
                const MotionLimits& limits)
-      : task_(at_motion(task, result.tasks[index].m)), solver_(task_, limits), s_(result.s) {
+      : task_(at_motion(task, result.tasks[index].m)),
+        solver_(task_, limits, limits.checkpoint.in(index).in("result")),
+        checkpoint_(limits.checkpoint.in(index)),
+        s_(result.s) {
     ready_ = solver_.start(s_) && solver_.differentiate();
     base_ = value_at(s_, solver_.now().m);
     outer_ = solver_.now().outer_value;
@@ -33,6 +36,7 @@ class BesideResult {
     row.outer_decrease.push_back(0.0);
     row.terms.emplace_back();
     row.motions.emplace_back();
+    solver_.set_checkpoint(checkpoint_.in(row.parameter));
     if (!ready_ || !std::isfinite(solver_.try_design(row.s, kNoMotion))) {
       row.motion_status = SolveStatus::not_finite;
       return;
@@ -66,6 +70,7 @@ class BesideResult {
 
   WeightedCost task_;
   TaskSolver solver_;
+  Checkpoint checkpoint_;
   VectorXd s_;
   Evaluation at_;
   bool ready_ = false;

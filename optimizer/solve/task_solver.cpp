@@ -20,8 +20,8 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-TaskSolver::TaskSolver(const WeightedCost& task, const MotionLimits& limits)
-    : task_(task), limits_(limits) {
+TaskSolver::TaskSolver(const WeightedCost& task, const MotionLimits& limits, Checkpoint checkpoint)
+    : task_(task), limits_(limits), checkpoint_(std::move(checkpoint)) {
   here_.m = task.initial_motion;
 }
 
@@ -48,8 +48,9 @@ NewtonOptions TaskSolver::options(double tolerance, int limit) const {
   return options;
 }
 
-SolveReport TaskSolver::solve(const VectorXd& s, VectorXd& m, const NewtonOptions& options) {
+SolveReport TaskSolver::solve(const VectorXd& s, VectorXd& m, NewtonOptions options) {
   const Stopwatch watch;
+  options.checkpoint = checkpoint_.in(solves_++);
   SolveReport report = newton(*task_.cost, s, m, options, workspace_);
   effort_.newton_iterations += report.iterations;
   effort_.factorisations += report.factorisations;
@@ -72,8 +73,15 @@ double TaskSolver::outer_value(const VectorXd& s, const VectorXd& m) {
 bool TaskSolver::start(const VectorXd& s) {
   here_.s = s;
   NewtonOptions rules = options(limits_.final_tolerance, limits_.motion_iterations);
-  rules.on_step = [this](int steps, const VectorXd& m) {
-    if (steps == kEarlySteps) early_motion_ = m;
+  Checkpoint early = checkpoint_.in("early");
+  if (std::vector<double> numbers = early.find(); !numbers.empty())
+    SolveState(std::move(numbers))(early_motion_);
+  rules.on_step = [&](int steps, const VectorXd& m) {
+    if (steps != kEarlySteps) return;
+    early_motion_ = m;
+    SolveState state;
+    state(early_motion_);
+    early.keep(state);
   };
   const SolveReport report = solve(s, here_.m, rules);
   motion_only_trace_ = report.history;

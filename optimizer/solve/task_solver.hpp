@@ -48,7 +48,9 @@ struct MotionLimits {
   // iterations: a robot that cannot do the task has no good motion to converge to.
   int stagnation_window = 10;
   double stagnation_decrease = 1e-5;
-  NewtonOptions newton = {};  // rules of the motion solve; tolerance and limits are those above
+  NewtonOptions newton =
+      {};  // rules of the motion solve; tolerance, limits and checkpoint are others
+  Checkpoint checkpoint = {};  // of the whole search, as NewtonOptions::checkpoint
 };
 
 /// Counts and wall seconds of one task's solves.
@@ -62,9 +64,14 @@ struct TaskEffort {
 /// but s, so each solver may run on a thread of its own.
 class TaskSolver {
  public:
-  /// Keeps references to the costs.
-  TaskSolver(const WeightedCost& task, const MotionLimits& limits);
+  /// Keeps references to the costs and limits. @param checkpoint of its solves
+  TaskSolver(const WeightedCost& task, const MotionLimits& limits, Checkpoint checkpoint = {});
 
+  /// Of the solves from here on.
+  void set_checkpoint(Checkpoint checkpoint) {
+    checkpoint_ = std::move(checkpoint);
+    solves_ = 0;
+  }
   /// Iteration 0: motion-only optimisation at s. False where F is not finite.
   bool start(const Eigen::VectorXd& s);
   /// First-order motion of another design, eq (4), bent to eq (12), or the iterate's own where that
@@ -107,7 +114,7 @@ class TaskSolver {
   const Eigen::VectorXd& early_motion() const { return early_motion_; }
 
  private:
-  SolveReport solve(const Eigen::VectorXd& s, Eigen::VectorXd& m, const NewtonOptions& options);
+  SolveReport solve(const Eigen::VectorXd& s, Eigen::VectorXd& m, NewtonOptions options);
   NewtonOptions options(double tolerance, int limit) const;
   void restore_shifted_factor();
   double outer_value(const Eigen::VectorXd& s, const Eigen::VectorXd& m);
@@ -134,6 +141,8 @@ class TaskSolver {
   TaskEffort effort_;
   std::vector<double> motion_only_trace_;
   Eigen::VectorXd early_motion_;
+  Checkpoint checkpoint_;
+  int solves_ = 0;  // so far: the names of their checkpoints
 };
 
 using TaskSolvers = std::vector<std::unique_ptr<TaskSolver>>;

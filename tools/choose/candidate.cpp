@@ -11,6 +11,7 @@
 #include "mjcf/text/input_error.hpp"
 #include "optimizer/base/parallel.hpp"
 #include "tools/choose/candidate_on_trial.hpp"
+#include "tools/choose/kept_play.hpp"
 #include "tools/choose/physics_trial.hpp"
 #include "tools/simulate/rollout.hpp"
 
@@ -54,7 +55,7 @@ double largest_multiplier(const CodesignProblem& problem, const Candidate& candi
 std::vector<std::optional<PlayedCandidate>> play_beside(
     const CodesignProblem& problem, const Candidate& candidate,
     const std::vector<std::optional<DesignIteration>>& designs, int threads,
-    const std::function<bool()>& stop) {
+    const std::function<bool()>& stop, const Checkpoint& checkpoint) {
   std::vector<std::optional<PlayedCandidate>> out(designs.size());
   parallel_for(static_cast<int>(designs.size()), threads, [&](int k) {
     const auto i = static_cast<std::size_t>(k);
@@ -62,9 +63,11 @@ std::vector<std::optional<PlayedCandidate>> play_beside(
     Candidate beside = candidate;
     beside.design = *designs[i];
     try {
-      CandidateOnTrial on_trial(problem, beside, 1, stop);
-      on_trial.glance();
-      out[i] = played_tasks(on_trial.trials());
+      out[i] = kept_play(checkpoint.in(k), stop, [&] {
+        CandidateOnTrial on_trial(problem, beside, 1, stop);
+        on_trial.glance();
+        return played_tasks(on_trial.trials());
+      });
     } catch (const RolloutStopped&) {  // nothing is known of it
     }
   });

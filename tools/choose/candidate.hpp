@@ -63,7 +63,7 @@ double largest_multiplier(const CodesignProblem& problem, const Candidate& candi
 std::vector<std::optional<PlayedCandidate>> play_beside(
     const CodesignProblem& problem, const Candidate& candidate,
     const std::vector<std::optional<DesignIteration>>& designs, int threads,
-    const std::function<bool()>& stop);
+    const std::function<bool()>& stop, const Checkpoint& checkpoint = {});
 
 /// Sets F, J and their terms to those of the tasks as they were given, for a candidate that was
 /// found with tightened ones; but for the speed and turn that it was aimed at.

@@ -10,6 +10,7 @@
 #include "optimizer/base/parallel.hpp"
 #include "optimizer/base/stopwatch.hpp"
 #include "tools/choose/finalists.hpp"
+#include "tools/choose/kept_play.hpp"
 #include "tools/choose/other_designs.hpp"
 #include "tools/choose/play_in_turn.hpp"
 #include "tools/choose/tightened_search.hpp"
@@ -35,7 +36,7 @@ class DesignChooser {
 
   /// @return what physics says of it
   PlayedCandidate consider(const Candidate& candidate) {
-    PlayedCandidate played = play(candidate, options_.threads);
+    PlayedCandidate played = play(candidate, options_.threads, next_play());
     note(candidate, played);
     return played;
   }
@@ -100,15 +101,16 @@ class DesignChooser {
   void play_finalists() {
     if (played_.pass || stopped()) return;
     while (const Finalist* each = failed_.unknown()) {
-      const PlayedCandidate played = play(each->design, options_.threads);
+      const PlayedCandidate played = play(each->design, options_.threads, next_play());
       write_again(each->place, played);
       failed_.tell(played);
     }
     const std::vector<Finalist> finalists = failed_.in_order();
     std::vector<PlayedCandidate> played(finalists.size());
+    const Checkpoint checkpoint = next_play();
     parallel_for(static_cast<int>(finalists.size()), options_.threads, [&](int k) {
       const auto i = static_cast<std::size_t>(k);
-      played[i] = play(finalists[i].design, 1, PlayLength::whole);
+      played[i] = play(finalists[i].design, 1, checkpoint.in(k), PlayLength::whole);
     });
     best_.reset();
     for (std::size_t i = 0; i < finalists.size(); ++i) {
@@ -131,8 +133,9 @@ class DesignChooser {
       return a->second.design.value < b->second.design.value;
     });
     for (const auto* rival : rivals) {
-      const double multiplier =
-          largest_multiplier(problem_, rival->second, options_.threads, options_.stop);
+      const double multiplier = kept_play(next_play(), options_.stop, [&] {
+        return largest_multiplier(problem_, rival->second, options_.threads, options_.stop);
+      });
       CandidateRecord& record = record_.candidates[rival->first];
       record.stable = multiplier < 1.0;
       if (std::isfinite(multiplier)) record.multiplier = multiplier;
@@ -172,10 +175,13 @@ class DesignChooser {
     std::vector<Tightening> tightening;
   };
 
-  PlayedCandidate play(const Candidate& candidate, int threads,
+  PlayedCandidate play(const Candidate& candidate, int threads, const Checkpoint& checkpoint,
                        PlayLength length = PlayLength::until_failure) const {
-    return play_candidate(problem_, candidate, threads, length, options_.stop);
+    return kept_play(checkpoint, options_.stop, [&] {
+      return play_candidate(problem_, candidate, threads, length, options_.stop);
+    });
   }
+  Checkpoint next_play() { return options_.codesign.checkpoint.in("plays").in(plays_++); }
 
   /// Where tightened searches set out from; all levers again.
   void set_origin(const Candidate& from) {
@@ -219,20 +225,26 @@ class DesignChooser {
     std::vector<CandidateInTurn> turns;
     turns.reserve(found.size());
     for (const PlayedDesign& each : found) turns.push_back({&each.design, each.like});
-    PlayedInTurn played = play_in_turn(problem_, turns, nearest, options_.threads, options_.stop);
-    found.resize(played.played.size());
+    bool stopped_meanwhile = false;
+    std::vector<PlayedCandidate> played = kept_play(next_play(), options_.stop, [&] {
+      PlayedInTurn out = play_in_turn(problem_, turns, nearest, options_.threads, options_.stop);
+      stopped_meanwhile = out.stopped;
+      return std::move(out.played);
+    });
+    found.resize(played.size());
     for (std::size_t i = 0; i < found.size(); ++i) {
-      found[i].played = std::move(played.played[i]);
+      found[i].played = std::move(played[i]);
       note(found[i].design, found[i].played);
     }
-    if (played.stopped) throw RolloutStopped();
+    if (stopped_meanwhile) throw RolloutStopped();
     return found;
   }
 
   /// One design for each pull that has any; not played yet.
-  std::vector<PlayedDesign> search_pulls(const std::vector<LeverPull>& pulls, Searched what) const {
+  std::vector<PlayedDesign> search_pulls(const std::vector<LeverPull>& pulls, Searched what) {
     std::vector<std::optional<PlayedDesign>> slots(pulls.size());
     CodesignOptions search = options_.codesign;
+    const Checkpoint checkpoint = search.checkpoint.in(rounds_++);
     search.near_optimum = true;
     search.threads = 1;  // the levers run side by side
     const bool motion = search.motion_only || what == Searched::motion;
@@ -243,8 +255,10 @@ class DesignChooser {
       const LeverPull& pull = pulls[i];
       const bool of_use = !motion || pull.lever != Lever::near_given_body;
       if (stopped() || !of_use) return;
+      CodesignOptions own = search;
+      own.checkpoint = checkpoint.in(k);
       auto design = search_tightened(problem_, tasks_, pull.from->design, pull.tightening,
-                                     options_.space.value_or(problem_.robot.space), search);
+                                     options_.space.value_or(problem_.robot.space), own);
       if (!design) return;
       design->name =
           origin_ + kTightened + (motion ? " motion: " : ": ") + words_of(pull.tightening);
@@ -331,7 +345,8 @@ class DesignChooser {
   const std::vector<JointTask>& tasks_;
   const ChoiceOptions& options_;
   std::vector<Lever> levers_ = all_levers();
-  std::string origin_;  // how names of designs from there begin
+  std::string origin_;          // how names of designs from there begin
+  int rounds_ = 0, plays_ = 0;  // so far: the names of their checkpoints
   ChoiceRecord record_;
   std::vector<std::pair<std::size_t, Candidate>> kept_;
   Finalists failed_;

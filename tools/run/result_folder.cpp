@@ -9,6 +9,7 @@
 
 #include "tools/files/io_error.hpp"
 #include "tools/files/json_file.hpp"
+#include "tools/run/checkpoint_file.hpp"
 #include "tools/run/run_build.hpp"
 #include "tools/run/run_lock.hpp"
 
@@ -18,9 +19,9 @@ namespace {
 namespace fs = std::filesystem;
 
 // Everything a run consists of, besides its report.
-constexpr std::array<const char*, 9> kEntries{"run.json",   "events.jsonl", "inputs",
-                                              "iterations", "starts",       "tasks",
-                                              "candidates", "front",        "result"};
+constexpr std::array<const char*, 10> kEntries{
+    "run.json", "events.jsonl", "inputs", "iterations", "starts",
+    "tasks",    "candidates",   "front",  "result",     "checkpoint"};
 /// Empty folders are nobody's loss: a process that was killed before it wrote run.json leaves some.
 bool holds_any_entry(const fs::path& root) {
   std::error_code error;
@@ -50,7 +51,10 @@ bool check_free(const fs::path& root, bool force) {
            "choose another folder");
   if (!force)
     refuse(root, "already holds a run",
-           "choose another folder, or replace that run with --force (in Python force=True)");
+           (fs::exists(checkpoint_folder(root))
+                ? "go on with its search with `legwright optimize --resume " + root.string() + "`, "
+                : "") +
+               "choose another folder, or replace that run with --force (in Python force=True)");
   return true;
 }
 

@@ -8,12 +8,14 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <system_error>
 
 #include "tools/files/atomic_file.hpp"
 #include "tools/files/io_error.hpp"
 #include "tools/files/replace_folder.hpp"
+#include "tools/run/checkpoint_file.hpp"
 #include "tools/run/own_files.hpp"
 
 namespace legwright {
@@ -68,8 +70,8 @@ fs::path new_folder_beside(const fs::path& target) {
   }
 }
 
-/// Builds of killed processes, and the run that one of them had replaced.
-void sweep_builds(const fs::path& target) {
+/// Each build of a killed process.
+void for_dead_builds(const fs::path& target, const std::function<void(const fs::path&)>& work) {
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(target.parent_path(), ignored)) {
     const std::string name = entry.path().filename().string();
@@ -77,10 +79,26 @@ void sweep_builds(const fs::path& target) {
     if (!fs::is_directory(entry.symlink_status(ignored))) continue;
     try {
       const RunLock lock(entry.path(), RunLock::Extent::this_folder);
-      fs::remove_all(entry.path(), ignored);
+      work(entry.path());
     } catch (const std::exception&) {  // of a process whose run was removed meanwhile
     }
   }
+}
+
+void move_checkpoint(const fs::path& build, const fs::path& run) {
+  std::error_code ignored;
+  const fs::path from = checkpoint_folder(build), to = checkpoint_folder(run);
+  if (!fs::exists(from, ignored)) return;
+  if (fs::exists(to, ignored))
+    replace_folder(from, to);
+  else
+    fs::rename(from, to);
+}
+
+/// Builds of killed processes, and the run that one of them had replaced.
+void sweep_builds(const fs::path& target) {
+  std::error_code ignored;
+  for_dead_builds(target, [&](const fs::path& build) { fs::remove_all(build, ignored); });
   fs::remove_all(target.parent_path() / ("." + target.filename().string() + "-replaced"), ignored);
 }
 
@@ -108,6 +126,10 @@ RunBuild::~RunBuild() {
   if (stands_) return;
   old_lock_->note("");
   std::error_code ignored;
+  try {
+    if (old_lock_->stands()) move_checkpoint(at_, target_);
+  } catch (const std::exception&) {  // then the search begins anew
+  }
   fs::remove_all(at_, ignored);
 }
 
@@ -130,6 +152,13 @@ void RunBuild::stand() {
   sync_folder(target_.parent_path());
   std::error_code ignored;  // what cannot be removed now is swept by the next run
   fs::remove_all(old, ignored);
+}
+
+void rescue_checkpoint(const fs::path& run) {
+  std::error_code error;
+  const fs::path target = fs::canonical(run, error);
+  if (!error)
+    for_dead_builds(target, [&](const fs::path& build) { move_checkpoint(build, target); });
 }
 
 void sweep_leftovers(const fs::path& run) {

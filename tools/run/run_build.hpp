@@ -16,7 +16,7 @@ class RunBuild {
   /// Throws IoError where the run cannot be replaced: somebody's own files lie in it, it is a mount
   /// point, or the process works in it; std::system_error where nothing can be made beside it.
   RunBuild(const std::filesystem::path& run, std::shared_ptr<const RunLock> lock);
-  /// Removes a build that does not stand.
+  /// Removes a build that does not stand; its checkpoint goes to the run that stays.
   ~RunBuild();
   RunBuild(const RunBuild&) = delete;
   RunBuild& operator=(const RunBuild&) = delete;
@@ -34,6 +34,10 @@ class RunBuild {
   std::unique_ptr<RunLock> lock_;
   bool stands_ = false;
 };
+
+/// Moves the checkpoint of a build whose process was killed, if there is any, to the run that it
+/// was to replace.
+void rescue_checkpoint(const std::filesystem::path& run);
 
 /// Removes files that killed processes have left in a run. Its lock must be held.
 void sweep_leftovers(const std::filesystem::path& run);

@@ -3,6 +3,7 @@
 
 #include "tools/files/json_file.hpp"
 #include "tools/run/certificate_record.hpp"
+#include "tools/run/checkpoint_file.hpp"
 #include "tools/run/comparison_record.hpp"
 #include "tools/run/engine_record.hpp"
 #include "tools/run/iteration_record.hpp"
@@ -30,7 +31,8 @@ std::vector<std::pair<std::string, Json>> record_schemas() {
           {"comparison", schema_of<ComparisonRecord>()},
           {"numerics", schema_of<NumericsRecord>()},
           {"robustness", schema_of<RobustnessRecord>()},
-          {"engine_validation", schema_of<EngineRecord>()}};
+          {"engine_validation", schema_of<EngineRecord>()},
+          {"checkpoint", schema_of<CheckpointBegin>()}};
 }
 
 }  // namespace legwright

@@ -117,8 +117,11 @@ ProblemCosts::ProblemCosts(const CodesignProblem& problem, const FirstMotionOpti
     task.cost = costs_.emplace_back(std::make_unique<ObjectiveCost>(objective)).get();
     if (!problem.outers.empty())
       task.outer = costs_.emplace_back(problem.outers[k]->make_cost()).get();
-    task.guess = [&objective, first](const Eigen::VectorXd& s) {
-      return best_first_motion(objective, s, first);
+    const auto guesses = std::make_shared<int>(0);  // of this task: the names of their checkpoints
+    task.guess = [&objective, first, k, guesses](const Eigen::VectorXd& s) {
+      FirstMotionOptions own = first;
+      own.checkpoint = own.checkpoint.in(k).in((*guesses)++);
+      return best_first_motion(objective, s, own);
     };
     tasks_.push_back(std::move(task));
   }

@@ -35,12 +35,12 @@ void edit_task_run(const ResultFolder& folder, const CodesignProblem& problem, i
 }
 
 /// F of the given body with its best motions.
-double best_of_given_body(std::vector<WeightedCost> tasks, const DesignIteration& initial) {
+double best_of_given_body(std::vector<WeightedCost> tasks, const DesignIteration& initial,
+                          const MotionLimits& limits) {
   double sum = 0.0;
   for (std::size_t k = 0; k < tasks.size(); ++k) {
     tasks[k].initial_motion = initial.tasks.at(k).m;
-    const MotionLimits limits;
-    TaskSolver solver(tasks[k], limits);
+    TaskSolver solver(tasks[k], limits, limits.checkpoint.in(static_cast<int>(k)));
     if (!solver.start(initial.s)) return std::numeric_limits<double>::infinity();
     sum += tasks[k].weight * (solver.now().value + solver.now().outer_value);
   }
@@ -111,11 +111,12 @@ class ChangeReasons::CostsByThread {
 };
 
 ChangeReasons::ChangeReasons(const CodesignProblem& problem, int threads, double share,
-                             bool physics, StopAsked stop)
+                             bool physics, StopAsked stop, Checkpoint checkpoint)
     : problem_(problem),
       threads_(thread_count(threads)),
       physics_(physics),
-      stop_(std::move(stop)) {
+      stop_(std::move(stop)),
+      checkpoint_(std::move(checkpoint)) {
   fewest_.share = share;
 }
 
@@ -130,6 +131,7 @@ std::vector<PutBack> ChangeReasons::rows_of(const DesignIteration& design) {
   PutBackOptions options;
   options.stop = stop_;
   options.limits.newton.go_on = [this] { return !stop_(); };
+  options.limits.checkpoint = checkpoint_.in(solved_++);
   return put_back(costs().tasks(), problem_.robot.space.initial(), design, options);
 }
 
@@ -142,6 +144,7 @@ void ChangeReasons::find_fewest(double initial_F, const DesignIteration& best,
   options.codesign.go_on = options.codesign.newton.go_on = [this] { return !stop_(); };
   options.stop = stop_;
   options.share = fewest_.share;
+  options.codesign.checkpoint = checkpoint_.in(solved_++);
   fewest_.initial_F = initial_F;
   designs_ = fewest_changes(costs().tasks(), space, space.initial(), fewest_.initial_F, best, rows,
                             options);
@@ -169,6 +172,7 @@ void ChangeReasons::keep_fewest(MultistartResult& found, const OnIteration& on_i
   options.method = DesignMethod::newton;  // what is to settle is nearly an optimum
   options.threads = threads_;
   options.go_on = options.newton.go_on = [this] { return !stop_(); };
+  options.checkpoint = checkpoint_.in("few");
   CodesignResult few =
       settle(costs().tasks().front(), space, space.initial(), designs_[fewest_.fewest], options);
   few.best.index = winner.result.best.index + 1;
@@ -189,7 +193,8 @@ std::vector<std::optional<PlayedCandidate>> ChangeReasons::play(
     const Candidate& chosen, const std::vector<std::optional<DesignIteration>>& designs) {
   if (!physics_) return std::vector<std::optional<PlayedCandidate>>(designs.size());
   load_gait_plugin();
-  return play_beside(problem_, chosen, designs, threads_, stop_);
+  return play_beside(problem_, chosen, designs, threads_, stop_,
+                     checkpoint_.in("plays").in(plays_++));
 }
 
 void ChangeReasons::play_fewest(const Candidate& chosen,
@@ -216,7 +221,11 @@ void ChangeReasons::write(const ResultFolder& folder, const MultistartResult& fo
   if (!chosen.planned.empty()) {  // its own F, not that of the task as it was asked
     costs_ = std::make_unique<CostsByThread>(problem_, chosen, threads_);
     evaluate_as_planned(problem_, chosen, best);
-    initial_F = best_of_given_body(costs().tasks().front(), found.joint.front().result.initial);
+    MotionLimits limits;
+    limits.newton.go_on = [this] { return !stop_(); };
+    limits.checkpoint = checkpoint_.in("given body");
+    initial_F =
+        best_of_given_body(costs().tasks().front(), found.joint.front().result.initial, limits);
   }
   const std::vector<PutBack> rows = rows_of(best);
   if (!fewest_.kept || !chosen.planned.empty()) find_fewest(initial_F, best, rows);

@@ -21,8 +21,9 @@ class ChangeReasons {
  public:
   /// @param threads 0: all cores @param share of the fall of F that few changes shall keep
   /// @param physics whether to ask it at all
+  /// @param checkpoint of what it solves
   ChangeReasons(const CodesignProblem& problem, int threads, double share, bool physics,
-                StopAsked stop);
+                StopAsked stop, Checkpoint checkpoint);
   ~ChangeReasons();
 
   using OnIteration = std::function<bool(const RunLabel&, const DesignIteration&)>;
@@ -49,6 +50,9 @@ class ChangeReasons {
   const int threads_;
   const bool physics_;
   const StopAsked stop_;
+  const Checkpoint checkpoint_;
+  // Lists of rows and sequences so far, and of plays: the names of their checkpoints.
+  int solved_ = 0, plays_ = 0;
   std::unique_ptr<CostsByThread> costs_;
   FewestChangesRecord fewest_;
   std::vector<FewerChanges> designs_;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include "mjcf/text/input_error.hpp"
 #include "tools/files/clean_text.hpp"
 #include "tools/files/io_error.hpp"
 #include "tools/files/json_file.hpp"
 #include "tools/files/licence.hpp"
+#include "tools/run/run_build.hpp"
 #include "tools/run/run_json.hpp"
 #include "tools/verbs/optimize_run.hpp"
 #include "tools/verbs/stop_signals.hpp"
@@ -27,8 +29,44 @@ fs::path root_of(const OptimizeOptions& options, const CodesignProblem& problem)
   return fs::path("runs") / (plain_name(problem.robot.morphology.name) + "-" + problem.set.name);
 }
 
-int optimize(const OptimizeOptions& options) {
+/// Options and states of a search that goes on. Throws IoError where there is none, InputError
+/// where another program began it.
+ReadCheckpoint take_up(const OptimizeOptions& asked, OptimizeOptions& options) {
+  const fs::path run = asked.resume;
+  rescue_checkpoint(run);
+  std::optional<ReadCheckpoint> found = read_checkpoint(run);
+  if (!found)
+    throw IoError(run.string() + (is_run(run) ? ": its search came to its end; there is nothing to "
+                                                "go on with"
+                                              : ": holds no search that could go on; give the "
+                                                "folder that `legwright optimize` wrote"));
+  const CheckpointBegin now = begin_of(asked);
+  if (!asked.anyway && (found->begin.versions != now.versions || found->begin.factor != now.factor))
+    throw InputError(fmt::format(
+        "{}: its search was begun with other versions ({}; factors: {}) than these ({}; factors: "
+        "{}), so last bits may differ; --anyway goes on all the same",
+        run.string(), found->begin.versions.dump(), found->begin.factor, now.versions.dump(),
+        now.factor));
+  options = record_of<OptimizeOptions>(found->begin.options,
+                                       (checkpoint_folder(run) / "begin.json").string());
+  for (std::string* path : {&options.task, &options.robot})
+    if (!path->empty() && found->begin.folder != now.folder)
+      *path = (fs::path(found->begin.folder) / *path).lexically_normal().string();
+  options.run = asked.resume;
+  options.force = true;
+  options.quiet = asked.quiet;
+  options.json = asked.json;
+  return std::move(*found);
+}
+
+int optimize(const OptimizeOptions& asked) {
   CommandTimes times;
+  if (asked.task.empty() && asked.resume.empty())
+    throw InputError(
+        "optimize needs a TASK, or --resume RUN; `legwright optimize --help` tells more");
+  OptimizeOptions options = asked;
+  ReadCheckpoint checkpoint =
+      asked.resume.empty() ? ReadCheckpoint{begin_of(asked), {}} : take_up(asked, options);
   CodesignProblem problem = read_problem(options.task, options.robot, options.reach());
   check_options(options, problem);
   RunFollower follower;
@@ -36,6 +74,7 @@ int optimize(const OptimizeOptions& options) {
     fmt::print(stderr, "legwright: warning: {}\n", what);
   };
   follower.stop_signal = StopSignals::received;
+  follower.checkpoint = std::move(checkpoint);
   if (!options.quiet) tell_warnings(problem, follower);
   const fs::path root = root_of(options, problem);
   if (options.force) check_not_in_run(root, problem.robot.files);
@@ -50,6 +89,9 @@ int optimize(const OptimizeOptions& options) {
   if (!options.json && !options.quiet && stands)
     fmt::print("{}", problem.set.joint() ? joint_summary(run, root) : optimize_summary(run, root));
   std::fflush(stdout);
+  if (StopSignals::received() != 0 && !options.quiet)
+    fmt::print(stderr, "legwright: `legwright optimize --resume {}` goes on from here\n",
+               root.string());
   return exit_code(StopSignals::received(), *run.reasons);
 }
 

@@ -62,8 +62,52 @@ CloseGapOptions gap_options(const OptimizeOptions& options, const StopAsked& sto
   return {options.physics_steps, all_threads(options), teller_of(options), stop};
 }
 
+void fields(Fields& f, OptimizeOptions& options) {
+  f("task", options.task);
+  f("robot", options.robot);
+  f("confined", options.confined);
+  f("motion_only", options.motion_only);
+  f("max_iterations", options.max_iterations);
+  f("one_start", options.one_start);
+  f("stop_at", options.stop_at);
+  f("starts", options.starts);
+  f("seed", options.seed);
+  f("front", options.front);
+  f("physics_steps", options.physics_steps);
+  f("threads", options.threads);
+  f("no_certificate", options.no_certificate);
+  f("no_reasons", options.no_reasons);
+  f("bilevel", options.bilevel);
+  f("lbfgs", options.lbfgs);
+  f("few", options.few);
+  f("few_keeps", options.few_keeps);
+  f("plan_only", options.plan_only);
+  f("no_pictures", options.no_pictures);
+}
+
+namespace {
+
+/// --resume and what may stand beside it: all else is as it was begun.
+void add_resume(CLI::App& verb, OptimizeOptions& options) {
+  const std::vector<CLI::Option*> others =
+      verb.get_options([](const CLI::Option* option) { return option->get_name() != "--help"; });
+  CLI::Option* const resume =
+      verb.add_option("--resume", options.resume,
+                      "go on with the search of this run folder, which was stopped or killed, with "
+                      "the options that it was begun with");
+  for (CLI::Option* const other : others) resume->excludes(other);
+  verb.add_flag("--anyway", options.anyway,
+                "though another version of Legwright, or another kind of processor, began it: last "
+                "bits may differ then")
+      ->needs(resume);
+  verb.add_flag("--quiet", options.quiet, "say nothing but errors");
+  verb.add_flag("--json", options.json, "print run.json instead of a summary");
+}
+
+}  // namespace
+
 void add_options(CLI::App& verb, OptimizeOptions& options) {
-  verb.add_option("TASK", options.task, "task file (TOML), which names its robot")->required();
+  verb.add_option("TASK", options.task, "task file (TOML), which names its robot");
   verb.add_option("--robot", options.robot, "MJCF of another robot than the one the task names");
   verb.add_option("-o,--output", options.run, "folder of the run; default: runs/ROBOT-TASK");
   verb.add_flag("--motion-only", options.motion_only,
@@ -113,8 +157,7 @@ void add_options(CLI::App& verb, OptimizeOptions& options) {
                 "hand back the optimum of F, whatever MuJoCo says of it");
   verb.add_flag("--no-pictures", options.no_pictures, "no frame.png of the iterations");
   verb.add_flag("--force", options.force, "replace the run that the folder holds");
-  verb.add_flag("--quiet", options.quiet, "say nothing but errors");
-  verb.add_flag("--json", options.json, "print run.json instead of a summary");
+  add_resume(verb, options);
 }
 
 }  // namespace legwright

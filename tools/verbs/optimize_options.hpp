@@ -9,6 +9,7 @@
 #include "optimizer/solve/first_motion.hpp"
 #include "optimizer/solve/multistart.hpp"
 #include "tools/choose/choose_design.hpp"
+#include "tools/run/record.hpp"
 #include "tools/verbs/close_gap.hpp"
 #include "tools/verbs/reading_options.hpp"
 #include "tools/verbs/stop_asked.hpp"
@@ -26,7 +27,12 @@ struct OptimizeOptions : ReadingOptions {
   int starts = 0, threads = 0, front = 0, physics_steps = 0;
   std::uint64_t seed = 1;
   std::optional<double> stop_at;  // F
+  std::string resume;             // folder of a run whose search goes on
+  bool anyway = false;            // though another version of the program began it
 };
+
+/// What a search depends on, and what it shows: as a checkpoint keeps it.
+void fields(Fields& f, OptimizeOptions& options);
 
 /// Binds the options of the command line, with their help.
 void add_options(CLI::App& verb, OptimizeOptions& options);

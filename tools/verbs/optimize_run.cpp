@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "mjcf/text/input_error.hpp"
+#include "optimizer/factor/hessian_factor.hpp"
 #include "tools/choose/choose_design.hpp"
 #include "tools/files/clean_text.hpp"
 #include "tools/files/licence.hpp"
@@ -40,19 +41,24 @@ class OptimizeRun {
  public:
   OptimizeRun(const ResultFolder& folder, const CodesignProblem& problem,
               const OptimizeOptions& options, const RunFollower& follower, CommandTimes& times,
-              RunRecord& run)
+              CheckpointFile* checkpoint, RunRecord& run)
       : folder_(folder),
         problem_(problem),
         options_(options),
         follower_(follower),
         times_(times),
         run_(run),
+        checkpoint_file_(checkpoint),
+        checkpoint_(checkpoint, "run"),
         stop_([&follower] { return follower.stop_signal() != 0; }),
         settings_(settings_of(options, problem.task_count(), stop_)),
         progress_(make_progress(options, settings_.codesign, problem)),
         recorder_(folder, problem, progress_, !options.no_pictures, stop_),
-        costs_(problem, first_motion_of(options, stop_)),
-        reasons_(problem, options.threads, options.few_keeps / 100.0, !options.plan_only, stop_) {}
+        costs_(problem, first_motion()),
+        reasons_(problem, options.threads, options.few_keeps / 100.0, !options.plan_only, stop_,
+                 checkpoint_.in("reasons")) {
+    settings_.codesign.checkpoint = checkpoint_.in("search");
+  }
 
   /// Solves the problem and writes what comes of it.
   void solve() {
@@ -70,6 +76,12 @@ class OptimizeRun {
   }
 
  private:
+  FirstMotionOptions first_motion() const {
+    FirstMotionOptions out = first_motion_of(options_, stop_);
+    out.checkpoint = checkpoint_.in("first motion");
+    return out;
+  }
+
   MultistartResult search() {
     settings_.on_iteration = [this](const RunLabel& label, const DesignIteration& iteration) {
       const bool whole = static_cast<int>(label.tasks.size()) == problem_.task_count();
@@ -94,6 +106,7 @@ class OptimizeRun {
   Candidate choose(const MultistartResult& found) {
     ChoiceOptions how = choice_options(options_, settings_, stop_);
     how.space = reasons_.space_of_fewest();
+    how.codesign.checkpoint = checkpoint_.in("choice");
     try {
       ChosenDesign choice = choose_design(problem_, costs_.tasks(), found, along_, how);
       run_.choice = choice.record;
@@ -132,6 +145,7 @@ class OptimizeRun {
     }
     CodesignOptions rules = settings_.codesign;
     rules.on_iteration = [this](const DesignIteration&) { return !stop_(); };
+    rules.checkpoint = checkpoint_.in("front");
     run_.front = write_front(folder_, problem_, costs_.tasks(), found, options_.front, rules);
     times_.end_of("front");
   }
@@ -146,6 +160,7 @@ class OptimizeRun {
     }
     times_.add_to(*run_.seconds);
     write_json(folder_.run_json(), json_of(run_));
+    if (checkpoint_file_ != nullptr && !stop_()) checkpoint_file_->remove();
   }
 
   const ResultFolder& folder_;
@@ -154,6 +169,8 @@ class OptimizeRun {
   const RunFollower& follower_;
   CommandTimes& times_;
   RunRecord& run_;
+  CheckpointFile* const checkpoint_file_;  // null: nothing is kept
+  const Checkpoint checkpoint_;
   const StopAsked stop_;
   MultistartOptions settings_;
   Progress progress_;
@@ -162,6 +179,35 @@ class OptimizeRun {
   ChangeReasons reasons_;
   std::vector<DesignIteration> along_;  // of the whole problem
 };
+
+/// Throws InputError where task or robot are not those that a search was begun with.
+void check_inputs(const std::filesystem::path& root, const ByName<std::string>& begun,
+                  const ByName<std::string>& now) {
+  std::vector<std::string> changed;
+  for (const auto& [name, sum] : now)
+    if (const std::string* const before = begun.find(name); !before || *before != sum)
+      changed.push_back(name);
+  for (const auto& [name, sum] : begun)
+    if (!now.find(name)) changed.push_back(name);
+  if (changed.empty()) return;
+  throw InputError(fmt::format(
+      "{}: {} not what the search was begun with, so nothing that it came to holds; begin anew "
+      "with `legwright optimize TASK -o {} --force`",
+      root.string(),
+      changed.size() == 1 ? changed[0] + " is" : fmt::format("{} are", fmt::join(changed, ", ")),
+      root.string()));
+}
+
+/// Where the search of a run is kept; null where it is not.
+std::unique_ptr<CheckpointFile> checkpoint_of(const ResultFolder& folder,
+                                              const RunFollower& follower) {
+  if (!follower.checkpoint) return nullptr;
+  CheckpointBegin begin = follower.checkpoint->begin;
+  const ByName<std::string> inputs = sums_of_inputs(folder.root());
+  if (!begin.inputs.empty()) check_inputs(folder.in_the_end(folder.root()), begin.inputs, inputs);
+  begin.inputs = inputs;
+  return std::make_unique<CheckpointFile>(folder.root(), begin, follower.checkpoint->states);
+}
 
 /// Whoever follows a run need not wait for one that was given up.
 void note_failure(const ResultFolder& folder, RunRecord& run, const char* why) {
@@ -175,6 +221,11 @@ void note_failure(const ResultFolder& folder, RunRecord& run, const char* why) {
 }
 
 }  // namespace
+
+CheckpointBegin begin_of(const OptimizeOptions& options) {
+  return {
+      std::filesystem::current_path().string(), json_of(options), versions(), factor_name(), {}};
+}
 
 void check_options(const OptimizeOptions& options, const CodesignProblem& problem) {
   if (options.front > 0 && (problem.task_count() != 2 || options.one_start || options.motion_only))
@@ -214,7 +265,8 @@ RunRecord optimize_into(const ResultFolder& folder, CodesignProblem& problem,
                         CommandTimes& times) {
   RunRecord run = write_start(folder, problem, options.motion_only, follower.command);
   try {
-    OptimizeRun(folder, problem, options, follower, times, run).solve();
+    const auto checkpoint = checkpoint_of(folder, follower);
+    OptimizeRun(folder, problem, options, follower, times, checkpoint.get(), run).solve();
   } catch (const std::exception& error) {
     note_failure(folder, run, error.what());
     throw;

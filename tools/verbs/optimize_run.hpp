@@ -3,10 +3,12 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "optimizer/solve/multistart.hpp"
+#include "tools/run/checkpoint_file.hpp"
 #include "tools/run/install.hpp"
 #include "tools/run/result_folder.hpp"
 #include "tools/run/run_record.hpp"
@@ -25,6 +27,9 @@ struct RunFollower {
   std::function<void(const std::string&)> warn = [](const std::string&) {};
   /// The signal that asks to stop at once, or 0; asked often and from several threads.
   std::function<int()> stop_signal = [] { return 0; };
+  /// What the search goes on from, or an empty state of a new one: as it goes, the run's folder
+  /// has how far it is. Nothing: that is not kept.
+  std::optional<ReadCheckpoint> checkpoint = {};
   /// What run.json says of who called.
   std::vector<std::string> command = command_line();
 };
@@ -35,6 +40,9 @@ void check_options(const OptimizeOptions& options, const CodesignProblem& proble
 /// For a run that replaces another, which goes away in the end. Throws IoError where a robot's own
 /// meshes and licences lie in its folder.
 void check_not_in_run(const std::filesystem::path& root, const RobotFiles& files);
+
+/// What a checkpoint says of a search that begins here and now. @param options as they were asked
+CheckpointBegin begin_of(const OptimizeOptions& options);
 
 /// Tells what looks doubtful about robot and tasks before anything is solved.
 void tell_warnings(const CodesignProblem& problem, const RunFollower& follower);

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "optimizer/solve/checkpoint.hpp"
+#include "tools/choose/candidate.hpp"
+
+namespace legwright {
+
+void pass_state(SolveState& state, double& multiplier);
+void pass_state(SolveState& state, PlayedCandidate& played);
+void pass_state(SolveState& state, std::vector<PlayedCandidate>& played);
+
+/// What a play finds, or what it found before the process that made it was killed. Nothing is kept
+/// and nothing found once a run was asked to stop.
+template <class Play>
+auto kept_play(Checkpoint checkpoint, const std::function<bool()>& stop, const Play& play) {
+  if (stop && stop()) return play();  // of other candidates than a whole run has here
+  decltype(play()) out{};
+  if (std::vector<double> numbers = checkpoint.find(); !numbers.empty()) {
+    SolveState state(std::move(numbers));
+    pass_state(state, out);
+    return out;
+  }
+  out = play();
+  if (stop && stop()) return out;
+  SolveState state;
+  pass_state(state, out);
+  checkpoint.keep(state);
+  return out;
+}
+
+}  // namespace legwright
