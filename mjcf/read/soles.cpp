@@ -21,9 +21,41 @@ constexpr double kNarrow = 0.2;     // of its length: what is narrower is an edg
 constexpr int kRim = 8;             // points
 constexpr double kEachAlone = 0.2;  // least singular value: the share of a motion that is its own
 
-/// Adds points that a geom's surface reaches farthest down with, or candidates for them.
-void add_surface_points(const mjModel& model, const mjData& data, int geom,
-                        std::vector<Vector3d>& out) {
+struct GroundPoint {
+  Vector3d place;
+  int geom;
+};
+
+std::vector<GroundPoint> find_ground_points(const mjModel& model, const mjData& data,
+                                            const std::vector<int>& bodies) {
+  std::vector<GroundPoint> points;
+  for (const int body : bodies)
+    for (int k = 0; k < model.body_geomnum[body]; ++k) {
+      const int geom = model.body_geomadr[body] + k;
+      if (!collides(model, geom)) continue;
+      for (const Vector3d& place : surface_points(model, data, geom))
+        points.push_back({place, geom});
+    }
+  if (points.empty()) return points;
+  double low = std::numeric_limits<double>::infinity();
+  Vector3d least = Vector3d::Constant(low), most = -least;
+  for (const GroundPoint& point : points) {
+    low = std::min(low, point.place.z());
+    least = least.cwiseMin(point.place);
+    most = most.cwiseMax(point.place);
+  }
+  const double width = (most - least).head<2>().minCoeff();
+  points.erase(
+      std::remove_if(points.begin(), points.end(),
+                     [&](const GroundPoint& p) { return p.place.z() > low + kTilt * width; }),
+      points.end());
+  return points;
+}
+
+}  // namespace
+
+std::vector<Vector3d> surface_points(const mjModel& model, const mjData& data, int geom) {
+  std::vector<Vector3d> out;
   const Vector3d centre = vector_at(data.geom_xpos, geom), size = vector_at(model.geom_size, geom);
   const Matrix3d axes = matrix_at(data.geom_xmat, geom);
   switch (model.geom_type[geom]) {
@@ -59,41 +91,8 @@ void add_surface_points(const mjModel& model, const mjData& data, int geom,
     default:
       break;
   }
+  return out;
 }
-
-struct GroundPoint {
-  Vector3d place;
-  int geom;
-};
-
-std::vector<GroundPoint> find_ground_points(const mjModel& model, const mjData& data,
-                                            const std::vector<int>& bodies) {
-  std::vector<GroundPoint> points;
-  for (const int body : bodies)
-    for (int k = 0; k < model.body_geomnum[body]; ++k) {
-      const int geom = model.body_geomadr[body] + k;
-      if (!collides(model, geom)) continue;
-      std::vector<Vector3d> own;
-      add_surface_points(model, data, geom, own);
-      for (const Vector3d& place : own) points.push_back({place, geom});
-    }
-  if (points.empty()) return points;
-  double low = std::numeric_limits<double>::infinity();
-  Vector3d least = Vector3d::Constant(low), most = -least;
-  for (const GroundPoint& point : points) {
-    low = std::min(low, point.place.z());
-    least = least.cwiseMin(point.place);
-    most = most.cwiseMax(point.place);
-  }
-  const double width = (most - least).head<2>().minCoeff();
-  points.erase(
-      std::remove_if(points.begin(), points.end(),
-                     [&](const GroundPoint& p) { return p.place.z() > low + kTilt * width; }),
-      points.end());
-  return points;
-}
-
-}  // namespace
 
 std::vector<Vector3d> ground_points(const mjModel& model, const mjData& data,
                                     const std::vector<int>& bodies) {

@@ -9,6 +9,10 @@
 
 namespace legwright {
 
+/// Points with which a geom's surface reaches farthest down, or candidates for them: the bottom of
+/// a ball, ends of capsules, corners of boxes, rims and vertices [m, world].
+std::vector<Eigen::Vector3d> surface_points(const mjModel& model, const mjData& data, int geom);
+
 /// Where a link would touch level ground in the pose that `data` holds: the points of its colliding
 /// geoms that are about as low as its lowest, ends of capsules, corners of boxes and rims [m,
 /// world].

@@ -62,7 +62,7 @@ bool take_state(std::string_view& rest, CheckpointStates& states) {
 }
 
 [[noreturn]] void fail(const fs::path& path) {
-  throw std::system_error(errno, std::generic_category(), path.string());
+  throw std::system_error(errno, std::generic_category(), "cannot write " + path.string());
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "mjcf/propose/beside_feet.hpp"
 #include "optimizer/design/kinematics.hpp"
 #include "optimizer/motion/faced_frame.hpp"
 #include "optimizer/motion/initial_guess.hpp"
@@ -224,6 +225,7 @@ std::vector<std::string> task_warnings(const Task& task, const RobotModel& robot
         "most fall; raise gait.duty for steadier ones");
   if (std::string why = unsupported_stance(task, robot); !why.empty())
     warnings.push_back(std::move(why));
+  for (std::string& beside : beside_feet(robot)) warnings.push_back(std::move(beside));
   if (const ServoSag sag = servo_sag(robot, task); sag.soft() && sag.can_be_stiffer())
     warnings.push_back(
         fmt::format("soft servos: standing alone bends joint '{}' by {:.2g} rad (kp {:.4g} N "
