@@ -153,8 +153,10 @@ Json StudioService::get_shown(const StudioRequest& request) {
 
 Json StudioService::get_compare(const StudioRequest& request) {
   const auto space = workspace();
-  return comparison_json(*space->find(query_of(request, "a")),
-                         *space->find(query_of(request, "b")));
+  const auto a = space->find(query_of(request, "a")), b = space->find(query_of(request, "b"));
+  Json found = comparison_json(*a, *b);
+  found["verdict"] = {{"a", verdict_on(*a)}, {"b", verdict_on(*b)}};
+  return found;
 }
 
 Json StudioService::get_example(const StudioRequest& request) {

@@ -72,11 +72,26 @@ Json StudioService::post_judge(const StudioRequest&) {
             {options_.program.string(), "validate", run.folder().string(), "--quick", "--progress"},
             1);
     Json told = verdict_lines(run.folder());
+    note_verdict(*record->state, told["verdict"]["word"]);
     told["done"] = told["of"] = 1;
     told["revision"] = revision;
     job.tell(std::move(told), false);
   });
   return Json::object();
+}
+
+void StudioService::note_verdict(const SessionState& state, const std::string& word) {
+  const std::lock_guard lock(mutex_);
+  std::erase_if(judged_, [](const Judged& each) { return each.design.expired(); });
+  judged_.push_back({state.now, state.problem, word});
+}
+
+Json StudioService::verdict_on(const SessionState& state) const {
+  const std::lock_guard lock(mutex_);
+  for (auto each = judged_.rbegin(); each != judged_.rend(); ++each)
+    if (each->design.lock() == state.now && each->problem.lock() == state.problem)
+      return each->word;
+  return nullptr;
 }
 
 Json StudioService::delete_judge(const StudioRequest&) {

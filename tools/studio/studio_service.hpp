@@ -87,6 +87,10 @@ class StudioService {
   Json post_report(const StudioRequest& request);
   Json post_export(const StudioRequest& request);
 
+  /// Remembers what a verdict says of a state, and what was said of one: null where nobody judged.
+  void note_verdict(const SessionState& state, const std::string& word);
+  Json verdict_on(const SessionState& state) const;
+
   void take(Opening opening);
   /// The robot for which parameters are proposed. Throws InputError where there is none.
   std::filesystem::path proposing() const;
@@ -109,6 +113,13 @@ class StudioService {
   std::shared_ptr<Workspace> workspace_;  // by mutex_, with what follows
   std::unique_ptr<SessionFolder> folder_;
   Opening opened_;
+  /// A verdict, as long as the design that it is on is kept anywhere.
+  struct Judged {
+    std::weak_ptr<const DesignPoint> design;
+    std::weak_ptr<const CodesignProblem> problem;
+    std::string word;
+  };
+  std::vector<Judged> judged_;
   StatePointer saved_;              // what was saved last
   std::filesystem::path saved_at_;  // the run that holds it
   JobRunner judge_{hub_, "judge"}, jobs_{hub_, "job"};

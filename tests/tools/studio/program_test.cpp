@@ -149,12 +149,17 @@ TEST_F(StudioProgramTest, JudgesReportsAndExportsWhatStands) {
   RunningStudio studio(folder_.path(), LEGWRIGHT_SOURCE_DIR "/examples/quadruped/crawl.toml");
   Browser browser(studio.url());
   (void)browser.settled();
+  browser.post("/api/command", {{"do", "snapshot"}, {"name", "as built"}});
+  const std::string compare = "/api/compare?a=as%20built&b=";
+  EXPECT_TRUE(browser.get(compare)["verdict"]["a"].is_null());
   ASSERT_EQ(browser.post("/api/judge", Json::object())["status"], 200);
   EXPECT_EQ(browser.post("/api/judge", Json::object())["status"], 400) << "one at a time";
   const Json judged = browser.next("judge", [](const Json& j) { return !j["running"]; });
   ASSERT_TRUE(judged.contains("lines")) << judged;
   EXPECT_GT(judged["lines"].size(), 5U);
   EXPECT_FALSE(judged["verdict"]["words"].get<std::string>().empty());
+  EXPECT_EQ(browser.get(compare)["verdict"]["a"], judged["verdict"]["word"]);
+  EXPECT_EQ(browser.get(compare)["verdict"]["b"], judged["verdict"]["word"]) << "the same design";
   ASSERT_EQ(browser.post("/api/export", {{"path", "mine"}})["status"], 200);
   const Json exported = browser.next("job", [](const Json& j) { return !j["running"]; });
   EXPECT_EQ(exported.value("failed", ""), "");
@@ -162,6 +167,8 @@ TEST_F(StudioProgramTest, JudgesReportsAndExportsWhatStands) {
   ASSERT_EQ(browser.post("/api/save", {{"path", "run"}})["status"], 200);
   browser.post("/api/command", {{"do", "edit"}, {"values", {{"front_thigh_length", 0.1}}}});
   (void)browser.settled();
+  EXPECT_EQ(browser.get(compare)["verdict"]["a"], judged["verdict"]["word"]);
+  EXPECT_TRUE(browser.get(compare)["verdict"]["b"].is_null()) << "nobody judged it";
   EXPECT_EQ(browser.post("/api/report", {{"path", "run"}})["status"], 400) << "another state";
   browser.post("/api/command", {{"do", "undo"}});
   ASSERT_EQ(browser.post("/api/report", {{"path", "reported"}})["status"], 200);

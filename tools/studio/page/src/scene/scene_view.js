@@ -8,11 +8,13 @@ import { Footprints } from "./footprints.js";
 import { Handles } from "./handles.js";
 import { Marks } from "./marks.js";
 import { MotionPlayer } from "./motion_player.js";
+import { NameTag } from "./name_tag.js";
 import { RobotBody } from "./robot_body.js";
 import { Shadow } from "./shadow.js";
 import { Stage } from "./stage.js";
 
 const GHOST = new Color(0x7b8cff);
+const LANE = 0.9; // of the robot's size, between designs side by side
 const ARROW_SHARE = 0.55; // of the robot's size, for a force as large as its weight
 
 export class SceneView {
@@ -28,16 +30,20 @@ export class SceneView {
     const options = { meshSource, changed: () => this.stage.touch() };
     this.robot = new RobotBody(options);
     this.ghost = new RobotBody({ ...options, ghost: 0.32, tint: GHOST });
-    this.ghost.root.visible = false;
+    this.neighbour = new RobotBody(options);
+    for (const other of [this.ghost, this.neighbour]) other.root.visible = false;
+    this.other = this.ghost; // the one of them that is shown, if any
     this.planned = new Arrows(0x1f8a70);
     this.measured = new Arrows(0xe8871e);
     this.pushArrow = new Arrows(0xc2185b);
     this.footprints = new Footprints();
     this.handles = new Handles();
     this.marks = new Marks(this.labels);
+    this.tag = new NameTag(this.labels);
     this.shadow = new Shadow(this.stage.sun);
     this.walker = new Group();
-    this.walker.add(this.robot.root, this.ghost.root, this.footprints.root, this.handles.root);
+    this.walker.add(this.robot.root, this.footprints.root, this.handles.root);
+    this.walker.add(this.ghost.root, this.neighbour.root);
     for (const each of [this.planned, this.measured, this.pushArrow, this.marks])
       this.walker.add(each.root);
     this.stage.world.add(this.walker);
@@ -85,18 +91,36 @@ export class SceneView {
     this.robot.setDesign(extra.length ? { ...design, geoms: [...design.geoms, ...extra] } : design);
   }
 
-  /** Shows another design within this one; null takes it away. @param {?{design, motion}} other */
-  setGhost(other) {
-    this.ghost.root.visible = Boolean(other);
+  /**
+   * Shows another design within this one as a ghost, or beside it; null takes it away.
+   * @param {?{design, motion, name}} other
+   */
+  setGhost(other, { beside = false } = {}) {
+    const moved = this.besides() !== (beside && Boolean(other));
+    this.other.root.visible = false;
+    this.other = beside ? this.neighbour : this.ghost;
+    this.other.root.visible = Boolean(other);
     this.ghostPlayer = null;
+    this.tagged = (beside && other?.name) || "";
     if (other) {
-      this.ghost.setDesign(other.design);
+      this.other.setDesign(other.design);
       if (other.motion) {
         this.ghostPlayer = new MotionPlayer(other.motion);
         this.ghostPoses = new Float32Array(7 * this.ghostPlayer.bodyCount);
       }
     }
+    if (moved && this.framed && !this.stage.turned) this.fit();
     this.pose();
+  }
+
+  /** Whether two designs walk side by side. */
+  besides() {
+    return this.other === this.neighbour && this.neighbour.root.visible;
+  }
+
+  /** How far apart they walk [m]. */
+  lane() {
+    return this.besides() ? LANE * this.size : 0;
   }
 
   /**
@@ -153,10 +177,12 @@ export class SceneView {
     this.drawForces(poses);
     this.drawFeet(poses);
     this.stage.scene.updateMatrixWorld();
-    this.shadow.follow(this.robot.meshes);
+    const beside = this.besides() ? this.neighbour.meshes : [];
+    this.shadow.follow([...this.robot.meshes, ...beside]);
     const { camera, host } = this.stage;
     this.handles.update(this.robot, camera, host.clientHeight, this.size, this.readParameter);
     this.drawFaults();
+    this.tagNeighbour(camera);
     this.onPose?.();
   }
 
@@ -172,8 +198,9 @@ export class SceneView {
   fit() {
     const { size, height } = sizeOf(this.robot);
     this.size = size;
+    this.height = height;
     for (const each of [this.planned, this.measured, this.pushArrow]) each.thickness = size * 0.011;
-    this.stage.frameRobot(size, height);
+    this.stage.frameRobot(size + 0.6 * this.lane(), height);
   }
 
   follow(poses) {
@@ -181,18 +208,26 @@ export class SceneView {
     else if (this.live) this.offset.set(poses[7] ?? 0, poses[8] ?? 0, 0);
     else this.player.path(this.time, this.offset);
     this.walker.position.copy(this.offset).negate();
+    this.walker.position.y += this.lane() / 2;
     this.stage.ground.moveTo(-this.offset.x, -this.offset.y);
   }
 
   poseGhost() {
-    if (!this.ghost.root.visible) return;
-    const root = this.ghost.root.position;
-    root.set(0, 0, 0);
-    if (!this.ghostPlayer) return this.ghost.setPoses(this.live?.poses ?? this.poses);
+    const { other } = this;
+    if (!other.root.visible) return;
+    const root = other.root.position.set(0, -this.lane(), 0);
+    if (!this.ghostPlayer) return other.setPoses(this.live?.poses ?? this.poses);
     const { cycle, phase } = this.player?.at(this.time) ?? { cycle: 0, phase: 0 };
     const time = (cycle + phase) * this.ghostPlayer.period;
-    this.ghost.setPoses(this.ghostPlayer.sample(time, this.ghostPoses));
-    root.copy(this.offset).sub(this.ghostPlayer.path(time, new Vector3()));
+    other.setPoses(this.ghostPlayer.sample(time, this.ghostPoses));
+    root.add(this.offset).sub(this.ghostPlayer.path(time, new Vector3()));
+  }
+
+  /** Says which of two robots is the other one. */
+  tagNeighbour(camera) {
+    if (!this.besides()) return this.tag.show("");
+    const trunk = this.neighbour.groups[1] ?? this.neighbour.root;
+    this.tag.show(this.tagged, trunk, 0.4 * this.height, camera);
   }
 
   drawForces(poses) {

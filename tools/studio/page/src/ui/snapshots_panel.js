@@ -11,6 +11,12 @@ export class SnapshotsPanel {
     this.studio = studio;
     this.list = h("ul.snapshots");
     this.comparison = h("div.comparison", { aria: { live: "polite" } });
+    this.beside = false;
+    this.places = [
+      this.placeButton("Within", false, "The other design as a ghost in this one"),
+      this.placeButton("Beside", true, "The two designs side by side"),
+    ];
+    this.place = h("div.segmented", { hidden: true, aria: { label: "Other design" } }, this.places);
     this.element = h(
       "section.panel",
       { aria: { label: "Snapshots" } },
@@ -21,13 +27,33 @@ export class SnapshotsPanel {
         h("button.small", { type: "button", onClick: () => this.keep() }, "Keep…"),
       ),
       this.list,
+      this.place,
       this.comparison,
     );
     studio.store.on("state", (state) => this.update(state));
+    studio.store.on("judge", ({ running }) => !running && this.compareSoon());
     studio.store.on("forgotten", () => {
       this.ghost = undefined;
+      this.place.hidden = true;
       fill(this.comparison);
     });
+  }
+
+  placeButton(label, beside, title) {
+    const pressed = { pressed: String(beside === this.beside) };
+    return h(
+      "button.small",
+      { type: "button", title, aria: pressed, onClick: () => this.setBeside(beside) },
+      label,
+    );
+  }
+
+  setBeside(beside) {
+    this.beside = beside;
+    this.places.forEach((button, k) =>
+      button.setAttribute("aria-pressed", String((k === 1) === beside)),
+    );
+    if (this.shown) this.studio.view.setGhost(this.shown, { beside });
   }
 
   update(state) {
@@ -75,7 +101,9 @@ export class SnapshotsPanel {
     const { studio } = this;
     this.ghost = this.ghost === name ? undefined : name;
     this.update(studio.store.get("state"));
+    this.place.hidden = this.ghost === undefined;
     if (this.ghost === undefined) {
+      this.shown = null;
       studio.view.setGhost(null);
       fill(this.comparison);
       return;
@@ -87,7 +115,9 @@ export class SnapshotsPanel {
         get(`/api/design?${of}`),
         get(`/api/motion?${of}&task=${task}`),
       ]);
-      if (this.ghost === name) studio.view.setGhost({ design, motion });
+      if (this.ghost !== name) return;
+      this.shown = { design, motion, name };
+      studio.view.setGhost(this.shown, { beside: this.beside });
     });
     this.compare();
   }
