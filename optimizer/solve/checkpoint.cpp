@@ -39,7 +39,8 @@ void SolveState::operator()(std::string& member) {
   for (const char c : member) bytes.push_back(static_cast<unsigned char>(c));
   (*this)(bytes);
   member.clear();
-  for (const double byte : bytes) member.push_back(static_cast<char>(byte));
+  for (const double byte : bytes)
+    member.push_back(static_cast<char>(static_cast<unsigned char>(byte)));
 }
 
 Checkpoint Checkpoint::in(std::string_view name) const {

@@ -5,6 +5,7 @@
 #include <csignal>
 #include <exception>
 #include <functional>
+#include <optional>
 #include <thread>
 #include <utility>
 
@@ -15,11 +16,22 @@
 #include "tools/run/result_folder.hpp"
 #include "tools/task/task_file.hpp"
 #include "tools/verbs/optimize_run.hpp"
+#include "tools/verbs/resume.hpp"
 
 namespace nb = nanobind;
 
 namespace legwright {
 namespace {
+
+/// How far its search is: an earlier one's state where it shall go on. Nothing where the objective
+/// is a function of the caller's, which may be another one next time.
+std::optional<ReadCheckpoint> checkpoint_of(const FollowedRun& run) {
+  if (run.objective.is_valid() && !run.objective.is_none()) return std::nullopt;
+  if (run.options.resume.empty()) return ReadCheckpoint{begin_of(run.options), {}};
+  ReadCheckpoint search = unfinished_search(run.folder, false);
+  check_same_options(search, run.options, run.folder);
+  return search;
+}
 
 /// The run itself, without Python. @return what looks doubtful
 std::vector<std::string> optimize_followed(const RobotModel& robot, const FollowedRun& run,
@@ -57,6 +69,7 @@ std::vector<std::string> optimize_followed(const RobotModel& robot, const Follow
     };
   tell_warnings(problem, follower);
   follower.command = {"legwright.codesign()"};
+  follower.checkpoint = checkpoint_of(run);
   if (run.options.force) check_not_in_run(run.folder, problem.robot.files);
   const ResultFolder folder = ResultFolder::create(run.folder, run.options.force);
   optimize_into(folder, problem, run.options, follower, times);

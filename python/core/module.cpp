@@ -166,14 +166,18 @@ void bind_run(nb::module_& module) {
   module.def(
       "codesign",
       [](const RobotModel& robot, std::string text, fs::path file, fs::path folder,
-         OptimizeOptions options, nb::object on_iteration, nb::object objective) {
+         OptimizeOptions options, nb::object on_iteration, nb::object objective, bool resume) {
         options.quiet = true;
+        if (resume) {
+          options.resume = folder.string();
+          options.force = true;
+        }
         return run_followed(
             robot, {std::move(text), std::move(file), std::move(folder), std::move(options),
                     std::move(on_iteration), std::move(objective)});
       },
       "robot"_a, "text"_a, "file"_a, "folder"_a, "options"_a, "on_iteration"_a.none(),
-      "objective"_a.none(),
+      "objective"_a.none(), "resume"_a = false,
       "Runs `legwright optimize` into a new folder. Returns what looks doubtful.");
 }
 

@@ -10,7 +10,7 @@ from typing import Any
 
 from legwright import _core
 from legwright._design import Design
-from legwright._errors import LegwrightWarning
+from legwright._errors import InputError, LegwrightWarning
 from legwright._objective import Objective, ObjectiveFunction, asked
 from legwright._options import CODESIGN, checked, kind_of
 from legwright._robot import Robot
@@ -18,6 +18,7 @@ from legwright._task import Tasks, text_of
 
 Iteration = _core.Iteration
 _NEGATED = ('reasons', 'certificate', 'pictures')
+_NO_OPTIONS = ('check_gradient', 'resume')  # of the program
 
 
 def _options_of(words: Mapping[str, Any]) -> _core.Options:
@@ -26,7 +27,7 @@ def _options_of(words: Mapping[str, Any]) -> _core.Options:
     for name, value in words.items():
         if name in _NEGATED:
             setattr(options, f'no_{name}', not value)
-        elif name != 'check_gradient' and value is not None:
+        elif name not in _NO_OPTIONS and value is not None:
             setattr(options, name, value)
     return options
 
@@ -40,6 +41,7 @@ def codesign(
     on_iteration: Callable[[Iteration], bool | None] | None = None,
     folder: str | os.PathLike[str] | None = None,
     force: bool = False,
+    resume: bool = False,
     max_iterations: int | None = None,
     motion_only: bool = False,
     plan_only: bool = False,
@@ -75,6 +77,9 @@ def codesign(
         folder: of the run, written as it goes (`legwright play --live` follows it); default: a
             temporary one that goes with the design.
         force: replace the run that the folder holds.
+        resume: go on with the search of the folder's run, which was killed or interrupted, to the
+            same bytes: robot, task and options must be those that it was begun with. Not with an
+            objective of one's own.
         max_iterations: design iterations at most; default 60.
         motion_only: keep the given body, optimize its motion.
         plan_only: hand back the optimum of F, whatever MuJoCo says of it.
@@ -101,10 +106,17 @@ def codesign(
     """
     given = locals()  # before there are others than the keywords
     words = checked(CODESIGN, {name: given[name] for name in CODESIGN})
+    resume = words['resume']
     if on_iteration is not None and not callable(on_iteration):
         raise TypeError(
             f'on_iteration is {kind_of(on_iteration)}; expected a function of an Iteration'
         )
+    if resume and (folder is None or objective is not None):
+        fault = (
+            'goes on with the search in a folder, without an objective of your own; give the '
+            'folder of the run that was interrupted'
+        )
+        raise InputError(f'resume: {fault}', '', 0, 'resume', fault)
     text, file = text_of(task, robot)
     temporary = None
     if folder is None:
@@ -112,7 +124,7 @@ def codesign(
         folder = Path(temporary.name) / 'run'
     asks = None if objective is None else asked(objective, words['check_gradient'])
     doubts = _core.codesign(
-        robot._model, text, file, Path(folder), _options_of(words), on_iteration, asks
+        robot._model, text, file, Path(folder), _options_of(words), on_iteration, asks, resume
     )
     for doubt in doubts:
         warnings.warn(doubt, LegwrightWarning, stacklevel=2)

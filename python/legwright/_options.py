@@ -77,6 +77,7 @@ CODESIGN: Mapping[str, Option] = {
     'threads': THREADS,
     'pictures': Option(bool, False),
     'force': Option(bool, False),
+    'resume': Option(bool, False),
     'check_gradient': Option(bool, True),
 }
 """All of codesign()."""

@@ -72,6 +72,30 @@ def test_what_the_callback_raises_stops_the_run_and_arrives(puppy, sideways, tmp
     assert record['status'] == 'interrupted'
 
 
+def test_an_interrupted_search_goes_on_to_the_same_bytes(puppy, sideways, tmp_path):
+    def stop(iteration):
+        if iteration.index == 2:
+            raise KeyboardInterrupt
+
+    whole = lw.codesign(puppy, sideways, **QUICK)
+    run = tmp_path / 'run'
+    with pytest.raises(KeyboardInterrupt):
+        lw.codesign(puppy, sideways, folder=run, on_iteration=stop, **QUICK)
+    assert (run / 'checkpoint/states.bin').stat().st_size > 0
+    assert b'Python' in run_program('optimize', '--resume', run).stderr.encode()
+    with pytest.raises(lw.InputError, match='other options.*seed = 1'):
+        lw.codesign(puppy, sideways, folder=run, resume=True, seed=2, **QUICK)
+    with pytest.raises(lw.InputError, match='resume: .*folder'):
+        lw.codesign(puppy, sideways, resume=True, **QUICK)
+    design = lw.codesign(puppy, sideways, folder=run, resume=True, **QUICK)
+    assert design.F == whole.F and design.s.tolist() == whole.s.tolist()
+    for name in ('robot.xml', 'scene.xml', 'motion.csv'):
+        ours = (run / 'result' / name).read_bytes()
+        assert ours == (whole.folder / 'result' / name).read_bytes()
+    with pytest.raises(lw.IoError, match='came to its end'):
+        lw.codesign(puppy, sideways, folder=run, resume=True, **QUICK)
+
+
 def test_other_threads_go_on_meanwhile(puppy, sideways):
     counts, done = [0], threading.Event()
 

@@ -6,9 +6,9 @@
 #include "tools/files/io_error.hpp"
 #include "tools/files/json_file.hpp"
 #include "tools/files/licence.hpp"
-#include "tools/run/run_build.hpp"
 #include "tools/run/run_json.hpp"
 #include "tools/verbs/optimize_run.hpp"
+#include "tools/verbs/resume.hpp"
 #include "tools/verbs/stop_signals.hpp"
 #include "tools/verbs/summary.hpp"
 #include "tools/verbs/verbs.hpp"
@@ -29,44 +29,21 @@ fs::path root_of(const OptimizeOptions& options, const CodesignProblem& problem)
   return fs::path("runs") / (plain_name(problem.robot.morphology.name) + "-" + problem.set.name);
 }
 
-/// Options and states of a search that goes on. Throws IoError where there is none, InputError
-/// where another program began it.
-ReadCheckpoint take_up(const OptimizeOptions& asked, OptimizeOptions& options) {
-  const fs::path run = asked.resume;
-  rescue_checkpoint(run);
-  std::optional<ReadCheckpoint> found = read_checkpoint(run);
-  if (!found)
-    throw IoError(run.string() + (is_run(run) ? ": its search came to its end; there is nothing to "
-                                                "go on with"
-                                              : ": holds no search that could go on; give the "
-                                                "folder that `legwright optimize` wrote"));
-  const CheckpointBegin now = begin_of(asked);
-  if (!asked.anyway && (found->begin.versions != now.versions || found->begin.factor != now.factor))
-    throw InputError(fmt::format(
-        "{}: its search was begun with other versions ({}; factors: {}) than these ({}; factors: "
-        "{}), so last bits may differ; --anyway goes on all the same",
-        run.string(), found->begin.versions.dump(), found->begin.factor, now.versions.dump(),
-        now.factor));
-  options = record_of<OptimizeOptions>(found->begin.options,
-                                       (checkpoint_folder(run) / "begin.json").string());
-  for (std::string* path : {&options.task, &options.robot})
-    if (!path->empty() && found->begin.folder != now.folder)
-      *path = (fs::path(found->begin.folder) / *path).lexically_normal().string();
-  options.run = asked.resume;
-  options.force = true;
-  options.quiet = asked.quiet;
-  options.json = asked.json;
-  return std::move(*found);
-}
-
 int optimize(const OptimizeOptions& asked) {
   CommandTimes times;
   if (asked.task.empty() && asked.resume.empty())
     throw InputError(
         "optimize needs a TASK, or --resume RUN; `legwright optimize --help` tells more");
   OptimizeOptions options = asked;
-  ReadCheckpoint checkpoint =
-      asked.resume.empty() ? ReadCheckpoint{begin_of(asked), {}} : take_up(asked, options);
+  ReadCheckpoint checkpoint{begin_of(asked), {}};
+  if (!asked.resume.empty()) {
+    checkpoint = unfinished_search(asked.resume, asked.anyway);
+    options = options_of(checkpoint, asked.resume);
+    options.run = asked.resume;
+    options.force = true;
+    options.quiet = asked.quiet;
+    options.json = asked.json;
+  }
   CodesignProblem problem = read_problem(options.task, options.robot, options.reach());
   check_options(options, problem);
   RunFollower follower;

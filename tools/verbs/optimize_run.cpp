@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "mjcf/text/input_error.hpp"
-#include "optimizer/factor/hessian_factor.hpp"
 #include "tools/choose/choose_design.hpp"
 #include "tools/files/clean_text.hpp"
 #include "tools/files/licence.hpp"
@@ -221,11 +220,6 @@ void note_failure(const ResultFolder& folder, RunRecord& run, const char* why) {
 }
 
 }  // namespace
-
-CheckpointBegin begin_of(const OptimizeOptions& options) {
-  return {
-      std::filesystem::current_path().string(), json_of(options), versions(), factor_name(), {}};
-}
 
 void check_options(const OptimizeOptions& options, const CodesignProblem& problem) {
   if (options.front > 0 && (problem.task_count() != 2 || options.one_start || options.motion_only))

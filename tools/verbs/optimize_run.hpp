@@ -41,9 +41,6 @@ void check_options(const OptimizeOptions& options, const CodesignProblem& proble
 /// meshes and licences lie in its folder.
 void check_not_in_run(const std::filesystem::path& root, const RobotFiles& files);
 
-/// What a checkpoint says of a search that begins here and now. @param options as they were asked
-CheckpointBegin begin_of(const OptimizeOptions& options);
-
 /// Tells what looks doubtful about robot and tasks before anything is solved.
 void tell_warnings(const CodesignProblem& problem, const RunFollower& follower);
 

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/verbs/resume.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "mjcf/text/input_error.hpp"
+#include "optimizer/factor/hessian_factor.hpp"
+#include "tools/files/io_error.hpp"
+#include "tools/run/install.hpp"
+#include "tools/run/result_folder.hpp"
+#include "tools/run/run_build.hpp"
+
+namespace legwright {
+
+namespace fs = std::filesystem;
+
+CheckpointBegin begin_of(const OptimizeOptions& options) {
+  return {fs::current_path().string(), json_of(options), versions(), factor_name(), {}};
+}
+
+ReadCheckpoint unfinished_search(const fs::path& run, bool anyway) {
+  rescue_checkpoint(run);
+  std::optional<ReadCheckpoint> found = read_checkpoint(run);
+  if (!found)
+    throw IoError(run.string() + (is_run(run) ? ": its search came to its end; there is nothing to "
+                                                "go on with"
+                                              : ": holds no search that could go on; give the "
+                                                "folder that `legwright optimize` wrote"));
+  const CheckpointBegin now = begin_of({});
+  if (!anyway && (found->begin.versions != now.versions || found->begin.factor != now.factor))
+    throw InputError(fmt::format(
+        "{}: its search was begun with other versions ({}; factors: {}) than these ({}; factors: "
+        "{}), so last bits may differ; `legwright optimize --resume … --anyway` goes on all the "
+        "same",
+        run.string(), found->begin.versions.dump(), found->begin.factor, now.versions.dump(),
+        now.factor));
+  return std::move(*found);
+}
+
+OptimizeOptions options_of(const ReadCheckpoint& search, const fs::path& run) {
+  const CheckpointBegin& begin = search.begin;
+  auto options =
+      record_of<OptimizeOptions>(begin.options, (checkpoint_folder(run) / "begin.json").string());
+  if (options.task.empty())
+    throw InputError(run.string() +
+                     ": its search was begun in Python; call codesign() again, with the same "
+                     "arguments and resume=True");
+  if (begin.folder == fs::current_path().string()) return options;
+  for (std::string* path : {&options.task, &options.robot})
+    if (!path->empty()) *path = (fs::path(begin.folder) / *path).lexically_normal().string();
+  return options;
+}
+
+void check_same_options(const ReadCheckpoint& search, const OptimizeOptions& options,
+                        const fs::path& run) {
+  const Json now = json_of(options);
+  std::string others;
+  for (const auto& [name, value] : search.begin.options.items())
+    if (name != "threads" && (!now.contains(name) || now[name] != value))
+      others += (others.empty() ? "" : ", ") + name + " = " + value.dump();
+  if (others.empty() && search.begin.options.size() == now.size()) return;
+  throw InputError(fmt::format(
+      "{}: its search was begun with other options{}{}; give the same, or begin anew with force",
+      run.string(), others.empty() ? "" : ": ", others));
+}
+
+}  // namespace legwright
