@@ -69,7 +69,7 @@ bool take_state(std::string_view& rest, CheckpointStates& states) {
 
 void fields(Fields& f, CheckpointBegin& begin) {
   f("folder", begin.folder, "in which the process worked: paths in the options start there");
-  f("options", begin.options, "of the verb");
+  f("options", begin.options, "of the verb, each as JSON");
   f("versions", begin.versions, "of the program that searched");
   f("factor", begin.factor, "how Hessians are factored: last bits depend on it");
   f("inputs", begin.inputs, "CRC-32 of the files of task and robot");

@@ -17,11 +17,11 @@ namespace legwright {
 /// checkpoint/begin.json: of what a search was begun. One that is taken up begins likewise.
 struct CheckpointBegin {
   static constexpr RecordKind kKind{"legwright/checkpoint", 1, "optimize"};
-  std::string folder;              // in which the process worked: paths start there
-  nlohmann::ordered_json options;  // of the verb
-  nlohmann::ordered_json versions;
-  std::string factor;          // how Hessians are factored, which last bits depend on
-  ByName<std::string> inputs;  // CRC-32 of each file of inputs/
+  std::string folder;            // in which the process worked: paths start there
+  ByName<std::string> options;   // of the verb, each as JSON
+  ByName<std::string> versions;  // of the program and its libraries
+  std::string factor;            // how Hessians are factored, which last bits depend on
+  ByName<std::string> inputs;    // CRC-32 of each file of inputs/
 };
 
 void fields(Fields& f, CheckpointBegin& begin);

@@ -10,6 +10,7 @@
 #include "mjcf/text/input_error.hpp"
 #include "optimizer/factor/hessian_factor.hpp"
 #include "tools/files/io_error.hpp"
+#include "tools/files/parse_json.hpp"
 #include "tools/run/install.hpp"
 #include "tools/run/result_folder.hpp"
 #include "tools/run/run_build.hpp"
@@ -18,8 +19,30 @@ namespace legwright {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// Each member of an object as JSON.
+ByName<std::string> texts_of(const Json& object) {
+  ByName<std::string> out;
+  for (const auto& [name, value] : object.items()) out.of(name) = value.dump();
+  return out;
+}
+
+std::string words_of(const ByName<std::string>& versions) {
+  std::string out;
+  for (const auto& [name, version] : versions)
+    out += fmt::format("{}{} {}", out.empty() ? "" : ", ", name, version);
+  return out;
+}
+
+}  // namespace
+
 CheckpointBegin begin_of(const OptimizeOptions& options) {
-  return {fs::current_path().string(), json_of(options), versions(), factor_name(), {}};
+  CheckpointBegin begin{fs::current_path().string(), texts_of(json_of(options)), {}, "", {}};
+  const Json known = versions();  // must outlive the loop over its items
+  for (const auto& [name, version] : known.items()) begin.versions.of(name) = version;
+  begin.factor = factor_name();
+  return begin;
 }
 
 ReadCheckpoint unfinished_search(const fs::path& run, bool anyway) {
@@ -36,15 +59,17 @@ ReadCheckpoint unfinished_search(const fs::path& run, bool anyway) {
         "{}: its search was begun with other versions ({}; factors: {}) than these ({}; factors: "
         "{}), so last bits may differ; `legwright optimize --resume … --anyway` goes on all the "
         "same",
-        run.string(), found->begin.versions.dump(), found->begin.factor, now.versions.dump(),
+        run.string(), words_of(found->begin.versions), found->begin.factor, words_of(now.versions),
         now.factor));
   return std::move(*found);
 }
 
 OptimizeOptions options_of(const ReadCheckpoint& search, const fs::path& run) {
   const CheckpointBegin& begin = search.begin;
+  Json given = Json::object();
+  for (const auto& [name, text] : begin.options) given[name] = parse_json(text);
   auto options =
-      record_of<OptimizeOptions>(begin.options, (checkpoint_folder(run) / "begin.json").string());
+      record_of<OptimizeOptions>(given, (checkpoint_folder(run) / "begin.json").string());
   if (options.task.empty())
     throw InputError(run.string() +
                      ": its search was begun in Python; call codesign() again, with the same "
@@ -57,11 +82,13 @@ OptimizeOptions options_of(const ReadCheckpoint& search, const fs::path& run) {
 
 void check_same_options(const ReadCheckpoint& search, const OptimizeOptions& options,
                         const fs::path& run) {
-  const Json now = json_of(options);
+  const ByName<std::string> now = texts_of(json_of(options));
   std::string others;
-  for (const auto& [name, value] : search.begin.options.items())
-    if (name != "threads" && (!now.contains(name) || now[name] != value))
-      others += (others.empty() ? "" : ", ") + name + " = " + value.dump();
+  for (const auto& [name, text] : search.begin.options) {
+    const std::string* const here = now.find(name);
+    if (name != "threads" && (here == nullptr || *here != text))
+      others += fmt::format("{}{} = {}", others.empty() ? "" : ", ", name, text);
+  }
   if (others.empty() && search.begin.options.size() == now.size()) return;
   throw InputError(fmt::format(
       "{}: its search was begun with other options{}{}; give the same, or begin anew with force",

@@ -16,8 +16,8 @@ class CheckpointFileTest : public testing::Test {
  protected:
   CheckpointFileTest() {
     begin_.folder = "/somewhere";
-    begin_.options = {{"task", "task.toml"}};
-    begin_.versions = {{"legwright", "0"}};
+    begin_.options.of("task") = "\"task.toml\"";
+    begin_.versions.of("legwright") = "0";
     begin_.factor = "avx2";
     begin_.inputs.of("inputs/task.toml") = "01234567";
   }
