@@ -37,10 +37,12 @@ int optimize(const OptimizeOptions& asked) {
   OptimizeOptions options = asked;
   ReadCheckpoint checkpoint{begin_of(asked), {}};
   if (!asked.resume.empty()) {
+    check_alone(asked);
     checkpoint = unfinished_search(asked.resume, asked.anyway);
     options = options_of(checkpoint, asked.resume);
     options.run = asked.resume;
     options.force = true;
+    if (asked.threads > 0) options.threads = asked.threads;
     options.quiet = asked.quiet;
     options.json = asked.json;
   }

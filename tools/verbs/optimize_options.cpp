@@ -89,13 +89,10 @@ namespace {
 
 /// --resume and what may stand beside it: all else is as it was begun.
 void add_resume(CLI::App& verb, OptimizeOptions& options) {
-  const std::vector<CLI::Option*> others =
-      verb.get_options([](const CLI::Option* option) { return option->get_name() != "--help"; });
   CLI::Option* const resume =
       verb.add_option("--resume", options.resume,
                       "go on with the search of this run folder, which was stopped or killed, with "
                       "the options that it was begun with");
-  for (CLI::Option* const other : others) resume->excludes(other);
   verb.add_flag("--anyway", options.anyway,
                 "though another version of Legwright, or another kind of processor, began it: last "
                 "bits may differ then")

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -62,6 +63,25 @@ ReadCheckpoint unfinished_search(const fs::path& run, bool anyway) {
         run.string(), words_of(found->begin.versions), found->begin.factor, words_of(now.versions),
         now.factor));
   return std::move(*found);
+}
+
+void check_alone(const OptimizeOptions& asked) {
+  const ByName<std::string> usual = texts_of(json_of(OptimizeOptions{}));
+  std::string others;
+  const auto add = [&](std::string name) {
+    std::replace(name.begin(), name.end(), '_', '-');
+    others +=
+        fmt::format("{}{}", others.empty() ? "" : ", ", name == "task" ? "TASK" : "--" + name);
+  };
+  for (const auto& [name, text] : texts_of(json_of(asked))) {
+    const std::string* const same = usual.find(name);
+    if (name != "threads" && (same == nullptr || *same != text)) add(name);
+  }
+  if (!asked.run.empty()) add("output");
+  if (asked.force) add("force");
+  if (!others.empty())
+    throw InputError(
+        "--resume goes on with the options that the search was begun with; leave out " + others);
 }
 
 OptimizeOptions options_of(const ReadCheckpoint& search, const fs::path& run) {

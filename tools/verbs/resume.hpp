@@ -16,6 +16,9 @@ CheckpointBegin begin_of(const OptimizeOptions& options);
 /// `anyway`.
 ReadCheckpoint unfinished_search(const std::filesystem::path& run, bool anyway);
 
+/// Throws InputError where options are given beside --resume: those of the beginning hold.
+void check_alone(const OptimizeOptions& asked);
+
 /// The options that it was begun with, paths as they are from here. Throws InputError where it was
 /// begun in Python, whose tasks and objectives are in no file.
 OptimizeOptions options_of(const ReadCheckpoint& search, const std::filesystem::path& run);

@@ -156,7 +156,9 @@ TEST_F(Resume, ItIsRefusedAfterAnythingChanged) {
   EXPECT_TRUE(fs::exists(states())) << "a refusal costs nothing";
   EXPECT_LE(call({"optimize", "--resume", "run", "--anyway"}).code, 1);
 
-  EXPECT_EQ(call({"optimize", "--resume", "run", "--seed", "3"}).code, 2);
+  const Outcome more = call({"optimize", "t.toml", "--resume", "run", "--seed", "3", "--force"});
+  EXPECT_EQ(more.code, 2);
+  EXPECT_TRUE(contains(more.err, "leave out TASK, --seed, --force")) << more.err;
   EXPECT_EQ(call({"optimize", own.string(), "--anyway"}).code, 2);
   EXPECT_EQ(call({"optimize", "--resume", "nowhere"}).code, 3);
   const Outcome nothing = call({"optimize"});
