@@ -51,9 +51,8 @@ std::vector<double> Checkpoint::find() const {
   return store_ == nullptr ? std::vector<double>() : store_->find(name_);
 }
 
-void Checkpoint::keep(const SolveState& state) {
-  if (store_ == nullptr) return;
-  store_->keep(name_, state.numbers());
+void Checkpoint::keep_numbers(const std::vector<double>& numbers) {
+  store_->keep(name_, numbers);
   since_kept_ = Stopwatch();
 }
 

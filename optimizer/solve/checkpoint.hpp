@@ -73,13 +73,36 @@ class Checkpoint {
   Checkpoint in(std::string_view name) const;
   Checkpoint in(int number) const { return in(std::to_string(number)); }
   explicit operator bool() const { return store_ != nullptr; }
-  /// What was kept here; empty where nothing was.
-  std::vector<double> find() const;
-  void keep(const SolveState& state);
+  /// Reads the members that `pass` passes to a SolveState from what was kept here. @param origin
+  /// tells where the solve sets out from: what one from elsewhere kept is of no use to it.
+  /// @return whether there was anything
+  template <class Pass>
+  bool take_up(const Pass& pass, double origin = 0.0) const {
+    std::vector<double> numbers = find();
+    if (numbers.empty()) return false;
+    SolveState state(std::move(numbers));
+    double of_kept = origin;
+    state(of_kept);
+    if (of_kept != origin) return false;
+    pass(state);
+    return true;
+  }
+  /// Keeps the same members.
+  template <class Pass>
+  void keep(const Pass& pass, double origin = 0.0) {
+    if (store_ == nullptr) return;
+    SolveState state;
+    state(origin);
+    pass(state);
+    keep_numbers(state.numbers());
+  }
   /// Whether the last keep() is long enough ago that the next is worth its time.
   bool due() const;
 
  private:
+  std::vector<double> find() const;
+  void keep_numbers(const std::vector<double>& numbers);
+
   CheckpointStore* store_ = nullptr;
   std::string name_;
   Stopwatch since_kept_;

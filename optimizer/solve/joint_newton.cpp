@@ -110,7 +110,7 @@ class JointNewton {
 void JointNewton::run(int iterations) {
   if (result_.status != SolveStatus::iteration_limit) return;
   if (checkpoint_ && options_.go_on && !options_.go_on())
-    checkpoint_ = {};  // not as in a whole run
+    checkpoint_ = {};  // what begins after a stop is not what a whole run does
   if (history_.empty()) take_up();
   if (!history_.empty())  // another search may have used the costs in between
     for (const auto& block : blocks_) block->set_step_base(s_);
@@ -145,24 +145,14 @@ void JointNewton::pass_state(SolveState& state) {
   }
 }
 
-// What a process before this one had come to, if anything.
+// Where a process before this one had come to something.
 void JointNewton::take_up() {
-  std::vector<double> numbers = checkpoint_.find();
-  if (numbers.empty()) return;
-  SolveState state(std::move(numbers));
-  double origin = 0.0;
-  state(origin);
-  if (origin != origin_) return;
-  pass_state(state);
-  (void)for_all([&](MotionBlock& block) { return block.look_again(s_); });
+  if (checkpoint_.take_up([this](SolveState& state) { pass_state(state); }, origin_))
+    (void)for_all([&](MotionBlock& block) { return block.look_again(s_); });
 }
 
 void JointNewton::keep_state() {
-  if (!checkpoint_) return;
-  SolveState state;
-  state(origin_);
-  pass_state(state);
-  checkpoint_.keep(state);
+  checkpoint_.keep([this](SolveState& state) { pass_state(state); }, origin_);
 }
 
 bool JointNewton::for_all(const std::function<bool(MotionBlock&)>& work) const {

@@ -22,6 +22,7 @@ bool finite_hessian(const Evaluation& e) {
   return Eigen::Map<const VectorXd>(e.hessian_mm.valuePtr(), e.hessian_mm.nonZeros()).allFinite();
 }
 
+/// All but its history.
 void pass_report(SolveState& state, SolveReport& report) {
   state(report.status);
   state(report.iterations);
@@ -33,7 +34,6 @@ void pass_report(SolveState& state, SolveReport& report) {
   state(report.shifted_steps);
   state(report.exact_factor);
   state(report.stagnated);
-  state(report.history);
 }
 
 // Eigen's sparse matrices do not move: std::swap would copy half a megabyte three times.
@@ -118,27 +118,19 @@ void Newton::pass_state(SolveState& state) {
   pass_report(state, report_);
 }
 
-// What a process before this one had come to. @return whether there is anything
+// Where a process before this one had come to something. @return whether it had
 bool Newton::take_up() {
-  std::vector<double> numbers = checkpoint_.find();
-  if (numbers.empty()) return false;
-  SolveState state(std::move(numbers));
-  double origin = 0.0;
-  state(origin);
-  if (origin != origin_) return false;
-  pass_state(state);
+  if (!checkpoint_.take_up([this](SolveState& state) { pass_state(state); }, origin_)) return false;
   cost_.evaluate(s_, m_, Order::hessian, w_.here);
-  if (finished_ && factored_shift_ >= 0.0)  // callers solve with the last factor
+  if (!finished_) return true;
+  report_.history = history_;
+  if (factored_shift_ >= 0.0)  // callers solve with the last factor
     (void)w_.factor.factor(w_.here.hessian_mm, factored_shift_ * units_.cwiseAbs2().cwiseInverse());
   return true;
 }
 
 void Newton::keep_state() {
-  if (!checkpoint_) return;
-  SolveState state;
-  state(origin_);
-  pass_state(state);
-  checkpoint_.keep(state);
+  checkpoint_.keep([this](SolveState& state) { pass_state(state); }, origin_);
 }
 
 SolveReport Newton::run() {

@@ -74,14 +74,12 @@ bool TaskSolver::start(const VectorXd& s) {
   here_.s = s;
   NewtonOptions rules = options(limits_.final_tolerance, limits_.motion_iterations);
   Checkpoint early = checkpoint_.in("early");
-  if (std::vector<double> numbers = early.find(); !numbers.empty())
-    SolveState(std::move(numbers))(early_motion_);
+  const auto pass_early = [this](SolveState& state) { state(early_motion_); };
+  (void)early.take_up(pass_early);
   rules.on_step = [&](int steps, const VectorXd& m) {
     if (steps != kEarlySteps) return;
     early_motion_ = m;
-    SolveState state;
-    state(early_motion_);
-    early.keep(state);
+    early.keep(pass_early);
   };
   const SolveReport report = solve(s, here_.m, rules);
   motion_only_trace_ = report.history;

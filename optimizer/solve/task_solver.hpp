@@ -48,9 +48,8 @@ struct MotionLimits {
   // iterations: a robot that cannot do the task has no good motion to converge to.
   int stagnation_window = 10;
   double stagnation_decrease = 1e-5;
-  NewtonOptions newton =
-      {};  // rules of the motion solve; tolerance, limits and checkpoint are others
-  Checkpoint checkpoint = {};  // of the whole search, as NewtonOptions::checkpoint
+  NewtonOptions newton = {};   // rules of the motion solve; tolerance and limits are those above
+  Checkpoint checkpoint = {};  // place of the search, in which each solve has its own
 };
 
 /// Counts and wall seconds of one task's solves.

@@ -19,16 +19,10 @@ template <class Play>
 auto kept_play(Checkpoint checkpoint, const std::function<bool()>& stop, const Play& play) {
   if (stop && stop()) return play();  // of other candidates than a whole run has here
   decltype(play()) out{};
-  if (std::vector<double> numbers = checkpoint.find(); !numbers.empty()) {
-    SolveState state(std::move(numbers));
-    pass_state(state, out);
-    return out;
-  }
+  const auto pass = [&out](SolveState& state) { pass_state(state, out); };
+  if (checkpoint.take_up(pass)) return out;
   out = play();
-  if (stop && stop()) return out;
-  SolveState state;
-  pass_state(state, out);
-  checkpoint.keep(state);
+  if (!stop || !stop()) checkpoint.keep(pass);
   return out;
 }
 

@@ -90,9 +90,18 @@ ByName<std::string> sums_of_inputs(const fs::path& run) {
 
 fs::path checkpoint_folder(const fs::path& run) { return run / "checkpoint"; }
 
+bool has_checkpoint(const fs::path& run) {
+  std::error_code error;
+  return fs::exists(checkpoint_folder(run) / kBegin, error);
+}
+
+fs::file_time_type last_kept(const fs::path& run) {
+  return fs::last_write_time(checkpoint_folder(run) / kStates);
+}
+
 std::optional<ReadCheckpoint> read_checkpoint(const fs::path& run) {
+  if (!has_checkpoint(run)) return std::nullopt;
   const fs::path folder = checkpoint_folder(run);
-  if (!fs::exists(folder / kBegin)) return std::nullopt;
   ReadCheckpoint out;
   out.begin = read_record_file<CheckpointBegin>(folder / kBegin);
   if (!fs::exists(folder / kStates)) return out;

@@ -40,6 +40,11 @@ struct ReadCheckpoint {
 /// Where a run has its checkpoint while there is no result, or none of a whole search.
 std::filesystem::path checkpoint_folder(const std::filesystem::path& run);
 
+/// Whether a run has a whole one: begin.json is written last.
+bool has_checkpoint(const std::filesystem::path& run);
+/// When a state was last kept there.
+std::filesystem::file_time_type last_kept(const std::filesystem::path& run);
+
 /// Reads the states up to the first that a killed process tore. Nothing where a run has no
 /// checkpoint. Throws IoError where begin.json is damaged.
 std::optional<ReadCheckpoint> read_checkpoint(const std::filesystem::path& run);

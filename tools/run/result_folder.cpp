@@ -51,7 +51,7 @@ bool check_free(const fs::path& root, bool force) {
            "choose another folder");
   if (!force)
     refuse(root, "already holds a run",
-           (fs::exists(checkpoint_folder(root))
+           (has_checkpoint(root)
                 ? "go on with its search with `legwright optimize --resume " + root.string() + "`, "
                 : "") +
                "choose another folder, or replace that run with --force (in Python force=True)");

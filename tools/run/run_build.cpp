@@ -85,10 +85,11 @@ void for_dead_builds(const fs::path& target, const std::function<void(const fs::
   }
 }
 
+/// The checkpoint of a build, where it is whole, takes the place of the run's.
 void move_checkpoint(const fs::path& build, const fs::path& run) {
   std::error_code ignored;
   const fs::path from = checkpoint_folder(build), to = checkpoint_folder(run);
-  if (!fs::exists(from, ignored)) return;
+  if (!has_checkpoint(build)) return;
   if (fs::exists(to, ignored))
     replace_folder(from, to);
   else
@@ -157,8 +158,13 @@ void RunBuild::stand() {
 void rescue_checkpoint(const fs::path& run) {
   std::error_code error;
   const fs::path target = fs::canonical(run, error);
-  if (!error)
-    for_dead_builds(target, [&](const fs::path& build) { move_checkpoint(build, target); });
+  if (error) return;
+  for_dead_builds(target, [&](const fs::path& build) {
+    if (!has_checkpoint(build)) return;
+    const RunLock lock(target);  // nobody's who is at work there
+    if (!has_checkpoint(target) || last_kept(build) > last_kept(target))
+      move_checkpoint(build, target);
+  });
 }
 
 void sweep_leftovers(const fs::path& run) {

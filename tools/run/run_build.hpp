@@ -35,8 +35,8 @@ class RunBuild {
   bool stands_ = false;
 };
 
-/// Moves the checkpoint of a build whose process was killed, if there is any, to the run that it
-/// was to replace.
+/// Moves the checkpoint of a build whose process was killed to the run that it was to replace, if
+/// that has none or an older one and nobody writes there.
 void rescue_checkpoint(const std::filesystem::path& run);
 
 /// Removes files that killed processes have left in a run. Its lock must be held.

@@ -14,6 +14,7 @@
 #include "tools/verbs/joint_folders.hpp"
 #include "tools/verbs/optimize_results.hpp"
 #include "tools/verbs/recorder.hpp"
+#include "tools/verbs/resume.hpp"
 
 namespace legwright {
 namespace {
@@ -179,31 +180,14 @@ class OptimizeRun {
   std::vector<DesignIteration> along_;  // of the whole problem
 };
 
-/// Throws InputError where task or robot are not those that a search was begun with.
-void check_inputs(const std::filesystem::path& root, const ByName<std::string>& begun,
-                  const ByName<std::string>& now) {
-  std::vector<std::string> changed;
-  for (const auto& [name, sum] : now)
-    if (const std::string* const before = begun.find(name); !before || *before != sum)
-      changed.push_back(name);
-  for (const auto& [name, sum] : begun)
-    if (!now.find(name)) changed.push_back(name);
-  if (changed.empty()) return;
-  throw InputError(fmt::format(
-      "{}: {} not what the search was begun with, so nothing that it came to holds; begin anew "
-      "with `legwright optimize TASK -o {} --force`",
-      root.string(),
-      changed.size() == 1 ? changed[0] + " is" : fmt::format("{} are", fmt::join(changed, ", ")),
-      root.string()));
-}
-
 /// Where the search of a run is kept; null where it is not.
 std::unique_ptr<CheckpointFile> checkpoint_of(const ResultFolder& folder,
                                               const RunFollower& follower) {
   if (!follower.checkpoint) return nullptr;
   CheckpointBegin begin = follower.checkpoint->begin;
   const ByName<std::string> inputs = sums_of_inputs(folder.root());
-  if (!begin.inputs.empty()) check_inputs(folder.in_the_end(folder.root()), begin.inputs, inputs);
+  if (!begin.inputs.empty())
+    check_same_inputs(folder.in_the_end(folder.root()), begin.inputs, inputs);
   begin.inputs = inputs;
   return std::make_unique<CheckpointFile>(folder.root(), begin, follower.checkpoint->states);
 }

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "mjcf/text/input_error.hpp"
 #include "optimizer/factor/hessian_factor.hpp"
@@ -98,6 +99,23 @@ OptimizeOptions options_of(const ReadCheckpoint& search, const fs::path& run) {
   for (std::string* path : {&options.task, &options.robot})
     if (!path->empty()) *path = (fs::path(begin.folder) / *path).lexically_normal().string();
   return options;
+}
+
+void check_same_inputs(const fs::path& run, const ByName<std::string>& begun,
+                       const ByName<std::string>& now) {
+  std::vector<std::string> changed;
+  for (const auto& [name, sum] : now)
+    if (const std::string* const before = begun.find(name); !before || *before != sum)
+      changed.push_back(name);
+  for (const auto& [name, sum] : begun)
+    if (!now.find(name)) changed.push_back(name);
+  if (changed.empty()) return;
+  throw InputError(fmt::format(
+      "{}: {} not what the search was begun with, so nothing that it came to holds; begin anew "
+      "with `legwright optimize TASK -o {} --force`",
+      run.string(),
+      changed.size() == 1 ? changed[0] + " is" : fmt::format("{} are", fmt::join(changed, ", ")),
+      run.string()));
 }
 
 void check_same_options(const ReadCheckpoint& search, const OptimizeOptions& options,

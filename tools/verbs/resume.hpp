@@ -23,6 +23,10 @@ void check_alone(const OptimizeOptions& asked);
 /// begun in Python, whose tasks and objectives are in no file.
 OptimizeOptions options_of(const ReadCheckpoint& search, const std::filesystem::path& run);
 
+/// Throws InputError where task or robot are not those that a search was begun with.
+void check_same_inputs(const std::filesystem::path& run, const ByName<std::string>& begun,
+                       const ByName<std::string>& now);
+
 /// Throws InputError where a search was begun with other options than these.
 void check_same_options(const ReadCheckpoint& search, const OptimizeOptions& options,
                         const std::filesystem::path& run);

@@ -149,8 +149,10 @@ TEST(Checkpoint, WithoutAStoreKeepsNothing) {
   Checkpoint none;
   EXPECT_FALSE(none.in("a").in(3));
   EXPECT_FALSE(none.due());
-  none.keep(SolveState());
-  EXPECT_TRUE(none.find().empty());
+  double number = 1.0;
+  const auto pass = [&](SolveState& state) { state(number); };
+  none.keep(pass);
+  EXPECT_FALSE(none.take_up(pass));
 }
 
 TEST(Checkpoint, AStateOfAnotherStartIsOfNoUse) {

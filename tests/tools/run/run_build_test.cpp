@@ -7,11 +7,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <map>
 
 #include "tests/tools/files/temporary_folder.hpp"
 #include "tools/files/io_error.hpp"
 #include "tools/files/json_file.hpp"
+#include "tools/run/checkpoint_file.hpp"
 #include "tools/run/own_files.hpp"
 #include "tools/run/result_folder.hpp"
 
@@ -182,6 +184,49 @@ TEST_F(RunBuildOf, AFolderThatGoesAwayMeanwhileEndsTheRun) {
       EXPECT_THROW((void)folder.stand(), IoError);
     }
   }
+}
+
+/// Keeps one state of a search in a run.
+void keep(const fs::path& run, double number) { CheckpointFile(run, {}, {}).keep("a", {number}); }
+double kept(const fs::path& run) { return read_checkpoint(run)->states.at("a").at(0); }
+
+TEST_F(RunBuildOf, AGivenUpBuildLeavesItsCheckpointToTheRunIfItIsWhole) {
+  keep(ResultFolder::create(run_, true).root(), 1.0);
+  EXPECT_EQ(kept(run_), 1.0);
+  keep(ResultFolder::create(run_, true).root(), 2.0);
+  EXPECT_EQ(kept(run_), 2.0);
+  {
+    const ResultFolder torn = ResultFolder::create(run_, true);
+    put(checkpoint_folder(torn.root()) / "states.bin", "");  // as a full disk leaves it
+  }
+  EXPECT_EQ(kept(run_), 2.0);
+  EXPECT_EQ(own_files_in(run_), std::vector<std::string>{});
+  EXPECT_EQ(entries(), 1U);
+}
+
+TEST_F(RunBuildOf, TheCheckpointOfAKilledBuildIsRescuedWhereItIsNewerAndNobodyWrites) {
+  keep(run_, 1.0);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    keep(ResultFolder::create(run_, true).root(), 2.0);
+    const ResultFolder folder = ResultFolder::create(run_, true);
+    keep(folder.root(), 3.0);
+    ::kill(::getpid(), SIGKILL);
+  }
+  ::waitpid(child, nullptr, 0);
+  {
+    const RunLock somebody(run_);
+    rescue_checkpoint(run_);
+    EXPECT_EQ(kept(run_), 2.0);
+  }
+  const fs::path states = checkpoint_folder(run_) / "states.bin";
+  const auto then = fs::last_write_time(states);
+  fs::last_write_time(states, then + std::chrono::hours(1));
+  rescue_checkpoint(run_);
+  EXPECT_EQ(kept(run_), 2.0) << "a newer one";
+  fs::last_write_time(states, then - std::chrono::hours(1));
+  rescue_checkpoint(run_);
+  EXPECT_EQ(kept(run_), 3.0);
 }
 
 TEST_F(RunBuildOf, ALinkToARunLeadsToTheNewOne) {
