@@ -203,14 +203,14 @@ Binding::Target resolve_stretch(const XmlFile& xml, const mjModel& model,
         *at.numeric,
         fmt::format("a length must stay positive; the lower bound {} is not", parameter.lower));
   check_stretchable(xml, model, *element);
-  return {word.name, false, word.factor, at.text->GetLineNum(), measure.direction};
+  return {word.name, false, word.factor, at.text->GetLineNum(), measure.direction, measure.still};
 }
 
 /// The direction that a word means for a joint: mirrored from that target without ~ whose mirror
 /// image the joint is.
 Eigen::Vector3d turn_of(const mjModel& model, const Structure& structure,
                         const DeclaredBinding& declared, const TargetWord& word, int joint) {
-  const Eigen::Vector3d n = Eigen::Vector3d::Unit(declared.direction[0] - 'x');
+  Eigen::Vector3d n = Eigen::Vector3d::Unit(declared.direction[0] - 'x');
   if (!word.mirrored) return n;
   std::vector<int> others;
   for (const TargetWord& other : declared.targets)

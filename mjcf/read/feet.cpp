@@ -27,7 +27,8 @@ constexpr double kBallFirst = 0.5;   // of its radius: a ball may be so much hig
 Eigen::Map<const Eigen::Matrix<float, 3, Eigen::Dynamic>> vertices_of(const mjModel& model,
                                                                       int geom) {
   const int mesh = model.geom_dataid[geom];
-  return {model.mesh_vert + 3 * model.mesh_vertadr[mesh], 3, model.mesh_vertnum[mesh]};
+  return {model.mesh_vert + std::ptrdiff_t{3} * model.mesh_vertadr[mesh], 3,
+          model.mesh_vertnum[mesh]};
 }
 
 bool is_mesh(const mjModel& model, int geom) {
@@ -69,7 +70,7 @@ double end_of_rod(const mjModel& model, const mjData& data, int geom, const Vect
   const double lower = side(-axes(2, 2), kLevel);
   if (lower != 0.0) return lower;
   const Vector3d end = model.geom_size[3 * geom + 1] * axes.col(2),
-                 centre = Vector3d::Map(data.geom_xpos + 3 * geom) - hinge;
+                 centre = Vector3d::Map(data.geom_xpos + std::ptrdiff_t{3} * geom) - hinge;
   const double ahead = (centre + end).norm(), behind = (centre - end).norm();
   if (std::min(ahead, behind) > kNearEnd * std::max(ahead, behind)) return 0.0;
   return ahead > behind ? 1.0 : -1.0;
@@ -79,7 +80,8 @@ FootContact contact_of(const mjModel& model, const mjData& data, int geom, const
   FootContact out;
   out.geom = geom;
   const Vector3d d = down(data, geom),
-                 half = half_sizes(model.geom_type[geom], model.geom_size + 3 * geom);
+                 half =
+                     half_sizes(model.geom_type[geom], model.geom_size + std::ptrdiff_t{3} * geom);
   switch (model.geom_type[geom]) {
     case mjGEOM_SPHERE:
       out.radius = half.x();
@@ -120,7 +122,7 @@ Arms arms_of(const XmlFile& xml, const TreeElements& elements, const mjModel& mo
              const FootContact& foot, const std::vector<Stretch>& stretches) {
   const int g = foot.geom;
   const Matrix3d axes = rotation_at(model.geom_quat, g);
-  const Vector3d half = half_sizes(model.geom_type[g], model.geom_size + 3 * g);
+  const Vector3d half = half_sizes(model.geom_type[g], model.geom_size + std::ptrdiff_t{3} * g);
   const bool from_to =
       inherited_attribute(xml, *elements.geoms[static_cast<std::size_t>(g)], "fromto") != nullptr;
   const auto grows = growing_axes(model.geom_type[g], half, axes, from_to, stretches);
@@ -149,7 +151,8 @@ bool collides(const mjModel& model, int geom) {
 double lowest_point(const mjModel& model, const mjData& data, int geom) {
   const double height = data.geom_xpos[3 * geom + 2];
   const Vector3d d = down(data, geom),
-                 half = half_sizes(model.geom_type[geom], model.geom_size + 3 * geom);
+                 half =
+                     half_sizes(model.geom_type[geom], model.geom_size + std::ptrdiff_t{3} * geom);
   switch (model.geom_type[geom]) {
     case mjGEOM_SPHERE:
       return height - half.x();
@@ -184,17 +187,19 @@ bool choose_foot(const XmlFile& xml, const mjModel& model, const mjData& data,
     if (geom < 0 || low(g) < low(geom)) geom = g;
     if (type == mjGEOM_SPHERE && (ball < 0 || low(g) < low(ball))) ball = g;
   }
-  if (ball >= 0 && low(ball) - low(geom) <= kBallFirst * model.geom_size[3 * ball]) geom = ball;
+  if (ball >= 0 && low(ball) - low(geom) <= kBallFirst * model.geom_size[std::ptrdiff_t{3} * ball])
+    geom = ball;
   if (geom >= 0) {
     // The balls of one sole that touch together are one foot.
     std::vector<int> others;
     for (int g = 0; g < model.ngeom && geom == ball; ++g)
       if (g != ball && model.geom_type[g] == mjGEOM_SPHERE && collides(model, g) &&
           model.geom_bodyid[g] == model.geom_bodyid[ball] &&
-          model.geom_size[3 * g] == model.geom_size[3 * ball] && low(g) - low(ball) <= kAsLow)
+          model.geom_size[std::ptrdiff_t{3} * g] == model.geom_size[std::ptrdiff_t{3} * ball] &&
+          low(g) - low(ball) <= kAsLow)
         others.push_back(g);
     const int last = model.body_jntadr[bodies.front()] + model.body_jntnum[bodies.front()] - 1;
-    foot = contact_of(model, data, geom, Vector3d::Map(data.xanchor + 3 * last));
+    foot = contact_of(model, data, geom, Vector3d::Map(data.xanchor + std::ptrdiff_t{3} * last));
     foot.others = std::move(others);
     if (is_mesh(model, geom)) {
       const TreeElements elements = find_elements(xml, model);
@@ -215,7 +220,7 @@ bool choose_foot(const XmlFile& xml, const mjModel& model, const mjData& data,
   if (site < 0) return false;
   foot = FootContact{};
   foot.site = site;
-  foot.radius = model.site_size[3 * site];
+  foot.radius = model.site_size[std::ptrdiff_t{3} * site];
   return true;
 }
 
@@ -261,7 +266,7 @@ AffineVector foot_shift(const XmlFile& xml, const TreeElements& elements, const 
   if (foot.geom < 0 || foot.middle || is_mesh(model, foot.geom)) return {};
   const Vector3d arm = arms_of(xml, elements, model, foot, stretches).rigid;
   if (is_across(arm, stretches)) return {};
-  AffineVector out = stretched_point(arm, stretches);
+  AffineVector out = stretched_arm(arm, stretches);
   out.constant -= arm;
   return out;
 }

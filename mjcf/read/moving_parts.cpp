@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "mjcf/text/model_arrays.hpp"
+
 namespace legwright {
 
 bool has_parts_of(const mjModel& model, const Structure& structure) {
@@ -23,6 +25,13 @@ std::vector<int> moving_joints(const mjModel& model, const Structure& structure,
   for (int j = model.body_jntadr[body]; j < model.body_jntadr[body] + model.body_jntnum[body]; ++j)
     if (structure.moves[static_cast<std::size_t>(j)]) out.push_back(j);
   return out;
+}
+
+Eigen::Vector3d carried_point(const mjModel& model, const Structure& structure, int body) {
+  Eigen::Vector3d origin = vector_at(model.body_pos, body);
+  const std::vector<int> hinges = moving_joints(model, structure, body);
+  if (hinges.empty()) return origin;
+  return origin + rotation_at(model.body_quat, body) * vector_at(model.jnt_pos, hinges.front());
 }
 
 int moving_body(const mjModel& model, const Structure& structure, int body) {

@@ -4,6 +4,7 @@
 
 #include <mujoco/mujoco.h>
 
+#include <Eigen/Core>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,10 @@ std::vector<int> moving_joints(const mjModel& model, const Structure& structure,
 
 /// The body whose hinge moves `body` in the plan: itself or one above it; the trunk moves itself.
 int moving_body(const mjModel& model, const Structure& structure, int body);
+
+/// Where a body goes with a stretch of the body above it, in that body's frame: its first hinge
+/// that moves, else its origin.
+Eigen::Vector3d carried_point(const mjModel& model, const Structure& structure, int body);
 
 /// What is held, for people: a line for each reason, with the joints that it holds.
 std::string held_text(const Structure& structure);

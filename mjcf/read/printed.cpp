@@ -132,8 +132,7 @@ class Printer {
     for (int k = 0; k < 3; ++k)
       for (const double sign : {1.0, -1.0}) {
         const Vector3d arm = sign * arms[k] * solid.axes.col(k);
-        const AffineVector out =
-            grows[k] ? stretched_point(arm, stretches_) : AffineVector{arm, {}};
+        const AffineVector out = grows[k] ? stretched_arm(arm, stretches_) : AffineVector{arm, {}};
         masses_.push_back({solid.density * volume / 6, sum(centre, out), growth,
                            solid.mass_given ? 0.0 : volume / 6});
       }

@@ -22,6 +22,7 @@ struct Binding {
     int line = 0;           // of the <text> that declares it
     Eigen::Vector3d direction =
         Eigen::Vector3d::Zero();  // as it holds for this target, its body's frame, unit
+    double still = 0.0;           // of a stretch: where along it nothing moves [m]
   };
   std::vector<Target> targets;
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();  // of the first target, not mirrored

@@ -20,7 +20,8 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kOblique = 1e-3;  // cosine: what is nearer to right angles is drawn so
+constexpr double kSamePlace = 1e-6;  // [m]: files have six digits
+constexpr double kOblique = 1e-3;    // cosine: what is nearer to right angles is drawn so
 
 /// Direct child bodies that carry a moving joint somewhere: for a trunk the roots of its limbs.
 std::vector<int> limb_children(const mjModel& model, const Structure& structure, int body) {
@@ -59,13 +60,7 @@ Vector3d distal_point(const XmlFile& xml, const mjModel& model, const XmlElement
           fmt::format("between body '{}' and the joint below it is the fixed body '{}'; put that "
                       "joint's body directly into '{}'",
                       name, name_of(model, mjOBJ_BODY, child), name));
-    if (!joints_at_origin(model, child))
-      throw xml.error(
-          place,
-          fmt::format("the joint below body '{}' is not at the origin of its body; move the origin "
-                      "of body '{}' there, so that the joint needs no pos",
-                      name, name_of(model, mjOBJ_BODY, child)));
-    return vector_at(model.body_pos, child);
+    return carried_point(model, structure, child);
   }
   const TreeElements elements = find_elements(xml, model);
   for (const FootContact& foot : structure.feet) {
@@ -113,37 +108,39 @@ StretchMeasure measure_stretch(const XmlFile& xml, const mjModel& model, const X
   if (word != "link" && hinges.empty()) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const int child : limb_children(model, structure, body)) {
-      low = std::min(low, axis.dot(vector_at(model.body_pos, child)));
-      high = std::max(high, axis.dot(vector_at(model.body_pos, child)));
+      const double at = axis.dot(carried_point(model, structure, child));
+      low = std::min(low, at);
+      high = std::max(high, at);
     }
     if (!(high - low > 1e-9))
       throw xml.error(
           place,
           fmt::format("the limbs of body '{}' are not spread along {}, so it has no length there",
                       name_of(model, mjOBJ_BODY, body), word));
-    return {axis, high - low};
+    return {axis, high - low, 0.0};
   }
   if (hinges.empty())
     throw xml.error(place,
                     fmt::format("body '{}' has no hinge of its own; stretch it along x, y or z",
                                 name_of(model, mjOBJ_BODY, body)));
-  const Vector3d reach =
-      distal_point(xml, model, place, body, structure) - vector_at(model.jnt_pos, hinges.back());
+  const Vector3d hinge = vector_at(model.jnt_pos, hinges.back());
+  const Vector3d reach = distal_point(xml, model, place, body, structure) - hinge;
   const double length = word == "link" ? reach.norm() : std::abs(axis.dot(reach));
   if (!(length > 1e-9))
     throw xml.error(place, fmt::format("body '{}' has no length along {}",
                                        name_of(model, mjOBJ_BODY, body), word));
   const Vector3d direction = word == "link" ? (reach / length).eval() : axis;
   for (int j = model.body_jntadr[body]; j < model.body_jntadr[body] + model.body_jntnum[body]; ++j)
-    if (std::abs(direction.dot(vector_at(model.jnt_pos, j))) > 1e-9)
+    if (std::abs(direction.dot(vector_at(model.jnt_pos, j) - hinge)) > kSamePlace)
       throw xml.error(
-          place,
-          fmt::format("stretching body '{}' would move its own hinge '{}' in the body above; move "
-                      "the origin of body '{}' there, so that the joint needs no pos",
-                      name_of(model, mjOBJ_BODY, body), name_of(model, mjOBJ_JOINT, j),
-                      name_of(model, mjOBJ_BODY, body)));
+          place, fmt::format(
+                     "stretching body '{}' from its hinge '{}' on would move its hinge '{}' in the "
+                     "body above, as their pos differ along the stretch; give each hinge a body "
+                     "of its own",
+                     name_of(model, mjOBJ_BODY, body), name_of(model, mjOBJ_JOINT, hinges.back()),
+                     name_of(model, mjOBJ_JOINT, j)));
   check_sole_tilt(xml, model, place, body, direction, structure);
-  return {direction, length};
+  return {direction, length, direction.dot(hinge)};
 }
 
 BodyInertia inertia_of(const XmlElement& inertial, const mjModel& model, int body) {
@@ -223,7 +220,7 @@ StretchMap collect_stretches(const DesignSpace& space, const std::vector<Binding
                   "body '{}' is already stretched along nearly this direction by 'legwright/{}'; "
                   "use perpendicular directions",
                   target.name, space.parameters[other.parameter].name));
-      own.push_back({k, target.direction, space.parameters[k].initial});
+      own.push_back({k, target.direction, space.parameters[k].initial, target.still});
     }
   }
   return stretches;

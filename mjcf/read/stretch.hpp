@@ -14,6 +14,7 @@ namespace legwright {
 struct StretchMeasure {
   Eigen::Vector3d direction;  // unit, body frame
   double length;              // [m]
+  double still;               // [m] along the direction: the hinge of the body, which stays
 };
 
 /// Measures a body along a direction word: `link` from its last hinge to the joint below or the

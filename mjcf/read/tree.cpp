@@ -101,7 +101,10 @@ class MorphologyBuilder {
   /// anchor. Joints that are held turn and shift the body within its link.
   void place(int body) {
     const int parent = model_.body_parentid[body];
-    Placement at{placements_[parent].link, point(parent, vector_at(model_.body_pos, body)),
+    const Vector3d carried = carried_point(model_, structure_, body);
+    AffineVector origin = point(parent, carried);
+    origin.constant += placements_[parent].rotation * (vector_at(model_.body_pos, body) - carried);
+    Placement at{placements_[parent].link, std::move(origin),
                  placements_[parent].rotation * rotation_at(model_.body_quat, body)};
     const int first = model_.body_jntadr[body], count = model_.body_jntnum[body];
     const std::vector<int> moving = moving_joints(model_, structure_, body);

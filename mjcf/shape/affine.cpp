@@ -5,14 +5,28 @@
 
 namespace legwright {
 
+namespace {
+
+/// What lies at `along` from where a stretch moves nothing goes with it.
+void add_stretch(const Stretch& stretch, double along, AffineVector& to) {
+  const Eigen::Vector3d part = stretch.direction * along;
+  if (part.isZero(0.0)) return;
+  to.constant -= part;
+  to.slopes.push_back({stretch.parameter, part / stretch.initial});
+}
+
+}  // namespace
+
 AffineVector stretched_point(const Eigen::Vector3d& point, const std::vector<Stretch>& stretches) {
   AffineVector out{point, {}};
-  for (const Stretch& stretch : stretches) {
-    const Eigen::Vector3d along = stretch.direction * stretch.direction.dot(point);
-    if (along.isZero(0.0)) continue;
-    out.constant -= along;
-    out.slopes.push_back({stretch.parameter, along / stretch.initial});
-  }
+  for (const Stretch& stretch : stretches)
+    add_stretch(stretch, stretch.direction.dot(point) - stretch.still, out);
+  return out;
+}
+
+AffineVector stretched_arm(const Eigen::Vector3d& arm, const std::vector<Stretch>& stretches) {
+  AffineVector out{arm, {}};
+  for (const Stretch& stretch : stretches) add_stretch(stretch, stretch.direction.dot(arm), out);
   return out;
 }
 
@@ -35,6 +49,13 @@ Eigen::Matrix3d stretch_matrix(const std::vector<Stretch>& stretches, const Eige
     map += stretch.direction * stretch.direction.transpose() *
            (s[stretch.parameter] / stretch.initial - 1.0);
   return map;
+}
+
+Eigen::Vector3d stretch_shift(const std::vector<Stretch>& stretches, const Eigen::VectorXd& s) {
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();
+  for (const Stretch& stretch : stretches)
+    shift -= stretch.direction * stretch.still * (s[stretch.parameter] / stretch.initial - 1.0);
+  return shift;
 }
 
 AffineVector sum(const AffineVector& a, const AffineVector& b) {

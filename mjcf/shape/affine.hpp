@@ -10,11 +10,12 @@
 
 namespace legwright {
 
-/// One stretch of a body, in its frame: a point p goes to p + d (d·p)(l/l₀ − 1).
+/// One stretch of a body, in its frame: a point p goes to p + d (d·p − c)(l/l₀ − 1).
 struct Stretch {
   int parameter;
   Eigen::Vector3d direction;  // d, unit
   double initial;             // l₀ [m], the value in the file
+  double still;               // c [m], where along d nothing moves: at the body's own hinge
 };
 /// The stretches of each body that has some, by MJCF name.
 using StretchMap = std::map<std::string, std::vector<Stretch>>;
@@ -33,8 +34,11 @@ AffineVector stretched_point(const Eigen::Vector3d& point, const std::vector<Str
 /// The same for a site some of whose coordinates are placed: those follow their parameter alone.
 AffineVector placed_point(const Eigen::Vector3d& point, const std::vector<Stretch>& stretches,
                           const std::vector<Place>& places);
-/// The linear map p ↦ A p of a body's points at design s.
+/// The difference of two points of a stretched body.
+AffineVector stretched_arm(const Eigen::Vector3d& arm, const std::vector<Stretch>& stretches);
+/// A and t of the map p ↦ A p + t of a body's points at design s.
 Eigen::Matrix3d stretch_matrix(const std::vector<Stretch>& stretches, const Eigen::VectorXd& s);
+Eigen::Vector3d stretch_shift(const std::vector<Stretch>& stretches, const Eigen::VectorXd& s);
 
 AffineVector sum(const AffineVector& a, const AffineVector& b);
 AffineVector negative(const AffineVector& a);

@@ -116,7 +116,7 @@ std::vector<Cover> cover_of_mesh(const mjModel& model, int geom, const Vector3d&
   const int most = detail == CoverDetail::edges    ? kMostOfTrunkMesh
                    : detail == CoverDetail::coarse ? kMostOfLimbMesh
                                                    : kMostOfRoughMesh;
-  const Vector3d middle = Vector3d::Map(model.geom_aabb + 6 * geom);
+  const Vector3d middle = Vector3d::Map(model.geom_aabb + std::ptrdiff_t{6} * geom);
   std::vector<Cover> out;
   for (const HullCapsule& capsule : cover_hull(model, model.geom_dataid[geom], most, enough)) {
     const auto share = [&](const Vector3d& end) -> Vector3d {
@@ -144,12 +144,14 @@ struct Shape {
 Shape shape_of(const XmlFile& xml, const TreeElements& elements, const mjModel& model, int geom,
                const std::vector<Stretch>& stretches) {
   const int type = model.geom_type[geom];
-  Shape out{
-      half_sizes(type, model.geom_size + 3 * geom), rotation_at(model.geom_quat, geom), {}, {}};
+  Shape out{half_sizes(type, model.geom_size + std::ptrdiff_t{3} * geom),
+            rotation_at(model.geom_quat, geom),
+            {},
+            {}};
   const Vector3d place = vector_at(model.geom_pos, geom);
   if (type == mjGEOM_MESH) {
     // MuJoCo's frame is at the mesh's centre of mass, its box about another place.
-    const mjtNum* box = model.geom_aabb + 6 * geom;  // centre, half sizes
+    const mjtNum* box = model.geom_aabb + std::ptrdiff_t{6} * geom;  // centre, half sizes
     out.half = Vector3d::Map(box + 3);
     const Vector3d centre = out.axes * Vector3d::Map(box);
     if (mesh_grows(xml, *elements.geoms[static_cast<std::size_t>(geom)])) {
@@ -186,7 +188,7 @@ std::vector<Capsule> capsules_of(const XmlFile& xml, const TreeElements& element
     for (Eigen::Index k = 0; k < 3; ++k) {
       const Vector3d arm = share[k] * shape.half[k] * shape.axes.col(k);
       if (shape.moves[static_cast<std::size_t>(k)])
-        end = sum(end, stretched_point(arm, stretches));
+        end = sum(end, stretched_arm(arm, stretches));
       else
         end.constant += arm;
     }

@@ -285,7 +285,8 @@ std::map<const XmlElement*, Vector3d> rigid_feet(const XmlFile& xml, const mjMod
         });
     if (!is_short) continue;
     const Vector3d point = foot_point(xml, elements, model, foot, {}).constant;
-    const Vector3d move = stretch_matrix(own->second, s) * point - point;
+    const Vector3d move =
+        stretch_matrix(own->second, s) * point + stretch_shift(own->second, s) - point;
     for (int g = 0; g < model.ngeom; ++g) {
       const XmlElement& element = *elements.geoms[static_cast<std::size_t>(g)];
       if (model.geom_type[g] == mjGEOM_MESH && is_same_place(model, g, foot.geom) &&

@@ -10,10 +10,12 @@
 #include "mjcf/read/bindings.hpp"
 #include "mjcf/read/feet.hpp"
 #include "mjcf/read/linear_actuators.hpp"
+#include "mjcf/read/moving_parts.hpp"
 #include "mjcf/read/stretch.hpp"
 #include "mjcf/shape/growing_axes.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/elements.hpp"
+#include "mjcf/text/model_arrays.hpp"
 #include "mjcf/text/numbers.hpp"
 #include "mjcf/text/text_edits.hpp"
 #include "mjcf/write/capsule_masses.hpp"
@@ -30,13 +32,14 @@ using Eigen::VectorXd;
 
 using RigidMap = std::map<const XmlElement*, Vector3d>;
 using ShiftMap = std::map<const XmlElement*, AffineVector>;
+using ArmMap = std::map<const XmlElement*, Vector3d>;
 
 /// One stretched body: how its points move, and how to write that into its elements.
 class BodyRewriter {
  public:
   BodyRewriter(const XmlFile& xml, const mjModel& model, const XmlElement& body,
                const std::vector<Stretch>& stretches, const PlaceMap& places, const VectorXd& s,
-               const RigidMap& rigid, const ShiftMap& feet, TextEdits& edits)
+               const RigidMap& rigid, const ShiftMap& feet, const ArmMap& hinges, TextEdits& edits)
       : xml_(xml),
         model_(model),
         body_(body),
@@ -45,7 +48,9 @@ class BodyRewriter {
         s_(s),
         rigid_(rigid),
         feet_(feet),
+        hinges_(hinges),
         map_(stretch_matrix(stretches, s)),
+        shift_(stretch_shift(stretches, s)),
         id_(mj_name2id(&model, mjOBJ_BODY, body.Attribute("name"))),
         edits_(edits) {}
 
@@ -56,24 +61,38 @@ class BodyRewriter {
   /// @param frame body ← frame: the frame's origin moves with the body, its axes stay.
   void parts(const XmlElement& holder, const Eigen::Isometry3d& frame) {
     const Matrix3d map = frame.linear().transpose() * map_ * frame.linear();
+    // What moves the frame moves what stands in it.
+    const bool in_frame = &holder != &body_;
+    const Vector3d moved_frame =
+        in_frame ? Vector3d(map_ * frame.translation() + shift_ - frame.translation())
+                 : Vector3d::Zero();
+    const Vector3d shift = in_frame ? Vector3d::Zero() : shift_;
     for (const XmlElement* part = holder.FirstChildElement(); part;
          part = part->NextSiblingElement()) {
       if (is_tag(*part, "inertial")) inertial(*part);
-      if (is_tag(*part, "body") || is_tag(*part, "frame"))
-        if (has_attribute(*part, "pos")) move(*part, "pos", map);
+      if (is_tag(*part, "frame")) move(*part, "pos", map, shift);
+      if (is_tag(*part, "body")) move(*part, "pos", map, shift + hinge_shift(*part, frame, map));
       if (is_tag(*part, "frame")) parts(*part, frame * pose_of(xml_, *part));
       const bool is_geom = is_tag(*part, "geom");
       const bool is_placed = is_tag(*part, "site") && has_attribute(*part, "name") &&
                              places_.count(part->Attribute("name")) > 0;  // write_places
       if (const auto foot = rigid_.find(part); foot != rigid_.end())
-        shift(*part, frame.linear().transpose() *
-                         (foot->second - (map_ * frame.translation() - frame.translation())));
+        move_by(*part, frame.linear().transpose() * (foot->second - moved_frame));
       else if (is_geom || (is_tag(*part, "site") && !is_placed))
-        shape(*part, map, frame.linear());
+        shape(*part, map, shift, frame.linear());
       const bool is_view = (is_tag(*part, "camera") || is_tag(*part, "light")) && is_fixed(*part);
-      if (is_view || is_tag(*part, "joint"))
-        if (inherited_attribute(xml_, *part, "pos")) move(*part, "pos", map);
+      if (is_view || is_tag(*part, "joint")) move(*part, "pos", map, shift);
     }
+  }
+
+  /// What a body below moves by besides its origin, in the axes of what it stands in: it goes with
+  /// its hinge.
+  Vector3d hinge_shift(const XmlElement& below, const Eigen::Isometry3d& frame,
+                       const Matrix3d& map) const {
+    const auto found = hinges_.find(&below);
+    if (found == hinges_.end()) return Vector3d::Zero();
+    const Vector3d arm = frame.linear().transpose() * found->second;
+    return map * arm - arm;
   }
 
   /// Cameras and lights that follow the robot or turn to it look at it from outside.
@@ -83,10 +102,11 @@ class BodyRewriter {
   }
 
   /// Writes mapped points; an attribute whose numbers stay is left alone, also where a class holds
-  /// it.
+  /// it, or where there is none: at the origin.
   void move(const XmlElement& part, const char* name, const Matrix3d& map,
-            const Vector3d& farther = Vector3d::Zero()) {
-    const auto numbers = parse_numbers(inherited_attribute(xml_, part, name));
+            const Vector3d& farther) {
+    const char* const told = inherited_attribute(xml_, part, name);
+    const auto numbers = parse_numbers(told ? told : "0 0 0");
     if (!numbers || numbers->size() % 3 != 0) return;
     VectorXd moved = VectorXd::Map(numbers->data(), static_cast<Eigen::Index>(numbers->size()));
     for (Eigen::Index i = 0; i + 2 < moved.size(); i += 3)
@@ -95,7 +115,7 @@ class BodyRewriter {
   }
 
   /// Moves a part by a distance in the axes of what it stands in.
-  void shift(const XmlElement& part, const Vector3d& distance) {
+  void move_by(const XmlElement& part, const Vector3d& distance) {
     const char* const pos = inherited_attribute(xml_, part, "pos");
     const auto numbers = parse_numbers(pos ? pos : "0 0 0");
     if (numbers && numbers->size() == 3)
@@ -110,15 +130,13 @@ class BodyRewriter {
 
   /// A geom or site: end points if it has some, else its place, and its size along the axes that
   /// grow with the body. A foot that keeps its thickness moves as its sole does.
-  void shape(const XmlElement& part, const Matrix3d& map, const Matrix3d& frame) {
+  void shape(const XmlElement& part, const Matrix3d& map, const Vector3d& shift,
+             const Matrix3d& frame) {
     const auto foot = feet_.find(&part);
-    const Vector3d farther = foot == feet_.end() ? Vector3d::Zero().eval()
-                                                 : (frame.transpose() * foot->second.at(s_)).eval();
+    const Vector3d farther =
+        foot == feet_.end() ? shift : (shift + frame.transpose() * foot->second.at(s_)).eval();
     if (inherited_attribute(xml_, part, "fromto")) return move(part, "fromto", map, farther);
-    if (inherited_attribute(xml_, part, "pos"))
-      move(part, "pos", map, farther);
-    else if (foot != feet_.end())
-      shift(part, farther);
+    move(part, "pos", map, farther);
     const char* type = inherited_attribute(xml_, part, "type");
     const char* size = inherited_attribute(xml_, part, "size");
     const std::string_view name = type ? type : "sphere";
@@ -151,7 +169,7 @@ class BodyRewriter {
   /// Centre and second moments are mapped like point masses; the mass stays.
   void inertial(const XmlElement& part) {
     if (map_ == Matrix3d::Identity()) return;
-    move(part, "pos", map_);
+    move(part, "pos", map_, shift_);
     const BodyInertia before = inertia_of(part, model_, id_);
     const Matrix3d second = before.inertia.trace() / 2 * Matrix3d::Identity() - before.inertia;
     const Matrix3d moved = map_ * second * map_.transpose();
@@ -184,7 +202,9 @@ class BodyRewriter {
   const VectorXd& s_;
   const RigidMap& rigid_;
   const ShiftMap& feet_;
+  const ArmMap& hinges_;
   const Matrix3d map_;
+  const Vector3d shift_;
   const int id_;
   TextEdits& edits_;
 };
@@ -218,6 +238,17 @@ ShiftMap shifted_feet(const XmlFile& xml, const mjModel& model, const TreeElemen
     AffineVector shift = foot_shift(xml, elements, model, foot, own->second);
     if (!shift.slopes.empty())
       out.emplace(elements.geoms[static_cast<std::size_t>(foot.geom)], std::move(shift));
+  }
+  return out;
+}
+
+/// From the origin of a body to its hinge where that is elsewhere, in the frame of the body above.
+ArmMap arms_to_hinges(const mjModel& model, const TreeElements& elements,
+                      const Structure& structure) {
+  ArmMap out;
+  for (int body = structure.trunk + 1; body < model.nbody; ++body) {
+    const Vector3d arm = carried_point(model, structure, body) - vector_at(model.body_pos, body);
+    if (!arm.isZero(0.0)) out.emplace(elements.bodies[static_cast<std::size_t>(body)], arm);
   }
   return out;
 }
@@ -299,9 +330,11 @@ std::string rewrite_robot(const RobotModel& robot, const VectorXd& design) {
   const PlaceMap places = collect_places(robot.space, robot.bindings, robot.file);
   const TreeElements elements = find_elements(*xml, *model);
   const RigidMap rigid = rigid_feet(*xml, *model, elements, robot.structure, all, s);
+  const ShiftMap feet = shifted_feet(*xml, *model, elements, robot.structure, all);
+  const ArmMap hinges = arms_to_hinges(*model, elements, robot.structure);
   for (const auto& [body, stretches] : all)
     BodyRewriter(*xml, *model, *find_named(xml->root(), "body", body), stretches, places, s, rigid,
-                 shifted_feet(*xml, *model, elements, robot.structure, all), edits)
+                 feet, hinges, edits)
         .run();
   write_places(robot, *xml, all, places, s, edits);
   write_mesh_scales(*xml, *model, elements, all, rigid, s, edits);

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "tests/mjcf/robots/mjcf_builder.hpp"
+#include "tests/mjcf/robots/shifted_robot.hpp"
 
 namespace legwright::test {
 
@@ -164,6 +165,8 @@ std::string named_robot(const std::string& name) {
   if (name == "crooked_weighed")  // its capsules' weight is told by `mass`
     return with(crooked_printed_robot(), "size=\"0.012\" density=\"700\"",
                 "size=\"0.012\" mass=\"0.07\"");
+  if (const std::string prefix = "shifted_"; name.starts_with(prefix))
+    return shifted_robot(named_robot(name.substr(prefix.size())));
   return name == "crooked" ? crooked_robot() : crooked_piston_robot();
 }
 

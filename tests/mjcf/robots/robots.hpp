@@ -27,7 +27,7 @@ std::string crooked_piston_robot();
 /// across and off the stretches.
 std::string crooked_printed_robot();
 /// By the names "crooked_printed", "crooked_weighed", "puppy", "piston_puppy" (of the examples),
-/// "crooked", "crooked_piston".
+/// "crooked", "crooked_piston"; with "shifted_" before the name as `shifted_robot` makes it.
 std::string named_robot(const std::string& name);
 /// Replaces the first occurrence; fails the test if there is none.
 std::string with(std::string text, const std::string& old_part, const std::string& new_part);

@@ -17,6 +17,7 @@
 #include "tests/mjcf/robots/construction_robots.hpp"
 #include "tests/mjcf/robots/mesh_quadruped.hpp"
 #include "tests/mjcf/robots/robots.hpp"
+#include "tests/mjcf/robots/shifted_robot.hpp"
 #include "tests/mjcf/robots/split_robot.hpp"
 #include "tests/tools/files/temporary_folder.hpp"
 
@@ -66,7 +67,9 @@ Misfit misfit(const RobotModel& robot, const VectorXd& s, const std::string& tex
     const Matrix3d map =
         found == stretches.end() ? Matrix3d::Identity() : stretch_matrix(found->second, s);
     const Matrix3Xd old = corners(*before, g), now = corners(*after, g);
-    Matrix3Xd wanted = map * old;
+    const Vector3d shift =
+        found == stretches.end() ? Vector3d::Zero() : stretch_shift(found->second, s);
+    Matrix3Xd wanted = (map * old).colwise() + shift;
     const std::string mesh = name_of(*before, mjOBJ_MESH, before->geom_dataid[g]);
     for (std::size_t f = 0; f < robot.structure.feet.size() && mesh.substr(0, 3) == "paw"; ++f) {
       const int foot = robot.structure.feet[f].geom;
@@ -98,6 +101,8 @@ VectorXd all_lengths(const RobotModel& robot, double share) {
       s[k] += share * (robot.space.upper()[k] - s[k]);
   return s;
 }
+
+std::string shifted_quadruped() { return test::shifted_robot(test::mesh_quadruped()); }
 
 class MeshRobots : public testing::TestWithParam<std::string (*)()> {
  protected:
@@ -136,7 +141,8 @@ TEST_P(MeshRobots, RewritingAWrittenFileAgainIsStable) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, MeshRobots,
-                         testing::Values(test::mesh_quadruped, test::classed_quadruped));
+                         testing::Values(test::mesh_quadruped, test::classed_quadruped,
+                                         shifted_quadruped));
 
 class MeshScales : public testing::Test {
  protected:

@@ -76,7 +76,21 @@ TEST_P(RandomDesigns, CompileAndMatchMujoco) {
 }
 INSTANTIATE_TEST_SUITE_P(Robots, RandomDesigns,
                          testing::Values("puppy", "crooked", "piston_puppy", "crooked_piston",
-                                         "crooked_printed", "crooked_weighed"));
+                                         "crooked_printed", "crooked_weighed", "shifted_puppy",
+                                         "shifted_crooked"));
+
+TEST(RewriteRobot, HingesOffTheOriginsOfTheirBodiesAreNoMatter) {
+  for (const char* name : {"puppy", "crooked", "crooked_printed", "crooked_weighed"}) {
+    const RobotModel robot = parse_robot(test::named_robot(name), name);
+    const RobotModel shifted = parse_robot(test::named_robot(std::string("shifted_") + name), name);
+    std::mt19937 random(3);
+    for (int trial = 0; trial < 5; ++trial) {
+      const VectorXd s = test::random_design(robot.space, random);
+      // MuJoCo writes six digits.
+      EXPECT_EQ(find_difference(robot.morphology, s, shifted.morphology, s, 2e-5), "") << name;
+    }
+  }
+}
 
 TEST(RewriteRobot, TouchesBoundAttributesOnly) {
   const RobotModel robot = read_robot(test::puppy_file());
