@@ -71,6 +71,24 @@ std::vector<HomeTouch> new_home_touches(const std::filesystem::path& before,
   return new_home_touches(*compiled(before), *compiled(after), after);
 }
 
+std::vector<BodyTouch> touching_bodies(const mjModel& model, const std::filesystem::path& file) {
+  Depths of_bodies;
+  for (const auto& [geoms, depth] : home_depths(model, file)) {
+    double& deepest =
+        of_bodies[std::minmax(model.geom_bodyid[geoms.first], model.geom_bodyid[geoms.second])];
+    deepest = std::max(deepest, depth);
+  }
+  std::vector<BodyTouch> out;
+  for (const auto& [bodies, depth] : of_bodies) {
+    BodyTouch touch{name_of(model, mjOBJ_BODY, bodies.first),
+                    name_of(model, mjOBJ_BODY, bodies.second), depth};
+    if (!touch.first.empty() && !touch.second.empty()) out.push_back(std::move(touch));
+  }
+  std::stable_sort(out.begin(), out.end(),
+                   [](const BodyTouch& a, const BodyTouch& b) { return a.depth > b.depth; });
+  return out;
+}
+
 std::string describe(const std::vector<HomeTouch>& touches) {
   if (touches.empty()) return "";
   std::string pairs;

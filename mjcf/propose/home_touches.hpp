@@ -27,6 +27,14 @@ std::vector<HomeTouch> new_home_touches(const mjModel& before, const mjModel& af
 std::vector<HomeTouch> new_home_touches(const std::filesystem::path& before,
                                         const std::filesystem::path& after);
 
+/// Two bodies whose geoms are inside each other in the home pose.
+struct BodyTouch {
+  std::string first, second;
+  double depth = 0.0;  // [m], of the deepest pair of geoms
+};
+/// Those of a model, the deepest first; bodies without names are left out. Throws as above.
+std::vector<BodyTouch> touching_bodies(const mjModel& model, const std::filesystem::path& file);
+
 /// What there is to say of them, in a sentence with the cure; empty where there are none.
 std::string describe(const std::vector<HomeTouch>& touches);
 

@@ -22,7 +22,9 @@ constexpr double kFarthestTurn = 2.6;   // from rest, of joints without range [r
 constexpr double kBesideWeight = 0.25;  // of the place beside the hip against that below it
 constexpr double kBelowWeight = 4.0;
 constexpr double kKneeBack = 0.02, kNearRest = 0.003;
-constexpr std::size_t kSearchStarts = 6;              // of the grid, from which the search goes on
+constexpr std::size_t kSearchStarts = 6;  // of the grid, from which the search goes on
+constexpr std::size_t kMostHingesOnGrid = 6;
+constexpr int kMostRounds = 200;  // along all angles; in a narrow valley each would gain a little
 constexpr double kFirstTurn = 0.2, kLastTurn = 1e-6;  // [rad]
 constexpr double kExactHeight = 1e-9;                 // [m]
 
@@ -85,7 +87,8 @@ class LegSearch {
       return;
     }
     const auto k = static_cast<Eigen::Index>(joint);
-    const int count = leg_.joints.size() <= 3 ? 7 : 3;
+    // No leg has as many hinges as an arm with its fingers: what is beyond is left in the middle.
+    const int count = leg_.joints.size() <= 3 ? 7 : joint < kMostHingesOnGrid ? 3 : 1;
     for (int n = 0; n < count; ++n) {
       const double share = (n + 0.5) / count;
       angles[k] = leg_.lower[joint] + share * (leg_.upper[joint] - leg_.lower[joint]);
@@ -94,7 +97,8 @@ class LegSearch {
   }
 
   void descend(Point& point) {
-    for (double step = kFirstTurn; step > kLastTurn;) {
+    double step = kFirstTurn;
+    for (int round = 0; round < kMostRounds && step > kLastTurn; ++round) {
       bool better = false;
       for (Eigen::Index k = 0; k < point.angles.size(); ++k)
         for (const double sign : {1.0, -1.0}) {
@@ -140,7 +144,7 @@ SearchedLeg leg_to(const mjModel& model, int trunk, int end) {
   for (int b = end; b < static_cast<int>(model.nbody); ++b)
     if (model.body_weldid[b] == model.body_weldid[end]) leg.bodies.push_back(b);
   for (const int joint : leg.joints) {
-    const mjtNum* range = model.jnt_range + 2 * joint;
+    const mjtNum* range = model.jnt_range + std::ptrdiff_t{2} * joint;
     const bool limited = model.jnt_limited[joint] != 0;
     const double off = limited ? kOffEnds * (range[1] - range[0]) : 0.0;
     leg.lower.push_back(limited ? std::max(range[0] + off, -kFarthestTurn) : -kFarthestTurn);
@@ -154,9 +158,9 @@ SearchedLeg leg_to(const mjModel& model, int trunk, int end) {
 /// From hinge to hinge, and on to the last link's lowest point.
 double length_of_chain(const mjModel& model, const mjData& data, const SearchedLeg& leg) {
   double length = 0.0;
-  Vector3d at = Vector3d::Map(data.xanchor + 3 * leg.joints.front());
+  Vector3d at = Vector3d::Map(data.xanchor + std::ptrdiff_t{3} * leg.joints.front());
   for (const int joint : leg.joints) {
-    const Vector3d next = Vector3d::Map(data.xanchor + 3 * joint);
+    const Vector3d next = Vector3d::Map(data.xanchor + std::ptrdiff_t{3} * joint);
     length += (next - at).norm();
     at = next;
   }
@@ -180,11 +184,11 @@ Vector3d SearchedLeg::touch(const mjModel& model, const mjData& data) const {
       }
     if (geom >= 0) break;
   }
-  if (geom < 0) return Vector3d::Map(data.xpos + 3 * bodies.back());
-  Vector3d at = Vector3d::Map(data.geom_xpos + 3 * geom);
+  if (geom < 0) return Vector3d::Map(data.xpos + std::ptrdiff_t{3} * bodies.back());
+  Vector3d at = Vector3d::Map(data.geom_xpos + std::ptrdiff_t{3} * geom);
   const int type = model.geom_type[geom];
   if (type == mjGEOM_CAPSULE || type == mjGEOM_CYLINDER) {
-    const mjtNum* frame = data.geom_xmat + 9 * geom;
+    const mjtNum* frame = data.geom_xmat + std::ptrdiff_t{9} * geom;
     const Vector3d axis(frame[2], frame[5], frame[8]);
     at -= std::copysign(model.geom_size[3 * geom + 1], axis.z()) * axis;
   }
@@ -195,7 +199,7 @@ Vector3d SearchedLeg::touch(const mjModel& model, const mjData& data) const {
 void SearchedLeg::measure(const mjModel& model, mjData& data) {
   const VectorXd before = angles_of(*this, model, data);
   set_angles(*this, model, data, rest_of(*this));
-  hip = Vector3d::Map(data.xanchor + 3 * hip_joint());
+  hip = Vector3d::Map(data.xanchor + std::ptrdiff_t{3} * hip_joint());
   rest = touch(model, data);
   LegSearch(*this, model, data, [&] { return touch(model, data).z(); }).run();
   reach = std::max(1e-6, data.xanchor[3 * hip_joint() + 2] - touch(model, data).z());
@@ -205,7 +209,7 @@ void SearchedLeg::measure(const mjModel& model, mjData& data) {
 bool SearchedLeg::put(const mjModel& model, mjData& data, const Vector3d& place) const {
   const auto cost = [&] {
     const Vector3d miss = (touch(model, data) - place) / reach;
-    const double knee = (data.xanchor[3 * joints.back()] - hip.x()) / reach;
+    const double knee = (data.xanchor[std::ptrdiff_t{3} * joints.back()] - hip.x()) / reach;
     return miss.x() * miss.x() + kBesideWeight * miss.y() * miss.y() +
            kBelowWeight * miss.z() * miss.z() + kKneeBack * knee;
   };
@@ -262,6 +266,7 @@ std::vector<SearchedLeg> legs_of_one_build(const mjModel& model, int trunk, cons
       best = std::move(group);
   }
   std::vector<SearchedLeg> legs;
+  legs.reserve(best.size());
   for (const std::size_t k : best) legs.push_back(chains[k]);
   return legs;
 }

@@ -27,11 +27,41 @@ std::vector<int> moving_joints(const mjModel& model, const Structure& structure,
   return out;
 }
 
+namespace {
+
+/// Ends that a body carries through bodies without joints: its own, if it has one.
+void collect_ends(const mjModel& model, const Structure& structure, int body,
+                  std::vector<int>& ends) {
+  if (!moving_joints(model, structure, body).empty()) {
+    ends.push_back(body);
+    return;
+  }
+  if (model.body_jntnum[body] > 0) return;
+  for (const FootContact& foot : structure.feet)
+    if ((foot.geom >= 0 ? model.geom_bodyid[foot.geom] : model.site_bodyid[foot.site]) == body)
+      ends.push_back(body);
+  for (int below = body + 1; below < model.nbody; ++below)
+    if (model.body_parentid[below] == body) collect_ends(model, structure, below, ends);
+}
+
+}  // namespace
+
+int end_of_fixed(const mjModel& model, const Structure& structure, int body) {
+  if (moving_joints(model, structure, model.body_parentid[body]).empty()) return body;
+  std::vector<int> ends;
+  collect_ends(model, structure, body, ends);
+  return ends.size() == 1 ? ends.front() : body;
+}
+
 Eigen::Vector3d carried_point(const mjModel& model, const Structure& structure, int body) {
-  Eigen::Vector3d origin = vector_at(model.body_pos, body);
-  const std::vector<int> hinges = moving_joints(model, structure, body);
-  if (hinges.empty()) return origin;
-  return origin + rotation_at(model.body_quat, body) * vector_at(model.jnt_pos, hinges.front());
+  const int end = end_of_fixed(model, structure, body);
+  const std::vector<int> hinges = moving_joints(model, structure, end);
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  if (!hinges.empty()) point = vector_at(model.jnt_pos, hinges.front());
+  for (int at = end;; at = model.body_parentid[at]) {
+    point = (vector_at(model.body_pos, at) + rotation_at(model.body_quat, at) * point).eval();
+    if (at == body) return point;
+  }
 }
 
 int moving_body(const mjModel& model, const Structure& structure, int body) {

@@ -21,8 +21,13 @@ std::vector<int> moving_joints(const mjModel& model, const Structure& structure,
 /// The body whose hinge moves `body` in the plan: itself or one above it; the trunk moves itself.
 int moving_body(const mjModel& model, const Structure& structure, int body);
 
-/// Where a body goes with a stretch of the body above it, in that body's frame: its first hinge
-/// that moves, else its origin.
+/// The body whose hinge or foot a fixed body carries as the end of a link, through fixed bodies
+/// alone; the body itself where it has a hinge, or carries none or several. Bodies on the trunk, or
+/// on another one without a hinge, carry themselves.
+int end_of_fixed(const mjModel& model, const Structure& structure, int body);
+
+/// Where a body goes with a stretch of the body above it, in that body's frame: the first hinge, or
+/// else the origin, of end_of_fixed().
 Eigen::Vector3d carried_point(const mjModel& model, const Structure& structure, int body);
 
 /// What is held, for people: a line for each reason, with the joints that it holds.

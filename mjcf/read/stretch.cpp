@@ -54,11 +54,11 @@ Vector3d distal_point(const XmlFile& xml, const mjModel& model, const XmlElement
                     name));
   if (children.size() == 1) {
     const int child = children.front();
-    if (moving_joints(model, structure, child).empty())
+    if (moving_joints(model, structure, end_of_fixed(model, structure, child)).empty())
       throw xml.error(
           place,
-          fmt::format("between body '{}' and the joint below it is the fixed body '{}'; put that "
-                      "joint's body directly into '{}'",
+          fmt::format("between body '{}' and the joint below it is the body '{}', whose joint is "
+                      "held or which branches; put that joint's body directly into '{}'",
                       name, name_of(model, mjOBJ_BODY, child), name));
     return carried_point(model, structure, child);
   }
@@ -66,13 +66,13 @@ Vector3d distal_point(const XmlFile& xml, const mjModel& model, const XmlElement
   for (const FootContact& foot : structure.feet) {
     int holder = foot_body(model, foot);
     if (holder == body) return foot_point(xml, elements, model, foot, {}).constant;
-    // A foot on a fixed body: that body's origin is the end of the link.
+    // A foot on a fixed body, or on one fixed to that: its body's origin is the end of the link.
     while (holder > body && model.body_parentid[holder] != body)
       holder = model.body_parentid[holder];
     if (holder > body &&
         moving_body(model, structure, holder) == moving_body(model, structure, body) &&
         joints_at_origin(model, holder))
-      return vector_at(model.body_pos, holder);
+      return carried_point(model, structure, holder);
   }
   throw xml.error(
       place,

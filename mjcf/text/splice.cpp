@@ -25,6 +25,11 @@ class Splicer {
   SplicedText run(std::string text) {
     out_.parts.push_back({{}, std::move(text)});
     auto xml = load_xml(out_.parts.front().text, file_);
+    if (is_tag(xml->root(), "robot"))
+      throw xml->error(
+          xml->root(),
+          "is a URDF, expected MJCF; `legwright init FILE.urdf -o robot.xml` makes MJCF "
+          "of it");
     if (!is_tag(xml->root(), "mujoco"))
       throw xml->error(xml->root(),
                        "the root element of a robot is <mujoco>; is this an MJCF file?");

@@ -76,7 +76,8 @@ class Proposals(Mapping[str, Proposal]):
             The file, for Robot().
 
         Raises:
-            InputError: where the robot's other files would not be found from there.
+            InputError: where the robot's other files would not be found from there, or a URDF gets
+                no `output`.
             IoError: where `output` is there already, or the robot's file has been changed since
                 propose() read it.
             OSError: where it cannot be written.
@@ -92,10 +93,11 @@ class Proposals(Mapping[str, Proposal]):
 
 
 def propose(file: str | os.PathLike[str]) -> Proposals:
-    """Studies a robot's MJCF and proposes its design parameters, as `legwright init`.
+    """Studies a robot's MJCF or URDF and proposes its design parameters, as `legwright init`.
 
     Links of legs may change in length, joints in their axes, the trunk in length and width; left
-    and right are tied. Each proposal is tried on the file itself. Nothing is written.
+    and right are tied. Each proposal is tried on the file itself. Nothing is written. A URDF is
+    studied as the MJCF that `write` makes of it.
 
     Raises:
         InputError: for anything wrong with the file, with its line.

@@ -163,8 +163,8 @@ def described(robot: str) -> Path | None:
     assert described is not None and described.origin is not None
     if 'MJCF_PATH' not in Path(described.origin).read_text(encoding='utf-8'):  # nothing to fetch
         other = re.sub('_description$', '_mj_description', robot)
-        meant = f'; {other!r} has one' if other in names else '; convert it to MJCF first'
-        raise _refusal(robot, f'has no MJCF, and Legwright reads no URDF{meant}')
+        meant = f'; {other!r} has one' if other in names else '; legwright init makes one of a URDF'
+        raise _refusal(robot, f'has no MJCF{meant}')
     try:
         module = importlib.import_module(f'{_PACKAGE}.{robot}')
     except Exception as error:

@@ -173,9 +173,9 @@ def descriptions(examples, tmp_path, monkeypatch):
 def test_a_name_of_robot_descriptions(examples, descriptions, monkeypatch, tmp_path):
     robot = lw.Robot('pup_mj_description')
     assert robot.name == 'puppy' and robot.file == examples / 'puppy/robot.xml'
-    with pytest.raises(lw.InputError, match=r"reads no URDF; 'pup_mj_description' has one"):
+    with pytest.raises(lw.InputError, match=r"has no MJCF; 'pup_mj_description' has one"):
         lw.Robot('pup_description')
-    with pytest.raises(lw.InputError, match='convert it to MJCF first'):
+    with pytest.raises(lw.InputError, match='makes one of a URDF'):
         lw.Robot('cat_description')
     with pytest.raises(lw.InputError, match="is 'pup_mj_description' meant"):
         lw.Robot('pupp_mj_description')

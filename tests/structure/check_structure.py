@@ -41,7 +41,15 @@ OPTIMIZER = (
     'optimizer/objective',
     'optimizer/solve',
 )
-MJCF = ('mjcf/text', 'mjcf/shape', 'mjcf/read', 'mjcf/write', 'mjcf/scene', 'mjcf/propose')
+MJCF = (
+    'mjcf/text',
+    'mjcf/shape',
+    'mjcf/read',
+    'mjcf/write',
+    'mjcf/scene',
+    'mjcf/propose',
+    'mjcf/urdf',
+)
 TOOLS = (
     'tools/files',
     'tools/task',
@@ -72,6 +80,7 @@ LAYERS = {
     'mjcf/write': ('optimizer/design', 'optimizer/motion') + MJCF[:3],
     'mjcf/scene': ('optimizer/design', 'optimizer/motion') + MJCF[:4],
     'mjcf/propose': ('optimizer/design', 'optimizer/motion') + MJCF[:5],
+    'mjcf/urdf': ('optimizer/design',) + MJCF[:3] + MJCF[5:6],
     'trajectory': (),
     'plugin': ('trajectory',),
     'tools/files': ('mjcf/text',),
@@ -137,6 +146,7 @@ LIBRARIES = (  # include path: paths that may use it; tests and benchmarks may u
             'mjcf/write/',
             'mjcf/scene/',
             'mjcf/propose/',
+            'mjcf/urdf/',
             'tools/simulate/',
         ),
     ),

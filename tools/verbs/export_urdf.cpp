@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "mjcf/text/compile.hpp"
-#include "mjcf/write/urdf.hpp"
+#include "mjcf/urdf/write_urdf.hpp"
 #include "tools/files/atomic_file.hpp"
 #include "tools/files/io_error.hpp"
 #include "tools/files/json_file.hpp"

@@ -34,8 +34,9 @@ std::string pose_text(const StudiedRobot& robot, bool writes) {
       "stands   in a pose that was found for it, as it does not in its home pose: {}\n"
       "         {}\n{}",
       robot.pose->why, robot.pose->words,
-      writes ? "         which is keyframe 'legwright' now\n"
-             : "         --write adds it as keyframe 'legwright'\n");
+      writes          ? "         which is keyframe 'legwright' now\n"
+      : robot.of_urdf ? "         the MJCF gets it as keyframe 'legwright'\n"
+                      : "         --write adds it as keyframe 'legwright'\n");
 }
 
 /// Bodies that got a name, by which their lengths are declared.
@@ -43,11 +44,13 @@ std::string names_text(const StudiedRobot& robot, bool writes) {
   if (robot.named.empty()) return "";
   return fmt::format("named    the bodies of the joints {}, which {} none, after {}\n",
                      fmt::join(robot.named, ", "), writes ? "had" : "have",
-                     writes ? "them" : "them (--write does)");
+                     writes || robot.of_urdf ? "them" : "them (--write does)");
 }
 
-std::string remarks_text(const ProposedParameters& found) {
+std::string remarks_text(const StudiedRobot& robot, const ProposedParameters& found) {
   std::string text;
+  if (robot.of_urdf) text += "made     MJCF of this URDF:\n";
+  for (const std::string& mended : robot.mended) text += "note     " + mended + "\n";
   for (const std::string& remark : found.remarks) text += "note     " + remark + "\n";
   return text;
 }
@@ -97,6 +100,8 @@ Json to_json(const StudiedRobot& robot, const std::string& written, const std::s
           {"left_out", found.left_out},
           {"named_bodies", robot.named},
           {"remarks", found.remarks},
+          {"of_urdf", robot.of_urdf},
+          {"mended", robot.mended},
           {"written", written.empty() ? Json(nullptr) : Json(written)},
           {"task", task.empty() ? Json(nullptr) : Json(task)}};
 }
@@ -138,6 +143,12 @@ bool lacks_task(const InitOptions& options, const ProposedParameters& found) {
   return options.gait.empty() && !no_task_text(found.model).empty();
 }
 
+/// What makes init write a robot that it studied.
+std::string writing_options(const StudiedRobot& robot) {
+  if (!robot.of_urdf) return " --write";
+  return " -o " + shell_word(robot.files.file().stem().string() + ".xml");
+}
+
 std::string next_step(const InitOptions& options, const StudiedRobot& robot,
                       const std::string& written, const std::string& task) {
   const ProposedParameters& found = robot.found;
@@ -149,18 +160,23 @@ std::string next_step(const InitOptions& options, const StudiedRobot& robot,
     const std::string gait = no_gait_text(found.model.morphology.foot_count());
     std::string text;
     if (adds)
-      text = fmt::format(
-          "next: legwright init {} --write   puts them into the file's <custom> section\n",
-          shell_word(options.robot));
+      text = fmt::format("next: legwright init {}{}   {}\n", shell_word(options.robot),
+                         writing_options(robot),
+                         robot.of_urdf ? "writes the robot as MJCF with them"
+                                       : "puts them into the file's <custom> section");
     if (!gait.empty())
       text += fmt::format("{}: {}; then legwright check TASK\n", adds ? "then" : "next", gait);
     else if (options.task.empty())  // else stderr has it
       text += fmt::format("no task  {}\n", no_task_text(found.model));
     return text;
   }
+  const bool makes = robot.of_urdf && written.empty();
   return fmt::format("next: legwright init {}{} --task task.toml   {}writes a first task\n",
-                     shell_word(written.empty() ? options.robot : written), adds ? " --write" : "",
-                     adds ? "puts them into the file's <custom> section and " : "");
+                     shell_word(written.empty() ? options.robot : written),
+                     adds ? writing_options(robot) : "",
+                     makes  ? "writes the robot as MJCF with them and "
+                     : adds ? "puts them into the file's <custom> section and "
+                            : "");
 }
 
 int init(const InitOptions& options) {
@@ -168,6 +184,11 @@ int init(const InitOptions& options) {
     throw InputError("--gait is for the task file that --task FILE writes; give both");
   const StudiedRobot robot = study_robot(options.robot, options.reach());
   const ProposedParameters& found = robot.found;
+  if (robot.of_urdf && (options.write || !options.task.empty()) && options.output.empty())
+    throw InputError(options.robot, 0, "",
+                     "is a URDF, which a task cannot name and which has no place for design "
+                     "parameters; add" +
+                         writing_options(robot) + ", which writes it as MJCF");
   if (robot.pose && !options.task.empty() && !options.write && options.output.empty())
     throw InputError(options.robot, 0, "",
                      "no task is written, in which the robot would not stand: " + robot.pose->why +
@@ -190,7 +211,7 @@ int init(const InitOptions& options) {
     return code;
   }
   fmt::print("{}", terminal_text(pose_text(robot, writes) + names_text(robot, writes) +
-                                 remarks_text(found)));
+                                 remarks_text(robot, found)));
   fmt::print("{}", terminal_text(writes ? robot_summary(found)
                                         : robot_tree(found) + proposal_table(found) + "\n"));
   if (writes)
@@ -213,11 +234,12 @@ int init(const InitOptions& options) {
 void add_init(CLI::App& program, Action& action) {
   const auto [verb, options] =
       add_verb(program, action, "init",
-               "Study a robot (MJCF), propose what a designer may change in it", init);
-  verb->add_option("ROBOT", options->robot, "MJCF file of the robot")->required();
+               "Study a robot (MJCF or URDF), propose what a designer may change in it", init);
+  verb->add_option("ROBOT", options->robot, "MJCF or URDF file of the robot")->required();
   verb->add_flag("--write", options->write,
                  "write the proposals into the file's <custom> section; all other bytes stay");
-  verb->add_option("-o,--output", options->output, "write to this new file instead");
+  verb->add_option("-o,--output", options->output,
+                   "write to this new file instead; a URDF becomes MJCF there");
   verb->add_option("--task", options->task,
                    "write a first task for the robot, by its size, to this new file");
   verb->add_option(

@@ -5,6 +5,8 @@
 
 #include "mjcf/propose/declare.hpp"
 #include "mjcf/text/input_error.hpp"
+#include "mjcf/text/splice.hpp"
+#include "mjcf/urdf/read_urdf.hpp"
 #include "tools/files/atomic_file.hpp"
 #include "tools/files/io_error.hpp"
 #include "tools/run/robot_folder.hpp"
@@ -25,11 +27,22 @@ void refuse_task(const fs::path& file) {
                                shell_word(file.string())));
 }
 
-}  // namespace
+/// The same reasons without lines, which are not those of the user's file.
+InputError of_made_mjcf(const InputError& error) {
+  if (!error.reasons().empty()) {
+    std::vector<InputError> reasons;
+    for (const InputError& reason : error.reasons()) reasons.push_back(of_made_mjcf(reason));
+    return InputError(std::move(reasons));
+  }
+  std::string message = error.message();
+  if (const std::size_t at = message.find(", line "); at != std::string::npos)
+    message.erase(at, message.find_first_not_of("0123456789", at + 7) - at);
+  return {error.file(), 0, error.where(), message};
+}
 
-StudiedRobot study_robot(const fs::path& file, const FileReach& reach) {
-  refuse_task(file);
-  RobotFiles files = RobotFiles::read(file, reach);
+/// What was found in a robot's files, with the pose and the names that it lacks.
+StudiedRobot study(RobotFiles files) {
+  const fs::path file = files.file();
   std::string text = files.main_text();
   std::optional<StandingPose> pose = find_standing_pose(files.text(), file);
   if (pose) files = files.with_main(with_keyframe(text, file, *pose));
@@ -41,12 +54,47 @@ StudiedRobot study_robot(const fs::path& file, const FileReach& reach) {
     found = files.at_their_lines([&] { return propose_parameters(files.text(), file); });
     for (const std::string& still : found.unnamed) named.erase(still);
   }
-  return {std::move(files), std::move(found), std::move(pose), std::move(text), std::move(named)};
+  return {std::move(files),
+          std::move(found),
+          std::move(pose),
+          std::move(text),
+          std::move(named),
+          false,
+          {}};
+}
+
+StudiedRobot study_urdf(std::string text, const fs::path& file, const FileReach& reach) {
+  MjcfOfUrdf made = mjcf_of_urdf(text, file);
+  try {
+    const StudiedRobot first = study(RobotFiles::from_text(std::move(made.text), file, reach));
+    made = mjcf_of_urdf(text, file, mending_of(first.found.model));
+    StudiedRobot robot = study(RobotFiles::from_text(std::move(made.text), file, reach));
+    robot.text = std::move(text);
+    robot.of_urdf = true;
+    robot.mended = std::move(made.notes);
+    return robot;
+  } catch (const InputError& error) {
+    throw of_made_mjcf(error);
+  }
+}
+
+}  // namespace
+
+StudiedRobot study_robot(const fs::path& file, const FileReach& reach) {
+  refuse_task(file);
+  std::string text = read_main_file(file);
+  if (is_urdf(text)) return study_urdf(std::move(text), file, reach);
+  return study(RobotFiles::from_text(std::move(text), file, reach));
 }
 
 std::string write_proposals(const StudiedRobot& robot, const std::string& output) {
   const fs::path& file = robot.files.file();
-  if (!output.empty() && fs::exists(output) && !fs::equivalent(output, file))
+  const bool onto_itself = output.empty() || (fs::exists(output) && fs::equivalent(output, file));
+  if (robot.of_urdf && onto_itself)
+    throw InputError(file.string(), 0, "",
+                     "is a URDF, which has no place for design parameters; -o ROBOT.xml writes it "
+                     "as MJCF with them");
+  if (fs::exists(output) && !onto_itself)
     throw IoError(output + ": exists already; name a new file, or remove it");
   if (robot.found.proposals.empty() && !robot.pose && output.empty()) return "";  // nothing to add
   std::string written = output.empty() ? file.string() : output;

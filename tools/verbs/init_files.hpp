@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "mjcf/propose/proposals.hpp"
 #include "mjcf/propose/standing_pose.hpp"
@@ -19,14 +20,18 @@ struct StudiedRobot {
   std::optional<StandingPose> pose;  // found for it; nothing where its home pose is one
   std::string text;                  // of the main file as it was read
   std::set<std::string> named;       // joints whose bodies had no name
+  bool of_urdf = false;              // `files` hold the MJCF that was made of it
+  std::vector<std::string> mended;   // on the way from it
 };
 
+/// A URDF is studied as the MJCF that mjcf_of_urdf() makes of it.
 /// Throws InputError as parse_robot() does, and for a task file in the place of its robot.
 StudiedRobot study_robot(const std::filesystem::path& file, const FileReach& reach = {});
 
 /// Declares the proposals in the robot's file, or in the new file `output`, and adds the keyframe
 /// of a pose that was found; all other bytes stay. In another folder than the robot's the files
 /// that it names are written beside `output` (write_main_file()).
+/// Throws InputError for a URDF without `output`, which has no place for them.
 /// Throws IoError where `output` or one of those is there already, or the robot's file has been
 /// changed since it was studied.
 /// @param output empty for the robot's file @return what was written; empty: nothing to add

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// `legwright init --task` of robots on two feet: those that would fall get no task but the reason.
+// `legwright init --task` of robots on two feet: those that would fall get no task but
+// the reason. `legwright init` of URDFs.
 #include <gtest/gtest.h>
 
+#include "mjcf/read/read_robot.hpp"
+#include "mjcf/text/compile.hpp"
+#include "mjcf/urdf/write_urdf.hpp"
 #include "tests/mjcf/robots/flat_biped.hpp"
+#include "tests/mjcf/robots/robots.hpp"
 #include "tests/tools/verbs/program.hpp"
 #include "tools/files/json_file.hpp"
 
@@ -84,6 +89,68 @@ TEST_F(InitOnTwoFeet, WritesThemAllTheSameWhereTheGaitIsNamed) {
                 contains(check.out + check.err, "two small feet"))
         << check.out << check.err;
   }
+}
+
+class InitOfUrdf : public testing::Test {
+ protected:
+  InitOfUrdf() {
+    const RobotModel robot = read_robot(test::source_path("tests/robots/courser/robot.xml"));
+    write_file(urdf_, urdf_of(robot, *compile_mjcf(robot.xml, robot.file), "").text);
+  }
+  const test::TemporaryFolder folder_;
+  const fs::path urdf_ = folder_.path() / "dog.urdf", robot_ = folder_.path() / "dog.xml",
+                 task_ = folder_.path() / "task.toml";
+};
+
+TEST_F(InitOfUrdf, TellsWhatItFindsAndWhereMjcfGoes) {
+  const Outcome told = call({"init", urdf_.string()});
+  ASSERT_EQ(told.code, 0) << told.err;
+  for (const char* part :
+       {"made     MJCF of this URDF", "12 joints get position servos", "front_thigh_length",
+        "the MJCF gets it as keyframe 'legwright'", "dog.urdf -o dog.xml --task task.toml"})
+    EXPECT_TRUE(contains(told.out, part)) << part << "\n" << told.out;
+  const Outcome json = call({"init", urdf_.string(), "--json"});
+  EXPECT_EQ(Json::parse(json.out).at("of_urdf"), true) << json.err;
+  EXPECT_FALSE(Json::parse(json.out).at("mended").empty());
+}
+
+TEST_F(InitOfUrdf, WritesMjcfThatATaskCanName) {
+  const Outcome told =
+      call({"init", urdf_.string(), "-o", robot_.string(), "--task", task_.string()});
+  ASSERT_EQ(told.code, 0) << told.err;
+  const Outcome check = call({"check", task_.string()});
+  EXPECT_EQ(check.code, 0) << check.err;
+  EXPECT_TRUE(contains(check.out, "front_thigh_length")) << check.out;
+  EXPECT_EQ(read_robot(robot_).space.size(), 20);
+}
+
+TEST_F(InitOfUrdf, IsNeverWrittenToAndNoTaskNamesIt) {
+  const std::string before = read_file(urdf_);
+  for (const std::vector<std::string>& more :
+       {std::vector<std::string>{"--write"}, {"--task", task_.string()}, {"-o", urdf_.string()}}) {
+    std::vector<std::string> words{"init", urdf_.string()};
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome told = call(words);
+    EXPECT_EQ(told.code, 2) << told.out;
+    EXPECT_TRUE(contains(told.err, "is a URDF")) << told.err;
+    EXPECT_TRUE(contains(told.err, "-o ")) << told.err;
+    EXPECT_EQ(read_file(urdf_), before);
+    EXPECT_FALSE(fs::exists(task_));
+  }
+  write_file(task_,
+             "robot = \"dog.urdf\"\n[gait]\nname = \"trot\"\nperiod = 0.5\n[travel]\nvelocity = "
+             "[0.1, 0.0]\n");
+  const Outcome check = call({"check", task_.string()});
+  EXPECT_EQ(check.code, 2);
+  EXPECT_TRUE(contains(check.err, "legwright init FILE.urdf -o robot.xml")) << check.err;
+}
+
+TEST_F(InitOfUrdf, FaultsOfTheMjcfThatIsMadeHaveNoLineOfTheUrdf) {
+  write_file(urdf_, test::with(read_file(urdf_), "<mass value=", "<mass value=\"0\" was="));
+  const Outcome told = call({"init", urdf_.string()});
+  EXPECT_EQ(told.code, 2) << told.out;
+  EXPECT_FALSE(contains(told.err, ", line ")) << told.err;
+  EXPECT_TRUE(contains(told.err, "dog.urdf: ")) << told.err;
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What MuJoCo makes of the URDF of a robot is the robot: same masses, inertias, axes, ranges, and
 // feet where the plan has them, in random poses.
-#include "mjcf/write/urdf.hpp"
+#include "mjcf/urdf/write_urdf.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mjcf/write/urdf.hpp"
+#include "mjcf/urdf/write_urdf.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/input_error.hpp"
 #include "mjcf/text/model_arrays.hpp"
-#include "mjcf/write/urdf_shapes.hpp"
+#include "mjcf/urdf/urdf_shapes.hpp"
 
 namespace legwright {
 namespace {

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "mjcf/write/urdf.hpp"
+#include "mjcf/urdf/write_urdf.hpp"
 
 namespace legwright {
 

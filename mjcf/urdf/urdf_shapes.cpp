@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mjcf/write/urdf_shapes.hpp"
+#include "mjcf/urdf/urdf_shapes.hpp"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mjcf/urdf/mjcf_of_spec.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "mjcf/read/robot_model.hpp"
+#include "mjcf/text/numbers.hpp"
+#include "mjcf/urdf/urdf_shapes.hpp"
+
+namespace legwright {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr std::size_t kMostListed = 3;  // of pairs of bodies
+constexpr double kNoNumber = 1e-12;     // what is below is a rounding error of an angle
+
+std::string number_list(const double* values, int size) {
+  return format_numbers(VectorXd::Map(values, size));
+}
+
+bool differs(const double* values, const std::vector<double>& from) {
+  return !std::equal(from.begin(), from.end(), values);
+}
+
+std::string element_name(mjsElement* element) { return mjs_getString(mjs_getName(element)); }
+
+template <class Visit>
+void for_each(mjsBody& body, mjtObj type, const Visit& visit) {
+  for (mjsElement* part = mjs_firstChild(&body, type, 0); part != nullptr;
+       part = mjs_nextChild(&body, part, 0))
+    visit(part);
+}
+
+template <class Visit>
+void for_each(mjSpec& spec, mjtObj type, const Visit& visit) {
+  for (mjsElement* part = mjs_firstElement(&spec, type); part != nullptr;
+       part = mjs_nextElement(&spec, part))
+    visit(part);
+}
+
+int count_of(mjsBody& body, mjtObj type) {
+  int found = 0;
+  for_each(body, type, [&](mjsElement*) { ++found; });
+  return found;
+}
+
+/// A turn without the rounding errors of right angles.
+std::string quaternion(const double* q) {
+  Eigen::Vector4d out = Eigen::Vector4d::Map(q);
+  for (double& x : out)
+    if (std::abs(x) < kNoNumber) x = 0.0;
+  return format_numbers(out);
+}
+
+class MjcfWriter {
+ public:
+  MjcfWriter(mjSpec& spec, const UrdfMending& mending, std::vector<std::string>& notes)
+      : spec_(spec), mending_(mending), notes_(notes) {}
+
+  std::string write(const std::string& source) {
+    open_element(out_, "mujoco", {{"model", mjs_getString(spec_.modelname)}});
+    out_.PushComment(fmt::format(" Made of {} by legwright init. ", source).c_str());
+    add_element(out_, "compiler", {{"angle", "radian"}});
+    add_meshes();
+    out_.OpenElement("worldbody");
+    mjsBody& trunk = find_trunk();
+    add_body(trunk, true);
+    out_.CloseElement();
+    if (!balanced_.empty())
+      notes_.push_back(
+          fmt::format("no body has the moments of inertia of {} (one is more than the "
+                      "others together); each has their mean now, as MuJoCo's "
+                      "balanceinertia gives it",
+                      fmt::join(balanced_, ", ")));
+    add_exclusions();
+    add_couplings();
+    add_servos();
+    out_.CloseElement();
+    return std::string(out_.CStr());
+  }
+
+ private:
+  void add_meshes() {
+    if (mjs_firstElement(&spec_, mjOBJ_MESH) == nullptr) return;
+    out_.OpenElement("asset");
+    for_each(spec_, mjOBJ_MESH, [&](mjsElement* element) {
+      const mjsMesh& mesh = *mjs_asMesh(element);
+      XmlAttributes own{{"name", element_name(element)}, {"file", mjs_getString(mesh.file)}};
+      if (differs(mesh.scale, {1, 1, 1})) own.emplace_back("scale", number_list(mesh.scale, 3));
+      add_element(out_, "mesh", own);
+    });
+    out_.CloseElement();
+  }
+
+  /// The first body below the world that weighs something, carries several, or floats.
+  mjsBody& find_trunk() {
+    mjsBody* trunk = mjs_findBody(&spec_, "world");
+    while (count_of(*trunk, mjOBJ_BODY) == 1 && count_of(*trunk, mjOBJ_GEOM) == 0) {
+      mjsBody& below = *mjs_asBody(mjs_firstChild(trunk, mjOBJ_BODY, 0));
+      if (trunk->explicitinertial != 0 || count_of(*trunk, mjOBJ_JOINT) > 0) break;
+      if (trunk != mjs_findBody(&spec_, "world"))
+        notes_.push_back(
+            fmt::format("link '{}' has no mass and is left out: the robot floats at "
+                        "its link '{}'",
+                        element_name(trunk->element), element_name(below.element)));
+      const bool hinged = is_hinged(below);
+      trunk = &below;
+      if (hinged) break;
+    }
+    return *trunk;
+  }
+
+  static bool is_hinged(mjsBody& body) {
+    bool hinged = false;
+    for_each(body, mjOBJ_JOINT,
+             [&](mjsElement* joint) { hinged = hinged || mjs_asJoint(joint)->type != mjJNT_FREE; });
+    return hinged;
+  }
+
+  void add_body(mjsBody& body, bool is_trunk) {
+    XmlAttributes own{{"name", element_name(body.element)}};
+    if (!is_trunk && differs(body.pos, {0, 0, 0}))
+      own.emplace_back("pos", number_list(body.pos, 3));
+    if (!is_trunk && differs(body.quat, {1, 0, 0, 0}))
+      own.emplace_back("quat", quaternion(body.quat));
+    open_element(out_, "body", own);
+    if (is_trunk && count_of(body, mjOBJ_JOINT) == 0) add_element(out_, "freejoint", {});
+    for_each(body, mjOBJ_JOINT, [&](mjsElement* joint) { add_joint(joint); });
+    if (body.explicitinertial != 0) add_inertial(body);
+    for_each(body, mjOBJ_GEOM, [&](mjsElement* geom) { add_geom(geom); });
+    for_each(body, mjOBJ_BODY, [&](mjsElement* below) { add_body(*mjs_asBody(below), false); });
+    out_.CloseElement();
+  }
+
+  void add_inertial(const mjsBody& body) {
+    XmlAttributes own{{"pos", number_list(body.ipos, 3)}, {"mass", format_number(body.mass)}};
+    Matrix3d inertia = Matrix3d::Zero();
+    if (std::isnan(body.fullinertia[0])) {
+      inertia.diagonal() = Vector3d::Map(body.inertia);
+    } else {
+      const double* const f = body.fullinertia;
+      inertia << f[0], f[3], f[4], f[3], f[1], f[5], f[4], f[5], f[2];
+    }
+    const double* const q = body.iquat;
+    if (differs(q, {1, 0, 0, 0})) {
+      const Matrix3d axes = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
+      inertia = (axes * inertia * axes.transpose()).eval();
+    }
+    balance(inertia, element_name(body.element));
+    const double least = kNoNumber * inertia.trace();
+    const std::array<double, 3> off{inertia(0, 1), inertia(0, 2), inertia(1, 2)};
+    if (std::all_of(off.begin(), off.end(), [&](double x) { return std::abs(x) <= least; })) {
+      own.emplace_back("diaginertia", format_numbers(inertia.diagonal()));
+    } else {
+      VectorXd full(6);
+      full << inertia.diagonal(), off[0], off[1], off[2];
+      own.emplace_back("fullinertia", format_numbers(full));
+    }
+    add_element(out_, "inertial", own);
+  }
+
+  /// No body has moments of which one is more than the others together, and MuJoCo refuses them.
+  /// Its own cure gives all three their mean.
+  void balance(Matrix3d& inertia, const std::string& link) {
+    const Vector3d moments = Eigen::SelfAdjointEigenSolver<Matrix3d>(inertia).eigenvalues();
+    if (moments[0] + moments[1] >= moments[2]) return;
+    inertia = (inertia.trace() / 3.0 * Matrix3d::Identity()).eval();
+    balanced_.push_back(link);
+  }
+
+  void add_joint(mjsElement* element) {
+    const mjsJoint& joint = *mjs_asJoint(element);
+    XmlAttributes own{{"name", element_name(element)}};
+    if (joint.type == mjJNT_FREE) return add_element(out_, "freejoint", own);
+    if (joint.type != mjJNT_HINGE)
+      own.emplace_back("type", joint.type == mjJNT_SLIDE ? "slide" : "ball");
+    own.emplace_back("axis", number_list(joint.axis, 3));
+    if (joint.range[0] < joint.range[1]) own.emplace_back("range", number_list(joint.range, 2));
+    if (joint.damping[0] != 0.0) own.emplace_back("damping", format_number(joint.damping[0]));
+    if (joint.frictionloss != 0.0)
+      own.emplace_back("frictionloss", format_number(joint.frictionloss));
+    add_element(out_, "joint", own);
+  }
+
+  void add_geom(mjsElement* element) {
+    static const std::array<const char*, 8> kTypes = {"plane",     "hfield",   "sphere", "capsule",
+                                                      "ellipsoid", "cylinder", "box",    "mesh"};
+    static const std::array<int, 8> kSizes = {0, 0, 1, 2, 3, 2, 3, 0};
+    const mjsGeom& geom = *mjs_asGeom(element);
+    const auto type = static_cast<std::size_t>(geom.type);
+    if (type >= kTypes.size() || type < mjGEOM_SPHERE) return;
+    XmlAttributes own;
+    if (const std::string name = element_name(element); !name.empty() && names_.insert(name).second)
+      own.emplace_back("name", name);
+    own.emplace_back("type", kTypes[type]);
+    if (type == mjGEOM_MESH) own.emplace_back("mesh", mjs_getString(geom.meshname));
+    if (kSizes[type] > 0) own.emplace_back("size", number_list(geom.size, kSizes[type]));
+    if (differs(geom.pos, {0, 0, 0})) own.emplace_back("pos", number_list(geom.pos, 3));
+    if (differs(geom.quat, {1, 0, 0, 0})) own.emplace_back("quat", quaternion(geom.quat));
+    own.emplace_back("mass", "0");  // a URDF's masses are those of <inertial> alone
+    if (geom.contype == 0 && geom.conaffinity == 0) {
+      own.emplace_back("contype", "0");
+      own.emplace_back("conaffinity", "0");
+    }
+    if (geom.group != 0) own.emplace_back("group", std::to_string(geom.group));
+    if (const Eigen::Vector4f colour = Eigen::Vector4f::Map(geom.rgba);
+        colour != Eigen::Vector4f(0.5F, 0.5F, 0.5F, 1.0F))
+      own.emplace_back("rgba",
+                       fmt::format("{} {} {} {}", colour[0], colour[1], colour[2], colour[3]));
+    add_element(out_, "geom", own);
+  }
+
+  void add_exclusions() {
+    if (mending_.overlapping.empty()) return;
+    std::vector<std::string> pairs;
+    out_.OpenElement("contact");
+    for (const BodyTouch& touch : mending_.overlapping) {
+      add_element(out_, "exclude", {{"body1", touch.first}, {"body2", touch.second}});
+      if (pairs.size() < kMostListed)
+        pairs.push_back(
+            fmt::format("{} and {}, {:.2g} mm deep", touch.first, touch.second, 1e3 * touch.depth));
+    }
+    out_.CloseElement();
+    const std::size_t more = mending_.overlapping.size() - pairs.size();
+    notes_.push_back(fmt::format(
+        "collision shapes that overlap at rest pass through each other, as where <gazebo> has no "
+        "selfCollide: {}{}",
+        fmt::join(pairs, "; "), more > 0 ? fmt::format("; and {} more pairs", more) : ""));
+  }
+
+  /// <mimic>.
+  void add_couplings() {
+    if (mjs_firstElement(&spec_, mjOBJ_EQUALITY) == nullptr) return;
+    out_.OpenElement("equality");
+    for_each(spec_, mjOBJ_EQUALITY, [&](mjsElement* element) {
+      const mjsEquality& equality = *mjs_asEquality(element);
+      const std::string own = mjs_getString(equality.name1);
+      coupled_.insert(own);
+      add_element(out_, "joint",
+                  {{"joint1", own},
+                   {"joint2", mjs_getString(equality.name2)},
+                   {"polycoef", number_list(equality.data, 5)}});
+    });
+    out_.CloseElement();
+  }
+
+  /// A URDF has torques of its motors, but no gains.
+  void add_servos() {
+    out_.OpenElement("actuator");
+    int added = 0, beyond = 0;
+    for_each(spec_, mjOBJ_JOINT, [&](mjsElement* element) {
+      const mjsJoint& joint = *mjs_asJoint(element);
+      const std::string name = element_name(element);
+      const double torque = joint.actfrcrange[1];
+      if (joint.type != mjJNT_HINGE || coupled_.count(name) > 0) return;
+      if (!(torque > 0.0)) {
+        notes_.push_back(
+            fmt::format("joint '{}' has no <limit effort> above 0, so it gets no "
+                        "servo",
+                        name));
+        return;
+      }
+      if (torque > mending_.most_torque) ++beyond;
+      const double kp = std::min(torque, mending_.most_torque) / kFullTorqueError;
+      add_element(out_, "position",
+                  {{"name", name},
+                   {"joint", name},
+                   {"kp", format_number(rounded(kp))},
+                   {"kv", format_number(rounded(kDampingTime * kp))},
+                   {"forcerange", format_number(-torque) + " " + format_number(torque)}});
+      ++added;
+    });
+    out_.CloseElement();
+    if (added > 0)
+      notes_.push_back(
+          fmt::format("{} joints get position servos of their <limit effort>, which "
+                      "they give at an error of {} rad; a URDF has no gains",
+                      added, kFullTorqueError));
+    if (beyond > 0)
+      notes_.push_back(
+          fmt::format("{} of these torques are more than twice what carries the robot "
+                      "on stretched legs, {:.3g} N m, and the gains are those of that",
+                      beyond, mending_.most_torque));
+  }
+
+  mjSpec& spec_;
+  const UrdfMending& mending_;
+  std::vector<std::string>& notes_;
+  tinyxml2::XMLPrinter out_;
+  std::set<std::string> names_, coupled_;
+  std::vector<std::string> balanced_;
+};
+
+}  // namespace
+
+std::string mjcf_of_spec(mjSpec& spec, const std::string& source, const UrdfMending& mending,
+                         std::vector<std::string>& notes) {
+  return MjcfWriter(spec, mending, notes).write(source);
+}
+
+}  // namespace legwright

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mjcf/urdf/read_urdf.hpp"
+
+#include <fmt/format.h>
+#include <tinyxml2.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+
+#include "mjcf/text/compile.hpp"
+#include "mjcf/text/refusals.hpp"
+#include "mjcf/text/xml.hpp"
+#include "mjcf/urdf/mjcf_of_spec.hpp"
+#include "mjcf/urdf/urdf_meshes.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What a macro processor should have replaced, in an attribute or a name.
+bool is_macro(const XmlElement& element) {
+  if (std::string_view(element.Name()).starts_with("xacro:")) return true;
+  for (const auto* at = element.FirstAttribute(); at != nullptr; at = at->Next()) {
+    const std::string_view value = at->Value();
+    if (value.find("${") != std::string_view::npos || value.find("$(") != std::string_view::npos)
+      return true;
+  }
+  return false;
+}
+
+void refuse_macros(const XmlFile& xml) {
+  for_each_element(xml.root(), [&](const XmlElement& element) {
+    if (is_macro(element))
+      throw xml.error(element,
+                      "is a macro of xacro, which the file still has to be expanded for: xacro "
+                      "FILE.xacro > robot.urdf");
+  });
+}
+
+/// What MuJoCo's reader is told: to keep links and pictures, and to take paths as they are.
+class UrdfEdits {
+ public:
+  UrdfEdits(const XmlFile& xml, const fs::path& folder, std::vector<std::string>& notes)
+      : folder_(folder), notes_(notes) {
+    document_.Parse(xml.text.data(), xml.text.size());
+  }
+
+  std::string apply() {
+    XmlElement& root = *document_.RootElement();
+    set_compiler(root);
+    for (XmlElement* link = root.FirstChildElement("link"); link != nullptr;
+         link = link->NextSiblingElement("link"))
+      for (const char* shape : {"visual", "collision"}) edit_shapes(*link, shape);
+    tell(UrdfMeshKind::other_format,
+         "that MuJoCo cannot read, with an .stl or .obj in their place");
+    tell(UrdfMeshKind::unreadable,
+         "left out, as MuJoCo cannot read them (an .stl or .obj of the same "
+         "name beside them would be taken)");
+    tell(UrdfMeshKind::missing, "that are not there, pictures left out");
+    tinyxml2::XMLPrinter printer;
+    document_.Print(&printer);
+    return printer.CStr();
+  }
+
+ private:
+  void set_compiler(XmlElement& root) {
+    XmlElement* extension = root.FirstChildElement("mujoco");
+    if (extension == nullptr) {
+      extension = document_.NewElement("mujoco");
+      root.InsertFirstChild(extension);
+    }
+    XmlElement* compiler = extension->FirstChildElement("compiler");
+    if (compiler == nullptr) {
+      compiler = document_.NewElement("compiler");
+      extension->InsertFirstChild(compiler);
+    }
+    if (const char* const folder = compiler->Attribute("meshdir")) mesh_folder_ = folder;
+    compiler->DeleteAttribute("meshdir");
+    for (const char* off : {"fusestatic", "discardvisual", "strippath"})
+      compiler->SetAttribute(off, "false");
+  }
+
+  void edit_shapes(XmlElement& link, const char* kind) {
+    for (XmlElement* shape = link.FirstChildElement(kind); shape != nullptr;) {
+      XmlElement* const next = shape->NextSiblingElement(kind);
+      XmlElement* const geometry = shape->FirstChildElement("geometry");
+      XmlElement* const mesh = geometry ? geometry->FirstChildElement("mesh") : nullptr;
+      const char* const name = mesh ? mesh->Attribute("filename") : nullptr;
+      if (name != nullptr) {
+        const UrdfMeshFile found = find_urdf_mesh(name, folder_, mesh_folder_);
+        const bool only_seen = kind == std::string_view("visual");
+        names_[found.kind].insert(fs::path(name).filename().string());
+        // What may touch must be there: its reader says where it was looked for.
+        if (found.kind == UrdfMeshKind::unreadable ||
+            (found.kind == UrdfMeshKind::missing && only_seen))
+          link.DeleteChild(shape);
+        else
+          mesh->SetAttribute("filename", found.path.c_str());
+      }
+      shape = next;
+    }
+  }
+
+  void tell(UrdfMeshKind kind, const char* what) {
+    const auto found = names_.find(kind);
+    if (found == names_.end()) return;
+    constexpr std::size_t kMost = 3;
+    const std::vector<std::string> all(found->second.begin(), found->second.end());
+    const std::size_t shown = std::min(kMost, all.size());
+    notes_.push_back(
+        fmt::format("meshes {}: {}{}", what,
+                    fmt::join(all.begin(), all.begin() + static_cast<long>(shown), ", "),
+                    all.size() > shown ? fmt::format(" and {} more", all.size() - shown) : ""));
+  }
+
+  tinyxml2::XMLDocument document_;
+  const fs::path folder_;
+  std::string mesh_folder_;
+  std::vector<std::string>& notes_;
+  std::map<UrdfMeshKind, std::set<std::string>> names_;
+};
+
+/// MuJoCo's reason with its line ends as blanks; lines are those of another text.
+std::string reason_of(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  if (const std::size_t line = text.find(", line "); line != std::string::npos) text.resize(line);
+  return text;
+}
+
+}  // namespace
+
+bool is_urdf(std::string_view text) {
+  std::size_t at = 0;
+  while (at < text.size()) {
+    at = text.find('<', at);
+    if (at == std::string_view::npos) return false;
+    const std::string_view rest = text.substr(at);
+    if (rest.starts_with("<!--")) {
+      at = text.find("-->", at);
+    } else if (rest.starts_with("<?") || rest.starts_with("<!")) {
+      at = text.find('>', at);
+    } else {
+      const std::size_t end = rest.find_first_of(" \t\r\n/>");
+      return rest.substr(0, end) == "<robot";
+    }
+  }
+  return false;
+}
+
+MjcfOfUrdf mjcf_of_urdf(const std::string& text, const fs::path& file, const UrdfMending& mending) {
+  const auto xml = load_xml(text, file);
+  refuse_macros(*xml);
+  MjcfOfUrdf out;
+  const std::string mended = UrdfEdits(*xml, file.parent_path(), out.notes).apply();
+  call_engine(file, [&] {
+    std::array<char, 1000> error{};
+    const SpecPointer spec(
+        mj_parseXMLString(mended.c_str(), nullptr, error.data(), static_cast<int>(error.size())));
+    if (!spec)
+      throw InputError(file.string(), 0, "URDF", "MuJoCo refuses it: " + reason_of(error.data()));
+    out.text = mjcf_of_spec(*spec, file.filename().string(), mending, out.notes);
+  });
+  return out;
+}
+
+UrdfMending mending_of(const RobotModel& robot) {
+  const Morphology& morphology = robot.morphology;
+  const double weight = kGravity * morphology.total_mass() / morphology.foot_count();
+  return {2.0 * weight * morphology.leg_length,
+          touching_bodies(*compile_mjcf(robot.xml, robot.file), robot.file)};
+}
+
+}  // namespace legwright

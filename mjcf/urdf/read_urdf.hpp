@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mjcf/read/robot_model.hpp"
+#include "mjcf/urdf/mjcf_of_spec.hpp"
+
+namespace legwright {
+
+/// A URDF as MJCF.
+struct MjcfOfUrdf {
+  std::string text;
+  std::vector<std::string> notes;  // what was mended or left out on the way, a sentence each
+};
+
+/// Whether the root element of a text is a URDF's <robot>. No fault of the text is told.
+bool is_urdf(std::string_view text);
+
+/// The robot of a URDF as MuJoCo's own reader takes it, as MJCF that stands where the URDF does:
+/// links and joints keep their names, masses, frames and colours. Mended: the trunk gets a free
+/// joint in the place of links without mass above it; joints with <limit effort> get position
+/// servos of that torque with default gains (kFullTorqueError, kDampingTime); paths of meshes
+/// (package://, file://) are looked up, and what MuJoCo cannot read is left out; links without
+/// <inertial> stay without mass.
+/// Throws InputError with the line in the URDF, or with MuJoCo's reason.
+/// @param mending nothing but for a second reading (mending_of())
+MjcfOfUrdf mjcf_of_urdf(const std::string& text, const std::filesystem::path& file,
+                        const UrdfMending& mending = {});
+
+/// What a robot, read from the MJCF of a first reading, tells of how to mend its URDF. Gains go to
+/// twice the torque with which stretched legs carry it; bodies that touch in its home pose overlap.
+UrdfMending mending_of(const RobotModel& robot);
+
+}  // namespace legwright

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mjcf/urdf/urdf_meshes.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kFoldersAbove = 8;  // the URDF in which a package is looked for
+
+bool is_file(const fs::path& path) {
+  std::error_code error;
+  return fs::is_regular_file(path, error);
+}
+
+/// What stands behind a scheme; nothing for a text without it.
+std::optional<std::string> behind(std::string_view scheme, const std::string& name) {
+  if (!name.starts_with(scheme)) return std::nullopt;
+  return name.substr(scheme.size());
+}
+
+/// Where a file of a package can be, the likeliest first.
+std::vector<fs::path> places_in_package(const std::string& in_package, const fs::path& folder) {
+  const std::size_t slash = in_package.find('/');
+  const std::string package = in_package.substr(0, slash);
+  const fs::path rest = slash == std::string::npos ? "" : in_package.substr(slash + 1);
+  std::vector<fs::path> named, beside, loose;
+  fs::path above = fs::absolute(folder).lexically_normal();
+  if (!above.has_filename()) above = above.parent_path();
+  for (int k = 0; k < kFoldersAbove && above.has_relative_path(); ++k) {
+    if (above.filename() == package) named.push_back(above / rest);
+    beside.push_back(above / package / rest);
+    loose.push_back(above / rest);
+    above = above.parent_path();
+  }
+  named.insert(named.end(), beside.begin(), beside.end());
+  named.insert(named.end(), loose.begin(), loose.end());
+  return named;
+}
+
+std::vector<fs::path> places_of(const std::string& name, const fs::path& folder,
+                                const std::string& mesh_folder) {
+  for (const char* scheme : {"package://", "model://"})
+    if (const auto in_package = behind(scheme, name)) return places_in_package(*in_package, folder);
+  const fs::path plain = behind("file://", name).value_or(name);
+  return {folder / mesh_folder / plain, folder / plain, folder / mesh_folder / plain.filename()};
+}
+
+bool is_read_by_mujoco(const fs::path& file) {
+  std::string ending = file.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending == ".stl" || ending == ".obj" || ending == ".msh";
+}
+
+/// From the folder where it lies below, else as it is.
+std::string seen_from(const fs::path& folder, const fs::path& file) {
+  if (!file.is_absolute()) return file.lexically_relative(folder).generic_string();
+  const fs::path home = fs::absolute(folder).lexically_normal();
+  return file.lexically_relative(home).generic_string();
+}
+
+}  // namespace
+
+UrdfMeshFile find_urdf_mesh(const std::string& name, const fs::path& folder,
+                            const std::string& mesh_folder) {
+  const fs::path base = folder.empty() ? "." : folder;
+  const std::vector<fs::path> places = places_of(name, base, mesh_folder);
+  for (const fs::path& place : places) {
+    if (is_read_by_mujoco(place)) {
+      if (is_file(place)) return {UrdfMeshKind::found, seen_from(base, place)};
+      continue;
+    }
+    for (const char* ending : {".stl", ".obj", ".STL", ".OBJ"})
+      if (const fs::path other = fs::path(place).replace_extension(ending); is_file(other))
+        return {UrdfMeshKind::other_format, seen_from(base, other)};
+  }
+  return {is_read_by_mujoco(name) ? UrdfMeshKind::missing : UrdfMeshKind::unreadable,
+          seen_from(base, places.front())};
+}
+
+}  // namespace legwright

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace legwright {
+
+/// What a mesh file of a URDF turned out to be.
+enum class UrdfMeshKind {
+  found,
+  other_format,  // MuJoCo reads no such file, but the one of the same name that was found beside it
+  unreadable,    // MuJoCo reads no such file
+  missing,
+};
+
+struct UrdfMeshFile {
+  UrdfMeshKind kind;
+  std::string path;  // for an MJCF in the URDF's place; of a missing one the likeliest
+};
+
+/// Looks up a mesh of a URDF. package://NAME/REST is searched for in the folders above the URDF: as
+/// REST in one called NAME, as NAME/REST beside them, as REST; a plain path from the URDF's folder,
+/// or from `mesh_folder` there. Of a format that MuJoCo cannot read (Collada) an STL or OBJ of the
+/// same name beside it serves.
+/// @param name as the URDF has it @param folder of the URDF
+/// @param mesh_folder of MuJoCo's extension; may be empty
+UrdfMeshFile find_urdf_mesh(const std::string& name, const std::filesystem::path& folder,
+                            const std::string& mesh_folder);
+
+}  // namespace legwright
