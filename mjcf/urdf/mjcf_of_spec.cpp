@@ -11,6 +11,7 @@
 #include <set>
 
 #include "mjcf/read/robot_model.hpp"
+#include "mjcf/text/input_error.hpp"
 #include "mjcf/text/numbers.hpp"
 #include "mjcf/urdf/urdf_shapes.hpp"
 
@@ -67,9 +68,11 @@ class MjcfWriter {
   MjcfWriter(mjSpec& spec, const UrdfMending& mending, std::vector<std::string>& notes)
       : spec_(spec), mending_(mending), notes_(notes) {}
 
-  std::string write(const std::string& source) {
+  std::string write(const std::filesystem::path& file) {
+    const std::string source = file.string();
     open_element(out_, "mujoco", {{"model", mjs_getString(spec_.modelname)}});
-    out_.PushComment(fmt::format(" Made of {} by legwright init. ", source).c_str());
+    out_.PushComment(
+        fmt::format(" Made of {} by legwright init. ", file.filename().string()).c_str());
     add_element(out_, "compiler", {{"angle", "radian"}});
     add_meshes();
     out_.OpenElement("worldbody");
@@ -82,6 +85,14 @@ class MjcfWriter {
                       "others together); each has their mean now, as MuJoCo's "
                       "balanceinertia gives it",
                       fmt::join(balanced_, ", ")));
+    if (!massless_.empty())
+      throw InputError(
+          source, 0, massless_.size() > 1 ? "links" : "link",
+          fmt::format("{} {} and neither {} nor what is fixed there has an <inertial>; "
+                      "give mass and moments of inertia, without which no motion can "
+                      "be planned",
+                      fmt::join(massless_, ", "), massless_.size() > 1 ? "move" : "moves",
+                      massless_.size() > 1 ? "they" : "it"));
     add_exclusions();
     add_couplings();
     add_servos();
@@ -134,12 +145,46 @@ class MjcfWriter {
     if (!is_trunk && differs(body.quat, {1, 0, 0, 0}))
       own.emplace_back("quat", quaternion(body.quat));
     open_element(out_, "body", own);
+    if ((is_trunk || count_of(body, mjOBJ_JOINT) > 0) && body.explicitinertial == 0)
+      take_mass(body);
     if (is_trunk && count_of(body, mjOBJ_JOINT) == 0) add_element(out_, "freejoint", {});
     for_each(body, mjOBJ_JOINT, [&](mjsElement* joint) { add_joint(joint); });
     if (body.explicitinertial != 0) add_inertial(body);
     for_each(body, mjOBJ_GEOM, [&](mjsElement* geom) { add_geom(geom); });
     for_each(body, mjOBJ_BODY, [&](mjsElement* below) { add_body(*mjs_asBody(below), false); });
     out_.CloseElement();
+  }
+
+  /// A link that moves and has no mass, as other readers want a base to be, gets that of the
+  /// heaviest link which is fixed to it.
+  void take_mass(mjsBody& body) {
+    mjsBody* heaviest = nullptr;
+    for_each(body, mjOBJ_BODY, [&](mjsElement* element) {
+      mjsBody& below = *mjs_asBody(element);
+      if (below.explicitinertial == 0 || count_of(below, mjOBJ_JOINT) > 0) return;
+      if (heaviest == nullptr || below.mass > heaviest->mass) heaviest = &below;
+    });
+    if (heaviest == nullptr) {
+      massless_.push_back(element_name(body.element));
+      return;
+    }
+    const auto turn = [](const double* q) { return Eigen::Quaterniond(q[0], q[1], q[2], q[3]); };
+    const Eigen::Quaterniond rotation = turn(heaviest->quat),
+                             axes = rotation * turn(heaviest->iquat);
+    const Vector3d centre =
+        Vector3d::Map(heaviest->pos) + rotation * Vector3d(Vector3d::Map(heaviest->ipos));
+    body.mass = heaviest->mass;
+    std::copy_n(centre.data(), 3, body.ipos);
+    const std::array<double, 4> q{axes.w(), axes.x(), axes.y(), axes.z()};
+    std::copy_n(q.data(), 4, body.iquat);
+    std::copy_n(heaviest->inertia, 3, body.inertia);
+    std::copy_n(heaviest->fullinertia, 6, body.fullinertia);
+    body.explicitinertial = 1;
+    heaviest->explicitinertial = 0;
+    notes_.push_back(
+        fmt::format("link '{}' moves and has no mass: it gets that of '{}', which is "
+                    "fixed to it",
+                    element_name(body.element), element_name(heaviest->element)));
   }
 
   void add_inertial(const mjsBody& body) {
@@ -298,14 +343,14 @@ class MjcfWriter {
   std::vector<std::string>& notes_;
   tinyxml2::XMLPrinter out_;
   std::set<std::string> names_, coupled_;
-  std::vector<std::string> balanced_;
+  std::vector<std::string> balanced_, massless_;
 };
 
 }  // namespace
 
-std::string mjcf_of_spec(mjSpec& spec, const std::string& source, const UrdfMending& mending,
-                         std::vector<std::string>& notes) {
-  return MjcfWriter(spec, mending, notes).write(source);
+std::string mjcf_of_spec(mjSpec& spec, const std::filesystem::path& file,
+                         const UrdfMending& mending, std::vector<std::string>& notes) {
+  return MjcfWriter(spec, mending, notes).write(file);
 }
 
 }  // namespace legwright

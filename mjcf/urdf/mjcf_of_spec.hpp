@@ -3,6 +3,7 @@
 
 #include <mujoco/mujoco.h>
 
+#include <filesystem>
 #include <limits>
 #include <string>
 #include <vector>
@@ -22,8 +23,9 @@ struct UrdfMending {
 /// A robot as MuJoCo's reader holds it after reading a URDF, written as MJCF: all digits of its
 /// numbers, names as they are, nothing that is a default. Bodies in the world that have no mass and
 /// carry one other are left out, and the trunk below them gets a free joint.
-/// @param notes gets a sentence for what was added and left out
-std::string mjcf_of_spec(mjSpec& spec, const std::string& source, const UrdfMending& mending,
-                         std::vector<std::string>& notes);
+/// Throws InputError for links that move without mass.
+/// @param file the URDF, for messages @param notes gets a sentence for what was added and left out
+std::string mjcf_of_spec(mjSpec& spec, const std::filesystem::path& file,
+                         const UrdfMending& mending, std::vector<std::string>& notes);
 
 }  // namespace legwright

@@ -161,7 +161,7 @@ MjcfOfUrdf mjcf_of_urdf(const std::string& text, const fs::path& file, const Urd
         mj_parseXMLString(mended.c_str(), nullptr, error.data(), static_cast<int>(error.size())));
     if (!spec)
       throw InputError(file.string(), 0, "URDF", "MuJoCo refuses it: " + reason_of(error.data()));
-    out.text = mjcf_of_spec(*spec, file.filename().string(), mending, out.notes);
+    out.text = mjcf_of_spec(*spec, file, mending, out.notes);
   });
   return out;
 }

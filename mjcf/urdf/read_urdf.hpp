@@ -25,7 +25,7 @@ bool is_urdf(std::string_view text);
 /// joint in the place of links without mass above it; joints with <limit effort> get position
 /// servos of that torque with default gains (kFullTorqueError, kDampingTime); paths of meshes
 /// (package://, file://) are looked up, and what MuJoCo cannot read is left out; links without
-/// <inertial> stay without mass.
+/// <inertial> stay without mass, those that move get that of what is fixed to them.
 /// Throws InputError with the line in the URDF, or with MuJoCo's reason.
 /// @param mending nothing but for a second reading (mending_of())
 MjcfOfUrdf mjcf_of_urdf(const std::string& text, const std::filesystem::path& file,

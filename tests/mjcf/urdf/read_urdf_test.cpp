@@ -173,6 +173,33 @@ TEST(ReadUrdf, NoBodyHasMomentsThatMujocoRefuses) {
   EXPECT_TRUE(tells(mended.notes[1], "moments of inertia of thigh")) << mended.notes[1];
 }
 
+TEST(ReadUrdf, ALinkThatMovesWithoutMassGetsThatOfWhatIsFixedToIt) {
+  std::string urdf = test::with(kHopper, "<link name=\"trunk\">", "<link name=\"core\">");
+  urdf =
+      test::with(urdf, "</robot>",
+                 "<link name=\"trunk\"><visual><geometry><sphere radius=\"0.03\"/></geometry>"
+                 "</visual></link><joint name=\"core\" type=\"fixed\"><origin xyz=\"0.1 0 0\" "
+                 "rpy=\"0 0 1\"/><parent link=\"trunk\"/><child link=\"core\"/></joint></robot>");
+  const ModelPointer model = compile_mjcf(made(urdf).text, "hopper.xml"),
+                     plain = compile_mjcf(made(kHopper).text, "hopper.xml");
+  const int trunk = mj_name2id(model.get(), mjOBJ_BODY, "trunk"),
+            core = mj_name2id(model.get(), mjOBJ_BODY, "core"),
+            before = mj_name2id(plain.get(), mjOBJ_BODY, "trunk");
+  ASSERT_TRUE(trunk > 0 && core > 0);
+  EXPECT_EQ(model->body_mass[trunk], 2.0);
+  EXPECT_EQ(model->body_mass[core], 0.0);
+  EXPECT_LT((vector_at(model->body_ipos, trunk) - Eigen::Vector3d(0.1, 0, 0.01)).norm(), 1e-12);
+  EXPECT_LT((vector_at(model->body_inertia, trunk) - vector_at(plain->body_inertia, before)).norm(),
+            1e-12);
+  // The moments' axes are turned with the link: by 0.5 as the URDF has them, and by 1.
+  const auto axes = [](const mjModel& of, int body) -> Eigen::Matrix3d {
+    const Eigen::Matrix3d r = rotation_at(of.body_iquat, body);
+    return r * vector_at(of.body_inertia, body).asDiagonal() * r.transpose();
+  };
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(1.0, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  EXPECT_LT((axes(*model, trunk) - turn * axes(*plain, before) * turn.transpose()).norm(), 1e-12);
+}
+
 TEST(ReadUrdf, MimickedJointsAreCoupledAndGetNoServo) {
   const MjcfOfUrdf mended = made(
       test::with(kHopper, "<limit effort=\"4\" velocity=\"20\"/>",
@@ -191,6 +218,13 @@ TEST(ReadUrdf, FaultsHaveTheirPlace) {
   EXPECT_TRUE(
       tells(fault(test::with(kHopper, "link=\"thigh_plate\"/><child", "link=\"none\"/><child")),
             "MuJoCo refuses it"));
+  const std::string thigh = kHopper.substr(kHopper.find("<link name=\"thigh\">"));
+  const std::string mass = thigh.substr(thigh.find("<inertial>"),
+                                        thigh.find("</inertial>") + 11 - thigh.find("<inertial>"));
+  EXPECT_TRUE(tells(fault(test::with(kHopper, mass, "")),
+                    "hopper.urdf: link: thigh moves and neither it nor what is fixed there has an "
+                    "<inertial>"))
+      << fault(test::with(kHopper, mass, ""));
   EXPECT_TRUE(tells(fault("<robot name=\"x\">"), "hopper.urdf:1"));
 }
 
