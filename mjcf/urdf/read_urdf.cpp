@@ -153,6 +153,8 @@ bool is_urdf(std::string_view text) {
 MjcfOfUrdf mjcf_of_urdf(const std::string& text, const fs::path& file, const UrdfMending& mending) {
   const auto xml = load_xml(text, file);
   refuse_macros(*xml);
+  if (xml->root().FirstChildElement("link") == nullptr)
+    throw xml->error(xml->root(), "has no <link>; a URDF is made of <link> and <joint> elements");
   MjcfOfUrdf out;
   const std::string mended = UrdfEdits(*xml, file.parent_path(), out.notes).apply();
   call_engine(file, [&] {

@@ -225,6 +225,7 @@ TEST(ReadUrdf, FaultsHaveTheirPlace) {
                     "hopper.urdf: link: thigh moves and neither it nor what is fixed there has an "
                     "<inertial>"))
       << fault(test::with(kHopper, mass, ""));
+  EXPECT_TRUE(tells(fault("<robot name=\"x\"/>"), "robot 'x': has no <link>"));
   EXPECT_TRUE(tells(fault("<robot name=\"x\">"), "hopper.urdf:1"));
 }
 
