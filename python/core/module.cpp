@@ -103,6 +103,7 @@ void bind_proposals(nb::module_& module) {
       .def_prop_ro("left_out", [](const StudiedRobot& robot) { return robot.found.left_out; })
       .def_prop_ro("not_standing",
                    [](const StudiedRobot& robot) { return robot.found.not_standing; })
+      .def_prop_ro("mended", [](const StudiedRobot& robot) { return robot.mended; })
       .def_prop_ro("declared",
                    [](const StudiedRobot& robot) {
                      std::vector<std::string> names;

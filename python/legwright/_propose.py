@@ -55,6 +55,8 @@ class Proposals(Mapping[str, Proposal]):
         """Parameters that the file declares already."""
         self.not_standing: str = studied.not_standing
         """Why the home pose is none to walk from; empty where it is one."""
+        self.mended: list[str] = list(studied.mended)
+        """Of a URDF, what was mended and left out in the MJCF made of it, a sentence each."""
 
     def __getitem__(self, name: str) -> Proposal:
         return self._by_name[name]

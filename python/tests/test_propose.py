@@ -77,3 +77,35 @@ def test_what_is_left_out_has_its_reason(bare):
 def test_a_task_in_its_place_is_told_as_such(examples):
     with pytest.raises(lw.InputError, match=r'found a task file .* expected the robot'):
         lw.propose(examples / 'puppy/sideways.toml')
+
+
+HOPPER = """<robot name="hopper">
+  <link name="trunk"><inertial><mass value="2"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.02" iyz="0" izz="0.025"/></inertial></link>
+  <link name="thigh"><inertial><mass value="0.3"/>
+    <inertia ixx="0.001" ixy="0" ixz="0" iyy="0.001" iyz="0" izz="0.0001"/></inertial></link>
+  <joint name="hip" type="revolute"><origin xyz="0 0 -0.02"/><parent link="trunk"/>
+    <child link="thigh"/><axis xyz="0 1 0"/><limit lower="-1" upper="1" effort="6" velocity="9"/>
+    </joint>
+  <link name="shank"><inertial><mass value="0.2"/>
+    <inertia ixx="0.001" ixy="0" ixz="0" iyy="0.001" iyz="0" izz="0.0001"/></inertial>
+    <collision><origin xyz="0 0 -0.13"/><geometry><sphere radius="0.02"/></geometry></collision>
+  </link>
+  <joint name="knee" type="revolute"><origin xyz="0 0 -0.12"/><parent link="thigh"/>
+    <child link="shank"/><axis xyz="0 1 0"/><limit lower="-2" upper="2" effort="4" velocity="9"/>
+    </joint>
+</robot>"""
+
+
+def test_a_urdf_becomes_mjcf_elsewhere(tmp_path):
+    urdf = tmp_path / 'hopper.urdf'
+    urdf.write_text(HOPPER, encoding='utf-8')
+    proposals = lw.propose(urdf)
+    assert any('2 joints get position servos' in each for each in proposals.mended)
+    with pytest.raises(lw.InputError, match=r'is a URDF.* -o ROBOT.xml'):
+        proposals.write()
+    written = proposals.write(tmp_path / 'hopper.xml')
+    assert urdf.read_text(encoding='utf-8') == HOPPER
+    assert set(lw.Robot(written).parameters) == set(proposals)
+    with pytest.raises(lw.InputError, match='is a URDF, expected MJCF'):
+        lw.Robot(urdf)
