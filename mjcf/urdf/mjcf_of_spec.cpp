@@ -71,8 +71,7 @@ class MjcfWriter {
   std::string write(const std::filesystem::path& file) {
     const std::string source = file.string();
     open_element(out_, "mujoco", {{"model", mjs_getString(spec_.modelname)}});
-    out_.PushComment(
-        fmt::format(" Made of {} by legwright init. ", file.filename().string()).c_str());
+    out_.PushComment(" Made of a URDF by legwright init. ");  // its name may hold what ends one
     add_element(out_, "compiler", {{"angle", "radian"}});
     add_meshes();
     out_.OpenElement("worldbody");
@@ -303,16 +302,14 @@ class MjcfWriter {
   void add_servos() {
     out_.OpenElement("actuator");
     int added = 0, beyond = 0;
+    std::vector<std::string> weak;
     for_each(spec_, mjOBJ_JOINT, [&](mjsElement* element) {
       const mjsJoint& joint = *mjs_asJoint(element);
       const std::string name = element_name(element);
       const double torque = joint.actfrcrange[1];
       if (joint.type != mjJNT_HINGE || coupled_.count(name) > 0) return;
       if (!(torque > 0.0)) {
-        notes_.push_back(
-            fmt::format("joint '{}' has no <limit effort> above 0, so it gets no "
-                        "servo",
-                        name));
+        weak.push_back(name);
         return;
       }
       if (torque > mending_.most_torque) ++beyond;
@@ -326,6 +323,9 @@ class MjcfWriter {
       ++added;
     });
     out_.CloseElement();
+    if (!weak.empty())
+      notes_.push_back(
+          fmt::format("no servo for {}: no <limit effort> above 0", fmt::join(weak, ", ")));
     if (added > 0)
       notes_.push_back(
           fmt::format("{} joints get position servos of their <limit effort>, which "

@@ -231,7 +231,7 @@ TEST(ReadUrdf, FaultsHaveTheirPlace) {
 
 TEST(ReadUrdf, JointsWithoutEffortAreTold) {
   const MjcfOfUrdf mended = made(test::with(kHopper, "effort=\"6\"", "effort=\"0\""));
-  EXPECT_TRUE(tells(mended.notes[1], "joint 'hip' has no <limit effort> above 0"))
+  EXPECT_TRUE(tells(mended.notes[1], "no servo for hip: no <limit effort> above 0"))
       << mended.notes[1];
 }
 
