@@ -61,7 +61,7 @@ std::string shifted_robot(const std::string& text) {
     move(mjs_asBody(part)->pos, Eigen::Quaterniond(q[0], q[1], q[2], q[3]) * by);
     move_parts(*mjs_asBody(part), -by);
   }
-  mj_compile(spec.get(), nullptr);
+  mj_deleteModel(mj_compile(spec.get(), nullptr));  // what is saved is what was compiled last
   std::string out(std::size_t{1} << 20, '\0');
   if (mj_saveXMLString(spec.get(), out.data(), static_cast<int>(out.size()), error.data(),
                        error.size()) != 0)
