@@ -181,7 +181,7 @@ int compete(const fs::path& run, bool force, Pipe& start, Pipe& told, Pipe& all_
 }
 
 TEST_F(RunLockOf, EightWritersAreOneThatWinsAndSevenThatAreRefused) {
-  constexpr int kWriters = 8, kRounds = 25;
+  constexpr int kWriters = 8, kRounds = 100;
   for (int round = 0; round < kRounds; ++round) {
     SCOPED_TRACE(round);
     if (round % 5 == 0) fs::remove_all(run_);  // else the run of the round before is replaced
