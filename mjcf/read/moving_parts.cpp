@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "mjcf/read/feet.hpp"
 #include "mjcf/text/model_arrays.hpp"
 
 namespace legwright {
@@ -38,8 +39,7 @@ void collect_ends(const mjModel& model, const Structure& structure, int body,
   }
   if (model.body_jntnum[body] > 0) return;
   for (const FootContact& foot : structure.feet)
-    if ((foot.geom >= 0 ? model.geom_bodyid[foot.geom] : model.site_bodyid[foot.site]) == body)
-      ends.push_back(body);
+    if (foot_body(model, foot) == body) ends.push_back(body);
   for (int below = body + 1; below < model.nbody; ++below)
     if (model.body_parentid[below] == body) collect_ends(model, structure, below, ends);
 }

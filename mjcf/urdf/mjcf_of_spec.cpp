@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -11,15 +10,14 @@
 #include <set>
 
 #include "mjcf/read/robot_model.hpp"
-#include "mjcf/text/input_error.hpp"
 #include "mjcf/text/numbers.hpp"
-#include "mjcf/urdf/urdf_shapes.hpp"
+#include "mjcf/urdf/print_xml.hpp"
+#include "mjcf/urdf/spec_elements.hpp"
 
 namespace legwright {
 namespace {
 
 using Eigen::Matrix3d;
-using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr std::size_t kMostListed = 3;  // of pairs of bodies
@@ -27,32 +25,6 @@ constexpr double kNoNumber = 1e-12;     // what is below is a rounding error of 
 
 std::string number_list(const double* values, int size) {
   return format_numbers(VectorXd::Map(values, size));
-}
-
-bool differs(const double* values, const std::vector<double>& from) {
-  return !std::equal(from.begin(), from.end(), values);
-}
-
-std::string element_name(mjsElement* element) { return mjs_getString(mjs_getName(element)); }
-
-template <class Visit>
-void for_each(mjsBody& body, mjtObj type, const Visit& visit) {
-  for (mjsElement* part = mjs_firstChild(&body, type, 0); part != nullptr;
-       part = mjs_nextChild(&body, part, 0))
-    visit(part);
-}
-
-template <class Visit>
-void for_each(mjSpec& spec, mjtObj type, const Visit& visit) {
-  for (mjsElement* part = mjs_firstElement(&spec, type); part != nullptr;
-       part = mjs_nextElement(&spec, part))
-    visit(part);
-}
-
-int count_of(mjsBody& body, mjtObj type) {
-  int found = 0;
-  for_each(body, type, [&](mjsElement*) { ++found; });
-  return found;
 }
 
 /// A turn without the rounding errors of right angles.
@@ -68,30 +40,14 @@ class MjcfWriter {
   MjcfWriter(mjSpec& spec, const UrdfMending& mending, std::vector<std::string>& notes)
       : spec_(spec), mending_(mending), notes_(notes) {}
 
-  std::string write(const std::filesystem::path& file) {
-    const std::string source = file.string();
+  std::string write(mjsBody& trunk) {
     open_element(out_, "mujoco", {{"model", mjs_getString(spec_.modelname)}});
     out_.PushComment(" Made of a URDF by legwright init. ");  // its name may hold what ends one
     add_element(out_, "compiler", {{"angle", "radian"}});
     add_meshes();
     out_.OpenElement("worldbody");
-    mjsBody& trunk = find_trunk();
     add_body(trunk, true);
     out_.CloseElement();
-    if (!balanced_.empty())
-      notes_.push_back(
-          fmt::format("no body has the moments of inertia of {} (one is more than the "
-                      "others together); each has their mean now, as MuJoCo's "
-                      "balanceinertia gives it",
-                      fmt::join(balanced_, ", ")));
-    if (!massless_.empty())
-      throw InputError(
-          source, 0, massless_.size() > 1 ? "links" : "link",
-          fmt::format("{} {} and neither {} nor what is fixed there has an <inertial>; "
-                      "give mass and moments of inertia, without which no motion can "
-                      "be planned",
-                      fmt::join(massless_, ", "), massless_.size() > 1 ? "move" : "moves",
-                      massless_.size() > 1 ? "they" : "it"));
     add_exclusions();
     add_couplings();
     add_servos();
@@ -112,31 +68,6 @@ class MjcfWriter {
     out_.CloseElement();
   }
 
-  /// The first body below the world that weighs something, carries several, or floats.
-  mjsBody& find_trunk() {
-    mjsBody* trunk = mjs_findBody(&spec_, "world");
-    while (count_of(*trunk, mjOBJ_BODY) == 1 && count_of(*trunk, mjOBJ_GEOM) == 0) {
-      mjsBody& below = *mjs_asBody(mjs_firstChild(trunk, mjOBJ_BODY, 0));
-      if (trunk->explicitinertial != 0 || count_of(*trunk, mjOBJ_JOINT) > 0) break;
-      if (trunk != mjs_findBody(&spec_, "world"))
-        notes_.push_back(
-            fmt::format("link '{}' has no mass and is left out: the robot floats at "
-                        "its link '{}'",
-                        element_name(trunk->element), element_name(below.element)));
-      const bool hinged = is_hinged(below);
-      trunk = &below;
-      if (hinged) break;
-    }
-    return *trunk;
-  }
-
-  static bool is_hinged(mjsBody& body) {
-    bool hinged = false;
-    for_each(body, mjOBJ_JOINT,
-             [&](mjsElement* joint) { hinged = hinged || mjs_asJoint(joint)->type != mjJNT_FREE; });
-    return hinged;
-  }
-
   void add_body(mjsBody& body, bool is_trunk) {
     XmlAttributes own{{"name", element_name(body.element)}};
     if (!is_trunk && differs(body.pos, {0, 0, 0}))
@@ -144,8 +75,6 @@ class MjcfWriter {
     if (!is_trunk && differs(body.quat, {1, 0, 0, 0}))
       own.emplace_back("quat", quaternion(body.quat));
     open_element(out_, "body", own);
-    if ((is_trunk || count_of(body, mjOBJ_JOINT) > 0) && body.explicitinertial == 0)
-      take_mass(body);
     if (is_trunk && count_of(body, mjOBJ_JOINT) == 0) add_element(out_, "freejoint", {});
     for_each(body, mjOBJ_JOINT, [&](mjsElement* joint) { add_joint(joint); });
     if (body.explicitinertial != 0) add_inertial(body);
@@ -154,53 +83,9 @@ class MjcfWriter {
     out_.CloseElement();
   }
 
-  /// A link that moves and has no mass, as other readers want a base to be, gets that of the
-  /// heaviest link which is fixed to it.
-  void take_mass(mjsBody& body) {
-    mjsBody* heaviest = nullptr;
-    for_each(body, mjOBJ_BODY, [&](mjsElement* element) {
-      mjsBody& below = *mjs_asBody(element);
-      if (below.explicitinertial == 0 || count_of(below, mjOBJ_JOINT) > 0) return;
-      if (heaviest == nullptr || below.mass > heaviest->mass) heaviest = &below;
-    });
-    if (heaviest == nullptr) {
-      massless_.push_back(element_name(body.element));
-      return;
-    }
-    const auto turn = [](const double* q) { return Eigen::Quaterniond(q[0], q[1], q[2], q[3]); };
-    const Eigen::Quaterniond rotation = turn(heaviest->quat),
-                             axes = rotation * turn(heaviest->iquat);
-    const Vector3d centre =
-        Vector3d::Map(heaviest->pos) + rotation * Vector3d(Vector3d::Map(heaviest->ipos));
-    body.mass = heaviest->mass;
-    std::copy_n(centre.data(), 3, body.ipos);
-    const std::array<double, 4> q{axes.w(), axes.x(), axes.y(), axes.z()};
-    std::copy_n(q.data(), 4, body.iquat);
-    std::copy_n(heaviest->inertia, 3, body.inertia);
-    std::copy_n(heaviest->fullinertia, 6, body.fullinertia);
-    body.explicitinertial = 1;
-    heaviest->explicitinertial = 0;
-    notes_.push_back(
-        fmt::format("link '{}' moves and has no mass: it gets that of '{}', which is "
-                    "fixed to it",
-                    element_name(body.element), element_name(heaviest->element)));
-  }
-
   void add_inertial(const mjsBody& body) {
     XmlAttributes own{{"pos", number_list(body.ipos, 3)}, {"mass", format_number(body.mass)}};
-    Matrix3d inertia = Matrix3d::Zero();
-    if (std::isnan(body.fullinertia[0])) {
-      inertia.diagonal() = Vector3d::Map(body.inertia);
-    } else {
-      const double* const f = body.fullinertia;
-      inertia << f[0], f[3], f[4], f[3], f[1], f[5], f[4], f[5], f[2];
-    }
-    const double* const q = body.iquat;
-    if (differs(q, {1, 0, 0, 0})) {
-      const Matrix3d axes = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
-      inertia = (axes * inertia * axes.transpose()).eval();
-    }
-    balance(inertia, element_name(body.element));
+    const Matrix3d inertia = inertia_of_link(body);
     const double least = kNoNumber * inertia.trace();
     const std::array<double, 3> off{inertia(0, 1), inertia(0, 2), inertia(1, 2)};
     if (std::all_of(off.begin(), off.end(), [&](double x) { return std::abs(x) <= least; })) {
@@ -211,15 +96,6 @@ class MjcfWriter {
       own.emplace_back("fullinertia", format_numbers(full));
     }
     add_element(out_, "inertial", own);
-  }
-
-  /// No body has moments of which one is more than the others together, and MuJoCo refuses them.
-  /// Its own cure gives all three their mean.
-  void balance(Matrix3d& inertia, const std::string& link) {
-    const Vector3d moments = Eigen::SelfAdjointEigenSolver<Matrix3d>(inertia).eigenvalues();
-    if (moments[0] + moments[1] >= moments[2]) return;
-    inertia = (inertia.trace() / 3.0 * Matrix3d::Identity()).eval();
-    balanced_.push_back(link);
   }
 
   void add_joint(mjsElement* element) {
@@ -343,14 +219,13 @@ class MjcfWriter {
   std::vector<std::string>& notes_;
   tinyxml2::XMLPrinter out_;
   std::set<std::string> names_, coupled_;
-  std::vector<std::string> balanced_, massless_;
 };
 
 }  // namespace
 
-std::string mjcf_of_spec(mjSpec& spec, const std::filesystem::path& file,
-                         const UrdfMending& mending, std::vector<std::string>& notes) {
-  return MjcfWriter(spec, mending, notes).write(file);
+std::string mjcf_of_spec(mjSpec& spec, mjsBody& trunk, const UrdfMending& mending,
+                         std::vector<std::string>& notes) {
+  return MjcfWriter(spec, mending, notes).write(trunk);
 }
 
 }  // namespace legwright

@@ -163,16 +163,9 @@ MjcfOfUrdf mjcf_of_urdf(const std::string& text, const fs::path& file, const Urd
         mj_parseXMLString(mended.c_str(), nullptr, error.data(), static_cast<int>(error.size())));
     if (!spec)
       throw InputError(file.string(), 0, "URDF", "MuJoCo refuses it: " + reason_of(error.data()));
-    out.text = mjcf_of_spec(*spec, file, mending, out.notes);
+    out.text = mjcf_of_spec(*spec, mend_bodies(*spec, file, out.notes), mending, out.notes);
   });
   return out;
-}
-
-UrdfMending mending_of(const RobotModel& robot) {
-  const Morphology& morphology = robot.morphology;
-  const double weight = kGravity * morphology.total_mass() / morphology.foot_count();
-  return {2.0 * weight * morphology.leg_length,
-          touching_bodies(*compile_mjcf(robot.xml, robot.file), robot.file)};
 }
 
 }  // namespace legwright

@@ -6,8 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "mjcf/read/robot_model.hpp"
-#include "mjcf/urdf/mjcf_of_spec.hpp"
+#include "mjcf/urdf/mend_urdf.hpp"
 
 namespace legwright {
 
@@ -30,9 +29,5 @@ bool is_urdf(std::string_view text);
 /// @param mending nothing but for a second reading (mending_of())
 MjcfOfUrdf mjcf_of_urdf(const std::string& text, const std::filesystem::path& file,
                         const UrdfMending& mending = {});
-
-/// What a robot, read from the MJCF of a first reading, tells of how to mend its URDF. Gains go to
-/// twice the torque with which stretched legs carry it; bodies that touch in its home pose overlap.
-UrdfMending mending_of(const RobotModel& robot);
 
 }  // namespace legwright

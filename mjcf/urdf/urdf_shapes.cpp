@@ -48,16 +48,6 @@ std::string ellipsoid_obj(const Vector3d& radii) {
 
 }  // namespace
 
-void open_element(tinyxml2::XMLPrinter& out, const char* name, const XmlAttributes& attributes) {
-  out.OpenElement(name);
-  for (const auto& [key, value] : attributes) out.PushAttribute(key, value.c_str());
-}
-
-void add_element(tinyxml2::XMLPrinter& out, const char* name, const XmlAttributes& attributes) {
-  open_element(out, name, attributes);
-  out.CloseElement();
-}
-
 std::string urdf_number(double number) { return fmt::format("{}", number == 0.0 ? 0.0 : number); }
 
 std::string urdf_numbers(const Vector3d& numbers) {

@@ -11,16 +11,11 @@
 #include <utility>
 #include <vector>
 
+#include "mjcf/urdf/print_xml.hpp"
 #include "mjcf/urdf/write_urdf.hpp"
 
 namespace legwright {
 
-using XmlAttributes = std::vector<std::pair<const char*, std::string>>;
-
-/// Opens an element with its attributes; the caller closes it.
-void open_element(tinyxml2::XMLPrinter& out, const char* name, const XmlAttributes& attributes);
-/// The same without content.
-void add_element(tinyxml2::XMLPrinter& out, const char* name, const XmlAttributes& attributes);
 /// Shortest text of a number, or of each, that reads back as the same.
 std::string urdf_number(double number);
 std::string urdf_numbers(const Eigen::Vector3d& numbers);

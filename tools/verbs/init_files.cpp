@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "mjcf/propose/declare.hpp"
+#include "mjcf/read/read_robot.hpp"
 #include "mjcf/text/input_error.hpp"
 #include "mjcf/text/splice.hpp"
 #include "mjcf/urdf/read_urdf.hpp"
@@ -40,12 +41,16 @@ InputError of_made_mjcf(const InputError& error) {
   return {error.file(), 0, error.where(), message};
 }
 
+RobotFiles in_pose(const RobotFiles& files, const std::optional<StandingPose>& pose) {
+  return pose ? files.with_main(with_keyframe(files.main_text(), files.file(), *pose)) : files;
+}
+
 /// What was found in a robot's files, with the pose and the names that it lacks.
-StudiedRobot study(RobotFiles files) {
-  const fs::path file = files.file();
-  std::string text = files.main_text();
-  std::optional<StandingPose> pose = find_standing_pose(files.text(), file);
-  if (pose) files = files.with_main(with_keyframe(text, file, *pose));
+/// @param pose find_standing_pose() of it
+StudiedRobot study(const RobotFiles& given, std::optional<StandingPose> pose) {
+  const fs::path& file = given.file();
+  std::string text = given.main_text();
+  RobotFiles files = in_pose(given, pose);
   ProposedParameters found =
       files.at_their_lines([&] { return propose_parameters(files.text(), file); });
   std::set<std::string> named = found.unnamed;
@@ -66,9 +71,12 @@ StudiedRobot study(RobotFiles files) {
 StudiedRobot study_urdf(std::string text, const fs::path& file, const FileReach& reach) {
   MjcfOfUrdf made = mjcf_of_urdf(text, file);
   try {
-    const StudiedRobot first = study(RobotFiles::from_text(std::move(made.text), file, reach));
-    made = mjcf_of_urdf(text, file, mending_of(first.found.model));
-    StudiedRobot robot = study(RobotFiles::from_text(std::move(made.text), file, reach));
+    const RobotFiles plain = RobotFiles::from_text(std::move(made.text), file, reach);
+    std::optional<StandingPose> pose = find_standing_pose(plain.text(), file);
+    made = mjcf_of_urdf(text, file, mending_of(parse_robot(in_pose(plain, pose).text(), file)));
+    // Gains and exclusions are no part of where a robot stands.
+    StudiedRobot robot =
+        study(RobotFiles::from_text(std::move(made.text), file, reach), std::move(pose));
     robot.text = std::move(text);
     robot.of_urdf = true;
     robot.mended = std::move(made.notes);
@@ -84,7 +92,8 @@ StudiedRobot study_robot(const fs::path& file, const FileReach& reach) {
   refuse_task(file);
   std::string text = read_main_file(file);
   if (is_urdf(text)) return study_urdf(std::move(text), file, reach);
-  return study(RobotFiles::from_text(std::move(text), file, reach));
+  const RobotFiles files = RobotFiles::from_text(std::move(text), file, reach);
+  return study(files, find_standing_pose(files.text(), file));
 }
 
 std::string write_proposals(const StudiedRobot& robot, const std::string& output) {

@@ -15,6 +15,7 @@
 #include "mjcf/text/model_arrays.hpp"
 #include "mjcf/urdf/urdf_meshes.hpp"
 #include "mjcf/urdf/write_urdf.hpp"
+#include "mjcf/write/rewrite_robot.hpp"
 #include "tests/mjcf/robots/robots.hpp"
 #include "tests/support/source_tree.hpp"
 #include "tests/tools/files/temporary_folder.hpp"
@@ -163,6 +164,14 @@ TEST(ReadUrdf, ALinkIsAsLongAsToTheJointOrFootOnWhatIsFixedToIt) {
   const RobotModel robot = parse_robot(declared, "hopper.xml");
   EXPECT_NEAR(robot.space.initial()[0], std::hypot(0.01, 0.12), 1e-9);
   EXPECT_EQ(robot.space.initial()[1], 0.13);
+  const Eigen::Vector2d longer(0.17, 0.11);
+  const ModelPointer model = compile_mjcf(rewrite_robot(robot, longer), "hopper.xml");
+  const DataPointer data = kinematics_at(*model, nullptr, "hopper.xml");
+  const auto at = [&](const char* body) -> Eigen::Vector3d {
+    return vector_at(data->xpos, mj_name2id(model.get(), mjOBJ_BODY, body));
+  };
+  EXPECT_NEAR((at("shank") - at("thigh")).norm(), longer[0], 1e-9);
+  EXPECT_NEAR((at("toe") - at("shank")).norm(), longer[1], 1e-9);
 }
 
 TEST(ReadUrdf, NoBodyHasMomentsThatMujocoRefuses) {

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mjcf/urdf/mend_urdf.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+
+#include "mjcf/text/compile.hpp"
+#include "mjcf/text/input_error.hpp"
+#include "mjcf/urdf/spec_elements.hpp"
+
+namespace legwright {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+class BodyMender {
+ public:
+  BodyMender(mjSpec& spec, std::vector<std::string>& notes) : spec_(spec), notes_(notes) {}
+
+  mjsBody& run(const std::filesystem::path& file) {
+    mjsBody& trunk = find_trunk();
+    mend(trunk, true);
+    if (!balanced_.empty())
+      notes_.push_back(fmt::format(
+          "no body has the moments of inertia of {} (one is more than the others together); each "
+          "has their mean now, as MuJoCo's balanceinertia gives it",
+          fmt::join(balanced_, ", ")));
+    const bool several = massless_.size() > 1;
+    if (!massless_.empty())
+      throw InputError(
+          file.string(), 0, several ? "links" : "link",
+          fmt::format("{} {} and neither {} nor what is fixed there has an <inertial>; give mass "
+                      "and moments of inertia, without which no motion can be planned",
+                      fmt::join(massless_, ", "), several ? "move" : "moves",
+                      several ? "they" : "it"));
+    return trunk;
+  }
+
+ private:
+  /// The first body below the world that weighs something, carries several, or floats.
+  mjsBody& find_trunk() {
+    mjsBody* trunk = mjs_findBody(&spec_, "world");
+    while (count_of(*trunk, mjOBJ_BODY) == 1 && count_of(*trunk, mjOBJ_GEOM) == 0) {
+      mjsBody& below = *mjs_asBody(mjs_firstChild(trunk, mjOBJ_BODY, 0));
+      if (trunk->explicitinertial != 0 || count_of(*trunk, mjOBJ_JOINT) > 0) break;
+      if (trunk != mjs_findBody(&spec_, "world"))
+        notes_.push_back(
+            fmt::format("link '{}' has no mass and is left out: the robot floats at "
+                        "its link '{}'",
+                        element_name(trunk->element), element_name(below.element)));
+      const bool hinged = is_hinged(below);
+      trunk = &below;
+      if (hinged) break;
+    }
+    return *trunk;
+  }
+
+  static bool is_hinged(mjsBody& body) {
+    bool hinged = false;
+    for_each(body, mjOBJ_JOINT,
+             [&](mjsElement* joint) { hinged = hinged || mjs_asJoint(joint)->type != mjJNT_FREE; });
+    return hinged;
+  }
+
+  void mend(mjsBody& body, bool moves) {
+    moves = moves || count_of(body, mjOBJ_JOINT) > 0;
+    if (moves && body.explicitinertial == 0) take_mass(body);
+    if (body.explicitinertial != 0) balance(body);
+    for_each(body, mjOBJ_BODY, [&](mjsElement* below) { mend(*mjs_asBody(below), false); });
+  }
+
+  /// A link that moves and has no mass, as other readers want a base to be, gets that of the
+  /// heaviest link which is fixed to it.
+  void take_mass(mjsBody& body) {
+    mjsBody* heaviest = nullptr;
+    for_each(body, mjOBJ_BODY, [&](mjsElement* element) {
+      mjsBody& below = *mjs_asBody(element);
+      if (below.explicitinertial == 0 || count_of(below, mjOBJ_JOINT) > 0) return;
+      if (heaviest == nullptr || below.mass > heaviest->mass) heaviest = &below;
+    });
+    if (heaviest == nullptr) {
+      massless_.push_back(element_name(body.element));
+      return;
+    }
+    const auto turn = [](const double* q) { return Eigen::Quaterniond(q[0], q[1], q[2], q[3]); };
+    const Eigen::Quaterniond rotation = turn(heaviest->quat),
+                             axes = rotation * turn(heaviest->iquat);
+    const Vector3d centre =
+        Vector3d::Map(heaviest->pos) + rotation * Vector3d(Vector3d::Map(heaviest->ipos));
+    body.mass = heaviest->mass;
+    std::copy_n(centre.data(), 3, body.ipos);
+    const std::array<double, 4> q{axes.w(), axes.x(), axes.y(), axes.z()};
+    std::copy_n(q.data(), 4, body.iquat);
+    std::copy_n(heaviest->inertia, 3, body.inertia);
+    std::copy_n(heaviest->fullinertia, 6, body.fullinertia);
+    body.explicitinertial = 1;
+    heaviest->explicitinertial = 0;
+    notes_.push_back(
+        fmt::format("link '{}' moves and has no mass: it gets that of '{}', which is "
+                    "fixed to it",
+                    element_name(body.element), element_name(heaviest->element)));
+  }
+
+  /// No body has moments of which one is more than the others together, and MuJoCo refuses them.
+  /// Its own cure gives all three their mean.
+  void balance(mjsBody& body) {
+    const Matrix3d inertia = inertia_of_link(body);
+    const Vector3d moments = Eigen::SelfAdjointEigenSolver<Matrix3d>(inertia).eigenvalues();
+    if (moments[0] + moments[1] >= moments[2]) return;
+    constexpr std::array<double, 4> kUnturned{1, 0, 0, 0};
+    std::copy_n(kUnturned.data(), 4, body.iquat);
+    std::fill_n(body.inertia, 3, inertia.trace() / 3.0);
+    body.fullinertia[0] = std::nan("");
+    balanced_.push_back(element_name(body.element));
+  }
+
+  mjSpec& spec_;
+  std::vector<std::string>& notes_;
+  std::vector<std::string> balanced_, massless_;
+};
+
+}  // namespace
+
+UrdfMending mending_of(const RobotModel& robot) {
+  const Morphology& morphology = robot.morphology;
+  const double weight = kGravity * morphology.total_mass() / morphology.foot_count();
+  return {2.0 * weight * morphology.leg_length,
+          touching_bodies(*compile_mjcf(robot.xml, robot.file), robot.file)};
+}
+
+mjsBody& mend_bodies(mjSpec& spec, const std::filesystem::path& file,
+                     std::vector<std::string>& notes) {
+  return BodyMender(spec, notes).run(file);
+}
+
+Matrix3d inertia_of_link(const mjsBody& body) {
+  Matrix3d inertia = Matrix3d::Zero();
+  if (std::isnan(body.fullinertia[0])) {
+    inertia.diagonal() = Vector3d::Map(body.inertia);
+  } else {
+    const double* const f = body.fullinertia;
+    inertia << f[0], f[3], f[4], f[3], f[1], f[5], f[4], f[5], f[2];
+  }
+  const double* const q = body.iquat;
+  if (!differs(q, {1, 0, 0, 0})) return inertia;
+  const Matrix3d axes = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
+  return axes * inertia * axes.transpose();
+}
+
+}  // namespace legwright
