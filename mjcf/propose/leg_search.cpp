@@ -136,9 +136,11 @@ std::vector<int> chain_ends(const mjModel& model, int trunk) {
   return ends;
 }
 
-SearchedLeg leg_to(const mjModel& model, int trunk, int end) {
+/// @param carried chains on each body: where there are several, as on a waist, the leg begins below
+SearchedLeg leg_to(const mjModel& model, int trunk, int end, const std::vector<int>& carried) {
   SearchedLeg leg;
-  for (int b = end; b != trunk; b = model.body_parentid[b])
+  for (int b = end; b != trunk && carried[static_cast<std::size_t>(b)] == 1;
+       b = model.body_parentid[b])
     for (int n = model.body_jntnum[b] - 1; n >= 0; --n)
       leg.joints.insert(leg.joints.begin(), model.body_jntadr[b] + n);
   for (int b = end; b < static_cast<int>(model.nbody); ++b)
@@ -155,7 +157,8 @@ SearchedLeg leg_to(const mjModel& model, int trunk, int end) {
   return leg;
 }
 
-/// From hinge to hinge, and on to the last link's lowest point.
+/// From hinge to hinge, and on to the farthest of what the last link collides with, or else draws:
+/// the same in any pose.
 double length_of_chain(const mjModel& model, const mjData& data, const SearchedLeg& leg) {
   double length = 0.0;
   Vector3d at = Vector3d::Map(data.xanchor + std::ptrdiff_t{3} * leg.joints.front());
@@ -164,7 +167,15 @@ double length_of_chain(const mjModel& model, const mjData& data, const SearchedL
     length += (next - at).norm();
     at = next;
   }
-  return length + (leg.touch(model, data) - at).norm();
+  double colliding = 0.0, drawn = 0.0;
+  for (const int body : leg.bodies)
+    for (int k = 0; k < model.body_geomnum[body]; ++k) {
+      const int g = model.body_geomadr[body] + k;
+      const Vector3d middle = Vector3d::Map(data.geom_xpos + std::ptrdiff_t{3} * g);
+      double& farthest = collides(model, g) ? colliding : drawn;
+      farthest = std::max(farthest, (middle - at).norm() + model.geom_rbound[g]);
+    }
+  return length + (colliding > 0.0 ? colliding : drawn);
 }
 
 }  // namespace
@@ -242,8 +253,13 @@ std::vector<SearchedLeg> legs_of_one_build(const mjModel& model, int trunk, cons
   std::vector<SearchedLeg> chains;
   std::vector<double> lengths, hangs;
   double lowest = std::numeric_limits<double>::infinity();
-  for (const int end : chain_ends(model, trunk)) {
-    SearchedLeg leg = leg_to(model, trunk, end);
+  const std::vector<int> ends = chain_ends(model, trunk);
+  std::vector<int> carried(static_cast<std::size_t>(model.nbody), 0);
+  for (const int end : ends)
+    for (int b = end; b != trunk; b = model.body_parentid[b])
+      ++carried[static_cast<std::size_t>(b)];
+  for (const int end : ends) {
+    SearchedLeg leg = leg_to(model, trunk, end, carried);
     const bool hinges = std::all_of(leg.joints.begin(), leg.joints.end(), [&](int joint) {
       return model.jnt_type[joint] == mjJNT_HINGE;
     });

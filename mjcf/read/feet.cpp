@@ -79,6 +79,7 @@ double end_of_rod(const mjModel& model, const mjData& data, int geom, const Vect
 FootContact contact_of(const mjModel& model, const mjData& data, int geom, const Vector3d& hinge) {
   FootContact out;
   out.geom = geom;
+  out.geom_type = model.geom_type[geom];
   const Vector3d d = down(data, geom),
                  half =
                      half_sizes(model.geom_type[geom], model.geom_size + std::ptrdiff_t{3} * geom);

@@ -25,14 +25,13 @@ void check_home(const XmlFile& xml, const mjModel& model, const Morphology& morp
   for (int a = 0; a < morphology.joint_count(); ++a) {
     const Joint& joint = morphology.links[a + 1].joint;
     if (joint.nominal < joint.lower || joint.nominal > joint.upper)
-      throw error_at(
-          xml, model, mjOBJ_JOINT, mj_name2id(&model, mjOBJ_JOINT, joint.name.c_str()),
-          fmt::format("the home pose has {:.6g} rad, outside of its range {:.6g} to "
-                      "{:.6g} (in degrees {:.6g}, "
-                      "{:.6g} to {:.6g}); change the range or the keyframe 'home', or let "
-                      "`legwright init ROBOT --write` find a pose to stand in",
-                      joint.nominal, joint.lower, joint.upper, degrees(joint.nominal),
-                      degrees(joint.lower), degrees(joint.upper)));
+      throw error_at(xml, model, mjOBJ_JOINT, mj_name2id(&model, mjOBJ_JOINT, joint.name.c_str()),
+                     fmt::format("the home pose has {:.6g} rad, outside of its range {:.6g} to "
+                                 "{:.6g} (in degrees {:.6g}, "
+                                 "{:.6g} to {:.6g}); change the range or the keyframe 'home'; "
+                                 "`legwright init ROBOT --write` looks for a pose to stand in",
+                                 joint.nominal, joint.lower, joint.upper, degrees(joint.nominal),
+                                 degrees(joint.lower), degrees(joint.upper)));
   }
 }
 

@@ -16,15 +16,66 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kTilt = 0.1;       // of a foot's width: so much higher a point may be
-constexpr double kNarrow = 0.2;     // of its length: what is narrower is an edge
-constexpr int kRim = 8;             // points
-constexpr double kEachAlone = 0.2;  // least singular value: the share of a motion that is its own
+constexpr double kTilt = 0.1;        // of a foot's width: so much higher a point may be
+constexpr double kAskew = 0.09;      // sine of the angle by which a sole may be drawn askew
+constexpr double kLevelSole = 0.95;  // cosine of the angle from which on it is an edge that touches
+constexpr double kNarrow = 0.2;      // of its length: what is narrower is an edge
+constexpr int kRim = 8;              // points
+constexpr double kEachAlone = 0.2;   // least singular value: the share of a motion that is its own
 
 struct GroundPoint {
   Vector3d place;
   int geom;
 };
+
+/// Whether a point is above another one rather than beside it: on the upper face of a sole.
+bool is_above(const Vector3d& point, const Vector3d& other) {
+  const double rise = point.z() - other.z();
+  return rise > 0.0 && (point - other).head<2>().norm() < rise;
+}
+
+bool is_mesh(const mjModel& model, const GroundPoint& point) {
+  return model.geom_type[point.geom] == mjGEOM_MESH;
+}
+
+/// Points on which none of the others is below: what can touch. Vertices of meshes are many, and
+/// count by their height alone.
+std::vector<GroundPoint> lower_faces(const mjModel& model, const std::vector<GroundPoint>& points) {
+  std::vector<GroundPoint> out;
+  for (const GroundPoint& point : points)
+    if (is_mesh(model, point) ||
+        std::none_of(points.begin(), points.end(),
+                     [&](const GroundPoint& other) { return is_above(point.place, other.place); }))
+      out.push_back(point);
+  return out;
+}
+
+std::vector<Vector3d> places_of(const std::vector<GroundPoint>& points) {
+  std::vector<Vector3d> out;
+  out.reserve(points.size());
+  for (const GroundPoint& point : points) out.push_back(point.place);
+  return out;
+}
+
+/// The points about as low as the lowest one; where these are no sole, but those are of one that is
+/// drawn askew, so that the lowest one touches alone, the latter.
+std::vector<GroundPoint> touching(const mjModel& model, const std::vector<GroundPoint>& points) {
+  Vector3d least = points.front().place, most = least, lowest = least;
+  for (const GroundPoint& point : points) {
+    if (point.place.z() < lowest.z()) lowest = point.place;
+    least = least.cwiseMin(point.place);
+    most = most.cwiseMax(point.place);
+  }
+  const double width = (most - least).head<2>().minCoeff();
+  std::vector<GroundPoint> level, askew;
+  for (const GroundPoint& point : lower_faces(model, points)) {
+    const double rise = point.place.z() - lowest.z();
+    if (rise <= kTilt * width) level.push_back(point);
+    if (!is_mesh(model, point) && rise <= kAskew * (point.place - lowest).norm())
+      askew.push_back(point);
+  }
+  return !normal_of_sole(places_of(level)) && normal_of_sole(places_of(askew)) ? askew : level;
+}
 
 std::vector<GroundPoint> find_ground_points(const mjModel& model, const mjData& data,
                                             const std::vector<int>& bodies) {
@@ -36,20 +87,7 @@ std::vector<GroundPoint> find_ground_points(const mjModel& model, const mjData& 
       for (const Vector3d& place : surface_points(model, data, geom))
         points.push_back({place, geom});
     }
-  if (points.empty()) return points;
-  double low = std::numeric_limits<double>::infinity();
-  Vector3d least = Vector3d::Constant(low), most = -least;
-  for (const GroundPoint& point : points) {
-    low = std::min(low, point.place.z());
-    least = least.cwiseMin(point.place);
-    most = most.cwiseMax(point.place);
-  }
-  const double width = (most - least).head<2>().minCoeff();
-  points.erase(
-      std::remove_if(points.begin(), points.end(),
-                     [&](const GroundPoint& p) { return p.place.z() > low + kTilt * width; }),
-      points.end());
-  return points;
+  return points.empty() ? points : touching(model, points);
 }
 
 }  // namespace
@@ -96,10 +134,7 @@ std::vector<Vector3d> surface_points(const mjModel& model, const mjData& data, i
 
 std::vector<Vector3d> ground_points(const mjModel& model, const mjData& data,
                                     const std::vector<int>& bodies) {
-  std::vector<Vector3d> out;
-  for (const GroundPoint& point : find_ground_points(model, data, bodies))
-    out.push_back(point.place);
-  return out;
+  return places_of(find_ground_points(model, data, bodies));
 }
 
 std::vector<int> ground_geoms(const mjModel& model, const mjData& data,
@@ -136,6 +171,7 @@ std::optional<Vector3d> normal_of_sole(const std::vector<Vector3d>& points) {
   if (sizes[2] == 0.0 || sizes[1] < kNarrow * sizes[2] || sizes[0] > kTilt * sizes[1])
     return std::nullopt;
   const Vector3d normal = axes.eigenvectors().col(0);
+  if (std::abs(normal.z()) < kLevelSole) return std::nullopt;
   return normal.z() < 0.0 ? Vector3d(-normal) : normal;
 }
 

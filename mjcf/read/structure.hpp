@@ -11,8 +11,9 @@ namespace legwright {
 /// Where a foot touches the ground: a ball about a point that is fixed to its link. Radius zero:
 /// the point itself, as the middle of a sole.
 struct FootContact {
-  std::string name;  // of the geom in scenes; the file's geom may have none
-  int geom = -1;     // id in the compiled model; −1: a site, for which scenes have a geom
+  std::string name;    // of the geom in scenes; the file's geom may have none
+  int geom = -1;       // id in the compiled model; −1: a site, for which scenes have a geom
+  int geom_type = -1;  // its mjtGeom, likewise
   int site = -1;
   Eigen::Vector3d share = Eigen::Vector3d::Zero();  // of the point, along the geom's axes: over its
                                                     // half sizes; of a mesh along the axes and in

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "mjcf/read/checks.hpp"
+#include "mjcf/read/world_parts.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/numbers.hpp"
 #include "optimizer/design/morphology.hpp"
@@ -33,7 +34,7 @@ void refuse_mass_from_nowhere(const XmlFile& xml, const mjModel& model, int trun
   if (!bound || bound->size() != 1 || !(bound->front() > 0.0)) return;
   for (int b = 1; b < model.nbody; ++b)
     if (model.body_rootid[b] == trunk && model.body_mass[b] == bound->front() &&
-        model.body_inertia[3 * b] == 0.0)
+        model.body_inertia[std::ptrdiff_t{3} * b] == 0.0)
       reasons.add(
           xml.error(compiler, fmt::format("attribute boundmass: gives mass to body '{}', which has "
                                           "none; write its <inertial>, or remove boundmass",
@@ -111,33 +112,33 @@ int find_trunk(const XmlFile& xml, const mjModel& model, Refusals& reasons) {
     reasons.add(InputError(xml.file.string(), 0, "", "more than 256 bodies; this is no robot"));
     return -1;
   }
-  std::vector<int> roots;
-  for (int j = 0; j < model.njnt; ++j)
-    if (model.jnt_type[j] == mjJNT_FREE) roots.push_back(model.jnt_bodyid[j]);
-  if (roots.empty()) {
+  const int trunk = trunk_of(model);
+  if (trunk < 0) {
     reasons.add(InputError(xml.file.string(), 0, "worldbody",
                            "no body has a free joint; add <freejoint/> to the trunk"));
     return -1;
   }
-  for (std::size_t k = 1; k < roots.size(); ++k)
+  const std::string name = name_of(model, mjOBJ_BODY, trunk);
+  for (int j = 0; j < model.njnt; ++j) {
+    const int body = model.jnt_bodyid[j];
+    if (model.jnt_type[j] != mjJNT_FREE || body == trunk || moves_beside(model, body)) continue;
     reasons.add(error_at(
-        xml, model, mjOBJ_BODY, roots[k],
-        fmt::format(
-            "a second free root besides body '{}'; a file holds one robot, remove the other",
-            name_of(model, mjOBJ_BODY, roots.front()))));
-  if (name_of(model, mjOBJ_BODY, roots.front()).empty())
+        xml, model, mjOBJ_BODY, body,
+        fmt::format("a second free root with joints besides body '{}'; a file holds one robot, "
+                    "remove the other",
+                    name)));
+  }
+  if (name.empty())
     reasons.add(InputError(xml.file.string(), 0, "body with the free joint",
                            "has no name; give it one, like name=\"trunk\""));
-  return roots.front();
+  return trunk;
 }
 
 void check_surroundings(const XmlFile& xml, const mjModel& model, int trunk, Refusals& reasons) {
-  const auto is_free_root = [&](int body) {
-    return model.body_jntnum[body] == 1 && model.jnt_type[model.body_jntadr[body]] == mjJNT_FREE;
-  };
   for (int j = 0; j < model.njnt; ++j) {
     const int body = model.jnt_bodyid[j], root = model.body_rootid[body];
-    if (root != trunk && !is_free_root(root))
+    const bool is_of_free = model.jnt_type[model.body_jntadr[root]] == mjJNT_FREE;  // told above
+    if (root != trunk && !(model.body_jntnum[root] > 0 && is_of_free) && !moves_beside(model, root))
       reasons.add(error_at(xml, model, mjOBJ_JOINT, j,
                            "moves a body that does not hang on the trunk; hang it there or remove "
                            "it"));
@@ -147,7 +148,10 @@ void check_surroundings(const XmlFile& xml, const mjModel& model, int trunk, Ref
   }
   refuse_section(xml, static_cast<int>(model.nmocap), "worldbody",
                  "mocap bodies are moved from outside", reasons);
-  refuse_section(xml, static_cast<int>(model.nskin), "asset", "skins are not carried", reasons);
+  for_each_element(xml.root(), [&](const XmlElement& element) {
+    if (is_tag(element, "skin"))
+      reasons.add(xml.error(element, "skins are not carried to other designs; remove it"));
+  });
   check_gravity(xml, model, reasons);
   refuse_mass_from_nowhere(xml, model, trunk, reasons);
   for (int g = 0; g < model.ngeom; ++g)

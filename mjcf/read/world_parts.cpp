@@ -43,7 +43,48 @@ bool is_wide(const mjModel& model, int geom) {
   return model.geom_type[geom] == mjGEOM_PLANE || model.geom_type[geom] == mjGEOM_HFIELD;
 }
 
+/// Whether a body or one below it has a joint besides a free one.
+bool has_hinges(const mjModel& model, int root) {
+  for (int j = 0; j < model.njnt; ++j)
+    if (model.body_rootid[model.jnt_bodyid[j]] == root && model.jnt_type[j] != mjJNT_FREE)
+      return true;
+  return false;
+}
+
+bool has_geoms(const mjModel& model, int root) {
+  for (int g = 0; g < model.ngeom; ++g)
+    if (model.body_rootid[model.geom_bodyid[g]] == root) return true;
+  return false;
+}
+
+bool is_free(const mjModel& model, int root) {
+  return model.body_jntnum[root] == 1 && model.jnt_type[model.body_jntadr[root]] == mjJNT_FREE;
+}
+
 }  // namespace
+
+int trunk_of(const mjModel& model) {
+  int first = -1;
+  for (int b = 1; b < static_cast<int>(model.nbody); ++b) {
+    if (model.body_jntnum[b] == 0 || model.jnt_type[model.body_jntadr[b]] != mjJNT_FREE) continue;
+    if (has_hinges(model, b)) return b;
+    if (first < 0) first = b;
+  }
+  return first;
+}
+
+bool moves_beside(const mjModel& model, int root) {
+  if (root == trunk_of(model)) return false;
+  return is_free(model, root) ? !has_hinges(model, root)
+                              : has_hinges(model, root) && !has_geoms(model, root);
+}
+
+std::vector<int> bodies_beside(const mjModel& model) {
+  std::vector<int> out;
+  for (int b = 1; b < static_cast<int>(model.nbody); ++b)
+    if (model.body_parentid[b] == 0 && moves_beside(model, b)) out.push_back(b);
+  return out;
+}
 
 bool is_of_surroundings(const mjModel& model, int geom) {
   return model.body_weldid[model.geom_bodyid[geom]] == 0 &&
@@ -70,6 +111,9 @@ std::vector<std::string> surroundings_of(const mjModel& model) {
   for (const auto& [type, count] : unnamed)
     out.push_back(count == 1 ? fmt::format("a {}", kind_of(type).one)
                              : fmt::format("{} {}", count, kind_of(type).several));
+  for (const int body : bodies_beside(model))
+    out.push_back(
+        fmt::format("body '{}', which moves by itself", name_of(model, mjOBJ_BODY, body)));
   return out;
 }
 

@@ -12,6 +12,7 @@
 #include "mjcf/read/world_parts.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/elements.hpp"
+#include "mjcf/text/model_arrays.hpp"
 #include "mjcf/text/numbers.hpp"
 
 namespace legwright {
@@ -41,10 +42,12 @@ class Player {
 
   void run() {
     drop_surroundings();
+    if (!beside_.empty()) drop_bodies_beside();
     for (const FootContact& foot : structure_.feet) name_foot(foot);
+    if (!structure_.frozen.empty() || !beside_.empty()) trim_keyframes();
     if (!structure_.frozen.empty()) {
-      trim_keyframes();
-      for (int b = 1; b < model_.nbody; ++b) hold(b);
+      for (int b = 1; b < model_.nbody; ++b)
+        if (!is_beside(b)) hold(b);
       while (XMLElement* all = root_.FirstChildElement("equality")) root_.DeleteChild(all);
     }
     drop_other_tendons();
@@ -65,6 +68,40 @@ class Player {
       any = true;
     }
     if (any) drop_references("contact");
+  }
+
+  bool is_beside(int body) const {
+    return std::count(beside_.begin(), beside_.end(), model_.body_rootid[body]) > 0;
+  }
+
+  /// What moves beside the robot goes, with all that names one of its parts, and its numbers in
+  /// keyframes.
+  void drop_bodies_beside() {
+    for (const int root : beside_) {
+      XMLElement& body = writable(elements_.bodies[static_cast<std::size_t>(root)]);
+      for_each_element(body, [&](const XmlElement& part) {
+        const std::string kind = is_tag(part, "freejoint") ? "joint" : part.Name();
+        if (const char* name = part.Attribute("name")) record_removed(kind, name);
+      });
+      body.Parent()->DeleteChild(&body);
+    }
+    drop_watching(root_);
+    for (const char* section : {"contact", "equality", "tendon"}) drop_references(section);
+  }
+
+  /// Cameras and lights that look at a body that is gone.
+  void drop_watching(XMLElement& element) {
+    const auto& bodies = removed_["body"];
+    for (XMLElement *child = element.FirstChildElement(), *next = nullptr; child; child = next) {
+      next = child->NextSiblingElement();
+      const char* const target = child->Attribute("target");
+      if ((is_tag(*child, "camera") || is_tag(*child, "light")) && target && bodies.count(target)) {
+        if (const char* name = child->Attribute("name")) record_removed(child->Name(), name);
+        element.DeleteChild(child);
+      } else {
+        drop_watching(*child);
+      }
+    }
   }
 
   void name_foot(const FootContact& foot) {
@@ -139,8 +176,8 @@ class Player {
   /// The body's own frame now has the held displacement in it, and a hinge declared before it turns
   /// about the same line of the parent all the same: D₀D₁ = D₁(D₁⁻¹D₀D₁).
   void seen_from_behind(int joint, const Eigen::Isometry3d& held) {
-    const auto found = lines_.try_emplace(joint, Eigen::Vector3d(model_.jnt_axis + 3 * joint),
-                                          Eigen::Vector3d(model_.jnt_pos + 3 * joint));
+    const auto found = lines_.try_emplace(joint, vector_at(model_.jnt_axis, joint),
+                                          vector_at(model_.jnt_pos, joint));
     auto& [axis, anchor] = found.first->second;
     if (held.isApprox(Eigen::Isometry3d::Identity(), 0.0)) return;
     axis = held.linear().transpose() * axis;
@@ -204,12 +241,16 @@ class Player {
   void trim_keyframes() {
     std::vector<bool> keep_q(static_cast<std::size_t>(model_.nq), true),
         keep_v(static_cast<std::size_t>(model_.nv), true);
-    for (const FrozenJoint& frozen : structure_.frozen) {
-      const int j = frozen.joint, type = model_.jnt_type[j];
-      const int q = type == mjJNT_BALL ? 4 : 1, v = type == mjJNT_BALL ? 3 : 1;
+    const auto leave_out = [&](int j) {
+      const int type = model_.jnt_type[j];
+      const int q = type == mjJNT_FREE ? 7 : type == mjJNT_BALL ? 4 : 1;
+      const int v = type == mjJNT_FREE ? 6 : type == mjJNT_BALL ? 3 : 1;
       std::fill_n(keep_q.begin() + model_.jnt_qposadr[j], q, false);
       std::fill_n(keep_v.begin() + model_.jnt_dofadr[j], v, false);
-    }
+    };
+    for (const FrozenJoint& frozen : structure_.frozen) leave_out(frozen.joint);
+    for (int j = 0; j < model_.njnt; ++j)
+      if (is_beside(model_.jnt_bodyid[j])) leave_out(j);
     const auto trim = [](XMLElement& key, const char* name, const std::vector<bool>& keep) {
       if (!key.Attribute(name)) return;
       const auto numbers = parse_numbers(key.Attribute(name));
@@ -232,6 +273,7 @@ class Player {
   XmlFile& xml_;
   const mjModel& model_;
   const Structure& structure_;
+  const std::vector<int> beside_ = bodies_beside(model_);
   const TreeElements elements_;
   XMLElement& root_;
   NamesByAttribute removed_;
@@ -242,7 +284,8 @@ bool is_played_as_it_is(const mjModel& model, const Structure& structure) {
   const auto& reads = structure.reads_tendon;
   for (int g = 0; g < model.ngeom; ++g)
     if (is_of_surroundings(model, g)) return false;
-  return structure.frozen.empty() && std::count(reads.begin(), reads.end(), false) == 0 &&
+  return structure.frozen.empty() && bodies_beside(model).empty() &&
+         std::count(reads.begin(), reads.end(), false) == 0 &&
          std::all_of(structure.feet.begin(), structure.feet.end(), [&](const FootContact& foot) {
            return is_ball(model, foot) && name_of(model, mjOBJ_GEOM, foot.geom) == foot.name;
          });

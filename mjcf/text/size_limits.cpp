@@ -19,7 +19,7 @@ struct SizeLimit {
 
 /// Far above what robots have, far below what hurts.
 constexpr SizeLimit kLimits[] = {
-    {"size", "nuserdata", 1e5},
+    {"size", "nuserdata", 1e6},
     {"size", "nuser_body", 100},
     {"size", "nuser_jnt", 100},
     {"size", "nuser_geom", 100},

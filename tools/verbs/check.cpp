@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "mjcf/read/foot_words.hpp"
 #include "mjcf/read/moving_parts.hpp"
 #include "mjcf/text/input_error.hpp"
 #include "optimizer/motion/faced_frame.hpp"
@@ -75,11 +76,10 @@ std::string robot_text(const Finding& found) {
   const std::vector<Eigen::Vector3d> feet = home_feet(morphology, s);
   for (int j : order_as_faced(feet, found.file.forward)) {
     const Foot& foot = morphology.feet[j];
-    const std::string shape =
-        foot.radius > 0.0 ? fmt::format("ball of {:.3g} mm", 1e3 * foot.radius) : "point";
     text += fmt::format("  limb  {}: {} -> {}; {:.4g} m stretched; stands at {:.3f}, {:.3f} m\n",
-                        foot.name, fmt::join(limb_of(morphology, foot), " -> "), shape,
-                        stretched_limb(morphology, j, s), feet[j].x(), feet[j].y());
+                        foot.name, fmt::join(limb_of(morphology, foot), " -> "),
+                        touching_part(found.robot, j), stretched_limb(morphology, j, s),
+                        feet[j].x(), feet[j].y());
   }
   return text + held_text(found.robot.structure) + file_notes(found.robot);
 }

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "mjcf/read/foot_words.hpp"
 #include "mjcf/read/moving_parts.hpp"
 #include "mjcf/read/solver_options.hpp"
 #include "mjcf/read/world_parts.hpp"
@@ -85,20 +86,11 @@ const Foot& foot_of(const ProposedParameters& found, const Limb& limb) {
 
 /// @param side in front of y where it stands for both legs of a pair: "+-", else "".
 std::string foot_text(const ProposedParameters& found, const Limb& limb, const std::string& side) {
-  const Foot& foot = foot_of(found, limb);
-  const std::size_t balls =
-      1 + found.model.structure.feet[static_cast<std::size_t>(limb.foot)].others.size();
-  const std::string shape =
-      foot.sole && foot.radius == 0.0 ? "middle of its sole"
-      : foot.radius > 0.0
-          ? fmt::format("{} of {:.3g} mm",
-                        balls > 1 ? fmt::format("middle of {} balls", balls) : "ball",
-                        1e3 * foot.radius)
-          : "point";
   const auto shown = [](double metres) {  // no minus in front of zero
     return std::abs(metres) < kSamePlace ? 0.0 : metres;
   };
-  return fmt::format("foot     {} at {:.3f}, {}{:.3f}, {:.3f} m", shape, shown(limb.home.x()), side,
+  return fmt::format("foot     {} at {:.3f}, {}{:.3f}, {:.3f} m",
+                     touching_part(found.model, limb.foot), shown(limb.home.x()), side,
                      side.empty() ? shown(limb.home.y()) : std::abs(limb.home.y()),
                      shown(limb.home.z()));
 }

@@ -87,6 +87,36 @@ TEST(StandingPose, LegsOfOneBuildInTheAirAreLegs) {
   EXPECT_EQ(robot.morphology.joint_count(), 12);
 }
 
+/// Two legs up in the air, whose shanks point upwards, are no shorter for it.
+TEST(StandingPose, LegsAreOfOneBuildInAnyPose) {
+  const std::string reared =
+      with_home(lurcher(), 0.0, "0 -2.2 -1.3 0 -2.2 -1.3 0 0.7 -1.4 0 0.7 -1.4");
+  const auto pose = find_standing_pose(
+      test::with(test::with(reared, "-1.2 2.6", "-2.5 2.6"), "-1.2 2.6", "-2.5 2.6"), kLurcherFile);
+  ASSERT_TRUE(pose);
+  EXPECT_NE(pose->why.find("legs of one build end there at heights that differ"), std::string::npos)
+      << pose->why;
+}
+
+/// A waist is no hinge of the two legs that hang on it.
+TEST(StandingPose, AWaistStaysAtRest) {
+  std::string xml =
+      test::with(lurcher(), "      <body name=\"lh_hip\"",
+                 "      <body name=\"waist\"><inertial pos=\"0 0 0.3\" mass=\"1\" "
+                 "diaginertia=\".01 .01 .01\"/>"
+                 "<joint name=\"waist\" axis=\"0 1 0\" range=\"-1 1\"/><body name=\"lh_hip\"");
+  const std::string end = "    </body>\n  </worldbody>";
+  xml = test::with(xml, end, "      </body>\n" + end);
+  xml = test::with(xml, "<motor name", "<motor joint=\"waist\" ctrlrange=\"-9 9\"/><motor name");
+  const auto pose = find_standing_pose(xml, kLurcherFile);
+  ASSERT_TRUE(pose);
+  EXPECT_EQ(pose->words.find("waist"), std::string::npos) << pose->words;
+  const auto model = compile_mjcf(with_keyframe(xml, kLurcherFile, *pose), kLurcherFile);
+  const int waist = mj_name2id(model.get(), mjOBJ_JOINT, "waist");
+  ASSERT_GE(waist, 0);
+  EXPECT_EQ(home_qpos(*model)[model->jnt_qposadr[waist]], 0.0);
+}
+
 TEST(StandingPose, APoseThatStandsIsLeftAlone) {
   EXPECT_FALSE(find_standing_pose(with_home(lurcher(), 0.0, four("0 0.7 -1.4")), kLurcherFile));
   for (const char* name : {"puppy", "quadruped", "hexapod", "biped", "printed_quadruped"})

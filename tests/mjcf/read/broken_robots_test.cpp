@@ -162,7 +162,7 @@ const std::map<std::string, Refusal>& refusals() {
       {"two_actuators",
        {23, {"position 'knee_servo'", "second actuator of joint 'hip'", "leave one"}}},
       {"two_free_roots",
-       {20, {"body 'ball'", "second free root besides body 'trunk'", "remove the other"}}},
+       {20, {"body 'ball'", "second free root with joints besides body 'trunk'", "remove"}}},
       {"unit_does_not_fit",
        {30,
         {"'legwright/thigh_length'", "'rad' does not fit 'stretch'",

@@ -354,14 +354,16 @@ TEST(Refusals, AllReasonsAreReportedAtOnceEachWithItsLine) {
                    "<joint name=\"knee\" axis=\"0 1 0\" type=\"slide\"/>");
   xml = test::with(xml, "<body name=\"thigh\">", "<body name=\"thigh\" gravcomp=\"1\">");
   xml = test::with(xml, "  </worldbody>",
-                   "    <body name=\"ball\"><freejoint/><geom size=\"0.1\"/></body>\n"
+                   "    <body name=\"ball\"><freejoint/><geom size=\"0.1\"/><body name=\"lid\">"
+                   "<joint/><geom size=\"0.1\"/></body></body>\n"
                    "  </worldbody>");
   xml = test::with(xml, "  <keyframe><key name=\"home\" qpos=\"0 0 0.5 1 0 0 0 0 0\"/></keyframe>",
                    "  <equality><weld name=\"w\" body1=\"shank\" body2=\"trunk\"/></equality>");
   const std::string all = error_message(xml);
   for (const char* part :
        {"robot.xml:11: body 'thigh': attribute gravcomp", "joint 'knee': slide joints",
-        "body 'ball': a second free root", "weld 'w': equality constraints close loops"})
+        "body 'ball': a second free root with joints",
+        "weld 'w': equality constraints close loops"})
     EXPECT_TRUE(holds(all, part)) << part << " not in:\n" << all;
   EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 3) << all;
 }

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "mjcf/propose/proposals.hpp"
+#include "mjcf/read/foot_words.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/write/rewrite_robot.hpp"
 #include "optimizer/design/kinematics.hpp"
@@ -121,10 +122,54 @@ TEST(Soles, ThatAreDrawnAskewHaveNormalsOfTheirOwn) {
     const Sole& sole = *robot.morphology.feet[0].sole;
     EXPECT_LT((sole.ahead.cross(sole.beside) - wanted).norm(), 1e-9);
   }
+  // Balls below a longer plate are the sole, not the plate's corners besides.
+  const RobotModel plated = on(R"(<geom type="box" size="0.09 0.025 0.0075" pos="0.04 0 -0.03"/>
+                                  <geom size="0.01" pos="-0.04 0.025 -0.04"/>
+                                  <geom size="0.01" pos="-0.04 -0.025 -0.04"/>
+                                  <geom size="0.01" pos="0.115 0.025 -0.04"/>
+                                  <geom size="0.01" pos="0.115 -0.025 -0.04"/>)");
+  EXPECT_EQ(touching_part(plated, 0), "middle of 4 balls of 10 mm");
+  EXPECT_TRUE(stands_on_soles(plated.morphology));
+  // Long and thin ones too, and those of balls, by three degrees.
+  for (const char* geoms : {R"(<geom type="box" size="0.1 0.035 0.0025" pos="0.02 0 -0.045"/>)",
+                            R"(<geom size="0.005" pos="0.12 0.03 -0.045"/>
+                               <geom size="0.005" pos="0.12 -0.03 -0.045"/>
+                               <geom size="0.005" pos="-0.05 0.03 -0.045"/>
+                               <geom size="0.005" pos="-0.05 -0.03 -0.045"/>)"})
+    for (const double pitch : {0.0524, -0.0524}) {
+      const RobotModel robot = on("<body euler=\"0 " + std::to_string(pitch) + " 0\">" + geoms +
+                                  "<inertial pos=\"0 0 0\" mass=\"0.1\" "
+                                  "diaginertia=\"1e-4 1e-4 1e-4\"/></body>");
+      ASSERT_TRUE(robot.structure.feet[0].normal) << geoms << pitch;
+      const Sole& sole = *robot.morphology.feet[0].sole;
+      EXPECT_LT(
+          (sole.ahead.cross(sole.beside) - Vector3d(std::sin(pitch), 0.0, std::cos(pitch))).norm(),
+          1e-9)
+          << geoms;
+      EXPECT_EQ(touching_part(robot, 0),
+                "middle of its sole, drawn 3.0 degrees askew and laid down");
+    }
   // So much that it touches with an edge only.
   EXPECT_FALSE(on(R"(<geom type="box" size="0.07 0.05 0.01" pos="0.02 0 -0.04" euler="0 0.3 0"/>)")
                    .structure.feet[0]
                    .normal);
+}
+
+TEST(TouchingPart, SaysWithWhatAFootTouches) {
+  const auto part = [](const std::string& foot) { return touching_part(on(foot), 0); };
+  EXPECT_EQ(part(R"(<geom size="0.02" pos="0 0 -0.03"/>)"), "ball of 20 mm");
+  EXPECT_EQ(part(R"(<geom type="box" size="0.07 0.05 0.01" pos="0 0 -0.04"/>)"),
+            "middle of its sole");
+  EXPECT_EQ(part(R"(<geom type="box" size="0.07 0.05 0.01" pos="0 0 -0.04" euler="0 0.2 0"/>)"),
+            "face of a box");
+  EXPECT_EQ(part(R"(<geom type="box" size="0.07 0.05 0.01" pos="0 0 -0.04" euler="0 0.5 0"/>)"),
+            "edge of a box");
+  EXPECT_EQ(part(R"(<geom type="box" size="0.07 0.05 0.01" pos="0 0 -0.04" euler="0.5 0.5 0"/>)"),
+            "corner of a box");
+  EXPECT_EQ(part(R"(<geom type="cylinder" size="0.02 0.01" pos="0 0 -0.04" euler="0 0.5 0"/>)"),
+            "rim of a cylinder");
+  EXPECT_EQ(part(R"(<geom type="ellipsoid" size="0.03 0.02 0.01" pos="0 0 -0.04"/>)"),
+            "point of an ellipsoid");
 }
 
 TEST(Soles, NeedAnAnkleThatRolls) {

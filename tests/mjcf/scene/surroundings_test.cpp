@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "mjcf/read/world_parts.hpp"
+#include "mjcf/scene/played_robot.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/input_error.hpp"
 #include "optimizer/design/inertia.hpp"
@@ -174,6 +176,52 @@ TEST(Surroundings, ServosAreDampedAtLeastAsTheTaskSays) {
   task.servo_kp.reset();
   task.servo_kd = own.kd + 2.0;
   EXPECT_EQ(rotary(task).kd, own.kd + 2.0);
+}
+
+/// A ball to play with and a stand-in for a joint that the robot does not have, as published files
+/// bring them, with a camera, a servo, sensors and numbers in the keyframe.
+std::string puppy_with_company() {
+  std::string xml = test::named_robot("puppy");
+  xml = test::with(xml, "<worldbody>",
+                   "<worldbody><body name=\"ball\" pos=\"0 0 3\"><freejoint name=\"ball_root\"/>"
+                   "<geom name=\"ball\" size=\"0.1\" mass=\"1\" contype=\"1\"/></body>"
+                   "<camera name=\"watch\" mode=\"targetbody\" target=\"ball\"/>");
+  xml = test::with(xml, "</worldbody>",
+                   "<body name=\"not_used\" pos=\"0 0 20\"><inertial pos=\"0 0 0\" mass=\"0.1\" "
+                   "diaginertia=\"0.1 0.1 0.1\"/><joint name=\"not_used\"/></body></worldbody>"
+                   "<sensor><jointpos joint=\"not_used\"/><framepos objtype=\"body\" "
+                   "objname=\"ball\"/></sensor><contact><exclude body1=\"ball\" "
+                   "body2=\"not_used\"/></contact>");
+  xml = test::with(xml, "</actuator>", "<motor joint=\"not_used\" ctrlrange=\"-1 1\"/></actuator>");
+  xml.replace(xml.find("qpos=\"") + 6, 0, "0 0 3 1 0 0 0 ");
+  return xml.insert(xml.find('"', xml.find("qpos=\"") + 6), " 0");
+}
+
+TEST(Surroundings, WhatMovesBesideTheRobotIsToldAndLeftOutOfScenes) {
+  const RobotModel robot = parse_robot(puppy_with_company(), "puppy.xml");
+  const RobotModel alone = robot_named("puppy");
+  EXPECT_EQ(robot.morphology.joint_count(), alone.morphology.joint_count());
+  EXPECT_EQ(robot.root_body, alone.root_body);
+  EXPECT_EQ(surroundings_of(*compile_mjcf(robot.xml, robot.file)),
+            (std::vector<std::string>{"body 'ball', which moves by itself",
+                                      "body 'not_used', which moves by itself"}));
+  const ModelPointer scene = compile_mjcf(played_robot(robot, robot.xml), robot.file),
+                     plain = compile_mjcf(played_robot(alone, alone.xml), alone.file);
+  EXPECT_EQ(scene->nbody, plain->nbody);
+  EXPECT_EQ(scene->nq, plain->nq);
+  EXPECT_EQ(scene->nu, plain->nu);
+  EXPECT_EQ(scene->nsensor, plain->nsensor);
+  EXPECT_EQ(scene->ncam, plain->ncam);
+  EXPECT_EQ(scene->nexclude, plain->nexclude);
+  ASSERT_EQ(scene->nkey, plain->nkey);
+  for (int k = 0; k < scene->nq; ++k) EXPECT_EQ(scene->key_qpos[k], plain->key_qpos[k]) << k;
+}
+
+TEST(Surroundings, ALegThatHangsOnTheWorldIsNoCompany) {
+  std::string xml = puppy_with_company();
+  xml = test::with(xml, "<joint name=\"not_used\"/>",
+                   "<joint name=\"not_used\"/><geom size=\".1\"/>");
+  EXPECT_THROW(parse_robot(xml, "puppy.xml"), InputError);
 }
 
 }  // namespace
