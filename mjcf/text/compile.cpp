@@ -4,8 +4,10 @@
 #include <array>
 #include <atomic>
 #include <mutex>
+#include <new>
 #include <stdexcept>
 
+#include "mjcf/text/engine_limits.hpp"
 #include "mjcf/text/input_error.hpp"
 #include "mjcf/text/mesh_hulls.hpp"
 #include "mjcf/text/recent_models.hpp"
@@ -23,7 +25,9 @@ std::atomic<mjfLogHandler> g_other_threads_log{nullptr};  // the handler before 
 /// MuJoCo's own handler prints, writes a log file, and ends the process on errors.
 void quiet_log(const mjLogMessage* message) {
   if (t_calls_engine) {
-    if (message->level == mjLOG_ERROR) throw EngineError(message->subject);
+    if (message->level != mjLOG_ERROR) return;
+    if (tells_no_memory(message->subject)) throw std::bad_alloc();
+    throw EngineError(message->subject);
   } else if (const mjfLogHandler other = g_other_threads_log.load()) {
     other(message);
   }
@@ -57,6 +61,7 @@ int line_in(const std::string& message) {
 }
 
 InputError refusal(const std::filesystem::path& file, std::string message) {
+  if (tells_no_memory(message)) throw std::bad_alloc();
   for (char& c : message)
     if (c == '\n') c = ' ';
   while (!message.empty() && message.back() == ' ') message.pop_back();
@@ -117,18 +122,20 @@ ModelPointer compile_mjcf(const std::string& xml, const std::filesystem::path& f
   static RecentModels recent;
   // Models with all triangles are large, and asked for once.
   const bool may_be_known = detail == MeshDetail::hulls;
-  ModelPointer model = may_be_known ? recent.find(xml, file) : nullptr;
+  ModelPointer model;
+  if (may_be_known) call_engine(file, [&] { model = recent.find(xml, file); });
   if (model) return model;
   call_engine(file, [&] {
     const SpecPointer spec = parsed(xml, file);
     shrink_painted_textures(*spec);
+    compile_without_idle_threads(*spec);
     if (file.has_parent_path())
       mjs_setString(spec->modelfiledir, (file.parent_path().string() + "/").c_str());
     if (detail == MeshDetail::hulls) put_hulls_for_meshes(*spec);
     model.reset(mj_compile(spec.get(), nullptr));
     if (!model) throw refusal(file, mjs_getError(spec.get()));
   });
-  if (may_be_known) recent.keep(xml, file, *model);
+  if (may_be_known) call_engine(file, [&] { recent.keep(xml, file, *model); });
   return model;
 }
 
@@ -143,7 +150,7 @@ DataPointer kinematics_at(const mjModel& model, const mjtNum* qpos,
   DataPointer data;
   call_engine(file, [&] {
     data.reset(mj_makeData(&model));
-    if (!data) throw refusal(file, "no memory for the state of the model");
+    if (!data) throw std::bad_alloc();
     if (qpos) mju_copy(data->qpos, qpos, static_cast<int>(model.nq));
     mj_kinematics(&model, data.get());
   });

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <stdexcept>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -18,12 +20,17 @@ void parallel_for(int count, int threads, const std::function<void(int)>& work) 
         work(i);
       } catch (...) {
         failures[i] = std::current_exception();
+        if (!failures[i])  // thrown by another runtime than ours, as MuJoCo has one of its own
+          failures[i] = std::make_exception_ptr(std::runtime_error("failure of another library"));
       }
     }
   };
   {
     std::vector<std::jthread> helpers;
-    for (int t = 1; t < std::min(threads, count); ++t) helpers.emplace_back(take_turns);
+    try {
+      for (int t = 1; t < std::min(threads, count); ++t) helpers.emplace_back(take_turns);
+    } catch (const std::system_error&) {  // the system has no more threads: fewer do it
+    }
     take_turns();
   }
   for (const std::exception_ptr& failure : failures)

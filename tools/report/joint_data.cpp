@@ -67,6 +67,8 @@ JointData joint_data_of(RunData whole) {
     task.task = (*data.whole.run.tasks)[index++];
     try {
       task.run = read_run(data.whole.root / folder.relative);
+    } catch (const std::bad_alloc&) {
+      throw;
     } catch (const std::exception& error) {
       data.whole.notes.push_back(error.what());
     }

@@ -52,6 +52,8 @@ class SumsBelow {
   static std::string sum_or_word(const fs::path& file) {
     try {
       return sha256_hex(read_file(file, kMostBytes));
+    } catch (const std::bad_alloc&) {
+      throw;
     } catch (const std::exception&) {
       return "unreadable";
     }
@@ -63,6 +65,8 @@ class SumsBelow {
       const RobotFiles read = RobotFiles::read(robot);
       for (const IncludedFile& part : read.includes()) files.push_back(part.path);
       for (const AssetFile& asset : read.assets()) files.push_back(asset.path);
+    } catch (const std::bad_alloc&) {
+      throw;
     } catch (const std::exception&) {
     }
     return files;

@@ -47,6 +47,8 @@ std::optional<std::set<fs::path>> robot_files(const fs::path& run) {
       for (const IncludedFile& part : files.includes()) out.insert(part.path);
       for (const AssetFile& asset : files.assets()) out.insert(asset.path);
     }
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception&) {
     return std::nullopt;
   }

@@ -89,6 +89,8 @@ bool is_run(const fs::path& root) {
   try {
     const Json run = read_json(root / "run.json");
     return run.is_object() && run.value("schema", "") == "legwright/run";
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception&) {
     return false;  // whatever it is, it is not ours
   }

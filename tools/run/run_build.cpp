@@ -125,9 +125,9 @@ RunBuild::RunBuild(const fs::path& run, std::shared_ptr<const RunLock> lock)
 
 RunBuild::~RunBuild() {
   if (stands_) return;
-  old_lock_->note("");
   std::error_code ignored;
   try {
+    old_lock_->note("");
     if (old_lock_->stands()) move_checkpoint(at_, target_);
   } catch (const std::exception&) {  // then the search begins anew
   }

@@ -5,9 +5,11 @@
 
 #include <array>
 #include <mutex>
+#include <new>
 #include <utility>
 
 #include "mjcf/text/compile.hpp"
+#include "mjcf/text/engine_limits.hpp"
 #include "mjcf/text/mesh_hulls.hpp"
 
 namespace legwright {
@@ -25,7 +27,9 @@ void handle(const mjLogMessage* message) {
   if (message->level == mjLOG_WARNING) messages_of_thread->add(message->subject);
   // Leaving by exception is the only way not to return into mju_error, which would end the process.
   // What MuJoCo was working on is given up by the caller.
-  if (message->level == mjLOG_ERROR) throw MujocoError(message->subject);
+  if (message->level != mjLOG_ERROR) return;
+  if (tells_no_memory(message->subject)) throw std::bad_alloc();
+  throw MujocoError(message->subject);
 }
 
 bool plugin_known() {
@@ -95,13 +99,16 @@ ModelPointer compile_model(const std::string& xml, const std::string& name,
   std::array<char, 1000> error{};
   const SpecPointer spec(
       mj_parseXMLString(xml.c_str(), nullptr, error.data(), static_cast<int>(error.size())));
+  if (!spec && tells_no_memory(error.data())) throw std::bad_alloc();
   if (!spec) throw MujocoError(name + ": MuJoCo cannot read it: " + reason(error.data(), messages));
   if (detail == MeshDetail::hulls) paint_over_pictures(*spec);
   shrink_painted_textures(*spec);
+  compile_without_idle_threads(*spec);
   if (!folder.empty()) mjs_setString(spec->modelfiledir, (folder.string() + "/").c_str());
   if (detail == MeshDetail::hulls) put_hulls_for_meshes(*spec);
   ModelPointer model(mj_compile(spec.get(), nullptr));
   if (!model) {
+    if (tells_no_memory(mjs_getError(spec.get()))) throw std::bad_alloc();
     throw MujocoError(name +
                       ": MuJoCo cannot compile it: " + reason(mjs_getError(spec.get()), messages));
   }
@@ -122,7 +129,7 @@ void require_gait_plugin(const mjModel& model, const std::string& name) {
 DataPointer make_data(const mjModel& model) {
   const MujocoMessages messages;
   DataPointer data(mj_makeData(&model));
-  if (!data) throw MujocoError("MuJoCo cannot make the data of a model: out of memory?");
+  if (!data) throw std::bad_alloc();
   return data;
 }
 

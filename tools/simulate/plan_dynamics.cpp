@@ -20,7 +20,7 @@ void set_state(const PlayedState& state, mjData& data) {
 // M q̈ + bias − passive.
 ModelPointer without_constraints(const mjModel& model) {
   ModelPointer copy(mj_copyModel(nullptr, &model));
-  if (!copy) throw MujocoError("MuJoCo cannot copy a model: out of memory?");
+  if (!copy) throw std::bad_alloc();
   copy->opt.disableflags |= mjDSBL_CONSTRAINT | mjDSBL_ACTUATION;
   copy->opt.enableflags &= ~mjENBL_INVDISCRETE;
   return copy;

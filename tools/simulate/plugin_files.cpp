@@ -51,6 +51,8 @@ std::optional<std::string> served_mujoco(const fs::path& file) {
   std::string bytes;
   try {
     bytes = read_file(file);
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception&) {
     return std::nullopt;
   }

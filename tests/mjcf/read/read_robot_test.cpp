@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <new>
 #include <numbers>
 #include <thread>
 
@@ -224,6 +225,29 @@ TEST(CallEngine, TurnsErrorsIntoInputErrorsAndLeavesOtherThreadsAlone) {
   mju_warning("after");
   EXPECT_EQ(g_heard, 2);
   EXPECT_EQ(mju_setLogHandler(before), hear);
+}
+
+/// While it lives, MuJoCo's own allocations fail.
+class NoMemoryForMujoco {
+ public:
+  NoMemoryForMujoco() {
+    mju_user_malloc = [](std::size_t) -> void* { return nullptr; };
+  }
+  ~NoMemoryForMujoco() { mju_user_malloc = nullptr; }
+  NoMemoryForMujoco(const NoMemoryForMujoco&) = delete;
+  NoMemoryForMujoco& operator=(const NoMemoryForMujoco&) = delete;
+};
+
+TEST(CallEngine, DoesNotBlameTheFileForWantOfMemory) {
+  const std::string xml = "<mujoco><worldbody><geom size='1'/></worldbody></mujoco>";
+  const ModelPointer model = compile_mjcf(xml, "first.xml");
+  {
+    const NoMemoryForMujoco none;
+    EXPECT_THROW(compile_mjcf(xml, "other.xml"), std::bad_alloc);
+    EXPECT_THROW(compile_mjcf(xml, "first.xml"), std::bad_alloc) << "a copy of what is known";
+    EXPECT_THROW(kinematics_at(*model, nullptr, "first.xml"), std::bad_alloc);
+  }
+  EXPECT_NE(compile_mjcf(xml, "other.xml"), nullptr);
 }
 
 TEST(ReadRobot, TextAndFileGiveTheSame) {
