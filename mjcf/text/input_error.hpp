@@ -21,7 +21,7 @@ class InputError : public std::runtime_error {
         where_(where),
         message_(message) {}
   explicit InputError(const std::string& message)
-      : std::runtime_error(message), message_(message) {}
+      : std::runtime_error(without_zeros(message)), message_(message) {}
 
   /// Several reasons at once, a line each. @param reasons at least one
   explicit InputError(std::vector<InputError> reasons)
@@ -41,7 +41,14 @@ class InputError : public std::runtime_error {
     if (line > 0) text.append(":").append(std::to_string(line));
     text.append(": ");
     if (!where.empty()) text.append(where).append(": ");
-    return text.append(message);
+    return without_zeros(text.append(message));
+  }
+
+  /// Names may hold bytes of zero ("a\u0000b" in TOML and JSON), at which what() would end.
+  static std::string without_zeros(std::string text) {
+    for (std::size_t at = 0; (at = text.find('\0', at)) != std::string::npos;)
+      text.replace(at, 1, "\xEF\xBF\xBD");  // U+FFFD
+    return text;
   }
 
   static std::string lines(const std::vector<InputError>& reasons) {

@@ -52,5 +52,15 @@ TEST(SessionCommand, WhatIsNoCommandIsToldByLine) {
   }
 }
 
+TEST(SessionCommand, AByteOfZeroDoesNotCutTheReason) {
+  try {
+    (void)read(R"({"do": "un\u0000do"})");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("do' is no command"), std::string::npos)
+        << error.what();
+  }
+}
+
 }  // namespace
 }  // namespace legwright

@@ -124,6 +124,12 @@ TEST(TaskFile, ARobotInItsPlaceIsToldAsSuch) {
   EXPECT_EQ(error_message("a < 3").find("legwright init "), std::string::npos);
 }
 
+TEST(TaskFile, AByteOfZeroInAKeyDoesNotCutTheReason) {
+  const std::string message = error_message("\"a\\u0000b\" = 1\n");
+  EXPECT_NE(message.find("b: unknown key"), std::string::npos) << message;
+  EXPECT_NE(message.find("travel.velocity: is missing"), std::string::npos) << message;
+}
+
 TEST(TaskFile, TakesWholeNumbersWhereNumbersAreAsked) {
   const std::string text =
       "robot = \"robot.xml\"\n[gait]\nname = \"walk\"\nperiod = 1\n[travel]\nvelocity = [0, 1]\n";
