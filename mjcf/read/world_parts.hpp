@@ -12,8 +12,8 @@ namespace legwright {
 /// it collides, or is a plane or a height field. Scenes have a floor of their own in its place.
 bool is_of_surroundings(const mjModel& model, int geom);
 
-/// The trunk: the first body with a free joint that carries other joints, else the first with a free
-/// joint; −1 where there is none.
+/// The trunk: the first body with a free joint that carries other joints, else the first with a
+/// free joint; −1 where there is none.
 int trunk_of(const mjModel& model);
 
 /// Whether a body of the world that moves is no part of the robot, and scenes do without it: it

@@ -250,6 +250,12 @@ TEST(CallEngine, DoesNotBlameTheFileForWantOfMemory) {
   EXPECT_NE(compile_mjcf(xml, "other.xml"), nullptr);
 }
 
+TEST(CallEngine, DoesNotTakeANameOfTheFileForWantOfMemory) {
+  const std::string xml =
+      "<mujoco><worldbody><geom size='1' class='could not allocate'/></worldbody></mujoco>";
+  EXPECT_THROW(compile_mjcf(xml, "robot.xml"), InputError);
+}
+
 TEST(ReadRobot, TextAndFileGiveTheSame) {
   const RobotModel a = read_robot(test::puppy_file());
   const RobotModel b = parse_robot(a.xml, "elsewhere.xml");
