@@ -8,9 +8,9 @@
 
 namespace legwright {
 
-/// A chain of hinges on the trunk, or on a waist that carries several, whose angles are searched for
-/// with the file's own geoms: before anything is known of feet, as a robot that does not stand has
-/// none. World axes.
+/// A chain of hinges on the trunk, or on a waist that carries several, whose angles are searched
+/// for with the file's own geoms: before anything is known of feet, as a robot that does not stand
+/// has none. World axes.
 struct SearchedLeg {
   std::vector<int> joints;                         // ids, from the trunk down
   std::vector<int> bodies;                         // of the last link

@@ -9,7 +9,8 @@
 namespace legwright {
 
 /// Whether MuJoCo says with this that it got no memory: nothing is wrong with the file then, and
-/// what calls the engine throws std::bad_alloc. Names of the file stand in quotes: they do not count.
+/// what calls the engine throws std::bad_alloc. Names of the file stand in quotes and do not
+/// count.
 inline bool tells_no_memory(std::string_view message) {
   return message.substr(0, message.find_first_of("'\"")).find("ould not allocate") != message.npos;
 }
