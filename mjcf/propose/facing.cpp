@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "mjcf/propose/side_words.hpp"
 #include "optimizer/motion/faced_frame.hpp"
@@ -13,8 +15,10 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kAlong = 2.0;    // times as far apart along one axis as along the other
-constexpr double kLonger = 1.25;  // side of what hips span over the other: rows run along it
+constexpr double kAlong = 2.0;         // times as far apart along one axis as along the other
+constexpr double kClearer = 2.0;       // times as clear as the other way to see hips in two rows
+constexpr double kRowsApart = 0.5;     // of the spread within a row: closer ones are none
+constexpr double kLeastSpread = 0.01;  // of all hips: rows are not straighter
 constexpr std::size_t kRows = 6;  // legs, of which two rows can be told from four feet of a square
 
 /// Where a limb hangs at the trunk or waist [m].
@@ -40,6 +44,23 @@ int row_of(const Morphology& morphology, const Limb& limb) {
 Vector2d nearest_axis(const Vector2d& along) {
   return std::abs(along.x()) >= std::abs(along.y()) ? Vector2d(std::copysign(1.0, along.x()), 0.0)
                                                     : Vector2d(0.0, std::copysign(1.0, along.y()));
+}
+
+/// How clearly hips stand in two rows of as many on either side of an axis: the gap between the
+/// rows over the spread within one.
+struct Rows {
+  double gap = 0.0, clear = 0.0;
+};
+Rows rows_beside(const Eigen::Matrix2Xd& hips, Eigen::Index across) {
+  std::vector<double> at(static_cast<std::size_t>(hips.cols()));
+  for (Eigen::Index k = 0; k < hips.cols(); ++k) at[static_cast<std::size_t>(k)] = hips(across, k);
+  std::sort(at.begin(), at.end());
+  const std::size_t half = at.size() / 2;
+  if (at.size() % 2 != 0 || half == 0) return {};
+  const double gap = at[half] - at[half - 1];
+  const double spread = std::max(at[half - 1] - at.front(), at.back() - at[half]);
+  const double least = kLeastSpread * (at.back() - at.front());
+  return {gap, gap / std::max({spread, least, 1e-9})};
 }
 
 std::string remark(const Vector2d& ahead, const std::string& known) {
@@ -77,11 +98,11 @@ Facing facing_of(const RobotModel& robot, const std::vector<Limb>& limbs) {
     return out;
   }
   if (limbs.size() < kRows) return out;
-  const Vector2d span = hips.rowwise().maxCoeff() - hips.rowwise().minCoeff();
-  if (!(span.y() > kLonger * span.x())) return out;
+  const Rows along_x = rows_beside(hips, 1), along_y = rows_beside(hips, 0);
+  if (!(along_y.clear > kRowsApart && along_y.clear > kClearer * along_x.clear)) return out;
   out.ahead = Vector2d::UnitY();
-  out.remark = remark(out.ahead, fmt::format("its hips span {:.3g} m along y and {:.3g} m along x",
-                                             span.y(), span.x()));
+  out.remark = remark(
+      out.ahead, fmt::format("its hips stand in two rows along y, {:.3g} m apart", along_y.gap));
   return out;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mjcf/propose/leg_search.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -21,10 +22,13 @@ constexpr double kOffEnds = 0.05;       // of a range, at both of its ends
 constexpr double kFarthestTurn = 2.6;   // from rest, of joints without range [rad]
 constexpr double kBesideWeight = 0.25;  // of the place beside the hip against that below it
 constexpr double kBelowWeight = 4.0;
+constexpr double kLevelKnee = 0.5;  // of a hinge's axis: else it is no knee that bends the leg
 constexpr double kKneeBack = 0.02, kNearRest = 0.003;
 constexpr std::size_t kSearchStarts = 6;  // of the grid, from which the search goes on
 constexpr std::size_t kMostHingesOnGrid = 6;
 constexpr int kMostRounds = 200;  // along all angles; in a narrow valley each would gain a little
+constexpr int kMostNewton = 8;    // steps at the end
+constexpr double kDifference = 1e-4;                  // [rad]
 constexpr double kFirstTurn = 0.2, kLastTurn = 1e-6;  // [rad]
 constexpr double kExactHeight = 1e-9;                 // [m]
 
@@ -67,6 +71,7 @@ class LegSearch {
       descend(point);
       if (point.cost < best.cost) best = point;
     }
+    polish(best);
     set_angles(leg_, model_, data_, best.angles);
   }
 
@@ -111,6 +116,42 @@ class LegSearch {
           better = true;
         }
       step *= better ? 1.0 : 0.5;
+    }
+  }
+
+  /// Newton steps with differences: along narrow valleys the descent ends early, at another place in
+  /// each of two mirrored legs.
+  void polish(Point& point) {
+    for (int step = 0; step < kMostNewton; ++step) {
+      const auto n = point.angles.size();
+      const auto at = [&](Eigen::Index i, double a, Eigen::Index k, double b) {
+        VectorXd angles = point.angles;
+        angles[i] += a;
+        angles[k] += b;
+        return cost_at(angles);
+      };
+      constexpr double h = kDifference;
+      VectorXd slope(n);
+      Eigen::MatrixXd curvature(n, n);
+      for (Eigen::Index i = 0; i < n; ++i) {
+        const double up = at(i, h, i, 0.0), down = at(i, -h, i, 0.0);
+        slope[i] = (up - down) / (2.0 * h);
+        curvature(i, i) = (up - 2.0 * point.cost + down) / (h * h);
+        for (Eigen::Index k = 0; k < i; ++k)
+          curvature(i, k) = curvature(k, i) =
+              (at(i, h, k, h) - at(i, h, k, -h) - at(i, -h, k, h) + at(i, -h, k, -h)) /
+              (4.0 * h * h);
+      }
+      const Eigen::LDLT<Eigen::MatrixXd> factor(curvature);
+      if (factor.info() != Eigen::Success || !(factor.vectorD().minCoeff() > 0.0)) return;
+      VectorXd next = point.angles - factor.solve(slope);
+      for (Eigen::Index k = 0; k < n; ++k) {
+        const auto joint = static_cast<std::size_t>(k);
+        next[k] = std::clamp(next[k], leg_.lower[joint], leg_.upper[joint]);
+      }
+      const double cost = cost_at(next);
+      if (!(cost < point.cost)) return;
+      point = {cost, std::move(next)};
     }
   }
 
@@ -207,22 +248,39 @@ Vector3d SearchedLeg::touch(const mjModel& model, const mjData& data) const {
   return at;
 }
 
+Vector3d SearchedLeg::ahead() const {
+  const Vector3d out = side.cross(Vector3d::UnitZ());
+  const bool along_x = std::abs(out.x()) >= std::abs(out.y());
+  return (along_x ? out.x() : out.y()) < 0.0 ? Vector3d(-out) : out;
+}
+
+Vector3d SearchedLeg::below_hip() const {
+  Vector3d out = hip + (rest - hip).dot(side) * side;
+  out.z() = 0.0;
+  return out;
+}
+
 void SearchedLeg::measure(const mjModel& model, mjData& data) {
   const VectorXd before = angles_of(*this, model, data);
   set_angles(*this, model, data, rest_of(*this));
   hip = Vector3d::Map(data.xanchor + std::ptrdiff_t{3} * hip_joint());
   rest = touch(model, data);
+  const Vector3d axis = Vector3d::Map(data.xaxis + std::ptrdiff_t{3} * joints.back());
+  if (const double level = axis.head<2>().norm(); level > kLevelKnee)
+    side = Vector3d(axis.x() / level, axis.y() / level, 0.0);
   LegSearch(*this, model, data, [&] { return touch(model, data).z(); }).run();
   reach = std::max(1e-6, data.xanchor[3 * hip_joint() + 2] - touch(model, data).z());
   set_angles(*this, model, data, before);
 }
 
 bool SearchedLeg::put(const mjModel& model, mjData& data, const Vector3d& place) const {
+  const Vector3d forwards = ahead();
   const auto cost = [&] {
     const Vector3d miss = (touch(model, data) - place) / reach;
-    const double knee = (data.xanchor[std::ptrdiff_t{3} * joints.back()] - hip.x()) / reach;
-    return miss.x() * miss.x() + kBesideWeight * miss.y() * miss.y() +
-           kBelowWeight * miss.z() * miss.z() + kKneeBack * knee;
+    const Vector3d knee = Vector3d::Map(data.xanchor + std::ptrdiff_t{3} * joints.back()) - hip;
+    const double along = forwards.dot(miss), beside = side.dot(miss);
+    return along * along + kBesideWeight * beside * beside + kBelowWeight * miss.z() * miss.z() +
+           kKneeBack * forwards.dot(knee) / reach;
   };
   LegSearch(*this, model, data, cost).run();
   // The height exactly, by the least turn.

@@ -8,9 +8,9 @@
 
 namespace legwright {
 
-/// A chain of hinges on the trunk, or on a waist that carries several, whose angles are searched
-/// for with the file's own geoms: before anything is known of feet, as a robot that does not stand
-/// has none. World axes.
+/// A chain of hinges on the trunk, or on a waist that carries several, whose angles are searched for
+/// with the file's own geoms: before anything is known of feet, as a robot that does not stand has
+/// none. World axes.
 struct SearchedLeg {
   std::vector<int> joints;                         // ids, from the trunk down
   std::vector<int> bodies;                         // of the last link
@@ -18,14 +18,22 @@ struct SearchedLeg {
   double reach = 0.0;                              // farthest below the hinge above the knee [m]
   Eigen::Vector3d hip = Eigen::Vector3d::Zero();   // that hinge, at angles of rest [m]
   Eigen::Vector3d rest = Eigen::Vector3d::Zero();  // the foot, at angles of rest [m]
+  Eigen::Vector3d side =
+      Eigen::Vector3d::UnitY();  // level, along the knee's hinge at rest: the leg
+                                 // bends ahead and back of it
 
   /// The hinge above the knee: the last but one.
   int hip_joint() const { return joints[joints.size() - 2]; }
   /// Where the last link reaches lowest: what collides, else what is drawn, else its frame.
   Eigen::Vector3d touch(const mjModel& model, const mjData& data) const;
-  /// Finds reach, hip and rest; angles in `data` are as before then.
+  /// Where the leg bends to, level: square to `side`, towards +x, of a leg that bends along y +y.
+  Eigen::Vector3d ahead() const;
+  /// Below the hip in the plane in which the leg bends, as far beside it as at rest; height 0.
+  Eigen::Vector3d below_hip() const;
+  /// Finds reach, hip, rest and side; angles in `data` are as before then.
   void measure(const mjModel& model, mjData& data);
-  /// Turns the joints until the foot is at the height of `place` (to 1e-9 m) and otherwise near it.
+  /// Turns the joints until the foot is at the height of `place` (to 1e-9 m) and otherwise near it,
+  /// nearer in the plane in which the leg bends than beside it.
   /// False where the height is out of reach.
   bool put(const mjModel& model, mjData& data, const Eigen::Vector3d& place) const;
 };

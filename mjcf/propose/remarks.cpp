@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "mjcf/propose/beside_feet.hpp"
+#include "mjcf/propose/doubtful_masses.hpp"
 #include "mjcf/propose/facing.hpp"
 #include "mjcf/propose/nearly_mirrored.hpp"
 
@@ -13,6 +14,7 @@ std::vector<std::string> remarks_on(const RobotModel& robot, const std::vector<L
   std::vector<std::string> out = nearly_mirrored(robot, limbs);
   const Facing facing = facing_of(robot, limbs);
   if (!facing.remark.empty()) out.insert(out.begin(), facing.remark);
+  for (std::string& remark : doubtful_masses(robot)) out.push_back(std::move(remark));
   for (std::string& remark : beside_feet(robot)) out.push_back(std::move(remark));
   return out;
 }

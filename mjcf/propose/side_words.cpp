@@ -11,7 +11,8 @@ namespace {
 
 using Words = std::set<std::string>;
 const Words kFront{"fl", "fr", "lf", "rf", "front", "fore", "f"};
-const Words kHind{"hl", "hr", "rl", "rr", "lh", "rh", "lr", "hind", "rear", "back", "h"};
+const Words kHind{"hl", "hr", "rl", "rr",   "bl",   "br",   "lh", "rh",
+                  "lr", "lb", "rb", "hind", "rear", "back", "h"};
 const Words kOther{"l", "r", "left", "right", "middle", "mid", "lm", "rm", "ml", "mr"};
 
 bool is_side_word(const std::string& word) {

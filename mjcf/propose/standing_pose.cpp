@@ -32,6 +32,7 @@ constexpr double kAsLowAsFeet = 1e-3;    // [m]: as low as the feet
 constexpr double kMostShiftToCom = 0.2;  // of the reach, towards the centre of mass
 constexpr double kPoseGrain = 1e6;       // numbers are written to a millionth
 constexpr double kLevelTrunk = 0.99;     // least cosine of the trunk's tilt
+constexpr double kBendAlike = 0.9;       // least cosine between the planes of legs that bend alike
 constexpr double kUprightTrunk = 0.5;    // the same, of one that does not lie
 constexpr std::size_t kFewestLegs = 2;   // legs
 constexpr std::size_t kTooFewToBend = 3;  // two straight legs stand on flat feet
@@ -130,6 +131,14 @@ class PoseFinder {
     mj_kinematics(&model_, data_.get());
   }
 
+  /// The level direction in which all legs bend; zero where they bend in several.
+  Vector3d common_ahead() const {
+    const Vector3d out = legs_.front().ahead();
+    for (const SearchedLeg& leg : legs_)
+      if (leg.ahead().dot(out) < kBendAlike) return Vector3d::Zero();
+    return out;
+  }
+
   /// Puts the feet below their hips, twice: then their middle is below the centre of mass.
   bool stand_up() {
     double ground = -std::numeric_limits<double>::infinity(), reach = ground;
@@ -137,16 +146,21 @@ class PoseFinder {
       ground = std::max(ground, leg.hip.z() - kBentTo * leg.reach);
       reach = std::max(reach, leg.reach);
     }
+    const Vector3d along = common_ahead();
     Vector3d shift = Vector3d::Zero();
     for (int round = 0; round < 2; ++round) {
       Vector3d middle = Vector3d::Zero();
       for (const SearchedLeg& leg : legs_) {
-        if (!leg.put(model_, *data_, {leg.hip.x() + shift.x(), leg.rest.y(), ground})) return false;
+        Vector3d place = leg.below_hip() + shift;
+        place.z() = ground;
+        if (!leg.put(model_, *data_, place)) return false;
         middle += leg.touch(model_, *data_) / static_cast<double>(legs_.size());
       }
       mj_comPos(&model_, data_.get());
-      shift.x() = std::clamp(data_->subtree_com[3 * trunk_] - (middle.x() - shift.x()),
-                             -kMostShiftToCom * reach, kMostShiftToCom * reach);
+      const Vector3d centre = Vector3d::Map(data_->subtree_com + std::ptrdiff_t{3} * trunk_);
+      shift = std::clamp(along.dot(centre - (middle - shift)), -kMostShiftToCom * reach,
+                         kMostShiftToCom * reach) *
+              along;
     }
     for (const SearchedLeg& leg : legs_)
       for (const int joint : leg.joints) {

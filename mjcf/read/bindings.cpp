@@ -15,6 +15,7 @@
 #include "mjcf/read/stretch.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/numbers.hpp"
+#include "mjcf/text/refusals.hpp"
 
 namespace legwright {
 namespace {
@@ -195,7 +196,9 @@ Binding::Target resolve_stretch(const XmlFile& xml, const mjModel& model,
       1e-6 * std::min(1.0, word.factor))
     throw xml.error(
         *at.numeric,
-        fmt::format("declares {} m, but body '{}' measures {} m along {}; write that number{}",
+        fmt::format("declares {} m, but body '{}' measures {} m along {}; write that number{}, or "
+                    "remove the legwright/… elements and let `legwright init ROBOT --write` "
+                    "declare them anew",
                     word.factor * parameter.initial, word.name, measure.length, declared.direction,
                     word.factor == 1.0 ? "" : fmt::format(" divided by {}", word.factor)));
   if (parameter.lower <= 0.0)
@@ -304,6 +307,20 @@ Binding resolve(const XmlFile& xml, const mjModel& model, const DeclarationEleme
   return binding;
 }
 
+void add_declared(const XmlFile& xml, const mjModel& model, const std::string& name,
+                  const DeclarationElements& at, const Structure& structure, Declarations& out) {
+  if (!at.text)
+    throw xml.error(*at.numeric, fmt::format("has no <text> of the same name; {}", kShape));
+  DesignParameter parameter;
+  parameter.name = name;
+  read_values(xml, *at.numeric, parameter);
+  const DeclaredBinding declared = read_text(xml, *at.text, parameter);
+  Binding binding = resolve(xml, model, at, declared, parameter, structure);
+  parameter.tied_count = static_cast<int>(binding.targets.size());
+  out.space.parameters.push_back(std::move(parameter));
+  out.bindings.push_back(std::move(binding));
+}
+
 }  // namespace
 
 Declarations read_declarations(const XmlFile& xml, const mjModel& model,
@@ -316,19 +333,13 @@ Declarations read_declarations(const XmlFile& xml, const mjModel& model,
   if (pairs.order.size() > 500)
     throw InputError(xml.file.string(), 0, "custom", "more than 500 design parameters");
   Declarations out;
-  for (const std::string& name : pairs.order) {
-    const DeclarationElements& at = pairs.elements.at(name);
-    if (!at.text)
-      throw xml.error(*at.numeric, fmt::format("has no <text> of the same name; {}", kShape));
-    DesignParameter parameter;
-    parameter.name = name;
-    read_values(xml, *at.numeric, parameter);
-    const DeclaredBinding declared = read_text(xml, *at.text, parameter);
-    Binding binding = resolve(xml, model, at, declared, parameter, structure);
-    parameter.tied_count = static_cast<int>(binding.targets.size());
-    out.space.parameters.push_back(std::move(parameter));
-    out.bindings.push_back(std::move(binding));
-  }
+  Refusals reasons;
+  for (const std::string& name : pairs.order) try {
+      add_declared(xml, model, name, pairs.elements.at(name), structure, out);
+    } catch (const InputError& error) {
+      reasons.add(error);
+    }
+  reasons.throw_if_any();
   // For their checks:
   check_places(xml, model, collect_places(out.space, out.bindings, xml.file),
                collect_stretches(out.space, out.bindings, xml.file));

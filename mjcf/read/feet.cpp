@@ -20,8 +20,9 @@ constexpr double kFlat = 0.3;      // sine of the angle up to which a face lies 
 constexpr double kLevel = 0.035;   // the same for what lies on its side: else its lower end touches
 constexpr double kNearEnd = 0.25;  // of the far end's distance: so near to the hinge a link begins
 constexpr double kAsLow = 1e-4;    // [m]: balls that touch together
-constexpr double kSoleShare = 0.02;  // of a mesh's height: what is no higher belongs to the sole
-constexpr double kBallFirst = 0.5;   // of its radius: a ball may be so much higher than other geoms
+constexpr double kTwinsAsLow = 5e-4;  // [m]: geoms of one shape, of which the first counts
+constexpr double kSoleShare = 0.02;   // of a mesh's height: what is no higher belongs to the sole
+constexpr double kBallFirst = 0.5;  // of its radius: a ball may be so much higher than other geoms
 
 /// Vertices of a geom's mesh in its frame.
 Eigen::Map<const Eigen::Matrix<float, 3, Eigen::Dynamic>> vertices_of(const mjModel& model,
@@ -33,6 +34,16 @@ Eigen::Map<const Eigen::Matrix<float, 3, Eigen::Dynamic>> vertices_of(const mjMo
 
 bool is_mesh(const mjModel& model, int geom) {
   return model.geom_type[geom] == mjGEOM_MESH && model.geom_dataid[geom] >= 0;
+}
+
+/// Whether two geoms are of one shape, as the two plates of a fork are: which of them is lower is a
+/// matter of rounding, and another one in each leg.
+bool are_twins(const mjModel& model, int a, int b) {
+  return model.geom_type[a] == model.geom_type[b] && model.geom_bodyid[a] == model.geom_bodyid[b] &&
+         model.geom_dataid[a] == model.geom_dataid[b] &&
+         std::equal(model.geom_size + std::ptrdiff_t{3} * a,
+                    model.geom_size + std::ptrdiff_t{3} * a + 3,
+                    model.geom_size + std::ptrdiff_t{3} * b);
 }
 
 /// Down in the frame of a geom.
@@ -185,7 +196,8 @@ bool choose_foot(const XmlFile& xml, const mjModel& model, const mjData& data,
     const int type = model.geom_type[g];
     const bool known = (type >= mjGEOM_SPHERE && type <= mjGEOM_BOX) || is_mesh(model, g);
     if (!known || !collides(model, g) || !among(model.geom_bodyid[g])) continue;
-    if (geom < 0 || low(g) < low(geom)) geom = g;
+    const double least = geom >= 0 && are_twins(model, geom, g) ? kTwinsAsLow : 0.0;
+    if (geom < 0 || low(g) < low(geom) - least) geom = g;
     if (type == mjGEOM_SPHERE && (ball < 0 || low(g) < low(ball))) ball = g;
   }
   if (ball >= 0 && low(ball) - low(geom) <= kBallFirst * model.geom_size[std::ptrdiff_t{3} * ball])

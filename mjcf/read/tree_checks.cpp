@@ -10,11 +10,14 @@
 #include "mjcf/read/checks.hpp"
 #include "mjcf/read/world_parts.hpp"
 #include "mjcf/text/compile.hpp"
+#include "mjcf/text/model_arrays.hpp"
 #include "mjcf/text/numbers.hpp"
 #include "optimizer/design/morphology.hpp"
 
 namespace legwright {
 namespace {
+
+constexpr double kWidestMesh = 20.0;  // [m]
 
 /// The last element of a tag that has an attribute, as it is the one that holds; else the root.
 const XmlElement& last_with(const XmlFile& xml, const char* tag, const char* name) {
@@ -72,6 +75,22 @@ void check_gravity(const XmlFile& xml, const mjModel& model, Refusals& reasons) 
       reasons.add(error_at(xml, model, mjOBJ_BODY, b,
                            "attribute gravcomp: gaits are planned for bodies with their full "
                            "weight; remove it"));
+}
+
+/// Meshes in millimetres, of which nobody told MuJoCo: one sentence, not one for each.
+void refuse_huge_meshes(const XmlFile& xml, const mjModel& model, int trunk, Refusals& reasons) {
+  for (int g = 0; g < model.ngeom; ++g) {
+    if (model.geom_type[g] != mjGEOM_MESH || model.body_rootid[model.geom_bodyid[g]] != trunk)
+      continue;
+    const double wide = 2.0 * vector_at(model.geom_aabb, 2 * g + 1).maxCoeff();
+    if (wide < kWidestMesh) continue;
+    reasons.add(error_at(
+        xml, model, mjOBJ_GEOM, g,
+        fmt::format("its mesh '{}' is {:.3g} m wide; where meshes are in millimetres, each "
+                    "needs scale=\"0.001 0.001 0.001\" (in a URDF in its <mesh>)",
+                    name_of(model, mjOBJ_MESH, model.geom_dataid[g]), wide)));
+    return;
+  }
 }
 
 /// MuJoCo fills up keyframes that are too short.
@@ -160,6 +179,7 @@ void check_surroundings(const XmlFile& xml, const mjModel& model, int trunk, Ref
       reasons.add(error_at(xml, model, mjOBJ_GEOM, g,
                            "the scene adds a floor of this name; name this part of the robot "
                            "otherwise"));
+  refuse_huge_meshes(xml, model, trunk, reasons);
   check_keyframes(xml, model, reasons);
 }
 

@@ -16,7 +16,8 @@ namespace legwright {
 
 /// What a URDF leaves open and the robot that it describes answers.
 struct UrdfMending {
-  /// Torque to which gains go [N m]: those of a much larger <limit effort> could not be played.
+  /// Torque to which gains go [N m], as those of a much larger <limit effort> could not be played,
+  /// and that motors without one get.
   double most_torque = std::numeric_limits<double>::infinity();
   std::vector<BodyTouch> overlapping;  // bodies that pass through each other, as they touch at rest
 };

@@ -7,10 +7,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <set>
+#include <string_view>
 
 #include "mjcf/read/robot_model.hpp"
 #include "mjcf/text/numbers.hpp"
+#include "mjcf/urdf/listed.hpp"
 #include "mjcf/urdf/print_xml.hpp"
 #include "mjcf/urdf/spec_elements.hpp"
 
@@ -20,8 +23,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::VectorXd;
 
-constexpr std::size_t kMostListed = 3;  // of pairs of bodies
-constexpr double kNoNumber = 1e-12;     // what is below is a rounding error of an angle
+constexpr double kNoNumber = 1e-12;  // what is below is a rounding error of an angle
 
 std::string number_list(const double* values, int size) {
   return format_numbers(VectorXd::Map(values, size));
@@ -34,6 +36,30 @@ std::string quaternion(const double* q) {
     if (std::abs(x) < kNoNumber) x = 0.0;
   return format_numbers(out);
 }
+
+/// Names without the signs that trajectories cannot name, each its own: "Revolute 12" becomes
+/// "Revolute_12".
+class PlainNames {
+ public:
+  std::string operator()(const std::string& name) {
+    const auto known = plain_.find(name);
+    if (known != plain_.end()) return known->second;
+    std::string out = name;
+    for (char& c : out)
+      if (std::string_view(" \t\r\n;,|~").find(c) != std::string_view::npos) c = '_';
+    if (out != name && renamed_.empty()) renamed_ = fmt::format("'{}' as '{}'", name, out);
+    const std::string stem = out;
+    for (int n = 2; !taken_.insert(out).second; ++n) out = fmt::format("{}_{}", stem, n);
+    return plain_[name] = out;
+  }
+  /// The first one that was changed, in words; empty: none was.
+  const std::string& renamed() const { return renamed_; }
+
+ private:
+  std::map<std::string, std::string> plain_;
+  std::set<std::string> taken_;
+  std::string renamed_;
+};
 
 class MjcfWriter {
  public:
@@ -52,6 +78,7 @@ class MjcfWriter {
     add_couplings();
     add_servos();
     out_.CloseElement();
+    tell_names();
     return std::string(out_.CStr());
   }
 
@@ -69,7 +96,7 @@ class MjcfWriter {
   }
 
   void add_body(mjsBody& body, bool is_trunk) {
-    XmlAttributes own{{"name", element_name(body.element)}};
+    XmlAttributes own{{"name", names_of_bodies_(element_name(body.element))}};
     if (!is_trunk && differs(body.pos, {0, 0, 0}))
       own.emplace_back("pos", number_list(body.pos, 3));
     if (!is_trunk && differs(body.quat, {1, 0, 0, 0}))
@@ -100,7 +127,7 @@ class MjcfWriter {
 
   void add_joint(mjsElement* element) {
     const mjsJoint& joint = *mjs_asJoint(element);
-    XmlAttributes own{{"name", element_name(element)}};
+    XmlAttributes own{{"name", names_of_joints_(element_name(element))}};
     if (joint.type == mjJNT_FREE) return add_element(out_, "freejoint", own);
     if (joint.type != mjJNT_HINGE)
       own.emplace_back("type", joint.type == mjJNT_SLIDE ? "slide" : "ball");
@@ -121,7 +148,7 @@ class MjcfWriter {
     if (type >= kTypes.size() || type < mjGEOM_SPHERE) return;
     XmlAttributes own;
     if (const std::string name = element_name(element); !name.empty() && names_.insert(name).second)
-      own.emplace_back("name", name);
+      own.emplace_back("name", names_of_geoms_(name));
     own.emplace_back("type", kTypes[type]);
     if (type == mjGEOM_MESH) own.emplace_back("mesh", mjs_getString(geom.meshname));
     if (kSizes[type] > 0) own.emplace_back("size", number_list(geom.size, kSizes[type]));
@@ -146,16 +173,25 @@ class MjcfWriter {
     out_.OpenElement("contact");
     for (const BodyTouch& touch : mending_.overlapping) {
       add_element(out_, "exclude", {{"body1", touch.first}, {"body2", touch.second}});
-      if (pairs.size() < kMostListed)
-        pairs.push_back(
-            fmt::format("{} and {}, {:.2g} mm deep", touch.first, touch.second, 1e3 * touch.depth));
+      pairs.push_back(
+          fmt::format("{} and {}, {:.2g} mm deep", touch.first, touch.second, 1e3 * touch.depth));
     }
     out_.CloseElement();
-    const std::size_t more = mending_.overlapping.size() - pairs.size();
     notes_.push_back(fmt::format(
         "collision shapes that overlap at rest pass through each other, as where <gazebo> has no "
-        "selfCollide: {}{}",
-        fmt::join(pairs, "; "), more > 0 ? fmt::format("; and {} more pairs", more) : ""));
+        "selfCollide: {}",
+        listed(pairs, "; ")));
+  }
+
+  void tell_names() {
+    std::vector<std::string> renamed;
+    for (const PlainNames* names : {&names_of_bodies_, &names_of_joints_, &names_of_geoms_})
+      if (!names->renamed().empty()) renamed.push_back(names->renamed());
+    if (!renamed.empty())
+      notes_.push_back(fmt::format(
+          "names with blanks or one of ; , | ~ have _ in their place, like {}: trajectories could "
+          "not name them",
+          fmt::join(renamed, ", ")));
   }
 
   /// <mimic>.
@@ -164,44 +200,60 @@ class MjcfWriter {
     out_.OpenElement("equality");
     for_each(spec_, mjOBJ_EQUALITY, [&](mjsElement* element) {
       const mjsEquality& equality = *mjs_asEquality(element);
-      const std::string own = mjs_getString(equality.name1);
+      const std::string own = names_of_joints_(mjs_getString(equality.name1));
       coupled_.insert(own);
       add_element(out_, "joint",
                   {{"joint1", own},
-                   {"joint2", mjs_getString(equality.name2)},
+                   {"joint2", names_of_joints_(mjs_getString(equality.name2))},
                    {"polycoef", number_list(equality.data, 5)}});
     });
     out_.CloseElement();
   }
 
-  /// A URDF has torques of its motors, but no gains.
+  /// A URDF has torques of its motors, or none, but no gains.
   void add_servos() {
     out_.OpenElement("actuator");
     int added = 0, beyond = 0;
-    std::vector<std::string> weak;
+    std::vector<std::string> without;
     for_each(spec_, mjOBJ_JOINT, [&](mjsElement* element) {
       const mjsJoint& joint = *mjs_asJoint(element);
-      const std::string name = element_name(element);
-      const double torque = joint.actfrcrange[1];
+      const std::string name = names_of_joints_(element_name(element));
       if (joint.type != mjJNT_HINGE || coupled_.count(name) > 0) return;
+      double torque = joint.actfrcrange[1];
       if (!(torque > 0.0)) {
-        weak.push_back(name);
-        return;
+        without.push_back(name);
+        torque = stand_in_torque();
+      } else {
+        ++added;
+        if (torque > mending_.most_torque) ++beyond;
       }
-      if (torque > mending_.most_torque) ++beyond;
-      const double kp = std::min(torque, mending_.most_torque) / kFullTorqueError;
-      add_element(out_, "position",
-                  {{"name", name},
-                   {"joint", name},
-                   {"kp", format_number(rounded(kp))},
-                   {"kv", format_number(rounded(kDampingTime * kp))},
-                   {"forcerange", format_number(-torque) + " " + format_number(torque)}});
-      ++added;
+      add_servo(name, torque);
     });
     out_.CloseElement();
-    if (!weak.empty())
-      notes_.push_back(
-          fmt::format("no servo for {}: no <limit effort> above 0", fmt::join(weak, ", ")));
+    tell_servos(added, beyond, without);
+  }
+
+  /// Of a motor without <limit effort>; any before the robot's weight is known [N m].
+  double stand_in_torque() const {
+    return std::isfinite(mending_.most_torque) ? rounded(mending_.most_torque) : 1.0;
+  }
+
+  void add_servo(const std::string& name, double torque) {
+    const double kp = std::min(torque, mending_.most_torque) / kFullTorqueError;
+    add_element(out_, "position",
+                {{"name", name},
+                 {"joint", name},
+                 {"kp", format_number(rounded(kp))},
+                 {"kv", format_number(rounded(kDampingTime * kp))},
+                 {"forcerange", format_number(-torque) + " " + format_number(torque)}});
+  }
+
+  void tell_servos(int added, int beyond, const std::vector<std::string>& without) {
+    if (!without.empty())
+      notes_.push_back(fmt::format(
+          "{} {} no <limit effort> above 0: the motor gets {:.3g} N m, twice what carries the "
+          "robot on stretched legs; write what it has there",
+          listed(without), without.size() == 1 ? "has" : "have", stand_in_torque()));
     if (added > 0)
       notes_.push_back(
           fmt::format("{} joints get position servos of their <limit effort>, which "
@@ -219,6 +271,7 @@ class MjcfWriter {
   std::vector<std::string>& notes_;
   tinyxml2::XMLPrinter out_;
   std::set<std::string> names_, coupled_;
+  PlainNames names_of_bodies_, names_of_joints_, names_of_geoms_;
 };
 
 }  // namespace

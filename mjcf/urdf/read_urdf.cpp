@@ -10,8 +10,10 @@
 #include <set>
 
 #include "mjcf/text/compile.hpp"
+#include "mjcf/text/numbers.hpp"
 #include "mjcf/text/refusals.hpp"
 #include "mjcf/text/xml.hpp"
+#include "mjcf/urdf/listed.hpp"
 #include "mjcf/urdf/mjcf_of_spec.hpp"
 #include "mjcf/urdf/urdf_meshes.hpp"
 
@@ -35,8 +37,10 @@ void refuse_macros(const XmlFile& xml) {
   for_each_element(xml.root(), [&](const XmlElement& element) {
     if (is_macro(element))
       throw xml.error(element,
-                      "is a macro of xacro, which the file still has to be expanded for: xacro "
-                      "FILE.xacro > robot.urdf");
+                      "holds a macro of xacro (xacro:…, ${…} or $(…)), which has to be expanded "
+                      "first: `xacro FILE.xacro > robot.urdf` with ROS, whose packages $(find …) "
+                      "names, or `xacrodoc FILE.xacro -o robot.urdf` of the Python package "
+                      "xacrodoc without");
   });
 }
 
@@ -60,12 +64,32 @@ class UrdfEdits {
          "left out, as MuJoCo cannot read them (an .stl or .obj of the same "
          "name beside them would be taken)");
     tell(UrdfMeshKind::missing, "that are not there, pictures left out");
+    tell_empty_ranges(root);
     tinyxml2::XMLPrinter printer;
     document_.Print(&printer);
     return printer.CStr();
   }
 
  private:
+  /// CAD exporters write a range of nothing for a joint whose limits nobody gave; MuJoCo's reader
+  /// takes it for none.
+  void tell_empty_ranges(const XmlElement& root) {
+    std::vector<std::string> names;
+    for (const XmlElement* joint = root.FirstChildElement("joint"); joint != nullptr;
+         joint = joint->NextSiblingElement("joint")) {
+      const XmlElement* const limit = joint->FirstChildElement("limit");
+      if (attribute(*joint, "type") != "revolute" || limit == nullptr) continue;
+      const auto lower = parse_number(attribute(*limit, "lower")),
+                 upper = parse_number(attribute(*limit, "upper"));
+      if (lower.value_or(0.0) >= upper.value_or(0.0)) names.emplace_back(attribute(*joint, "name"));
+    }
+    if (names.empty()) return;
+    notes_.push_back(
+        fmt::format("<limit> has no range for {}, where upper is not above lower: any angle is "
+                    "allowed; write the range",
+                    listed(names)));
+  }
+
   void set_compiler(XmlElement& root) {
     XmlElement* extension = root.FirstChildElement("mujoco");
     if (extension == nullptr) {
@@ -107,13 +131,8 @@ class UrdfEdits {
   void tell(UrdfMeshKind kind, const char* what) {
     const auto found = names_.find(kind);
     if (found == names_.end()) return;
-    constexpr std::size_t kMost = 3;
-    const std::vector<std::string> all(found->second.begin(), found->second.end());
-    const std::size_t shown = std::min(kMost, all.size());
     notes_.push_back(
-        fmt::format("meshes {}: {}{}", what,
-                    fmt::join(all.begin(), all.begin() + static_cast<long>(shown), ", "),
-                    all.size() > shown ? fmt::format(" and {} more", all.size() - shown) : ""));
+        fmt::format("meshes {}: {}", what, listed({found->second.begin(), found->second.end()})));
   }
 
   tinyxml2::XMLDocument document_;

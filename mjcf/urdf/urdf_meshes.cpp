@@ -29,8 +29,9 @@ std::optional<std::string> behind(std::string_view scheme, const std::string& na
 /// Where a file of a package can be, the likeliest first.
 std::vector<fs::path> places_in_package(const std::string& in_package, const fs::path& folder) {
   const std::size_t slash = in_package.find('/');
+  if (slash == std::string::npos) return {folder / in_package};  // a file without its package
   const std::string package = in_package.substr(0, slash);
-  const fs::path rest = slash == std::string::npos ? "" : in_package.substr(slash + 1);
+  const fs::path rest = in_package.substr(slash + 1);
   std::vector<fs::path> named, beside, loose;
   fs::path above = fs::absolute(folder).lexically_normal();
   if (!above.has_filename()) above = above.parent_path();

@@ -71,6 +71,7 @@ void ObjectiveParts::plan() {
   std::vector<Clique*> cliques;
   for (WeightedTerm& entry : terms) {
     const int count = entry.weight == 0.0 ? 0 : static_cast<int>(entry.term->elements().size());
+    entry.plans.reserve(static_cast<std::size_t>(count));
     for (int e = 0; e < count; ++e)
       entry.plans.push_back(plan_element(*entry.term, e, derived.blocks(), block_at_slot,
                                          layout.design_size(), layout.parameter_count()));

@@ -32,9 +32,15 @@ PlayedGait PlayedCandidate::record(std::optional<int> task) const {
   return {trial.distance, trial.pass, trial.line};
 }
 
-const Objective& Candidate::objective(const CodesignProblem& problem, int k) const {
+std::shared_ptr<const Objective> Candidate::objective(const CodesignProblem& problem, int k) const {
   const auto i = static_cast<std::size_t>(k);
-  return planned.empty() ? *problem.objectives[i] : *planned.at(i);
+  if (!planned.empty()) return planned.at(i)->get();
+  return {std::shared_ptr<const Objective>(), problem.objectives[i].get()};  // owns nothing
+}
+
+const Task& Candidate::planned_task(const CodesignProblem& problem, int k) const {
+  const auto i = static_cast<std::size_t>(k);
+  return planned.empty() ? problem.objectives[i]->task() : planned.at(i)->task();
 }
 
 PlayedCandidate play_candidate(const CodesignProblem& problem, const Candidate& candidate,
@@ -79,7 +85,7 @@ void evaluate_as_planned(const CodesignProblem& problem, const Candidate& candid
   design.value = 0.0;
   for (int k = 0; k < problem.task_count(); ++k) {
     TaskIterate& task = design.tasks[static_cast<std::size_t>(k)];
-    task.terms = candidate.objective(problem, k).terms(design.s, task.m);
+    task.terms = candidate.objective(problem, k)->terms(design.s, task.m);
     task.value = sum_of(task.terms);
     design.value += problem.task(k).weight * (task.value + task.outer_value);
   }
@@ -92,7 +98,7 @@ void evaluate_as_asked(const CodesignProblem& problem, Candidate& candidate) {
     const auto i = static_cast<std::size_t>(k);
     TaskIterate& task = design.tasks[i];
     const Objective& asked = *problem.objectives[i];
-    const Task& planned = candidate.objective(problem, k).task();
+    const Task& planned = candidate.planned_task(problem, k);
     if (planned.velocity == asked.task().velocity && planned.turn_rate == asked.task().turn_rate) {
       task.terms = asked.terms(design.s, task.m);
     } else {

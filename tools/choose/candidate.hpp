@@ -9,6 +9,7 @@
 
 #include "optimizer/objective/objective.hpp"
 #include "optimizer/solve/codesign.hpp"
+#include "tools/choose/planned_objective.hpp"
 #include "tools/choose/tightening.hpp"
 #include "tools/run/played_gait.hpp"
 #include "tools/task/problem.hpp"
@@ -23,10 +24,12 @@ struct Candidate {
   DesignIteration design;
   // Of each task in the search that found it, and F as that search had it; or empty: as asked.
   std::vector<Tightening> tightening = {};
-  std::vector<std::shared_ptr<const Objective>> planned = {};
+  std::vector<std::shared_ptr<const PlannedObjective>> planned = {};
 
-  /// F whose plan the motion of task k is.
-  const Objective& objective(const CodesignProblem& problem, int k) const;
+  /// F whose plan the motion of task k is. The problem outlives it.
+  std::shared_ptr<const Objective> objective(const CodesignProblem& problem, int k) const;
+  /// The task of that F.
+  const Task& planned_task(const CodesignProblem& problem, int k) const;
 };
 
 /// What physics says of a candidate in all tasks together.

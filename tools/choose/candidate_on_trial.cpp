@@ -40,7 +40,7 @@ bool CandidateOnTrial::with_gait(std::size_t task, const std::function<void(Gait
       const DesignIteration& design = candidate_.design;
       gait.on_trial = std::make_unique<GaitOnTrial>(
           problem_.robot, problem_.task(k),
-          design_texts(problem_.robot, candidate_.objective(problem_, k), design.s,
+          design_texts(problem_.robot, *candidate_.objective(problem_, k), design.s,
                        design.tasks.at(task).m),
           stop_);
     }

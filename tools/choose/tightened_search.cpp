@@ -18,15 +18,17 @@ std::optional<Candidate> search_tightened(const CodesignProblem& problem,
                                           const CodesignOptions& options) {
   Candidate out;
   out.tightening = tightening;
+  std::vector<std::shared_ptr<const Objective>> objectives;  // as long as the search goes on
   std::vector<std::unique_ptr<ObjectiveCost>> costs;
   std::vector<WeightedCost> weighted_costs;
   try {
     for (int k = 0; k < problem.task_count(); ++k) {
       const auto i = static_cast<std::size_t>(k);
       const Task task = tightened_task(problem, k, tightening[i]);
-      out.planned.push_back(std::make_shared<const Objective>(
+      out.planned.push_back(std::make_shared<const PlannedObjective>(
           as_in_task(problem.robot.morphology, task), problem.robot.space, task));
-      costs.push_back(std::make_unique<ObjectiveCost>(*out.planned.back()));
+      objectives.push_back(out.planned.back()->get());
+      costs.push_back(std::make_unique<ObjectiveCost>(*objectives.back()));
       weighted_costs.push_back(weighted(tasks[i], tasks[i].weight, from.design.tasks[i].m));
       weighted_costs.back().cost = costs.back().get();
     }

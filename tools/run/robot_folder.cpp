@@ -22,7 +22,15 @@ bool linked(const fs::path& from, const fs::path& to) {
   return !error;
 }
 
+/// Whether a regular file has these bytes already.
+bool holds(const fs::path& file, const std::string& bytes) {
+  return fs::is_regular_file(fs::symlink_status(file)) && fs::file_size(file) == bytes.size() &&
+         read_regular_file(file, bytes.size()) == bytes;
+}
+
 void write_asset(const AssetFile& asset, const fs::path& to, Durability durability) {
+  if (fs::exists(fs::symlink_status(to)) && holds(to, read_regular_file(asset.source, asset.bytes)))
+    return;
   fs::create_directories(to.parent_path());
   if (asset.may_link && linked(asset.source, to)) return;
   write_file(to, read_regular_file(asset.source, asset.bytes), durability);
@@ -54,10 +62,11 @@ void write_main_file(const fs::path& output, const RobotFiles& files) {
   const fs::path from = folder_behind_links(files.file()), to = folder_behind_links(output);
   if (from == to) return write_file(output, files.main_text());
   const RobotFiles own = files.gathered();
-  const auto check = [&](const fs::path& path) {
-    if (*path.begin() == output.filename() || fs::exists(fs::symlink_status(to / path)))
+  const auto check = [&](const fs::path& path, const std::string& bytes) {
+    const bool taken = fs::exists(fs::symlink_status(to / path)) && !holds(to / path, bytes);
+    if (*path.begin() == output.filename() || taken)
       throw IoError(
-          fmt::format("{}: the robot has a file of this name, which would replace it; "
+          fmt::format("{}: the robot has another file of this name, which would replace it; "
                       "write {} into a new folder",
                       (output.parent_path() / path).string(), output.filename().string()));
     for (fs::path above = path.parent_path(); !above.empty(); above = above.parent_path())
@@ -67,8 +76,10 @@ void write_main_file(const fs::path& output, const RobotFiles& files) {
                         "{} into a new folder",
                         (output.parent_path() / above).string(), output.filename().string()));
   };
-  for (const IncludedFile& included : own.includes()) check(included.path);
-  for (const AssetFile& asset : own.assets()) check(asset.path);
+  for (const IncludedFile& included : own.includes()) check(included.path, included.text);
+  for (const AssetFile& asset : own.assets())
+    check(asset.path, read_regular_file(asset.source, asset.bytes));
+  fs::create_directories(to);
   write_others(output.parent_path(), own, Durability::power);
   write_file(output, own.main_text());
 }

@@ -97,7 +97,8 @@ class ChangeReasons::CostsByThread {
         const auto k = static_cast<int>(tasks.size());
         tasks.push_back(weighted(task, task.weight, {}));
         if (chosen.planned.empty()) continue;
-        planned_.push_back(std::make_unique<ObjectiveCost>(chosen.objective(problem, k)));
+        objectives_.push_back(chosen.objective(problem, k));
+        planned_.push_back(std::make_unique<ObjectiveCost>(*objectives_.back()));
         tasks.back().cost = planned_.back().get();
       }
     }
@@ -106,6 +107,7 @@ class ChangeReasons::CostsByThread {
 
  private:
   std::vector<std::unique_ptr<ProblemCosts>> costs_;
+  std::vector<std::shared_ptr<const Objective>> objectives_;
   std::vector<std::unique_ptr<ObjectiveCost>> planned_;
   std::vector<std::vector<WeightedCost>> tasks_;
 };

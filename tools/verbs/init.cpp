@@ -111,9 +111,23 @@ struct FirstTask {
   std::string text, words;
 };
 
+/// A URDF has no keyframes: how its MJCF gets one.
+std::string way_to_keyframe(const ProposedParameters& found) {
+  const ModelPointer model = compile_mjcf(found.model.xml, found.model.file);
+  std::vector<std::string> joints;
+  for (int j = 0; j < model->njnt; ++j)
+    if (model->jnt_type[j] != mjJNT_FREE) joints.push_back(name_of(*model, mjOBJ_JOINT, j));
+  return fmt::format(
+      "; the same command without --task writes the MJCF, which takes <keyframe><key name=\"home\" "
+      "qpos=\"…\"/></keyframe>: x y z of the trunk, its quaternion (1 0 0 0 is level), then the "
+      "angles of {} [rad]",
+      fmt::join(joints, ", "));
+}
+
 /// It names `robot` from the folder of the task file. Throws IoError where the file exists already.
-FirstTask first_task(const InitOptions& options, const ProposedParameters& found,
+FirstTask first_task(const InitOptions& options, const StudiedRobot& studied,
                      const std::string& robot) {
+  const ProposedParameters& found = studied.found;
   if (fs::exists(options.task))
     throw IoError(options.task + ": exists already; name a new file, or remove it");
   if (fs::weakly_canonical(fs::absolute(options.task)) == fs::weakly_canonical(fs::absolute(robot)))
@@ -122,7 +136,7 @@ FirstTask first_task(const InitOptions& options, const ProposedParameters& found
     throw InputError(options.robot, 0, "",
                      "no task is written, in which the robot would fall at once, nor anything "
                      "else: " +
-                         found.not_standing);
+                         found.not_standing + (studied.of_urdf ? way_to_keyframe(found) : ""));
   const std::optional<std::string> gait =
       options.gait.empty() ? std::nullopt : std::optional(options.gait);
   const fs::path folder = fs::absolute(options.task).lexically_normal().parent_path();
@@ -198,7 +212,7 @@ int init(const InitOptions& options) {
   const FirstTask task =
       options.task.empty() || lacks_task(options, found)
           ? FirstTask{}
-          : first_task(options, found, options.output.empty() ? options.robot : options.output);
+          : first_task(options, robot, options.output.empty() ? options.robot : options.output);
   const std::string written = writes ? write_proposals(robot, options.output) : "";
   const std::string written_task = task.text.empty() ? "" : options.task;
   if (!task.text.empty()) write_file(options.task, task.text);

@@ -44,13 +44,13 @@ std::vector<TaskOutcome> write_results(const ResultFolder& folder, const Codesig
     outcome.best = &design;
     outcome.motion_only_trace = first.motion_only_traces[k];
     const bool good = usable(design);
-    const Objective& planned = chosen.objective(problem, k);
+    const std::shared_ptr<const Objective> planned = chosen.objective(problem, k);
     if (good)
-      outcome.quality = recorder.result(result_folder(folder, problem, k), planned, design, k);
+      outcome.quality = recorder.result(result_folder(folder, problem, k), *planned, design, k);
     outcome.reasons = infeasible_reasons(good, outcome.quality, problem.speed_unit(k));
     if (good && !outcome.reasons.empty())  // which limb, when, by how much
       for (std::string& words :
-           worst_constraints(planned, design.s, design.tasks[k].m, kToldConstraints))
+           worst_constraints(*planned, design.s, design.tasks[k].m, kToldConstraints))
         outcome.reasons.push_back(std::move(words));
     outcomes.push_back(std::move(outcome));
   }
@@ -138,7 +138,7 @@ void write_candidates(const ResultFolder& folder, const CodesignProblem& problem
         fs::create_directories(to);
         to /= problem.task(k).name;
       }
-      write_design(to, problem.robot, candidate.objective(problem, k), candidate.design, k,
+      write_design(to, problem.robot, *candidate.objective(problem, k), candidate.design, k,
                    Durability::process);
     }
   }
@@ -150,11 +150,13 @@ CertificateNote write_certificate(const ResultFolder& folder, const CodesignProb
   const Stopwatch watch;
   std::vector<WeightedCost> costs;
   std::vector<int> all;
+  std::vector<std::shared_ptr<const Objective>> objectives;
   std::vector<std::unique_ptr<ObjectiveCost>> planned;
   for (const JointTask& task : tasks) {
     const auto k = static_cast<int>(costs.size());
     all.push_back(k);
-    planned.push_back(std::make_unique<ObjectiveCost>(chosen.objective(problem, k)));
+    objectives.push_back(chosen.objective(problem, k));
+    planned.push_back(std::make_unique<ObjectiveCost>(*objectives.back()));
     costs.push_back(weighted(task, task.weight, {}));
     costs.back().cost = planned.back().get();
   }

@@ -72,8 +72,33 @@ TEST(Facing, FollowsTheNamesOfTheLegs) {
 TEST(Facing, FollowsTheRowsOfManyLegsWithoutNames) {
   const Facing found = facing(turned(kAnt));
   EXPECT_EQ(found.ahead, Vector2d(0, 1));
-  EXPECT_NE(found.remark.find("span 0.4 m along y and 0.24 m along x"), std::string::npos)
+  EXPECT_NE(found.remark.find("hips stand in two rows along y, 0.2 m apart"), std::string::npos)
       << found.remark;
+  // As long as wide, and round: no leg hangs in front of the trunk.
+  EXPECT_EQ(facing({{"a", -.11, .13},
+                    {"b", -.11, 0},
+                    {"c", -.11, -.13},
+                    {"d", .11, .13},
+                    {"e", .11, 0},
+                    {"f1", .11, -.13}})
+                .ahead,
+            Vector2d(0, 1));
+  EXPECT_EQ(facing({{"a", .2, 0},
+                    {"b", .1, .17},
+                    {"c", -.1, .17},
+                    {"d", -.2, 0},
+                    {"e", -.1, -.17},
+                    {"g", .1, -.17}})
+                .ahead,
+            Vector2d(0, 1));
+  EXPECT_EQ(facing({{"a", 0, .2},
+                    {"b", .17, .1},
+                    {"c", .17, -.1},
+                    {"d", 0, -.2},
+                    {"e", -.17, -.1},
+                    {"g", -.17, .1}})
+                .remark,
+            "");
   std::vector<Hip> four = turned(kDog);  // a wide robot, for all that is known
   for (std::size_t k = 0; k < four.size(); ++k) four[k].name = fmt::format("leg{}", k);
   EXPECT_EQ(facing(four).remark, "");
@@ -82,7 +107,7 @@ TEST(Facing, FollowsTheRowsOfManyLegsWithoutNames) {
 TEST(SideWords, TellRows) {
   for (const char* name : {"FL_hip", "hip_front_left", "rf1", "fore-leg", "f"})
     EXPECT_EQ(row_word(name), 1) << name;
-  for (const char* name : {"RL_hip", "rear.left", "LH", "hind", "back_2", "h"})
+  for (const char* name : {"RL_hip", "rear.left", "LH", "hind", "back_2", "h", "bl_1", "br_2"})
     EXPECT_EQ(row_word(name), -1) << name;
   for (const char* name : {"", "hip", "left", "front_hind", "flange", "LM_coxa", "r", "l"})
     EXPECT_EQ(row_word(name), 0) << name;

@@ -117,6 +117,42 @@ TEST(StandingPose, AWaistStaysAtRest) {
   EXPECT_EQ(home_qpos(*model)[model->jnt_qposadr[waist]], 0.0);
 }
 
+/// Angles of a found pose, as they stand in its keyframe.
+std::vector<double> legs_in(const std::string& xml) {
+  const auto pose = find_standing_pose(xml, kLurcherFile);
+  EXPECT_TRUE(pose);
+  if (!pose) return std::vector<double>(12, 0.0);
+  std::vector<double> all = *parse_numbers(pose->qpos);
+  all.erase(all.begin(), all.begin() + 7);
+  return all;
+}
+
+TEST(StandingPose, OfMirroredLegsIsMirrored) {
+  const std::vector<double> angles = legs_in(lurcher());
+  for (const std::size_t left : {0, 6})
+    for (const std::size_t k : {0, 1, 2})
+      EXPECT_NEAR(angles[left + k], (k == 0 ? -1 : 1) * angles[left + 3 + k], 2e-6) << left << k;
+}
+
+/// A robot that is drawn facing along y finds the pose of the one that faces along x.
+TEST(StandingPose, DoesNotAskWhereTheRobotFaces) {
+  const std::vector<double> straight = legs_in(lurcher());
+  std::string turned = lurcher();
+  for (const auto& [from, to] : {std::pair{"axis=\"0 1 0\"", "axis=\"-1 0 0 \""},
+                                 {"axis=\"1 0 0\"", "axis=\"0 1 0\""},
+                                 {"pos=\"0 0.06 0\"", "pos=\"-0.06 0 0\""},
+                                 {"pos=\"0 -0.06 0\"", "pos=\"0.06 0 0\""},
+                                 {"pos=\"0.18 0.05 ", "pos=\"-0.05 0.18 "},
+                                 {"pos=\"0.18 -0.05 ", "pos=\"0.05 0.18 "},
+                                 {"pos=\"-0.18 0.05 ", "pos=\"-0.05 -0.18 "},
+                                 {"pos=\"-0.18 -0.05 ", "pos=\"0.05 -0.18 "},
+                                 {"size=\"0.2 0.06 0.05\"", "size=\"0.06 0.2 0.05\""}})
+    for (std::size_t at = 0; (at = turned.find(from, at)) != std::string::npos;)
+      turned.replace(at, std::string(from).size(), to);
+  const std::vector<double> found = legs_in(turned);
+  for (std::size_t k = 0; k < 12; ++k) EXPECT_NEAR(found[k], straight[k], 0.02) << k;
+}
+
 TEST(StandingPose, APoseThatStandsIsLeftAlone) {
   EXPECT_FALSE(find_standing_pose(with_home(lurcher(), 0.0, four("0 0.7 -1.4")), kLurcherFile));
   for (const char* name : {"puppy", "quadruped", "hexapod", "biped", "printed_quadruped"})

@@ -348,6 +348,20 @@ TEST(Refusals, AllFaultsOfTheTextAreToldInTheOrderOfTheFile) {
   EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 3) << all;
 }
 
+TEST(Refusals, AllDeclarationsThatNoLongerMeasureAreToldAtOnce) {
+  const std::string xml = test::named_robot("puppy");
+  std::string all = xml;
+  int changed = 0;
+  for (std::size_t at = 0; (at = all.find("_length\" data=\"0.", at)) != std::string::npos;) {
+    at = all.find("0.", at);
+    all.replace(at, 2, "9.");
+    ++changed;
+  }
+  ASSERT_GT(changed, 1);
+  const std::string told = error_message(all);
+  EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), changed - 1) << told;
+}
+
 TEST(Refusals, AllReasonsAreReportedAtOnceEachWithItsLine) {
   std::string xml = test::hopper_with("<geom name=\"tip\" size=\"0.02\" pos=\"0 0 -0.2\"/>");
   xml = test::with(xml, "<joint name=\"knee\" axis=\"0 1 0\"/>",

@@ -83,6 +83,20 @@ TEST(Feet, TheLowestCollidingGeomIsItAndABallBeforeItsLike) {
   EXPECT_EQ(name(test::with(hull, "0.11\"", "0.13\"") + ball), "hull");
 }
 
+TEST(Feet, OfTwoPlatesOfOneShapeTheFirstCounts) {
+  const auto foot_of = [](const char* first, const char* second) {
+    const auto plate = [](const char* height) {
+      return std::string("<geom type=\"box\" size=\"0.02 0.003 0.01\" pos=\"0 0.02 ") + height +
+             "\"/>";
+    };
+    return parse_robot(test::hopper_with(plate(first) + plate(second)), "robot.xml")
+        .structure.feet[0]
+        .geom;
+  };
+  EXPECT_EQ(foot_of("-0.2", "-0.2000000001"), foot_of("-0.2", "-0.2"));
+  EXPECT_EQ(foot_of("-0.2", "-0.21"), foot_of("-0.2", "-0.2") + 1);
+}
+
 TEST(Feet, KeepTheirPlaceWhenTheLegTurnsAndStretches) {
   // Turned far, another face of the box would be the lowest at home.
   std::string xml =

@@ -221,7 +221,7 @@ TEST(ReadUrdf, MimickedJointsAreCoupledAndGetNoServo) {
 
 TEST(ReadUrdf, FaultsHaveTheirPlace) {
   EXPECT_TRUE(tells(fault(test::with(kHopper, "value=\"2\"", "value=\"${mass}\"")),
-                    "hopper.urdf:8: mass: is a macro of xacro"))
+                    "hopper.urdf:8: mass: holds a macro of xacro"))
       << fault(test::with(kHopper, "value=\"2\"", "value=\"${mass}\""));
   EXPECT_TRUE(tells(fault(test::with(kHopper, "<parent link=\"trunk\"/>", "")), "hopper.urdf"));
   EXPECT_TRUE(
@@ -238,10 +238,48 @@ TEST(ReadUrdf, FaultsHaveTheirPlace) {
   EXPECT_TRUE(tells(fault("<robot name=\"x\">"), "hopper.urdf:1"));
 }
 
-TEST(ReadUrdf, JointsWithoutEffortAreTold) {
-  const MjcfOfUrdf mended = made(test::with(kHopper, "effort=\"6\"", "effort=\"0\""));
-  EXPECT_TRUE(tells(mended.notes[1], "no servo for hip: no <limit effort> above 0"))
+/// As the exporters of CAD programs leave them.
+TEST(ReadUrdf, JointsWithoutEffortGetMotorsThatCarryTheRobot) {
+  const std::string urdf = test::with(kHopper, "effort=\"6\"", "effort=\"0\"");
+  const RobotModel robot = parse_robot(made(urdf).text, "hopper.urdf");
+  const UrdfMending mending = mending_of(robot);
+  const MjcfOfUrdf mended = mjcf_of_urdf(urdf, "hopper.urdf", mending);
+  EXPECT_TRUE(tells(mended.notes[1], "hip has no <limit effort> above 0: the motor gets "))
       << mended.notes[1];
+  const ModelPointer model = compile_mjcf(mended.text, "hopper.urdf");
+  const int hip = mj_name2id(model.get(), mjOBJ_ACTUATOR, "hip");
+  ASSERT_GE(hip, 0);
+  EXPECT_NEAR(model->actuator_forcerange[2 * hip + 1], mending.most_torque, 1e-9);
+}
+
+TEST(ReadUrdf, NamesWithBlanksAreRenamedEachToItsOwn) {
+  std::string urdf = test::with(kHopper, "joint name=\"hip\"", "joint name=\"Revolute 1\"");
+  urdf = test::with(urdf, "joint name=\"knee\"", "joint name=\"Revolute_1\"");
+  const MjcfOfUrdf renamed = made(urdf);
+  const RobotModel robot = parse_robot(renamed.text, "hopper.urdf");
+  ASSERT_EQ(robot.morphology.joint_count(), 2);
+  EXPECT_EQ(robot.morphology.links[1].joint.name, "Revolute_1");
+  EXPECT_EQ(robot.morphology.links[2].joint.name, "Revolute_1_2");
+  EXPECT_TRUE(tells(renamed.notes.back(), "like 'Revolute 1' as 'Revolute_1'"))
+      << renamed.notes.back();
+}
+
+TEST(ReadUrdf, RangesOfNothingAreTold) {
+  const std::string urdf =
+      test::with(kHopper, "<limit effort=\"4\" velocity=\"20\"/>",
+                 "<limit lower=\"0\" upper=\"0\" effort=\"4\" velocity=\"20\"/>");
+  std::string all;
+  for (const std::string& note : made(test::with(urdf, "continuous", "revolute")).notes)
+    all += note;
+  EXPECT_TRUE(tells(all, "<limit> has no range for knee, where upper is not above lower")) << all;
+}
+
+TEST(ReadUrdf, APackageWithoutNameIsTheFolderOfTheFile) {
+  const test::TemporaryFolder folder;
+  std::ofstream(folder.path() / "body.stl") << "solid";
+  const UrdfMeshFile found = find_urdf_mesh("package://body.stl", folder.path(), "");
+  EXPECT_EQ(found.kind, UrdfMeshKind::found);
+  EXPECT_EQ(found.path, "body.stl");
 }
 
 TEST(ReadUrdf, PlaceholdersGiveNoGainsAndOverlappingShapesMayPass) {

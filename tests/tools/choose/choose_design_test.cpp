@@ -71,7 +71,7 @@ TEST_F(ChooseDesignInstead, HandsBackTheLeastFThatPasses) {
   load_gait_plugin();
   const GaitTrial again = try_in_physics(
       searched.problem.robot, searched.problem.task(0),
-      design_texts(searched.problem.robot, choice.result.objective(searched.problem, 0),
+      design_texts(searched.problem.robot, *choice.result.objective(searched.problem, 0),
                    choice.result.design.s, choice.result.design.tasks[0].m));
   EXPECT_TRUE(again.pass) << again.line;
   EXPECT_EQ(again.distance, 0.0);
@@ -158,7 +158,7 @@ TEST(ChooseDesign, TightensTheMotionOfTheGivenBodyAsWell) {
   const CodesignProblem& problem = searched.problem;
   const auto glance = [&](const Candidate& of) {
     return GaitOnTrial(problem.robot, problem.task(0),
-                       design_texts(problem.robot, of.objective(problem, 0), of.design.s,
+                       design_texts(problem.robot, *of.objective(problem, 0), of.design.s,
                                     of.design.tasks[0].m))
         .glance();
   };

@@ -153,12 +153,16 @@ TEST_F(GatheredRun, InitWritesTheWholeRobotElsewhere) {
   EXPECT_TRUE(meshes_of(*written) == meshes_of(*published));
   EXPECT_EQ(call({"check", "mine/trot.toml", "--confined"}).code, 0);
 
-  // Nothing is replaced, and nothing is written through a link.
+  // What is there already stays; nothing is replaced, and nothing is written through a link.
   write_package("pkg");
+  EXPECT_EQ(call({"init", "pkg/mjcf/robot.xml", "-o", "mine/twice.xml"}).code, 0);
+  ASSERT_TRUE(opened(at("mine/twice.xml")));
+  write_file(at("mine/common/defaults.xml"), read_file(at("mine/common/defaults.xml")) + " ");
   const auto before = contents("mine");
   const Outcome again = call({"init", "pkg/mjcf/robot.xml", "-o", "mine/other.xml"});
   EXPECT_EQ(again.code, 3) << again.err;
-  EXPECT_TRUE(contains(again.err, "mine/common/defaults.xml: the robot has a file of this name"))
+  EXPECT_TRUE(
+      contains(again.err, "mine/common/defaults.xml: the robot has another file of this name"))
       << again.err;
   EXPECT_EQ(contents("mine"), before);
   fs::create_directories(at("linked"));

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mjcf/read/robot_model.hpp"
+
+namespace legwright {
+
+/// Bodies whose <inertial> cannot be that of their shape, as exporters of CAD programs leave them
+/// in other units or frames: a centre of mass far beside what the body shows and collides with, or
+/// moments of inertia of a much larger one. A sentence for each kind, the worst body first.
+std::vector<std::string> doubtful_masses(const RobotModel& robot);
+
+}  // namespace legwright
