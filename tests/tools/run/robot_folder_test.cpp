@@ -77,7 +77,12 @@ TEST_F(RobotFolder, FilesElsewhereAreGathered) {
   EXPECT_EQ(read_file(other), read_file(inputs / "robot.xml"));
   EXPECT_EQ(read_file(other.parent_path() / "parts/leg.xml"), read_file(home_ / "parts/leg.xml"));
   EXPECT_EQ(fs::hard_link_count(home_ / "meshes/ear.stl"), 1u);
+  // Beside the same files, but not in the place of others.
+  write_main_file(other.parent_path() / "twin.xml", files);
+  EXPECT_EQ(read_file(other.parent_path() / "twin.xml"), read_file(other));
+  write_file(other.parent_path() / "meshes/ear.stl", "an eye");
   EXPECT_THROW(write_main_file(other.parent_path() / "newer.xml", files), IoError);
+  EXPECT_EQ(read_file(other.parent_path() / "meshes/ear.stl"), "an eye");
   EXPECT_FALSE(fs::exists(other.parent_path() / "newer.xml"));
   EXPECT_THROW(write_main_file(fresh("third") / "parts", files), IoError);
   EXPECT_TRUE(fs::is_empty(folder_.path() / "third"));
