@@ -119,8 +119,8 @@ class LegSearch {
     }
   }
 
-  /// Newton steps with differences: along narrow valleys the descent ends early, at another place in
-  /// each of two mirrored legs.
+  /// Newton steps with differences: along narrow valleys the descent ends early, at another place
+  /// in each of two mirrored legs.
   void polish(Point& point) {
     for (int step = 0; step < kMostNewton; ++step) {
       const auto n = point.angles.size();

@@ -8,9 +8,9 @@
 
 namespace legwright {
 
-/// A chain of hinges on the trunk, or on a waist that carries several, whose angles are searched for
-/// with the file's own geoms: before anything is known of feet, as a robot that does not stand has
-/// none. World axes.
+/// A chain of hinges on the trunk, or on a waist that carries several, whose angles are searched
+/// for with the file's own geoms: before anything is known of feet, as a robot that does not stand
+/// has none. World axes.
 struct SearchedLeg {
   std::vector<int> joints;                         // ids, from the trunk down
   std::vector<int> bodies;                         // of the last link
@@ -18,9 +18,8 @@ struct SearchedLeg {
   double reach = 0.0;                              // farthest below the hinge above the knee [m]
   Eigen::Vector3d hip = Eigen::Vector3d::Zero();   // that hinge, at angles of rest [m]
   Eigen::Vector3d rest = Eigen::Vector3d::Zero();  // the foot, at angles of rest [m]
-  Eigen::Vector3d side =
-      Eigen::Vector3d::UnitY();  // level, along the knee's hinge at rest: the leg
-                                 // bends ahead and back of it
+  /// Level, along the knee's hinge at rest: the leg bends ahead and back of it.
+  Eigen::Vector3d side = Eigen::Vector3d::UnitY();
 
   /// The hinge above the knee: the last but one.
   int hip_joint() const { return joints[joints.size() - 2]; }
