@@ -89,10 +89,11 @@ std::vector<std::string> doubtful_masses(const RobotModel& robot) {
         "{:.2g} m{}: the <inertial> seems to be of another frame or unit",
         name(beside), beside.size, beside.shape, beside.others()));
   if (wide.body >= 0)
-    out.push_back(fmt::format(
-        "the moments of inertia of body '{}' are those of {} kg at {:.2g} m from its centre, but "
-        "its shape reaches {:.2g} m{}: they seem to be in another unit than kg m²",
-        name(wide), model->body_mass[wide.body], wide.size, wide.shape, wide.others()));
+    out.push_back(
+        fmt::format("the moments of inertia of body '{}' are those of {:.3g} kg at {:.2g} m from "
+                    "its centre, but "
+                    "its shape reaches {:.2g} m{}: they seem to be in another unit than kg m²",
+                    name(wide), model->body_mass[wide.body], wide.size, wide.shape, wide.others()));
   return out;
 }
 

@@ -22,6 +22,8 @@ constexpr double kOffEnds = 0.05;       // of a range, at both of its ends
 constexpr double kFarthestTurn = 2.6;   // from rest, of joints without range [rad]
 constexpr double kBesideWeight = 0.25;  // of the place beside the hip against that below it
 constexpr double kBelowWeight = 4.0;
+constexpr double kDiagonal = 1e-3;  // of a direction at 45 degrees, which counts as along x
+constexpr double kParallel = 0.9;   // least cosine between hinges that bend a leg in one plane
 constexpr double kLevelKnee = 0.5;  // of a hinge's axis: else it is no knee that bends the leg
 constexpr double kKneeBack = 0.02, kNearRest = 0.003;
 constexpr std::size_t kSearchStarts = 6;  // of the grid, from which the search goes on
@@ -177,10 +179,33 @@ std::vector<int> chain_ends(const mjModel& model, int trunk) {
   return ends;
 }
 
-/// @param carried chains on each body: where there are several, as on a waist, the leg begins below
+/// How many chains of two hinges and more hang below each body: several on a waist, where legs
+/// begin below it, and none on a shin with toes.
+std::vector<int> legs_carried(const mjModel& model, int trunk, const std::vector<int>& ends) {
+  std::vector<int> out(static_cast<std::size_t>(model.nbody), 0);
+  for (const int end : ends) {
+    int below = 0;
+    for (int b = end; b != trunk; b = model.body_parentid[b]) {
+      if (below > 1) ++out[static_cast<std::size_t>(b)];
+      below += model.body_jntnum[b];
+    }
+  }
+  return out;
+}
+
+/// Where a chain hangs, with the hinges that it shares with others [m].
+double highest_hinge(const mjModel& model, const mjData& data, int trunk, int end) {
+  double highest = -std::numeric_limits<double>::infinity();
+  for (int b = end; b != trunk; b = model.body_parentid[b])
+    for (int j = model.body_jntadr[b]; j < model.body_jntadr[b] + model.body_jntnum[b]; ++j)
+      highest = std::max(highest, data.xanchor[std::ptrdiff_t{3} * j + 2]);
+  return highest;
+}
+
+/// @param carried legs_carried(): above a body that carries several, hinges are no leg's own
 SearchedLeg leg_to(const mjModel& model, int trunk, int end, const std::vector<int>& carried) {
   SearchedLeg leg;
-  for (int b = end; b != trunk && carried[static_cast<std::size_t>(b)] == 1;
+  for (int b = end; b != trunk && carried[static_cast<std::size_t>(b)] <= 1;
        b = model.body_parentid[b])
     for (int n = model.body_jntnum[b] - 1; n >= 0; --n)
       leg.joints.insert(leg.joints.begin(), model.body_jntadr[b] + n);
@@ -219,6 +244,18 @@ double length_of_chain(const mjModel& model, const mjData& data, const SearchedL
   return length + (colliding > 0.0 ? colliding : drawn);
 }
 
+/// The last hinge that has one parallel to it, as knees and ankles that pitch have and ankles that
+/// roll have not; else the last.
+Vector3d bending_axis(const mjData& data, const std::vector<int>& joints) {
+  const auto axis = [&](std::size_t k) {
+    return Vector3d(Vector3d::Map(data.xaxis + std::ptrdiff_t{3} * joints[k]));
+  };
+  for (std::size_t k = joints.size(); k-- > 1;)
+    for (std::size_t n = 0; n < k; ++n)
+      if (std::abs(axis(k).dot(axis(n))) > kParallel) return axis(k);
+  return axis(joints.size() - 1);
+}
+
 }  // namespace
 
 Vector3d SearchedLeg::touch(const mjModel& model, const mjData& data) const {
@@ -250,7 +287,7 @@ Vector3d SearchedLeg::touch(const mjModel& model, const mjData& data) const {
 
 Vector3d SearchedLeg::ahead() const {
   const Vector3d out = side.cross(Vector3d::UnitZ());
-  const bool along_x = std::abs(out.x()) >= std::abs(out.y());
+  const bool along_x = std::abs(out.x()) >= std::abs(out.y()) - kDiagonal;
   return (along_x ? out.x() : out.y()) < 0.0 ? Vector3d(-out) : out;
 }
 
@@ -265,7 +302,7 @@ void SearchedLeg::measure(const mjModel& model, mjData& data) {
   set_angles(*this, model, data, rest_of(*this));
   hip = Vector3d::Map(data.xanchor + std::ptrdiff_t{3} * hip_joint());
   rest = touch(model, data);
-  const Vector3d axis = Vector3d::Map(data.xaxis + std::ptrdiff_t{3} * joints.back());
+  const Vector3d axis = bending_axis(data, joints);
   if (const double level = axis.head<2>().norm(); level > kLevelKnee)
     side = Vector3d(axis.x() / level, axis.y() / level, 0.0);
   LegSearch(*this, model, data, [&] { return touch(model, data).z(); }).run();
@@ -312,10 +349,7 @@ std::vector<SearchedLeg> legs_of_one_build(const mjModel& model, int trunk, cons
   std::vector<double> lengths, hangs;
   double lowest = std::numeric_limits<double>::infinity();
   const std::vector<int> ends = chain_ends(model, trunk);
-  std::vector<int> carried(static_cast<std::size_t>(model.nbody), 0);
-  for (const int end : ends)
-    for (int b = end; b != trunk; b = model.body_parentid[b])
-      ++carried[static_cast<std::size_t>(b)];
+  const std::vector<int> carried = legs_carried(model, trunk, ends);
   for (const int end : ends) {
     SearchedLeg leg = leg_to(model, trunk, end, carried);
     const bool hinges = std::all_of(leg.joints.begin(), leg.joints.end(), [&](int joint) {
@@ -323,7 +357,7 @@ std::vector<SearchedLeg> legs_of_one_build(const mjModel& model, int trunk, cons
     });
     if (!hinges || leg.joints.size() < 2) continue;
     lengths.push_back(length_of_chain(model, data, leg));
-    hangs.push_back(data.xanchor[3 * leg.joints.front() + 2]);
+    hangs.push_back(highest_hinge(model, data, trunk, end));
     lowest = std::min(lowest, hangs.back());
     chains.push_back(std::move(leg));
   }

@@ -15,6 +15,7 @@
 #include "mjcf/read/feet.hpp"
 #include "mjcf/read/moving_parts.hpp"
 #include "mjcf/read/tree_checks.hpp"
+#include "mjcf/text/angle_words.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/input_error.hpp"
 
@@ -50,11 +51,12 @@ double lowest_of_trunk_link(const mjModel& model, const mjData& data, int trunk)
 
 class PoseFinder {
  public:
-  PoseFinder(const mjModel& model, int trunk, const std::filesystem::path& file)
+  PoseFinder(const XmlFile& xml, const mjModel& model, int trunk)
       : model_(model),
+        in_degrees_(angles_in_degrees(xml)),
         trunk_(trunk),
         root_(model.jnt_qposadr[model.body_jntadr[trunk]]),
-        data_(kinematics_at(model, home_qpos(model), file)),
+        data_(kinematics_at(model, home_qpos(model), xml.file)),
         legs_(legs_of_one_build(model, trunk, *data_)) {}
 
   std::optional<StandingPose> run() {
@@ -83,10 +85,9 @@ class PoseFinder {
         const double angle = data_->qpos[model_.jnt_qposadr[joint]];
         const mjtNum* range = model_.jnt_range + 2 * joint;
         if (model_.jnt_limited[joint] && (angle < range[0] || angle > range[1]))
-          return fmt::format(
-              "joint '{}' is at {:.3g} rad there, outside of its range {:.3g} to "
-              "{:.3g}",
-              name_of(model_, mjOBJ_JOINT, joint), angle, range[0], range[1]);
+          return fmt::format("joint '{}' is at {} there, outside of its range {}",
+                             name_of(model_, mjOBJ_JOINT, joint), angle_text(angle, in_degrees_),
+                             angle_range_text(range[0], range[1], in_degrees_));
       }
     return "";
   }
@@ -210,6 +211,7 @@ class PoseFinder {
   }
 
   const mjModel& model_;
+  const bool in_degrees_;
   const int trunk_, root_;
   DataPointer data_;
   std::vector<SearchedLeg> legs_;
@@ -229,7 +231,7 @@ std::optional<StandingPose> find_standing_pose(const std::string& text,
     const int trunk = find_trunk(*xml, *model, reasons);
     if (trunk < 0 || !reasons.empty() || mj_name2id(model.get(), mjOBJ_KEY, kStandingKey) >= 0)
       return std::nullopt;
-    return PoseFinder(*model, trunk, file).run();
+    return PoseFinder(*xml, *model, trunk).run();
   } catch (const InputError&) {
     return std::nullopt;  // its reader tells all faults
   }

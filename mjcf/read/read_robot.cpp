@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <numbers>
 #include <stdexcept>
 
 #include "mjcf/read/bindings.hpp"
@@ -14,24 +13,24 @@
 #include "mjcf/read/servos.hpp"
 #include "mjcf/read/stretch.hpp"
 #include "mjcf/read/tree.hpp"
+#include "mjcf/text/angle_words.hpp"
 #include "mjcf/text/compile.hpp"
 
 namespace legwright {
 namespace {
 
-double degrees(double angle) { return angle * 180.0 / std::numbers::pi; }
-
 void check_home(const XmlFile& xml, const mjModel& model, const Morphology& morphology) {
+  const bool in_degrees = angles_in_degrees(xml);
   for (int a = 0; a < morphology.joint_count(); ++a) {
     const Joint& joint = morphology.links[a + 1].joint;
     if (joint.nominal < joint.lower || joint.nominal > joint.upper)
-      throw error_at(xml, model, mjOBJ_JOINT, mj_name2id(&model, mjOBJ_JOINT, joint.name.c_str()),
-                     fmt::format("the home pose has {:.6g} rad, outside of its range {:.6g} to "
-                                 "{:.6g} (in degrees {:.6g}, "
-                                 "{:.6g} to {:.6g}); change the range or the keyframe 'home'; "
-                                 "`legwright init ROBOT --write` looks for a pose to stand in",
-                                 joint.nominal, joint.lower, joint.upper, degrees(joint.nominal),
-                                 degrees(joint.lower), degrees(joint.upper)));
+      throw error_at(
+          xml, model, mjOBJ_JOINT, mj_name2id(&model, mjOBJ_JOINT, joint.name.c_str()),
+          fmt::format("the home pose has {}, outside of its range {}; change the range or "
+                      "the keyframe 'home'; "
+                      "`legwright init ROBOT --write` looks for a pose to stand in",
+                      angle_text(joint.nominal, in_degrees),
+                      angle_range_text(joint.lower, joint.upper, in_degrees)));
   }
 }
 
@@ -82,6 +81,7 @@ RobotModel parse_text(const std::string& xml_text, const std::filesystem::path& 
   robot.xml = xml_text;
   robot.space = std::move(declared.space);
   robot.bindings = std::move(declared.bindings);
+  robot.in_degrees = angles_in_degrees(*xml);
   robot.root_body = name_of(*model, mjOBJ_BODY, structure.trunk);
   robot.structure = std::move(structure);
   return robot;

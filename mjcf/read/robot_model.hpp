@@ -54,6 +54,7 @@ struct RobotModel {
   std::vector<Binding> bindings;  // one for each entry of `space`
   std::vector<Servo> servos;      // in the order of the morphology's joints
   std::string root_body;          // MJCF name of the trunk
+  bool in_degrees = false;        // angles of the file, but for those of keyframes
   Structure structure;            // what moves, what is held; the ids are those of each design
 };
 

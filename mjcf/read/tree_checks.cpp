@@ -121,7 +121,7 @@ void refuse_section(const XmlFile& xml, int count, const char* section, const ch
 
 std::string fault_of_name(const std::string& name) {
   if (name.empty()) return "has no name; trajectories name it, give it one";
-  if (name.find_first_of(" \t\r\n;,|~") != std::string::npos)
+  if (name.find_first_of(kNoNameSigns) != std::string::npos)
     return "the name holds a blank or one of ; , | ~, which trajectories cannot name; rename it";
   return "";
 }
@@ -156,8 +156,9 @@ int find_trunk(const XmlFile& xml, const mjModel& model, Refusals& reasons) {
 void check_surroundings(const XmlFile& xml, const mjModel& model, int trunk, Refusals& reasons) {
   for (int j = 0; j < model.njnt; ++j) {
     const int body = model.jnt_bodyid[j], root = model.body_rootid[body];
-    const bool is_of_free = model.jnt_type[model.body_jntadr[root]] == mjJNT_FREE;  // told above
-    if (root != trunk && !(model.body_jntnum[root] > 0 && is_of_free) && !moves_beside(model, root))
+    const bool floats = model.body_jntnum[root] > 0 &&
+                        model.jnt_type[model.body_jntadr[root]] == mjJNT_FREE;  // told above
+    if (root != trunk && !floats && !moves_beside(model, root))
       reasons.add(error_at(xml, model, mjOBJ_JOINT, j,
                            "moves a body that does not hang on the trunk; hang it there or remove "
                            "it"));

@@ -16,8 +16,8 @@ bool is_of_surroundings(const mjModel& model, int geom);
 /// free joint; −1 where there is none.
 int trunk_of(const mjModel& model);
 
-/// Whether a body of the world that moves is no part of the robot, and scenes do without it: it
-/// moves freely and carries no joint, as a ball does, or it is a stand-in without any geom.
+/// Whether a body of the world that moves is no part of the robot, and scenes of gaits do without
+/// it: it moves freely and carries no joint, as a ball does, or it is a stand-in without any geom.
 /// @param root a child of the world
 bool moves_beside(const mjModel& model, int root);
 /// All of these, in the order of the file.

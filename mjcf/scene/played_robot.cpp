@@ -41,6 +41,7 @@ class Player {
         root_(*xml.dom.RootElement()) {}
 
   void run() {
+    drop_other_tendons();  // first, as they are known by their places
     drop_surroundings();
     if (!beside_.empty()) drop_bodies_beside();
     for (const FootContact& foot : structure_.feet) name_foot(foot);
@@ -50,7 +51,6 @@ class Player {
         if (!is_beside(b)) hold(b);
       while (XMLElement* all = root_.FirstChildElement("equality")) root_.DeleteChild(all);
     }
-    drop_other_tendons();
     drop_references("actuator");
     drop_references("sensor");
     drop_references("custom");
@@ -194,13 +194,17 @@ class Player {
   /// Whether an element names something that is gone: joint="…", site1="…", objtype/objname.
   bool refers_to_gone(const XMLElement& element) const {
     for (const auto& [kind, names] : removed_) {
+      const auto names_one = [&names = names, &element](const std::string& attribute) {
+        const char* const name = element.Attribute(attribute.c_str());
+        return name != nullptr && names.count(name) > 0;
+      };
       for (const char* const suffix : {"", "1", "2", "inparent"})
-        if (const char* name = element.Attribute((kind + suffix).c_str());
-            name && names.count(name))
-          return true;
+        if (names_one(kind + suffix)) return true;
+      const bool is_body = kind == "body";
+      if (is_body && (names_one("subtree1") || names_one("subtree2"))) return true;
       for (const auto& [type, object] : {std::pair{"objtype", "objname"}, {"reftype", "refname"}})
-        if (const char* name = element.Attribute(object);
-            name && element.Attribute(type, kind.c_str()) && names.count(name))
+        if (names_one(object) && (element.Attribute(type, kind.c_str()) ||
+                                  (is_body && element.Attribute(type, "xbody"))))
           return true;
     }
     return false;

@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "mjcf/read/robot_model.hpp"
+#include "mjcf/read/tree_checks.hpp"
 #include "mjcf/text/numbers.hpp"
 #include "mjcf/urdf/listed.hpp"
 #include "mjcf/urdf/print_xml.hpp"
@@ -38,28 +39,43 @@ std::string quaternion(const double* q) {
 }
 
 /// Names without the signs that trajectories cannot name, each its own: "Revolute 12" becomes
-/// "Revolute_12".
+/// "Revolute_12". Those without such signs stay.
 class PlainNames {
  public:
+  explicit PlainNames(const std::vector<std::string>& all) {
+    for (const std::string& name : all)
+      if (is_plain(name)) taken_.insert(name);
+  }
   std::string operator()(const std::string& name) {
+    if (is_plain(name)) return name;
     const auto known = plain_.find(name);
     if (known != plain_.end()) return known->second;
-    std::string out = name;
-    for (char& c : out)
-      if (std::string_view(" \t\r\n;,|~").find(c) != std::string_view::npos) c = '_';
-    if (out != name && renamed_.empty()) renamed_ = fmt::format("'{}' as '{}'", name, out);
-    const std::string stem = out;
+    std::string stem = name;
+    for (char& c : stem)
+      if (std::string_view(kNoNameSigns).find(c) != std::string_view::npos) c = '_';
+    std::string out = stem;
     for (int n = 2; !taken_.insert(out).second; ++n) out = fmt::format("{}_{}", stem, n);
+    if (renamed_.empty()) renamed_ = fmt::format("'{}' as '{}'", name, out);
     return plain_[name] = out;
   }
   /// The first one that was changed, in words; empty: none was.
   const std::string& renamed() const { return renamed_; }
 
  private:
+  static bool is_plain(const std::string& name) {
+    return name.find_first_of(kNoNameSigns) == std::string::npos;
+  }
+
   std::map<std::string, std::string> plain_;
   std::set<std::string> taken_;
   std::string renamed_;
 };
+
+std::vector<std::string> names_of(mjSpec& spec, mjtObj type) {
+  std::vector<std::string> out;
+  for_each(spec, type, [&](mjsElement* element) { out.push_back(element_name(element)); });
+  return out;
+}
 
 class MjcfWriter {
  public:
@@ -271,7 +287,8 @@ class MjcfWriter {
   std::vector<std::string>& notes_;
   tinyxml2::XMLPrinter out_;
   std::set<std::string> names_, coupled_;
-  PlainNames names_of_bodies_, names_of_joints_, names_of_geoms_;
+  PlainNames names_of_bodies_{names_of(spec_, mjOBJ_BODY)},
+      names_of_joints_{names_of(spec_, mjOBJ_JOINT)}, names_of_geoms_{names_of(spec_, mjOBJ_GEOM)};
 };
 
 }  // namespace

@@ -62,8 +62,8 @@ void write_main_file(const fs::path& output, const RobotFiles& files) {
   const fs::path from = folder_behind_links(files.file()), to = folder_behind_links(output);
   if (from == to) return write_file(output, files.main_text());
   const RobotFiles own = files.gathered();
-  const auto check = [&](const fs::path& path, const std::string& bytes) {
-    const bool taken = fs::exists(fs::symlink_status(to / path)) && !holds(to / path, bytes);
+  const auto check = [&](const fs::path& path, const auto& bytes) {
+    const bool taken = fs::exists(fs::symlink_status(to / path)) && !holds(to / path, bytes());
     if (*path.begin() == output.filename() || taken)
       throw IoError(
           fmt::format("{}: the robot has another file of this name, which would replace it; "
@@ -76,9 +76,10 @@ void write_main_file(const fs::path& output, const RobotFiles& files) {
                         "{} into a new folder",
                         (output.parent_path() / above).string(), output.filename().string()));
   };
-  for (const IncludedFile& included : own.includes()) check(included.path, included.text);
+  for (const IncludedFile& included : own.includes())
+    check(included.path, [&] { return included.text; });
   for (const AssetFile& asset : own.assets())
-    check(asset.path, read_regular_file(asset.source, asset.bytes));
+    check(asset.path, [&] { return read_regular_file(asset.source, asset.bytes); });
   fs::create_directories(to);
   write_others(output.parent_path(), own, Durability::power);
   write_file(output, own.main_text());

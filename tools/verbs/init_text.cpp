@@ -13,6 +13,7 @@
 #include "mjcf/read/moving_parts.hpp"
 #include "mjcf/read/solver_options.hpp"
 #include "mjcf/read/world_parts.hpp"
+#include "mjcf/text/angle_words.hpp"
 #include "mjcf/text/compile.hpp"
 
 namespace legwright {
@@ -41,9 +42,9 @@ std::string list_text(const std::string& head, const std::vector<std::string>& w
   return text + line + "\n";
 }
 
-std::string range_text(const Joint& joint) {
+std::string range_text(const Joint& joint, bool in_degrees) {
   if (!std::isfinite(joint.lower) && !std::isfinite(joint.upper)) return "any angle";
-  return fmt::format("{:.3g} to {:.3g} rad", joint.lower, joint.upper);
+  return angle_range_text(joint.lower, joint.upper, in_degrees);
 }
 
 std::string servo_text(const Servo& servo) {
@@ -60,7 +61,7 @@ std::string servo_text(const Servo& servo) {
 std::string joint_text(const ProposedParameters& found, const Limb& limb, std::size_t place) {
   const auto link = static_cast<std::size_t>(limb.links[place]);
   return fmt::format("{:8} {:21} {}", axis_name(limb.axes[place]),
-                     range_text(found.model.morphology.links[link].joint),
+                     range_text(found.model.morphology.links[link].joint, found.model.in_degrees),
                      servo_text(found.model.servos[link - 1]));
 }
 

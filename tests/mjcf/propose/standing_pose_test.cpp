@@ -65,6 +65,22 @@ TEST(StandingPose, IsFoundWithinRangesLevelAndUnderTheHips) {
   }));
 }
 
+/// The user's file says degrees: so do messages about it.
+TEST(StandingPose, RangesAreToldInTheUnitOfTheFile) {
+  std::string degrees = lurcher();
+  degrees = test::with(degrees, "angle=\"radian\"", "angle=\"degree\"");
+  for (const auto& [from, to] : {std::pair{"range=\"-2.6 -0.3\"", "range=\"-150 -17\""},
+                                 {"range=\"-0.7 0.7\"", "range=\"-40 40\""},
+                                 {"range=\"-1.2 2.6\"", "range=\"-69 149\""}})
+    for (std::size_t at = 0; (at = degrees.find(from, at)) != std::string::npos;)
+      degrees.replace(at, std::string(from).size(), to);
+  const auto pose = find_standing_pose(degrees, kLurcherFile);
+  ASSERT_TRUE(pose);
+  EXPECT_NE(pose->why.find("is at 0 degrees there, outside of its range -150 to -17 degrees"),
+            std::string::npos)
+      << pose->why;
+}
+
 TEST(StandingPose, IsTheSameEachTime) {
   EXPECT_EQ(find_standing_pose(lurcher(), kLurcherFile)->qpos,
             find_standing_pose(lurcher(), kLurcherFile)->qpos);
@@ -151,6 +167,24 @@ TEST(StandingPose, DoesNotAskWhereTheRobotFaces) {
       turned.replace(at, std::string(from).size(), to);
   const std::vector<double> found = legs_in(turned);
   for (std::size_t k = 0; k < 12; ++k) EXPECT_NEAR(found[k], straight[k], 0.02) << k;
+}
+
+/// Toes of one hinge each are no legs on a waist.
+TEST(StandingPose, OfLegsWithToesIsFound) {
+  std::string xml = lurcher();
+  for (const std::string leg : {"lf", "rf", "lh", "rh"}) {
+    std::string toes;
+    for (const char* toe : {"1", "2"})
+      toes += "<body name=\"" + leg + toe +
+              "\" pos=\"0.01 0 -0.2\"><inertial pos=\"0 0 0\" "
+              "mass=\"0.01\" diaginertia=\"1e-5 1e-5 1e-5\"/><joint name=\"" +
+              leg + toe + "\" axis=\"0 1 0\" range=\"-0.1 0.1\"/><geom class=\"ball\"/></body>";
+    const std::string foot = "<geom name=\"" + leg + "_foot\" class=\"ball\" pos=\"0 0 -0.2\"/>";
+    xml = test::with(xml, foot, toes);
+  }
+  const auto pose = find_standing_pose(xml, kLurcherFile);
+  ASSERT_TRUE(pose);
+  EXPECT_NE(pose->words.find("lf_knee"), std::string::npos) << pose->words;
 }
 
 TEST(StandingPose, APoseThatStandsIsLeftAlone) {

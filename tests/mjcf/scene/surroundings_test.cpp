@@ -190,6 +190,7 @@ std::string puppy_with_company() {
                    "<body name=\"not_used\" pos=\"0 0 20\"><inertial pos=\"0 0 0\" mass=\"0.1\" "
                    "diaginertia=\"0.1 0.1 0.1\"/><joint name=\"not_used\"/></body></worldbody>"
                    "<sensor><jointpos joint=\"not_used\"/><framepos objtype=\"body\" "
+                   "objname=\"ball\"/><framequat objtype=\"xbody\" "
                    "objname=\"ball\"/></sensor><contact><exclude body1=\"ball\" "
                    "body2=\"not_used\"/></contact>");
   xml = test::with(xml, "</actuator>", "<motor joint=\"not_used\" ctrlrange=\"-1 1\"/></actuator>");

@@ -258,9 +258,9 @@ TEST(ReadUrdf, NamesWithBlanksAreRenamedEachToItsOwn) {
   const MjcfOfUrdf renamed = made(urdf);
   const RobotModel robot = parse_robot(renamed.text, "hopper.urdf");
   ASSERT_EQ(robot.morphology.joint_count(), 2);
-  EXPECT_EQ(robot.morphology.links[1].joint.name, "Revolute_1");
-  EXPECT_EQ(robot.morphology.links[2].joint.name, "Revolute_1_2");
-  EXPECT_TRUE(tells(renamed.notes.back(), "like 'Revolute 1' as 'Revolute_1'"))
+  EXPECT_EQ(robot.morphology.links[1].joint.name, "Revolute_1_2");
+  EXPECT_EQ(robot.morphology.links[2].joint.name, "Revolute_1") << "which needs no change";
+  EXPECT_TRUE(tells(renamed.notes.back(), "like 'Revolute 1' as 'Revolute_1_2'"))
       << renamed.notes.back();
 }
 
