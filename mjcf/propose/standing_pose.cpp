@@ -83,7 +83,7 @@ class PoseFinder {
     for (const SearchedLeg& leg : legs_)
       for (const int joint : leg.joints) {
         const double angle = data_->qpos[model_.jnt_qposadr[joint]];
-        const mjtNum* range = model_.jnt_range + 2 * joint;
+        const mjtNum* range = model_.jnt_range + std::ptrdiff_t{2} * joint;
         if (model_.jnt_limited[joint] && (angle < range[0] || angle > range[1]))
           return fmt::format("joint '{}' is at {} there, outside of its range {}",
                              name_of(model_, mjOBJ_JOINT, joint), angle_text(angle, in_degrees_),
@@ -96,7 +96,7 @@ class PoseFinder {
     for (SearchedLeg& leg : legs_) {
       home_drop_.push_back(drop(leg));
       const Vector3d foot = leg.touch(model_, *data_);
-      away_.push_back(std::hypot(foot.x() - data_->xanchor[3 * leg.hip_joint()],
+      away_.push_back(std::hypot(foot.x() - data_->xanchor[std::ptrdiff_t{3} * leg.hip_joint()],
                                  foot.y() - data_->xanchor[3 * leg.hip_joint() + 1]));
       low_at_home_.push_back(foot.z());
     }
@@ -134,7 +134,7 @@ class PoseFinder {
 
   /// The level direction in which all legs bend; zero where they bend in several.
   Vector3d common_ahead() const {
-    const Vector3d out = legs_.front().ahead();
+    Vector3d out = legs_.front().ahead();
     for (const SearchedLeg& leg : legs_)
       if (leg.ahead().dot(out) < kBendAlike) return Vector3d::Zero();
     return out;
@@ -199,9 +199,9 @@ class PoseFinder {
           !(model_.actuator_biasprm[mjNBIAS * i + 1] < 0.0))
         continue;
       const int at = model_.actuator_ctrladr[i];
-      const mjtNum* range = model_.actuator_ctrlrange + 2 * at;
-      double value = model_.actuator_gear[6 * model_.actuator_outadr[i]] *
-                     data_->qpos[model_.jnt_qposadr[model_.actuator_trnid[2 * i]]];
+      const mjtNum* range = model_.actuator_ctrlrange + std::ptrdiff_t{2} * at;
+      double value = model_.actuator_gear[std::ptrdiff_t{6} * model_.actuator_outadr[i]] *
+                     data_->qpos[model_.jnt_qposadr[model_.actuator_trnid[std::ptrdiff_t{2} * i]]];
       if (model_.actuator_ctrllimited[at]) value = std::clamp(value, range[0], range[1]);
       ctrl[static_cast<std::size_t>(at)] = value + 0.0;
       any = true;
