@@ -9,6 +9,7 @@
 
 #include "mjcf/read/moving_parts.hpp"
 #include "mjcf/text/compile.hpp"
+#include "mjcf/text/listed.hpp"
 #include "mjcf/text/robot_files.hpp"
 
 namespace legwright {
@@ -91,16 +92,15 @@ std::vector<BodyTouch> touching_bodies(const mjModel& model, const std::filesyst
 
 std::string describe(const std::vector<HomeTouch>& touches) {
   if (touches.empty()) return "";
-  std::string pairs;
-  for (std::size_t k = 0; k < std::min(kMostListed, touches.size()); ++k)
-    pairs += fmt::format("{}{} and {}, {:.2g} mm deep", k > 0 ? "; " : "", touches[k].first,
-                         touches[k].second, 1e3 * touches[k].depth);
-  if (touches.size() > kMostListed)
-    pairs += fmt::format("; and {} more", touches.size() - kMostListed);
+  std::vector<std::string> pairs;
+  pairs.reserve(touches.size());
+  for (const HomeTouch& touch : touches)
+    pairs.push_back(
+        fmt::format("{} and {}, {:.2g} mm deep", touch.first, touch.second, 1e3 * touch.depth));
   return fmt::format(
       "in its home pose the designed body touches itself where the initial one does not: {}; "
       "narrow the bounds of what brought them together ([design.bounds] of the task)",
-      pairs);
+      listed(pairs, kMostListed, "; "));
 }
 
 }  // namespace legwright

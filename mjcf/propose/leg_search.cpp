@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mjcf/propose/leg_search.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -29,10 +28,9 @@ constexpr double kKneeBack = 0.02, kNearRest = 0.003;
 constexpr std::size_t kSearchStarts = 6;  // of the grid, from which the search goes on
 constexpr std::size_t kMostHingesOnGrid = 6;
 constexpr int kMostRounds = 200;  // along all angles; in a narrow valley each would gain a little
-constexpr int kMostNewton = 8;    // steps at the end
-constexpr double kDifference = 1e-4;                  // [rad]
 constexpr double kFirstTurn = 0.2, kLastTurn = 1e-6;  // [rad]
 constexpr double kExactHeight = 1e-9;                 // [m]
+constexpr double kMirrored = 1e-3;  // of the reach, of a direction: legs that are mirror images
 
 VectorXd angles_of(const SearchedLeg& leg, const mjModel& model, const mjData& data) {
   VectorXd out(static_cast<Eigen::Index>(leg.joints.size()));
@@ -73,7 +71,6 @@ class LegSearch {
       descend(point);
       if (point.cost < best.cost) best = point;
     }
-    polish(best);
     set_angles(leg_, model_, data_, best.angles);
   }
 
@@ -118,42 +115,6 @@ class LegSearch {
           better = true;
         }
       step *= better ? 1.0 : 0.5;
-    }
-  }
-
-  /// Newton steps with differences: along narrow valleys the descent ends early, at another place
-  /// in each of two mirrored legs.
-  void polish(Point& point) {
-    for (int step = 0; step < kMostNewton; ++step) {
-      const auto n = point.angles.size();
-      const auto at = [&](Eigen::Index i, double a, Eigen::Index k, double b) {
-        VectorXd angles = point.angles;
-        angles[i] += a;
-        angles[k] += b;
-        return cost_at(angles);
-      };
-      constexpr double h = kDifference;
-      VectorXd slope(n);
-      Eigen::MatrixXd curvature(n, n);
-      for (Eigen::Index i = 0; i < n; ++i) {
-        const double up = at(i, h, i, 0.0), down = at(i, -h, i, 0.0);
-        slope[i] = (up - down) / (2.0 * h);
-        curvature(i, i) = (up - 2.0 * point.cost + down) / (h * h);
-        for (Eigen::Index k = 0; k < i; ++k)
-          curvature(i, k) = curvature(k, i) =
-              (at(i, h, k, h) - at(i, h, k, -h) - at(i, -h, k, h) + at(i, -h, k, -h)) /
-              (4.0 * h * h);
-      }
-      const Eigen::LDLT<Eigen::MatrixXd> factor(curvature);
-      if (factor.info() != Eigen::Success || !(factor.vectorD().minCoeff() > 0.0)) return;
-      VectorXd next = point.angles - factor.solve(slope);
-      for (Eigen::Index k = 0; k < n; ++k) {
-        const auto joint = static_cast<std::size_t>(k);
-        next[k] = std::clamp(next[k], leg_.lower[joint], leg_.upper[joint]);
-      }
-      const double cost = cost_at(next);
-      if (!(cost < point.cost)) return;
-      point = {cost, std::move(next)};
     }
   }
 
@@ -244,16 +205,23 @@ double length_of_chain(const mjModel& model, const mjData& data, const SearchedL
   return length + (colliding > 0.0 ? colliding : drawn);
 }
 
-/// The last hinge that has one parallel to it, as knees and ankles that pitch have and ankles that
-/// roll have not; else the last.
+/// The direction that most hinges have, as those that pitch at hip, knee and ankle; of as many the
+/// last, as a knee below a hip that rolls.
 Vector3d bending_axis(const mjData& data, const std::vector<int>& joints) {
-  const auto axis = [&](std::size_t k) {
-    return Vector3d(Vector3d::Map(data.xaxis + std::ptrdiff_t{3} * joints[k]));
+  const auto axis = [&](int joint) {
+    return Vector3d(Vector3d::Map(data.xaxis + std::ptrdiff_t{3} * joint));
   };
-  for (std::size_t k = joints.size(); k-- > 1;)
-    for (std::size_t n = 0; n < k; ++n)
-      if (std::abs(axis(k).dot(axis(n))) > kParallel) return axis(k);
-  return axis(joints.size() - 1);
+  Vector3d best = axis(joints.back());
+  std::ptrdiff_t most = 0;
+  for (const int joint : joints) {
+    const auto parallel = std::count_if(joints.begin(), joints.end(), [&](int other) {
+      return std::abs(axis(joint).dot(axis(other))) > kParallel;
+    });
+    if (parallel < most) continue;
+    most = parallel;
+    best = axis(joint);
+  }
+  return best;
 }
 
 }  // namespace
@@ -302,12 +270,35 @@ void SearchedLeg::measure(const mjModel& model, mjData& data) {
   set_angles(*this, model, data, rest_of(*this));
   hip = Vector3d::Map(data.xanchor + std::ptrdiff_t{3} * hip_joint());
   rest = touch(model, data);
+  for (const int joint : joints) {
+    anchors.push_back(Vector3d::Map(data.xanchor + std::ptrdiff_t{3} * joint));
+    axes.push_back(Vector3d::Map(data.xaxis + std::ptrdiff_t{3} * joint));
+  }
   const Vector3d axis = bending_axis(data, joints);
   if (const double level = axis.head<2>().norm(); level > kLevelKnee)
     side = Vector3d(axis.x() / level, axis.y() / level, 0.0);
   LegSearch(*this, model, data, [&] { return touch(model, data).z(); }).run();
   reach = std::max(1e-6, data.xanchor[3 * hip_joint() + 2] - touch(model, data).z());
   set_angles(*this, model, data, before);
+}
+
+bool SearchedLeg::mirror(const SearchedLeg& other, const Vector3d& trunk, const Vector3d& plane,
+                         const mjModel& model, mjData& data) const {
+  if (other.joints.size() != joints.size()) return false;
+  VectorXd angles = angles_of(other, model, data);
+  for (std::size_t k = 0; k < joints.size(); ++k) {
+    const Vector3d anchor = trunk + plane.cwiseProduct(other.anchors[k] - trunk),
+                   axis = plane.cwiseProduct(other.axes[k]);
+    const bool along = axis.dot(axes[k]) > 0.0;  // then the turn is the other way round
+    double& angle = angles[static_cast<Eigen::Index>(k)];
+    if (along) angle = -angle;
+    if ((anchor - anchors[k]).norm() > kMirrored * reach ||
+        (axis - (along ? axes[k] : Vector3d(-axes[k]))).norm() > kMirrored || angle < lower[k] ||
+        angle > upper[k])
+      return false;
+  }
+  set_angles(*this, model, data, angles);
+  return true;
 }
 
 bool SearchedLeg::put(const mjModel& model, mjData& data, const Vector3d& place) const {

@@ -18,6 +18,7 @@ struct SearchedLeg {
   double reach = 0.0;                              // farthest below the hinge above the knee [m]
   Eigen::Vector3d hip = Eigen::Vector3d::Zero();   // that hinge, at angles of rest [m]
   Eigen::Vector3d rest = Eigen::Vector3d::Zero();  // the foot, at angles of rest [m]
+  std::vector<Eigen::Vector3d> anchors, axes;      // of the joints, at angles of rest [m]
   /// Level, along the knee's hinge at rest: the leg bends ahead and back of it.
   Eigen::Vector3d side = Eigen::Vector3d::UnitY();
 
@@ -29,8 +30,14 @@ struct SearchedLeg {
   Eigen::Vector3d ahead() const;
   /// Below the hip in the plane in which the leg bends, as far beside it as at rest; height 0.
   Eigen::Vector3d below_hip() const;
-  /// Finds reach, hip, rest and side; angles in `data` are as before then.
+  /// Finds reach, hip, rest, side, anchors and axes; angles in `data` are as before then.
   void measure(const mjModel& model, mjData& data);
+  /// Takes the angles of a leg of which this one is the mirror image. False where it is none, or has
+  /// not the range for them.
+  /// @param trunk its place in the world @param plane signs of x, y, z in the image, of which one is
+  /// negative
+  bool mirror(const SearchedLeg& other, const Eigen::Vector3d& trunk, const Eigen::Vector3d& plane,
+              const mjModel& model, mjData& data) const;
   /// Turns the joints until the foot is at the height of `place` (to 1e-9 m) and otherwise near it,
   /// nearer in the plane in which the leg bends than beside it.
   /// False where the height is out of reach.

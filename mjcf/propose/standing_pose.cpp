@@ -140,6 +140,20 @@ class PoseFinder {
     return out;
   }
 
+  /// Whether an earlier leg has this one as its mirror image left or right, which then stands as
+  /// that does. @param along where all legs bend, or zero: then to the trunk's x
+  bool is_mirrored(std::size_t leg, const Vector3d& along, double ground) {
+    const Vector3d trunk = Vector3d::Map(data_->xpos + std::ptrdiff_t{3} * trunk_),
+                   plane = std::abs(along.y()) > std::abs(along.x()) ? Vector3d(-1.0, 1.0, 1.0)
+                                                                     : Vector3d(1.0, -1.0, 1.0);
+    return std::any_of(legs_.begin(), legs_.begin() + static_cast<std::ptrdiff_t>(leg),
+                       [&](const SearchedLeg& earlier) {
+                         return legs_[leg].mirror(earlier, trunk, plane, model_, *data_) &&
+                                std::abs(legs_[leg].touch(model_, *data_).z() - ground) <=
+                                    kAsLowAsFeet;
+                       });
+  }
+
   /// Puts the feet below their hips, twice: then their middle is below the centre of mass.
   bool stand_up() {
     double ground = -std::numeric_limits<double>::infinity(), reach = ground;
@@ -151,10 +165,11 @@ class PoseFinder {
     Vector3d shift = Vector3d::Zero();
     for (int round = 0; round < 2; ++round) {
       Vector3d middle = Vector3d::Zero();
-      for (const SearchedLeg& leg : legs_) {
+      for (std::size_t k = 0; k < legs_.size(); ++k) {
+        const SearchedLeg& leg = legs_[k];
         Vector3d place = leg.below_hip() + shift;
         place.z() = ground;
-        if (!leg.put(model_, *data_, place)) return false;
+        if (!is_mirrored(k, along, ground) && !leg.put(model_, *data_, place)) return false;
         middle += leg.touch(model_, *data_) / static_cast<double>(legs_.size());
       }
       mj_comPos(&model_, data_.get());

@@ -8,6 +8,7 @@
 
 #include "mjcf/read/feet.hpp"
 #include "mjcf/text/compile.hpp"
+#include "mjcf/text/listed.hpp"
 
 namespace legwright {
 namespace {
@@ -120,14 +121,9 @@ std::vector<std::string> surroundings_of(const mjModel& model) {
 std::string describe_surroundings(const std::vector<std::string>& surroundings) {
   if (surroundings.empty()) return "";
   constexpr std::size_t kNamed = 6;
-  std::string list;
-  for (std::size_t k = 0; k < std::min(kNamed, surroundings.size()); ++k)
-    list += (k > 0 ? ", " : "") + surroundings[k];
-  if (surroundings.size() > kNamed)
-    list += fmt::format(" and {} more", surroundings.size() - kNamed);
   return fmt::format(
       "surroundings in its file: {}; gaits are planned and judged on a level floor in their place",
-      list);
+      listed(surroundings, kNamed));
 }
 
 bool has_ground(const mjModel& model) {

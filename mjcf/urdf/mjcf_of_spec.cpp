@@ -13,8 +13,8 @@
 
 #include "mjcf/read/robot_model.hpp"
 #include "mjcf/read/tree_checks.hpp"
+#include "mjcf/text/listed.hpp"
 #include "mjcf/text/numbers.hpp"
-#include "mjcf/urdf/listed.hpp"
 #include "mjcf/urdf/print_xml.hpp"
 #include "mjcf/urdf/spec_elements.hpp"
 
@@ -196,7 +196,7 @@ class MjcfWriter {
     notes_.push_back(fmt::format(
         "collision shapes that overlap at rest pass through each other, as where <gazebo> has no "
         "selfCollide: {}",
-        listed(pairs, "; ")));
+        listed(pairs, 3, "; ")));
   }
 
   void tell_names() {

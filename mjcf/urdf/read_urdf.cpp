@@ -10,10 +10,10 @@
 #include <set>
 
 #include "mjcf/text/compile.hpp"
+#include "mjcf/text/listed.hpp"
 #include "mjcf/text/numbers.hpp"
 #include "mjcf/text/refusals.hpp"
 #include "mjcf/text/xml.hpp"
-#include "mjcf/urdf/listed.hpp"
 #include "mjcf/urdf/mjcf_of_spec.hpp"
 #include "mjcf/urdf/urdf_meshes.hpp"
 

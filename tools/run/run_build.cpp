@@ -12,6 +12,7 @@
 #include <string>
 #include <system_error>
 
+#include "mjcf/text/listed.hpp"
 #include "tools/files/atomic_file.hpp"
 #include "tools/files/io_error.hpp"
 #include "tools/files/replace_folder.hpp"
@@ -33,16 +34,13 @@ std::string build_head(const fs::path& target) {
 }
 
 void check_replaceable(const fs::path& named, const fs::path& target) {
-  std::vector<std::string> own = own_files_in(target);
+  const std::vector<std::string> own = own_files_in(target);
   if (!own.empty()) {
     constexpr std::size_t kTold = 5;
-    const std::size_t all = own.size();
-    own.resize(std::min(all, kTold));
     refuse_to_replace(
-        named, fmt::format("holds files that are not of the run: {}{}; move them elsewhere, or "
+        named, fmt::format("holds files that are not of the run: {}; move them elsewhere, or "
                            "choose another folder",
-                           fmt::join(own, ", "),
-                           all > kTold ? fmt::format(" and {} more", all - kTold) : ""));
+                           listed(own, kTold)));
   }
   struct stat here {};
   struct stat around {};

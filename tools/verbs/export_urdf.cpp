@@ -102,6 +102,8 @@ std::vector<std::pair<std::string, Trajectory>> gaits_of(const fs::path& run) {
   return out;
 }
 
+/// Whose robot it is and under which licence nobody has told: both are left to fill in, in the
+/// words that `ros2 pkg create` writes.
 constexpr const char* kPackageXml = R"(<?xml version="1.0"?>
 <package format="3">
   <name>{}</name>

@@ -111,16 +111,15 @@ struct FirstTask {
   std::string text, words;
 };
 
-/// A URDF has no keyframes: how its MJCF gets one.
+/// A URDF has no keyframes: how its MJCF gets the one that is asked for.
 std::string way_to_keyframe(const ProposedParameters& found) {
   const ModelPointer model = compile_mjcf(found.model.xml, found.model.file);
   std::vector<std::string> joints;
   for (int j = 0; j < model->njnt; ++j)
     if (model->jnt_type[j] != mjJNT_FREE) joints.push_back(name_of(*model, mjOBJ_JOINT, j));
   return fmt::format(
-      "; the same command without --task writes the MJCF, which takes <keyframe><key name=\"home\" "
-      "qpos=\"…\"/></keyframe>: x y z of the trunk, its quaternion (1 0 0 0 is level), then the "
-      "angles of {} [rad]",
+      "; the same command without --task writes the MJCF that takes it. Its qpos is x y z of the "
+      "trunk, its quaternion (1 0 0 0 is level), then the angles of {} [rad]",
       fmt::join(joints, ", "));
 }
 

@@ -166,7 +166,33 @@ TEST(StandingPose, DoesNotAskWhereTheRobotFaces) {
     for (std::size_t at = 0; (at = turned.find(from, at)) != std::string::npos;)
       turned.replace(at, std::string(from).size(), to);
   const std::vector<double> found = legs_in(turned);
-  for (std::size_t k = 0; k < 12; ++k) EXPECT_NEAR(found[k], straight[k], 0.02) << k;
+  for (std::size_t k = 0; k < 12; ++k) EXPECT_NEAR(found[k], straight[k], 2e-6) << k;
+}
+
+/// Ankles that roll are no knees: legs bend ahead, and their feet stand below the centre of mass.
+TEST(StandingPose, OfABipedOnAnklesIsMirroredAndBalanced) {
+  std::string xml = test::read_file(test::source_path("tests/robots/porter/robot.xml"));
+  xml = test::with(xml, "range=\"0 2.3\"", "range=\"0.2 2.3\"");
+  const std::size_t begin = xml.find("<keyframe>"), end = xml.find("</keyframe>");
+  xml.erase(begin, end + 11 - begin);
+  const auto pose = find_standing_pose(xml, "porter.xml");
+  ASSERT_TRUE(pose);
+  const ModelPointer model = compile_mjcf(with_keyframe(xml, "porter.xml", *pose), "porter.xml");
+  const auto angle = [&](const std::string& joint) {
+    const int id = mj_name2id(model.get(), mjOBJ_JOINT, joint.c_str());
+    return home_qpos(*model)[model->jnt_qposadr[id]];
+  };
+  for (const char* joint : {"hip_pitch", "knee", "ankle_pitch"})
+    EXPECT_NEAR(angle(std::string("left_") + joint), angle(std::string("right_") + joint), 1e-4)
+        << joint;
+  for (const char* joint : {"hip_yaw", "hip_roll", "ankle_roll"})
+    EXPECT_NEAR(angle(std::string("left_") + joint), -angle(std::string("right_") + joint), 1e-4)
+        << joint;
+  const DataPointer data = kinematics_at(*model, home_qpos(*model), "porter.xml");
+  mj_comPos(model.get(), data.get());
+  const int trunk = mj_name2id(model.get(), mjOBJ_BODY, "pelvis"),
+            foot = mj_name2id(model.get(), mjOBJ_BODY, "left_foot");
+  EXPECT_LT(std::abs(data->subtree_com[3 * trunk] - data->xpos[3 * foot]), 0.1);
 }
 
 /// Toes of one hinge each are no legs on a waist.

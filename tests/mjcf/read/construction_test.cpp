@@ -348,6 +348,13 @@ TEST(Refusals, AllFaultsOfTheTextAreToldInTheOrderOfTheFile) {
   EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 3) << all;
 }
 
+TEST(Refusals, MeshesInMillimetresAreToldOnce) {
+  const std::string told = error_message(
+      test::with(test::mesh_quadruped(), "scale=\"0.001 0.001 0.001\"", "scale=\"1 1 1\""));
+  EXPECT_TRUE(holds(told, "m wide; where meshes are in millimetres, each needs scale=")) << told;
+  EXPECT_EQ(told.find("in millimetres"), told.rfind("in millimetres")) << told;
+}
+
 TEST(Refusals, AllDeclarationsThatNoLongerMeasureAreToldAtOnce) {
   const std::string xml = test::named_robot("puppy");
   std::string all = xml;

@@ -218,6 +218,22 @@ TEST(Surroundings, WhatMovesBesideTheRobotIsToldAndLeftOutOfScenes) {
   for (int k = 0; k < scene->nq; ++k) EXPECT_EQ(scene->key_qpos[k], plain->key_qpos[k]) << k;
 }
 
+/// Tendons are known by their places in the file: one that goes shifts no other.
+TEST(Surroundings, ATendonOverAStandInTakesNoPistonWithIt) {
+  std::string xml = test::named_robot("piston_puppy");
+  xml = test::with(xml, "</worldbody>",
+                   "<body name=\"not_used\" pos=\"0 0 20\"><inertial pos=\"0 0 0\" mass=\"0.1\" "
+                   "diaginertia=\"0.1 0.1 0.1\"/><joint name=\"not_used\"/></body></worldbody>");
+  xml = test::with(xml, "<tendon>",
+                   "<tendon><fixed name=\"other\"><joint joint=\"not_used\" coef=\"1\"/></fixed>");
+  xml = test::with(xml, "</actuator>", "<motor joint=\"not_used\" ctrlrange=\"-1 1\"/></actuator>");
+  xml.insert(xml.find('"', xml.find("qpos=\"") + 6), " 0");
+  const RobotModel robot = parse_robot(xml, "puppy.xml"), alone = robot_named("piston_puppy");
+  const ModelPointer scene = compile_mjcf(played_robot(robot, robot.xml), robot.file);
+  EXPECT_EQ(scene->ntendon, compile_mjcf(alone.xml, alone.file)->ntendon);
+  EXPECT_LT(mj_name2id(scene.get(), mjOBJ_TENDON, "other"), 0);
+}
+
 TEST(Surroundings, ALegThatHangsOnTheWorldIsNoCompany) {
   std::string xml = puppy_with_company();
   xml = test::with(xml, "<joint name=\"not_used\"/>",

@@ -5,10 +5,8 @@
 //   FAULT_AT     which call, from 1; 0: none
 //   FAULT_HOW    kill, EIO (this call alone) or ENOSPC (this and all later ones that need room)
 //   FAULT_COUNT  a file that gets the number of calls when the process ends
-#include <dlfcn.h>
 #include <fcntl.h>
 #include <signal.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <sys/stat.h>
 #include <sys/types.h>
@@ -20,6 +18,8 @@
 #include <cstdlib>
 #include <cstring>
 #include <string>
+
+#include "tests/tools/faults/open_calls.hpp"
 
 namespace {
 
@@ -83,15 +83,13 @@ struct AtExit {
   }
 } at_exit;
 
-template <class Function>
-Function next(const char* name) {
-  return reinterpret_cast<Function>(::dlsym(RTLD_NEXT, name));
+bool fails_to_open(const char* path, int flags) {
+  return fails(is_below(path), (flags & O_CREAT) != 0);
 }
 
 }  // namespace
 
 // Each stands before the library's function of that name. NOLINTBEGIN
-#define ARGS(...) __VA_ARGS__
 #define SHIM(result, name, parameters, arguments, below, needs_room, failed) \
   extern "C" result name parameters {                                        \
     static const auto real = next<result(*) parameters>(#name);              \
@@ -131,18 +129,5 @@ SHIM(FILE*, fopen, (const char* path, const char* mode), (path, mode), is_below(
 SHIM(FILE*, fopen64, (const char* path, const char* mode), (path, mode), is_below(path),
      std::strpbrk(mode, "wa") != nullptr, nullptr)
 
-#define OPEN(name, first, start, below)                                             \
-  extern "C" int name(first const char* path, int flags, ...) {                     \
-    static const auto real = next<int (*)(first const char*, int, ...)>(#name);     \
-    va_list rest;                                                                   \
-    va_start(rest, flags);                                                          \
-    const mode_t mode = (flags & (O_CREAT | O_TMPFILE)) ? va_arg(rest, mode_t) : 0; \
-    va_end(rest);                                                                   \
-    if (fails(below, flags & O_CREAT)) return -1;                                   \
-    return real(start path, flags, mode);                                           \
-  }
-OPEN(open, , , is_below(path))
-OPEN(open64, , , is_below(path))
-OPEN(openat, ARGS(int folder, ), ARGS(folder, ), is_below(path))
-OPEN(openat64, ARGS(int folder, ), ARGS(folder, ), is_below(path))
+OPEN_CALLS
 // NOLINTEND

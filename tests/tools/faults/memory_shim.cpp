@@ -8,10 +8,8 @@
 //                of 4 kB and more)
 //   FAULT_COUNT  a file that gets the number of allocations when the process ends
 //   FAULT_TRACE  any text: who called is told on stderr
-#include <dlfcn.h>
 #include <execinfo.h>
 #include <fcntl.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <sys/stat.h>
 #include <sys/types.h>
@@ -21,6 +19,8 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+
+#include "tests/tools/faults/open_calls.hpp"
 
 // What stands behind the library's own functions of glibc.
 extern "C" {
@@ -97,9 +97,9 @@ bool fails(std::size_t size) {
   return true;
 }
 
-template <class Function>
-Function next(const char* name) {
-  return reinterpret_cast<Function>(::dlsym(RTLD_NEXT, name));
+bool fails_to_open(const char* path, int /*flags*/) {
+  opened(path);
+  return false;
 }
 
 }  // namespace
@@ -140,19 +140,5 @@ extern "C" int posix_memalign(void** out, size_t alignment, size_t size) {
 FOPEN(fopen)
 FOPEN(fopen64)
 
-#define ARGS(...) __VA_ARGS__
-#define OPEN(name, first, start)                                                    \
-  extern "C" int name(first const char* path, int flags, ...) {                     \
-    static const auto real = next<int (*)(first const char*, int, ...)>(#name);     \
-    va_list rest;                                                                   \
-    va_start(rest, flags);                                                          \
-    const mode_t mode = (flags & (O_CREAT | O_TMPFILE)) ? va_arg(rest, mode_t) : 0; \
-    va_end(rest);                                                                   \
-    opened(path);                                                                   \
-    return real(start path, flags, mode);                                           \
-  }
-OPEN(open, , )
-OPEN(open64, , )
-OPEN(openat, ARGS(int folder, ), ARGS(folder, ))
-OPEN(openat64, ARGS(int folder, ), ARGS(folder, ))
+OPEN_CALLS
 // NOLINTEND

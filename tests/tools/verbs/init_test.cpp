@@ -145,6 +145,27 @@ TEST_F(InitOfUrdf, IsNeverWrittenToAndNoTaskNamesIt) {
   EXPECT_TRUE(contains(check.err, "legwright init FILE.urdf -o robot.xml")) << check.err;
 }
 
+std::string without_ranges(std::string urdf) {
+  for (std::size_t at; (at = urdf.find(" lower=")) != std::string::npos;)
+    urdf.erase(at, urdf.find(" effort=", at) - at);
+  return urdf;
+}
+
+/// A URDF takes no keyframe: the message says what does, and in which order.
+TEST_F(InitOfUrdf, OneThatDoesNotStandIsToldHowItsMjcfGetsAPose) {
+  write_file(urdf_, test::with(without_ranges(read_file(urdf_)), "<link name=\"base\">",
+                               "<link name=\"base\"><collision><geometry><box size=\"0.2 0.2 3\"/>"
+                               "</geometry></collision>"));
+  const Outcome told =
+      call({"init", urdf_.string(), "-o", robot_.string(), "--task", task_.string()});
+  EXPECT_EQ(told.code, 2) << told.out;
+  for (const char* part : {"the same command without --task writes the MJCF that takes it",
+                           "then the angles of FR_hip_joint, FR_thigh_joint"})
+    EXPECT_TRUE(contains(told.err, part)) << part << "\n" << told.err;
+  EXPECT_FALSE(fs::exists(robot_));
+  EXPECT_EQ(call({"init", urdf_.string(), "-o", robot_.string()}).code, 0);
+}
+
 TEST_F(InitOfUrdf, FaultsOfTheMjcfThatIsMadeHaveNoLineOfTheUrdf) {
   write_file(urdf_, test::with(read_file(urdf_), "<mass value=", "<mass value=\"0\" was="));
   const Outcome told = call({"init", urdf_.string()});
