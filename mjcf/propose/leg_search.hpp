@@ -32,10 +32,10 @@ struct SearchedLeg {
   Eigen::Vector3d below_hip() const;
   /// Finds reach, hip, rest, side, anchors and axes; angles in `data` are as before then.
   void measure(const mjModel& model, mjData& data);
-  /// Takes the angles of a leg of which this one is the mirror image. False where it is none, or has
-  /// not the range for them.
-  /// @param trunk its place in the world @param plane signs of x, y, z in the image, of which one is
-  /// negative
+  /// Takes the angles of a leg of which this one is the mirror image. False where it is none, or
+  /// has not the range for them.
+  /// @param trunk its place in the world
+  /// @param plane signs of x, y, z in the image, of which one is negative
   bool mirror(const SearchedLeg& other, const Eigen::Vector3d& trunk, const Eigen::Vector3d& plane,
               const mjModel& model, mjData& data) const;
   /// Turns the joints until the foot is at the height of `place` (to 1e-9 m) and otherwise near it,
