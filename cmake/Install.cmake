@@ -48,4 +48,6 @@ write_basic_package_version_file("${PROJECT_BINARY_DIR}/legwrightConfigVersion.c
 install(FILES "${PROJECT_BINARY_DIR}/legwrightConfig.cmake"
               "${PROJECT_BINARY_DIR}/legwrightConfigVersion.cmake"
         DESTINATION "${package_folder}")
+install(DIRECTORY modules/ DESTINATION "${CMAKE_INSTALL_DATADIR}/legwright/modules"
+        FILES_MATCHING PATTERN "*.toml")
 install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The keys of a task file, as `legwright check --keys --json` tells them, as tables of a page."""
+"""The keys of a file, as `legwright check --keys --json` tells them, as tables of a page."""
 
 
 def bounds_of(form):
@@ -38,9 +38,11 @@ STANDS = {  # of a whole table of the file
 
 
 def key_tables(document):
-    """The keys of a task file, a table for each table of the file, and the terms."""
-    tables = {}
+    """The keys of a file, a table for each table of the file; of a task file the terms, too."""
+    tables, arrays = {}, set()
     for key in document['keys']:
+        if key['forms'][0]['type'] == 'tables':
+            arrays.add(key['key'])
         tables.setdefault(key['key'].split('.')[0] if '.' in key['key'] else '', []).append(key)
     out = []
     for name, keys in tables.items():
@@ -48,8 +50,9 @@ def key_tables(document):
         scoped = len(stands) > 1
         heads = ['key', *(['in'] if scoped else []), 'type', 'unit', 'bounds', 'default']
         heads.append('meaning, example')
-        out += [f'## `[{name}]`' if name else '## The file itself', '']
-        out += [] if scoped else [STANDS[stands.pop()], '']
+        title = f'[[{name}]]' if name in arrays else f'[{name}]'
+        out += [f'## `{title}`' if name else '## The file itself', '']
+        out += [STANDS[stands.pop()], ''] if 'terms' in document and not scoped else []
         out += [f'| {" | ".join(heads)} |', '|---' * len(heads) + '|']
         out += [*(key_row(key, scoped) for key in keys), '']
         if name == 'weights':

@@ -49,6 +49,7 @@ MJCF = (
     'mjcf/scene',
     'mjcf/propose',
     'mjcf/urdf',
+    'mjcf/assembly',
 )
 TOOLS = (
     'tools/files',
@@ -81,12 +82,14 @@ LAYERS = {
     'mjcf/scene': ('optimizer/design', 'optimizer/motion') + MJCF[:4],
     'mjcf/propose': ('optimizer/design', 'optimizer/motion') + MJCF[:5],
     'mjcf/urdf': ('optimizer/design',) + MJCF[:3] + MJCF[5:6],
+    'mjcf/assembly': ('optimizer/design', 'optimizer/motion') + MJCF[:6],
     'trajectory': (),
     'plugin': ('trajectory',),
     'tools/files': ('mjcf/text',),
     'tools/task': OPTIMIZER + MJCF + TOOLS[:1],
     'tools/simulate': OPTIMIZER + MJCF + ('trajectory', 'tools/files'),
     'tools/run': OPTIMIZER + MJCF + ('trajectory',) + TOOLS[:3],
+    'tools/modules': MJCF + ('optimizer/motion', 'tools/files', 'tools/task', 'tools/run'),
     'tools/drawables': ('trajectory', 'tools/files', 'tools/simulate') + OPTIMIZER + MJCF,
     'tools/image': ('tools/files',),
     'tools/studio/page': (),
@@ -106,10 +109,14 @@ LAYERS = {
     + DRAWN,
     'tools/viewer': ('mjcf/text', 'tools/files', 'tools/run', 'tools/simulate'),
     'tools/studio': OPTIMIZER + MJCF + ('trajectory',) + TOOLS[:6] + TOOLS[7:8] + DRAWN,
-    'tools/verbs': OPTIMIZER + MJCF + ('trajectory',) + TOOLS[:10] + TOOLS[11:12],
+    'tools/verbs': OPTIMIZER
+    + MJCF
+    + ('trajectory', 'tools/modules')
+    + TOOLS[:10]
+    + TOOLS[11:12],
     'program': OPTIMIZER + MJCF + TOOLS + DRAWN,
     'python/core': OPTIMIZER + MJCF + TOOLS + DRAWN,
-    'tests': OPTIMIZER + MJCF + TOOLS + DRAWN + ('trajectory', 'plugin'),
+    'tests': OPTIMIZER + MJCF + ('tools/modules',) + TOOLS + DRAWN + ('trajectory', 'plugin'),
 }
 # Files whose layer is not their folder: the trajectory's format serves the plugin and the program.
 EXCEPTIONS = (

@@ -124,6 +124,17 @@ class Readme(unittest.TestCase):
         self.assertIn(
             '| `period` | number or list | s | 0 < x ≤ 20 | needed | One cycle. `1.0` |', page
         )
+        self.assertIn('Stands in each `[[task]]`', page)
+
+    def test_keys_of_other_files_do_not_speak_of_tasks(self):
+        form = {'type': 'tables', 'unit': '', 'low': None, 'low_open': False, 'high': None}
+        form['high_open'] = False
+        key = {'key': 'outline', 'in': 'file', 'forms': [form], 'default': 'needed'}
+        key |= {'example': '[]', 'meaning': 'Its shape.'}
+        part = key | {'key': 'outline.shape', 'forms': [form | {'type': 'text'}]}
+        page = self.readme.key_tables({'keys': [key, part]})
+        self.assertIn('## `[[outline]]`\n', page)
+        self.assertNotIn('task', page)
 
 
 if __name__ == '__main__':

@@ -22,16 +22,21 @@ std::string_view TaskKey::table() const {
   return dot == std::string_view::npos ? std::string_view() : path.substr(0, dot);
 }
 
-const TaskKey* find_task_key(std::string_view table, std::string_view key) {
-  for (const TaskKey& row : task_keys())
+const TaskKey* find_key(const std::vector<TaskKey>& keys, std::string_view table,
+                        std::string_view key) {
+  for (const TaskKey& row : keys)
     if (row.table() == table && (last_word(row.path) == key || is_placeholder(last_word(row.path))))
       return &row;
   return nullptr;
 }
 
-bool has_task_keys(std::string_view table) {
+const TaskKey* find_task_key(std::string_view table, std::string_view key) {
+  return find_key(task_keys(), table, key);
+}
+
+bool has_keys(const std::vector<TaskKey>& keys, std::string_view table) {
   const std::string below = std::string(table) + ".";
-  return std::any_of(task_keys().begin(), task_keys().end(),
+  return std::any_of(keys.begin(), keys.end(),
                      [&](const TaskKey& row) { return row.path.starts_with(below); });
 }
 

@@ -36,7 +36,8 @@ enum class KeyScope {
   both,    // outside and within, each for itself
 };
 
-/// One key of a task file: what the reader takes for it, and what the reference says of it.
+/// One key of a task file, or of another file that is read by a table of keys: what the reader
+/// takes for it, and what the reference says of it.
 struct TaskKey {
   /// Path with dots. A last word in capitals stands for a name of the user's: "weights.TERM".
   std::string_view path;
@@ -54,12 +55,15 @@ struct TaskKey {
 /// and reads no key that is not in it.
 const std::vector<TaskKey>& task_keys();
 
-/// Its row, of a table given by its own path in the table of keys; null where there is none. A name
-/// of the user's is found by the row whose last word is in capitals.
+/// The row of a key among `keys`, of a table given by its own path there; null where there is none.
+/// A name of the user's is found by the row whose last word is in capitals.
+const TaskKey* find_key(const std::vector<TaskKey>& keys, std::string_view table,
+                        std::string_view key);
+/// The same of a task file.
 const TaskKey* find_task_key(std::string_view table, std::string_view key);
 
 /// Whether keys stand below this path: "style.foot_heights".
-bool has_task_keys(std::string_view table);
+bool has_keys(const std::vector<TaskKey>& keys, std::string_view table);
 
 /// "number", "list of 2 numbers", …
 std::string form_text(const KeyForm& form);

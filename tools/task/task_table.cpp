@@ -13,11 +13,12 @@ constexpr std::string_view kAnyName = "NAME";  // of the user's
 
 [[noreturn]] void refuse_unlisted(const std::string& path) {
   throw std::logic_error(
-      fmt::format("the task reader reads {}, which key_table.cpp does not list so", path));
+      fmt::format("the reader reads {}, which its table of keys does not list so", path));
 }
 
-const KeyForm& form_in(const std::string& table, std::string_view key, KeyKind kind) {
-  if (const TaskKey* row = find_task_key(table, key))
+const KeyForm& form_in(const std::vector<TaskKey>& keys, const std::string& table,
+                       std::string_view key, KeyKind kind) {
+  if (const TaskKey* row = find_key(keys, table, key))
     for (const KeyForm& form : row->forms)
       if (form.kind == kind) return form;
   refuse_unlisted(fmt::format("{}.{}", table, key));
@@ -26,15 +27,16 @@ const KeyForm& form_in(const std::string& table, std::string_view key, KeyKind k
 }  // namespace
 
 void TaskTable::check_listed(std::string_view key) const {
-  if (find_task_key(path_, key) == nullptr && !has_task_keys(full(key))) refuse_unlisted(full(key));
+  if (find_key(keys_, path_, key) == nullptr && !has_keys(keys_, full(key)))
+    refuse_unlisted(full(key));
 }
 
 const KeyForm& TaskTable::form(std::string_view key, KeyKind kind) const {
-  return form_in(path_, key, kind);
+  return form_in(keys_, path_, key, kind);
 }
 
 const KeyForm& TaskTable::form_of_names(std::string_view key, KeyKind kind) const {
-  return form_in(full(key), kAnyName, kind);
+  return form_in(keys_, full(key), kAnyName, kind);
 }
 
 bool TaskTable::has(std::string_view key) { return node(key) != nullptr; }
@@ -77,6 +79,11 @@ std::optional<std::vector<std::vector<double>>> TaskTable::pairs(std::string_vie
   return TableReader::pairs(key, form(key, KeyKind::pairs).range);
 }
 
+std::optional<std::vector<std::string>> TaskTable::names(std::string_view key) {
+  (void)form(key, KeyKind::names);
+  return TableReader::names(key);
+}
+
 const toml::table* TaskTable::table(std::string_view key) {
   check_listed(key);
   return TableReader::table(key);
@@ -103,10 +110,10 @@ std::map<std::string, std::vector<std::vector<double>>> TaskTable::pairs_by_name
 
 std::map<std::string, CycleTarget> TaskTable::targets_by_name(std::string_view key) {
   const Range& range = form_of_names(key, KeyKind::target).range;
-  const TaskKey* row = find_task_key(full(key), kAnyName);
-  (void)form_in(std::string(row->path), "over_cycle", KeyKind::target);
+  const TaskKey* row = find_key(keys_, full(key), kAnyName);
+  (void)form_in(keys_, std::string(row->path), "over_cycle", KeyKind::target);
   return TableReader::targets_by_name(
-      key, range, form_in(std::string(row->path), "weight", KeyKind::number).range);
+      key, range, form_in(keys_, std::string(row->path), "weight", KeyKind::number).range);
 }
 
 }  // namespace legwright

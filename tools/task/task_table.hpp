@@ -12,15 +12,16 @@
 
 namespace legwright {
 
-/// Reads one table of a task file by the table of keys (key_table.hpp), from which types and ranges
-/// are: what is not listed there cannot be read. Each function throws std::logic_error for a key
-/// that is not listed with that type. Else as TableReader.
+/// Reads one table of a task file, or of another file, by its table of keys (key_table.hpp), from
+/// which types and ranges are: what is not listed there cannot be read. Each function throws
+/// std::logic_error for a key that is not listed with that type. Else as TableReader.
 class TaskTable : private TableReader {
  public:
   /// @param path of the table, "" for the root and for a [[task]]
+  /// @param keys of the file; they must outlive this
   TaskTable(const toml::table* table, const std::string& path, Problems& problems,
-            std::map<std::string, int>& lines)
-      : TableReader(table, path, problems, lines), path_(path) {}
+            std::map<std::string, int>& lines, const std::vector<TaskKey>& keys = task_keys())
+      : TableReader(table, path, problems, lines), path_(path), keys_(keys) {}
 
   bool has(std::string_view key);
   const toml::node* node(std::string_view key);
@@ -32,6 +33,7 @@ class TaskTable : private TableReader {
   std::optional<std::string> text(std::string_view key);
   std::optional<std::vector<double>> numbers(std::string_view key);
   std::optional<std::vector<std::vector<double>>> pairs(std::string_view key);
+  std::optional<std::vector<std::string>> names(std::string_view key);
   const toml::table* table(std::string_view key);
   std::vector<const toml::table*> tables(std::string_view key);
 
@@ -52,6 +54,7 @@ class TaskTable : private TableReader {
   const KeyForm& form_of_names(std::string_view key, KeyKind kind) const;
 
   std::string path_;
+  const std::vector<TaskKey>& keys_;
 };
 
 }  // namespace legwright

@@ -181,6 +181,23 @@ std::optional<std::vector<std::vector<double>>> TableReader::pairs(std::string_v
   return rows;
 }
 
+std::optional<std::vector<std::string>> TableReader::names(std::string_view key) {
+  const toml::node* found = node(key);
+  if (!found) return std::nullopt;
+  std::vector<std::string> words;
+  const toml::array* array = found->as_array();
+  for (std::size_t i = 0; array && i < array->size(); ++i)
+    if (const auto word = array->get(i)->value<std::string>(); word && !word->empty())
+      words.push_back(*word);
+  if (!array || array->empty() || words.size() != array->size()) {
+    problems_.add(line(*found), full(key),
+                  fmt::format("is {}; expected an array of texts in quotes: [\"a\", \"b\"]",
+                              type_name(*found)));
+    return std::nullopt;
+  }
+  return words;
+}
+
 std::map<std::string, std::vector<double>> TableReader::numbers_of_names(std::string_view key,
                                                                          const Range& range,
                                                                          std::size_t count) {

@@ -61,6 +61,8 @@ class TableReader {
                                              std::size_t count);
   /// An array of arrays of two numbers.
   std::optional<std::vector<std::vector<double>>> pairs(std::string_view key, const Range& range);
+  /// An array of texts, none of them empty.
+  std::optional<std::vector<std::string>> names(std::string_view key);
   /// A table of names and numbers; the names are free.
   std::map<std::string, double> numbers_by_name(std::string_view key, const Range& range);
   /// A table of names and arrays of pairs; the names are free.

@@ -126,7 +126,7 @@ const char* hint_for(const std::string& viewer) {
 }
 
 /// What opens the window, and the plugin that comes into it.
-struct Opening {
+struct OpenedViewer {
   fs::path plugin;
   std::vector<std::string> command;
 };
@@ -134,7 +134,7 @@ struct Opening {
 /// The plugin for the MuJoCo of this program and its viewers.
 fs::path own_plugin() { return fs::absolute(require_plugin(versions()["mujoco"])); }
 
-Opening open_by(const std::string& viewer, const PlayOptions& options, const fs::path& path) {
+OpenedViewer open_by(const std::string& viewer, const PlayOptions& options, const fs::path& path) {
   // Looking for Python takes a second: not where only the command is wanted.
   if (viewer == "python" && !options.print && !options.json) {
     const auto python = find_viewer_python();

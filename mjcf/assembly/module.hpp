@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// A part that is bought or printed once, of which robots are assembled.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace legwright {
+
+enum class ModuleKind { servo, foot, trunk, battery, computer, payload };
+
+/// In the order of the enumerators.
+inline constexpr std::array<std::string_view, 6> kModuleKinds{"servo",   "foot",     "trunk",
+                                                              "battery", "computer", "payload"};
+
+/// A box, a cylinder or a ball of a module's outline, in the module's frame.
+struct OutlineShape {
+  enum class Type { box, cylinder, sphere };
+  Type type = Type::box;
+  /// [m] box: widths along x, y and z; cylinder: radius and length; sphere: radius.
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  // of its middle [m]
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();     // of a cylinder, a unit vector
+
+  /// [m3]
+  double volume() const;
+  /// Inertia of a body of this shape and unit mass about its middle, in the module's axes [m2].
+  Eigen::Matrix3d unit_inertia() const;
+  /// Module ← shape: z is a cylinder's axis; of others the module's own axes.
+  Eigen::Isometry3d pose() const;
+  /// Half its extents along the axes of pose() [m].
+  Eigen::Vector3d half() const;
+};
+
+/// What turns: the output of a servo, at which all figures hold, behind its gears.
+struct ModuleJoint {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  // where horn and axis meet [m]
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();     // out of the module, a unit vector
+  double stall_torque = 0.0;                           // or peak torque [N m]
+  std::optional<double> continuous_torque;             // [N m]
+  std::optional<double> no_load_speed;                 // [rad/s]
+  std::optional<double> gear_ratio;
+  std::optional<double> reflected_inertia;  // rotor inertia times the square of the ratio [kg m2]
+  std::optional<double> friction;           // dry friction [N m]
+  std::optional<double> damping;            // [N m s/rad]
+  std::optional<std::array<double, 2>> range;  // of the angle [rad]
+  std::optional<double> kp, kd;                // advice [N m/rad], [N m s/rad]
+};
+
+/// Where another part is fixed.
+struct Attachment {
+  std::string name;
+  bool on_horn = false;                                // else on the body
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  // [m]
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();   // out of the module, a unit vector
+  std::string screws;                                  // in words; empty: not known
+};
+
+/// A module in its own frame. SI units.
+struct Module {
+  std::string name;
+  ModuleKind kind = ModuleKind::servo;
+  std::string maker, about;
+  double mass = 0.0;              // [kg]
+  std::optional<double> voltage;  // at which torques and speed hold [V]
+  std::vector<OutlineShape> outline;
+  std::optional<ModuleJoint> joint;  // of a servo
+  std::optional<double> friction;    // of a foot's sliding
+  std::vector<Attachment> attachments;
+
+  std::string_view kind_name() const { return kModuleKinds[static_cast<std::size_t>(kind)]; }
+};
+
+/// Mass distribution of a module whose outline is filled evenly.
+struct ModuleInertia {
+  double mass = 0.0;                                      // [kg]
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();       // [m]
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Identity();  // about the centre [kg m2]
+};
+ModuleInertia inertia_of(const Module& module);
+
+/// Where a module stands in a body: turned and moved, perhaps mirrored in the x-z plane after that.
+struct ModulePlace {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  // body ← module
+  bool mirrored = false;
+
+  Eigen::Vector3d point(const Eigen::Vector3d& of_module) const;
+  Eigen::Vector3d direction(const Eigen::Vector3d& of_module) const;
+};
+
+/// The outline as MJCF, a <geom> each. @param attributes of all of them, ` material="servo"`
+std::vector<std::string> outline_geoms(const Module& module, const ModulePlace& place,
+                                       const std::string& attributes);
+/// The module's <inertial>.
+std::string inertial_element(const Module& module, const ModulePlace& place);
+
+/// A scene of the module alone, in which the output axis and the attachments are marked: for a
+/// picture of it.
+std::string module_scene(const Module& module);
+
+}  // namespace legwright

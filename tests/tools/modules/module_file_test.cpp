@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/modules/module_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include "mjcf/text/input_error.hpp"
+#include "tests/tools/modules/servo_text.hpp"
+
+namespace legwright {
+namespace {
+
+using test::kWholeServo;
+
+/// What the reader says of a text; empty where it takes it.
+std::string refusal(const std::string& text) {
+  try {
+    (void)parse_module(text, "hs1.toml");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// The whole servo with one part of its text replaced, or taken out.
+std::string servo_with(const std::string& part, const std::string& by) {
+  std::string text = kWholeServo;
+  const std::size_t at = text.find(part);
+  EXPECT_NE(at, std::string::npos) << part;
+  return text.replace(at, part.size(), by);
+}
+
+void expect_refusal(const std::string& text, const std::vector<std::string>& parts) {
+  const std::string told = refusal(text);
+  EXPECT_NE(told, "");
+  for (const std::string& part : parts)
+    EXPECT_NE(told.find(part), std::string::npos) << part << " in\n" << told;
+}
+
+TEST(ModuleFile, ReadsAWholeServo) {
+  const ModuleFile file = parse_module(kWholeServo, "hs1.toml");
+  const Module& module = file.module;
+  EXPECT_EQ(module.name, "HS-1");
+  EXPECT_EQ(module.kind, ModuleKind::servo);
+  EXPECT_EQ(module.mass, 0.055);
+  EXPECT_EQ(module.voltage, 6.0);
+  ASSERT_EQ(module.outline.size(), 1u);
+  EXPECT_EQ(module.outline[0].size, Eigen::Vector3d(0.02, 0.04, 0.036));
+  ASSERT_TRUE(module.joint.has_value());
+  EXPECT_EQ(module.joint->axis, Eigen::Vector3d::UnitZ()) << "of length 1";
+  EXPECT_EQ(module.joint->stall_torque, 1.1);
+  EXPECT_EQ(module.joint->continuous_torque, 0.2);
+  EXPECT_EQ(module.joint->reflected_inertia, 0.002);
+  EXPECT_EQ((*module.joint->range)[1], 1.5);
+  ASSERT_EQ(module.attachments.size(), 1u);
+  EXPECT_TRUE(module.attachments[0].on_horn);
+  EXPECT_EQ(module.attachments[0].screws, "4 x M2");
+  EXPECT_EQ(file.source_count("mass"), 1u);
+  EXPECT_EQ(file.source_count("joint.position"), 0u);
+  EXPECT_EQ(file.assumptions.at(0).why, "half the width from the end");
+}
+
+TEST(ModuleFile, AFigureHasASourceOrAnAssumption) {
+  expect_refusal(servo_with("\"mass\", ", ""), {"hs1.toml:5: mass: has no source"});
+  expect_refusal(servo_with("figures = [\"joint.position\"]", "figures = [\"mass\"]"),
+                 {"joint.position", "has no source"});
+  expect_refusal(servo_with("friction = 0.02\n", ""),
+                 {"joint.friction", "is named by a source or an assumption and is not given"});
+}
+
+TEST(ModuleFile, WhatAServoMayHaveIsGivenOrSaidToBeUnknown) {
+  std::string text = servo_with("friction = 0.02\n", "");
+  const std::string cited = "\"joint.friction\",";
+  text.erase(text.find(cited), cited.size());
+  expect_refusal(text, {"joint.friction", "is neither given nor said to be unknown"});
+  EXPECT_EQ(refusal("unknown = [\"joint.friction\"]\n" + text), "");
+  expect_refusal("unknown = [\"joint.friction\"]\n" + kWholeServo,
+                 {"unknown", "names \"joint.friction\", which is given"});
+  expect_refusal("unknown = [\"joint.fricton\"]\n" + text, {"did you mean \"joint.friction\"?"});
+}
+
+TEST(ModuleFile, TeachesWhatIsWrongAllAtOnce) {
+  std::string text = servo_with("mass = 0.055", "mass = -1");
+  const auto replace = [&](const std::string& part, const std::string& by) {
+    text.replace(text.find(part), part.size(), by);
+  };
+  replace("stall_torque = 1.1", "stal_torque = 1.1");
+  replace("[0.02, 0.04, 0.036]", "[0.02, 0.04]");
+  replace("range = [-1.5, 1.5]", "range = [1.5, -1.5]");
+  expect_refusal(text, {"mass: is -1; expected 0 < mass <= 100 kg",
+                        "joint.stal_torque: unknown key; did you mean 'joint.stall_torque'?",
+                        "outline.size: has 2 numbers; a box has 3: widths along x, y and z",
+                        "joint.range: is [1.5, -1.5]; expected the lesser angle first",
+                        "docs/module_file.md"});
+}
+
+TEST(ModuleFile, RefusesWhatFitsNoModuleOfItsKind) {
+  expect_refusal(servo_with("kind = \"servo\"", "kind = \"servos\""),
+                 {"expected one of servo, foot, trunk"});
+  expect_refusal(servo_with("kind = \"servo\"", "kind = \"battery\""),
+                 {"joint", "is for servos, and this is a battery"});
+  expect_refusal(servo_with("[joint]", "[foot]\nfriction = 0.9\n[joint]"),
+                 {"foot", "is for feet, and this is a servo"});
+  expect_refusal(servo_with("continuous_torque = 0.2", "continuous_torque = 2.0"),
+                 {"joint.continuous_torque", "above the stall torque of 1.1"});
+  expect_refusal(servo_with("normal = [0, 0, 1]", "normal = [0, 0, 0]"), {"has no length"});
+  expect_refusal(servo_with("\"HS-1\"", "\"HS 1\""), {"expected letters, digits"});
+  expect_refusal(servo_with("shape = \"box\"", "shape = \"cube\""),
+                 {"expected one of box, cylinder, sphere"});
+  expect_refusal("name = \n", {"hs1.toml:1: "});
+  expect_refusal("name = \"a\"\n", {"kind: is missing", "mass: is missing", "outline: is missing"});
+}
+
+}  // namespace
+}  // namespace legwright

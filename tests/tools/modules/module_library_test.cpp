@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/modules/module_library.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "mjcf/text/input_error.hpp"
+#include "tests/support/source_tree.hpp"
+#include "tests/tools/files/temporary_folder.hpp"
+#include "tests/tools/modules/servo_text.hpp"
+#include "tools/files/atomic_file.hpp"
+#include "tools/files/io_error.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kLibrary = test::kSource / "modules";
+constexpr double kWater = 1000.0, kIron = 7900.0;  // [kg/m3]
+
+/// The library is read whole, so each of its figures has a source or an assumption.
+TEST(InstalledModules, AreReadAndServosHaveSources) {
+  const ModuleLibrary library({kLibrary});
+  std::size_t servos = 0, kinds[kModuleKinds.size()] = {};
+  for (const ModuleFile& file : library.modules()) {
+    ++kinds[static_cast<std::size_t>(file.module.kind)];
+    if (file.module.kind != ModuleKind::servo) continue;
+    ++servos;
+    for (const char* figure : {"mass", "outline", "joint.stall_torque"})
+      EXPECT_GE(file.source_count(figure), 1u) << file.module.name << ' ' << figure;
+    for (const FigureSource& source : file.sources)
+      EXPECT_TRUE(source.address.starts_with("https://")) << file.module.name;
+  }
+  EXPECT_GE(servos, 12u);
+  for (const ModuleKind kind :
+       {ModuleKind::foot, ModuleKind::trunk, ModuleKind::battery, ModuleKind::computer})
+    EXPECT_GE(kinds[static_cast<std::size_t>(kind)], 1u);
+}
+
+/// A slip of a unit would show: servos are neither foam nor lead, and no stronger than they weigh.
+TEST(InstalledModules, FiguresAreOfTheirOrder) {
+  const ModuleLibrary library({kLibrary});
+  for (const ModuleFile& file : library.modules()) {
+    const Module& module = file.module;
+    double volume = 0.0;
+    for (const OutlineShape& shape : module.outline) volume += shape.volume();
+    const double density = module.mass / volume;
+    EXPECT_GT(density, 0.4 * kWater) << module.name;
+    EXPECT_LT(density, kIron) << module.name;
+    if (!module.joint) continue;
+    const double torque_density = module.joint->stall_torque / module.mass;  // [N m/kg]
+    EXPECT_GT(torque_density, 10.0) << module.name;
+    EXPECT_LT(torque_density, 100.0) << module.name;
+    if (module.joint->no_load_speed) {
+      EXPECT_GT(*module.joint->no_load_speed, 2.0) << module.name;
+      EXPECT_LT(*module.joint->no_load_speed, 100.0) << module.name;
+    }
+    // The output leaves through the outline.
+    const auto holds = [&](const OutlineShape& shape) {
+      const Eigen::Vector3d at = shape.pose().inverse() * module.joint->position;
+      return ((at.cwiseAbs() - shape.half()).array() < 1e-9).all();
+    };
+    EXPECT_TRUE(std::any_of(module.outline.begin(), module.outline.end(), holds)) << module.name;
+  }
+}
+
+TEST(ModuleLibrary, AUsersModuleTakesThePlaceOfAnother) {
+  const test::TemporaryFolder folder;
+  std::string text = test::kWholeServo;
+  text.replace(text.find("HS-1"), 4, "xl430-w250");
+  write_file(folder.path() / "mine.toml", text);
+  const ModuleLibrary library({kLibrary, folder.path()});
+  EXPECT_EQ(library.modules().size(), ModuleLibrary({kLibrary}).modules().size());
+  EXPECT_EQ(library.find("XL430-W250").module.maker, "somebody") << "whatever the case";
+}
+
+TEST(ModuleLibrary, TeachesWhereThereIsNone) {
+  const ModuleLibrary library({kLibrary});
+  try {
+    (void)library.find("XL430-W25");
+    FAIL();
+  } catch (const InputError& error) {
+    const std::string told = error.what();
+    EXPECT_NE(told.find("did you mean 'XL430-W250'?"), std::string::npos) << told;
+  }
+  EXPECT_EQ(library.find_or_null("none"), nullptr);
+  const test::TemporaryFolder folder;
+  EXPECT_THROW(ModuleLibrary({folder.path() / "gone"}), IoError);
+  EXPECT_THROW(ModuleLibrary({folder.path()}), IoError) << "holds none";
+  write_file(folder.path() / "a.toml", test::kWholeServo);
+  EXPECT_NO_THROW(ModuleLibrary({folder.path()}));
+  write_file(folder.path() / "b.toml", test::kWholeServo);
+  EXPECT_THROW(ModuleLibrary({folder.path()}), InputError) << "two of one name";
+}
+
+}  // namespace
+}  // namespace legwright

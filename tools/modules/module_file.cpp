@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/modules/module_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "tools/files/nearest_word.hpp"
+#include "tools/task/task_table.hpp"
+#include "tools/task/toml_text.hpp"
+
+namespace legwright {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kLeastDirection = 1e-6;  // shorter ones have none
+
+/// Figures that must be sourced or assumed where they are given.
+constexpr std::array<std::string_view, 16> kFigures{"mass",
+                                                    "voltage",
+                                                    "outline",
+                                                    "joint.position",
+                                                    "joint.stall_torque",
+                                                    "joint.continuous_torque",
+                                                    "joint.no_load_speed",
+                                                    "joint.gear_ratio",
+                                                    "joint.reflected_inertia",
+                                                    "joint.friction",
+                                                    "joint.damping",
+                                                    "joint.range",
+                                                    "joint.kp",
+                                                    "joint.kd",
+                                                    "foot.friction",
+                                                    "attachment.screws"};
+
+/// Those that a servo gives or says to be unknown.
+constexpr std::array<std::string_view, 8> kServoFigures{
+    "voltage",          "joint.continuous_torque", "joint.no_load_speed",
+    "joint.gear_ratio", "joint.reflected_inertia", "joint.friction",
+    "joint.range",      "attachment.screws"};
+
+Vector3d vector_of(const std::vector<double>& values) { return {values[0], values[1], values[2]}; }
+
+class ModuleReader {
+ public:
+  ModuleReader(const std::string& text, const std::filesystem::path& file)
+      : toml_(parse_toml(text, file)),
+        problems_(file.string(), "docs/module_file.md has all keys"),
+        root_(table(&toml_, "")) {
+    out_.file = file;
+  }
+
+  ModuleFile run() {
+    read_name_and_kind();
+    read_outline();
+    read_joint();
+    read_foot();
+    for (const toml::table* at : root_.tables("attachment")) read_attachment(at);
+    for (const toml::table* source : root_.tables("source")) read_source(source);
+    for (const toml::table* assumption : root_.tables("assumption")) read_assumption(assumption);
+    out_.unknown = figures(root_, "unknown");
+    root_.finish();
+    check_figures();
+    problems_.throw_if_any();
+    return std::move(out_);
+  }
+
+ private:
+  TaskTable table(const toml::table* toml, const std::string& path) {
+    return {toml, path, problems_, lines_, module_keys()};
+  }
+
+  std::string needed_text(TaskTable& in, std::string_view key, const std::string& example) {
+    const auto value = in.text(key);
+    in.require(value.has_value(), key, fmt::format("{} = \"{}\"", key, example));
+    return value.value_or("");
+  }
+
+  /// One of these words; `words[0]` where it is another.
+  template <std::size_t N>
+  std::size_t choice(TaskTable& in, std::string_view key, const std::string& word,
+                     const std::array<std::string_view, N>& words) {
+    const auto found = std::find(words.begin(), words.end(), word);
+    if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+    if (!word.empty())
+      problems_.add(in.line_of(key), in.full(key),
+                    fmt::format("is \"{}\"; expected one of {}", word, fmt::join(words, ", ")));
+    return 0;
+  }
+
+  Vector3d direction(TaskTable& in, std::string_view key, const Vector3d& otherwise) {
+    const auto values = in.numbers(key);
+    if (!values) return otherwise;
+    const Vector3d found = vector_of(*values);
+    if (found.norm() > kLeastDirection) return found.normalized();
+    problems_.add(in.line_of(key), in.full(key), "has no length; expected a direction: [0, 0, 1]");
+    return otherwise;
+  }
+
+  std::vector<std::string> figures(TaskTable& in, std::string_view key) {
+    std::vector<std::string> words = in.names(key).value_or(std::vector<std::string>{});
+    const std::vector<std::string> known(kFigures.begin(), kFigures.end());
+    for (const std::string& word : words) {
+      if (std::find(known.begin(), known.end(), word) != known.end()) continue;
+      const std::string guess = nearest(word, known);
+      problems_.add(in.line_of(key), in.full(key),
+                    fmt::format("names \"{}\", which is no figure of a module; {}", word,
+                                guess.empty() ? fmt::format("there are {}", fmt::join(known, ", "))
+                                              : fmt::format("did you mean \"{}\"?", guess)));
+    }
+    return words;
+  }
+
+  void read_name_and_kind() {
+    Module& module = out_.module;
+    module.name = needed_text(root_, "name", "XL430-W250");
+    const auto odd = std::find_if(module.name.begin(), module.name.end(), [](char c) {
+      return !(c >= '0' && c <= '9') && !(c >= 'A' && c <= 'Z') && !(c >= 'a' && c <= 'z') &&
+             std::string_view("_-.").find(c) == std::string_view::npos;
+    });
+    if (odd != module.name.end())
+      problems_.add(
+          root_.line_of("name"), "name",
+          fmt::format("is \"{}\"; expected letters, digits, '_', '-' and '.'", module.name));
+    const std::string kind = needed_text(root_, "kind", "servo");
+    module.kind = static_cast<ModuleKind>(choice(root_, "kind", kind, kModuleKinds));
+    module.maker = needed_text(root_, "maker", "ROBOTIS");
+    module.about = root_.text("about").value_or("");
+    const auto mass = root_.number("mass");
+    root_.require(mass.has_value(), "mass", "mass = 0.057");
+    module.mass = mass.value_or(1.0);
+    module.voltage = root_.number("voltage");
+    note("mass", mass.has_value());
+    note("voltage", module.voltage.has_value());
+  }
+
+  void read_outline() {
+    const std::vector<const toml::table*> tables = root_.tables("outline");
+    root_.require(!tables.empty(), "outline",
+                  "[[outline]] with shape = \"box\" and size = [0.028, 0.046, 0.034]");
+    for (const toml::table* toml : tables) {
+      TaskTable in = table(toml, "outline");
+      OutlineShape shape;
+      constexpr std::array<std::string_view, 3> kShapes{"box", "cylinder", "sphere"};
+      constexpr std::array<std::size_t, 3> kCounts{3, 2, 1};
+      const std::size_t type = choice(in, "shape", needed_text(in, "shape", "box"), kShapes);
+      shape.type = static_cast<OutlineShape::Type>(type);
+      const auto size = in.numbers("size");
+      in.require(size.has_value(), "size", "size = [0.028, 0.046, 0.034]");
+      if (size && size->size() != kCounts[type])
+        problems_.add(in.line_of("size"), "outline.size",
+                      fmt::format("has {} numbers; a {} has {}: {}", size->size(), kShapes[type],
+                                  kCounts[type],
+                                  type == 0   ? "widths along x, y and z"
+                                  : type == 1 ? "radius and length"
+                                              : "its radius"));
+      else if (size)
+        for (std::size_t k = 0; k < size->size(); ++k)
+          shape.size[static_cast<Eigen::Index>(k)] = (*size)[k];
+      if (const auto place = in.numbers("position")) shape.position = vector_of(*place);
+      shape.axis = direction(in, "axis", Vector3d::UnitZ());
+      in.finish();
+      out_.module.outline.push_back(shape);
+    }
+    note("outline", !tables.empty());
+  }
+
+  void read_joint() {
+    const toml::table* toml = root_.table("joint");
+    const bool servo = out_.module.kind == ModuleKind::servo;
+    root_.require(toml != nullptr || !servo, "joint",
+                  "[joint] with position = [0.0, 0.012, 0.017] and stall_torque = 1.4");
+    if (!toml) return;
+    if (!servo)
+      problems_.add(
+          root_.line_of("joint"), "joint",
+          fmt::format("is for servos, and this is a {}; take it out", out_.module.kind_name()));
+    TaskTable in = table(toml, "joint");
+    ModuleJoint joint;
+    const auto position = in.numbers("position");
+    in.require(position.has_value(), "position", "position = [0.0, 0.012, 0.017]");
+    if (position) joint.position = vector_of(*position);
+    joint.axis = direction(in, "axis", Vector3d::UnitZ());
+    const auto stall = in.number("stall_torque");
+    in.require(stall.has_value(), "stall_torque", "stall_torque = 1.4");
+    joint.stall_torque = stall.value_or(1.0);
+    joint.continuous_torque = in.number("continuous_torque");
+    joint.no_load_speed = in.number("no_load_speed");
+    joint.gear_ratio = in.number("gear_ratio");
+    joint.reflected_inertia = in.number("reflected_inertia");
+    joint.friction = in.number("friction");
+    joint.damping = in.number("damping");
+    joint.kp = in.number("kp");
+    joint.kd = in.number("kd");
+    read_range(in, joint);
+    if (stall && joint.continuous_torque && *joint.continuous_torque > *stall)
+      problems_.add(in.line_of("continuous_torque"), "joint.continuous_torque",
+                    fmt::format("is {}, above the stall torque of {}; expected no more",
+                                *joint.continuous_torque, *stall));
+    in.finish();
+    for (const std::string_view figure : kFigures)
+      if (figure.starts_with("joint.")) note(figure, toml->contains(figure.substr(6)));
+    out_.module.joint = joint;
+  }
+
+  void read_range(TaskTable& in, ModuleJoint& joint) {
+    const auto range = in.numbers("range");
+    if (!range) return;
+    if ((*range)[0] < (*range)[1])
+      joint.range = {(*range)[0], (*range)[1]};
+    else
+      problems_.add(
+          in.line_of("range"), "joint.range",
+          fmt::format("is [{}, {}]; expected the lesser angle first", (*range)[0], (*range)[1]));
+  }
+
+  void read_foot() {
+    const toml::table* toml = root_.table("foot");
+    if (!toml) return;
+    if (out_.module.kind != ModuleKind::foot)
+      problems_.add(
+          root_.line_of("foot"), "foot",
+          fmt::format("is for feet, and this is a {}; take it out", out_.module.kind_name()));
+    TaskTable in = table(toml, "foot");
+    out_.module.friction = in.number("friction");
+    note("foot.friction", out_.module.friction.has_value());
+    in.finish();
+  }
+
+  void read_attachment(const toml::table* toml) {
+    TaskTable in = table(toml, "attachment");
+    Attachment at;
+    at.name = needed_text(in, "name", "back");
+    constexpr std::array<std::string_view, 2> kParts{"body", "horn"};
+    at.on_horn = choice(in, "on", in.text("on").value_or("body"), kParts) == 1;
+    const auto position = in.numbers("position");
+    in.require(position.has_value(), "position", "position = [0.0, 0.0, -0.017]");
+    if (position) at.position = vector_of(*position);
+    in.require(in.has("normal"), "normal", "normal = [0, 0, -1]");
+    at.normal = direction(in, "normal", Vector3d::UnitZ());
+    at.screws = in.text("screws").value_or("");
+    if (!at.screws.empty()) note("attachment.screws", true);
+    in.finish();
+    out_.module.attachments.push_back(at);
+  }
+
+  void read_source(const toml::table* toml) {
+    TaskTable in = table(toml, "source");
+    FigureSource source;
+    source.title = needed_text(in, "title", "data sheet");
+    source.address = needed_text(in, "address", "https://maker.example/datasheet.pdf");
+    source.note = in.text("note").value_or("");
+    in.require(in.has("figures"), "figures", "figures = [\"mass\"]");
+    source.figures = figures(in, "figures");
+    in.finish();
+    out_.sources.push_back(source);
+  }
+
+  void read_assumption(const toml::table* toml) {
+    TaskTable in = table(toml, "assumption");
+    FigureAssumption assumption;
+    assumption.why = needed_text(in, "why", "half the width from the end");
+    in.require(in.has("figures"), "figures", "figures = [\"joint.position\"]");
+    assumption.figures = figures(in, "figures");
+    in.finish();
+    out_.assumptions.push_back(assumption);
+  }
+
+  void note(std::string_view figure, bool given) {
+    if (given) given_.insert(std::string(figure));
+  }
+
+  bool told(const std::string& figure) const {
+    const auto names = [&](const auto& entry) {
+      return std::find(entry.figures.begin(), entry.figures.end(), figure) != entry.figures.end();
+    };
+    return std::any_of(out_.sources.begin(), out_.sources.end(), names) ||
+           std::any_of(out_.assumptions.begin(), out_.assumptions.end(), names);
+  }
+
+  /// A figure is given with a source or an assumption, or it is unknown.
+  void check_figures() {
+    for (const std::string_view listed : kFigures) {
+      const std::string figure(listed);
+      const bool given = given_.contains(figure);
+      const bool unknown =
+          std::find(out_.unknown.begin(), out_.unknown.end(), figure) != out_.unknown.end();
+      const bool of_servo =
+          out_.module.kind == ModuleKind::servo &&
+          std::find(kServoFigures.begin(), kServoFigures.end(), listed) != kServoFigures.end();
+      if (given && !told(figure))
+        problems_.add(line_of(figure), figure,
+                      "has no source; name it in the figures of a [[source]], or of an "
+                      "[[assumption]] that says why it is so");
+      if (!given && told(figure))
+        problems_.add(0, figure,
+                      "is named by a source or an assumption and is not given; give it, or take "
+                      "its name out");
+      if (given && unknown)
+        problems_.add(line_of("unknown"), "unknown",
+                      fmt::format("names \"{}\", which is given; take the name out", figure));
+      if (!given && !unknown && of_servo)
+        problems_.add_missing(0, figure,
+                              "is neither given nor said to be unknown; give it with its source, "
+                              "or name it in unknown = [...]");
+    }
+  }
+
+  int line_of(const std::string& key) const {
+    const auto found = lines_.find(key);
+    return found == lines_.end() ? 0 : found->second;
+  }
+
+  toml::table toml_;
+  Problems problems_;
+  std::map<std::string, int> lines_;
+  ModuleFile out_;
+  std::set<std::string> given_;
+  TaskTable root_;
+};
+
+}  // namespace
+
+std::size_t ModuleFile::source_count(const std::string& figure) const {
+  return static_cast<std::size_t>(
+      std::count_if(sources.begin(), sources.end(), [&](const FigureSource& source) {
+        return std::find(source.figures.begin(), source.figures.end(), figure) !=
+               source.figures.end();
+      }));
+}
+
+ModuleFile parse_module(const std::string& text, const std::filesystem::path& file) {
+  return ModuleReader(text, file).run();
+}
+
+}  // namespace legwright

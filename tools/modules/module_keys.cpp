@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+// The table of keys of a module file.
+#include <limits>
+
+#include "tools/modules/module_file.hpp"
+
+namespace legwright {
+namespace {
+
+constexpr double kAnyNumber = std::numeric_limits<double>::infinity();
+constexpr Range kAnything{-kAnyNumber, kAnyNumber, false, false, ""};
+constexpr Range kPlaceInModule{-1.0, 1.0, false, false, "m"};
+constexpr Range kDirection{-1000.0, 1000.0, false, false, ""};
+constexpr Range kTorqueRange{0.0, 1000.0, true, false, "N m"};
+
+TaskKey text_key(std::string_view path, std::string_view fallback, std::string_view example,
+                 std::string_view meaning) {
+  return {path, {{KeyKind::text, kAnything}}, KeyScope::file, fallback, example, meaning};
+}
+
+TaskKey number_key(std::string_view path, const Range& range, std::string_view fallback,
+                   std::string_view example, std::string_view meaning) {
+  return {path, {{KeyKind::number, range}}, KeyScope::file, fallback, example, meaning};
+}
+
+TaskKey numbers_key(std::string_view path, const Range& range, std::size_t count,
+                    std::string_view fallback, std::string_view example, std::string_view meaning) {
+  return {path, {{KeyKind::numbers, range, count}}, KeyScope::file, fallback, example, meaning};
+}
+
+TaskKey tables_key(std::string_view path, std::string_view fallback, std::string_view example,
+                   std::string_view meaning) {
+  return {path, {{KeyKind::tables, kAnything}}, KeyScope::file, fallback, example, meaning};
+}
+
+TaskKey names_key(std::string_view path, std::string_view fallback, std::string_view example,
+                  std::string_view meaning) {
+  return {path, {{KeyKind::names, kAnything}}, KeyScope::file, fallback, example, meaning};
+}
+
+std::vector<TaskKey> keys_of_the_module() {
+  return {
+      text_key("name", "needed", "\"XL430-W250\"",
+               "By which assemblies name it: letters, digits, `_`, `-` and `.`."),
+      text_key("kind", "needed", "\"servo\"",
+               "`servo`, `foot`, `trunk`, `battery`, `computer` or `payload`."),
+      text_key("maker", "needed", "\"ROBOTIS\"", "Who makes it."),
+      text_key("about", "none", "\"hobby servo with a serial bus\"", "A sentence for people."),
+      number_key("mass", {0.0, 100.0, true, false, "kg"}, "needed", "0.0572",
+                 "Spread evenly over the outline."),
+      number_key("voltage", {0.0, 1000.0, true, false, "V"}, "none", "11.1",
+                 "At which torques and speed hold."),
+      tables_key("outline", "needed", "[{shape = \"box\", size = [0.02, 0.03, 0.02]}]",
+                 "`[[outline]]`, once for each box, cylinder or ball of which its shape is made."),
+      text_key("outline.shape", "needed", "\"box\"", "`box`, `cylinder` or `sphere`."),
+      numbers_key("outline.size", {0.0, 5.0, true, false, "m"}, 0, "needed",
+                  "[0.0285, 0.0465, 0.034]",
+                  "Of a box its widths along x, y and z; of a cylinder radius and length; of a "
+                  "sphere its radius."),
+      numbers_key("outline.position", kPlaceInModule, 3, "`[0, 0, 0]`", "[0.0, 0.0, 0.01]",
+                  "Of its middle, in the module's frame."),
+      numbers_key("outline.axis", kDirection, 3, "`[0, 0, 1]`", "[0.0, 1.0, 0.0]",
+                  "Direction of a cylinder; of any length."),
+      names_key("unknown", "none", "[\"joint.friction\"]",
+                "Figures that no source gives. What a module of its kind may have must be given "
+                "or stand here."),
+  };
+}
+
+std::vector<TaskKey> keys_of_the_joint() {
+  return {
+      numbers_key("joint.position", kPlaceInModule, 3, "needed", "[0.0, 0.012, 0.017]",
+                  "Where the output axis leaves the module: the middle of its horn."),
+      numbers_key("joint.axis", kDirection, 3, "`[0, 0, 1]`", "[0.0, 0.0, 1.0]",
+                  "Of the output, out of the module; of any length."),
+      number_key("joint.stall_torque", kTorqueRange, "needed", "1.4",
+                 "Stall torque of a geared servo, peak torque of a brushless joint."),
+      number_key("joint.continuous_torque", kTorqueRange, "none", "0.3",
+                 "What it holds as long as one likes, or rated torque, as its maker says."),
+      number_key("joint.no_load_speed", {0.0, 1000.0, true, false, "rad/s"}, "none", "5.97",
+                 "Of the output."),
+      number_key("joint.gear_ratio", {0.0, 10000.0, true, false, ""}, "none", "258.5",
+                 "Turns of the motor for one of the output."),
+      number_key("joint.reflected_inertia", {0.0, 10.0, true, false, "kg m2"}, "none", "0.0026",
+                 "Rotor inertia times the square of the ratio: the joint's `armature`."),
+      number_key("joint.friction", {0.0, 100.0, false, false, "N m"}, "none", "0.05",
+                 "Dry friction at the output: the joint's `frictionloss`."),
+      number_key("joint.damping", {0.0, 100.0, false, false, "N m s/rad"}, "none", "0.02",
+                 "Viscous friction at the output."),
+      numbers_key("joint.range", {-100.0, 100.0, false, false, "rad"}, 2, "no limit",
+                  "[-2.618, 2.618]", "Least and largest angle, zero between them."),
+      number_key("joint.kp", {0.0, 1e6, true, false, "N m/rad"}, "torque limit / 0.0375 rad",
+                 "40.0", "Advice for its gain."),
+      number_key("joint.kd", {0.0, 1e5, true, false, "N m s/rad"}, "0.015 s times the gain", "0.6",
+                 "Advice for its damping gain."),
+      number_key("foot.friction", {0.0, 5.0, true, false, ""}, "0.8", "0.9",
+                 "Of sliding on the floor."),
+  };
+}
+
+std::vector<TaskKey> keys_of_attachments_and_sources() {
+  return {
+      tables_key("attachment", "none",
+                 "[{name = \"back\", position = [0, 0, -0.01], normal = [0, 0, -1]}]",
+                 "`[[attachment]]`, once for each place where another part is fixed."),
+      text_key("attachment.name", "needed", "\"back\"", "Of the place."),
+      text_key("attachment.on", "`\"body\"`", "\"horn\"", "`body`, or `horn`, which turns."),
+      numbers_key("attachment.position", kPlaceInModule, 3, "needed", "[0.0, 0.0, -0.017]",
+                  "Its middle."),
+      numbers_key("attachment.normal", kDirection, 3, "needed", "[0.0, 0.0, -1.0]",
+                  "Out of the module; of any length."),
+      text_key("attachment.screws", "none", "\"4 x M3 on a circle of 14 mm\"",
+               "The pattern of its screws."),
+      tables_key("source", "none",
+                 "[{title = \"data sheet\", address = \"https://…\", figures = [\"mass\"]}]",
+                 "`[[source]]`, once for each page or data sheet that figures are from. A figure "
+                 "that two name was compared."),
+      text_key("source.title", "needed", "\"e-Manual, XL430-W250\"", "Of the page."),
+      text_key("source.address", "needed",
+               "\"https://emanual.robotis.com/docs/en/dxl/x/xl430-w250/\"", "Where it is."),
+      names_key("source.figures", "needed", "[\"mass\", \"joint.stall_torque\"]",
+                "Keys whose figures it gives."),
+      text_key("source.note", "none", "\"53.5 g with the old horn\"",
+               "What differs from elsewhere, or how it was read."),
+      tables_key("assumption", "none",
+                 "[{figures = [\"joint.position\"], why = \"the drawing is not at hand\"}]",
+                 "`[[assumption]]`, once for each reason why figures without a source are as they "
+                 "are."),
+      names_key("assumption.figures", "needed", "[\"joint.position\"]", "Keys of them."),
+      text_key("assumption.why", "needed", "\"half the width from the end\"", "What was assumed."),
+  };
+}
+
+}  // namespace
+
+const std::vector<TaskKey>& module_keys() {
+  static const std::vector<TaskKey> keys = [] {
+    std::vector<TaskKey> all;
+    for (const auto& part :
+         {keys_of_the_module(), keys_of_the_joint(), keys_of_attachments_and_sources()})
+      all.insert(all.end(), part.begin(), part.end());
+    return all;
+  }();
+  return keys;
+}
+
+}  // namespace legwright
