@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/choose/kept_play.hpp"
 
-#include "tools/choose/physics_trial.hpp"
-
 namespace legwright {
-namespace {
 
-void pass_trial(SolveState& state, GaitTrial& trial) {
+void pass_state(SolveState& state, double& multiplier) { state(multiplier); }
+
+void pass_state(SolveState& state, GaitTrial& trial) {
   state(trial.pass);
   state(trial.residual);
   state(trial.line);
@@ -18,17 +17,13 @@ void pass_trial(SolveState& state, GaitTrial& trial) {
   state(trial.brief);
 }
 
-}  // namespace
-
-void pass_state(SolveState& state, double& multiplier) { state(multiplier); }
-
 void pass_state(SolveState& state, PlayedCandidate& played) {
   state(played.pass);
   state(played.distance);
   state(played.to_the_end);
   state(played.line);
   state.size_of(played.trials);
-  for (GaitTrial& trial : played.trials) pass_trial(state, trial);
+  for (GaitTrial& trial : played.trials) pass_state(state, trial);
 }
 
 void pass_state(SolveState& state, std::vector<PlayedCandidate>& played) {

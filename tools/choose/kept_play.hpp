@@ -6,10 +6,12 @@
 
 #include "optimizer/solve/checkpoint.hpp"
 #include "tools/choose/candidate.hpp"
+#include "tools/choose/physics_trial.hpp"
 
 namespace legwright {
 
 void pass_state(SolveState& state, double& multiplier);
+void pass_state(SolveState& state, GaitTrial& trial);
 void pass_state(SolveState& state, PlayedCandidate& played);
 void pass_state(SolveState& state, std::vector<PlayedCandidate>& played);
 

@@ -2,6 +2,7 @@
 #include "tools/verbs/close_gap.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <atomic>
 #include <cmath>
@@ -10,6 +11,7 @@
 #include "mjcf/text/input_error.hpp"
 #include "optimizer/base/stopwatch.hpp"
 #include "optimizer/solve/task_solver.hpp"
+#include "tools/choose/kept_play.hpp"
 #include "tools/choose/physics_trial.hpp"
 #include "tools/files/replace_folder.hpp"
 #include "tools/run/design_folder.hpp"
@@ -111,6 +113,9 @@ std::string factor_words(const GapCloser& closer, const VectorXd& x) {
   return text;
 }
 
+/// Of a gait that is played, in a checkpoint.
+std::string name_of(const VectorXd& x) { return fmt::format("{:a}", fmt::join(x.begin(), x.end(), " ")); }
+
 std::string step_words(const GapCloser& closer, const PhysicsStep& step, std::size_t number) {
   const char* const end = step.accepted             ? "kept, closer to the task"
                           : step.trial.line.empty() ? "rejected, there is no such gait"
@@ -194,7 +199,8 @@ PhysicsStepsRecord close_gap(const ResultFolder& folder, const CodesignProblem& 
   };
   std::atomic<int> rollouts = 0;
   const auto play = [&](const VectorXd& x) -> PhysicsTrial {
-    GaitTrial trial = closer.play(x);
+    GaitTrial trial = kept_play(options.checkpoint.in(name_of(x)), options.stop,
+                                [&] { return closer.play(x); });
     rollouts += trial.rollouts;
     return trial;
   };

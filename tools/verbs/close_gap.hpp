@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "optimizer/solve/checkpoint.hpp"
 #include "tools/run/result_folder.hpp"
 #include "tools/run/run_record.hpp"
 #include "tools/task/problem.hpp"
@@ -34,6 +35,7 @@ struct CloseGapOptions {
   int threads = 1;
   std::function<void(const std::string&)> tell = {};  // one line per step
   std::function<bool()> stop = {};
+  Checkpoint checkpoint = {};  // of the gaits that were played
 };
 
 /// `optimize --physics-steps N` of one task: plans the gait anew, on the same body, with other

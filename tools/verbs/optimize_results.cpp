@@ -181,6 +181,7 @@ void close_gaps(const ResultFolder& folder, const CodesignProblem& problem,
     of_task.tell = [&](const std::string& line) {
       if (options.tell) options.tell(name + line);
     };
+    of_task.checkpoint = options.checkpoint.in(k);
     const PhysicsStepsRecord found = close_gap(folder, problem, best, k, of_task);
     if (!problem.set.joint()) {
       run.physics_steps = found;

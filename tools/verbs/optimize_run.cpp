@@ -131,7 +131,8 @@ class OptimizeRun {
           write_certificate(folder_, problem_, costs_.tasks(), chosen, settings_.codesign.threads);
       times_.end_of("certificate");
     }
-    const CloseGapOptions gaps = gap_options(options_, stop_);
+    CloseGapOptions gaps = gap_options(options_, stop_);
+    gaps.checkpoint = checkpoint_.in("physics steps");
     if (gaps.steps > 0 && !stop_()) {
       close_gaps(folder_, problem_, chosen.design, gaps, run_);
       times_.end_of("physics_steps");

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <thread>
 
@@ -48,15 +50,21 @@ std::map<std::string, std::string> contents(const fs::path& run) {
   return out;
 }
 
+/// Of a file that may go away meanwhile: nothing then.
+std::string text_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
 class Resume : public testing::Test, protected test::CallsInFolder {
  protected:
   fs::path run() const { return folder_.path() / "run"; }
   fs::path states() const { return run() / "checkpoint/states.bin"; }
   static std::string task(const char* name) { return (test::kExamples / "puppy" / name).string(); }
 
-  /// Starts the program and signals it once its search has kept more than it began with.
-  /// @return the code that it ended with
-  int signalled(int signal, const std::vector<std::string>& words) {
+  /// Starts the program and signals it once its search has kept more than it began with, and a
+  /// state of that name. @return the code that it ended with
+  int signalled(int signal, const std::vector<std::string>& words, const std::string& name = "") {
     const pid_t child = test::start(words, elsewhere_.path());
     std::error_code none;
     std::uintmax_t first = 0;
@@ -65,8 +73,9 @@ class Resume : public testing::Test, protected test::CallsInFolder {
         return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
       std::uintmax_t most = 0;  // of the run, or of the build beside it
       for (const auto& entry : fs::directory_iterator(folder_.path())) {
-        const auto size = fs::file_size(entry.path() / "checkpoint/states.bin", none);
-        if (!none) most = std::max(most, size);
+        const fs::path kept = entry.path() / "checkpoint/states.bin";
+        const auto size = fs::file_size(kept, none);
+        if (!none && contains(text_of(kept), name)) most = std::max(most, size);
       }
       if (first == 0) first = most;
       if (most > first) break;
@@ -178,6 +187,25 @@ TEST_F(Resume, OneThatWasToReplaceARunDoesSoInTheEnd) {
   EXPECT_LE(call({"optimize", "--resume", "run"}).code, 1);
   EXPECT_EQ(read_json(run() / "run.json")["task"]["gait"], "trot");
   EXPECT_FALSE(fs::exists(states()));
+}
+
+TEST_F(Resume, StepsOnTheGaitGoOnFromWhatWasPlayed) {
+  std::vector<std::string> words{"optimize",
+                                 (test::kExamples / "piston_puppy/forward.toml").string(),
+                                 "--no-pictures",
+                                 "--no-reasons",
+                                 "--physics-steps",
+                                 "2",
+                                 "-o",
+                                 "whole"};
+  ASSERT_EQ(call(words).code, 0);
+  words.back() = run().string();
+  const std::vector<std::string> resume{"optimize", "--resume", run().string()};
+  const std::string steps = "physics steps";
+  ASSERT_EQ(signalled(SIGKILL, words, steps), -SIGKILL) << err();
+  ASSERT_EQ(signalled(SIGTERM, resume, steps), 75) << err();
+  EXPECT_EQ(call(resume).code, 0);
+  EXPECT_EQ(contents(run()), contents(folder_.path() / "whole"));
 }
 
 TEST_F(Resume, ASearchThatIsAtWorkIsLeftAlone) {
