@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mjcf/propose/side_words.hpp"
+#include "mjcf/read/limbs.hpp"
 #include "optimizer/motion/faced_frame.hpp"
 
 namespace legwright {
@@ -65,15 +66,16 @@ Rows rows_beside(const Eigen::Matrix2Xd& hips, Eigen::Index across) {
 
 std::string remark(const Vector2d& ahead, const std::string& known) {
   return fmt::format(
-      "{0}, so it seems to face {1} of its trunk's frame: a task says so by forward = \"{1}\" in "
-      "[travel]; mirror images and names of parameters stay those of a robot that faces +x",
+      "{0}, so it seems to face {1} of its trunk's frame: front and hind, left and right are so "
+      "meant here; a task says so by forward = \"{1}\" in [travel]",
       known, facing_text(ahead));
 }
 
 }  // namespace
 
-Facing facing_of(const RobotModel& robot, const std::vector<Limb>& limbs) {
+Facing facing_of(const RobotModel& robot) {
   const Eigen::VectorXd s = robot.space.initial();
+  const std::vector<Limb> limbs = find_limbs(robot.morphology, s);
   Vector2d front = Vector2d::Zero(), hind = front;
   int fronts = 0, hinds = 0;
   Eigen::Matrix2Xd hips(2, static_cast<Eigen::Index>(limbs.size()));

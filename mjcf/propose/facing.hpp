@@ -3,14 +3,12 @@
 
 #include <Eigen/Core>
 #include <string>
-#include <vector>
 
-#include "mjcf/read/limbs.hpp"
 #include "mjcf/read/read_robot.hpp"
 
 namespace legwright {
 
-/// Which way a robot seems to be drawn. Plans take +x of the trunk's frame for ahead.
+/// Which way a robot seems to be drawn. Tasks take +x of the trunk's frame for ahead, unless told.
 struct Facing {
   Eigen::Vector2d ahead = Eigen::Vector2d::UnitX();  // one of ±x, ±y of the trunk's frame
   std::string remark;  // where that is not +x: how that is known, and what to do; else empty
@@ -18,6 +16,6 @@ struct Facing {
 
 /// By the legs that their names call front and hind, where these stand apart along one axis;
 /// without such names, of six legs and more, by the longer side of what hips span.
-Facing facing_of(const RobotModel& robot, const std::vector<Limb>& limbs);
+Facing facing_of(const RobotModel& robot);
 
 }  // namespace legwright

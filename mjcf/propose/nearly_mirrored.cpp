@@ -14,7 +14,8 @@ constexpr double kNear = 0.3;  // of the leg length: feet farther from a mirror 
 
 }  // namespace
 
-std::vector<std::string> nearly_mirrored(const RobotModel& robot, const std::vector<Limb>& limbs) {
+std::vector<std::string> nearly_mirrored(const RobotModel& robot, const std::vector<Limb>& limbs,
+                                         Across across) {
   std::vector<std::string> out;
   const auto foot_of = [&](const Limb& limb) -> const Foot& {
     return robot.morphology.feet[static_cast<std::size_t>(limb.foot)];
@@ -22,11 +23,12 @@ std::vector<std::string> nearly_mirrored(const RobotModel& robot, const std::vec
   for (std::size_t a = 0; a < limbs.size(); ++a)
     for (std::size_t b = a + 1; b < limbs.size(); ++b) {
       const Limb &one = limbs[a], &other = limbs[b];
-      const bool opposite = one.home.y() * other.home.y() < 0.0;
+      const auto side = static_cast<int>(across);
+      const bool opposite = one.home[side] * other.home[side] < 0.0;
       if (one.partner >= 0 || other.partner >= 0 || !opposite ||
           one.links.size() != other.links.size())
         continue;
-      const Vector3d off = one.home - Vector3d(other.home.x(), -other.home.y(), other.home.z());
+      const Vector3d off = one.home - point_in_mirror(other.home, across);
       if (off.norm() > kNear * stretched_limb(robot.morphology, one.foot, robot.space.initial()))
         continue;
       out.push_back(fmt::format(

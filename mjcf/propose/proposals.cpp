@@ -9,7 +9,7 @@
 #include <set>
 
 #include "mjcf/propose/home_stance_check.hpp"
-#include "mjcf/propose/proposal_trial.hpp"
+#include "mjcf/propose/offered_proposals.hpp"
 #include "mjcf/propose/remarks.hpp"
 #include "mjcf/propose/side_words.hpp"
 #include "mjcf/read/checks.hpp"
@@ -40,6 +40,7 @@ constexpr double kSameLength = 1e-6;        // [m]: what differs by so much was 
 constexpr double kTiedInProportion = 0.05;  // of a link: so much left and right may differ
 constexpr double kAcross =
     0.7;  // cosine: turning an axis about a direction nearer to it does little
+constexpr double kAlongAxis = 0.996;      // cosine of 5 degrees: a link along an axis of its body
 constexpr double kLargestBall = 0.5;      // radius of a foot over the length of its link
 constexpr double kAttachmentShare = 0.3;  // of its distance from the hinge, either way
 constexpr double kShortestMove = 0.01;    // [m]
@@ -52,22 +53,24 @@ class ProposalBuilder {
     out_.model = parse_robot(xml_text, file);
     compiled_ = compile_mjcf(xml_->text, file);
     s_ = out_.model.space.initial();
-    out_.limbs = find_limbs(out_.model.morphology, s_);
+    out_.facing = facing_of(out_.model);
+    out_.limbs = find_limbs(out_.model.morphology, s_, out_.facing.ahead);
     rows_ = out_.limbs.empty() ? 0 : out_.limbs.back().row + 1;
-    for (const DesignParameter& parameter : out_.model.space.parameters)
-      taken_.insert(parameter.name);
+    offered_.emplace(text_, file, out_.model.space);
   }
 
   ProposedParameters run() {
     out_.not_standing = why_not_standing(*xml_, *compiled_, out_.model.structure);
-    out_.remarks = remarks_on(out_.model, out_.limbs);
+    out_.remarks = remarks_on(out_.model, out_.limbs, out_.facing);
     add_shared();
     for (const Limb& limb : out_.limbs) add_lengths(limb);
     for (const Limb& limb : out_.limbs) add_axes(limb);
     add_trunk();
     for (const LinearActuator& actuator : out_.model.morphology.linear_actuators)
       add_attachments(actuator);
-    keep_what_holds();
+    offered_->keep_what_holds();
+    out_.proposals = offered_->proposals();
+    out_.left_out = offered_->left_out();
     return std::move(out_);
   }
 
@@ -98,6 +101,11 @@ class ProposalBuilder {
     if (limb.partner >= 0) return fmt::format("{}{}legs", where, where.empty() ? "" : " ");
     return "leg of " + place(limb);
   }
+
+  Across side() const { return across(out_.facing.ahead); }
+  const char* sideways() const { return side() == Across::y ? "y" : "x"; }
+  /// In front of what mirrors another in a binding.
+  std::string mark() const { return side() == Across::y ? " ~" : " ^"; }
 
   /// The length of a body, or why it has none.
   struct Length {
@@ -156,20 +164,40 @@ class ProposalBuilder {
       leave_out(name, why);
       return;
     }
+    std::vector<Proposal> ways{length_proposal(limb, k, name, "link", *own.metres, *twin.metres)};
+    for (const char* axis : {"x", "y", "z"}) {
+      const Length a = length_of(body_id(limb.links[k]), axis),
+                   b = length_of(body_id(other.links[k]), axis);
+      if (a.metres && b.metres && *a.metres > kAlongAxis * *own.metres &&
+          *b.metres > kAlongAxis * *twin.metres)
+        ways.push_back(length_proposal(limb, k, name, axis, *a.metres, *b.metres));
+    }
+    offered_->offer(ways);
+  }
+
+  /// @param along "link", or the axis of its body along which the link reaches
+  Proposal length_proposal(const Limb& limb, std::size_t k, const std::string& name,
+                           const std::string& along, double length, double twin) const {
     const std::string from = link(limb.links[k]).joint.name,
                       to = k + 1 == limb.links.size()
                                ? "the foot"
-                               : "joint " + link(limb.links[k + 1]).joint.name;
-    const double length = *own.metres, factor = *twin.metres / length;
+                               : "joint " + link(limb.links[k + 1]).joint.name,
+                      axis = along == "link" ? "" : fmt::format(" along {} of its body", along);
+    const double factor = twin / length;
     const bool alike = std::abs(factor - 1.0) * length <= kSameLength;
     const std::string tied = fmt::format(" {}{}", alike ? "" : fmt::format("{:.12g}*", factor),
-                                         body_name(other.links[k]));
-    offer({name, length, kShorterLink * length, kLongerLink * length, "m",
-           "stretch link: " + body_name(limb.links[k]) + (limb.partner < 0 ? "" : tied),
-           fmt::format("Length of the {} from joint {} to {}{}.", words(limb), from, to,
-                       limb.partner < 0 ? ""
-                       : alike          ? "; left and right alike"
-                                        : "; of the left one, the right one in proportion")});
+                                         body_name(partner(limb).links[k]));
+    return {name,
+            length,
+            kShorterLink * length,
+            kLongerLink * length,
+            "m",
+            fmt::format("stretch {}: {}{}", along, body_name(limb.links[k]),
+                        limb.partner < 0 ? "" : tied),
+            fmt::format("Length of the {} from joint {} to {}{}{}.", words(limb), from, to, axis,
+                        limb.partner < 0 ? ""
+                        : alike          ? "; left and right alike"
+                                         : "; of the left one, the right one in proportion")};
   }
 
   /// Why the k-th link of a limb and its partner has no length to be changed; empty where it has.
@@ -216,13 +244,13 @@ class ProposalBuilder {
               from = mj_name2id(compiled_.get(), mjOBJ_JOINT, joint.name.c_str()),
               to = mj_name2id(compiled_.get(), mjOBJ_JOINT, twin.name.c_str());
     // The mirror image of a line; a joint may turn either way about it.
-    const Vector3d image = mirrored_turn(*compiled_, trunk, from, to, joint.axis.at(s_));
+    const Vector3d image = mirrored_turn(*compiled_, trunk, from, to, side(), joint.axis.at(s_));
     if (std::abs(image.dot(twin.axis.at(s_))) < 1.0 - 1e-9)
       return fmt::format(
           "the axes of '{}' and '{}' are no mirror images, seen from the trunk in "
           "the home pose",
           joint.name, twin.name);
-    if (!at_mirrored_angles(*compiled_, trunk, from, to))
+    if (!at_mirrored_angles(*compiled_, trunk, from, to, side()))
       return fmt::format(
           "joints '{}' and '{}' stand at angles that are no mirror images in the "
           "home pose, so what they carry would be none with turned axes",
@@ -253,7 +281,7 @@ class ProposalBuilder {
         }
         offer({name, 0.0, -most, most, "rad",
                fmt::format("axis {}: {}{}", directions[n], joint.name,
-                           limb.partner < 0 ? "" : " ~" + twin.name),
+                           limb.partner < 0 ? "" : mark() + twin.name),
                fmt::format("Turn of the axis of joint {} of the {} about {} of its body{}.",
                            joint.name, words(limb), directions[n],
                            limb.partner < 0 ? "" : "; left and right mirror each other")});
@@ -271,8 +299,9 @@ class ProposalBuilder {
       offer({name, *length, shorter * *length, longer * *length, "m",
              fmt::format("stretch {}: {}", direction, body), what});
     };
-    add("x", "body_length", "Distance from the foremost to the hindmost hips.");
-    add("y", "body_width", "Distance from the left to the right hips.");
+    add(side() == Across::y ? "x" : "y", "body_length",
+        "Distance from the foremost to the hindmost hips.");
+    add(sideways(), "body_width", "Distance from the left to the right hips.");
     for (int id = 1; id < static_cast<int>(compiled_->nbody); ++id) add_girdle(id);
   }
 
@@ -285,10 +314,11 @@ class ProposalBuilder {
       limbs += compiled_->body_parentid[child] == id && compiled_->body_jntnum[child] > 0 &&
                structure.moves[static_cast<std::size_t>(compiled_->body_jntadr[child])];
     const std::string body = name_of(*compiled_, mjOBJ_BODY, id);
-    const auto length = body.empty() ? std::nullopt : length_of(id, "y").metres;
+    const auto length = body.empty() ? std::nullopt : length_of(id, sideways()).metres;
     if (limbs < 2 || !length || *length < kShortestLink) return;
     offer({body + "_width", *length, kNarrowerGirdle * *length, kWiderGirdle * *length, "m",
-           "stretch y: " + body, "Distance from the left to the right hips on body " + body + "."});
+           fmt::format("stretch {}: {}", sideways(), body),
+           "Distance from the left to the right hips on body " + body + "."});
   }
 
   /// The linear actuator of the mirrored joint; null where there is none.
@@ -331,7 +361,7 @@ class ProposalBuilder {
         offer({fmt::format("{}{}{}_{}", row, row.empty() ? "" : "_", own, axis), at, at - most,
                at + most, "m",
                fmt::format("place {}: {}{}", axis, name,
-                           twin ? " ~" + name_of(*compiled_, mjOBJ_SITE, other) : ""),
+                           twin ? mark() + name_of(*compiled_, mjOBJ_SITE, other) : ""),
                fmt::format("Where the linear actuator {} is attached, along {} of its body{}.",
                            actuator.name, axis, twin ? "; left and right mirror each other" : "")});
       }
@@ -339,54 +369,16 @@ class ProposalBuilder {
   }
 
   void leave_out(const std::string& name, const std::string& why) {
-    out_.left_out.push_back(name + ": " + why);
+    offered_->leave_out(name, why);
   }
-
-  /// Takes a proposal that the file bears by itself.
-  void offer(Proposal proposal) {
-    std::string name = proposal.name;
-    for (int n = 2; taken_.count(proposal.name) > 0; ++n) {
-      if (out_.model.space.size() > 0) return;  // the file has it already
-      proposal.name = fmt::format("{}_{}", name, n);
-    }
-    if (const std::string fault = refusal({proposal}); !fault.empty()) {
-      leave_out(proposal.name, fault);
-      return;
-    }
-    taken_.insert(proposal.name);
-    out_.proposals.push_back(std::move(proposal));
-  }
-
-  std::string refusal(const std::vector<Proposal>& proposals) const {
-    return refusal_of(text_, xml_->file, out_.model.space.size(), proposals);
-  }
-  std::string unwritable(const std::vector<Proposal>& proposals) const {
-    return fault_at_bounds(text_, xml_->file, proposals);
-  }
-
-  /// Each was accepted alone; together some may not be, as two stretches that are oblique. And what
-  /// is proposed can be written at both bounds.
-  void keep_what_holds() {
-    std::vector<Proposal> kept;
-    if (refusal(out_.proposals).empty() && unwritable(out_.proposals).empty()) return;
-    for (Proposal& proposal : out_.proposals) {
-      kept.push_back(proposal);
-      std::string fault = refusal(kept);
-      if (fault.empty()) fault = unwritable(kept);
-      if (!fault.empty()) {
-        kept.pop_back();
-        leave_out(proposal.name, fault);
-      }
-    }
-    out_.proposals = std::move(kept);
-  }
+  void offer(const Proposal& proposal) { offered_->offer({proposal}); }
 
   const std::string& text_;
   std::unique_ptr<XmlFile> xml_;
   ModelPointer compiled_;
   int rows_ = 0;
   Eigen::VectorXd s_;
-  std::set<std::string> taken_;
+  std::optional<OfferedProposals> offered_;
   ProposedParameters out_;
 };
 

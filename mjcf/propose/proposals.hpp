@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "mjcf/propose/facing.hpp"
 #include "mjcf/propose/proposal.hpp"
 #include "mjcf/read/limbs.hpp"
 #include "mjcf/read/read_robot.hpp"
@@ -15,7 +16,8 @@ namespace legwright {
 /// A robot that was studied: what it is, what a designer may change, and what was left out.
 struct ProposedParameters {
   RobotModel model;
-  std::vector<Limb> limbs;
+  Facing facing;
+  std::vector<Limb> limbs;            // as it faces
   std::vector<Proposal> proposals;    // each and all of them together are accepted by parse_robot
   std::vector<std::string> left_out;  // "front_thigh_length: why", one each
   std::vector<std::string> remarks;   // what may be a mistake in the file

@@ -5,14 +5,13 @@
 
 #include "mjcf/propose/beside_feet.hpp"
 #include "mjcf/propose/doubtful_masses.hpp"
-#include "mjcf/propose/facing.hpp"
 #include "mjcf/propose/nearly_mirrored.hpp"
 
 namespace legwright {
 
-std::vector<std::string> remarks_on(const RobotModel& robot, const std::vector<Limb>& limbs) {
-  std::vector<std::string> out = nearly_mirrored(robot, limbs);
-  const Facing facing = facing_of(robot, limbs);
+std::vector<std::string> remarks_on(const RobotModel& robot, const std::vector<Limb>& limbs,
+                                    const Facing& facing) {
+  std::vector<std::string> out = nearly_mirrored(robot, limbs, across(facing.ahead));
   if (!facing.remark.empty()) out.insert(out.begin(), facing.remark);
   for (std::string& remark : doubtful_masses(robot)) out.push_back(std::move(remark));
   for (std::string& remark : beside_feet(robot)) out.push_back(std::move(remark));

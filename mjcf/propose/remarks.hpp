@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "mjcf/propose/facing.hpp"
 #include "mjcf/read/limbs.hpp"
 #include "mjcf/read/read_robot.hpp"
 
@@ -12,6 +13,7 @@ namespace legwright {
 /// What of how a robot is drawn may be a mistake, or is to be known: where it faces, legs that
 /// are nearly mirror images, masses that cannot be those of their shapes, and what touches the
 /// ground beside the feet.
-std::vector<std::string> remarks_on(const RobotModel& robot, const std::vector<Limb>& limbs);
+std::vector<std::string> remarks_on(const RobotModel& robot, const std::vector<Limb>& limbs,
+                                    const Facing& facing);
 
 }  // namespace legwright

@@ -15,6 +15,8 @@ const Words kHind{"hl", "hr", "rl", "rr",   "bl",   "br",   "lh", "rh",
                   "lr", "lb", "rb", "hind", "rear", "back", "h"};
 const Words kOther{"l", "r", "left", "right", "middle", "mid", "lm", "rm", "ml", "mr"};
 
+const char* const kNumbered = "leg";  // with a number it tells which leg, too
+
 bool is_side_word(const std::string& word) {
   return kFront.contains(word) || kHind.contains(word) || kOther.contains(word);
 }
@@ -46,7 +48,8 @@ std::vector<std::string> words_in(const std::string& name) {
 std::string without_side(const std::string& name) {
   std::string out;
   for (const std::string& word : words_in(name))
-    if (const std::string low = plain(word); !low.empty() && !is_side_word(low))
+    if (const std::string low = plain(word);
+        !low.empty() && !is_side_word(low) && !(low == kNumbered && low.size() < word.size()))
       out += (out.empty() ? "" : "_") + word;
   return out;
 }

@@ -8,6 +8,7 @@
 #include <cctype>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "mjcf/read/linear_actuators.hpp"
@@ -84,10 +85,10 @@ void read_values(const XmlFile& xml, const XmlElement& numeric, DesignParameter&
                     parameter.initial, parameter.lower, parameter.upper));
 }
 
-/// One word behind the colon: [FACTOR*][~]NAME.
+/// One word behind the colon: [FACTOR*][~]NAME or [FACTOR*][^]NAME.
 struct TargetWord {
   std::string text, name;
-  bool mirrored = false;
+  std::optional<Across> mirror;
   double factor = 1.0;
 };
 
@@ -109,8 +110,9 @@ TargetWord read_target(const XmlFile& xml, const XmlElement& text, std::string_v
     out.factor = *factor;
     word.remove_prefix(star + 1);
   }
-  out.mirrored = !word.empty() && word[0] == '~';
-  if (out.mirrored) word.remove_prefix(1);
+  if (!word.empty() && word[0] == '~') out.mirror = Across::y;
+  if (!word.empty() && word[0] == '^') out.mirror = Across::x;
+  if (out.mirror) word.remove_prefix(1);
   if (word.empty())
     throw xml.error(text, fmt::format("'{}' holds no name; write the name behind it", out.text));
   out.name = word;
@@ -177,10 +179,10 @@ Binding::Target resolve_stretch(const XmlFile& xml, const mjModel& model,
                                 const DeclarationElements& at, const DeclaredBinding& declared,
                                 const DesignParameter& parameter, const TargetWord& word,
                                 const Structure& structure) {
-  if (word.mirrored)
-    throw xml.error(
-        *at.text,
-        fmt::format("'{}': ~ mirrors axes and places; a stretch needs none, remove it", word.text));
+  if (word.mirror)
+    throw xml.error(*at.text,
+                    fmt::format("'{}': {} mirrors axes and places; a stretch needs none, remove it",
+                                word.text, *word.mirror == Across::y ? '~' : '^'));
   if (word.factor < 0.0)
     throw xml.error(
         *at.text, fmt::format("'{}': a length stays positive; write a positive factor", word.text));
@@ -209,19 +211,19 @@ Binding::Target resolve_stretch(const XmlFile& xml, const mjModel& model,
   return {word.name, false, word.factor, at.text->GetLineNum(), measure.direction, measure.still};
 }
 
-/// The direction that a word means for a joint: mirrored from that target without ~ whose mirror
-/// image the joint is.
+/// The direction that a word means for a joint: mirrored from that target without a mark whose
+/// mirror image the joint is.
 Eigen::Vector3d turn_of(const mjModel& model, const Structure& structure,
                         const DeclaredBinding& declared, const TargetWord& word, int joint) {
   Eigen::Vector3d n = Eigen::Vector3d::Unit(declared.direction[0] - 'x');
-  if (!word.mirrored) return n;
+  if (!word.mirror) return n;
   std::vector<int> others;
   for (const TargetWord& other : declared.targets)
-    if (!other.mirrored) others.push_back(mj_name2id(&model, mjOBJ_JOINT, other.name.c_str()));
+    if (!other.mirror) others.push_back(mj_name2id(&model, mjOBJ_JOINT, other.name.c_str()));
   others.erase(std::remove(others.begin(), others.end(), -1), others.end());
-  const int image = mirror_image(model, structure.trunk, joint, others);
-  if (image < 0) return {-n.x(), n.y(), -n.z()};
-  return mirrored_turn(model, structure.trunk, image, joint, n);
+  const int image = mirror_image(model, structure.trunk, joint, *word.mirror, others);
+  if (image < 0) return turn_in_mirror(n, *word.mirror);
+  return mirrored_turn(model, structure.trunk, image, joint, *word.mirror, n);
 }
 
 Binding::Target resolve_axis(const XmlFile& xml, const mjModel& model,
@@ -249,7 +251,7 @@ Binding::Target resolve_axis(const XmlFile& xml, const mjModel& model,
   if (!is_tag(*element->Parent()->ToElement(), "body"))
     throw xml.error(
         *element, "a joint whose axis is designed must stand directly in its body, not in a frame");
-  return {word.name, word.mirrored, word.factor, at.text->GetLineNum(),
+  return {word.name, word.mirror.has_value(), word.factor, at.text->GetLineNum(),
           turn_of(model, structure, declared, word, joint)};
 }
 
@@ -273,15 +275,16 @@ Binding::Target resolve_place(const XmlFile& xml, const mjModel& model,
                                           "nothing; name the site of a linear actuator",
                                           word.name));
   const int axis = declared.direction[0] - 'x';
-  // Left and right are mirror images in the x-z plane.
-  const double factor = (word.mirrored && axis == 1 ? -1.0 : 1.0) * word.factor;
+  const bool turned = word.mirror && static_cast<int>(*word.mirror) == axis;
+  const double factor = (turned ? -1.0 : 1.0) * word.factor;
   const double found = model.site_pos[3 * site + axis];
   if (std::abs(found - factor * parameter.initial) > 1e-6)
     throw xml.error(*at.numeric,
                     fmt::format("declares {} m, but site '{}' is at {} = {} m; write numbers that "
                                 "agree",
                                 factor * parameter.initial, word.name, declared.direction, found));
-  return {word.name, word.mirrored, factor, at.text->GetLineNum(), Eigen::Vector3d::Unit(axis)};
+  return {word.name, word.mirror.has_value(), factor, at.text->GetLineNum(),
+          Eigen::Vector3d::Unit(axis)};
 }
 
 Binding resolve(const XmlFile& xml, const mjModel& model, const DeclarationElements& at,

@@ -44,7 +44,7 @@ std::set<std::string> declared_names(const mjModel& model) {
     if (colon == std::string::npos) continue;
     std::istringstream targets(words.substr(colon + 1, words.find('|', colon) - colon - 1));
     for (std::string word; targets >> word;)
-      names.insert(word.substr(word.find_last_of("~*") + 1));  // npos + 1: the whole word
+      names.insert(word.substr(word.find_last_of("~^*") + 1));  // npos + 1: the whole word
   }
   return names;
 }

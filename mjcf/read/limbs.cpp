@@ -7,11 +7,12 @@
 #include <cmath>
 
 #include "optimizer/design/kinematics.hpp"
-#include "optimizer/motion/gait.hpp"
+#include "optimizer/motion/faced_frame.hpp"
 
 namespace legwright {
 namespace {
 
+using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
@@ -33,9 +34,17 @@ int shared_links(const Morphology& morphology, const std::vector<int>& chain) {
   return shared;
 }
 
+Vector3d seen_ahead(Vector3d in_trunk, const Vector2d& ahead) {
+  in_trunk.head<2>() = as_faced(in_trunk.head<2>(), ahead);
+  return in_trunk;
+}
+
 }  // namespace
 
-std::vector<Limb> find_limbs(const Morphology& morphology, const VectorXd& s) {
+Across across(const Vector2d& ahead) { return ahead.x() != 0.0 ? Across::y : Across::x; }
+
+std::vector<Limb> find_limbs(const Morphology& morphology, const VectorXd& s,
+                             const Vector2d& ahead) {
   const GeometryAtDesign geometry(morphology, s);
   const PoseKinematics home = home_pose(morphology, geometry);
   std::vector<Vector3d> feet;
@@ -47,24 +56,24 @@ std::vector<Limb> find_limbs(const Morphology& morphology, const VectorXd& s) {
     for (const Vector3d& other : feet)
       spread = std::max(spread, (one - other).head<2>().lpNorm<Eigen::Infinity>());
   std::vector<Limb> limbs;
-  for (const int foot : footfall_order(feet)) {
+  double last = 0.0;  // how far ahead the foot before stands
+  for (const int foot : order_as_faced(feet, ahead)) {
     Limb limb;
     limb.foot = foot;
     limb.links = morphology.chain_to(morphology.feet[static_cast<std::size_t>(foot)].link);
     limb.shared = shared_links(morphology, limb.links);
     for (const int link : limb.links)
-      limb.axes.push_back(home.rotation(link) *
-                          geometry.links[static_cast<std::size_t>(link)].axis.axis);
+      limb.axes.push_back(seen_ahead(
+          home.rotation(link) * geometry.links[static_cast<std::size_t>(link)].axis.axis, ahead));
     limb.home = feet[static_cast<std::size_t>(foot)];
-    if (!limbs.empty()) {
-      const bool next = limbs.back().home.x() - limb.home.x() > kRowShare * spread;
-      limb.row = limbs.back().row + (next ? 1 : 0);
-    }
+    const double here = seen_ahead(limb.home, ahead).x();
+    if (!limbs.empty()) limb.row = limbs.back().row + (last - here > kRowShare * spread ? 1 : 0);
+    last = here;
     limbs.push_back(std::move(limb));
   }
   for (std::size_t a = 0; a < limbs.size(); ++a)
     for (std::size_t b = a + 1; b < limbs.size(); ++b) {
-      const Vector3d image(limbs[b].home.x(), -limbs[b].home.y(), limbs[b].home.z());
+      const Vector3d image = point_in_mirror(limbs[b].home, across(ahead));
       const double leg = stretched_limb(morphology, limbs[a].foot, s);
       if (limbs[a].partner >= 0 || limbs[b].partner >= 0 ||
           limbs[a].links.size() != limbs[b].links.size() ||

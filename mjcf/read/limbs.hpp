@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "mjcf/read/mirror.hpp"
 #include "mjcf/read/robot_model.hpp"
 
 namespace legwright {
@@ -13,17 +14,21 @@ struct Limb {
   int foot = 0;            // of the morphology
   std::vector<int> links;  // from the trunk's child down to the foot's
   int shared = 0;          // so many of them, from the first on, carry other limbs too: a waist
-  std::vector<Eigen::Vector3d> axes;  // of the links' joints, trunk's frame, home pose
+  std::vector<Eigen::Vector3d> axes;  // of the links' joints, home pose, x ahead and y to the left
   Eigen::Vector3d home =
       Eigen::Vector3d::Zero();  // centre of the foot, trunk's frame, home pose [m]
   int row = 0;                  // from front to hind
-  int partner = -1;             // index of its mirror image in the x-z plane, −1: there is none
+  int partner = -1;             // index of its mirror image left or right, −1: there is none
 };
+
+/// What left and right of a robot mirror each other across. @param ahead one of ±x, ±y
+Across across(const Eigen::Vector2d& ahead);
 
 /// The limbs of a robot, front to hind, left before right: rows by where the feet stand in the home
 /// pose, partners by geometry (same number of joints, feet mirrored to a hundredth of the leg).
-/// @param s the design.
-std::vector<Limb> find_limbs(const Morphology& morphology, const Eigen::VectorXd& s);
+/// @param s the design. @param ahead where it faces: one of ±x, ±y of the trunk's frame
+std::vector<Limb> find_limbs(const Morphology& morphology, const Eigen::VectorXd& s,
+                             const Eigen::Vector2d& ahead = Eigen::Vector2d::UnitX());
 
 /// What the rows are called: front and hind, front, middle and hind; nothing for one row.
 std::string row_name(int row, int rows);

@@ -47,12 +47,10 @@ Isometry3d frame_of(const mjModel& model, int trunk, int joint, Pose pose) {
   return out;
 }
 
-Vector3d mirrored(const Vector3d& turn) { return {-turn.x(), turn.y(), -turn.z()}; }
-
 /// From the frame that would be the mirror image to the one that is there: identity where they
 /// agree.
-Matrix3d disagreement(const mjModel& model, int trunk, int from, int to, Pose pose) {
-  const Matrix3d image = Vector3d(-1, 1, -1).asDiagonal();
+Matrix3d disagreement(const mjModel& model, int trunk, int from, int to, Across across, Pose pose) {
+  const Matrix3d image = turn_in_mirror(Vector3d::Ones(), across).asDiagonal();
   return frame_of(model, trunk, to, pose).linear().transpose() * image *
          frame_of(model, trunk, from, pose).linear() * image;
 }
@@ -67,27 +65,44 @@ Matrix3d without_rounding(const Matrix3d& turn) {
 
 }  // namespace
 
-Vector3d mirrored_turn(const mjModel& model, int trunk, int from, int to, const Vector3d& n) {
-  const Matrix3d turn = disagreement(model, trunk, from, to, Pose::home);
-  if (agrees(turn) || agrees(disagreement(model, trunk, from, to, Pose::drawn))) return mirrored(n);
-  return without_rounding(turn) * mirrored(n);
+Vector3d turn_in_mirror(const Vector3d& n, Across across) {
+  Vector3d out = -n;
+  out[static_cast<int>(across)] = n[static_cast<int>(across)];
+  return out;
 }
 
-bool at_mirrored_angles(const mjModel& model, int trunk, int from, int to) {
+Vector3d point_in_mirror(const Vector3d& p, Across across) {
+  Vector3d out = p;
+  out[static_cast<int>(across)] = -p[static_cast<int>(across)];
+  return out;
+}
+
+Vector3d mirrored_turn(const mjModel& model, int trunk, int from, int to, Across across,
+                       const Vector3d& n) {
+  const Vector3d image = turn_in_mirror(n, across);
+  const Matrix3d turn = disagreement(model, trunk, from, to, across, Pose::home);
+  if (agrees(turn) || agrees(disagreement(model, trunk, from, to, across, Pose::drawn)))
+    return image;
+  return without_rounding(turn) * image;
+}
+
+bool at_mirrored_angles(const mjModel& model, int trunk, int from, int to, Across across) {
   const auto angle = [&](int joint) {
     const int at = model.jnt_qposadr[joint];
     return home_qpos(model)[at] - model.qpos0[at];
   };
-  const Vector3d turn = mirrored_turn(model, trunk, from, to, vector_at(model.jnt_axis, from));
+  const Vector3d turn =
+      mirrored_turn(model, trunk, from, to, across, vector_at(model.jnt_axis, from));
   const double way = turn.dot(vector_at(model.jnt_axis, to)) < 0.0 ? -1.0 : 1.0;
   return std::abs(std::remainder(way * angle(to) - angle(from), 2 * std::numbers::pi)) <= kAgree;
 }
 
-int mirror_image(const mjModel& model, int trunk, int joint, const std::vector<int>& among) {
+int mirror_image(const mjModel& model, int trunk, int joint, Across across,
+                 const std::vector<int>& among) {
   const auto anchor = [&](int j) -> Vector3d {
     return frame_of(model, trunk, j, Pose::home) * vector_at(model.jnt_pos, j);
   };
-  const Vector3d wanted = Vector3d(1, -1, 1).asDiagonal() * anchor(joint);
+  const Vector3d wanted = point_in_mirror(anchor(joint), across);
   int found = -1;
   double nearest = std::numeric_limits<double>::infinity();
   for (const int other : among)

@@ -17,7 +17,7 @@ namespace legwright {
 struct Binding {
   struct Target {
     std::string name;       // body (stretch), joint (axis) or site (place)
-    bool mirrored = false;  // ~: the turn's direction was mirrored (mirrored_turn)
+    bool mirrored = false;  // ~ or ^: the turn's direction was mirrored (mirrored_turn)
     double factor = 1.0;    // this target has so many times the number: scaled tie, mirrored place
     int line = 0;           // of the <text> that declares it
     Eigen::Vector3d direction =

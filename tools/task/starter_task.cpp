@@ -131,7 +131,7 @@ StarterTask starter_task(const RobotModel& robot, const std::optional<std::strin
   if ((1.0 - longest) * kUsualKnots < kSwingKnots - 1e-9)
     task.knots = static_cast<int>(std::ceil(kSwingKnots / (1.0 - longest) - 1e-9));
   task.sag = servo_sag(robot);
-  task.ahead = facing_of(robot, find_limbs(robot.morphology, robot.space.initial())).ahead;
+  task.ahead = facing_of(robot).ahead;
   return task;
 }
 

@@ -114,7 +114,9 @@ std::string factor_words(const GapCloser& closer, const VectorXd& x) {
 }
 
 /// Of a gait that is played, in a checkpoint.
-std::string name_of(const VectorXd& x) { return fmt::format("{:a}", fmt::join(x.begin(), x.end(), " ")); }
+std::string name_of(const VectorXd& x) {
+  return fmt::format("{:a}", fmt::join(x.begin(), x.end(), " "));
+}
 
 std::string step_words(const GapCloser& closer, const PhysicsStep& step, std::size_t number) {
   const char* const end = step.accepted             ? "kept, closer to the task"
@@ -199,8 +201,8 @@ PhysicsStepsRecord close_gap(const ResultFolder& folder, const CodesignProblem& 
   };
   std::atomic<int> rollouts = 0;
   const auto play = [&](const VectorXd& x) -> PhysicsTrial {
-    GaitTrial trial = kept_play(options.checkpoint.in(name_of(x)), options.stop,
-                                [&] { return closer.play(x); });
+    GaitTrial trial =
+        kept_play(options.checkpoint.in(name_of(x)), options.stop, [&] { return closer.play(x); });
     rollouts += trial.rollouts;
     return trial;
   };

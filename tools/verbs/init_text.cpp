@@ -85,15 +85,18 @@ const Foot& foot_of(const ProposedParameters& found, const Limb& limb) {
   return found.model.morphology.feet[static_cast<std::size_t>(limb.foot)];
 }
 
-/// @param side in front of y where it stands for both legs of a pair: "+-", else "".
-std::string foot_text(const ProposedParameters& found, const Limb& limb, const std::string& side) {
+/// @param both whether it tells of both legs of a pair, whose places differ by one sign
+std::string foot_text(const ProposedParameters& found, const Limb& limb, bool both) {
   const auto shown = [](double metres) {  // no minus in front of zero
     return std::abs(metres) < kSamePlace ? 0.0 : metres;
   };
-  return fmt::format("foot     {} at {:.3f}, {}{:.3f}, {:.3f} m",
-                     touching_part(found.model, limb.foot), shown(limb.home.x()), side,
-                     side.empty() ? shown(limb.home.y()) : std::abs(limb.home.y()),
-                     shown(limb.home.z()));
+  std::string place[3];
+  for (int k = 0; k < 3; ++k)
+    place[k] = both && k == static_cast<int>(across(found.facing.ahead))
+                   ? fmt::format("+-{:.3f}", std::abs(limb.home[k]))
+                   : fmt::format("{:.3f}", shown(limb.home[k]));
+  return fmt::format("foot     {} at {} m", touching_part(found.model, limb.foot),
+                     fmt::join(place, ", "));
 }
 
 void add_leg(const ProposedParameters& found, const Limb& limb, std::vector<TreeLine>& lines) {
@@ -101,7 +104,7 @@ void add_leg(const ProposedParameters& found, const Limb& limb, std::vector<Tree
   for (std::size_t k = own_joints(limb); k < limb.links.size(); ++k)
     lines.push_back(
         {links[static_cast<std::size_t>(limb.links[k])].joint.name, joint_text(found, limb, k)});
-  lines.push_back({foot_of(found, limb).name, foot_text(found, limb, "")});
+  lines.push_back({foot_of(found, limb).name, foot_text(found, limb, false)});
 }
 
 /// A leg and its mirror image, side by side; beneath each other where ranges, servos or feet
@@ -121,10 +124,10 @@ void add_pair(const ProposedParameters& found, const Limb& left, const Limb& rig
   for (std::size_t k = own_joints(left); k < left.links.size(); ++k)
     add(links[static_cast<std::size_t>(left.links[k])].joint.name, joint_text(found, left, k),
         links[static_cast<std::size_t>(right.links[k])].joint.name, joint_text(found, right, k));
-  const Eigen::Vector3d image(right.home.x(), -right.home.y(), right.home.z());
-  const std::string side = (left.home - image).norm() < kSamePlace ? "+-" : "";
-  add(foot_of(found, left).name, foot_text(found, left, side), foot_of(found, right).name,
-      foot_text(found, right, side));
+  const Eigen::Vector3d image = point_in_mirror(right.home, across(found.facing.ahead));
+  const bool both = (left.home - image).norm() < kSamePlace;
+  add(foot_of(found, left).name, foot_text(found, left, both), foot_of(found, right).name,
+      foot_text(found, right, both));
 }
 
 std::string leg_title(const ProposedParameters& found, const Limb& limb) {

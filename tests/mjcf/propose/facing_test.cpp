@@ -36,7 +36,7 @@ Facing facing(const std::vector<Hip>& hips) {
       <inertial pos="0 0 0" mass="2" diaginertia=".01 .01 .01"/>)" +
           legs + "</body></worldbody><actuator>" + servos + "</actuator></mujoco>",
       "robot.xml");
-  return facing_of(robot, find_limbs(robot.morphology, robot.space.initial()));
+  return facing_of(robot);
 }
 
 std::vector<Hip> turned(std::vector<Hip> hips) {

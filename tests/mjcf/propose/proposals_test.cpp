@@ -61,6 +61,45 @@ TEST(StudyRobot, FindsRowsAndMirrorImagesByGeometry) {
     EXPECT_EQ(proposal.sentence.find('\''), std::string::npos) << proposal.sentence;
 }
 
+TEST(StudyRobot, TiesTheLegsOfARobotThatFacesLeftAsThoseOfTheSameThatFacesAhead) {
+  const std::string ahead_xml =
+                        test::read_file(test::source_path("tests/robots/strider/robot.xml")),
+                    left_xml = test::strider_to_the_left();
+  const ProposedParameters ahead = study(ahead_xml), left = study(left_xml);
+  ASSERT_EQ(left.proposals.size(), ahead.proposals.size());
+  EXPECT_EQ(proposal_named(left, "front_femur_length").binding, "stretch link: LF_femur RF_femur");
+  EXPECT_EQ(proposal_named(left, "hind_knee_axis_yaw").binding, "axis z: LH_knee ^RH_knee");
+  EXPECT_EQ(proposal_named(left, "body_length").binding.substr(0, 10), "stretch y:");
+  for (std::size_t k = 0; k < ahead.proposals.size(); ++k) {
+    EXPECT_EQ(left.proposals[k].name, ahead.proposals[k].name);
+    EXPECT_NEAR(left.proposals[k].value, ahead.proposals[k].value, 1e-9) << ahead.proposals[k].name;
+  }
+  const RobotModel straight =
+                       parse_robot(with_declarations(ahead_xml, "r.xml", ahead.proposals), "r"),
+                   turned = parse_robot(with_declarations(left_xml, "r.xml", left.proposals), "r");
+  std::mt19937 random(5);
+  for (int n = 0; n < 20; ++n) {
+    const Eigen::VectorXd s = test::random_design(straight.space, random);
+    const auto limbs = find_limbs(straight.morphology, s),
+               others = find_limbs(turned.morphology, s, Eigen::Vector2d::UnitY());
+    for (std::size_t k = 0; k < limbs.size(); ++k) {
+      const Eigen::Vector3d& foot = limbs[k].home;
+      EXPECT_LT((others[k].home - Eigen::Vector3d(-foot.y(), foot.x(), foot.z())).norm(), 1e-9)
+          << k;
+    }
+  }
+}
+
+TEST(StudyRobot, ALinkThatIsObliqueToItsRodByAHandsBreadthGrowsAlongTheRod) {
+  const ProposedParameters found =
+      study(test::read_file(test::source_path("tests/robots/wader/robot.xml")));
+  const Proposal& shank = proposal_named(found, "front_shank_length");
+  EXPECT_EQ(shank.binding, "stretch z: front_left_shank front_right_shank");
+  EXPECT_NEAR(shank.value, 0.24, 1e-12);
+  EXPECT_TRUE(shank.sentence.find("to the foot along z of its body") != std::string::npos)
+      << shank.sentence;
+}
+
 TEST(StudyRobot, ProposesTheWidthOfBeamsThatCarryLegs) {
   const ProposedParameters found = study(bare(example_robot("hexapod")));
   EXPECT_EQ(proposal_named(found, "front_beam_width").binding, "stretch y: front_beam");

@@ -85,8 +85,8 @@ TEST(Mirror, ItsOriginalIsTheHingeOppositeOfIt) {
   std::vector<int> all(static_cast<std::size_t>(model->njnt - 1));
   std::iota(all.begin(), all.end(), 1);
   for (int j = 1; j < model->njnt; ++j)
-    EXPECT_EQ(mirror_image(*model, trunk, j, all), (j + 2) % 6 + 1);
-  EXPECT_EQ(mirror_image(*model, trunk, 1, {}), -1);
+    EXPECT_EQ(mirror_image(*model, trunk, j, Across::y, all), (j + 2) % 6 + 1);
+  EXPECT_EQ(mirror_image(*model, trunk, 1, Across::y, {}), -1);
 }
 
 TEST(Mirror, HingesDrawnAtOtherAnglesAreNotTied) {

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/mjcf/robots/robots.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iterator>
+#include <regex>
 
 #include "tests/mjcf/robots/mjcf_builder.hpp"
 #include "tests/mjcf/robots/shifted_robot.hpp"
@@ -157,6 +161,29 @@ std::string crooked_printed_robot() {
   return with(xml,
               "<inertial pos=\"0 0 -0.08\" mass=\"0.2\" diaginertia=\"0.001 0.001 0.0001\"/>\n",
               "<geom type=\"box\" size=\"0.1 0.1 0.1\" density=\"0\"/>\n");
+}
+
+std::vector<std::filesystem::path> taken_robots() {
+  std::vector<std::filesystem::path> out;
+  for (const auto& entry : std::filesystem::directory_iterator(source_path("tests/robots")))
+    if (entry.path().filename() != "tailor" && std::filesystem::exists(entry.path() / "robot.xml"))
+      out.push_back(entry.path() / "robot.xml");
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+std::string strider_to_the_left() {
+  const std::string xml = read_file(source_path("tests/robots/strider/robot.xml"));
+  static const std::regex hip(R"re(_coxa" pos="(\S+) (\S+) (\S+)" euler="0 0 (\S+)">)re");
+  std::string out;
+  auto rest = xml.cbegin();
+  for (std::sregex_iterator at(xml.begin(), xml.end(), hip), end; at != end; ++at) {
+    out.append(rest, (*at)[0].first);
+    out += fmt::format(R"(_coxa" pos="{} {} {}" euler="0 0 {}">)", -std::stod((*at)[2]),
+                       (*at)[1].str(), (*at)[3].str(), std::stod((*at)[4]) + M_PI / 2);
+    rest = (*at)[0].second;
+  }
+  return out.append(rest, xml.cend());
 }
 
 std::string named_robot(const std::string& name) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <random>
 #include <string>
+#include <vector>
 
 #include "optimizer/design/design.hpp"
 
@@ -26,6 +27,11 @@ std::string crooked_piston_robot();
 /// The crooked robot with printed bodies: boxes, capsules, cylinders, balls and ellipsoids along,
 /// across and off the stretches.
 std::string crooked_printed_robot();
+/// The files tests/robots/*/robot.xml that are taken as they are, sorted: all but tailor's, which
+/// is in centimetres.
+std::vector<std::filesystem::path> taken_robots();
+/// Strider of tests/robots, drawn so that it faces +y: what hangs at its trunk is turned.
+std::string strider_to_the_left();
 /// By the names "crooked_printed", "crooked_weighed", "puppy", "piston_puppy" (of the examples),
 /// "crooked", "crooked_piston"; with "shifted_" before the name as `shifted_robot` makes it.
 std::string named_robot(const std::string& name);

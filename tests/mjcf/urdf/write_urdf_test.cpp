@@ -284,10 +284,9 @@ TEST(Urdf, RefusesABall) {
 }
 
 std::vector<fs::path> robots() {
-  std::vector<fs::path> found;
-  for (const fs::path& folder : {test::kExamples, test::kSource / "tests" / "robots"})
-    for (const auto& entry : fs::directory_iterator(folder))
-      if (fs::exists(entry.path() / "robot.xml")) found.push_back(entry.path() / "robot.xml");
+  std::vector<fs::path> found = test::taken_robots();
+  for (const auto& entry : fs::directory_iterator(test::kExamples))
+    if (fs::exists(entry.path() / "robot.xml")) found.push_back(entry.path() / "robot.xml");
   std::sort(found.begin(), found.end());
   return found;
 }

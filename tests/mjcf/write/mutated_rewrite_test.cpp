@@ -59,13 +59,8 @@ const std::vector<std::pair<std::string, std::string>>& bases() {
       out.emplace_back(name, test::example_robot(name));
     out.emplace_back("crooked_piston", test::crooked_piston_robot());
     out.emplace_back("crooked_printed", test::crooked_printed_robot());
-    const std::filesystem::path more = test::source_path("tests/robots");
-    std::vector<std::filesystem::path> files;
-    if (std::filesystem::is_directory(more))
-      for (const auto& entry : std::filesystem::recursive_directory_iterator(more))
-        if (entry.path().filename() == "robot.xml") files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
-    for (const auto& file : files) {  // they declare nothing: what init proposes is put in
+    for (const auto& file :
+         test::taken_robots()) {  // they declare nothing: what init proposes is put in
       std::string text = RobotFiles::read(file).text();  // with what it includes
       if (const auto pose = find_standing_pose(text, file)) text = with_keyframe(text, file, *pose);
       out.emplace_back(file.parent_path().filename(),

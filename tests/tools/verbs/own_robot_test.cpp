@@ -8,8 +8,8 @@
 #include <cmath>
 #include <csignal>
 #include <filesystem>
-#include <regex>
 
+#include "tests/mjcf/robots/robots.hpp"
 #include "tests/tools/verbs/program.hpp"
 #include "tools/files/json_file.hpp"
 
@@ -112,26 +112,10 @@ TEST_P(Star, WalksOnAnOddNumberOfFeetByAWave) {
 
 INSTANTIATE_TEST_SUITE_P(Odd, Star, testing::Values(5, 7));
 
-/// Strider of tests/robots, drawn so that it faces +y: what hangs at its trunk is turned.
-std::string strider_to_the_left() {
-  const std::string xml =
-      read_file(fs::path(LEGWRIGHT_SOURCE_DIR) / "tests/robots/strider/robot.xml");
-  static const std::regex hip(R"re(_coxa" pos="(\S+) (\S+) (\S+)" euler="0 0 (\S+)">)re");
-  std::string out;
-  auto rest = xml.cbegin();
-  for (std::sregex_iterator at(xml.begin(), xml.end(), hip), end; at != end; ++at) {
-    out.append(rest, (*at)[0].first);
-    out += fmt::format(R"(_coxa" pos="{} {} {}" euler="0 0 {}">)", -std::stod((*at)[2]),
-                       (*at)[1].str(), (*at)[3].str(), std::stod((*at)[4]) + M_PI / 2);
-    rest = (*at)[0].second;
-  }
-  return out.append(rest, xml.cend());
-}
-
 TEST(OwnRobotThatFacesLeft, WalksToWhereItFaces) {
   const test::TemporaryFolder folder;
   const fs::path robot = folder.path() / "strider.xml";
-  write_file(robot, strider_to_the_left());
+  write_file(robot, test::strider_to_the_left());
   expect_first_task_passes(robot);
   EXPECT_TRUE(contains(read_file(folder.path() / "task.toml"), "forward = \"+y\""));
   const Json run = Json::parse(read_file(folder.path() / "run/run.json"));
