@@ -2,11 +2,14 @@
 #include "tools/simulate/feed_forward.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "tools/simulate/plan_dynamics.hpp"
 
 namespace legwright {
 namespace {
+
+constexpr double kTurning = 0.1;  // [rad/s]
 
 std::vector<FootOnBody> find_bodies(const mjModel& model, const JointMap& map,
                                     const std::vector<FootOnLink>& feet) {
@@ -27,6 +30,12 @@ void read_arms(const mjModel& model, const mjData& data, const JointMap& map,
         if (model.ten_J_colind[k] == map.dof[a]) arms[static_cast<Eigen::Index>(a)] = data.ten_J[k];
 }
 
+// What a joint's dry friction takes from its motor at a rate; in full from a few times kTurning on,
+// less below, so that a turn of the way is no jump.
+double dry_friction(const mjModel& model, int dof, double rate) {
+  return model.dof_frictionloss[dof] * std::tanh(rate / kTurning);
+}
+
 }  // namespace
 
 RootResidual fill_feed_forward(const mjModel& model, const std::vector<FootOnLink>& feet,
@@ -41,8 +50,9 @@ RootResidual fill_feed_forward(const mjModel& model, const std::vector<FootOnLin
     read_arms(dynamics.model(), dynamics.data(), map, arms);
     residual.arms.row(knot) = arms;
     for (int a = 0; a < trajectory.joint_count(); ++a) {
+      const int dof = map.dof[static_cast<std::size_t>(a)];
       trajectory.at(knot, trajectory.torque_column(a)) =
-          force[map.dof[static_cast<std::size_t>(a)]];
+          force[dof] + dry_friction(model, dof, dynamics.data().qvel[dof]);
     }
     residual.force =
         std::max(residual.force, force.segment<3>(map.root_dof).norm() / dynamics.weight());

@@ -26,8 +26,8 @@ struct RootResidual {
 };
 
 /// Fills the trajectory's feed-forward torques: at each knot MuJoCo's inverse dynamics of the
-/// played motion (gravity, armature, joint damping and springs included, joint friction not) minus
-/// Jᵀ·planned force at each foot's lowest point.
+/// played motion (gravity, armature, joint damping and springs included) minus Jᵀ·planned force at
+/// each foot's lowest point, and what dry friction of the joints takes.
 /// @param feet in the trajectory's order. Throws MujocoError where model and trajectory do not fit.
 RootResidual fill_feed_forward(const mjModel& model, const std::vector<FootOnLink>& feet,
                                Trajectory& trajectory);

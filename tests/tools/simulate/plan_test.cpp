@@ -8,6 +8,7 @@
 
 #include "mjcf/scene/emit_scene.hpp"
 #include "mjcf/text/input_error.hpp"
+#include "plugin/spline.hpp"
 #include "plugin/trajectory.hpp"
 #include "tests/tools/simulate/standing_puppy.hpp"
 #include "tools/simulate/mujoco_host.hpp"
@@ -90,6 +91,33 @@ TEST(Plan, FeedForwardOfAStandingRobotIsStatics) {
           << "joint " << a;
     }
   }
+}
+
+TEST(Plan, FeedForwardHasWhatDryFrictionTakesWhereJointsTurn) {
+  StandingPuppy puppy;
+  for (int knot = 0; knot <= puppy.layout.knot_count(); ++knot)  // one leg swings, the others stand
+    puppy.m[puppy.layout.pose(knot) - puppy.layout.design_size() + 6] +=
+        0.2 * std::sin(2 * M_PI * knot / puppy.layout.knot_count());
+  const Trajectory without = trajectory_of(playable(puppy, puppy.m));
+  const std::string given = "armature=\"0.0005\"";
+  const std::size_t at = puppy.robot.xml.find(given);
+  ASSERT_NE(at, std::string::npos);
+  puppy.robot.xml.insert(at, "frictionloss=\"0.3\" ");
+  const Trajectory with = trajectory_of(playable(puppy, puppy.m));
+  double least = 0.0, most = 0.0;
+  for (int knot = 0; knot < with.knot_count; ++knot) {
+    const SplinePhase phase = phase_at(with, with.period * knot / with.knot_count);
+    for (int a = 0; a < with.joint_count(); ++a) {
+      const int column = with.torque_column(a);
+      const double rate = spline_point(with, phase, with.target_column(a)).rate,
+                   more = with.at(knot, column) - without.at(knot, column);
+      EXPECT_NEAR(more, 0.3 * std::tanh(rate / 0.1), 1e-6) << "knot " << knot << ", joint " << a;
+      least = std::min(least, more);
+      most = std::max(most, more);
+    }
+  }
+  EXPECT_LT(least, -0.29);
+  EXPECT_GT(most, 0.29);
 }
 
 TEST(Plan, TellsHowMuchOfTheServosItNeeds) {

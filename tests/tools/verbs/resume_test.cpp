@@ -194,6 +194,7 @@ TEST_F(Resume, StepsOnTheGaitGoOnFromWhatWasPlayed) {
                                  (test::kExamples / "piston_puppy/forward.toml").string(),
                                  "--no-pictures",
                                  "--no-reasons",
+                                 "--plan-only",
                                  "--physics-steps",
                                  "2",
                                  "-o",
