@@ -102,7 +102,7 @@ class ProposalBuilder {
     return "leg of " + place(limb);
   }
 
-  Across side() const { return across(out_.facing.ahead); }
+  Across side() const { return sides_across(out_.facing.ahead); }
   const char* sideways() const { return side() == Across::y ? "y" : "x"; }
   /// In front of what mirrors another in a binding.
   std::string mark() const { return side() == Across::y ? " ~" : " ^"; }

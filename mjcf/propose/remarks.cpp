@@ -11,7 +11,7 @@ namespace legwright {
 
 std::vector<std::string> remarks_on(const RobotModel& robot, const std::vector<Limb>& limbs,
                                     const Facing& facing) {
-  std::vector<std::string> out = nearly_mirrored(robot, limbs, across(facing.ahead));
+  std::vector<std::string> out = nearly_mirrored(robot, limbs, sides_across(facing.ahead));
   if (!facing.remark.empty()) out.insert(out.begin(), facing.remark);
   for (std::string& remark : doubtful_masses(robot)) out.push_back(std::move(remark));
   for (std::string& remark : beside_feet(robot)) out.push_back(std::move(remark));

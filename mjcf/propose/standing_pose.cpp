@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include "mjcf/propose/declare.hpp"
@@ -27,6 +28,7 @@ using Eigen::Vector3d;
 constexpr double kBentTo = 0.87;         // of a leg's reach downwards
 constexpr double kStretched = 0.97;      // a leg that reaches so far is straight
 constexpr double kFolded = 0.35;         // a leg whose foot is under its hip and reaches no farther
+constexpr double kFlat = 0.12;           // of its reach: a leg whose foot is no lower lies flat
 constexpr double kUnderHip = 0.3;        // of its reach: what is under a hip
 constexpr double kUnevenEnds = 0.25;     // of the reach: ends of legs at different heights
 constexpr double kAsLowAsFeet = 1e-3;    // [m]: as low as the feet
@@ -105,11 +107,12 @@ class PoseFinder {
   }
 
   std::string fault_of_home() const {
-    double reach = 0.0, stretched = 2.0;
+    double reach = 0.0, stretched = 2.0, lowest = 0.0;  // the last two: shares of their reaches
     bool folded = true;
     for (std::size_t k = 0; k < legs_.size(); ++k) {
       reach = std::max(reach, legs_[k].reach);
       stretched = std::min(stretched, home_drop_[k] / legs_[k].reach);
+      lowest = std::max(lowest, home_drop_[k] / legs_[k].reach);
       folded = folded && home_drop_[k] < kFolded * legs_[k].reach &&
                away_[k] < kUnderHip * legs_[k].reach;
     }
@@ -119,6 +122,7 @@ class PoseFinder {
                          *high - *low);
     if (trunk_at_home_ <= *low + kAsLowAsFeet) return "the trunk is there as low as its feet";
     if (folded) return "its legs are folded there";
+    if (lowest < kFlat) return "its legs lie flat there, feet as high as hips";
     if (home_keyframe(model_) < 0 && legs_.size() >= kTooFewToBend && stretched > kStretched)
       return "the file has no keyframe and draws its legs stretched out";
     return "";
@@ -198,12 +202,13 @@ class PoseFinder {
 
   void write(StandingPose& out) const {
     out.words = "level, feet below the hips: ";
+    const double unit = in_degrees_ ? std::numbers::pi / 180.0 : 1.0;
     for (const SearchedLeg& leg : legs_)
       for (const int joint : leg.joints)
         out.words += fmt::format("{}{} {:.3g}", out.words.ends_with(": ") ? "" : ", ",
                                  name_of(model_, mjOBJ_JOINT, joint),
-                                 data_->qpos[model_.jnt_qposadr[joint]]);
-    out.words += " rad";
+                                 data_->qpos[model_.jnt_qposadr[joint]] / unit);
+    out.words += in_degrees_ ? " degrees" : " rad";
     for (int k = 0; k < static_cast<int>(model_.nq); ++k)
       out.qpos += fmt::format("{}{:.10g}", k ? " " : "", data_->qpos[k] + 0.0);
     std::vector<double> ctrl(static_cast<std::size_t>(model_.nu), 0.0);

@@ -41,7 +41,7 @@ Vector3d seen_ahead(Vector3d in_trunk, const Vector2d& ahead) {
 
 }  // namespace
 
-Across across(const Vector2d& ahead) { return ahead.x() != 0.0 ? Across::y : Across::x; }
+Across sides_across(const Vector2d& ahead) { return ahead.x() != 0.0 ? Across::y : Across::x; }
 
 std::vector<Limb> find_limbs(const Morphology& morphology, const VectorXd& s,
                              const Vector2d& ahead) {
@@ -73,7 +73,7 @@ std::vector<Limb> find_limbs(const Morphology& morphology, const VectorXd& s,
   }
   for (std::size_t a = 0; a < limbs.size(); ++a)
     for (std::size_t b = a + 1; b < limbs.size(); ++b) {
-      const Vector3d image = point_in_mirror(limbs[b].home, across(ahead));
+      const Vector3d image = point_in_mirror(limbs[b].home, sides_across(ahead));
       const double leg = stretched_limb(morphology, limbs[a].foot, s);
       if (limbs[a].partner >= 0 || limbs[b].partner >= 0 ||
           limbs[a].links.size() != limbs[b].links.size() ||

@@ -22,7 +22,7 @@ struct Limb {
 };
 
 /// What left and right of a robot mirror each other across. @param ahead one of ±x, ±y
-Across across(const Eigen::Vector2d& ahead);
+Across sides_across(const Eigen::Vector2d& ahead);
 
 /// The limbs of a robot, front to hind, left before right: rows by where the feet stand in the home
 /// pose, partners by geometry (same number of joints, feet mirrored to a hundredth of the leg).

@@ -92,7 +92,7 @@ std::string foot_text(const ProposedParameters& found, const Limb& limb, bool bo
   };
   std::string place[3];
   for (int k = 0; k < 3; ++k)
-    place[k] = both && k == static_cast<int>(across(found.facing.ahead))
+    place[k] = both && k == static_cast<int>(sides_across(found.facing.ahead))
                    ? fmt::format("+-{:.3f}", std::abs(limb.home[k]))
                    : fmt::format("{:.3f}", shown(limb.home[k]));
   return fmt::format("foot     {} at {} m", touching_part(found.model, limb.foot),
@@ -124,7 +124,7 @@ void add_pair(const ProposedParameters& found, const Limb& left, const Limb& rig
   for (std::size_t k = own_joints(left); k < left.links.size(); ++k)
     add(links[static_cast<std::size_t>(left.links[k])].joint.name, joint_text(found, left, k),
         links[static_cast<std::size_t>(right.links[k])].joint.name, joint_text(found, right, k));
-  const Eigen::Vector3d image = point_in_mirror(right.home, across(found.facing.ahead));
+  const Eigen::Vector3d image = point_in_mirror(right.home, sides_across(found.facing.ahead));
   const bool both = (left.home - image).norm() < kSamePlace;
   add(foot_of(found, left).name, foot_text(found, left, both), foot_of(found, right).name,
       foot_text(found, right, both));

@@ -35,6 +35,22 @@ std::string with_home(const std::string& xml, double trunk, const std::string& l
 
 std::string four(const std::string& leg) { return leg + " " + leg + " " + leg + " " + leg; }
 
+/// A hexapod drawn with its legs stretched out level, in degrees, without keyframe.
+TEST(StandingPose, IsFoundForLegsThatLieFlat) {
+  const char* const file = "crab.xml";
+  std::string crab = test::read_file(test::source_path("tests/robots/crab/robot.xml"));
+  EXPECT_FALSE(find_standing_pose(crab, file)) << "it stands";
+  const std::size_t from = crab.find("  <keyframe>");
+  crab.erase(from, crab.find("</keyframe>") + 11 - from);
+  const auto pose = find_standing_pose(crab, file);
+  ASSERT_TRUE(pose);
+  EXPECT_NE(pose->why.find("lie flat"), std::string::npos) << pose->why;
+  EXPECT_NE(pose->words.find(" degrees"), std::string::npos) << pose->words;
+  const ProposedParameters found = propose_parameters(with_keyframe(crab, file, *pose), file);
+  EXPECT_EQ(found.not_standing, "");
+  for (const Limb& limb : found.limbs) EXPECT_LT(limb.home.z(), -0.08);
+}
+
 TEST(StandingPose, IsFoundWithinRangesLevelAndUnderTheHips) {
   EXPECT_THROW(parse_robot(lurcher(), kLurcherFile), InputError);
   const auto pose = find_standing_pose(lurcher(), kLurcherFile);
