@@ -173,7 +173,7 @@ class Mutator {
     for (int trial = 0; trial < 100; ++trial) {
       XMLElement* named = one_of(elements_);
       const char* const value = named->Attribute("name");
-      if (!value) continue;
+      if (!value || !*value) continue;
       const std::string old = value;
       std::string name = one_of(kNames);
       if (below(10) == 0) name = std::string(300, 'x');
