@@ -15,10 +15,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-std::string words_of(const Eigen::Ref<const Eigen::VectorXd>& values) {
-  return format_numbers(rounded(values));
-}
-
 /// The mirror image in the x-z plane.
 Vector3d across(const Vector3d& v) { return {v.x(), -v.y(), v.z()}; }
 
@@ -27,7 +23,7 @@ std::string turn_attribute(const Matrix3d& turn) {
   if (turn.isApprox(Matrix3d::Identity(), 1e-12)) return "";
   Eigen::Quaterniond q(turn);
   if (q.w() < 0.0) q.coeffs() = -q.coeffs();
-  return fmt::format(" quat=\"{}\"", words_of(Eigen::Vector4d(q.w(), q.x(), q.y(), q.z())));
+  return fmt::format(" quat=\"{}\"", rounded_words(Eigen::Vector4d(q.w(), q.x(), q.y(), q.z())));
 }
 
 /// body ← shape. A box or a cylinder is its own mirror image in each plane of its axes.
@@ -44,9 +40,9 @@ std::string size_words(const OutlineShape& shape) {
   const Vector3d half = shape.half();
   switch (shape.type) {
     case OutlineShape::Type::box:
-      return words_of(half);
+      return rounded_words(half);
     case OutlineShape::Type::cylinder:
-      return words_of(Eigen::Vector2d(half.x(), half.z()));
+      return rounded_words(Eigen::Vector2d(half.x(), half.z()));
     case OutlineShape::Type::sphere:
       break;
   }
@@ -56,8 +52,8 @@ std::string size_words(const OutlineShape& shape) {
 std::string arrow(const Vector3d& from, const Vector3d& along, double length, double width,
                   const char* colour) {
   return fmt::format("      <geom type=\"capsule\" size=\"{}\" fromto=\"{} {}\" rgba=\"{}\"/>\n",
-                     format_number(rounded(width)), words_of(from), words_of(from + length * along),
-                     colour);
+                     format_number(rounded(width)), rounded_words(from),
+                     rounded_words(from + length * along), colour);
 }
 
 }  // namespace
@@ -144,6 +140,10 @@ Vector3d ModulePlace::direction(const Vector3d& of_module) const {
   return mirrored ? across(turned) : turned;
 }
 
+std::string rounded_words(const Eigen::Ref<const Eigen::VectorXd>& values) {
+  return format_numbers(rounded(values));
+}
+
 std::vector<std::string> outline_geoms(const Module& module, const ModulePlace& place,
                                        const std::string& attributes) {
   std::vector<std::string> out;
@@ -151,7 +151,7 @@ std::vector<std::string> outline_geoms(const Module& module, const ModulePlace& 
     constexpr std::array kTypes{"box", "cylinder", "sphere"};
     out.push_back(fmt::format("<geom type=\"{}\" size=\"{}\" pos=\"{}\"{}{}/>",
                               kTypes[static_cast<std::size_t>(shape.type)], size_words(shape),
-                              words_of(place.point(shape.position)),
+                              rounded_words(place.point(shape.position)),
                               turn_attribute(turn_of(shape, place)), attributes));
   }
   return out;
@@ -167,7 +167,8 @@ std::string inertial_element(const Module& module, const ModulePlace& place) {
   Eigen::Matrix<double, 6, 1> full;
   full << inertia(0, 0), inertia(1, 1), inertia(2, 2), inertia(0, 1), inertia(0, 2), inertia(1, 2);
   return fmt::format("<inertial pos=\"{}\" mass=\"{}\" fullinertia=\"{}\"/>",
-                     words_of(place.point(own.centre)), format_number(own.mass), words_of(full));
+                     rounded_words(place.point(own.centre)), format_number(own.mass),
+                     rounded_words(full));
 }
 
 std::string module_scene(const Module& module) {

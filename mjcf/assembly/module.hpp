@@ -92,6 +92,9 @@ struct ModulePlace {
   Eigen::Vector3d direction(const Eigen::Vector3d& of_module) const;
 };
 
+/// Numbers as an attribute of MJCF: rounded() and with one blank between them.
+std::string rounded_words(const Eigen::Ref<const Eigen::VectorXd>& values);
+
 /// The outline as MJCF, a <geom> each. @param attributes of all of them, ` material="servo"`
 std::vector<std::string> outline_geoms(const Module& module, const ModulePlace& place,
                                        const std::string& attributes);

@@ -120,7 +120,7 @@ class ModuleReader {
       return !(c >= '0' && c <= '9') && !(c >= 'A' && c <= 'Z') && !(c >= 'a' && c <= 'z') &&
              std::string_view("_-.").find(c) == std::string_view::npos;
     });
-    if (odd != module.name.end())
+    if (odd != module.name.end() || module.name.find("--") != std::string::npos)
       problems_.add(
           root_.line_of("name"), "name",
           fmt::format("is \"{}\"; expected letters, digits, '_', '-' and '.'", module.name));

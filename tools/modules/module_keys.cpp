@@ -1,42 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The table of keys of a module file.
-#include <limits>
-
+#include "tools/modules/key_rows.hpp"
 #include "tools/modules/module_file.hpp"
 
 namespace legwright {
 namespace {
 
-constexpr double kAnyNumber = std::numeric_limits<double>::infinity();
-constexpr Range kAnything{-kAnyNumber, kAnyNumber, false, false, ""};
 constexpr Range kPlaceInModule{-1.0, 1.0, false, false, "m"};
-constexpr Range kDirection{-1000.0, 1000.0, false, false, ""};
 constexpr Range kTorqueRange{0.0, 1000.0, true, false, "N m"};
-
-TaskKey text_key(std::string_view path, std::string_view fallback, std::string_view example,
-                 std::string_view meaning) {
-  return {path, {{KeyKind::text, kAnything}}, KeyScope::file, fallback, example, meaning};
-}
-
-TaskKey number_key(std::string_view path, const Range& range, std::string_view fallback,
-                   std::string_view example, std::string_view meaning) {
-  return {path, {{KeyKind::number, range}}, KeyScope::file, fallback, example, meaning};
-}
-
-TaskKey numbers_key(std::string_view path, const Range& range, std::size_t count,
-                    std::string_view fallback, std::string_view example, std::string_view meaning) {
-  return {path, {{KeyKind::numbers, range, count}}, KeyScope::file, fallback, example, meaning};
-}
-
-TaskKey tables_key(std::string_view path, std::string_view fallback, std::string_view example,
-                   std::string_view meaning) {
-  return {path, {{KeyKind::tables, kAnything}}, KeyScope::file, fallback, example, meaning};
-}
-
-TaskKey names_key(std::string_view path, std::string_view fallback, std::string_view example,
-                  std::string_view meaning) {
-  return {path, {{KeyKind::names, kAnything}}, KeyScope::file, fallback, example, meaning};
-}
 
 std::vector<TaskKey> keys_of_the_module() {
   return {
@@ -59,7 +30,7 @@ std::vector<TaskKey> keys_of_the_module() {
                   "sphere its radius."),
       numbers_key("outline.position", kPlaceInModule, 3, "`[0, 0, 0]`", "[0.0, 0.0, 0.01]",
                   "Of its middle, in the module's frame."),
-      numbers_key("outline.axis", kDirection, 3, "`[0, 0, 1]`", "[0.0, 1.0, 0.0]",
+      numbers_key("outline.axis", kDirectionRange, 3, "`[0, 0, 1]`", "[0.0, 1.0, 0.0]",
                   "Direction of a cylinder; of any length."),
       names_key("unknown", "none", "[\"joint.friction\"]",
                 "Figures that no source gives. What a module of its kind may have must be given "
@@ -71,7 +42,7 @@ std::vector<TaskKey> keys_of_the_joint() {
   return {
       numbers_key("joint.position", kPlaceInModule, 3, "needed", "[0.0, 0.012, 0.017]",
                   "Where the output axis leaves the module: the middle of its horn."),
-      numbers_key("joint.axis", kDirection, 3, "`[0, 0, 1]`", "[0.0, 0.0, 1.0]",
+      numbers_key("joint.axis", kDirectionRange, 3, "`[0, 0, 1]`", "[0.0, 0.0, 1.0]",
                   "Of the output, out of the module; of any length."),
       number_key("joint.stall_torque", kTorqueRange, "needed", "1.4",
                  "Stall torque of a geared servo, peak torque of a brushless joint."),
@@ -87,8 +58,8 @@ std::vector<TaskKey> keys_of_the_joint() {
                  "Dry friction at the output: the joint's `frictionloss`."),
       number_key("joint.damping", {0.0, 100.0, false, false, "N m s/rad"}, "none", "0.02",
                  "Viscous friction at the output."),
-      numbers_key("joint.range", {-100.0, 100.0, false, false, "rad"}, 2, "no limit",
-                  "[-2.618, 2.618]", "Least and largest angle, zero between them."),
+      numbers_key("joint.range", kAngleRangeOfJoint, 2, "no limit", "[-2.618, 2.618]",
+                  "Least and largest angle, zero between them."),
       number_key("joint.kp", {0.0, 1e6, true, false, "N m/rad"}, "torque limit / 0.0375 rad",
                  "40.0", "Advice for its gain."),
       number_key("joint.kd", {0.0, 1e5, true, false, "N m s/rad"}, "0.015 s times the gain", "0.6",
@@ -107,7 +78,7 @@ std::vector<TaskKey> keys_of_attachments_and_sources() {
       text_key("attachment.on", "`\"body\"`", "\"horn\"", "`body`, or `horn`, which turns."),
       numbers_key("attachment.position", kPlaceInModule, 3, "needed", "[0.0, 0.0, -0.017]",
                   "Its middle."),
-      numbers_key("attachment.normal", kDirection, 3, "needed", "[0.0, 0.0, -1.0]",
+      numbers_key("attachment.normal", kDirectionRange, 3, "needed", "[0.0, 0.0, -1.0]",
                   "Out of the module; of any length."),
       text_key("attachment.screws", "none", "\"4 x M3 on a circle of 14 mm\"",
                "The pattern of its screws."),

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mjcf/assembly/robot_assembly.hpp"
+
+#include <algorithm>
+
+namespace legwright {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kInThePlane = 1e-9;  // [m]
+
+}  // namespace
+
+Vector3d PlacedLimb::vector(const Vector3d& of_original) const {
+  return mirrored ? Vector3d(of_original.x(), -of_original.y(), of_original.z()) : of_original;
+}
+
+Vector3d PlacedLimb::hinge(const Vector3d& of_original) const {
+  return mirrored ? Vector3d(-of_original.x(), of_original.y(), -of_original.z()) : of_original;
+}
+
+std::vector<PlacedLimb> placed_limbs(const Assembly& assembly) {
+  std::vector<PlacedLimb> out;
+  for (const AssemblyLimb& limb : assembly.limbs)
+    for (std::size_t copy = 0; copy < limb.names.size(); ++copy) {
+      PlacedLimb placed{limb.names[copy], &limb, limb.hip + static_cast<double>(copy) * limb.step,
+                        false};
+      if (!limb.mirrored) {
+        out.push_back(placed);
+        continue;
+      }
+      PlacedLimb image = placed;
+      image.mirrored = true;
+      image.hip = image.vector(placed.hip);
+      const bool left = placed.hip.y() >= -kInThePlane;
+      placed.name += left ? "L" : "R";
+      image.name += left ? "R" : "L";
+      if (!left) std::swap(placed, image);
+      out.push_back(placed);
+      out.push_back(image);
+    }
+  return out;
+}
+
+double torque_limit(const Assembly& assembly, const Module& servo) {
+  const ModuleJoint& joint = *servo.joint;
+  const double whole = assembly.torque == TorqueLimit::continuous
+                           ? joint.continuous_torque.value_or(joint.stall_torque)
+                           : joint.stall_torque;
+  return assembly.torque_share * whole;
+}
+
+}  // namespace legwright

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// A robot as an assembly of modules: a trunk, and limbs as chains of servos with the vectors
+// between them.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mjcf/assembly/module.hpp"
+
+namespace legwright {
+
+/// A servo of a limb and what it moves: the link to the next servo, or to the foot.
+struct AssemblyJoint {
+  std::string name;  // of the joint within its limb: "knee"
+  std::string link;  // of the link that it moves: "shank"
+  Module servo;
+  Eigen::Vector3d offset = Eigen::Vector3d::Zero();  // from the joint above it [m]
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitY();   // a unit vector; the horn looks along it
+  double roll = 0.0;                                 // of the servo's body about it [rad]
+  std::optional<std::array<double, 2>> range;        // [rad]; none: the servo's
+};
+
+/// A limb as the file gives it: once for several, which are moved and mirrored.
+struct AssemblyLimb {
+  std::vector<std::string> names;                  // of its copies, one each
+  Eigen::Vector3d hip = Eigen::Vector3d::Zero();   // of the first copy's first joint, in the trunk
+  Eigen::Vector3d step = Eigen::Vector3d::Zero();  // from a copy to the next [m]
+  bool mirrored = false;  // there is a mirror image in the x-z plane of each
+  std::vector<AssemblyJoint> joints;
+  Module foot;
+  Eigen::Vector3d foot_offset = Eigen::Vector3d::Zero();  // from the last joint to its frame [m]
+};
+
+/// Something that rides on the trunk.
+struct AssemblyPart {
+  Module module;
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  // of its frame in the trunk's [m]
+};
+
+/// Which torque of a servo's figures is a joint's limit.
+enum class TorqueLimit { stall, continuous };
+
+/// Axes of all vectors are those of the trunk with all angles zero: x forward, y left, z up. SI
+/// units.
+struct Assembly {
+  std::string name;
+  Module trunk;  // its frame is the trunk's
+  std::vector<AssemblyPart> parts;
+  std::vector<AssemblyLimb> limbs;
+  TorqueLimit torque = TorqueLimit::stall;
+  double torque_share = 1.0;       // of that torque
+  std::optional<double> armature;  // where a reflected inertia is not known [kg m2]
+  double link_radius = 0.006;      // of the capsules between servos [m]
+  double link_density = 1240.0;    // [kg/m3]
+  bool only_feet_touch = false;    // else everything that is no neighbour may
+};
+
+/// One limb of a robot: a copy, or a mirror image of one.
+struct PlacedLimb {
+  std::string name;
+  const AssemblyLimb* of = nullptr;
+  Eigen::Vector3d hip = Eigen::Vector3d::Zero();  // in the trunk [m]
+  bool mirrored = false;
+
+  /// A vector of the limb as this copy has it.
+  Eigen::Vector3d vector(const Eigen::Vector3d& of_original) const;
+  /// The axis of a hinge, about which the same angle is the mirrored motion.
+  Eigen::Vector3d hinge(const Eigen::Vector3d& of_original) const;
+};
+
+/// Every limb, in the order of the file; of mirror images the left one first, with L and R behind
+/// their names.
+std::vector<PlacedLimb> placed_limbs(const Assembly& assembly);
+
+/// Torque limit of a joint [N m], and what it is taken from where the servo's continuous torque is
+/// asked for and not known.
+double torque_limit(const Assembly& assembly, const Module& servo);
+
+}  // namespace legwright

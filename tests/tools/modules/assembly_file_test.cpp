@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/modules/assembly_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "mjcf/text/input_error.hpp"
+#include "tests/support/source_tree.hpp"
+#include "tools/files/atomic_file.hpp"
+#include "tools/task/task_text.hpp"
+
+namespace legwright {
+namespace {
+
+const ModuleLibrary& installed() {
+  static const ModuleLibrary library({test::kSource / "modules"});
+  return library;
+}
+
+/// Every key is given, but trunk.module, which stands for size and mass.
+const std::string kWholeAssembly = R"(name = "dog"
+servo = "XL430-W250"
+torque = "stall"
+torque_share = 0.8
+armature = 0.004
+contacts = "all"
+[trunk]
+size = [0.2, 0.09, 0.04]
+mass = 0.25
+[[part]]
+module = "lipo_3s_2200"
+position = [0.0, 0.0, 0.01]
+[link]
+radius = 0.006
+density = 1240.0
+[[limb]]
+name = "leg"
+names = ["F", "H"]
+hip = [0.09, 0.07, 0.0]
+step = [-0.18, 0.0, 0.0]
+copies = 2
+mirror = "y"
+foot = "ball_foot_12"
+foot_offset = [0.0, 0.0, -0.09]
+[[limb.joint]]
+name = "hip"
+link = "thigh"
+axis = [0, 2, 0]
+[[limb.joint]]
+name = "knee"
+link = "shank"
+axis = [0, 1, 0]
+offset = [0.0, 0.0, -0.08]
+servo = "XM430-W350"
+range = [-1.5, 1.5]
+roll = 0.1
+)";
+
+std::string complaint_about(const std::string& text) {
+  try {
+    (void)parse_assembly(text, "dog.toml", installed());
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::string assembly_with(const std::string& part, const std::string& by) {
+  std::string text = kWholeAssembly;
+  const std::size_t at = text.find(part);
+  EXPECT_NE(at, std::string::npos) << part;
+  return text.replace(at, part.size(), by);
+}
+
+void expect_complaint(const std::string& text, const std::string& part) {
+  const std::string told = complaint_about(text);
+  EXPECT_NE(told.find(part), std::string::npos) << part << " in\n" << told;
+}
+
+TEST(AssemblyFile, ReadsAWholeAssembly) {
+  const Assembly dog = parse_assembly(kWholeAssembly, "x.toml", installed());
+  EXPECT_EQ(dog.name, "dog");
+  EXPECT_EQ(dog.torque_share, 0.8);
+  EXPECT_EQ(dog.armature, 0.004);
+  EXPECT_EQ(dog.trunk.mass, 0.25);
+  ASSERT_EQ(dog.parts.size(), 1u);
+  EXPECT_EQ(dog.parts[0].module.kind, ModuleKind::battery);
+  ASSERT_EQ(dog.limbs.size(), 1u);
+  const AssemblyLimb& leg = dog.limbs[0];
+  EXPECT_EQ(leg.names, (std::vector<std::string>{"F", "H"}));
+  EXPECT_TRUE(leg.mirrored);
+  EXPECT_EQ(leg.foot.name, "ball_foot_12");
+  ASSERT_EQ(leg.joints.size(), 2u);
+  EXPECT_EQ(leg.joints[0].servo.name, "XL430-W250") << "that of the file";
+  EXPECT_EQ(leg.joints[0].axis, Eigen::Vector3d::UnitY()) << "of length 1";
+  EXPECT_EQ(leg.joints[1].servo.name, "XM430-W350") << "its own";
+  EXPECT_EQ(leg.joints[1].link, "shank");
+  EXPECT_EQ((*leg.joints[1].range)[1], 1.5);
+  const std::vector<PlacedLimb> limbs = placed_limbs(dog);
+  ASSERT_EQ(limbs.size(), 4u);
+  EXPECT_EQ(limbs[3].name, "HR");
+  EXPECT_EQ(limbs[3].hip, Eigen::Vector3d(-0.09, -0.07, 0.0));
+}
+
+TEST(AssemblyFile, ExamplesAreReadInTwentyLines) {
+  for (const char* name : {"puppy", "hexapod"}) {
+    const auto file = test::kExamples / "assemblies" / (std::string(name) + ".toml");
+    const std::string text = read_file(file);
+    EXPECT_EQ(parse_assembly(text, file, installed()).name, name) << "after its file";
+    int lines = 0;
+    for (std::size_t at = 0; at < text.size(); at = text.find('\n', at) + 1)
+      lines += text[at] != '#' && text[at] != '\n';
+    EXPECT_LE(lines, 20) << name;
+  }
+}
+
+TEST(AssemblyFile, TakesATrunkFromTheLibrary) {
+  const std::string text =
+      assembly_with("size = [0.2, 0.09, 0.04]\nmass = 0.25", "module = \"plate_200x100\"");
+  EXPECT_EQ(parse_assembly(text, "x.toml", installed()).trunk.name, "plate_200x100");
+  expect_complaint(assembly_with("mass = 0.25", "mass = 0.25\nmodule = \"plate_200x100\""),
+                   "trunk.module: stands beside size or mass");
+  expect_complaint(assembly_with("mass = 0.25\n", ""), "trunk.mass: is missing");
+}
+
+TEST(AssemblyFile, OffersTheNearestModule) {
+  expect_complaint(assembly_with("\"XL430-W250\"", "\"XL430-W25\""),
+                   "dog.toml:2: servo: names \"XL430-W25\", which is not in the library; did you "
+                   "mean \"XL430-W250\"?");
+  expect_complaint(assembly_with("\"ball_foot_12\"", "\"lipo_3s_2200\""),
+                   "limb.foot: names \"lipo_3s_2200\", which is a battery; expected a foot");
+  expect_complaint(assembly_with("module = \"lipo_3s_2200\"", "module = \"AX-12A\""),
+                   "part.module: names \"AX-12A\", a servo");
+  expect_complaint(assembly_with("servo = \"XL430-W250\"\n", ""), "limb.joint.servo: is missing");
+}
+
+TEST(AssemblyFile, RefusesLimbsThatDoNotFit) {
+  expect_complaint(assembly_with("[\"F\", \"H\"]", "[\"F\"]"),
+                   "limb.names: has 1 names for 2 limbs");
+  expect_complaint(assembly_with("[\"F\", \"H\"]", "[\"F\", \"F\"]"), "a second time");
+  expect_complaint(assembly_with("hip = [0.09, 0.07, 0.0]", "hip = [0.09, 0.0, 0.0]"),
+                   "limb.mirror: leaves the hip where it is");
+  expect_complaint(assembly_with("mirror = \"y\"", "mirror = \"x\""), "expected \"y\"");
+  expect_complaint(assembly_with("step = [-0.18, 0.0, 0.0]\n", ""), "limb.step: is missing");
+  expect_complaint(assembly_with("offset = [0.0, 0.0, -0.08]\n", ""),
+                   "limb.joint.offset: is missing");
+  expect_complaint(assembly_with("axis = [0, 2, 0]", "axis = [0, 2, 0]\noffset = [0, 0, 1]"),
+                   "limb.joint.offset: is of the first joint");
+  expect_complaint(assembly_with("axis = [0, 2, 0]", "axis = [0, 0, 0]"), "has no length");
+  expect_complaint(assembly_with("range = [-1.5, 1.5]", "range = [1.5, -1.5]"),
+                   "limb.joint.range: has its lesser angle behind");
+  expect_complaint(assembly_with("name = \"knee\"", "name = \"hip\""),
+                   "limb.joint.name: is \"hip\" a second time in this limb");
+  expect_complaint(assembly_with("\"shank\"", "\"thigh\""), "limb.joint.link: is \"thigh\"");
+  expect_complaint(assembly_with("name = \"dog\"", "name = \"a dog\""), "expected letters");
+  expect_complaint(assembly_with("foot_offset = [0.0, 0.0, -0.09]", "foot_offset = [0, 0, 0]"),
+                   "limb.foot_offset: has no length");
+  expect_complaint(assembly_with("torque = \"stall\"", "torque = \"peak\""),
+                   "expected \"stall\" or \"continuous\"");
+  expect_complaint("name = \"a\"\n", "limb: is missing");
+  expect_complaint(assembly_with("mirror", "miror"), "did you mean 'limb.mirror'?");
+}
+
+TEST(AssemblyKeys, AreThoseOfTheReader) {
+  std::set<std::string_view> seen;
+  int checked = 0;
+  for (const TaskKey& key : assembly_keys()) {
+    EXPECT_TRUE(seen.insert(key.path).second) << key.path;
+    EXPECT_TRUE(key.meaning.ends_with('.')) << key.path;
+    if (key.forms[0].kind == KeyKind::tables || key.path == "trunk.module") continue;
+    std::vector<std::string> path;
+    std::string table(key.table());
+    const std::string word(table.empty() ? key.path : key.path.substr(table.size() + 1));
+    if (table == "limb.joint")
+      path = {"limb", "0", "joint", "1"};
+    else if (table == "limb" || table == "part")
+      path = {table, "0"};
+    else if (!table.empty())
+      path = {table};
+    path.push_back(word);
+    const auto told = [&](const std::string& value) {
+      return complaint_about(with_key(kWholeAssembly, path, value));
+    };
+    EXPECT_EQ(told(std::string(key.example)), "") << key.path;
+    const bool is_text = key.forms[0].kind == KeyKind::text;
+    EXPECT_NE(told(is_text ? "3" : "\"words\"").find(key.path), std::string::npos) << key.path;
+    ++checked;
+  }
+  EXPECT_GE(checked, 25);
+}
+
+}  // namespace
+}  // namespace legwright

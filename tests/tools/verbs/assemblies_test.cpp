@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// From an assembly of real servos to a robot that walks in MuJoCo, without a hand edit.
+#include <gtest/gtest.h>
+
+#include "tests/tools/verbs/program.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+using test::call;
+using test::contains;
+using test::kExamples;
+using test::Outcome;
+
+const fs::path kPuppyAssembly = kExamples / "assemblies/puppy.toml",
+               kHexapodAssembly = kExamples / "assemblies/hexapod.toml";
+
+TEST(Assemblies, APuppyIsBuiltOptimizedAndPasses) {
+  const test::TemporaryFolder folder;
+  const fs::path robot = folder.path() / "puppy.xml", task = folder.path() / "trot.toml",
+                 run = folder.path() / "run";
+  const Outcome built =
+      call({"build", kPuppyAssembly.string(), "-o", robot.string(), "--task", task.string()});
+  ASSERT_EQ(built.code, 0) << built.err;
+  EXPECT_TRUE(contains(built.out, "puppy: 1.037 kg, 4 legs, 8 joints that move")) << built.out;
+  EXPECT_TRUE(contains(built.out, "next: legwright optimize ")) << built.out;
+  EXPECT_TRUE(contains(read_file(task), "name = \"trot\""));
+  const Outcome found =
+      call({"optimize", task.string(), "-o", run.string(), "--no-pictures", "--quiet"});
+  ASSERT_EQ(found.code, 0) << found.err;
+  const Outcome verdict = call({"validate", run.string()});
+  EXPECT_EQ(verdict.code, 0) << verdict.out << verdict.err;
+}
+
+/// As a user goes on who has no --task yet.
+TEST(Assemblies, AHexapodGetsItsTaskFromInitAndPasses) {
+  const test::TemporaryFolder folder;
+  const fs::path robot = folder.path() / "hexapod.xml", task = folder.path() / "tripod.toml",
+                 run = folder.path() / "run";
+  const Outcome built = call({"build", kHexapodAssembly.string(), "-o", robot.string()});
+  ASSERT_EQ(built.code, 0) << built.err;
+  EXPECT_FALSE(contains(built.out, "note ")) << built.out;
+  const std::string written = read_file(robot);
+  ASSERT_EQ(call({"init", robot.string(), "--task", task.string()}).code, 0);
+  EXPECT_EQ(read_file(robot), written) << "nothing was left to declare";
+  ASSERT_EQ(call({"optimize", task.string(), "-o", run.string(), "--no-pictures", "--quiet"}).code,
+            0);
+  const Outcome verdict = call({"validate", "--quick", run.string()});
+  EXPECT_EQ(verdict.code, 0) << verdict.out << verdict.err;
+}
+
+TEST(Assemblies, AnotherServoIsOneEdit) {
+  const test::TemporaryFolder folder;
+  std::string text = read_file(kPuppyAssembly);
+  const std::string servo = "XL430-W250";
+  text.replace(text.find(servo), servo.size(), "XM430-W350");
+  const fs::path assembly = folder.path() / "puppy.toml", robot = folder.path() / "puppy.xml";
+  write_file(assembly, text);
+  const Outcome built = call({"build", assembly.string(), "-o", robot.string(), "--json"});
+  ASSERT_EQ(built.code, 0) << built.err;
+  const Json json = Json::parse(built.out);
+  EXPECT_NEAR(json["mass_kg"].get<double>(), 1.0366 + 8 * (0.082 - 0.0572), 1e-3);
+  EXPECT_TRUE(contains(read_file(robot), "forcerange=\"-4.1 4.1\""));
+  EXPECT_TRUE(contains(json["notes"][0].get<std::string>(), "reflected inertia of XM430-W350"));
+}
+
+TEST(Assemblies, WhatIsWrongIsToldAndNothingWritten) {
+  const test::TemporaryFolder folder;
+  const fs::path robot = folder.path() / "robot.xml", task = folder.path() / "task.toml",
+                 assembly = folder.path() / "a.toml";
+  std::string text = read_file(kPuppyAssembly);
+  text.replace(text.find("ball_foot_12"), 12, "ball_foot_13");
+  write_file(assembly, text);
+  const Outcome typo =
+      call({"build", assembly.string(), "-o", robot.string(), "--task", task.string()});
+  EXPECT_EQ(typo.code, 2);
+  EXPECT_TRUE(contains(typo.err, "did you mean \"ball_foot_12\"?")) << typo.err;
+  EXPECT_FALSE(fs::exists(robot) || fs::exists(task));
+  EXPECT_EQ(call({"build", kPuppyAssembly.string()}).code, 2) << "where to?";
+  EXPECT_EQ(call({"build", (folder.path() / "gone.toml").string(), "-o", robot.string()}).code, 3);
+  write_file(robot, "mine");
+  const Outcome there = call({"build", kPuppyAssembly.string(), "-o", robot.string()});
+  EXPECT_EQ(there.code, 3);
+  EXPECT_EQ(read_file(robot), "mine");
+  fs::remove(robot);
+  const Outcome gait = call({"build", kPuppyAssembly.string(), "-o", robot.string(), "--task",
+                             task.string(), "--gait", "tripod"});
+  EXPECT_EQ(gait.code, 2);
+  EXPECT_FALSE(fs::exists(robot)) << "nothing half-written";
+}
+
+TEST(Assemblies, KeysAreTold) {
+  const Outcome told = call({"build", "--keys"});
+  EXPECT_EQ(told.code, 0);
+  EXPECT_TRUE(contains(told.out, "\nlimb.joint.axis = ")) << told.out;
+  EXPECT_EQ(Json::parse(call({"build", "--keys", "--json"}).out)["schema"],
+            "legwright/assembly_keys");
+}
+
+}  // namespace
+}  // namespace legwright

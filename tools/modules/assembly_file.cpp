@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/modules/assembly_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "tools/files/nearest_word.hpp"
+#include "tools/task/task_table.hpp"
+#include "tools/task/toml_text.hpp"
+
+namespace legwright {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kShortestAxis = 1e-6;
+constexpr double kShortestOffset = 1e-3;  // [m], of the link that a foot ends
+
+Vector3d vector_in(const std::vector<double>& values) { return {values[0], values[1], values[2]}; }
+
+bool is_plain_name(const std::string& name) {
+  return !name.empty() && name.find("--") == std::string::npos &&
+         std::all_of(name.begin(), name.end(), [](char c) {
+           return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
+                  c == '_' || c == '-';
+         });
+}
+
+class AssemblyReader {
+ public:
+  AssemblyReader(const std::string& text, const std::filesystem::path& file,
+                 const ModuleLibrary& library)
+      : toml_(parse_toml(text, file)),
+        problems_(file.string(), "docs/assembly_file.md has all keys"),
+        library_(library),
+        root_(table(&toml_, "")) {
+    out_.name = file.stem().string();
+  }
+
+  Assembly run() {
+    read_whole();
+    read_trunk();
+    for (const toml::table* part : root_.tables("part")) read_part(part);
+    const std::vector<const toml::table*> limbs = root_.tables("limb");
+    root_.require(!limbs.empty(), "limb", "[[limb]] with name, hip, joint, foot and foot_offset");
+    for (const toml::table* limb : limbs) read_limb(limb);
+    root_.finish();
+    problems_.throw_if_any();
+    return std::move(out_);
+  }
+
+ private:
+  TaskTable table(const toml::table* toml, const std::string& path) {
+    return {toml, path, problems_, lines_, assembly_keys()};
+  }
+
+  void refuse(TaskTable& in, std::string_view key, const std::string& message) {
+    problems_.add(in.line_of(key), in.full(key), message);
+  }
+
+  /// The module that a key names; another kind than `kind` is refused. Null where there is none.
+  const Module* module_of(TaskTable& in, std::string_view key, ModuleKind kind) {
+    const auto name = in.text(key);
+    return name ? module_named(in, key, *name, kind) : nullptr;
+  }
+
+  const Module* module_named(TaskTable& in, std::string_view key, const std::string& name,
+                             ModuleKind kind) {
+    const ModuleFile* found = library_.find_or_null(name);
+    const std::string_view wanted = kModuleKinds[static_cast<std::size_t>(kind)];
+    if (found && found->module.kind == kind) return &found->module;
+    if (found) {
+      refuse(in, key,
+             fmt::format("names \"{}\", which is a {}; expected a {}", name,
+                         found->module.kind_name(), wanted));
+      return nullptr;
+    }
+    std::vector<std::string> names;
+    for (const ModuleFile& file : library_.modules())
+      if (file.module.kind == kind) names.push_back(file.module.name);
+    const std::string guess = nearest(name, names);
+    refuse(in, key,
+           fmt::format("names \"{}\", which is not in the library; {}", name,
+                       guess.empty() ? fmt::format("there are {}", fmt::join(names, ", "))
+                                     : fmt::format("did you mean \"{}\"?", guess)));
+    return nullptr;
+  }
+
+  /// One of two words. @return whether it is the second
+  bool second_of(TaskTable& in, std::string_view key, const std::string& first,
+                 const std::string& second) {
+    const std::string word = in.text(key).value_or(first);
+    if (word != first && word != second)
+      refuse(in, key, fmt::format("is \"{}\"; expected \"{}\" or \"{}\"", word, first, second));
+    return word == second;
+  }
+
+  void read_whole() {
+    if (const auto name = root_.text("name")) out_.name = *name;
+    if (!is_plain_name(out_.name))
+      refuse(root_, "name",
+             fmt::format("is \"{}\"; expected letters, digits, '_' and '-': name = \"puppy\"",
+                         out_.name));
+    servo_ = module_of(root_, "servo", ModuleKind::servo);
+    if (second_of(root_, "torque", "stall", "continuous")) out_.torque = TorqueLimit::continuous;
+    out_.torque_share = root_.number("torque_share").value_or(out_.torque_share);
+    out_.armature = root_.number("armature");
+    out_.only_feet_touch = second_of(root_, "contacts", "all", "feet");
+    TaskTable link = table(root_.table("link"), "link");
+    out_.link_radius = link.number("radius").value_or(out_.link_radius);
+    out_.link_density = link.number("density").value_or(out_.link_density);
+    link.finish();
+  }
+
+  void read_trunk() {
+    const toml::table* toml = root_.table("trunk");
+    root_.require(toml != nullptr, "trunk", "[trunk] with size = [0.2, 0.1, 0.04], mass = 0.4");
+    if (!toml) return;
+    TaskTable in = table(toml, "trunk");
+    const auto size = in.numbers("size");
+    const auto mass = in.number("mass");
+    const bool named = in.has("module");
+    if (const Module* module = module_of(in, "module", ModuleKind::trunk)) out_.trunk = *module;
+    if (named && (size || mass))
+      refuse(in, "module",
+             "stands beside size or mass; give the module, or the box's size and mass");
+    if (!named) {
+      in.require(in.has("size"), "size", "size = [0.2, 0.1, 0.04]");
+      in.require(in.has("mass"), "mass", "mass = 0.4");
+      OutlineShape box;
+      box.size = size ? vector_in(*size) : Vector3d::Ones();
+      out_.trunk.name = "trunk";
+      out_.trunk.kind = ModuleKind::trunk;
+      out_.trunk.mass = mass.value_or(1.0);
+      out_.trunk.outline = {box};
+    }
+    in.finish();
+  }
+
+  void read_part(const toml::table* toml) {
+    TaskTable in = table(toml, "part");
+    AssemblyPart part;
+    const auto name = in.text("module");
+    in.require(name.has_value(), "module", "module = \"lipo_3s_2200\"");
+    const ModuleFile* found = name ? library_.find_or_null(*name) : nullptr;
+    if (name && !found)
+      (void)module_named(in, "module", *name, ModuleKind::battery);  // offers the nearest
+    if (found && found->module.kind == ModuleKind::servo)
+      refuse(in, "module",
+             fmt::format("names \"{}\", a servo, which stands in a limb's joint; expected what "
+                         "rides on the trunk",
+                         *name));
+    if (found) part.module = found->module;
+    if (const auto position = in.numbers("position")) part.position = vector_in(*position);
+    in.finish();
+    out_.parts.push_back(part);
+  }
+
+  void read_limb(const toml::table* toml) {
+    TaskTable in = table(toml, "limb");
+    AssemblyLimb limb;
+    const auto hip = in.numbers("hip");
+    in.require(hip.has_value(), "hip", "hip = [0.1, 0.06, 0.0]");
+    if (hip) limb.hip = vector_in(*hip);
+    read_copies(in, limb);
+    if (const auto mirror = in.text("mirror")) {
+      limb.mirrored = *mirror == "y";
+      if (!limb.mirrored)
+        refuse(in, "mirror",
+               fmt::format("is \"{}\"; expected \"y\", across which legs mirror", *mirror));
+      if (limb.mirrored && hip && limb.hip.y() == 0.0)
+        refuse(in, "mirror",
+               "leaves the hip where it is, in the x-z plane; move it aside, or take "
+               "mirror out");
+    }
+    in.require(in.has("foot"), "foot", "foot = \"ball_foot_12\"");
+    if (const Module* foot = module_of(in, "foot", ModuleKind::foot)) limb.foot = *foot;
+    const auto offset = in.numbers("foot_offset");
+    in.require(offset.has_value(), "foot_offset", "foot_offset = [0.0, 0.0, -0.09]");
+    if (offset) limb.foot_offset = vector_in(*offset);
+    if (offset && limb.foot_offset.norm() < kShortestOffset)
+      refuse(in, "foot_offset", "has no length; expected where the foot is: [0.0, 0.0, -0.09]");
+    const std::vector<const toml::table*> joints = in.tables("joint");
+    in.require(!joints.empty(), "joint", "joint = [{name = \"hip\", axis = [0, 1, 0]}]");
+    std::set<std::string> names;
+    for (const toml::table* joint : joints) read_joint(joint, limb, names);
+    in.finish();
+    check_names(in, limb);
+    out_.limbs.push_back(limb);
+  }
+
+  void read_copies(TaskTable& in, AssemblyLimb& limb) {
+    const int copies = in.integer("copies").value_or(1);
+    const auto step = in.numbers("step");
+    in.require(step.has_value() || copies == 1, "step", "step = [-0.2, 0.0, 0.0]");
+    if (step) limb.step = vector_in(*step);
+    const auto name = in.text("name");
+    const auto names = in.names("names");
+    in.require(name.has_value() || names.has_value(), "name", "name = \"leg\"");
+    if (names && names->size() != static_cast<std::size_t>(copies))
+      refuse(in, "names",
+             fmt::format("has {} names for {} limbs; give one for each of the copies",
+                         names->size(), copies));
+    for (int k = 0; k < copies; ++k)
+      limb.names.push_back(names && names->size() > static_cast<std::size_t>(k)
+                               ? (*names)[static_cast<std::size_t>(k)]
+                           : copies > 1 ? fmt::format("{}{}", name.value_or("leg"), k + 1)
+                                        : name.value_or("leg"));
+  }
+
+  void check_names(TaskTable& in, const AssemblyLimb& limb) {
+    const char* key = in.has("names") ? "names" : "name";
+    for (const std::string& name : limb.names) {
+      if (!is_plain_name(name))
+        refuse(in, key, fmt::format("has \"{}\"; expected letters, digits, '_' and '-'", name));
+      if (!limb_names_.insert(name).second)
+        refuse(in, key, fmt::format("has \"{}\" a second time; give each limb its own name", name));
+    }
+  }
+
+  void read_joint(const toml::table* toml, AssemblyLimb& limb, std::set<std::string>& names) {
+    TaskTable in = table(toml, "limb.joint");
+    AssemblyJoint joint;
+    const auto name = in.text("name");
+    in.require(name.has_value(), "name", "name = \"knee\"");
+    joint.name = name.value_or("joint");
+    joint.link = in.text("link").value_or(joint.name + "_link");
+    if (!is_plain_name(joint.name))
+      refuse(in, "name",
+             fmt::format("is \"{}\"; expected letters, digits, '_' and '-'", joint.name));
+    if (name && !names.insert(joint.name).second)
+      refuse(in, "name",
+             fmt::format("is \"{}\" a second time in this limb; give each joint its own name",
+                         joint.name));
+    const bool twin =
+        std::any_of(limb.joints.begin(), limb.joints.end(),
+                    [&](const AssemblyJoint& other) { return other.link == joint.link; });
+    if (!is_plain_name(joint.link) || twin)
+      refuse(in, "link",
+             fmt::format("is \"{}\"; expected letters, digits, '_' and '-', another name for each "
+                         "link",
+                         joint.link));
+    in.require(in.has("axis"), "axis", "axis = [0, 1, 0]");
+    if (const auto axis = in.numbers("axis")) {
+      joint.axis = vector_in(*axis);
+      if (joint.axis.norm() < kShortestAxis)
+        refuse(in, "axis", "has no length; expected a direction: [0, 1, 0]");
+      joint.axis.normalize();
+    }
+    const auto offset = in.numbers("offset");
+    const bool first = limb.joints.empty();
+    in.require(offset.has_value() || first, "offset", "offset = [0.0, 0.0, -0.08]");
+    if (offset) joint.offset = vector_in(*offset);
+    if (first && offset && joint.offset.norm() > 0.0)
+      refuse(in, "offset", "is of the first joint, which is where hip says; take it out");
+    read_servo(in, joint);
+    joint.roll = in.number("roll").value_or(0.0);
+    if (const auto range = in.numbers("range")) {
+      joint.range = {(*range)[0], (*range)[1]};
+      if (!((*range)[0] < (*range)[1]))
+        refuse(in, "range", "has its lesser angle behind; expected [-1.5, 1.5]");
+    }
+    in.finish();
+    limb.joints.push_back(joint);
+  }
+
+  void read_servo(TaskTable& in, AssemblyJoint& joint) {
+    const Module* own = module_of(in, "servo", ModuleKind::servo);
+    if (const Module* servo = own ? own : servo_) joint.servo = *servo;
+    if (!in.has("servo") && !root_.has("servo"))
+      in.require(false, "servo", "servo = \"XL430-W250\", here or at the top of the file");
+  }
+
+  toml::table toml_;
+  Problems problems_;
+  std::map<std::string, int> lines_;
+  const ModuleLibrary& library_;
+  Assembly out_;
+  const Module* servo_ = nullptr;  // of joints without their own
+  std::set<std::string> limb_names_;
+  TaskTable root_;
+};
+
+}  // namespace
+
+Assembly parse_assembly(const std::string& text, const std::filesystem::path& file,
+                        const ModuleLibrary& library) {
+  return AssemblyReader(text, file, library).run();
+}
+
+}  // namespace legwright
