@@ -30,7 +30,7 @@ TEST(Modules, TellsWhereEachFigureIsFrom) {
   EXPECT_EQ(told.code, 0) << told.err;
   EXPECT_TRUE(contains(told.out, "joint.no_load_speed      5.969 rad/s, 57 rev/min")) << told.out;
   EXPECT_TRUE(contains(told.out, "https://emanual.robotis.com/docs/en/dxl/x/xl430-w250/"));
-  EXPECT_TRUE(contains(told.out, "not known\n  joint.continuous_torque, joint.reflected_inertia"));
+  EXPECT_TRUE(contains(told.out, "not known\n  joint.continuous_torque, joint.friction"));
   EXPECT_TRUE(contains(told.out, "assumed\n  joint.position: ")) << told.out;
 }
 
