@@ -46,6 +46,7 @@ class AssemblyReader {
     const std::vector<const toml::table*> limbs = root_.tables("limb");
     root_.require(!limbs.empty(), "limb", "[[limb]] with name, hip, joint, foot and foot_offset");
     for (const toml::table* limb : limbs) read_limb(limb);
+    check_placed_names();
     root_.finish();
     problems_.throw_if_any();
     return std::move(out_);
@@ -220,6 +221,17 @@ class AssemblyReader {
     }
   }
 
+  /// Of mirror images L or R stands behind the name, which another limb may have by itself.
+  void check_placed_names() {
+    std::set<std::string> names;
+    for (const PlacedLimb& limb : placed_limbs(out_))
+      if (!names.insert(limb.name).second)
+        refuse(root_, "limb",
+               fmt::format("makes \"{}\" a second time, once of a mirror image; give each limb its "
+                           "own name",
+                           limb.name));
+  }
+
   void read_joint(const toml::table* toml, AssemblyLimb& limb, std::set<std::string>& names) {
     TaskTable in = table(toml, "limb.joint");
     AssemblyJoint joint;
@@ -237,10 +249,10 @@ class AssemblyReader {
     const bool twin =
         std::any_of(limb.joints.begin(), limb.joints.end(),
                     [&](const AssemblyJoint& other) { return other.link == joint.link; });
-    if (!is_plain_name(joint.link) || twin)
+    if (!is_plain_name(joint.link) || twin || joint.link.ends_with("_servo"))
       refuse(in, "link",
              fmt::format("is \"{}\"; expected letters, digits, '_' and '-', another name for each "
-                         "link",
+                         "link, and none that ends in _servo, as those of servos do",
                          joint.link));
     in.require(in.has("axis"), "axis", "axis = [0, 1, 0]");
     if (const auto axis = in.numbers("axis")) {

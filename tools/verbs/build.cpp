@@ -48,12 +48,25 @@ std::pair<std::string, std::string> first_task_of(const BuildOptions& options,
   const std::optional<std::string> gait =
       options.gait.empty() ? std::nullopt : std::optional(options.gait);
   const std::string none = gait ? "" : no_task_text(model);
-  if (!none.empty()) throw InputError(options.assembly, 0, "", "no task is written: " + none);
+  if (!none.empty())
+    throw InputError(
+        options.assembly, 0, "",
+        "no task is written: " + none + "; without --task the robot is written by itself");
   const StarterTask task = starter_task(model, gait);
   const fs::path folder = fs::absolute(options.task).lexically_normal().parent_path();
   const fs::path robot = fs::absolute(options.output).lexically_normal();
   return {starter_text(task, robot.lexically_proximate(folder).generic_string()),
           fmt::format("{} at {:.2g} m/s, a cycle of {:.2g} s", task.gait, task.speed, task.period)};
+}
+
+/// The robot; what is wrong with it is told of the assembly, from which it comes.
+BuiltRobot robot_of(const Assembly& assembly, const BuildOptions& options) {
+  try {
+    return build_robot(assembly, options.output);
+  } catch (const InputError& error) {
+    throw InputError(options.assembly, 0, "",
+                     fmt::format("its robot is refused and not written; of {}", error.what()));
+  }
 }
 
 Json to_json(const BuiltRobot& built, const BuildOptions& options) {
@@ -89,7 +102,7 @@ int build(const BuildOptions& options) {
   refuse_what_is_there(options.task);
   const ModuleLibrary library = library_with(options.library);
   const Assembly assembly = parse_assembly(read_file(options.assembly), options.assembly, library);
-  const BuiltRobot built = build_robot(assembly, options.output);
+  const BuiltRobot built = robot_of(assembly, options);
   const auto [task, words] = options.task.empty() ? std::pair<std::string, std::string>{}
                                                   : first_task_of(options, built.found.model);
   write_file(options.output, built.xml);

@@ -146,7 +146,7 @@ TEST(AssembledRobot, PutsServosOnWhatCarriesThem) {
   const int servo = mj_name2id(model.get(), mjOBJ_BODY, "FL_knee_servo");
   EXPECT_EQ(model->body_parentid[servo], mj_name2id(model.get(), mjOBJ_BODY, "FL_hip_link"));
   EXPECT_EQ(model->body_jntnum[servo], 0);
-  const double* centre = model->body_ipos + 3 * servo;
+  const double* centre = model->body_ipos + std::ptrdiff_t{3} * servo;
   EXPECT_NEAR(centre[0], 0.0, 1e-12);
   EXPECT_NEAR(centre[1], -0.017, 1e-12) << "behind its horn";
   EXPECT_NEAR(centre[2], 0.009, 1e-12) << "up the thigh";
@@ -183,7 +183,7 @@ TEST(BuiltRobots, FollowTheirDesign) {
               2.0 * (capsule_mass(0.1, 0.006, 1240.0) - capsule_mass(0.09, 0.006, 1240.0)), 1e-9);
   const int servo = mj_name2id(after.get(), mjOBJ_BODY, "FL_hip_servo"),
             knee = mj_name2id(after.get(), mjOBJ_BODY, "FL_knee_servo");
-  EXPECT_NEAR(after->body_pos[3 * servo], 0.0925, 1e-9) << "hips go with the trunk";
+  EXPECT_NEAR(after->body_pos[std::ptrdiff_t{3} * servo], 0.0925, 1e-9) << "hips go with the trunk";
   EXPECT_NEAR(after->body_pos[3 * knee + 2], -0.1, 1e-9);
   EXPECT_EQ(after->body_mass[knee], before->body_mass[knee]);
 }

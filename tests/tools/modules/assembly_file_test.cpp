@@ -153,6 +153,11 @@ TEST(AssemblyFile, RefusesLimbsThatDoNotFit) {
   expect_complaint(assembly_with("name = \"knee\"", "name = \"hip\""),
                    "limb.joint.name: is \"hip\" a second time in this limb");
   expect_complaint(assembly_with("\"shank\"", "\"thigh\""), "limb.joint.link: is \"thigh\"");
+  expect_complaint(assembly_with("\"shank\"", "\"hip_servo\""), "none that ends in _servo");
+  std::string twins = kWholeAssembly.substr(kWholeAssembly.find("[[limb]]"));
+  twins.replace(twins.find("[\"F\", \"H\"]"), 10, "[\"FL\", \"HX\"]");
+  twins.erase(twins.find("mirror = \"y\"\n"), 13);
+  expect_complaint(kWholeAssembly + twins, "limb: makes \"FL\" a second time");
   expect_complaint(assembly_with("name = \"dog\"", "name = \"a dog\""), "expected letters");
   expect_complaint(assembly_with("foot_offset = [0.0, 0.0, -0.09]", "foot_offset = [0, 0, 0]"),
                    "limb.foot_offset: has no length");

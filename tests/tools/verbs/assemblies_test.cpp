@@ -88,6 +88,32 @@ TEST(Assemblies, WhatIsWrongIsToldAndNothingWritten) {
                              task.string(), "--gait", "tripod"});
   EXPECT_EQ(gait.code, 2);
   EXPECT_FALSE(fs::exists(robot)) << "nothing half-written";
+  text = read_file(kPuppyAssembly);
+  text.replace(text.find("copies = 2"), 10, "copies = 1");
+  text.replace(text.find("names = [\"F\", \"H\"]"), 18, "names = [\"F\"]");
+  write_file(assembly, text);
+  const Outcome biped =
+      call({"build", assembly.string(), "-o", robot.string(), "--task", task.string()});
+  EXPECT_EQ(biped.code, 2);
+  EXPECT_TRUE(contains(biped.err, "two small feet")) << biped.err;
+  EXPECT_TRUE(contains(biped.err, "without --task the robot is written")) << biped.err;
+  EXPECT_EQ(call({"build", assembly.string(), "-o", robot.string()}).code, 0);
+}
+
+/// Legs that stand up and cannot turn down.
+TEST(Assemblies, ARobotThatDoesNotStandIsRefused) {
+  const test::TemporaryFolder folder;
+  const fs::path robot = folder.path() / "robot.xml", assembly = folder.path() / "a.toml";
+  std::string text = read_file(kPuppyAssembly);
+  for (std::size_t at; (at = text.find("-0.09")) != std::string::npos;) text.erase(at, 1);
+  for (const char* joint : {"{ name = \"hip\"", "{ name = \"knee\""})
+    text.insert(text.find(joint) + 1, " range = [-0.1, 0.1],");
+  write_file(assembly, text);
+  const Outcome told = call({"build", assembly.string(), "-o", robot.string()});
+  EXPECT_EQ(told.code, 2);
+  EXPECT_TRUE(contains(told.err, "a.toml: its robot is refused and not written; of ")) << told.err;
+  EXPECT_TRUE(contains(told.err, "does not stand")) << told.err;
+  EXPECT_FALSE(fs::exists(robot));
 }
 
 TEST(Assemblies, KeysAreTold) {
