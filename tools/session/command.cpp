@@ -32,6 +32,8 @@ const char* kind_of(const Branch&) { return "branch"; }
 const char* kind_of(const Step&) { return "step"; }
 const char* kind_of(const Settled&) { return "settled"; }
 const char* kind_of(const Searched&) { return "searched"; }
+const char* kind_of(const WorkedOut&) { return "worked_out"; }
+const char* kind_of(const Choose&) { return "choose"; }
 
 template <class F>
 void fields(Edit& c, F&& f) {
@@ -79,6 +81,16 @@ void fields(Settled&, F&&) {}
 template <class F>
 void fields(Searched& c, F&& f) {
   f("points", c.points);
+}
+template <class F>
+void fields(WorkedOut& c, F&& f) {
+  f("what", c.what);
+}
+template <class F>
+void fields(Choose& c, F&& f) {
+  f("what", c.what);
+  f("design", c.design);
+  f("goes_on", c.goes_on);
 }
 
 /// The command of this kind, with its fields read; nothing where the kind is another.

@@ -52,13 +52,24 @@ struct Settled {};  // the motions were solved
 struct Searched {
   int points = 0;
 };
+/// Other designs were worked out: "fewest" changes, or the "front" of several tasks.
+struct WorkedOut {
+  std::string what;
+};
+/// Takes one of those designs, counted from 0, in the place of the one that stands.
+struct Choose {
+  std::string what;
+  int design = 0;
+  bool goes_on = false;  // with the choice before it, as one: a slider that moves on
+};
 
 }  // namespace session
 
 using SessionCommand =
     std::variant<session::Edit, session::Freeze, session::Bounds, session::Tasks, session::Weights,
                  session::Reset, session::Undo, session::Redo, session::Snapshot, session::Branch,
-                 session::Step, session::Settled, session::Searched>;
+                 session::Step, session::Settled, session::Searched, session::WorkedOut,
+                 session::Choose>;
 
 /// The command as a line of the journal: {"do": "edit", …}.
 Json json_of(const SessionCommand& command);

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/session/alternatives.hpp"
 #include "tools/session/command.hpp"
 #include "tools/session/design_motions.hpp"
 #include "tools/session/history.hpp"
@@ -50,6 +51,9 @@ class SessionEngine {
   void apply(const session::Step&) { (void)step(); }
   void apply(const session::Settled&) { (void)settle(); }
   void apply(const session::Searched& searched) { (void)search(searched.points, {}); }
+  /// Notes where it was; the work is done when one of the designs is asked for.
+  void apply(const session::WorkedOut& worked_out);
+  void apply(const session::Choose& choose);
   void apply(const SessionCommand& command);
 
   /// Solves for the motions of the body as it stands. False where stopped or F is not finite: then
@@ -60,6 +64,13 @@ class SessionEngine {
   /// One design iteration. False where stopped, or where no better body is near: then nothing has
   /// changed.
   bool step();
+  /// Works out other designs, which choose() takes; the state stays. False where stopped: then
+  /// nothing has changed. Throws InputError where there is nothing to be worked out.
+  bool work_out(AlternativeKind kind, const std::function<void()>& tell);
+  /// "fewest" or "front". Throws InputError for another word.
+  static AlternativeKind kind_of(const std::string& what);
+  /// What was worked out, the latest of each kind.
+  std::vector<AlternativesPointer> alternatives() const;
 
  private:
   struct Costs;
@@ -83,6 +94,11 @@ class SessionEngine {
   StatePointer state_;
   SessionHistory history_;
   std::vector<std::string> moving_;  // the parameters of the last command, where that was an edit
+  struct Worked {
+    StatePointer from;
+    AlternativesPointer found;  // null: a journal's, not worked out anew yet
+  };
+  std::map<AlternativeKind, Worked> worked_;
   std::shared_ptr<Costs> costs_;
 };
 

@@ -15,17 +15,7 @@ constexpr std::size_t kEventsKept = 1000;
 // A process that dies during a search loses no more of it.
 constexpr std::chrono::milliseconds kSearchNoted{500};
 
-std::vector<std::string> names_of(const session::Edit& edit) {
-  std::vector<std::string> names;
-  for (const auto& [name, value] : edit.values) names.push_back(name);
-  return names;
-}
-
 constexpr const char* kPaused = "paused";
-
-std::exception_ptr closed() {
-  return std::make_exception_ptr(std::invalid_argument("the session is closed"));
-}
 
 std::string end_words(const SearchEnd& end) {
   switch (end.status) {
@@ -50,6 +40,8 @@ std::string_view to_string(SessionPhase phase) {
       return "solving";
     case SessionPhase::searching:
       return "searching";
+    case SessionPhase::working_out:
+      return "working out";
   }
   return "unknown";
 }
@@ -67,42 +59,12 @@ std::string_view to_string(SessionEvent::Kind kind) {
       return "point";
     case Kind::ended:
       return "ended";
+    case Kind::worked_out:
+      return "worked out";
     case Kind::failed:
       return "failed";
   }
   return "unknown";
-}
-
-Session::Session(const RobotModel& robot, const std::string& text,
-                 const std::filesystem::path& file, const Options& options)
-    : engine_(robot, text, file, options.threads),
-      journal_(begin_of(robot, text, file), options.journal) {
-  engine_.set_stop([this] { return interrupted(); });
-  show();
-  const auto done = std::make_shared<std::promise<void>>();
-  queue_.push_back({[this, &options] { obey_all(options.commands); }, done, std::nullopt});
-  worker_ = std::thread([this] { run(); });
-  try {
-    done->get_future().get();
-  } catch (...) {
-    close();
-    throw;
-  }
-}
-
-Session::~Session() { close(); }
-
-void Session::close() {
-  {
-    const std::lock_guard lock(mutex_);
-    closing_ = true;  // nothing enters the queue from here on
-  }
-  changed_.notify_all();
-  const std::lock_guard joining(joining_);
-  if (!worker_.joinable()) return;
-  worker_.join();
-  for (Item& item : queue_)
-    if (item.done) item.done->set_exception(closed());
 }
 
 bool Session::interrupted() const {
@@ -110,12 +72,12 @@ bool Session::interrupted() const {
   return !held_ && (closing_ || !queue_.empty());
 }
 
-// ---- the worker ----
+bool Session::must_settle() const {
+  return !snapshot_->state->settled() && snapshot_->state != given_up_;
+}
 
 bool Session::has_work() const {
-  if (!queue_.empty() || searching_) return true;
-  const SessionState& state = *snapshot_->state;
-  return !state.settled() && snapshot_->state != given_up_;
+  return !queue_.empty() || searching_ || must_settle() || working_out_;
 }
 
 void Session::run() {
@@ -129,11 +91,16 @@ void Session::run() {
       queue_.pop_front();
       // A search that was asked for and has not begun is paused, too.
       const bool paused = !item.starts && std::exchange(searching_, false);
+      const bool dropped = working_out_.has_value();
+      working_out_.reset();
       lock.unlock();
+      if (dropped) publish(SessionEvent::Kind::worked_out, "stopped");
       if (paused) publish(SessionEvent::Kind::ended, kPaused);
       obey(item);
     } else {
-      phase_ = searching_ ? SessionPhase::searching : SessionPhase::solving;
+      phase_ = searching_      ? SessionPhase::searching
+               : must_settle() ? SessionPhase::solving
+                               : SessionPhase::working_out;
       lock.unlock();
       work();
     }
@@ -154,12 +121,15 @@ void Session::work() {
     show();
     if (phase_ == SessionPhase::searching)
       search();
-    else
+    else if (phase_ == SessionPhase::solving)
       settle();
+    else
+      work_out_now(*working_out_);
   } catch (const std::exception& error) {  // no memory
     {
       const std::lock_guard lock(mutex_);
       searching_ = false;
+      working_out_.reset();
       given_up_ = engine_.state();
     }
     publish(SessionEvent::Kind::failed, error.what());
@@ -217,6 +187,27 @@ void Session::settle() {
     publish(SessionEvent::Kind::unsolved, "F is not finite for this body and motion");
 }
 
+void Session::work_out_now(AlternativeKind kind) {
+  bool done = false;
+  std::string why;
+  try {
+    done = engine_.work_out(kind, {});
+  } catch (const InputError& error) {
+    why = error.what();
+  }
+  if (!done && why.empty()) {
+    if (interrupted()) return;
+    why = "F is not finite on the way to other designs";
+  }
+  if (done) note(session::WorkedOut{std::string(to_string(kind))});
+  {
+    const std::lock_guard lock(mutex_);
+    working_out_.reset();
+    phase_ = SessionPhase::idle;
+  }
+  publish(SessionEvent::Kind::worked_out, why);
+}
+
 void Session::note(const SessionCommand& command) {
   write_journal([&] { journal_.add(command); });
 }
@@ -241,6 +232,7 @@ void Session::show() {
   next->can_redo = engine_.history().can_redo();
   next->names = engine_.history().names();
   next->kept = engine_.history().kept();
+  next->alternatives = engine_.alternatives();
   {
     const std::lock_guard lock(mutex_);
     next->phase = phase_;
@@ -258,126 +250,6 @@ void Session::publish(SessionEvent::Kind kind, std::string words) {
     if (events_.size() > kEventsKept) events_.pop_front();
   }
   changed_.notify_all();
-}
-
-// ---- all threads ----
-
-void Session::enqueue(Item item) {
-  {
-    const std::lock_guard lock(mutex_);
-    if (closing_) std::rethrow_exception(closed());
-    if (item.edit && !queue_.empty() && queue_.back().edit &&
-        names_of(*queue_.back().edit) == names_of(*item.edit)) {
-      // One that begins a change of its own still does.
-      item.edit->goes_on = item.edit->goes_on && queue_.back().edit->goes_on;
-      queue_.pop_back();
-    }
-    queue_.push_back(std::move(item));
-  }
-  changed_.notify_all();
-}
-
-void Session::call(std::function<void()> work) {
-  auto done = std::make_shared<std::promise<void>>();
-  enqueue({std::move(work), done, std::nullopt});
-  done->get_future().get();
-}
-
-void Session::obey_all(const std::vector<SessionCommand>& commands) {
-  const auto hold = [this](bool held) {
-    const std::lock_guard lock(mutex_);
-    held_ = held;
-  };
-  for (const SessionCommand& command : commands) {
-    hold(std::holds_alternative<session::Searched>(command) ||
-         std::holds_alternative<session::Settled>(command) ||
-         std::holds_alternative<session::Step>(command));
-    try {
-      engine_.apply(command);
-    } catch (...) {
-      hold(false);
-      throw;
-    }
-    hold(false);
-    note(command);
-  }
-  if (!commands.empty()) publish(SessionEvent::Kind::changed);
-}
-
-void Session::apply(SessionCommand command) {
-  call([this, command = std::move(command)] { obey_all({command}); });
-}
-
-void Session::post(SessionCommand command) {
-  if (auto* edit = std::get_if<session::Edit>(&command))
-    enqueue({{}, nullptr, std::move(*edit)});
-  else
-    enqueue({[this, command = std::move(command)] { obey_all({command}); }, nullptr, std::nullopt});
-}
-
-void Session::start() {
-  {
-    const std::lock_guard lock(mutex_);
-    if (searching_ && queue_.empty()) return;
-  }
-  enqueue({[this] {
-             const std::lock_guard lock(mutex_);
-             searching_ = true;
-           },
-           nullptr, std::nullopt, true});
-}
-
-void Session::pause() {
-  call([] {});
-}
-
-bool Session::step() {
-  bool moved = false;
-  call([this, &moved] {
-    moved = engine_.step();
-    if (!moved) return;
-    note(session::Step{});
-    publish(SessionEvent::Kind::changed);
-  });
-  return moved;
-}
-
-bool Session::wait(std::chrono::milliseconds limit) {
-  std::unique_lock lock(mutex_);
-  const auto idle = [this] { return !busy_ && !has_work(); };
-  changed_.wait_for(lock, limit, [&] { return closing_ || idle(); });
-  return idle();
-}
-
-SnapshotPointer Session::snapshot() const {
-  const std::lock_guard lock(mutex_);
-  return snapshot_;
-}
-
-SnapshotPointer Session::next_snapshot(std::uint64_t revision,
-                                       std::chrono::milliseconds limit) const {
-  std::unique_lock lock(mutex_);
-  changed_.wait_for(lock, limit, [&] { return snapshot_->revision != revision || closing_; });
-  return snapshot_;
-}
-
-std::vector<SessionEvent> Session::events(std::uint64_t after,
-                                          std::chrono::milliseconds limit) const {
-  std::unique_lock lock(mutex_);
-  changed_.wait_for(lock, limit, [&] { return event_count_ > after || closing_; });
-  std::vector<SessionEvent> out;
-  for (const SessionEvent& event : events_)
-    if (event.number > after) out.push_back(event);
-  return out;
-}
-
-SessionRecord Session::record() {
-  SessionRecord out;
-  call([&] {
-    out.state = engine_.state();
-    out.journal = journal_.text();
-  });
-  return out;
 }
 
 }  // namespace legwright

@@ -24,7 +24,7 @@
 namespace legwright {
 
 /// What a session is doing.
-enum class SessionPhase { idle, solving, searching };
+enum class SessionPhase { idle, solving, searching, working_out };
 std::string_view to_string(SessionPhase phase);
 
 /// What readers see of a session; never changed once it is made.
@@ -33,8 +33,9 @@ struct SessionSnapshot {
   StatePointer state;
   SessionPhase phase = SessionPhase::idle;
   bool can_undo = false, can_redo = false;
-  std::vector<std::string> names;            // of what was kept under one
-  std::map<std::string, StatePointer> kept;  // under these
+  std::vector<std::string> names;                 // of what was kept under one
+  std::map<std::string, StatePointer> kept;       // under these
+  std::vector<AlternativesPointer> alternatives;  // worked out, the latest of each kind
 };
 using SnapshotPointer = std::shared_ptr<const SessionSnapshot>;
 
@@ -47,12 +48,13 @@ struct SessionRecord {
 /// Something that happened, for whoever follows.
 struct SessionEvent {
   enum class Kind {
-    changed,   // a command was obeyed; motions are first-order ones
-    solved,    // the motions are those of the body
-    unsolved,  // Newton's method found none
-    point,     // a search came to another body
-    ended,     // a search ended, or was paused; `words` say how
-    failed,    // what was posted could not be obeyed; `words` say why
+    changed,     // a command was obeyed; motions are first-order ones
+    solved,      // the motions are those of the body
+    unsolved,    // Newton's method found none
+    point,       // a search came to another body
+    ended,       // a search ended, or was paused; `words` say how
+    worked_out,  // other designs are there to choose from; or `words` say why there are none
+    failed,      // what was posted could not be obeyed; `words` say why
   };
   std::uint64_t number = 0;  // from 1, without gaps
   Kind kind = Kind::changed;
@@ -96,6 +98,9 @@ class Session {
   void start();
   /// Returns once no search goes on.
   void pause();
+  /// Works out other designs than the one that stands, in the background, until another command or
+  /// its end. session::Choose takes one. Throws InputError as check_workable().
+  void work_out(AlternativeKind kind);
   /// One design iteration. @return whether there was a better body near
   bool step();
   /// Returns once nothing goes on: commands obeyed, searches ended, motions solved.
@@ -128,7 +133,9 @@ class Session {
   void obey(Item& item);
   void search();
   void settle();
-  bool has_work() const;  // needs mutex_
+  void work_out_now(AlternativeKind kind);
+  bool must_settle() const;  // needs mutex_
+  bool has_work() const;     // needs mutex_
   bool interrupted() const;
   void enqueue(Item item);
   void call(std::function<void()> work);
@@ -146,6 +153,7 @@ class Session {
   SnapshotPointer snapshot_;
   SessionPhase phase_ = SessionPhase::idle;
   bool closing_ = false, searching_ = false;
+  std::optional<AlternativeKind> working_out_;
   bool busy_ = false;      // the worker is at something
   bool held_ = false;      // what it is at must not be interrupted
   StatePointer given_up_;  // a state whose motions cannot be solved

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "mjcf/scene/surroundings.hpp"
 #include "mjcf/text/compile.hpp"
 #include "plugin/planned_motion.hpp"
 #include "tools/drawables/drawn_design.hpp"
@@ -136,7 +137,9 @@ class PhysicsPlayer::Play {
                       {"planned", {wanted[0], wanted[1], wanted[2]}},
                       {"slip", touches[foot].slip_speed}});
     }
+    const Eigen::Vector3d up = up_of(*scene_.model);
     return {{"running", settings_.run},
+            {"up", force_json(up)},
             {"task", settings_.task},
             {"time", data_->time},
             {"phase", std::fmod((data_->time + scene_.t0) / scene_.trajectory.period, 1.0)},

@@ -54,7 +54,18 @@ Json motion_json(const SessionState& state, int task, const mjModel& model) {
   out["weight"] = morphology.total_mass() * kGravity;
   out["extra"] = payload_json(objective.task(), map.root_body);
   out["faults"] = faults_json(state, task, model);
+  const Eigen::Vector3d& up = objective.task().up;
+  out["up"] = {up.x(), up.y(), up.z()};
+  out["step"] = objective.task().step_over;
   out["predicted"] = !state.settled();
+  return out;
+}
+
+Json motion_on_body(const SessionState& state, int task, const mjModel& model) {
+  const auto k = static_cast<std::size_t>(task);
+  const Objective& objective = *state.problem->objectives.at(k);
+  Json out = motion_frames_json(model, planned_trajectory(objective, state.now->tasks.at(k).m));
+  for (const char* unseen : {"forces", "places", "feet"}) out.erase(unseen);
   return out;
 }
 

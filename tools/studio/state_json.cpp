@@ -48,7 +48,9 @@ double mass_of(const SessionState& state) {
 Json state_json(const SessionSnapshot& snapshot, int document) {
   const SessionState& state = *snapshot.state;
   const Eigen::VectorXd gradient = state.design_gradient();
-  Json task_F = Json::array(), solved = Json::array();
+  Json task_F = Json::array(), solved = Json::array(), others = Json::array();
+  for (const AlternativesPointer& each : snapshot.alternatives)
+    if (each->problem == state.problem) others.push_back(to_string(each->kind));
   for (const TaskIterate& task : state.now->tasks) {
     task_F.push_back(task.value);
     solved.push_back(to_string(task.motion_status));
@@ -72,6 +74,7 @@ Json state_json(const SessionSnapshot& snapshot, int document) {
           {"iterations", state.iterations},
           {"can_undo", snapshot.can_undo},
           {"can_redo", snapshot.can_redo},
+          {"alternatives", others},
           {"names", snapshot.names}};
 }
 

@@ -70,6 +70,7 @@ const std::map<std::string, StudioService::Answer>& StudioService::answers() {
       {"GET /api/start", &StudioService::get_start},
       {"GET /api/document", &StudioService::get_document},
       {"GET /api/design", &StudioService::get_design},
+      {"GET /api/bounds", &StudioService::get_bounds},
       {"GET /api/motion", &StudioService::get_motion},
       {"GET /api/compare", &StudioService::get_compare},
       {"POST /api/open", &StudioService::post_open},
@@ -137,6 +138,11 @@ Json StudioService::get_design(const StudioRequest& request) {
     s[i] = value.get<double>();
   }
   return space->design_at(s);
+}
+
+/// The ghosts of a parameter: ?name=NAME&task=0.
+Json StudioService::get_bounds(const StudioRequest& request) {
+  return workspace()->at_bounds(query_of(request, "name"), task_of(request));
 }
 
 Json StudioService::get_motion(const StudioRequest& request) {
@@ -240,7 +246,7 @@ Json StudioService::post_physics(const StudioRequest& request) {
   return Json::object();
 }
 
-/// A command of the journal, or what a search is told: start, pause, step.
+/// A command of the journal, or what a search is told: start, pause, step, work_out.
 Json StudioService::post_command(const StudioRequest& request) {
   const auto space = workspace();
   Session& session = space->session();
@@ -251,11 +257,14 @@ Json StudioService::post_command(const StudioRequest& request) {
     session.pause();
   } else if (kind == "step") {
     if (!session.step()) hub_.notice("info", "No better body is near.");
-  } else if (kind == "settled" || kind == "searched") {
-    throw InputError("'" + kind + "' is for journals alone: motions are solved by themselves");
+  } else if (kind == "work_out") {
+    session.work_out(SessionEngine::kind_of(needed<std::string>(request.body, "what")));
+  } else if (kind == "settled" || kind == "searched" || kind == "worked_out") {
+    throw InputError("'" + kind + "' is for journals alone: what is solved is noted by itself");
   } else {
     Json command = request.body;
-    if (kind == "edit" && !command.contains("goes_on")) command["goes_on"] = false;
+    if ((kind == "edit" || kind == "choose") && !command.contains("goes_on"))
+      command["goes_on"] = false;
     if (kind == "freeze" && !command.contains("frozen")) command["frozen"] = true;
     session.apply(command_of(command, "command", 0));
   }

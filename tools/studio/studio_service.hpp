@@ -68,6 +68,7 @@ class StudioService {
   Json get_start(const StudioRequest& request);
   Json get_document(const StudioRequest& request);
   Json get_design(const StudioRequest& request);
+  Json get_bounds(const StudioRequest& request);
   Json get_motion(const StudioRequest& request);
   Json get_compare(const StudioRequest& request);
   Json post_open(const StudioRequest& request);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "mjcf/text/input_error.hpp"
+#include "tools/studio/alternatives_json.hpp"
 #include "tools/studio/document.hpp"
 #include "tools/studio/shown_motion.hpp"
 #include "tools/studio/state_json.hpp"
@@ -59,10 +60,30 @@ Json Workspace::design_at(const Eigen::VectorXd& s) {
   return out;
 }
 
-Json Workspace::motion(const SessionState& state, int task) {
+void Workspace::check_task(const SessionState& state, int task) const {
   if (task < 0 || task >= state.problem->task_count())
     throw InputError(fmt::format("task {}: expected 0 to {}, the tasks that there are", task,
                                  state.problem->task_count() - 1));
+}
+
+Json Workspace::at_bounds(const std::string& name, int task) {
+  const StatePointer state = session_->snapshot()->state;
+  check_task(*state, task);
+  const int i = robot_.space.find(name);
+  if (i < 0) throw InputError(fmt::format("'{}' is no design parameter", name));
+  const auto at = [&](double value) -> Json {
+    Eigen::VectorXd s = state->s();
+    s[i] = value;
+    const ModelPointer model = drawn_model(robot_, s);
+    return {{"value", value},
+            {"design", drawables_json(*model, meshes_)},
+            {"motion", motion_on_body(*state, task, *model)}};
+  };
+  return {{"lower", at(state->lower[i])}, {"upper", at(state->upper[i])}};
+}
+
+Json Workspace::motion(const SessionState& state, int task) {
+  check_task(state, task);
   const ModelPointer model = drawn_model(robot_, state.s());
   return motion_json(state, task, *model);
 }
@@ -100,6 +121,8 @@ void Workspace::follow() {
 void Workspace::tell(const SessionEvent& event) {
   using Kind = SessionEvent::Kind;
   if (event.kind == Kind::failed || event.kind == Kind::unsolved) hub_.notice("error", event.words);
+  if (event.kind == Kind::worked_out && !event.words.empty())
+    hub_.notice("info", "No other designs were worked out: " + event.words);
   if (event.kind == Kind::ended) hub_.notice("info", "Search " + event.words + ".");
   if (event.kind == Kind::point) {
     const StatePointer& now = event.snapshot->state;
@@ -133,8 +156,17 @@ void Workspace::show(const SessionSnapshot& snapshot) {
       hub_.publish("motion", to_line(motion), fmt::format("motion:{}", k));
     }
   }
+  tell_alternatives(snapshot);
   hub_.publish("state", to_line(state_json(snapshot, document_)));
   if (first) tell_design(snapshot.revision, true);  // looking for handles takes a while
+}
+
+void Workspace::tell_alternatives(const SessionSnapshot& snapshot) {
+  if (told_ == snapshot.alternatives) return;
+  told_ = snapshot.alternatives;
+  for (const AlternativesPointer& each : told_)
+    hub_.publish("alternatives", to_line(alternatives_json(*each)),
+                 fmt::format("alternatives:{}", to_string(each->kind)));
 }
 
 void Workspace::tell_design(std::uint64_t revision, bool with_handles) {

@@ -51,14 +51,20 @@ class Workspace {
   Json design_at(const Eigen::VectorXd& s);
   /// Of a task of a state. Throws InputError where there is no such task.
   Json motion(const SessionState& state, int task);
+  /// The bodies at both bounds of a parameter of the present design, which moves as it does:
+  /// {lower, upper: {value, design, motion}}. Throws InputError where there is no such parameter or
+  /// task.
+  Json at_bounds(const std::string& name, int task);
   /// What was kept under a name; the present under none. Throws InputError where there is none.
   StatePointer find(const std::string& name) const;
 
  private:
+  void check_task(const SessionState& state, int task) const;
   void follow();
   void show(const SessionSnapshot& snapshot);
   void tell(const SessionEvent& event);
   void tell_design(std::uint64_t revision, bool with_handles);
+  void tell_alternatives(const SessionSnapshot& snapshot);
   /// Those of the given body: what they sit on does not depend on the design.
   const std::vector<Handle>& handles();
 
@@ -79,6 +85,7 @@ class Workspace {
   Eigen::VectorXd shown_s_;
   ModelPointer model_;
   std::size_t motions_ = 0;
+  std::vector<AlternativesPointer> told_;  // alternatives
   std::thread follower_;
 };
 

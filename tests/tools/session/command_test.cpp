@@ -25,7 +25,9 @@ TEST(SessionCommand, EveryKindComesBackAsItWasWritten) {
                                         session::Branch{"first"},
                                         session::Step{},
                                         session::Settled{},
-                                        session::Searched{17}};
+                                        session::Searched{17},
+                                        session::WorkedOut{"fewest"},
+                                        session::Choose{"front", 3, true}};
   ASSERT_EQ(all.size(), std::variant_size_v<SessionCommand>);
   for (const SessionCommand& command : all) {
     const std::string text = json_of(command).dump();
@@ -41,7 +43,9 @@ TEST(SessionCommand, WhatIsNoCommandIsToldByLine) {
        {"[]", "{}", R"({"do": "dance"})", R"({"do": "edit"})", R"({"do": "undo", "times": 2})",
         R"({"do": "edit", "values": {"thigh": "long"}, "goes_on": false})",
         R"({"do": "searched", "points": 0})", R"({"do": "searched", "points": 1e300})",
-        R"({"do": "searched", "points": 4294967297})", R"({"do": "searched", "points": 2.5})"}) {
+        R"({"do": "choose", "what": "front", "design": -1, "goes_on": false})",
+        R"({"do": "worked_out"})", R"({"do": "searched", "points": 4294967297})",
+        R"({"do": "searched", "points": 2.5})"}) {
     try {
       (void)read(text);
       FAIL() << text;

@@ -2,6 +2,7 @@
 // Co-design over HTTP, as a page does it.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <thread>
 
 #include "tests/tools/studio/browser.hpp"
@@ -15,7 +16,7 @@ using test::OpenStudio;
 
 class EditingTest : public testing::Test {
  protected:
-  Json command(Json body) { return browser_.post("/api/command", body); }
+  Json command(const Json& body) { return browser_.post("/api/command", body); }
   static double value(const Json& state) { return state["s"][0].get<double>(); }
 
   OpenStudio studio_{test::kSidewaysTask};
@@ -111,7 +112,8 @@ TEST_F(EditingTest, FootfallsComeBackAsTheyWereDrawn) {
   Json touchdown, duty;
   std::size_t first = 3;
   for (const Json& row : cells) {  // each foot stands for 15 knots, one after the other
-    touchdown[row["foot"].get<std::string>()] = static_cast<double>(first) / knots;
+    touchdown[row["foot"].get<std::string>()] =
+        static_cast<double>(first) / static_cast<double>(knots);
     duty[row["foot"].get<std::string>()] = 15.0 / static_cast<double>(knots);
     first += 6;
   }
@@ -172,6 +174,73 @@ TEST_F(EditingTest, ASavedSessionIsTakenUpFromItsRun) {
   EXPECT_EQ(start["recent"][0]["path"], (studio_.folder.path() / "runs/mine").string());
   ASSERT_EQ(start["unsaved"].size(), 1U) << "what came after it was saved is kept";
   EXPECT_EQ(start["unsaved"][0]["origin"], test::kSidewaysTask);
+}
+
+TEST_F(EditingTest, TheBodiesAtTheBoundsOfAParameterAreToldAndChangeNothing) {
+  (void)browser_.settled();
+  command({{"do", "bounds"}, {"name", kThigh}, {"lower", 0.05}, {"upper", 0.08}});
+  const std::string path = std::string("/api/bounds?task=0&name=") + kThigh;
+  const Json found = browser_.get(path);
+  EXPECT_EQ(found["lower"]["value"], 0.05);
+  EXPECT_EQ(found["upper"]["value"], 0.08);
+  const Json motion = browser_.get("/api/motion?task=0");
+  for (const char* side : {"lower", "upper"}) {
+    EXPECT_EQ(found[side]["motion"]["frames"], motion["frames"]);
+    EXPECT_EQ(found[side]["design"]["bodies"].size(), motion["bodies"].get<std::size_t>());
+    EXPECT_NE(found[side]["motion"]["poses"], motion["poses"]) << "another body";
+  }
+  EXPECT_EQ(value(browser_.settled()), 0.06);
+  EXPECT_EQ(browser_.get("/api/bounds?name=tail")["status"], 400);
+  EXPECT_EQ(browser_.get("/api/bounds")["status"], 400);
+  EXPECT_EQ(browser_.get(path + "0")["status"], 400) << "no such parameter";
+  EXPECT_EQ(browser_.get(std::string("/api/bounds?task=1&name=") + kThigh)["status"], 400);
+}
+
+TEST_F(EditingTest, FewestChangesAreWorkedOutAndOneIsChosenAndUndone) {
+  command({{"do", "edit"}, {"values", {{kThigh, 0.066}, {"body_length", 0.2}}}});
+  (void)browser_.settled();
+  ASSERT_EQ(command({{"do", "work_out"}, {"what", "fewest"}})["status"], 200);
+  const Json found = browser_.next("alternatives");
+  ASSERT_FALSE(found.is_null());
+  EXPECT_EQ(found["what"], "fewest");
+  ASSERT_FALSE(found["designs"].empty());
+  EXPECT_EQ(found["worths"].size(), 2U);
+  const Json state = browser_.settled();
+  EXPECT_EQ(state["alternatives"], Json::array({"fewest"}));
+  const int last = static_cast<int>(found["designs"].size()) - 1;
+  const Json choose{{"do", "choose"}, {"what", "fewest"}, {"design", last}};
+  ASSERT_EQ(command(choose)["status"], 200);
+  EXPECT_EQ(browser_.settled()["s"], found["designs"].back()["s"]);
+  ASSERT_EQ(command({{"do", "undo"}})["status"], 200);
+  EXPECT_EQ(value(browser_.settled()), 0.066);
+  Browser second(studio_.server->url());
+  EXPECT_EQ(second.next("alternatives")["what"], "fewest") << "a page that comes later knows them";
+}
+
+TEST_F(EditingTest, WhatCannotBeWorkedOutOrChosenIsRefused) {
+  (void)browser_.settled();
+  EXPECT_EQ(command({{"do", "work_out"}, {"what", "best"}})["status"], 400);
+  EXPECT_EQ(command({{"do", "work_out"}})["status"], 400);
+  EXPECT_EQ(command({{"do", "worked_out"}, {"what", "fewest"}})["status"], 400);
+  EXPECT_EQ(command({{"do", "choose"}, {"what", "fewest"}, {"design", 0}})["status"], 400);
+  EXPECT_EQ(command({{"do", "choose"}, {"what", "fewest"}, {"design", -1}})["status"], 400);
+  for (const char* what : {"front", "fewest"}) {
+    const Json refused = command({{"do", "work_out"}, {"what", what}});
+    EXPECT_EQ(refused["status"], 400);
+    EXPECT_EQ(refused["error"]["where"], what) << "one task, and a body as it was given";
+  }
+}
+
+TEST_F(EditingTest, ASlopeAndAStepAreToldWithTheMotion) {
+  (void)browser_.settled();
+  EXPECT_EQ(browser_.get("/api/motion?task=0")["up"], Json::array({0.0, 0.0, 1.0}));
+  browser_.post("/api/task", {{"changes",
+                               {{"travel", {{"velocity", {0.05, 0.0}}}},
+                                {"ground", {{"slope_along", 0.1}}},
+                                {"limits", {{"step_over", 0.005}, {"swing_height", 0.02}}}}}});
+  const Json motion = browser_.get("/api/motion?task=0");
+  EXPECT_NEAR(motion["up"][0].get<double>(), std::sin(0.1), 1e-9) << "uphill, up leans ahead";
+  EXPECT_EQ(motion["step"], 0.005);
 }
 
 TEST_F(EditingTest, PhysicsPlayTheGaitAndAPushIsFelt) {

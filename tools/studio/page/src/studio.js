@@ -37,6 +37,7 @@ export class Studio {
         this.motions.set(data.task ?? 0, data);
         if ((data.task ?? 0) === (this.store.get("task") ?? 0)) this.store.set("motion", data);
       },
+      alternatives: () => this.store.set(`alternatives ${data.what}`, data),
       notice: () => this.notices.show(data.level, data.words),
     };
     (acts[kind] ?? (() => this.store.set(kind, data)))();
@@ -69,6 +70,7 @@ export class Studio {
   forget() {
     this.known = undefined;
     this.motions.clear();
+    this.store.values["alternatives fewest"] = this.store.values["alternatives front"] = null;
     const keys = ["opened", "state", "motion", "design", "document", "judge", "physics"];
     for (const key of keys) this.store.values[key] = null;
     this.store.set("paused", false);
@@ -132,6 +134,7 @@ export class Studio {
   edit(name, value, phase) {
     if (this.store.get("state")?.phase === "searching") this.store.set("paused", true);
     this.edits.set({ [name]: value }, phase);
+    this.store.set("held", { name, phase });
   }
 
   lock(name, frozen) {
@@ -142,6 +145,16 @@ export class Studio {
   async putBack(name, given) {
     await this.command("edit", { values: { [name]: given }, goes_on: false });
     await this.lock(name, true);
+  }
+
+  /** Works out other designs: "fewest" changes, or the "front" of the tasks. */
+  workOut(what) {
+    return this.command("work_out", { what });
+  }
+
+  /** Takes one of them in the place of what stands; `goes_on`: as one step with the one before. */
+  choose(what, design, goes_on) {
+    this.latest(`choose ${what}`, () => this.commandQuietly("choose", { what, design, goes_on }));
   }
 
   setBounds(name, lower, upper) {

@@ -23,7 +23,7 @@ export function beginDrag(handle, world, camera, width, height, x, y) {
   const along = handle.along.clone().transformDirection(world);
   return handle.kind === "turn"
     ? turning(centre, held, along, camera, width, height, x, y)
-    : moving(held, handle.along.clone(), camera, width, height, x, y);
+    : moving(held, along.multiplyScalar(handle.along.length()), camera, width, height, x, y);
 }
 
 /** Along a line: the pointer's way along the line's picture. */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Marks where something is wrong: a ring that faces the viewer, and its words beside it.
-import { DoubleSide, Group, Mesh, MeshBasicMaterial, RingGeometry, Vector3 } from "three";
+import { DoubleSide, Group, Mesh, MeshBasicMaterial, Quaternion, RingGeometry, Vector3 } from "three";
 
 const RING = new RingGeometry(0.72, 1, 28);
 const MOST = 6; // marks at once
@@ -37,6 +37,7 @@ export class Marks {
     });
     this.labels = [];
     this.point = new Vector3();
+    this.turn = new Quaternion(); // from the world's frame
     for (let i = 0; i < MOST; i++) {
       const ring = new Mesh(RING, this.material);
       ring.renderOrder = 8;
@@ -53,13 +54,14 @@ export class Marks {
   /** @param {{at: Vector3, words: string}[]} marks in the frame of `root` */
   show(marks, radius, camera) {
     this.shown = marks.slice(0, MOST);
+    this.root.getWorldQuaternion(this.turn).invert();
     this.root.children.forEach((ring, i) => {
       const mark = this.shown[i];
       ring.visible = Boolean(mark);
       if (!mark) return;
       ring.position.copy(mark.at);
       ring.scale.setScalar(radius);
-      ring.quaternion.copy(camera.quaternion);
+      ring.quaternion.copy(this.turn).multiply(camera.quaternion);
     });
     this.place(camera);
   }

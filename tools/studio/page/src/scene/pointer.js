@@ -129,7 +129,8 @@ export class Pointer {
     const { point, body, at } = this.held.push;
     const depth = point.clone().project(camera).z;
     const to = new Vector3((2 * x) / box.width - 1, 1 - (2 * y) / box.height, depth);
-    const along = to.unproject(camera).sub(point);
+    const along = to.unproject(camera).sub(point); // in the ground's frame from here on
+    along.applyQuaternion(this.view.stage.tilted.quaternion.clone().invert());
     this.view.push = { body, at: at.toArray(), along };
     this.told.push(this.view.push);
   }

@@ -3,14 +3,18 @@
 // of server or session: a report shows its data with the same code.
 import { Color, Group, Vector3 } from "three";
 import { Arrows } from "./arrows.js";
+import { BoundGhosts } from "./bound_ghosts.js";
 import { sizeOf, soleFinder } from "./extent.js";
 import { Footprints } from "./footprints.js";
 import { Handles } from "./handles.js";
+import { Hurdles } from "./hurdles.js";
 import { Marks } from "./marks.js";
 import { MotionPlayer } from "./motion_player.js";
 import { NameTag } from "./name_tag.js";
 import { RobotBody } from "./robot_body.js";
+import { Recording } from "./recording.js";
 import { Shadow } from "./shadow.js";
+import { SlopeTag } from "./slope_tag.js";
 import { Stage } from "./stage.js";
 
 const GHOST = new Color(0x7b8cff);
@@ -37,22 +41,26 @@ export class SceneView {
     this.measured = new Arrows(0xe8871e);
     this.pushArrow = new Arrows(0xc2185b);
     this.footprints = new Footprints();
+    this.hurdles = new Hurdles();
     this.handles = new Handles();
     this.marks = new Marks(this.labels);
     this.tag = new NameTag(this.labels);
+    this.slopeTag = new SlopeTag(this.labels);
+    this.bounds = new BoundGhosts(options);
     this.shadow = new Shadow(this.stage.sun);
     this.walker = new Group();
     this.walker.add(this.robot.root, this.footprints.root, this.handles.root);
-    this.walker.add(this.ghost.root, this.neighbour.root);
+    this.walker.add(this.ghost.root, this.neighbour.root, this.bounds.root, this.hurdles.root);
     for (const each of [this.planned, this.measured, this.pushArrow, this.marks])
       this.walker.add(each.root);
     this.stage.world.add(this.walker);
-    this.stage.scene.add(this.shadow.root);
+    this.stage.tilted.add(this.shadow.root);
     this.show = { forces: true, paths: true, faults: true, follow: true };
     this.playing = true;
     this.speed = 1;
     this.time = 0;
     this.live = null; // what physics says, instead of the plan
+    this.recording = new Recording(); // of what physics said
     this.readParameter = () => ({ value: 0, lower: 0, upper: 0, locked: false });
     this.offset = new Vector3();
     this.stage.before.push((now) => this.advance(now));
@@ -113,6 +121,12 @@ export class SceneView {
     this.pose();
   }
 
+  /** Shows the bodies at both bounds of a parameter, as ghosts; null takes them away. */
+  setBounds(bounds) {
+    this.bounds.set(bounds);
+    this.pose();
+  }
+
   /** Whether two designs walk side by side. */
   besides() {
     return this.other === this.neighbour && this.neighbour.root.visible;
@@ -152,13 +166,35 @@ export class SceneView {
     this.onPlaying?.(playing);
   }
 
+  /** Plays on in what physics did, to its end. @param {number} passed [s] */
+  playRecording(passed) {
+    const { recording } = this;
+    const time = Math.min(recording.end, recording.at + passed);
+    this.seekRecording(time);
+    if (time === recording.end) this.setPlaying(false);
+  }
+
+  /** Shows what physics did at a time [s] of the recorded run; what goes on there is held. */
+  seekRecording(time) {
+    const began = !this.recording.shown;
+    this.setLive(this.recording.show(time));
+    if (began) this.onRecording?.();
+  }
+
+  /** Leaves the recorded run. */
+  leaveRecording() {
+    this.recording.shown = false;
+    this.setLive(null);
+  }
+
   phase() {
     return this.player ? this.player.at(this.time).phase : 0;
   }
 
   advance(now) {
     const passed = this.last ? Math.min((now - this.last) / 1000, 0.2) : 0;
-    if (this.playing && this.player && !this.live) {
+    if (this.playing && this.recording.shown) this.playRecording(passed * this.speed);
+    else if (this.playing && this.player && !this.live) {
       this.time += passed * this.speed;
       this.pose();
     } else if (this.stage.dirty) this.pose();
@@ -171,9 +207,11 @@ export class SceneView {
     if (!this.design || !(this.player || this.live)) return;
     const poses = this.live?.poses ?? this.player.sample(this.time, this.poses);
     this.robot.setPoses(poses);
+    this.stage.setUp(this.live?.up ?? this.player?.motion.up ?? [0, 0, 1]);
     if (!this.framed) this.frame();
     this.follow(poses);
     this.poseGhost();
+    this.bounds.pose(this.live ? null : this.player, this.time);
     this.drawForces(poses);
     this.drawFeet(poses);
     this.stage.scene.updateMatrixWorld();
@@ -183,6 +221,7 @@ export class SceneView {
     this.handles.update(this.robot, camera, host.clientHeight, this.size, this.readParameter);
     this.drawFaults();
     this.tagNeighbour(camera);
+    this.slopeTag.show(this.stage.up, this.player?.advance ?? [1, 0, 0]);
     this.onPose?.();
   }
 
@@ -269,6 +308,7 @@ export class SceneView {
     if (!this.findSoles) {
       this.findSoles = soleFinder(this.design, this.player);
       this.footprints.setMotion(this.player, this.findSoles);
+      this.hurdles.setMotion(this.player, this.findSoles, this.size);
     }
     return this.findSoles;
   }
@@ -276,9 +316,11 @@ export class SceneView {
   drawFeet(poses) {
     const { root } = this.footprints;
     root.visible = Boolean(this.show.paths && this.player && !this.live);
+    this.hurdles.root.visible = root.visible;
     if (!root.visible) return;
     this.soles();
     this.footprints.update(this.player, this.time, poses, this.size * 0.032);
+    this.hurdles.update(this.player, this.time);
   }
 
   drawFaults() {

@@ -8,6 +8,7 @@ import {
   Matrix4,
   Mesh,
   MeshBasicMaterial,
+  Vector3,
 } from "three";
 
 export class Shadow {
@@ -24,17 +25,29 @@ export class Shadow {
       stencilZPass: IncrementStencilOp,
       fog: false,
     });
-    const [x, y] = [sun.x / sun.z, sun.y / sun.z];
-    this.flat = new Matrix4().set(1, 0, -x, 0, 0, 1, -y, 0, 0, 0, 0, 0.0008, 0, 0, 0, 1);
-    this.flat.elements[10] = 1e-5; // keeps normals finite
+    this.sun = sun;
+    this.flat = new Matrix4();
+    this.toGround = new Matrix4();
+    this.here = new Vector3();
   }
 
   setTheme(theme) {
     this.material.opacity = theme === "dark" ? 0.42 : 0.13;
   }
 
+  /** Flattens along the light, as the ground's frame has it. */
+  aim() {
+    const ground = this.root.parent;
+    this.toGround.copy(ground.matrixWorld).invert();
+    this.here.copy(this.sun).transformDirection(this.toGround);
+    const [x, y] = [this.here.x / this.here.z, this.here.y / this.here.z];
+    this.flat.set(1, 0, -x, 0, 0, 1, -y, 0, 0, 0, 1e-5, 0.0008, 0, 0, 0, 1); // normals stay finite
+    this.flat.multiply(this.toGround);
+  }
+
   /** Follows the meshes of a robot, whose world matrices are up to date. */
   follow(meshes) {
+    this.aim();
     while (this.root.children.length > meshes.length) this.root.children.pop();
     while (this.root.children.length < meshes.length) {
       const mesh = new Mesh(undefined, this.material);

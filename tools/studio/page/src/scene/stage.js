@@ -10,6 +10,7 @@ import {
   Group,
   HemisphereLight,
   PerspectiveCamera,
+  Quaternion,
   Scene,
   Vector3,
   WebGLRenderer,
@@ -46,6 +47,9 @@ function createRenderer() {
   return { renderer: new WebGLRenderer({ antialias: true, stencil: true }), software };
 }
 
+/** The smallest rotation that takes a direction upright. */
+const tiltOf = (up) => new Quaternion().setFromUnitVectors(up, new Vector3(0, 0, 1));
+
 export class Stage {
   /** @param {HTMLElement} host is filled by the canvas */
   constructor(host) {
@@ -57,9 +61,12 @@ export class Stage {
     host.append(this.canvas);
     this.scene = new Scene();
     this.scene.fog = new Fog(0, 1, 2);
+    this.tilted = new Group(); // the ground's frame, which is not level on a slope
     this.world = new Group(); // moves against the walk, so that the robot stays in the picture
     this.ground = new Ground();
-    this.scene.add(this.world, this.ground.mesh);
+    this.tilted.add(this.world, this.ground.mesh);
+    this.scene.add(this.tilted);
+    this.up = new Vector3(0, 0, 1); // against gravity, in that frame
     this.addLights();
     this.camera = new PerspectiveCamera(32, 1, 0.01, 200);
     this.camera.up.set(0, 0, 1);
@@ -104,6 +111,14 @@ export class Stage {
     this.scene.fog.color.set(palette.sky);
     this.ambient.intensity = 0.5 * palette.ambient;
     this.ground.setColours(palette);
+    this.touch();
+  }
+
+  /** Tilts the ground so that up in the picture is against gravity. @param {number[]} up unit */
+  setUp([x, y, z]) {
+    if (x === this.up.x && y === this.up.y && z === this.up.z) return;
+    this.up.set(x, y, z);
+    this.tilted.quaternion.copy(tiltOf(this.up));
     this.touch();
   }
 

@@ -49,6 +49,7 @@ const KINDS = [
   "design",
   "motion",
   "point",
+  "alternatives",
   "physics",
   "judge",
   "job",

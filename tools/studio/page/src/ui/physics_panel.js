@@ -28,7 +28,7 @@ export class PhysicsPanel {
       "section.panel",
       { aria: { label: "Physics" } },
       h("h2", {}, "Physics"),
-      h("div.button-row", {}, this.run, this.reset, this.pushing, this.nudge),
+      h("div.button-row", {}, this.run, this.goOn, this.reset, this.pushing, this.nudge),
       this.status,
       h(
         "div.sliders",
@@ -38,6 +38,8 @@ export class PhysicsPanel {
       this.forces,
     );
     this.show(false);
+    studio.view.onRecording = () => this.hold();
+    studio.store.on("forgotten", () => studio.view.recording.clear());
     studio.store.on("physics", (physics) => this.update(physics));
     studio.store.on("document", (document) => this.takeTask(document));
   }
@@ -49,6 +51,17 @@ export class PhysicsPanel {
       { type: "button", onClick: () => this.startAgain() },
       icon("reset"),
       "Start again",
+    );
+    this.goOn = h(
+      "button",
+      {
+        type: "button",
+        hidden: true,
+        title: "The physics go on from where they were held",
+        onClick: () => this.resume(),
+      },
+      icon("step"),
+      "Go on",
     );
     this.pushing = h(
       "button",
@@ -131,7 +144,7 @@ export class PhysicsPanel {
     const reset = Boolean(this.again);
     this.again = false;
     return {
-      run: this.running,
+      run: this.running && !this.held,
       task,
       gains: [stiffness, damping],
       friction,
@@ -149,18 +162,36 @@ export class PhysicsPanel {
 
   startAgain() {
     this.again = true;
-    this.held = false;
+    this.release();
     this.send({});
   }
 
-  toggle(on = !this.running) {
+  /** Goes on from where the physics were held, whatever of the run is looked at. */
+  resume() {
+    this.release();
+    this.send({});
+  }
+
+  release() {
     this.held = false;
+    this.goOn.hidden = true;
+    this.studio.view.recording.shown = false;
+  }
+
+  toggle(on = !this.running) {
+    this.release();
+    this.studio.view.recording.clear();
     this.starting = on;
     if (!on) this.until = undefined;
     this.show(on);
     this.times = [];
     this.send({ run: on });
-    if (!on) this.studio.view.setLive(null);
+    const { view } = this.studio;
+    if (on) this.wasPlaying = view.playing;
+    else {
+      view.leaveRecording();
+      view.setPlaying(this.wasPlaying ?? view.playing);
+    }
   }
 
   show(running) {
@@ -214,8 +245,10 @@ export class PhysicsPanel {
     if (this.held) return;
     if (!this.running && !this.goesOn()) return;
     if (!this.running) this.show(true); // another page began it
-    const { poses, feet, phase, time, speed, fell } = physics;
-    this.studio.view.setLive({ poses: floatsOf(poses), feet: feet ?? [], phase });
+    const { poses, feet, phase, time, speed, fell, up } = physics;
+    const live = { time, poses: floatsOf(poses), feet: feet ?? [], phase, up, fell };
+    this.studio.view.recording.add(live);
+    this.studio.view.setLive(live);
     const pace = Number.isFinite(speed) ? `${speed.toFixed(2)} × real time` : "";
     const end = fell ? `fell after ${fell.time.toFixed(2)} s: ${fell.words}` : "";
     setText(this.status, [`${time.toFixed(2)} s`, pace, end].filter(Boolean).join(" · "));
@@ -252,8 +285,11 @@ export class PhysicsPanel {
 
   /** Keeps the picture of this moment; the physics rest. */
   hold() {
+    if (this.held) return;
     this.until = undefined;
     this.held = true;
+    this.goOn.hidden = false;
+    setText(this.status, `Held at ${this.studio.view.recording.end.toFixed(2)} s of the run.`);
     this.send({ run: false });
   }
 

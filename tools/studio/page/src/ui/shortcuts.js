@@ -10,6 +10,8 @@ const LIST = [
   ["[ ]", "the parameter before, after"],
   ["+ −", "change the selected parameter; with shift ten steps"],
   ["L", "lock or unlock the selected parameter"],
+  ["P", "put the selected parameter back to its given value"],
+  ["F", "work out with how few changes the body would do"],
   ["escape", "select nothing"],
   ["O", "optimise, pause, continue"],
   ["arrows on the picture", "turn the camera; with shift zoom"],
@@ -52,6 +54,16 @@ function moveCamera({ stage }, event) {
   return true;
 }
 
+/** Gives the selected parameter its given value again. */
+function putBack(studio) {
+  const name = studio.selection.first;
+  const parameter = studio.store.get("document").parameters.find((each) => each.name === name);
+  if (!parameter) return;
+  if (studio.readParameter(name).locked)
+    studio.notices.show("info", `${name.replaceAll("_", " ")} is locked.`);
+  else studio.edit(name, parameter.given, "once");
+}
+
 /** What each key without ctrl does. */
 function plainKeys(studio) {
   const { view, selection } = studio;
@@ -77,6 +89,8 @@ function plainKeys(studio) {
     l: () =>
       selection.first &&
       studio.lock(selection.first, !studio.readParameter(selection.first).locked),
+    p: () => putBack(studio),
+    f: () => studio.workOut("fewest"),
     o: () => studio.searchButtons.toggle(),
     1: () => view.stage.view("corner"),
     2: () => view.stage.view("side"),

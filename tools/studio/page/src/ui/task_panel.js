@@ -4,7 +4,7 @@ import { fill, h, setText } from "../dom.js";
 import { words } from "../units.js";
 import { Footfalls } from "./footfalls.js";
 import { Joystick } from "./joystick.js";
-import { Weights } from "./weights.js";
+import { TradeOff } from "./trade_off.js";
 
 /** Numbers of a task: where they stand in the task file, and how they are read from the document. */
 const NUMBERS = [
@@ -99,9 +99,7 @@ export class TaskPanel {
     this.studio = studio;
     this.index = 0;
     this.tabs = h("div.tabs", { role: "tablist", aria: { label: "Tasks" } });
-    this.weights = new Weights((weights) =>
-      studio.latest("weights", () => studio.commandQuietly("weights", { weights })),
-    );
+    this.tradeOff = new TradeOff(studio);
     this.gait = h("select.wide", { aria: { label: "Gait" }, onChange: () => this.chooseGait() });
     this.about = h("p.hint");
     this.footfalls = new Footfalls((rows) => this.setFootfalls(rows));
@@ -120,7 +118,7 @@ export class TaskPanel {
     return [
       h("h2", {}, "Task"),
       this.tabs,
-      this.weights.element,
+      this.tradeOff.element,
       h("div.behaviours", { role: "group", aria: { label: "Behaviours" } }, this.behaviours()),
       h("h3", {}, "Velocity"),
       h(
@@ -218,10 +216,6 @@ export class TaskPanel {
               each.name,
             ),
           ),
-    );
-    this.weights.set(
-      tasks.map((each) => each.name),
-      tasks.map((each) => each.weight),
     );
     const top = Math.sqrt(9.81 * (leg ?? 0.3));
     this.joystick.setScale(nice(Math.max(0.3 * top, 1.3 * Math.hypot(...task.velocity))));

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cycle as a timeline: which foot stands when, what is wrong when, and where the picture is.
-// Knows the scene alone, so a report has it, too.
+// The cycle as a timeline: which foot stands when, what is wrong when, and where the picture is. Of
+// a run in physics all of it instead, to be scrubbed. Knows the scene alone, so a report has it, too.
 import { fill, h, icon, setText, svg } from "../dom.js";
+import { atMost } from "./rate.js";
 
 const ROW = 9; // of the drawing's units
 const FAULTS = 4; // of what is wrong with no foot
 const TRACK = 48; // px, of the whole drawing at least
 const LABEL = 11; // px, of a foot's name
+const STANDS = 0.02; // of the weight, from which on a foot in physics stands
 const SPEEDS = [1, 0.5, 0.25, 0.1];
 
 export class Timeline {
@@ -45,18 +47,28 @@ export class Timeline {
       h("div.track", {}, this.drawing, this.head, this.slider),
       this.clock,
     );
+    this.drawRunSoon = atMost(250, () => this.run && this.drawRun());
     view.onPlaying = () => this.showPlaying();
     view.onPose = () => this.showPhase();
     this.showPlaying();
   }
 
   toggle() {
-    this.view.setPlaying(!this.view.playing);
+    const { view } = this;
+    if (!this.run) return view.setPlaying(!view.playing);
+    const { recording } = view;
+    const playing = recording.shown && !view.playing;
+    if (!recording.shown) view.seekRecording(recording.end); // holds it
+    else if (playing && recording.at >= recording.end) view.seekRecording(recording.begin);
+    view.setPlaying(playing);
   }
 
   scrub() {
-    this.view.setPlaying(false);
-    this.view.seekPhase(this.slider.valueAsNumber);
+    const { view, slider } = this;
+    view.setPlaying(false);
+    if (!this.run) return view.seekPhase(slider.valueAsNumber);
+    const { begin, seconds } = view.recording;
+    view.seekRecording(begin + slider.valueAsNumber * seconds);
   }
 
   key(event) {
@@ -72,21 +84,27 @@ export class Timeline {
     const { view } = this;
     if (!view.player) return;
     view.setPlaying(false);
+    if (this.run) return view.seekRecording(view.recording.neighbour(count));
     const frame = Math.round(view.phase() * view.player.frames) + count;
     const { cycle } = view.player.at(view.time);
     view.seek((cycle + (frame + 1e-6) / view.player.frames) * view.player.period);
   }
 
   showPlaying() {
-    const { playing } = this.view;
+    const { view } = this;
+    const playing = this.run && !view.recording.shown ? true : view.playing;
     this.play.replaceChildren(icon(playing ? "pause" : "play"));
-    const label = playing ? "Pause the motion" : "Play the motion";
+    const what = this.run ? "the run" : "the motion";
+    const label = playing ? `Pause ${what}` : `Play ${what}`;
     this.play.title = `${label} (space)`;
     this.play.setAttribute("aria-label", label);
   }
 
   showPhase() {
     const { view } = this;
+    const run = Boolean(view.live && view.recording.frames.length > 1);
+    if (run !== Boolean(this.run)) this.showRuns(run);
+    if (run) return this.showRun();
     if (view.player && view.player !== this.player) this.draw(view.player);
     const phase = view.live ? (view.live.phase ?? 0) : view.phase();
     const shown = phase.toFixed(3);
@@ -98,6 +116,61 @@ export class Timeline {
     const seconds = (phase * period).toFixed(2);
     setText(this.clock, `${seconds} / ${period.toFixed(2)} s`);
     this.slider.setAttribute("aria-valuetext", `${seconds} of ${period.toFixed(2)} seconds`);
+  }
+
+  /** Changes between the cycle and a run in physics. */
+  showRuns(run) {
+    this.run = run;
+    this.drawnKey = this.shownPhase = this.player = null;
+    this.element.classList.toggle("of-a-run", run);
+    this.slider.setAttribute("aria-label", run ? "Time of the run" : "Phase of the cycle");
+    this.showPlaying();
+  }
+
+  showRun() {
+    const { view } = this;
+    const { recording } = view;
+    if (recording.shown !== this.held) {
+      this.held = recording.shown;
+      this.showPlaying();
+    }
+    const share = recording.seconds > 0 ? (recording.at - recording.begin) / recording.seconds : 0;
+    this.head.style.left = `${(100 * share).toFixed(2)}%`;
+    this.slider.valueAsNumber = share;
+    const [at, end] = [recording.at.toFixed(2), recording.end.toFixed(2)];
+    setText(this.clock, `${at} / ${end} s`);
+    this.slider.setAttribute("aria-valuetext", `${at} of ${end} seconds of the run`);
+    this.drawRunSoon();
+  }
+
+  /** When each foot stood in physics, and from when on the robot lay. */
+  drawRun() {
+    const { recording, player } = this.view;
+    if (!player || !recording.frames.length) return;
+    const key = `${recording.begin} ${recording.end}`;
+    if (key === this.drawnKey) return;
+    this.drawnKey = key;
+    const feet = recording.frames[0].feet;
+    this.drawing.setAttribute("viewBox", `0 0 1000 ${Math.max(1, feet.length) * ROW + FAULTS}`);
+    const bars = recording
+      .stances(STANDS * (player.weight ?? 0))
+      .flatMap((spans, i) => spans.map(([a, b]) => bar("stance", a, b, i * ROW + 1, ROW - 2)));
+    const { fell } = recording.frames.at(-1);
+    const from = fell ? (fell.time - recording.begin) / recording.seconds : 1;
+    if (from < 1) bars.push(bar("fault", Math.max(0, from), 1, feet.length * ROW + 1, FAULTS - 1));
+    fill(this.drawing, bars);
+    this.nameFeet(feet, true);
+  }
+
+  nameFeet(feet, others) {
+    fill(
+      this.labels,
+      feet.map((foot) => h("span", {}, foot.name)),
+    );
+    const height = Math.max(1, feet.length) * ROW + (others ? FAULTS : 0);
+    const tall = Math.max(TRACK, LABEL * feet.length);
+    this.element.style.setProperty("--track", `${tall}px`);
+    this.labels.style.paddingBottom = others ? `${(tall * FAULTS) / height}px` : "0";
   }
 
   draw(player) {
@@ -114,8 +187,6 @@ export class Timeline {
     const others = rows.includes(-1);
     const height = Math.max(1, feet.length) * ROW + (others ? FAULTS : 0);
     this.drawing.setAttribute("viewBox", `0 0 1000 ${height}`);
-    const bar = (name, from, to, y, tall) =>
-      svg(`rect.${name}`, { x: 1000 * from, width: 1000 * (to - from), y, height: tall });
     const bars = feet.flatMap((foot, i) =>
       runs(foot.stance).map(([from, to]) => bar("stance", from, to, i * ROW + 1, ROW - 2)),
     );
@@ -127,15 +198,13 @@ export class Timeline {
       ),
     );
     fill(this.drawing, bars, wrong);
-    fill(
-      this.labels,
-      feet.map((foot) => h("span", {}, foot.name)),
-    );
-    const tall = Math.max(TRACK, LABEL * feet.length);
-    this.element.style.setProperty("--track", `${tall}px`);
-    this.labels.style.paddingBottom = others ? `${(tall * FAULTS) / height}px` : "0";
+    this.nameFeet(feet, others);
   }
 }
+
+/** A bar of the drawing, from share to share of its width. */
+const bar = (name, from, to, y, tall) =>
+  svg(`rect.${name}`, { x: 1000 * from, width: 1000 * (to - from), y, height: tall });
 
 /** The phases of a fault, cut at the seam of the cycle. */
 const spans = ({ from, to }) =>

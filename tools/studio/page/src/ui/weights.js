@@ -25,14 +25,15 @@ function normal(weights) {
 }
 
 export class Weights {
-  /** @param {(weights: number[]) => void} changed */
+  /** @param {(weights: number[], goes_on: boolean) => void} changed */
   constructor(changed) {
     this.changed = changed;
     this.element = h("div.weights");
   }
 
-  /** @param {string[]} names @param {number[]} weights */
+  /** @param {string[]} names @param {number[]} weights what stands; not while one is moved */
   set(names, weights) {
+    if (this.moving && names.join("\n") === this.key) return;
     this.weights = normal(weights);
     this.names = names;
     const key = names.join("\n");
@@ -52,6 +53,7 @@ export class Weights {
         step: 0.01,
         aria: { label: `Weight of ${names[i]}` },
         onInput: (event) => this.take(i, event.target.valueAsNumber),
+        onChange: () => this.end(),
       });
     this.sliders = names.length === 2 ? [one(1)] : names.map((_, i) => one(i));
     this.texts = names.map(() => h("output"));
@@ -104,13 +106,37 @@ export class Weights {
       drag(event);
     });
     drawing.addEventListener("pointermove", (event) => event.buttons && drag(event));
+    drawing.addEventListener("pointerup", () => this.end());
     return drawing;
   }
 
   tell(weights) {
     this.weights = normal(weights);
     this.show();
-    this.changed(this.weights.map((w) => Math.round(w * 1000) / 1000));
+    const rounded = this.weights.map((w) => Math.round(w * 1000) / 1000);
+    this.changed(rounded, Boolean(this.moving));
+    this.moving = true;
+  }
+
+  /** What follows is another change. */
+  end() {
+    this.moving = false;
+  }
+
+  /** Draws the weights of designs that are known into the triangle. */
+  showDesigns(designs) {
+    this.dots?.remove();
+    this.dots = null;
+    if (!designs.length || !this.knob || this.names?.length !== 3) return;
+    const at = (weights, k) => CORNERS.reduce((sum, c, i) => sum + weights[i] * c[k], 0);
+    this.dots = svg(
+      "g.dots",
+      {},
+      designs.map(({ weights }) =>
+        svg("circle", { cx: at(weights, 0), cy: at(weights, 1), r: 2.2 }),
+      ),
+    );
+    this.knob.before(this.dots);
   }
 
   show() {

@@ -4,8 +4,10 @@
 import { h, iconButton, setText } from "../dom.js";
 import { Pointer } from "../scene/pointer.js";
 import { SceneView } from "../scene/scene_view.js";
+import { ChangesPanel } from "./changes_panel.js";
 import { CostPanel, FaultsPanel } from "./cost_panel.js";
 import { menuButton } from "./dialogs.js";
+import { HeldBounds } from "./held_bounds.js";
 import { JobStatus } from "./job_status.js";
 import { JudgePanel } from "./judge_panel.js";
 import { ParameterList } from "./parameter_list.js";
@@ -37,6 +39,7 @@ export class Workspace {
     studio.pointer = new Pointer(studio.view, this.pointerActs());
     studio.showWorkspace = (name) => this.show(name);
     this.follow();
+    new HeldBounds(studio);
     takeKeys(studio);
     followTheme((theme) => studio.view.setTheme(theme));
     this.show("design");
@@ -97,9 +100,12 @@ export class Workspace {
             studio.list.element,
           ),
         ],
-        right: [new CostPanel(studio), new FaultsPanel(studio), new SnapshotsPanel(studio)].map(
-          (each) => each.element,
-        ),
+        right: [
+          new CostPanel(studio),
+          new ChangesPanel(studio),
+          new FaultsPanel(studio),
+          new SnapshotsPanel(studio),
+        ].map((each) => each.element),
       },
       simulate: {
         left: [new TaskPanel(studio).element],

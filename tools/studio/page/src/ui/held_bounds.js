@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// While a parameter is under the user's hand, the bodies at its two bounds are seen as ghosts.
+import { get } from "../session/api.js";
+import { atMost } from "./rate.js";
+
+const LINGER = 700; // ms after the hand is off
+const ANEW = 500; // ms between ghosts that follow the motion
+
+export class HeldBounds {
+  constructor(studio) {
+    this.studio = studio;
+    this.name = null;
+    studio.store.on("held", ({ name, phase }) => this.take(name, phase));
+    studio.store.on(
+      "motion",
+      atMost(ANEW, () => this.name && this.load()),
+    );
+    studio.store.on("forgotten", () => this.end());
+  }
+
+  /** @param {"begin"|"drag"|"end"|"once"} phase of an edit */
+  take(name, phase) {
+    clearTimeout(this.timer);
+    if (phase === "once") return this.end();
+    if (phase === "end") {
+      this.timer = setTimeout(() => this.end(), LINGER);
+      return;
+    }
+    if (this.name === name) return;
+    this.name = name;
+    this.load();
+  }
+
+  load() {
+    const { studio, name } = this;
+    const task = studio.store.get("task") ?? 0;
+    studio.latest("bounds", async () => {
+      const found = await get(`/api/bounds?name=${encodeURIComponent(name)}&task=${task}`);
+      if (this.name === name) studio.view.setBounds(found);
+    });
+  }
+
+  end() {
+    if (this.name === null) return;
+    this.name = null;
+    this.studio.view.setBounds(null);
+  }
+}
