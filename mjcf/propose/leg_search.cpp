@@ -265,6 +265,16 @@ Vector3d SearchedLeg::below_hip() const {
   return out;
 }
 
+bool SearchedLeg::sprawls() const {
+  return joints.size() > 2 && std::abs(axes.front().z()) > kParallel;
+}
+
+Vector3d SearchedLeg::outwards() const {
+  Vector3d out = hip - anchors.front();
+  out.z() = 0.0;
+  return out.norm() > 1e-3 * reach ? Vector3d(out.normalized()) : Vector3d::Zero().eval();
+}
+
 void SearchedLeg::measure(const mjModel& model, mjData& data) {
   const VectorXd before = angles_of(*this, model, data);
   set_angles(*this, model, data, rest_of(*this));
@@ -301,14 +311,15 @@ bool SearchedLeg::mirror(const SearchedLeg& other, const Vector3d& trunk, const 
   return true;
 }
 
-bool SearchedLeg::put(const mjModel& model, mjData& data, const Vector3d& place) const {
+bool SearchedLeg::put(const mjModel& model, mjData& data, const Vector3d& place,
+                      const Vector3d& knee_to) const {
   const Vector3d forwards = ahead();
   const auto cost = [&] {
     const Vector3d miss = (touch(model, data) - place) / reach;
     const Vector3d knee = Vector3d::Map(data.xanchor + std::ptrdiff_t{3} * joints.back()) - hip;
     const double along = forwards.dot(miss), beside = side.dot(miss);
-    return along * along + kBesideWeight * beside * beside + kBelowWeight * miss.z() * miss.z() +
-           kKneeBack * forwards.dot(knee) / reach;
+    return along * along + kBesideWeight * beside * beside + kBelowWeight * miss.z() * miss.z() -
+           kKneeBack * knee_to.dot(knee) / reach;
   };
   LegSearch(*this, model, data, cost).run();
   // The height exactly, by the least turn.

@@ -30,6 +30,10 @@ struct SearchedLeg {
   Eigen::Vector3d ahead() const;
   /// Below the hip in the plane in which the leg bends, as far beside it as at rest; height 0.
   Eigen::Vector3d below_hip() const;
+  /// Whether its first hinge turns it about the vertical, as an insect's: it sprawls.
+  bool sprawls() const;
+  /// Level, from that hinge to the one above the knee; zero where both are in one place.
+  Eigen::Vector3d outwards() const;
   /// Finds reach, hip, rest, side, anchors and axes; angles in `data` are as before then.
   void measure(const mjModel& model, mjData& data);
   /// Takes the angles of a leg of which this one is the mirror image. False where it is none, or
@@ -41,7 +45,9 @@ struct SearchedLeg {
   /// Turns the joints until the foot is at the height of `place` (to 1e-9 m) and otherwise near it,
   /// nearer in the plane in which the leg bends than beside it.
   /// False where the height is out of reach.
-  bool put(const mjModel& model, mjData& data, const Eigen::Vector3d& place) const;
+  /// @param knee where the knee had better go, a direction: back, or up of a leg that sprawls
+  bool put(const mjModel& model, mjData& data, const Eigen::Vector3d& place,
+           const Eigen::Vector3d& knee) const;
 };
 
 /// Legs: of the chains of two hinges and more those of as many hinges and, to a quarter, one

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <set>
 
@@ -40,6 +41,7 @@ constexpr double kSameLength = 1e-6;        // [m]: what differs by so much was 
 constexpr double kTiedInProportion = 0.05;  // of a link: so much left and right may differ
 constexpr double kAcross =
     0.7;  // cosine: turning an axis about a direction nearer to it does little
+constexpr double kMirroredAxes = 0.01;    // [rad]: what exporters round, and hands
 constexpr double kAlongAxis = 0.996;      // cosine of 5 degrees: a link along an axis of its body
 constexpr double kLargestBall = 0.5;      // radius of a foot over the length of its link
 constexpr double kAttachmentShare = 0.3;  // of its distance from the hinge, either way
@@ -244,12 +246,14 @@ class ProposalBuilder {
               from = mj_name2id(compiled_.get(), mjOBJ_JOINT, joint.name.c_str()),
               to = mj_name2id(compiled_.get(), mjOBJ_JOINT, twin.name.c_str());
     // The mirror image of a line; a joint may turn either way about it.
-    const Vector3d image = mirrored_turn(*compiled_, trunk, from, to, side(), joint.axis.at(s_));
-    if (std::abs(image.dot(twin.axis.at(s_))) < 1.0 - 1e-9)
+    const Vector3d image = mirrored_turn(*compiled_, trunk, from, to, side(), joint.axis.at(s_)),
+                   axis = twin.axis.at(s_);
+    const double off = std::atan2(image.cross(axis).norm(), std::abs(image.dot(axis)));
+    if (off > kMirroredAxes)
       return fmt::format(
           "the axes of '{}' and '{}' are no mirror images, seen from the trunk in "
-          "the home pose",
-          joint.name, twin.name);
+          "the home pose: {:.3g} degrees off",
+          joint.name, twin.name, off * 180.0 / std::numbers::pi);
     if (!at_mirrored_angles(*compiled_, trunk, from, to, side()))
       return fmt::format(
           "joints '{}' and '{}' stand at angles that are no mirror images in the "

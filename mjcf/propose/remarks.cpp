@@ -5,6 +5,7 @@
 
 #include "mjcf/propose/beside_feet.hpp"
 #include "mjcf/propose/doubtful_masses.hpp"
+#include "mjcf/propose/doubtful_units.hpp"
 #include "mjcf/propose/nearly_mirrored.hpp"
 
 namespace legwright {
@@ -13,6 +14,7 @@ std::vector<std::string> remarks_on(const RobotModel& robot, const std::vector<L
                                     const Facing& facing) {
   std::vector<std::string> out = nearly_mirrored(robot, limbs, sides_across(facing.ahead));
   if (!facing.remark.empty()) out.insert(out.begin(), facing.remark);
+  for (std::string& remark : doubtful_units(robot, limbs)) out.push_back(std::move(remark));
   for (std::string& remark : doubtful_masses(robot)) out.push_back(std::move(remark));
   for (std::string& remark : beside_feet(robot)) out.push_back(std::move(remark));
   return out;

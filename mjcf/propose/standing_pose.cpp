@@ -25,12 +25,15 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kBentTo = 0.87;         // of a leg's reach downwards
-constexpr double kStretched = 0.97;      // a leg that reaches so far is straight
+constexpr double kBentTo = 0.87;                      // of a leg's reach downwards
+constexpr double kSprawlsTo = 0.4, kBesideHip = 0.5;  // the same, and outwards, of one that sprawls
+constexpr double kStretched = 0.97;                   // a leg that reaches so far is straight
 constexpr double kFolded = 0.35;         // a leg whose foot is under its hip and reaches no farther
 constexpr double kFlat = 0.12;           // of its reach: a leg whose foot is no lower lies flat
+constexpr double kOffTheFeet = 0.2;      // of the reach: so far off their middle it tips
 constexpr double kUnderHip = 0.3;        // of its reach: what is under a hip
 constexpr double kUnevenEnds = 0.25;     // of the reach: ends of legs at different heights
+constexpr double kOffTheGround = 5e-3;   // [m]: drawn by hand, feet are nearer
 constexpr double kAsLowAsFeet = 1e-3;    // [m]: as low as the feet
 constexpr double kMostShiftToCom = 0.2;  // of the reach, towards the centre of mass
 constexpr double kPoseGrain = 1e6;       // numbers are written to a millionth
@@ -70,7 +73,17 @@ class PoseFinder {
     level_trunk();
     measure_reaches();
     if (out.why.empty()) out.why = fault_of_home();
-    if (out.why.empty() || !stand_up()) return std::nullopt;
+    if (out.why.empty()) return at_its_height();
+    const bool sprawls = legs_.size() > kTooFewToBend &&
+                         std::all_of(legs_.begin(), legs_.end(), [](const auto& leg) {
+                           return leg.sprawls() && !leg.outwards().isZero();
+                         });
+    if (sprawls && stand_up(true))
+      out.words = "level, knees up and feet beside the hips: " + words_of_angles();
+    else if (stand_up(false))
+      out.words = "level, feet below the hips: " + words_of_angles();
+    else
+      return std::nullopt;
     write(out);
     return out;
   }
@@ -103,6 +116,11 @@ class PoseFinder {
       low_at_home_.push_back(foot.z());
     }
     trunk_at_home_ = lowest_of_trunk_link(model_, *data_, trunk_);
+    mj_comPos(&model_, data_.get());
+    Vector3d off = Vector3d::Map(data_->subtree_com + std::ptrdiff_t{3} * trunk_);
+    for (const SearchedLeg& leg : legs_)
+      off -= leg.touch(model_, *data_) / static_cast<double>(legs_.size());
+    com_off_feet_ = off.head<2>().norm();
     for (SearchedLeg& leg : legs_) leg.measure(model_, *data_);
   }
 
@@ -123,9 +141,28 @@ class PoseFinder {
     if (trunk_at_home_ <= *low + kAsLowAsFeet) return "the trunk is there as low as its feet";
     if (folded) return "its legs are folded there";
     if (lowest < kFlat) return "its legs lie flat there, feet as high as hips";
-    if (home_keyframe(model_) < 0 && legs_.size() >= kTooFewToBend && stretched > kStretched)
-      return "the file has no keyframe and draws its legs stretched out";
+    if (home_keyframe(model_) >= 0 || legs_.size() < kTooFewToBend) return "";
+    if (stretched > kStretched) return "the file has no keyframe and draws its legs stretched out";
+    if (com_off_feet_ > kOffTheFeet * reach)
+      return fmt::format(
+          "the file has no keyframe and draws its centre of mass {:.2g} m off the middle of its "
+          "feet",
+          com_off_feet_);
     return "";
+  }
+
+  /// The pose that the file draws, which stands, at the height where it does; nothing where that is
+  /// its height, or a keyframe's, which scenes and viewers start from.
+  std::optional<StandingPose> at_its_height() {
+    const double low = *std::min_element(low_at_home_.begin(), low_at_home_.end());
+    if (home_keyframe(model_) >= 0 || std::abs(low) < kOffTheGround) return std::nullopt;
+    StandingPose out;
+    out.why = fmt::format("the file has no keyframe and draws its feet {:.2g} m {} the ground",
+                          std::abs(low), low < 0.0 ? "below" : "above");
+    out.words = "as it is drawn, on the ground";
+    data_->qpos[root_ + 2] = to_grain(data_->qpos[root_ + 2] - low);
+    write(out);
+    return out;
   }
 
   void level_trunk() {
@@ -158,11 +195,12 @@ class PoseFinder {
                        });
   }
 
-  /// Puts the feet below their hips, twice: then their middle is below the centre of mass.
-  bool stand_up() {
+  /// Puts the feet below their hips, or beside them under raised knees, twice: then their middle is
+  /// below the centre of mass.
+  bool stand_up(bool sprawling) {
     double ground = -std::numeric_limits<double>::infinity(), reach = ground;
     for (const SearchedLeg& leg : legs_) {
-      ground = std::max(ground, leg.hip.z() - kBentTo * leg.reach);
+      ground = std::max(ground, leg.hip.z() - (sprawling ? kSprawlsTo : kBentTo) * leg.reach);
       reach = std::max(reach, leg.reach);
     }
     const Vector3d along = common_ahead();
@@ -172,8 +210,10 @@ class PoseFinder {
       for (std::size_t k = 0; k < legs_.size(); ++k) {
         const SearchedLeg& leg = legs_[k];
         Vector3d place = leg.below_hip() + shift;
+        if (sprawling) place += kBesideHip * leg.reach * leg.outwards();
         place.z() = ground;
-        if (!is_mirrored(k, along, ground) && !leg.put(model_, *data_, place)) return false;
+        const Vector3d knee = sprawling ? Vector3d::UnitZ() : Vector3d(-leg.ahead());
+        if (!is_mirrored(k, along, ground) && !leg.put(model_, *data_, place, knee)) return false;
         middle += leg.touch(model_, *data_) / static_cast<double>(legs_.size());
       }
       mj_comPos(&model_, data_.get());
@@ -200,15 +240,18 @@ class PoseFinder {
     return true;
   }
 
-  void write(StandingPose& out) const {
-    out.words = "level, feet below the hips: ";
+  std::string words_of_angles() const {
     const double unit = in_degrees_ ? std::numbers::pi / 180.0 : 1.0;
+    std::string out;
     for (const SearchedLeg& leg : legs_)
       for (const int joint : leg.joints)
-        out.words += fmt::format("{}{} {:.3g}", out.words.ends_with(": ") ? "" : ", ",
-                                 name_of(model_, mjOBJ_JOINT, joint),
-                                 data_->qpos[model_.jnt_qposadr[joint]] / unit);
-    out.words += in_degrees_ ? " degrees" : " rad";
+        out +=
+            fmt::format("{}{} {:.3g}", out.empty() ? "" : ", ", name_of(model_, mjOBJ_JOINT, joint),
+                        data_->qpos[model_.jnt_qposadr[joint]] / unit);
+    return out + (in_degrees_ ? " degrees" : " rad");
+  }
+
+  void write(StandingPose& out) const {
     for (int k = 0; k < static_cast<int>(model_.nq); ++k)
       out.qpos += fmt::format("{}{:.10g}", k ? " " : "", data_->qpos[k] + 0.0);
     std::vector<double> ctrl(static_cast<std::size_t>(model_.nu), 0.0);
@@ -236,7 +279,7 @@ class PoseFinder {
   DataPointer data_;
   std::vector<SearchedLeg> legs_;
   std::vector<double> home_drop_, away_, low_at_home_;  // of each leg [m]
-  double trunk_at_home_ = 0.0;
+  double trunk_at_home_ = 0.0, com_off_feet_ = 0.0;     // [m]
 };
 
 }  // namespace

@@ -48,7 +48,9 @@ class BodyMender {
     while (count_of(*trunk, mjOBJ_BODY) == 1 && count_of(*trunk, mjOBJ_GEOM) == 0) {
       mjsBody& below = *mjs_asBody(mjs_firstChild(trunk, mjOBJ_BODY, 0));
       if (trunk->explicitinertial != 0 || count_of(*trunk, mjOBJ_JOINT) > 0) break;
-      if (trunk != mjs_findBody(&spec_, "world"))
+      const bool is_link = trunk != mjs_findBody(&spec_, "world");
+      if (is_link && is_turned(below)) break;  // its frame says what is up and ahead
+      if (is_link)
         notes_.push_back(
             fmt::format("link '{}' has no mass and is left out: the robot floats at "
                         "its link '{}'",
@@ -58,6 +60,12 @@ class BodyMender {
       if (hinged) break;
     }
     return *trunk;
+  }
+
+  /// Whether a link is fixed to the one above it in another direction than that.
+  static bool is_turned(mjsBody& body) {
+    constexpr double kRounded = 1e-6;
+    return !is_hinged(body) && std::abs(body.quat[0]) < 1.0 - kRounded;
   }
 
   static bool is_hinged(mjsBody& body) {

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mjcf/propose/doubtful_units.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "mjcf/text/compile.hpp"
+#include "optimizer/design/kinematics.hpp"
+
+namespace legwright {
+namespace {
+
+constexpr double kLongestLeg = 10.0;  // [m]; large robots have some 1.5
+// [kg/m³]: mass over the cube of a leg's length. Robots of 1 to 130 kg have 50 to 1500, in grams a
+// thousand times as much.
+constexpr double kDensest = 2e4;
+constexpr double kWidestRange = 4.0 * std::numbers::pi;  // [rad], either way
+
+std::string of_ranges(const RobotModel& robot) {
+  int count = 0;
+  std::string first;
+  double end = 0.0;
+  for (const Link& link : robot.morphology.links) {
+    const double far = std::max(std::isfinite(link.joint.lower) ? std::abs(link.joint.lower) : 0.0,
+                                std::isfinite(link.joint.upper) ? std::abs(link.joint.upper) : 0.0);
+    if (far <= kWidestRange) continue;
+    if (count++ == 0) {
+      first = link.joint.name;
+      end = far;
+    }
+  }
+  if (count == 0) return "";
+  return fmt::format(
+      "the range of joint '{}'{} goes to {:.4g} rad, {:.2g} turns: it seems to be in "
+      "degrees; write it in the unit that the file says (a URDF has rad)",
+      first, count == 1 ? "" : fmt::format(", as of {} more,", count - 1), end,
+      end / (2.0 * std::numbers::pi));
+}
+
+}  // namespace
+
+std::vector<std::string> doubtful_units(const RobotModel& robot, const std::vector<Limb>& limbs) {
+  std::vector<std::string> out;
+  double leg = 0.0;
+  for (const Limb& limb : limbs)
+    leg = std::max(leg, stretched_limb(robot.morphology, limb.foot, robot.space.initial()));
+  const ModelPointer model = compile_mjcf(robot.xml, robot.file);
+  const double mass = model->body_subtreemass[robot.structure.trunk];
+  if (leg > kLongestLeg)
+    out.push_back(
+        fmt::format("its legs are {:.3g} m long: lengths seem to be in millimetres or centimetres; "
+                    "multiply them by 0.001 or 0.01",
+                    leg));
+  else if (leg > 0.0 && mass > kDensest * leg * leg * leg)
+    out.push_back(fmt::format(
+        "it has {:.3g} kg on legs of {:.2g} m, more than solid steel would: masses seem "
+        "to be in grams; multiply them, and moments of inertia, by 0.001",
+        mass, leg));
+  if (std::string ranges = of_ranges(robot); !ranges.empty()) out.push_back(std::move(ranges));
+  return out;
+}
+
+}  // namespace legwright
