@@ -125,12 +125,12 @@ class PoseFinder {
   }
 
   std::string fault_of_home() const {
-    double reach = 0.0, stretched = 2.0, lowest = 0.0;  // the last two: shares of their reaches
+    double reach = 0.0, stretched = 2.0, hanging = 0.0;  // the last two: shares of their reaches
     bool folded = true;
     for (std::size_t k = 0; k < legs_.size(); ++k) {
       reach = std::max(reach, legs_[k].reach);
       stretched = std::min(stretched, home_drop_[k] / legs_[k].reach);
-      lowest = std::max(lowest, home_drop_[k] / legs_[k].reach);
+      hanging = std::max(hanging, home_drop_[k] / legs_[k].reach);
       folded = folded && home_drop_[k] < kFolded * legs_[k].reach &&
                away_[k] < kUnderHip * legs_[k].reach;
     }
@@ -140,7 +140,7 @@ class PoseFinder {
                          *high - *low);
     if (trunk_at_home_ <= *low + kAsLowAsFeet) return "the trunk is there as low as its feet";
     if (folded) return "its legs are folded there";
-    if (lowest < kFlat) return "its legs lie flat there, feet as high as hips";
+    if (hanging < kFlat) return "its legs lie flat there, feet as high as hips";
     if (home_keyframe(model_) >= 0 || legs_.size() < kTooFewToBend) return "";
     if (stretched > kStretched) return "the file has no keyframe and draws its legs stretched out";
     if (com_off_feet_ > kOffTheFeet * reach)

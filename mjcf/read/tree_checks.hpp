@@ -19,7 +19,7 @@ void check_surroundings(const XmlFile& xml, const mjModel& model, int trunk, Ref
 void check_leg_joint(const XmlFile& xml, const mjModel& model, int joint, Refusals& reasons);
 
 /// What a name in a trajectory may not hold.
-inline constexpr const char* kNoNameSigns = " \t\r\n;,|~";
+inline constexpr const char* kNoNameSigns = " \t\r\n;,|~^";
 /// Why trajectories cannot name something so; empty where they can.
 std::string fault_of_name(const std::string& name);
 

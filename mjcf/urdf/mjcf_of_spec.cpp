@@ -205,7 +205,7 @@ class MjcfWriter {
       if (!names->renamed().empty()) renamed.push_back(names->renamed());
     if (!renamed.empty())
       notes_.push_back(fmt::format(
-          "names with blanks or one of ; , | ~ have _ in their place, like {}: trajectories could "
+          "names with blanks or one of ; , | ~ ^ have _ in their place, like {}: trajectories could "
           "not name them",
           fmt::join(renamed, ", ")));
   }

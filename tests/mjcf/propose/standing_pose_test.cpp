@@ -54,6 +54,48 @@ TEST(StandingPose, IsFoundForLegsThatLieFlat) {
   }
 }
 
+/// A quadruped drawn on bent legs, its trunk's frame where the CAD program has it.
+std::string drawn_standing(double trunk_height, double pelvis_x) {
+  std::string legs, servos;
+  for (const auto& [name, x, y] : {std::tuple{"fl", .15, .08}, std::tuple{"fr", .15, -.08},
+                                   std::tuple{"hl", -.15, .08}, std::tuple{"hr", -.15, -.08}}) {
+    legs += fmt::format(
+        R"(<body name="{0}_thigh" pos="{1} {2} 0" euler="0 .6 0"><joint name="{0}_hip" axis="0 1 0"/>
+        <inertial pos="0 0 -.1" mass=".3" diaginertia="1e-3 1e-3 1e-4"/>
+        <body name="{0}_shank" pos="0 0 -.2" euler="0 -1.2 0"><joint name="{0}_knee" axis="0 1 0"/>
+        <inertial pos="0 0 -.1" mass=".1" diaginertia="5e-4 5e-4 1e-5"/>
+        <geom name="{0}_foot" size=".02" pos="0 0 -.2"/></body></body>)",
+        name, x, y);
+    for (const char* joint : {"hip", "knee"})
+      servos += fmt::format(R"(<position joint="{}_{}" kp="200" forcerange="-9 9"/>)", name, joint);
+  }
+  return fmt::format(
+             R"(<mujoco><compiler angle="radian"/><worldbody><body name="trunk" pos="0 0 {}">
+             <freejoint/><inertial pos="{} 0 0" mass="4" diaginertia=".02 .05 .05"/>)",
+             trunk_height, pelvis_x) +
+         legs + "</body></worldbody><actuator>" + servos + "</actuator></mujoco>";
+}
+
+TEST(StandingPose, OneThatTheFileDrawsIsPutOnTheGround) {
+  const double stands = 0.4 * std::cos(0.6) + 0.02;
+  EXPECT_FALSE(find_standing_pose(drawn_standing(stands, 0.0), "dog.xml"));
+  const auto pose = find_standing_pose(drawn_standing(0.0, 0.0), "dog.xml");
+  ASSERT_TRUE(pose);
+  EXPECT_NE(pose->why.find("0.35 m below the ground"), std::string::npos) << pose->why;
+  const std::vector<double> qpos = *parse_numbers(pose->qpos);
+  EXPECT_NEAR(qpos[2], stands, 1e-6);
+  for (std::size_t k = 7; k < qpos.size(); ++k) EXPECT_EQ(qpos[k], 0.0);
+}
+
+TEST(StandingPose, OneThatTipsOverIsNone) {
+  const double stands = 0.4 * std::cos(0.6) + 0.02;
+  const auto pose = find_standing_pose(drawn_standing(stands, 0.15), "dog.xml");
+  ASSERT_TRUE(pose);
+  EXPECT_NE(pose->why.find("off the middle of its feet"), std::string::npos) << pose->why;
+  const std::vector<double> qpos = *parse_numbers(pose->qpos);
+  EXPECT_GT(std::abs(qpos[7]), 0.05) << "the feet go below the centre of mass";
+}
+
 TEST(StandingPose, IsFoundWithinRangesLevelAndUnderTheHips) {
   EXPECT_THROW(parse_robot(lurcher(), kLurcherFile), InputError);
   const auto pose = find_standing_pose(lurcher(), kLurcherFile);

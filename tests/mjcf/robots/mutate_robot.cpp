@@ -270,7 +270,7 @@ class Mutator {
         word = one_of(kWords);
         break;
       case 1:
-        word = fmt::format("{}{}", "~", word);
+        word = fmt::format("{}{}", below(2) == 0 ? "~" : "^", word);
         break;
       case 2:
         word = fmt::format("{}{}", "0.5*", word);

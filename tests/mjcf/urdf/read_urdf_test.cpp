@@ -209,6 +209,21 @@ TEST(ReadUrdf, ALinkThatMovesWithoutMassGetsThatOfWhatIsFixedToIt) {
   EXPECT_LT((axes(*model, trunk) - turn * axes(*plain, before) * turn.transpose()).norm(), 1e-12);
 }
 
+/// As people put a robot upright that its CAD program exported with y up.
+TEST(ReadUrdf, ALinkWithoutMassThatTurnsTheRobotIsItsTrunk) {
+  const MjcfOfUrdf upright = made(test::with(
+      kHopper, "type=\"fixed\"><parent link=\"mount\"",
+      "type=\"fixed\"><origin xyz=\"0 0 0\" rpy=\"1.5708 0 0\"/><parent link=\"mount\""));
+  const ModelPointer model = compile_mjcf(upright.text, "hopper.xml");
+  const int mount = mj_name2id(model.get(), mjOBJ_BODY, "mount"),
+            trunk = mj_name2id(model.get(), mjOBJ_BODY, "trunk");
+  ASSERT_TRUE(mount > 0 && trunk > 0) << upright.text;
+  EXPECT_EQ(model->jnt_type[model->body_jntadr[mount]], mjJNT_FREE);
+  EXPECT_EQ(model->body_parentid[trunk], mount);
+  EXPECT_EQ(model->body_mass[mount], 2.0);
+  EXPECT_NEAR(rotation_at(model->body_quat, trunk)(2, 1), 1.0, 1e-4);
+}
+
 TEST(ReadUrdf, MimickedJointsAreCoupledAndGetNoServo) {
   const MjcfOfUrdf mended = made(
       test::with(kHopper, "<limit effort=\"4\" velocity=\"20\"/>",

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lengths in millimetres, masses in grams, ranges in degrees, as CAD programs and people write them.
+#include "mjcf/propose/doubtful_units.hpp"
+
+#include <gtest/gtest.h>
+
+#include <regex>
+#include <sstream>
+
+#include "mjcf/read/read_robot.hpp"
+#include "tests/mjcf/robots/robots.hpp"
+
+namespace legwright {
+namespace {
+
+std::vector<std::string> doubts(const RobotModel& robot) {
+  return doubtful_units(robot, find_limbs(robot.morphology, robot.space.initial()));
+}
+
+/// Servo dog of tests/robots with each number of an attribute times a factor.
+RobotModel dog(const char* attribute, double factor) {
+  const std::string xml = test::read_file(test::source_path("tests/robots/servo_dog/robot.xml"));
+  const std::regex numbers(std::string(" ") + attribute + "=\"([^\"]*)\"");
+  std::string out;
+  auto rest = xml.cbegin();
+  for (std::sregex_iterator at(xml.begin(), xml.end(), numbers), end; at != end; ++at) {
+    out.append(rest, (*at)[1].first);
+    std::istringstream words((*at)[1].str());
+    for (double number = 0.0; words >> number;) out += std::to_string(number * factor) + " ";
+    rest = (*at)[1].second;
+  }
+  return parse_robot(out.append(rest, xml.cend()), "dog.xml");
+}
+
+TEST(DoubtfulUnits, OfRobotsAsTheyAreThereAreNone) {
+  for (const auto& file : test::taken_robots()) {
+    if (file.parent_path().filename() == "lurcher") continue;  // has no pose to be read in
+    EXPECT_TRUE(doubts(read_robot(file)).empty()) << file;
+  }
+  EXPECT_TRUE(doubts(dog("range", 1.0)).empty());
+}
+
+TEST(DoubtfulUnits, RangesOfManyTurnsAreTold) {
+  const auto found = doubts(dog("range", 57.3));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NE(found[0].find("joint 'FL_shoulder', as of 7 more, goes to 91.68 rad"), std::string::npos)
+      << found[0];
+}
+
+TEST(DoubtfulUnits, MassesInGramsAreTold) {
+  const auto found = doubts(dog("mass", 1000.0));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NE(found[0].find("masses seem to be in grams"), std::string::npos) << found[0];
+}
+
+TEST(DoubtfulUnits, LengthsInMillimetresAreTold) {
+  const auto found = doubts(dog("pos", 1000.0));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NE(found[0].find("seem to be in millimetres"), std::string::npos) << found[0];
+}
+
+}  // namespace
+}  // namespace legwright
