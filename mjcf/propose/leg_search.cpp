@@ -15,10 +15,6 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kOneBuild = 0.25;      // of the length: legs of one build
-constexpr double kHangsHigher = 0.4;    // of the length, above the lowest: an arm
-constexpr double kOffEnds = 0.05;       // of a range, at both of its ends
-constexpr double kFarthestTurn = 2.6;   // from rest, of joints without range [rad]
 constexpr double kBesideWeight = 0.25;  // of the place beside the hip against that below it
 constexpr double kBelowWeight = 4.0;
 constexpr double kDiagonal = 1e-3;  // of a direction at 45 degrees, which counts as along x
@@ -30,6 +26,7 @@ constexpr std::size_t kMostHingesOnGrid = 6;
 constexpr int kMostRounds = 200;  // along all angles; in a narrow valley each would gain a little
 constexpr double kFirstTurn = 0.2, kLastTurn = 1e-6;  // [rad]
 constexpr double kExactHeight = 1e-9;                 // [m]
+constexpr int kMostSteps = 50;                        // to it
 constexpr double kMirrored = 1e-3;  // of the reach, of a direction: legs that are mirror images
 
 VectorXd angles_of(const SearchedLeg& leg, const mjModel& model, const mjData& data) {
@@ -125,85 +122,6 @@ class LegSearch {
   const VectorXd rest_;
   std::vector<Point> points_;
 };
-
-/// The ends of chains of hinges under the trunk.
-std::vector<int> chain_ends(const mjModel& model, int trunk) {
-  std::vector<bool> carries(static_cast<std::size_t>(model.nbody), false);
-  std::vector<int> ends;
-  for (int b = static_cast<int>(model.nbody) - 1; b > trunk; --b) {
-    if (model.body_rootid[b] != trunk) continue;
-    const auto at = static_cast<std::size_t>(b);
-    const bool moves = model.body_jntnum[b] > 0;
-    if (moves && !carries[at]) ends.insert(ends.begin(), b);
-    if (moves || carries[at]) carries[static_cast<std::size_t>(model.body_parentid[b])] = true;
-  }
-  return ends;
-}
-
-/// How many chains of two hinges and more hang below each body: several on a waist, where legs
-/// begin below it, and none on a shin with toes.
-std::vector<int> legs_carried(const mjModel& model, int trunk, const std::vector<int>& ends) {
-  std::vector<int> out(static_cast<std::size_t>(model.nbody), 0);
-  for (const int end : ends) {
-    int below = 0;
-    for (int b = end; b != trunk; b = model.body_parentid[b]) {
-      if (below > 1) ++out[static_cast<std::size_t>(b)];
-      below += model.body_jntnum[b];
-    }
-  }
-  return out;
-}
-
-/// Where a chain hangs, with the hinges that it shares with others [m].
-double highest_hinge(const mjModel& model, const mjData& data, int trunk, int end) {
-  double highest = -std::numeric_limits<double>::infinity();
-  for (int b = end; b != trunk; b = model.body_parentid[b])
-    for (int j = model.body_jntadr[b]; j < model.body_jntadr[b] + model.body_jntnum[b]; ++j)
-      highest = std::max(highest, data.xanchor[std::ptrdiff_t{3} * j + 2]);
-  return highest;
-}
-
-/// @param carried legs_carried(): above a body that carries several, hinges are no leg's own
-SearchedLeg leg_to(const mjModel& model, int trunk, int end, const std::vector<int>& carried) {
-  SearchedLeg leg;
-  for (int b = end; b != trunk && carried[static_cast<std::size_t>(b)] <= 1;
-       b = model.body_parentid[b])
-    for (int n = model.body_jntnum[b] - 1; n >= 0; --n)
-      leg.joints.insert(leg.joints.begin(), model.body_jntadr[b] + n);
-  for (int b = end; b < static_cast<int>(model.nbody); ++b)
-    if (model.body_weldid[b] == model.body_weldid[end]) leg.bodies.push_back(b);
-  for (const int joint : leg.joints) {
-    const mjtNum* range = model.jnt_range + std::ptrdiff_t{2} * joint;
-    const bool limited = model.jnt_limited[joint] != 0;
-    const double off = limited ? kOffEnds * (range[1] - range[0]) : 0.0;
-    leg.lower.push_back(limited ? std::max(range[0] + off, -kFarthestTurn) : -kFarthestTurn);
-    leg.upper.push_back(limited ? std::min(range[1] - off, kFarthestTurn) : kFarthestTurn);
-    if (leg.lower.back() > leg.upper.back())  // turned away by more than that
-      leg.lower.back() = leg.upper.back() = 0.5 * (range[0] + range[1]);
-  }
-  return leg;
-}
-
-/// From hinge to hinge, and on to the farthest of what the last link collides with, or else draws:
-/// the same in any pose.
-double length_of_chain(const mjModel& model, const mjData& data, const SearchedLeg& leg) {
-  double length = 0.0;
-  Vector3d at = Vector3d::Map(data.xanchor + std::ptrdiff_t{3} * leg.joints.front());
-  for (const int joint : leg.joints) {
-    const Vector3d next = Vector3d::Map(data.xanchor + std::ptrdiff_t{3} * joint);
-    length += (next - at).norm();
-    at = next;
-  }
-  double colliding = 0.0, drawn = 0.0;
-  for (const int body : leg.bodies)
-    for (int k = 0; k < model.body_geomnum[body]; ++k) {
-      const int g = model.body_geomadr[body] + k;
-      const Vector3d middle = Vector3d::Map(data.geom_xpos + std::ptrdiff_t{3} * g);
-      double& farthest = collides(model, g) ? colliding : drawn;
-      farthest = std::max(farthest, (middle - at).norm() + model.geom_rbound[g]);
-    }
-  return length + (colliding > 0.0 ? colliding : drawn);
-}
 
 /// The direction that most hinges have, as those that pitch at hip, knee and ankle; of as many the
 /// last, as a knee below a hip that rolls.
@@ -322,10 +240,13 @@ bool SearchedLeg::put(const mjModel& model, mjData& data, const Vector3d& place,
            kKneeBack * knee_to.dot(knee) / reach;
   };
   LegSearch(*this, model, data, cost).run();
-  // The height exactly, by the least turn.
+  return rise_to(place.z(), model, data) || rise_towards_rest(place.z(), model, data);
+}
+
+bool SearchedLeg::rise_to(double height, const mjModel& model, mjData& data) const {
   VectorXd angles = angles_of(*this, model, data);
-  for (int step = 0; step < 50; ++step) {
-    const double miss = touch(model, data).z() - place.z();
+  for (int step = 0; step < kMostSteps; ++step) {
+    const double miss = touch(model, data).z() - height;
     if (std::abs(miss) <= kExactHeight) return true;
     VectorXd slope(angles.size());
     for (Eigen::Index k = 0; k < angles.size(); ++k) {
@@ -333,9 +254,9 @@ bool SearchedLeg::put(const mjModel& model, mjData& data, const Vector3d& place,
       VectorXd next = angles;
       next[k] += kTurn;
       set_angles(*this, model, data, next);
-      slope[k] = (touch(model, data).z() - place.z() - miss) / kTurn;
+      slope[k] = (touch(model, data).z() - height - miss) / kTurn;
     }
-    if (!(slope.norm() > 1e-6 * reach)) return false;
+    if (!(slope.norm() > 1e-6 * reach)) break;
     angles -= miss / slope.squaredNorm() * slope;
     for (std::size_t k = 0; k < joints.size(); ++k) {
       double& angle = angles[static_cast<Eigen::Index>(k)];
@@ -343,42 +264,25 @@ bool SearchedLeg::put(const mjModel& model, mjData& data, const Vector3d& place,
     }
     set_angles(*this, model, data, angles);
   }
-  return std::abs(touch(model, data).z() - place.z()) <= kExactHeight;
+  set_angles(*this, model, data, angles);
+  return std::abs(touch(model, data).z() - height) <= kExactHeight;
 }
 
-std::vector<SearchedLeg> legs_of_one_build(const mjModel& model, int trunk, const mjData& data) {
-  std::vector<SearchedLeg> chains;
-  std::vector<double> lengths, hangs;
-  double lowest = std::numeric_limits<double>::infinity();
-  const std::vector<int> ends = chain_ends(model, trunk);
-  const std::vector<int> carried = legs_carried(model, trunk, ends);
-  for (const int end : ends) {
-    SearchedLeg leg = leg_to(model, trunk, end, carried);
-    const bool hinges = std::all_of(leg.joints.begin(), leg.joints.end(), [&](int joint) {
-      return model.jnt_type[joint] == mjJNT_HINGE;
-    });
-    if (!hinges || leg.joints.size() < 2) continue;
-    lengths.push_back(length_of_chain(model, data, leg));
-    hangs.push_back(highest_hinge(model, data, trunk, end));
-    lowest = std::min(lowest, hangs.back());
-    chains.push_back(std::move(leg));
+bool SearchedLeg::rise_towards_rest(double height, const mjModel& model, mjData& data) const {
+  const VectorXd from = angles_of(*this, model, data), to = rest_of(*this);
+  const auto miss = [&](double share) {
+    set_angles(*this, model, data, (1.0 - share) * from + share * to);
+    return touch(model, data).z() - height;
+  };
+  double below = 0.0, above = 1.0;
+  if (!(miss(below) < 0.0) || !(miss(above) > 0.0)) return false;
+  double off = miss(below);
+  for (int step = 0; step < kMostSteps && std::abs(off) > kExactHeight; ++step) {
+    const double middle = 0.5 * (below + above);
+    off = miss(middle);
+    (off < 0.0 ? below : above) = middle;
   }
-  std::vector<std::size_t> best;
-  for (std::size_t k = 0; k < chains.size(); ++k) {
-    std::vector<std::size_t> group;
-    for (std::size_t n = 0; n < chains.size(); ++n)
-      if (chains[n].joints.size() == chains[k].joints.size() && lengths[n] <= lengths[k] &&
-          lengths[n] >= (1.0 - kOneBuild) * lengths[k] &&
-          hangs[n] - lowest <= kHangsHigher * lengths[n])
-        group.push_back(n);
-    if (group.size() > best.size() ||
-        (group.size() == best.size() && !best.empty() && lengths[k] > lengths[best.front()]))
-      best = std::move(group);
-  }
-  std::vector<SearchedLeg> legs;
-  legs.reserve(best.size());
-  for (const std::size_t k : best) legs.push_back(chains[k]);
-  return legs;
+  return std::abs(off) <= kExactHeight;
 }
 
 }  // namespace legwright

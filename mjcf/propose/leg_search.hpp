@@ -48,11 +48,12 @@ struct SearchedLeg {
   /// @param knee where the knee had better go, a direction: back, or up of a leg that sprawls
   bool put(const mjModel& model, mjData& data, const Eigen::Vector3d& place,
            const Eigen::Vector3d& knee) const;
-};
 
-/// Legs: of the chains of two hinges and more those of as many hinges and, to a quarter, one
-/// length, that hang about as low as the lowest; of several such groups the largest, of equal ones
-/// the longest.
-std::vector<SearchedLeg> legs_of_one_build(const mjModel& model, int trunk, const mjData& data);
+ private:
+  /// Brings the foot to a height by the least turn; false where a joint's range ends before.
+  bool rise_to(double height, const mjModel& model, mjData& data) const;
+  /// The same on the way to the angles of rest, from below; false where these are no higher.
+  bool rise_towards_rest(double height, const mjModel& model, mjData& data) const;
+};
 
 }  // namespace legwright

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "mjcf/propose/declare.hpp"
-#include "mjcf/propose/leg_search.hpp"
+#include "mjcf/propose/leg_chains.hpp"
 #include "mjcf/read/checks.hpp"
 #include "mjcf/read/feet.hpp"
 #include "mjcf/read/moving_parts.hpp"

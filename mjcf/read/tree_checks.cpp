@@ -122,7 +122,8 @@ void refuse_section(const XmlFile& xml, int count, const char* section, const ch
 std::string fault_of_name(const std::string& name) {
   if (name.empty()) return "has no name; trajectories name it, give it one";
   if (name.find_first_of(kNoNameSigns) != std::string::npos)
-    return "the name holds a blank or one of ; , | ~ ^, which trajectories and parameters cannot name; "
+    return "the name holds a blank or one of ; , | ~ ^, which trajectories and parameters cannot "
+           "name; "
            "rename it";
   return "";
 }

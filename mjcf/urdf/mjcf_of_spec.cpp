@@ -204,10 +204,11 @@ class MjcfWriter {
     for (const PlainNames* names : {&names_of_bodies_, &names_of_joints_, &names_of_geoms_})
       if (!names->renamed().empty()) renamed.push_back(names->renamed());
     if (!renamed.empty())
-      notes_.push_back(fmt::format(
-          "names with blanks or one of ; , | ~ ^ have _ in their place, like {}: trajectories could "
-          "not name them",
-          fmt::join(renamed, ", ")));
+      notes_.push_back(
+          fmt::format("names with blanks or one of ; , | ~ ^ have _ in their place, like {}: "
+                      "trajectories could "
+                      "not name them",
+                      fmt::join(renamed, ", ")));
   }
 
   /// <mimic>.

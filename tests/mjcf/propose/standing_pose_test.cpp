@@ -87,6 +87,27 @@ TEST(StandingPose, OneThatTheFileDrawsIsPutOnTheGround) {
   for (std::size_t k = 7; k < qpos.size(); ++k) EXPECT_EQ(qpos[k], 0.0);
 }
 
+/// An ant: its feet cannot come below its hips, and hang lowest before they are as near as they can.
+TEST(StandingPose, IsFoundWhereAFootHangsLowestBesideItsPlace) {
+  std::string legs;
+  for (const auto& [k, x, y] :
+       {std::tuple{1, 1, 1}, std::tuple{2, -1, 1}, std::tuple{3, -1, -1}, std::tuple{4, 1, -1}})
+    legs += fmt::format(
+        R"(<body name="leg{0}" pos="{1} {2} 0"><joint name="hip{0}" axis="0 0 1" range="-40 40"/>
+        <geom type="capsule" size=".08" fromto="0 0 0 {1} {2} 0" mass=".1"/>
+        <body name="foot{0}" pos="{1} {2} 0">
+        <joint name="ankle{0}" axis="{3} {4} 0" range="30 100"/>
+        <geom type="capsule" size=".08" fromto="0 0 0 {5} {6} 0" mass=".1"/></body></body>)",
+        k, 0.2 * x, 0.2 * y, -y, x, 0.4 * x, 0.4 * y);
+  const auto pose = find_standing_pose(
+      R"(<mujoco><worldbody><body name="torso" pos="0 0 .75"><freejoint/>
+      <geom size=".25" mass=".3"/>)" +
+          legs + "</body></worldbody></mujoco>",
+      "ant.xml");
+  ASSERT_TRUE(pose);
+  EXPECT_NE(pose->why.find("outside of its range 30 to 100 degrees"), std::string::npos);
+}
+
 TEST(StandingPose, OneThatTipsOverIsNone) {
   const double stands = 0.4 * std::cos(0.6) + 0.02;
   const auto pose = find_standing_pose(drawn_standing(stands, 0.15), "dog.xml");

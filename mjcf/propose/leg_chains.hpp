@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "mjcf/propose/leg_search.hpp"
+
+namespace legwright {
+
+/// Legs: of the chains of two hinges and more those of as many hinges and, to a quarter, one
+/// length, that hang about as low as the lowest; of several such groups the largest, of equal ones
+/// the longest.
+std::vector<SearchedLeg> legs_of_one_build(const mjModel& model, int trunk, const mjData& data);
+
+}  // namespace legwright
