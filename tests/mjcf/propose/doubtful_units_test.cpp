@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lengths in millimetres, masses in grams, ranges in degrees, as CAD programs and people write them.
+// Lengths in millimetres, masses in grams, ranges in degrees, as people write them.
 #include "mjcf/propose/doubtful_units.hpp"
 
 #include <gtest/gtest.h>
@@ -43,7 +43,8 @@ TEST(DoubtfulUnits, OfRobotsAsTheyAreThereAreNone) {
 TEST(DoubtfulUnits, RangesOfManyTurnsAreTold) {
   const auto found = doubts(dog("range", 57.3));
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_NE(found[0].find("joint 'FL_shoulder', as of 7 more, goes to 91.68 rad"), std::string::npos)
+  EXPECT_NE(found[0].find("joint 'FL_shoulder', as of 7 more, goes to 91.68 rad"),
+            std::string::npos)
       << found[0];
 }
 

@@ -87,7 +87,7 @@ TEST(StandingPose, OneThatTheFileDrawsIsPutOnTheGround) {
   for (std::size_t k = 7; k < qpos.size(); ++k) EXPECT_EQ(qpos[k], 0.0);
 }
 
-/// An ant: its feet cannot come below its hips, and hang lowest before they are as near as they can.
+/// An ant: its feet cannot come below its hips, and hang lowest before they are nearest.
 TEST(StandingPose, IsFoundWhereAFootHangsLowestBesideItsPlace) {
   std::string legs;
   for (const auto& [k, x, y] :
