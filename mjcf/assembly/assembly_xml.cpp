@@ -5,6 +5,7 @@
 
 #include <set>
 
+#include "mjcf/assembly/assembly_names.hpp"
 #include "mjcf/read/robot_model.hpp"
 #include "mjcf/text/numbers.hpp"
 
@@ -16,7 +17,6 @@ using Eigen::Vector3d;
 
 constexpr double kShortestCapsule = 1e-3;  // [m]; between nearer joints there is no capsule
 constexpr double kRoundBody = 1e-9;        // [m]: an outline about its axis, which has no long side
-constexpr double kFootFriction = 0.8;      // of a foot whose module does not tell
 
 /// A unit vector across `axis`, as near to `wanted` as can be; of those that are along it another.
 Vector3d square_to(const Vector3d& axis, const Vector3d& wanted) {
@@ -132,7 +132,7 @@ class AssemblyWriter {
     write_module(assembly_.trunk, {}, "shell");
     for (std::size_t k = 0; k < assembly_.parts.size(); ++k) {
       const AssemblyPart& part = assembly_.parts[k];
-      out_.open(fmt::format("<body name=\"part_{}_{}\" pos=\"{}\">", k + 1, part.module.name,
+      out_.open(fmt::format("<body name=\"{}\" pos=\"{}\">", part_name(part, k),
                             rounded_words(part.position)));
       write_module(part.module, {}, "part");
       out_.close("body");
@@ -156,15 +156,16 @@ class AssemblyWriter {
   void write_joint(const PlacedLimb& limb, std::size_t k) {
     const AssemblyLimb& of = *limb.of;
     const AssemblyJoint& joint = of.joints[k];
-    const std::string name = limb.name + "_" + joint.name;
+    const std::string name = joint_name(limb, joint);
     const Vector3d place = k == 0 ? limb.hip : limb.vector(joint.offset);
     // Towards the joint above; of a hip towards the trunk's middle.
     const Vector3d towards = k == 0 ? Vector3d(-limb.vector(limb.hip)) : Vector3d(-joint.offset);
-    out_.open(fmt::format("<body name=\"{}_servo\" pos=\"{}\">", name, rounded_words(place)));
+    out_.open(fmt::format("<body name=\"{}\" pos=\"{}\">", servo_name(limb, joint),
+                          rounded_words(place)));
     write_module(joint.servo, {servo_pose(joint, towards), limb.mirrored}, "servo");
     out_.close("body");
-    out_.open(fmt::format("<body name=\"{}_{}\" pos=\"{}\">", limb.name, joint.link,
-                          rounded_words(place)));
+    out_.open(
+        fmt::format("<body name=\"{}\" pos=\"{}\">", link_name(limb, joint), rounded_words(place)));
     out_.add(joint_element(limb, joint, name));
     const bool last = k + 1 == of.joints.size();
     const Vector3d end = limb.vector(last ? of.foot_offset : of.joints[k + 1].offset);
@@ -204,11 +205,10 @@ class AssemblyWriter {
     const std::vector<std::string> geoms = outline_geoms(of.foot, place, "");
     for (std::size_t k = 0; k < geoms.size(); ++k) {
       const double mass = of.foot.mass * of.foot.outline[k].volume() / volume;
-      const std::string name = k == 0 ? limb.name : fmt::format("{}_{}", limb.name, k + 1);
       out_.add(
           fmt::format("<geom name=\"{}\" class=\"foot\" mass=\"{}\" friction=\"{} 0.005 "
                       "0.0001\" {}",
-                      name, format_number(rounded(mass)),
+                      foot_name(limb, k), format_number(rounded(mass)),
                       format_number(of.foot.friction.value_or(kFootFriction)),
                       geoms[k].substr(std::string("<geom ").size())));
     }
@@ -218,14 +218,14 @@ class AssemblyWriter {
     out_.open("<actuator>");
     for (const PlacedLimb& limb : limbs_)
       for (const AssemblyJoint& joint : limb.of->joints) {
-        const std::string name = limb.name + "_" + joint.name;
         const double limit = torque_limit(assembly_, joint.servo);
         const double kp = joint.servo.joint->kp.value_or(limit / kFullTorqueError),
                      kv = joint.servo.joint->kd.value_or(kDampingTime * kp);
         out_.add(fmt::format(
-            "<position name=\"{}_servo\" joint=\"{}\" kp=\"{}\" kv=\"{}\" forcerange=\"{} {}\"/>",
-            name, name, format_number(rounded(kp)), format_number(rounded(kv)),
-            format_number(rounded(-limit)), format_number(rounded(limit))));
+            "<position name=\"{}\" joint=\"{}\" kp=\"{}\" kv=\"{}\" forcerange=\"{} {}\"/>",
+            servo_name(limb, joint), joint_name(limb, joint), format_number(rounded(kp)),
+            format_number(rounded(kv)), format_number(rounded(-limit)),
+            format_number(rounded(limit))));
       }
     out_.close("actuator");
   }

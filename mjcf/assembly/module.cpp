@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mjcf/read/mirror.hpp"
 #include "mjcf/text/numbers.hpp"
 
 namespace legwright {
@@ -14,9 +15,6 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-/// The mirror image in the x-z plane.
-Vector3d across(const Vector3d& v) { return {v.x(), -v.y(), v.z()}; }
 
 /// A turn as MuJoCo writes it; nothing for none.
 std::string turn_attribute(const Matrix3d& turn) {
@@ -132,12 +130,12 @@ ModuleInertia inertia_of(const Module& module) {
 
 Vector3d ModulePlace::point(const Vector3d& of_module) const {
   const Vector3d placed = pose * of_module;
-  return mirrored ? across(placed) : placed;
+  return mirrored ? point_in_mirror(placed, Across::y) : placed;
 }
 
 Vector3d ModulePlace::direction(const Vector3d& of_module) const {
   const Vector3d turned = pose.linear() * of_module;
-  return mirrored ? across(turned) : turned;
+  return mirrored ? point_in_mirror(turned, Across::y) : turned;
 }
 
 std::string rounded_words(const Eigen::Ref<const Eigen::VectorXd>& values) {

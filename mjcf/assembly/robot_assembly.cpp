@@ -3,21 +3,18 @@
 
 #include <algorithm>
 
+#include "mjcf/read/mirror.hpp"
+
 namespace legwright {
-namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kInThePlane = 1e-9;  // [m]
-
-}  // namespace
-
 Vector3d PlacedLimb::vector(const Vector3d& of_original) const {
-  return mirrored ? Vector3d(of_original.x(), -of_original.y(), of_original.z()) : of_original;
+  return mirrored ? point_in_mirror(of_original, Across::y) : of_original;
 }
 
 Vector3d PlacedLimb::hinge(const Vector3d& of_original) const {
-  return mirrored ? Vector3d(-of_original.x(), of_original.y(), -of_original.z()) : of_original;
+  return mirrored ? turn_in_mirror(of_original, Across::y) : of_original;
 }
 
 std::vector<PlacedLimb> placed_limbs(const Assembly& assembly) {

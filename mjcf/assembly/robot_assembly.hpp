@@ -13,6 +13,10 @@
 
 namespace legwright {
 
+inline constexpr double kInThePlane = 1e-9;   // [m], of the mirror plane
+inline constexpr double kSameHip = 1e-6;      // [m]; nearer hips are in one place
+inline constexpr double kFootFriction = 0.8;  // of a foot whose module does not tell
+
 /// A servo of a limb and what it moves: the link to the next servo, or to the foot.
 struct AssemblyJoint {
   std::string name;  // of the joint within its limb: "knee"
@@ -76,8 +80,8 @@ struct PlacedLimb {
 /// their names.
 std::vector<PlacedLimb> placed_limbs(const Assembly& assembly);
 
-/// Torque limit of a joint [N m], and what it is taken from where the servo's continuous torque is
-/// asked for and not known.
+/// Torque limit of a joint [N m]: the share of the torque that is asked for, of the stall torque
+/// where that is the continuous one and not known.
 double torque_limit(const Assembly& assembly, const Module& servo);
 
 }  // namespace legwright

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
+#include "mjcf/assembly/assembly_names.hpp"
 #include "tools/files/nearest_word.hpp"
 #include "tools/task/task_table.hpp"
 #include "tools/task/toml_text.hpp"
@@ -47,6 +49,7 @@ class AssemblyReader {
     root_.require(!limbs.empty(), "limb", "[[limb]] with name, hip, joint, foot and foot_offset");
     for (const toml::table* limb : limbs) read_limb(limb);
     check_placed_names();
+    check_places();
     root_.finish();
     problems_.throw_if_any();
     return std::move(out_);
@@ -72,21 +75,27 @@ class AssemblyReader {
     const ModuleFile* found = library_.find_or_null(name);
     const std::string_view wanted = kModuleKinds[static_cast<std::size_t>(kind)];
     if (found && found->module.kind == kind) return &found->module;
-    if (found) {
+    if (found)
       refuse(in, key,
              fmt::format("names \"{}\", which is a {}; expected a {}", name,
                          found->module.kind_name(), wanted));
-      return nullptr;
-    }
+    else
+      refuse_unknown(in, key, name, [&](const Module& other) { return other.kind == kind; });
+    return nullptr;
+  }
+
+  /// Offers the nearest of those that may stand there.
+  template <typename May>
+  void refuse_unknown(TaskTable& in, std::string_view key, const std::string& name,
+                      const May& may_stand_there) {
     std::vector<std::string> names;
     for (const ModuleFile& file : library_.modules())
-      if (file.module.kind == kind) names.push_back(file.module.name);
+      if (may_stand_there(file.module)) names.push_back(file.module.name);
     const std::string guess = nearest(name, names);
     refuse(in, key,
            fmt::format("names \"{}\", which is not in the library; {}", name,
                        guess.empty() ? fmt::format("there are {}", fmt::join(names, ", "))
                                      : fmt::format("did you mean \"{}\"?", guess)));
-    return nullptr;
   }
 
   /// One of two words. @return whether it is the second
@@ -147,7 +156,8 @@ class AssemblyReader {
     in.require(name.has_value(), "module", "module = \"lipo_3s_2200\"");
     const ModuleFile* found = name ? library_.find_or_null(*name) : nullptr;
     if (name && !found)
-      (void)module_named(in, "module", *name, ModuleKind::battery);  // offers the nearest
+      refuse_unknown(in, "module", *name,
+                     [](const Module& other) { return other.kind != ModuleKind::servo; });
     if (found && found->module.kind == ModuleKind::servo)
       refuse(in, "module",
              fmt::format("names \"{}\", a servo, which stands in a limb's joint; expected what "
@@ -171,10 +181,12 @@ class AssemblyReader {
       if (!limb.mirrored)
         refuse(in, "mirror",
                fmt::format("is \"{}\"; expected \"y\", across which legs mirror", *mirror));
-      if (limb.mirrored && hip && limb.hip.y() == 0.0)
+      if (limb.mirrored && hip && std::abs(limb.hip.y()) <= kInThePlane) {
         refuse(in, "mirror",
                "leaves the hip where it is, in the x-z plane; move it aside, or take "
                "mirror out");
+        one_place_told_.insert(out_.limbs.size());
+      }
     }
     in.require(in.has("foot"), "foot", "foot = \"ball_foot_12\"");
     if (const Module* foot = module_of(in, "foot", ModuleKind::foot)) limb.foot = *foot;
@@ -197,6 +209,12 @@ class AssemblyReader {
     const auto step = in.numbers("step");
     in.require(step.has_value() || copies == 1, "step", "step = [-0.2, 0.0, 0.0]");
     if (step) limb.step = vector_in(*step);
+    if (step && copies > 1 && limb.step.norm() < kSameHip) {
+      refuse(in, "step",
+             "has no length, which puts all copies in one place; expected the way from one hip "
+             "to the next: [-0.2, 0.0, 0.0]");
+      one_place_told_.insert(out_.limbs.size());
+    }
     const auto name = in.text("name");
     const auto names = in.names("names");
     in.require(name.has_value() || names.has_value(), "name", "name = \"leg\"");
@@ -224,12 +242,35 @@ class AssemblyReader {
   /// Of mirror images L or R stands behind the name, which another limb may have by itself.
   void check_placed_names() {
     std::set<std::string> names;
-    for (const PlacedLimb& limb : placed_limbs(out_))
-      if (!names.insert(limb.name).second)
+    bool twice = false;
+    for (const PlacedLimb& limb : placed_limbs(out_)) {
+      if (names.insert(limb.name).second) continue;
+      twice = true;
+      refuse(root_, "limb",
+             fmt::format("makes \"{}\" a second time, once of a mirror image; give each limb its "
+                         "own name",
+                         limb.name));
+    }
+    if (twice) return;  // else all that is named after them is told too
+    for (const NameClash& clash : name_clashes(out_))
+      refuse(root_, "limb",
+             fmt::format("would name {} and {} alike, \"{}\"; give one of them another name",
+                         clash.first, clash.second, clash.name));
+  }
+
+  void check_places() {
+    const std::vector<PlacedLimb> limbs = placed_limbs(out_);
+    for (std::size_t b = 0; b < limbs.size(); ++b)
+      for (std::size_t a = 0; a < b; ++a) {
+        const auto index = static_cast<std::size_t>(limbs[b].of - out_.limbs.data());
+        if ((limbs[a].hip - limbs[b].hip).norm() >= kSameHip ||
+            (limbs[a].of == limbs[b].of && one_place_told_.contains(index)))
+          continue;
         refuse(root_, "limb",
-               fmt::format("makes \"{}\" a second time, once of a mirror image; give each limb its "
-                           "own name",
-                           limb.name));
+               fmt::format("puts the hips of \"{}\" and \"{}\" in one place, [{}]; move one aside "
+                           "by hip or step",
+                           limbs[a].name, limbs[b].name, fmt::join(limbs[b].hip, ", ")));
+      }
   }
 
   void read_joint(const toml::table* toml, AssemblyLimb& limb, std::set<std::string>& names) {
@@ -292,6 +333,7 @@ class AssemblyReader {
   Assembly out_;
   const Module* servo_ = nullptr;  // of joints without their own
   std::set<std::string> limb_names_;
+  std::set<std::size_t> one_place_told_;  // limbs of which that is told already
   TaskTable root_;
 };
 

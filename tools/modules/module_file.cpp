@@ -126,6 +126,7 @@ class ModuleReader {
           fmt::format("is \"{}\"; expected letters, digits, '_', '-' and '.'", module.name));
     const std::string kind = needed_text(root_, "kind", "servo");
     module.kind = static_cast<ModuleKind>(choice(root_, "kind", kind, kModuleKinds));
+    kind_known_ = module.kind_name() == kind;
     module.maker = needed_text(root_, "maker", "ROBOTIS");
     module.about = root_.text("about").value_or("");
     const auto mass = root_.number("mass");
@@ -135,6 +136,8 @@ class ModuleReader {
     note("mass", mass.has_value());
     note("voltage", module.voltage.has_value());
   }
+
+  bool is_servo() const { return kind_known_ && out_.module.kind == ModuleKind::servo; }
 
   void read_outline() {
     const std::vector<const toml::table*> tables = root_.tables("outline");
@@ -169,22 +172,22 @@ class ModuleReader {
 
   void read_joint() {
     const toml::table* toml = root_.table("joint");
-    const bool servo = out_.module.kind == ModuleKind::servo;
+    const bool servo = is_servo();
     root_.require(toml != nullptr || !servo, "joint",
                   "[joint] with position = [0.0, 0.012, 0.017] and stall_torque = 1.4");
     if (!toml) return;
-    if (!servo)
+    if (!servo && kind_known_)
       problems_.add(
           root_.line_of("joint"), "joint",
           fmt::format("is for servos, and this is a {}; take it out", out_.module.kind_name()));
     TaskTable in = table(toml, "joint");
     ModuleJoint joint;
     const auto position = in.numbers("position");
-    in.require(position.has_value(), "position", "position = [0.0, 0.012, 0.017]");
+    in.require(position || !servo, "position", "position = [0.0, 0.012, 0.017]");
     if (position) joint.position = vector_of(*position);
     joint.axis = direction(in, "axis", Vector3d::UnitZ());
     const auto stall = in.number("stall_torque");
-    in.require(stall.has_value(), "stall_torque", "stall_torque = 1.4");
+    in.require(stall || !servo, "stall_torque", "stall_torque = 1.4");
     joint.stall_torque = stall.value_or(1.0);
     joint.continuous_torque = in.number("continuous_torque");
     joint.no_load_speed = in.number("no_load_speed");
@@ -219,7 +222,7 @@ class ModuleReader {
   void read_foot() {
     const toml::table* toml = root_.table("foot");
     if (!toml) return;
-    if (out_.module.kind != ModuleKind::foot)
+    if (kind_known_ && out_.module.kind != ModuleKind::foot)
       problems_.add(
           root_.line_of("foot"), "foot",
           fmt::format("is for feet, and this is a {}; take it out", out_.module.kind_name()));
@@ -287,9 +290,8 @@ class ModuleReader {
       const bool given = given_.contains(figure);
       const bool unknown =
           std::find(out_.unknown.begin(), out_.unknown.end(), figure) != out_.unknown.end();
-      const bool of_servo =
-          out_.module.kind == ModuleKind::servo &&
-          std::find(kServoFigures.begin(), kServoFigures.end(), listed) != kServoFigures.end();
+      const bool of_servo = is_servo() && std::find(kServoFigures.begin(), kServoFigures.end(),
+                                                    listed) != kServoFigures.end();
       if (given && !told(figure))
         problems_.add(line_of(figure), figure,
                       "has no source; name it in the figures of a [[source]], or of an "
@@ -318,6 +320,7 @@ class ModuleReader {
   std::map<std::string, int> lines_;
   ModuleFile out_;
   std::set<std::string> given_;
+  bool kind_known_ = false;  // else what belongs to a kind is not asked for
   TaskTable root_;
 };
 

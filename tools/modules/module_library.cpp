@@ -12,6 +12,7 @@
 #include "tools/files/io_error.hpp"
 #include "tools/files/nearest_word.hpp"
 #include "tools/run/install.hpp"
+#include "tools/task/toml_text.hpp"
 
 namespace legwright {
 namespace {
@@ -47,7 +48,12 @@ void ModuleLibrary::read_folder(const fs::path& folder) {
                   "what one says");
   std::set<std::string> here;
   for (const fs::path& file : files) {
-    ModuleFile read = parse_module(read_file(file), file);
+    const std::string text = read_file(file);
+    if (!parse_toml(text, file).contains("kind"))
+      throw InputError(file.string(), 0, "kind",
+                       "is missing, so this is no module; take the file out of the folder, or "
+                       "say what it is: kind = \"servo\"");
+    ModuleFile read = parse_module(text, file);
     const std::string& name = read.module.name;
     if (!here.insert(lower(name)).second)
       throw InputError(file.string(), 0, "name",

@@ -7,7 +7,7 @@
 #include "mjcf/text/input_error.hpp"
 #include "tools/files/atomic_file.hpp"
 #include "tools/files/clean_text.hpp"
-#include "tools/files/io_error.hpp"
+#include "tools/files/new_files.hpp"
 #include "tools/modules/assembly_file.hpp"
 #include "tools/task/starter_task.hpp"
 #include "tools/verbs/init_text.hpp"
@@ -37,9 +37,18 @@ int print_assembly_keys(bool json) {
   return kOk;
 }
 
-void refuse_what_is_there(const std::string& file) {
-  if (!file.empty() && fs::exists(file))
-    throw IoError(file + ": exists already; name a new file, or remove it");
+/// What is written goes beside the assembly and each other. Throws InputError for one path twice,
+/// IoError for what is there already.
+void check_places(const BuildOptions& options) {
+  const auto refuse = [&](const std::string& file, const std::string& other, const char* what) {
+    if (!file.empty() && same_place(file, other))
+      throw InputError(fmt::format("{} is {}; name another file", file, what));
+  };
+  refuse(options.output, options.assembly, "the assembly, which -o would replace with its robot");
+  refuse(options.task, options.assembly, "the assembly, which --task would replace");
+  refuse(options.task, options.output, "where -o writes the robot, which --task would replace");
+  refuse_existing(options.output);
+  if (!options.task.empty()) refuse_existing(options.task);
 }
 
 /// The first task of the robot, and what it asks for in words.
@@ -98,15 +107,15 @@ int build(const BuildOptions& options) {
     throw InputError("build needs to know where the robot goes: -o robot.xml");
   if (!options.gait.empty() && options.task.empty())
     throw InputError("--gait is for the task file that --task FILE writes; give both");
-  refuse_what_is_there(options.output);
-  refuse_what_is_there(options.task);
+  check_places(options);
   const ModuleLibrary library = library_with(options.library);
   const Assembly assembly = parse_assembly(read_file(options.assembly), options.assembly, library);
   const BuiltRobot built = robot_of(assembly, options);
   const auto [task, words] = options.task.empty() ? std::pair<std::string, std::string>{}
                                                   : first_task_of(options, built.found.model);
-  write_file(options.output, built.xml);
-  if (!task.empty()) write_file(options.task, task);
+  std::vector<NewFile> files{{options.output, built.xml}};
+  if (!task.empty()) files.push_back({options.task, task});
+  write_new_files(files);
   if (options.json) {
     fmt::print("{}", to_text(to_json(built, options)));
     return kOk;

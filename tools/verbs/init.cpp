@@ -7,10 +7,10 @@
 #include "mjcf/read/world_parts.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/input_error.hpp"
-#include "tools/files/atomic_file.hpp"
 #include "tools/files/clean_text.hpp"
 #include "tools/files/io_error.hpp"
 #include "tools/files/json_file.hpp"
+#include "tools/files/new_files.hpp"
 #include "tools/task/starter_task.hpp"
 #include "tools/verbs/init_files.hpp"
 #include "tools/verbs/init_text.hpp"
@@ -127,9 +127,8 @@ std::string way_to_keyframe(const ProposedParameters& found) {
 FirstTask first_task(const InitOptions& options, const StudiedRobot& studied,
                      const std::string& robot) {
   const ProposedParameters& found = studied.found;
-  if (fs::exists(options.task))
-    throw IoError(options.task + ": exists already; name a new file, or remove it");
-  if (fs::weakly_canonical(fs::absolute(options.task)) == fs::weakly_canonical(fs::absolute(robot)))
+  refuse_existing(options.task);
+  if (same_place(options.task, robot))
     throw IoError(options.task + ": the robot is written there; name another file for the task");
   if (!found.not_standing.empty())
     throw InputError(options.robot, 0, "",
@@ -214,7 +213,7 @@ int init(const InitOptions& options) {
           : first_task(options, robot, options.output.empty() ? options.robot : options.output);
   const std::string written = writes ? write_proposals(robot, options.output) : "";
   const std::string written_task = task.text.empty() ? "" : options.task;
-  if (!task.text.empty()) write_file(options.task, task.text);
+  if (!task.text.empty()) write_new_files({{options.task, task.text}});
   const int code = task.text.empty() && !options.task.empty() ? kInfeasible : kOk;
   if (code != kOk)
     fmt::print(stderr, "legwright: {} is not written: {}\n", options.task,

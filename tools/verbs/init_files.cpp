@@ -10,6 +10,7 @@
 #include "mjcf/urdf/read_urdf.hpp"
 #include "tools/files/atomic_file.hpp"
 #include "tools/files/io_error.hpp"
+#include "tools/files/new_files.hpp"
 #include "tools/run/robot_folder.hpp"
 #include "tools/verbs/summary.hpp"
 
@@ -103,8 +104,7 @@ std::string write_proposals(const StudiedRobot& robot, const std::string& output
     throw InputError(file.string(), 0, "",
                      "is a URDF, which has no place for design parameters; -o ROBOT.xml writes it "
                      "as MJCF with them");
-  if (fs::exists(output) && !onto_itself)
-    throw IoError(output + ": exists already; name a new file, or remove it");
+  if (!output.empty() && !onto_itself) refuse_existing(output);
   if (robot.found.proposals.empty() && !robot.pose && output.empty()) return "";  // nothing to add
   std::string written = output.empty() ? file.string() : output;
   const std::string text = with_declarations(robot.files.main_text(), file, robot.found.proposals);

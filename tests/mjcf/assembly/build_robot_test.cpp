@@ -213,6 +213,40 @@ TEST(BuiltRobots, SayWhatIsNotKnownOfTheirServos) {
   EXPECT_NE(notes[1].find("the stall torque is the limit"), std::string::npos);
 }
 
+std::string first_note(const Assembly& assembly) {
+  const std::vector<std::string> notes = build_robot(assembly, "dog.xml").notes;
+  return notes.empty() ? "" : notes[0];
+}
+
+/// The hint follows the stall torque, and does not speak of brushless joints.
+TEST(BuiltRobots, TellAnArmatureByTheStallTorque) {
+  Assembly assembly = boxy_dog();
+  for (AssemblyJoint& joint : assembly.limbs[0].joints) {
+    joint.servo.joint->reflected_inertia.reset();
+    joint.servo.joint->stall_torque = 4.0;
+  }
+  EXPECT_NE(first_note(assembly).find("0.012 to 0.028 of S: armature = 0.02 gives one"),
+            std::string::npos)
+      << first_note(assembly);
+  assembly.limbs[0].joints[1].servo.name = "T";
+  assembly.limbs[0].joints[1].servo.joint->stall_torque = 2.0;
+  EXPECT_NE(first_note(assembly).find("armature = 0.01 gives one, of the weakest, to all"),
+            std::string::npos)
+      << first_note(assembly);
+  for (AssemblyJoint& joint : assembly.limbs[0].joints) joint.servo.joint->gear_ratio = 9.0;
+  EXPECT_NE(first_note(assembly).find("rotor inertia times the square of the ratio"),
+            std::string::npos)
+      << first_note(assembly);
+}
+
+TEST(BuiltRobots, SayWhatFrictionIsAssumedOfAFoot) {
+  Assembly assembly = boxy_dog();
+  assembly.limbs[0].foot.friction.reset();
+  EXPECT_NE(first_note(assembly).find("the friction of ball is not known: 0.8 is assumed"),
+            std::string::npos)
+      << first_note(assembly);
+}
+
 TEST(BuiltRobots, RefuseLimbsThatDoNotStand) {
   Assembly assembly = boxy_dog();
   assembly.limbs[0].joints[1].offset = {0.0, 0.0, 0.09};

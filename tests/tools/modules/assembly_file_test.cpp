@@ -5,6 +5,7 @@
 
 #include <set>
 
+#include "mjcf/assembly/assembly_names.hpp"
 #include "mjcf/text/input_error.hpp"
 #include "tests/support/source_tree.hpp"
 #include "tools/files/atomic_file.hpp"
@@ -132,6 +133,8 @@ TEST(AssemblyFile, OffersTheNearestModule) {
                    "limb.foot: names \"lipo_3s_2200\", which is a battery; expected a foot");
   expect_complaint(assembly_with("module = \"lipo_3s_2200\"", "module = \"AX-12A\""),
                    "part.module: names \"AX-12A\", a servo");
+  expect_complaint(assembly_with("module = \"lipo_3s_2200\"", "module = \"jetson_orin_nan\""),
+                   "did you mean \"jetson_orin_nano\"?");
   expect_complaint(assembly_with("servo = \"XL430-W250\"\n", ""), "limb.joint.servo: is missing");
 }
 
@@ -165,6 +168,66 @@ TEST(AssemblyFile, RefusesLimbsThatDoNotFit) {
                    "expected \"stall\" or \"continuous\"");
   expect_complaint("name = \"a\"\n", "limb: is missing");
   expect_complaint(assembly_with("mirror", "miror"), "did you mean 'limb.mirror'?");
+}
+
+/// The assembly with a second limb, of which all copies have their own names.
+std::string with_second_limb(const std::string& names, const std::string& hip) {
+  std::string limb = kWholeAssembly.substr(kWholeAssembly.find("[[limb]]"));
+  const auto put = [&](const std::string& part, const std::string& by) {
+    limb.replace(limb.find(part), part.size(), by);
+  };
+  put("[\"F\", \"H\"]", names);
+  put("[0.09, 0.07, 0.0]", hip);
+  return kWholeAssembly + limb;
+}
+
+int count_of(const std::string& part, const std::string& text) {
+  int count = 0;
+  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; ++at) ++count;
+  return count;
+}
+
+TEST(AssemblyFile, RefusesHipsInOnePlace) {
+  EXPECT_EQ(complaint_about(with_second_limb("[\"A\", \"B\"]", "[0.09, 0.1, 0.0]")), "");
+  const std::string near = assembly_with("hip = [0.09, 0.07, 0.0]", "hip = [0.09, 1e-12, 0.0]");
+  expect_complaint(near, "limb.mirror: leaves the hip where it is");
+  const std::string step = assembly_with("step = [-0.18, 0.0, 0.0]", "step = [0, 0, 0]");
+  expect_complaint(step, "dog.toml:20: limb.step: has no length, which puts all copies in one");
+  for (const std::string& text : {near, step})
+    EXPECT_EQ(complaint_about(text).find("puts the hips of"), std::string::npos) << "told once";
+  expect_complaint(assembly_with("step = [-0.18, 0.0, 0.0]", "step = [0.0, -0.14, 0.0]"),
+                   "puts the hips of \"FR\" and \"HR\" in one place, [0.09, -0.07, 0]");
+  expect_complaint(with_second_limb("[\"A\", \"B\"]", "[0.09, 0.07, 0.0]"),
+                   "puts the hips of \"FL\" and \"AL\" in one place");
+}
+
+TEST(AssemblyFile, RefusesNamesThatMeetInTheRobot) {
+  const std::string alone = "mirror = \"y\"\n";
+  std::string text = with_second_limb("[\"F_b\", \"X\"]", "[0.09, 0.1, 0.0]");
+  for (std::size_t at; (at = text.find(alone)) != std::string::npos;) text.erase(at, alone.size());
+  EXPECT_EQ(complaint_about(text), "");
+  std::string joints = text;
+  joints.replace(joints.find("\"knee\""), 6, "\"b_knee\"");
+  expect_complaint(joints,
+                   "would name joint \"b_knee\" of limb \"F\" and joint \"knee\" of limb \"F_b\" "
+                   "alike, \"F_b_knee\"; give one of them another name");
+  EXPECT_EQ(count_of("would name", complaint_about(joints)), 1) << "not of servos and links too";
+  std::string links = text;
+  links.replace(links.find("\"shank\""), 7, "\"b_shank\"");
+  expect_complaint(links, "would name link \"b_shank\" of limb \"F\" and link \"shank\" of limb");
+  // A foot of two shapes names the second after the limb.
+  const ModuleFile* ball = installed().find_or_null("ball_foot_12");
+  ASSERT_NE(ball, nullptr);
+  std::string feet = text;
+  feet.replace(feet.find("\"F_b\""), 5, "\"F_2\"");
+  Assembly dog = parse_assembly(feet, "dog.toml", installed());
+  EXPECT_TRUE(name_clashes(dog).empty());
+  dog.limbs[0].foot.outline.push_back(ball->module.outline[0]);
+  const std::vector<NameClash> clashes = name_clashes(dog);
+  ASSERT_EQ(clashes.size(), 1u);
+  EXPECT_EQ(clashes[0].name, "F_2");
+  EXPECT_EQ(clashes[0].first, "shape 2 of the foot of limb \"F\"");
+  EXPECT_EQ(clashes[0].second, "the foot of limb \"F_2\"");
 }
 
 TEST(AssemblyKeys, AreThoseOfTheReader) {

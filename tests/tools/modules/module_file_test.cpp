@@ -98,6 +98,13 @@ TEST(ModuleFile, RefusesWhatFitsNoModuleOfItsKind) {
                  {"expected one of servo, foot, trunk"});
   expect_refusal(servo_with("kind = \"servo\"", "kind = \"battery\""),
                  {"joint", "is for servos, and this is a battery"});
+  const std::string foreign = refusal("name = \"a\"\nkind = \"servos\"\n[joint]\nkp = 1.0\n");
+  for (const char* part : {"joint: ", "joint.stall_torque", "joint.gear_ratio"})
+    EXPECT_EQ(foreign.find(part), std::string::npos) << foreign;
+  const std::string battery =
+      refusal(servo_with("stall_torque = 1.1\n", "")
+                  .replace(kWholeServo.find("\"servo\""), 7, "\"battery\""));
+  EXPECT_EQ(battery.find("joint.stall_torque: is missing"), std::string::npos) << battery;
   expect_refusal(servo_with("[joint]", "[foot]\nfriction = 0.9\n[joint]"),
                  {"foot", "is for feet, and this is a servo"});
   expect_refusal(servo_with("continuous_torque = 0.2", "continuous_torque = 2.0"),

@@ -95,5 +95,20 @@ TEST(ModuleLibrary, TeachesWhereThereIsNone) {
   EXPECT_THROW(ModuleLibrary({folder.path()}), InputError) << "two of one name";
 }
 
+TEST(ModuleLibrary, NamesAFileThatIsNoModuleInOneLine) {
+  const test::TemporaryFolder folder;
+  write_file(folder.path() / "pyproject.toml", "[project]\nname = \"walk\"\n[joint]\nkp = 1\n");
+  try {
+    ModuleLibrary({folder.path()});
+    FAIL();
+  } catch (const InputError& error) {
+    const std::string told = error.what();
+    EXPECT_NE(told.find("pyproject.toml: kind: is missing, so this is no module"),
+              std::string::npos)
+        << told;
+    EXPECT_EQ(told.find('\n'), std::string::npos) << told;
+  }
+}
+
 }  // namespace
 }  // namespace legwright

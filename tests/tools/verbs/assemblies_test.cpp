@@ -63,6 +63,7 @@ TEST(Assemblies, AnotherServoIsOneEdit) {
   EXPECT_NEAR(json["mass_kg"].get<double>(), 1.0366 + 8 * (0.082 - 0.0572), 1e-3);
   EXPECT_TRUE(contains(read_file(robot), "forcerange=\"-4.1 4.1\""));
   EXPECT_TRUE(contains(json["notes"][0].get<std::string>(), "reflected inertia of XM430-W350"));
+  EXPECT_TRUE(contains(json["notes"][0].get<std::string>(), "armature = 0.02"));
 }
 
 TEST(Assemblies, WhatIsWrongIsToldAndNothingWritten) {
@@ -98,6 +99,42 @@ TEST(Assemblies, WhatIsWrongIsToldAndNothingWritten) {
   EXPECT_TRUE(contains(biped.err, "two small feet")) << biped.err;
   EXPECT_TRUE(contains(biped.err, "without --task the robot is written")) << biped.err;
   EXPECT_EQ(call({"build", assembly.string(), "-o", robot.string()}).code, 0);
+}
+
+TEST(Assemblies, NoFileIsWrittenOverAnother) {
+  const test::TemporaryFolder folder;
+  const fs::path assembly = folder.path() / "puppy.toml", robot = folder.path() / "a.xml";
+  const std::string text = read_file(kPuppyAssembly);
+  write_file(assembly, text);
+  const auto refused = [&](const fs::path& output, const fs::path& task) {
+    const Outcome told =
+        call({"build", assembly.string(), "-o", output.string(), "--task", task.string()});
+    EXPECT_EQ(told.code, 2) << told.err;
+    EXPECT_TRUE(contains(told.err, "name another file")) << told.err;
+    EXPECT_FALSE(fs::exists(robot));
+    EXPECT_EQ(read_file(assembly), text);
+  };
+  refused(robot, robot);
+  refused(robot, folder.path() / "." / "none" / ".." / "a.xml");
+  refused(assembly, folder.path() / "task.toml");
+  refused(robot, assembly);
+}
+
+TEST(Assemblies, NothingHalfWrittenStays) {
+  const test::TemporaryFolder folder;
+  write_file(folder.path() / "file", "");
+  const fs::path robot = folder.path() / "new" / "deep" / "x.xml",
+                 task = folder.path() / "file" / "task.toml";
+  const Outcome told =
+      call({"build", kPuppyAssembly.string(), "-o", robot.string(), "--task", task.string()});
+  EXPECT_EQ(told.code, 3) << told.err;
+  EXPECT_FALSE(fs::exists(folder.path() / "new")) << "neither robot nor folder";
+  const fs::path possible = folder.path() / "tasks" / "task.toml";
+  const Outcome again =
+      call({"build", kPuppyAssembly.string(), "-o", robot.string(), "--task", possible.string()});
+  EXPECT_EQ(again.code, 0) << again.err;
+  EXPECT_TRUE(contains(read_file(possible), "../new/deep/x.xml"));
+  EXPECT_TRUE(fs::exists(robot));
 }
 
 /// Legs that stand up and cannot turn down.
