@@ -74,7 +74,7 @@ std::string note_on_inertia(const std::map<std::string, const ModuleJoint*>& unk
                           "those of geared hobby servos are {} to {} kg m2 for each N m of stall "
                           "torque, {}: armature = {:.2g} gives one{}",
                           kLeastInertia, kMostInertia, fmt::join(ruled, ", "), least,
-                          ruled.size() > 1 ? ", of the weakest, to all" : "");
+                          unknown.size() > 1 ? ", of the weakest, to all" : "");
   return fmt::format(
       "the reflected inertia of {} is not known: their joints have no armature, without which "
       "gaits hang on details; {}",

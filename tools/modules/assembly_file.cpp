@@ -9,6 +9,7 @@
 
 #include "mjcf/assembly/assembly_names.hpp"
 #include "tools/files/nearest_word.hpp"
+#include "tools/modules/table_values.hpp"
 #include "tools/task/task_table.hpp"
 #include "tools/task/toml_text.hpp"
 
@@ -17,18 +18,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kShortestAxis = 1e-6;
 constexpr double kShortestOffset = 1e-3;  // [m], of the link that a foot ends
-
-Vector3d vector_in(const std::vector<double>& values) { return {values[0], values[1], values[2]}; }
-
-bool is_plain_name(const std::string& name) {
-  return !name.empty() && name.find("--") == std::string::npos &&
-         std::all_of(name.begin(), name.end(), [](char c) {
-           return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
-                  c == '_' || c == '-';
-         });
-}
 
 class AssemblyReader {
  public:
@@ -140,7 +130,7 @@ class AssemblyReader {
       in.require(in.has("size"), "size", "size = [0.2, 0.1, 0.04]");
       in.require(in.has("mass"), "mass", "mass = 0.4");
       OutlineShape box;
-      box.size = size ? vector_in(*size) : Vector3d::Ones();
+      box.size = size ? vector_of(*size) : Vector3d::Ones();
       out_.trunk.name = "trunk";
       out_.trunk.kind = ModuleKind::trunk;
       out_.trunk.mass = mass.value_or(1.0);
@@ -164,7 +154,7 @@ class AssemblyReader {
                          "rides on the trunk",
                          *name));
     if (found) part.module = found->module;
-    if (const auto position = in.numbers("position")) part.position = vector_in(*position);
+    if (const auto position = in.numbers("position")) part.position = vector_of(*position);
     in.finish();
     out_.parts.push_back(part);
   }
@@ -174,7 +164,7 @@ class AssemblyReader {
     AssemblyLimb limb;
     const auto hip = in.numbers("hip");
     in.require(hip.has_value(), "hip", "hip = [0.1, 0.06, 0.0]");
-    if (hip) limb.hip = vector_in(*hip);
+    if (hip) limb.hip = vector_of(*hip);
     read_copies(in, limb);
     if (const auto mirror = in.text("mirror")) {
       limb.mirrored = *mirror == "y";
@@ -192,7 +182,7 @@ class AssemblyReader {
     if (const Module* foot = module_of(in, "foot", ModuleKind::foot)) limb.foot = *foot;
     const auto offset = in.numbers("foot_offset");
     in.require(offset.has_value(), "foot_offset", "foot_offset = [0.0, 0.0, -0.09]");
-    if (offset) limb.foot_offset = vector_in(*offset);
+    if (offset) limb.foot_offset = vector_of(*offset);
     if (offset && limb.foot_offset.norm() < kShortestOffset)
       refuse(in, "foot_offset", "has no length; expected where the foot is: [0.0, 0.0, -0.09]");
     const std::vector<const toml::table*> joints = in.tables("joint");
@@ -208,7 +198,7 @@ class AssemblyReader {
     const int copies = in.integer("copies").value_or(1);
     const auto step = in.numbers("step");
     in.require(step.has_value() || copies == 1, "step", "step = [-0.2, 0.0, 0.0]");
-    if (step) limb.step = vector_in(*step);
+    if (step) limb.step = vector_of(*step);
     if (step && copies > 1 && limb.step.norm() < kSameHip) {
       refuse(in, "step",
              "has no length, which puts all copies in one place; expected the way from one hip "
@@ -296,25 +286,16 @@ class AssemblyReader {
                          "link, and none that ends in _servo, as those of servos do",
                          joint.link));
     in.require(in.has("axis"), "axis", "axis = [0, 1, 0]");
-    if (const auto axis = in.numbers("axis")) {
-      joint.axis = vector_in(*axis);
-      if (joint.axis.norm() < kShortestAxis)
-        refuse(in, "axis", "has no length; expected a direction: [0, 1, 0]");
-      joint.axis.normalize();
-    }
+    if (const auto axis = direction_in(in, "axis", problems_)) joint.axis = *axis;
     const auto offset = in.numbers("offset");
     const bool first = limb.joints.empty();
     in.require(offset.has_value() || first, "offset", "offset = [0.0, 0.0, -0.08]");
-    if (offset) joint.offset = vector_in(*offset);
+    if (offset) joint.offset = vector_of(*offset);
     if (first && offset && joint.offset.norm() > 0.0)
       refuse(in, "offset", "is of the first joint, which is where hip says; take it out");
     read_servo(in, joint);
     joint.roll = in.number("roll").value_or(0.0);
-    if (const auto range = in.numbers("range")) {
-      joint.range = {(*range)[0], (*range)[1]};
-      if (!((*range)[0] < (*range)[1]))
-        refuse(in, "range", "has its lesser angle behind; expected [-1.5, 1.5]");
-    }
+    joint.range = angle_range_in(in, "range", problems_);
     in.finish();
     limb.joints.push_back(joint);
   }

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "tools/files/nearest_word.hpp"
+#include "tools/modules/table_values.hpp"
 #include "tools/task/task_table.hpp"
 #include "tools/task/toml_text.hpp"
 
@@ -14,8 +15,6 @@ namespace legwright {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr double kLeastDirection = 1e-6;  // shorter ones have none
 
 /// Figures that must be sourced or assumed where they are given.
 constexpr std::array<std::string_view, 16> kFigures{"mass",
@@ -40,8 +39,6 @@ constexpr std::array<std::string_view, 8> kServoFigures{
     "voltage",          "joint.continuous_torque", "joint.no_load_speed",
     "joint.gear_ratio", "joint.reflected_inertia", "joint.friction",
     "joint.range",      "attachment.screws"};
-
-Vector3d vector_of(const std::vector<double>& values) { return {values[0], values[1], values[2]}; }
 
 class ModuleReader {
  public:
@@ -90,15 +87,6 @@ class ModuleReader {
     return 0;
   }
 
-  Vector3d direction(TaskTable& in, std::string_view key, const Vector3d& otherwise) {
-    const auto values = in.numbers(key);
-    if (!values) return otherwise;
-    const Vector3d found = vector_of(*values);
-    if (found.norm() > kLeastDirection) return found.normalized();
-    problems_.add(in.line_of(key), in.full(key), "has no length; expected a direction: [0, 0, 1]");
-    return otherwise;
-  }
-
   std::vector<std::string> figures(TaskTable& in, std::string_view key) {
     std::vector<std::string> words = in.names(key).value_or(std::vector<std::string>{});
     const std::vector<std::string> known(kFigures.begin(), kFigures.end());
@@ -116,11 +104,7 @@ class ModuleReader {
   void read_name_and_kind() {
     Module& module = out_.module;
     module.name = needed_text(root_, "name", "XL430-W250");
-    const auto odd = std::find_if(module.name.begin(), module.name.end(), [](char c) {
-      return !(c >= '0' && c <= '9') && !(c >= 'A' && c <= 'Z') && !(c >= 'a' && c <= 'z') &&
-             std::string_view("_-.").find(c) == std::string_view::npos;
-    });
-    if (odd != module.name.end() || module.name.find("--") != std::string::npos)
+    if (!module.name.empty() && !is_plain_name(module.name, "."))
       problems_.add(
           root_.line_of("name"), "name",
           fmt::format("is \"{}\"; expected letters, digits, '_', '-' and '.'", module.name));
@@ -163,7 +147,7 @@ class ModuleReader {
         for (std::size_t k = 0; k < size->size(); ++k)
           shape.size[static_cast<Eigen::Index>(k)] = (*size)[k];
       if (const auto place = in.numbers("position")) shape.position = vector_of(*place);
-      shape.axis = direction(in, "axis", Vector3d::UnitZ());
+      shape.axis = direction_in(in, "axis", problems_).value_or(Vector3d::UnitZ());
       in.finish();
       out_.module.outline.push_back(shape);
     }
@@ -185,7 +169,7 @@ class ModuleReader {
     const auto position = in.numbers("position");
     in.require(position || !servo, "position", "position = [0.0, 0.012, 0.017]");
     if (position) joint.position = vector_of(*position);
-    joint.axis = direction(in, "axis", Vector3d::UnitZ());
+    joint.axis = direction_in(in, "axis", problems_).value_or(Vector3d::UnitZ());
     const auto stall = in.number("stall_torque");
     in.require(stall || !servo, "stall_torque", "stall_torque = 1.4");
     joint.stall_torque = stall.value_or(1.0);
@@ -197,7 +181,7 @@ class ModuleReader {
     joint.damping = in.number("damping");
     joint.kp = in.number("kp");
     joint.kd = in.number("kd");
-    read_range(in, joint);
+    joint.range = angle_range_in(in, "range", problems_);
     if (stall && joint.continuous_torque && *joint.continuous_torque > *stall)
       problems_.add(in.line_of("continuous_torque"), "joint.continuous_torque",
                     fmt::format("is {}, above the stall torque of {}; expected no more",
@@ -206,17 +190,6 @@ class ModuleReader {
     for (const std::string_view figure : kFigures)
       if (figure.starts_with("joint.")) note(figure, toml->contains(figure.substr(6)));
     out_.module.joint = joint;
-  }
-
-  void read_range(TaskTable& in, ModuleJoint& joint) {
-    const auto range = in.numbers("range");
-    if (!range) return;
-    if ((*range)[0] < (*range)[1])
-      joint.range = {(*range)[0], (*range)[1]};
-    else
-      problems_.add(
-          in.line_of("range"), "joint.range",
-          fmt::format("is [{}, {}]; expected the lesser angle first", (*range)[0], (*range)[1]));
   }
 
   void read_foot() {
@@ -242,7 +215,7 @@ class ModuleReader {
     in.require(position.has_value(), "position", "position = [0.0, 0.0, -0.017]");
     if (position) at.position = vector_of(*position);
     in.require(in.has("normal"), "normal", "normal = [0, 0, -1]");
-    at.normal = direction(in, "normal", Vector3d::UnitZ());
+    at.normal = direction_in(in, "normal", problems_).value_or(Vector3d::UnitZ());
     at.screws = in.text("screws").value_or("");
     if (!at.screws.empty()) note("attachment.screws", true);
     in.finish();

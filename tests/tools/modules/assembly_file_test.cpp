@@ -152,7 +152,7 @@ TEST(AssemblyFile, RefusesLimbsThatDoNotFit) {
                    "limb.joint.offset: is of the first joint");
   expect_complaint(assembly_with("axis = [0, 2, 0]", "axis = [0, 0, 0]"), "has no length");
   expect_complaint(assembly_with("range = [-1.5, 1.5]", "range = [1.5, -1.5]"),
-                   "limb.joint.range: has its lesser angle behind");
+                   "limb.joint.range: is [1.5, -1.5]; expected the lesser angle first");
   expect_complaint(assembly_with("name = \"knee\"", "name = \"hip\""),
                    "limb.joint.name: is \"hip\" a second time in this limb");
   expect_complaint(assembly_with("\"shank\"", "\"thigh\""), "limb.joint.link: is \"thigh\"");
