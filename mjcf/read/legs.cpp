@@ -87,7 +87,7 @@ class StructureReader {
   std::vector<int> ends() const {
     std::vector<bool> carries(at(model_.nbody), false);
     std::vector<int> found;
-    for (int b = model_.nbody - 1; b > out_.trunk; --b) {
+    for (int b = static_cast<int>(model_.nbody) - 1; b > out_.trunk; --b) {
       if (model_.body_rootid[b] != out_.trunk || moving_joints(model_, out_, b).empty()) continue;
       if (!carries[at(b)]) found.insert(found.begin(), b);
       carries[at(moving_body(model_, out_, model_.body_parentid[b]))] = true;
@@ -141,7 +141,8 @@ class StructureReader {
     for (int b = end; b != out_.trunk; b = model_.body_parentid[b]) {
       const std::vector<int> own = moving_joints(model_, out_, b);
       out.joints.insert(out.joints.begin(), own.begin(), own.end());
-      if (model_.body_parentid[b] != out_.trunk) out.length += mju_norm3(model_.body_pos + 3 * b);
+      if (model_.body_parentid[b] != out_.trunk)
+        out.length += mju_norm3(model_.body_pos + std::ptrdiff_t{3} * b);
     }
     return out;
   }
@@ -265,8 +266,9 @@ class StructureReader {
     });
     if (known) return;
     const Eigen::Vector3d ahead = matrix_at(data_->xmat, out_.trunk).col(0);
-    foot.middle = world.transpose() * (middle_of_sole(points, *normal, ahead) -
-                                       Eigen::Vector3d::Map(data_->xpos + 3 * body));
+    foot.middle =
+        world.transpose() * (middle_of_sole(points, *normal, ahead) -
+                             Eigen::Vector3d::Map(data_->xpos + std::ptrdiff_t{3} * body));
     foot.radius = 0.0;
     foot.others.clear();
   }
@@ -274,7 +276,7 @@ class StructureReader {
   /// A geom's own name; else that of its body, of the link or of the joint, not yet a geom's.
   std::string name_of_foot(const FootContact& foot, int end) const {
     if (foot.geom >= 0)
-      if (const std::string own = name_of(model_, mjOBJ_GEOM, foot.geom); !own.empty()) return own;
+      if (std::string own = name_of(model_, mjOBJ_GEOM, foot.geom); !own.empty()) return own;
     std::vector<std::string> names;
     if (foot.site >= 0) names.push_back(name_of(model_, mjOBJ_SITE, foot.site));
     names.push_back(name_of(model_, mjOBJ_BODY, foot_body(model_, foot)));

@@ -79,7 +79,7 @@ Vector3d point_in_mirror(const Vector3d& p, Across across) {
 
 Vector3d mirrored_turn(const mjModel& model, int trunk, int from, int to, Across across,
                        const Vector3d& n) {
-  const Vector3d image = turn_in_mirror(n, across);
+  Vector3d image = turn_in_mirror(n, across);
   const Matrix3d turn = disagreement(model, trunk, from, to, across, Pose::home);
   if (agrees(turn) || agrees(disagreement(model, trunk, from, to, across, Pose::drawn)))
     return image;

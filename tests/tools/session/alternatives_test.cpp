@@ -34,8 +34,18 @@ std::string refusal_of(SessionEngine& engine, const SessionCommand& command) {
   return "obeyed";
 }
 
+#ifdef LEGWRIGHT_SANITIZED
+constexpr bool kTakesMinutes = true;  // searches and fronts, which the release build runs
+#else
+constexpr bool kTakesMinutes = false;
+#endif
+
 class FewestOfThePuppy : public testing::Test {
  protected:
+  void SetUp() override {
+    if (kTakesMinutes) GTEST_SKIP();
+  }
+
   SessionEngine engine_{test::puppy(), test::sideways(), test::kSideways};
 
   int index(const char* name) const { return engine_.state()->problem->robot.space.find(name); }
@@ -126,6 +136,7 @@ TEST_F(FewestOfThePuppy, OtherTasksHaveOthers) {
 }
 
 TEST(FrontOfTwoTasks, FallsFromEndToEndAndIsMovedAlong) {
+  if (kTakesMinutes) GTEST_SKIP();
   SessionEngine engine(read_robot(kBoth.parent_path() / "robot.xml"), read_file(kBoth), kBoth);
   (void)engine.search(30, {});
   ASSERT_TRUE(engine.settle());
