@@ -85,7 +85,7 @@ class StructureReader {
 
   /// Bodies that end a chain: nothing below them moves in the plan.
   std::vector<int> ends() const {
-    std::vector<bool> carries(at(model_.nbody), false);
+    std::vector<bool> carries(at(static_cast<int>(model_.nbody)), false);
     std::vector<int> found;
     for (int b = static_cast<int>(model_.nbody) - 1; b > out_.trunk; --b) {
       if (model_.body_rootid[b] != out_.trunk || moving_joints(model_, out_, b).empty()) continue;
