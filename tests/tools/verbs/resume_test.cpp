@@ -189,7 +189,7 @@ TEST_F(Resume, OneThatWasToReplaceARunDoesSoInTheEnd) {
   EXPECT_FALSE(fs::exists(states()));
 }
 
-TEST_F(Resume, StepsOnTheGaitGoOnFromWhatWasPlayed) {
+TEST_F(Resume, StepsOnTheGaitEndInTheSameBytes) {
   std::vector<std::string> words{"optimize",
                                  (test::kExamples / "piston_puppy/forward.toml").string(),
                                  "--no-pictures",
