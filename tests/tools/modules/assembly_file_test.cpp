@@ -3,10 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
 #include <sstream>
 #include <string>
-
-#include <set>
 
 #include "mjcf/assembly/assembly_names.hpp"
 #include "mjcf/text/input_error.hpp"
