@@ -70,6 +70,33 @@ class OtherDesigns(unittest.TestCase):
             studio.until(f'{CHANGES} === {wanted}')
         self.assertEqual(studio.console, [])
 
+    def test_fewest_changes_say_why_they_are_not_worked_out(self):
+        studio = self.open('puppy/sideways.toml')
+        asked = []
+        studio.page.on('request', lambda request: asked.append(request.post_data or ''))
+        notices = studio.page.locator('.notices')
+        studio.page.locator('canvas').first.focus()
+        studio.page.keyboard.press('f')
+        notices.get_by_text('The body is as it was given').wait_for()
+        studio.button('Optimise').click()
+        studio.until(
+            f"""() => {{
+              if ({STATE}?.phase !== "searching") return false;
+              const init = {{ key: "f", bubbles: true }};
+              document.body.dispatchEvent(new KeyboardEvent("keydown", init));
+              return true;
+            }}"""
+        )
+        notices.get_by_text('A search goes on: pause it').wait_for()
+        studio.until(f'{STATE}.phase === "idle"', seconds=120)
+        self.assertGreater(studio.state('iterations'), 2, 'the search went on')
+        self.assertEqual([each for each in asked if 'work_out' in each], [])
+        studio.settled()
+        studio.page.keyboard.press('f')
+        studio.until(f'{STATE}.alternatives.includes("fewest")', seconds=120)
+        self.assertEqual(len([each for each in asked if 'work_out' in each]), 1)
+        self.assertEqual(studio.console, [])
+
     def test_a_selected_parameter_is_put_back_by_a_key(self):
         studio = self.open('puppy/sideways.toml')
         name = 'front_thigh_length'

@@ -18,7 +18,7 @@ export class ChangesPanel {
         type: "button",
         title:
           "Puts changes back, the one that costs least first, and optimises the rest again (F)",
-        onClick: () => studio.workOut("fewest"),
+        onClick: () => this.findFewest(),
       },
       "Fewest changes",
     );
@@ -41,6 +41,27 @@ export class ChangesPanel {
       this.more,
     );
     studio.store.on(["state", "document", "alternatives fewest"], () => this.update());
+  }
+
+  /** Works out the designs with the fewest changes, or says why that cannot be now. */
+  findFewest() {
+    const hindrance = this.hindrance();
+    if (hindrance) this.studio.notices.show("info", hindrance);
+    else this.studio.workOut("fewest");
+  }
+
+  hindrance() {
+    const { store } = this.studio;
+    const [state, document] = [store.get("state"), store.get("document")];
+    if (!state || !document) return "No robot is here yet.";
+    if (state.phase === "searching")
+      return "A search goes on: pause it (O), then the fewest changes can be worked out (F).";
+    if (state.phase === "working out") return "Other designs are being worked out already.";
+    const free = document.parameters.some(
+      ({ given }, i) => !state.frozen?.[i] && Math.abs(state.s[i] - given) > SAME,
+    );
+    if (free) return "";
+    return "The body is as it was given, as far as it is free: optimise (O) or edit it first.";
   }
 
   /** A bar for each design, as high as what it keeps of the fall of F, and the slider below. */

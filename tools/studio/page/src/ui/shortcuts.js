@@ -90,7 +90,7 @@ function plainKeys(studio) {
       selection.first &&
       studio.lock(selection.first, !studio.readParameter(selection.first).locked),
     p: () => putBack(studio),
-    f: () => studio.workOut("fewest"),
+    f: () => studio.changes.findFewest(),
     o: () => studio.searchButtons.toggle(),
     1: () => view.stage.view("corner"),
     2: () => view.stage.view("side"),

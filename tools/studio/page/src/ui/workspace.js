@@ -34,6 +34,7 @@ export class Workspace {
     studio.timeline = new Timeline(studio.view);
     studio.searchButtons = new SearchButtons(studio);
     studio.list = new ParameterList(studio);
+    studio.changes = new ChangesPanel(studio);
     this.physics = studio.physics = new PhysicsPanel(studio);
     this.element = h("div.workspace", {}, this.topBar(), this.panes());
     studio.pointer = new Pointer(studio.view, this.pointerActs());
@@ -102,7 +103,7 @@ export class Workspace {
         ],
         right: [
           new CostPanel(studio),
-          new ChangesPanel(studio),
+          studio.changes,
           new FaultsPanel(studio),
           new SnapshotsPanel(studio),
         ].map((each) => each.element),
