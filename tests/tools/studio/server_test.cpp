@@ -196,6 +196,19 @@ TEST_F(ServerTest, WhatARobotNamesOutsideOfTheRootsIsRefused) {
   expect_refused();
 }
 
+TEST_F(ServerTest, NothingIsCompressedForABrowserOnThisMachine) {
+  studio_.browser->client().set_decompress(false);
+  for (const char* path : {"/", "/app.js", "/app.css", "/api/start", "/nothing"}) {
+    httplib::Headers asked = studio_.browser->headers();
+    asked.insert({"Accept-Encoding", "gzip, deflate, br"});
+    const auto answer = studio_.browser->client().Get(path, asked);
+    ASSERT_TRUE(answer) << path;
+    EXPECT_FALSE(answer->has_header("Content-Encoding")) << path;
+    EXPECT_EQ(answer->get_header_value("Content-Length"), std::to_string(answer->body.size()))
+        << path;
+  }
+}
+
 TEST_F(ServerTest, PagesComeWithAPolicyThatLetsInNothingElse) {
   const auto answer = studio_.browser->client().Get("/", studio_.browser->headers());
   ASSERT_EQ(answer->status, 200);
