@@ -41,12 +41,11 @@ RequestOrigin origin_of(const httplib::Request& request) {
 void send(httplib::Response& response, std::string_view bytes, const char* type,
           std::shared_ptr<const std::string> owner = nullptr) {
   if (bytes.empty()) return response.set_content("", type);
-  response.set_content_provider(
-      bytes.size(), type,
-      [bytes, owner = std::move(owner)](std::size_t from, std::size_t count,
-                                        httplib::DataSink& sink) {
-        return sink.write(bytes.data() + from, count);
-      });
+  response.set_content_provider(bytes.size(), type,
+                                [bytes, owner = std::move(owner)](
+                                    std::size_t from, std::size_t count, httplib::DataSink& sink) {
+                                  return sink.write(bytes.data() + from, count);
+                                });
 }
 
 void send_json(httplib::Response& response, std::shared_ptr<const std::string> json) {
