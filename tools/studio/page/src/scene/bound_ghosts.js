@@ -57,6 +57,11 @@ export class BoundGhosts {
     }
   }
 
+  /** @param {number} pixel [m] */
+  setPixel(pixel) {
+    for (const { robot } of this.sides) robot.setPixel(pixel);
+  }
+
   /** Where they are at a time of a motion; without one they are not seen. */
   pose(player, time) {
     if (!this.shown) return;

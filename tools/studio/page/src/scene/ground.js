@@ -1,23 +1,57 @@
 // SPDX-License-Identifier: Apache-2.0
 // The ground: a grid of lines, which slides under a robot that is kept in the picture and fades
-// into the background. Lines alone, because a plane's pixels cost most of a picture in software.
-import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments } from "three";
+// into the background. Lines alone, because a plane's pixels cost most of a picture in software;
+// each is cut to what can be seen, because software GL drops lines that end behind the camera.
+import {
+  BufferAttribute,
+  BufferGeometry,
+  DynamicDrawUsage,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+  Matrix4,
+} from "three";
 
 const REACH = 40; // cells to each side
-const PIECE = 4; // cells of a line's pieces: software GL drops lines that end behind the camera
 const MAJOR = 5; // every so many cells a stronger line
 
-/** Lines through the cells whose number passes, in units of a cell. */
-function grid(passes) {
-  const points = [];
-  for (let i = -REACH; i <= REACH; i++)
-    for (let a = -REACH; passes(i) && a < REACH; a += PIECE) {
-      const b = a + PIECE;
-      points.push(i, a, 0, i, b, 0, a, i, 0, b, i, 0);
+/** The lines of one strength, of which each picture has the parts before the camera. */
+class Lines extends LineSegments {
+  /** @param {(number: number) => boolean} passes which lines there are, of -REACH to REACH */
+  constructor(passes, material) {
+    const numbers = [];
+    for (let i = -REACH; i <= REACH; i++) if (passes(i)) numbers.push(i);
+    const geometry = new BufferGeometry();
+    const points = new BufferAttribute(new Float32Array(12 * numbers.length), 3);
+    geometry.setAttribute("position", points.setUsage(DynamicDrawUsage));
+    super(geometry, material);
+    this.numbers = numbers;
+    this.points = points;
+    this.frustumCulled = false;
+  }
+
+  /**
+   * @param {number[]} depth coefficients of x, y and 1 for the depth of a point of the ground
+   * @param {number} near least depth that is drawn @param {number} far depth at which all has faded
+   */
+  cut([x, y, one], near, far) {
+    const { points, numbers } = this;
+    let count = 0;
+    const add = (number, rate, start, along) => {
+      // Where depth = start + rate t passes both, along the line.
+      const [a, b] = [(near - start) / rate, (far - start) / rate];
+      const from = Math.max(-REACH, Math.min(a, b));
+      const to = Math.min(REACH, Math.max(a, b));
+      if (!(from < to)) return;
+      for (const t of [from, to]) points.setXYZ(count++, along ? t : number, along ? number : t, 0);
+    };
+    for (const number of numbers) {
+      add(number, x, y * number + one, true);
+      add(number, y, x * number + one, false);
     }
-  const geometry = new BufferGeometry();
-  geometry.setAttribute("position", new BufferAttribute(new Float32Array(points), 3));
-  return geometry;
+    this.geometry.setDrawRange(0, count);
+    points.needsUpdate = true;
+  }
 }
 
 export class Ground {
@@ -26,16 +60,10 @@ export class Ground {
     this.minor = new LineBasicMaterial();
     this.major = new LineBasicMaterial();
     this.mesh.add(
-      new LineSegments(
-        grid((i) => i % MAJOR !== 0),
-        this.minor,
-      ),
-      new LineSegments(
-        grid((i) => i % MAJOR === 0),
-        this.major,
-      ),
+      new Lines((i) => i % MAJOR !== 0, this.minor),
+      new Lines((i) => i % MAJOR === 0, this.major),
     );
-    for (const lines of this.mesh.children) lines.frustumCulled = false;
+    this.toCamera = new Matrix4();
     this.setCell(0.1);
   }
 
@@ -54,5 +82,15 @@ export class Ground {
   moveTo(x, y) {
     const wrap = (v) => v - Math.round(v / this.tile) * this.tile;
     this.mesh.position.set(wrap(x), wrap(y), 0);
+  }
+
+  /** Cuts the lines to what a camera sees, up to where fog hides them. */
+  cutFor(camera, fog) {
+    const { elements: m } = this.toCamera.multiplyMatrices(
+      camera.matrixWorldInverse,
+      this.mesh.matrixWorld,
+    );
+    for (const lines of this.mesh.children)
+      lines.cut([-m[2], -m[6], -m[14]], camera.near, Math.min(fog.far, camera.far));
   }
 }

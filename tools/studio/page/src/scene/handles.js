@@ -20,9 +20,9 @@ import { bodyIndex } from "../decode.js";
 
 export const COLOURS = { idle: 0x2f7fd0, active: 0xe8871e, locked: 0x8b95a1, bound: 0xe8871e };
 const SHAPES = {
-  move: new SphereGeometry(1, 12, 8),
+  move: new SphereGeometry(1, 10, 6), // of a few pixels each
   scale: new BoxGeometry(1.7, 1.7, 1.7),
-  turn: new SphereGeometry(0.8, 12, 8),
+  turn: new SphereGeometry(0.8, 10, 6),
 };
 const TIP = new ConeGeometry(0.75, 1.5, 14);
 const RING = new TorusGeometry(1, 0.035, 8, 56);

@@ -3,10 +3,17 @@
 // design changes; a geometry is swapped only where a size asks for another.
 import { Color, Group, Mesh, MeshLambertMaterial, Quaternion } from "three";
 import { bodyIndex } from "../decode.js";
-import { isShared, meshGeometry, scaleOf, shapeKey, shapeOf } from "./geometry.js";
+import { meshGeometry, scaleOf, shapeKey, shapeOf, sidesOf } from "./geometry.js";
 
 const HIGHEST_GROUP = 2; // MuJoCo draws groups 0 to 2
 const HIGHLIGHT = new Color(0x2f7fd0);
+const ERROR = 0.35; // pixels between what is round and what is drawn
+
+/** The geometry of a geom's shadow: half as round, which nobody sees in what is flat and faint. */
+const shadeOf = (geom, sides) => shapeOf(geom, Math.max(8, 2 * Math.ceil(sides / 4)));
+
+/** Frees a geometry that is one mesh's own. */
+const free = (geometry) => geometry && !geometry.userData.shared && geometry.dispose();
 
 export class RobotBody {
   /**
@@ -25,6 +32,7 @@ export class RobotBody {
     /** @type {Mesh[]} */ this.meshes = [];
     this.bodies = [];
     this.loaded = new Map(); // mesh geometries by id
+    this.pixel = 0; // m of the robot, where it is drawn; 0: as finely as can be
   }
 
   /** @param {import("../types.js").Design} design */
@@ -65,14 +73,36 @@ export class RobotBody {
     if (this.tint) mesh.material.color.lerp(this.tint, 0.75);
     if (a < 1 && this.ghost === null)
       Object.assign(mesh.material, { transparent: true, opacity: a });
-    const key = shapeKey(geom);
+    mesh.userData.geom = geom;
+    this.shape(mesh, design);
+  }
+
+  /** Gives a mesh the geometry of its geom and of its shadow, where it has them not. */
+  shape(mesh, design) {
+    const { geom } = mesh.userData;
+    const sides = sidesOf(geom, ERROR * this.pixel);
+    const key = shapeKey(geom, sides);
     if (mesh.userData.shape === key) return;
     mesh.userData.shape = key;
-    if (!isShared(mesh.geometry) && !mesh.userData.kept) mesh.geometry.dispose();
+    this.freeShapes(mesh);
     mesh.userData.kept = geom.type === "mesh";
-    if (geom.type === "mesh") this.loadMesh(mesh, geom.mesh, key, design);
-    else mesh.geometry = shapeOf(geom) ?? mesh.geometry;
-    if (geom.type === "plane") mesh.visible = false;
+    if (geom.type === "mesh") return this.loadMesh(mesh, geom.mesh, key, design);
+    mesh.geometry = shapeOf(geom, sides) ?? mesh.geometry;
+    if (this.ghost === null) mesh.userData.shade = shadeOf(geom, sides);
+  }
+
+  /** Frees what is this mesh's own; geometries of files stay. */
+  freeShapes(mesh) {
+    if (!mesh.userData.kept) free(mesh.geometry);
+    free(mesh.userData.shade);
+    mesh.userData.shade = null;
+  }
+
+  /** Draws what is round as finely as is seen where a pixel is so large. @param {number} pixel [m] */
+  setPixel(pixel) {
+    if (pixel === this.pixel || !this.root.visible) return;
+    this.pixel = pixel;
+    for (const mesh of this.meshes) this.shape(mesh);
   }
 
   loadMesh(mesh, id, key, design) {
@@ -126,7 +156,7 @@ export class RobotBody {
 
   dispose() {
     for (const mesh of this.meshes) {
-      if (!isShared(mesh.geometry) && !mesh.userData.kept) mesh.geometry.dispose();
+      this.freeShapes(mesh);
       mesh.material.dispose();
     }
     this.root.clear();

@@ -64,6 +64,7 @@ export class SceneView {
     this.readParameter = () => ({ value: 0, lower: 0, upper: 0, locked: false });
     this.offset = new Vector3();
     this.stage.before.push((now) => this.advance(now));
+    this.stage.refine = (pixel) => this.refine(pixel);
   }
 
   /** @param {"light"|"dark"} theme */
@@ -201,6 +202,13 @@ export class SceneView {
     this.last = now;
   }
 
+  /** Shapes robots as finely as is seen, and their shadow. @param {number} pixel its size [m] */
+  refine(pixel) {
+    for (const each of [this.robot, this.other, this.bounds]) each.setPixel(pixel);
+    const beside = this.besides() ? this.neighbour.meshes : [];
+    this.shadow.follow([...this.robot.meshes, ...beside]);
+  }
+
   /** Puts everything where it is at the present time. */
   pose() {
     this.stage.touch();
@@ -215,8 +223,6 @@ export class SceneView {
     this.drawForces(poses);
     this.drawFeet(poses);
     this.stage.scene.updateMatrixWorld();
-    const beside = this.besides() ? this.neighbour.meshes : [];
-    this.shadow.follow([...this.robot.meshes, ...beside]);
     const { camera, host } = this.stage;
     this.handles.update(this.robot, camera, host.clientHeight, this.size, this.readParameter);
     this.drawFaults();

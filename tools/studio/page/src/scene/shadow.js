@@ -59,7 +59,7 @@ export class Shadow {
     meshes.forEach((mesh, i) => {
       const shade = this.root.children[i];
       shade.visible = mesh.visible;
-      shade.geometry = mesh.geometry;
+      shade.geometry = mesh.userData.shade ?? mesh.geometry;
       shade.matrix.multiplyMatrices(this.flat, mesh.matrixWorld);
       shade.matrixWorldNeedsUpdate = true;
     });

@@ -39,7 +39,7 @@ function runsInSoftware(gl) {
 function createRenderer() {
   const canvas = document.createElement("canvas");
   // Without antialias first: in software, where this one stays, another context costs the most.
-  const context = canvas.getContext("webgl2", { stencil: true, antialias: false });
+  const context = canvas.getContext("webgl2", { stencil: true, antialias: false, alpha: false });
   if (!context) throw new Error("This browser shows no 3-D pictures: WebGL 2 is off or missing.");
   const software = runsInSoftware(context);
   if (software) return { renderer: new WebGLRenderer({ canvas, context }), software };
@@ -61,6 +61,7 @@ export class Stage {
     host.append(this.canvas);
     this.scene = new Scene();
     this.scene.fog = new Fog(0, 1, 2);
+    this.scene.matrixWorldAutoUpdate = false; // draw() does
     this.tilted = new Group(); // the ground's frame, which is not level on a slope
     this.world = new Group(); // moves against the walk, so that the robot stays in the picture
     this.ground = new Ground();
@@ -235,8 +236,19 @@ export class Stage {
     this.renderer.setPixelRatio(this.ratio());
   }
 
+  /** How large a pixel is where the camera looks at [m]. */
+  pixel() {
+    const { camera, controls } = this;
+    const tall = 2 * Math.tan((camera.fov * Math.PI) / 360);
+    return (tall * camera.position.distanceTo(controls.target)) / Math.max(1, this.canvas.height);
+  }
+
   draw() {
     this.dirty = false;
+    this.refine?.(this.pixel());
+    this.scene.updateMatrixWorld();
+    this.camera.updateMatrixWorld();
+    this.ground.cutFor(this.camera, this.scene.fog);
     this.renderer.render(this.scene, this.camera);
     this.drawn++;
     this.onDrawn?.();
