@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "mjcf/read/moving_parts.hpp"
 #include "mjcf/text/compile.hpp"
@@ -14,6 +14,7 @@
 namespace legwright {
 namespace {
 
+using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double kSmallMass = 1e-3;    // of the robot's: what weighs less is a stand-in
@@ -28,6 +29,11 @@ struct Ball {
   double radius = 0.0;
 };
 
+/// Whether the frame of one body is fixed to that of another.
+bool are_welded(const mjModel& model, int one, int other) {
+  return model.body_weldid[one] == model.body_weldid[other];
+}
+
 std::optional<Ball> ball_around(const mjModel& model, const mjData& data, int body) {
   const int weld = model.body_weldid[body];
   Vector3d least = vector_at(data.xpos, body), most = least;
@@ -37,7 +43,7 @@ std::optional<Ball> ball_around(const mjModel& model, const mjData& data, int bo
     most = most.cwiseMax(at + Vector3d::Constant(reach));
   };
   for (int g = 0; g < model.ngeom; ++g) {
-    if (model.body_weldid[model.geom_bodyid[g]] != weld) continue;
+    if (!are_welded(model, model.geom_bodyid[g], body)) continue;
     add(vector_at(data.geom_xpos, g), model.geom_rbound[g]);
     shown = true;
   }
@@ -46,6 +52,28 @@ std::optional<Ball> ball_around(const mjModel& model, const mjData& data, int bo
       add(vector_at(data.xpos, b), 0.0);
   if (!shown) return std::nullopt;
   return Ball{(least + most) / 2.0, (most - least).norm() / 2.0};
+}
+
+/// How far a body's mass is from the middle of its shape, and how widely it is spread [m].
+struct Spread {
+  double off, gyration, reach;
+  bool is_beside() const { return off > kBeside * reach + kLeastBeside; }
+  bool is_wide() const { return gyration > kWider * (reach + off); }
+};
+
+/// Visits the bodies of a robot that weigh and show something.
+template <class Visit>
+void for_each_spread(const RobotModel& robot, const mjModel& model, const Visit& visit) {
+  const DataPointer data = kinematics_at(model, home_qpos(model), robot.file);
+  const double least = kSmallMass * model.body_subtreemass[robot.structure.trunk];
+  for (int b = 1; b < model.nbody; ++b) {
+    if (model.body_rootid[b] != robot.structure.trunk || !(model.body_mass[b] > least)) continue;
+    const auto shape = ball_around(model, *data, b);
+    if (!shape) continue;
+    visit(b, Spread{(vector_at(data->xipos, b) - shape->middle).norm(),
+                    std::sqrt(vector_at(model.body_inertia, b).maxCoeff() / model.body_mass[b]),
+                    shape->radius});
+  }
 }
 
 /// The worst body of a kind, and how many there are.
@@ -66,21 +94,12 @@ struct Worst {
 
 std::vector<std::string> doubtful_masses(const RobotModel& robot) {
   const ModelPointer model = compile_mjcf(robot.xml, robot.file);
-  const DataPointer data = kinematics_at(*model, home_qpos(*model), robot.file);
-  const double least = kSmallMass * model->body_subtreemass[robot.structure.trunk];
   Worst beside, wide;
-  for (int b = 1; b < model->nbody; ++b) {
-    if (model->body_rootid[b] != robot.structure.trunk || !(model->body_mass[b] > least)) continue;
-    const auto shape = ball_around(*model, *data, b);
-    if (!shape) continue;
-    const double off = (vector_at(data->xipos, b) - shape->middle).norm();
-    if (off > kBeside * shape->radius + kLeastBeside)
-      beside.see(b, off / shape->radius, off, shape->radius);
-    const double most = vector_at(model->body_inertia, b).maxCoeff();
-    const double gyration = std::sqrt(most / model->body_mass[b]);
-    if (gyration > kWider * (shape->radius + off))
-      wide.see(b, gyration / shape->radius, gyration, shape->radius);
-  }
+  for_each_spread(robot, *model, [&](int body, const Spread& spread) {
+    if (spread.is_beside()) beside.see(body, spread.off / spread.reach, spread.off, spread.reach);
+    if (spread.is_wide())
+      wide.see(body, spread.gyration / spread.reach, spread.gyration, spread.reach);
+  });
   std::vector<std::string> out;
   const auto name = [&](const Worst& worst) { return name_of(*model, mjOBJ_BODY, worst.body); };
   if (beside.body >= 0)
@@ -95,6 +114,36 @@ std::vector<std::string> doubtful_masses(const RobotModel& robot) {
                     "its shape reaches {:.2g} m{}: they seem to be in another unit than kg m²",
                     name(wide), model->body_mass[wide.body], wide.size, wide.shape, wide.others()));
   return out;
+}
+
+std::vector<std::string> wide_inertias(const RobotModel& robot) {
+  const ModelPointer model = compile_mjcf(robot.xml, robot.file);
+  std::vector<std::string> out;
+  for_each_spread(robot, *model, [&](int body, const Spread& spread) {
+    if (spread.is_wide()) out.push_back(name_of(*model, mjOBJ_BODY, body));
+  });
+  return out;
+}
+
+std::optional<Vector3d> box_moments(const mjModel& model, int body) {
+  if (body < 0) return std::nullopt;
+  const DataPointer data = kinematics_at(model, nullptr, "");
+  const Matrix3d axes = matrix_at(data->xmat, body);
+  Eigen::AlignedBox3d box;
+  for (int g = 0; g < model.ngeom; ++g) {
+    if (!are_welded(model, model.geom_bodyid[g], body)) continue;
+    const Vector3d middle = vector_at(model.geom_aabb, 2 * g);
+    const Vector3d half = vector_at(model.geom_aabb, 2 * g + 1);
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vector3d signs(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+      const Vector3d at = vector_at(data->geom_xpos, g) +
+                          matrix_at(data->geom_xmat, g) * (middle + signs.cwiseProduct(half));
+      box.extend(Vector3d(axes.transpose() * (at - vector_at(data->xpos, body))));
+    }
+  }
+  if (box.isEmpty()) return std::nullopt;
+  const Vector3d squares = box.sizes().cwiseAbs2();
+  return model.body_mass[body] / 12.0 * (Vector3d::Constant(squares.sum()) - squares);
 }
 
 }  // namespace legwright

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "mjcf/text/compile.hpp"
+#include "mjcf/text/listed.hpp"
 #include "optimizer/design/kinematics.hpp"
 
 namespace legwright {
@@ -17,6 +18,8 @@ constexpr double kLongestLeg = 10.0;  // [m]; large robots have some 1.5
 // [kg/m³]: mass over the cube of a leg's length. Robots of 1 to 130 kg have 50 to 1500, in grams a
 // thousand times as much.
 constexpr double kDensest = 2e4;
+// Torque limits over twice what carries the robot on stretched legs; strong legs have some 5.
+constexpr double kPlaceholder = 10.0;
 constexpr double kWidestRange = 4.0 * std::numbers::pi;  // [rad], either way
 
 std::string of_ranges(const RobotModel& robot) {
@@ -40,7 +43,30 @@ std::string of_ranges(const RobotModel& robot) {
       end / (2.0 * std::numbers::pi));
 }
 
+std::string of_torques(const RobotModel& robot) {
+  const double carries = carrying_torque(robot.morphology);
+  std::vector<std::string> names;
+  double most = 0.0;
+  for (const Servo& servo : robot.servos) {
+    if (!servo.tendon.empty() || !(servo.torque_limit > kPlaceholder * 2.0 * carries)) continue;
+    if (!std::isfinite(servo.torque_limit)) continue;  // nobody gave it one
+    names.push_back(servo.joint);
+    most = std::max(most, servo.torque_limit);
+  }
+  if (names.empty()) return "";
+  return fmt::format(
+      "torque limits of {:.3g} N m ({}) are {:.2g} times what carries the robot on stretched legs: "
+      "they seem to be placeholders, with which no plan is too strong for its motors and no "
+      "verdict "
+      "tells so; write what the motors give",
+      most, listed(names), most / carries);
+}
+
 }  // namespace
+
+double carrying_torque(const Morphology& morphology) {
+  return kGravity * morphology.total_mass() / morphology.foot_count() * morphology.leg_length;
+}
 
 std::vector<std::string> doubtful_units(const RobotModel& robot, const std::vector<Limb>& limbs) {
   std::vector<std::string> out;
@@ -60,6 +86,7 @@ std::vector<std::string> doubtful_units(const RobotModel& robot, const std::vect
         "to be in grams; multiply them, and moments of inertia, by 0.001",
         mass, leg));
   if (std::string ranges = of_ranges(robot); !ranges.empty()) out.push_back(std::move(ranges));
+  if (std::string torques = of_torques(robot); !torques.empty()) out.push_back(std::move(torques));
   return out;
 }
 

@@ -20,6 +20,7 @@ constexpr double kAlong = 2.0;         // times as far apart along one axis as a
 constexpr double kClearer = 2.0;       // times as clear as the other way to see hips in two rows
 constexpr double kRowsApart = 0.5;     // of the spread within a row: closer ones are none
 constexpr double kLeastSpread = 0.01;  // of all hips: rows are not straighter
+constexpr double kAhead = 0.1;         // of the spread of all hips: called rows are so far apart
 constexpr std::size_t kRows = 6;  // legs, of which two rows can be told from four feet of a square
 
 /// Where a limb hangs at the trunk or waist [m].
@@ -91,7 +92,8 @@ Facing facing_of(const RobotModel& robot) {
   if (fronts > 0 && hinds > 0) {
     const Vector2d apart = front / fronts - hind / hinds;
     const double more = apart.cwiseAbs().maxCoeff(), less = apart.cwiseAbs().minCoeff();
-    if (!(more > kAlong * less)) return out;
+    const double spread = (hips.rowwise().maxCoeff() - hips.rowwise().minCoeff()).maxCoeff();
+    if (!(more > kAlong * less && more > kAhead * spread)) return out;
     out.ahead = nearest_axis(apart);
     if (out.ahead != Vector2d::UnitX())
       out.remark = remark(out.ahead, fmt::format("the legs that are called front hang {:.3g} m "

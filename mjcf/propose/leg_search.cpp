@@ -160,15 +160,7 @@ Vector3d SearchedLeg::touch(const mjModel& model, const mjData& data) const {
     if (geom >= 0) break;
   }
   if (geom < 0) return Vector3d::Map(data.xpos + std::ptrdiff_t{3} * bodies.back());
-  Vector3d at = Vector3d::Map(data.geom_xpos + std::ptrdiff_t{3} * geom);
-  const int type = model.geom_type[geom];
-  if (type == mjGEOM_CAPSULE || type == mjGEOM_CYLINDER) {
-    const mjtNum* frame = data.geom_xmat + std::ptrdiff_t{9} * geom;
-    const Vector3d axis(frame[2], frame[5], frame[8]);
-    at -= std::copysign(model.geom_size[3 * geom + 1], axis.z()) * axis;
-  }
-  at.z() = low;
-  return at;
+  return lowest_place(model, data, geom);
 }
 
 Vector3d SearchedLeg::ahead() const {

@@ -17,6 +17,7 @@ constexpr double kNear = 0.3;  // of the leg length: feet farther from a mirror 
 std::vector<std::string> nearly_mirrored(const RobotModel& robot, const std::vector<Limb>& limbs,
                                          Across across) {
   std::vector<std::string> out;
+  const double middle = middle_of_sides(limbs, across);
   const auto foot_of = [&](const Limb& limb) -> const Foot& {
     return robot.morphology.feet[static_cast<std::size_t>(limb.foot)];
   };
@@ -24,11 +25,11 @@ std::vector<std::string> nearly_mirrored(const RobotModel& robot, const std::vec
     for (std::size_t b = a + 1; b < limbs.size(); ++b) {
       const Limb &one = limbs[a], &other = limbs[b];
       const auto side = static_cast<int>(across);
-      const bool opposite = one.home[side] * other.home[side] < 0.0;
+      const bool opposite = (one.home[side] - middle) * (other.home[side] - middle) < 0.0;
       if (one.partner >= 0 || other.partner >= 0 || !opposite ||
           one.links.size() != other.links.size())
         continue;
-      const Vector3d off = one.home - point_in_mirror(other.home, across);
+      const Vector3d off = one.home - point_in_mirror(other.home, across, middle);
       if (off.norm() > kNear * stretched_limb(robot.morphology, one.foot, robot.space.initial()))
         continue;
       out.push_back(fmt::format(

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -25,7 +26,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kBentTo = 0.87;                      // of a leg's reach downwards
+constexpr std::array kBentTo{0.87, 0.93, 0.97};       // of a leg's reach downwards, tried in turn
 constexpr double kSprawlsTo = 0.4, kBesideHip = 0.5;  // the same, and outwards, of one that sprawls
 constexpr double kStretched = 0.97;                   // a leg that reaches so far is straight
 constexpr double kFolded = 0.35;         // a leg whose foot is under its hip and reaches no farther
@@ -64,7 +65,8 @@ class PoseFinder {
         data_(kinematics_at(model, home_qpos(model), xml.file)),
         legs_(legs_of_one_build(model, trunk, *data_)) {}
 
-  std::optional<StandingPose> run() {
+  /// @param none gets a sentence where the home pose is none and no other was found
+  std::optional<StandingPose> run(std::string& none) {
     if (legs_.size() < kFewestLegs) return std::nullopt;
     StandingPose out;
     out.why = fault_of_range();
@@ -78,12 +80,19 @@ class PoseFinder {
                          std::all_of(legs_.begin(), legs_.end(), [](const auto& leg) {
                            return leg.sprawls() && !leg.outwards().isZero();
                          });
-    if (sprawls && stand_up(true))
+    if (sprawls && stand_up(true, kSprawlsTo))
       out.words = "level, knees up and feet beside the hips: " + words_of_angles();
-    else if (stand_up(false))
+    else if (std::any_of(kBentTo.begin(), kBentTo.end(),
+                         [&](double bent) { return stand_up(false, bent); }))
       out.words = "level, feet below the hips: " + words_of_angles();
-    else
+    if (out.words.empty()) {
+      none = fmt::format(
+          "the file's pose is none to stand in ({}), and no other was found: within their ranges "
+          "the joints do not bring the feet of its {} legs of one build to the ground below the "
+          "trunk; check ranges and axes, or write a keyframe named home",
+          out.why, legs_.size());
       return std::nullopt;
+    }
     write(out);
     return out;
   }
@@ -196,11 +205,11 @@ class PoseFinder {
   }
 
   /// Puts the feet below their hips, or beside them under raised knees, twice: then their middle is
-  /// below the centre of mass.
-  bool stand_up(bool sprawling) {
+  /// below the centre of mass. @param bent share of their reach to which legs go down
+  bool stand_up(bool sprawling, double bent) {
     double ground = -std::numeric_limits<double>::infinity(), reach = ground;
     for (const SearchedLeg& leg : legs_) {
-      ground = std::max(ground, leg.hip.z() - (sprawling ? kSprawlsTo : kBentTo) * leg.reach);
+      ground = std::max(ground, leg.hip.z() - bent * leg.reach);
       reach = std::max(reach, leg.reach);
     }
     const Vector3d along = common_ahead();
@@ -285,7 +294,8 @@ class PoseFinder {
 }  // namespace
 
 std::optional<StandingPose> find_standing_pose(const std::string& text,
-                                               const std::filesystem::path& file) {
+                                               const std::filesystem::path& file,
+                                               std::string* none) {
   try {
     const auto xml = load_xml(text, file);
     Refusals reasons;
@@ -294,7 +304,10 @@ std::optional<StandingPose> find_standing_pose(const std::string& text,
     const int trunk = find_trunk(*xml, *model, reasons);
     if (trunk < 0 || !reasons.empty() || mj_name2id(model.get(), mjOBJ_KEY, kStandingKey) >= 0)
       return std::nullopt;
-    return PoseFinder(*xml, *model, trunk).run();
+    std::string why_none;
+    auto pose = PoseFinder(*xml, *model, trunk).run(why_none);
+    if (none != nullptr) *none = why_none;
+    return pose;
   } catch (const InputError&) {
     return std::nullopt;  // its reader tells all faults
   }

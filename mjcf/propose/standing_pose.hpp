@@ -18,12 +18,15 @@ struct StandingPose {
 /// one build that end at different heights, a trunk as low as the feet, legs folded under it, or,
 /// of a file without keyframe and three legs at least, legs that are stretched out. The trunk is
 /// level; each foot is below the hinge above its knee, all of them moved alike so that their middle
-/// is below the centre of mass; legs are bent to 0.87 of their reach, knees backwards where ranges
-/// let them choose; angles keep off the ends of their ranges. The same file gives the same numbers.
+/// is below the centre of mass; legs are bent to 0.87 of their reach, to 0.93 or 0.97 where ranges
+/// do not let them, knees backwards where ranges let them choose; angles keep off the ends of their
+/// ranges. The same file gives the same numbers.
 /// Nothing where the home pose is one, where there are no two legs of one build, or where no pose
 /// stands. Faults of the file are left to its reader.
+/// @param none gets a sentence where the home pose is none and no other was found
 std::optional<StandingPose> find_standing_pose(const std::string& xml,
-                                               const std::filesystem::path& file);
+                                               const std::filesystem::path& file,
+                                               std::string* none = nullptr);
 
 /// The text with that pose as keyframe `legwright`, which comes before `home`; all other bytes
 /// stay. Throws InputError as load_xml() does.

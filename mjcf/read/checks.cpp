@@ -129,16 +129,32 @@ void check_scene_needs(const XmlFile& xml, const XmlElement& element, Refusals& 
         element, "the scene adds an element of this name; remove it or name it otherwise"));
 }
 
+/// Whether a body stands in the world and turns there.
+bool is_hinged_to_the_world(const XmlElement& element) {
+  return is_tag(element, "body") && is_tag(*element.Parent()->ToElement(), "worldbody") &&
+         element.FirstChildElement("joint") != nullptr;
+}
+
 /// Told before MuJoCo stumbles over a keyframe that does not fit a robot without free joint.
 void check_has_free_joint(const XmlFile& xml) {
   bool found = false;
+  int hinged = 0;
   const XmlElement* first_body = nullptr;
   for_each_element(xml.root(), [&](const XmlElement& element) {
     found = found || is_tag(element, "freejoint") ||
             (is_tag(element, "joint") && attribute(element, "type") == "free");
     if (!first_body && is_tag(element, "body")) first_body = &element;
+    hinged += is_hinged_to_the_world(element);
   });
   if (found) return;
+  if (hinged > 1)
+    throw xml.error(
+        *first_body,
+        fmt::format("no trunk: {} bodies hang at the world by joints of their own, as MuJoCo makes "
+                    "it of a URDF, whose base it merges with the world; write a <body> with "
+                    "<freejoint/>, <inertial> and the trunk's geoms around them, or start from the "
+                    "URDF: legwright init ROBOT.urdf -o robot.xml",
+                    hinged));
   if (!first_body)
     throw xml.error(xml.root(),
                     "holds no body; a robot is a <body> with a <freejoint/> in <worldbody>");

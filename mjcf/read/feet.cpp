@@ -51,10 +51,10 @@ Vector3d down(const mjData& data, int geom) {
   return -matrix_at(data.geom_xmat, geom).row(2).transpose();
 }
 
-/// Middle of a mesh's sole, in the frame of its asset.
-Vector3d sole_of_mesh(const mjModel& model, const mjData& data, int geom) {
-  const Matrix3d world = matrix_at(data.geom_xmat, geom);
-  const Eigen::Matrix3Xd points = world * vertices_of(model, geom).cast<double>();
+/// From the middle of a mesh to that of its sole, in the world's axes.
+Vector3d arm_to_sole(const mjModel& model, const mjData& data, int geom) {
+  const Eigen::Matrix3Xd points =
+      matrix_at(data.geom_xmat, geom) * vertices_of(model, geom).cast<double>();
   const double low = points.row(2).minCoeff(), high = points.row(2).maxCoeff();
   Vector3d least = Vector3d::Constant(std::numeric_limits<double>::infinity()), most = -least;
   for (const auto& point : points.colwise()) {
@@ -64,9 +64,15 @@ Vector3d sole_of_mesh(const mjModel& model, const mjData& data, int geom) {
   }
   Vector3d middle = (least + most) / 2;
   middle.z() = low;
+  return middle;
+}
+
+/// Middle of a mesh's sole, in the frame of its asset.
+Vector3d sole_of_mesh(const mjModel& model, const mjData& data, int geom) {
   const int mesh = model.geom_dataid[geom];
   return vector_at(model.mesh_pos, mesh) +
-         rotation_at(model.mesh_quat, mesh) * (world.transpose() * middle);
+         rotation_at(model.mesh_quat, mesh) *
+             (matrix_at(data.geom_xmat, geom).transpose() * arm_to_sole(model, data, geom));
 }
 
 /// −1, 0 or 1: to which side along an axis a shape touches the ground.
@@ -183,6 +189,30 @@ double lowest_point(const mjModel& model, const mjData& data, int geom) {
     default:
       return height;
   }
+}
+
+Vector3d lowest_place(const mjModel& model, const mjData& data, int geom) {
+  Vector3d at = vector_at(data.geom_xpos, geom);
+  const Matrix3d axes = matrix_at(data.geom_xmat, geom);
+  const Vector3d half =
+      half_sizes(model.geom_type[geom], model.geom_size + std::ptrdiff_t{3} * geom);
+  switch (model.geom_type[geom]) {
+    case mjGEOM_CAPSULE:
+    case mjGEOM_CYLINDER:
+      at -= std::copysign(model.geom_size[3 * geom + 1], axes(2, 2)) * axes.col(2);
+      break;
+    case mjGEOM_BOX:
+      for (Eigen::Index k = 0; k < 3; ++k) at -= side(axes(2, k)) * half[k] * axes.col(k);
+      break;
+    case mjGEOM_MESH:
+      if (is_mesh(model, geom) && vertices_of(model, geom).cols() > 0)
+        at += arm_to_sole(model, data, geom);
+      break;
+    default:
+      break;
+  }
+  at.z() = lowest_point(model, data, geom);
+  return at;
 }
 
 bool choose_foot(const XmlFile& xml, const mjModel& model, const mjData& data,

@@ -15,6 +15,9 @@ namespace legwright {
 
 /// Height of the lowest point of a geom in the pose that `data` holds [m].
 double lowest_point(const mjModel& model, const mjData& data, int geom);
+/// Where a geom would touch the ground in that pose: its lower end, its lower corner, the middle of
+/// what is lowest of a mesh [m, world].
+Eigen::Vector3d lowest_place(const mjModel& model, const mjData& data, int geom);
 bool collides(const mjModel& model, int geom);
 
 /// The foot among the parts of a leg's last link, in the pose that `data` holds: the colliding geom

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -39,6 +40,25 @@ Vector3d seen_ahead(Vector3d in_trunk, const Vector2d& ahead) {
   return in_trunk;
 }
 
+/// Makes partners of limbs that are mirror images. @param apart how far feet may be from that [m]
+/// @return how many pairs
+int pair_up(std::vector<Limb>& limbs, Across across, double middle,
+            const std::vector<double>& apart) {
+  int pairs = 0;
+  for (std::size_t a = 0; a < limbs.size(); ++a)
+    for (std::size_t b = a + 1; b < limbs.size(); ++b) {
+      const Vector3d image = point_in_mirror(limbs[b].home, across, middle);
+      if (limbs[a].partner >= 0 || limbs[b].partner >= 0 ||
+          limbs[a].links.size() != limbs[b].links.size() ||
+          (limbs[a].home - image).norm() > apart[a])
+        continue;
+      limbs[a].partner = static_cast<int>(b);
+      limbs[b].partner = static_cast<int>(a);
+      ++pairs;
+    }
+  return pairs;
+}
+
 }  // namespace
 
 Across sides_across(const Vector2d& ahead) { return ahead.x() != 0.0 ? Across::y : Across::x; }
@@ -71,18 +91,32 @@ std::vector<Limb> find_limbs(const Morphology& morphology, const VectorXd& s,
     last = here;
     limbs.push_back(std::move(limb));
   }
-  for (std::size_t a = 0; a < limbs.size(); ++a)
-    for (std::size_t b = a + 1; b < limbs.size(); ++b) {
-      const Vector3d image = point_in_mirror(limbs[b].home, sides_across(ahead));
-      const double leg = stretched_limb(morphology, limbs[a].foot, s);
-      if (limbs[a].partner >= 0 || limbs[b].partner >= 0 ||
-          limbs[a].links.size() != limbs[b].links.size() ||
-          (limbs[a].home - image).norm() > kMirroredAlike * leg)
-        continue;
-      limbs[a].partner = static_cast<int>(b);
-      limbs[b].partner = static_cast<int>(a);
-    }
-  return limbs;
+  const Across across = sides_across(ahead);
+  const auto side = static_cast<int>(across);
+  Eigen::AlignedBox3d around;
+  std::vector<double> apart;
+  for (const Limb& limb : limbs) {
+    around.extend(limb.home);
+    apart.push_back(kMirroredAlike * stretched_limb(morphology, limb.foot, s));
+  }
+  std::vector<Limb> shifted = limbs;
+  const int pairs = pair_up(limbs, across, 0.0, apart);
+  const bool more =
+      !limbs.empty() && pair_up(shifted, across, around.center()[side], apart) > pairs;
+  return more ? shifted : limbs;
+}
+
+double middle_of_sides(const std::vector<Limb>& limbs, Across across) {
+  constexpr double kRounded = 1e-4;  // [m]
+  const auto side = static_cast<int>(across);
+  for (const Limb& limb : limbs) {
+    if (limb.partner < 0) continue;
+    const double at =
+        (limb.home[side] + limbs[static_cast<std::size_t>(limb.partner)].home[side]) / 2.0;
+    const double apart = std::abs(limb.home[side] - at);
+    return std::abs(at) > std::max(kRounded, kMirroredAlike * apart) ? at : 0.0;
+  }
+  return 0.0;
 }
 
 std::string row_name(int row, int rows) {

@@ -71,9 +71,9 @@ Vector3d turn_in_mirror(const Vector3d& n, Across across) {
   return out;
 }
 
-Vector3d point_in_mirror(const Vector3d& p, Across across) {
+Vector3d point_in_mirror(const Vector3d& p, Across across, double middle) {
   Vector3d out = p;
-  out[static_cast<int>(across)] = -p[static_cast<int>(across)];
+  out[static_cast<int>(across)] = 2.0 * middle - p[static_cast<int>(across)];
   return out;
 }
 
@@ -102,14 +102,20 @@ int mirror_image(const mjModel& model, int trunk, int joint, Across across,
   const auto anchor = [&](int j) -> Vector3d {
     return frame_of(model, trunk, j, Pose::home) * vector_at(model.jnt_pos, j);
   };
-  const Vector3d wanted = point_in_mirror(anchor(joint), across);
+  Eigen::AlignedBox3d hinges;
+  for (int j = 0; j < model.njnt; ++j)
+    if (model.jnt_type[j] == mjJNT_HINGE && model.body_rootid[model.jnt_bodyid[j]] == trunk)
+      hinges.extend(anchor(j));
   int found = -1;
   double nearest = std::numeric_limits<double>::infinity();
-  for (const int other : among)
-    if (const double far = (anchor(other) - wanted).norm(); far < nearest - 1e-9) {
-      nearest = far;
-      found = other;
-    }
+  for (const double middle : {0.0, hinges.center()[static_cast<int>(across)]}) {
+    const Vector3d wanted = point_in_mirror(anchor(joint), across, middle);
+    for (const int other : among)
+      if (const double far = (anchor(other) - wanted).norm(); far < nearest - 1e-9) {
+        nearest = far;
+        found = other;
+      }
+  }
   return found;
 }
 

@@ -16,8 +16,8 @@ enum class Across { x = 0, y = 1 };
 /// turns are pseudo-vectors.
 Eigen::Vector3d turn_in_mirror(const Eigen::Vector3d& n, Across across);
 
-/// A point of the trunk's frame in that mirror.
-Eigen::Vector3d point_in_mirror(const Eigen::Vector3d& p, Across across);
+/// A point of the trunk's frame in that mirror. @param middle where the mirror plane lies [m]
+Eigen::Vector3d point_in_mirror(const Eigen::Vector3d& p, Across across, double middle = 0.0);
 
 /// The direction of a turn in the frame of hinge `from`, as the frame of its mirror image `to` has
 /// it. Where the frames of the two bodies are mirror images, in the home pose or as the file draws
@@ -31,7 +31,8 @@ Eigen::Vector3d mirrored_turn(const mjModel& model, int trunk, int from, int to,
 bool at_mirrored_angles(const mjModel& model, int trunk, int from, int to, Across across);
 
 /// Of some hinges the one whose anchor is nearest to the mirror image of a hinge's in the home
-/// pose; the first of equals, −1 where there is none.
+/// pose, in the plane through the trunk's frame or that in the middle of all hinges, as the frame
+/// may be anywhere; the first of equals, −1 where there is none.
 int mirror_image(const mjModel& model, int trunk, int joint, Across across,
                  const std::vector<int>& among);
 

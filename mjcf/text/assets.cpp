@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "mjcf/text/refusals.hpp"
 #include "mjcf/text/safe_path.hpp"
 #include "mjcf/text/size_limits.hpp"
 
@@ -84,12 +85,13 @@ std::vector<FoundAsset> find_assets(const XmlFile& xml, const fs::path& folder,
   std::vector<FoundAsset> out;
   std::uintmax_t together = 0;
   PictureMemory pictures;
+  Refusals reasons;
   const auto add = [&](const AssetReference& reference) {
     const XmlElement& element = *reference.element;
     const std::string& path = reference.path;
     const FoundFile found = find_file(folder, path, kMostBytes, reach);
     if (!found.fault.empty())
-      throw xml.error(element, fmt::format("the file '{}' {}", path, found.fault));
+      return reasons.add(xml.error(element, fmt::format("the file '{}' {}", path, found.fault)));
     together += found.bytes;
     if (together > kMostBytesTogether)
       throw xml.error(element, fmt::format("the file '{}': the files of the robot are together "
@@ -111,13 +113,16 @@ std::vector<FoundAsset> find_assets(const XmlFile& xml, const fs::path& folder,
   for_each_element(xml.root(), [&](const XmlElement& element) {
     pictures.add(xml, element);
     for (; next != references.end() && next->element == &element; ++next) {
-      if (!next->may)
-        throw xml.error(element, fmt::format("refers to the file '{}'; only <include>, meshes, "
-                                             "textures and height fields may: write it out here",
-                                             attribute(element, next->attribute)));
-      add(*next);
+      if (next->may)
+        add(*next);
+      else
+        reasons.add(xml.error(
+            element, fmt::format("refers to the file '{}'; only <include>, meshes, textures and "
+                                 "height fields may: write it out here",
+                                 attribute(element, next->attribute))));
     }
   });
+  reasons.throw_if_any();
   return out;
 }
 

@@ -30,10 +30,10 @@ struct FoundAsset {
   bool gathered;  // the reference is the file's path, below the folder
 };
 
-/// The files of all asset_references(). Throws InputError at the element whose file find_file()
-/// refuses, that is larger than 256 MB, that brings all together over
-/// 1 GB, or that is a PNG picture of more than 16384 pixels a side; where textures and height
-/// fields take too much memory (PictureMemory); and at any other element that names a file.
+/// The files of all asset_references(). Throws InputError at the elements whose files find_file()
+/// refuses or that must not name one, all at once; else at the first whose file brings all together
+/// over 1 GB or is a PNG picture of more than 16384 pixels a side, and where textures and height
+/// fields take too much memory (PictureMemory).
 std::vector<FoundAsset> find_assets(const XmlFile& xml, const std::filesystem::path& folder,
                                     const FileReach& reach);
 

@@ -53,6 +53,13 @@ std::string fault_of_words(const std::string& reference) {
   return "";
 }
 
+/// Whether a small file stands in for one that git keeps elsewhere.
+bool is_lfs_pointer(const fs::path& file, std::uintmax_t bytes) {
+  constexpr std::string_view kHead = "version https://git-lfs.github.com/";
+  constexpr std::uintmax_t kMostBytesOfPointer = 1024;
+  return bytes <= kMostBytesOfPointer && read_regular_file(file, kHead.size()).starts_with(kHead);
+}
+
 class Descriptor {
  public:
   explicit Descriptor(int number) : number_(number) {}
@@ -123,6 +130,10 @@ FoundFile find_file(const fs::path& folder, const std::string& reference, std::u
   else if (::access(found.source.c_str(), R_OK) != 0)
     found.fault = fmt::format("cannot be read: {}; mend its permissions",
                               std::generic_category().message(errno));
+  else if (is_lfs_pointer(found.source, found.bytes))
+    found.fault =
+        "is a pointer of Git LFS, not the file: `git lfs install` and `git lfs pull` in its "
+        "repository fetch it, where a ZIP archive of a repository has pointers alone";
   return found;
 }
 

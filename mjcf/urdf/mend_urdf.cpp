@@ -8,8 +8,11 @@
 #include <array>
 #include <cmath>
 
+#include "mjcf/propose/doubtful_masses.hpp"
+#include "mjcf/propose/doubtful_units.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/input_error.hpp"
+#include "mjcf/text/model_arrays.hpp"
 #include "mjcf/urdf/spec_elements.hpp"
 
 namespace legwright {
@@ -23,8 +26,14 @@ class BodyMender {
   BodyMender(mjSpec& spec, std::vector<std::string>& notes) : spec_(spec), notes_(notes) {}
 
   mjsBody& run(const std::filesystem::path& file) {
+    forget_empty_masses();
     mjsBody& trunk = find_trunk();
     mend(trunk, true);
+    if (!anchored_.empty())
+      notes_.push_back(fmt::format(
+          "joints of type floating hold no link to another, as the robot as a whole floats: {} {} "
+          "fixed",
+          fmt::join(anchored_, ", "), anchored_.size() == 1 ? "is" : "are"));
     if (!balanced_.empty())
       notes_.push_back(fmt::format(
           "no body has the moments of inertia of {} (one is more than the others together); each "
@@ -42,6 +51,14 @@ class BodyMender {
   }
 
  private:
+  /// A mass of 0 is none, which is what exporters write for a frame.
+  void forget_empty_masses() {
+    for_each(spec_, mjOBJ_BODY, [](mjsElement* element) {
+      mjsBody& body = *mjs_asBody(element);
+      if (!(body.mass > 0.0)) body.explicitinertial = 0;
+    });
+  }
+
   /// The first body below the world that weighs something, carries several, or floats.
   mjsBody& find_trunk() {
     mjsBody* trunk = mjs_findBody(&spec_, "world");
@@ -75,31 +92,59 @@ class BodyMender {
     return hinged;
   }
 
-  void mend(mjsBody& body, bool moves) {
-    moves = moves || count_of(body, mjOBJ_JOINT) > 0;
+  void mend(mjsBody& body, bool is_trunk) {
+    if (!is_trunk) anchor(body);
+    const bool moves = is_trunk || count_of(body, mjOBJ_JOINT) > 0;
     if (moves && body.explicitinertial == 0) take_mass(body);
     if (body.explicitinertial != 0) balance(body);
     for_each(body, mjOBJ_BODY, [&](mjsElement* below) { mend(*mjs_asBody(below), false); });
   }
 
+  /// MuJoCo lets no body float below another.
+  void anchor(mjsBody& body) {
+    mjsElement* floating = nullptr;
+    for_each(body, mjOBJ_JOINT, [&](mjsElement* joint) {
+      if (mjs_asJoint(joint)->type == mjJNT_FREE) floating = joint;
+    });
+    if (floating == nullptr) return;
+    anchored_.push_back(element_name(floating));
+    mjs_delete(&spec_, floating);
+  }
+
+  /// A link and where it stands in the one that it is fixed to.
+  struct FixedLink {
+    mjsBody* body = nullptr;
+    Eigen::Isometry3d place = Eigen::Isometry3d::Identity();
+  };
+
+  /// The heaviest link that is fixed to one, also over links between.
+  static FixedLink heaviest_fixed_to(mjsBody& body) {
+    FixedLink heaviest;
+    for_each(body, mjOBJ_BODY, [&](mjsElement* element) {
+      mjsBody& below = *mjs_asBody(element);
+      if (count_of(below, mjOBJ_JOINT) > 0) return;
+      const Eigen::Isometry3d place =
+          Eigen::Translation3d(Vector3d(Vector3d::Map(below.pos))) * quaternion_of(below.quat);
+      FixedLink found = heaviest_fixed_to(below);
+      found.place = place * found.place;
+      if (below.explicitinertial != 0 && (found.body == nullptr || below.mass > found.body->mass))
+        found = {&below, place};
+      if (found.body == nullptr) return;
+      if (heaviest.body == nullptr || found.body->mass > heaviest.body->mass) heaviest = found;
+    });
+    return heaviest;
+  }
+
   /// A link that moves and has no mass, as other readers want a base to be, gets that of the
   /// heaviest link which is fixed to it.
   void take_mass(mjsBody& body) {
-    mjsBody* heaviest = nullptr;
-    for_each(body, mjOBJ_BODY, [&](mjsElement* element) {
-      mjsBody& below = *mjs_asBody(element);
-      if (below.explicitinertial == 0 || count_of(below, mjOBJ_JOINT) > 0) return;
-      if (heaviest == nullptr || below.mass > heaviest->mass) heaviest = &below;
-    });
+    const auto [heaviest, place] = heaviest_fixed_to(body);
     if (heaviest == nullptr) {
       massless_.push_back(element_name(body.element));
       return;
     }
-    const auto turn = [](const double* q) { return Eigen::Quaterniond(q[0], q[1], q[2], q[3]); };
-    const Eigen::Quaterniond rotation = turn(heaviest->quat),
-                             axes = rotation * turn(heaviest->iquat);
-    const Vector3d centre =
-        Vector3d::Map(heaviest->pos) + rotation * Vector3d(Vector3d::Map(heaviest->ipos));
+    const Eigen::Quaterniond axes(place.linear() * rotation_of(heaviest->iquat));
+    const Vector3d centre = place * Vector3d(Vector3d::Map(heaviest->ipos));
     body.mass = heaviest->mass;
     std::copy_n(centre.data(), 3, body.ipos);
     const std::array<double, 4> q{axes.w(), axes.x(), axes.y(), axes.z()};
@@ -129,16 +174,20 @@ class BodyMender {
 
   mjSpec& spec_;
   std::vector<std::string>& notes_;
-  std::vector<std::string> balanced_, massless_;
+  std::vector<std::string> balanced_, massless_, anchored_;
 };
 
 }  // namespace
 
-UrdfMending mending_of(const RobotModel& robot) {
-  const Morphology& morphology = robot.morphology;
-  const double weight = kGravity * morphology.total_mass() / morphology.foot_count();
-  return {2.0 * weight * morphology.leg_length,
-          touching_bodies(*compile_mjcf(robot.xml, robot.file), robot.file)};
+UrdfMending mending_of(const RobotModel& robot, const std::vector<std::string>& without_moments) {
+  const ModelPointer model = compile_mjcf(robot.xml, robot.file);
+  std::vector<std::string> boxed = without_moments;
+  for (std::string& wide : wide_inertias(robot)) boxed.push_back(std::move(wide));
+  UrdfMending out{2.0 * carrying_torque(robot.morphology), touching_bodies(*model, robot.file), {}};
+  for (const std::string& name : boxed)
+    if (const auto moments = box_moments(*model, mj_name2id(model.get(), mjOBJ_BODY, name.c_str())))
+      out.moments[name] = *moments;
+  return out;
 }
 
 mjsBody& mend_bodies(mjSpec& spec, const std::filesystem::path& file,
@@ -156,7 +205,7 @@ Matrix3d inertia_of_link(const mjsBody& body) {
   }
   const double* const q = body.iquat;
   if (!differs(q, {1, 0, 0, 0})) return inertia;
-  const Matrix3d axes = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
+  const Matrix3d axes = rotation_of(q);
   return axes * inertia * axes.transpose();
 }
 

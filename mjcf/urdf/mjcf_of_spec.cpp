@@ -25,6 +25,11 @@ using Eigen::Matrix3d;
 using Eigen::VectorXd;
 
 constexpr double kNoNumber = 1e-12;  // what is below is a rounding error of an angle
+/// Reflected inertia of a servo over its damping gain [s]: 0.0004 kg m² for each N m of its gains,
+/// as geared motors of legs have. Without any, a damped servo on a light link is stiffer than a
+/// time step.
+constexpr double kRotorTime = 1e-3;
+constexpr double kBallSquare = 0.4 * 0.05 * 0.05;  // moments of a ball of 5 cm over its mass [m²]
 
 std::string number_list(const double* values, int size) {
   return format_numbers(VectorXd::Map(values, size));
@@ -80,9 +85,13 @@ std::vector<std::string> names_of(mjSpec& spec, mjtObj type) {
 class MjcfWriter {
  public:
   MjcfWriter(mjSpec& spec, const UrdfMending& mending, std::vector<std::string>& notes)
-      : spec_(spec), mending_(mending), notes_(notes) {}
+      : spec_(spec), mending_(mending), notes_(notes) {
+    for_each(spec_, mjOBJ_EQUALITY, [&](mjsElement* element) {
+      coupled_.insert(mjs_getString(mjs_asEquality(element)->name1));
+    });
+  }
 
-  std::string write(mjsBody& trunk) {
+  MjcfOfSpec write(mjsBody& trunk) {
     open_element(out_, "mujoco", {{"model", mjs_getString(spec_.modelname)}});
     out_.PushComment(" Made of a URDF by legwright init. ");  // its name may hold what ends one
     add_element(out_, "compiler", {{"angle", "radian"}});
@@ -95,7 +104,8 @@ class MjcfWriter {
     add_servos();
     out_.CloseElement();
     tell_names();
-    return std::string(out_.CStr());
+    tell_moments();
+    return {out_.CStr(), std::move(without_moments_)};
   }
 
  private:
@@ -128,7 +138,7 @@ class MjcfWriter {
 
   void add_inertial(const mjsBody& body) {
     XmlAttributes own{{"pos", number_list(body.ipos, 3)}, {"mass", format_number(body.mass)}};
-    const Matrix3d inertia = inertia_of_link(body);
+    const Matrix3d inertia = moments_of(body);
     const double least = kNoNumber * inertia.trace();
     const std::array<double, 3> off{inertia(0, 1), inertia(0, 2), inertia(1, 2)};
     if (std::all_of(off.begin(), off.end(), [&](double x) { return std::abs(x) <= least; })) {
@@ -139,6 +149,20 @@ class MjcfWriter {
       own.emplace_back("fullinertia", format_numbers(full));
     }
     add_element(out_, "inertial", own);
+  }
+
+  /// Those of the file, where no others are known to be right.
+  Matrix3d moments_of(const mjsBody& body) {
+    const std::string name = names_of_bodies_(element_name(body.element));
+    const Matrix3d own = inertia_of_link(body);
+    const bool none = own.isZero();
+    if (const auto given = mending_.moments.find(name); given != mending_.moments.end()) {
+      (none ? none_ : wide_).push_back(name);
+      return given->second.asDiagonal();
+    }
+    if (!none) return own;
+    without_moments_.push_back(name);
+    return body.mass * kBallSquare * Matrix3d::Identity();
   }
 
   void add_joint(mjsElement* element) {
@@ -152,6 +176,8 @@ class MjcfWriter {
     if (joint.damping[0] != 0.0) own.emplace_back("damping", format_number(joint.damping[0]));
     if (joint.frictionloss != 0.0)
       own.emplace_back("frictionloss", format_number(joint.frictionloss));
+    if (has_servo(joint))
+      own.emplace_back("armature", format_number(rounded(kRotorTime * damping_of(joint))));
     add_element(out_, "joint", own);
   }
 
@@ -211,21 +237,53 @@ class MjcfWriter {
                       fmt::join(renamed, ", ")));
   }
 
+  void tell_moments() {
+    if (!none_.empty())
+      notes_.push_back(
+          fmt::format("moments of inertia of {} are 0: they get those of a box around the shape",
+                      listed(none_)));
+    if (!wide_.empty())
+      notes_.push_back(
+          fmt::format("moments of inertia of {} are those of a body many times as large as the "
+                      "shape (another unit, or a placeholder): they get those of a box around it",
+                      listed(wide_)));
+    if (!without_moments_.empty())
+      notes_.push_back(
+          fmt::format("moments of inertia of {} are 0, and no shape tells them: they "
+                      "get those of a ball of 5 cm",
+                      listed(without_moments_)));
+  }
+
   /// <mimic>.
   void add_couplings() {
     if (mjs_firstElement(&spec_, mjOBJ_EQUALITY) == nullptr) return;
     out_.OpenElement("equality");
     for_each(spec_, mjOBJ_EQUALITY, [&](mjsElement* element) {
       const mjsEquality& equality = *mjs_asEquality(element);
-      const std::string own = names_of_joints_(mjs_getString(equality.name1));
-      coupled_.insert(own);
       add_element(out_, "joint",
-                  {{"joint1", own},
+                  {{"joint1", names_of_joints_(mjs_getString(equality.name1))},
                    {"joint2", names_of_joints_(mjs_getString(equality.name2))},
                    {"polycoef", number_list(equality.data, 5)}});
     });
     out_.CloseElement();
   }
+
+  bool has_servo(const mjsJoint& joint) const {
+    return joint.type == mjJNT_HINGE && coupled_.count(element_name(joint.element)) == 0;
+  }
+
+  /// Of a motor without <limit effort>; any before the robot's weight is known [N m].
+  double stand_in_torque() const {
+    return std::isfinite(mending_.most_torque) ? rounded(mending_.most_torque) : 1.0;
+  }
+
+  double torque_of(const mjsJoint& joint) const {
+    return joint.actfrcrange[1] > 0.0 ? joint.actfrcrange[1] : stand_in_torque();
+  }
+  double gain_of(const mjsJoint& joint) const {
+    return std::min(torque_of(joint), mending_.most_torque) / kFullTorqueError;
+  }
+  double damping_of(const mjsJoint& joint) const { return kDampingTime * gain_of(joint); }
 
   /// A URDF has torques of its motors, or none, but no gains.
   void add_servos() {
@@ -234,35 +292,23 @@ class MjcfWriter {
     std::vector<std::string> without;
     for_each(spec_, mjOBJ_JOINT, [&](mjsElement* element) {
       const mjsJoint& joint = *mjs_asJoint(element);
+      if (!has_servo(joint)) return;
       const std::string name = names_of_joints_(element_name(element));
-      if (joint.type != mjJNT_HINGE || coupled_.count(name) > 0) return;
-      double torque = joint.actfrcrange[1];
-      if (!(torque > 0.0)) {
+      const double torque = torque_of(joint);
+      if (!(joint.actfrcrange[1] > 0.0))
         without.push_back(name);
-        torque = stand_in_torque();
-      } else {
+      else
         ++added;
-        if (torque > mending_.most_torque) ++beyond;
-      }
-      add_servo(name, torque);
+      beyond += joint.actfrcrange[1] > mending_.most_torque;
+      add_element(out_, "position",
+                  {{"name", name},
+                   {"joint", name},
+                   {"kp", format_number(rounded(gain_of(joint)))},
+                   {"kv", format_number(rounded(damping_of(joint)))},
+                   {"forcerange", format_number(-torque) + " " + format_number(torque)}});
     });
     out_.CloseElement();
     tell_servos(added, beyond, without);
-  }
-
-  /// Of a motor without <limit effort>; any before the robot's weight is known [N m].
-  double stand_in_torque() const {
-    return std::isfinite(mending_.most_torque) ? rounded(mending_.most_torque) : 1.0;
-  }
-
-  void add_servo(const std::string& name, double torque) {
-    const double kp = std::min(torque, mending_.most_torque) / kFullTorqueError;
-    add_element(out_, "position",
-                {{"name", name},
-                 {"joint", name},
-                 {"kp", format_number(rounded(kp))},
-                 {"kv", format_number(rounded(kDampingTime * kp))},
-                 {"forcerange", format_number(-torque) + " " + format_number(torque)}});
   }
 
   void tell_servos(int added, int beyond, const std::vector<std::string>& without) {
@@ -274,8 +320,9 @@ class MjcfWriter {
     if (added > 0)
       notes_.push_back(
           fmt::format("{} joints get position servos of their <limit effort>, which "
-                      "they give at an error of {} rad; a URDF has no gains",
-                      added, kFullTorqueError));
+                      "they give at an error of {} rad, and {} kg m² of reflected inertia for each "
+                      "N m of that; a URDF has neither",
+                      added, kFullTorqueError, kRotorTime * kDampingTime / kFullTorqueError));
     if (beyond > 0)
       notes_.push_back(
           fmt::format("{} of these torques are more than twice what carries the robot "
@@ -287,15 +334,16 @@ class MjcfWriter {
   const UrdfMending& mending_;
   std::vector<std::string>& notes_;
   tinyxml2::XMLPrinter out_;
-  std::set<std::string> names_, coupled_;
+  std::set<std::string> names_, coupled_;                   // coupled_: as the spec calls them
+  std::vector<std::string> none_, wide_, without_moments_;  // bodies, by their moments of inertia
   PlainNames names_of_bodies_{names_of(spec_, mjOBJ_BODY)},
       names_of_joints_{names_of(spec_, mjOBJ_JOINT)}, names_of_geoms_{names_of(spec_, mjOBJ_GEOM)};
 };
 
 }  // namespace
 
-std::string mjcf_of_spec(mjSpec& spec, mjsBody& trunk, const UrdfMending& mending,
-                         std::vector<std::string>& notes) {
+MjcfOfSpec mjcf_of_spec(mjSpec& spec, mjsBody& trunk, const UrdfMending& mending,
+                        std::vector<std::string>& notes) {
   return MjcfWriter(spec, mending, notes).write(trunk);
 }
 

@@ -10,11 +10,17 @@
 
 namespace legwright {
 
+struct MjcfOfSpec {
+  std::string text;
+  /// Bodies with mass that have none, nor are given any: those of a small ball stand in.
+  std::vector<std::string> without_moments;
+};
+
 /// A robot as MuJoCo's reader holds it after reading a URDF, written as MJCF from its trunk on: all
 /// digits of its numbers, names as they are, nothing that is a default. The trunk floats; joints
-/// with a torque limit get position servos.
+/// with a torque limit get position servos, and the reflected inertia of those (kRotorTime).
 /// @param notes gets a sentence for what was added
-std::string mjcf_of_spec(mjSpec& spec, mjsBody& trunk, const UrdfMending& mending,
-                         std::vector<std::string>& notes);
+MjcfOfSpec mjcf_of_spec(mjSpec& spec, mjsBody& trunk, const UrdfMending& mending,
+                        std::vector<std::string>& notes);
 
 }  // namespace legwright

@@ -47,8 +47,8 @@ void refuse_macros(const XmlFile& xml) {
 /// What MuJoCo's reader is told: to keep links and pictures, and to take paths as they are.
 class UrdfEdits {
  public:
-  UrdfEdits(const XmlFile& xml, const fs::path& folder, std::vector<std::string>& notes)
-      : folder_(folder), notes_(notes) {
+  UrdfEdits(const XmlFile& xml, const fs::path& folder, MjcfOfUrdf& out)
+      : folder_(folder), out_(out) {
     document_.Parse(xml.text.data(), xml.text.size());
   }
 
@@ -84,7 +84,7 @@ class UrdfEdits {
       if (lower.value_or(0.0) >= upper.value_or(0.0)) names.emplace_back(attribute(*joint, "name"));
     }
     if (names.empty()) return;
-    notes_.push_back(
+    out_.notes.push_back(
         fmt::format("<limit> has no range for {}, where upper is not above lower: any angle is "
                     "allowed; write the range",
                     listed(names)));
@@ -131,14 +131,15 @@ class UrdfEdits {
   void tell(UrdfMeshKind kind, const char* what) {
     const auto found = names_.find(kind);
     if (found == names_.end()) return;
-    notes_.push_back(
+    out_.left_out.push_back(
         fmt::format("meshes {}: {}", what, listed({found->second.begin(), found->second.end()})));
+    out_.notes.push_back(out_.left_out.back());
   }
 
   tinyxml2::XMLDocument document_;
   const fs::path folder_;
   std::string mesh_folder_;
-  std::vector<std::string>& notes_;
+  MjcfOfUrdf& out_;
   std::map<UrdfMeshKind, std::set<std::string>> names_;
 };
 
@@ -175,14 +176,17 @@ MjcfOfUrdf mjcf_of_urdf(const std::string& text, const fs::path& file, const Urd
   if (xml->root().FirstChildElement("link") == nullptr)
     throw xml->error(xml->root(), "has no <link>; a URDF is made of <link> and <joint> elements");
   MjcfOfUrdf out;
-  const std::string mended = UrdfEdits(*xml, file.parent_path(), out.notes).apply();
+  const std::string mended = UrdfEdits(*xml, file.parent_path(), out).apply();
   call_engine(file, [&] {
     std::array<char, 1000> error{};
     const SpecPointer spec(
         mj_parseXMLString(mended.c_str(), nullptr, error.data(), static_cast<int>(error.size())));
     if (!spec)
       throw InputError(file.string(), 0, "URDF", "MuJoCo refuses it: " + reason_of(error.data()));
-    out.text = mjcf_of_spec(*spec, mend_bodies(*spec, file, out.notes), mending, out.notes);
+    mjsBody& trunk = mend_bodies(*spec, file, out.notes);
+    MjcfOfSpec written = mjcf_of_spec(*spec, trunk, mending, out.notes);
+    out.text = std::move(written.text);
+    out.without_moments = std::move(written.without_moments);
   });
   return out;
 }

@@ -13,7 +13,9 @@ namespace legwright {
 /// A URDF as MJCF.
 struct MjcfOfUrdf {
   std::string text;
-  std::vector<std::string> notes;  // what was mended or left out on the way, a sentence each
+  std::vector<std::string> notes;     // what was mended or left out on the way, a sentence each
+  std::vector<std::string> left_out;  // those of them on meshes
+  std::vector<std::string> without_moments;  // as mjcf_of_spec() tells them
 };
 
 /// Whether the root element of a text is a URDF's <robot>. No fault of the text is told.
@@ -22,7 +24,8 @@ bool is_urdf(std::string_view text);
 /// The robot of a URDF as MuJoCo's own reader takes it, as MJCF that stands where the URDF does:
 /// links and joints keep their names, masses, frames and colours. Mended: the trunk gets a free
 /// joint in the place of links without mass above it; joints with <limit effort> get position
-/// servos of that torque with default gains (kFullTorqueError, kDampingTime); paths of meshes
+/// servos of that torque with default gains (kFullTorqueError, kDampingTime) and the reflected
+/// inertia of geared motors; paths of meshes
 /// (package://, file://) are looked up, and what MuJoCo cannot read is left out; links without
 /// <inertial> stay without mass, those that move get that of what is fixed to them.
 /// Throws InputError with the line in the URDF, or with MuJoCo's reason.

@@ -50,7 +50,13 @@ std::vector<fs::path> places_of(const std::string& name, const fs::path& folder,
                                 const std::string& mesh_folder) {
   for (const char* scheme : {"package://", "model://"})
     if (const auto in_package = behind(scheme, name)) return places_in_package(*in_package, folder);
-  const fs::path plain = behind("file://", name).value_or(name);
+  const std::string plain_name = behind("file://", name).value_or(name);
+  const fs::path plain = plain_name;
+  // An expanded $(find PKG) is a path of the machine that it was expanded on.
+  constexpr std::string_view kShare = "/share/";
+  if (const std::size_t share = plain_name.rfind(kShare);
+      plain.is_absolute() && !is_file(plain) && share != std::string::npos)
+    return places_in_package(plain_name.substr(share + kShare.size()), folder);
   return {folder / mesh_folder / plain, folder / plain, folder / mesh_folder / plain.filename()};
 }
 

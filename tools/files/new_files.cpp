@@ -50,13 +50,14 @@ void refuse_existing(const fs::path& path) {
     throw IoError(path.string() + ": exists already; name a new file, or remove it");
 }
 
-void write_new_files(const std::vector<NewFile>& files) {
+void write_new_files(const std::vector<NewFile>& files, const std::function<void()>& and_then) {
   for (const NewFile& file : files) refuse_existing(file.path);
   MadeFiles made;
   for (const NewFile& file : files) {
     made.folders(fs::absolute(file.path).lexically_normal().parent_path());
     made.file(file);
   }
+  and_then();
   made.keep();
 }
 

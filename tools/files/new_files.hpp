@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,8 @@ void refuse_existing(const std::filesystem::path& path);
 /// Where one fails the files and folders that it made before are taken away again. Throws IoError
 /// as refuse_existing() does, before anything is written, and std::system_error where the disk
 /// fails.
-void write_new_files(const std::vector<NewFile>& files);
+/// @param and_then what else there is to be done: where it throws they are taken away, too
+void write_new_files(
+    const std::vector<NewFile>& files, const std::function<void()>& and_then = [] {});
 
 }  // namespace legwright

@@ -48,6 +48,25 @@ double depth_in_world(const mjModel& model, const mjData& data) {
   return depth;
 }
 
+/// What the actuators of joints are told in the pose that `data` holds.
+void look_at_commands(const mjModel& model, const mjData& data, StandingResult& out) {
+  constexpr double kElsewhere = 0.05;  // [rad]
+  for (int a = 0; a < static_cast<int>(model.nactuator); ++a) {
+    if (model.actuator_trntype[a] != mjTRN_JOINT) continue;
+    const bool is_position = model.actuator_biastype[a] == mjBIAS_AFFINE &&
+                             model.actuator_biasprm[mjNBIAS * a + 1] < 0.0;
+    if (!is_position) {
+      ++out.motors;
+      continue;
+    }
+    const int joint = model.actuator_trnid[std::ptrdiff_t{2} * a];
+    const double wanted = data.ctrl[model.actuator_ctrladr[a]],
+                 length = model.actuator_gear[std::ptrdiff_t{6} * model.actuator_outadr[a]] *
+                          data.qpos[model.jnt_qposadr[joint]];
+    if (std::abs(wanted - length) > kElsewhere) ++out.commanded_elsewhere;
+  }
+}
+
 StandingResult stand(mjModel& model, double seconds) {
   const MujocoMessages messages;
   model.opt.disableflags |= mjDSBL_AUTORESET;
@@ -58,6 +77,7 @@ StandingResult stand(mjModel& model, double seconds) {
   StandingResult out;
   out.trunk_before = out.highest = trunk_com_height(model, *data, trunk);
   out.sunk_in = depth_in_world(model, *data);
+  look_at_commands(model, *data, out);
   Health health;
   const auto steps = std::llround(seconds / model.opt.timestep);
   for (long long n = 1; n <= steps && !out.diverged; ++n) {

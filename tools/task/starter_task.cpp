@@ -26,6 +26,8 @@ constexpr double kSpeed = 0.15, kTwoFeetSpeed = 0.075, kTripodSpeed = 0.25;
 // next step.
 constexpr double kQuickCycle = 3.7, kTripodCycle = 5.0, kSlowCycle = 7.0;
 constexpr double kSlowDuty = 0.65;
+// Of the first limb stretched out: how far a foot goes back below its hip while it stands.
+constexpr double kLongestStride = 0.8;
 // Flat feet: slow and low, as their ankles have to hold what sways above them.
 constexpr double kFlatFeetSpeed = 0.06, kFlatFeetCycle = 4.65;
 constexpr double kFlatFeetSwing = 0.045;  // of h
@@ -126,6 +128,9 @@ StarterTask starter_task(const RobotModel& robot, const std::optional<std::strin
   task.gait = pattern.name;
   task.period = cycle(feet, longest, flat) * std::sqrt(height / kGravity);
   task.speed = speed(feet, longest, flat) * std::sqrt(kGravity * height);
+  // A trunk that is tall for its legs would have them run.
+  task.speed = std::min(task.speed, kLongestStride * robot.morphology.leg_length /
+                                        (std::max(longest, kOverlap) * task.period));
   const bool flies = support_range(pattern).least == 0;
   if (feet == 4 && !flies && longest < kOverlap) task.duty = kOverlap;
   if ((1.0 - longest) * kUsualKnots < kSwingKnots - 1e-9)

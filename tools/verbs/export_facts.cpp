@@ -150,6 +150,23 @@ double friction_of(const RunRecord& run) {
   return friction > 0.0 && friction <= 100.0 ? friction : 1.0;
 }
 
+namespace {
+
+std::string why_it_sank(const StandingResult& stand) {
+  if (stand.motors > 0)
+    return " (its motors hold no pose by themselves, as they are no position servos; the gait has "
+           "torques of its own)";
+  if (stand.commanded_elsewhere > 0)
+    return fmt::format(
+        " (in that pose {} of its servos are told another angle, as by a keyframe `home` without "
+        "`ctrl`; the gait has its own commands)",
+        stand.commanded_elsewhere);
+  return " (its servos are told that pose and give in: their gains or torques are too low for its "
+         "weight, or its feet slip)";
+}
+
+}  // namespace
+
 std::string describe(const StandingResult& stand) {
   std::string out = fmt::format(
       "Left to stand on the floor of `scene.xml` for {:.3g} s in its home pose: ", stand.seconds);
@@ -168,9 +185,7 @@ std::string describe(const StandingResult& stand) {
         "`home` in which its feet touch the ground and no links overlap)",
         stand.highest);
   else if (stand.sank())
-    out +=
-        " (that pose has no servo commands that hold it: a keyframe `home` without `ctrl`, or "
-        "torque motors; the gait has its own)";
+    out += why_it_sank(stand);
   return out + ".";
 }
 

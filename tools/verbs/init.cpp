@@ -211,9 +211,15 @@ int init(const InitOptions& options) {
       options.task.empty() || lacks_task(options, found)
           ? FirstTask{}
           : first_task(options, robot, options.output.empty() ? options.robot : options.output);
-  const std::string written = writes ? write_proposals(robot, options.output) : "";
+  std::string written;
   const std::string written_task = task.text.empty() ? "" : options.task;
-  if (!task.text.empty()) write_new_files({{options.task, task.text}});
+  const auto write_robot = [&] {
+    if (writes) written = write_proposals(robot, options.output);
+  };
+  if (task.text.empty())
+    write_robot();
+  else
+    write_new_files({{options.task, task.text}}, write_robot);
   const int code = task.text.empty() && !options.task.empty() ? kInfeasible : kOk;
   if (code != kOk)
     fmt::print(stderr, "legwright: {} is not written: {}\n", options.task,

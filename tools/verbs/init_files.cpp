@@ -29,25 +29,55 @@ void refuse_task(const fs::path& file) {
                                shell_word(file.string())));
 }
 
-/// The same reasons without lines, which are not those of the user's file.
-InputError of_made_mjcf(const InputError& error) {
-  if (!error.reasons().empty()) {
-    std::vector<InputError> reasons;
-    for (const InputError& reason : error.reasons()) reasons.push_back(of_made_mjcf(reason));
-    return InputError(std::move(reasons));
-  }
+/// A reason without its line, which is not one of the user's file.
+InputError without_line(const InputError& error) {
   std::string message = error.message();
   if (const std::size_t at = message.find(", line "); at != std::string::npos)
     message.erase(at, message.find_first_not_of("0123456789", at + 7) - at);
   return {error.file(), 0, error.where(), message};
 }
 
+/// The same reasons without lines, and what was left out on the way, which may be why.
+InputError of_made_mjcf(const InputError& error, const MjcfOfUrdf& made) {
+  std::vector<InputError> reasons;
+  for (const InputError& reason : error.reasons()) reasons.push_back(without_line(reason));
+  if (reasons.empty()) reasons.push_back(without_line(error));
+  for (const std::string& note : made.left_out)
+    reasons.emplace_back(reasons.front().file(), 0, "note", note);
+  return InputError(std::move(reasons));
+}
+
 RobotFiles in_pose(const RobotFiles& files, const std::optional<StandingPose>& pose) {
   return pose ? files.with_main(with_keyframe(files.main_text(), files.file(), *pose)) : files;
 }
 
+/// The pose to stand in that a robot lacks, and why it has none.
+struct FoundPose {
+  std::optional<StandingPose> pose;
+  std::string none;
+};
+
+FoundPose pose_of(const RobotFiles& files) {
+  FoundPose out;
+  out.pose = find_standing_pose(files.text(), files.file(), &out.none);
+  return out;
+}
+
+/// What `work` makes, or why it could not be made and that no pose was found, which may be why.
+template <class Work>
+auto told_of_pose(const FoundPose& found, const fs::path& file, const Work& work) {
+  try {
+    return work();
+  } catch (const InputError& error) {
+    if (found.none.empty()) throw;
+    std::vector<InputError> reasons = error.reasons();
+    if (reasons.empty()) reasons.push_back(error);
+    reasons.emplace_back(file.string(), 0, "pose", found.none);
+    throw InputError(std::move(reasons));
+  }
+}
+
 /// What was found in a robot's files, with the pose and the names that it lacks.
-/// @param pose find_standing_pose() of it
 StudiedRobot study(const RobotFiles& given, std::optional<StandingPose> pose) {
   const fs::path& file = given.file();
   std::string text = given.main_text();
@@ -73,17 +103,19 @@ StudiedRobot study_urdf(std::string text, const fs::path& file, const FileReach&
   MjcfOfUrdf made = mjcf_of_urdf(text, file);
   try {
     const RobotFiles plain = RobotFiles::from_text(std::move(made.text), file, reach);
-    std::optional<StandingPose> pose = find_standing_pose(plain.text(), file);
-    made = mjcf_of_urdf(text, file, mending_of(parse_robot(in_pose(plain, pose).text(), file)));
+    FoundPose found = pose_of(plain);
+    const RobotModel posed = told_of_pose(
+        found, file, [&] { return parse_robot(in_pose(plain, found.pose).text(), file); });
+    made = mjcf_of_urdf(text, file, mending_of(posed, made.without_moments));
     // Gains and exclusions are no part of where a robot stands.
     StudiedRobot robot =
-        study(RobotFiles::from_text(std::move(made.text), file, reach), std::move(pose));
+        study(RobotFiles::from_text(std::move(made.text), file, reach), std::move(found.pose));
     robot.text = std::move(text);
     robot.of_urdf = true;
     robot.mended = std::move(made.notes);
     return robot;
   } catch (const InputError& error) {
-    throw of_made_mjcf(error);
+    throw of_made_mjcf(error, made);
   }
 }
 
@@ -94,7 +126,8 @@ StudiedRobot study_robot(const fs::path& file, const FileReach& reach) {
   std::string text = read_main_file(file);
   if (is_urdf(text)) return study_urdf(std::move(text), file, reach);
   const RobotFiles files = RobotFiles::from_text(std::move(text), file, reach);
-  return study(files, find_standing_pose(files.text(), file));
+  FoundPose found = pose_of(files);
+  return told_of_pose(found, file, [&] { return study(files, found.pose); });
 }
 
 std::string write_proposals(const StudiedRobot& robot, const std::string& output) {

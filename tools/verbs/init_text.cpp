@@ -85,15 +85,23 @@ const Foot& foot_of(const ProposedParameters& found, const Limb& limb) {
   return found.model.morphology.feet[static_cast<std::size_t>(limb.foot)];
 }
 
+/// Two places as far on either side of a plane.
+std::string side_text(double metres, double middle) {
+  const double apart = std::abs(metres - middle);
+  return middle == 0.0 ? fmt::format("+-{:.3f}", apart)
+                       : fmt::format("{:.3f}+-{:.3f}", middle, apart);
+}
+
 /// @param both whether it tells of both legs of a pair, whose places differ by one sign
 std::string foot_text(const ProposedParameters& found, const Limb& limb, bool both) {
   const auto shown = [](double metres) {  // no minus in front of zero
     return std::abs(metres) < kSamePlace ? 0.0 : metres;
   };
+  const Across side = sides_across(found.facing.ahead);
   std::string place[3];
   for (int k = 0; k < 3; ++k)
-    place[k] = both && k == static_cast<int>(sides_across(found.facing.ahead))
-                   ? fmt::format("+-{:.3f}", std::abs(limb.home[k]))
+    place[k] = both && k == static_cast<int>(side)
+                   ? side_text(limb.home[k], middle_of_sides(found.limbs, side))
                    : fmt::format("{:.3f}", shown(limb.home[k]));
   return fmt::format("foot     {} at {} m", touching_part(found.model, limb.foot),
                      fmt::join(place, ", "));
@@ -124,7 +132,9 @@ void add_pair(const ProposedParameters& found, const Limb& left, const Limb& rig
   for (std::size_t k = own_joints(left); k < left.links.size(); ++k)
     add(links[static_cast<std::size_t>(left.links[k])].joint.name, joint_text(found, left, k),
         links[static_cast<std::size_t>(right.links[k])].joint.name, joint_text(found, right, k));
-  const Eigen::Vector3d image = point_in_mirror(right.home, sides_across(found.facing.ahead));
+  const Across side = sides_across(found.facing.ahead);
+  const Eigen::Vector3d image =
+      point_in_mirror(right.home, side, middle_of_sides(found.limbs, side));
   const bool both = (left.home - image).norm() < kSamePlace;
   add(foot_of(found, left).name, foot_text(found, left, both), foot_of(found, right).name,
       foot_text(found, right, both));

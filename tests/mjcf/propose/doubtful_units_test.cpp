@@ -60,5 +60,20 @@ TEST(DoubtfulUnits, LengthsInMillimetresAreTold) {
   EXPECT_NE(found[0].find("seem to be in millimetres"), std::string::npos) << found[0];
 }
 
+/// As where an exporter wrote the same <limit effort> for every joint.
+TEST(DoubtfulUnits, TorquesOfAPlaceholderAreTold) {
+  const std::string text = test::read_file(test::source_path("tests/robots/servo_dog/robot.xml"));
+  RobotModel robot = parse_robot(text, "dog.xml");
+  const double carries = carrying_torque(robot.morphology);
+  for (Servo& servo : robot.servos) servo.torque_limit = 19.0 * carries;
+  EXPECT_TRUE(doubts(robot).empty());
+  robot.servos[1].torque_limit = 100.0;
+  const auto found = doubts(robot);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NE(found[0].find("torque limits of 100 N m (" + robot.servos[1].joint + ")"),
+            std::string::npos)
+      << found[0];
+}
+
 }  // namespace
 }  // namespace legwright

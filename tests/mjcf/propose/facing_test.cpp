@@ -104,6 +104,15 @@ TEST(Facing, FollowsTheRowsOfManyLegsWithoutNames) {
   EXPECT_EQ(facing(four).remark, "");
 }
 
+/// Hips in one place, but for what hands leave: their names say nothing of where it looks.
+TEST(Facing, CalledRowsAreApart) {
+  EXPECT_EQ(
+      facing({{"FL", .1, .215}, {"FR", .1, -.185}, {"RL", .1, .185}, {"RR", .1, -.215}}).ahead,
+      Vector2d(1, 0));
+  EXPECT_EQ(facing({{"FL", .1, .21}, {"FR", .1, .19}, {"RL", .1, -.19}, {"RR", .1, -.21}}).ahead,
+            Vector2d(0, 1));
+}
+
 TEST(SideWords, TellRows) {
   for (const char* name : {"FL_hip", "hip_front_left", "rf1", "fore-leg", "f"})
     EXPECT_EQ(row_word(name), 1) << name;

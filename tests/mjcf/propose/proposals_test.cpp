@@ -12,6 +12,7 @@
 #include "mjcf/write/rewrite_robot.hpp"
 #include "tests/mjcf/robots/construction_robots.hpp"
 #include "tests/mjcf/robots/robots.hpp"
+#include "tests/mjcf/robots/shifted_robot.hpp"
 
 namespace legwright {
 namespace {
@@ -86,6 +87,33 @@ TEST(StudyRobot, TiesTheLegsOfARobotThatFacesLeftAsThoseOfTheSameThatFacesAhead)
       const Eigen::Vector3d& foot = limbs[k].home;
       EXPECT_LT((others[k].home - Eigen::Vector3d(-foot.y(), foot.x(), foot.z())).norm(), 1e-9)
           << k;
+    }
+  }
+}
+
+/// CAD programs put a robot's origin where its sketch began.
+TEST(StudyRobot, PairsLegsWhereverTheFrameOfTheTrunkIs) {
+  for (const char* name : {"puppy", "hexapod"}) {
+    const std::string plain = bare(example_robot(name)),
+                      moved = test::with_trunk_frame_at(plain, {0.21, -0.13, 0.0});
+    const ProposedParameters here = study(plain), there = study(moved);
+    ASSERT_EQ(there.proposals.size(), here.proposals.size()) << name;
+    EXPECT_LT(std::abs(middle_of_sides(here.limbs, Across::y)), 1e-12);
+    EXPECT_NEAR(middle_of_sides(there.limbs, Across::y), 0.13, 1e-6);
+    for (std::size_t k = 0; k < here.proposals.size(); ++k) {
+      EXPECT_EQ(there.proposals[k].name, here.proposals[k].name);
+      EXPECT_EQ(there.proposals[k].binding, here.proposals[k].binding);
+      EXPECT_NEAR(there.proposals[k].value, here.proposals[k].value, 1e-6);
+    }
+    const RobotModel a = parse_robot(with_declarations(plain, "r.xml", here.proposals), "r"),
+                     b = parse_robot(with_declarations(moved, "r.xml", there.proposals), "r");
+    std::mt19937 random(7);
+    for (int n = 0; n < 10; ++n) {
+      const Eigen::VectorXd s = test::random_design(a.space, random);
+      const auto limbs = find_limbs(a.morphology, s), others = find_limbs(b.morphology, s);
+      for (std::size_t k = 1; k < limbs.size(); ++k)
+        EXPECT_LT((others[k].home - others[0].home - limbs[k].home + limbs[0].home).norm(), 1e-5)
+            << name << " " << k;
     }
   }
 }

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
+#include <tuple>
 
 #include "mjcf/propose/proposals.hpp"
 #include "mjcf/read/feet.hpp"
@@ -145,6 +147,51 @@ TEST(StandingPose, IsFoundWithinRangesLevelAndUnderTheHips) {
   EXPECT_TRUE(std::any_of(found.proposals.begin(), found.proposals.end(), [](const Proposal& p) {
     return p.binding == "stretch link: lf_shank rf_shank";
   }));
+}
+
+/// Ranges that hold the legs folded.
+TEST(StandingPose, WhereThereIsNoneItIsTold) {
+  const std::string xml = lurcher();
+  std::string none = "unchanged";
+  EXPECT_TRUE(find_standing_pose(xml, kLurcherFile, &none));
+  EXPECT_EQ(none, "");
+  const std::regex knees("(joint name=\"[a-z]+_knee\"[^>]*range=\")[^\"]*");
+  const std::string folded = std::regex_replace(xml, knees, "$012.9 3.0");
+  ASSERT_NE(folded, xml);
+  EXPECT_FALSE(find_standing_pose(folded, kLurcherFile, &none));
+  EXPECT_NE(none.find("no other was found"), std::string::npos) << none;
+}
+
+/// Shanks that are meshes, leaning as their part was drawn: the foot is where they are lowest, far
+/// from their middle.
+TEST(StandingPose, PutsTheLowestPartOfAMeshUnderTheHips) {
+  std::string legs, servos;
+  for (const auto& [name, x, y] : {std::tuple{"fl", .1, .05}, std::tuple{"fr", .1, -.05},
+                                   std::tuple{"hl", -.1, .05}, std::tuple{"hr", -.1, -.05}}) {
+    legs += fmt::format(R"(<body name="{0}_thigh" pos="{1} {2} 0">
+        <joint name="{0}_hip" axis="0 1 0" range="-1.5 0.3"/>
+        <inertial pos="0 0 -.05" mass=".05" diaginertia="1e-4 1e-4 1e-4"/>
+        <body name="{0}_shank" pos="0 0 -.1"><joint name="{0}_knee" axis="0 1 0" range=".2 1.5"/>
+        <inertial pos="0 0 -.05" mass=".05" diaginertia="1e-4 1e-4 1e-4"/>
+        <geom type="mesh" mesh="shank" mass="0"/></body></body>)",
+                        name, x, y);
+    for (const char* joint : {"hip", "knee"})
+      servos += fmt::format(R"(<position joint="{}_{}" kp="50" forcerange="-5 5"/>)", name, joint);
+  }
+  const std::string text =
+      R"(<mujoco><compiler angle="radian"/><asset><mesh name="shank" vertex=".01 .01 0 .01 -.01 0
+      -.01 .01 0 -.01 -.01 0 .06 .005 -.12 .06 -.005 -.12 .05 .005 -.12 .05 -.005 -.12"/></asset>
+      <worldbody><body name="trunk"><freejoint/>
+      <inertial pos="0 0 0" mass="2" diaginertia=".01 .01 .01"/>)" +
+      legs + "</body></worldbody><actuator>" + servos + "</actuator></mujoco>";
+  const auto pose = find_standing_pose(text, "robot.xml");
+  ASSERT_TRUE(pose);
+  const ProposedParameters found =
+      propose_parameters(with_keyframe(text, "robot.xml", *pose), "robot.xml");
+  EXPECT_EQ(found.not_standing, "");
+  ASSERT_EQ(found.limbs.size(), 4u);
+  for (const Limb& limb : found.limbs)
+    EXPECT_NEAR(limb.home.x(), limb.row == 0 ? 0.1 : -0.1, 0.02) << limb.row;
 }
 
 /// The user's file says degrees: so do messages about it.

@@ -107,6 +107,8 @@ const std::map<std::string, Refusal>& refusals() {
       {"motor_without_limit", {23, {"motor 'knee_motor'", "no torque limit", "add forcerange"}}},
       {"nan", {9, {"body 'thigh'", "attribute pos: 'nan'", "write it like"}}},
       {"no_free_root", {6, {"body 'trunk'", "no free root", "add <freejoint/>"}}},
+      {"no_trunk",
+       {7, {"body 'left_thigh'", "no trunk: 2 bodies hang at the world", "start from the URDF"}}},
       {"no_limb", {6, {"body 'trunk'", "no limb", "add legs"}}},
       {"no_sentence",
        {30, {"'legwright/thigh_length'", "nothing for people", "UNIT | BINDING | SENTENCE"}}},

@@ -40,9 +40,9 @@ void move_parts(mjsBody& body, const Vector3d& by) {
   if (body.explicitinertial != 0) move(body.ipos, by);
 }
 
-}  // namespace
-
-std::string shifted_robot(const std::string& text) {
+/// The text of a robot after a change by `edit`, which gets MuJoCo's own reading of it and its model.
+template <class Edit>
+std::string edited(const std::string& text, const Edit& edit) {
   std::array<char, 1000> error{};
   const auto fault = [&] { return std::string(error.data()); };
   const std::unique_ptr<mjSpec, decltype(&mj_deleteSpec)> spec(
@@ -52,15 +52,8 @@ std::string shifted_robot(const std::string& text) {
                                                                   mj_deleteModel);
   if (!model) return ADD_FAILURE() << mjs_getError(spec.get()), "";
   for (mjsElement* part = mjs_firstElement(spec.get(), mjOBJ_BODY); part != nullptr;
-       part = mjs_nextElement(spec.get(), part)) {
-    const int id = mjs_getId(part), joint = model->body_jntadr[id];
-    if (joint < 0 || model->jnt_type[joint] != mjJNT_HINGE || mjs_getFrame(part) != nullptr)
-      continue;
-    const Vector3d by(0.03, -0.01 - 0.002 * id, 0.02);
-    const mjtNum* const q = model->body_quat + 4 * id;
-    move(mjs_asBody(part)->pos, Eigen::Quaterniond(q[0], q[1], q[2], q[3]) * by);
-    move_parts(*mjs_asBody(part), -by);
-  }
+       part = mjs_nextElement(spec.get(), part))
+    edit(*mjs_asBody(part), *model, mjs_getId(part));
   mj_deleteModel(mj_compile(spec.get(), nullptr));  // what is saved is what was compiled last
   std::string out(std::size_t{1} << 20, '\0');
   if (mj_saveXMLString(spec.get(), out.data(), static_cast<int>(out.size()), error.data(),
@@ -68,6 +61,31 @@ std::string shifted_robot(const std::string& text) {
     return ADD_FAILURE() << fault(), "";
   out.resize(out.find('\0'));
   return out;
+}
+
+}  // namespace
+
+std::string shifted_robot(const std::string& text) {
+  return edited(text, [](mjsBody& body, const mjModel& model, int id) {
+    const int joint = model.body_jntadr[id];
+    if (joint < 0 || model.jnt_type[joint] != mjJNT_HINGE || mjs_getFrame(body.element) != nullptr)
+      return;
+    const Vector3d by(0.03, -0.01 - 0.002 * id, 0.02);
+    const mjtNum* const q = model.body_quat + 4 * id;
+    move(body.pos, Eigen::Quaterniond(q[0], q[1], q[2], q[3]) * by);
+    move_parts(body, -by);
+  });
+}
+
+std::string with_trunk_frame_at(const std::string& text, const Vector3d& place) {
+  return edited(text, [&](mjsBody& body, const mjModel& model, int id) {
+    const int joint = model.body_jntadr[id];
+    if (joint < 0 || model.jnt_type[joint] != mjJNT_FREE) return;
+    move_parts(body, -place);
+    for (mjsElement* part = mjs_firstChild(&body, mjOBJ_JOINT, 0); part != nullptr;
+         part = mjs_nextChild(&body, part, 0))
+      move(mjs_asJoint(part)->pos, place);  // a free joint stays at the frame
+  });
 }
 
 }  // namespace legwright::test

@@ -75,6 +75,17 @@ TEST_F(Assets, OtherElementsNameNoFiles) {
                   "the file '/dev/zero' is a device"));
 }
 
+TEST_F(Assets, AllFilesThatAreNotThereAreTold) {
+  put(home_ / "tet.stl", test::tetrahedron_stl(0.1f));
+  const std::string told = refusal(
+      "<mujoco><asset><mesh file=\"a.stl\"/>\n<mesh file=\"tet.stl\"/>\n"
+      "<mesh file=\"b.stl\"/>\n<texture type=\"2d\" file=\"c.png\"/></asset></mujoco>");
+  EXPECT_TRUE(has(told, "robot.xml:1: mesh: the file 'a.stl' is not there")) << told;
+  EXPECT_TRUE(has(told, "robot.xml:3: mesh: the file 'b.stl' is not there")) << told;
+  EXPECT_TRUE(has(told, "robot.xml:4: texture: the file 'c.png' is not there")) << told;
+  EXPECT_FALSE(has(told, "tet.stl")) << told;
+}
+
 /// Sizes are looked at before anything is read.
 TEST_F(Assets, LargeFilesAreRefused) {
   std::string text = "<mujoco><asset>";

@@ -57,6 +57,15 @@ TEST_F(SafePath, FilesElsewhereAreFoundAsMujocoFindsThem) {
   EXPECT_EQ(find_file("a/b", "../../../x.xml", 1000).source, "../x.xml");
 }
 
+/// As archives of repositories have them.
+TEST_F(SafePath, PointersOfGitLfsAreNotTheFile) {
+  const std::string head = "version https://git-lfs.github.com/spec/v1\n";
+  put(home_ / "leg.stl", head + "oid sha256:00\nsize 12345\n");
+  EXPECT_TRUE(has(fault("leg.stl"), "is a pointer of Git LFS, not the file: `git lfs install`"));
+  put(home_ / "leg.stl", head + std::string(2000, 'x'));
+  EXPECT_EQ(find_file(home_, "leg.stl", 10000).fault, "") << "too large for one";
+}
+
 TEST_F(SafePath, WordsThatAreNoPathAreRefused) {
   EXPECT_TRUE(has(fault("parts\\leg.xml"), "write / between folders"));
   EXPECT_TRUE(has(fault("C:/leg.xml"), "colon"));

@@ -25,7 +25,7 @@ UrdfFate fate_of(const std::string& urdf) {
     out = UrdfFate::made;
     const RobotModel robot = parse_robot(made.text, "mutant.urdf");
     out = UrdfFate::read;
-    mjcf_of_urdf(urdf, "mutant.urdf", mending_of(robot));
+    mjcf_of_urdf(urdf, "mutant.urdf", mending_of(robot, made.without_moments));
   } catch (const InputError& error) {
     EXPECT_EQ(std::string(error.what()).rfind("mutant.urdf", 0), 0u) << error.what();
   }

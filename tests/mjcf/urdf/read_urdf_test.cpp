@@ -5,69 +5,24 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <string>
 
-#include "mjcf/propose/standing_pose.hpp"
 #include "mjcf/read/read_robot.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/input_error.hpp"
 #include "mjcf/text/model_arrays.hpp"
-#include "mjcf/urdf/urdf_meshes.hpp"
 #include "mjcf/urdf/write_urdf.hpp"
 #include "mjcf/write/rewrite_robot.hpp"
 #include "tests/mjcf/robots/robots.hpp"
+#include "tests/mjcf/urdf/hopper.hpp"
 #include "tests/support/source_tree.hpp"
-#include "tests/tools/files/temporary_folder.hpp"
 
 namespace legwright {
 namespace {
 
-namespace fs = std::filesystem;
-
-bool tells(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-const char* const kHead = R"(<?xml version="1.0"?>
-<!-- a <robot> in a comment -->
-<robot name="hopper">
-  <material name="red"><color rgba="0.8 0.1 0.1 1"/></material>
-  <link name="mount"/>
-  <joint name="rest" type="fixed"><parent link="mount"/><child link="trunk"/></joint>
-  <link name="trunk">
-    <inertial><origin xyz="0 0 0.01" rpy="0 0 0.5"/><mass value="2"/>
-      <inertia ixx="0.01" ixy="0.001" ixz="0" iyy="0.02" iyz="0" izz="0.025"/></inertial>
-    <visual><geometry><box size="0.2 0.1 0.04"/></geometry><material name="red"/></visual>
-    <collision name="shell"><geometry><box size="0.2 0.1 0.04"/></geometry></collision>
-  </link>
-)";
-const char* const kLeg = R"(
-  <link name="thigh">
-    <inertial><origin xyz="0 0 -0.05"/><mass value="0.3"/>
-      <inertia ixx="0.001" ixy="0" ixz="0" iyy="0.001" iyz="0" izz="0.0001"/></inertial>
-  </link>
-  <joint name="hip" type="revolute"><origin xyz="0 0 -0.02" rpy="0 0.1 0"/>
-    <parent link="trunk"/><child link="thigh"/><axis xyz="0 1 0"/>
-    <limit lower="-1.5" upper="1.5" effort="6" velocity="20"/><dynamics damping="0.1" friction="0.02"/>
-  </joint>
-  <link name="thigh_plate"/>
-  <joint name="plate" type="fixed"><parent link="thigh"/><child link="thigh_plate"/></joint>
-  <link name="shank">
-    <inertial><origin xyz="0 0 -0.05"/><mass value="0.2"/>
-      <inertia ixx="0.0008" ixy="0" ixz="0" iyy="0.0008" iyz="0" izz="0.00005"/></inertial>
-  </link>
-  <joint name="knee" type="continuous"><origin xyz="0.01 0 -0.12"/>
-    <parent link="thigh_plate"/><child link="shank"/><axis xyz="0 1 0"/>
-    <limit effort="4" velocity="20"/></joint>
-  <link name="toe"><collision><geometry><sphere radius="0.02"/></geometry></collision></link>
-  <joint name="tip" type="fixed"><origin xyz="0 0 -0.13"/><parent link="shank"/><child link="toe"/></joint>
-)";
-const std::string kHopper = std::string(kHead) + kLeg + "</robot>";
-
-MjcfOfUrdf made(const std::string& urdf, const std::string& file = "hopper.urdf") {
-  return mjcf_of_urdf(urdf, file);
-}
+using test::kHopper;
+using test::made;
+using test::tells;
 
 std::string fault(const std::string& urdf) {
   try {
@@ -174,56 +129,6 @@ TEST(ReadUrdf, ALinkIsAsLongAsToTheJointOrFootOnWhatIsFixedToIt) {
   EXPECT_NEAR((at("toe") - at("shank")).norm(), longer[1], 1e-9);
 }
 
-TEST(ReadUrdf, NoBodyHasMomentsThatMujocoRefuses) {
-  const MjcfOfUrdf mended = made(test::with(kHopper, "ixx=\"0.001\"", "ixx=\"0.009\""));
-  const ModelPointer model = compile_mjcf(mended.text, "hopper.xml");
-  const int thigh = mj_name2id(model.get(), mjOBJ_BODY, "thigh");
-  EXPECT_NEAR(model->body_inertia[3 * thigh], (0.009 + 0.001 + 0.0001) / 3, 1e-12);
-  EXPECT_TRUE(tells(mended.notes[1], "moments of inertia of thigh")) << mended.notes[1];
-}
-
-TEST(ReadUrdf, ALinkThatMovesWithoutMassGetsThatOfWhatIsFixedToIt) {
-  std::string urdf = test::with(kHopper, "<link name=\"trunk\">", "<link name=\"core\">");
-  urdf =
-      test::with(urdf, "</robot>",
-                 "<link name=\"trunk\"><visual><geometry><sphere radius=\"0.03\"/></geometry>"
-                 "</visual></link><joint name=\"core\" type=\"fixed\"><origin xyz=\"0.1 0 0\" "
-                 "rpy=\"0 0 1\"/><parent link=\"trunk\"/><child link=\"core\"/></joint></robot>");
-  const ModelPointer model = compile_mjcf(made(urdf).text, "hopper.xml"),
-                     plain = compile_mjcf(made(kHopper).text, "hopper.xml");
-  const int trunk = mj_name2id(model.get(), mjOBJ_BODY, "trunk"),
-            core = mj_name2id(model.get(), mjOBJ_BODY, "core"),
-            before = mj_name2id(plain.get(), mjOBJ_BODY, "trunk");
-  ASSERT_TRUE(trunk > 0 && core > 0);
-  EXPECT_EQ(model->body_mass[trunk], 2.0);
-  EXPECT_EQ(model->body_mass[core], 0.0);
-  EXPECT_LT((vector_at(model->body_ipos, trunk) - Eigen::Vector3d(0.1, 0, 0.01)).norm(), 1e-12);
-  EXPECT_LT((vector_at(model->body_inertia, trunk) - vector_at(plain->body_inertia, before)).norm(),
-            1e-12);
-  // The moments' axes are turned with the link: by 0.5 as the URDF has them, and by 1.
-  const auto axes = [](const mjModel& of, int body) -> Eigen::Matrix3d {
-    const Eigen::Matrix3d r = rotation_at(of.body_iquat, body);
-    return r * vector_at(of.body_inertia, body).asDiagonal() * r.transpose();
-  };
-  const Eigen::Matrix3d turn = Eigen::AngleAxisd(1.0, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-  EXPECT_LT((axes(*model, trunk) - turn * axes(*plain, before) * turn.transpose()).norm(), 1e-12);
-}
-
-/// As people put a robot upright that its CAD program exported with y up.
-TEST(ReadUrdf, ALinkWithoutMassThatTurnsTheRobotIsItsTrunk) {
-  const MjcfOfUrdf upright = made(test::with(
-      kHopper, "type=\"fixed\"><parent link=\"mount\"",
-      "type=\"fixed\"><origin xyz=\"0 0 0\" rpy=\"1.5708 0 0\"/><parent link=\"mount\""));
-  const ModelPointer model = compile_mjcf(upright.text, "hopper.xml");
-  const int mount = mj_name2id(model.get(), mjOBJ_BODY, "mount"),
-            trunk = mj_name2id(model.get(), mjOBJ_BODY, "trunk");
-  ASSERT_TRUE(mount > 0 && trunk > 0) << upright.text;
-  EXPECT_EQ(model->jnt_type[model->body_jntadr[mount]], mjJNT_FREE);
-  EXPECT_EQ(model->body_parentid[trunk], mount);
-  EXPECT_EQ(model->body_mass[mount], 2.0);
-  EXPECT_NEAR(rotation_at(model->body_quat, trunk)(2, 1), 1.0, 1e-4);
-}
-
 TEST(ReadUrdf, MimickedJointsAreCoupledAndGetNoServo) {
   const MjcfOfUrdf mended = made(
       test::with(kHopper, "<limit effort=\"4\" velocity=\"20\"/>",
@@ -253,20 +158,6 @@ TEST(ReadUrdf, FaultsHaveTheirPlace) {
   EXPECT_TRUE(tells(fault("<robot name=\"x\">"), "hopper.urdf:1"));
 }
 
-/// As the exporters of CAD programs leave them.
-TEST(ReadUrdf, JointsWithoutEffortGetMotorsThatCarryTheRobot) {
-  const std::string urdf = test::with(kHopper, "effort=\"6\"", "effort=\"0\"");
-  const RobotModel robot = parse_robot(made(urdf).text, "hopper.urdf");
-  const UrdfMending mending = mending_of(robot);
-  const MjcfOfUrdf mended = mjcf_of_urdf(urdf, "hopper.urdf", mending);
-  EXPECT_TRUE(tells(mended.notes[1], "hip has no <limit effort> above 0: the motor gets "))
-      << mended.notes[1];
-  const ModelPointer model = compile_mjcf(mended.text, "hopper.urdf");
-  const int hip = mj_name2id(model.get(), mjOBJ_ACTUATOR, "hip");
-  ASSERT_GE(hip, 0);
-  EXPECT_NEAR(model->actuator_forcerange[2 * hip + 1], mending.most_torque, 1e-9);
-}
-
 TEST(ReadUrdf, NamesWithBlanksAreRenamedEachToItsOwn) {
   std::string urdf = test::with(kHopper, "joint name=\"hip\"", "joint name=\"Revolute 1\"");
   urdf = test::with(urdf, "joint name=\"knee\"", "joint name=\"Revolute_1\"");
@@ -287,69 +178,6 @@ TEST(ReadUrdf, RangesOfNothingAreTold) {
   for (const std::string& note : made(test::with(urdf, "continuous", "revolute")).notes)
     all += note;
   EXPECT_TRUE(tells(all, "<limit> has no range for knee, where upper is not above lower")) << all;
-}
-
-TEST(ReadUrdf, APackageWithoutNameIsTheFolderOfTheFile) {
-  const test::TemporaryFolder folder;
-  std::ofstream(folder.path() / "body.stl") << "solid";
-  const UrdfMeshFile found = find_urdf_mesh("package://body.stl", folder.path(), "");
-  EXPECT_EQ(found.kind, UrdfMeshKind::found);
-  EXPECT_EQ(found.path, "body.stl");
-}
-
-TEST(ReadUrdf, PlaceholdersGiveNoGainsAndOverlappingShapesMayPass) {
-  std::string urdf = test::with(kHopper, "effort=\"6\"", "effort=\"1000\"");
-  const std::string shape =
-      "<collision><geometry><box size=\"0.02 0.02 0.3\"/></geometry></collision>";
-  urdf = test::with(urdf, "<link name=\"shank\">", "<link name=\"shank\">" + shape);
-  const RobotModel robot = parse_robot(made(urdf).text, "hopper.urdf");
-  const UrdfMending mending = mending_of(robot);
-  EXPECT_NEAR(mending.most_torque, 2 * 9.81 * 2.5 * robot.morphology.leg_length, 1e-9);
-  ASSERT_EQ(mending.overlapping.size(), 1u);
-  EXPECT_EQ(mending.overlapping[0].first, "trunk");
-  EXPECT_EQ(mending.overlapping[0].second, "shank");
-  const MjcfOfUrdf mended = mjcf_of_urdf(urdf, "hopper.urdf", mending);
-  const ModelPointer model = compile_mjcf(mended.text, "hopper.xml");
-  EXPECT_NEAR(model->actuator_gainprm[0], mending.most_torque / kFullTorqueError, 1e-6);
-  EXPECT_EQ(model->actuator_forcerange[1], 1000.0);  // the limit is the user's
-  EXPECT_EQ(model->nexclude, 1);
-  EXPECT_TRUE(touching_bodies(*model, "hopper.xml").empty());
-}
-
-class UrdfMeshes : public testing::Test {
- protected:
-  void add(const std::string& name) {
-    const fs::path file = folder_.path() / name;
-    fs::create_directories(file.parent_path());
-    std::ofstream(file) << "x";
-  }
-  UrdfMeshFile find(const std::string& name, const std::string& mesh_folder = "") const {
-    return find_urdf_mesh(name, folder_.path() / "dog_description" / "urdf", mesh_folder);
-  }
-  void SetUp() override { fs::create_directories(folder_.path() / "dog_description" / "urdf"); }
-  const test::TemporaryFolder folder_;
-};
-
-TEST_F(UrdfMeshes, OfPackagesAreLookedForAboveTheUrdf) {
-  add("dog_description/meshes/hip.stl");
-  add("other/meshes/arm.STL");
-  EXPECT_EQ(find("package://dog_description/meshes/hip.stl").path, "../meshes/hip.stl");
-  EXPECT_EQ(find("package://renamed/meshes/hip.stl").path, "../meshes/hip.stl");
-  EXPECT_EQ(find("package://other/meshes/arm.STL").path, "../../other/meshes/arm.STL");
-  EXPECT_EQ(find("../meshes/hip.stl").path, "../meshes/hip.stl");
-  EXPECT_EQ(find("hip.stl", "../meshes").path, "../meshes/hip.stl");
-  EXPECT_EQ(find("file://" + (folder_.path() / "other/meshes/arm.STL").string()).kind,
-            UrdfMeshKind::found);
-  EXPECT_EQ(find("package://dog_description/meshes/knee.stl").kind, UrdfMeshKind::missing);
-}
-
-TEST_F(UrdfMeshes, OfOtherFormatsHaveATwinOrNone) {
-  add("dog_description/meshes/hip.dae");
-  EXPECT_EQ(find("package://dog_description/meshes/hip.dae").kind, UrdfMeshKind::unreadable);
-  add("dog_description/meshes/hip.obj");
-  const UrdfMeshFile found = find("package://dog_description/meshes/hip.dae");
-  EXPECT_EQ(found.kind, UrdfMeshKind::other_format);
-  EXPECT_EQ(found.path, "../meshes/hip.obj");
 }
 
 }  // namespace

@@ -52,6 +52,15 @@ TEST(StarterTask, FollowsTheRobotsHeight) {
               1e-9);  // both go with the root of the height
 }
 
+TEST(StarterTask, ATallTrunkDoesNotHurryShortLegs) {
+  RobotModel model = robot("servo_dog");
+  const double usual = starter_task(model, std::nullopt).speed;
+  model.morphology.leg_length *= 0.3;
+  const StarterTask task = starter_task(model, std::nullopt);
+  EXPECT_LT(task.speed, usual);
+  EXPECT_NEAR(task.speed * 0.6 * task.period, 0.8 * model.morphology.leg_length, 1e-9);
+}
+
 TEST(StarterTask, PlaysServosThatGiveInStiffer) {
   RobotModel model = robot("servo_dog");
   const ServoSag firm = starter_task(model, std::nullopt).sag;

@@ -124,6 +124,18 @@ TEST_F(InitOfUrdf, WritesMjcfThatATaskCanName) {
   EXPECT_EQ(read_robot(robot_).space.size(), 20);
 }
 
+TEST_F(InitOfUrdf, WhereTheTaskCannotBeWrittenTheRobotIsNot) {
+  const Outcome told = call(
+      {"init", urdf_.string(), "-o", robot_.string(), "--task", (urdf_ / "task.toml").string()});
+  EXPECT_EQ(told.code, 3) << told.out << told.err;
+  EXPECT_FALSE(fs::exists(robot_));
+  write_file(robot_, "mine");
+  EXPECT_EQ(call({"init", urdf_.string(), "-o", robot_.string(), "--task", task_.string()}).code,
+            3);
+  EXPECT_FALSE(fs::exists(task_));
+  EXPECT_EQ(read_file(robot_), "mine");
+}
+
 TEST_F(InitOfUrdf, IsNeverWrittenToAndNoTaskNamesIt) {
   const std::string before = read_file(urdf_);
   for (const std::vector<std::string>& more :

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the meshes of a URDF are looked for.
+#include "mjcf/urdf/urdf_meshes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "tests/tools/files/temporary_folder.hpp"
+
+namespace legwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+class UrdfMeshes : public testing::Test {
+ protected:
+  void add(const std::string& name) {
+    const fs::path file = folder_.path() / name;
+    fs::create_directories(file.parent_path());
+    std::ofstream(file) << "x";
+  }
+  UrdfMeshFile find(const std::string& name, const std::string& mesh_folder = "") const {
+    return find_urdf_mesh(name, folder_.path() / "dog_description" / "urdf", mesh_folder);
+  }
+  void SetUp() override { fs::create_directories(folder_.path() / "dog_description" / "urdf"); }
+  const test::TemporaryFolder folder_;
+};
+
+TEST_F(UrdfMeshes, OfPackagesAreLookedForAboveTheUrdf) {
+  add("dog_description/meshes/hip.stl");
+  add("other/meshes/arm.STL");
+  EXPECT_EQ(find("package://dog_description/meshes/hip.stl").path, "../meshes/hip.stl");
+  EXPECT_EQ(find("package://renamed/meshes/hip.stl").path, "../meshes/hip.stl");
+  EXPECT_EQ(find("package://other/meshes/arm.STL").path, "../../other/meshes/arm.STL");
+  EXPECT_EQ(find("../meshes/hip.stl").path, "../meshes/hip.stl");
+  EXPECT_EQ(find("hip.stl", "../meshes").path, "../meshes/hip.stl");
+  EXPECT_EQ(find("file://" + (folder_.path() / "other/meshes/arm.STL").string()).kind,
+            UrdfMeshKind::found);
+  EXPECT_EQ(find("package://dog_description/meshes/knee.stl").kind, UrdfMeshKind::missing);
+}
+
+/// What $(find PACKAGE) became on the machine of whoever expanded the macros.
+TEST_F(UrdfMeshes, OfAnotherMachineAreLookedForByTheirPackage) {
+  add("dog_description/meshes/hip.stl");
+  EXPECT_EQ(find("file:///nowhere/ws/install/share/dog_description/meshes/hip.stl").path,
+            "../meshes/hip.stl");
+  EXPECT_EQ(find("/nowhere/share/dog_description/meshes/hip.stl").path, "../meshes/hip.stl");
+  EXPECT_EQ(find("/nowhere/share/dog_description/meshes/knee.stl").kind, UrdfMeshKind::missing);
+  add("share/other/hip.stl");
+  const std::string there = (folder_.path() / "share/other/hip.stl").string();
+  EXPECT_EQ(find("file://" + there).path, "../../share/other/hip.stl") << "where it is there";
+}
+
+TEST_F(UrdfMeshes, OfOtherFormatsHaveATwinOrNone) {
+  add("dog_description/meshes/hip.dae");
+  EXPECT_EQ(find("package://dog_description/meshes/hip.dae").kind, UrdfMeshKind::unreadable);
+  add("dog_description/meshes/hip.obj");
+  const UrdfMeshFile found = find("package://dog_description/meshes/hip.dae");
+  EXPECT_EQ(found.kind, UrdfMeshKind::other_format);
+  EXPECT_EQ(found.path, "../meshes/hip.obj");
+}
+
+TEST(UrdfMesh, APackageWithoutNameIsTheFolderOfTheFile) {
+  const test::TemporaryFolder folder;
+  std::ofstream(folder.path() / "body.stl") << "solid";
+  const UrdfMeshFile found = find_urdf_mesh("package://body.stl", folder.path(), "");
+  EXPECT_EQ(found.kind, UrdfMeshKind::found);
+  EXPECT_EQ(found.path, "body.stl");
+}
+
+}  // namespace
+}  // namespace legwright
