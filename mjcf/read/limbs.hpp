@@ -32,8 +32,8 @@ Across sides_across(const Eigen::Vector2d& ahead);
 std::vector<Limb> find_limbs(const Morphology& morphology, const Eigen::VectorXd& s,
                              const Eigen::Vector2d& ahead = Eigen::Vector2d::UnitX());
 
-/// Where the plane between the sides of limbs lies that find_limbs() paired: the middle of the first
-/// pair, 0 where there is none or nothing but a rounding error [m].
+/// Where the plane between the sides lies across which find_limbs() paired limbs: the middle of the
+/// first pair, 0 where there is none or nothing but a rounding error [m].
 double middle_of_sides(const std::vector<Limb>& limbs, Across across);
 
 /// What the rows are called: front and hind, front, middle and hind; nothing for one row.

@@ -20,8 +20,8 @@ struct FoundFile {
 };
 
 /// Looks up a file by the path that stands in a model, as MuJoCo does: from the model's folder,
-/// through `..` and symbolic links, or by an absolute path. Only regular files will do. Nothing else
-/// is opened, so that a pipe or a device cannot block.
+/// through `..` and symbolic links, or by an absolute path. Only regular files will do. Nothing
+/// else is opened, so that a pipe or a device cannot block.
 /// @param folder of the model's main file; empty: the current one.
 FoundFile find_file(const std::filesystem::path& folder, const std::string& reference,
                     std::uintmax_t most_bytes, const FileReach& reach = {});

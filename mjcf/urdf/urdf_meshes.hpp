@@ -21,8 +21,8 @@ struct UrdfMeshFile {
 
 /// Looks up a mesh of a URDF. package://NAME/REST is searched for in the folders above the URDF: as
 /// REST in one called NAME, as NAME/REST beside them, as REST; so is /…/share/NAME/REST, where
-/// another machine has it; a plain path from the URDF's folder, or from `mesh_folder` there. Of a format that MuJoCo cannot read (Collada) an STL or OBJ of the
-/// same name beside it serves.
+/// another machine has it; a plain path from the URDF's folder, or from `mesh_folder` there. Of a
+/// format that MuJoCo cannot read (Collada) an STL or OBJ of the same name beside it serves.
 /// @param name as the URDF has it @param folder of the URDF
 /// @param mesh_folder of MuJoCo's extension; may be empty
 UrdfMeshFile find_urdf_mesh(const std::string& name, const std::filesystem::path& folder,

@@ -14,7 +14,8 @@ bool fuzz_urdf(std::string_view text) {
   return accepted(file, [&] {
     const MjcfOfUrdf made = mjcf_of_urdf(urdf, file);
     const RobotModel robot = parse_robot(RobotFiles::from_text(made.text, file, reach));
-    promise(!mjcf_of_urdf(urdf, file, mending_of(robot, made.without_moments)).text.empty(), "a URDF without a robot");
+    promise(!mjcf_of_urdf(urdf, file, mending_of(robot, made.without_moments)).text.empty(),
+            "a URDF without a robot");
   });
 }
 

@@ -40,7 +40,8 @@ void move_parts(mjsBody& body, const Vector3d& by) {
   if (body.explicitinertial != 0) move(body.ipos, by);
 }
 
-/// The text of a robot after a change by `edit`, which gets MuJoCo's own reading of it and its model.
+/// The text of a robot after a change by `edit`, which gets MuJoCo's own reading of it, and its
+/// model.
 template <class Edit>
 std::string edited(const std::string& text, const Edit& edit) {
   std::array<char, 1000> error{};
