@@ -84,8 +84,9 @@ std::vector<std::string> names_of(mjSpec& spec, mjtObj type) {
 
 class MjcfWriter {
  public:
-  MjcfWriter(mjSpec& spec, const UrdfMending& mending, std::vector<std::string>& notes)
-      : spec_(spec), mending_(mending), notes_(notes) {
+  MjcfWriter(mjSpec& spec, const UrdfMending& mending, ColladaMeshes& collada,
+             std::vector<std::string>& notes)
+      : spec_(spec), mending_(mending), collada_(collada), notes_(notes) {
     for_each(spec_, mjOBJ_EQUALITY, [&](mjsElement* element) {
       coupled_.insert(mjs_getString(mjs_asEquality(element)->name1));
     });
@@ -114,11 +115,23 @@ class MjcfWriter {
     out_.OpenElement("asset");
     for_each(spec_, mjOBJ_MESH, [&](mjsElement* element) {
       const mjsMesh& mesh = *mjs_asMesh(element);
-      XmlAttributes own{{"name", element_name(element)}, {"file", mjs_getString(mesh.file)}};
+      const std::string file = mjs_getString(mesh.file);
+      XmlAttributes own{{"name", element_name(element)}};
+      if (const DrawnMesh* const drawn = collada_.find(file))
+        add_drawn(*drawn, own);
+      else
+        own.emplace_back("file", file);
       if (differs(mesh.scale, {1, 1, 1})) own.emplace_back("scale", number_list(mesh.scale, 3));
       add_element(out_, "mesh", own);
     });
     out_.CloseElement();
+  }
+
+  /// Pictures are open surfaces as a rule, whose inertia is that of a shell.
+  static void add_drawn(const DrawnMesh& mesh, XmlAttributes& own) {
+    own.emplace_back("inertia", "shell");
+    own.emplace_back("vertex", fmt::format("{:.6g}", fmt::join(mesh.vertices, " ")));
+    own.emplace_back("face", fmt::format("{}", fmt::join(mesh.faces, " ")));
   }
 
   void add_body(mjsBody& body, bool is_trunk) {
@@ -155,7 +168,7 @@ class MjcfWriter {
   Matrix3d moments_of(const mjsBody& body) {
     const std::string name = names_of_bodies_(element_name(body.element));
     const Matrix3d own = inertia_of_link(body);
-    const bool none = own.isZero();
+    const bool none = own.cwiseAbs().maxCoeff() == 0.0;
     if (const auto given = mending_.moments.find(name); given != mending_.moments.end()) {
       (none ? none_ : wide_).push_back(name);
       return given->second.asDiagonal();
@@ -332,6 +345,7 @@ class MjcfWriter {
 
   mjSpec& spec_;
   const UrdfMending& mending_;
+  ColladaMeshes& collada_;
   std::vector<std::string>& notes_;
   tinyxml2::XMLPrinter out_;
   std::set<std::string> names_, coupled_;                   // coupled_: as the spec calls them
@@ -343,8 +357,8 @@ class MjcfWriter {
 }  // namespace
 
 MjcfOfSpec mjcf_of_spec(mjSpec& spec, mjsBody& trunk, const UrdfMending& mending,
-                        std::vector<std::string>& notes) {
-  return MjcfWriter(spec, mending, notes).write(trunk);
+                        ColladaMeshes& collada, std::vector<std::string>& notes) {
+  return MjcfWriter(spec, mending, collada, notes).write(trunk);
 }
 
 }  // namespace legwright

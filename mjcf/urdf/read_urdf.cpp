@@ -47,8 +47,8 @@ void refuse_macros(const XmlFile& xml) {
 /// What MuJoCo's reader is told: to keep links and pictures, and to take paths as they are.
 class UrdfEdits {
  public:
-  UrdfEdits(const XmlFile& xml, const fs::path& folder, MjcfOfUrdf& out)
-      : folder_(folder), out_(out) {
+  UrdfEdits(const XmlFile& xml, const fs::path& folder, ColladaMeshes& collada, MjcfOfUrdf& out)
+      : folder_(folder), collada_(collada), out_(out) {
     document_.Parse(xml.text.data(), xml.text.size());
   }
 
@@ -60,6 +60,10 @@ class UrdfEdits {
       for (const char* shape : {"visual", "collision"}) edit_shapes(*link, shape);
     tell(UrdfMeshKind::other_format,
          "that MuJoCo cannot read, with an .stl or .obj in their place");
+    tell(UrdfMeshKind::collada,
+         fmt::format("of Collada, which MuJoCo cannot read, written into the MJCF, of at most {} "
+                     "triangles each",
+                     kMostColladaTriangles));
     tell(UrdfMeshKind::unreadable,
          "left out, as MuJoCo cannot read them (an .stl or .obj of the same "
          "name beside them would be taken)");
@@ -114,7 +118,9 @@ class UrdfEdits {
       XmlElement* const mesh = geometry ? geometry->FirstChildElement("mesh") : nullptr;
       const char* const name = mesh ? mesh->Attribute("filename") : nullptr;
       if (name != nullptr) {
-        const UrdfMeshFile found = find_urdf_mesh(name, folder_, mesh_folder_);
+        UrdfMeshFile found = find_urdf_mesh(name, folder_, mesh_folder_);
+        if (found.kind == UrdfMeshKind::collada && collada_.find(found.path) == nullptr)
+          found.kind = UrdfMeshKind::unreadable;
         const bool only_seen = kind == std::string_view("visual");
         names_[found.kind].insert(fs::path(name).filename().string());
         // What may touch must be there: its reader says where it was looked for.
@@ -128,7 +134,7 @@ class UrdfEdits {
     }
   }
 
-  void tell(UrdfMeshKind kind, const char* what) {
+  void tell(UrdfMeshKind kind, const std::string& what) {
     const auto found = names_.find(kind);
     if (found == names_.end()) return;
     out_.left_out.push_back(
@@ -139,6 +145,7 @@ class UrdfEdits {
   tinyxml2::XMLDocument document_;
   const fs::path folder_;
   std::string mesh_folder_;
+  ColladaMeshes& collada_;
   MjcfOfUrdf& out_;
   std::map<UrdfMeshKind, std::set<std::string>> names_;
 };
@@ -170,25 +177,32 @@ bool is_urdf(std::string_view text) {
   return false;
 }
 
-MjcfOfUrdf mjcf_of_urdf(const std::string& text, const fs::path& file, const UrdfMending& mending) {
-  const auto xml = load_xml(text, file);
-  refuse_macros(*xml);
-  if (xml->root().FirstChildElement("link") == nullptr)
-    throw xml->error(xml->root(), "has no <link>; a URDF is made of <link> and <joint> elements");
+UrdfReader::UrdfReader(const std::string& text, const fs::path& file, const FileReach& reach)
+    : file_(file), xml_(load_xml(text, file)), collada_(file.parent_path(), reach) {
+  refuse_macros(*xml_);
+  if (xml_->root().FirstChildElement("link") == nullptr)
+    throw xml_->error(xml_->root(), "has no <link>; a URDF is made of <link> and <joint> elements");
+}
+
+MjcfOfUrdf UrdfReader::read(const UrdfMending& mending) {
   MjcfOfUrdf out;
-  const std::string mended = UrdfEdits(*xml, file.parent_path(), out).apply();
-  call_engine(file, [&] {
+  const std::string mended = UrdfEdits(*xml_, file_.parent_path(), collada_, out).apply();
+  call_engine(file_, [&] {
     std::array<char, 1000> error{};
     const SpecPointer spec(
         mj_parseXMLString(mended.c_str(), nullptr, error.data(), static_cast<int>(error.size())));
     if (!spec)
-      throw InputError(file.string(), 0, "URDF", "MuJoCo refuses it: " + reason_of(error.data()));
-    mjsBody& trunk = mend_bodies(*spec, file, out.notes);
-    MjcfOfSpec written = mjcf_of_spec(*spec, trunk, mending, out.notes);
+      throw InputError(file_.string(), 0, "URDF", "MuJoCo refuses it: " + reason_of(error.data()));
+    mjsBody& trunk = mend_bodies(*spec, file_, out.notes);
+    MjcfOfSpec written = mjcf_of_spec(*spec, trunk, mending, collada_, out.notes);
     out.text = std::move(written.text);
     out.without_moments = std::move(written.without_moments);
   });
   return out;
+}
+
+MjcfOfUrdf mjcf_of_urdf(const std::string& text, const fs::path& file, const UrdfMending& mending) {
+  return UrdfReader(text, file).read(mending);
 }
 
 }  // namespace legwright

@@ -60,10 +60,16 @@ std::vector<fs::path> places_of(const std::string& name, const fs::path& folder,
   return {folder / mesh_folder / plain, folder / plain, folder / mesh_folder / plain.filename()};
 }
 
-bool is_read_by_mujoco(const fs::path& file) {
+/// In small letters.
+std::string ending_of(const fs::path& file) {
   std::string ending = file.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
+
+bool is_read_by_mujoco(const fs::path& file) {
+  const std::string ending = ending_of(file);
   return ending == ".stl" || ending == ".obj" || ending == ".msh";
 }
 
@@ -75,6 +81,8 @@ std::string seen_from(const fs::path& folder, const fs::path& file) {
 }
 
 }  // namespace
+
+bool is_collada(const std::string& name) { return ending_of(name) == ".dae"; }
 
 UrdfMeshFile find_urdf_mesh(const std::string& name, const fs::path& folder,
                             const std::string& mesh_folder) {
@@ -89,7 +97,11 @@ UrdfMeshFile find_urdf_mesh(const std::string& name, const fs::path& folder,
       if (const fs::path other = fs::path(place).replace_extension(ending); is_file(other))
         return {UrdfMeshKind::other_format, seen_from(base, other)};
   }
-  return {is_read_by_mujoco(name) ? UrdfMeshKind::missing : UrdfMeshKind::unreadable,
+  if (is_collada(name))
+    for (const fs::path& place : places)
+      if (is_file(place)) return {UrdfMeshKind::collada, seen_from(base, place)};
+  return {is_read_by_mujoco(name) || is_collada(name) ? UrdfMeshKind::missing
+                                                      : UrdfMeshKind::unreadable,
           seen_from(base, places.front())};
 }
 

@@ -10,6 +10,7 @@ namespace legwright {
 enum class UrdfMeshKind {
   found,
   other_format,  // MuJoCo reads no such file, but the one of the same name that was found beside it
+  collada,       // MuJoCo reads no such file, but read_collada() may
   unreadable,    // MuJoCo reads no such file
   missing,
 };
@@ -19,10 +20,14 @@ struct UrdfMeshFile {
   std::string path;  // for an MJCF in the URDF's place; of a missing one the likeliest
 };
 
+/// Whether a file is called .dae.
+bool is_collada(const std::string& name);
+
 /// Looks up a mesh of a URDF. package://NAME/REST is searched for in the folders above the URDF: as
 /// REST in one called NAME, as NAME/REST beside them, as REST; so is /…/share/NAME/REST, where
 /// another machine has it; a plain path from the URDF's folder, or from `mesh_folder` there. Of a
-/// format that MuJoCo cannot read (Collada) an STL or OBJ of the same name beside it serves.
+/// format that MuJoCo cannot read an STL or OBJ of the same name beside it serves, else a Collada
+/// file itself.
 /// @param name as the URDF has it @param folder of the URDF
 /// @param mesh_folder of MuJoCo's extension; may be empty
 UrdfMeshFile find_urdf_mesh(const std::string& name, const std::filesystem::path& folder,

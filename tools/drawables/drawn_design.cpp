@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "mjcf/scene/played_robot.hpp"
+#include "mjcf/shape/simpler_mesh.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/write/rewrite_robot.hpp"
-#include "tools/drawables/simpler_mesh.hpp"
 #include "tools/files/base64.hpp"
 
 namespace legwright {

@@ -100,13 +100,14 @@ StudiedRobot study(const RobotFiles& given, std::optional<StandingPose> pose) {
 }
 
 StudiedRobot study_urdf(std::string text, const fs::path& file, const FileReach& reach) {
-  MjcfOfUrdf made = mjcf_of_urdf(text, file);
+  UrdfReader reader(text, file, reach);
+  MjcfOfUrdf made = reader.read();
   try {
     const RobotFiles plain = RobotFiles::from_text(std::move(made.text), file, reach);
     FoundPose found = pose_of(plain);
     const RobotModel posed = told_of_pose(
         found, file, [&] { return parse_robot(in_pose(plain, found.pose).text(), file); });
-    made = mjcf_of_urdf(text, file, mending_of(posed, made.without_moments));
+    made = reader.read(mending_of(posed, made.without_moments));
     // Gains and exclusions are no part of where a robot stands.
     StudiedRobot robot =
         study(RobotFiles::from_text(std::move(made.text), file, reach), std::move(found.pose));

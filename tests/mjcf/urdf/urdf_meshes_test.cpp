@@ -56,7 +56,11 @@ TEST_F(UrdfMeshes, OfAnotherMachineAreLookedForByTheirPackage) {
 
 TEST_F(UrdfMeshes, OfOtherFormatsHaveATwinOrNone) {
   add("dog_description/meshes/hip.dae");
-  EXPECT_EQ(find("package://dog_description/meshes/hip.dae").kind, UrdfMeshKind::unreadable);
+  EXPECT_EQ(find("package://dog_description/meshes/hip.dae").kind, UrdfMeshKind::collada);
+  EXPECT_EQ(find("package://dog_description/meshes/hip.dae").path, "../meshes/hip.dae");
+  EXPECT_EQ(find("package://dog_description/meshes/knee.dae").kind, UrdfMeshKind::missing);
+  add("dog_description/meshes/hip.glb");
+  EXPECT_EQ(find("package://dog_description/meshes/hip.glb").kind, UrdfMeshKind::unreadable);
   add("dog_description/meshes/hip.obj");
   const UrdfMeshFile found = find("package://dog_description/meshes/hip.dae");
   EXPECT_EQ(found.kind, UrdfMeshKind::other_format);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/drawables/simpler_mesh.hpp"
+#include "mjcf/shape/simpler_mesh.hpp"
 
 #include <gtest/gtest.h>
 
