@@ -80,10 +80,25 @@ bool Session::has_work() const {
   return !queue_.empty() || searching_ || must_settle() || working_out_;
 }
 
+/// Waits until there is something to do, or the session is closed.
+void Session::await_work(std::unique_lock<std::mutex>& lock) {
+  const auto at_once = [this] {
+    return closing_ || !queue_.empty() || searching_ || (working_out_ && !must_settle());
+  };
+  while (!at_once()) {
+    if (!must_settle())
+      changed_.wait(lock);
+    else if (DragPace::Clock::now() < pace_.due())
+      changed_.wait_until(lock, pace_.due());
+    else
+      return;
+  }
+}
+
 void Session::run() {
   std::unique_lock lock(mutex_);
   for (;;) {
-    changed_.wait(lock, [this] { return closing_ || has_work(); });
+    await_work(lock);
     if (closing_) return;
     busy_ = true;
     if (!queue_.empty()) {
@@ -101,10 +116,13 @@ void Session::run() {
       phase_ = searching_      ? SessionPhase::searching
                : must_settle() ? SessionPhase::solving
                                : SessionPhase::working_out;
+      held_ = phase_ == SessionPhase::solving && pace_.must_end(DragPace::Clock::now(), took_);
+      pace_.end();
       lock.unlock();
       work();
     }
     lock.lock();
+    held_ = false;
     const bool was_idle = std::exchange(phase_, SessionPhase::idle) == SessionPhase::idle;
     if (!was_idle && !has_work()) {  // readers see that nothing goes on
       lock.unlock();
@@ -137,6 +155,7 @@ void Session::work() {
 }
 
 void Session::obey(Item& item) {
+  moves_ = false;
   try {
     if (item.edit)
       obey_all({*item.edit});
@@ -149,6 +168,7 @@ void Session::obey(Item& item) {
     else
       publish(SessionEvent::Kind::failed, error.what());
   }
+  if (!moves_) pace_.end();
 }
 
 void Session::search() {
@@ -173,8 +193,10 @@ void Session::search() {
 }
 
 void Session::settle() {
+  const auto start = DragPace::Clock::now();
   const bool solved = engine_.settle();
   if (!solved && interrupted()) return;
+  took_ = DragPace::Clock::now() - start;
   if (solved) note(session::Settled{});
   {
     const std::lock_guard lock(mutex_);

@@ -18,6 +18,7 @@
 #include <thread>
 #include <vector>
 
+#include "tools/session/drag_pace.hpp"
 #include "tools/session/engine.hpp"
 #include "tools/session/journal.hpp"
 
@@ -65,9 +66,10 @@ std::string_view to_string(SessionEvent::Kind kind);
 
 /// Co-design with somebody who takes part. Every call may come from any thread. A worker thread
 /// owns the state: it obeys commands in their order, at once, and does the long work between them:
-/// solving for motions that a change left behind, and the search. A command interrupts that within
-/// one Newton step; a search is then paused, and start() goes on from what is there. What happened
-/// stands in the journal, whose replay leads to the same bits.
+/// solving for motions that a change left behind, and the search. While a hand holds the body it
+/// solves once the hand rests, and once a second. A command interrupts long work
+/// within one Newton step; a search is then paused, and start() goes on from what is there. What
+/// happened stands in the journal, whose replay leads to the same bits.
 class Session {
  public:
   struct Options {
@@ -90,7 +92,8 @@ class Session {
   /// Throws InputError, with nothing changed, where the command does not fit; returns once it is
   /// obeyed and motions are predicted. Of session::Searched, Settled and Step the work is done,
   /// too, whatever waits.
-  void apply(SessionCommand command);
+  /// @param held a hand holds what the command moves, and goes on soon
+  void apply(SessionCommand command, bool held = false);
   /// The same without waiting. Edits of the same parameters that wait are replaced by the last one;
   /// what does not fit is an event.
   void post(SessionCommand command);
@@ -136,10 +139,11 @@ class Session {
   void work_out_now(AlternativeKind kind);
   bool must_settle() const;  // needs mutex_
   bool has_work() const;     // needs mutex_
+  void await_work(std::unique_lock<std::mutex>& lock);
   bool interrupted() const;
   void enqueue(Item item);
   void call(std::function<void()> work);
-  void obey_all(const std::vector<SessionCommand>& commands);
+  void obey_all(const std::vector<SessionCommand>& commands, bool held = false);
   void note(const SessionCommand& command);
   void write_journal(const std::function<void()>& write);
   void publish(SessionEvent::Kind kind, std::string words = {});
@@ -161,6 +165,9 @@ class Session {
   // The worker's own.
   SessionEngine engine_;
   SessionJournal journal_;
+  DragPace pace_;       // of solving
+  bool moves_ = false;  // a hand holds what was moved last
+  DragPace::Clock::duration took_{};  // solving for motions, the last time
   std::thread worker_;
   std::mutex joining_;  // of the worker, by close() alone
 };

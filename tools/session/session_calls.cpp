@@ -75,10 +75,10 @@ void Session::call(std::function<void()> work) {
   done->get_future().get();
 }
 
-void Session::obey_all(const std::vector<SessionCommand>& commands) {
-  const auto hold = [this](bool held) {
+void Session::obey_all(const std::vector<SessionCommand>& commands, bool held) {
+  const auto hold = [this](bool on) {
     const std::lock_guard lock(mutex_);
-    held_ = held;
+    held_ = on;
   };
   for (const SessionCommand& command : commands) {
     hold(std::holds_alternative<session::Searched>(command) ||
@@ -94,11 +94,14 @@ void Session::obey_all(const std::vector<SessionCommand>& commands) {
     hold(false);
     note(command);
   }
-  if (!commands.empty()) publish(SessionEvent::Kind::changed);
+  if (commands.empty()) return;
+  moves_ = held;
+  if (held) pace_.move(DragPace::Clock::now());
+  publish(SessionEvent::Kind::changed);
 }
 
-void Session::apply(SessionCommand command) {
-  call([this, command = std::move(command)] { obey_all({command}); });
+void Session::apply(SessionCommand command, bool held) {
+  call([this, command = std::move(command), held] { obey_all({command}, held); });
 }
 
 void Session::post(SessionCommand command) {

@@ -266,7 +266,9 @@ Json StudioService::post_command(const StudioRequest& request) {
     if ((kind == "edit" || kind == "choose") && !command.contains("goes_on"))
       command["goes_on"] = false;
     if (kind == "freeze" && !command.contains("frozen")) command["frozen"] = true;
-    session.apply(command_of(command, "command", 0));
+    const bool held = command.value("held", false);
+    command.erase("held");
+    session.apply(command_of(command, "command", 0), held);
   }
   return {{"revision", session.snapshot()->revision}};
 }

@@ -115,6 +115,21 @@ TEST_F(SessionTest, ItsJournalLeadsToTheSameBits) {
   EXPECT_EQ(again->snapshot()->names, std::vector<std::string>{"here"});
 }
 
+TEST_F(SessionTest, WhatAHandHoldsIsSolvedOnceTheHandRests) {
+  const auto session = open();
+  ASSERT_TRUE(session->wait(60s));
+  for (int k = 1; k <= 5; ++k)
+    session->apply(session::Edit{{{kThigh, 0.06 + 0.001 * k}}, k > 1}, true);
+  EXPECT_FALSE(session->wait(0ms)) << "motions are still to be solved";
+  ASSERT_TRUE(session->wait(60s));
+  const StatePointer state = session->snapshot()->state;
+  EXPECT_TRUE(state->settled());
+  EXPECT_EQ(state->s()[state->problem->robot.space.find(kThigh)], 0.065);
+  session->apply(session::Undo{});
+  const StatePointer before = session->snapshot()->state;
+  EXPECT_EQ(before->s()[before->problem->robot.space.find(kThigh)], 0.06);
+}
+
 TEST_F(SessionTest, ACommandInterruptsWithinANewtonStep) {
   const auto session = open();
   session->start();

@@ -7,7 +7,8 @@ import { meshGeometry, scaleOf, shapeKey, shapeOf, sidesOf } from "./geometry.js
 
 const HIGHEST_GROUP = 2; // MuJoCo draws groups 0 to 2
 const HIGHLIGHT = new Color(0x2f7fd0);
-const ERROR = 0.35; // pixels between what is round and what is drawn
+const ERROR = 0.35; // pixels between what is round and what is drawn,
+const GHOST_ERROR = 1.2; // of a ghost
 
 /** The geometry of a geom's shadow: half as round, which nobody sees in what is flat and faint. */
 const shadeOf = (geom, sides) => shapeOf(geom, Math.max(8, 2 * Math.ceil(sides / 4)));
@@ -80,7 +81,7 @@ export class RobotBody {
   /** Gives a mesh the geometry of its geom and of its shadow, where it has them not. */
   shape(mesh, design) {
     const { geom } = mesh.userData;
-    const sides = sidesOf(geom, ERROR * this.pixel);
+    const sides = sidesOf(geom, (this.ghost === null ? ERROR : GHOST_ERROR) * this.pixel);
     const key = shapeKey(geom, sides);
     if (mesh.userData.shape === key) return;
     mesh.userData.shape = key;

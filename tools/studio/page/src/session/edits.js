@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Edits of parameters on their way to the server: one at a time, the latest values win, and what is
-// under the user's hand is shown at once.
+// under the user's hand is shown at once. More than pictures are drawn are not sent.
 import { command } from "./api.js";
+
+const EVERY = 28; // ms between edits, as between pictures in software
+const passed = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 
 export class Edits {
   /** @param {(error: Error) => void} failed @param {() => void} changed when a draft comes or goes */
@@ -27,8 +30,9 @@ export class Edits {
       this.waiting.set(name, value);
       this.drafts.set(name, { value, revision: Infinity });
     }
-    this.next = { names, fresh: this.next?.fresh || this.moving !== names };
-    this.moving = phase === "end" || phase === "once" ? null : names;
+    const held = phase === "begin" || phase === "drag";
+    this.next = { names, held, fresh: this.next?.fresh || this.moving !== names };
+    this.moving = held ? names : null;
     this.changed();
     this.pump();
   }
@@ -36,12 +40,13 @@ export class Edits {
   async pump() {
     if (this.flying || !this.waiting.size) return;
     const values = Object.fromEntries(this.waiting);
-    const goes_on = !this.next.fresh;
+    const { held, fresh } = this.next;
     this.waiting.clear();
     this.next = null;
     this.flying = true;
+    const sent = performance.now();
     try {
-      const { revision } = await command("edit", { values, goes_on });
+      const { revision } = await command("edit", { values, goes_on: !fresh, held });
       for (const [name, value] of Object.entries(values)) {
         const draft = this.drafts.get(name);
         if (draft?.value === value) draft.revision = revision ?? 0;
@@ -52,6 +57,8 @@ export class Edits {
       this.changed();
       this.failed(error);
     } finally {
+      const early = EVERY - (performance.now() - sent);
+      if (early > 1) await passed(early);
       this.flying = false;
       this.pump();
     }

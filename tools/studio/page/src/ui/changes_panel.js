@@ -3,6 +3,7 @@
 // back; and the designs with the fewest changes, to be gone through by a slider.
 import { fill, h, icon, setText, svg } from "../dom.js";
 import { format, significant, words } from "../units.js";
+import { calmly } from "./rate.js";
 
 const SAME = 1e-9;
 const MOST = 6; // changes that are listed at first
@@ -40,7 +41,10 @@ export class ChangesPanel {
       this.table,
       this.more,
     );
-    studio.store.on(["state", "document", "alternatives fewest"], () => this.update());
+    studio.store.on(
+      ["state", "document", "alternatives fewest"],
+      calmly(() => this.update()),
+    );
   }
 
   /** Works out the designs with the fewest changes, or says why that cannot be now. */

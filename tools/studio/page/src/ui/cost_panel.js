@@ -3,7 +3,7 @@
 // with a way to the moment at which it is worst.
 import { fill, h, setText } from "../dom.js";
 import { significant } from "../units.js";
-import { atMost } from "./rate.js";
+import { atMost, calmly } from "./rate.js";
 
 const MOST_TERMS = 9;
 
@@ -20,7 +20,10 @@ export class CostPanel {
       h("p.headline", {}, this.F, this.rest),
       this.terms,
     );
-    studio.store.on("state", (state) => this.update(state));
+    studio.store.on(
+      "state",
+      calmly((state) => this.update(state)),
+    );
   }
 
   update(state) {
@@ -35,15 +38,7 @@ export class CostPanel {
     ];
     setText(this.rest, parts.filter(Boolean).join(" · "));
     this.F.classList.toggle("pending", !state.settled);
-    const key = state.revision;
-    if (key === this.key || performance.now() - (this.at ?? 0) < 150) return this.later(state);
     this.showTerms(state);
-  }
-
-  /** The table follows five times a second; the last state is always shown. */
-  later(state) {
-    clearTimeout(this.timer);
-    this.timer = setTimeout(() => this.showTerms(state), 200);
   }
 
   taskName(i) {
@@ -51,8 +46,6 @@ export class CostPanel {
   }
 
   showTerms(state) {
-    this.key = state.revision;
-    this.at = performance.now();
     const terms = [...(state.terms ?? [])].sort((a, b) => b.value - a.value);
     const most = terms[0]?.value || 1;
     const rows = terms.slice(0, MOST_TERMS).map(({ name, words, value }) => {

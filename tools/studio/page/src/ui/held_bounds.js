@@ -4,6 +4,7 @@ import { get } from "../session/api.js";
 import { atMost } from "./rate.js";
 
 const LINGER = 700; // ms after the hand is off
+const SOON = 200; // ms after which they are asked for: the first edits come first
 const ANEW = 500; // ms between ghosts that follow the motion
 
 export class HeldBounds {
@@ -13,7 +14,7 @@ export class HeldBounds {
     studio.store.on("held", ({ name, phase }) => this.take(name, phase));
     studio.store.on(
       "motion",
-      atMost(ANEW, () => this.name && this.load()),
+      atMost(ANEW, () => this.loaded && this.load()),
     );
     studio.store.on("forgotten", () => this.end());
   }
@@ -28,11 +29,14 @@ export class HeldBounds {
     }
     if (this.name === name) return;
     this.name = name;
-    this.load();
+    this.loaded = false;
+    clearTimeout(this.soon);
+    this.soon = setTimeout(() => this.load(), SOON);
   }
 
   load() {
     const { studio, name } = this;
+    this.loaded = true;
     const task = studio.store.get("task") ?? 0;
     studio.latest("bounds", async () => {
       const found = await get(`/api/bounds?name=${encodeURIComponent(name)}&task=${task}`);
@@ -42,7 +46,9 @@ export class HeldBounds {
 
   end() {
     if (this.name === null) return;
+    clearTimeout(this.soon);
     this.name = null;
+    this.loaded = false;
     this.studio.view.setBounds(null);
   }
 }

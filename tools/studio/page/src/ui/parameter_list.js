@@ -3,6 +3,7 @@
 import { fill, h } from "../dom.js";
 import { words } from "../units.js";
 import { ParameterRow, stepOf } from "./parameter_row.js";
+import { calmly } from "./rate.js";
 
 /** Where a parameter stands: its own group, or what its name and unit say. */
 function groupOf(parameter) {
@@ -17,7 +18,10 @@ export class ParameterList {
     this.rows = new Map();
     this.element = h("div.parameter-list");
     studio.store.on("document", (document) => this.build(document));
-    studio.store.on("state", () => this.update());
+    studio.store.on(
+      "state",
+      calmly(() => this.update()),
+    );
     studio.selection.on(() => this.showSelection());
     this.element.addEventListener("keydown", (event) => this.key(event));
   }

@@ -19,3 +19,8 @@ export function atMost(ms, act) {
     else timer = setTimeout(run, wait);
   };
 }
+
+const CALM = 150; // ms: what is read, not watched
+
+/** `act`, as often as a panel's numbers need to be drawn anew while something moves. */
+export const calmly = (act) => atMost(CALM, act);

@@ -2,7 +2,7 @@
 // The cycle as a timeline: which foot stands when, what is wrong when, and where the picture is. Of
 // a run in physics all of it instead, to be scrubbed. Knows the scene alone, so a report has it, too.
 import { fill, h, icon, setText, svg } from "../dom.js";
-import { atMost } from "./rate.js";
+import { atMost, calmly } from "./rate.js";
 
 const ROW = 9; // of the drawing's units
 const FAULTS = 4; // of what is wrong with no foot
@@ -48,6 +48,12 @@ export class Timeline {
       this.clock,
     );
     this.drawRunSoon = atMost(250, () => this.run && this.drawRun());
+    this.drawSoon = calmly(() => view.player && !this.run && this.draw(view.player));
+    this.tell = calmly((share, text, spoken) => {
+      this.slider.valueAsNumber = share;
+      setText(this.clock, text);
+      this.slider.setAttribute("aria-valuetext", spoken);
+    });
     view.onPlaying = () => this.showPlaying();
     view.onPose = () => this.showPhase();
     this.showPlaying();
@@ -105,17 +111,15 @@ export class Timeline {
     const run = Boolean(view.live && view.recording.frames.length > 1);
     if (run !== Boolean(this.run)) this.showRuns(run);
     if (run) return this.showRun();
-    if (view.player && view.player !== this.player) this.draw(view.player);
+    if (view.player && view.player !== this.player) this.drawSoon();
     const phase = view.live ? (view.live.phase ?? 0) : view.phase();
     const shown = phase.toFixed(3);
     if (shown === this.shownPhase) return;
     this.shownPhase = shown;
-    this.head.style.left = `${(100 * phase).toFixed(2)}%`;
-    this.slider.valueAsNumber = phase;
-    const period = view.player?.period ?? 0;
+    this.moveHead(phase);
+    const period = (view.player?.period ?? 0).toFixed(2);
     const seconds = (phase * period).toFixed(2);
-    setText(this.clock, `${seconds} / ${period.toFixed(2)} s`);
-    this.slider.setAttribute("aria-valuetext", `${seconds} of ${period.toFixed(2)} seconds`);
+    this.tell(phase, `${seconds} / ${period} s`, `${seconds} of ${period} seconds`);
   }
 
   /** Changes between the cycle and a run in physics. */
@@ -135,12 +139,15 @@ export class Timeline {
       this.showPlaying();
     }
     const share = recording.seconds > 0 ? (recording.at - recording.begin) / recording.seconds : 0;
-    this.head.style.left = `${(100 * share).toFixed(2)}%`;
-    this.slider.valueAsNumber = share;
+    this.moveHead(share);
     const [at, end] = [recording.at.toFixed(2), recording.end.toFixed(2)];
-    setText(this.clock, `${at} / ${end} s`);
-    this.slider.setAttribute("aria-valuetext", `${at} of ${end} seconds of the run`);
+    this.tell(share, `${at} / ${end} s`, `${at} of ${end} seconds of the run`);
     this.drawRunSoon();
+  }
+
+  /** A layer of its own: nothing else is painted anew. @param {number} share of the track */
+  moveHead(share) {
+    this.head.style.transform = `translateX(${(100 * share).toFixed(2)}%)`;
   }
 
   /** When each foot stood in physics, and from when on the robot lay. */
