@@ -165,8 +165,8 @@ class Session {
   // The worker's own.
   SessionEngine engine_;
   SessionJournal journal_;
-  DragPace pace_;       // of solving
-  bool moves_ = false;  // a hand holds what was moved last
+  DragPace pace_;                     // of solving
+  bool moves_ = false;                // a hand holds what was moved last
   DragPace::Clock::duration took_{};  // solving for motions, the last time
   std::thread worker_;
   std::mutex joining_;  // of the worker, by close() alone
