@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "mjcf/read/moving_parts.hpp"
 #include "mjcf/text/compile.hpp"
@@ -14,7 +14,6 @@
 namespace legwright {
 namespace {
 
-using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double kSmallMass = 1e-3;    // of the robot's: what weighs less is a stand-in
@@ -123,27 +122,6 @@ std::vector<std::string> wide_inertias(const RobotModel& robot) {
     if (spread.is_wide()) out.push_back(name_of(*model, mjOBJ_BODY, body));
   });
   return out;
-}
-
-std::optional<Vector3d> box_moments(const mjModel& model, int body) {
-  if (body < 0) return std::nullopt;
-  const DataPointer data = kinematics_at(model, nullptr, "");
-  const Matrix3d axes = matrix_at(data->xmat, body);
-  Eigen::AlignedBox3d box;
-  for (int g = 0; g < model.ngeom; ++g) {
-    if (!are_welded(model, model.geom_bodyid[g], body)) continue;
-    const Vector3d middle = vector_at(model.geom_aabb, 2 * g);
-    const Vector3d half = vector_at(model.geom_aabb, 2 * g + 1);
-    for (int corner = 0; corner < 8; ++corner) {
-      const Vector3d signs(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
-      const Vector3d at = vector_at(data->geom_xpos, g) +
-                          matrix_at(data->geom_xmat, g) * (middle + signs.cwiseProduct(half));
-      box.extend(Vector3d(axes.transpose() * (at - vector_at(data->xpos, body))));
-    }
-  }
-  if (box.isEmpty()) return std::nullopt;
-  const Vector3d squares = box.sizes().cwiseAbs2();
-  return model.body_mass[body] / 12.0 * (Vector3d::Constant(squares.sum()) - squares);
 }
 
 }  // namespace legwright

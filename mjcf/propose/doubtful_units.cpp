@@ -18,8 +18,8 @@ constexpr double kLongestLeg = 10.0;  // [m]; large robots have some 1.5
 // [kg/m³]: mass over the cube of a leg's length. Robots of 1 to 130 kg have 50 to 1500, in grams a
 // thousand times as much.
 constexpr double kDensest = 2e4;
-// Torque limits over twice what carries the robot on stretched legs; strong legs have some 5.
-constexpr double kPlaceholder = 10.0;
+// Of what carries the robot on stretched legs; strong legs have some ten times that.
+constexpr double kPlaceholder = 20.0;
 constexpr double kWidestRange = 4.0 * std::numbers::pi;  // [rad], either way
 
 std::string of_ranges(const RobotModel& robot) {
@@ -48,14 +48,14 @@ std::string of_torques(const RobotModel& robot) {
   std::vector<std::string> names;
   double most = 0.0;
   for (const Servo& servo : robot.servos) {
-    if (!servo.tendon.empty() || !(servo.torque_limit > kPlaceholder * 2.0 * carries)) continue;
+    if (!servo.tendon.empty() || !(servo.torque_limit > kPlaceholder * carries)) continue;
     if (!std::isfinite(servo.torque_limit)) continue;  // nobody gave it one
     names.push_back(servo.joint);
     most = std::max(most, servo.torque_limit);
   }
   if (names.empty()) return "";
   return fmt::format(
-      "torque limits of {:.3g} N m ({}) are {:.2g} times what carries the robot on stretched legs: "
+      "torque limits of {:.3g} N m ({}) are {:.3g} times what carries the robot on stretched legs: "
       "they seem to be placeholders, with which no plan is too strong for its motors and no "
       "verdict "
       "tells so; write what the motors give",

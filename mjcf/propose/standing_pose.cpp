@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -37,6 +37,7 @@ constexpr double kUnevenEnds = 0.25;     // of the reach: ends of legs at differ
 constexpr double kOffTheGround = 5e-3;   // [m]: drawn by hand, feet are nearer
 constexpr double kAsLowAsFeet = 1e-3;    // [m]: as low as the feet
 constexpr double kMostShiftToCom = 0.2;  // of the reach, towards the centre of mass
+constexpr double kFrameElsewhere = 0.2;  // of the hips' spread: off their middle
 constexpr double kPoseGrain = 1e6;       // numbers are written to a millionth
 constexpr double kLevelTrunk = 0.99;     // least cosine of the trunk's tilt
 constexpr double kBendAlike = 0.9;       // least cosine between the planes of legs that bend alike
@@ -190,12 +191,22 @@ class PoseFinder {
     return out;
   }
 
+  /// The trunk's frame, or the middle of the hips where that is elsewhere.
+  Vector3d middle_of_hips() const {
+    const Vector3d trunk = Vector3d::Map(data_->xpos + std::ptrdiff_t{3} * trunk_);
+    Eigen::AlignedBox3d hips;
+    for (const SearchedLeg& leg : legs_) hips.extend(leg.anchors.front());
+    const Vector3d off = hips.center() - trunk;
+    return off.head<2>().norm() > kFrameElsewhere * hips.sizes().head<2>().norm() ? hips.center()
+                                                                                  : trunk;
+  }
+
   /// Whether an earlier leg has this one as its mirror image left or right, which then stands as
   /// that does. @param along where all legs bend, or zero: then to the trunk's x
   bool is_mirrored(std::size_t leg, const Vector3d& along, double ground) {
-    const Vector3d trunk = Vector3d::Map(data_->xpos + std::ptrdiff_t{3} * trunk_),
-                   plane = std::abs(along.y()) > std::abs(along.x()) ? Vector3d(-1.0, 1.0, 1.0)
-                                                                     : Vector3d(1.0, -1.0, 1.0);
+    const Vector3d trunk = middle_of_hips(), plane = std::abs(along.y()) > std::abs(along.x())
+                                                         ? Vector3d(-1.0, 1.0, 1.0)
+                                                         : Vector3d(1.0, -1.0, 1.0);
     return std::any_of(legs_.begin(), legs_.begin() + static_cast<std::ptrdiff_t>(leg),
                        [&](const SearchedLeg& earlier) {
                          return legs_[leg].mirror(earlier, trunk, plane, model_, *data_) &&

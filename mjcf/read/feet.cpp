@@ -201,6 +201,11 @@ Vector3d lowest_place(const mjModel& model, const mjData& data, int geom) {
     case mjGEOM_CYLINDER:
       at -= std::copysign(model.geom_size[3 * geom + 1], axes(2, 2)) * axes.col(2);
       break;
+    case mjGEOM_ELLIPSOID: {
+      const Vector3d d = down(data, geom);
+      at += axes * half.cwiseAbs2().cwiseProduct(d) / half.cwiseProduct(d).norm();
+      break;
+    }
     case mjGEOM_BOX:
       for (Eigen::Index k = 0; k < 3; ++k) at -= side(axes(2, k)) * half[k] * axes.col(k);
       break;

@@ -107,16 +107,22 @@ std::vector<Limb> find_limbs(const Morphology& morphology, const VectorXd& s,
 }
 
 double middle_of_sides(const std::vector<Limb>& limbs, Across across) {
-  constexpr double kRounded = 1e-4;  // [m]
+  constexpr double kOffMiddle = 0.1;  // of the spread of the feet: a frame is not in their middle
   const auto side = static_cast<int>(across);
+  if (limbs.empty()) return 0.0;
+  Eigen::AlignedBox3d around;
+  double middles = 0.0;
+  int paired = 0;
   for (const Limb& limb : limbs) {
+    around.extend(limb.home);
     if (limb.partner < 0) continue;
-    const double at =
-        (limb.home[side] + limbs[static_cast<std::size_t>(limb.partner)].home[side]) / 2.0;
-    const double apart = std::abs(limb.home[side] - at);
-    return std::abs(at) > std::max(kRounded, kMirroredAlike * apart) ? at : 0.0;
+    middles += limb.home[side];
+    ++paired;
   }
-  return 0.0;
+  const double centre = around.center()[side];
+  if (paired == 0) return std::abs(centre) > kOffMiddle * around.sizes()[side] ? centre : 0.0;
+  const double at = middles / paired;
+  return std::abs(at) <= std::abs(at - centre) ? 0.0 : centre;
 }
 
 std::string row_name(int row, int rows) {

@@ -25,15 +25,15 @@ struct Limb {
 Across sides_across(const Eigen::Vector2d& ahead);
 
 /// The limbs of a robot, front to hind, left before right: rows by where the feet stand in the home
-/// pose, partners by geometry (same number of joints, feet mirrored to a hundredth of the leg),
+/// pose, partners by geometry (same number of joints, feet mirrored to three hundredths of the leg),
 /// across the plane through the trunk's frame, or, where that has fewer pairs, in the middle of the
 /// feet.
 /// @param s the design. @param ahead where it faces: one of ±x, ±y of the trunk's frame
 std::vector<Limb> find_limbs(const Morphology& morphology, const Eigen::VectorXd& s,
                              const Eigen::Vector2d& ahead = Eigen::Vector2d::UnitX());
 
-/// Where the plane between the sides lies across which find_limbs() paired limbs: the middle of the
-/// first pair, 0 where there is none or nothing but a rounding error [m].
+/// Where the plane lies across which find_limbs() paired limbs: 0, or the middle of the feet. Of
+/// limbs without pairs it is that middle where the trunk's frame is far off it [m].
 double middle_of_sides(const std::vector<Limb>& limbs, Across across);
 
 /// What the rows are called: front and hind, front, middle and hind; nothing for one row.

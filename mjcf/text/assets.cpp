@@ -109,12 +109,19 @@ std::vector<FoundAsset> find_assets(const XmlFile& xml, const fs::path& folder,
     out.push_back(
         {&element, {found.path, found.source, found.bytes, false}, path_below(path) == found.path});
   };
+  const auto told = [&](const auto& work) {
+    try {
+      work();
+    } catch (const InputError& error) {
+      reasons.add(error);
+    }
+  };
   auto next = references.begin();
   for_each_element(xml.root(), [&](const XmlElement& element) {
-    pictures.add(xml, element);
+    told([&] { pictures.add(xml, element); });
     for (; next != references.end() && next->element == &element; ++next) {
       if (next->may)
-        add(*next);
+        told([&] { add(*next); });
       else
         reasons.add(xml.error(
             element, fmt::format("refers to the file '{}'; only <include>, meshes, textures and "

@@ -30,10 +30,10 @@ struct FoundAsset {
   bool gathered;  // the reference is the file's path, below the folder
 };
 
-/// The files of all asset_references(). Throws InputError at the elements whose files find_file()
-/// refuses or that must not name one, all at once; else at the first whose file brings all together
-/// over 1 GB or is a PNG picture of more than 16384 pixels a side, and where textures and height
-/// fields take too much memory (PictureMemory).
+/// The files of all asset_references(). Throws one InputError for all elements whose files
+/// find_file() refuses, that bring all together over 1 GB, or are PNG pictures of more than 16384
+/// pixels a side; where textures and height fields take too much memory (PictureMemory); and that
+/// must not name a file.
 std::vector<FoundAsset> find_assets(const XmlFile& xml, const std::filesystem::path& folder,
                                     const FileReach& reach);
 

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <fstream>
 #include <system_error>
 
 #include "mjcf/text/input_error.hpp"
@@ -57,7 +58,11 @@ std::string fault_of_words(const std::string& reference) {
 bool is_lfs_pointer(const fs::path& file, std::uintmax_t bytes) {
   constexpr std::string_view kHead = "version https://git-lfs.github.com/";
   constexpr std::uintmax_t kMostBytesOfPointer = 1024;
-  return bytes <= kMostBytesOfPointer && read_regular_file(file, kHead.size()).starts_with(kHead);
+  if (bytes > kMostBytesOfPointer) return false;
+  std::string head(kHead.size(), '\0');
+  std::ifstream(file, std::ios::binary)
+      .read(head.data(), static_cast<std::streamsize>(head.size()));
+  return head == kHead;
 }
 
 class Descriptor {

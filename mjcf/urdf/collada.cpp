@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <memory>
 #include <numbers>
@@ -23,9 +24,10 @@ using Eigen::Affine3d;
 using Eigen::Vector3d;
 
 constexpr XmlLimits kLimits{std::size_t{64} << 20, std::size_t{1} << 20, 200'000, 90};
-constexpr int kDeepest = 32;                       // nodes that show others
-constexpr int kMostNodes = 100'000;                // shown, however they are named
-constexpr std::size_t kMostTriangles = 4'000'000;  // of one file, however often it shows a part
+constexpr int kDeepest = 32;       // nodes that show others
+constexpr double kFarthest = 1e6;  // [m]
+// Numbers read, parts shown and corners placed: some ten times what parts of robots have.
+constexpr std::size_t kMostWork = 20'000'000, kWorkOfPart = 100;
 
 template <class Visit>
 void for_each_child(const XmlElement& parent, const char* name, const Visit& visit) {
@@ -52,16 +54,10 @@ class ColladaReader {
       if (has_attribute(element, "id")) by_id_[std::string(attribute(element, "id"))] = &element;
     });
     const Affine3d scaled(Eigen::Scaling(metres_per_unit(root)));
-    bool shown = false;
-    for_each_child(root, "library_visual_scenes", [&](const XmlElement& library) {
-      for_each_child(library, "visual_scene", [&](const XmlElement& scene) {
-        for_each_child(scene, "node", [&](const XmlElement& node) {
-          shown = true;
-          add_node(node, scaled);
-        });
-      });
-    });
-    if (!shown)
+    const XmlElement* const scene = scene_of(root);
+    if (scene != nullptr)
+      for_each_child(*scene, "node", [&](const XmlElement& node) { add_node(node, scaled); });
+    if (scene == nullptr || scene->FirstChildElement("node") == nullptr)
       for_each_child(root, "library_geometries", [&](const XmlElement& library) {
         for_each_child(library, "geometry",
                        [&](const XmlElement& geometry) { add_geometry(geometry, scaled); });
@@ -71,6 +67,26 @@ class ColladaReader {
   }
 
  private:
+  /// The scene that the file shows: the one that <scene> names, else the first.
+  const XmlElement* scene_of(const XmlElement& root) const {
+    const XmlElement* const shown = root.FirstChildElement("scene");
+    const XmlElement* const instance =
+        shown ? shown->FirstChildElement("instance_visual_scene") : nullptr;
+    if (instance != nullptr)
+      if (const XmlElement* const scene = named(attribute(*instance, "url"))) return scene;
+    const XmlElement* const library = root.FirstChildElement("library_visual_scenes");
+    return library ? library->FirstChildElement("visual_scene") : nullptr;
+  }
+
+  /// Throws where a small file asks for more than any robot needs.
+  void spend(const XmlElement& at, std::size_t work) {
+    work_ += work;
+    if (work_ > kMostWork)
+      throw xml_->error(at,
+                        "the file shows more than any robot has: parts within parts, or "
+                        "millions of points; simplify it");
+  }
+
   double metres_per_unit(const XmlElement& root) const {
     const XmlElement* const asset = root.FirstChildElement("asset");
     const XmlElement* const unit = asset ? asset->FirstChildElement("unit") : nullptr;
@@ -84,6 +100,7 @@ class ColladaReader {
   std::vector<double> numbers_of(const XmlElement& element, std::optional<std::size_t> count = {}) {
     auto numbers = parse_numbers(text_of(element));
     if (!numbers) throw xml_->error(element, explain_bad_number(text_of(element)));
+    spend(element, numbers->size());
     if (count && numbers->size() != *count)
       throw xml_->error(element,
                         fmt::format("holds {} numbers, {} are expected", numbers->size(), *count));
@@ -122,8 +139,9 @@ class ColladaReader {
   }
 
   void add_node(const XmlElement& node, const Affine3d& above, int depth = 0) {
-    if (depth > kDeepest || ++nodes_ > kMostNodes)
-      throw xml_->error(node, "shows nodes within nodes without end");
+    spend(node, kWorkOfPart);
+    if (depth > kDeepest)
+      throw xml_->error(node, "shows nodes within nodes, deeper than 32: without end?");
     const Affine3d here = above * placed(node);
     for_each_child(node, "instance_geometry", [&](const XmlElement& instance) {
       const XmlElement* const geometry = named(attribute(instance, "url"));
@@ -143,14 +161,16 @@ class ColladaReader {
     const auto known = parts_.find(mesh);
     const DrawnMesh& part =
         known != parts_.end() ? known->second : parts_[mesh] = triangles_of(*mesh);
-    if (out_.triangles() + part.triangles() > kMostTriangles)
-      throw xml_->error(geometry,
-                        fmt::format("the file shows more than {} triangles", kMostTriangles));
+    spend(geometry, kWorkOfPart + part.vertices.size() + part.faces.size());
     const auto first = static_cast<std::uint32_t>(out_.vertices.size() / 3);
     for (std::size_t v = 0; v + 2 < part.vertices.size(); v += 3) {
       const Vector3d at =
           place * Vector3d(part.vertices[v], part.vertices[v + 1], part.vertices[v + 2]);
-      for (const double x : at) out_.vertices.push_back(static_cast<float>(x));
+      for (const double x : at) {
+        if (!(std::abs(x) < kFarthest))
+          throw xml_->error(geometry, fmt::format("has a point {:.3g} m away", std::abs(x)));
+        out_.vertices.push_back(static_cast<float>(x));
+      }
     }
     const bool mirrored = place.linear().determinant() < 0.0;
     for (std::size_t f = 0; f + 2 < part.faces.size(); f += 3) {
@@ -169,6 +189,23 @@ class ColladaReader {
     });
     for (const char* kind : {"triangles", "polylist", "polygons"})
       for_each_child(mesh, kind, [&](const XmlElement& faces) { add_faces(faces, out); });
+    return without_unused(out);
+  }
+
+  /// Points of lines and of nothing are left out.
+  static DrawnMesh without_unused(const DrawnMesh& mesh) {
+    constexpr auto kUnused = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> renamed(mesh.vertices.size() / 3, kUnused);
+    DrawnMesh out;
+    for (const std::uint32_t vertex : mesh.faces) {
+      std::uint32_t& own = renamed[vertex];
+      if (own == kUnused) {
+        own = static_cast<std::uint32_t>(out.vertices.size() / 3);
+        const auto from = mesh.vertices.begin() + 3 * static_cast<std::ptrdiff_t>(vertex);
+        out.vertices.insert(out.vertices.end(), from, from + 3);
+      }
+      out.faces.push_back(own);
+    }
     return out;
   }
 
@@ -219,6 +256,7 @@ class ColladaReader {
     const std::vector<double> corners = counts ? numbers_of(*counts) : std::vector<double>();
     for_each_child(faces, "p", [&](const XmlElement& p) {
       const std::vector<double> indices = numbers_of(p);
+      spend(p, corners.size());
       const std::size_t given = indices.size() / corner.size;
       const auto most = static_cast<double>(out.vertices.size() / 3) - 1.0;
       const auto add_fan = [&](std::size_t first, std::size_t size) {
@@ -247,7 +285,7 @@ class ColladaReader {
   std::map<std::string, const XmlElement*> by_id_;
   std::map<const XmlElement*, DrawnMesh> parts_;
   DrawnMesh out_;
-  int nodes_ = 0;
+  std::size_t work_ = 0;
 };
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mjcf/urdf/collada_meshes.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Eigenvalues>
 #include <utility>
 
@@ -31,25 +33,32 @@ bool is_flat(const DrawnMesh& mesh) {
 ColladaMeshes::ColladaMeshes(std::filesystem::path folder, FileReach reach)
     : folder_(std::move(folder)), reach_(std::move(reach)) {}
 
-const DrawnMesh* ColladaMeshes::find(const std::string& path) {
+const ColladaMesh* ColladaMeshes::find(const std::string& path) {
   if (!is_collada(path)) return nullptr;
   auto known = known_.find(path);
-  if (known == known_.end()) known = known_.emplace(path, read(path)).first;
-  return known->second ? &*known->second : nullptr;
+  if (known == known_.end()) {
+    const bool many = known_.size() >= kManyColladaFiles;
+    known = known_.emplace(path, read(path, many ? kFewColladaTriangles : kColladaTriangles)).first;
+  }
+  return &known->second;
 }
 
-std::optional<DrawnMesh> ColladaMeshes::read(const std::string& path) const {
+ColladaMesh ColladaMeshes::read(const std::string& path, int triangles) const {
+  ColladaMesh out;
   const FoundFile found = find_file(folder_, path, kMostBytes, reach_);
-  if (!found.fault.empty()) return std::nullopt;
+  out.fault = found.fault;
+  if (!out.fault.empty()) return out;
   try {
-    DrawnMesh mesh = read_collada(read_regular_file(found.source, kMostBytes), found.source);
-    const auto triangles = static_cast<double>(mesh.triangles());
-    mesh = simpler_mesh(std::move(mesh), kMostColladaTriangles / triangles);
-    if (is_flat(mesh)) return std::nullopt;
-    return mesh;
-  } catch (const InputError&) {
-    return std::nullopt;
+    out.mesh = read_collada(read_regular_file(found.source, kMostBytes), found.source);
+  } catch (const InputError& error) {
+    out.fault = fmt::format("is no Collada that can be read: {}", error.what());
+    return out;
   }
+  const auto all = static_cast<double>(out.mesh.triangles());
+  out.mesh = simpler_mesh(std::move(out.mesh), triangles / all);
+  out.is_flat = is_flat(out.mesh);
+  if (out.is_flat) out.fault = "is flat, of which MuJoCo makes no mesh";
+  return out;
 }
 
 }  // namespace legwright

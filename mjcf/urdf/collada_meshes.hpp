@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <map>
-#include <optional>
 #include <string>
 
 #include "mjcf/shape/simpler_mesh.hpp"
@@ -11,8 +11,17 @@
 
 namespace legwright {
 
-/// Triangles that a Collada file keeps: enough for pictures of a robot.
-inline constexpr int kMostColladaTriangles = 3000;
+/// Triangles, about, that each of the first files keeps, enough for pictures of a robot, and each of
+/// many more, so that an MJCF holds them all.
+inline constexpr int kColladaTriangles = 3000, kFewColladaTriangles = 100;
+inline constexpr std::size_t kManyColladaFiles = 32;
+
+/// A Collada file as a mesh, or why it is none.
+struct ColladaMesh {
+  DrawnMesh mesh;
+  std::string fault;     // as a text of find_file() or read_collada(); empty: `mesh` holds it
+  bool is_flat = false;  // the fault is that the file has no volume, of which MuJoCo makes no mesh
+};
 
 /// The Collada files (.dae) that a URDF names, each read once (read_collada()) and simplified.
 class ColladaMeshes {
@@ -20,16 +29,15 @@ class ColladaMeshes {
   /// @param folder of the URDF @param reach where its files may lie
   ColladaMeshes(std::filesystem::path folder, FileReach reach);
 
-  /// The mesh of a file; null for other files and for those that cannot be read, hold no triangles
-  /// or are flat, of which MuJoCo makes no mesh. @param path from the folder, or absolute
-  const DrawnMesh* find(const std::string& path);
+  /// Null for files that are not called so. @param path from the folder, or absolute
+  const ColladaMesh* find(const std::string& path);
 
  private:
-  std::optional<DrawnMesh> read(const std::string& path) const;
+  ColladaMesh read(const std::string& path, int triangles) const;
 
   std::filesystem::path folder_;
   FileReach reach_;
-  std::map<std::string, std::optional<DrawnMesh>> known_;
+  std::map<std::string, ColladaMesh> known_;
 };
 
 }  // namespace legwright

@@ -7,9 +7,11 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "mjcf/propose/doubtful_masses.hpp"
 #include "mjcf/propose/doubtful_units.hpp"
+#include "mjcf/shape/box_moments.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/input_error.hpp"
 #include "mjcf/text/model_arrays.hpp"
@@ -28,6 +30,7 @@ class BodyMender {
   mjsBody& run(const std::filesystem::path& file) {
     forget_empty_masses();
     mjsBody& trunk = find_trunk();
+    anchor_below(trunk);
     mend(trunk, true);
     if (!anchored_.empty())
       notes_.push_back(fmt::format(
@@ -43,8 +46,9 @@ class BodyMender {
     if (!massless_.empty())
       throw InputError(
           file.string(), 0, several ? "links" : "link",
-          fmt::format("{} {} and neither {} nor what is fixed there has an <inertial>; give mass "
-                      "and moments of inertia, without which no motion can be planned",
+          fmt::format("{} {} and neither {} nor what is fixed there has an <inertial> with a mass "
+                      "above 0; give mass and moments of inertia, without which no motion can be "
+                      "planned",
                       fmt::join(massless_, ", "), several ? "move" : "moves",
                       several ? "they" : "it"));
     return trunk;
@@ -55,7 +59,7 @@ class BodyMender {
   void forget_empty_masses() {
     for_each(spec_, mjOBJ_BODY, [](mjsElement* element) {
       mjsBody& body = *mjs_asBody(element);
-      if (!(body.mass > 0.0)) body.explicitinertial = 0;
+      if (body.mass == 0.0) body.explicitinertial = 0;
     });
   }
 
@@ -93,7 +97,6 @@ class BodyMender {
   }
 
   void mend(mjsBody& body, bool is_trunk) {
-    if (!is_trunk) anchor(body);
     const bool moves = is_trunk || count_of(body, mjOBJ_JOINT) > 0;
     if (moves && body.explicitinertial == 0) take_mass(body);
     if (body.explicitinertial != 0) balance(body);
@@ -101,6 +104,13 @@ class BodyMender {
   }
 
   /// MuJoCo lets no body float below another.
+  void anchor_below(mjsBody& body) {
+    for_each(body, mjOBJ_BODY, [&](mjsElement* below) {
+      anchor(*mjs_asBody(below));
+      anchor_below(*mjs_asBody(below));
+    });
+  }
+
   void anchor(mjsBody& body) {
     mjsElement* floating = nullptr;
     for_each(body, mjOBJ_JOINT, [&](mjsElement* joint) {
@@ -184,9 +194,12 @@ UrdfMending mending_of(const RobotModel& robot, const std::vector<std::string>& 
   std::vector<std::string> boxed = without_moments;
   for (std::string& wide : wide_inertias(robot)) boxed.push_back(std::move(wide));
   UrdfMending out{2.0 * carrying_torque(robot.morphology), touching_bodies(*model, robot.file), {}};
-  for (const std::string& name : boxed)
-    if (const auto moments = box_moments(*model, mj_name2id(model.get(), mjOBJ_BODY, name.c_str())))
+  const DataPointer data = kinematics_at(*model, nullptr, robot.file);
+  for (const std::string& name : boxed) {
+    const int body = mj_name2id(model.get(), mjOBJ_BODY, name.c_str());
+    if (const auto moments = body < 0 ? std::nullopt : box_moments(*model, *data, body))
       out.moments[name] = *moments;
+  }
   return out;
 }
 

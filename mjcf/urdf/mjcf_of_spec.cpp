@@ -84,9 +84,9 @@ std::vector<std::string> names_of(mjSpec& spec, mjtObj type) {
 
 class MjcfWriter {
  public:
-  MjcfWriter(mjSpec& spec, const UrdfMending& mending, ColladaMeshes& collada,
+  MjcfWriter(mjSpec& spec, const UrdfMending& mending, const MeshSources& meshes,
              std::vector<std::string>& notes)
-      : spec_(spec), mending_(mending), collada_(collada), notes_(notes) {
+      : spec_(spec), mending_(mending), meshes_(meshes), notes_(notes) {
     for_each(spec_, mjOBJ_EQUALITY, [&](mjsElement* element) {
       coupled_.insert(mjs_getString(mjs_asEquality(element)->name1));
     });
@@ -115,10 +115,12 @@ class MjcfWriter {
     out_.OpenElement("asset");
     for_each(spec_, mjOBJ_MESH, [&](mjsElement* element) {
       const mjsMesh& mesh = *mjs_asMesh(element);
-      const std::string file = mjs_getString(mesh.file);
+      std::string file = mjs_getString(mesh.file);
+      if (const auto real = meshes_.path_of.find(file); real != meshes_.path_of.end())
+        file = real->second;
       XmlAttributes own{{"name", element_name(element)}};
-      if (const DrawnMesh* const drawn = collada_.find(file))
-        add_drawn(*drawn, own);
+      if (const ColladaMesh* const found = meshes_.collada.find(file))
+        add_drawn(found->mesh, own);
       else
         own.emplace_back("file", file);
       if (differs(mesh.scale, {1, 1, 1})) own.emplace_back("scale", number_list(mesh.scale, 3));
@@ -263,7 +265,7 @@ class MjcfWriter {
     if (!without_moments_.empty())
       notes_.push_back(
           fmt::format("moments of inertia of {} are 0, and no shape tells them: they "
-                      "get those of a ball of 5 cm",
+                      "get those of a ball of 5 cm radius",
                       listed(without_moments_)));
   }
 
@@ -273,6 +275,8 @@ class MjcfWriter {
     out_.OpenElement("equality");
     for_each(spec_, mjOBJ_EQUALITY, [&](mjsElement* element) {
       const mjsEquality& equality = *mjs_asEquality(element);
+      for (const mjString* name : {equality.name1, equality.name2})
+        if (mjs_findElement(&spec_, mjOBJ_JOINT, mjs_getString(name)) == nullptr) return;
       add_element(out_, "joint",
                   {{"joint1", names_of_joints_(mjs_getString(equality.name1))},
                    {"joint2", names_of_joints_(mjs_getString(equality.name2))},
@@ -333,9 +337,13 @@ class MjcfWriter {
     if (added > 0)
       notes_.push_back(
           fmt::format("{} joints get position servos of their <limit effort>, which "
-                      "they give at an error of {} rad, and {} kg m² of reflected inertia for each "
-                      "N m of that; a URDF has neither",
-                      added, kFullTorqueError, kRotorTime * kDampingTime / kFullTorqueError));
+                      "they give at an error of {} rad; a URDF has no gains",
+                      added, kFullTorqueError));
+    if (added > 0 || !without.empty())
+      notes_.push_back(fmt::format(
+          "motors get the reflected inertia of geared ones, which a URDF has not: {:.2g} "
+          "kg m² for each N m at which their gains saturate",
+          kRotorTime * kDampingTime / kFullTorqueError));
     if (beyond > 0)
       notes_.push_back(
           fmt::format("{} of these torques are more than twice what carries the robot "
@@ -345,7 +353,7 @@ class MjcfWriter {
 
   mjSpec& spec_;
   const UrdfMending& mending_;
-  ColladaMeshes& collada_;
+  const MeshSources& meshes_;
   std::vector<std::string>& notes_;
   tinyxml2::XMLPrinter out_;
   std::set<std::string> names_, coupled_;                   // coupled_: as the spec calls them
@@ -357,8 +365,8 @@ class MjcfWriter {
 }  // namespace
 
 MjcfOfSpec mjcf_of_spec(mjSpec& spec, mjsBody& trunk, const UrdfMending& mending,
-                        ColladaMeshes& collada, std::vector<std::string>& notes) {
-  return MjcfWriter(spec, mending, collada, notes).write(trunk);
+                        const MeshSources& meshes, std::vector<std::string>& notes) {
+  return MjcfWriter(spec, mending, meshes, notes).write(trunk);
 }
 
 }  // namespace legwright

@@ -3,6 +3,7 @@
 
 #include <mujoco/mujoco.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,12 @@
 #include "mjcf/urdf/mend_urdf.hpp"
 
 namespace legwright {
+
+/// Where the meshes of a spec come from.
+struct MeshSources {
+  ColladaMeshes& collada;
+  std::map<std::string, std::string> path_of;  // of files that the spec calls otherwise
+};
 
 struct MjcfOfSpec {
   std::string text;
@@ -20,8 +27,8 @@ struct MjcfOfSpec {
 /// A robot as MuJoCo's reader holds it after reading a URDF, written as MJCF from its trunk on: all
 /// digits of its numbers, names as they are, nothing that is a default. The trunk floats; joints
 /// with a torque limit get position servos, and the reflected inertia of those (kRotorTime).
-/// @param collada whose files are written out @param notes gets a sentence for what was added
+/// @param meshes whose Collada files are written out @param notes gets a sentence for what was added
 MjcfOfSpec mjcf_of_spec(mjSpec& spec, mjsBody& trunk, const UrdfMending& mending,
-                        ColladaMeshes& collada, std::vector<std::string>& notes);
+                        const MeshSources& meshes, std::vector<std::string>& notes);
 
 }  // namespace legwright

@@ -47,8 +47,8 @@ void refuse_macros(const XmlFile& xml) {
 /// What MuJoCo's reader is told: to keep links and pictures, and to take paths as they are.
 class UrdfEdits {
  public:
-  UrdfEdits(const XmlFile& xml, const fs::path& folder, ColladaMeshes& collada, MjcfOfUrdf& out)
-      : folder_(folder), collada_(collada), out_(out) {
+  UrdfEdits(const XmlFile& xml, MeshSources& meshes, MjcfOfUrdf& out)
+      : xml_(xml), folder_(xml.file.parent_path()), meshes_(meshes), out_(out) {
     document_.Parse(xml.text.data(), xml.text.size());
   }
 
@@ -58,16 +58,7 @@ class UrdfEdits {
     for (XmlElement* link = root.FirstChildElement("link"); link != nullptr;
          link = link->NextSiblingElement("link"))
       for (const char* shape : {"visual", "collision"}) edit_shapes(*link, shape);
-    tell(UrdfMeshKind::other_format,
-         "that MuJoCo cannot read, with an .stl or .obj in their place");
-    tell(UrdfMeshKind::collada,
-         fmt::format("of Collada, which MuJoCo cannot read, written into the MJCF, of at most {} "
-                     "triangles each",
-                     kMostColladaTriangles));
-    tell(UrdfMeshKind::unreadable,
-         "left out, as MuJoCo cannot read them (an .stl or .obj of the same "
-         "name beside them would be taken)");
-    tell(UrdfMeshKind::missing, "that are not there, pictures left out");
+    tell_meshes();
     tell_empty_ranges(root);
     tinyxml2::XMLPrinter printer;
     document_.Print(&printer);
@@ -118,35 +109,79 @@ class UrdfEdits {
       XmlElement* const mesh = geometry ? geometry->FirstChildElement("mesh") : nullptr;
       const char* const name = mesh ? mesh->Attribute("filename") : nullptr;
       if (name != nullptr) {
-        UrdfMeshFile found = find_urdf_mesh(name, folder_, mesh_folder_);
-        if (found.kind == UrdfMeshKind::collada && collada_.find(found.path) == nullptr)
-          found.kind = UrdfMeshKind::unreadable;
         const bool only_seen = kind == std::string_view("visual");
-        names_[found.kind].insert(fs::path(name).filename().string());
-        // What may touch must be there: its reader says where it was looked for.
-        if (found.kind == UrdfMeshKind::unreadable ||
-            (found.kind == UrdfMeshKind::missing && only_seen))
+        if (const std::string path = path_of_mesh(name, link, only_seen); path.empty())
           link.DeleteChild(shape);
         else
-          mesh->SetAttribute("filename", found.path.c_str());
+          mesh->SetAttribute("filename", spec_name(path).c_str());
       }
       shape = next;
     }
   }
 
-  void tell(UrdfMeshKind kind, const std::string& what) {
-    const auto found = names_.find(kind);
-    if (found == names_.end()) return;
-    out_.left_out.push_back(
-        fmt::format("meshes {}: {}", what, listed({found->second.begin(), found->second.end()})));
-    out_.notes.push_back(out_.left_out.back());
+  /// Where a mesh lies; empty: it is left out. What may touch must be there.
+  std::string path_of_mesh(const std::string& name, const XmlElement& link, bool only_seen) {
+    const UrdfMeshFile found = find_urdf_mesh(name, folder_, mesh_folder_);
+    const std::string shown = fs::path(name).filename().string();
+    const bool missing = found.kind == UrdfMeshKind::missing;
+    std::string fault;
+    if (found.kind == UrdfMeshKind::unreadable) fault = "is of a format that MuJoCo cannot read";
+    if (missing && only_seen) fault = "is not there";
+    bool colliding = false;
+    if (const ColladaMesh* const read = missing ? nullptr : meshes_.collada.find(found.path)) {
+      fault = read->fault;
+      colliding = !only_seen && !read->is_flat && !fault.empty();
+    }
+    if (colliding)
+      throw InputError(xml_.file.string(), 0, fmt::format("link '{}'", attribute(link, "name")),
+                       fmt::format("the file '{}', which may touch, {}", found.path, fault));
+    if (fault.empty()) {
+      names_[found.kind].insert(shown);
+      return found.path;
+    }
+    left_out_[fault].insert(shown);
+    return "";
   }
 
+  /// The path by which MuJoCo's reader is told of a mesh. It calls meshes by their files without
+  /// folder and ending, and takes those that are called alike for one: each gets its own.
+  std::string spec_name(const std::string& path) {
+    const fs::path file = path;
+    std::string stem = file.stem().string();
+    for (int n = 2; path_of_stem_.emplace(stem, path).first->second != path; ++n)
+      stem = fmt::format("{}_{}", file.stem().string(), n);
+    if (stem == file.stem()) return path;
+    const std::string alias = stem + file.extension().string();
+    meshes_.path_of[alias] = path;
+    return alias;
+  }
+
+  void tell_meshes() {
+    const auto listed_in = [](const std::set<std::string>& names) {
+      return listed({names.begin(), names.end()});
+    };
+    if (const auto found = names_.find(UrdfMeshKind::other_format); found != names_.end())
+      out_.notes.push_back(
+          fmt::format("meshes that MuJoCo cannot read, with an .stl or .obj in their place: {}",
+                      listed_in(found->second)));
+    if (const auto found = names_.find(UrdfMeshKind::collada); found != names_.end())
+      out_.notes.push_back(fmt::format(
+          "meshes of Collada, which MuJoCo cannot read, written into the MJCF, of about "
+          "{} triangles each at most: {}",
+          kColladaTriangles, listed_in(found->second)));
+    for (const auto& [fault, names] : left_out_)
+      out_.left_out.push_back(fmt::format("left out, as each {}: {}", fault, listed_in(names)));
+    out_.notes.insert(out_.notes.end(), out_.left_out.begin(), out_.left_out.end());
+  }
+
+  const XmlFile& xml_;
   tinyxml2::XMLDocument document_;
   const fs::path folder_;
   std::string mesh_folder_;
-  ColladaMeshes& collada_;
+  MeshSources& meshes_;
   MjcfOfUrdf& out_;
+  std::map<std::string, std::string> path_of_stem_;
+  std::map<std::string, std::set<std::string>> left_out_;  // by why
   std::map<UrdfMeshKind, std::set<std::string>> names_;
 };
 
@@ -186,7 +221,8 @@ UrdfReader::UrdfReader(const std::string& text, const fs::path& file, const File
 
 MjcfOfUrdf UrdfReader::read(const UrdfMending& mending) {
   MjcfOfUrdf out;
-  const std::string mended = UrdfEdits(*xml_, file_.parent_path(), collada_, out).apply();
+  MeshSources meshes{collada_, {}};
+  const std::string mended = UrdfEdits(*xml_, meshes, out).apply();
   call_engine(file_, [&] {
     std::array<char, 1000> error{};
     const SpecPointer spec(
@@ -194,7 +230,7 @@ MjcfOfUrdf UrdfReader::read(const UrdfMending& mending) {
     if (!spec)
       throw InputError(file_.string(), 0, "URDF", "MuJoCo refuses it: " + reason_of(error.data()));
     mjsBody& trunk = mend_bodies(*spec, file_, out.notes);
-    MjcfOfSpec written = mjcf_of_spec(*spec, trunk, mending, collada_, out.notes);
+    MjcfOfSpec written = mjcf_of_spec(*spec, trunk, mending, meshes, out.notes);
     out.text = std::move(written.text);
     out.without_moments = std::move(written.without_moments);
   });

@@ -18,7 +18,7 @@ namespace legwright {
 struct MjcfOfUrdf {
   std::string text;
   std::vector<std::string> notes;     // what was mended or left out on the way, a sentence each
-  std::vector<std::string> left_out;  // those of them on meshes
+  std::vector<std::string> left_out;  // those of them on meshes that are, which may be missed
   std::vector<std::string> without_moments;  // as mjcf_of_spec() tells them
 };
 

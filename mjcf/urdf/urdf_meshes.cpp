@@ -52,12 +52,16 @@ std::vector<fs::path> places_of(const std::string& name, const fs::path& folder,
     if (const auto in_package = behind(scheme, name)) return places_in_package(*in_package, folder);
   const std::string plain_name = behind("file://", name).value_or(name);
   const fs::path plain = plain_name;
+  std::vector<fs::path> out{folder / mesh_folder / plain, folder / plain,
+                            folder / mesh_folder / plain.filename()};
   // An expanded $(find PKG) is a path of the machine that it was expanded on.
   constexpr std::string_view kShare = "/share/";
-  if (const std::size_t share = plain_name.rfind(kShare);
-      plain.is_absolute() && !is_file(plain) && share != std::string::npos)
-    return places_in_package(plain_name.substr(share + kShare.size()), folder);
-  return {folder / mesh_folder / plain, folder / plain, folder / mesh_folder / plain.filename()};
+  const std::size_t share = plain_name.rfind(kShare);
+  if (plain.is_absolute() && share != std::string::npos) {
+    const auto more = places_in_package(plain_name.substr(share + kShare.size()), folder);
+    out.insert(out.end(), more.begin(), more.end());
+  }
+  return out;
 }
 
 /// In small letters.

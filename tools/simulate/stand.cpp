@@ -48,22 +48,27 @@ double depth_in_world(const mjModel& model, const mjData& data) {
   return depth;
 }
 
-/// What the actuators of joints are told in the pose that `data` holds.
+/// What the position servos are told in the pose that `data` holds.
 void look_at_commands(const mjModel& model, const mjData& data, StandingResult& out) {
-  constexpr double kElsewhere = 0.05;  // [rad]
+  constexpr double kTurned = 0.05, kMoved = 0.005;  // [rad], [m]: elsewhere
   for (int a = 0; a < static_cast<int>(model.nactuator); ++a) {
-    if (model.actuator_trntype[a] != mjTRN_JOINT) continue;
-    const bool is_position = model.actuator_biastype[a] == mjBIAS_AFFINE &&
-                             model.actuator_biasprm[mjNBIAS * a + 1] < 0.0;
-    if (!is_position) {
-      ++out.motors;
+    const int type = model.actuator_trntype[a], of = model.actuator_trnid[std::ptrdiff_t{2} * a],
+              at = model.actuator_ctrladr[a];
+    if ((type != mjTRN_JOINT && type != mjTRN_TENDON) ||
+        model.actuator_biastype[a] != mjBIAS_AFFINE ||
+        !(model.actuator_biasprm[mjNBIAS * a + 1] < 0.0))
       continue;
-    }
-    const int joint = model.actuator_trnid[std::ptrdiff_t{2} * a];
-    const double wanted = data.ctrl[model.actuator_ctrladr[a]],
-                 length = model.actuator_gear[std::ptrdiff_t{6} * model.actuator_outadr[a]] *
-                          data.qpos[model.jnt_qposadr[joint]];
-    if (std::abs(wanted - length) > kElsewhere) ++out.commanded_elsewhere;
+    ++out.servos;
+    const double length =
+                     type == mjTRN_TENDON ? data.ten_length[of] : data.qpos[model.jnt_qposadr[of]],
+                 gear = model.actuator_gear[std::ptrdiff_t{6} * model.actuator_outadr[a]];
+    const mjtNum* const range = model.actuator_ctrlrange + std::ptrdiff_t{2} * at;
+    const double command = model.actuator_ctrllimited[at]
+                               ? std::clamp(data.ctrl[at], range[0], range[1])
+                               : data.ctrl[at];
+    const bool turns = type == mjTRN_JOINT && model.jnt_type[of] == mjJNT_HINGE;
+    if (std::abs(command - gear * length) > std::abs(gear) * (turns ? kTurned : kMoved))
+      ++out.commanded_elsewhere;
   }
 }
 

@@ -17,8 +17,8 @@ struct StandingResult {
   double trunk_before = 0.0, trunk_after = 0.0;  // trunk_com_height() [m]
   double highest = 0.0;                          // of it on the way [m]
   double sunk_in = 0.0;                          // how deep a geom starts in the ground [m]
-  int motors = 0;  // at joints: not position servos, and so without a command that holds a pose
-  int commanded_elsewhere = 0;  // position servos at joints whose command is not their angle
+  int servos = 0;               // position servos at joints and tendons: others hold no pose
+  int commanded_elsewhere = 0;  // those whose command is not where they are
 
   /// Whether it stands as a robot does that is let go on its feet. Negations, so that NaN does not.
   bool sank() const { return !(trunk_after >= 0.9 * trunk_before); }

@@ -153,12 +153,12 @@ double friction_of(const RunRecord& run) {
 namespace {
 
 std::string why_it_sank(const StandingResult& stand) {
-  if (stand.motors > 0)
-    return " (its motors hold no pose by themselves, as they are no position servos; the gait has "
+  if (stand.servos == 0)
+    return " (none of its actuators is a position servo, so nothing holds that pose; the gait has "
            "torques of its own)";
   if (stand.commanded_elsewhere > 0)
     return fmt::format(
-        " (in that pose {} of its servos are told another angle, as by a keyframe `home` without "
+        " (in that pose {} of its servos are told another place, as by a keyframe `home` without "
         "`ctrl`; the gait has its own commands)",
         stand.commanded_elsewhere);
   return " (its servos are told that pose and give in: their gains or torques are too low for its "

@@ -63,13 +63,19 @@ FoundPose pose_of(const RobotFiles& files) {
   return out;
 }
 
+/// Whether a fault is of what <custom> declares, which no pose mends.
+bool is_of_declarations(const InputError& error) {
+  const std::string& where = error.reasons().empty() ? error.where() : error.reasons()[0].where();
+  return where.starts_with("numeric") || where.starts_with("text");
+}
+
 /// What `work` makes, or why it could not be made and that no pose was found, which may be why.
 template <class Work>
 auto told_of_pose(const FoundPose& found, const fs::path& file, const Work& work) {
   try {
     return work();
   } catch (const InputError& error) {
-    if (found.none.empty()) throw;
+    if (found.none.empty() || is_of_declarations(error)) throw;
     std::vector<InputError> reasons = error.reasons();
     if (reasons.empty()) reasons.push_back(error);
     reasons.emplace_back(file.string(), 0, "pose", found.none);

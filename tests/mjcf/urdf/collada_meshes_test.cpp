@@ -9,6 +9,7 @@
 #include <string>
 
 #include "mjcf/text/compile.hpp"
+#include "mjcf/text/input_error.hpp"
 #include "mjcf/urdf/read_urdf.hpp"
 #include "tests/mjcf/robots/robots.hpp"
 #include "tests/mjcf/urdf/collada_box.hpp"
@@ -85,6 +86,43 @@ TEST_F(ColladaOfUrdf, LiesWithinReach) {
   EXPECT_EQ(compile_mjcf(confined.read().text, home_ / "robot.xml")->nmesh, 0);
 }
 
+/// MuJoCo's reader calls meshes by their files without folder and ending.
+TEST_F(ColladaOfUrdf, MeshesOfOneNameInTwoFoldersAreTwo) {
+  fs::create_directories(home_ / "visual");
+  fs::create_directories(home_ / "collision");
+  add(home_ / "visual/box.dae", box_);
+  add(home_ / "collision/box.obj",
+      "v 0 0 0\nv 3 0 0\nv 0 3 0\nv 0 0 3\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  std::string urdf = test::with(kHopper, "<visual><geometry><box size=\"0.2 0.1 0.04\"/>",
+                                "<visual><geometry><mesh filename=\"visual/box.dae\"/>");
+  urdf = test::with(urdf, "<collision name=\"shell\"><geometry><box size=\"0.2 0.1 0.04\"/>",
+                    "<collision name=\"shell\"><geometry><mesh filename=\"collision/box.obj\"/>");
+  const ModelPointer model =
+      compile_mjcf(mjcf_of_urdf(urdf, urdf_).text, home_ / "robot.xml", MeshDetail::triangles);
+  ASSERT_EQ(model->nmesh, 2);
+  const int shell = mj_name2id(model.get(), mjOBJ_GEOM, "shell");
+  EXPECT_EQ(model->mesh_facenum[model->geom_dataid[shell]], 4) << "the one that collides";
+}
+
+TEST_F(ColladaOfUrdf, PointersOfGitLfsAreToldOrRefused) {
+  add(home_ / "box.dae", "version https://git-lfs.github.com/spec/v1\noid sha256:00\nsize 1\n");
+  const MjcfOfUrdf made = mjcf_of_urdf(hopper("visual", "box.dae"), urdf_);
+  ASSERT_EQ(made.left_out.size(), 1u);
+  EXPECT_TRUE(test::tells(made.left_out[0], "pointer of Git LFS")) << made.left_out[0];
+  const std::string colliding =
+      test::with(kHopper, "<collision name=\"shell\"><geometry><box size=\"0.2 0.1 0.04\"/>",
+                 "<collision name=\"shell\"><geometry><mesh filename=\"box.dae\"/>");
+  try {
+    mjcf_of_urdf(colliding, urdf_);
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_TRUE(test::tells(error.what(),
+                            "link 'trunk': the file 'box.dae', which may touch, is a "
+                            "pointer of Git LFS"))
+        << error.what();
+  }
+}
+
 /// As scans and CAD programs leave them.
 TEST_F(ColladaOfUrdf, ManyTrianglesBecomeFewer) {
   std::string corners, faces;
@@ -104,10 +142,10 @@ TEST_F(ColladaOfUrdf, ManyTrianglesBecomeFewer) {
   text = test::with(text, "0 3 2 1 4 5 6 7 0 1 5 4 1 2 6 5 2 3 7 6 3 0 4 7", faces);
   add(home_ / "box.dae", text);
   ColladaMeshes meshes(home_, {});
-  const DrawnMesh* const mesh = meshes.find("box.dae");
+  const ColladaMesh* const mesh = meshes.find("box.dae");
   ASSERT_NE(mesh, nullptr);
-  EXPECT_LE(mesh->triangles(), 1.3 * kMostColladaTriangles);
-  EXPECT_GT(mesh->triangles(), 1000u);
+  EXPECT_LE(mesh->mesh.triangles(), 1.3 * kColladaTriangles);
+  EXPECT_GT(mesh->mesh.triangles(), 1000u);
   EXPECT_EQ(meshes.find("box.dae"), mesh) << "read once";
   EXPECT_EQ(meshes.find("box.stl"), nullptr);
 }

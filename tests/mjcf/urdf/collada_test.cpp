@@ -117,10 +117,43 @@ TEST(Collada, NodesWithoutEndAreRefused) {
     nodes += fmt::format(
         "<node id=\"n{0}\"><instance_node url=\"#n{1}\"/><instance_node url=\"#n{1}\"/></node>", n,
         n - 1);
-  EXPECT_NE(fault_of_dae(collada(kPolygons, nodes)).find("without end"), std::string::npos);
+  EXPECT_NE(fault_of_dae(collada(kPolygons, nodes)).find("parts within parts"), std::string::npos);
   EXPECT_NE(fault_of_dae(collada(kPolygons, "<node id=\"n\"><instance_node url=\"#n\"/></node>"))
                 .find("without end"),
             std::string::npos);
+}
+
+/// A small file that would take gigabytes.
+TEST(Collada, PartsShownAgainAndAgainAreRefused) {
+  std::string corners;
+  for (int k = 0; k < 30000; ++k) corners += "1 2 3 ";
+  const std::string line = "<p>0 1 29999</p>";
+  std::string text = collada(
+      "<polygons><input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/>" + line + "</polygons>",
+      kShown);
+  text.replace(text.find(test::kCorners), std::string(test::kCorners).size(), corners);
+  EXPECT_EQ(read_dae(text).vertices.size(), 9u) << "what no face has is left out";
+  std::string nodes;
+  for (int k = 0; k < 199990; ++k) nodes += "<node/>";
+  EXPECT_NE(fault_of_dae(collada(kPolygons, nodes + kShown)).find("parts within parts"),
+            std::string::npos)
+      << fault_of_dae(collada(kPolygons, nodes + kShown)).substr(0, 200);
+  EXPECT_NE(fault_of_dae(collada(kPolygons,
+                                 "<node><scale>1e39 1 1</scale><instance_geometry "
+                                 "url=\"#box\"/></node>"))
+                .find("m away"),
+            std::string::npos);
+}
+
+TEST(Collada, TheSceneThatTheFileNamesIsShown) {
+  std::string text = collada(kPolygons, kShown);
+  text.replace(text.find("</library_visual"), 16,
+               std::string("<visual_scene id=\"two\">") + kShown + kShown +
+                   "</visual_scene></library_visual");
+  EXPECT_EQ(read_dae(text).triangles(), 12u);
+  text.replace(text.find("</COLLADA>"), 10,
+               "<scene><instance_visual_scene url=\"#two\"/></scene></COLLADA>");
+  EXPECT_EQ(read_dae(text).triangles(), 24u);
 }
 
 TEST(Collada, MutantsAreReadOrRefused) {

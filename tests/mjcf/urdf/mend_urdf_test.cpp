@@ -9,6 +9,7 @@
 
 #include "mjcf/read/read_robot.hpp"
 #include "mjcf/text/compile.hpp"
+#include "mjcf/text/input_error.hpp"
 #include "mjcf/text/model_arrays.hpp"
 #include "mjcf/urdf/read_urdf.hpp"
 #include "tests/mjcf/robots/robots.hpp"
@@ -196,6 +197,25 @@ TEST(MendUrdf, AJointThatFloatsBelowALinkIsFixed) {
   const ModelPointer model = compile_mjcf(fixed.text, "hopper.xml");
   EXPECT_EQ(model->njnt, 3);  // the root's, hip and knee
   EXPECT_TRUE(tells(all_notes(fixed), "as the robot as a whole floats: tip is fixed"));
+}
+
+/// As robots have it whose root floats in a world of their own, with a picture of it.
+TEST(MendUrdf, AFloatingLinkGivesItsMassToTheLinkAbove) {
+  std::string urdf = test::with(kHopper, "<link name=\"mount\"/>",
+                                "<link name=\"mount\"><visual><geometry><sphere radius=\"0.01\"/>"
+                                "</geometry></visual></link>");
+  urdf = test::with(urdf, "<joint name=\"rest\" type=\"fixed\">",
+                    "<joint name=\"rest\" type=\"floating\">");
+  const MjcfOfUrdf mended = made(urdf);
+  const ModelPointer model = compile_mjcf(mended.text, "hopper.xml");
+  EXPECT_EQ(model->njnt, 3);
+  EXPECT_EQ(model->body_mass[mj_name2id(model.get(), mjOBJ_BODY, "mount")], 2.0);
+  EXPECT_TRUE(tells(all_notes(mended), "rest is fixed")) << all_notes(mended);
+}
+
+TEST(MendUrdf, ANegativeMassIsNotTakenForNone) {
+  EXPECT_THROW(compile_mjcf(made(test::with(kHopper, "value=\"2\"", "value=\"-2\"")).text, "h.xml"),
+               InputError);
 }
 
 /// 0.0004 kg m² for each N m at which gains saturate.

@@ -69,9 +69,10 @@ TEST(ReadUrdf, KeepsNamesPlacesMassesAndColours) {
 
 TEST(ReadUrdf, TellsWhatItMended) {
   const MjcfOfUrdf hopper = made(kHopper);
-  ASSERT_EQ(hopper.notes.size(), 2u);
+  ASSERT_EQ(hopper.notes.size(), 3u);
   EXPECT_TRUE(tells(hopper.notes[0], "'mount' has no mass and is left out")) << hopper.notes[0];
   EXPECT_TRUE(tells(hopper.notes[1], "2 joints get position servos")) << hopper.notes[1];
+  EXPECT_TRUE(tells(hopper.notes[2], "reflected inertia of geared ones")) << hopper.notes[2];
 }
 
 /// In the world's axes.
@@ -152,7 +153,7 @@ TEST(ReadUrdf, FaultsHaveTheirPlace) {
                                         thigh.find("</inertial>") + 11 - thigh.find("<inertial>"));
   EXPECT_TRUE(tells(fault(test::with(kHopper, mass, "")),
                     "hopper.urdf: link: thigh moves and neither it nor what is fixed there has an "
-                    "<inertial>"))
+                    "<inertial> with a mass above 0"))
       << fault(test::with(kHopper, mass, ""));
   EXPECT_TRUE(tells(fault("<robot name=\"x\"/>"), "robot 'x': has no <link>"));
   EXPECT_TRUE(tells(fault("<robot name=\"x\">"), "hopper.urdf:1"));

@@ -48,7 +48,9 @@ TEST_F(UrdfMeshes, OfAnotherMachineAreLookedForByTheirPackage) {
   EXPECT_EQ(find("file:///nowhere/ws/install/share/dog_description/meshes/hip.stl").path,
             "../meshes/hip.stl");
   EXPECT_EQ(find("/nowhere/share/dog_description/meshes/hip.stl").path, "../meshes/hip.stl");
-  EXPECT_EQ(find("/nowhere/share/dog_description/meshes/knee.stl").kind, UrdfMeshKind::missing);
+  EXPECT_EQ(find("/nowhere/share/dog_description/meshes/arm.stl").kind, UrdfMeshKind::missing);
+  add("dog_description/urdf/knee.stl");
+  EXPECT_EQ(find("file:///nowhere/share/none/knee.stl").path, "knee.stl") << "beside the URDF";
   add("share/other/hip.stl");
   const std::string there = (folder_.path() / "share/other/hip.stl").string();
   EXPECT_EQ(find("file://" + there).path, "../../share/other/hip.stl") << "where it is there";
