@@ -50,6 +50,10 @@ std::string link_name(const PlacedLimb& limb, const AssemblyJoint& joint) {
   return limb.name + "_" + joint.link;
 }
 
+std::string hull_name(const PlacedLimb& limb, const AssemblyJoint& joint, const std::string& role) {
+  return link_name(limb, joint) + "_" + role;
+}
+
 std::string foot_name(const PlacedLimb& limb, std::size_t shape) {
   return shape == 0 ? limb.name : fmt::format("{}_{}", limb.name, shape + 1);
 }
@@ -75,6 +79,11 @@ std::vector<NameClash> name_clashes(const Assembly& assembly) {
     for (const AssemblyJoint& joint : limb.of->joints) {
       names.add(servo_name(limb, joint), of_limb(limb, "the servo of joint", joint.name), limb.of);
       names.add(link_name(limb, joint), of_limb(limb, "link", joint.link), limb.of);
+      for (const char* const role : {"arm", "boss"})
+        if (assembly.link_shape == LinkShape::hull)
+          names.add(hull_name(limb, joint, role),
+                    of_limb(limb, fmt::format("the {} of link", role).c_str(), joint.link),
+                    limb.of);
     }
   names.next_sort();
   for (const PlacedLimb& limb : limbs)

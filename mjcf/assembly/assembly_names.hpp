@@ -15,6 +15,8 @@ std::string joint_name(const PlacedLimb& limb, const AssemblyJoint& joint);
 std::string servo_name(const PlacedLimb& limb, const AssemblyJoint& joint);
 /// Of the body of the link that the joint moves.
 std::string link_name(const PlacedLimb& limb, const AssemblyJoint& joint);
+/// Of the body and the mesh of a hull of that link. @param role of the hull
+std::string hull_name(const PlacedLimb& limb, const AssemblyJoint& joint, const std::string& role);
 /// Of a shape of the foot's outline, counted from 0; the first has the limb's name.
 std::string foot_name(const PlacedLimb& limb, std::size_t shape);
 /// Of the body of a part, counted from 0.

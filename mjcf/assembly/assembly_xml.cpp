@@ -3,49 +3,21 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 #include "mjcf/assembly/assembly_names.hpp"
+#include "mjcf/assembly/limb_hulls.hpp"
+#include "mjcf/read/connectors.hpp"
 #include "mjcf/read/robot_model.hpp"
 #include "mjcf/text/numbers.hpp"
 
 namespace legwright {
 namespace {
 
-using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double kShortestCapsule = 1e-3;  // [m]; between nearer joints there is no capsule
-constexpr double kRoundBody = 1e-9;        // [m]: an outline about its axis, which has no long side
-
-/// A unit vector across `axis`, as near to `wanted` as can be; of those that are along it another.
-Vector3d square_to(const Vector3d& axis, const Vector3d& wanted) {
-  const Vector3d rest = wanted - axis.dot(wanted) * axis;
-  if (rest.norm() > kRoundBody) return rest.normalized();
-  const Vector3d other = std::abs(axis.x()) < 0.9 ? Vector3d::UnitX() : Vector3d::UnitZ();
-  return (other - axis.dot(other) * axis).normalized();
-}
-
-/// Right-handed: the first column along `axis`, the second along `side`, which is square to it.
-Matrix3d frame_of(const Vector3d& axis, const Vector3d& side) {
-  Matrix3d out;
-  out << axis, side, axis.cross(side);
-  return out;
-}
-
-/// The servo with its horn at the origin, looking along the joint's axis, its body towards what
-/// carries it.
-Eigen::Isometry3d servo_pose(const AssemblyJoint& joint, const Vector3d& towards) {
-  const ModuleJoint& own = *joint.servo.joint;
-  const Vector3d body = inertia_of(joint.servo).centre - own.position;
-  const Matrix3d of_module = frame_of(own.axis, square_to(own.axis, body)),
-                 placed = Eigen::AngleAxisd(joint.roll, joint.axis) *
-                          frame_of(joint.axis, square_to(joint.axis, towards));
-  Eigen::Isometry3d out = Eigen::Isometry3d::Identity();
-  out.linear() = placed * of_module.transpose();
-  out.translation() = -(out.linear() * own.position);
-  return out;
-}
 
 /// Collects the lines of a file, indented.
 class XmlLines {
@@ -70,7 +42,12 @@ class XmlLines {
 class AssemblyWriter {
  public:
   AssemblyWriter(const Assembly& assembly, double height)
-      : assembly_(assembly), limbs_(placed_limbs(assembly)), height_(height) {}
+      : assembly_(assembly), limbs_(placed_limbs(assembly)), height_(height) {
+    for (const PlacedLimb& limb : limbs_) {
+      const std::vector<LinkHulls> hulls = limb_hulls(assembly, limb);
+      for (std::size_t k = 0; k < hulls.size(); ++k) place_hulls(limb, k, hulls[k]);
+    }
+  }
 
   std::string run() {
     out_.add(
@@ -86,6 +63,7 @@ class AssemblyWriter {
     out_.close("worldbody");
     out_.empty();
     write_actuators();
+    write_declarations();
     out_.close("mujoco");
     return out_.text();
   }
@@ -111,7 +89,18 @@ class AssemblyWriter {
     out_.add(fmt::format("<geom type=\"capsule\" size=\"{}\" density=\"{}\" material=\"print\"/>",
                          format_number(assembly_.link_radius),
                          format_number(assembly_.link_density)));
+    if (!placed_.empty()) {
+      // What collides in the place of hulls, which nobody sees.
+      out_.open("<default class=\"collider\">");
+      out_.add("<geom group=\"3\" density=\"0\"/>");
+      out_.close("default");
+    }
     out_.close("default");
+    if (!placed_.empty()) {
+      out_.open("<default class=\"connector\">");
+      out_.add("<geom type=\"mesh\" contype=\"0\" conaffinity=\"0\" material=\"print\"/>");
+      out_.close("default");
+    }
     out_.open("<default class=\"foot\">");
     out_.add("<geom contype=\"1\" conaffinity=\"1\" solref=\"0.005 1\" material=\"rubber\"/>");
     out_.close("default");
@@ -123,6 +112,8 @@ class AssemblyWriter {
     out_.add("<material name=\"print\" rgba=\"0.93 0.62 0.2 1\" specular=\"0.3\"/>");
     out_.add("<material name=\"servo\" rgba=\"0.2 0.22 0.26 1\" specular=\"0.4\"/>");
     out_.add("<material name=\"rubber\" rgba=\"0.07 0.07 0.08 1\" specular=\"0.05\"/>");
+    for (const PlacedHull& hull : placed_)
+      out_.add(fmt::format("<mesh name=\"{}\" vertex=\"{}\"/>", hull.name, hull.written.vertices));
     out_.close("asset");
   }
 
@@ -158,19 +149,29 @@ class AssemblyWriter {
     const AssemblyJoint& joint = of.joints[k];
     const std::string name = joint_name(limb, joint);
     const Vector3d place = k == 0 ? limb.hip : limb.vector(joint.offset);
-    // Towards the joint above; of a hip towards the trunk's middle.
-    const Vector3d towards = k == 0 ? Vector3d(-limb.vector(limb.hip)) : Vector3d(-joint.offset);
     out_.open(fmt::format("<body name=\"{}\" pos=\"{}\">", servo_name(limb, joint),
                           rounded_words(place)));
-    write_module(joint.servo, {servo_pose(joint, towards), limb.mirrored}, "servo");
+    write_module(joint.servo, {servo_pose(joint, towards_above(limb, k)), limb.mirrored}, "servo");
     out_.close("body");
     out_.open(
         fmt::format("<body name=\"{}\" pos=\"{}\">", link_name(limb, joint), rounded_words(place)));
     out_.add(joint_element(limb, joint, name));
     const bool last = k + 1 == of.joints.size();
     const Vector3d end = limb.vector(last ? of.foot_offset : of.joints[k + 1].offset);
+    const auto is_of_link = [&](const PlacedHull& hull) {
+      return hull.limb == &limb && hull.joint == k;
+    };
+    const bool has_hulls = std::any_of(placed_.begin(), placed_.end(), is_of_link);
     if (end.norm() > kShortestCapsule)
-      out_.add(fmt::format("<geom class=\"link\" fromto=\"0 0 0 {}\"/>", rounded_words(end)));
+      out_.add(fmt::format("<geom class=\"{}\" fromto=\"0 0 0 {}\"/>",
+                           has_hulls ? "collider" : "link", rounded_words(end)));
+    for (const PlacedHull& hull : placed_) {
+      if (!is_of_link(hull)) continue;
+      out_.open(fmt::format("<body name=\"{}\">", hull.name));
+      out_.add(fmt::format("<inertial {}/>", hull.written.inertial));
+      out_.add(fmt::format("<geom class=\"connector\" mesh=\"{}\"/>", hull.name));
+      out_.close("body");
+    }
     if (last)
       write_foot(limb);
     else
@@ -230,9 +231,42 @@ class AssemblyWriter {
     out_.close("actuator");
   }
 
+  /// Which hulls go with which points of the design.
+  void write_declarations() {
+    if (placed_.empty()) return;
+    out_.empty();
+    out_.open("<custom>");
+    for (const PlacedHull& hull : placed_)
+      out_.add(fmt::format("<text name=\"{}{}\" data=\"{}\"/>", kConnectorPrefix, hull.name,
+                           hull.written.data));
+    out_.close("custom");
+  }
+
+  void place_hulls(const PlacedLimb& limb, std::size_t k, const LinkHulls& hulls) {
+    const AssemblyLimb& of = *limb.of;
+    const bool last = k + 1 == of.joints.size();
+    const std::string end =
+        last ? "geom " + foot_name(limb, 0) : "body " + servo_name(limb, of.joints[k + 1]);
+    const Vector3d place = last ? of.foot_offset : of.joints[k + 1].offset;
+    const Vector3d from = last ? of.foot.outline.front().position : Vector3d(Vector3d::Zero());
+    for (const LinkHull& hull : hulls.hulls) {
+      const std::string name = hull_name(limb, of.joints[k], hull.role);
+      placed_.push_back({&limb, k, name,
+                         written_hull(hull, limb, assembly_.link_density, name, end, place, from)});
+    }
+  }
+
+  struct PlacedHull {
+    const PlacedLimb* limb;
+    std::size_t joint;
+    std::string name;
+    WrittenHull written;
+  };
+
   const Assembly& assembly_;
   const std::vector<PlacedLimb> limbs_;
   const double height_;
+  std::vector<PlacedHull> placed_;
   XmlLines out_;
 };
 

@@ -9,7 +9,9 @@
 #include <map>
 #include <set>
 
+#include "mjcf/assembly/assembly_names.hpp"
 #include "mjcf/assembly/assembly_xml.hpp"
+#include "mjcf/assembly/limb_hulls.hpp"
 #include "mjcf/propose/declare.hpp"
 #include "mjcf/propose/standing_pose.hpp"
 #include "mjcf/read/feet.hpp"
@@ -20,11 +22,14 @@
 namespace legwright {
 namespace {
 
-constexpr double kHeightGrain = 1e6;  // heights are written to a millionth of a metre
+constexpr double kClearanceMissed = 1e-3;  // of it
+constexpr double kHeightGrain = 1e6;       // heights are written to a millionth of a metre
 
 /// Height of the trunk's frame at which what reaches lowest touches the ground [m].
 double standing_height(const Assembly& assembly, const std::filesystem::path& file) {
-  const ModelPointer model = compile_mjcf(assembly_xml(assembly, 0.0), file);
+  Assembly plain = assembly;
+  plain.link_shape = LinkShape::capsule;  // hulls do not touch
+  const ModelPointer model = compile_mjcf(assembly_xml(plain, 0.0), file);
   const DataPointer data = kinematics_at(*model, nullptr, file);
   double low = std::numeric_limits<double>::infinity();
   for (int g = 0; g < static_cast<int>(model->ngeom); ++g)
@@ -81,6 +86,34 @@ std::string note_on_inertia(const std::map<std::string, const ModuleJoint*>& unk
       fmt::join(names, ", "), hint);
 }
 
+/// The links whose printed parts come nearer to the servo that turns them than asked for, and those
+/// for whose modules there is none; of mirror images and copies each.
+std::vector<std::string> notes_on_hulls(const Assembly& assembly) {
+  std::vector<std::string> near, none, out;
+  if (assembly.link_shape == LinkShape::capsule) return out;
+  for (const PlacedLimb& limb : placed_limbs(assembly)) {
+    const std::vector<LinkHulls> hulls = limb_hulls(assembly, limb);
+    for (std::size_t k = 0; k < hulls.size(); ++k) {
+      const std::string name = link_name(limb, limb.of->joints[k]);
+      if (hulls[k].hulls.empty())
+        none.push_back(name);
+      else if (hulls[k].clearance < (1.0 - kClearanceMissed) * assembly.link_clearance)
+        near.push_back(fmt::format("{} {:.1f} mm", name, 1e3 * hulls[k].clearance));
+    }
+  }
+  if (!near.empty())
+    out.push_back(
+        fmt::format("printed parts come nearer to the servo that turns them than {:.3g} mm: {}; "
+                    "turn the servo by roll, move the next joint away or narrow its range",
+                    1e3 * assembly.link_clearance, fmt::join(near, ", ")));
+  if (!none.empty())
+    out.push_back(
+        fmt::format("no attachment of the next module faces the horn of {}: capsules are printed "
+                    "there; [[attachment]] in the module's file gives one",
+                    fmt::join(none, ", ")));
+  return out;
+}
+
 /// What of servos and feet is not known, once each.
 std::vector<std::string> notes_on(const Assembly& assembly) {
   std::map<std::string, const ModuleJoint*> inertia;
@@ -128,6 +161,8 @@ BuiltRobot build_robot(const Assembly& assembly, const std::filesystem::path& fi
   out.found.left_out = proposed.left_out;
   if (pose) out.pose = pose->words;
   out.notes = notes_on(assembly);
+  const std::vector<std::string> of_hulls = notes_on_hulls(assembly);
+  out.notes.insert(out.notes.end(), of_hulls.begin(), of_hulls.end());
   return out;
 }
 

@@ -48,6 +48,10 @@ struct AssemblyPart {
 /// Which torque of a servo's figures is a joint's limit.
 enum class TorqueLimit { stall, continuous };
 
+/// What a link is between its modules: a printed hull from one to the other, or a capsule from
+/// joint to joint.
+enum class LinkShape { hull, capsule };
+
 /// Axes of all vectors are those of the trunk with all angles zero: x forward, y left, z up. SI
 /// units.
 struct Assembly {
@@ -58,9 +62,12 @@ struct Assembly {
   TorqueLimit torque = TorqueLimit::stall;
   double torque_share = 1.0;       // of that torque
   std::optional<double> armature;  // where a reflected inertia is not known [kg m2]
-  double link_radius = 0.006;      // of the capsules between servos [m]
-  double link_density = 1240.0;    // [kg/m3]
-  bool only_feet_touch = false;    // else everything that is no neighbour may
+  LinkShape link_shape = LinkShape::hull;
+  double link_radius = 0.006;     // of the hulls' pads, and of the capsules between joints [m]
+  double link_wall = 0.003;       // thickness of the pads [m]
+  double link_clearance = 0.001;  // of hulls to the servos that turn them [m]
+  double link_density = 1240.0;   // [kg/m3]
+  bool only_feet_touch = false;   // else everything that is no neighbour may
 };
 
 /// One limb of a robot: a copy, or a mirror image of one.

@@ -7,6 +7,7 @@
 
 #include "mjcf/read/bindings.hpp"
 #include "mjcf/read/checks.hpp"
+#include "mjcf/read/connectors.hpp"
 #include "mjcf/read/legs.hpp"
 #include "mjcf/read/linear_actuators.hpp"
 #include "mjcf/read/moving_parts.hpp"
@@ -65,9 +66,12 @@ RobotModel parse_text(const std::string& xml_text, const std::filesystem::path& 
   const StretchMap stretches = collect_stretches(declared.space, declared.bindings, file);
   RobotModel robot;
   const PlaceMap places = collect_places(declared.space, declared.bindings, file);
-  robot.morphology =
-      build_morphology(*xml, *model, structure, declared.space, declared.bindings, stretches,
-                       places, read_printed(*xml, *model, structure, stretches), tendons);
+  const Eigen::VectorXd initial = declared.space.initial();
+  PrintedMap printed = read_printed(*xml, *model, structure, stretches);
+  robot.connectors = read_connectors(*xml, *model, structure, stretches, initial);
+  add_connector_masses(robot.connectors, initial, printed);
+  robot.morphology = build_morphology(*xml, *model, structure, declared.space, declared.bindings,
+                                      stretches, places, printed, tendons, robot.connectors);
   check_home(*xml, *model, robot.morphology);
   check_arms(*xml, tendons, robot.morphology, declared.space);
   robot.servos = read_servos(*xml, *model, structure, robot.morphology, declared.space.initial());

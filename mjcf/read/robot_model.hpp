@@ -2,11 +2,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "mjcf/read/structure.hpp"
+#include "mjcf/shape/convex_hull.hpp"
 #include "mjcf/text/robot_files.hpp"
 #include "optimizer/design/design.hpp"
 #include "optimizer/design/morphology.hpp"
@@ -43,6 +45,18 @@ struct Servo {
 /// over kp [s].
 inline constexpr double kFullTorqueError = 0.0375, kDampingTime = 0.015;
 
+/// A printed part between modules: the convex hull of points, each of which goes with what it is
+/// fixed to.
+struct Connector {
+  std::string mesh, body;             // of the file: its asset, and the body that shows it
+  double density = 0.0;               // [kg/m3]
+  std::vector<AffineVector> points;   // in the body's frame
+  std::vector<Facet> facets;          // of the hull at the initial design, indices of points
+  int link = 0;                       // of the morphology, that it belongs to
+  std::vector<AffineVector> in_link;  // the points in that link's frame
+  std::ptrdiff_t first_mass = 0;      // of those of the link that stand for it
+};
+
 /// A robot as Legwright sees it: the compiled tree, its design parameters, and how to find them in
 /// the file.
 struct RobotModel {
@@ -53,9 +67,10 @@ struct RobotModel {
   DesignSpace space;
   std::vector<Binding> bindings;  // one for each entry of `space`
   std::vector<Servo> servos;      // in the order of the morphology's joints
-  std::string root_body;          // MJCF name of the trunk
-  bool in_degrees = false;        // angles of the file, but for those of keyframes
-  Structure structure;            // what moves, what is held; the ids are those of each design
+  std::vector<Connector> connectors;
+  std::string root_body;    // MJCF name of the trunk
+  bool in_degrees = false;  // angles of the file, but for those of keyframes
+  Structure structure;      // what moves, what is held; the ids are those of each design
 };
 
 }  // namespace legwright

@@ -49,7 +49,8 @@ class MorphologyBuilder {
  public:
   MorphologyBuilder(const mjModel& model, const Structure& structure, const DesignSpace& space,
                     const std::vector<Binding>& bindings, const StretchMap& stretches,
-                    const PlaceMap& places, const PrintedMap& printed)
+                    const PlaceMap& places, const PrintedMap& printed,
+                    std::vector<Connector>& connectors)
       : model_(model),
         structure_(structure),
         trunk_(structure.trunk),
@@ -58,6 +59,7 @@ class MorphologyBuilder {
         stretches_(stretches),
         places_(places),
         printed_(printed),
+        connectors_(connectors),
         placements_(static_cast<std::size_t>(model.nbody)) {}
 
   /// @param xml the file that was compiled.
@@ -233,9 +235,11 @@ class MorphologyBuilder {
   /// A printed body has its own points. Else six equal masses on the principal axes have a body's
   /// mass, centre and inertia.
   void add_masses(int body) {
-    const auto found = printed_.find(name_of(model_, mjOBJ_BODY, body));
+    const std::string name = name_of(model_, mjOBJ_BODY, body);
+    const auto found = printed_.find(name);
     if (found != printed_.end()) {
       const Placement& at = placements_[body];
+      tell_connector(name, at);
       for (PointMass point : found->second) {
         point.position = sum(at.origin, rotated(at.rotation, point.position));
         out_.links[at.link].masses.push_back(std::move(point));
@@ -256,6 +260,17 @@ class MorphologyBuilder {
     }
   }
 
+  /// Of a connector whose masses come next.
+  void tell_connector(const std::string& body, const Placement& at) {
+    for (Connector& connector : connectors_) {
+      if (connector.body != body) continue;
+      connector.link = at.link;
+      connector.first_mass = static_cast<std::ptrdiff_t>(out_.links[at.link].masses.size());
+      for (const AffineVector& own : connector.points)
+        connector.in_link.push_back(sum(at.origin, rotated(at.rotation, own)));
+    }
+  }
+
   const mjModel& model_;
   const Structure& structure_;
   const int trunk_;
@@ -264,6 +279,7 @@ class MorphologyBuilder {
   const StretchMap& stretches_;
   const PlaceMap& places_;
   const PrintedMap& printed_;
+  std::vector<Connector>& connectors_;
   std::vector<Placement> placements_;  // by body id
   Morphology out_;
 };
@@ -295,9 +311,11 @@ Eigen::Isometry3d held_displacement(const mjModel& model, int joint) {
 Morphology build_morphology(const XmlFile& xml, const mjModel& model, const Structure& structure,
                             const DesignSpace& space, const std::vector<Binding>& bindings,
                             const StretchMap& stretches, const PlaceMap& places,
-                            const PrintedMap& printed, const std::vector<TendonSpan>& tendons) {
-  Morphology out = MorphologyBuilder(model, structure, space, bindings, stretches, places, printed)
-                       .build(xml, tendons);
+                            const PrintedMap& printed, const std::vector<TendonSpan>& tendons,
+                            std::vector<Connector>& connectors) {
+  Morphology out =
+      MorphologyBuilder(model, structure, space, bindings, stretches, places, printed, connectors)
+          .build(xml, tendons);
   out.name = std::string(model.names);  // the model's name comes first
   return out;
 }

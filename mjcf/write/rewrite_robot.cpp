@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "mjcf/read/bindings.hpp"
+#include "mjcf/read/connectors.hpp"
 #include "mjcf/read/feet.hpp"
 #include "mjcf/read/linear_actuators.hpp"
 #include "mjcf/read/moving_parts.hpp"
@@ -19,6 +20,7 @@
 #include "mjcf/text/numbers.hpp"
 #include "mjcf/text/text_edits.hpp"
 #include "mjcf/write/capsule_masses.hpp"
+#include "mjcf/write/connector_hulls.hpp"
 #include "mjcf/write/keyframes.hpp"
 #include "mjcf/write/mesh_scales.hpp"
 #include "mjcf/write/verify.hpp"
@@ -306,7 +308,7 @@ std::string difference_from_intent(const RobotModel& robot, const VectorXd& s,
   try {
     const RobotModel written = parse_robot(text, robot.file, &robot.structure);
     if (written.space.size() != s.size() || written.space.initial() != s) return "declared values";
-    std::string difference = find_difference(robot.morphology, s, written.morphology, s);
+    std::string difference = find_difference(with_hulls_at(robot, s), s, written.morphology, s);
     if (!difference.empty() || keys.empty()) return difference;
     return find_lifted_foot(written.structure, keys, *load_xml(text, robot.file),
                             *compile_mjcf(text, robot.file));
@@ -339,6 +341,7 @@ std::string rewrite_robot(const RobotModel& robot, const VectorXd& design) {
   write_places(robot, *xml, all, places, s, edits);
   write_mesh_scales(*xml, *model, elements, all, rigid, s, edits);
   write_capsule_masses(*xml, *model, elements, all, s, edits);
+  write_connectors(robot, *xml, *model, elements, s, edits);
   // A pose that the robot's reader would refuse is given up; the design itself never is.
   std::string first;
   for (const KeyframeEffort effort :

@@ -108,7 +108,17 @@ class AssemblyReader {
     out_.torque_share = root_.number("torque_share").value_or(out_.torque_share);
     out_.armature = root_.number("armature");
     out_.only_feet_touch = second_of(root_, "contacts", "all", "feet");
+    read_link();
+  }
+
+  void read_link() {
     TaskTable link = table(root_.table("link"), "link");
+    if (second_of(link, "shape", "hull", "capsule")) out_.link_shape = LinkShape::capsule;
+    for (const char* const key : {"wall", "clearance"})
+      if (link.has(key) && out_.link_shape == LinkShape::capsule)
+        refuse(link, key, "is of hulls; take it out, or let shape be \"hull\"");
+    out_.link_wall = link.number("wall").value_or(out_.link_wall);
+    out_.link_clearance = link.number("clearance").value_or(out_.link_clearance);
     out_.link_radius = link.number("radius").value_or(out_.link_radius);
     out_.link_density = link.number("density").value_or(out_.link_density);
     link.finish();

@@ -34,8 +34,19 @@ std::vector<TaskKey> keys_of_the_assembly() {
       text_key("part.module", "needed", "\"lipo_3s_2200\"", "A module that is no servo."),
       numbers_key("part.position", kPlaceInRobot, 3, "`[0, 0, 0]`", "[0.0, 0.0, 0.02]",
                   "In the trunk's frame."),
-      number_key("link.radius", {0.0, 0.5, true, false, "m"}, "0.006", "0.005",
-                 "Of the capsules between servos."),
+      text_key(
+          "link.shape", "`\"hull\"`", "\"hull\"",
+          "What is printed between modules: `hull`, the convex hull of their attachment points "
+          "that face each other, which follows the design, or `capsule`, from joint to joint."),
+      number_key(
+          "link.radius", {0.0, 0.5, true, false, "m"}, "0.006", "0.005",
+          "Of a hull's round pads on horns and attachments, and of capsules, which collide in "
+          "the place of hulls."),
+      number_key("link.wall", {0.0, 0.1, true, false, "m"}, "0.003", "0.004",
+                 "Thickness of those pads."),
+      number_key("link.clearance", {0.0, 0.1, true, false, "m"}, "0.001", "0.002",
+                 "Of a hull to the servo that turns it, at each angle of its range; `build` tells "
+                 "where it is less."),
       number_key("link.density", {0.0, 20000.0, true, false, "kg/m3"}, "1240", "800.0",
                  "Of their material, filled: PLA's by default."),
   };

@@ -11,66 +11,13 @@
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/input_error.hpp"
 #include "mjcf/write/rewrite_robot.hpp"
+#include "tests/mjcf/assembly/boxy_dog.hpp"
 
 namespace legwright {
 namespace {
 
 using Eigen::Vector3d;
-
-Module box_module(const char* name, ModuleKind kind, double mass, const Vector3d& size) {
-  Module module;
-  module.name = name;
-  module.kind = kind;
-  module.mass = mass;
-  OutlineShape box;
-  box.size = size;
-  module.outline = {box};
-  return module;
-}
-
-Module servo_module() {
-  Module servo = box_module("S", ModuleKind::servo, 0.06, {0.028, 0.046, 0.034});
-  ModuleJoint joint;
-  joint.position = {0.0, 0.009, 0.017};
-  joint.stall_torque = 1.5;
-  joint.continuous_torque = 0.5;
-  joint.reflected_inertia = 0.004;
-  joint.range = {-2.5, 2.5};
-  servo.joint = joint;
-  return servo;
-}
-
-Module ball() {
-  Module foot = box_module("ball", ModuleKind::foot, 0.01, {0.012, 0.0, 0.0});
-  foot.outline[0].type = OutlineShape::Type::sphere;
-  foot.friction = 0.7;
-  return foot;
-}
-
-/// Four legs of two servos about lateral axes, stretched out downwards.
-Assembly boxy_dog() {
-  Assembly out;
-  out.name = "dog";
-  out.trunk = box_module("trunk", ModuleKind::trunk, 0.4, {0.2, 0.09, 0.04});
-  out.parts = {{box_module("pack", ModuleKind::battery, 0.2, {0.1, 0.03, 0.02}), {0, 0, 0.01}}};
-  AssemblyLimb leg;
-  leg.names = {"F", "H"};
-  leg.hip = {0.09, 0.07, 0.0};
-  leg.step = {-0.18, 0.0, 0.0};
-  leg.mirrored = true;
-  leg.foot = ball();
-  leg.foot_offset = {0.0, 0.0, -0.09};
-  for (const char* name : {"hip", "knee"}) {
-    AssemblyJoint joint;
-    joint.name = name;
-    joint.link = std::string(name) + "_link";
-    joint.servo = servo_module();
-    if (!leg.joints.empty()) joint.offset = {0.0, 0.0, -0.09};
-    leg.joints.push_back(joint);
-  }
-  out.limbs = {leg};
-  return out;
-}
+using test::boxy_dog;
 
 double capsule_mass(double length, double radius, double density) {
   return density * std::numbers::pi * radius * radius * (length + 4.0 / 3.0 * radius);

@@ -35,7 +35,10 @@ mass = 0.25
 module = "lipo_3s_2200"
 position = [0.0, 0.0, 0.01]
 [link]
+shape = "hull"
 radius = 0.006
+wall = 0.004
+clearance = 0.002
 density = 1240.0
 [[limb]]
 name = "leg"
@@ -90,6 +93,9 @@ TEST(AssemblyFile, ReadsAWholeAssembly) {
   ASSERT_EQ(dog.parts.size(), 1u);
   EXPECT_EQ(dog.parts[0].module.kind, ModuleKind::battery);
   ASSERT_EQ(dog.limbs.size(), 1u);
+  EXPECT_EQ(dog.link_shape, LinkShape::hull);
+  EXPECT_EQ(dog.link_wall, 0.004);
+  EXPECT_EQ(dog.link_clearance, 0.002);
   const AssemblyLimb& leg = dog.limbs[0];
   EXPECT_EQ(leg.names, (std::vector<std::string>{"F", "H"}));
   EXPECT_TRUE(leg.mirrored);
@@ -125,6 +131,17 @@ TEST(AssemblyFile, TakesATrunkFromTheLibrary) {
   expect_complaint(assembly_with("mass = 0.25", "mass = 0.25\nmodule = \"plate_200x100\""),
                    "trunk.module: stands beside size or mass");
   expect_complaint(assembly_with("mass = 0.25\n", ""), "trunk.mass: is missing");
+}
+
+TEST(AssemblyFile, LinksMayBeCapsules) {
+  const std::string text =
+      assembly_with("shape = \"hull\"\nradius = 0.006\nwall = 0.004\nclearance = 0.002\n",
+                    "shape = \"capsule\"\n");
+  EXPECT_EQ(parse_assembly(text, "x.toml", installed()).link_shape, LinkShape::capsule);
+  expect_complaint(assembly_with("shape = \"hull\"", "shape = \"capsule\""),
+                   "link.wall: is of hulls; take it out");
+  expect_complaint(assembly_with("shape = \"hull\"", "shape = \"box\""),
+                   "expected \"hull\" or \"capsule\"");
 }
 
 TEST(AssemblyFile, OffersTheNearestModule) {
@@ -194,7 +211,7 @@ TEST(AssemblyFile, RefusesHipsInOnePlace) {
   const std::string near = assembly_with("hip = [0.09, 0.07, 0.0]", "hip = [0.09, 1e-12, 0.0]");
   expect_complaint(near, "limb.mirror: leaves the hip where it is");
   const std::string step = assembly_with("step = [-0.18, 0.0, 0.0]", "step = [0, 0, 0]");
-  expect_complaint(step, "dog.toml:20: limb.step: has no length, which puts all copies in one");
+  expect_complaint(step, "dog.toml:23: limb.step: has no length, which puts all copies in one");
   for (const std::string& text : {near, step})
     EXPECT_EQ(complaint_about(text).find("puts the hips of"), std::string::npos) << "told once";
   expect_complaint(assembly_with("step = [-0.18, 0.0, 0.0]", "step = [0.0, -0.14, 0.0]"),

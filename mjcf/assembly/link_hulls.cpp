@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mjcf/assembly/link_hulls.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "mjcf/shape/convex_distance.hpp"
+
+namespace legwright {
+namespace {
+
+using Eigen::Isometry3d;
+using Eigen::Vector3d;
+
+constexpr int kPadCorners = 8, kRoundCorners = 16;
+constexpr int kSampledAngles = 61;        // at which distances are sampled
+constexpr double kLeastFacing = 0.3;      // cosine between an attachment's normal and the way to it
+constexpr double kElbowStep = 2e-3;       // [m] between bosses that are tried
+constexpr double kClearanceGrain = 1e-9;  // [m]
+
+using PadPoints = std::vector<Vector3d>;
+
+Vector3d across_normal(const Vector3d& normal, const Vector3d& wanted) {
+  const Vector3d rest = wanted - normal.dot(wanted) * normal;
+  if (rest.norm() > 1e-6) return rest.normalized();
+  return normal.unitOrthogonal();
+}
+
+/// A round plate of some corners, from `low` to `high` along its normal.
+PadPoints pad(const Vector3d& centre, const Vector3d& normal, const Vector3d& towards,
+              double radius, double low, double high) {
+  const Vector3d side = across_normal(normal, towards), other = normal.cross(side);
+  PadPoints out;
+  for (const double height : {low, high})
+    for (int k = 0; k < kPadCorners; ++k) {
+      const double turn = 2.0 * std::numbers::pi * (k + 0.5) / kPadCorners;
+      out.push_back(centre + height * normal +
+                    radius * (std::cos(turn) * side + std::sin(turn) * other));
+    }
+  return out;
+}
+
+/// A shape of an outline as the hull of points, padded by a radius; round ones from outside.
+struct Hulled {
+  PadPoints points;
+  double radius = 0.0;
+};
+
+Hulled hulled(const OutlineShape& shape, const Isometry3d& pose) {
+  const Isometry3d at = pose * shape.pose();
+  const Vector3d half = shape.half();
+  Hulled out;
+  if (shape.type == OutlineShape::Type::sphere) return {{at.translation()}, half.x()};
+  if (shape.type == OutlineShape::Type::box) {
+    for (const double x : {-1.0, 1.0})
+      for (const double y : {-1.0, 1.0})
+        for (const double z : {-1.0, 1.0})
+          out.points.push_back(at * half.cwiseProduct(Vector3d(x, y, z)));
+    return out;
+  }
+  const double round = half.x() / std::cos(std::numbers::pi / kRoundCorners);
+  for (int k = 0; k < kRoundCorners; ++k) {
+    const double turn = 2.0 * std::numbers::pi * k / kRoundCorners;
+    for (const double z : {-half.z(), half.z()})
+      out.points.push_back(at * Vector3d(round * std::cos(turn), round * std::sin(turn), z));
+  }
+  return out;
+}
+
+std::vector<Hulled> hulled(const Module& module, const Isometry3d& pose) {
+  std::vector<Hulled> out;
+  for (const OutlineShape& shape : module.outline) out.push_back(hulled(shape, pose));
+  return out;
+}
+
+double hulled_distance(const Hulled& a, const Hulled& b) {
+  return std::max(0.0, convex_distance(a.points, b.points) - a.radius - b.radius);
+}
+
+class LinkShaper {
+ public:
+  LinkShaper(const LinkEnds& ends, double radius, double wall, double clearance)
+      : ends_(ends), radius_(radius), wall_(wall), clearance_(clearance) {}
+
+  LinkHulls run() {
+    find_facing();
+    if (facing_.empty()) return {};
+    sweep_servo();
+    LinkHulls best;
+    best.clearance = -1.0;
+    const auto is_enough = [&](const std::vector<LinkHull>& hulls) {
+      const double least = least_distance(hulls);
+      if (least > best.clearance) best = {hulls, least};
+      return least >= clearance_ - kClearanceGrain;
+    };
+    const Vector3d way = middle_ - ends_.axis.dot(middle_) * ends_.axis;
+    if (is_enough({straight()})) return best;
+    for (double reach = radius_; reach < way.norm(); reach += kElbowStep)
+      if (is_enough(bent(reach * way.normalized()))) return best;
+    is_enough({pulled_back()});
+    return best;
+  }
+
+ private:
+  /// Height over the horn's plane of what is fixed to the horn, which stands out by the clearance.
+  double low() const { return clearance_; }
+  double high() const { return clearance_ + wall_; }
+
+  /// The attachments of the other module that look at the horn: the one that does most, and those
+  /// that do nearly as much.
+  void find_facing() {
+    const Vector3d horn = 0.5 * (low() + high()) * ends_.axis;
+    double most = kLeastFacing;
+    const auto facing = [&](const Attachment& at) {
+      const Vector3d point = ends_.place + ends_.other_pose * at.position;
+      return (ends_.other_pose.linear() * at.normal).dot((horn - point).normalized());
+    };
+    for (const Attachment& at : ends_.other->attachments)
+      if (!at.on_horn) most = std::max(most, facing(at));
+    for (const Attachment& at : ends_.other->attachments)
+      if (!at.on_horn && facing(at) >= most - 1e-9) facing_.push_back(&at);
+    for (const Attachment* at : facing_)
+      middle_ +=
+          (ends_.place + ends_.other_pose * at->position) / static_cast<double>(facing_.size());
+  }
+
+  /// Where the servo is, as seen from the link, at angles at which the modules keep clear of each
+  /// other; at all where they do at none.
+  void sweep_servo() {
+    Isometry3d other = ends_.other_pose;
+    other.translation() += ends_.place;
+    const std::vector<Hulled> others = hulled(*ends_.other, other);
+    std::vector<Hulled> all;
+    for (int k = 0; k < kSampledAngles; ++k) {
+      const double share = k / (kSampledAngles - 1.0);
+      const double angle = ends_.range[0] + share * (ends_.range[1] - ends_.range[0]);
+      const std::vector<Hulled> servo =
+          hulled(*ends_.servo, Eigen::AngleAxisd(-angle, ends_.axis) * ends_.servo_pose);
+      bool is_clear = true;
+      for (const Hulled& a : servo)
+        for (const Hulled& b : others) is_clear = is_clear && hulled_distance(a, b) >= clearance_;
+      for (std::vector<Hulled>* into : {&all, is_clear ? &swept_ : nullptr})
+        if (into) into->insert(into->end(), servo.begin(), servo.end());
+    }
+    if (swept_.empty()) swept_ = all;
+  }
+
+  double least_distance(const std::vector<LinkHull>& hulls) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const LinkHull& hull : hulls) {
+      Hulled whole{hull.near, 0.0};
+      for (const Vector3d& point : hull.far) whole.points.push_back(ends_.place + point);
+      for (const Hulled& servo : swept_) least = std::min(least, hulled_distance(whole, servo));
+    }
+    return least;
+  }
+
+  PadPoints near_pad(const Vector3d& centre) const {
+    return pad(centre, ends_.axis, middle_, radius_, low(), high());
+  }
+
+  /// On the faces of a servo; within a foot, whose face may be round.
+  PadPoints far_pads() const {
+    const bool is_foot = ends_.other->kind == ModuleKind::foot;
+    PadPoints out;
+    for (const Attachment* at : facing_) {
+      const PadPoints one =
+          pad(ends_.other_pose * at->position, ends_.other_pose.linear() * at->normal, ends_.axis,
+              radius_, is_foot ? -wall_ : 0.0, is_foot ? 0.0 : wall_);
+      out.insert(out.end(), one.begin(), one.end());
+    }
+    return out;
+  }
+
+  LinkHull straight() const { return {"arm", near_pad(Vector3d::Zero()), far_pads()}; }
+
+  std::vector<LinkHull> bent(const Vector3d& elbow) const {
+    LinkHull boss{"boss", near_pad(Vector3d::Zero()), {}};
+    const PadPoints end = near_pad(elbow);
+    boss.near.insert(boss.near.end(), end.begin(), end.end());
+    return {boss, {"arm", end, far_pads()}};
+  }
+
+  LinkHull pulled_back() const {
+    LinkHull out = straight();
+    for (Vector3d& point : out.far) {
+      const double height = ends_.axis.dot(ends_.place + point);
+      point += std::max(0.0, low() - height) * ends_.axis;
+    }
+    return out;
+  }
+
+  const LinkEnds& ends_;
+  const double radius_, wall_, clearance_;  // [m]
+  std::vector<const Attachment*> facing_;
+  Vector3d middle_ = Vector3d::Zero();  // of those, in the link
+  std::vector<Hulled> swept_;
+};
+
+}  // namespace
+
+LinkHulls link_hulls(const LinkEnds& ends, double radius, double wall, double clearance) {
+  return LinkShaper(ends, radius, wall, clearance).run();
+}
+
+}  // namespace legwright

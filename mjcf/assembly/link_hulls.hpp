@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// The printed parts of a link: convex hulls from the horn that turns it to the next module.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "mjcf/assembly/robot_assembly.hpp"
+
+namespace legwright {
+
+/// A hull by its points [m]: those that stay with the link's own hinge, and those that go with the
+/// module at its other end, each from the origin of that, in the axes of the link.
+struct LinkHull {
+  std::string role;  // "arm": reaches the other module; "boss": from the horn to an arm
+  std::vector<Eigen::Vector3d> near, far;
+};
+
+/// The hulls of a link, and how near they come to the servo that turns it.
+struct LinkHulls {
+  std::vector<LinkHull> hulls;  // none where the modules have no attachments that face each other
+  double clearance = std::numeric_limits<double>::infinity();  // [m]
+};
+
+/// What a link holds together, with all angles zero, in its axes.
+struct LinkEnds {
+  const Module* servo = nullptr;  // that turns it, with its horn at the origin
+  Eigen::Isometry3d servo_pose = Eigen::Isometry3d::Identity();
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();               // of the hinge, out of the servo
+  std::array<double, 2> range{0.0, 0.0};                         // of its angle [rad]
+  const Module* other = nullptr;                                 // the next servo, or the foot
+  Eigen::Isometry3d other_pose = Eigen::Isometry3d::Identity();  // from its place
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();               // of the joint or foot there [m]
+};
+
+/// Pads on the horn and on those attachments of the other module that face it, as thick as the
+/// wall, and their hull. Where that would come nearer to the servo than the clearance, at an angle
+/// at which the modules themselves keep it, the way goes round the servo: along the horn's plane
+/// in a boss, and from there in an arm; where the other module is too near for that, the arm's end
+/// is pulled back before the horn's plane. Sampled over the range.
+LinkHulls link_hulls(const LinkEnds& ends, double radius, double wall, double clearance);
+
+}  // namespace legwright

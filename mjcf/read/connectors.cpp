@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mjcf/read/connectors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "mjcf/read/feet.hpp"
+#include "mjcf/read/moving_parts.hpp"
+#include "mjcf/read/stretch.hpp"
+#include "mjcf/shape/polyhedron.hpp"
+#include "mjcf/text/compile.hpp"
+#include "mjcf/text/elements.hpp"
+#include "mjcf/text/model_arrays.hpp"
+#include "mjcf/text/numbers.hpp"
+
+namespace legwright {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr double kSamePoint = 1e-6;   // [m]; files have six digits
+constexpr double kSameWeight = 1e-6;  // of mass and moments
+constexpr std::size_t kMostPoints = 500;
+constexpr const char* kForm =
+    "expected \"DENSITY kg/m3 | body NAME: x y z … | geom NAME: x y z …\"";
+constexpr const char* kCure =
+    "change lengths by `legwright export`, which makes it anew, or remove the declaration: then it "
+    "stays as it is";
+
+/// Points that go with one thing.
+struct ConnectorEnd {
+  bool is_geom = false;
+  std::string name;
+  std::vector<Vector3d> points;
+};
+
+/// One declaration, read against the compiled model.
+class ConnectorReader {
+ public:
+  ConnectorReader(const XmlFile& xml, const mjModel& model, const TreeElements& elements,
+                  const Structure& structure, const StretchMap& stretches, const VectorXd& initial,
+                  const MeshElements& meshes, const XmlElement& text)
+      : xml_(xml),
+        model_(model),
+        elements_(elements),
+        structure_(structure),
+        stretches_(stretches),
+        initial_(initial),
+        meshes_(meshes),
+        text_(text) {}
+
+  Connector run() {
+    out_.mesh = attribute(text_, "name").substr(kConnectorPrefix.size());
+    const int geom = find_geom();
+    body_ = model_.geom_bodyid[geom];
+    out_.body = name_of(model_, mjOBJ_BODY, body_);
+    check_body(geom);
+    for (const ConnectorEnd& end : read_text()) {
+      const AffineVector place = place_of(end);
+      for (const Vector3d& point : end.points) out_.points.push_back(sum(place, {point, {}}));
+    }
+    const std::vector<Vector3d> now = points_at(out_.points, initial_);
+    out_.facets = convex_hull(now);
+    if (out_.facets.empty())
+      throw xml_.error(text_,
+                       "its points lie in one plane and hold no volume; give some beside it");
+    check_mesh(now);
+    check_weight(now);
+    return std::move(out_);
+  }
+
+ private:
+  int find_geom() {
+    const auto named = meshes_.find(out_.mesh);
+    mesh_ = named == meshes_.end() ? nullptr : named->second;
+    if (!mesh_ || !has_attribute(*mesh_, "vertex"))
+      throw xml_.error(text_, fmt::format("declares the mesh '{}', of which there is no <mesh> "
+                                          "with vertices in the file; correct the name",
+                                          out_.mesh));
+    for (const char* const name : {"scale", "refpos", "refquat", "face"})
+      if (has_attribute(*mesh_, name))
+        throw xml_.error(*mesh_, fmt::format("is a connector, whose vertices are rewritten as they "
+                                             "are; remove {}",
+                                             name));
+    int found = -1;
+    const int asset = mj_name2id(&model_, mjOBJ_MESH, out_.mesh.c_str());
+    for (int g = 0; g < static_cast<int>(model_.ngeom); ++g) {
+      if (model_.geom_type[g] != mjGEOM_MESH || model_.geom_dataid[g] != asset) continue;
+      if (found >= 0)
+        throw xml_.error(
+            *elements_.geoms[static_cast<std::size_t>(g)],
+            fmt::format("is a second geom of the connector '{}'; give it a mesh of its "
+                        "own",
+                        out_.mesh));
+      found = g;
+    }
+    if (found < 0)
+      throw xml_.error(text_, fmt::format("declares the mesh '{}', which no geom shows; add one, "
+                                          "or remove the declaration",
+                                          out_.mesh));
+    return found;
+  }
+
+  void check_body(int geom) const {
+    const XmlElement& element = *elements_.geoms[static_cast<std::size_t>(geom)];
+    const XmlElement* const body = elements_.bodies[static_cast<std::size_t>(body_)];
+    const bool is_plain = body_ > structure_.trunk && !out_.body.empty() &&
+                          model_.body_jntnum[body_] == 0 && body->FirstChildElement("inertial") &&
+                          is_at_origin(geom, *body);
+    if (!is_plain)
+      throw xml_.error(element,
+                       "is a connector, which stands at the origin of a body of its own that has a "
+                       "name, an <inertial> and no joint, and is fixed to a link; put it into one");
+  }
+
+  /// MuJoCo adds the mesh's own centre and axes to a geom's place.
+  bool is_at_origin(int geom, const XmlElement& body) const {
+    const int mesh = model_.geom_dataid[geom];
+    return elements_.geoms[static_cast<std::size_t>(geom)]->Parent() == &body &&
+           (vector_at(model_.geom_pos, geom) - vector_at(model_.mesh_pos, mesh)).norm() < 1e-9 &&
+           rotation_at(model_.geom_quat, geom).isApprox(rotation_at(model_.mesh_quat, mesh), 1e-9);
+  }
+
+  std::vector<ConnectorEnd> read_text() {
+    const std::string_view data = attribute(text_, "data");
+    std::vector<std::string_view> parts;
+    for (std::size_t at = 0; at <= data.size();) {
+      const std::size_t bar = std::min(data.find('|', at), data.size());
+      parts.push_back(trimmed(data.substr(at, bar - at)));
+      at = bar + 1;
+    }
+    const auto words = split_words(parts.front());
+    const auto density = words.empty() ? std::nullopt : parse_number(words.front());
+    if (words.size() != 2 || words[1] != "kg/m3" || !density || !(*density > 0.0))
+      throw xml_.error(text_,
+                       fmt::format("attribute data: '{}' is no density; {}", parts.front(), kForm));
+    out_.density = *density;
+    std::vector<ConnectorEnd> ends;
+    std::size_t count = 0;
+    for (std::size_t k = 1; k < parts.size(); ++k) {
+      ends.push_back(read_end(parts[k]));
+      count += ends.back().points.size();
+    }
+    if (count > kMostPoints)
+      throw xml_.error(text_, fmt::format("has {} points, at most {} are taken; leave out those "
+                                          "that are within the hull",
+                                          count, kMostPoints));
+    return ends;
+  }
+
+  ConnectorEnd read_end(std::string_view part) const {
+    const std::size_t colon = part.rfind(':');
+    const std::string_view head = trimmed(part.substr(0, colon));
+    ConnectorEnd out;
+    out.is_geom = head.substr(0, 5) == "geom ";
+    const auto numbers =
+        colon == std::string_view::npos ? std::nullopt : parse_numbers(part.substr(colon + 1));
+    if ((!out.is_geom && head.substr(0, 5) != "body ") || !numbers || numbers->empty() ||
+        numbers->size() % 3 != 0)
+      throw xml_.error(text_,
+                       fmt::format("attribute data: '{}' is no end with points; {}", part, kForm));
+    out.name = trimmed(head.substr(5));
+    for (std::size_t k = 0; k < numbers->size(); k += 3)
+      out.points.emplace_back(Vector3d::Map(numbers->data() + k));
+    return out;
+  }
+
+  const std::vector<Stretch>& stretches() const {
+    static const std::vector<Stretch> none;
+    const auto found = stretches_.find(name_of(model_, mjOBJ_BODY, model_.body_parentid[body_]));
+    return found == stretches_.end() ? none : found->second;
+  }
+
+  /// The origin of a body that stands beside the connector's, or of that itself, in the frame of
+  /// the body that holds both.
+  AffineVector origin_of(int body) const {
+    const Vector3d carried = carried_point(model_, structure_, body);
+    AffineVector out = stretched_point(carried, stretches());
+    out.constant += vector_at(model_.body_pos, body) - carried;
+    return out;
+  }
+
+  AffineVector origin_of_geom(int geom) const {
+    const XmlElement& element = *elements_.geoms[static_cast<std::size_t>(geom)];
+    AffineVector out = stretched_point(pose_in_body(xml_, element).translation(), stretches());
+    for (const FootContact& foot : structure_.feet)
+      if (foot.geom == geom) out = sum(out, foot_shift(xml_, elements_, model_, foot, stretches()));
+    return out;
+  }
+
+  /// The origin of what an end goes with, in the connector's frame.
+  AffineVector place_of(const ConnectorEnd& end) const {
+    const int id = mj_name2id(&model_, end.is_geom ? mjOBJ_GEOM : mjOBJ_BODY, end.name.c_str());
+    const int above = model_.body_parentid[body_];
+    const bool is_beside =
+        id >= 0 && (end.is_geom ? model_.geom_bodyid[id] == above
+                                : id == body_ || (id > 0 && model_.body_parentid[id] == above));
+    if (!is_beside)
+      throw xml_.error(text_,
+                       fmt::format("names the {} '{}', which does not stand in the body that "
+                                   "holds '{}'; name one that does, or '{}' itself",
+                                   end.is_geom ? "geom" : "body", end.name, out_.body, out_.body));
+    if (!end.is_geom && id == body_) return {};
+    const AffineVector place = end.is_geom ? origin_of_geom(id) : origin_of(id);
+    const Matrix3d back = rotation_at(model_.body_quat, body_).transpose();
+    return rotated(back, sum(place, negative(origin_of(body_))));
+  }
+
+  /// Its corners are declared points; whether they are all of them is told by what the hull weighs.
+  void check_mesh(const std::vector<Vector3d>& now) const {
+    const auto numbers = parse_numbers(attribute(*mesh_, "vertex"));
+    bool is_same = numbers && !numbers->empty() && numbers->size() % 3 == 0;
+    for (std::size_t k = 0; is_same && k < numbers->size(); k += 3) {
+      const Vector3d corner = Vector3d::Map(numbers->data() + k);
+      is_same = std::any_of(now.begin(), now.end(), [&](const Vector3d& point) {
+        return (point - corner).norm() <= kSamePoint;
+      });
+    }
+    if (!is_same)
+      throw xml_.error(*mesh_, fmt::format("is no longer the hull of the points that 'text {}{}' "
+                                           "declares; {}",
+                                           kConnectorPrefix, out_.mesh, kCure));
+  }
+
+  void check_weight(const std::vector<Vector3d>& now) const {
+    const XmlElement& inertial =
+        *elements_.bodies[static_cast<std::size_t>(body_)]->FirstChildElement("inertial");
+    const SolidMoments hull = moments_of_solid(out_.facets, now);
+    const BodyInertia said = legwright::inertia_of(inertial, model_, body_);
+    const double mass = out_.density * hull.volume;
+    const Matrix3d inertia = out_.density * hull.inertia();
+    if (!(std::abs(model_.body_mass[body_] - mass) <= kSameWeight * mass) ||
+        !((said.centre - hull.centre).norm() <= kSamePoint) ||
+        !((said.inertia - inertia).norm() <= kSameWeight * inertia.norm()))
+      throw xml_.error(inertial,
+                       fmt::format("is of the connector '{}', whose hull weighs {:.6g} kg at {} "
+                                   "kg/m3, with its centre at {}; {}",
+                                   out_.mesh, mass, out_.density,
+                                   format_numbers(rounded(VectorXd(hull.centre))), kCure));
+  }
+
+  const XmlFile& xml_;
+  const mjModel& model_;
+  const TreeElements& elements_;
+  const Structure& structure_;
+  const StretchMap& stretches_;
+  const VectorXd& initial_;
+  const MeshElements& meshes_;
+  const XmlElement& text_;
+  const XmlElement* mesh_ = nullptr;
+  int body_ = 0;
+  Connector out_;
+};
+
+}  // namespace
+
+MeshElements find_mesh_elements(const XmlFile& xml) {
+  MeshElements out;
+  for (const XmlElement* section = xml.root().FirstChildElement("asset"); section;
+       section = section->NextSiblingElement("asset"))
+    for (const XmlElement* mesh = section->FirstChildElement("mesh"); mesh;
+         mesh = mesh->NextSiblingElement("mesh"))
+      if (has_attribute(*mesh, "name")) out.emplace(attribute(*mesh, "name"), mesh);
+  return out;
+}
+
+std::vector<Vector3d> points_at(const std::vector<AffineVector>& points, const VectorXd& s) {
+  std::vector<Vector3d> out;
+  out.reserve(points.size());
+  for (const AffineVector& point : points) out.push_back(point.at(s));
+  return out;
+}
+
+std::vector<Facet> facets_at(const Connector& connector, const std::vector<Vector3d>& points) {
+  return is_convex_hull(connector.facets, points) ? connector.facets : convex_hull(points);
+}
+
+std::vector<Connector> read_connectors(const XmlFile& xml, const mjModel& model,
+                                       const Structure& structure, const StretchMap& stretches,
+                                       const VectorXd& initial) {
+  std::vector<const XmlElement*> texts;
+  for (const XmlElement* section = xml.root().FirstChildElement("custom"); section;
+       section = section->NextSiblingElement("custom"))
+    for (const XmlElement* text = section->FirstChildElement("text"); text;
+         text = text->NextSiblingElement("text"))
+      if (attribute(*text, "name").substr(0, kConnectorPrefix.size()) == kConnectorPrefix)
+        texts.push_back(text);
+  std::vector<Connector> out;
+  if (texts.empty()) return out;
+  const TreeElements elements = find_elements(xml, model);
+  const MeshElements meshes = find_mesh_elements(xml);
+  for (const XmlElement* text : texts)
+    out.push_back(
+        ConnectorReader(xml, model, elements, structure, stretches, initial, meshes, *text).run());
+  return out;
+}
+
+void add_connector_masses(const std::vector<Connector>& connectors, const VectorXd& initial,
+                          PrintedMap& printed) {
+  for (const Connector& connector : connectors)
+    printed.emplace(connector.body, masses_of_solid(connector.facets, connector.points,
+                                                    connector.density, initial));
+}
+
+Morphology with_hulls_at(const RobotModel& robot, const VectorXd& s) {
+  Morphology out = robot.morphology;
+  for (const Connector& connector : robot.connectors) {
+    const std::vector<Vector3d> points = points_at(connector.in_link, s);
+    const std::vector<Facet> facets = facets_at(connector, points);
+    if (facets == connector.facets) continue;
+    const std::vector<PointMass> masses =
+        masses_of_solid(facets, connector.in_link, connector.density, robot.space.initial());
+    std::copy(
+        masses.begin(), masses.end(),
+        out.links[static_cast<std::size_t>(connector.link)].masses.begin() + connector.first_mass);
+  }
+  return out;
+}
+
+}  // namespace legwright

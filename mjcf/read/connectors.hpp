@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Printed parts that follow the design: convex hulls between modules.
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <Eigen/Core>
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mjcf/read/printed.hpp"
+#include "mjcf/read/robot_model.hpp"
+#include "mjcf/read/structure.hpp"
+#include "mjcf/shape/affine.hpp"
+#include "mjcf/text/xml.hpp"
+
+namespace legwright {
+
+/// A <text> that declares a connector is called so, and then like the mesh that shows it.
+inline constexpr std::string_view kConnectorPrefix = "legwright_connector/";
+
+/// Reads the <text name="legwright_connector/MESH" data="DENSITY kg/m3 | body NAME: x y z … | geom
+/// NAME: x y z …"/> of a robot: of a mesh that is the convex hull of points, each of which goes
+/// with a body or a geom. The mesh is shown by one geom, at the origin of a body of its own with an
+/// <inertial> and without joint; the bodies and geoms stand beside that. Points are from their
+/// origins [m], in the axes of the mesh. Throws InputError for anything else, and where the file's
+/// mesh or <inertial> is not that of the hull.
+/// @param initial the design that the file holds
+std::vector<Connector> read_connectors(const XmlFile& xml, const mjModel& model,
+                                       const Structure& structure, const StretchMap& stretches,
+                                       const Eigen::VectorXd& initial);
+
+/// Their point masses (masses_of_solid()), by the names of their bodies, in whose frames they are.
+void add_connector_masses(const std::vector<Connector>& connectors, const Eigen::VectorXd& initial,
+                          PrintedMap& printed);
+
+/// The <mesh> elements that have names.
+using MeshElements = std::map<std::string, const XmlElement*, std::less<>>;
+MeshElements find_mesh_elements(const XmlFile& xml);
+
+/// The points of a connector at a design, in its body's frame.
+std::vector<Eigen::Vector3d> points_at(const std::vector<AffineVector>& points,
+                                       const Eigen::VectorXd& s);
+
+/// Their hull at a design: the triangles of the file's design where these still are one.
+std::vector<Facet> facets_at(const Connector& connector,
+                             const std::vector<Eigen::Vector3d>& points);
+
+/// The robot whose connectors weigh at design s what their hulls do there: where triangles change
+/// on the way, what the file at s will weigh differs from what F takes them to.
+Morphology with_hulls_at(const RobotModel& robot, const Eigen::VectorXd& s);
+
+}  // namespace legwright

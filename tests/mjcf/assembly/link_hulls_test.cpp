@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+// Printed parts between modules: where they are, how near they come to the servo that turns them,
+// and that they follow a design. Distances are MuJoCo's own.
+#include "mjcf/assembly/link_hulls.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "mjcf/assembly/assembly_xml.hpp"
+#include "mjcf/assembly/build_robot.hpp"
+#include "mjcf/read/connectors.hpp"
+#include "mjcf/text/compile.hpp"
+#include "mjcf/write/rewrite_robot.hpp"
+#include "tests/mjcf/assembly/boxy_dog.hpp"
+
+namespace legwright {
+namespace {
+
+using Eigen::Vector3d;
+
+Attachment attachment(const char* name, const Vector3d& position, const Vector3d& normal) {
+  return {name, false, position, normal, ""};
+}
+
+/// The dog with attachments on the ends and backs of its servos and on its feet.
+Assembly hulled_dog() {
+  Assembly out = test::boxy_dog();
+  out.link_shape = LinkShape::hull;
+  for (AssemblyJoint& joint : out.limbs[0].joints)
+    joint.servo.attachments = {attachment("end", {0.0, -0.023, 0.0}, {0.0, -1.0, 0.0}),
+                               attachment("back", {0.0, 0.0, -0.017}, {0.0, 0.0, -1.0})};
+  out.limbs[0].foot.attachments = {attachment("top", {0.0, 0.0, 0.012}, {0.0, 0.0, 1.0})};
+  return out;
+}
+
+int id_of(const mjModel& model, mjtObj type, const std::string& name) {
+  const int id = mj_name2id(&model, type, name.c_str());
+  EXPECT_GE(id, 0) << name;
+  return id;
+}
+
+/// Least distance of two geoms over a joint's range, where `others` are 1 mm apart [m].
+double least_distance(const mjModel& model, int joint, int a, int b, std::pair<int, int> others) {
+  double least = 1.0;
+  std::vector<double> qpos(model.qpos0, model.qpos0 + model.nq);
+  for (int k = 0; k <= 90; ++k) {
+    const double* range = model.jnt_range + std::ptrdiff_t{2} * joint;
+    qpos[static_cast<std::size_t>(model.jnt_qposadr[joint])] =
+        range[0] + (range[1] - range[0]) * k / 90.0;
+    const DataPointer data = kinematics_at(model, qpos.data(), "dog.xml");
+    if (mj_geomDistance(&model, data.get(), others.first, others.second, 1.0, nullptr) < 1e-3)
+      continue;
+    least = std::min(least, mj_geomDistance(&model, data.get(), a, b, 1.0, nullptr));
+  }
+  return least;
+}
+
+int only_geom(const mjModel& model, const std::string& body) {
+  const int id = id_of(model, mjOBJ_BODY, body);
+  EXPECT_EQ(model.body_geomnum[id], 1) << body;
+  return model.body_geomadr[id];
+}
+
+TEST(LinkHulls, KeepClearOfTheServoThatTurnsThem) {
+  const ModelPointer model =
+      compile_mjcf(assembly_xml(hulled_dog(), 0.2), "dog.xml", MeshDetail::triangles);
+  for (const char* leg : {"FL", "FR", "HL", "HR"})
+    for (const char* link : {"hip", "knee"}) {
+      const std::string name = std::string(leg) + "_" + link;
+      const int servo = only_geom(*model, name + "_servo");
+      const int next = std::string(link) == "hip"
+                           ? only_geom(*model, std::string(leg) + "_knee_servo")
+                           : id_of(*model, mjOBJ_GEOM, leg);
+      const int joint = id_of(*model, mjOBJ_JOINT, name);
+      for (const char* role : {"_link_arm", "_link_boss"}) {
+        if (mj_name2id(model.get(), mjOBJ_BODY, (name + role).c_str()) < 0) continue;
+        const int hull = only_geom(*model, name + role);
+        EXPECT_GE(least_distance(*model, joint, hull, servo, {servo, next}), 1e-3 - 1e-6)
+            << name << role;
+      }
+      // It reaches the next module.
+      EXPECT_LE(
+          least_distance(*model, joint, only_geom(*model, name + "_link_arm"), next, {servo, next}),
+          1e-6);
+    }
+}
+
+TEST(LinkHulls, AreSeenAndDoNotTouchWhileCapsulesDo) {
+  const ModelPointer model = compile_mjcf(assembly_xml(hulled_dog(), 0.2), "dog.xml");
+  const int arm = only_geom(*model, "FL_hip_link_arm");
+  EXPECT_EQ(model->geom_type[arm], mjGEOM_MESH);
+  EXPECT_EQ(model->geom_contype[arm] + model->geom_conaffinity[arm], 0);
+  EXPECT_LT(model->geom_group[arm], 3);
+  const int capsule = only_geom(*model, "FL_hip_link");
+  EXPECT_EQ(model->geom_type[capsule], mjGEOM_CAPSULE);
+  EXPECT_EQ(model->geom_contype[capsule], 1);
+  EXPECT_EQ(model->geom_group[capsule], 3) << "which viewers do not show";
+  EXPECT_EQ(model->body_mass[id_of(*model, mjOBJ_BODY, "FL_hip_link")], 0.0);
+}
+
+TEST(LinkHulls, MirrorEachOther) {
+  const ModelPointer model = compile_mjcf(assembly_xml(hulled_dog(), 0.2), "dog.xml");
+  const int left = id_of(*model, mjOBJ_BODY, "HL_hip_link_arm"),
+            right = id_of(*model, mjOBJ_BODY, "HR_hip_link_arm");
+  EXPECT_NEAR(model->body_mass[left], model->body_mass[right], 1e-12);
+  EXPECT_GT(model->body_mass[left], 1e-3);
+  for (int k = 0; k < 3; ++k)
+    EXPECT_NEAR(model->body_ipos[3 * left + k],
+                (k == 1 ? -1.0 : 1.0) * model->body_ipos[3 * right + k], 1e-12);
+}
+
+TEST(LinkHulls, FollowTheDesign) {
+  const BuiltRobot built = build_robot(hulled_dog(), "dog.xml");
+  EXPECT_TRUE(built.notes.empty());
+  const RobotModel& robot = built.found.model;
+  EXPECT_GE(robot.connectors.size(), 8u);
+  Eigen::VectorXd s = robot.space.initial();
+  for (int k = 0; k < robot.space.size(); ++k)
+    s[k] = 0.2 * robot.space.parameters[k].lower + 0.8 * robot.space.parameters[k].upper;
+  const RobotModel longer = parse_robot(rewrite_robot(robot, s), "dog.xml");
+  EXPECT_GT(longer.morphology.total_mass(), robot.morphology.total_mass());
+  EXPECT_EQ(build_robot(hulled_dog(), "dog.xml").xml, built.xml) << "same input, same bytes";
+}
+
+TEST(LinkHulls, AreNoneWhereNothingFacesTheHorn) {
+  Assembly assembly = hulled_dog();
+  assembly.limbs[0].foot.attachments.clear();
+  const BuiltRobot built = build_robot(assembly, "dog.xml");
+  ASSERT_EQ(built.notes.size(), 1u);
+  EXPECT_NE(built.notes[0].find("faces the horn of FL_knee_link, FR_knee_link"), std::string::npos)
+      << built.notes[0];
+  const ModelPointer model = compile_mjcf(built.xml, "dog.xml");
+  EXPECT_LT(mj_name2id(model.get(), mjOBJ_BODY, "FL_knee_link_arm"), 0);
+  const int link = id_of(*model, mjOBJ_BODY, "FL_knee_link");
+  EXPECT_GT(model->body_mass[link], 0.011) << "a capsule is printed instead";
+}
+
+/// The next servo lies within the reach of the one that turns it: the part's end stays before the
+/// horn's plane, or what it misses is told.
+TEST(LinkHulls, TellWhereThereIsNoRoom) {
+  Assembly assembly = hulled_dog();
+  assembly.limbs[0].joints[1].offset = {0.0, 0.0, -0.045};
+  assembly.link_clearance = 0.004;
+  const BuiltRobot built = build_robot(assembly, "dog.xml");
+  for (const std::string& note : built.notes)
+    EXPECT_NE(note.find("nearer to the servo that turns them than 4 mm"), std::string::npos)
+        << note;
+  EXPECT_GE(built.found.model.connectors.size(), 8u);
+}
+
+}  // namespace
+}  // namespace legwright
