@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "mjcf/read/connectors.hpp"
 #include "mjcf/text/safe_path.hpp"
 #include "optimizer/design/inertia.hpp"
 #include "optimizer/factor/hessian_factor.hpp"
@@ -128,9 +129,10 @@ std::vector<StartRecord> records_of(const CodesignProblem& problem,
 }  // namespace
 
 BodyRecord body_record(const RobotModel& robot, const Eigen::VectorXd& s) {
-  BodyRecord body{GeometryAtDesign(robot.morphology, s).total_mass, {}};
+  const Morphology written = with_hulls_at(robot, s);  // as the file at s weighs
+  BodyRecord body{GeometryAtDesign(written, s).total_mass, {}};
   double volume = 0.0;
-  for (const Link& link : robot.morphology.links)
+  for (const Link& link : written.links)
     for (const PointMass& point : link.masses) volume += point.volume * point.growth_at(s);
   if (volume > 0.0) body.printed_volume = volume;
   return body;

@@ -31,6 +31,13 @@ TEST(Assemblies, APuppyIsBuiltOptimizedAndPasses) {
   ASSERT_EQ(found.code, 0) << found.err;
   const Outcome verdict = call({"validate", run.string()});
   EXPECT_EQ(verdict.code, 0) << verdict.out << verdict.err;
+  // What is printed goes with the robot, also as URDF.
+  const fs::path exported = folder.path() / "exported";
+  const Outcome put =
+      call({"export", run.string(), "-o", exported.string(), "--urdf", "--no-picture"});
+  ASSERT_EQ(put.code, 0) << put.err;
+  EXPECT_TRUE(contains(read_file(exported / "urdf/puppy.urdf"), "meshes/FL_thigh_arm.obj"));
+  EXPECT_TRUE(fs::exists(exported / "urdf/meshes/FL_thigh_arm.obj"));
 }
 
 /// As a user goes on who has no --task yet.
