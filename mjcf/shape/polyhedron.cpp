@@ -16,7 +16,7 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kOneDirection = 1e-9;  // sine
+constexpr double kParallelMoves = 1e-9;  // sine
 
 /// ∫ z zᵀ over a tetrahedron of volume one, of what is affine in place: of its corners and their
 /// mean.
@@ -45,7 +45,7 @@ class MovingPoints {
       for (const AffineVector::Slope& slope : point.slopes) {
         const std::size_t k = index_of(slope.parameter);
         const double along = slope.slope.dot(directions_[k]);
-        if ((slope.slope - along * directions_[k]).norm() > kOneDirection * slope.slope.norm())
+        if ((slope.slope - along * directions_[k]).norm() > kParallelMoves * slope.slope.norm())
           throw std::logic_error("one parameter moves the corners of a solid along two directions");
         place[3 + static_cast<Eigen::Index>(k)] = along * initial[slope.parameter];
       }
