@@ -7,7 +7,9 @@
 
 #include <algorithm>
 
+#include "mjcf/read/read_robot.hpp"
 #include "mjcf/text/compile.hpp"
+#include "tests/mjcf/robots/robots.hpp"
 #include "tests/mjcf/text/robot_home.hpp"
 
 namespace legwright {
