@@ -15,9 +15,9 @@ namespace legwright {
 
 /// Height of the lowest point of a geom in the pose that `data` holds [m].
 double lowest_point(const mjModel& model, const mjData& data, int geom);
-/// About where a geom would touch the ground in that pose: the lower end of a capsule's or cylinder's
-/// axis, a lower corner, edge or the middle of a face, the middle of what is lowest of a mesh, at
-/// lowest_point() [m, world]. choose_foot() tells it exactly.
+/// About where a geom would touch the ground in that pose: the lower end of a capsule's axis, or of
+/// a cylinder's, a lower corner, edge or the middle of a face, the middle of what is lowest of a
+/// mesh, at lowest_point() [m, world]. choose_foot() tells it exactly.
 Eigen::Vector3d lowest_place(const mjModel& model, const mjData& data, int geom);
 bool collides(const mjModel& model, int geom);
 

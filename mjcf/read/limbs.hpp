@@ -25,9 +25,8 @@ struct Limb {
 Across sides_across(const Eigen::Vector2d& ahead);
 
 /// The limbs of a robot, front to hind, left before right: rows by where the feet stand in the home
-/// pose, partners by geometry (same number of joints, feet mirrored to three hundredths of the leg),
-/// across the plane through the trunk's frame, or, where that has fewer pairs, in the middle of the
-/// feet.
+/// pose, partners by geometry (same number of joints, feet mirrored to 0.03 of the leg), across the
+/// plane through the trunk's frame, or, where that has fewer pairs, in the middle of the feet.
 /// @param s the design. @param ahead where it faces: one of ±x, ±y of the trunk's frame
 std::vector<Limb> find_limbs(const Morphology& morphology, const Eigen::VectorXd& s,
                              const Eigen::Vector2d& ahead = Eigen::Vector2d::UnitX());

@@ -11,8 +11,8 @@
 
 namespace legwright {
 
-/// Triangles, about, that each of the first files keeps, enough for pictures of a robot, and each of
-/// many more, so that an MJCF holds them all.
+/// Triangles, about, that each of the first files keeps, enough for pictures of a robot, and that
+/// each of many more keeps, so that an MJCF holds them all.
 inline constexpr int kColladaTriangles = 3000, kFewColladaTriangles = 100;
 inline constexpr std::size_t kManyColladaFiles = 32;
 

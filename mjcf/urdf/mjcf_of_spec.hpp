@@ -27,7 +27,8 @@ struct MjcfOfSpec {
 /// A robot as MuJoCo's reader holds it after reading a URDF, written as MJCF from its trunk on: all
 /// digits of its numbers, names as they are, nothing that is a default. The trunk floats; joints
 /// with a torque limit get position servos, and the reflected inertia of those (kRotorTime).
-/// @param meshes whose Collada files are written out @param notes gets a sentence for what was added
+/// @param meshes whose Collada files are written out
+/// @param notes gets a sentence for what was added
 MjcfOfSpec mjcf_of_spec(mjSpec& spec, mjsBody& trunk, const UrdfMending& mending,
                         const MeshSources& meshes, std::vector<std::string>& notes);
 

@@ -125,19 +125,23 @@ TEST(Collada, NodesWithoutEndAreRefused) {
 
 /// A small file that would take gigabytes.
 TEST(Collada, PartsShownAgainAndAgainAreRefused) {
-  std::string corners;
-  for (int k = 0; k < 30000; ++k) corners += "1 2 3 ";
-  const std::string line = "<p>0 1 29999</p>";
-  std::string text = collada(
-      "<polygons><input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/>" + line + "</polygons>",
-      kShown);
-  text.replace(text.find(test::kCorners), std::string(test::kCorners).size(), corners);
-  EXPECT_EQ(read_dae(text).vertices.size(), 9u) << "what no face has is left out";
-  std::string nodes;
-  for (int k = 0; k < 199990; ++k) nodes += "<node/>";
-  EXPECT_NE(fault_of_dae(collada(kPolygons, nodes + kShown)).find("parts within parts"),
-            std::string::npos)
-      << fault_of_dae(collada(kPolygons, nodes + kShown)).substr(0, 200);
+  std::string corners, polygon;
+  for (int k = 0; k < 30000; ++k) {
+    corners += fmt::format("{} {} 3 ", k, k % 7);
+    polygon += fmt::format("{} ", k);
+  }
+  const auto shown = [&](const std::string& indices, int times) {
+    std::string nodes;
+    for (int k = 0; k < times; ++k) nodes += kShown;
+    std::string text =
+        collada("<polygons><input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/><p>" + indices +
+                    "</p></polygons>",
+                nodes);
+    return text.replace(text.find(test::kCorners), std::string(test::kCorners).size(), corners);
+  };
+  EXPECT_EQ(read_dae(shown("0 1 29999", 1)).vertices.size(), 9u) << "what no face has is left out";
+  EXPECT_EQ(read_dae(shown(polygon, 3)).triangles(), 3u * 29998u);
+  EXPECT_NE(fault_of_dae(shown(polygon, 200)).find("parts within parts"), std::string::npos);
   EXPECT_NE(fault_of_dae(collada(kPolygons,
                                  "<node><scale>1e39 1 1</scale><instance_geometry "
                                  "url=\"#box\"/></node>"))
