@@ -25,7 +25,7 @@ using Eigen::Vector3d;
 
 constexpr XmlLimits kLimits{std::size_t{64} << 20, std::size_t{1} << 20, 200'000, 90};
 constexpr int kDeepest = 32;       // nodes that show others
-constexpr double kFarthest = 1e6;  // [m]
+constexpr double kFarthestPoint = 1e6;  // [m]
 // Numbers read, parts shown and corners placed: some ten times what parts of robots have.
 constexpr std::size_t kMostWork = 20'000'000, kWorkOfPart = 100;
 
@@ -167,7 +167,7 @@ class ColladaReader {
       const Vector3d at =
           place * Vector3d(part.vertices[v], part.vertices[v + 1], part.vertices[v + 2]);
       for (const double x : at) {
-        if (!(std::abs(x) < kFarthest))
+        if (!(std::abs(x) < kFarthestPoint))
           throw xml_->error(geometry, fmt::format("has a point {:.3g} m away", std::abs(x)));
         out_.vertices.push_back(static_cast<float>(x));
       }
