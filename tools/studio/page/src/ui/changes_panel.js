@@ -41,10 +41,8 @@ export class ChangesPanel {
       this.table,
       this.more,
     );
-    studio.store.on(
-      ["state", "document", "alternatives fewest"],
-      calmly(() => this.update()),
-    );
+    this.showChangesSoon = calmly(() => this.showChanges());
+    studio.store.on(["state", "document", "alternatives fewest"], () => this.update());
   }
 
   /** Works out the designs with the fewest changes, or says why that cannot be now. */
@@ -114,7 +112,8 @@ export class ChangesPanel {
     this.found = usable ? store.get("alternatives fewest") : null;
     this.choices.hidden = !this.found;
     if (this.found) this.showChoices(state);
-    this.showChanges(state, document);
+    if (this.studio.edits.moving) this.showChangesSoon();
+    else this.showChanges();
   }
 
   /** The share of the fall of F that a design keeps. */
@@ -181,7 +180,11 @@ export class ChangesPanel {
     return `${(100 * this.kept(k)).toFixed(1)} %`;
   }
 
-  showChanges(state, { parameters }) {
+  showChanges() {
+    const { store } = this.studio;
+    const [state, document] = [store.get("state"), store.get("document")];
+    if (!state || !document) return;
+    const { parameters } = document;
     // What a change is worth was asked of one design alone.
     const worths = new Map(
       this.found && this.present === 0
