@@ -24,7 +24,7 @@ using Eigen::Affine3d;
 using Eigen::Vector3d;
 
 constexpr XmlLimits kLimits{std::size_t{64} << 20, std::size_t{1} << 20, 200'000, 90};
-constexpr int kDeepest = 32;       // nodes that show others
+constexpr int kDeepest = 32;            // nodes that show others
 constexpr double kFarthestPoint = 1e6;  // [m]
 // Numbers read, parts shown and corners placed: some ten times what parts of robots have.
 constexpr std::size_t kMostWork = 20'000'000, kWorkOfPart = 100;

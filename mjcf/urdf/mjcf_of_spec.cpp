@@ -119,7 +119,8 @@ class MjcfWriter {
       if (const auto real = meshes_.path_of.find(file); real != meshes_.path_of.end())
         file = real->second;
       XmlAttributes own{{"name", element_name(element)}};
-      if (const ColladaMesh* const found = meshes_.collada.find(file))
+      if (const ColladaMesh* const found = meshes_.collada.find(file);
+          found != nullptr && found->fault.empty())
         add_drawn(found->mesh, own);
       else
         own.emplace_back("file", file);

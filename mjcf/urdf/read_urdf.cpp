@@ -60,6 +60,8 @@ class UrdfEdits {
       for (const char* shape : {"visual", "collision"}) edit_shapes(*link, shape);
     tell_meshes();
     tell_empty_ranges(root);
+    if (repeated_material_)
+      out_.notes.emplace_back("shapes with several <material> have the first of them");
     tinyxml2::XMLPrinter printer;
     document_.Print(&printer);
     return printer.CStr();
@@ -105,6 +107,7 @@ class UrdfEdits {
   void edit_shapes(XmlElement& link, const char* kind) {
     for (XmlElement* shape = link.FirstChildElement(kind); shape != nullptr;) {
       XmlElement* const next = shape->NextSiblingElement(kind);
+      keep_first_material(*shape);
       XmlElement* const geometry = shape->FirstChildElement("geometry");
       XmlElement* const mesh = geometry ? geometry->FirstChildElement("mesh") : nullptr;
       const char* const name = mesh ? mesh->Attribute("filename") : nullptr;
@@ -116,6 +119,16 @@ class UrdfEdits {
           mesh->SetAttribute("filename", spec_name(path).c_str());
       }
       shape = next;
+    }
+  }
+
+  /// Exporters write a shape's material twice, which MuJoCo's reader refuses.
+  void keep_first_material(XmlElement& shape) {
+    XmlElement* const first = shape.FirstChildElement("material");
+    if (first == nullptr) return;
+    while (XmlElement* const second = first->NextSiblingElement("material")) {
+      shape.DeleteChild(second);
+      repeated_material_ = true;
     }
   }
 
@@ -180,6 +193,7 @@ class UrdfEdits {
   std::string mesh_folder_;
   MeshSources& meshes_;
   MjcfOfUrdf& out_;
+  bool repeated_material_ = false;
   std::map<std::string, std::string> path_of_stem_;
   std::map<std::string, std::set<std::string>> left_out_;  // by why
   std::map<UrdfMeshKind, std::set<std::string>> names_;

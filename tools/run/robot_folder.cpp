@@ -28,10 +28,15 @@ bool holds(const fs::path& file, const std::string& bytes) {
          read_regular_file(file, bytes.size()) == bytes;
 }
 
+/// That a file goes into; nothing for one in the current folder, which is there.
+void make_folder_of(const fs::path& file) {
+  if (file.has_parent_path()) fs::create_directories(file.parent_path());
+}
+
 void write_asset(const AssetFile& asset, const fs::path& to, Durability durability) {
   if (fs::exists(fs::symlink_status(to)) && holds(to, read_regular_file(asset.source, asset.bytes)))
     return;
-  fs::create_directories(to.parent_path());
+  make_folder_of(to);
   if (asset.may_link && linked(asset.source, to)) return;
   write_file(to, read_regular_file(asset.source, asset.bytes), durability);
 }
@@ -40,7 +45,7 @@ void write_asset(const AssetFile& asset, const fs::path& to, Durability durabili
 void write_others(const fs::path& folder, const RobotFiles& files, Durability durability) {
   for (const IncludedFile& included : files.includes()) {
     const fs::path to = folder / included.path;
-    fs::create_directories(to.parent_path());
+    make_folder_of(to);
     write_file(to, included.text, durability);
   }
   for (const AssetFile& asset : files.assets()) write_asset(asset, folder / asset.path, durability);
@@ -64,10 +69,15 @@ void write_main_file(const fs::path& output, const RobotFiles& files) {
   const RobotFiles own = files.gathered();
   const auto check = [&](const fs::path& path, const auto& bytes) {
     const bool taken = fs::exists(fs::symlink_status(to / path)) && !holds(to / path, bytes());
-    if (*path.begin() == output.filename() || taken)
+    if (*path.begin() == output.filename())
+      throw IoError(fmt::format(
+          "{}: the robot includes or shows a file of this name, which is written beside it; give "
+          "the output another name",
+          output.string()));
+    if (taken)
       throw IoError(
-          fmt::format("{}: the robot has another file of this name, which would replace it; "
-                      "write {} into a new folder",
+          fmt::format("{}: another file is there, which the one of this name that the robot "
+                      "includes or shows would replace; write {} into a new folder",
                       (output.parent_path() / path).string(), output.filename().string()));
     for (fs::path above = path.parent_path(); !above.empty(); above = above.parent_path())
       if (fs::is_symlink(fs::symlink_status(to / above)))

@@ -10,6 +10,7 @@
 
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/input_error.hpp"
+#include "mjcf/text/robot_files.hpp"
 #include "mjcf/urdf/read_urdf.hpp"
 #include "tests/mjcf/robots/robots.hpp"
 #include "tests/mjcf/urdf/collada_box.hpp"
@@ -84,6 +85,19 @@ TEST_F(ColladaOfUrdf, LiesWithinReach) {
   EXPECT_EQ(compile_mjcf(UrdfReader(urdf, urdf_).read().text, home_ / "robot.xml")->nmesh, 1);
   UrdfReader confined(urdf, urdf_, FileReach::own_folder("a rule"));
   EXPECT_EQ(compile_mjcf(confined.read().text, home_ / "robot.xml")->nmesh, 0);
+}
+
+TEST_F(ColladaOfUrdf, OneThatCollidesAndIsNotThereIsToldByWhoeverReadsTheMjcf) {
+  const std::string urdf =
+      test::with(kHopper, "<collision name=\"shell\"><geometry><box size=\"0.2 0.1 0.04\"/>",
+                 "<collision name=\"shell\"><geometry><mesh filename=\"box.dae\"/>");
+  const MjcfOfUrdf made = mjcf_of_urdf(urdf, urdf_);
+  try {
+    RobotFiles::from_text(made.text, urdf_);
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_TRUE(test::tells(error.what(), "the file 'box.dae' is not there")) << error.what();
+  }
 }
 
 /// MuJoCo's reader calls meshes by their files without folder and ending.

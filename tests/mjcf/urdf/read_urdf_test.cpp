@@ -171,6 +171,16 @@ TEST(ReadUrdf, NamesWithBlanksAreRenamedEachToItsOwn) {
       << renamed.notes.back();
 }
 
+/// As Unitree's exporter does.
+TEST(ReadUrdf, AMaterialThatIsWrittenTwiceCountsOnce) {
+  const std::string urdf = test::with(kHopper, "<material name=\"red\"/></visual>",
+                                      "<material name=\"red\"/><material name=\"blue\"/></visual>");
+  const MjcfOfUrdf found = made(urdf);
+  const ModelPointer model = compile_mjcf(found.text, "hopper.xml");
+  EXPECT_NEAR(model->geom_rgba[0], 0.8, 1e-6);
+  EXPECT_TRUE(tells(found.notes[0], "several <material>")) << found.notes[0];
+}
+
 TEST(ReadUrdf, RangesOfNothingAreTold) {
   const std::string urdf =
       test::with(kHopper, "<limit effort=\"4\" velocity=\"20\"/>",

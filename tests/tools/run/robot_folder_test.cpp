@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <string>
+
 #include "mjcf/text/input_error.hpp"
 #include "tests/tools/files/temporary_folder.hpp"
 #include "tools/files/io_error.hpp"
@@ -53,6 +55,24 @@ TEST_F(RobotFolder, FilesOfTheUserAreCopiedThoseOfTheRunLinked) {
   EXPECT_EQ(fs::hard_link_count(design / "metrics.json"), 1u);
   EXPECT_EQ(read_file(copy / "metrics.json"), "{}");
   EXPECT_THROW(copy_design(design, copy, files), std::system_error);  // is there already
+}
+
+/// As `init robot.xml -o dog.xml` names it.
+TEST_F(RobotFolder, AFileWithoutFolderIsWrittenIntoTheCurrentOne) {
+  const RobotFiles files = RobotFiles::read(home_ / "dog.xml");
+  const fs::path before = fs::current_path();
+  fs::current_path(fresh("here"));
+  write_main_file("mine.xml", files);
+  EXPECT_EQ(read_file("mine.xml"), files.main_text());
+  EXPECT_TRUE(fs::exists("parts/leg.xml") && fs::exists("meshes/ear.stl"));
+  try {
+    write_main_file("meshes", files);
+    ADD_FAILURE() << "written";
+  } catch (const IoError& error) {
+    EXPECT_NE(std::string(error.what()).find("give the output another name"), std::string::npos)
+        << error.what();
+  }
+  fs::current_path(before);
 }
 
 TEST_F(RobotFolder, FilesElsewhereAreGathered) {
