@@ -87,7 +87,7 @@ def test_why_a_trunk_sinks_is_told(examples, tmp_path):
     with pytest.warns(lw.LegwrightWarning, match='declares no design parameters'):
         design = lw.codesign(goat, lw.Task('trot', (0.1, 0.0)), **quick)
     readme = exported(design, tmp_path) / 'README.md'
-    assert 'or torque motors; the gait has its own' in readme.read_text('utf-8')
+    assert 'none of its actuators is a position servo' in readme.read_text('utf-8')
 
 
 def test_the_script_says_what_a_window_needs(walk, tmp_path):
