@@ -44,6 +44,7 @@ Vector3d on_the_grain(const Vector3d& point) {
 
 std::string words_of(const std::vector<Vector3d>& points) {
   std::vector<std::string> words;
+  words.reserve(points.size());
   for (const Vector3d& point : points) words.push_back(rounded_words(point));
   return fmt::format("{}", fmt::join(words, " "));
 }

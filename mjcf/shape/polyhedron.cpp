@@ -136,7 +136,7 @@ SolidMoments moments_of_solid(const std::vector<Facet>& facets,
                               const std::vector<Vector3d>& points) {
   SolidMoments out;
   if (facets.empty()) return out;
-  const Vector3d base = points[static_cast<std::size_t>(facets.front()[0])];
+  const Vector3d& base = points[static_cast<std::size_t>(facets.front()[0])];
   Vector3d first = Vector3d::Zero();
   Matrix3d second = Matrix3d::Zero();
   for (const Facet& facet : facets) {

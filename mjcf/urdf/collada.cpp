@@ -258,7 +258,8 @@ class ColladaReader {
       const std::vector<double> indices = numbers_of(p);
       spend(p, corners.size());
       const std::size_t given = indices.size() / corner.size;
-      const auto most = static_cast<double>(out.vertices.size() / 3) - 1.0;
+      const std::size_t vertices = out.vertices.size() / 3;
+      const double most = static_cast<double>(vertices) - 1.0;
       const auto add_fan = [&](std::size_t first, std::size_t size) {
         const auto vertex = [&](std::size_t k) {
           return static_cast<std::uint32_t>(

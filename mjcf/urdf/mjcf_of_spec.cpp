@@ -170,7 +170,7 @@ class MjcfWriter {
   /// Those of the file, where no others are known to be right.
   Matrix3d moments_of(const mjsBody& body) {
     const std::string name = names_of_bodies_(element_name(body.element));
-    const Matrix3d own = inertia_of_link(body);
+    Matrix3d own = inertia_of_link(body);
     const bool none = own.cwiseAbs().maxCoeff() == 0.0;
     if (const auto given = mending_.moments.find(name); given != mending_.moments.end()) {
       (none ? none_ : wide_).push_back(name);

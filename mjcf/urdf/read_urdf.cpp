@@ -164,7 +164,7 @@ class UrdfEdits {
     for (int n = 2; path_of_stem_.emplace(stem, path).first->second != path; ++n)
       stem = fmt::format("{}_{}", file.stem().string(), n);
     if (stem == file.stem()) return path;
-    const std::string alias = stem + file.extension().string();
+    std::string alias = stem + file.extension().string();
     meshes_.path_of[alias] = path;
     return alias;
   }

@@ -266,7 +266,7 @@ Json StudioService::post_command(const StudioRequest& request) {
     if ((kind == "edit" || kind == "choose") && !command.contains("goes_on"))
       command["goes_on"] = false;
     if (kind == "freeze" && !command.contains("frozen")) command["frozen"] = true;
-    const bool held = command.value("held", false);
+    const bool held = given_or(command, "held", false);
     command.erase("held");
     session.apply(command_of(command, "command", 0), held);
   }

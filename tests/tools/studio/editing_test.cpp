@@ -52,6 +52,8 @@ TEST_F(EditingTest, AnEditIsDrawnAndSolvedAndUndone) {
   EXPECT_TRUE(moved["can_undo"].get<bool>());
   EXPECT_EQ(command({{"do", "undo"}})["status"], 200);
   EXPECT_EQ(value(browser_.settled()), 0.06);
+  EXPECT_EQ(command({{"do", "edit"}, {"values", {{kThigh, 0.06}}}, {"held", "yes"}})["status"],
+            400);
   const Json refused = command({{"do", "edit"}, {"values", {{kThigh, 9.0}}}});
   EXPECT_EQ(refused["status"], 400);
   EXPECT_NE(refused["error"]["message"].get<std::string>().find("its bounds"), std::string::npos);
