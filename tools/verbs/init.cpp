@@ -27,6 +27,15 @@ struct InitOptions : ReadingOptions {
   bool write = false, json = false;
 };
 
+/// How the trunk's frame was turned upright.
+std::string axes_text(const StudiedRobot& robot, bool writes) {
+  if (!robot.axes) return "";
+  return fmt::format("turned   {}\n         what stands in it {} into <frame quat=\"{}\">{}\n",
+                     robot.axes->why, writes || robot.of_urdf ? "is put" : "has to be put",
+                     fmt::join(robot.axes->frame, " "),
+                     writes || robot.of_urdf ? "" : ", as --write does");
+}
+
 /// What init found to stand in, where the file has no such pose.
 std::string pose_text(const StudiedRobot& robot, bool writes) {
   if (!robot.pose) return "";
@@ -53,6 +62,11 @@ std::string remarks_text(const StudiedRobot& robot, const ProposedParameters& fo
   for (const std::string& mended : robot.mended) text += "note     " + mended + "\n";
   for (const std::string& remark : found.remarks) text += "note     " + remark + "\n";
   return text;
+}
+
+Json trunk_axes_json(const StudiedRobot& robot) {
+  if (!robot.axes) return nullptr;
+  return {{"why", robot.axes->why}, {"frame_quat", robot.axes->frame}};
 }
 
 Json to_json(const StudiedRobot& robot, const std::string& written, const std::string& task) {
@@ -95,6 +109,7 @@ Json to_json(const StudiedRobot& robot, const std::string& written, const std::s
           {"not_standing", found.not_standing.empty() ? Json(nullptr) : Json(found.not_standing)},
           {"standing_pose",
            robot.pose ? Json{{"why", robot.pose->why}, {"qpos", robot.pose->qpos}} : Json(nullptr)},
+          {"trunk_axes", trunk_axes_json(robot)},
           {"declared", declared},
           {"proposals", proposals},
           {"left_out", found.left_out},
@@ -167,7 +182,7 @@ std::string next_step(const InitOptions& options, const StudiedRobot& robot,
   if (!task.empty())
     return fmt::format("next: legwright optimize {} -o {}\n", shell_word(task),
                        shell_word("runs/" + fs::path(task).stem().string()));
-  const bool adds = written.empty() && (!found.proposals.empty() || robot.pose);
+  const bool adds = written.empty() && (!found.proposals.empty() || robot.pose || robot.axes);
   if (lacks_task(options, found)) {
     const std::string gait = no_gait_text(found.model.morphology.foot_count());
     std::string text;
@@ -206,6 +221,10 @@ int init(const InitOptions& options) {
                      "no task is written, in which the robot would not stand: " + robot.pose->why +
                          "; add --write, which puts the pose that was found into the file as "
                          "keyframe 'legwright'");
+  if (robot.axes && !options.task.empty() && !options.write && options.output.empty())
+    throw InputError(options.robot, 0, "",
+                     "no task is written, in which the robot would lie on its side: " +
+                         robot.axes->why + "; add --write, which turns the trunk's frame");
   const bool writes = options.write || !options.output.empty();
   const FirstTask task =
       options.task.empty() || lacks_task(options, found)
@@ -228,8 +247,8 @@ int init(const InitOptions& options) {
     fmt::print("{}", to_text(to_json(robot, written, written_task)));
     return code;
   }
-  fmt::print("{}", terminal_text(pose_text(robot, writes) + names_text(robot, writes) +
-                                 remarks_text(robot, found)));
+  fmt::print("{}", terminal_text(axes_text(robot, writes) + pose_text(robot, writes) +
+                                 names_text(robot, writes) + remarks_text(robot, found)));
   fmt::print("{}", terminal_text(writes ? robot_summary(found)
                                         : robot_tree(found) + proposal_table(found) + "\n"));
   if (writes)

@@ -102,22 +102,32 @@ StudiedRobot study(const RobotFiles& given, std::optional<StandingPose> pose) {
           std::move(text),
           std::move(named),
           false,
+          {},
           {}};
+}
+
+/// The robot with z up in its trunk's frame.
+RobotFiles upright(const RobotFiles& files, const std::optional<TrunkAxes>& axes) {
+  return axes ? with_upright_axes(files, *axes) : files;
 }
 
 StudiedRobot study_urdf(std::string text, const fs::path& file, const FileReach& reach) {
   UrdfReader reader(text, file, reach);
   MjcfOfUrdf made = reader.read();
   try {
-    const RobotFiles plain = RobotFiles::from_text(std::move(made.text), file, reach);
+    const RobotFiles drawn = RobotFiles::from_text(std::move(made.text), file, reach);
+    const std::optional<TrunkAxes> axes = find_trunk_axes(drawn);
+    const RobotFiles plain = upright(drawn, axes);
     FoundPose found = pose_of(plain);
     const RobotModel posed = told_of_pose(
         found, file, [&] { return parse_robot(in_pose(plain, found.pose).text(), file); });
     made = reader.read(mending_of(posed, made.without_moments));
     // Gains and exclusions are no part of where a robot stands.
     StudiedRobot robot =
-        study(RobotFiles::from_text(std::move(made.text), file, reach), std::move(found.pose));
+        study(upright(RobotFiles::from_text(std::move(made.text), file, reach), axes),
+              std::move(found.pose));
     robot.text = std::move(text);
+    robot.axes = axes;
     robot.of_urdf = true;
     robot.mended = std::move(made.notes);
     return robot;
@@ -132,9 +142,14 @@ StudiedRobot study_robot(const fs::path& file, const FileReach& reach) {
   refuse_task(file);
   std::string text = read_main_file(file);
   if (is_urdf(text)) return study_urdf(std::move(text), file, reach);
-  const RobotFiles files = RobotFiles::from_text(std::move(text), file, reach);
+  const RobotFiles drawn = RobotFiles::from_text(std::move(text), file, reach);
+  const std::optional<TrunkAxes> axes = find_trunk_axes(drawn);
+  const RobotFiles files = upright(drawn, axes);
   FoundPose found = pose_of(files);
-  return told_of_pose(found, file, [&] { return study(files, found.pose); });
+  StudiedRobot robot = told_of_pose(found, file, [&] { return study(files, found.pose); });
+  robot.text = drawn.main_text();
+  robot.axes = axes;
+  return robot;
 }
 
 std::string write_proposals(const StudiedRobot& robot, const std::string& output) {
@@ -145,7 +160,8 @@ std::string write_proposals(const StudiedRobot& robot, const std::string& output
                      "is a URDF, which has no place for design parameters; -o ROBOT.xml writes it "
                      "as MJCF with them");
   if (!output.empty() && !onto_itself) refuse_existing(output);
-  if (robot.found.proposals.empty() && !robot.pose && output.empty()) return "";  // nothing to add
+  if (robot.found.proposals.empty() && !robot.pose && !robot.axes && output.empty())
+    return "";  // nothing to add
   std::string written = output.empty() ? file.string() : output;
   const std::string text = with_declarations(robot.files.main_text(), file, robot.found.proposals);
   if (const std::string now = read_file(file); now != robot.text && now != text)

@@ -9,19 +9,21 @@
 
 #include "mjcf/propose/proposals.hpp"
 #include "mjcf/propose/standing_pose.hpp"
+#include "mjcf/propose/trunk_axes.hpp"
 #include "mjcf/text/robot_files.hpp"
 
 namespace legwright {
 
 /// A robot as `legwright init` studies it: its files, and what a designer may change in it.
 struct StudiedRobot {
-  RobotFiles files;  // with the keyframe of `pose` and the names of `named`
+  RobotFiles files;  // with the keyframe of `pose`, the names of `named`, the turn of `axes`
   ProposedParameters found;
   std::optional<StandingPose> pose;  // found for it; nothing where its home pose is one
   std::string text;                  // of the main file as it was read
   std::set<std::string> named;       // joints whose bodies had no name
   bool of_urdf = false;              // `files` hold the MJCF that was made of it
   std::vector<std::string> mended;   // on the way from it
+  std::optional<TrunkAxes> axes;     // of the file, where z is not up in its trunk's frame
 };
 
 /// A URDF is studied as the MJCF that mjcf_of_urdf() makes of it.

@@ -186,6 +186,18 @@ std::string strider_to_the_left() {
   return out.append(rest, xml.cend());
 }
 
+std::string strider_in_axes(const std::string& frame, const std::string& inertial) {
+  std::string out =
+      with(read_file(source_path("tests/robots/strider/robot.xml")),
+           R"(<inertial pos="0 0 0.01" mass="2.4" diaginertia="0.00562 0.0185 0.02312"/>)",
+           fmt::format("<inertial mass=\"2.4\" {}/><frame quat=\"{}\">", inertial, frame));
+  return out.insert(out.rfind("</body>"), "</frame>");
+}
+
+std::string strider_with_y_up() {
+  return strider_in_axes("1 -1 0 0", R"(pos="0 0.01 0" diaginertia="0.00562 0.02312 0.0185")");
+}
+
 std::string named_robot(const std::string& name) {
   if (name == "puppy" || name == "piston_puppy") return example_robot(name);
   if (name == "crooked_printed") return crooked_printed_robot();

@@ -32,6 +32,11 @@ std::string crooked_printed_robot();
 std::vector<std::filesystem::path> taken_robots();
 /// Strider of tests/robots, drawn so that it faces +y: what hangs at its trunk is turned.
 std::string strider_to_the_left();
+/// The same, with all that stands in its trunk in other axes: `frame` is their turn as w x y z, and
+/// `inertial` what the trunk's <inertial> has but its mass.
+std::string strider_in_axes(const std::string& frame, const std::string& inertial);
+/// The same as a CAD program draws it: z of its trunk became y.
+std::string strider_with_y_up();
 /// By the names "crooked_printed", "crooked_weighed", "puppy", "piston_puppy" (of the examples),
 /// "crooked", "crooked_piston"; with "shifted_" before the name as `shifted_robot` makes it.
 std::string named_robot(const std::string& name);

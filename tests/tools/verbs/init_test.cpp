@@ -157,6 +157,31 @@ TEST_F(InitOfUrdf, IsNeverWrittenToAndNoTaskNamesIt) {
   EXPECT_TRUE(contains(check.err, "legwright init FILE.urdf -o robot.xml")) << check.err;
 }
 
+/// As CAD programs draw it. What is written is upright, and nothing is left to turn.
+TEST_F(InitOfUrdf, OneWithYUpIsTurned) {
+  const RobotModel robot = parse_robot(test::strider_with_y_up(), "strider.xml");
+  write_file(urdf_, urdf_of(robot, *compile_mjcf(robot.xml, robot.file), "").text);
+  const Outcome told =
+      call({"init", urdf_.string(), "-o", robot_.string(), "--task", task_.string()});
+  ASSERT_EQ(told.code, 0) << told.err;
+  EXPECT_EQ(told.out.find("turned   y is up in the frame of the trunk 'body'"), 0U) << told.out;
+  EXPECT_TRUE(contains(told.out, "6 legs, 18 joints")) << told.out;
+  EXPECT_TRUE(contains(read_file(task_), "\"tripod\"")) << read_file(task_);
+  const Outcome again = call({"init", robot_.string(), "--json"});
+  EXPECT_TRUE(Json::parse(again.out).at("trunk_axes").is_null()) << again.out;
+}
+
+TEST_F(InitOfUrdf, NoTaskIsWrittenForAnMjcfThatHasToBeTurnedFirst) {
+  const std::string drawn = test::strider_with_y_up();
+  write_file(robot_, drawn);
+  const Outcome told = call({"init", robot_.string(), "--task", task_.string()});
+  EXPECT_EQ(told.code, 2) << told.out;
+  EXPECT_TRUE(contains(told.err, "add --write, which turns the trunk's frame")) << told.err;
+  EXPECT_EQ(read_file(robot_), drawn);
+  EXPECT_EQ(call({"init", robot_.string(), "--write", "--task", task_.string()}).code, 0);
+  EXPECT_TRUE(contains(read_file(robot_), "<frame quat=\"1 1 0 0\">"));
+}
+
 std::string without_ranges(std::string urdf) {
   for (std::size_t at; (at = urdf.find(" lower=")) != std::string::npos;)
     urdf.erase(at, urdf.find(" effort=", at) - at);

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "mjcf/text/robot_files.hpp"
+
+namespace legwright {
+
+/// A trunk whose frame has another axis than z up, as CAD programs draw it.
+struct TrunkAxes {
+  std::string why;           // with what is up, in words
+  std::array<int, 4> frame;  // of its axes in upright ones: a quaternion w x y z, not normalised
+  bool stands;               // in the file's own home pose, which turns the frame upright
+};
+
+/// Finds that the feet of a robot lie along another axis than −z of the trunk's frame: the home
+/// pose stands in the world while the trunk's z axis is level or down; or three legs and more of
+/// one build end in one plane square to ±x or ±y, below their hips and the centre of mass along
+/// that axis, more of them than do so along z.
+/// Nothing where z is up, or where neither is so. Faults of the file are left to its reader.
+std::optional<TrunkAxes> find_trunk_axes(const RobotFiles& files);
+
+/// The same robot with a trunk's frame that has z up: what stands in the trunk but its free joint
+/// and <inertial> is put into a <frame>, <inertial> is turned, and the trunk and keyframes in which
+/// the file's own pose stands are turned back. All other bytes stay.
+/// Throws InputError, which teaches what to write by hand, where the trunk or those keyframes are
+/// not in the main file.
+RobotFiles with_upright_axes(const RobotFiles& files, const TrunkAxes& axes);
+
+}  // namespace legwright

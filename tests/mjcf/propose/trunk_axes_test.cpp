@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mjcf/propose/trunk_axes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+#include <vector>
+
+#include "mjcf/propose/proposals.hpp"
+#include "mjcf/propose/standing_pose.hpp"
+#include "mjcf/read/moving_parts.hpp"
+#include "mjcf/text/compile.hpp"
+#include "mjcf/text/input_error.hpp"
+#include "mjcf/text/model_arrays.hpp"
+#include "tests/mjcf/robots/robots.hpp"
+#include "tests/mjcf/robots/split_robot.hpp"
+#include "tests/tools/files/temporary_folder.hpp"
+
+namespace legwright {
+namespace {
+
+const char* const kFile = "strider.xml";
+
+std::string strider() {
+  return test::read_file(test::source_path("tests/robots/strider/robot.xml"));
+}
+
+std::string without_keyframe(std::string xml) {
+  const std::size_t from = xml.find("  <keyframe>");
+  return xml.erase(from, xml.find("</keyframe>") + 11 - from);
+}
+
+RobotFiles files_of(const std::string& text) { return RobotFiles::from_text(text, kFile); }
+
+/// Where all geoms are, and what the bodies weigh, is as in strider's own file.
+void expect_strider(const std::string& xml, double trunk_height) {
+  const ModelPointer is = compile_mjcf(xml, kFile), was = compile_mjcf(strider(), kFile);
+  const auto at_home = [&](const mjModel& model) {
+    std::vector<mjtNum> qpos(home_qpos(model), home_qpos(model) + model.nq);
+    std::copy(home_qpos(*was) + 7, home_qpos(*was) + was->nq, qpos.begin() + 7);
+    qpos[2] = trunk_height;
+    return kinematics_at(model, qpos.data(), kFile);
+  };
+  const DataPointer found = at_home(*is), wanted = at_home(*was);
+  ASSERT_EQ(is->ngeom, was->ngeom);
+  for (int g = 0; g < is->ngeom; ++g)
+    EXPECT_LT((vector_at(found->geom_xpos, g) - vector_at(wanted->geom_xpos, g)).norm(), 1e-9) << g;
+  for (int b = 1; b < is->nbody; ++b) {
+    EXPECT_LT((vector_at(found->xipos, b) - vector_at(wanted->xipos, b)).norm(), 1e-9) << b;
+    const auto moments = [b](const mjModel& model, const mjData& data) {
+      const Eigen::Matrix3d axes = matrix_at(data.ximat, b);
+      return Eigen::Matrix3d(axes * vector_at(model.body_inertia, b).asDiagonal() *
+                             axes.transpose());
+    };
+    EXPECT_LT((moments(*is, *found) - moments(*was, *wanted)).norm(), 1e-9) << b;
+  }
+}
+
+TEST(TrunkAxes, OfTheRobotsHereHaveZUp) {
+  for (const auto& file : test::taken_robots())
+    EXPECT_FALSE(find_trunk_axes(RobotFiles::read(file))) << file;
+  for (const char* name : {"puppy", "biped", "hexapod", "quadruped", "printed_quadruped"})
+    EXPECT_FALSE(find_trunk_axes(
+        RobotFiles::read(test::source_path(std::string("examples/") + name + "/robot.xml"))))
+        << name;
+}
+
+TEST(TrunkAxes, OfAHexapodDrawnOnItsSideAreTurned) {
+  const RobotFiles drawn = files_of(without_keyframe(test::strider_with_y_up()));
+  const auto axes = find_trunk_axes(drawn);
+  ASSERT_TRUE(axes);
+  EXPECT_EQ(axes->frame, (std::array<int, 4>{1, 1, 0, 0}));
+  EXPECT_FALSE(axes->stands);
+  EXPECT_EQ(axes->why.find("y is up in the frame of the trunk 'body': its 6 feet"), 0U)
+      << axes->why;
+  const RobotFiles upright = with_upright_axes(drawn, *axes);
+  EXPECT_FALSE(find_trunk_axes(upright));
+  expect_strider(upright.text(), 0.115267);
+  const ProposedParameters found = propose_parameters(
+      with_keyframe(upright.text(), kFile, find_standing_pose(upright.text(), kFile).value()),
+      kFile);
+  EXPECT_EQ(found.not_standing, "");
+  EXPECT_EQ(found.limbs.size(), 6U);
+  EXPECT_TRUE(std::any_of(found.proposals.begin(), found.proposals.end(),
+                          [](const Proposal& p) { return p.name == "body_length"; }));
+}
+
+TEST(TrunkAxes, AreFoundAlongEachDirection) {
+  using Quat = std::array<int, 4>;
+  for (const auto& [frame, inertial, up, turn] :
+       {std::tuple{"1 1 0 0", R"(pos="0 -0.01 0" diaginertia="0.00562 0.02312 0.0185")", "-y",
+                   Quat{1, -1, 0, 0}},
+        std::tuple{"1 0 1 0", R"(pos="0.01 0 0" diaginertia="0.02312 0.0185 0.00562")", "x",
+                   Quat{1, 0, -1, 0}},
+        std::tuple{"1 0 -1 0", R"(pos="-0.01 0 0" diaginertia="0.02312 0.0185 0.00562")", "-x",
+                   Quat{1, 0, 1, 0}}}) {
+    const RobotFiles drawn = files_of(without_keyframe(test::strider_in_axes(frame, inertial)));
+    const auto axes = find_trunk_axes(drawn);
+    ASSERT_TRUE(axes) << up;
+    EXPECT_EQ(axes->why.find(std::string(up) + " is up"), 0U) << axes->why;
+    EXPECT_EQ(axes->frame, turn) << up;
+    expect_strider(with_upright_axes(drawn, *axes).text(), 0.115267);
+  }
+}
+
+/// A keyframe, or the trunk's own quat, turns the axes so that the robot stands.
+TEST(TrunkAxes, ThatAKeyframeTurnsUprightAreTurnedThereToo) {
+  const std::string xml = test::with(test::strider_with_y_up(), "0 0 0.115267 1 0 0 0 ",
+                                     "0 0 0.115267 0.5 0.5 0.5 0.5 ");
+  const auto axes = find_trunk_axes(files_of(xml));
+  ASSERT_TRUE(axes);
+  EXPECT_TRUE(axes->stands);
+  EXPECT_EQ(axes->frame, (std::array<int, 4>{1, 1, 1, 1})) << "it faces on as it stands there";
+  const RobotFiles upright = with_upright_axes(files_of(xml), *axes);
+  EXPECT_NE(upright.text().find("qpos=\"0 0 0.115267 1 0 0 0 "), std::string::npos);
+  EXPECT_FALSE(find_standing_pose(upright.text(), kFile)) << "its keyframe holds";
+  const ModelPointer is = compile_mjcf(upright.text(), kFile), was = compile_mjcf(xml, kFile);
+  const DataPointer found = kinematics_at(*is, home_qpos(*is), kFile),
+                    wanted = kinematics_at(*was, home_qpos(*was), kFile);
+  for (int g = 0; g < is->ngeom; ++g)
+    EXPECT_LT((vector_at(found->geom_xpos, g) - vector_at(wanted->geom_xpos, g)).norm(), 1e-9) << g;
+}
+
+TEST(TrunkAxes, OfATrunkInAnIncludedFileAreToldHowToTurn) {
+  const test::TemporaryFolder folder;
+  const auto main = folder.path() / "main.xml";
+  const std::string xml = without_keyframe(test::strider_with_y_up());
+  const std::size_t from = xml.find("<body name=\"body\""), end = xml.find("</worldbody>");
+  test::put(folder.path() / "body.xml",
+            "<mujocoinclude>" + xml.substr(from, end - from) + "</mujocoinclude>");
+  test::put(main, xml.substr(0, from) + "<include file=\"body.xml\"/>" + xml.substr(end));
+  const RobotFiles drawn = RobotFiles::read(main);
+  const auto axes = find_trunk_axes(drawn);
+  ASSERT_TRUE(axes);
+  try {
+    with_upright_axes(drawn, *axes);
+    FAIL() << "its trunk is not in main.xml";
+  } catch (const InputError& error) {
+    for (const char* part : {"main.xml: body 'body'", "y is up", "expected z",
+                             "the trunk is not in the main file", "<frame quat=\"1 1 0 0\">"})
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << part << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace legwright
