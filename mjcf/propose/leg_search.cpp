@@ -27,21 +27,11 @@ constexpr int kMostRounds = 200;  // along all angles; in a narrow valley each w
 constexpr double kFirstTurn = 0.2, kLastTurn = 1e-6;  // [rad]
 constexpr double kExactHeight = 1e-9;                 // [m]
 constexpr int kMostSteps = 50;                        // to it
-constexpr double kMirrored = 1e-3;  // of the reach, of a direction: legs that are mirror images
-
-VectorXd angles_of(const SearchedLeg& leg, const mjModel& model, const mjData& data) {
-  VectorXd out(static_cast<Eigen::Index>(leg.joints.size()));
-  for (std::size_t k = 0; k < leg.joints.size(); ++k)
-    out[static_cast<Eigen::Index>(k)] = data.qpos[model.jnt_qposadr[leg.joints[k]]];
-  return out;
-}
-
-void set_angles(const SearchedLeg& leg, const mjModel& model, mjData& data,
-                const VectorXd& angles) {
-  for (std::size_t k = 0; k < leg.joints.size(); ++k)
-    data.qpos[model.jnt_qposadr[leg.joints[k]]] = angles[static_cast<Eigen::Index>(k)];
-  mj_kinematics(&model, &data);
-}
+constexpr double kMirrored = 1e-3;       // of the reach, of a direction: with the same zeros
+constexpr double kMirroredPlace = 0.03;  // of the reach: hinges of legs that are mirror images
+constexpr double kMirroredLine = 0.05;   // [rad]: the same of their axes
+constexpr double kSameZero = 1e-3;       // [rad]: angles of mirror images that are rounded
+constexpr double kOnAxis = 0.05;         // of the reach: what no turn about an axis moves much
 
 VectorXd rest_of(const SearchedLeg& leg) {
   VectorXd out(static_cast<Eigen::Index>(leg.joints.size()));
@@ -68,7 +58,7 @@ class LegSearch {
       descend(point);
       if (point.cost < best.cost) best = point;
     }
-    set_angles(leg_, model_, data_, best.angles);
+    leg_.set_angles(model_, data_, best.angles);
   }
 
  private:
@@ -78,7 +68,7 @@ class LegSearch {
   };
 
   double cost_at(const VectorXd& angles) {
-    set_angles(leg_, model_, data_, angles);
+    leg_.set_angles(model_, data_, angles);
     return cost_() + kNearRest * (angles - rest_).squaredNorm();
   }
 
@@ -142,6 +132,12 @@ Vector3d bending_axis(const mjData& data, const std::vector<int>& joints) {
   return best;
 }
 
+/// The turn about an axis that leads one vector nearest to another; 0 where one is along the axis.
+double turn_about(const Vector3d& axis, const Vector3d& from, const Vector3d& to, double least) {
+  const Vector3d a = from - axis.dot(from) * axis, b = to - axis.dot(to) * axis;
+  return std::min(a.norm(), b.norm()) > least ? std::atan2(axis.dot(a.cross(b)), a.dot(b)) : 0.0;
+}
+
 }  // namespace
 
 Vector3d SearchedLeg::touch(const mjModel& model, const mjData& data) const {
@@ -161,6 +157,34 @@ Vector3d SearchedLeg::touch(const mjModel& model, const mjData& data) const {
   }
   if (geom < 0) return Vector3d::Map(data.xpos + std::ptrdiff_t{3} * bodies.back());
   return lowest_place(model, data, geom);
+}
+
+Vector3d SearchedLeg::tip(const mjModel& model, const mjData& data) const {
+  Vector3d sums[2] = {Vector3d::Zero(), Vector3d::Zero()};  // of what is drawn, of what collides
+  int counts[2] = {0, 0};
+  for (const int body : bodies)
+    for (int g = model.body_geomadr[body]; g < model.body_geomadr[body] + model.body_geomnum[body];
+         ++g) {
+      const int which = collides(model, g) ? 1 : 0;
+      sums[which] += Vector3d::Map(data.geom_xpos + std::ptrdiff_t{3} * g);
+      ++counts[which];
+    }
+  for (const int which : {1, 0})
+    if (counts[which] > 0) return sums[which] / counts[which];
+  return Vector3d::Map(data.xipos + std::ptrdiff_t{3} * bodies.back());
+}
+
+VectorXd SearchedLeg::angles_in(const mjModel& model, const mjData& data) const {
+  VectorXd out(static_cast<Eigen::Index>(joints.size()));
+  for (std::size_t k = 0; k < joints.size(); ++k)
+    out[static_cast<Eigen::Index>(k)] = data.qpos[model.jnt_qposadr[joints[k]]];
+  return out;
+}
+
+void SearchedLeg::set_angles(const mjModel& model, mjData& data, const VectorXd& angles) const {
+  for (std::size_t k = 0; k < joints.size(); ++k)
+    data.qpos[model.jnt_qposadr[joints[k]]] = angles[static_cast<Eigen::Index>(k)];
+  mj_kinematics(&model, &data);
 }
 
 Vector3d SearchedLeg::ahead() const {
@@ -186,10 +210,11 @@ Vector3d SearchedLeg::outwards() const {
 }
 
 void SearchedLeg::measure(const mjModel& model, mjData& data) {
-  const VectorXd before = angles_of(*this, model, data);
-  set_angles(*this, model, data, rest_of(*this));
+  const VectorXd before = angles_in(model, data);
+  set_angles(model, data, rest_of(*this));
   hip = Vector3d::Map(data.xanchor + std::ptrdiff_t{3} * hip_joint());
   rest = touch(model, data);
+  end = tip(model, data);
   for (const int joint : joints) {
     anchors.push_back(Vector3d::Map(data.xanchor + std::ptrdiff_t{3} * joint));
     axes.push_back(Vector3d::Map(data.xaxis + std::ptrdiff_t{3} * joint));
@@ -199,26 +224,63 @@ void SearchedLeg::measure(const mjModel& model, mjData& data) {
     side = Vector3d(axis.x() / level, axis.y() / level, 0.0);
   LegSearch(*this, model, data, [&] { return touch(model, data).z(); }).run();
   reach = std::max(1e-6, data.xanchor[3 * hip_joint() + 2] - touch(model, data).z());
-  set_angles(*this, model, data, before);
+  set_angles(model, data, before);
 }
 
-bool SearchedLeg::mirror(const SearchedLeg& other, const Vector3d& trunk, const Vector3d& plane,
-                         const mjModel& model, mjData& data) const {
-  if (other.joints.size() != joints.size()) return false;
-  VectorXd angles = angles_of(other, model, data);
+bool SearchedLeg::turn_to_image(const Image& image, bool own_zeros, VectorXd& at_rest,
+                                const mjModel& model, mjData& data) const {
+  const double place = (own_zeros ? kMirrored : kMirroredPlace) * reach,
+               line = own_zeros ? kMirrored : kMirroredLine;
   for (std::size_t k = 0; k < joints.size(); ++k) {
-    const Vector3d anchor = trunk + plane.cwiseProduct(other.anchors[k] - trunk),
-                   axis = plane.cwiseProduct(other.axes[k]);
-    const bool along = axis.dot(axes[k]) > 0.0;  // then the turn is the other way round
-    double& angle = angles[static_cast<Eigen::Index>(k)];
-    if (along) angle = -angle;
-    if ((anchor - anchors[k]).norm() > kMirrored * reach ||
-        (axis - (along ? axes[k] : Vector3d(-axes[k]))).norm() > kMirrored || angle < lower[k] ||
-        angle > upper[k])
+    set_angles(model, data, at_rest);
+    const auto anchor = [&](std::size_t joint) {
+      return Vector3d(Vector3d::Map(data.xanchor + std::ptrdiff_t{3} * joints[joint]));
+    };
+    const Vector3d axis = Vector3d::Map(data.xaxis + std::ptrdiff_t{3} * joints[k]);
+    const double sign = axis.dot(image.axes[k]) > 0.0 ? 1.0 : -1.0;
+    if ((image.anchors[k] - anchor(k)).norm() > place ||
+        (image.axes[k] - sign * axis).norm() > line)
       return false;
+    if (own_zeros) continue;
+    const bool last = k + 1 == joints.size();
+    const Vector3d next = last ? tip(model, data) : anchor(k + 1),
+                   wanted = last ? image.tip : image.anchors[k + 1];
+    const double turn =
+        turn_about(axis, next - anchor(k), wanted - image.anchors[k], kOnAxis * reach);
+    if (std::abs(turn) > kSameZero) at_rest[static_cast<Eigen::Index>(k)] += turn;
   }
-  set_angles(*this, model, data, angles);
-  return true;
+  set_angles(model, data, at_rest);
+  return (tip(model, data) - image.tip).norm() <= kMirroredPlace * reach;
+}
+
+std::optional<VectorXd> SearchedLeg::mirror_of(const SearchedLeg& other, const Vector3d& trunk,
+                                               const Vector3d& plane, const mjModel& model,
+                                               mjData& data) const {
+  if (other.joints.size() != joints.size()) return std::nullopt;
+  const auto image_of = [&](const Vector3d& place) {
+    return Vector3d(trunk + plane.cwiseProduct(place - trunk));
+  };
+  Image image{{}, {}, image_of(other.end)};
+  for (std::size_t k = 0; k < joints.size(); ++k) {
+    image.anchors.push_back(image_of(other.anchors[k]));
+    image.axes.emplace_back(plane.cwiseProduct(other.axes[k]));
+  }
+  const VectorXd before = angles_in(model, data);
+  VectorXd out = rest_of(*this);
+  bool found = turn_to_image(image, true, out, model, data);
+  if (!found) out = rest_of(*this);
+  found = found || turn_to_image(image, false, out, model, data);
+  std::vector<bool> along(joints.size());  // then a turn of the image is the other way round
+  for (std::size_t k = 0; k < joints.size(); ++k)
+    along[k] = image.axes[k].dot(Vector3d::Map(data.xaxis + std::ptrdiff_t{3} * joints[k])) > 0.0;
+  set_angles(model, data, before);
+  const VectorXd turns = other.angles_in(model, data) - rest_of(other);
+  for (std::size_t k = 0; k < joints.size() && found; ++k) {
+    double& angle = out[static_cast<Eigen::Index>(k)];
+    angle += (along[k] ? -1.0 : 1.0) * turns[static_cast<Eigen::Index>(k)];
+    found = angle >= lower[k] && angle <= upper[k];
+  }
+  return found ? std::optional(out) : std::nullopt;
 }
 
 bool SearchedLeg::put(const mjModel& model, mjData& data, const Vector3d& place,
@@ -236,7 +298,7 @@ bool SearchedLeg::put(const mjModel& model, mjData& data, const Vector3d& place,
 }
 
 bool SearchedLeg::rise_to(double height, const mjModel& model, mjData& data) const {
-  VectorXd angles = angles_of(*this, model, data);
+  VectorXd angles = angles_in(model, data);
   for (int step = 0; step < kMostSteps; ++step) {
     const double miss = touch(model, data).z() - height;
     if (std::abs(miss) <= kExactHeight) return true;
@@ -245,7 +307,7 @@ bool SearchedLeg::rise_to(double height, const mjModel& model, mjData& data) con
       constexpr double kTurn = 1e-6;
       VectorXd next = angles;
       next[k] += kTurn;
-      set_angles(*this, model, data, next);
+      set_angles(model, data, next);
       slope[k] = (touch(model, data).z() - height - miss) / kTurn;
     }
     if (!(slope.norm() > 1e-6 * reach)) break;
@@ -254,16 +316,16 @@ bool SearchedLeg::rise_to(double height, const mjModel& model, mjData& data) con
       double& angle = angles[static_cast<Eigen::Index>(k)];
       angle = std::clamp(angle, lower[k], upper[k]);
     }
-    set_angles(*this, model, data, angles);
+    set_angles(model, data, angles);
   }
-  set_angles(*this, model, data, angles);
+  set_angles(model, data, angles);
   return std::abs(touch(model, data).z() - height) <= kExactHeight;
 }
 
 bool SearchedLeg::rise_towards_rest(double height, const mjModel& model, mjData& data) const {
-  const VectorXd from = angles_of(*this, model, data), to = rest_of(*this);
+  const VectorXd from = angles_in(model, data), to = rest_of(*this);
   const auto miss = [&](double share) {
-    set_angles(*this, model, data, (1.0 - share) * from + share * to);
+    set_angles(model, data, (1.0 - share) * from + share * to);
     return touch(model, data).z() - height;
   };
   double below = 0.0, above = 1.0;

@@ -4,6 +4,7 @@
 #include <mujoco/mujoco.h>
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 namespace legwright {
@@ -19,6 +20,7 @@ struct SearchedLeg {
   Eigen::Vector3d hip = Eigen::Vector3d::Zero();   // that hinge, at angles of rest [m]
   Eigen::Vector3d rest = Eigen::Vector3d::Zero();  // the foot, at angles of rest [m]
   std::vector<Eigen::Vector3d> anchors, axes;      // of the joints, at angles of rest [m]
+  Eigen::Vector3d end = Eigen::Vector3d::Zero();   // the middle of the last link there [m]
   /// Level, along the knee's hinge at rest: the leg bends ahead and back of it.
   Eigen::Vector3d side = Eigen::Vector3d::UnitY();
 
@@ -36,12 +38,19 @@ struct SearchedLeg {
   Eigen::Vector3d outwards() const;
   /// Finds reach, hip, rest, side, anchors and axes; angles in `data` are as before then.
   void measure(const mjModel& model, mjData& data);
-  /// Takes the angles of a leg of which this one is the mirror image. False where it is none, or
-  /// has not the range for them.
+  /// The angles with which it is the mirror image of another leg, as that is held in `data`: hinges
+  /// in their places (to 0.03 of the reach) and along their lines (to 0.05 rad), whatever either
+  /// leg's zeros are. Nothing where it is no mirror image, or has not the range for them.
+  /// Angles in `data` are as before then.
   /// @param trunk its place in the world
   /// @param plane signs of x, y, z in the image, of which one is negative
-  bool mirror(const SearchedLeg& other, const Eigen::Vector3d& trunk, const Eigen::Vector3d& plane,
-              const mjModel& model, mjData& data) const;
+  std::optional<Eigen::VectorXd> mirror_of(const SearchedLeg& other, const Eigen::Vector3d& trunk,
+                                           const Eigen::Vector3d& plane, const mjModel& model,
+                                           mjData& data) const;
+  Eigen::VectorXd angles_in(const mjModel& model, const mjData& data) const;
+  void set_angles(const mjModel& model, mjData& data, const Eigen::VectorXd& angles) const;
+  /// Brings the foot to a height by the least turn; false where a joint's range ends before.
+  bool rise_to(double height, const mjModel& model, mjData& data) const;
   /// Turns the joints until the foot is at the height of `place` (to 1e-9 m) and otherwise near it,
   /// nearer in the plane in which the leg bends than beside it.
   /// False where the height is out of reach.
@@ -50,9 +59,18 @@ struct SearchedLeg {
            const Eigen::Vector3d& knee) const;
 
  private:
-  /// Brings the foot to a height by the least turn; false where a joint's range ends before.
-  bool rise_to(double height, const mjModel& model, mjData& data) const;
-  /// The same on the way to the angles of rest, from below; false where these are no higher.
+  /// The middle of what the last link collides with, or else draws.
+  Eigen::Vector3d tip(const mjModel& model, const mjData& data) const;
+  /// Where the hinges of a leg and the middle of its last link are in the mirror, held at rest.
+  struct Image {
+    std::vector<Eigen::Vector3d> anchors, axes;
+    Eigen::Vector3d tip;
+  };
+  /// Whether it is such an image at some angles. @param own_zeros at angles of rest: then to 0.001
+  /// @param at_rest its angles of rest; gets those at which it is the image
+  bool turn_to_image(const Image& image, bool own_zeros, Eigen::VectorXd& at_rest,
+                     const mjModel& model, mjData& data) const;
+  /// rise_to() on the way to the angles of rest, from below; false where these are no higher.
   bool rise_towards_rest(double height, const mjModel& model, mjData& data) const;
 };
 

@@ -38,6 +38,7 @@ constexpr double kOffTheGround = 5e-3;   // [m]: drawn by hand, feet are nearer
 constexpr double kAsLowAsFeet = 1e-3;    // [m]: as low as the feet
 constexpr double kMostShiftToCom = 0.2;  // of the reach, towards the centre of mass
 constexpr double kFrameElsewhere = 0.2;  // of the hips' spread: off their middle
+constexpr double kSameAngle = 0.05;      // [rad]: legs that are drawn alike left and right
 constexpr double kPoseGrain = 1e6;       // numbers are written to a millionth
 constexpr double kLevelTrunk = 0.99;     // least cosine of the trunk's tilt
 constexpr double kBendAlike = 0.9;       // least cosine between the planes of legs that bend alike
@@ -76,7 +77,7 @@ class PoseFinder {
     level_trunk();
     measure_reaches();
     if (out.why.empty()) out.why = fault_of_home();
-    if (out.why.empty()) return at_its_height();
+    if (out.why.empty()) return as_it_is_drawn();
     const bool sprawls = legs_.size() > kTooFewToBend &&
                          std::all_of(legs_.begin(), legs_.end(), [](const auto& leg) {
                            return leg.sprawls() && !leg.outwards().isZero();
@@ -161,18 +162,50 @@ class PoseFinder {
     return "";
   }
 
-  /// The pose that the file draws, which stands, at the height where it does; nothing where that is
-  /// its height, or a keyframe's, which scenes and viewers start from.
-  std::optional<StandingPose> at_its_height() {
-    const double low = *std::min_element(low_at_home_.begin(), low_at_home_.end());
-    if (home_keyframe(model_) >= 0 || std::abs(low) < kOffTheGround) return std::nullopt;
+  /// The pose that the file draws, which stands, at the height where it does, with legs that mirror
+  /// each other at mirrored angles; nothing where it is so, or a keyframe's, which scenes and
+  /// viewers start from.
+  std::optional<StandingPose> as_it_is_drawn() {
+    if (home_keyframe(model_) >= 0) return std::nullopt;
+    const std::string unlike = mirror_drawn();
+    double low = std::numeric_limits<double>::infinity();
+    for (const SearchedLeg& leg : legs_) low = std::min(low, leg.touch(model_, *data_).z());
+    if (unlike.empty() && std::abs(low) < kOffTheGround) return std::nullopt;
     StandingPose out;
-    out.why = fmt::format("the file has no keyframe and draws its feet {:.2g} m {} the ground",
-                          std::abs(low), low < 0.0 ? "below" : "above");
-    out.words = "as it is drawn, on the ground";
+    if (unlike.empty())
+      out.why = fmt::format("the file has no keyframe and draws its feet {:.2g} m {} the ground",
+                            std::abs(low), low < 0.0 ? "below" : "above");
+    else
+      out.why =
+          "the file has no keyframe and draws legs that are mirror images at other angles "
+          "left and right: " +
+          unlike;
+    out.words = unlike.empty() ? "as it is drawn, on the ground"
+                               : "as it is drawn, with mirrored legs: " + words_of_angles();
     data_->qpos[root_ + 2] = to_grain(data_->qpos[root_ + 2] - low);
     write(out);
     return out;
+  }
+
+  /// Gives legs that are drawn at other angles than those they mirror the mirrored ones.
+  /// @return a joint that is and what it mirrors, in words; empty: there is none
+  std::string mirror_drawn() {
+    std::string unlike;
+    const Vector3d along = common_ahead();
+    for (std::size_t k = 0; k < legs_.size(); ++k) {
+      const auto angles = mirrored(k, along);
+      if (!angles) continue;
+      const Eigen::VectorXd off = *angles - legs_[k].angles_in(model_, *data_);
+      Eigen::Index most = 0;
+      if (off.cwiseAbs().maxCoeff(&most) <= kSameAngle) continue;
+      legs_[k].set_angles(model_, *data_, angles->unaryExpr(&to_grain));
+      if (unlike.empty())
+        unlike = fmt::format(
+            "joint '{}' by {}",
+            name_of(model_, mjOBJ_JOINT, legs_[k].joints[static_cast<std::size_t>(most)]),
+            angle_text(off[most], in_degrees_));
+    }
+    return unlike;
   }
 
   void level_trunk() {
@@ -201,18 +234,25 @@ class PoseFinder {
                                                                                   : trunk;
   }
 
-  /// Whether an earlier leg has this one as its mirror image left or right, which then stands as
-  /// that does. @param along where all legs bend, or zero: then to the trunk's x
-  bool is_mirrored(std::size_t leg, const Vector3d& along, double ground) {
+  /// Angles of the mirror image left or right of the first of the earlier legs that has one in this
+  /// leg. @param along where all legs bend, or zero: then to the trunk's x
+  std::optional<Eigen::VectorXd> mirrored(std::size_t leg, const Vector3d& along) {
     const Vector3d trunk = middle_of_hips(), plane = std::abs(along.y()) > std::abs(along.x())
                                                          ? Vector3d(-1.0, 1.0, 1.0)
                                                          : Vector3d(1.0, -1.0, 1.0);
-    return std::any_of(legs_.begin(), legs_.begin() + static_cast<std::ptrdiff_t>(leg),
-                       [&](const SearchedLeg& earlier) {
-                         return legs_[leg].mirror(earlier, trunk, plane, model_, *data_) &&
-                                std::abs(legs_[leg].touch(model_, *data_).z() - ground) <=
-                                    kAsLowAsFeet;
-                       });
+    for (std::size_t k = 0; k < leg; ++k)
+      if (auto angles = legs_[leg].mirror_of(legs_[k], trunk, plane, model_, *data_)) return angles;
+    return std::nullopt;
+  }
+
+  /// Whether an earlier leg has this one as its mirror image, which then stands as that does, but
+  /// for the last millimetres.
+  bool stands_mirrored(std::size_t leg, const Vector3d& along, double ground) {
+    const auto angles = mirrored(leg, along);
+    if (!angles) return false;
+    legs_[leg].set_angles(model_, *data_, *angles);
+    return std::abs(legs_[leg].touch(model_, *data_).z() - ground) <= kAsLowAsFeet ||
+           legs_[leg].rise_to(ground, model_, *data_);
   }
 
   /// Puts the feet below their hips, or beside them under raised knees, twice: then their middle is
@@ -233,7 +273,8 @@ class PoseFinder {
         if (sprawling) place += kBesideHip * leg.reach * leg.outwards();
         place.z() = ground;
         const Vector3d knee = sprawling ? Vector3d::UnitZ() : Vector3d(-leg.ahead());
-        if (!is_mirrored(k, along, ground) && !leg.put(model_, *data_, place, knee)) return false;
+        if (!stands_mirrored(k, along, ground) && !leg.put(model_, *data_, place, knee))
+          return false;
         middle += leg.touch(model_, *data_) / static_cast<double>(legs_.size());
       }
       mj_comPos(&model_, data_.get());

@@ -20,7 +20,9 @@ struct StandingPose {
 /// level; each foot is below the hinge above its knee, all of them moved alike so that their middle
 /// is below the centre of mass; legs are bent to 0.87 of their reach, to 0.93 or 0.97 where ranges
 /// do not let them, knees backwards where ranges let them choose; angles keep off the ends of their
-/// ranges. The same file gives the same numbers.
+/// ranges; legs that are mirror images stand so. Of a file without keyframe whose drawn legs stand,
+/// what is found is that pose on the ground, with such legs mirrored. The same file gives the same
+/// numbers.
 /// Nothing where the home pose is one, where there are no two legs of one build, or where no pose
 /// stands. Faults of the file are left to its reader.
 /// @param none gets a sentence where the home pose is none and no other was found

@@ -279,6 +279,38 @@ TEST(StandingPose, OfMirroredLegsIsMirrored) {
       EXPECT_NEAR(angles[left + k], (k == 0 ? -1 : 1) * angles[left + 3 + k], 2e-6) << left << k;
 }
 
+/// A CAD program draws each leg as it happens to lie there: zeros differ, the mechanism does not.
+TEST(StandingPose, OfMirroredLegsDrawnAtOtherAnglesIsMirrored) {
+  std::string xml = test::with(lurcher(), "<body name=\"rf_shank\" pos=\"0 0 -0.2\">",
+                               "<body name=\"rf_shank\" pos=\"0 0 -0.2\" euler=\"0 -0.7 0\">");
+  xml = test::with(xml, "\"rf_knee\" axis=\"0 1 0\" range=\"-2.6 -0.3\"",
+                   "\"rf_knee\" axis=\"0 -1 0\" range=\"-0.4 1.9\"");
+  const std::vector<double> angles = legs_in(xml), plain = legs_in(lurcher());
+  EXPECT_NEAR(angles[5], -plain[5] - 0.7, 2e-6) << "rf_knee";
+  for (const std::size_t k : {0, 1, 2, 3, 4, 6, 7, 8, 9, 10, 11})
+    EXPECT_NEAR(angles[k], plain[k], 2e-6) << k;
+}
+
+/// The pose that the file draws stands, but its legs could not be tied.
+TEST(StandingPose, LegsDrawnAtOtherAnglesStandAsThoseTheyMirror) {
+  const char* const file = "dog.xml";
+  const std::string left = "<body name=\"fr_thigh\" pos=\"0.15 -0.08 0\" euler=\"0 ";
+  const std::string xml = test::with(drawn_standing(0.350134, 0.0), left + ".6", left + ".4");
+  EXPECT_LT(propose_parameters(xml, file).limbs[0].partner, 0);
+  const auto pose = find_standing_pose(xml, file);
+  ASSERT_TRUE(pose);
+  EXPECT_NE(pose->why.find("at other angles left and right: joint 'fr_hip' by 0.2 rad"),
+            std::string::npos)
+      << pose->why;
+  const std::vector<double> qpos = *parse_numbers(pose->qpos);
+  for (std::size_t k = 7; k < qpos.size(); ++k) EXPECT_NEAR(qpos[k], k == 9 ? 0.2 : 0.0, 1e-6) << k;
+  const ProposedParameters found = propose_parameters(with_keyframe(xml, file, *pose), file);
+  EXPECT_EQ(found.limbs[0].partner, 1);
+  EXPECT_TRUE(std::any_of(found.proposals.begin(), found.proposals.end(), [](const Proposal& p) {
+    return p.binding == "stretch link: fl_thigh fr_thigh";
+  }));
+}
+
 /// A robot that is drawn facing along y finds the pose of the one that faces along x.
 TEST(StandingPose, DoesNotAskWhereTheRobotFaces) {
   const std::vector<double> straight = legs_in(lurcher());
