@@ -11,6 +11,7 @@
 #include "mjcf/read/soles.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/elements.hpp"
+#include "mjcf/text/listed.hpp"
 #include "mjcf/text/model_arrays.hpp"
 #include "mjcf/text/xml.hpp"
 
@@ -39,13 +40,23 @@ class Feet {
         elements_(find_elements(*xml_, *model_)) {}
 
   std::vector<std::string> remarks() const {
-    std::vector<std::string> out;
+    std::string first;
+    std::vector<std::string> others;
     for (const FootContact& foot : robot_.structure.feet) {
       if (foot.normal) continue;
       const Beside beside = lowest_beside(foot);
-      if (beside.geom >= 0) out.push_back(sentence(foot, beside));
+      if (beside.geom < 0) continue;
+      if (first.empty())
+        first = sentence(foot, beside);
+      else
+        others.push_back("'" + foot.name + "'");
     }
-    return out;
+    if (first.empty()) return {};
+    return {fmt::format(
+        "{}{}: the robot may walk on it as well, and the plan knows the foot alone; bend the leg "
+        "in the home keyframe, or give that geom contype=\"0\" conaffinity=\"0\" if it shall not "
+        "collide",
+        first, others.empty() ? "" : ", and so beside foot " + listed(others))};
   }
 
  private:
@@ -86,11 +97,9 @@ class Feet {
     const std::string name = name_of(*model_, mjOBJ_GEOM, beside.geom),
                       body = name_of(*model_, mjOBJ_BODY, model_->geom_bodyid[beside.geom]);
     return fmt::format(
-        "foot '{}': {}, {:.3g} m from it, is {:.3g} mm {} in the home pose: the robot may walk on "
-        "it as well, and the plan knows the foot alone; bend the leg in the home keyframe, "
-        "or give that geom contype=\"0\" conaffinity=\"0\" if it shall not collide",
-        foot.name, name.empty() ? "a geom of body '" + body + "'" : "geom '" + name + "'",
-        beside.away, 1e3 * std::abs(beside.higher), beside.higher < 0.0 ? "lower" : "higher");
+        "foot '{}': {}, {:.3g} m from it, is {:.3g} mm {} in the home pose", foot.name,
+        name.empty() ? "a geom of body '" + body + "'" : "geom '" + name + "'", beside.away,
+        1e3 * std::abs(beside.higher), beside.higher < 0.0 ? "lower" : "higher");
   }
 
   const RobotModel& robot_;

@@ -29,6 +29,7 @@ constexpr double kNoNumber = 1e-12;  // what is below is a rounding error of an 
 /// as geared motors of legs have. Without any, a damped servo on a light link is stiffer than a
 /// time step.
 constexpr double kRotorTime = 1e-3;
+constexpr int kCollisionGroup = 3;  // which MuJoCo's viewer does not draw unless it is asked to
 constexpr double kBallSquare = 0.4 * 0.05 * 0.05;  // moments of a ball of 5 cm over its mass [m²]
 
 std::string number_list(const double* values, int size) {
@@ -147,7 +148,11 @@ class MjcfWriter {
     if (is_trunk && count_of(body, mjOBJ_JOINT) == 0) add_element(out_, "freejoint", {});
     for_each(body, mjOBJ_JOINT, [&](mjsElement* joint) { add_joint(joint); });
     if (body.explicitinertial != 0) add_inertial(body);
-    for_each(body, mjOBJ_GEOM, [&](mjsElement* geom) { add_geom(geom); });
+    bool has_pictures = false;
+    for_each(body, mjOBJ_GEOM, [&](mjsElement* geom) {
+      has_pictures = has_pictures || is_picture(*mjs_asGeom(geom));
+    });
+    for_each(body, mjOBJ_GEOM, [&](mjsElement* geom) { add_geom(geom, has_pictures); });
     for_each(body, mjOBJ_BODY, [&](mjsElement* below) { add_body(*mjs_asBody(below), false); });
     out_.CloseElement();
   }
@@ -197,7 +202,10 @@ class MjcfWriter {
     add_element(out_, "joint", own);
   }
 
-  void add_geom(mjsElement* element) {
+  static bool is_picture(const mjsGeom& geom) { return geom.contype == 0 && geom.conaffinity == 0; }
+
+  /// @param hides where the link has pictures, shapes that collide are in a group that is not drawn
+  void add_geom(mjsElement* element, bool hides) {
     static const std::array<const char*, 8> kTypes = {"plane",     "hfield",   "sphere", "capsule",
                                                       "ellipsoid", "cylinder", "box",    "mesh"};
     static const std::array<int, 8> kSizes = {0, 0, 1, 2, 3, 2, 3, 0};
@@ -213,11 +221,12 @@ class MjcfWriter {
     if (differs(geom.pos, {0, 0, 0})) own.emplace_back("pos", number_list(geom.pos, 3));
     if (differs(geom.quat, {1, 0, 0, 0})) own.emplace_back("quat", quaternion(geom.quat));
     own.emplace_back("mass", "0");  // a URDF's masses are those of <inertial> alone
-    if (geom.contype == 0 && geom.conaffinity == 0) {
+    if (is_picture(geom)) {
       own.emplace_back("contype", "0");
       own.emplace_back("conaffinity", "0");
     }
-    if (geom.group != 0) own.emplace_back("group", std::to_string(geom.group));
+    const int group = hides && !is_picture(geom) ? kCollisionGroup : geom.group;
+    if (group != 0) own.emplace_back("group", std::to_string(group));
     if (const Eigen::Vector4f colour = Eigen::Vector4f::Map(geom.rgba);
         colour != Eigen::Vector4f(0.5F, 0.5F, 0.5F, 1.0F))
       own.emplace_back("rgba",

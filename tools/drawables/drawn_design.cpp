@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mjcf/scene/played_robot.hpp"
+#include "mjcf/scene/seen_shapes.hpp"
 #include "mjcf/shape/simpler_mesh.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/write/rewrite_robot.hpp"
@@ -95,6 +96,7 @@ std::shared_ptr<const std::string> MeshStore::find(const std::string& id) const 
 
 Json drawables_json(const mjModel& model, MeshStore& meshes) {
   Json bodies = Json::array(), geoms = Json::array();
+  const std::vector<int> groups = drawn_groups(model);
   for (int body = 0; body < model.nbody; ++body)
     bodies.push_back(
         {{"name", name_of(model, mjOBJ_BODY, body)}, {"parent", model.body_parentid[body]}});
@@ -110,7 +112,7 @@ Json drawables_json(const mjModel& model, MeshStore& meshes) {
                      {"quat", list_of(model.geom_quat + 4L * geom, 4)},
                      {"rgba", colour_of(model, geom)},
                      {"mesh", mesh ? Json(meshes.add(model, model.geom_dataid[geom])) : nullptr},
-                     {"group", model.geom_group[geom]}});
+                     {"group", groups[static_cast<std::size_t>(geom)]}});
   }
   return {{"bodies", bodies}, {"geoms", geoms}};
 }

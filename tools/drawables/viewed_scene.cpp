@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "mjcf/scene/seen_shapes.hpp"
 #include "tools/drawables/drawn_design.hpp"
 #include "tools/drawables/motion_frames.hpp"
 #include "tools/simulate/mujoco_host.hpp"
@@ -12,18 +13,18 @@
 namespace legwright {
 namespace {
 
-constexpr int kHighestGroup = 2;  // that is drawn
-
 bool is_seen(const Json& geom) {
-  return geom.at("group").get<int>() <= kHighestGroup &&
+  return geom.at("group").get<int>() <= kHighestSeenGroup &&
          geom.at("rgba").at(3).get<double>() > 0.0 && geom.at("type") != "plane";
 }
 
 /// Triangles of the meshes that are seen, each mesh of a model once.
 double seen_triangles(const mjModel& model) {
   std::set<int> meshes;
+  const std::vector<int> groups = drawn_groups(model);
   for (int geom = 0; geom < model.ngeom; ++geom)
-    if (model.geom_type[geom] == mjGEOM_MESH && model.geom_group[geom] <= kHighestGroup)
+    if (model.geom_type[geom] == mjGEOM_MESH &&
+        groups[static_cast<std::size_t>(geom)] <= kHighestSeenGroup)
       meshes.insert(model.geom_dataid[geom]);
   double out = 0.0;
   for (const int mesh : meshes) out += model.mesh_facenum[mesh];

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "mjcf/scene/seen_shapes.hpp"
 #include "mjcf/scene/surroundings.hpp"
 #include "tools/render/posing.hpp"
 #include "tools/render/renderer.hpp"
@@ -16,7 +17,7 @@ namespace {
 /// Corners of the boxes about the robot's geoms, in one pose.
 void add_corners(const mjModel& model, const mjData& data, std::vector<Eigen::Vector3d>& points) {
   for (int g = 0; g < model.ngeom; ++g) {
-    const bool seen = model.geom_rgba[4 * g + 3] > 0.0F && model.geom_group[g] <= 2;
+    const bool seen = model.geom_rgba[4 * g + 3] > 0.0F && model.geom_group[g] <= kHighestSeenGroup;
     if (model.body_weldid[model.geom_bodyid[g]] == 0 || model.geom_type[g] == mjGEOM_PLANE || !seen)
       continue;
     const double* box = model.geom_aabb + 6 * g;  // centre and half sizes in the geom's frame

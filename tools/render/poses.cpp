@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "mjcf/scene/seen_shapes.hpp"
 #include "mjcf/text/input_error.hpp"
 #include "plugin/planned_motion.hpp"
 #include "plugin/spline.hpp"
@@ -26,6 +27,7 @@ ModelPointer load_drawn_scene(const std::filesystem::path& file) {
     while (reason.ends_with('\n')) reason.pop_back();
     throw InputError(file.string(), 0, "", reason + "; " + kOptimizeAgain);
   }
+  hide_collision_shapes(*model);
   return model;
 }
 

@@ -29,6 +29,21 @@ TEST(BesideFeet, AHeelAsLowAsTheFootIsTold) {
     EXPECT_NE(remarks[0].find(part), std::string::npos) << remarks[0];
 }
 
+TEST(BesideFeet, ThoseOfAllFeetAreToldInOneSentence) {
+  std::string puppy = test::named_robot("puppy");
+  for (const char* foot : {"FL", "FR", "HL", "HR"}) {
+    const std::string joint = std::string("<joint name=\"") + foot + "_ankle\" axis=\"0 1 0\"/>";
+    puppy = test::with(puppy, joint,
+                       joint +
+                           "<geom type=\"sphere\" size=\"0.008\" pos=\"-0.08 0 -0.081\" "
+                           "contype=\"1\"/>");
+  }
+  const auto remarks = beside_feet(parse_robot(puppy, "puppy.xml"));
+  ASSERT_EQ(remarks.size(), 1U);
+  EXPECT_NE(remarks[0].find("foot 'FL'"), std::string::npos) << remarks[0];
+  EXPECT_NE(remarks[0].find(", and so beside foot 'FR', "), std::string::npos) << remarks[0];
+}
+
 TEST(BesideFeet, ARodWithOneEndInTheFootAndTheOtherLowIsTold) {
   const auto remarks = with_geom(
       R"(<geom type="capsule" size="0.01" fromto="0 0 -0.07 -0.06 0 -0.077" contype="1"/>)");

@@ -61,6 +61,8 @@ TEST(ReadUrdf, KeepsNamesPlacesMassesAndColours) {
   EXPECT_FALSE(model->jnt_limited[knee]);
   const int seen = model->body_geomadr[trunk];
   EXPECT_EQ(model->geom_contype[seen], 0);
+  EXPECT_EQ(model->geom_group[seen + 1], 3) << "its shape for collisions is not drawn over it";
+  EXPECT_EQ(model->geom_group[model->body_geomadr[toe]], 0) << "that of a toe without pictures is";
   EXPECT_NEAR(model->geom_rgba[std::ptrdiff_t{4} * seen], 0.8, 1e-6);
   EXPECT_EQ(model->nu, 2);
   EXPECT_EQ(model->actuator_forcerange[1], 6.0);
