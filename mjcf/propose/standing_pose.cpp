@@ -20,6 +20,7 @@
 #include "mjcf/text/angle_words.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/input_error.hpp"
+#include "mjcf/write/home_ctrl.hpp"
 
 namespace legwright {
 namespace {
@@ -61,6 +62,7 @@ class PoseFinder {
  public:
   PoseFinder(const XmlFile& xml, const mjModel& model, int trunk)
       : model_(model),
+        file_(xml.file),
         in_degrees_(angles_in_degrees(xml)),
         trunk_(trunk),
         root_(model.jnt_qposadr[model.body_jntadr[trunk]]),
@@ -315,26 +317,11 @@ class PoseFinder {
   void write(StandingPose& out) const {
     for (int k = 0; k < static_cast<int>(model_.nq); ++k)
       out.qpos += fmt::format("{}{:.10g}", k ? " " : "", data_->qpos[k] + 0.0);
-    std::vector<double> ctrl(static_cast<std::size_t>(model_.nu), 0.0);
-    bool any = false;
-    for (int i = 0; i < static_cast<int>(model_.nactuator); ++i) {
-      if (model_.actuator_trntype[i] != mjTRN_JOINT ||
-          model_.actuator_biastype[i] != mjBIAS_AFFINE ||
-          !(model_.actuator_biasprm[mjNBIAS * i + 1] < 0.0))
-        continue;
-      const int at = model_.actuator_ctrladr[i];
-      const mjtNum* range = model_.actuator_ctrlrange + std::ptrdiff_t{2} * at;
-      double value = model_.actuator_gear[std::ptrdiff_t{6} * model_.actuator_outadr[i]] *
-                     data_->qpos[model_.jnt_qposadr[model_.actuator_trnid[std::ptrdiff_t{2} * i]]];
-      if (model_.actuator_ctrllimited[at]) value = std::clamp(value, range[0], range[1]);
-      ctrl[static_cast<std::size_t>(at)] = value + 0.0;
-      any = true;
-    }
-    for (std::size_t k = 0; any && k < ctrl.size(); ++k)
-      out.ctrl += fmt::format("{}{:.10g}", k ? " " : "", ctrl[k]);
+    if (const auto ctrl = holding_ctrl(model_, data_->qpos, file_)) out.ctrl = ctrl_text(*ctrl);
   }
 
   const mjModel& model_;
+  const std::filesystem::path& file_;
   const bool in_degrees_;
   const int trunk_, root_;
   DataPointer data_;

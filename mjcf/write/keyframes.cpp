@@ -24,9 +24,11 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr double kFootNearGround = 0.15;  // leg lengths: authors place robots by eye
-constexpr double kClear = 0.02;   // leg lengths between trunk and ground, else the robot lies
-constexpr double kUpright = 0.5;  // least cosine of the trunk's tilt
-constexpr double kGrain = 1e-10;  // [m], [rad]: numbers that are solved for are this fine
+constexpr double kInGround = 0.01;     // leg lengths: a foot so deep was not placed on the ground
+constexpr double kSameDesign = 1e-12;  // as rounded numbers of the file give it
+constexpr double kClear = 0.02;        // leg lengths between trunk and ground, else the robot lies
+constexpr double kUpright = 0.5;       // least cosine of the trunk's tilt
+constexpr double kGrain = 1e-10;       // [m], [rad]: numbers that are solved for are this fine
 
 /// By division, so that the number has few digits.
 double rounded_to_grain(double value) { return std::round(value * 1e10) / 1e10; }
@@ -101,8 +103,10 @@ class Solver {
     for (int f = 0; f < morphology_.foot_count(); ++f)
       out.foot_height.push_back(before_.foot(old, f).z() - morphology_.feet[f].radius);
     if (!stands(out)) return std::nullopt;
+    const double sunk = depth_in_ground(out);
+    for (double& height : out.foot_height) height += sunk;
     const std::optional<VectorXd> pose =
-        effort == KeyframeEffort::angles ? with_angles(old, out) : std::nullopt;
+        effort == KeyframeEffort::angles ? with_angles(old, sunk, out) : std::nullopt;
     out.every_foot = pose.has_value();
     write(pose ? *pose : with_height(old, out), old, out);
     return out;
@@ -120,6 +124,14 @@ class Solver {
            lowest_of_trunk(model_, *data, trunk) > lowest + kClear * morphology_.leg_length;
   }
 
+  /// How deep the lowest foot is in the ground, where authors did not mean to touch it [m]: another
+  /// design stands on it. That of the file keeps the author's numbers.
+  double depth_in_ground(const StandingKey& key) const {
+    const double depth = -*std::min_element(key.foot_height.begin(), key.foot_height.end());
+    const bool same = s_.isApprox(robot_.space.initial(), kSameDesign);
+    return !same && depth > kInGround * morphology_.leg_length ? depth : 0.0;
+  }
+
   /// How much further each foot is below the trunk than before, at the same angles; of feet on the
   /// ground.
   std::vector<double> growth(const VectorXd& old, const StandingKey& key) const {
@@ -131,15 +143,16 @@ class Solver {
   }
 
   /// Every foot at its height: the trunk rises by the mean of what the legs grew, or, where a leg
-  /// is then too short, by less.
-  std::optional<VectorXd> with_angles(const VectorXd& old, const StandingKey& key) const {
+  /// is then too short, by less. @param sunk by which it rises besides [m]
+  std::optional<VectorXd> with_angles(const VectorXd& old, double sunk,
+                                      const StandingKey& key) const {
     const std::vector<double> grown = growth(old, key);
     const double mean = std::accumulate(grown.begin(), grown.end(), 0.0) /
                         static_cast<double>(grown.size()),
                  least = *std::min_element(grown.begin(), grown.end());
     for (const double rise : {mean, 0.5 * (mean + least), least}) {
       VectorXd pose = old;
-      if (rise != 0.0) pose[2] = rounded_to_grain(old[2] + rise);
+      if (rise + sunk != 0.0) pose[2] = rounded_to_grain(old[2] + rise + sunk);
       const bool good = std::all_of(legs_.begin(), legs_.end(), [&](const LegJoints& leg) {
         const Vector2d place = before_.reach(old, leg).head<2>();
         return after_.solve(pose, leg,

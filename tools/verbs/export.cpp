@@ -85,6 +85,10 @@ int export_run(const ExportOptions& options) {
 
   ExportFacts facts = facts_of(from, options.run, name);
   facts.standing = describe(stood);
+  if (from.holds_home)
+    facts.standing +=
+        " The `ctrl` of its home keyframe, which tells its servos that pose, is the export's: the "
+        "robot's file has none.";
   facts.others = others;
   const std::vector<HomeTouch> touches = home_touches(from);
   facts.touches = describe(touches);

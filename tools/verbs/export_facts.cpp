@@ -9,6 +9,7 @@
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/input_error.hpp"
 #include "mjcf/text/safe_path.hpp"
+#include "mjcf/write/home_ctrl.hpp"
 #include "mjcf/write/verify.hpp"
 #include "tools/files/checksum.hpp"
 #include "tools/files/io_error.hpp"
@@ -131,7 +132,9 @@ ExportedRun read_exported_run(const fs::path& root) {
   // What was a leg is one: a design may be read otherwise where it is borderline.
   const RobotFiles files = RobotFiles::read(result);
   check_assets(out.run, files);
-  out.after = files.at_their_lines([&] { return parse_robot(files, &out.before.structure); });
+  const RobotFiles held = with_home_ctrl(files);
+  out.after = files.at_their_lines([&] { return parse_robot(held, &out.before.structure); });
+  out.holds_home = held.text() != files.text();
   const Eigen::VectorXd s = out.after.space.initial();
   const std::string difference =
       s.size() != out.before.space.size()
@@ -180,7 +183,12 @@ std::string describe(const StandingResult& stand) {
                        stand.trunk_before, stand.trunk_after);
   if (stand.in_ground())
     out += fmt::format(" (it starts {:.3g} m deep in the ground)", stand.sunk_in);
-  if (stand.flew())
+  if (stand.flew() && stand.commanded_elsewhere > 0)
+    out += fmt::format(
+        " (it is thrown up to {:.3g} m: in that pose {} of its servos are told another place by "
+        "the `ctrl` of its keyframe)",
+        stand.highest, stand.commanded_elsewhere);
+  else if (stand.flew())
     out += fmt::format(
         " (it is thrown up to {:.3g} m: that pose does not stand; give the robot's file a keyframe "
         "`home` in which its feet touch the ground and no links overlap)",

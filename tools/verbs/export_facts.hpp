@@ -19,6 +19,7 @@ struct ExportedRun {
   RunRecord run;
   JudgedSums sums;  // of what stands in the folder, before it was read
   RobotModel before, after;
+  bool holds_home = false;  // `after` has controls in its home keyframe that the result has not
 };
 
 /// Throws IoError where there is no run or no result, InputError where inputs or result are not

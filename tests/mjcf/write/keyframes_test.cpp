@@ -135,6 +135,19 @@ TEST(Keyframes, AServoOnATendonGetsItsLength) {
 }
 
 /// Lies on its belly; jumps; is named by its controls alone; lies on its back.
+/// A keyframe that was placed by eye: its own numbers for its own body, the ground for another.
+TEST(Keyframes, FeetInTheGroundStandOnItWithAnotherBody) {
+  for (const auto& [height, wanted] :
+       {std::pair{"0.1975118502", 0.0}, std::pair{"0.2044118502", -1e-4}}) {  // 7 mm, 0.1 mm
+    const std::string xml = test::with(test::example_robot("puppy"), "qpos=\"0 0 0.2045118502",
+                                       std::string("qpos=\"0 0 ") + height);
+    const RobotModel robot = parse_robot(xml, "puppy");
+    EXPECT_EQ(rewrite_robot(robot, robot.space.initial()), xml);
+    const ModelPointer after = compile_mjcf(rewrite_robot(robot, longer(robot)), "puppy");
+    for (const double foot : foot_heights(robot, *after, 0)) EXPECT_NEAR(foot, wanted, 1e-6);
+  }
+}
+
 TEST(Keyframes, WhereNoFootStandsNothingChanges) {
   const std::string xml = test::example_robot("puppy");
   const std::string angles = "0.5 -1 0.6 0.5 -1 0.6 0.5 -1 0.6 0.5 -1 0.6";
