@@ -7,8 +7,11 @@
 #include <cmath>
 #include <optional>
 
+#include "mjcf/read/checks.hpp"
 #include "mjcf/read/moving_parts.hpp"
+#include "mjcf/read/tree_checks.hpp"
 #include "mjcf/text/compile.hpp"
+#include "mjcf/text/input_error.hpp"
 #include "mjcf/text/model_arrays.hpp"
 
 namespace legwright {
@@ -17,8 +20,8 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kSmallMass = 1e-3;    // of the robot's: what weighs less is a stand-in
-constexpr double kBeside = 2.0;        // radii of the shape from its middle: no mass is there
-constexpr double kLeastBeside = 0.05;  // [m]
+constexpr double kBeside = 1.0;        // radii of the shape from its middle: no mass is there
+constexpr double kLeastBeside = 0.02;  // [m]
 constexpr double kWider = 3.0;         // radii of gyration over the shape's: other units
 
 /// A ball around the geoms of a body and of what is welded to it, its own frame and those of the
@@ -62,11 +65,12 @@ struct Spread {
 
 /// Visits the bodies of a robot that weigh and show something.
 template <class Visit>
-void for_each_spread(const RobotModel& robot, const mjModel& model, const Visit& visit) {
-  const DataPointer data = kinematics_at(model, home_qpos(model), robot.file);
-  const double least = kSmallMass * model.body_subtreemass[robot.structure.trunk];
+void for_each_spread(const mjModel& model, int trunk, const std::filesystem::path& file,
+                     const Visit& visit) {
+  const DataPointer data = kinematics_at(model, home_qpos(model), file);
+  const double least = kSmallMass * model.body_subtreemass[trunk];
   for (int b = 1; b < model.nbody; ++b) {
-    if (model.body_rootid[b] != robot.structure.trunk || !(model.body_mass[b] > least)) continue;
+    if (model.body_rootid[b] != trunk || !(model.body_mass[b] > least)) continue;
     const auto shape = ball_around(model, *data, b);
     if (!shape) continue;
     visit(b, Spread{(vector_at(data->xipos, b) - shape->middle).norm(),
@@ -89,18 +93,16 @@ struct Worst {
   }
 };
 
-}  // namespace
-
-std::vector<std::string> doubtful_masses(const RobotModel& robot) {
-  const ModelPointer model = compile_mjcf(robot.xml, robot.file);
+std::vector<std::string> doubts_of(const mjModel& model, int trunk,
+                                   const std::filesystem::path& file) {
   Worst beside, wide;
-  for_each_spread(robot, *model, [&](int body, const Spread& spread) {
+  for_each_spread(model, trunk, file, [&](int body, const Spread& spread) {
     if (spread.is_beside()) beside.see(body, spread.off / spread.reach, spread.off, spread.reach);
     if (spread.is_wide())
       wide.see(body, spread.gyration / spread.reach, spread.gyration, spread.reach);
   });
   std::vector<std::string> out;
-  const auto name = [&](const Worst& worst) { return name_of(*model, mjOBJ_BODY, worst.body); };
+  const auto name = [&](const Worst& worst) { return name_of(model, mjOBJ_BODY, worst.body); };
   if (beside.body >= 0)
     out.push_back(fmt::format(
         "the centre of mass of body '{}' is {:.2g} m from the middle of its shape, which reaches "
@@ -111,14 +113,35 @@ std::vector<std::string> doubtful_masses(const RobotModel& robot) {
         fmt::format("the moments of inertia of body '{}' are those of {:.3g} kg at {:.2g} m from "
                     "its centre, but "
                     "its shape reaches {:.2g} m{}: they seem to be in another unit than kg m²",
-                    name(wide), model->body_mass[wide.body], wide.size, wide.shape, wide.others()));
+                    name(wide), model.body_mass[wide.body], wide.size, wide.shape, wide.others()));
   return out;
+}
+
+}  // namespace
+
+std::vector<std::string> doubtful_masses(const RobotModel& robot) {
+  return doubts_of(*compile_mjcf(robot.xml, robot.file), robot.structure.trunk, robot.file);
+}
+
+std::vector<std::string> doubtful_masses(const RobotFiles& files) {
+  try {
+    const auto xml = load_xml(files.text(), files.file());
+    Refusals reasons;
+    check_text(*xml, reasons);
+    if (!reasons.empty()) return {};
+    const ModelPointer model = compile_mjcf(xml->text, files.file());
+    const int trunk = find_trunk(*xml, *model, reasons);
+    if (trunk < 0) return {};
+    return doubts_of(*model, trunk, files.file());
+  } catch (const InputError&) {
+    return {};  // its reader tells all faults
+  }
 }
 
 std::vector<std::string> wide_inertias(const RobotModel& robot) {
   const ModelPointer model = compile_mjcf(robot.xml, robot.file);
   std::vector<std::string> out;
-  for_each_spread(robot, *model, [&](int body, const Spread& spread) {
+  for_each_spread(*model, robot.structure.trunk, robot.file, [&](int body, const Spread& spread) {
     if (spread.is_wide()) out.push_back(name_of(*model, mjOBJ_BODY, body));
   });
   return out;

@@ -8,6 +8,9 @@ namespace {
 
 constexpr double kLeastSpeedShare = 0.9;
 constexpr double kLeastTurnShare = 0.9;
+// What is missed by less is none that counts in a gait's cycle, however small a share is reached.
+constexpr double kSpeedMiss = 1e-3;         // [m/s]
+constexpr double kTurnMiss = 5e-3;          // [rad/s]
 constexpr double kMostHeadingError = 0.35;  // [rad]
 constexpr double kMostGroundError = 0.005;  // [m]
 constexpr double kMostSlideShare = 0.5;     // of the distance travelled
@@ -19,12 +22,16 @@ std::vector<std::string> infeasible_reasons(bool usable, const PlanQuality& qual
                                             const std::string& unit) {
   if (!usable) return {"no finite motion was found"};
   std::vector<std::string> reasons;
-  if (quality.speed_wanted > 0.0 && quality.speed_reached < kLeastSpeedShare * quality.speed_wanted)
+  const bool on_the_spot = unit == "rad/s";  // then the speed is that of the turn
+  const auto misses = [](double reached, double wanted, double share, double least) {
+    return reached < share * wanted && wanted - reached > least;
+  };
+  if (quality.speed_wanted > 0.0 && misses(quality.speed_reached, quality.speed_wanted,
+                                           kLeastSpeedShare, on_the_spot ? kTurnMiss : kSpeedMiss))
     reasons.push_back(fmt::format("the plan reaches {:.3g} of {:.3g} {} ({:.0f} %)",
                                   quality.speed_reached, quality.speed_wanted, unit,
                                   100.0 * quality.speed_reached / quality.speed_wanted));
-  const bool on_the_spot = unit == "rad/s";  // then the speed is that of the turn
-  if (!on_the_spot && quality.turn_reached < kLeastTurnShare * quality.turn_wanted)
+  if (!on_the_spot && misses(quality.turn_reached, quality.turn_wanted, kLeastTurnShare, kTurnMiss))
     reasons.push_back(fmt::format("the plan turns at {:.3g} of {:.3g} rad/s ({:.0f} %)",
                                   quality.turn_reached, quality.turn_wanted,
                                   100.0 * quality.turn_reached / quality.turn_wanted));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "mjcf/propose/doubtful_masses.hpp"
 #include "mjcf/read/world_parts.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/input_error.hpp"
@@ -138,6 +139,13 @@ std::string way_to_keyframe(const ProposedParameters& found) {
       fmt::join(joints, ", "));
 }
 
+/// Masses that cannot be where they are, which may be why a robot does not stand.
+std::string doubts_text(const ProposedParameters& found) {
+  std::string text;
+  for (const std::string& doubt : doubtful_masses(found.model)) text += "; note: " + doubt;
+  return text;
+}
+
 /// It names `robot` from the folder of the task file. Throws IoError where the file exists already.
 FirstTask first_task(const InitOptions& options, const StudiedRobot& studied,
                      const std::string& robot) {
@@ -149,7 +157,8 @@ FirstTask first_task(const InitOptions& options, const StudiedRobot& studied,
     throw InputError(options.robot, 0, "",
                      "no task is written, in which the robot would fall at once, nor anything "
                      "else: " +
-                         found.not_standing + (studied.of_urdf ? way_to_keyframe(found) : ""));
+                         found.not_standing + (studied.of_urdf ? way_to_keyframe(found) : "") +
+                         doubts_text(found));
   const std::optional<std::string> gait =
       options.gait.empty() ? std::nullopt : std::optional(options.gait);
   const fs::path folder = fs::absolute(options.task).lexically_normal().parent_path();
@@ -159,7 +168,8 @@ FirstTask first_task(const InitOptions& options, const StudiedRobot& studied,
     throw InputError(options.robot, 0, "",
                      "no task is written: in the home pose the feet are not below the centre of "
                      "mass, so a gait has no period; give the file a keyframe named home in which "
-                     "the feet carry the trunk");
+                     "the feet carry the trunk" +
+                         doubts_text(found));
   return {starter_text(task, named.generic_string()),
           fmt::format("{} at {:.2g} m/s, a cycle of {:.2g} s", task.gait, task.speed, task.period)};
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "mjcf/propose/declare.hpp"
+#include "mjcf/propose/doubtful_masses.hpp"
 #include "mjcf/read/read_robot.hpp"
 #include "mjcf/text/input_error.hpp"
 #include "mjcf/text/splice.hpp"
@@ -13,6 +14,7 @@
 #include "tools/files/new_files.hpp"
 #include "tools/run/robot_folder.hpp"
 #include "tools/verbs/summary.hpp"
+#include "tools/verbs/urdf_words.hpp"
 
 namespace legwright {
 namespace {
@@ -29,19 +31,19 @@ void refuse_task(const fs::path& file) {
                                shell_word(file.string())));
 }
 
-/// A reason without its line, which is not one of the user's file.
-InputError without_line(const InputError& error) {
+/// A reason in words of a URDF, without its line, which is not one of the user's file.
+InputError of_urdf(const InputError& error) {
   std::string message = error.message();
   if (const std::size_t at = message.find(", line "); at != std::string::npos)
     message.erase(at, message.find_first_not_of("0123456789", at + 7) - at);
-  return {error.file(), 0, error.where(), message};
+  return {error.file(), 0, in_words_of_urdf(error.where()), in_words_of_urdf(message)};
 }
 
 /// The same reasons without lines, and what was left out on the way, which may be why.
 InputError of_made_mjcf(const InputError& error, const MjcfOfUrdf& made) {
   std::vector<InputError> reasons;
-  for (const InputError& reason : error.reasons()) reasons.push_back(without_line(reason));
-  if (reasons.empty()) reasons.push_back(without_line(error));
+  for (const InputError& reason : error.reasons()) reasons.push_back(of_urdf(reason));
+  if (reasons.empty()) reasons.push_back(of_urdf(error));
   for (const std::string& note : made.left_out)
     reasons.emplace_back(reasons.front().file(), 0, "note", note);
   return InputError(std::move(reasons));
@@ -69,16 +71,20 @@ bool is_of_declarations(const InputError& error) {
   return where.starts_with("numeric") || where.starts_with("text");
 }
 
-/// What `work` makes, or why it could not be made and that no pose was found, which may be why.
+/// What `work` makes, or why it could not be made and what may be why: that no pose was found, and
+/// masses that cannot be where they are.
 template <class Work>
-auto told_of_pose(const FoundPose& found, const fs::path& file, const Work& work) {
+auto told_of_pose(const FoundPose& found, const RobotFiles& files, const Work& work) {
   try {
     return work();
   } catch (const InputError& error) {
-    if (found.none.empty() || is_of_declarations(error)) throw;
+    const std::vector<std::string> doubts = doubtful_masses(files);
+    if ((found.none.empty() && doubts.empty()) || is_of_declarations(error)) throw;
+    const std::string file = files.file().string();
     std::vector<InputError> reasons = error.reasons();
     if (reasons.empty()) reasons.push_back(error);
-    reasons.emplace_back(file.string(), 0, "pose", found.none);
+    if (!found.none.empty()) reasons.emplace_back(file, 0, "pose", found.none);
+    for (const std::string& doubt : doubts) reasons.emplace_back(file, 0, "note", doubt);
     throw InputError(std::move(reasons));
   }
 }
@@ -120,7 +126,7 @@ StudiedRobot study_urdf(std::string text, const fs::path& file, const FileReach&
     const RobotFiles plain = upright(drawn, axes);
     FoundPose found = pose_of(plain);
     const RobotModel posed = told_of_pose(
-        found, file, [&] { return parse_robot(in_pose(plain, found.pose).text(), file); });
+        found, plain, [&] { return parse_robot(in_pose(plain, found.pose).text(), file); });
     made = reader.read(mending_of(posed, made.without_moments));
     // Gains and exclusions are no part of where a robot stands.
     StudiedRobot robot =
@@ -146,7 +152,7 @@ StudiedRobot study_robot(const fs::path& file, const FileReach& reach) {
   const std::optional<TrunkAxes> axes = find_trunk_axes(drawn);
   const RobotFiles files = upright(drawn, axes);
   FoundPose found = pose_of(files);
-  StudiedRobot robot = told_of_pose(found, file, [&] { return study(files, found.pose); });
+  StudiedRobot robot = told_of_pose(found, files, [&] { return study(files, found.pose); });
   robot.text = drawn.main_text();
   robot.axes = axes;
   return robot;

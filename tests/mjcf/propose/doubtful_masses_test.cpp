@@ -36,6 +36,17 @@ TEST(DoubtfulMasses, ACentreFarFromTheShapeIsTold) {
       << doubts[0];
 }
 
+TEST(DoubtfulMasses, ACentreBesideAllOfTheShapeIsToldOfARobotThatIsRefused) {
+  const std::string beside = test::with(dog(), "<inertial pos=\"0 0 0.005\" mass=\"1.15\"",
+                                        "<inertial pos=\"0 0.3 0.005\" mass=\"1.15\"");
+  EXPECT_EQ(doubts_of(beside).size(), 1u);
+  const std::string footless = test::with(beside, "class=\"ball\" pos",
+                                          "class=\"ball\" contype=\"0\" conaffinity=\"0\" pos");
+  EXPECT_THROW(parse_robot(footless, "robot.xml"), InputError);
+  EXPECT_EQ(doubtful_masses(RobotFiles::from_text(footless, "robot.xml")), doubts_of(beside));
+  EXPECT_TRUE(doubtful_masses(RobotFiles::from_text(dog(), "robot.xml")).empty());
+}
+
 TEST(DoubtfulMasses, MomentsInGramsAndMillimetresAreTold) {
   const auto doubts =
       doubts_of(test::with(dog(), "diaginertia=\"0.00101583 0.00407292 0.00460958\"",

@@ -52,6 +52,21 @@ TEST(Feasibility, NamesWhatIsMissed) {
   EXPECT_EQ(infeasible_reasons(false, good(), "m/s").size(), 1u);
 }
 
+/// A share of nearly nothing is none that counts.
+TEST(Feasibility, WhatIsMissedByNothingThatCountsIsNot) {
+  PlanQuality straight = good();
+  straight.turn_wanted = 0.00052;
+  straight.turn_reached = 0.00046;
+  EXPECT_TRUE(infeasible_reasons(true, straight, "m/s").empty());
+  PlanQuality creeping = good();
+  creeping.speed_wanted = 0.002;
+  creeping.speed_reached = 0.0015;
+  EXPECT_TRUE(infeasible_reasons(true, creeping, "m/s").empty());
+  creeping.speed_wanted = 0.02;
+  creeping.speed_reached = 0.015;
+  EXPECT_EQ(infeasible_reasons(true, creeping, "m/s").size(), 1u);
+}
+
 TEST(Feasibility, ATaskOnTheSpotNeedsNoSpeed) {
   PlanQuality still = good();
   still.speed_wanted = still.speed_reached = 0.0;

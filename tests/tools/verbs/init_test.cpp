@@ -3,6 +3,8 @@
 // the reason. `legwright init` of URDFs.
 #include <gtest/gtest.h>
 
+#include <regex>
+
 #include "mjcf/read/read_robot.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/urdf/write_urdf.hpp"
@@ -201,6 +203,23 @@ TEST_F(InitOfUrdf, OneThatDoesNotStandIsToldHowItsMjcfGetsAPose) {
     EXPECT_TRUE(contains(told.err, part)) << part << "\n" << told.err;
   EXPECT_FALSE(fs::exists(robot_));
   EXPECT_EQ(call({"init", urdf_.string(), "-o", robot_.string()}).code, 0);
+}
+
+/// What is refused is told in words of the file that the user has, with what else may be why.
+TEST_F(InitOfUrdf, WithoutCollisionShapesIsToldInItsOwnWords) {
+  const std::string urdf =
+      std::regex_replace(read_file(urdf_), std::regex("<collision[^]*?</collision>"), "");
+  write_file(urdf_, urdf);
+  const Outcome told = call({"init", urdf_.string()});
+  EXPECT_EQ(told.code, 2) << told.out;
+  for (const char* part : {"link 'FR_calf': ends a leg without a foot; add <collision>",
+                           "<visual> shapes touch nothing"})
+    EXPECT_TRUE(contains(told.err, part)) << part << "\n" << told.err;
+  for (const char* part : {"<geom ", "contype", "body '", "inertial"})
+    EXPECT_FALSE(contains(told.err, part)) << part << "\n" << told.err;
+  write_file(urdf_, std::regex_replace(urdf, std::regex("(<inertial>\\s*<origin xyz=\")[^\"]*"),
+                                       "$010 0 2"));
+  EXPECT_TRUE(contains(call({"init", urdf_.string()}).err, "m from the middle of its shape"));
 }
 
 TEST_F(InitOfUrdf, FaultsOfTheMjcfThatIsMadeHaveNoLineOfTheUrdf) {
