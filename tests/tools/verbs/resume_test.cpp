@@ -2,13 +2,16 @@
 // legwright optimize --resume: a search that was killed or stopped goes on, to the same bytes.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <thread>
 
 #include "tests/tools/verbs/program.hpp"
+#include "tools/run/checkpoint_file.hpp"
 #include "tools/run/events.hpp"
 
 namespace legwright {
@@ -189,16 +192,65 @@ TEST_F(Resume, OneThatWasToReplaceARunDoesSoInTheEnd) {
   EXPECT_FALSE(fs::exists(states()));
 }
 
+/// A search with steps on the gait, into the folder that is last.
+const std::vector<std::string> kStepping{"optimize",
+                                         (test::kExamples / "piston_puppy/forward.toml").string(),
+                                         "--no-pictures",
+                                         "--no-reasons",
+                                         "--plan-only",
+                                         "--physics-steps",
+                                         "2",
+                                         "-o",
+                                         "whole"};
+
+/// The state of a gait that was played, with so many more roll-outs than it took.
+std::vector<double> with_rollouts(std::vector<double> state, int more) {
+  double origin = 0.0, distance = 0.0, speed = 0.0, drift = 0.0;
+  bool pass = false;
+  Eigen::VectorXd residual;
+  std::string line;
+  int rollouts = 0;
+  const auto all = [&](SolveState& of) {
+    of(origin);
+    of(pass);
+    of(residual);
+    of(line);
+    for (double* const member : {&distance, &speed, &drift}) of(*member);
+    of(rollouts);
+  };
+  SolveState read(state), written;
+  all(read);
+  EXPECT_GT(rollouts, 0);
+  rollouts += more;
+  all(written);
+  std::copy(written.numbers().begin(), written.numbers().end(), state.begin());
+  return state;
+}
+
+/// What a killed search had played counts: a false number of it comes out in the end.
+TEST_F(Resume, StepsOnTheGaitTakeUpWhatWasPlayed) {
+  constexpr int kMore = 1000;
+  std::vector<std::string> words = kStepping;
+  words.back() = run().string();
+  const std::string steps = "physics steps";
+  ASSERT_EQ(signalled(SIGKILL, words, steps), -SIGKILL) << err();
+  std::optional<ReadCheckpoint> kept = read_checkpoint(run());
+  ASSERT_TRUE(kept);
+  int played = 0;
+  for (auto& [name, state] : kept->states) {
+    if (!contains(name, steps)) continue;
+    state = with_rollouts(std::move(state), kMore);
+    ++played;
+  }
+  ASSERT_GT(played, 0);
+  CheckpointFile(run(), kept->begin, kept->states);
+  EXPECT_EQ(call({"optimize", "--resume", run().string()}).code, 0);
+  const int told = read_json(run() / "run.json")["physics_steps"]["rollouts"];
+  EXPECT_EQ(told / kMore, played);
+}
+
 TEST_F(Resume, StepsOnTheGaitEndInTheSameBytes) {
-  std::vector<std::string> words{"optimize",
-                                 (test::kExamples / "piston_puppy/forward.toml").string(),
-                                 "--no-pictures",
-                                 "--no-reasons",
-                                 "--plan-only",
-                                 "--physics-steps",
-                                 "2",
-                                 "-o",
-                                 "whole"};
+  std::vector<std::string> words = kStepping;
   ASSERT_EQ(call(words).code, 0);
   words.back() = run().string();
   const std::vector<std::string> resume{"optimize", "--resume", run().string()};
