@@ -40,7 +40,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(CorpusOf{"numbers", test::fuzz_numbers}, CorpusOf{"toml", test::fuzz_toml},
                     CorpusOf{"json", test::fuzz_json}, CorpusOf{"journal", test::fuzz_journal},
                     CorpusOf{"trajectory", test::fuzz_trajectory},
-                    CorpusOf{"robot", test::fuzz_robot}, CorpusOf{"urdf", test::fuzz_urdf}),
+                    CorpusOf{"robot", test::fuzz_robot}, CorpusOf{"collada", test::fuzz_collada},
+                    CorpusOf{"urdf", test::fuzz_urdf}),
     [](const auto& of) { return std::string(of.param.name); });
 
 /// A target that is blind would find nothing.

@@ -22,6 +22,9 @@ bool fuzz_journal(std::string_view text);
 bool fuzz_trajectory(std::string_view text);
 /// A robot's MJCF: an InputError at the file, or a robot whose file can be rewritten.
 bool fuzz_robot(std::string_view text);
+/// A Collada file: an InputError at the file, or finite triangles that can be drawn, the same each
+/// time.
+bool fuzz_collada(std::string_view text);
 /// A URDF: an InputError at the file, or an MJCF that is read or refused likewise.
 bool fuzz_urdf(std::string_view text);
 
