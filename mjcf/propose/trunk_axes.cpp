@@ -232,15 +232,16 @@ std::string with_frames(const std::string& text, const std::filesystem::path& fi
 
 }  // namespace
 
-std::optional<TrunkAxes> find_trunk_axes(const RobotFiles& files) {
+std::optional<TrunkAxes> find_trunk_axes(const std::string& text,
+                                         const std::filesystem::path& file) {
   try {
-    const auto xml = load_xml(files.text(), files.file());
+    const auto xml = load_xml(text, file);
     Refusals reasons;
     check_text(*xml, reasons);
-    const ModelPointer model = compile_mjcf(xml->text, files.file());
+    const ModelPointer model = compile_mjcf(xml->text, file);
     const int trunk = find_trunk(*xml, *model, reasons);
     if (trunk < 0 || !reasons.empty()) return std::nullopt;
-    return AxesFinder(*model, trunk, files.file()).run();
+    return AxesFinder(*model, trunk, file).run();
   } catch (const InputError&) {
     return std::nullopt;  // its reader tells all faults
   }

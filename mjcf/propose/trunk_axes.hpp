@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -21,7 +22,8 @@ struct TrunkAxes {
 /// one build end in one plane square to ±x or ±y, below their hips and the centre of mass along
 /// that axis, more of them than do so along z.
 /// Nothing where z is up, or where neither is so. Faults of the file are left to its reader.
-std::optional<TrunkAxes> find_trunk_axes(const RobotFiles& files);
+/// @param xml of all files of the robot, whose main one is `file`
+std::optional<TrunkAxes> find_trunk_axes(const std::string& xml, const std::filesystem::path& file);
 
 /// The same robot with a trunk's frame that has z up: what stands in the trunk but its free joint
 /// and <inertial> is put into a <frame>, <inertial> is turned, and the trunk and keyframes in which

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "mjcf/propose/beside_feet.hpp"
+#include "mjcf/propose/trunk_axes.hpp"
 #include "optimizer/design/kinematics.hpp"
 #include "optimizer/motion/faced_frame.hpp"
 #include "optimizer/motion/initial_guess.hpp"
@@ -225,6 +226,9 @@ std::vector<std::string> task_warnings(const Task& task, const RobotModel& robot
         "most fall; raise gait.duty for steadier ones");
   if (std::string why = unsupported_stance(task, robot); !why.empty())
     warnings.push_back(std::move(why));
+  if (const auto axes = find_trunk_axes(robot.xml, robot.file))
+    warnings.push_back(axes->why + "; plans and verdicts take z for up: `legwright init " +
+                       robot.file.filename().string() + " --write` turns the frame");
   for (std::string& beside : beside_feet(robot)) warnings.push_back(std::move(beside));
   if (const ServoSag sag = servo_sag(robot, task); sag.soft() && sag.can_be_stiffer())
     warnings.push_back(

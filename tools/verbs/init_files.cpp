@@ -122,7 +122,7 @@ StudiedRobot study_urdf(std::string text, const fs::path& file, const FileReach&
   MjcfOfUrdf made = reader.read();
   try {
     const RobotFiles drawn = RobotFiles::from_text(std::move(made.text), file, reach);
-    const std::optional<TrunkAxes> axes = find_trunk_axes(drawn);
+    const std::optional<TrunkAxes> axes = find_trunk_axes(drawn.text(), drawn.file());
     const RobotFiles plain = upright(drawn, axes);
     FoundPose found = pose_of(plain);
     const RobotModel posed = told_of_pose(
@@ -149,7 +149,7 @@ StudiedRobot study_robot(const fs::path& file, const FileReach& reach) {
   std::string text = read_main_file(file);
   if (is_urdf(text)) return study_urdf(std::move(text), file, reach);
   const RobotFiles drawn = RobotFiles::from_text(std::move(text), file, reach);
-  const std::optional<TrunkAxes> axes = find_trunk_axes(drawn);
+  const std::optional<TrunkAxes> axes = find_trunk_axes(drawn.text(), drawn.file());
   const RobotFiles files = upright(drawn, axes);
   FoundPose found = pose_of(files);
   StudiedRobot robot = told_of_pose(found, files, [&] { return study(files, found.pose); });

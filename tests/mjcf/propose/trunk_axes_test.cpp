@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -34,6 +35,10 @@ std::string without_keyframe(std::string xml) {
 
 RobotFiles files_of(const std::string& text) { return RobotFiles::from_text(text, kFile); }
 
+std::optional<TrunkAxes> axes_of(const RobotFiles& files) {
+  return find_trunk_axes(files.text(), files.file());
+}
+
 /// Where all geoms are, and what the bodies weigh, is as in strider's own file.
 void expect_strider(const std::string& xml, double trunk_height) {
   const ModelPointer is = compile_mjcf(xml, kFile), was = compile_mjcf(strider(), kFile);
@@ -60,23 +65,23 @@ void expect_strider(const std::string& xml, double trunk_height) {
 
 TEST(TrunkAxes, OfTheRobotsHereHaveZUp) {
   for (const auto& file : test::taken_robots())
-    EXPECT_FALSE(find_trunk_axes(RobotFiles::read(file))) << file;
+    EXPECT_FALSE(axes_of(RobotFiles::read(file))) << file;
   for (const char* name : {"puppy", "biped", "hexapod", "quadruped", "printed_quadruped"})
-    EXPECT_FALSE(find_trunk_axes(
+    EXPECT_FALSE(axes_of(
         RobotFiles::read(test::source_path(std::string("examples/") + name + "/robot.xml"))))
         << name;
 }
 
 TEST(TrunkAxes, OfAHexapodDrawnOnItsSideAreTurned) {
   const RobotFiles drawn = files_of(without_keyframe(test::strider_with_y_up()));
-  const auto axes = find_trunk_axes(drawn);
+  const auto axes = axes_of(drawn);
   ASSERT_TRUE(axes);
   EXPECT_EQ(axes->frame, (std::array<int, 4>{1, 1, 0, 0}));
   EXPECT_FALSE(axes->stands);
   EXPECT_EQ(axes->why.find("y is up in the frame of the trunk 'body': its 6 feet"), 0U)
       << axes->why;
   const RobotFiles upright = with_upright_axes(drawn, *axes);
-  EXPECT_FALSE(find_trunk_axes(upright));
+  EXPECT_FALSE(axes_of(upright));
   expect_strider(upright.text(), 0.115267);
   const ProposedParameters found = propose_parameters(
       with_keyframe(upright.text(), kFile, find_standing_pose(upright.text(), kFile).value()),
@@ -97,7 +102,7 @@ TEST(TrunkAxes, AreFoundAlongEachDirection) {
         std::tuple{"1 0 -1 0", R"(pos="-0.01 0 0" diaginertia="0.02312 0.0185 0.00562")", "-x",
                    Quat{1, 0, 1, 0}}}) {
     const RobotFiles drawn = files_of(without_keyframe(test::strider_in_axes(frame, inertial)));
-    const auto axes = find_trunk_axes(drawn);
+    const auto axes = axes_of(drawn);
     ASSERT_TRUE(axes) << up;
     EXPECT_EQ(axes->why.find(std::string(up) + " is up"), 0U) << axes->why;
     EXPECT_EQ(axes->frame, turn) << up;
@@ -109,7 +114,7 @@ TEST(TrunkAxes, AreFoundAlongEachDirection) {
 TEST(TrunkAxes, ThatAKeyframeTurnsUprightAreTurnedThereToo) {
   const std::string xml = test::with(test::strider_with_y_up(), "0 0 0.115267 1 0 0 0 ",
                                      "0 0 0.115267 0.5 0.5 0.5 0.5 ");
-  const auto axes = find_trunk_axes(files_of(xml));
+  const auto axes = axes_of(files_of(xml));
   ASSERT_TRUE(axes);
   EXPECT_TRUE(axes->stands);
   EXPECT_EQ(axes->frame, (std::array<int, 4>{1, 1, 1, 1})) << "it faces on as it stands there";
@@ -132,7 +137,7 @@ TEST(TrunkAxes, OfATrunkInAnIncludedFileAreToldHowToTurn) {
             "<mujocoinclude>" + xml.substr(from, end - from) + "</mujocoinclude>");
   test::put(main, xml.substr(0, from) + "<include file=\"body.xml\"/>" + xml.substr(end));
   const RobotFiles drawn = RobotFiles::read(main);
-  const auto axes = find_trunk_axes(drawn);
+  const auto axes = axes_of(drawn);
   ASSERT_TRUE(axes);
   try {
     with_upright_axes(drawn, *axes);

@@ -182,6 +182,12 @@ TEST_F(InitOfUrdf, NoTaskIsWrittenForAnMjcfThatHasToBeTurnedFirst) {
   EXPECT_EQ(read_file(robot_), drawn);
   EXPECT_EQ(call({"init", robot_.string(), "--write", "--task", task_.string()}).code, 0);
   EXPECT_TRUE(contains(read_file(robot_), "<frame quat=\"1 1 0 0\">"));
+  const std::string turn = "warning y is up in the frame of the trunk 'body'";
+  EXPECT_FALSE(contains(call({"check", task_.string()}).out, turn));
+  write_file(robot_, test::with(drawn, "0.115267 1 0 0 0 ", "0.115267 1 1 0 0 "));
+  const Outcome check = call({"check", task_.string()});
+  EXPECT_TRUE(contains(check.out, turn)) << check.out << check.err;
+  EXPECT_TRUE(contains(check.out, "`legwright init dog.xml --write` turns")) << check.out;
 }
 
 std::string without_ranges(std::string urdf) {
