@@ -4,115 +4,29 @@
 #include <algorithm>
 
 namespace legwright {
-namespace {
-
-/// The motion and design slots that an element reaches: motion first, both rising.
-Clique clique_of(const Element& element, const DerivedBlocks& blocks,
-                 const std::vector<int>& block_at_slot, int design_size, int parameter_count) {
-  std::vector<int> slots;
-  for (int slot : element.slots) {
-    if (slot < parameter_count)
-      slots.push_back(slot);
-    else if (const int block = block_at_slot[slot]; block >= 0)
-      slots.insert(slots.end(), blocks[block]->slots().begin(), blocks[block]->slots().end());
-  }
-  std::sort(slots.begin(), slots.end(), [design_size](int a, int b) {
-    const bool a_design = a < design_size, b_design = b < design_size;
-    return a_design != b_design ? b_design : a < b;
-  });
-  slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
-  const auto motion =
-      std::count_if(slots.begin(), slots.end(), [&](int s) { return s >= design_size; });
-  return Clique(std::move(slots), static_cast<int>(motion));
-}
-
-/// @param column_of slot → clique column.
-std::vector<ElementPlan::Run> runs_of(const DerivedQuantity& block, int design_size,
-                                      const std::vector<std::pair<int, int>>& column_of) {
-  std::vector<ElementPlan::Run> runs;
-  for (std::size_t k = 0; k < block.slots().size(); ++k) {
-    const int slot = block.slots()[k], from = static_cast<int>(k);
-    const int to = std::lower_bound(column_of.begin(), column_of.end(), std::pair(slot, 0))->second;
-    const bool joins = !runs.empty() && runs.back().to + runs.back().count == to &&
-                       (slot < design_size) == (block.slots()[k - 1] < design_size);
-    if (joins)
-      ++runs.back().count;
-    else
-      runs.push_back({from, to, 1});
-  }
-  return runs;
-}
-
-}  // namespace
-
-ElementPlan plan_element(const Term& term, int index, const DerivedBlocks& blocks,
-                         const std::vector<int>& block_at_slot, int design_size,
-                         int parameter_count) {
-  const Element& element = term.elements()[index];
-  ElementPlan plan;
-  plan.clique = clique_of(element, blocks, block_at_slot, design_size, parameter_count);
-  plan.reaches_design = static_cast<int>(plan.clique.slots.size()) > plan.clique.motion_count;
-  std::vector<std::pair<int, int>> column_of;
-  for (std::size_t k = 0; k < plan.clique.slots.size(); ++k)
-    column_of.emplace_back(plan.clique.slots[k], static_cast<int>(k));
-  std::sort(column_of.begin(), column_of.end());
-  for (int v = 0; v < static_cast<int>(element.slots.size()); ++v) {
-    const int slot = element.slots[v];
-    if (slot < parameter_count) {
-      plan.direct.push_back(
-          {v, std::lower_bound(column_of.begin(), column_of.end(), std::pair(slot, 0))->second});
-    } else if (const int block = block_at_slot[slot]; block >= 0) {
-      plan.through.push_back(
-          {v, block, blocks[block]->size(), runs_of(*blocks[block], design_size, column_of)});
-    }
-  }
-  plan.constant = term.constant_jacobian(index) != nullptr &&
-                  term.penalty() == Penalty::quadratic && plan.through.empty() &&
-                  !plan.reaches_design;
-  return plan;
-}
-
-LinearRows linear_rows(const Term& term, const std::vector<ElementPlan>& plans) {
-  LinearRows out;
-  Eigen::VectorXd offset;
-  for (std::size_t e = 0; e < plans.size(); ++e) {
-    const Element& element = term.elements()[e];
-    const Eigen::MatrixXd* J = term.constant_jacobian(static_cast<int>(e));
-    if (J == nullptr) return {};
-    offset.resize(element.rows);
-    term.residual(static_cast<int>(e), Eigen::VectorXd::Zero(J->cols()), offset);
-    for (int row = 0; row < J->rows(); ++row) {
-      for (int k = 0; k < J->cols(); ++k)
-        if ((*J)(row, k) != 0.0)
-          out.entries.push_back({element.slots[static_cast<std::size_t>(k)], (*J)(row, k)});
-      out.ends.push_back(static_cast<int>(out.entries.size()));
-      out.offsets.push_back(offset[row]);
-    }
-    out.last_rows.push_back(static_cast<int>(out.ends.size()));
-    out.constant.push_back(plans[e].constant ? 1 : 0);
-  }
-  return out;
-}
-
-void expand_jacobian(const ElementPlan& plan, const Eigen::MatrixXd& J,
+void expand_jacobian(const PlannedElement& element, const Eigen::MatrixXd& J,
                      const std::vector<Eigen::MatrixXd>& jacobians, int columns,
                      ElementWorkspace& workspace) {
+  const ElementPlan& plan = *element.plan;
   const int rows = static_cast<int>(J.rows());
   workspace.expanded.setZero(columns, rows);
   for (int row = 0; row < rows; ++row) {
     double* out = workspace.expanded.col(row).data();
     for (const ElementPlan::Direct& direct : plan.direct)
       if (direct.column < columns) out[direct.column] += J(row, direct.variable);
-    for (const ElementPlan::Through& through : plan.through)
+    for (std::size_t k = 0; k < plan.through.size(); ++k) {
+      const ElementPlan::Through& through = plan.through[k];
+      const Eigen::MatrixXd& block = jacobians[static_cast<std::size_t>(element.blocks[k])];
       for (int d = 0; d < through.size; ++d) {
         const double factor = J(row, through.variable + d);
         if (factor == 0.0) continue;
-        const double* chain = jacobians[through.block].col(d).data();
+        const double* chain = block.col(d).data();
         for (const ElementPlan::Run& run : through.runs) {
           if (run.to >= columns) break;
-          for (int k = 0; k < run.count; ++k) out[run.to + k] += factor * chain[run.from + k];
+          for (int c = 0; c < run.count; ++c) out[run.to + c] += factor * chain[run.from + c];
         }
       }
+    }
   }
 }
 
@@ -177,16 +91,20 @@ constexpr int kCrowded = 7;
 
 }  // namespace
 
-void expand_curvature(const ElementPlan& plan, const std::vector<Eigen::MatrixXd>& jacobians,
+void expand_curvature(const PlannedElement& element, const std::vector<Eigen::MatrixXd>& jacobians,
                       int columns, ElementWorkspace& workspace) {
+  const ElementPlan& plan = *element.plan;
   const Eigen::MatrixXd& C = workspace.curvature;
   std::vector<LocalRow>& rows = workspace.rows;
   rows.assign(static_cast<std::size_t>(C.rows()), LocalRow{columns});
   for (const ElementPlan::Direct& direct : plan.direct)
     rows[direct.variable].column = direct.column;
-  for (const ElementPlan::Through& through : plan.through)
+  for (std::size_t k = 0; k < plan.through.size(); ++k) {
+    const ElementPlan::Through& through = plan.through[k];
+    const Eigen::MatrixXd& block = jacobians[static_cast<std::size_t>(element.blocks[k])];
     for (int d = 0; d < through.size; ++d)
-      rows[through.variable + d] = {-1, &through, jacobians[through.block].col(d).data()};
+      rows[through.variable + d] = {-1, &through, block.col(d).data()};
+  }
   // Of most terms most entries of C are zero. Both orders of a pair of variables are visited, so
   // that each column pair of the lower triangle gets both.
   for (int j = 0; j < C.cols(); ++j) {

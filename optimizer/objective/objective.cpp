@@ -65,33 +65,25 @@ void ObjectiveParts::build() {
 }
 
 void ObjectiveParts::plan() {
-  std::vector<int> block_at_slot(layout.extended_size(), -1);
-  for (std::size_t b = 0; b < derived.blocks().size(); ++b)
-    block_at_slot[derived.blocks()[b]->slot()] = static_cast<int>(b);
-  std::vector<Clique*> cliques;
+  ElementPlanner planner(derived.blocks(), layout.extended_size(), layout.design_size(),
+                         layout.parameter_count());
   for (WeightedTerm& entry : terms) {
     const int count = entry.weight == 0.0 ? 0 : static_cast<int>(entry.term->elements().size());
     entry.plans.reserve(static_cast<std::size_t>(count));
-    for (int e = 0; e < count; ++e)
-      entry.plans.push_back(plan_element(*entry.term, e, derived.blocks(), block_at_slot,
-                                         layout.design_size(), layout.parameter_count()));
+    for (int e = 0; e < count; ++e) entry.plans.push_back(planner.plan(*entry.term, e));
     entry.linear = linear_rows(*entry.term, entry.plans);
   }
-  for (const auto& block : derived.blocks())
-    block_cliques.emplace_back(block->slots(), block->motion_columns());
-  for (WeightedTerm& entry : terms)
-    for (ElementPlan& element : entry.plans) cliques.push_back(&element.clique);
-  for (Clique& clique : block_cliques) cliques.push_back(&clique);
-  pattern = Sparsity::build(layout.design_size(), layout.motion_size(), cliques);
+  for (const auto& block : derived.blocks()) block_cliques.push_back(planner.clique_of(*block));
+  pattern = Sparsity::build(layout.design_size(), layout.motion_size(), planner.cliques());
   ElementWorkspace scratch;
   const HessianTarget target{pattern.valuePtr(), nullptr, nullptr, layout.design_size()};
   for (const WeightedTerm& entry : terms)
     for (std::size_t e = 0; e < entry.plans.size(); ++e) {
       if (!entry.plans[e].constant) continue;
       const Eigen::MatrixXd& J = *entry.term->constant_jacobian(static_cast<int>(e));
-      expand_jacobian(entry.plans[e], J, {}, entry.plans[e].clique.motion_count, scratch);
-      scatter_rank(entry.plans[e].clique, scratch.expanded,
-                   VectorXd::Constant(J.rows(), entry.weight), target);
+      const Clique& clique = *entry.plans[e].plan->clique;
+      expand_jacobian(entry.plans[e], J, {}, clique.motion_count, scratch);
+      scatter_rank(clique, scratch.expanded, VectorXd::Constant(J.rows(), entry.weight), target);
     }
 }
 
@@ -181,14 +173,14 @@ double ObjectiveParts::add_element(const WeightedTerm& entry, int index, Order o
 void ObjectiveParts::add_second(const WeightedTerm& entry, int index, Order order,
                                 EvaluationScratch& workspace, const HessianTarget& target) const {
   const Term& term = *entry.term;
-  const ElementPlan& plan = entry.plans[index];
-  const Clique& clique = plan.clique;
+  const PlannedElement& plan = entry.plans[index];
+  const Clique& clique = *plan.plan->clique;
   ElementWorkspace& local = workspace.element;
   const int columns =
       order == Order::design ? static_cast<int>(clique.slots.size()) : clique.motion_count;
   if (columns == 0) return;
-  for (const ElementPlan::Through& through : plan.through)
-    derived.jacobian(morphology, through.block, workspace.extended, workspace.derived);
+  for (const int block : plan.blocks)
+    derived.jacobian(morphology, block, workspace.extended, workspace.derived);
   const Eigen::MatrixXd* constant = term.constant_jacobian(index);
   expand_jacobian(plan, constant != nullptr ? *constant : local.jacobian,
                   workspace.derived.jacobians, columns, local);
@@ -239,7 +231,7 @@ void ObjectiveParts::add_derived(Order order, EvaluationScratch& workspace,
         workspace.gradient[block.slots()[k]] += jacobian(k, d) * multiplier[d];
     if (!has_second(order)) continue;
     derived.curvature(index, multiplier.data(), workspace.derived);
-    scatter(block_cliques[b], workspace.derived.curvature, target);
+    scatter(*block_cliques[b], workspace.derived.curvature, target);
   }
 }
 

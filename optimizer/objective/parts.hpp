@@ -15,6 +15,7 @@
 #include "optimizer/objective/assembly.hpp"
 #include "optimizer/objective/derived.hpp"
 #include "optimizer/objective/evaluation.hpp"
+#include "optimizer/objective/linear_rows.hpp"
 #include "optimizer/terms/registry.hpp"
 
 namespace legwright {
@@ -24,8 +25,8 @@ struct WeightedTerm {
   const TermEntry* entry;
   double weight;
   std::unique_ptr<Term> term;
-  std::vector<ElementPlan> plans;  // by element; none where the weight is zero
-  LinearRows linear;               // of the same elements
+  std::vector<PlannedElement> plans;  // by element; none where the weight is zero
+  LinearRows linear;                  // of the same elements
 };
 
 /// Scratch memory of one thread.
@@ -47,7 +48,7 @@ struct ObjectiveParts {
   Eigen::VectorXd units;
   DerivedQuantities derived;
   std::vector<WeightedTerm> terms;
-  std::vector<Clique> block_cliques;    // by derived block
+  std::vector<std::shared_ptr<const Clique>> block_cliques;  // by derived block
   Eigen::SparseMatrix<double> pattern;  // with the part of ∂G/∂m that is the same everywhere
   std::shared_ptr<const void> pattern_key = std::make_shared<char>();
 

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
+#include <memory>
 #include <vector>
 
 namespace legwright {
@@ -46,7 +47,7 @@ class Sparsity {
   /// Fills in `positions` of each clique. @param design_size number of design slots, which come
   /// first in p.
   static Eigen::SparseMatrix<double> build(int design_size, int motion_size,
-                                           const std::vector<Clique*>& cliques);
+                                           const std::vector<std::shared_ptr<Clique>>& cliques);
 };
 
 }  // namespace legwright

@@ -2,6 +2,7 @@
 #include "optimizer/solve/first_motion.hpp"
 
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <random>
@@ -9,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "optimizer/base/parallel.hpp"
 #include "optimizer/solve/task_solver.hpp"
 
 namespace legwright {
@@ -66,36 +68,65 @@ VectorXd perturbed(const Objective& objective, VectorXd m, std::mt19937_64& rand
   return m;
 }
 
+/// A first motion that is tried, and the F that a solve comes to from it.
+struct Start {
+  std::string name;
+  std::function<VectorXd()> make;
+  VectorXd m = {};
+  double value = std::numeric_limits<double>::infinity();
+  bool tried = false;  // to the end
+};
+
+/// In the order in which they are compared.
+std::vector<Start> starts_of(const Objective& objective, const VectorXd& s, const VectorXd& guess,
+                             const FirstMotionOptions& options) {
+  std::vector<Start> starts;
+  starts.push_back({"first guess", [&guess] { return guess; }});
+  const Task& task = objective.task();
+  if (task.velocity.norm() > 0.0 || task.turn_rate != 0.0) {
+    starts.push_back(
+        {"guess on the spot", [&] { return initial_guess(at_speed(objective, 0.0), s); }});
+    starts.push_back({"plan of half the speed", [&] {
+                        const Objective slower = at_speed(objective, kHalfSpeed);
+                        const ScoutedMotion plan =
+                            scout(slower, s, initial_guess(slower, s), options, "half the speed");
+                        return std::isfinite(plan.value) ? plan.m : VectorXd();
+                      }});
+  }
+  std::mt19937_64 random(options.seed);
+  for (int k = 0; k < options.perturbations; ++k) {
+    const VectorXd m = perturbed(objective, guess, random);
+    starts.push_back({"perturbed guess " + std::to_string(k + 1), [m] { return m; }});
+  }
+  return starts;
+}
+
 }  // namespace
 
 VectorXd best_first_motion(const Objective& objective, const VectorXd& s,
                            const FirstMotionOptions& options) {
   const VectorXd guess = initial_guess(objective, s);
-  std::vector<std::pair<std::string, VectorXd>> starts;
-  starts.emplace_back("first guess", guess);
-  const Task& task = objective.task();
-  if (task.velocity.norm() > 0.0 || task.turn_rate != 0.0) {
-    starts.emplace_back("guess on the spot", initial_guess(at_speed(objective, 0.0), s));
-    const Objective slower = at_speed(objective, kHalfSpeed);
-    const ScoutedMotion plan =
-        scout(slower, s, initial_guess(slower, s), options, "half the speed");
-    if (std::isfinite(plan.value)) starts.emplace_back("plan of half the speed", plan.m);
-  }
-  std::mt19937_64 random(options.seed);
-  for (int k = 0; k < options.perturbations; ++k)
-    starts.emplace_back("perturbed guess " + std::to_string(k + 1),
-                        perturbed(objective, guess, random));
-
+  std::vector<Start> starts = starts_of(objective, s, guess, options);
+  const auto stopped = [&] { return options.go_on && !options.go_on(); };
+  // From the last to the first: the plan of half the speed takes two solves.
+  const int count = static_cast<int>(starts.size());
+  parallel_for(count, options.threads, [&](int k) {
+    Start& start = starts[static_cast<std::size_t>(count - 1 - k)];
+    if (stopped()) return;
+    start.m = start.make();
+    if (start.m.size() == 0) return;
+    start.value = scout(objective, s, start.m, options, start.name).value;
+    start.tried = !stopped();
+  });
   double least = std::numeric_limits<double>::infinity();
   const VectorXd* best = &guess;
-  for (const auto& [name, start] : starts) {
-    const double value = scout(objective, s, start, options, name).value;
-    if (options.go_on && !options.go_on()) break;
-    if (options.tell) options.tell(name, value);
-    const bool first = &start == &starts.front().second;
-    if (!(value < least) && !first) continue;
-    least = first ? kBetter * value : value;
-    best = &start;
+  for (const Start& start : starts) {
+    if (!start.tried) continue;
+    if (options.tell) options.tell(start.name, start.value);
+    const bool first = &start == &starts.front();
+    if (!(start.value < least) && !first) continue;
+    least = first ? kBetter * start.value : start.value;
+    best = &start.m;
   }
   return *best;
 }

@@ -9,6 +9,7 @@
 
 #include "optimizer/base/parallel.hpp"
 #include "optimizer/base/stopwatch.hpp"
+#include "tools/choose/candidate_words.hpp"
 #include "tools/choose/finalists.hpp"
 #include "tools/choose/kept_play.hpp"
 #include "tools/choose/other_designs.hpp"
@@ -41,15 +42,24 @@ class DesignChooser {
     return played;
   }
 
-  /// Tightened searches from a candidate that failed, until physics passes one: of the motion
-  /// alone first, which cost one motion solve each, then in rounds of body and motion. Each goes
-  /// on from the nearest ones of the last.
-  void tighten(const Candidate& from, const PlayedCandidate& played) {
+  /// One pull of each lever on the motion alone of a design that failed, which costs a motion solve
+  /// each.
+  void tighten_motion(const Candidate& from, const PlayedCandidate& played) {
+    set_origin(from);
+    const std::vector<PlayedDesign> beam{{from, played, {}}};
+    play_by_rising_cost(search_pulls(pulls_on(beam), Searched::motion), 0);
+  }
+
+  /// Whether something passes with little more F than a design has that failed.
+  bool passes_nearly_as_cheaply(const Candidate& as) const {
+    return played_.pass && best_->design.value <= kDear * as.design.value;
+  }
+
+  /// Tightened searches of body and motion in rounds, from a candidate that failed, until physics
+  /// passes one. Each goes on from the nearest ones of the last.
+  void tighten_body(const Candidate& from, const PlayedCandidate& played) {
     set_origin(from);
     std::vector<PlayedDesign> beam{{from, played, {}}};
-    if (!options_.codesign.motion_only)  // with a kept body the rounds are of the motion alone
-      play_by_rising_cost(search_pulls(pulls_on(beam), Searched::motion), 0);
-    if (played_.pass && best_->design.value <= kDear * from.design.value) return;
     double nearest = played.distance;
     for (int round = 0; round < kRounds && !stopped(); ++round) {
       std::vector<PlayedDesign> found = play_by_rising_cost(
@@ -69,11 +79,10 @@ class DesignChooser {
     }
   }
 
-  /// One pull of each lever on the motion alone of another design that failed.
-  void tighten_motion(const Candidate& from, const PlayedCandidate& played) {
-    set_origin(from);
-    const std::vector<PlayedDesign> beam{{from, played, {}}};
-    play_by_rising_cost(search_pulls(pulls_on(beam), Searched::motion), 0);
+  /// Both. With a kept body the rounds are of the motion alone, too.
+  void tighten(const Candidate& from, const PlayedCandidate& played) {
+    if (!options_.codesign.motion_only) tighten_motion(from, played);
+    if (!passes_nearly_as_cheaply(from)) tighten_body(from, played);
   }
 
   /// What else the search came by. Where nothing passes yet, another start's optimum is tightened
@@ -260,25 +269,14 @@ class DesignChooser {
       auto design = search_tightened(problem_, tasks_, pull.from->design, pull.tightening,
                                      options_.space.value_or(problem_.robot.space), own);
       if (!design) return;
-      design->name =
-          origin_ + kTightened + (motion ? " motion: " : ": ") + words_of(pull.tightening);
+      design->name = origin_ + kTightened + (motion ? " motion: " : ": ") +
+                     words_of(problem_, pull.tightening);
       slots[i] = {std::move(*design), {}, pull.lever, &pull.from->played};
     });
     std::vector<PlayedDesign> out;
     for (auto& slot : slots)
       if (slot) out.push_back(std::move(*slot));
     return out;
-  }
-
-  /// "larger margins"; of several tasks "pace: larger margins".
-  std::string words_of(const std::vector<Tightening>& tightening) const {
-    std::string text;
-    for (std::size_t k = 0; k < tightening.size(); ++k)
-      if (tightening[k].any())
-        text += (text.empty() ? "" : "; ") +
-                (problem_.set.joint() ? problem_.task(static_cast<int>(k)).name + ": " : "") +
-                tightening[k].words();
-    return text;
   }
 
   /// The order of what a run hands back.
@@ -292,36 +290,18 @@ class DesignChooser {
     for (const GaitTrial& trial : played.trials) record_.rollouts += trial.rollouts;
   }
 
-  /// For a terminal: the whole is in run.json.
-  std::string brief_words(const PlayedCandidate& played) const {
-    if (played.pass) return "PASS";
-    std::vector<std::string> failing;
-    for (std::size_t k = 0; k < played.trials.size(); ++k) {
-      const GaitTrial& trial = played.trials[k];
-      if (trial.pass) continue;
-      const std::string& task = problem_.task(static_cast<int>(k)).name;
-      failing.push_back(problem_.set.joint() ? fmt::format("{} {}", task, trial.brief)
-                                             : trial.brief);
-    }
-    return fmt::format("FAIL {}", fmt::join(failing, "; "));
-  }
-
-  std::optional<ByName<std::string>> failing(const PlayedCandidate& played) const {
-    if (!problem_.set.joint()) return std::nullopt;
-    ByName<std::string> out;
-    for (std::size_t k = 0; k < played.trials.size(); ++k)
-      if (!played.trials[k].pass)
-        out.emplace_back(problem_.task(static_cast<int>(k)).name, played.trials[k].line);
-    return out;
-  }
-
   void note(const Candidate& candidate, const PlayedCandidate& played) {
     count_rollouts(played);
     if (options_.tell)
       options_.tell(fmt::format("physics, {} (F {:.5g}): {}", candidate.name,
-                                candidate.design.value, brief_words(played)));
-    record_.candidates.push_back(
-        {candidate.name, candidate.design.value, played.record(), {}, failing(played), {}, {}});
+                                candidate.design.value, brief_words(problem_, played)));
+    record_.candidates.push_back({candidate.name,
+                                  candidate.design.value,
+                                  played.record(),
+                                  {},
+                                  failing_tasks(problem_, played),
+                                  {},
+                                  {}});
     if (played.pass || record_.candidates.size() == 1)
       kept_.emplace_back(record_.candidates.size() - 1, candidate);
     failed_.add(candidate, record_.candidates.size() - 1, played);
@@ -337,7 +317,7 @@ class DesignChooser {
   /// What is known of a candidate now that it was played for longer.
   void write_again(std::size_t place, const PlayedCandidate& played) {
     record_.candidates[place].played = played.record();
-    record_.candidates[place].failing = failing(played);
+    record_.candidates[place].failing = failing_tasks(problem_, played);
     count_rollouts(played);
   }
 
@@ -354,24 +334,37 @@ class DesignChooser {
   PlayedCandidate played_;  // of best_
 };
 
+/// What stands in for an optimum that fails.
+void tighten_optimum(DesignChooser& chooser, const Candidate& optimum,
+                     const PlayedCandidate& played, const MultistartResult& found,
+                     const std::vector<DesignIteration>& along, const ChoiceOptions& options) {
+  const DesignIteration& initial = found.joint.front().result.initial;
+  const Candidate given{kGivenBody, initial, {}, {}};
+  const bool kept_body = options.codesign.motion_only;
+  PlayedCandidate played_given;
+  played_given.pass = true;  // nothing to do for it
+  if (!initial.tasks.empty() && !kept_body) played_given = chooser.consider(given);
+  // What the co-designed body gets: its gait may fail by as little.
+  const auto tighten_given = [&] {
+    if (!played_given.pass && !chooser.stopped() && chooser.worth_playing(initial.value))
+      chooser.tighten_motion(given, played_given);
+    played_given.pass = true;
+  };
+  if (!kept_body) chooser.tighten_motion(optimum, played);
+  // A body that the user has already, and whose motions cost a hundredth of a round.
+  const bool nearly_as_cheap = initial.value <= kDear * optimum.design.value;
+  if (nearly_as_cheap && !chooser.passes_nearly_as_cheaply(optimum)) tighten_given();
+  if (!chooser.passes_nearly_as_cheaply(optimum)) chooser.tighten_body(optimum, played);
+  tighten_given();
+  if (!options.space) chooser.consider_others(found, along);
+}
+
 /// All that choose_design() tries, in its order.
 void try_designs(DesignChooser& chooser, const MultistartResult& found,
                  const std::vector<DesignIteration>& along, const ChoiceOptions& options) {
   const Candidate optimum{kOptimum, found.winner().best, {}, {}};
   const PlayedCandidate played = chooser.consider(optimum);
-  if (!played.pass) {
-    const DesignIteration& initial = found.joint.front().result.initial;
-    const Candidate given{kGivenBody, initial, {}, {}};
-    const bool other_body = !initial.tasks.empty() && !options.codesign.motion_only;
-    PlayedCandidate played_given;
-    if (other_body) played_given = chooser.consider(given);
-    chooser.tighten(optimum, played);
-    // What the co-designed body gets: its gait may fail by as little.
-    if (other_body && !played_given.pass && !chooser.stopped() &&
-        chooser.worth_playing(initial.value))
-      chooser.tighten_motion(given, played_given);
-    if (!options.space) chooser.consider_others(found, along);
-  }
+  if (!played.pass) tighten_optimum(chooser, optimum, played, found, along, options);
   chooser.play_finalists();
   chooser.prefer_stable();
 }

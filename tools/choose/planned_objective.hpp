@@ -9,8 +9,7 @@
 namespace legwright {
 
 /// F of a task that a search tightened. It is built when it is asked for and lives as long as
-/// somebody holds it: of a robot of many shapes it takes 100 MB, and a search comes by up to a
-/// hundred of them. The same each time.
+/// somebody holds it: a search comes by up to a hundred of them. The same each time.
 class PlannedObjective {
  public:
   /// @param morphology of the robot as it is in the task

@@ -20,12 +20,13 @@ struct SessionEngine::Costs {
   Costs(std::shared_ptr<const CodesignProblem> which, int threads,
         const std::function<bool()>& stop)
       : problem(std::move(which)),
-        solved(*problem, first_motion(stop)),
+        solved(*problem, first_motion(threads, stop)),
         shown(*problem),
         motions(solved.tasks(), threads, stop) {}
 
-  static FirstMotionOptions first_motion(const std::function<bool()>& stop) {
+  static FirstMotionOptions first_motion(int threads, const std::function<bool()>& stop) {
     FirstMotionOptions options;
+    options.threads = threads;
     options.go_on = [stop] { return !stop(); };
     return options;
   }

@@ -41,6 +41,7 @@ MultistartOptions settings_of(const OptimizeOptions& options, int task_count,
 FirstMotionOptions first_motion_of(const OptimizeOptions& options, const StopAsked& stop) {
   FirstMotionOptions out{options.motion_only ? options.starts : 0, options.seed};
   out.go_on = [stop] { return !stop(); };
+  out.threads = all_threads(options);
   if (out.perturbations > 0 && !options.quiet)
     out.tell = [](const std::string& start, double F) {
       fmt::print(stderr, "motion from {}: F {:.5g}\n", start, F);

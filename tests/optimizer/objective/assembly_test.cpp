@@ -16,8 +16,10 @@ class CurvatureOfAnElement : public testing::Test {
   CurvatureOfAnElement() {
     std::srand(1);
     chain_ = {MatrixXd::Random(7, 8)};
-    plan_.direct = {{0, 4}};
-    plan_.through = {{1, 0, 8, {{0, 0, 3}, {3, 5, 4}}}};
+    auto plan = std::make_shared<ElementPlan>();
+    plan->direct = {{0, 4}};
+    plan->through = {{1, 8, {{0, 0, 3}, {3, 5, 4}}}};
+    element_ = {plan, {0}};
     local_.setZero(9, 9);
     local_(0, 4) = 1.0;
     local_.block(1, 0, 8, 3) = chain_[0].topRows(3).transpose();
@@ -28,14 +30,14 @@ class CurvatureOfAnElement : public testing::Test {
     ElementWorkspace workspace;
     workspace.curvature = curvature;
     workspace.hessian.setZero(columns, columns);
-    expand_curvature(plan_, chain_, columns, workspace);
+    expand_curvature(element_, chain_, columns, workspace);
     const MatrixXd E = local_.leftCols(columns);
     const MatrixXd error = workspace.hessian - E.transpose() * curvature * E;
     EXPECT_LT(MatrixXd(error.triangularView<Eigen::Lower>()).cwiseAbs().maxCoeff(), 1e-14);
   }
 
   std::vector<MatrixXd> chain_;  // columns × size
-  ElementPlan plan_;
+  PlannedElement element_;
   MatrixXd local_;  // local variables × columns of the clique
 };
 
