@@ -105,7 +105,10 @@ ModelPointer compile_model(const std::string& xml, const std::string& name,
   shrink_painted_textures(*spec);
   compile_without_idle_threads(*spec);
   if (!folder.empty()) mjs_setString(spec->modelfiledir, (folder.string() + "/").c_str());
-  if (detail == MeshDetail::hulls) put_hulls_for_meshes(*spec);
+  if (detail == MeshDetail::hulls) {
+    spec->compiler.discardvisual = 1;
+    put_hulls_for_meshes(*spec);
+  }
   ModelPointer model(mj_compile(spec.get(), nullptr));
   if (!model) {
     if (tells_no_memory(mjs_getError(spec.get()))) throw std::bad_alloc();

@@ -52,7 +52,7 @@ void load_gait_plugin();
 
 /// Compiles MJCF text. Throws MujocoError with MuJoCo's reason, led by `name`.
 /// @param folder against which the text's asset paths are meant; may be empty.
-/// @param detail hulls: of a model that nobody looks at, without pictures on it either
+/// @param detail hulls: of a model that nobody looks at, without what is only to be seen
 ModelPointer compile_model(const std::string& xml, const std::string& name,
                            const std::filesystem::path& folder = {},
                            MeshDetail detail = MeshDetail::hulls);

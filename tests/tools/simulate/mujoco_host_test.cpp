@@ -53,31 +53,41 @@ TEST(MujocoHost, LeavesTrianglesToWhoLooksAtThem) {
 
 TEST(MujocoHost, CompilesAModel) { EXPECT_EQ(compile_model(kPlain, "plain")->ngeom, 1); }
 
-/// Nobody looks at a model that is only played: its painted textures are two pixels wide, and
-/// nothing else is another.
-TEST(MujocoHost, PaintedTexturesAreSmallAndThePhysicsIsTheSame) {
+/// Nobody looks at a model that is only played: what is only to be seen is not in it, painted
+/// textures of the others are two pixels wide, and the physics is the same.
+TEST(MujocoHost, WhatIsOnlySeenIsLeftOutAndThePhysicsIsTheSame) {
   const std::string painted =
       "<mujoco><asset>"
       "<texture name='floor' type='2d' builtin='checker' width='300' height='200' rgb1='1 1 1'/>"
       "<texture name='ball' type='cube' builtin='flat' mark='random' width='64' height='64'/>"
       "<texture type='skybox' builtin='gradient' width='128' height='768'/>"
+      "<mesh name='m' vertex='0 0 0 1 0 0 0 1 0 0 0 1'/>"
       "<material name='floor' texture='floor'/><material name='ball' texture='ball'/></asset>"
       "<worldbody><geom type='plane' size='1 1 0.1' material='floor'/>"
       "<body pos='0 0 0.5'><freejoint/><geom size='0.1' material='ball'/>"
-      "<geom type='box' size='0.1 0.05 0.02' pos='0.1 0 0'/></body></worldbody></mujoco>";
+      "<geom name='shell' type='mesh' mesh='m' contype='0' conaffinity='0'/>"
+      "<geom name='paired' size='0.05' pos='0 0.2 0' contype='0' conaffinity='0'/>"
+      "<geom type='box' size='0.1 0.05 0.02' pos='0.1 0 0'/></body>"
+      "<geom name='step' type='box' size='0.3 0.3 0.05' contype='0' conaffinity='0'/></worldbody>"
+      "<contact><pair geom1='paired' geom2='step'/></contact></mujoco>";
   const auto end_of = [](const mjModel& model) {
     const DataPointer data = make_data(model);
     for (int step = 0; step < 400; ++step) mj_step(&model, data.get());
     return std::vector<double>(data->qpos, data->qpos + model.nq);
   };
-  const ModelPointer small = compile_model(painted, "painted");
+  const ModelPointer played = compile_model(painted, "painted"),
+                     seen = compile_model(painted, "painted", {}, MeshDetail::triangles);
   const SpecPointer spec(mj_parseXMLString(painted.c_str(), nullptr, nullptr, 0));
   const ModelPointer whole(mj_compile(spec.get(), nullptr));
   ASSERT_TRUE(whole);
-  EXPECT_LT(100 * small->ntexdata, whole->ntexdata);
-  EXPECT_EQ(small->ntex, whole->ntex);
-  EXPECT_EQ(small->nmat, whole->nmat);
-  EXPECT_EQ(end_of(*small), end_of(*whole));
+  EXPECT_LT(100 * seen->ntexdata, whole->ntexdata);
+  EXPECT_EQ(seen->ntex, whole->ntex);
+  EXPECT_EQ(seen->nmat, whole->nmat);
+  EXPECT_EQ(end_of(*seen), end_of(*whole));
+  EXPECT_EQ(played->nmesh + played->ntex + played->nmat, 0);
+  EXPECT_EQ(mj_name2id(played.get(), mjOBJ_GEOM, "shell"), -1);
+  EXPECT_GE(mj_name2id(played.get(), mjOBJ_GEOM, "paired"), 0);
+  EXPECT_EQ(end_of(*played), end_of(*whole));
 }
 
 TEST(MujocoHost, SaysWhatMujocoRefuses) {
