@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin/pd_playback.hpp"
 
+#include <algorithm>
+
 namespace legwright {
 namespace {
 
@@ -53,8 +55,10 @@ void PdPlayback::apply_torque(const mjModel* m, mjData* d) const noexcept {
       rate *= arm;
       forward = arm != 0.0 ? forward / arm : 0.0;
     }
-    d->actuator_force[out] = servo.kp * (length + offset - d->actuator_length[out]) +
-                             servo.kd * (rate - d->actuator_velocity[out]) + forward;
+    const double velocity = d->actuator_velocity[out];
+    const double force = servo.kp * (length + offset - d->actuator_length[out]) +
+                         servo.kd * (rate - velocity) + forward;
+    d->actuator_force[out] = std::max(servo.least(velocity), std::min(force, servo.most(velocity)));
   }
 }
 

@@ -20,6 +20,7 @@ namespace legwright {
 ///   q* = q_rest + w·(Q(s) − q_rest),   v* = w·speed·Q̇(s) + ẇ·(Q(s) − q_rest) = dq*/dt.
 /// A linear actuator, on a tendon over one hinge, does the same along its length:
 ///   F = kp·(L(q*) + ctrl − L) + kd·(L′(q*) v* − L̇) + ff·w·τ_ff/L′(q*).
+/// Where the motor is known, no more than it has left at its speed (Servo::most).
 /// Immutable once made: what it does depends on the model, `d->time`, `d->ctrl` and the joints
 /// only, so resets, copies, jumps of time and threads with their own mjData need no further care.
 class PdPlayback {

@@ -36,22 +36,41 @@ std::optional<double> read_one(const mjModel* m, int instance, const char* key) 
   return numbers.empty() ? std::nullopt : std::optional(numbers.front());
 }
 
-std::vector<double> read_gains(const mjModel* m, int instance, const char* key, int servo_count) {
+/// One number for each servo, of which one may be given for all. @param what of the number
+std::vector<double> read_of_servos(const mjModel* m, int instance, const char* key,
+                                   const char* what, int servo_count) {
   const auto count = static_cast<std::size_t>(servo_count);
-  std::vector<double> gains = read_numbers(m, instance, key);
-  if (gains.empty())
+  std::vector<double> numbers = read_numbers(m, instance, key);
+  if (numbers.empty())
     throw ConfigError(fmt::format("{} is missing; expected one number, or one per actuator", key));
-  for (const double gain : gains) {
-    if (gain < 0.0)
-      throw ConfigError(fmt::format("{}: got {}, expected a gain of 0 or more", key, gain));
+  for (const double number : numbers) {
+    if (number < 0.0)
+      throw ConfigError(fmt::format("{}: got {}, expected a {} of 0 or more", key, number, what));
   }
-  if (gains.size() == 1) gains.assign(count, gains.front());
-  if (gains.size() != count) {
+  if (numbers.size() == 1) numbers.assign(count, numbers.front());
+  if (numbers.size() != count) {
     throw ConfigError(
         fmt::format("{}: got {} numbers, expected 1, or {} (one for each actuator of the instance)",
-                    key, gains.size(), count));
+                    key, numbers.size(), count));
   }
-  return gains;
+  return numbers;
+}
+
+/// Torque at rest and speed without load belong together.
+void read_motor_lines(const mjModel* m, int instance, int servo_count, PlaybackConfig& config) {
+  constexpr const char *kTorque = "stall_torque", *kSpeed = "no_load_speed";
+  const auto count = static_cast<std::size_t>(servo_count);
+  config.stall_torque.assign(count, 0.0);
+  config.no_load_speed.assign(count, 0.0);
+  if (attribute(m, instance, kTorque).empty() && attribute(m, instance, kSpeed).empty()) return;
+  config.stall_torque = read_of_servos(m, instance, kTorque, "torque", servo_count);
+  config.no_load_speed = read_of_servos(m, instance, kSpeed, "speed", servo_count);
+  for (std::size_t k = 0; k < count; ++k)
+    if ((config.stall_torque[k] > 0.0) != (config.no_load_speed[k] > 0.0))
+      throw ConfigError(
+          fmt::format("{} {} and {} {} of actuator {} of the instance: expected both "
+                      "positive, or both 0 for a motor whose torque does not fall",
+                      kTorque, config.stall_torque[k], kSpeed, config.no_load_speed[k], k));
 }
 
 CycleSettings read_cycle(const mjModel* m, int instance) {
@@ -165,8 +184,9 @@ std::shared_ptr<const Trajectory> read_trajectory(const mjModel* m, int instance
 
 PlaybackConfig read_config(const mjModel* m, int instance, int servo_count) {
   PlaybackConfig config;
-  config.kp = read_gains(m, instance, "kp", servo_count);
-  config.kd = read_gains(m, instance, "kd", servo_count);
+  config.kp = read_of_servos(m, instance, "kp", "gain", servo_count);
+  config.kd = read_of_servos(m, instance, "kd", "gain", servo_count);
+  read_motor_lines(m, instance, servo_count, config);
   config.ff = read_one(m, instance, "ff").value_or(1.0);
   config.trajectory = read_trajectory(m, instance);
   config.clock = read_clock(m, instance, config.trajectory->period);

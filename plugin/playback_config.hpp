@@ -22,15 +22,18 @@ class ConfigError : public std::runtime_error {
 
 /// The keys of an instance's configuration, in the order in which they are registered.
 inline constexpr const char* kAttributes[] = {
-    "trajectory", "period", "travel", "turn",     "kp",   "kd",         "ff",
-    "t0",         "phase",  "speed",  "blend_in", "rest", "ghost_group"};
+    "trajectory", "period", "travel",   "turn", "kp",          "kd",           "ff",           "t0",
+    "phase",      "speed",  "blend_in", "rest", "ghost_group", "stall_torque", "no_load_speed"};
 inline constexpr int kAttributeCount = static_cast<int>(std::size(kAttributes));
 
 /// What the attributes of one instance say.
 struct PlaybackConfig {
   std::shared_ptr<const Trajectory> trajectory;
   std::vector<double> kp, kd;  // one for each servo [N·m/rad, N·m·s/rad]
-  double ff = 1.0;             // scale of the feed-forward
+  // One for each servo, zeros for those without a line: torque at rest [N·m] and speed without load
+  // [rad/s].
+  std::vector<double> stall_torque, no_load_speed;
+  double ff = 1.0;  // scale of the feed-forward
   Clock clock;
   const mjtNum* rest_qpos = nullptr;  // of the model
   int ghost_group = 5;                // geom group whose switch shows the ghost

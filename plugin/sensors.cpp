@@ -68,14 +68,20 @@ double share_of(const mjtNum* range, double force) {
   return force == 0.0 ? 0.0 : 1.0;
 }
 
+/// Share of what a motor has left at its speed; one beyond the speed at which it has nothing.
+double share_of_line(const Servo& servo, double force, double velocity) {
+  const mjtNum range[2] = {servo.least(velocity), servo.most(velocity)};
+  return force <= range[0] || force >= range[1] ? 1.0 : share_of(range, force);
+}
+
 void write_torque_share(const mjModel* m, const mjData* d, const PdPlayback& playback,
                         mjtNum* out) {
   for (const Servo& servo : playback.servos()) {
-    double share = 0.0;
-    if (m->actuator_forcelimited[servo.actuator]) {
-      share = share_of(m->actuator_forcerange + 2 * servo.actuator,
-                       d->actuator_force[m->actuator_outadr[servo.actuator]]);
-    }
+    const int at = m->actuator_outadr[servo.actuator];
+    const double force = d->actuator_force[at];
+    double share = share_of_line(servo, force, d->actuator_velocity[at]);
+    if (m->actuator_forcelimited[servo.actuator])
+      share = std::max(share, share_of(m->actuator_forcerange + 2 * servo.actuator, force));
     if (m->jnt_actfrclimited[servo.joint]) {
       share = std::max(share, share_of(m->jnt_actfrcrange + 2 * servo.joint,
                                        d->qfrc_actuator[m->jnt_dofadr[servo.joint]]));

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
 
 #include "plugin/number_text.hpp"
@@ -113,6 +114,11 @@ std::string name_of(const mjModel* m, mjtObj type, int id) {
   return name == nullptr || *name == '\0' ? fmt::format("#{}", id) : quoted(name);
 }
 
+double Servo::most(double velocity) const noexcept {
+  if (no_load_speed == 0.0) return std::numeric_limits<double>::infinity();
+  return stall_torque * (1.0 - velocity / no_load_speed);
+}
+
 int servo_count(const mjModel* m, int instance) noexcept {
   return static_cast<int>(
       std::count(m->actuator_plugin, m->actuator_plugin + m->nactuator, instance));
@@ -138,7 +144,8 @@ std::vector<Servo> bind_servos(const mjModel* m, int instance, const PlaybackCon
     check_bias(m, actuator, kp, kd);
     servos.push_back({actuator, joint, trajectory.target_column(index),
                       trajectory.torque_column(index), kp, kd,
-                      config.rest_qpos[m->jnt_qposadr[joint]], length});
+                      config.rest_qpos[m->jnt_qposadr[joint]], length,
+                      config.stall_torque[servos.size()], config.no_load_speed[servos.size()]});
     if (config.clock.blend_in > 0.0 && !(std::abs(servos.back().rest) <= kLargestNumber)) {
       refuse_actuator(m, actuator, "joint {} is at {} in the rest pose, expected a finite number",
                       name_of(m, mjOBJ_JOINT, joint), servos.back().rest);

@@ -19,6 +19,15 @@ struct Servo {
   double kp = 0.0, kd = 0.0;
   double rest = 0.0;                  // position of the joint at rest [rad or m]
   std::optional<HingeLength> length;  // of a linear actuator
+  // Torque at rest [N·m] and speed without load [rad/s]; on tendons and slides N, m/s. Zeros: its
+  // torque does not fall with speed.
+  double stall_torque = 0.0, no_load_speed = 0.0;
+
+  /// The most and the least force that the motor has left at a velocity of its joint or tendon:
+  /// ± stall_torque, less what its speed takes. What turns it faster than it runs by itself is
+  /// braked.
+  double most(double velocity) const noexcept;
+  double least(double velocity) const noexcept { return -most(-velocity); }
 };
 
 /// Number of actuators of an instance.

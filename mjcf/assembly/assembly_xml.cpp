@@ -9,6 +9,7 @@
 #include "mjcf/assembly/assembly_names.hpp"
 #include "mjcf/assembly/limb_hulls.hpp"
 #include "mjcf/read/connectors.hpp"
+#include "mjcf/read/motor_lines.hpp"
 #include "mjcf/read/robot_model.hpp"
 #include "mjcf/text/numbers.hpp"
 
@@ -231,11 +232,26 @@ class AssemblyWriter {
     out_.close("actuator");
   }
 
-  /// Which hulls go with which points of the design.
+  /// Torque at rest and speed without load of each joint whose servo has both.
+  std::vector<std::string> motor_lines() const {
+    std::vector<std::string> out;
+    for (const PlacedLimb& limb : limbs_)
+      for (const AssemblyJoint& joint : limb.of->joints)
+        if (const auto speed = joint.servo.joint->no_load_speed)
+          out.push_back(fmt::format("<numeric name=\"{}{}\" data=\"{} {}\"/>", kMotorPrefix,
+                                    joint_name(limb, joint),
+                                    format_number(rounded(joint.servo.joint->stall_torque)),
+                                    format_number(rounded(*speed))));
+    return out;
+  }
+
+  /// Motors, and which hulls go with which points of the design.
   void write_declarations() {
-    if (placed_.empty()) return;
+    const std::vector<std::string> motors = motor_lines();
+    if (placed_.empty() && motors.empty()) return;
     out_.empty();
     out_.open("<custom>");
+    for (const std::string& motor : motors) out_.add(motor);
     for (const PlacedHull& hull : placed_)
       out_.add(fmt::format("<text name=\"{}{}\" data=\"{}\"/>", kConnectorPrefix, hull.name,
                            hull.written.data));

@@ -10,6 +10,7 @@
 #include "mjcf/read/connectors.hpp"
 #include "mjcf/read/legs.hpp"
 #include "mjcf/read/linear_actuators.hpp"
+#include "mjcf/read/motor_lines.hpp"
 #include "mjcf/read/moving_parts.hpp"
 #include "mjcf/read/servos.hpp"
 #include "mjcf/read/stretch.hpp"
@@ -75,9 +76,12 @@ RobotModel parse_text(const std::string& xml_text, const std::filesystem::path& 
   check_home(*xml, *model, robot.morphology);
   check_arms(*xml, tendons, robot.morphology, declared.space);
   robot.servos = read_servos(*xml, *model, structure, robot.morphology, declared.space.initial());
-  for (int a = 0; a < robot.morphology.joint_count(); ++a)
-    if (robot.servos[a].tendon.empty())
-      robot.morphology.links[a + 1].joint.torque_limit = robot.servos[a].torque_limit;
+  read_motor_lines(*xml, robot.servos);
+  for (int a = 0; a < robot.morphology.joint_count(); ++a) {
+    if (!robot.servos[a].tendon.empty()) continue;
+    robot.morphology.links[a + 1].joint.torque_limit = robot.servos[a].torque_limit;
+    robot.morphology.links[a + 1].joint.line = robot.servos[a].line;
+  }
   set_gains(robot.servos, declared.space.initial(), robot.morphology);
   for (LinearActuator& actuator : robot.morphology.linear_actuators)
     actuator.force_limit = robot.servos[actuator.joint].torque_limit;

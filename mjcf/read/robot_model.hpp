@@ -35,10 +35,11 @@ struct Binding {
 /// Of a linear actuator all is meant along its tendon: [N/m], [N s/m], [N].
 struct Servo {
   std::string actuator, joint;
-  double kp = 0.0, kd = 0.0;   // [N m/rad], [N m s/rad]
-  double torque_limit = 0.0;   // [N m]; infinite for a position servo without limit
-  std::string tendon;          // of a linear actuator; empty: the servo sits at the joint
-  double joint_damping = 0.0;  // of the joint itself, besides kd [N m s/rad]
+  double kp = 0.0, kd = 0.0;           // [N m/rad], [N m s/rad]
+  double torque_limit = 0.0;           // [N m]; infinite for a position servo without limit
+  std::string tendon;                  // of a linear actuator; empty: the servo sits at the joint
+  double joint_damping = 0.0;          // of the joint itself, besides kd [N m s/rad]
+  std::optional<MotorLine> line = {};  // read/motor_lines
 };
 
 /// Gains of a servo to which nobody gave any: the error at which it gives all it has [rad], and kd

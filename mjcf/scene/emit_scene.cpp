@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <stdexcept>
@@ -134,6 +135,18 @@ void add_plugin(XMLElement& root, const RobotModel& robot, const SceneSettings& 
   };
   config("kp", kp);
   config("kd", kd);
+  const bool any_line = std::any_of(robot.servos.begin(), robot.servos.end(),
+                                    [](const Servo& servo) { return servo.line.has_value(); });
+  if (any_line) {
+    std::string torque, speed;
+    for (const Servo& servo : robot.servos) {
+      const MotorLine line = servo.line.value_or(MotorLine{});  // zeros: none
+      torque += (torque.empty() ? "" : " ") + format_number(line.stall_torque);
+      speed += (speed.empty() ? "" : " ") + format_number(line.no_load_speed);
+    }
+    config("stall_torque", torque);
+    config("no_load_speed", speed);
+  }
   config("period", format_number(settings.period));
   config("travel", format_numbers(settings.travel));
   config("turn", format_number(settings.turn));

@@ -56,6 +56,13 @@ struct PointMass {
   double growth_at(const Eigen::VectorXd& s) const;
 };
 
+/// What a motor gives at a speed: τ ≤ stall_torque (1 − ω/no_load_speed) forwards, and the same
+/// backwards; it brakes with more.
+struct MotorLine {
+  double stall_torque = 0.0;   // at rest [N m]
+  double no_load_speed = 0.0;  // where nothing is left [rad/s]
+};
+
 /// The hinge that moves a link, and its servo.
 struct Joint {
   std::string name;
@@ -63,8 +70,9 @@ struct Joint {
   double nominal = 0.0;                                     // angle in the robot's home pose [rad]
   double lower = -std::numeric_limits<double>::infinity();  // range [rad]
   double upper = std::numeric_limits<double>::infinity();
-  double torque_limit = std::numeric_limits<double>::infinity();  // [N m]
-  double armature = 0.0;  // reflected rotor inertia [kg m²]
+  double torque_limit = std::numeric_limits<double>::infinity();  // at any speed [N m]
+  std::optional<MotorLine> line;  // besides, where the motor is known
+  double armature = 0.0;          // reflected rotor inertia [kg m²]
   // What the motor works against besides: a damper [N m s/rad], a spring [N m/rad] that is slack at
   // an angle [rad], dry friction [N m].
   double damping = 0.0, stiffness = 0.0, slack_angle = 0.0, friction_loss = 0.0;

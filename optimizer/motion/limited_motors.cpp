@@ -10,9 +10,9 @@ namespace {
 
 constexpr double kLeast = 0.1;  // of a limit, where friction takes nearly all or more
 
-/// What the motor has for others than the joint's dry friction, whichever way that acts.
-double left_of_limit(const Joint& joint) {
-  return std::max(joint.torque_limit - joint.friction_loss, kLeast * joint.torque_limit);
+/// What a motor has for others than the joint's dry friction, whichever way that acts.
+double left_of(double torque, const Joint& joint) {
+  return std::max(torque - joint.friction_loss, kLeast * torque);
 }
 
 }  // namespace
@@ -23,7 +23,22 @@ std::vector<LimitedMotor> limited_motors(const Morphology& morphology, const Lay
     for (int a = 0; a < layout.joint_count(); ++a) {
       const Joint& joint = morphology.links[a + 1].joint;
       if (std::isfinite(joint.torque_limit) && joint.torque_limit > 0.0)
-        motors.push_back({i, layout.joint_torque(i, a), left_of_limit(joint), joint.name});
+        motors.push_back(
+            {i, layout.joint_torque(i, a), left_of(joint.torque_limit, joint), joint.name});
+    }
+  return motors;
+}
+
+std::vector<MotorAtSpeed> motors_at_speed(const Morphology& morphology, const Layout& layout) {
+  std::vector<MotorAtSpeed> motors;
+  for (int i = 0; i < layout.knot_count(); ++i)
+    for (int a = 0; a < layout.joint_count(); ++a) {
+      const Joint& joint = morphology.links[a + 1].joint;
+      if (!joint.line) continue;
+      const int before = i > 0 ? i - 1 : layout.knot_count() - 1;
+      motors.push_back({i, layout.joint_torque(i, a), layout.pose(before) + 6 + a,
+                        layout.pose(i + 1) + 6 + a, left_of(joint.line->stall_torque, joint),
+                        joint.line->no_load_speed, joint.name});
     }
   return motors;
 }

@@ -17,6 +17,19 @@ struct LimitedMotor {
   std::string name;
 };
 
+/// A motor whose torque falls with speed (MotorLine), at a knot. Its joint's speed is the
+/// difference of the angles of the knots beside it, over two time steps.
+struct MotorAtSpeed {
+  int knot;
+  int torque_slot, before_slot, after_slot;
+  double stall_torque;   // less the joint's dry friction [N m]
+  double no_load_speed;  // [rad/s]
+  std::string name;
+};
+
+/// All that have a line, knot by knot.
+std::vector<MotorAtSpeed> motors_at_speed(const Morphology& morphology, const Layout& layout);
+
 /// All of them, knot by knot; motors without a limit are left out.
 std::vector<LimitedMotor> limited_motors(const Morphology& morphology, const Layout& layout);
 

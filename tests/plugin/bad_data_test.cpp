@@ -38,6 +38,18 @@ const BadModel kBadModels[] = {
     {"one of three differs", [](ChainOptions& o) { o.kp = "4 4 5"; },
      "actuator \"drive_c\": biasprm"},
     {"zero bias", [](ChainOptions& o) { o.bias_kp = o.bias_kd = "0"; }, "biasprm=\"0 -4 -0.1\"/>"},
+    {"torque without speed", [](ChainOptions& o) { o.more_config = config("stall_torque", "1.5"); },
+     "no_load_speed is missing"},
+    {"speed of no torque",
+     [](ChainOptions& o) {
+       o.more_config = config("stall_torque", "1.5 0 1.5") + config("no_load_speed", "6");
+     },
+     "stall_torque 0 and no_load_speed 6 of actuator 1 of the instance: expected both positive"},
+    {"negative speed",
+     [](ChainOptions& o) {
+       o.more_config = config("stall_torque", "1.5") + config("no_load_speed", "-6");
+     },
+     "no_load_speed: got -6, expected a speed of 0 or more"},
     {"t0", [](ChainOptions& o) { o.more_config = config("t0", "1 2"); }, "t0: got 2 numbers"},
     {"t0 text", [](ChainOptions& o) { o.more_config = config("t0", "soon"); }, "t0: got \"soon\""},
     {"period", [](ChainOptions& o) { o.more_config = config("period", "0.7"); },

@@ -158,6 +158,31 @@ TEST_F(SensorsTest, TorqueShareIsThatOfTheNarrowerLimit) {
   EXPECT_EQ(values("torque_share")[1], 0.0);                        // unlimited
 }
 
+TEST_F(SensorsTest, AMotorHasLessLeftTheFasterItRuns) {
+  WalkerOptions options = with_all_sensors();
+  options.config += R"(<config key="stall_torque" value="2 0"/>)"
+                    R"(<config key="no_load_speed" value="8 0"/>)";
+  make(options);
+  const int dof = model_->jnt_dofadr[mj_name2id(model_.get(), mjOBJ_JOINT, "a")];
+  const auto force_at = [&](double velocity, double offset) {
+    data_->qvel[dof] = velocity;
+    data_->ctrl[0] = data_->ctrl[1] = offset;
+    mj_forward(model_.get(), data_.get());
+    return data_->actuator_force[0];
+  };
+  EXPECT_NEAR(force_at(0.0, 10.0), 2.0, 1e-12);
+  EXPECT_GT(data_->actuator_force[1], 10.0);  // of a motor that nobody knows
+  EXPECT_NEAR(force_at(6.0, 10.0), 0.5, 1e-12);
+  EXPECT_EQ(values("torque_share")[0], 1.0);
+  EXPECT_NEAR(force_at(-6.0, -10.0), -0.5, 1e-12);
+  EXPECT_NEAR(force_at(-6.0, 10.0), 3.5, 1e-12);   // it brakes with more
+  EXPECT_NEAR(force_at(10.0, 10.0), -0.5, 1e-12);  // faster than it runs by itself
+  const double less = force_at(1.0, 0.3);
+  ASSERT_GT(less, 0.0);
+  ASSERT_LT(less, 1.75);
+  EXPECT_NEAR(values("torque_share")[0], less / 1.75, 1e-12);
+}
+
 TEST_F(SensorsTest, StepAllocatesNothing) {
   make(with_all_sensors());
   mj_step(model_.get(), data_.get());

@@ -20,6 +20,7 @@ struct TermSetting {
       link.joint.servo_kp = 40.0;
       link.joint.servo_kd = 0.6;
     }
+    puppy.morphology.links[5].joint.line = MotorLine{0.9, 6.0};
     add_pistons(puppy);
     add_soles(puppy);
     if (printed) print_bodies(puppy);

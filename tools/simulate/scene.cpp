@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -81,6 +82,25 @@ double torque_limit(const mjModel& model, int joint) {
   return limit;
 }
 
+/// Of the joints of a scene, from the plugin's lists by actuator.
+std::vector<MotorLine> motor_lines(const mjModel& model, int instance, const JointMap& joints) {
+  std::vector<double> torque = numbers(model, instance, "stall_torque"),
+                      speed = numbers(model, instance, "no_load_speed");
+  std::vector<MotorLine> out(joints.joint.size());
+  if (torque.empty() || speed.empty()) return out;
+  std::size_t place = 0;  // among the actuators of the instance
+  for (int a = 0; a < model.nactuator; ++a) {
+    if (model.actuator_plugin[a] != instance) continue;
+    const MotorLine line{torque[std::min(place, torque.size() - 1)],
+                         speed[std::min(place, speed.size() - 1)]};
+    ++place;
+    if (model.actuator_trntype[a] != mjTRN_JOINT) continue;
+    for (std::size_t j = 0; j < out.size(); ++j)
+      if (joints.joint[j] == model.actuator_trnid[2L * a]) out[j] = line;
+  }
+  return out;
+}
+
 /// The actuator on a tendon whose two sites lie on either side of a hinge, or −1.
 int tendon_actuator(const mjModel& model, int joint) {
   const int below = model.jnt_bodyid[joint];
@@ -124,6 +144,7 @@ Scene parse_scene(const std::string& xml, const std::string& name, double gain_s
   }
   set_clock(model, instance, scene);
   scene.joints = map_joints(model, scene.trajectory.joint_names);
+  scene.motor_line = motor_lines(model, instance, scene.joints);
   for (const int joint : scene.joints.joint) {
     scene.torque_limit.push_back(torque_limit(model, joint));
     scene.tendon_actuator.push_back(tendon_actuator(model, joint));

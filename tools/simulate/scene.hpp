@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mjcf/text/compile.hpp"
+#include "optimizer/design/morphology.hpp"
 #include "plugin/trajectory.hpp"
 #include "tools/simulate/mujoco_host.hpp"
 #include "tools/simulate/played_state.hpp"
@@ -24,9 +25,10 @@ struct Scene {
   JointMap joints;
   std::vector<double>
       torque_limit;  // per joint, of actuator and joint together; infinite if none [N m]
-  std::vector<int> tendon_actuator;  // per joint: the linear actuator that moves it, or −1
-  std::vector<int> foot_geom;        // per foot of the trajectory
-  int start_key = -1;                // keyframe "gait"
+  std::vector<MotorLine> motor_line;  // per joint, as the plugin has it; zeros: none
+  std::vector<int> tendon_actuator;   // per joint: the linear actuator that moves it, or −1
+  std::vector<int> foot_geom;         // per foot of the trajectory
+  int start_key = -1;                 // keyframe "gait"
 };
 
 /// The scene's text with its servo gains scaled, kp × scale and kd × √scale: in the configuration

@@ -53,6 +53,7 @@ Scene copy_of(const Scene& scene) {
   copy.gain_scale = scene.gain_scale;
   copy.joints = scene.joints;
   copy.torque_limit = scene.torque_limit;
+  copy.motor_line = scene.motor_line;
   copy.tendon_actuator = scene.tendon_actuator;
   copy.foot_geom = scene.foot_geom;
   copy.start_key = scene.start_key;

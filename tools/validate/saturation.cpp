@@ -15,11 +15,20 @@ bool pulls_its_most(const mjModel& model, const mjData& data, int actuator) {
   return force <= kShare * range[0] || force >= kShare * range[1];
 }
 
+/// Whether a motor has nothing left at its speed.
+bool is_at_its_line(const MotorLine& line, double torque, double velocity) {
+  if (line.no_load_speed == 0.0) return false;
+  const double share = velocity / line.no_load_speed;
+  return torque >= line.stall_torque * (kShare - share) ||
+         torque <= -line.stall_torque * (kShare + share);
+}
+
 }  // namespace
 
 bool is_saturated(const Scene& scene, const mjData& data, std::size_t joint) {
   const double torque = data.qfrc_actuator[scene.joints.dof[joint]];
   return std::abs(torque) >= kShare * scene.torque_limit[joint] ||
+         is_at_its_line(scene.motor_line[joint], torque, data.qvel[scene.joints.dof[joint]]) ||
          pulls_its_most(*scene.model, data, scene.tendon_actuator[joint]);
 }
 

@@ -54,7 +54,9 @@ std::string servo_text(const Servo& servo) {
                                 : "no limit";
   const std::string kp =
       servo.kp < 1e3 ? fmt::format("{:.4g}", servo.kp) : fmt::format("{:.0f}", servo.kp);
-  return fmt::format("{:10} kp {} {}", limit, kp, linear ? "N/m" : "N m/rad");
+  const std::string line =
+      servo.line ? fmt::format(", none left at {:.3g} rad/s", servo.line->no_load_speed) : "";
+  return fmt::format("{:10} kp {} {}", limit + line, kp, linear ? "N/m" : "N m/rad");
 }
 
 /// @param place in the chain of the leg, from the trunk down

@@ -2,6 +2,8 @@
 // From an assembly of real servos to a robot that walks in MuJoCo, without a hand edit.
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include "tests/tools/verbs/program.hpp"
 
 namespace legwright {
@@ -29,6 +31,8 @@ TEST(Assemblies, APuppyIsBuiltOptimizedAndPasses) {
   const Outcome found =
       call({"optimize", task.string(), "-o", run.string(), "--no-pictures", "--quiet"});
   ASSERT_EQ(found.code, 0) << found.err;
+  EXPECT_TRUE(contains(read_file(run / "result/scene.xml"),
+                       "<config key=\"stall_torque\" value=\"1.4 1.4 1.4 1.4 1.4 1.4 1.4 1.4\"/>"));
   const Outcome verdict = call({"validate", run.string()});
   EXPECT_EQ(verdict.code, 0) << verdict.out << verdict.err;
   // What is printed goes with the robot, also as URDF.
@@ -38,6 +42,42 @@ TEST(Assemblies, APuppyIsBuiltOptimizedAndPasses) {
   ASSERT_EQ(put.code, 0) << put.err;
   EXPECT_TRUE(contains(read_file(exported / "urdf/puppy.urdf"), "meshes/FL_thigh_arm.obj"));
   EXPECT_TRUE(fs::exists(exported / "urdf/meshes/FL_thigh_arm.obj"));
+}
+
+/// The lines of a text that hold a word, or those that do not.
+std::string lines_of(const std::string& text, const std::string& word, bool with) {
+  std::istringstream in(text);
+  std::string out, line;
+  while (std::getline(in, line))
+    if (contains(line, word.c_str()) == with) out += line + "\n";
+  return out;
+}
+
+/// The puppy above passes though its motors have less left the faster they run; a plan that does
+/// not know so fails with the same motors.
+TEST(Assemblies, APlanThatDoesNotKnowItsMotorsFailsWithThem) {
+  const test::TemporaryFolder folder;
+  const fs::path robot = folder.path() / "puppy.xml", task = folder.path() / "trot.toml",
+                 run = folder.path() / "run";
+  ASSERT_EQ(
+      call({"build", kPuppyAssembly.string(), "-o", robot.string(), "--task", task.string()}).code,
+      0);
+  const std::string built = read_file(robot);
+  EXPECT_TRUE(contains(lines_of(built, "legwright_motor/FL_knee", true), "1.4 5.96903")) << built;
+  write_file(robot, lines_of(built, "legwright_motor", false));
+  ASSERT_EQ(call({"optimize", task.string(), "-o", run.string(), "--no-pictures", "--no-reasons",
+                  "--quiet"})
+                .code,
+            0);
+  const fs::path scene = run / "result/scene.xml";
+  std::string text = read_file(scene);
+  text.insert(text.find("<config key=\"period\""),
+              "<config key=\"stall_torque\" value=\"1.4\"/>"
+              "<config key=\"no_load_speed\" value=\"5.97\"/>");
+  write_file(scene, text);
+  const Outcome verdict = call({"validate", "--quick", run.string()});
+  EXPECT_EQ(verdict.code, 1) << verdict.err;
+  EXPECT_TRUE(contains(verdict.out, "saturates servos")) << verdict.out;
 }
 
 /// As a user goes on who has no --task yet.

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mjcf/read/motor_lines.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "mjcf/text/numbers.hpp"
+
+namespace legwright {
+namespace {
+
+constexpr double kRounding = 1e-6;  // of torques: files have six digits
+
+MotorLine line_of(const XmlFile& xml, const XmlElement& numeric) {
+  const std::string_view data = attribute(numeric, "data");
+  std::vector<double> numbers;
+  for (const std::string_view word : split_words(data))
+    numbers.push_back(parse_number(word).value_or(-1.0));
+  const bool positive =
+      std::all_of(numbers.begin(), numbers.end(), [](double x) { return x > 0.0; });
+  if (numbers.size() != 2 || !positive)
+    throw xml.error(numeric, fmt::format("attribute data: '{}' is no motor; expected two positive "
+                                         "numbers, the torque at rest [N m] and the speed without "
+                                         "load [rad/s], as \"1.5 6\"",
+                                         data));
+  return {numbers[0], numbers[1]};
+}
+
+}  // namespace
+
+void read_motor_lines(const XmlFile& xml, std::vector<Servo>& servos) {
+  for (const XmlElement* section = xml.root().FirstChildElement("custom"); section;
+       section = section->NextSiblingElement("custom"))
+    for (const XmlElement* numeric = section->FirstChildElement("numeric"); numeric;
+         numeric = numeric->NextSiblingElement("numeric")) {
+      const std::string_view name = attribute(*numeric, "name");
+      if (name.substr(0, kMotorPrefix.size()) != kMotorPrefix) continue;
+      const std::string_view joint = name.substr(kMotorPrefix.size());
+      const auto servo = std::find_if(servos.begin(), servos.end(),
+                                      [&](const Servo& each) { return each.joint == joint; });
+      if (servo == servos.end())
+        throw xml.error(*numeric,
+                        fmt::format("is the motor of joint '{}', which no servo of a limb "
+                                    "moves; correct the name, or remove it",
+                                    joint));
+      if (!servo->tendon.empty())
+        throw xml.error(*numeric, fmt::format("is the motor of joint '{}', which a linear actuator "
+                                              "moves; only servos at joints have one, remove it",
+                                              joint));
+      const MotorLine line = line_of(xml, *numeric);
+      if (std::isfinite(servo->torque_limit) &&
+          line.stall_torque < (1.0 - kRounding) * servo->torque_limit)
+        throw xml.error(*numeric,
+                        fmt::format("has {} N m at rest, less than the torque limit of "
+                                    "actuator '{}', {} N m; lower its forcerange",
+                                    line.stall_torque, servo->actuator, servo->torque_limit));
+      servo->line = line;
+    }
+}
+
+}  // namespace legwright
