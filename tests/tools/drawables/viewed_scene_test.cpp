@@ -50,7 +50,7 @@ TEST(ViewedScenes, MeshesAreThereAndSmallEnough) {
   xml.insert(xml.find("<worldbody>") + 11,
              "<geom type='mesh' mesh='ball' contype='0' conaffinity='0' pos='0 0 3'/>");
   std::vector<NamedScene> scenes;
-  scenes.push_back({"it", parse_scene(xml, "tiny")});
+  scenes.push_back({"it", parse_scene(xml, "tiny", 1.0, {}, MeshDetail::triangles)});
   const auto faces_with = [&](int most) {
     const Json meshes = viewed_scenes_json(scenes, most)[0]["design"]["meshes"];
     EXPECT_EQ(meshes.size(), 1U);

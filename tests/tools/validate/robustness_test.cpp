@@ -64,7 +64,7 @@ TEST_F(Disturbed, FrictionIsThatOfWhatTheFeetStandOn) {
   const std::string world = "<worldbody>";
   xml.insert(xml.find(world) + world.size(),
              "<geom name=\"ghost\" type=\"plane\" size=\"1 1 1\" priority=\"2\" friction=\"0.1\" "
-             "contype=\"0\" conaffinity=\"0\"/>");
+             "contype=\"2\" conaffinity=\"0\"/>");
   write_file(folder_.path() / "box.xml", xml, Durability::process);
   const DisturbableScene from(folder_.path() / "box.xml", Eigen::Vector2d::Zero());
   EXPECT_EQ(floor_friction(from.undisturbed()), 0.8);
