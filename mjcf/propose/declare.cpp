@@ -17,10 +17,6 @@ std::string nine_digits(double value) {
   return text == "-0" ? "0" : text;
 }
 
-std::string line_end(const std::string& text) {
-  return text.find("\r\n") == std::string::npos ? "\n" : "\r\n";
-}
-
 std::vector<std::string> declarations(const std::vector<Proposal>& proposals,
                                       const std::string& end) {
   std::vector<std::string> out;
@@ -69,6 +65,10 @@ std::size_t end_tag(const XmlFile& xml) {
 }
 
 }  // namespace
+
+std::string line_end(const std::string& text) {
+  return text.find("\r\n") == std::string::npos ? "\n" : "\r\n";
+}
 
 std::string with_lines_in_section(const std::string& text, const std::filesystem::path& file,
                                   const char* section, const std::vector<std::string>& lines) {

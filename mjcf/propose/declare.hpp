@@ -10,6 +10,9 @@
 
 namespace legwright {
 
+/// How the lines of a text end: "\n", or "\r\n" where there is such a line.
+std::string line_end(const std::string& text);
+
 /// The text with declarations of `proposals` in its <custom> section, which is made where there is
 /// none; every other byte stays, line ends are those of the file. Throws InputError for text that
 /// is no MJCF.

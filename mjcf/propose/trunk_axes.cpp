@@ -9,6 +9,7 @@
 #include <limits>
 #include <vector>
 
+#include "mjcf/propose/declare.hpp"
 #include "mjcf/propose/leg_chains.hpp"
 #include "mjcf/read/checks.hpp"
 #include "mjcf/read/moving_parts.hpp"
@@ -202,9 +203,11 @@ void turn_keyframe(TextEdits& edits, const XmlElement& key, int root, const Quat
 }
 
 /// Puts runs of a body's parts that can stand in a <frame> into one.
-std::string with_frames(const std::string& text, const std::filesystem::path& file,
+std::string with_frames(const std::string& edited, const std::filesystem::path& file,
                         const std::array<int, 4>& turn) {
-  const auto xml = load_xml(text, file);
+  const auto xml = load_xml(edited, file);
+  const std::string& text = xml->text;
+  const std::string new_line = line_end(text);
   const XmlElement& trunk = *trunk_element(*xml);
   std::vector<std::pair<std::size_t, std::string>> added;
   bool open = false;
@@ -217,13 +220,13 @@ std::string with_frames(const std::string& text, const std::filesystem::path& fi
     std::string blanks = text.substr(line, tag.begin - line);
     if (blanks.find_first_not_of(" \t") != std::string::npos) blanks.clear();
     if (turns && !open)
-      added.emplace_back(tag.begin,
-                         fmt::format("<frame quat=\"{}\">\n{}", fmt::join(turn, " "), blanks));
-    if (!turns && open) added.emplace_back(end, "\n" + blanks + "</frame>");
+      added.emplace_back(tag.begin, fmt::format("<frame quat=\"{}\">{}{}", fmt::join(turn, " "),
+                                                new_line, blanks));
+    if (!turns && open) added.emplace_back(end, new_line + blanks + "</frame>");
     open = turns;
     end = tag.close_end;
     if (open && part->NextSiblingElement() == nullptr)
-      added.emplace_back(end, "\n" + blanks + "</frame>");
+      added.emplace_back(end, new_line + blanks + "</frame>");
   }
   std::string out = text;
   for (auto at = added.rbegin(); at != added.rend(); ++at) out.insert(at->first, at->second);

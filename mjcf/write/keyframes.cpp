@@ -71,7 +71,8 @@ double lowest_of_trunk(const mjModel& model, const mjData& data, int trunk) {
   double lowest = INFINITY;
   for (int g = 0; g < model.ngeom; ++g) {
     if (model.geom_bodyid[g] != trunk) continue;
-    const mjtNum *up = data.geom_xmat + 9 * g + 6, *box = model.geom_aabb + 6 * g;
+    const mjtNum *up = data.geom_xmat + std::ptrdiff_t{9} * g + 6,
+                 *box = model.geom_aabb + std::ptrdiff_t{6} * g;
     double height = data.geom_xpos[3 * g + 2];
     for (int k = 0; k < 3; ++k) height += up[k] * box[k] - std::abs(up[k]) * box[3 + k];
     lowest = std::min(lowest, height);
@@ -194,14 +195,14 @@ class Solver {
 
   /// The control of a position servo is the angle, or the length of its tendon.
   void follow(int actuator, const VectorXd& pose, const VectorXd& old, StandingKey& key) const {
-    const mjtNum* bias = model_.actuator_biasprm + mjNBIAS * actuator;
+    const mjtNum* bias = model_.actuator_biasprm + std::ptrdiff_t{mjNBIAS} * actuator;
     if (model_.actuator_biastype[actuator] != mjBIAS_AFFINE || !(bias[1] < 0.0)) return;
     const double moved = travel(actuator, pose, old);
     if (moved == 0.0) return;
     const int control = model_.actuator_ctrladr[actuator];
     const double before = key.ctrl[control];
-    const double gear = model_.actuator_gear[6 * model_.actuator_outadr[actuator]];
-    const mjtNum* range = model_.actuator_ctrlrange + 2 * control;
+    const double gear = model_.actuator_gear[std::ptrdiff_t{6} * model_.actuator_outadr[actuator]];
+    const mjtNum* range = model_.actuator_ctrlrange + std::ptrdiff_t{2} * control;
     double& value = key.ctrl[control];
     value = rounded_to_grain(before + gear * moved);
     if (model_.actuator_ctrllimited[control] && before >= range[0] && before <= range[1])
@@ -210,7 +211,7 @@ class Solver {
 
   /// How much further the joint has turned [rad], or the tendon is longer [m].
   double travel(int actuator, const VectorXd& pose, const VectorXd& old) const {
-    const int target = model_.actuator_trnid[2 * actuator];
+    const int target = model_.actuator_trnid[std::ptrdiff_t{2} * actuator];
     if (model_.actuator_trntype[actuator] == mjTRN_TENDON) {
       const std::string name = name_of(model_, mjOBJ_TENDON, target);
       for (const LinearActuator& linear : morphology_.linear_actuators) {
@@ -293,7 +294,7 @@ std::string find_lifted_foot(const Structure& structure, const std::vector<Stand
       const FootContact& foot = structure.feet[f];
       const int body = foot_body(model, foot);
       const Vector3d point = foot_point(xml, elements, model, foot, {}).constant,
-                     up = Vector3d::Map(data->xmat + 9 * body + 6);
+                     up = Vector3d::Map(data->xmat + std::ptrdiff_t{9} * body + 6);
       const double height = data->xpos[3 * body + 2] + up.dot(point) - foot.radius;
       lowest = std::min(lowest, height);
       const double miss = height - key.foot_height[f];

@@ -2,6 +2,8 @@
 // Automatic cameras: where to stand so that the robot fills the picture.
 #include <Eigen/Geometry>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <memory>
 #include <numbers>
 #include <stdexcept>
@@ -17,23 +19,25 @@ namespace {
 /// Corners of the boxes about the robot's geoms, in one pose.
 void add_corners(const mjModel& model, const mjData& data, std::vector<Eigen::Vector3d>& points) {
   for (int g = 0; g < model.ngeom; ++g) {
-    const bool seen = model.geom_rgba[4 * g + 3] > 0.0F && model.geom_group[g] <= kHighestSeenGroup;
+    const bool seen = model.geom_rgba[std::ptrdiff_t{4} * g + 3] > 0.0F &&
+                      model.geom_group[g] <= kHighestSeenGroup;
     if (model.body_weldid[model.geom_bodyid[g]] == 0 || model.geom_type[g] == mjGEOM_PLANE || !seen)
       continue;
-    const double* box = model.geom_aabb + 6 * g;  // centre and half sizes in the geom's frame
+    // Centre and half sizes in the geom's frame.
+    const double* box = model.geom_aabb + std::ptrdiff_t{6} * g;
+    const double* place = data.geom_xpos + std::ptrdiff_t{3} * g;
     for (int corner = 0; corner < 8; ++corner) {
       double local[3], world[3];
       for (int c = 0; c < 3; ++c)
         local[c] = box[c] + ((corner >> c) & 1 ? box[3 + c] : -box[3 + c]);
-      mju_mulMatVec3(world, data.geom_xmat + 9 * g, local);
-      points.emplace_back(data.geom_xpos[3 * g] + world[0], data.geom_xpos[3 * g + 1] + world[1],
-                          data.geom_xpos[3 * g + 2] + world[2]);
+      mju_mulMatVec3(world, data.geom_xmat + std::ptrdiff_t{9} * g, local);
+      points.emplace_back(place[0] + world[0], place[1] + world[1], place[2] + world[2]);
     }
   }
 }
 
 struct Range {
-  double low = INFINITY, high = -INFINITY;
+  double low = std::numeric_limits<double>::infinity(), high = -low;
   void add(double value) {
     low = std::min(low, value);
     high = std::max(high, value);

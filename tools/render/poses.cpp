@@ -41,6 +41,7 @@ std::vector<double> start_pose(const mjModel& model) {
 Poses planned_poses(const mjModel& model, const Trajectory& plan, int count,
                     const std::filesystem::path& scene) {
   std::vector<double> times;
+  times.reserve(static_cast<std::size_t>(std::max(count, 0)));
   for (int k = 0; k < count; ++k) times.push_back(plan.period * k / count);
   return planned_poses(model, plan, times, scene);
 }

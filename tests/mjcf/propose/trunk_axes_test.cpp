@@ -110,6 +110,21 @@ TEST(TrunkAxes, AreFoundAlongEachDirection) {
   }
 }
 
+TEST(TrunkAxes, AllOtherBytesStay) {
+  std::string windows;
+  for (const char c : without_keyframe(test::strider_with_y_up()))
+    windows += c == '\n' ? "\r\n" : std::string(1, c);
+  const RobotFiles drawn = files_of(windows);
+  std::string text = with_upright_axes(drawn, axes_of(drawn).value()).text();
+  for (const auto& [now, before] :
+       {std::pair{"<frame quat=\"1 1 0 0\">\r\n", ""},
+        std::pair{"\r\n</frame></body>\r\n  </worldbody>", "</body>\r\n  </worldbody>"},
+        std::pair{"pos=\"0 0 0.01\" diaginertia=\"0.00562 0.0185 0.02312\"",
+                  "pos=\"0 0.01 0\" diaginertia=\"0.00562 0.02312 0.0185\""}})
+    text = test::with(text, now, before);
+  EXPECT_EQ(text, windows);
+}
+
 /// A keyframe, or the trunk's own quat, turns the axes so that the robot stands.
 TEST(TrunkAxes, ThatAKeyframeTurnsUprightAreTurnedThereToo) {
   const std::string xml = test::with(test::strider_with_y_up(), "0 0 0.115267 1 0 0 0 ",
