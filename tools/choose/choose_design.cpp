@@ -25,6 +25,7 @@ constexpr std::size_t kBeam = 2;        // designs that a round goes on from
 constexpr std::size_t kLeversKept = 7;  // from the second round on
 constexpr int kSearchIterations = 12;   // of each: it starts from a design that is nearly right
 constexpr double kDear = 1.3;  // × F of the optimum: a design that passes with more is not the last
+constexpr double kGivenFirst = 2.0;  // × F of the optimum: up to there the given body comes first
 constexpr double kAlmostAsCheap = 1.1;  // × F of the best that passes: stability decides
 constexpr double kGain = 0.99;  // of the distance from passing: a round that gains less is the last
 
@@ -341,19 +342,21 @@ void tighten_optimum(DesignChooser& chooser, const Candidate& optimum,
   const DesignIteration& initial = found.joint.front().result.initial;
   const Candidate given{kGivenBody, initial, {}, {}};
   const bool kept_body = options.codesign.motion_only;
-  PlayedCandidate played_given;
-  played_given.pass = true;  // nothing to do for it
-  if (!initial.tasks.empty() && !kept_body) played_given = chooser.consider(given);
-  // What the co-designed body gets: its gait may fail by as little.
+  std::optional<PlayedCandidate> given_failed;
+  if (!initial.tasks.empty() && !kept_body) {
+    const PlayedCandidate played_given = chooser.consider(given);
+    if (!played_given.pass) given_failed = played_given;
+  }
+  // What the co-designed body gets, once: its gait may fail by as little.
   const auto tighten_given = [&] {
-    if (!played_given.pass && !chooser.stopped() && chooser.worth_playing(initial.value))
-      chooser.tighten_motion(given, played_given);
-    played_given.pass = true;
+    if (given_failed && !chooser.stopped() && chooser.worth_playing(initial.value))
+      chooser.tighten_motion(given, *given_failed);
+    given_failed.reset();
   };
   if (!kept_body) chooser.tighten_motion(optimum, played);
-  // A body that the user has already, and whose motions cost a hundredth of a round.
-  const bool nearly_as_cheap = initial.value <= kDear * optimum.design.value;
-  if (nearly_as_cheap && !chooser.passes_nearly_as_cheaply(optimum)) tighten_given();
+  // Ten motion solves cost less than a round, and rounds play only what is cheaper then.
+  const bool not_hopeless = initial.value <= kGivenFirst * optimum.design.value;
+  if (not_hopeless && !chooser.passes_nearly_as_cheaply(optimum)) tighten_given();
   if (!chooser.passes_nearly_as_cheaply(optimum)) chooser.tighten_body(optimum, played);
   tighten_given();
   if (!options.space) chooser.consider_others(found, along);

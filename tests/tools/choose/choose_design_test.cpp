@@ -153,6 +153,16 @@ TEST(ChooseDesign, TightensTheMotionOfTheGivenBodyAsWell) {
   EXPECT_TRUE(choice.record.chosen.starts_with("initial, tightened motion"))
       << choice.record.chosen;
   EXPECT_LT(choice.result.design.value, 1.1 * initial.F);
+  // It is asked before rounds of body and motion, which play only what is cheaper then.
+  const auto is_round = [](const CandidateRecord& each) {
+    return each.name.starts_with("tightened: ");
+  };
+  const auto& all = choice.record.candidates;
+  const auto first_round = std::find_if(all.begin(), all.end(), is_round);
+  ASSERT_NE(first_round, all.end());
+  EXPECT_LT(&searched.candidate(choice, choice.record.chosen), &*first_round);
+  for (auto each = first_round; each != all.end(); ++each)
+    EXPECT_LT(each->F, choice.result.design.value) << each->name;
 
   // A glance ends with the first gain that fails, and sees both where none does.
   const CodesignProblem& problem = searched.problem;
