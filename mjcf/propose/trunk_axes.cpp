@@ -39,9 +39,10 @@ std::vector<std::array<int, 4>> axis_turns() {
   std::vector<std::array<int, 4>> out;
   for (int n = 0; n < 81; ++n) {
     const std::array<int, 4> q{n % 3 - 1, n / 3 % 3 - 1, n / 9 % 3 - 1, n / 27 - 1};
-    const auto parts = std::count_if(q.begin(), q.end(), [](int x) { return x != 0; });
-    const int first = *std::find_if(q.begin(), q.end(), [](int x) { return x != 0; });
-    if (parts > 0 && parts != 3 && first > 0) out.push_back(q);
+    const auto is_part = [](int x) { return x != 0; };
+    const auto parts = std::count_if(q.begin(), q.end(), is_part);
+    if (parts == 0 || parts == 3) continue;  // none, or one that leads axes elsewhere
+    if (*std::find_if(q.begin(), q.end(), is_part) > 0) out.push_back(q);
   }
   return out;
 }
