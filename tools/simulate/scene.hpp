@@ -43,7 +43,8 @@ std::string scale_gains(const std::string& scene_xml, double stiffness, double d
 /// Compiles a scene with its gains scaled. Loads the plugin.
 /// @param folder against which asset paths are meant. Throws MujocoError which says what is
 /// missing.
-/// @param detail triangles where somebody looks at its meshes
+/// @param detail triangles where somebody looks at its meshes, or means geoms by the numbers that
+/// they have in the file: without what is only to be seen they have others
 Scene parse_scene(const std::string& xml, const std::string& name, double gain_scale = 1.0,
                   const std::filesystem::path& folder = {}, MeshDetail detail = MeshDetail::hulls);
 /// The same from a file; std::system_error where it cannot be read.
