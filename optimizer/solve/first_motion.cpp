@@ -95,8 +95,9 @@ std::vector<Start> starts_of(const Objective& objective, const VectorXd& s, cons
   }
   std::mt19937_64 random(options.seed);
   for (int k = 0; k < options.perturbations; ++k) {
-    const VectorXd m = perturbed(objective, guess, random);
-    starts.push_back({"perturbed guess " + std::to_string(k + 1), [m] { return m; }});
+    VectorXd m = perturbed(objective, guess, random);
+    starts.push_back(
+        {"perturbed guess " + std::to_string(k + 1), [m = std::move(m)] { return m; }});
   }
   return starts;
 }
