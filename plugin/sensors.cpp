@@ -81,9 +81,10 @@ void write_torque_share(const mjModel* m, const mjData* d, const PdPlayback& pla
     const double force = d->actuator_force[at];
     double share = share_of_line(servo, force, d->actuator_velocity[at]);
     if (m->actuator_forcelimited[servo.actuator])
-      share = std::max(share, share_of(m->actuator_forcerange + 2 * servo.actuator, force));
+      share = std::max(
+          share, share_of(m->actuator_forcerange + std::ptrdiff_t{2} * servo.actuator, force));
     if (m->jnt_actfrclimited[servo.joint]) {
-      share = std::max(share, share_of(m->jnt_actfrcrange + 2 * servo.joint,
+      share = std::max(share, share_of(m->jnt_actfrcrange + std::ptrdiff_t{2} * servo.joint,
                                        d->qfrc_actuator[m->jnt_dofadr[servo.joint]]));
     }
     *out++ = share;

@@ -122,30 +122,27 @@ void add_plugin(XMLElement& root, const RobotModel& robot, const SceneSettings& 
   add(extension, "plugin").SetAttribute("plugin", kSensorPlugin);
   XMLElement& instance = add(plugin, "instance");
   instance.SetAttribute("name", kInstance);
-  std::string kp, kd;
-  for (const Servo& servo : robot.servos) {
-    const Gains gains = scaled_gains(servo, settings.gain_scale);
-    kp += (kp.empty() ? "" : " ") + gains.kp;
-    kd += (kd.empty() ? "" : " ") + gains.kd;
-  }
+  const auto of_servos = [&](const auto& text_of) {
+    std::string out;
+    for (const Servo& servo : robot.servos) out += (out.empty() ? "" : " ") + text_of(servo);
+    return out;
+  };
   const auto config = [&](const char* key, const std::string& value) {
     XMLElement& element = add(instance, "config");
     element.SetAttribute("key", key);
     element.SetAttribute("value", value.c_str());
   };
-  config("kp", kp);
-  config("kd", kd);
+  const auto gains = [&](const Servo& servo) { return scaled_gains(servo, settings.gain_scale); };
+  config("kp", of_servos([&](const Servo& servo) { return gains(servo).kp; }));
+  config("kd", of_servos([&](const Servo& servo) { return gains(servo).kd; }));
   const bool any_line = std::any_of(robot.servos.begin(), robot.servos.end(),
                                     [](const Servo& servo) { return servo.line.has_value(); });
   if (any_line) {
-    std::string torque, speed;
-    for (const Servo& servo : robot.servos) {
-      const MotorLine line = servo.line.value_or(MotorLine{});  // zeros: none
-      torque += (torque.empty() ? "" : " ") + format_number(line.stall_torque);
-      speed += (speed.empty() ? "" : " ") + format_number(line.no_load_speed);
-    }
-    config("stall_torque", torque);
-    config("no_load_speed", speed);
+    const auto line = [](const Servo& servo) { return servo.line.value_or(MotorLine{}); };  // zeros
+    config("stall_torque",
+           of_servos([&](const Servo& servo) { return format_number(line(servo).stall_torque); }));
+    config("no_load_speed",
+           of_servos([&](const Servo& servo) { return format_number(line(servo).no_load_speed); }));
   }
   config("period", format_number(settings.period));
   config("travel", format_numbers(settings.travel));

@@ -2,6 +2,7 @@
 #include "tools/validate/saturation.hpp"
 
 #include <cmath>
+#include <cstddef>
 
 namespace legwright {
 namespace {
@@ -10,7 +11,7 @@ constexpr double kShare = 0.9999;  // of the limit: MuJoCo clamps to it exactly
 
 bool pulls_its_most(const mjModel& model, const mjData& data, int actuator) {
   if (actuator < 0 || !model.actuator_forcelimited[actuator]) return false;
-  const mjtNum* range = model.actuator_forcerange + 2 * actuator;
+  const mjtNum* range = model.actuator_forcerange + std::ptrdiff_t{2} * actuator;
   const double force = data.actuator_force[model.actuator_outadr[actuator]];
   return force <= kShare * range[0] || force >= kShare * range[1];
 }

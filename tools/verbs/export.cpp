@@ -66,6 +66,27 @@ std::string robot_name(const ExportedRun& from) {
   return free_name(std::move(name), from.after.files);
 }
 
+/// All files of a folder, sorted, from there on.
+std::vector<std::string> files_in(const fs::path& folder) {
+  std::vector<std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file())
+      files.push_back(fs::relative(entry.path(), folder).generic_string());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+void tell_people(const ExportFacts& facts, const fs::path& target, std::size_t files) {
+  fmt::print("{}\n", terminal_text(facts.standing));
+  for (const std::string& sentence : facts.urdf_lost)
+    fmt::print("not in the URDF: {}\n", terminal_text(sentence));
+  fmt::print(
+      "written  {}: {} files\nnext: python {} --view{}   or: python -m mujoco.viewer --mjcf={}\n",
+      shell_word(target.string()), files, shell_word((target / "play.py").string()),
+      facts.gaits.front().empty() ? "" : " " + shell_word(facts.gaits.front()),
+      shell_word((target / "scene.xml").string()));
+}
+
 int export_run(const ExportOptions& options) {
   const fs::path target = target_of(options);
   std::optional<RunLock> lock;
@@ -102,11 +123,7 @@ int export_run(const ExportOptions& options) {
   if (!options.no_picture) facts.picture = draw(scene, picture, left_out);
   facts.licences = copy_licences(ResultFolder::open(options.run).inputs(), folder.path());
   write_file(folder.path() / "README.md", export_readme(facts));
-  std::vector<std::string> files;
-  for (const auto& entry : fs::recursive_directory_iterator(folder.path()))
-    if (entry.is_regular_file())
-      files.push_back(fs::relative(entry.path(), folder.path()).generic_string());
-  std::sort(files.begin(), files.end());
+  const std::vector<std::string> files = files_in(folder.path());
   check_unchanged(options.run, from.sums, sums_of(options.run, from.run), "export");
   folder.appear();
 
@@ -116,7 +133,7 @@ int export_run(const ExportOptions& options) {
   if (!touches.empty())
     fmt::print(stderr, "legwright: warning: {}\n", terminal_text(facts.touches));
   if (!healthy) fmt::print(stderr, "legwright: warning: {}\n", terminal_text(facts.standing));
-  if (options.json) {
+  if (options.json)
     fmt::print("{}", to_text({{"schema", "legwright/export"},
                               {"version", 1},
                               {"run", options.run},
@@ -127,16 +144,8 @@ int export_run(const ExportOptions& options) {
                               {"home_touches", touches.size()},
                               {"urdf_lost", facts.urdf_lost},
                               {"engine_warnings", stood.warnings.size()}}));
-  } else {
-    fmt::print("{}\n", terminal_text(facts.standing));
-    for (const std::string& sentence : facts.urdf_lost)
-      fmt::print("not in the URDF: {}\n", terminal_text(sentence));
-    fmt::print(
-        "written  {}: {} files\nnext: python {} --view{}   or: python -m mujoco.viewer --mjcf={}\n",
-        shell_word(target.string()), files.size(), shell_word((target / "play.py").string()),
-        facts.gaits.front().empty() ? "" : " " + shell_word(facts.gaits.front()),
-        shell_word((target / "scene.xml").string()));
-  }
+  else
+    tell_people(facts, target, files.size());
   return healthy ? kOk : kInfeasible;
 }
 

@@ -31,6 +31,10 @@ std::string refusal(const std::string& name, const std::string& data) {
   return "";
 }
 
+std::vector<Servo> servos_of(const Assembly& assembly) {
+  return parse_robot(build_robot(assembly, "dog.toml").xml, "dog.xml").servos;
+}
+
 TEST(MotorLines, BelongToTheirJointAlone) {
   const RobotModel plain = parse_robot(test::example_robot("puppy"), "puppy.xml");
   const std::string joint = plain.servos[1].joint;
@@ -59,15 +63,13 @@ TEST(MotorLines, AreRefusedWithTheReason) {
 
 TEST(MotorLines, ComeFromTheModulesOfAnAssembly) {
   Assembly dog = test::boxy_dog();
-  for (const RobotModel& robot : {parse_robot(build_robot(dog, "dog.toml").xml, "dog.xml")})
-    for (const Servo& servo : robot.servos) EXPECT_FALSE(servo.line) << servo.joint;
+  for (const Servo& servo : servos_of(dog)) EXPECT_FALSE(servo.line) << servo.joint;
   for (AssemblyJoint& joint : dog.limbs[0].joints) joint.servo.joint->no_load_speed = 7.0;
-  for (const RobotModel& robot : {parse_robot(build_robot(dog, "dog.toml").xml, "dog.xml")})
-    for (const Servo& servo : robot.servos) {
-      ASSERT_TRUE(servo.line) << servo.joint;
-      EXPECT_EQ(servo.line->stall_torque, 1.5);
-      EXPECT_EQ(servo.line->no_load_speed, 7.0);
-    }
+  for (const Servo& servo : servos_of(dog)) {
+    ASSERT_TRUE(servo.line) << servo.joint;
+    EXPECT_EQ(servo.line->stall_torque, 1.5);
+    EXPECT_EQ(servo.line->no_load_speed, 7.0);
+  }
 }
 
 }  // namespace

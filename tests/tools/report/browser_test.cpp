@@ -20,18 +20,12 @@ namespace fs = std::filesystem;
 constexpr const char* kHarness = R"(<!DOCTYPE html><html><body><pre id="said"></pre><script>
 const said = document.getElementById('said');
 let left = 0;
-function isClipped(one) {
-  for (let at = one.parentElement; at; at = at.parentElement)
-    if (getComputedStyle(at).overflowX === 'clip') return true;
-  return false;
-}
 function look(frame) {
   const page = frame.contentDocument;
   for (const fold of page.querySelectorAll('details')) fold.open = true;
   for (const one of page.body.querySelectorAll('*')) {
     const box = one.getBoundingClientRect();
     if (box.right <= frame.clientWidth + 1 || box.width === 0 || one.closest('.scroll')) continue;
-    if (isClipped(one)) continue;
     said.textContent += `WIDE ${frame.dataset.page} ${frame.clientWidth} ${one.tagName}.${one.className}\n`;
   }
   const turned = page.querySelector('.turned');

@@ -147,7 +147,7 @@ export class Timeline {
 
   /** A layer of its own: nothing else is painted anew. @param {number} share of the track */
   moveHead(share) {
-    this.head.style.transform = `translateX(${(100 * share).toFixed(2)}%)`;
+    this.head.style.transform = `translateX(${(100 * share).toFixed(2)}cqw)`;
   }
 
   /** When each foot stood in physics, and from when on the robot lay. */
