@@ -26,11 +26,11 @@ namespace {
 using legwright::Action;
 
 constexpr void (*kVerbs[])(CLI::App&, Action&) = {
-    legwright::add_init,     legwright::add_check,   legwright::add_optimize, legwright::add_pick,
-    legwright::add_validate, legwright::add_render,  legwright::add_report,   legwright::add_curves,
-    legwright::add_play,     legwright::add_studio,  legwright::add_study,    legwright::add_export,
-    legwright::add_gaits,    legwright::add_modules, legwright::add_build,    legwright::add_diff,
-    legwright::add_doctor,
+    legwright::add_init,     legwright::add_check,  legwright::add_optimize, legwright::add_pick,
+    legwright::add_validate, legwright::add_render, legwright::add_report,   legwright::add_curves,
+    legwright::add_play,     legwright::add_studio, legwright::add_study,    legwright::add_parts,
+    legwright::add_export,   legwright::add_gaits,  legwright::add_modules,  legwright::add_build,
+    legwright::add_diff,     legwright::add_doctor,
 };
 
 int complain(const char* message, int code) {

@@ -8,6 +8,7 @@
 
 #include "mjcf/assembly/assembly_names.hpp"
 #include "mjcf/assembly/limb_hulls.hpp"
+#include "mjcf/assembly/module_words.hpp"
 #include "mjcf/read/connectors.hpp"
 #include "mjcf/read/motor_lines.hpp"
 #include "mjcf/read/robot_model.hpp"
@@ -122,11 +123,13 @@ class AssemblyWriter {
     out_.open(fmt::format("<body name=\"trunk\" pos=\"0 0 {}\">", format_number(rounded(height_))));
     out_.add("<freejoint name=\"root\"/>");
     write_module(assembly_.trunk, {}, "shell");
+    declare(assembly_.trunk, {}, "body", "trunk");
     for (std::size_t k = 0; k < assembly_.parts.size(); ++k) {
       const AssemblyPart& part = assembly_.parts[k];
       out_.open(fmt::format("<body name=\"{}\" pos=\"{}\">", part_name(part, k),
                             rounded_words(part.position)));
       write_module(part.module, {}, "part");
+      declare(part.module, {}, "body", part_name(part, k));
       out_.close("body");
     }
     for (const PlacedLimb& limb : limbs_) {
@@ -144,6 +147,11 @@ class AssemblyWriter {
       out_.add(geom);
   }
 
+  void declare(const Module& module, const ModulePlace& place, const char* sort,
+               const std::string& of, const std::string& joint = "") {
+    modules_.push_back(module_declaration(module, place, sort, of, joint));
+  }
+
   /// The servo of a joint on the body that is open, and the link that it moves.
   void write_joint(const PlacedLimb& limb, std::size_t k) {
     const AssemblyLimb& of = *limb.of;
@@ -152,7 +160,9 @@ class AssemblyWriter {
     const Vector3d place = k == 0 ? limb.hip : limb.vector(joint.offset);
     out_.open(fmt::format("<body name=\"{}\" pos=\"{}\">", servo_name(limb, joint),
                           rounded_words(place)));
-    write_module(joint.servo, {servo_pose(joint, towards_above(limb, k)), limb.mirrored}, "servo");
+    const ModulePlace servo{servo_pose(joint, towards_above(limb, k)), limb.mirrored};
+    write_module(joint.servo, servo, "servo");
+    declare(joint.servo, servo, "body", servo_name(limb, joint), name);
     out_.close("body");
     out_.open(
         fmt::format("<body name=\"{}\" pos=\"{}\">", link_name(limb, joint), rounded_words(place)));
@@ -205,6 +215,9 @@ class AssemblyWriter {
     double volume = 0.0;
     for (const OutlineShape& shape : of.foot.outline) volume += shape.volume();
     const std::vector<std::string> geoms = outline_geoms(of.foot, place, "");
+    ModulePlace from_geom = place;
+    from_geom.pose.translation() = -of.foot.outline.front().position;
+    declare(of.foot, from_geom, "geom", foot_name(limb, 0));
     for (std::size_t k = 0; k < geoms.size(); ++k) {
       const double mass = of.foot.mass * of.foot.outline[k].volume() / volume;
       out_.add(
@@ -245,13 +258,12 @@ class AssemblyWriter {
     return out;
   }
 
-  /// Motors, and which hulls go with which points of the design.
+  /// Motors, modules, and which hulls go with which points of the design.
   void write_declarations() {
-    const std::vector<std::string> motors = motor_lines();
-    if (placed_.empty() && motors.empty()) return;
     out_.empty();
     out_.open("<custom>");
-    for (const std::string& motor : motors) out_.add(motor);
+    for (const std::string& motor : motor_lines()) out_.add(motor);
+    for (const std::string& module : modules_) out_.add(module);
     for (const PlacedHull& hull : placed_)
       out_.add(fmt::format("<text name=\"{}{}\" data=\"{}\"/>", kConnectorPrefix, hull.name,
                            hull.written.data));
@@ -283,6 +295,7 @@ class AssemblyWriter {
   const std::vector<PlacedLimb> limbs_;
   const double height_;
   std::vector<PlacedHull> placed_;
+  std::vector<std::string> modules_;  // as they are declared, in the order of the file
   XmlLines out_;
 };
 

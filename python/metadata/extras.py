@@ -11,10 +11,13 @@ TABLE = pathlib.Path(__file__).resolve().parents[2] / 'cmake/MujocoVersions.cmak
 # What legwright.study needs, from the releases on that python/tests has seen.
 STUDY = ['dask>=2026.8', 'distributed>=2026.8', 'pyarrow>=26']
 
+# What legwright.parts needs beside MuJoCo.
+PARTS = ['manifold3d>=3.5', 'trimesh>=5.2']
+
 
 def dynamic_metadata(settings, project):
     """The extras: `mujoco`, MuJoCo's own package in the version that the plugin is built for;
-    `drake`, the second engine, whose plant is built from MuJoCo's model; and `study`."""
+    `drake`, the second engine, whose plant is built from MuJoCo's model; `study`; and `parts`."""
     table = TABLE.read_text(encoding='utf-8')
 
     def value(name):
@@ -27,4 +30,5 @@ def dynamic_metadata(settings, project):
     package = value(f'legwright_mujoco_{version}_package')
     mujoco = f'{package}=={version}'
     extras = {'mujoco': [mujoco], 'drake': [mujoco, DRAKE], 'study': STUDY}
+    extras['parts'] = [mujoco, *PARTS]
     return {'optional-dependencies': extras}

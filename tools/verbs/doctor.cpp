@@ -119,7 +119,7 @@ std::vector<Item> diagnose() {
   items.push_back(check_opengl());
   items.push_back(check_viewer());
   items.push_back(check_python());
-  for (const PythonPart& part : {study_part(), drake_part()})
+  for (const PythonPart& part : {study_part(), drake_part(), parts_part()})
     items.push_back(check_python_part(part));
   items.push_back(check_display());
   return items;

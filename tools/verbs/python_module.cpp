@@ -97,6 +97,12 @@ PythonPart study_part() {
 PythonPart drake_part() {
   return {"legwright.drake", {"pydrake", "mujoco"}, "drake", "nothing was written: try it again"};
 }
+PythonPart parts_part() {
+  return {"legwright.parts",
+          {"manifold3d", "trimesh", "mujoco"},
+          "parts",
+          "nothing was written: try it again"};
+}
 
 PythonFound look_for_python(const PythonPart& part) {
   std::string tried;

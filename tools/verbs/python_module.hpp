@@ -16,6 +16,7 @@ struct PythonPart {
 
 PythonPart study_part();
 PythonPart drake_part();
+PythonPart parts_part();
 
 /// The interpreter that would run a part, or what is wrong with each that was tried.
 struct PythonFound {

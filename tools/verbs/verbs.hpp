@@ -47,6 +47,7 @@ void add_curves(CLI::App& program, Action& action);
 void add_play(CLI::App& program, Action& action);
 void add_studio(CLI::App& program, Action& action);
 void add_study(CLI::App& program, Action& action);
+void add_parts(CLI::App& program, Action& action);
 void add_gaits(CLI::App& program, Action& action);
 void add_build(CLI::App& program, Action& action);
 void add_modules(CLI::App& program, Action& action);

@@ -97,7 +97,7 @@ TEST_F(StudyTest, TheModuleIsAskedToStopWhereTheProgramIsKilled) {
   EXPECT_TRUE(wait_for_file("asked"));
 }
 
-TEST_F(StudyTest, DoctorTellsWhatPythonHasOfStudiesAndOfDrake) {
+TEST_F(StudyTest, DoctorTellsWhatPythonHasOfStudiesDrakeAndParts) {
   const auto item_of = [this](const std::string& has, const std::string& extra) {
     const test::Variable python("LEGWRIGHT_PYTHON", interpreter("exit 9", has));
     const test::Outcome doctor = call({"doctor", "--json"});
@@ -107,8 +107,8 @@ TEST_F(StudyTest, DoctorTellsWhatPythonHasOfStudiesAndOfDrake) {
       if (item["name"] == extra) return item;
     return Json();
   };
-  for (const auto& [extra, library] :
-       {std::pair("study", "pyarrow"), std::pair("drake", "pydrake")}) {
+  for (const auto& [extra, library] : {std::pair("study", "pyarrow"), std::pair("drake", "pydrake"),
+                                       std::pair("parts", "trimesh")}) {
     const Json here = item_of("has", extra), gone = item_of(std::string("lacks ") + library, extra);
     EXPECT_EQ(here["found"], true);
     EXPECT_TRUE(contains(here["detail"].get<std::string>(), library)) << here;
@@ -117,6 +117,17 @@ TEST_F(StudyTest, DoctorTellsWhatPythonHasOfStudiesAndOfDrake) {
     EXPECT_TRUE(
         contains(gone["fix"].get<std::string>(), "\"legwright[" + std::string(extra) + "]\""));
   }
+}
+
+TEST_F(StudyTest, PartsIsAModuleLikeIt) {
+  const test::Variable python("LEGWRIGHT_PYTHON", interpreter("printf '%s|' \"$@\"; exit 1"));
+  const test::Outcome parts = call({"parts", "runs/a b", "-o", "out", "--json", "--fit", "0.2",
+                                    "--bed", "200x200x180", "--quiet"});
+  EXPECT_EQ(parts.code, 1);
+  EXPECT_EQ(parts.out,
+            "-P|-m|legwright.parts|--output|out|--fit|0.2|--bed|200x200x180|--quiet|"
+            "--json|--|runs/a b|");
+  EXPECT_EQ(call({"parts"}).code, 2);
 }
 
 TEST_F(StudyTest, AModuleThatIsKilledIsToldWithTheWayOn) {

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`python -m legwright.parts`: what `legwright parts` runs."""
+
+import argparse
+import json
+import sys
+import traceback
+from pathlib import Path
+
+from legwright._errors import InputError
+from legwright.parts._make import Parts, make
+from legwright.parts._options import PartOptions
+from legwright.parts._tables import check_lines
+
+# As tools/files/exit_code.hpp has them.
+OK, FAILED, BAD_INPUT, IO_ERROR, INTERNAL = 0, 1, 2, 3, 4
+
+
+def _parsed(words: list[str] | None) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(prog='legwright parts', description=__doc__)
+    parser.add_argument('robot', type=Path, metavar='RUN|ROBOT', help='run folder, or MJCF')
+    parser.add_argument('-o', '--output', type=Path, default=Path('parts'), help='folder')
+    for name in ('fit', 'wall', 'gap', 'strength', 'safety'):
+        parser.add_argument(f'--{name}', type=float, default=getattr(PartOptions, name))
+    parser.add_argument('--bed', default='x'.join(f'{side:g}' for side in PartOptions.bed))
+    parser.add_argument('--quiet', action='store_true', help='say nothing but errors')
+    parser.add_argument('--json', action='store_true', help='print checks.json')
+    return parser.parse_args(words)
+
+
+def _options(words: argparse.Namespace) -> PartOptions:
+    try:
+        bed = tuple(float(side) for side in words.bed.split('x'))
+    except ValueError:
+        raise InputError(f'--bed is {words.bed}; expected three sizes in mm: 220x220x250') from None
+    return PartOptions(words.fit, words.wall, words.gap, bed, words.strength, words.safety)
+
+
+def _summary(made: Parts) -> str:
+    count = sum(part.count for part in made.parts)
+    failed = sum(not check.passed for check in made.checks)
+    verdict = 'PASS' if made.passed else f'FAIL: {failed} of {len(made.checks)} checks'
+    return '\n'.join(
+        [
+            *check_lines(made.checks),
+            f'{verdict}  {made.robot.name}: {len(made.parts)} different parts, {count} to print',
+            f'written  {made.folder}',
+        ]
+    )
+
+
+def main(words: list[str] | None = None) -> int:
+    """The command; returns its exit code."""
+    parsed = _parsed(words)
+    try:
+        made = make(parsed.robot, parsed.output, _options(parsed))
+    except InputError as error:
+        print(f'legwright: {error}', file=sys.stderr)
+        return BAD_INPUT
+    except OSError as error:
+        print(f'legwright: {error}', file=sys.stderr)
+        return IO_ERROR
+    except Exception:
+        print('legwright: internal error:', file=sys.stderr)
+        traceback.print_exc()
+        return INTERNAL
+    if parsed.json:
+        print(json.dumps(made.document, indent=1, ensure_ascii=False))
+    elif not parsed.quiet:
+        print(_summary(made))
+    return OK if made.passed else FAILED
+
+
+if __name__ == '__main__':
+    sys.exit(main())

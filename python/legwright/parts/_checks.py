@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is checked of printable parts: figures with their limits, and remedies."""
+
+import math
+from dataclasses import asdict, dataclass
+from typing import Any
+
+
+@dataclass(frozen=True)
+class Check:
+    """One figure of one part, or of the robot where `part` is empty."""
+
+    part: str
+    name: str
+    passed: bool
+    figure: float | None
+    """In the unit; None where there is none to tell."""
+    unit: str
+    limit: str
+    """In words: "at least 1.2 mm"."""
+    where: str = ''
+    remedy: str = ''
+    """Where it fails."""
+
+    def as_json(self) -> dict[str, Any]:
+        """As checks.json has it."""
+        finite = self.figure is not None and math.isfinite(self.figure)
+        figure = float(self.figure) if finite else None
+        return {**asdict(self), 'passed': bool(self.passed), 'figure': figure}
+
+
+def at_least(
+    part: str, name: str, figure: float, least: float, unit: str, where: str, remedy: str
+) -> Check:
+    """Passes where the figure is not below its limit."""
+    passed = figure >= least
+    limit = f'at least {least:g} {unit}'.rstrip()
+    return Check(part, name, passed, figure, unit, limit, where, '' if passed else remedy)
+
+
+def at_most(
+    part: str, name: str, figure: float, most: float, unit: str, where: str, remedy: str
+) -> Check:
+    """Passes where the figure is not above its limit."""
+    passed = figure <= most
+    limit = f'at most {most:g} {unit}'.rstrip()
+    return Check(part, name, passed, figure, unit, limit, where, '' if passed else remedy)

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The folder of parts: written whole beside its place, then put there."""
+
+import json
+import os
+import secrets
+import shutil
+from collections.abc import Mapping
+from pathlib import Path
+
+from legwright._errors import IoError
+
+CHECKS = 'checks.json'
+SCHEMA = 'legwright/parts'
+
+
+def _is_ours(folder: Path) -> bool:
+    """Whether all that a folder holds is what such a folder was written with."""
+    try:
+        document = json.loads((folder / CHECKS).read_text(encoding='utf-8'))
+        known = set(document['files'])
+        ours = document['schema'] == SCHEMA
+    except (OSError, ValueError, KeyError, TypeError):
+        return False
+    return ours and {entry.name for entry in folder.iterdir()} <= known
+
+
+def check_place(folder: Path) -> None:
+    """Raises IoError where a folder holds something else than parts."""
+    if folder.exists() and not folder.is_dir():
+        raise IoError(f'{folder}: is a file; name a folder for the parts')
+    if folder.is_dir() and any(folder.iterdir()) and not _is_ours(folder):
+        raise IoError(
+            f'{folder}: holds something else than parts; name an empty or a new folder with -o'
+        )
+
+
+def write_folder(folder: Path, files: Mapping[str, bytes]) -> None:
+    """Puts the files there, in the place of all that earlier calls wrote. Raises IoError."""
+    check_place(folder)
+    beside = folder.with_name(f'.{folder.name}.{secrets.token_hex(4)}')
+    try:
+        beside.mkdir(parents=True)
+        for name, data in files.items():
+            (beside / name).write_bytes(data)
+        if folder.exists():
+            shutil.rmtree(folder)
+        os.replace(beside, folder)
+    except OSError as error:
+        shutil.rmtree(beside, ignore_errors=True)
+        raise IoError(f'{folder}: {error.strerror}; name another folder with -o') from None

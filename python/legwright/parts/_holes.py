@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Screw holes of a part: where modules say, through what is there, with room for head and driver.
+
+Sizes: ISO 273 (clearance holes, medium) and ISO 4762 (cap heads).
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from manifold3d import Manifold
+
+from legwright.parts._robot import BuiltRobot, Link, Module
+from legwright.parts._shapes import MM, frame_along, rod
+from legwright.parts._words import Array, Place
+
+
+@dataclass(frozen=True)
+class Screw:
+    """A cap screw [mm]."""
+
+    nominal: float
+    clearance: float
+    """Diameter of its hole."""
+    head: float
+    """Diameter of the head."""
+    height: float
+    """Of the head."""
+
+
+SCREWS = {
+    'M1.6': Screw(1.6, 1.8, 3.0, 1.6),
+    'M2': Screw(2.0, 2.4, 3.8, 2.0),
+    'M2.5': Screw(2.5, 2.9, 4.5, 2.5),
+    'M2.6': Screw(2.6, 3.0, 4.7, 2.6),
+    'M3': Screw(3.0, 3.4, 5.5, 3.0),
+    'M4': Screw(4.0, 4.5, 7.0, 4.0),
+    'M5': Screw(5.0, 5.5, 8.5, 5.0),
+    'M6': Screw(6.0, 6.6, 10.0, 6.0),
+}
+_SEGMENTS = 32
+_HEAD_PLAY = 0.3  # [mm], around a head and its driver
+_DRIVER = 80.0  # [mm], how far along its axis a driver must come
+_CLAMPED = 1.25  # times the nominal diameter: what a head presses on where it is let in
+_REACH = 6.0  # [mm] before an attachment, within which what it holds begins
+_SAMPLED = 48  # directions around a hole
+
+
+@dataclass(frozen=True)
+class Fixing:
+    """An attachment that a part covers, in the frame of the link."""
+
+    module: Module
+    place: Place
+    position: Array
+    normal: Array
+    holes: Array
+    """N x 3 [m]; none where the pattern is not known."""
+
+
+@dataclass(frozen=True)
+class Hole:
+    """A hole for a screw, in the frame of the link [mm]."""
+
+    fixing: Fixing
+    screw: Screw
+    start: Array
+    """On the module's face."""
+    axis: Array
+    """Towards the head."""
+    begins: float
+    """How far from there material begins: what the screw has to bridge."""
+    clamped: float
+    """Thickness under the head; 0 where the part has nothing there."""
+    edge: float
+    """Least material between hole and edge; negative where the hole breaks out."""
+
+    @property
+    def seat(self) -> float:
+        """From the module's face to the head."""
+        return self.begins + self.clamped
+
+
+def _hits(solid: Manifold, start: Array, axis: Array, length: float) -> list[float]:
+    """Distances at which a ray crosses the surface."""
+    hits = solid.ray_cast(tuple(start), tuple(start + length * axis))
+    return [float(np.dot(np.asarray(hit.position) - start, axis)) for hit in hits]
+
+
+def _is_covered(solid: Manifold, position: Array, normal: Array) -> bool:
+    """Whether material begins before an attachment [mm]."""
+    return bool(_hits(solid, position - 0.5 * normal, normal, _REACH))
+
+
+def fixings_of(robot: BuiltRobot, link: Link, solid: Manifold) -> list[Fixing]:
+    """The attachments that the solid of a link covers: of modules on it, and of the horn below it.
+
+    At the horn with the joint at zero, as the file draws it.
+    """
+    out = []
+    model = robot.model
+    for module in (*link.modules, *([link.servo] if link.servo else [])):
+        turns = module is link.servo
+        shift = model.body_pos[link.body] if turns else np.zeros(3)
+        for place in module.places:
+            if place.on_horn != turns:
+                continue
+            position = place.position - shift
+            if _is_covered(solid, MM * position, place.normal):
+                holes = place.holes - shift
+                out.append(Fixing(module, place, position, place.normal, holes))
+    return out
+
+
+def _edge(solid: Manifold, start: Array, axis: Array, clamped: float, radius: float) -> float:
+    """From a hole's rim to the nearest side of what it goes through [mm]."""
+    frame = frame_along(axis)
+    least = math.inf
+    for share in (0.1, 0.5, 0.9):
+        centre = start + share * clamped * axis
+        for k in range(_SAMPLED):
+            turn = 2 * math.pi * k / _SAMPLED
+            way = math.cos(turn) * frame[:, 0] + math.sin(turn) * frame[:, 1]
+            hits = _hits(solid, centre, way, 1e3)
+            least = min(least, hits[0] if len(hits) % 2 else 0.0)
+    return least - radius
+
+
+def holes_of(fixing: Fixing, solid: Manifold) -> list[Hole]:
+    """The holes of an attachment through a solid that has none yet."""
+    if fixing.place.screw is None:
+        return []
+    screw = SCREWS[fixing.place.screw]
+    out = []
+    for point in fixing.holes:
+        start = MM * point
+        hits = _hits(solid, start - 0.01 * fixing.normal, fixing.normal, 1e3)
+        if len(hits) < 2 or hits[0] > _REACH:
+            out.append(Hole(fixing, screw, start, fixing.normal, 0.0, 0.0, -screw.clearance / 2))
+            continue
+        begins = max(0.0, hits[0] - 0.01)
+        thick = hits[1] - 0.01 - begins
+        clamped = _CLAMPED * screw.nominal
+        if thick < clamped + 0.5 * screw.height:
+            clamped = thick  # too thin to let a head in
+        first = start + begins * fixing.normal
+        edge = _edge(solid, first, fixing.normal, clamped, screw.clearance / 2)
+        out.append(Hole(fixing, screw, start, fixing.normal, begins, clamped, edge))
+    return out
+
+
+def drilled(hole: Hole) -> Manifold:
+    """What a hole takes away: the shank's way, and the head's and its driver's from the seat on."""
+    below = 1.0  # [mm] into the module, so that no skin is left
+    shank = rod(
+        hole.start - below * hole.axis,
+        hole.axis,
+        hole.seat + 2 * below,
+        hole.screw.clearance / 2,
+        _SEGMENTS,
+    )
+    return shank + driver_way(hole)
+
+
+def driver_way(hole: Hole) -> Manifold:
+    """What head and driver need, from the seat on."""
+    radius = hole.screw.head / 2 + _HEAD_PLAY
+    return rod(hole.start + hole.seat * hole.axis, hole.axis, _DRIVER, radius, _SEGMENTS)

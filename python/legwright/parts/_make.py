@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The printable parts of a robot: from its file to a folder."""
+
+import json
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from legwright._errors import InputError
+from legwright.parts._checks import Check
+from legwright.parts._folder import CHECKS, SCHEMA, check_place, write_folder
+from legwright.parts._mesh_files import Item, stl_bytes, threemf_bytes
+from legwright.parts._options import PartOptions
+from legwright.parts._robot import BuiltRobot, read_built
+from legwright.parts._shapes import MM
+from legwright.parts._solid_checks import check_solids
+from legwright.parts._solids import Part, parts_of
+from legwright.parts._tables import bill, bill_csv, bill_markdown
+
+_SPACE = 5.0  # [mm] between parts in all.3mf
+
+
+@dataclass(frozen=True)
+class Parts:
+    """The parts of a robot, with what was checked."""
+
+    folder: Path
+    robot: BuiltRobot
+    parts: tuple[Part, ...]
+    checks: tuple[Check, ...]
+    document: dict[str, Any]
+    """checks.json."""
+
+    @property
+    def passed(self) -> bool:
+        """Whether nothing failed."""
+        return all(check.passed for check in self.checks)
+
+
+def robot_file(path: Path) -> Path:
+    """The MJCF of a run's result, or the file itself. Raises InputError where there is none."""
+    if not path.is_dir():
+        return path
+    file = path / 'result/robot.xml'
+    if not file.is_file():
+        raise InputError(
+            f'{path}: has no result/robot.xml; give a run folder of one task whose search has '
+            'ended, or the MJCF that `legwright build` wrote'
+        )
+    return file
+
+
+def _items(parts: Sequence[Part]) -> list[Item]:
+    """The parts in rows, each copy at a place of its own, on the plate's plane."""
+    items, y = [], 0.0
+    for part in parts:
+        low, high = part.mesh.vertices.min(axis=0), part.mesh.vertices.max(axis=0)
+        size = high - low
+        places = [
+            (k * float(size[0] + _SPACE) - float(low[0]), y - float(low[1]), -float(low[2]))
+            for k in range(part.count)
+        ]
+        items.append(Item(part.name, part.mesh, places))
+        y += float(size[1]) + _SPACE
+    return items
+
+
+def _part_json(part: Part) -> dict[str, Any]:
+    solid = part.solid
+    return {
+        'name': part.name,
+        'links': part.links,
+        'count': part.count,
+        'volume_mm3': solid.shape.volume(),
+        'mass_kg': solid.mass,
+        'mass_of_file_kg': solid.file_mass,
+        'overlap_mm3': solid.hull_volume - solid.declared.volume(),
+        'modules_mm3': solid.seat_volume,
+        'holes_mm3': solid.hole_volume,
+        'density_for_mass_of_file_kgpm3': solid.file_mass / solid.shape.volume() * MM**3,
+        'fixed_to': [f'{fixing.module.of}: {fixing.place.name}' for fixing in solid.fixings],
+    }
+
+
+def make(
+    robot: str | os.PathLike[str],
+    folder: str | os.PathLike[str] = 'parts',
+    options: PartOptions | None = None,
+) -> Parts:
+    """Writes the printable parts of a run's result, or of a robot's MJCF, into a folder.
+
+    STL and 3MF in millimetres, bill of materials, checks.json; docs/parts.md tells what is cut and
+    checked. The same robot gives the same bytes. Raises InputError for a robot that was not built
+    from an assembly, IoError where the folder holds something else.
+    """
+    options = options or PartOptions()
+    if faults := options.faults():
+        raise InputError('\n'.join(faults))
+    place = Path(folder)
+    check_place(place)
+    built = read_built(robot_file(Path(robot)))
+    parts = parts_of(built, options.fit)
+    checks = check_solids(built, parts, options.wall)
+    rows = bill(built, parts)
+    files = {f'{part.name}.stl': stl_bytes(part.mesh) for part in parts}
+    files['all.3mf'] = threemf_bytes(built.name, _items(parts))
+    files['bom.csv'] = bill_csv(rows).encode()
+    files['bom.md'] = bill_markdown(built, parts, rows).encode()
+    document = {
+        'schema': SCHEMA,
+        'version': 1,
+        'robot': built.name,
+        'passed': all(check.passed for check in checks),
+        'files': sorted([*files, CHECKS]),
+        'parts': [_part_json(part) for part in parts],
+        'checks': [check.as_json() for check in checks],
+    }
+    files[CHECKS] = (json.dumps(document, indent=1, ensure_ascii=False) + '\n').encode()
+    write_folder(place, files)
+    return Parts(place, built, tuple(parts), tuple(checks), document)

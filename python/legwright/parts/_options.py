@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What may be chosen of printable parts. Millimetres, as printers have them."""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class PartOptions:
+    """Choices, with their defaults."""
+
+    fit: float = 0.15
+    """Play between a part and the modules that it holds [mm]."""
+    wall: float = 1.2
+    """Least thickness, and least material around a hole [mm]."""
+    gap: float = 0.5
+    """Least distance between what moves past each other [mm]."""
+    bed: tuple[float, float, float] = (220.0, 220.0, 250.0)
+    """Of the printer [mm]."""
+    strength: float = 25.0
+    """That the printed material bears, across its layers [MPa]."""
+    safety: float = 2.0
+    """Least safety factor under the loads of the gait."""
+
+    def faults(self) -> list[str]:
+        """What is wrong with them."""
+        out = []
+        for name, least in (('fit', 0.0), ('wall', 0.0), ('gap', 0.0), ('strength', 0.0)):
+            value = getattr(self, name)
+            if not least <= value <= 1000.0:
+                out.append(f'{name} is {value:g}; expected {least:g} to 1000')
+        if len(self.bed) != 3 or not all(1 <= side <= 10000 for side in self.bed):
+            out.append(f'bed is {self.bed}; expected three sizes in mm from 1 to 10000')
+        if not 0 < self.safety <= 100:
+            out.append(f'safety is {self.safety:g}; expected more than 0, at most 100')
+        return out

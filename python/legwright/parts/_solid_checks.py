@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Whether a part can be printed as it is: closed, in one piece, thick enough, as heavy as told."""
+
+import io
+import math
+
+import numpy as np
+import trimesh
+from manifold3d import Error, Manifold
+
+from legwright.parts._checks import Check, at_least, at_most
+from legwright.parts._mesh_files import stl_bytes
+from legwright.parts._robot import BuiltRobot
+from legwright.parts._shapes import MM, hull
+from legwright.parts._solids import Part, Solid
+
+_SAME_VOLUME = 1e-6  # of it: two libraries
+_SAME_MASS = 1e-3  # of it: hulls and the robot's file
+_SAMPLES = 2000  # points of a surface at which the wall is measured
+_FACING = 0.9  # cosine: two sides that face each other less than that meet in an edge, no wall
+_TILT = math.radians(0.5)  # of a horn to the joint's axis
+
+
+def _trimesh_of(part: Part) -> trimesh.Trimesh:
+    """The part as its STL has it."""
+    return trimesh.load(io.BytesIO(stl_bytes(part.mesh)), file_type='stl')
+
+
+def _closed(part: Part) -> list[Check]:
+    shape, found = part.solid.shape, _trimesh_of(part)
+    good = (
+        shape.status() == Error.NoError
+        and found.is_watertight
+        and found.is_winding_consistent
+        and found.volume > 0
+    )
+    differs = abs(found.volume - shape.volume()) / shape.volume()
+    fault = 'a fault of ours: tell it with the robot, and print another design meanwhile'
+    return [
+        Check(
+            part.name,
+            'watertight and oriented',
+            good,
+            None,
+            '',
+            'manifold3d and, of the STL, trimesh agree',
+            '' if good else f'manifold3d: {shape.status().name}',
+            '' if good else fault,
+        ),
+        at_most(part.name, 'volume by trimesh', differs, _SAME_VOLUME, '', 'of it', fault),
+        Check(
+            part.name,
+            'in one piece',
+            part.solid.pieces == 1,
+            float(part.solid.pieces),
+            'pieces',
+            '1',
+            '',
+            ''
+            if part.solid.pieces == 1
+            else 'modules or holes cut it apart: a larger [link] radius or wall, or another roll',
+        ),
+    ]
+
+
+def _wall_of(shape: Manifold, mesh: trimesh.Trimesh) -> tuple[float, np.ndarray]:
+    """Least thickness, by rays from the surface inwards [mm], and where."""
+    points, faces = trimesh.sample.sample_surface(mesh, _SAMPLES, seed=1)
+    least, where = math.inf, np.zeros(3)
+    for point, normal in zip(np.asarray(points), mesh.face_normals[faces]):
+        start = point - 1e-3 * normal
+        hits = shape.ray_cast(tuple(start), tuple(start - 1e3 * normal))
+        if not hits or -np.dot(np.asarray(hits[0].normal), normal) < _FACING:
+            continue
+        thick = float(np.linalg.norm(np.asarray(hits[0].position) - point))
+        if thick < least:
+            least, where = thick, point
+    return least, where
+
+
+def _wall(part: Part, wall: float) -> Check:
+    least, where = _wall_of(part.solid.shape, _trimesh_of(part))
+    place = f'at {where[0]:.1f} {where[1]:.1f} {where[2]:.1f} mm in the link'
+    remedy = 'a larger wall in [link] of the assembly, or --wall for a finer nozzle'
+    return at_least(part.name, 'wall', least, wall, 'mm', place, remedy)
+
+
+def _masses(part: Part) -> list[Check]:
+    """Of the hulls against the file, at the density that each declares."""
+    worst = 0.0
+    for solid in part.solids:
+        for each in solid.link.hulls:
+            own = hull(each).volume() / MM**3 * each.words.density
+            worst = max(worst, abs(own - each.mass) / each.mass)
+    cure = 'the file is not as Legwright wrote it: build or optimize it anew'
+    return [at_most(part.name, 'mass of the hulls', worst, _SAME_MASS, '', "of the file's", cure)]
+
+
+def _holds(solid: Solid, part: Part) -> list[Check]:
+    """Whether the part reaches the horn that turns it, and each module on its link."""
+    wanted = [(each.of, False) for each in solid.link.modules]
+    if solid.link.servo:
+        wanted.append((solid.link.servo.of, True))
+    out = []
+    for name, is_horn in wanted:
+        found = [
+            f.place.name
+            for f in solid.fixings
+            if f.module.of == name and f.place.on_horn == is_horn
+        ]
+        what = f'reaches the horn of {name}' if is_horn else f'reaches {name}'
+        cure = (
+            'no attachment of it is covered: move that joint further away (offset in the '
+            'assembly), or turn its servo by roll, so that its connector need not be pulled back'
+        )
+        good = bool(found)
+        out.append(
+            Check(
+                part.name,
+                what,
+                good,
+                float(len(found)),
+                'attachments',
+                'at least 1',
+                ', '.join(found),
+                '' if good else cure,
+            )
+        )
+    return out
+
+
+def _axis(robot: BuiltRobot, solid: Solid, part: Part) -> list[Check]:
+    """A design may turn a joint's axis, but not the servo that stands for it."""
+    servo = solid.link.servo
+    horns = [place for place in servo.places if place.on_horn] if servo else []
+    if not horns:
+        return []
+    joint = solid.link.joint
+    axis = robot.model.jnt_axis[joint]
+    turn = math.acos(min(1.0, abs(float(axis @ horns[0].normal))))
+    name = robot.model.joint(joint).name
+    return [
+        at_most(
+            part.name,
+            f'axis of {name} on the horn',
+            math.degrees(turn),
+            math.degrees(_TILT),
+            'deg',
+            f'horn of {servo.of}',
+            'the design turned the axis away from the servo: freeze = ["*_axis_*"] under [design] '
+            'of the task, optimize again',
+        )
+    ]
+
+
+def check_solids(robot: BuiltRobot, parts: list[Part], wall: float) -> list[Check]:
+    """All that a part by itself can fail."""
+    out = []
+    for part in parts:
+        out += [*_closed(part), _wall(part, wall), *_masses(part)]
+        for solid in part.solids[:1]:
+            out += _holds(solid, part)
+        for solid in part.solids:
+            out += _axis(robot, solid, part)
+    return out

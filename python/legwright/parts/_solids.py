@@ -1,0 +1,153 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The solid of each link, and which of them are one part."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from manifold3d import Manifold
+
+from legwright.parts._holes import Fixing, Hole, drilled, fixings_of, holes_of
+from legwright.parts._mesh_files import Mesh, as_printed, mesh_of
+from legwright.parts._robot import BuiltRobot, Link
+from legwright.parts._shapes import MM, hull, joined, outline
+from legwright.parts._words import Array
+
+_CHIP = 0.01  # of a solid; what falls off and is smaller is left out
+_FINE = 1e-3  # [mm]: finer details are left out
+_SAME = 5e-3  # [mm]: vertices of solids that are one part
+
+
+@dataclass(frozen=True)
+class Solid:
+    """What is printed of a link, in its frame [mm]."""
+
+    link: Link
+    declared: Manifold
+    """The union of its hulls, as the file has them."""
+    shape: Manifold
+    """Less the modules' places and the holes."""
+    pieces: int
+    """1, where it hangs together."""
+    fixings: tuple[Fixing, ...]
+    holes: tuple[Hole, ...]
+    hull_volume: float
+    """Sum of the hulls [mm3], by which the file's masses go: where they overlap, twice."""
+    seat_volume: float
+    """What places of modules take away [mm3]."""
+    hole_volume: float
+    """What holes take away [mm3]."""
+
+    @property
+    def density(self) -> float:
+        """[kg/m3]; of several hulls by their volumes."""
+        volumes = np.array([hull(each).volume() for each in self.link.hulls])
+        densities = np.array([each.words.density for each in self.link.hulls])
+        return float(volumes @ densities / volumes.sum())
+
+    @property
+    def mass(self) -> float:
+        """Of the shape, filled [kg]."""
+        return self.density * self.shape.volume() / MM**3
+
+    @property
+    def file_mass(self) -> float:
+        """Of the connectors, as the robot's file says [kg]."""
+        return sum(each.mass for each in self.link.hulls)
+
+
+@dataclass(frozen=True)
+class Part:
+    """A solid that is printed as often as links have it."""
+
+    name: str
+    solids: tuple[Solid, ...]
+
+    @property
+    def solid(self) -> Solid:
+        """One of them: the first of the file."""
+        return self.solids[0]
+
+    @cached_property
+    def mesh(self) -> Mesh:
+        """As its files have it."""
+        return mesh_of(self.solid.shape)
+
+    @property
+    def links(self) -> list[str]:
+        """The links that have it."""
+        return [each.link.name for each in self.solids]
+
+    @property
+    def count(self) -> int:
+        """How often it is printed."""
+        return len(self.solids)
+
+
+def _whole(shape: Manifold) -> tuple[Manifold, int]:
+    """A solid without its chips, and how many pieces it has then."""
+    pieces = shape.decompose()
+    if len(pieces) <= 1:
+        return shape, len(pieces)
+    least = _CHIP * shape.volume()
+    kept = [piece for piece in pieces if piece.volume() >= least]
+    return joined(kept), len(kept)
+
+
+def solid_of(robot: BuiltRobot, link: Link, fit: float) -> Solid:
+    """The union of a link's hulls, less its modules grown by the fit, less holes for screws."""
+    hulls = [hull(each) for each in link.hulls]
+    declared = joined(hulls)
+    shape = declared
+    if link.modules:
+        shape = declared - joined([outline(module, fit) for module in link.modules])
+    shape, _ = _whole(shape)
+    seated = shape.volume()
+    fixings = fixings_of(robot, link, shape)
+    holes = [hole for fixing in fixings for hole in holes_of(fixing, shape)]
+    if holes:
+        shape = shape - joined([drilled(hole) for hole in holes])
+    shape, pieces = _whole(shape)
+    shape = as_printed(shape.simplify(_FINE))
+    return Solid(
+        link=link,
+        declared=declared,
+        shape=shape,
+        pieces=pieces,
+        fixings=tuple(fixings),
+        holes=tuple(holes),
+        hull_volume=sum(each.volume() for each in hulls),
+        seat_volume=declared.volume() - seated,
+        hole_volume=seated - shape.volume(),
+    )
+
+
+def vertices_of(shape: Manifold) -> Array:
+    """N x 3 [mm]."""
+    return np.asarray(shape.to_mesh64().vert_properties)[:, :3]
+
+
+def _are_same(a: Manifold, b: Manifold) -> bool:
+    """Whether two solids have the same corners, each in the frame of its link."""
+    volume = a.volume()
+    if a.num_vert() != b.num_vert() or abs(volume - b.volume()) > 1e-4 * volume:
+        return False
+    one, other = vertices_of(a), vertices_of(b)
+    far = np.linalg.norm(one[:, None] - other[None], axis=2)
+    return bool(far.min(axis=1).max() < _SAME and far.min(axis=0).max() < _SAME)
+
+
+def parts_of(robot: BuiltRobot, fit: float) -> list[Part]:
+    """The parts of a robot, in the order of its file; equal solids are one, called after the first.
+
+    A mirror image is a part of its own, but where it is the same solid.
+    """
+    groups: list[list[Solid]] = []
+    for link in robot.links:
+        solid = solid_of(robot, link, fit)
+        group = next((g for g in groups if _are_same(g[0].shape, solid.shape)), None)
+        if group is None:
+            groups.append([solid])
+        else:
+            group.append(solid)
+    return [Part(group[0].link.name, tuple(group)) for group in groups]

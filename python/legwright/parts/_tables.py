@@ -1,0 +1,194 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Tables of what a robot is made of: for people, and for spreadsheets."""
+
+import csv
+import io
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from legwright.parts._checks import Check
+from legwright.parts._robot import BuiltRobot
+from legwright.parts._shapes import MM
+from legwright.parts._solids import Part
+
+
+@dataclass(frozen=True)
+class Row:
+    """A row of the bill of materials."""
+
+    kind: str
+    name: str
+    count: int
+    mass: float | None
+    """Of one [g]."""
+    volume: float | None
+    """Of one [cm3]."""
+    note: str
+
+
+def bill(robot: BuiltRobot, parts: Sequence[Part]) -> list[Row]:
+    """Modules, printed parts, then screws."""
+    counts: dict[tuple[str, str, float], int] = {}
+    for module in robot.modules:
+        key = (module.words.kind, module.words.name, module.words.mass)
+        counts[key] = counts.get(key, 0) + 1
+    rows = [
+        Row(kind, name, count, MM * mass, None, '') for (kind, name, mass), count in counts.items()
+    ]
+    for part in parts:
+        solid = part.solid
+        rows.append(
+            Row(
+                'printed',
+                part.name,
+                part.count,
+                MM * solid.mass,
+                solid.shape.volume() / MM,
+                'for ' + ', '.join(part.links),
+            )
+        )
+    return rows + _screws(parts)
+
+
+def _screws(parts: Sequence[Part]) -> list[Row]:
+    counts: dict[tuple[str, str], int] = {}
+    unknown: dict[str, int] = {}
+    for part in parts:
+        for fixing in part.solid.fixings:
+            if fixing.place.screw is None:
+                what = f'{fixing.module.words.name}, {fixing.place.name}'
+                unknown[what] = unknown.get(what, 0) + part.count
+        for hole in part.solid.holes:
+            place = hole.fixing.place
+            what = f'{hole.fixing.module.words.name}, {place.name}: bridges {hole.seat:.1f} mm'
+            key = (place.screw or '', what)
+            counts[key] = counts.get(key, 0) + part.count
+    rows = [
+        Row('screw', size, count, None, None, f'{what}, and the depth of the thread there')
+        for (size, what), count in counts.items()
+    ]
+    for what, count in unknown.items():
+        rows.append(
+            Row('screw', 'pattern not known', count, None, None, f'{what}: holes to be drilled')
+        )
+    return rows
+
+
+def bill_csv(rows: Sequence[Row]) -> str:
+    """A row each, with empty cells for what is not known."""
+    out = io.StringIO()
+    writer = csv.writer(out, lineterminator='\n')
+    writer.writerow(['kind', 'name', 'count', 'mass_g', 'total_mass_g', 'volume_cm3', 'note'])
+    for row in rows:
+        mass = '' if row.mass is None else f'{row.mass:.4g}'
+        total = '' if row.mass is None else f'{row.count * row.mass:.4g}'
+        volume = '' if row.volume is None else f'{row.volume:.4g}'
+        writer.writerow([row.kind, row.name, row.count, mass, total, volume, row.note])
+    return out.getvalue()
+
+
+def markdown(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    """A table in Markdown."""
+    lines = ['| ' + ' | '.join(head) + ' |', '|' + '---|' * len(head)]
+    for row in rows:
+        lines.append('| ' + ' | '.join(cell.replace('|', '/') for cell in row) + ' |')
+    return '\n'.join(lines) + '\n'
+
+
+def _mass_rows(parts: Sequence[Part]) -> list[list[str]]:
+    rows = []
+    for part in parts:
+        solid = part.solid
+        file, own = MM * solid.file_mass, MM * solid.mass
+        overlap = solid.hull_volume - solid.declared.volume()
+        density = MM * file / solid.shape.volume() * MM
+        rows.append(
+            [
+                part.name,
+                f'{file:.3f}',
+                f'{own:.3f}',
+                f'{100 * (own - file) / file:+.1f} %',
+                f'{overlap:.0f}',
+                f'{solid.seat_volume:.0f}',
+                f'{solid.hole_volume:.0f}',
+                f'{density:.0f}',
+            ]
+        )
+    return rows
+
+
+def bill_markdown(robot: BuiltRobot, parts: Sequence[Part], rows: Sequence[Row]) -> str:
+    """The bill, and how far the printed masses are from those that the design was made with."""
+    cells = [
+        [
+            row.kind,
+            row.name,
+            str(row.count),
+            '' if row.mass is None else f'{row.mass:.2f}',
+            '' if row.mass is None else f'{row.count * row.mass:.2f}',
+            '' if row.volume is None else f'{row.volume:.2f}',
+            row.note,
+        ]
+        for row in rows
+    ]
+    total = sum(row.count * row.mass for row in rows if row.mass is not None)
+    of_file = MM * float(robot.model.body_mass.sum())
+    return (
+        f'# {robot.name}: bill of materials\n\n'
+        + markdown(['kind', 'name', 'count', 'g each', 'g', 'cm3 each', 'note'], cells)
+        + f"\n{total:.1f} g, without screws and cables; the robot's file has {of_file:.1f} g. "
+        'Prices are not in the library.\n\n'
+        '## Masses of the printed parts\n\n'
+        + markdown(
+            [
+                'part',
+                'g in the file',
+                'g as printed',
+                'difference',
+                'overlap, mm3',
+                'modules, mm3',
+                'holes, mm3',
+                'kg/m3 for the mass of the file',
+            ],
+            _mass_rows(parts),
+        )
+        + '\nThe file weighs each hull by itself: where two overlap, twice. Modules and holes take '
+        'material away. A fill of less than all of the volume is lighter still.\n'
+    )
+
+
+_TOGETHER = {'reaches': 'reaches its modules', 'axis': 'axes on their horns'}
+
+
+def check_lines(checks: Sequence[Check]) -> list[str]:
+    """What fails, with remedies; what passes in a line for each kind, with its worst part."""
+    lines, seen = [], dict[str, list[Check]]()
+    for check in checks:
+        first = check.name.split()[0]
+        seen.setdefault(_TOGETHER.get(first, check.name), []).append(check)
+    for title, group in seen.items():
+        failed = [check for check in group if not check.passed]
+        lines.append(f'{"FAIL" if failed else "PASS"}  {title:26} {_worst(group)}')
+        for check in failed:
+            where = f' ({check.where})' if check.where else ''
+            lines.append(
+                f'      {check.part}: {check.name}: {_figure(check)}, {check.limit}{where}'
+            )
+        for remedy in dict.fromkeys(check.remedy for check in failed):
+            lines.append(f'      {remedy}')
+    return lines
+
+
+def _figure(check: Check) -> str:
+    if check.figure is None:
+        return 'no'
+    return f'{check.figure:.3g} {check.unit}'.rstrip()
+
+
+def _worst(group: Sequence[Check]) -> str:
+    told = [check for check in group if check.figure is not None]
+    if not told or not all(check.passed for check in group):
+        return f'{sum(check.passed for check in group)} of {len(group)}'
+    least = told[0].limit.startswith('at least')
+    worst = (min if least else max)(told, key=lambda check: check.figure or 0.0)
+    return f'{len(group)} of {len(group)}, worst {_figure(worst)}, {worst.limit}'

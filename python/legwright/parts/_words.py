@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Strict reading of what `legwright build` declares of modules and connectors in a robot's file."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from xml.etree import ElementTree
+
+import numpy as np
+from numpy.typing import NDArray
+
+from legwright._errors import InputError, together, unreadable
+
+Array = NDArray[np.float64]
+MODULE, CONNECTOR = 'legwright_module/', 'legwright_connector/'
+_CURE = '`legwright build` writes it: build the robot anew, or put back what was changed'
+
+
+@dataclass(frozen=True)
+class Place:
+    """An attachment of a module, from the origin of its body or geom [m]."""
+
+    name: str
+    on_horn: bool
+    position: Array
+    normal: Array
+    screw: str | None
+    """Size of its screws, "M2"; None where the pattern is not known."""
+    holes: Array
+    """N x 3: where they go in [m]."""
+
+
+@dataclass(frozen=True)
+class ModuleWords:
+    """What the file says of a module."""
+
+    of: str
+    sort: str
+    """`body` or `geom`: what `of` is the name of."""
+    name: str
+    kind: str
+    mass: float
+    """[kg]"""
+    joint: str | None
+    """That a servo turns."""
+    places: tuple[Place, ...]
+
+
+@dataclass(frozen=True)
+class ConnectorWords:
+    """What the file says of a connector: its mesh, shown by a body of the same name."""
+
+    name: str
+    density: float
+    """[kg/m3]"""
+    corners: Array
+    """N x 3 in its body's frame [m]."""
+
+
+@dataclass(frozen=True)
+class RobotWords:
+    """The declarations of a robot."""
+
+    modules: tuple[ModuleWords, ...]
+    connectors: tuple[ConnectorWords, ...]
+
+
+def _numbers(words: str) -> Array:
+    """Raises ValueError where one is none, or not finite."""
+    out = np.array([float(word) for word in words.split()], dtype=float)
+    if not np.all(np.isfinite(out)):
+        raise ValueError(words)
+    return out
+
+
+def _place(part: str) -> Place:
+    head, colon, numbers = part.partition(':')
+    words, found = head.split(), _numbers(numbers)
+    screw = words[2] if len(words) == 3 else None
+    if (
+        not colon
+        or len(words) not in (2, 3)
+        or words[0] not in ('body', 'horn')
+        or found.size % 3
+        or (found.size != 6 if screw is None else found.size < 9)
+    ):
+        raise ValueError(part)
+    rows = found.reshape(-1, 3)
+    if abs(np.linalg.norm(rows[1]) - 1) > 1e-6:
+        raise ValueError(part)
+    return Place(words[1], words[0] == 'horn', rows[0], rows[1], screw, rows[2:])
+
+
+def _module(of: str, data: str) -> ModuleWords:
+    parts = [part.strip() for part in data.split('|')]
+    name, kind, mass, unit = parts[0].split()
+    sort, _, holder = parts[1].partition(' ') if len(parts) > 1 else ('', '', '')
+    if unit != 'kg' or sort not in ('body', 'geom') or holder != of:
+        raise ValueError(data)
+    joint = None
+    rest = parts[2:]
+    if rest and rest[0].startswith('joint '):
+        joint = rest.pop(0).removeprefix('joint ')
+    places = tuple(_place(part) for part in rest)
+    return ModuleWords(of, sort, name, kind, float(_numbers(mass)[0]), joint, places)
+
+
+def _connector(name: str, data: str, meshes: dict[str, str]) -> ConnectorWords:
+    density, unit = data.partition('|')[0].split()
+    corners = _numbers(meshes[name])
+    if unit != 'kg/m3' or not _numbers(density)[0] > 0 or corners.size % 3 or corners.size < 12:
+        raise ValueError(data)
+    return ConnectorWords(name, float(density), corners.reshape(-1, 3))
+
+
+def read_words(file: Path) -> RobotWords:
+    """The declarations of a robot's file.
+
+    Raises IoError where it cannot be read, InputError where it has no connector or one of its
+    declarations is not as `legwright build` writes it: all that are wrong at once.
+    """
+    try:
+        root = ElementTree.fromstring(file.read_bytes())
+    except OSError as error:
+        raise unreadable(file, error, 'give a run folder or the MJCF of a robot') from None
+    except ElementTree.ParseError as error:
+        raise InputError(f'{file}: is no XML ({error}); give the MJCF of a robot') from None
+    meshes = {
+        mesh.get('name', ''): mesh.get('vertex', '') for mesh in root.iterfind('./asset/mesh')
+    }
+    modules: list[ModuleWords] = []
+    connectors: list[ConnectorWords] = []
+    wrong: list[InputError] = []
+    for text in root.iterfind('./custom/text'):
+        name, data = text.get('name', ''), text.get('data', '')
+        try:
+            if name.startswith(MODULE):
+                modules.append(_module(name.removeprefix(MODULE), data))
+            elif name.startswith(CONNECTOR):
+                connectors.append(_connector(name.removeprefix(CONNECTOR), data, meshes))
+        except (ValueError, KeyError):
+            where = f'text {name}'
+            message = f"attribute data: '{data[:60]}…' is not what parts need; {_CURE}"
+            wrong.append(InputError(f'{file}: {where}: {message}', str(file), 0, where, message))
+    if wrong:
+        raise together(wrong)
+    if not connectors:
+        message = (
+            'has no connector, so there is nothing to print: `legwright build assembly.toml -o '
+            'robot.xml` makes robots that have some ([link] shape = "hull", the default)'
+        )
+        raise InputError(f'{file}: {message}', str(file), 0, '', message)
+    if not modules:
+        message = (
+            'does not say of which modules it is made: it was built by an older Legwright; build '
+            'it anew from its assembly, and optimize that'
+        )
+        raise InputError(f'{file}: {message}', str(file), 0, '', message)
+    return RobotWords(tuple(modules), tuple(connectors))

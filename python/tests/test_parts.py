@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`legwright parts`: what is printed of the example puppy, and what is refused."""
+
+import io
+import json
+import re
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+from xml.etree import ElementTree
+
+import legwright as lw
+import numpy as np
+import pytest
+import trimesh
+from legwright import parts
+from legwright.parts import __main__ as command
+
+PROGRAM = Path(lw.__file__).parent / 'bin/legwright'
+
+
+def build(assembly: Path, robot: Path) -> Path:
+    subprocess.run(
+        [PROGRAM, 'build', assembly, '-o', robot], check=True, capture_output=True, text=True
+    )
+    return robot
+
+
+@pytest.fixture(scope='module')
+def dog(examples, tmp_path_factory) -> Path:
+    """The example puppy as `build` writes it."""
+    return build(examples / 'assemblies/puppy.toml', tmp_path_factory.mktemp('dog') / 'dog.xml')
+
+
+@pytest.fixture(scope='module')
+def made(dog, tmp_path_factory) -> parts.Parts:
+    return parts.make(dog, tmp_path_factory.mktemp('made') / 'parts')
+
+
+def test_left_and_right_are_parts_of_their_own_and_equal_ones_are_counted(made):
+    assert [(part.name, part.count, part.links) for part in made.parts] == [
+        ('FL_thigh', 2, ['FL_thigh', 'HL_thigh']),
+        ('FL_shank', 2, ['FL_shank', 'HL_shank']),
+        ('FR_thigh', 2, ['FR_thigh', 'HR_thigh']),
+        ('FR_shank', 2, ['FR_shank', 'HR_shank']),
+    ]
+    assert made.passed, [check for check in made.checks if not check.passed]
+
+
+def test_stl_and_3mf_are_closed_solids_of_one_volume_in_millimetres(made):
+    archive = zipfile.ZipFile(io.BytesIO((made.folder / 'all.3mf').read_bytes()))
+    assert archive.testzip() is None
+    model = ElementTree.fromstring(archive.read('3D/3dmodel.model'))
+    space = {'c': model.tag[1:].partition('}')[0]}
+    assert model.get('unit') == 'millimeter'
+    objects = model.findall('.//c:object', space)
+    assert [each.get('name') for each in objects] == [part.name for part in made.parts]
+    assert len(model.findall('.//c:item', space)) == sum(part.count for part in made.parts)
+    for part, each in zip(made.parts, objects):
+        stl = trimesh.load(made.folder / f'{part.name}.stl')
+        vertices = [[float(v.get(a)) for a in 'xyz'] for v in each.findall('.//c:vertex', space)]
+        triangles = each.findall('.//c:triangle', space)
+        corners = [[int(t.get(a)) for a in ('v1', 'v2', 'v3')] for t in triangles]
+        threemf = trimesh.Trimesh(vertices, corners, process=False)
+        for mesh in (stl, threemf):
+            assert mesh.is_watertight and mesh.is_winding_consistent
+            assert mesh.volume == pytest.approx(part.solid.shape.volume(), rel=1e-6)
+        assert np.all(np.ptp(stl.vertices, axis=0) > 5.0), 'millimetres'
+
+
+def test_a_part_weighs_its_hulls_less_overlap_modules_and_holes(made):
+    for part in made.parts:
+        solid = part.solid
+        rest = (
+            solid.hull_volume
+            - (solid.hull_volume - solid.declared.volume())
+            - solid.seat_volume
+            - solid.hole_volume
+        )
+        assert solid.shape.volume() == pytest.approx(rest, rel=1e-9)
+        assert solid.file_mass == pytest.approx(1240e-9 * solid.hull_volume, rel=1e-9)
+        assert solid.mass == pytest.approx(1240e-9 * solid.shape.volume(), rel=1e-12)
+        assert 0.8 * solid.file_mass < solid.mass < solid.file_mass
+
+
+def test_the_bill_has_each_module_and_part_with_count_and_mass(made):
+    text = (made.folder / 'bom.csv').read_text(encoding='utf-8')
+    assert 'servo,XL430-W250,8,57.2,457.6,' in text
+    assert 'foot,ball_foot_12,4,8.69,34.76,' in text
+    assert re.search(r'^printed,FL_thigh,2,\d\.\d+,', text, re.M)
+    assert '| servo | XL430-W250 | 8 |' in (made.folder / 'bom.md').read_text(encoding='utf-8')
+
+
+def test_the_same_robot_gives_the_same_bytes_and_takes_the_old_ones_place(made, dog, tmp_path):
+    place = tmp_path / 'again'
+    for _ in range(2):
+        parts.make(dog, place)
+        for file in made.folder.iterdir():
+            assert (place / file.name).read_bytes() == file.read_bytes(), file.name
+    assert {file.name for file in place.iterdir()} == set(made.document['files'])
+    (place / 'mine.txt').write_text('keep')
+    with pytest.raises(lw.IoError, match='holds something else than parts'):
+        parts.make(dog, place)
+    assert (place / 'mine.txt').exists()
+
+
+def test_a_part_that_does_not_reach_a_module_fails_with_the_remedy(examples, tmp_path):
+    robot = build(examples / 'assemblies/hexapod.toml', tmp_path / 'hexapod.xml')
+    done = subprocess.run(
+        [sys.executable, '-m', 'legwright.parts', robot, '-o', tmp_path / 'out'],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == command.FAILED, done.stderr
+    assert 'FL_femur_link: reaches FL_tibia_servo: 0 attachments' in done.stdout
+    assert 'turn its servo by roll' in done.stdout
+    document = json.loads((tmp_path / 'out/checks.json').read_text())
+    assert document['passed'] is False
+
+
+def test_an_axis_that_the_design_turned_away_from_its_servo_fails(dog, tmp_path):
+    text = dog.read_text(encoding='utf-8')
+    turned = text.replace(
+        '<joint name="FL_hip" axis="0 1 0"', '<joint name="FL_hip" axis="0.1 0.995 0"'
+    )
+    assert turned != text
+    robot = tmp_path / 'turned.xml'
+    robot.write_text(turned, encoding='utf-8')
+    made = parts.make(robot, tmp_path / 'out')
+    (failed,) = [check for check in made.checks if not check.passed]
+    assert failed.name == 'axis of FL_hip on the horn' and failed.figure == pytest.approx(
+        np.degrees(np.arctan2(0.1, 0.995))
+    )
+    assert 'freeze = ["*_axis_*"]' in failed.remedy
+
+
+def test_what_is_no_robot_of_modules_is_bad_input(examples, dog, tmp_path, capsys):
+    plain = examples / 'puppy/robot.xml'
+    assert command.main([str(plain), '-o', str(tmp_path / 'a')]) == command.BAD_INPUT
+    assert 'has no connector' in capsys.readouterr().err
+    text = dog.read_text(encoding='utf-8')
+    old = tmp_path / 'old.xml'
+    old.write_text(re.sub(r'<text name="legwright_module.*', '', text), encoding='utf-8')
+    assert command.main([str(old), '-o', str(tmp_path / 'a')]) == command.BAD_INPUT
+    assert 'older Legwright' in capsys.readouterr().err
+    odd = tmp_path / 'odd.xml'
+    odd.write_text(text.replace('0.0572 kg | body FL_hip', '0.0572 g | body FL_hip'))
+    assert command.main([str(odd), '-o', str(tmp_path / 'a')]) == command.BAD_INPUT
+    assert 'text legwright_module/FL_hip_servo' in capsys.readouterr().err
+    assert command.main([str(dog), '--bed', '200', '-o', str(tmp_path / 'a')]) == command.BAD_INPUT
+    assert command.main([str(dog), '--fit', '-1', '-o', str(tmp_path / 'a')]) == command.BAD_INPUT
+    assert command.main([str(tmp_path / 'gone.xml')]) == command.IO_ERROR
+    (tmp_path / 'empty').mkdir()
+    assert command.main([str(tmp_path / 'empty')]) == command.BAD_INPUT
+    assert not (tmp_path / 'a').exists()

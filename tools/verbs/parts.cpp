@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// `legwright parts` is the Python module legwright.parts: the solids are manifold3d's.
+#include <array>
+
+#include "tools/verbs/python_module.hpp"
+#include "tools/verbs/verbs.hpp"
+
+namespace legwright {
+namespace {
+
+/// An option that is handed on as it is; legwright.parts reads and checks it.
+struct HandedOn {
+  const char* name;
+  const char* meaning;
+};
+
+constexpr std::array kHandedOn{
+    HandedOn{"--fit", "play between a part and the modules it holds, mm; default: 0.15"},
+    HandedOn{"--wall", "least thickness, and least material around a hole, mm; default: 1.2"},
+    HandedOn{"--bed", "of the printer, mm; default: 220x220x250"},
+};
+
+struct PartsOptions {
+  std::string robot, folder = "parts";
+  std::array<std::string, kHandedOn.size()> values;  // empty: not given
+  bool quiet = false, json = false;
+};
+
+int parts(const PartsOptions& options) {
+  std::vector<std::string> words{"--output", options.folder};
+  for (std::size_t k = 0; k < kHandedOn.size(); ++k)
+    if (!options.values[k].empty())
+      words.insert(words.end(), {kHandedOn[k].name, options.values[k]});
+  if (options.quiet) words.emplace_back("--quiet");
+  if (options.json) words.emplace_back("--json");
+  words.insert(words.end(), {"--", options.robot});
+  return run_python_module(parts_part(), words);
+}
+
+}  // namespace
+
+void add_parts(CLI::App& program, Action& action) {
+  const auto [verb, options] =
+      add_verb(program, action, "parts",
+               "The printable parts of a robot that `build` made: STL, 3MF, tables, checks", parts);
+  verb->add_option("ROBOT", options->robot, "run folder, or MJCF of a robot of modules")
+      ->required();
+  verb->add_option("-o,--output", options->folder, "folder of the parts")->capture_default_str();
+  for (std::size_t k = 0; k < kHandedOn.size(); ++k)
+    verb->add_option(kHandedOn[k].name, options->values[k], kHandedOn[k].meaning);
+  verb->add_flag("--quiet", options->quiet, "say nothing but errors");
+  verb->add_flag("--json", options->json, "print checks.json instead of a table");
+  verb->footer(
+      "Needs Python with the package: pip install \".[parts]\" in a clone; LEGWRIGHT_PYTHON names "
+      "the interpreter,\n"
+      "default python3. docs/parts.md tells what is cut, checked and left out.\n"
+      "Exit code: 0 every check passes, 1 one fails, 2 bad input, 3 files or Python.");
+}
+
+}  // namespace legwright
