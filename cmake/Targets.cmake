@@ -14,6 +14,7 @@ function(legwright_target name)
   target_include_directories(${name} PUBLIC "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>")
   target_compile_options(${name} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
     -ffp-contract=off  # same bits on every machine of one kind
+    "-ffile-prefix-map=${PROJECT_SOURCE_DIR}/="  # same bytes in every checkout
     -fPIC  # programs too: they share precompiled headers with the libraries
     $<$<BOOL:${LEGWRIGHT_WARNINGS_AS_ERRORS}>:-Werror>
     $<$<CONFIG:Debug>:-D_GLIBCXX_ASSERTIONS>)

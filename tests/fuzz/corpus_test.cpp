@@ -8,6 +8,7 @@
 
 #include "tests/fuzz/promises.hpp"
 #include "tests/fuzz/targets.hpp"
+#include "tests/support/paths.hpp"
 #include "tools/files/atomic_file.hpp"
 
 namespace legwright {
@@ -22,7 +23,7 @@ class Corpus : public testing::TestWithParam<CorpusOf> {};
 
 TEST_P(Corpus, KeepsThePromisesOfItsReader) {
   const std::filesystem::path folder =
-      std::filesystem::path(LEGWRIGHT_SOURCE_DIR) / "tests/fuzz/corpus" / GetParam().name;
+      std::filesystem::path(test::source_dir()) / "tests/fuzz/corpus" / GetParam().name;
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
     files.push_back(entry.path());

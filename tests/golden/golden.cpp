@@ -8,6 +8,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "tests/support/paths.hpp"
 #include "tools/files/json_file.hpp"
 #include "tools/image/png.hpp"
 #include "tools/render/poses.hpp"
@@ -59,7 +60,7 @@ std::string advice(const fs::path& picture) {
 
 }  // namespace
 
-fs::path folder() { return fs::path(LEGWRIGHT_SOURCE_DIR) / "tests" / "golden"; }
+fs::path folder() { return fs::path(test::source_dir()) / "tests" / "golden"; }
 
 fs::path Robot::id_file(const Pose& pose) const {
   return folder() / name / (pose.name + "_id.png");

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/paths.hpp"
 #include "tests/tools/files/temporary_folder.hpp"
 #include "tests/tools/render/toy_scene.hpp"
 #include "tools/image/png.hpp"
@@ -16,7 +17,7 @@ namespace fs = std::filesystem;
 class Golden : public testing::TestWithParam<std::string> {
  protected:
   static fs::path differences(const std::string& robot, const std::string& file) {
-    return fs::path(LEGWRIGHT_BINARY_DIR) / "golden_differences" / (robot + "_" + file + ".png");
+    return fs::path(test::binary_dir()) / "golden_differences" / (robot + "_" + file + ".png");
   }
 };
 

@@ -9,6 +9,7 @@
 #include "plugin/spline.hpp"
 #include "tests/plugin/allocation_count.hpp"
 #include "tests/plugin/engine.hpp"
+#include "tests/support/paths.hpp"
 
 namespace legwright {
 namespace {
@@ -285,7 +286,7 @@ TEST_F(PlaybackTest, LoadingTheLibraryTwiceIsHarmless) {
 }
 
 TEST_F(PlaybackTest, ReadmesSmallestModelSwings) {
-  std::ifstream file(LEGWRIGHT_SOURCE_DIR "/plugin/README.md");
+  std::ifstream file(test::source_dir() + "/plugin/README.md");
   std::stringstream stream;
   stream << file.rdbuf();
   const std::string readme = stream.str(), opening = "```xml\n";

@@ -12,6 +12,7 @@
 #include "plugin/spline.hpp"
 #include "tests/plugin/mutate.hpp"
 #include "tests/plugin/toy_trajectory.hpp"
+#include "tests/support/paths.hpp"
 
 namespace legwright {
 namespace {
@@ -240,7 +241,7 @@ TEST(Trajectory, AnyMutationIsReadOrRefusedWithAMessage) {
 }
 
 TEST(Trajectory, ReadmesExampleNamesTheHeaderOfTheFormat) {
-  std::ifstream file(LEGWRIGHT_SOURCE_DIR "/plugin/README.md");
+  std::ifstream file(test::source_dir() + "/plugin/README.md");
   std::stringstream readme;
   readme << file.rdbuf();
   std::string header = kHeader;

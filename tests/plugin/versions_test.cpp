@@ -10,6 +10,7 @@
 #include <string>
 
 #include "plugin/number_text.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/tools/files/temporary_folder.hpp"
 #include "tools/files/atomic_file.hpp"
 #include "tools/simulate/plugin_files.hpp"
@@ -41,7 +42,7 @@ Ended run(const std::string& command) {
 
 /// The complete model that the plugin's page shows.
 std::string swinging_arm() {
-  const std::string page = read_file(LEGWRIGHT_SOURCE_DIR "/plugin/README.md");
+  const std::string page = read_file(test::source_dir() + "/plugin/README.md");
   const std::size_t begin = page.find("<mujoco model=\"swinging_arm\">");
   return page.substr(begin, page.find("```", begin) - begin);
 }

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 
+#include "tests/support/paths.hpp"
 #include "tools/files/json_file.hpp"
 
 namespace legwright::test {
@@ -69,7 +70,7 @@ inline std::string schema_fault(const Json& schema, const Json& value, const std
 
 /// The same of a file and a schema of docs/schema/.
 inline std::string schema_fault(const std::string& schema, const std::filesystem::path& file) {
-  const auto stored = std::filesystem::path(LEGWRIGHT_SOURCE_DIR) / "docs" / "schema";
+  const auto stored = std::filesystem::path(test::source_dir()) / "docs" / "schema";
   return schema_fault(read_json(stored / (schema + ".schema.json")), read_json(file),
                       file.string());
 }

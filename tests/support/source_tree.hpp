@@ -3,10 +3,12 @@
 
 #include <filesystem>
 
+#include "tests/support/paths.hpp"
+
 namespace legwright::test {
 
 // Folders of the source tree that tests read.
-inline const std::filesystem::path kSource = LEGWRIGHT_SOURCE_DIR;
+inline const std::filesystem::path kSource = test::source_dir();
 inline const std::filesystem::path kExamples = kSource / "examples";
 inline const std::filesystem::path kPuppy = kExamples / "puppy";
 

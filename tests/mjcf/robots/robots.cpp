@@ -12,11 +12,12 @@
 
 #include "tests/mjcf/robots/mjcf_builder.hpp"
 #include "tests/mjcf/robots/shifted_robot.hpp"
+#include "tests/support/paths.hpp"
 
 namespace legwright::test {
 
 std::filesystem::path source_path(const std::string& relative) {
-  return std::filesystem::path(LEGWRIGHT_SOURCE_DIR) / relative;
+  return std::filesystem::path(test::source_dir()) / relative;
 }
 
 std::string read_file(const std::filesystem::path& file) {

@@ -19,6 +19,7 @@
 #include "mjcf/write/rewrite_robot.hpp"
 #include "tests/mjcf/robots/construction_robots.hpp"
 #include "tests/mjcf/robots/robots.hpp"
+#include "tests/support/paths.hpp"
 
 namespace legwright {
 namespace {
@@ -63,10 +64,9 @@ SceneSettings settings_for(const RobotModel& robot) {
 /// Compiles with the plugin, which is loaded once for the process.
 ModelPointer compile_scene(const std::string& scene) {
   static const bool loaded = [] {
-    const std::string library = LEGWRIGHT_BINARY_DIR "/bin/mujoco_plugin/liblegwright.so";
-    EXPECT_TRUE(std::filesystem::exists(library)) << library;
+    const std::string library = test::binary_dir() + "/bin/mujoco_plugin/liblegwright.so";
     if (std::filesystem::exists(library)) mj_loadPluginLibrary(library.c_str());
-    return true;
+    return std::filesystem::exists(library);
   }();
   EXPECT_TRUE(loaded);
   return compile_mjcf(scene, "scene.xml");

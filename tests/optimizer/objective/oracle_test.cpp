@@ -15,6 +15,7 @@
 
 #include "optimizer/objective/objective.hpp"
 #include "optimizer/terms/registry.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/puppy.hpp"
 
 namespace legwright {
@@ -188,8 +189,7 @@ double relative(const VectorXd& a, const VectorXd& b) {
 }
 
 json read_document(const std::string& name) {
-  const std::string path =
-      std::string(LEGWRIGHT_SOURCE_DIR) + "/tests/oracle/data/" + name + ".json";
+  const std::string path = test::source_dir() + "/tests/oracle/data/" + name + ".json";
   std::ifstream stream(path);
   if (!stream) throw std::runtime_error("cannot read " + path);
   return json::parse(stream);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Physics has the say: the result is the best design that MuJoCo passes.
 #include "tools/choose/choose_design.hpp"
+#include "tests/support/paths.hpp"
 
 #include <gtest/gtest.h>
 
@@ -229,7 +230,7 @@ TEST_F(ChooseDesignInstead, HandsBackTheBestOfWhatWasPlayedWhenStopped) {
 /// A task that fails in its first cycles ends the trial of all: at three gains each, and no more.
 TEST(ChooseDesign, TasksAreTriedTogether) {
   const CodesignProblem problem =
-      read_problem(LEGWRIGHT_SOURCE_DIR "/examples/quadruped/both.toml");
+      read_problem(test::source_dir() + "/examples/quadruped/both.toml");
   const ProblemCosts costs(problem);
   Candidate guess{"guess", {}, {}, {}};
   guess.design.s = problem.robot.space.initial();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Candidates played no further than needed, against the same played to the end each.
 #include "tools/choose/play_in_turn.hpp"
+#include "tests/support/paths.hpp"
 
 #include <gtest/gtest.h>
 
@@ -63,7 +64,7 @@ class PlayInTurn : public testing::Test {
  protected:
   static const SolvedMotions& failing() {
     static const SolvedMotions all(
-        read_problem(LEGWRIGHT_SOURCE_DIR "/examples/quadruped/both.toml"),
+        read_problem(test::source_dir() + "/examples/quadruped/both.toml"),
         {Lever::margins, Lever::smooth_forces, Lever::narrow, Lever::wide, Lever::smooth_legs});
     return all;
   }

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "tests/support/paths.hpp"
 #include "tests/tools/files/temporary_folder.hpp"
 #include "tools/files/atomic_file.hpp"
 #include "tools/task/problem.hpp"
@@ -12,7 +13,7 @@ namespace legwright::test {
 /// A task of a robot of the examples, from the text of its tables.
 inline CodesignProblem problem_of(const std::string& robot, const std::string& tables) {
   const TemporaryFolder folder;
-  const std::string file = LEGWRIGHT_SOURCE_DIR "/examples/" + robot + "/robot.xml";
+  const std::string file = test::source_dir() + "/examples/" + robot + "/robot.xml";
   const std::filesystem::path task = folder.path() / "task.toml";
   write_file(task, "robot = \"" + file + "\"\n" + tables);
   return read_problem(task);

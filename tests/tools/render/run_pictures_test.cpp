@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/render/run_pictures.hpp"
+#include "tests/support/paths.hpp"
 
 #include <filesystem>
 #include <map>
@@ -25,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 
 void write_run_json(const fs::path& run, bool motion_only) {
-  auto record = read_record_file<RunRecord>(fs::path(LEGWRIGHT_SOURCE_DIR) /
+  auto record = read_record_file<RunRecord>(fs::path(test::source_dir()) /
                                             "tests/tools/report/data/run.json");
   record.motion_only = motion_only;
   write_json(run / "run.json", json_of(record));

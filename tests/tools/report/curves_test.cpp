@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/report/curves.hpp"
+#include "tests/support/paths.hpp"
 #include "tools/files/clean_text.hpp"
 
 #include <gtest/gtest.h>
@@ -35,7 +36,7 @@ class CurvesTest : public testing::Test {
                "velocity = [0.1, 0.0]\n" +
                    run.weights);
     write_file(root / "inputs/robot.xml", "<mujoco/>");
-    auto record = read_record_file<RunRecord>(fs::path(LEGWRIGHT_SOURCE_DIR) /
+    auto record = read_record_file<RunRecord>(fs::path(test::source_dir()) /
                                               "tests/tools/report/data/run.json");
     record.robot = "ant";
     record.motion_only = run.motion_only;

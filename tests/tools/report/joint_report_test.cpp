@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "mjcf/text/input_error.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/text.hpp"
 #include "tests/tools/report/hostile_names.hpp"
 #include "tests/tools/report/run_fixture.hpp"
@@ -31,7 +32,7 @@ class JointReportTest : public testing::Test {
     fs::create_directories(run_ / "result");
     fs::create_directories(run_ / "tasks");
     for (const char* task : {"ahead", "sideways"})
-      fs::copy(fs::path(LEGWRIGHT_SOURCE_DIR) / "tests/tools/report/data", run_ / "tasks" / task,
+      fs::copy(fs::path(test::source_dir()) / "tests/tools/report/data", run_ / "tasks" / task,
                fs::copy_options::recursive);
     write_run("ahead");
     write_results("ahead");

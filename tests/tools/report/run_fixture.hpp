@@ -8,6 +8,7 @@
 #include <functional>
 #include <string>
 
+#include "tests/support/paths.hpp"
 #include "tools/files/atomic_file.hpp"
 #include "tools/files/io_error.hpp"
 #include "tools/files/json_file.hpp"
@@ -29,7 +30,7 @@ class RunFixture : public testing::Test {
   void TearDown() override { std::filesystem::remove_all(run_); }
 
   static void copy_fixture(const std::filesystem::path& folder) {
-    std::filesystem::copy(std::filesystem::path(LEGWRIGHT_SOURCE_DIR) / "tests/tools/report/data",
+    std::filesystem::copy(std::filesystem::path(test::source_dir()) / "tests/tools/report/data",
                           folder, std::filesystem::copy_options::recursive);
   }
   void add_pictures() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // docs/schema/ holds the schema of each file of a run; LEGWRIGHT_WRITE_SCHEMAS=1 writes it anew.
 #include "tools/run/schemas.hpp"
+#include "tests/support/paths.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,8 +15,8 @@ namespace legwright {
 namespace {
 
 namespace fs = std::filesystem;
-const fs::path kStored = fs::path(LEGWRIGHT_SOURCE_DIR) / "docs/schema";
-const fs::path kFixture = fs::path(LEGWRIGHT_SOURCE_DIR) / "tests/tools/report/data";
+const fs::path kStored = fs::path(test::source_dir()) / "docs/schema";
+const fs::path kFixture = fs::path(test::source_dir()) / "tests/tools/report/data";
 
 TEST(Schemas, AreStoredAsTheRecordsAre) {
   std::size_t count = 0;

@@ -3,13 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/paths.hpp"
 #include "tools/task/problem.hpp"
 
 namespace legwright::test {
 
 /// The puppy with its hips turned outwards, so that it can do the task.
 struct SolvedPuppy {
-  CodesignProblem problem = read_problem(std::filesystem::path(LEGWRIGHT_SOURCE_DIR) / "examples" /
+  CodesignProblem problem = read_problem(std::filesystem::path(test::source_dir()) / "examples" /
                                          "puppy" / "sideways.toml");
   const Objective& objective = *problem.objectives[0];
   Eigen::VectorXd s = problem.robot.space.initial(), m;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/session/alternatives.hpp"
+#include "tests/support/paths.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +18,7 @@ using test::kThigh;
 
 constexpr const char* kFewest = "fewest";
 constexpr const char* kFront = "front";
-const std::filesystem::path kBoth = LEGWRIGHT_SOURCE_DIR "/examples/quadruped/both.toml";
+const std::filesystem::path kBoth = test::source_dir() + "/examples/quadruped/both.toml";
 
 AlternativesPointer found_of(const SessionEngine& engine, AlternativeKind kind) {
   for (const AlternativesPointer& each : engine.alternatives())

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/session/engine.hpp"
+#include "tests/support/paths.hpp"
 
 #include <gtest/gtest.h>
 
@@ -213,7 +214,7 @@ TEST_F(Engine, OtherTasksKeepTheMotionWhereItFits) {
 }
 
 TEST(EngineOfTwoTasks, WeightsCountInTheSearchAndMotionsStay) {
-  const std::filesystem::path both = LEGWRIGHT_SOURCE_DIR "/examples/quadruped/both.toml";
+  const std::filesystem::path both = test::source_dir() + "/examples/quadruped/both.toml";
   SessionEngine engine(read_robot(both.parent_path() / "robot.xml"), read_file(both), both);
   (void)engine.search(30, {});
   ASSERT_TRUE(engine.settle());

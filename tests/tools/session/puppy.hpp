@@ -6,13 +6,14 @@
 #include <vector>
 
 #include "mjcf/read/read_robot.hpp"
+#include "tests/support/paths.hpp"
 #include "tools/files/atomic_file.hpp"
 #include "tools/session/state.hpp"
 
 /// The robot that sessions are tested with, and how their states are compared.
 namespace legwright::test {
 
-inline const std::filesystem::path kPuppy = LEGWRIGHT_SOURCE_DIR "/examples/puppy";
+inline const std::filesystem::path kPuppy = test::source_dir() + "/examples/puppy";
 inline const std::filesystem::path kSideways = kPuppy / "sideways.toml";
 inline std::string sideways() { return read_file(kSideways); }
 

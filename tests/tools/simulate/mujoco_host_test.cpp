@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/simulate/mujoco_host.hpp"
+#include "tests/support/paths.hpp"
 
 #include <gtest/gtest.h>
 
@@ -125,8 +126,8 @@ TEST(GaitPlugin, LoadsOnceHoweverOftenItIsAskedFor) {
 }
 
 // In a process of its own, in which the plugin is not loaded yet.
-int exit_code_with_plugin(const char* file) {
-  setenv("LEGWRIGHT_PLUGIN", file, 1);
+int exit_code_with_plugin(const std::string& file) {
+  setenv("LEGWRIGHT_PLUGIN", file.c_str(), 1);
   try {
     load_gait_plugin();
   } catch (const IoError& error) {  // exit code 3, as for every file that is not there
@@ -144,7 +145,7 @@ TEST(GaitPluginDeathTest, MissingPluginIsReportedWithThePlaces) {
 
 TEST(GaitPluginDeathTest, FileThatIsNoLibraryIsReportedAndDoesNotEndTheProcess) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
-  EXPECT_EXIT(std::exit(exit_code_with_plugin(LEGWRIGHT_SOURCE_DIR "/README.md")),
+  EXPECT_EXIT(std::exit(exit_code_with_plugin(test::source_dir() + "/README.md")),
               testing::ExitedWithCode(7), "cannot be loaded");
 }
 

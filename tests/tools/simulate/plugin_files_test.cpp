@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/simulate/plugin_files.hpp"
+#include "tests/support/paths.hpp"
 
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
@@ -12,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kPrograms = fs::path(LEGWRIGHT_BINARY_DIR) / "bin";
+const fs::path kPrograms = fs::path(test::binary_dir()) / "bin";
 
 TEST(PluginFiles, NameTheMujocoThatTheyServe) {
   EXPECT_EQ(served_mujoco(kPrograms / "mujoco_plugin/liblegwright.so"), mj_versionString());

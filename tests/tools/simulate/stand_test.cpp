@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/simulate/stand.hpp"
+#include "tests/support/paths.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,7 @@ namespace legwright {
 namespace {
 
 std::filesystem::path example(const std::string& name) {
-  return std::filesystem::path(LEGWRIGHT_SOURCE_DIR) / "examples" / name / "robot.xml";
+  return std::filesystem::path(test::source_dir()) / "examples" / name / "robot.xml";
 }
 
 std::string with(std::string text, const std::string& from, const std::string& to) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/tools/simulate/standing_puppy.hpp"
+#include "tests/support/paths.hpp"
 
 #include <Eigen/QR>
 #include <cmath>
@@ -28,7 +29,7 @@ Eigen::VectorXd share_weight(const std::vector<Eigen::Vector3d>& feet, const Eig
 }  // namespace
 
 StandingPuppy::StandingPuppy(double bounce)
-    : robot(read_robot(LEGWRIGHT_SOURCE_DIR "/examples/puppy/robot.xml")),
+    : robot(read_robot(test::source_dir() + "/examples/puppy/robot.xml")),
       gait({"stand", std::vector<double>(4, 0.0), 1.0}, kStandPeriod, kStandKnots, {0, 1, 2, 3}),
       layout(robot.morphology, robot.space.size(), gait, 1) {
   const auto model = compile_model(robot.xml, "puppy");

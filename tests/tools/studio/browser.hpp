@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 
+#include "tests/support/paths.hpp"
 #include "tests/tools/files/temporary_folder.hpp"
 #include "tools/studio/server.hpp"
 #include "tools/verbs/save_session.hpp"
@@ -106,7 +107,7 @@ struct OpenStudio {
   explicit OpenStudio(const std::string& path = {}, const std::string& program = {})
       : service({{folder.path()},
                  folder.path() / "state",
-                 LEGWRIGHT_SOURCE_DIR "/examples",
+                 test::source_dir() + "/examples",
                  program,
                  save_session}) {
     if (!path.empty()) service.open(path);
@@ -120,6 +121,6 @@ struct OpenStudio {
   std::unique_ptr<Browser> browser;
 };
 
-inline const std::string kSidewaysTask = LEGWRIGHT_SOURCE_DIR "/examples/puppy/sideways.toml";
+inline const std::string kSidewaysTask = test::source_dir() + "/examples/puppy/sideways.toml";
 
 }  // namespace legwright::test

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <thread>
 
+#include "tests/support/paths.hpp"
 #include "tests/tools/studio/browser.hpp"
 #include "tools/files/base64.hpp"
 
@@ -139,7 +140,7 @@ TEST_F(EditingTest, WhatCannotBeOpenedLeavesWhatIsOpen) {
   const auto task = studio_.folder.path() / "canter.toml";
   std::string wrong = text;
   wrong.replace(wrong.find("\"robot.xml\""), 11,
-                "\"" LEGWRIGHT_SOURCE_DIR "/examples/puppy/robot.xml\"");
+                "\"" + test::source_dir() + "/examples/puppy/robot.xml\"");
   wrong.replace(wrong.find("name = \"walk\""), 13, "name = \"tripod\"");
   write_file(task, wrong);
   const Json answer = browser_.post("/api/open", {{"path", task.string()}});
@@ -274,7 +275,7 @@ TEST(OpeningTest, ARobotWithoutParametersIsProposedAndThenOpened) {
   OpenStudio studio;
   Browser& browser = *studio.browser;
   EXPECT_EQ(browser.post("/api/command", {{"do", "start"}})["status"], 400) << "nothing is open";
-  std::string plain = read_file(LEGWRIGHT_SOURCE_DIR "/examples/puppy/robot.xml");
+  std::string plain = read_file(test::source_dir() + "/examples/puppy/robot.xml");
   plain.erase(plain.find("<custom>"), plain.find("</custom>") + 9 - plain.find("<custom>"));
   const Json files = Json::array({{{"name", "dropped/mine.xml"}, {"base64", base64_of(plain)}}});
   ASSERT_EQ(browser.post("/api/open", {{"files", files}})["status"], 200);

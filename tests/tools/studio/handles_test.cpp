@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/studio/handles.hpp"
+#include "tests/support/paths.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +17,7 @@ const Handle& handle_of(const RobotModel& robot, const std::vector<Handle>& all,
 
 class HandlesTest : public testing::TestWithParam<const char*> {
  protected:
-  RobotModel robot_ = read_robot(std::string(LEGWRIGHT_SOURCE_DIR "/") + GetParam());
+  RobotModel robot_ = read_robot(std::string(test::source_dir() + "/") + GetParam());
 };
 
 TEST_P(HandlesTest, EachParameterHasOneAndItGoesWhereItsDirectionSays) {
@@ -52,7 +53,7 @@ INSTANTIATE_TEST_SUITE_P(Robots, HandlesTest,
                                          "examples/biped/robot.xml"));
 
 TEST(HandleTest, LinksTrunkAndAxesOfThePuppyAreTakenHoldOfWhereTheyAre) {
-  const RobotModel robot = read_robot(LEGWRIGHT_SOURCE_DIR "/examples/puppy/robot.xml");
+  const RobotModel robot = read_robot(test::source_dir() + "/examples/puppy/robot.xml");
   const std::vector<Handle> handles = find_handles(robot, robot.space.initial());
   const ModelPointer model = drawn_model(robot, robot.space.initial());
   const Handle& thigh = handle_of(robot, handles, "front_thigh_length");

@@ -12,6 +12,7 @@
 #include <thread>
 #include <vector>
 
+#include "tests/support/paths.hpp"
 #include "tests/tools/studio/browser.hpp"
 #include "tools/studio/kept_sessions.hpp"
 
@@ -32,7 +33,8 @@ class RunningStudio {
       ::close(ends[0]);
       ::setenv("XDG_STATE_HOME", (folder / "state").c_str(), 1);
       if (::chdir(folder.c_str()) != 0) ::_exit(1);
-      ::execl(LEGWRIGHT_PROGRAM, "legwright", "studio", path.c_str(), "--no-browser", nullptr);
+      ::execl(test::program().c_str(), "legwright", "studio", path.c_str(), "--no-browser",
+              nullptr);
       ::_exit(127);
     }
     ::close(ends[1]);
@@ -118,7 +120,7 @@ TEST_F(StudioProgramTest, ARunGoesOnWhereAKilledStudioLeftIt) {
 }
 
 TEST_F(StudioProgramTest, SearchesOnWithMujocoFromTheBodyThatStands) {
-  RunningStudio studio(folder_.path(), LEGWRIGHT_SOURCE_DIR "/examples/puppy/sideways.toml");
+  RunningStudio studio(folder_.path(), test::source_dir() + "/examples/puppy/sideways.toml");
   Browser browser(studio.url());
   (void)browser.settled();
   browser.post("/api/command", {{"do", "edit"}, {"values", {{"front_thigh_length", 0.081}}}});
@@ -146,7 +148,7 @@ TEST_F(StudioProgramTest, SearchesOnWithMujocoFromTheBodyThatStands) {
 }
 
 TEST_F(StudioProgramTest, JudgesReportsAndExportsWhatStands) {
-  RunningStudio studio(folder_.path(), LEGWRIGHT_SOURCE_DIR "/examples/quadruped/crawl.toml");
+  RunningStudio studio(folder_.path(), test::source_dir() + "/examples/quadruped/crawl.toml");
   Browser browser(studio.url());
   (void)browser.settled();
   browser.post("/api/command", {{"do", "snapshot"}, {"name", "as built"}});

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/studio/server.hpp"
+#include "tests/support/paths.hpp"
 
 #include <gtest/gtest.h>
 
@@ -156,7 +157,8 @@ TEST_F(ServerTest, PathsOutsideOfTheRootsAreRefused) {
   EXPECT_EQ(browser.post("/api/open", {{"path", "link/passwd"}})["status"], 400);
   EXPECT_EQ(browser.post("/api/open", {{"path", test::kSidewaysTask}})["status"], 200)
       << "examples may be read";
-  for (const char* path : {"/tmp/elsewhere", "../elsewhere", LEGWRIGHT_SOURCE_DIR "/examples/run"})
+  const std::string examples = test::source_dir() + "/examples/run";
+  for (const std::string path : {"/tmp/elsewhere", "../elsewhere", examples.c_str()})
     for (const char* verb : {"/api/save", "/api/report", "/api/export", "/api/optimize"}) {
       const Json answer = browser.post(verb, {{"path", path}});
       EXPECT_EQ(answer["status"], 400) << verb << path;

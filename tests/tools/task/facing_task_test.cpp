@@ -3,6 +3,7 @@
 
 #include "mjcf/text/input_error.hpp"
 #include "tests/mjcf/robots/robots.hpp"
+#include "tests/support/paths.hpp"
 #include "tools/task/task_file.hpp"
 
 namespace legwright {
@@ -15,7 +16,7 @@ Task task_of(const std::string& forward) {
   return make_task(parse_task_file("robot = \"robot.xml\"\n[gait]\nname = \"walk\"\nperiod = "
                                    "0.8\n[style]\nfootprint = [0.12, 0.09]\n[travel]\n" +
                                        forward + "velocity = [0.1, 0.02]\n",
-                                   LEGWRIGHT_SOURCE_DIR "/examples/puppy/task.toml"),
+                                   test::source_dir() + "/examples/puppy/task.toml"),
                    robot);
 }
 

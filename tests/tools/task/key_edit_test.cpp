@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "mjcf/text/input_error.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/tools/files/temporary_folder.hpp"
 #include "tools/files/atomic_file.hpp"
 #include "tools/task/task_file.hpp"
@@ -51,7 +52,7 @@ TEST(KeyEditTest, AKeyGoesWithItsCommentAndATableWhole) {
 }
 
 TEST(KeyEditTest, EachTaskOfSeveralIsChangedByItself) {
-  const std::string text = read_file(LEGWRIGHT_SOURCE_DIR "/examples/quadruped/both.toml");
+  const std::string text = read_file(test::source_dir() + "/examples/quadruped/both.toml");
   for (const char* task : {"0", "1"}) {
     const std::string changed = with_key(text, {"task", task, "payload", "mass"}, "0.5");
     const TaskSet set = parse_task_tables(changed, "both.toml");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/task/task_file.hpp"
+#include "tests/support/paths.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using test::kPuppy;
 // Test names are made from it during static initialisation, maybe before test::kExamples exists.
-const fs::path kBroken = fs::path(LEGWRIGHT_SOURCE_DIR) / "examples" / "broken" / "tasks";
+const fs::path kBroken = fs::path(test::source_dir()) / "examples" / "broken" / "tasks";
 
 std::string error_message(const std::string& text) {
   try {

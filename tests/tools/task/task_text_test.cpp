@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/task/task_text.hpp"
+#include "tests/support/paths.hpp"
 
 #include <gtest/gtest.h>
 
@@ -25,7 +26,7 @@ TEST(TaskText, BesideItsRobotNamesItAndNothingElseChanges) {
 }
 
 TEST(TaskText, TakesOtherWeightsAndNothingElseChanges) {
-  const std::string file = LEGWRIGHT_SOURCE_DIR "/examples/quadruped/both.toml";
+  const std::string file = test::source_dir() + "/examples/quadruped/both.toml";
   const std::string text = read_file(file);
   const auto weights_in = [&](const std::string& changed) {
     std::vector<double> out;

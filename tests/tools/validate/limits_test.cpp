@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/validate/limits.hpp"
+#include "tests/support/paths.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +16,7 @@ namespace legwright {
 namespace {
 
 const std::filesystem::path kExample =
-    std::filesystem::path(LEGWRIGHT_SOURCE_DIR) / "examples/limits.toml";
+    std::filesystem::path(test::source_dir()) / "examples/limits.toml";
 
 std::string complaint(const std::string& text) {
   try {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/validate/self_contact.hpp"
+#include "tests/support/paths.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -81,9 +82,8 @@ TEST(SelfContact, TheFloorIsNotPartOfTheRobot) {
 /// file.
 SelfContact hexapod(const char* joint, double angle, const char* other, double other_angle) {
   char error[256] = "";
-  OwnModel model(
-      mj_loadXML(LEGWRIGHT_SOURCE_DIR "/examples/hexapod/robot.xml", nullptr, error, sizeof error),
-      mj_deleteModel);
+  const std::string file = test::source_dir() + "/examples/hexapod/robot.xml";
+  OwnModel model(mj_loadXML(file.c_str(), nullptr, error, sizeof error), mj_deleteModel);
   EXPECT_NE(model, nullptr) << error;
   OwnData data(mj_makeData(model.get()), mj_deleteData);
   mj_resetDataKeyframe(model.get(), data.get(), 0);

@@ -11,6 +11,7 @@
 #include "mjcf/write/model_diff.hpp"
 #include "tests/mjcf/robots/robots.hpp"
 #include "tests/mjcf/robots/split_robot.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/tools/verbs/program.hpp"
 #include "tools/files/checksum.hpp"
 #include "tools/files/json_file.hpp"
@@ -24,7 +25,7 @@ using test::Outcome;
 
 ModelPointer opened(const fs::path& file) {
   static const bool loaded = [] {
-    mj_loadPluginLibrary(LEGWRIGHT_BINARY_DIR "/bin/mujoco_plugin/liblegwright.so");
+    mj_loadPluginLibrary((test::binary_dir() + "/bin/mujoco_plugin/liblegwright.so").c_str());
     return true;
   }();
   EXPECT_TRUE(loaded);

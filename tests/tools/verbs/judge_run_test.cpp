@@ -2,6 +2,7 @@
 // A judgement is of what was played: never of a run that took its place, nor of one that it was
 // copied to.
 #include "tools/verbs/judge_run.hpp"
+#include "tests/support/paths.hpp"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kTask = fs::path(LEGWRIGHT_SOURCE_DIR) / "examples" / "puppy" / "sideways.toml";
+const fs::path kTask = fs::path(test::source_dir()) / "examples" / "puppy" / "sideways.toml";
 
 /// A run of a gait alone.
 void make_run(const fs::path& root) {

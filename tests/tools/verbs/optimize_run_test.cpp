@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A co-design that is followed from within the process: what its follower may do meanwhile.
 #include "tools/verbs/optimize_run.hpp"
+#include "tests/support/paths.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kExamples = fs::path(LEGWRIGHT_SOURCE_DIR) / "examples";
+const fs::path kExamples = fs::path(test::source_dir()) / "examples";
 
 class OptimizeRun : public testing::Test {
  protected:

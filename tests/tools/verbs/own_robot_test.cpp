@@ -10,6 +10,7 @@
 #include <filesystem>
 
 #include "tests/mjcf/robots/robots.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/tools/verbs/program.hpp"
 #include "tools/files/json_file.hpp"
 
@@ -22,7 +23,7 @@ using test::contains;
 using test::Outcome;
 
 fs::path copy_of(const std::string& robot, const fs::path& folder) {
-  fs::copy(fs::path(LEGWRIGHT_SOURCE_DIR) / "tests/robots" / robot,
+  fs::copy(fs::path(test::source_dir()) / "tests/robots" / robot,
            folder);  // with what it includes
   return folder / "robot.xml";
 }
@@ -195,7 +196,7 @@ void expect_clear_of_trunk(bool clear) {
   const test::TemporaryFolder folder;
   const fs::path robot = folder.path() / "robot.xml", task = folder.path() / "task.toml",
                  run = folder.path() / "run";
-  std::string xml = read_file(fs::path(LEGWRIGHT_SOURCE_DIR) / "tests/robots/courser/robot.xml");
+  std::string xml = read_file(fs::path(test::source_dir()) / "tests/robots/courser/robot.xml");
   const std::string slim = "size=\"0.18 0.045 0.055\"";
   ASSERT_NE(xml.find(slim), std::string::npos);
   write_file(robot, xml.replace(xml.find(slim), slim.size(), "size=\"0.21 0.1 0.055\""));
@@ -248,7 +249,7 @@ TEST(OwnRobotInit, WritesAPoseForARobotWhoseFileHasNone) {
 
 TEST(OwnRobotInit, WritesNothingForARobotThatDoesNotStand) {
   const test::TemporaryFolder folder;
-  std::string text = read_file(fs::path(LEGWRIGHT_SOURCE_DIR) / "tests/robots/servo_dog/robot.xml");
+  std::string text = read_file(fs::path(test::source_dir()) / "tests/robots/servo_dog/robot.xml");
   const std::string before = text;
   const std::string box =
       "size=\"0.1 0.045 0.02\"";  // so high that no pose lifts it off the ground

@@ -2,6 +2,7 @@
 // Which plugin `play` gives to a Python, and what it says where there is none for its MuJoCo.
 #include <gtest/gtest.h>
 
+#include "tests/support/paths.hpp"
 #include "tests/tools/verbs/program.hpp"
 
 namespace legwright {
@@ -15,7 +16,7 @@ class PlayInPython : public testing::Test, protected test::CallsInFolder {
   void SetUp() override {
     ::unsetenv("DISPLAY");  // nothing is opened: `play` prints the command and ends
     ::unsetenv("WAYLAND_DISPLAY");
-    fs::copy(fs::path(LEGWRIGHT_SOURCE_DIR) / "tests/tools/report/data", folder_.path() / "run",
+    fs::copy(fs::path(test::source_dir()) / "tests/tools/report/data", folder_.path() / "run",
              fs::copy_options::recursive);
     write_file(folder_.path() / "run/result/scene.xml", "<mujoco/>");
   }

@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <sstream>
 
+#include "tests/support/paths.hpp"
 #include "tests/tools/verbs/program.hpp"
 
 namespace legwright {
@@ -22,7 +23,7 @@ class Process : public testing::Test, protected test::CallsInFolder {
   /// The exit code of a line of shell in the folder; $LEGWRIGHT is the program.
   int shell(const std::string& line) const {
     const std::string command = "cd '" + folder_.path().string() + "' && LEGWRIGHT='" +
-                                LEGWRIGHT_PROGRAM + "' && TASK='" +
+                                test::program() + "' && TASK='" +
                                 (test::kExamples / "puppy/sideways.toml").string() +
                                 "' && FAST='--motion-only --plan-only --no-pictures' && " + line;
     const int status = std::system(command.c_str());

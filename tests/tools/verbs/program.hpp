@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/paths.hpp"
 #include "tests/support/variable.hpp"
 #include "tests/tools/files/temporary_folder.hpp"
 #include "tools/files/atomic_file.hpp"
@@ -21,7 +22,7 @@
 namespace legwright::test {
 
 inline const std::filesystem::path kExamples =
-    std::filesystem::path(LEGWRIGHT_SOURCE_DIR) / "examples";
+    std::filesystem::path(test::source_dir()) / "examples";
 
 /// The limits that a design's part of verdict.json does not keep.
 inline std::set<std::string> failing_limits(const Json& verdict) {
@@ -49,7 +50,8 @@ inline pid_t start(const std::vector<std::string>& words, const std::filesystem:
   };
   redirect("out", STDOUT_FILENO);
   redirect("err", STDERR_FILENO);
-  std::vector<char*> argv{const_cast<char*>(LEGWRIGHT_PROGRAM)};
+  std::string program = test::program();
+  std::vector<char*> argv{program.data()};
   for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
   argv.push_back(nullptr);
   if (::chdir(folder.c_str()) == 0) ::execv(argv[0], argv.data());

@@ -8,6 +8,7 @@
 #include "mjcf/text/compile.hpp"
 #include "tests/mjcf/robots/robots.hpp"
 #include "tests/mjcf/robots/split_robot.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/tools/verbs/program.hpp"
 #include "tools/files/checksum.hpp"
 #include "tools/files/json_file.hpp"
@@ -27,7 +28,7 @@ const std::vector<std::string> kAssets{"assets/ear.stl", "assets/nose.obj",
 /// Opens a file from another folder than its own, as people do.
 ModelPointer opened(const fs::path& file) {
   static const bool loaded = [] {
-    mj_loadPluginLibrary(LEGWRIGHT_BINARY_DIR "/bin/mujoco_plugin/liblegwright.so");
+    mj_loadPluginLibrary((test::binary_dir() + "/bin/mujoco_plugin/liblegwright.so").c_str());
     return true;
   }();
   EXPECT_TRUE(loaded);

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "tests/support/json_schema.hpp"
+#include "tests/support/paths.hpp"
 #include "tools/run/events.hpp"
 
 namespace legwright::test {
@@ -14,7 +15,7 @@ namespace legwright::test {
 /// its schema itself: "legwright/run" is run.schema.json. @return how many files of each there were
 inline std::map<std::string, int> expect_schemas(const std::filesystem::path& run) {
   namespace fs = std::filesystem;
-  const fs::path stored = fs::path(LEGWRIGHT_SOURCE_DIR) / "docs" / "schema";
+  const fs::path stored = fs::path(test::source_dir()) / "docs" / "schema";
   std::map<std::string, int> seen;
   const auto check = [&](const std::string& name, const Json& json, const fs::path& file) {
     const fs::path schema = stored / (name + ".schema.json");

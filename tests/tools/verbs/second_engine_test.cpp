@@ -3,6 +3,7 @@
 // where there is none. What Python then does is tested in python/tests/test_drake.py.
 #include <gtest/gtest.h>
 
+#include "tests/support/paths.hpp"
 #include "tests/tools/verbs/program.hpp"
 #include "tools/run/install.hpp"
 
@@ -15,7 +16,7 @@ using test::contains;
 class SecondEngine : public testing::Test, protected test::CallsInFolder {
  protected:
   void SetUp() override {
-    fs::copy(fs::path(LEGWRIGHT_SOURCE_DIR) / "tests/tools/report/data", folder_.path() / "run",
+    fs::copy(fs::path(test::source_dir()) / "tests/tools/report/data", folder_.path() / "run",
              fs::copy_options::recursive);
   }
 

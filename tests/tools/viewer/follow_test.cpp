@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/viewer/follow.hpp"
+#include "tests/support/paths.hpp"
 #include "tools/files/clean_text.hpp"
 
 #include <gtest/gtest.h>
@@ -33,7 +34,7 @@ void write_status(const fs::path& run, const char* status) {
   record.status = status;
   record.task.emplace();
   if (record.ended()) {
-    const auto fixture = fs::path(LEGWRIGHT_SOURCE_DIR) / "tests/tools/report/data/run.json";
+    const auto fixture = fs::path(test::source_dir()) / "tests/tools/report/data/run.json";
     record = read_record_file<RunRecord>(fixture);
   }
   write_json(run / "run.json", json_of(record));

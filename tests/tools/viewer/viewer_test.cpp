@@ -6,6 +6,7 @@
 #include <chrono>
 #include <thread>
 
+#include "tests/support/paths.hpp"
 #include "tests/tools/viewer/display.hpp"
 #include "tools/files/atomic_file.hpp"
 
@@ -20,10 +21,10 @@ using test::TemporaryFolder;
 using test::VirtualDisplay;
 using test::wait_until;
 
-const std::string kLegwright = LEGWRIGHT_PROGRAM;
+const std::string kLegwright = test::program();
 const std::string kSimulate = LEGWRIGHT_SIMULATE;
 const std::string kViewer = LEGWRIGHT_VIEWER_PROGRAM;
-const fs::path kTask = fs::path(LEGWRIGHT_SOURCE_DIR) / "examples" / "puppy" / "sideways.toml";
+const fs::path kTask = fs::path(test::source_dir()) / "examples" / "puppy" / "sideways.toml";
 
 #define SKIP_WITHOUT_DISPLAY()      \
   if (!VirtualDisplay::available()) \
