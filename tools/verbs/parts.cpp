@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // `legwright parts` is the Python module legwright.parts: the solids are manifold3d's.
-#include <array>
+#include <fmt/format.h>
 
+#include <array>
+#include <cstdio>
+#include <filesystem>
+
+#include "tools/files/clean_text.hpp"
+#include "tools/render/gl_context.hpp"
+#include "tools/render/portrait.hpp"
 #include "tools/verbs/python_module.hpp"
 #include "tools/verbs/verbs.hpp"
 
@@ -17,6 +24,7 @@ struct HandedOn {
 constexpr std::array kHandedOn{
     HandedOn{"--fit", "play between a part and the modules it holds, mm; default: 0.15"},
     HandedOn{"--wall", "least thickness, and least material around a hole, mm; default: 1.2"},
+    HandedOn{"--gap", "least distance between what moves past each other, mm; default: 0.5"},
     HandedOn{"--bed", "of the printer, mm; default: 220x220x250"},
 };
 
@@ -26,6 +34,18 @@ struct PartsOptions {
   bool quiet = false, json = false;
 };
 
+/// exploded.png of the scene that the module wrote. Parts are there without it, too.
+void draw_exploded(const std::filesystem::path& folder) {
+  const std::filesystem::path scene = folder / "exploded.xml";
+  if (!std::filesystem::exists(scene)) return;
+  pin_rasteriser();
+  try {
+    draw_portrait(scene, folder / "exploded.png");
+  } catch (const GlError& error) {
+    fmt::print(stderr, "legwright: no exploded.png: {}\n", terminal_text(error.what()));
+  }
+}
+
 int parts(const PartsOptions& options) {
   std::vector<std::string> words{"--output", options.folder};
   for (std::size_t k = 0; k < kHandedOn.size(); ++k)
@@ -34,7 +54,9 @@ int parts(const PartsOptions& options) {
   if (options.quiet) words.emplace_back("--quiet");
   if (options.json) words.emplace_back("--json");
   words.insert(words.end(), {"--", options.robot});
-  return run_python_module(parts_part(), words);
+  const int code = run_python_module(parts_part(), words);
+  if (code == kOk || code == kInfeasible) draw_exploded(options.folder);
+  return code;
 }
 
 }  // namespace

@@ -10,15 +10,21 @@ from typing import Any
 
 from legwright._errors import InputError
 from legwright.parts._checks import Check
+from legwright.parts._exploded import exploded_scene
+from legwright.parts._fit import Distances, check_poses, check_ranges, home_of, things_of
 from legwright.parts._folder import CHECKS, SCHEMA, check_place, write_folder
+from legwright.parts._gait import gait_poses
 from legwright.parts._mesh_files import Item, stl_bytes, threemf_bytes
 from legwright.parts._options import PartOptions
+from legwright.parts._prints import check_bed, prints_markdown
 from legwright.parts._robot import BuiltRobot, read_built
 from legwright.parts._shapes import MM
 from legwright.parts._solid_checks import check_solids
 from legwright.parts._solids import Part, parts_of
 from legwright.parts._tables import bill, bill_csv, bill_markdown
 
+SCENE, PICTURE = 'exploded.xml', 'exploded.png'
+"""The exploded view; `legwright parts` draws the picture of the scene."""
 _SPACE = 5.0  # [mm] between parts in all.3mf
 
 
@@ -67,6 +73,23 @@ def _items(parts: Sequence[Part]) -> list[Item]:
     return items
 
 
+def _all_checks(
+    robot: BuiltRobot, parts: Sequence[Part], options: PartOptions, path: Path
+) -> list[Check]:
+    """Of parts by themselves, on the bed, and past each other: in a run's gait, else at home."""
+    what, poses = 'at home', [('home', home_of(robot))]
+    if path.is_dir():
+        what, poses = gait_poses(robot, path / 'result')
+    distances = Distances(robot, things_of(robot, parts))
+    ranges, _ = check_ranges(robot, distances, [qpos for _, qpos in poses], options.gap)
+    return [
+        *check_solids(robot, parts, options.wall),
+        *check_bed(parts, options),
+        check_poses(distances, poses, options.gap, what),
+        *ranges,
+    ]
+
+
 def _part_json(part: Part) -> dict[str, Any]:
     solid = part.solid
     return {
@@ -80,6 +103,14 @@ def _part_json(part: Part) -> dict[str, Any]:
         'modules_mm3': solid.seat_volume,
         'holes_mm3': solid.hole_volume,
         'density_for_mass_of_file_kgpm3': solid.file_mass / solid.shape.volume() * MM**3,
+        'lying': {
+            'down': [round(float(value), 9) for value in part.lying.down],
+            'size_mm': [float(value) for value in part.lying.size],
+            'contact_mm2': part.lying.contact,
+            'overhang_mm2': part.lying.overhang,
+            'support_mm3': part.lying.support,
+            'seconds': part.lying.seconds,
+        },
         'fixed_to': [f'{fixing.module.of}: {fixing.place.name}' for fixing in solid.fixings],
     }
 
@@ -100,20 +131,24 @@ def make(
         raise InputError('\n'.join(faults))
     place = Path(folder)
     check_place(place)
-    built = read_built(robot_file(Path(robot)))
+    path = Path(robot)
+    built = read_built(robot_file(path))
     parts = parts_of(built, options.fit)
-    checks = check_solids(built, parts, options.wall)
+    checks = _all_checks(built, parts, options, path)
     rows = bill(built, parts)
     files = {f'{part.name}.stl': stl_bytes(part.mesh) for part in parts}
     files['all.3mf'] = threemf_bytes(built.name, _items(parts))
     files['bom.csv'] = bill_csv(rows).encode()
+    files['prints.md'] = prints_markdown(built.name, parts, options).encode()
+    numbers = {row.key: number for number, row in enumerate(rows, 1)}
+    files[SCENE] = exploded_scene(built, parts, numbers).encode()
     files['bom.md'] = bill_markdown(built, parts, rows).encode()
     document = {
         'schema': SCHEMA,
         'version': 1,
         'robot': built.name,
         'passed': all(check.passed for check in checks),
-        'files': sorted([*files, CHECKS]),
+        'files': sorted([*files, CHECKS, PICTURE]),
         'parts': [_part_json(part) for part in parts],
         'checks': [check.as_json() for check in checks],
     }

@@ -27,7 +27,7 @@ def _trimesh_of(part: Part) -> trimesh.Trimesh:
 
 
 def _closed(part: Part) -> list[Check]:
-    shape, found = part.solid.shape, _trimesh_of(part)
+    shape, found = part.printed, _trimesh_of(part)
     good = (
         shape.status() == Error.NoError
         and found.is_watertight
@@ -79,8 +79,8 @@ def _wall_of(shape: Manifold, mesh: trimesh.Trimesh) -> tuple[float, np.ndarray]
 
 
 def _wall(part: Part, wall: float) -> Check:
-    least, where = _wall_of(part.solid.shape, _trimesh_of(part))
-    place = f'at {where[0]:.1f} {where[1]:.1f} {where[2]:.1f} mm in the link'
+    least, where = _wall_of(part.printed, _trimesh_of(part))
+    place = f'at {where[0]:.1f} {where[1]:.1f} {where[2]:.1f} mm of its STL'
     remedy = 'a larger wall in [link] of the assembly, or --wall for a finer nozzle'
     return at_least(part.name, 'wall', least, wall, 'mm', place, remedy)
 

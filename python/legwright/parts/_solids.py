@@ -9,8 +9,9 @@ from manifold3d import Manifold
 
 from legwright.parts._holes import Fixing, Hole, drilled, fixings_of, holes_of
 from legwright.parts._mesh_files import Mesh, as_printed, mesh_of
+from legwright.parts._printing import Lying, best_lying
 from legwright.parts._robot import BuiltRobot, Link
-from legwright.parts._shapes import MM, hull, joined, outline
+from legwright.parts._shapes import MM, hull, joined, outline, placed
 from legwright.parts._words import Array
 
 _CHIP = 0.01  # of a solid; what falls off and is smaller is left out
@@ -69,9 +70,20 @@ class Part:
         return self.solids[0]
 
     @cached_property
+    def lying(self) -> Lying:
+        """How it lies on the bed."""
+        return best_lying(self.solid.shape)
+
+    @cached_property
+    def printed(self) -> Manifold:
+        """As its files have it: as it lies on the bed, one corner of its box at the origin [mm]."""
+        lying = placed(self.solid.shape, self.lying.turn, np.zeros(3))
+        return as_printed(lying.translate(tuple(-np.array(lying.bounding_box()[:3]))))
+
+    @cached_property
     def mesh(self) -> Mesh:
-        """As its files have it."""
-        return mesh_of(self.solid.shape)
+        """Its triangles there."""
+        return mesh_of(self.printed)
 
     @property
     def links(self) -> list[str]:
@@ -108,7 +120,7 @@ def solid_of(robot: BuiltRobot, link: Link, fit: float) -> Solid:
     if holes:
         shape = shape - joined([drilled(hole) for hole in holes])
     shape, pieces = _whole(shape)
-    shape = as_printed(shape.simplify(_FINE))
+    shape = shape.simplify(_FINE)
     return Solid(
         link=link,
         declared=declared,

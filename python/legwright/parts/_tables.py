@@ -25,6 +25,11 @@ class Row:
     """Of one [cm3]."""
     note: str
 
+    @property
+    def key(self) -> str:
+        """Of its number in the exploded view."""
+        return f'{self.kind} {self.name}'
+
 
 def bill(robot: BuiltRobot, parts: Sequence[Part]) -> list[Row]:
     """Modules, printed parts, then screws."""
@@ -78,12 +83,12 @@ def bill_csv(rows: Sequence[Row]) -> str:
     """A row each, with empty cells for what is not known."""
     out = io.StringIO()
     writer = csv.writer(out, lineterminator='\n')
-    writer.writerow(['kind', 'name', 'count', 'mass_g', 'total_mass_g', 'volume_cm3', 'note'])
-    for row in rows:
+    writer.writerow(['no', 'kind', 'name', 'count', 'mass_g', 'total_mass_g', 'volume_cm3', 'note'])
+    for number, row in enumerate(rows, 1):
         mass = '' if row.mass is None else f'{row.mass:.4g}'
         total = '' if row.mass is None else f'{row.count * row.mass:.4g}'
         volume = '' if row.volume is None else f'{row.volume:.4g}'
-        writer.writerow([row.kind, row.name, row.count, mass, total, volume, row.note])
+        writer.writerow([number, row.kind, row.name, row.count, mass, total, volume, row.note])
     return out.getvalue()
 
 
@@ -121,6 +126,7 @@ def bill_markdown(robot: BuiltRobot, parts: Sequence[Part], rows: Sequence[Row])
     """The bill, and how far the printed masses are from those that the design was made with."""
     cells = [
         [
+            str(number),
             row.kind,
             row.name,
             str(row.count),
@@ -129,13 +135,13 @@ def bill_markdown(robot: BuiltRobot, parts: Sequence[Part], rows: Sequence[Row])
             '' if row.volume is None else f'{row.volume:.2f}',
             row.note,
         ]
-        for row in rows
+        for number, row in enumerate(rows, 1)
     ]
     total = sum(row.count * row.mass for row in rows if row.mass is not None)
     of_file = MM * float(robot.model.body_mass.sum())
     return (
         f'# {robot.name}: bill of materials\n\n'
-        + markdown(['kind', 'name', 'count', 'g each', 'g', 'cm3 each', 'note'], cells)
+        + markdown(['no.', 'kind', 'name', 'count', 'g each', 'g', 'cm3 each', 'note'], cells)
         + f"\n{total:.1f} g, without screws and cables; the robot's file has {of_file:.1f} g. "
         'Prices are not in the library.\n\n'
         '## Masses of the printed parts\n\n'
@@ -157,7 +163,9 @@ def bill_markdown(robot: BuiltRobot, parts: Sequence[Part], rows: Sequence[Row])
     )
 
 
-_TOGETHER = {'reaches': 'reaches its modules', 'axis': 'axes on their horns'}
+_TOGETHER = {'reaches': 'reaches its modules', 'axis': 'axes on their horns',
+    'range': 'ranges of joints',
+}
 
 
 def check_lines(checks: Sequence[Check]) -> list[str]:
@@ -171,9 +179,8 @@ def check_lines(checks: Sequence[Check]) -> list[str]:
         lines.append(f'{"FAIL" if failed else "PASS"}  {title:26} {_worst(group)}')
         for check in failed:
             where = f' ({check.where})' if check.where else ''
-            lines.append(
-                f'      {check.part}: {check.name}: {_figure(check)}, {check.limit}{where}'
-            )
+            of = f'{check.part}: ' if check.part else ''
+            lines.append(f'      {of}{check.name}: {_figure(check)}, {check.limit}{where}')
         for remedy in dict.fromkeys(check.remedy for check in failed):
             lines.append(f'      {remedy}')
     return lines

@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How a part lies on the printer's bed, and what that costs: overhang, supports, time."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from manifold3d import Manifold
+
+from legwright.parts._words import Array
+
+_STEEP = math.cos(math.radians(45.0))  # a face that looks down more than that needs support
+_ON_THE_BED = 0.02  # [mm] above the lowest point
+_ONE_FACE = 1e-3  # of normals that are one direction
+_MOST_FACES = 40  # directions that are tried, by area
+_LEAST_CONTACT = 15.0  # [mm2]: what stands on less falls over
+_LOW = 0.5  # of the length: so high a part lies, higher ones stand
+_SUPPORT_FILL = 0.15  # of the room below an overhang
+_LAYER = 0.2  # [mm]
+_FLOW = 8.0  # [mm3/s]
+_LAYER_CHANGE = 3.0  # [s]
+
+
+@dataclass(frozen=True)
+class Lying:
+    """A part as it is printed: which of its directions looks down, and what comes of it."""
+
+    turn: Array
+    """3 x 3: bed from link."""
+    size: Array
+    """Of its box on the bed [mm]."""
+    contact: float
+    """Area on the bed [mm2]."""
+    overhang: float
+    """Area that looks down steeper than 45 degrees, off the bed [mm2]."""
+    support: float
+    """Volume of support [mm3]: the room below overhangs down to the bed, filled by 15 %."""
+    seconds: float
+    """(volume + support) / 8 mm3/s, and 3 s for each layer of 0.2 mm."""
+
+    @property
+    def down(self) -> Array:
+        """The direction of the link that looks down."""
+        return -self.turn[2]
+
+    def fits(self, bed: Sequence[float]) -> bool:
+        """Whether the box fits the bed, turned by a quarter if need be."""
+        size = self.size - 1e-6
+        flat, room = sorted(size[:2]), sorted(bed[:2])
+        return bool(flat[0] <= room[0] and flat[1] <= room[1] and size[2] <= bed[2])
+
+
+class _Faces:
+    """Triangles of a solid: normals, areas and corners."""
+
+    def __init__(self, shape: Manifold) -> None:
+        mesh = shape.to_mesh64()
+        points = np.asarray(mesh.vert_properties)[:, :3]
+        self.corners = points[np.asarray(mesh.tri_verts).astype(int)]
+        a, b, c = self.corners.transpose(1, 0, 2)
+        across = np.cross(b - a, c - a)
+        twice = np.linalg.norm(across, axis=1)
+        self.areas = twice / 2
+        self.normals = across / np.where(twice > 0, twice, 1)[:, None]
+
+
+def _directions(shape: Manifold) -> list[Array]:
+    """Those that may look down: normals of the flat sides of the hull, the largest first."""
+    faces = _Faces(shape.hull())
+    found: list[tuple[float, Array]] = []
+    for k in np.argsort(-faces.areas, kind='stable'):
+        normal = faces.normals[k]
+        for at, (area, other) in enumerate(found):
+            if np.linalg.norm(normal - other) < _ONE_FACE:
+                found[at] = (area + faces.areas[k], other)
+                break
+        else:
+            found.append((float(faces.areas[k]), normal))
+    found.sort(key=lambda each: -round(each[0], 6))
+    return [normal for _, normal in found[:_MOST_FACES]]
+
+
+def _turn_down(down: Array, corners: Array) -> Array:
+    """The turn that brings a direction down, and the longer side of what lies there along x."""
+    side = np.eye(3)[np.argmin(np.abs(down))]
+    x = np.cross(side, -down)
+    x /= np.linalg.norm(x)
+    turn = np.stack([x, np.cross(-down, x), -down])
+    flat = corners.reshape(-1, 3) @ turn[:2].T
+    best, chosen = math.inf, 0.0
+    for k in range(90):
+        angle = math.radians(k)
+        c, s = math.cos(angle), math.sin(angle)
+        size = np.ptp(flat @ np.array([[c, s], [-s, c]]).T, axis=0)
+        area = round(float(size[0] * size[1]), 6)
+        if area < best:
+            best, chosen = area, angle if size[0] >= size[1] else angle + math.pi / 2
+    c, s = math.cos(chosen), math.sin(chosen)
+    return np.array([[c, s, 0], [-s, c, 0], [0, 0, 1]]) @ turn
+
+
+def lying_on(shape: Manifold, down: Array) -> Lying:
+    """A solid with that direction down."""
+    faces = _Faces(shape)
+    turn = _turn_down(down, faces.corners)
+    corners = faces.corners @ turn.T
+    heights = corners[:, :, 2]
+    lowest = float(heights.min())
+    flat = np.maximum(0.0, faces.normals @ down) * faces.areas
+    is_down = faces.normals @ down > _STEEP
+    on_bed = is_down & (heights.max(axis=1) < lowest + _ON_THE_BED)
+    hangs = is_down & ~on_bed
+    support = _SUPPORT_FILL * float((flat * (heights.mean(axis=1) - lowest))[hangs].sum())
+    size = np.ptp(corners.reshape(-1, 3), axis=0)
+    seconds = (shape.volume() + support) / _FLOW + _LAYER_CHANGE * math.ceil(size[2] / _LAYER)
+    return Lying(
+        turn, size, float(flat[on_bed].sum()), float(faces.areas[hangs].sum()), support, seconds
+    )
+
+
+def best_lying(shape: Manifold) -> Lying:
+    """Of the flat sides of its hull on which a solid can lie, the one with the least overhang.
+
+    Those come first on which it is at most half as high as long, as layers that run along a part
+    bear more. Of equal ones the one that touches most of the bed; where none touches 15 mm2, the
+    one that touches most.
+    """
+    found = [lying_on(shape, down) for down in _directions(shape)]
+    steady = [each for each in found if each.contact >= _LEAST_CONTACT]
+    if not steady:
+        return max(found, key=lambda each: each.contact)
+    low = [each for each in steady if each.size[2] <= _LOW * max(each.size[:2])]
+    steady = low or steady
+    return min(steady, key=lambda each: (round(each.overhang, 3), -round(each.contact, 3)))

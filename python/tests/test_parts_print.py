@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How parts lie on the bed, whether they keep clear of each other, and the exploded view."""
+
+import math
+import shutil
+from pathlib import Path
+
+import mujoco
+import numpy as np
+import pytest
+from legwright import parts
+from legwright.parts._fit import Distances, free_range, home_of, things_of
+from legwright.parts._printing import best_lying, lying_on
+from legwright.parts._robot import read_built
+from manifold3d import Manifold
+from test_parts import build
+
+TABLE = Manifold.cube((40, 20, 4)).translate((0, 0, 16)) + Manifold.cube((4, 20, 16))
+
+
+@pytest.fixture(scope='module')
+def dog(examples, tmp_path_factory) -> Path:
+    return build(examples / 'assemblies/puppy.toml', tmp_path_factory.mktemp('dog') / 'dog.xml')
+
+
+@pytest.fixture(scope='module')
+def made(dog, tmp_path_factory) -> parts.Parts:
+    return parts.make(dog, tmp_path_factory.mktemp('made') / 'parts')
+
+
+def test_overhang_and_support_are_those_of_a_table_on_one_leg():
+    standing = lying_on(TABLE, np.array([0.0, 0.0, -1.0]))
+    assert standing.contact == pytest.approx(4 * 20)
+    assert standing.overhang == pytest.approx(36 * 20)
+    assert standing.support == pytest.approx(0.15 * 36 * 20 * 16)
+    assert standing.seconds == pytest.approx((TABLE.volume() + standing.support) / 8 + 3 * 100)
+    assert sorted(standing.size) == pytest.approx([20, 20, 40])
+    best = best_lying(TABLE)
+    assert best.overhang == 0 and best.down[2] == pytest.approx(1), 'on its top'
+    assert best.contact == pytest.approx(40 * 20)
+    assert np.allclose(best.turn @ best.turn.T, np.eye(3)) and np.linalg.det(best.turn) > 0
+
+
+def test_a_part_fits_a_bed_turned_by_a_quarter_but_not_one_that_is_too_low():
+    best = best_lying(TABLE)
+    assert best.fits((40, 20, 20)) and best.fits((20, 40, 20))
+    assert not best.fits((39, 20, 20)) and not best.fits((40, 20, 19))
+
+
+def test_stl_lies_as_the_sheet_says(made):
+    for part in made.parts:
+        low, high = part.mesh.vertices.min(axis=0), part.mesh.vertices.max(axis=0)
+        assert np.allclose(low, 0, atol=1e-5)
+        assert np.allclose(high, part.lying.size, atol=1e-4)
+        assert part.lying.size[2] <= max(part.lying.size) / 2
+    sheet = (made.folder / 'prints.md').read_text(encoding='utf-8')
+    assert all(f'| {part.name} | {part.count} |' in sheet for part in made.parts)
+
+
+def test_a_part_that_is_larger_than_the_bed_fails(dog, tmp_path):
+    small = parts.make(dog, tmp_path / 'out', parts.PartOptions(bed=(60, 60, 60)))
+    failed = {check.name for check in small.checks if not check.passed}
+    assert failed == {'size on the bed'} and '| NO |' in (tmp_path / 'out/prints.md').read_text()
+
+
+def test_a_joint_is_free_until_something_is_in_its_way(dog):
+    robot = read_built(dog)
+    made = parts.make(dog, dog.parent / 'free')
+    distances = Distances(robot, things_of(robot, made.parts))
+    joint = robot.model.joint('FL_knee').id
+    free = free_range(robot, distances, joint, [-1.0], 0.5)
+    assert free.gap == pytest.approx(1.0, abs=1e-6) and 'FL_knee_servo' in free.where
+    assert -math.pi < free.low < -2.0 and 2.0 < free.high < math.pi
+    assert 'part FL_shank' in free.stops[0] and 'part FL_thigh' in free.stops[0]
+    wide = free_range(robot, distances, joint, [-1.0], 1.5)
+    assert wide.gap < 1.5, 'what is nearer at all angles is told'
+
+
+def test_distances_are_those_of_a_pose(dog):
+    """Two feet, whose centres MuJoCo knows."""
+    robot = read_built(dog)
+    distances = Distances(robot, things_of(robot, []))
+    left, right = (next(t for t in distances.things if t.name == n) for n in ('FL', 'FR'))
+    data = mujoco.MjData(robot.model)
+    data.qpos[:] = home_of(robot)
+    mujoco.mj_kinematics(robot.model, data)
+    distances.pose(data.qpos)
+    ways = data.geom('FL').xpos - data.geom('FR').xpos
+    expected = 1e3 * (np.linalg.norm(ways) - 0.024)
+    assert distances.gap(left, right, 1e3) == pytest.approx(expected, abs=0.1)
+
+
+@pytest.fixture
+def run(dog, tmp_path) -> Path:
+    """A folder like that of a run, whose gait the test writes."""
+    result = tmp_path / 'run/result'
+    result.mkdir(parents=True)
+    shutil.copy(dog, result / 'robot.xml')
+    return tmp_path / 'run'
+
+
+def gait(run: Path, knee: float) -> None:
+    robot = read_built(run / 'result/robot.xml')
+    names = [robot.model.joint(j).name for j in range(1, robot.model.njnt)]
+    home = home_of(robot)
+    rows = ['time_s,' + ','.join(f'{name}_rad' for name in names)]
+    for k, share in enumerate((0.0, 0.5, 1.0)):
+        angles = dict(zip(names, home[7:]))
+        angles['FL_knee'] += share * (knee - angles['FL_knee'])
+        rows.append(f'{0.1 * k},' + ','.join(f'{angles[name]}' for name in names))
+    (run / 'result/playback_result.csv').write_text('\n'.join(rows) + '\n')
+
+
+def test_a_gait_in_which_parts_meet_fails_and_says_where(run, tmp_path):
+    gait(run, -1.5)
+    good = parts.make(run, tmp_path / 'good')
+    assert good.passed, [check for check in good.checks if not check.passed]
+    assert any(check.name == 'gap in the gait as played' for check in good.checks)
+    gait(run, -math.pi)
+    bad = parts.make(run, tmp_path / 'bad')
+    failed = {check.name: check for check in bad.checks if not check.passed}
+    assert set(failed) == {'gap in the gait as played', 'range of FL_knee'}
+    assert 't = 0.20 s' in failed['gap in the gait as played'].where
+    assert 'works from -180 to -61' in failed['range of FL_knee'].where
+
+
+def test_the_exploded_view_has_each_thing_once(made):
+    model = mujoco.MjModel.from_xml_path(str(made.folder / 'exploded.xml'))
+    meshes = sum(model.geom_type == mujoco.mjtGeom.mjGEOM_MESH)
+    boxes = sum(model.geom_type == mujoco.mjtGeom.mjGEOM_BOX)
+    balls = sum(model.geom_type == mujoco.mjtGeom.mjGEOM_SPHERE)
+    assert (meshes, boxes, balls) == (8, 10, 4)
