@@ -57,8 +57,13 @@ struct Attachment {
   bool on_horn = false;                                // else on the body
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  // [m]
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();   // out of the module, a unit vector
-  std::string screws;                                  // in words; empty: not known
+  std::string screws;                                  // their size, "M2"; empty: not known
+  std::vector<Eigen::Vector3d> holes{};                // where they go in [m]
 };
+
+/// Sizes of screws that are known here, as files name them.
+inline constexpr std::array<std::string_view, 8> kScrewSizes{"M1.6", "M2", "M2.5", "M2.6",
+                                                             "M3",   "M4", "M5",   "M6"};
 
 /// A module in its own frame. SI units.
 struct Module {

@@ -3,17 +3,26 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "mjcf/text/numbers.hpp"
 
 namespace legwright {
 namespace {
 
+constexpr double kGrain = 1e12;  // per m
+
 std::string attachment_words(const Attachment& at, const ModulePlace& place) {
-  Eigen::Matrix<double, 6, 1> numbers;
-  numbers << place.point(at.position), place.direction(at.normal);
-  for (double& number : numbers)
+  Eigen::VectorXd numbers(6 + 3 * static_cast<Eigen::Index>(at.holes.size()));
+  numbers.head<6>() << place.point(at.position), place.direction(at.normal);
+  for (std::size_t k = 0; k < at.holes.size(); ++k)
+    numbers.segment<3>(6 + 3 * static_cast<Eigen::Index>(k)) = place.point(at.holes[k]);
+  for (double& number : numbers) {
+    number = std::round(number * kGrain) / kGrain;
     if (number == 0.0) number = 0.0;  // no negative zero
-  return fmt::format(" | {} {}: {}", at.on_horn ? "horn" : "body", at.name, rounded_words(numbers));
+  }
+  return fmt::format(" | {} {}{}: {}", at.on_horn ? "horn" : "body", at.name,
+                     at.holes.empty() ? "" : " " + at.screws, rounded_words(numbers));
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <set>
 
 #include "tools/files/nearest_word.hpp"
@@ -39,6 +41,24 @@ constexpr std::array<std::string_view, 8> kServoFigures{
     "voltage",          "joint.continuous_torque", "joint.no_load_speed",
     "joint.gear_ratio", "joint.reflected_inertia", "joint.friction",
     "joint.range",      "attachment.screws"};
+
+constexpr double kInThePlaneOfHoles = 1e-5;  // [m]
+
+/// Evenly about the middle of an attachment; with no turn the first lies along the module's x, or
+/// y where the normal is along x.
+/// @param circle its diameter [m]. @param turn of all about the normal [rad]
+std::vector<Vector3d> holes_on_circle(const Attachment& at, double circle, int count, double turn) {
+  const Vector3d wanted = std::abs(at.normal.x()) < 0.9 ? Vector3d::UnitX() : Vector3d::UnitY();
+  const Vector3d side = (wanted - at.normal.dot(wanted) * at.normal).normalized(),
+                 other = at.normal.cross(side);
+  std::vector<Vector3d> out;
+  for (int k = 0; k < count; ++k) {
+    const double angle = turn + 2.0 * std::numbers::pi * k / count;
+    out.emplace_back(at.position +
+                     0.5 * circle * (std::cos(angle) * side + std::sin(angle) * other));
+  }
+  return out;
+}
 
 class ModuleReader {
  public:
@@ -217,9 +237,38 @@ class ModuleReader {
     in.require(in.has("normal"), "normal", "normal = [0, 0, -1]");
     at.normal = direction_in(in, "normal", problems_).value_or(Vector3d::UnitZ());
     at.screws = in.text("screws").value_or("");
-    if (!at.screws.empty()) note("attachment.screws", true);
+    if (!at.screws.empty()) {
+      note("attachment.screws", true);
+      choice(in, "screws", at.screws, kScrewSizes);
+    }
+    read_holes(in, at);
     in.finish();
     out_.module.attachments.push_back(at);
+  }
+
+  /// Screws on a circle about the middle of an attachment, and places one by one.
+  void read_holes(TaskTable& in, Attachment& at) {
+    const auto circle = in.number("circle");
+    const auto count = in.integer("count");
+    const double turn = in.number("turn").value_or(0.0);
+    const std::vector<double> holes = in.numbers("holes").value_or(std::vector<double>{});
+    if (circle && count) at.holes = holes_on_circle(at, *circle, *count, turn);
+    if (holes.size() % 3 != 0)
+      problems_.add(in.line_of("holes"), "attachment.holes",
+                    fmt::format("has {} numbers; expected three for each hole", holes.size()));
+    for (std::size_t k = 0; k + 2 < holes.size(); k += 3) {
+      at.holes.emplace_back(Vector3d::Map(holes.data() + k));
+      const double off = at.normal.dot(at.holes.back() - at.position);
+      if (std::abs(off) > kInThePlaneOfHoles)
+        problems_.add(in.line_of("holes"), "attachment.holes",
+                      fmt::format("hole {} is {:.3g} mm off the plane of its attachment; expected "
+                                  "a place in it",
+                                  k / 3 + 1, 1e3 * off));
+    }
+    if (circle.has_value() != count.has_value() || at.screws.empty() != at.holes.empty())
+      problems_.add(in.line_of("screws"), "attachment.screws",
+                    "stands with where they are, and that with it: screws = \"M2\", circle = "
+                    "0.016, count = 4; or holes = [0.008, 0.0, 0.017]");
   }
 
   void read_source(const toml::table* toml) {

@@ -80,8 +80,18 @@ std::vector<TaskKey> keys_of_attachments_and_sources() {
                   "Its middle."),
       numbers_key("attachment.normal", kDirectionRange, 3, "needed", "[0.0, 0.0, -1.0]",
                   "Out of the module; of any length."),
-      text_key("attachment.screws", "none", "\"4 x M3 on a circle of 14 mm\"",
-               "The pattern of its screws."),
+      text_key("attachment.screws", "none", "\"M2\"",
+               "Size of its screws: `M1.6`, `M2`, `M2.5`, `M2.6`, `M3`, `M4`, `M5` or `M6`; with "
+               "`circle` and `count`, or `holes`, or both."),
+      number_key("attachment.circle", {0.0, 1.0, true, false, "m"}, "none", "0.016",
+                 "Diameter of the circle on which they are, about the attachment's middle."),
+      integer_key("attachment.count", {1.0, 64.0, false, false, ""}, "needed with `circle`", "4",
+                  "How many are on it, evenly."),
+      number_key("attachment.turn", kAngleRangeOfJoint, "0", "0.7854",
+                 "Of the first about the normal, from the module's x, or y where the normal is "
+                 "along x."),
+      numbers_key("attachment.holes", kPlaceInModule, 0, "none", "[0.008, 0.0, 0.018]",
+                  "Where single ones are, in the attachment's plane: three numbers each."),
       tables_key("source", "none",
                  "[{title = \"data sheet\", address = \"https://…\", figures = [\"mass\"]}]",
                  "`[[source]]`, once for each page or data sheet that figures are from. A figure "

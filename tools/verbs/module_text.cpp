@@ -82,13 +82,17 @@ std::string joint_lines(const ModuleFile& file) {
   return out;
 }
 
+std::string screw_words(const Attachment& at) {
+  return fmt::format("{} x {}", at.holes.size(), at.screws);
+}
+
 std::string attachment_lines(const Module& module) {
   std::string out;
   for (const Attachment& at : module.attachments) {
     const Eigen::Vector3d place = kMillimetres * at.position;
     out += fmt::format("  {:<10} {:<5} at {:.4g} {:.4g} {:.4g} mm{}\n", at.name,
                        at.on_horn ? "horn" : "body", place.x(), place.y(), place.z(),
-                       at.screws.empty() ? "" : ": " + at.screws);
+                       at.screws.empty() ? "" : ": " + screw_words(at));
   }
   return out.empty() ? "" : "attachments\n" + out;
 }
@@ -177,12 +181,16 @@ Json to_json(const ModuleFile& file) {
                        {"size_m", vector_json(shape.size)},
                        {"position_m", vector_json(shape.position)},
                        {"axis", vector_json(shape.axis)}});
-  for (const Attachment& at : module.attachments)
+  for (const Attachment& at : module.attachments) {
+    Json holes = Json::array();
+    for (const Eigen::Vector3d& hole : at.holes) holes.push_back(vector_json(hole));
     attachments.push_back({{"name", at.name},
                            {"on", at.on_horn ? "horn" : "body"},
                            {"position_m", vector_json(at.position)},
                            {"normal", vector_json(at.normal)},
-                           {"screws", at.screws.empty() ? Json(nullptr) : Json(at.screws)}});
+                           {"screws", at.screws.empty() ? Json(nullptr) : Json(at.screws)},
+                           {"holes_m", holes}});
+  }
   for (const FigureSource& source : file.sources)
     sources.push_back({{"title", source.title},
                        {"address", source.address},

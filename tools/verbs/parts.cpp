@@ -25,6 +25,8 @@ constexpr std::array kHandedOn{
     HandedOn{"--fit", "play between a part and the modules it holds, mm; default: 0.15"},
     HandedOn{"--wall", "least thickness, and least material around a hole, mm; default: 1.2"},
     HandedOn{"--gap", "least distance between what moves past each other, mm; default: 0.5"},
+    HandedOn{"--strength", "that the printed material bears across its layers, MPa; default: 25"},
+    HandedOn{"--safety", "least safety factor under the gait's forces; default: 2"},
     HandedOn{"--bed", "of the printer, mm; default: 220x220x250"},
 };
 

@@ -31,7 +31,7 @@ _COLOURS = {
     'printed': '0.93 0.62 0.2 1',
     'servo': '0.24 0.27 0.32 1',
     'foot': '0.1 0.1 0.11 1',
-    'trunk': '0.08 0.52 0.52 0.45',
+    'trunk': '0.08 0.52 0.52 1',
 }
 _OTHER, _LINE, _INK = '0.35 0.4 0.5 1', '0.45 0.45 0.45 1', '0.75 0.1 0.1 1'
 
@@ -71,6 +71,7 @@ class _Scene:
         self._geoms: list[str] = []
         self._digit = _DIGIT * self._size()
         self._told: set[str] = set()
+        self._printed = {solid.link.body for part in parts for solid in part.solids}
 
     def run(self) -> str:
         modules = {id(module): self._module(module) for module in self._robot.modules}
@@ -78,7 +79,7 @@ class _Scene:
             self._assets.append(_mesh(f'part_{number}', part.solid))
             for solid in part.solids:
                 item = self._part(f'part_{number}', part, solid)
-                for fixing in solid.fixings:
+                for fixing in solid.fixings if solid.link.servo else ():
                     self._line(item, modules[id(fixing.module)], solid, fixing.position)
         assets = ''.join(self._assets)
         geoms = ''.join(self._geoms)
@@ -109,14 +110,13 @@ class _Scene:
         middle = self._middle(module)
         shift = _APART * (middle - self._centre)
         item = _Item(module.body, middle, shift)
+        if module.words.kind == 'trunk' and module.body in self._printed:
+            return item
         for shape in module.shapes:
             self._geoms.append(self._shape(module, shape, shift))
         if module.words.name not in self._told:
             self._told.add(module.words.name)
-            place = middle + shift
-            if module.words.kind == 'trunk':  # its middle is where other things are
-                place = place + module.shapes[0].turn @ (module.shapes[0].size[:1] * [0.7, 0, 0])
-            self._number(f'{module.words.kind} {module.words.name}', place)
+            self._number(f'{module.words.kind} {module.words.name}', middle + shift)
         return item
 
     def _shape(self, module: Module, shape: Shape, shift: Array) -> str:
@@ -141,9 +141,10 @@ class _Scene:
         place = self._data.xpos[body] + shift
         self._geoms.append(
             f'      <geom type="mesh" mesh="{mesh}" pos="{_words(place)}" quat="{_words(quat)}" '
-            f'rgba="{_COLOURS["printed"]}"/>\n'
+            f'rgba="{_COLOURS["printed" if solid.link.servo else "trunk"]}"/>\n'
         )
-        self._number(f'printed {part.name}', middle + shift)
+        corner = np.zeros(3) if solid.link.servo else (box[3:] - box[:3]) * [0.35, 0, 0]
+        self._number(f'printed {part.name}', middle + shift + corner)
         return _Item(body, middle, shift)
 
     def _line(self, item: _Item, module: _Item, solid: Solid, position: Array) -> None:

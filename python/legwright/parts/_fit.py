@@ -44,8 +44,16 @@ def _thing(name: str, body: int, solid: Manifold) -> Thing:
 
 
 def things_of(robot: BuiltRobot, parts: Sequence[Part]) -> list[Thing]:
-    """All that can touch: parts as they are printed, outlines of modules."""
-    out = [_thing(module.of, module.body, outline(module)) for module in robot.modules]
+    """All that can touch: parts as they are printed, outlines of modules.
+
+    Of a trunk that is printed the part alone.
+    """
+    printed = {solid.link.body for part in parts for solid in part.solids}
+    out = [
+        _thing(module.of, module.body, outline(module))
+        for module in robot.modules
+        if module.words.kind != 'trunk' or module.body not in printed
+    ]
     for part in parts:
         for solid in part.solids:
             out.append(_thing(f'part {solid.link.name}', solid.link.body, solid.shape))

@@ -42,6 +42,7 @@ _SEGMENTS = 32
 _HEAD_PLAY = 0.3  # [mm], around a head and its driver
 _DRIVER = 80.0  # [mm], how far along its axis a driver must come
 _CLAMPED = 1.25  # times the nominal diameter: what a head presses on where it is let in
+_DEEP = 4.0  # times the nominal diameter: through more a head is let in wherever it is
 _REACH = 6.0  # [mm] before an attachment, within which what it holds begins
 _SAMPLED = 48  # directions around a hole
 
@@ -126,26 +127,43 @@ def _edge(solid: Manifold, start: Array, axis: Array, clamped: float, radius: fl
     return least - radius
 
 
-def holes_of(fixing: Fixing, solid: Manifold) -> list[Hole]:
-    """The holes of an attachment through a solid that has none yet."""
+def _lets_in(
+    solid: Manifold, first: Array, axis: Array, thick: float, screw: Screw, wall: float
+) -> bool:
+    """Whether a head finds room in what a screw goes through, with a wall around it."""
+    under = _CLAMPED * screw.nominal
+    if thick < under + 0.5 * screw.height:
+        return False
+    room = _edge(solid, first + under * axis, axis, thick - under, screw.head / 2 + _HEAD_PLAY)
+    return room >= wall
+
+
+def holes_of(fixing: Fixing, solid: Manifold, wall: float) -> list[Hole]:
+    """The holes of an attachment through a solid that has none yet.
+
+    Heads are let in where all of them find room; those that go through much are let in anyway.
+    """
     if fixing.place.screw is None:
         return []
-    screw = SCREWS[fixing.place.screw]
-    out = []
+    screw, axis = SCREWS[fixing.place.screw], fixing.normal
+    ways: list[tuple[Array, float, float]] = []  # of each hole start, where material begins, ends
     for point in fixing.holes:
         start = MM * point
-        hits = _hits(solid, start - 0.01 * fixing.normal, fixing.normal, 1e3)
-        if len(hits) < 2 or hits[0] > _REACH:
-            out.append(Hole(fixing, screw, start, fixing.normal, 0.0, 0.0, -screw.clearance / 2))
-            continue
-        begins = max(0.0, hits[0] - 0.01)
-        thick = hits[1] - 0.01 - begins
-        clamped = _CLAMPED * screw.nominal
-        if thick < clamped + 0.5 * screw.height:
-            clamped = thick  # too thin to let a head in
-        first = start + begins * fixing.normal
-        edge = _edge(solid, first, fixing.normal, clamped, screw.clearance / 2)
-        out.append(Hole(fixing, screw, start, fixing.normal, begins, clamped, edge))
+        hits = [hit - 0.01 for hit in _hits(solid, start - 0.01 * axis, axis, 1e3)]
+        is_there = len(hits) >= 2 and hits[0] <= _REACH
+        ways.append((start, max(0.0, hits[0]), hits[1]) if is_there else (start, 0.0, 0.0))
+    sunk = all(
+        _lets_in(solid, start + begins * axis, axis, ends - begins, screw, wall)
+        for start, begins, ends in ways
+    )
+    out = []
+    for start, begins, ends in ways:
+        clamped = ends - begins
+        if sunk or clamped > _DEEP * screw.nominal:
+            clamped = _CLAMPED * screw.nominal
+        radius = screw.clearance / 2
+        edge = _edge(solid, start + begins * axis, axis, clamped, radius) if clamped else -radius
+        out.append(Hole(fixing, screw, start, axis, begins, clamped, edge))
     return out
 
 

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from legwright._errors import InputError
+from legwright.parts._beam import check_beams
 from legwright.parts._checks import Check
 from legwright.parts._exploded import exploded_scene
 from legwright.parts._fit import Distances, check_poses, check_ranges, home_of, things_of
@@ -18,6 +19,7 @@ from legwright.parts._mesh_files import Item, stl_bytes, threemf_bytes
 from legwright.parts._options import PartOptions
 from legwright.parts._prints import check_bed, prints_markdown
 from legwright.parts._robot import BuiltRobot, read_built
+from legwright.parts._screw_checks import check_screws
 from legwright.parts._shapes import MM
 from legwright.parts._solid_checks import check_solids
 from legwright.parts._solids import Part, parts_of
@@ -84,7 +86,9 @@ def _all_checks(
     ranges, _ = check_ranges(robot, distances, [qpos for _, qpos in poses], options.gap)
     return [
         *check_solids(robot, parts, options.wall),
+        *check_screws(parts, options.wall),
         *check_bed(parts, options),
+        *check_beams(robot, parts, path if path.is_dir() else None, options),
         check_poses(distances, poses, options.gap, what),
         *ranges,
     ]
@@ -133,7 +137,7 @@ def make(
     check_place(place)
     path = Path(robot)
     built = read_built(robot_file(path))
-    parts = parts_of(built, options.fit)
+    parts = parts_of(built, options.fit, options.wall)
     checks = _all_checks(built, parts, options, path)
     rows = bill(built, parts)
     files = {f'{part.name}.stl': stl_bytes(part.mesh) for part in parts}

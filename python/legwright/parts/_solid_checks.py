@@ -86,7 +86,11 @@ def _wall(part: Part, wall: float) -> Check:
 
 
 def _masses(part: Part) -> list[Check]:
-    """Of the hulls against the file, at the density that each declares."""
+    """Of the hulls against the file, at the density that each declares; a trunk is not heavier."""
+    if part.solid.link.servo is None and not part.solid.link.hulls:
+        share = part.solid.mass / part.solid.file_mass
+        cure = 'a larger mass under [trunk] of the assembly, or a smaller --wall'
+        return [at_most(part.name, 'mass of the trunk', share, 1.0, '', "of the file's", cure)]
     worst = 0.0
     for solid in part.solids:
         for each in solid.link.hulls:

@@ -12,9 +12,11 @@ from legwright.parts._mesh_files import Mesh, as_printed, mesh_of
 from legwright.parts._printing import Lying, best_lying
 from legwright.parts._robot import BuiltRobot, Link
 from legwright.parts._shapes import MM, hull, joined, outline, placed
+from legwright.parts._trunk import trunk_link, trunk_solid
 from legwright.parts._words import Array
 
 _CHIP = 0.01  # of a solid; what falls off and is smaller is left out
+_TRUNK_WALL = 2.0  # times the least wall
 _FINE = 1e-3  # [mm]: finer details are left out
 _SAME = 5e-3  # [mm]: vertices of solids that are one part
 
@@ -32,29 +34,21 @@ class Solid:
     """1, where it hangs together."""
     fixings: tuple[Fixing, ...]
     holes: tuple[Hole, ...]
-    hull_volume: float
-    """Sum of the hulls [mm3], by which the file's masses go: where they overlap, twice."""
     seat_volume: float
     """What places of modules take away [mm3]."""
     hole_volume: float
     """What holes take away [mm3]."""
-
-    @property
-    def density(self) -> float:
-        """[kg/m3]; of several hulls by their volumes."""
-        volumes = np.array([hull(each).volume() for each in self.link.hulls])
-        densities = np.array([each.words.density for each in self.link.hulls])
-        return float(volumes @ densities / volumes.sum())
+    hull_volume: float
+    """Sum of the hulls [mm3], by which the file's masses go: where they overlap, twice."""
+    density: float
+    """[kg/m3]; of several hulls by their volumes."""
+    file_mass: float
+    """Of the connectors, or of the trunk's module, as the robot's file says [kg]."""
 
     @property
     def mass(self) -> float:
         """Of the shape, filled [kg]."""
         return self.density * self.shape.volume() / MM**3
-
-    @property
-    def file_mass(self) -> float:
-        """Of the connectors, as the robot's file says [kg]."""
-        return sum(each.mass for each in self.link.hulls)
 
 
 @dataclass(frozen=True)
@@ -106,17 +100,19 @@ def _whole(shape: Manifold) -> tuple[Manifold, int]:
     return joined(kept), len(kept)
 
 
-def solid_of(robot: BuiltRobot, link: Link, fit: float) -> Solid:
-    """The union of a link's hulls, less its modules grown by the fit, less holes for screws."""
-    hulls = [hull(each) for each in link.hulls]
-    declared = joined(hulls)
-    shape = declared
-    if link.modules:
-        shape = declared - joined([outline(module, fit) for module in link.modules])
-    shape, _ = _whole(shape)
+def _cut(
+    robot: BuiltRobot,
+    link: Link,
+    declared: Manifold,
+    taken: Manifold,
+    wall: float,
+    told: dict[str, float],
+) -> Solid:
+    """What is left of a solid without its modules' places and without holes for screws."""
+    shape, _ = _whole(declared - taken)
     seated = shape.volume()
     fixings = fixings_of(robot, link, shape)
-    holes = [hole for fixing in fixings for hole in holes_of(fixing, shape)]
+    holes = [hole for fixing in fixings for hole in holes_of(fixing, shape, wall)]
     if holes:
         shape = shape - joined([drilled(hole) for hole in holes])
     shape, pieces = _whole(shape)
@@ -128,10 +124,32 @@ def solid_of(robot: BuiltRobot, link: Link, fit: float) -> Solid:
         pieces=pieces,
         fixings=tuple(fixings),
         holes=tuple(holes),
-        hull_volume=sum(each.volume() for each in hulls),
         seat_volume=declared.volume() - seated,
         hole_volume=seated - shape.volume(),
+        **told,
     )
+
+
+def solid_of(robot: BuiltRobot, link: Link, fit: float, wall: float) -> Solid:
+    """The union of a link's hulls, less its modules grown by the fit, less holes for screws."""
+    hulls = [hull(each) for each in link.hulls]
+    volume = sum(each.volume() for each in hulls)
+    masses = sum(h.volume() * e.words.density for h, e in zip(hulls, link.hulls))
+    told = {
+        'hull_volume': volume,
+        'density': masses / volume,
+        'file_mass': sum(each.mass for each in link.hulls),
+    }
+    taken = joined([outline(module, fit) for module in link.modules])
+    return _cut(robot, link, joined(hulls), taken, wall, told)
+
+
+def trunk_of(robot: BuiltRobot, fit: float, wall: float, density: float) -> Solid:
+    """The trunk as a tray (trunk_solid()) with walls of twice the least one, of that density."""
+    declared, taken = trunk_solid(robot, _TRUNK_WALL * wall, fit)
+    mass = next(m.words.mass for m in robot.modules if m.words.kind == 'trunk')
+    told = {'hull_volume': declared.volume(), 'density': density, 'file_mass': mass}
+    return _cut(robot, trunk_link(robot), declared, taken, wall, told)
 
 
 def vertices_of(shape: Manifold) -> Array:
@@ -149,17 +167,19 @@ def _are_same(a: Manifold, b: Manifold) -> bool:
     return bool(far.min(axis=1).max() < _SAME and far.min(axis=0).max() < _SAME)
 
 
-def parts_of(robot: BuiltRobot, fit: float) -> list[Part]:
-    """The parts of a robot, in the order of its file; equal solids are one, called after the first.
+def parts_of(robot: BuiltRobot, fit: float, wall: float) -> list[Part]:
+    """The parts of a robot, in the order of its file, the trunk last.
 
-    A mirror image is a part of its own, but where it is the same solid.
+    Equal solids are one part, called after the first. A mirror image is a part of its own, but
+    where it is the same solid. Fit and least wall in mm.
     """
     groups: list[list[Solid]] = []
     for link in robot.links:
-        solid = solid_of(robot, link, fit)
+        solid = solid_of(robot, link, fit, wall)
         group = next((g for g in groups if _are_same(g[0].shape, solid.shape)), None)
         if group is None:
             groups.append([solid])
         else:
             group.append(solid)
-    return [Part(group[0].link.name, tuple(group)) for group in groups]
+    parts = [Part(group[0].link.name, tuple(group)) for group in groups]
+    return [*parts, Part('trunk', (trunk_of(robot, fit, wall, groups[0][0].density),))]

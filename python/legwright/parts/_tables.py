@@ -37,9 +37,13 @@ def bill(robot: BuiltRobot, parts: Sequence[Part]) -> list[Row]:
     for module in robot.modules:
         key = (module.words.kind, module.words.name, module.words.mass)
         counts[key] = counts.get(key, 0) + 1
-    rows = [
-        Row(kind, name, count, MM * mass, None, '') for (kind, name, mass), count in counts.items()
-    ]
+    trunk = next((part.solid for part in parts if part.solid.link.servo is None), None)
+    rows = []
+    for (kind, name, mass), count in counts.items():
+        note = ''
+        if kind == 'trunk' and trunk is not None:
+            mass, note = mass - trunk.mass, 'what else its mass stands for, beside the print'
+        rows.append(Row(kind, name, count, MM * mass, None, note))
     for part in parts:
         solid = part.solid
         rows.append(
@@ -165,6 +169,8 @@ def bill_markdown(robot: BuiltRobot, parts: Sequence[Part], rows: Sequence[Row])
 
 _TOGETHER = {'reaches': 'reaches its modules', 'axis': 'axes on their horns',
     'range': 'ranges of joints',
+    'edge': 'edges of holes',
+    'screws': 'screws reached',
 }
 
 

@@ -12,6 +12,7 @@ from legwright._errors import InputError, together, unreadable
 
 Array = NDArray[np.float64]
 MODULE, CONNECTOR = 'legwright_module/', 'legwright_connector/'
+SCREW_SIZES = ('M1.6', 'M2', 'M2.5', 'M2.6', 'M3', 'M4', 'M5', 'M6')
 _CURE = '`legwright build` writes it: build the robot anew, or put back what was changed'
 
 
@@ -80,6 +81,7 @@ def _place(part: str) -> Place:
         not colon
         or len(words) not in (2, 3)
         or words[0] not in ('body', 'horn')
+        or (screw is not None and screw not in SCREW_SIZES)
         or found.size % 3
         or (found.size != 6 if screw is None else found.size < 9)
     ):

@@ -20,7 +20,7 @@ namespace {
 using Eigen::Vector3d;
 
 Attachment attachment(const char* name, const Vector3d& position, const Vector3d& normal) {
-  return {name, false, position, normal, ""};
+  return {name, false, position, normal, "", {}};
 }
 
 /// The dog with attachments on the ends and backs of its servos and on its feet.

@@ -40,6 +40,18 @@ TEST(ModuleWords, SayWhereTheAttachmentsOfAModuleAreWhereItStands) {
       "0.009 0 1 0 | body back: 0.001 -0.017 0 0 -1 0\"/>");
 }
 
+TEST(ModuleWords, HaveTheHolesOfScrewsBehindTheNormal) {
+  Module servo = test::servo_module();
+  servo.attachments = {attachment("horn", true, {0.0, 0.009, 0.017}, {0, 0, 1})};
+  servo.attachments[0].screws = "M2";
+  servo.attachments[0].holes = {{0.008, 0.009, 0.017}, {0.0, 0.017, 0.017}};
+  ModulePlace place;
+  place.mirrored = true;
+  EXPECT_EQ(module_declaration(servo, place, "body", "A"),
+            "<text name=\"legwright_module/A\" data=\"S servo 0.06 kg | body A | horn horn M2: 0 "
+            "-0.009 0.017 0 0 1 0.008 -0.009 0.017 0 -0.017 0.017\"/>");
+}
+
 /// Trunk, what rides on it, servos and feet, each once, at any design.
 TEST(ModuleWords, StandInTheFileOfARobotAndStayWhereADesignIsWritten) {
   const BuiltRobot built = build_robot(test::boxy_dog(), "dog.xml");

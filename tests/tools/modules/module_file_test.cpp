@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "mjcf/text/input_error.hpp"
 #include "tests/tools/modules/servo_text.hpp"
 
@@ -53,10 +55,27 @@ TEST(ModuleFile, ReadsAWholeServo) {
   EXPECT_EQ((*module.joint->range)[1], 1.5);
   ASSERT_EQ(module.attachments.size(), 1u);
   EXPECT_TRUE(module.attachments[0].on_horn);
-  EXPECT_EQ(module.attachments[0].screws, "4 x M2");
+  EXPECT_EQ(module.attachments[0].screws, "M2");
+  ASSERT_EQ(module.attachments[0].holes.size(), 4u);
+  EXPECT_TRUE(module.attachments[0].holes[1].isApprox(
+      Eigen::Vector3d(-0.008 * std::sin(0.1), 0.01 + 0.008 * std::cos(0.1), 0.018), 1e-12));
   EXPECT_EQ(file.source_count("mass"), 1u);
   EXPECT_EQ(file.source_count("joint.position"), 0u);
   EXPECT_EQ(file.assumptions.at(0).why, "half the width from the end");
+}
+
+TEST(ModuleFile, ScrewsHaveASizeAndPlacesInThePlaneOfTheirAttachment) {
+  expect_refusal(servo_with("screws = \"M2\"", "screws = \"4 x M2\""),
+                 {"attachment.screws", "is \"4 x M2\"; expected one of M1.6, M2"});
+  expect_refusal(servo_with("count = 4\n", ""), {"attachment.screws", "circle = 0.016, count = 4"});
+  expect_refusal(servo_with("screws = \"M2\"\n", ""), {"attachment.screws", "and that with it"});
+  expect_refusal(servo_with("turn = 0.1", "holes = [0.0, 0.0]"),
+                 {"attachment.holes", "has 2 numbers"});
+  expect_refusal(servo_with("turn = 0.1", "holes = [0.0, 0.0, 0.017]"),
+                 {"attachment.holes", "hole 1 is -1 mm off the plane"});
+  const ModuleFile file =
+      parse_module(servo_with("turn = 0.1", "holes = [0.0, 0.0, 0.018]"), "hs1.toml");
+  EXPECT_EQ(file.module.attachments.at(0).holes.at(4), Eigen::Vector3d(0.0, 0.0, 0.018));
 }
 
 TEST(ModuleFile, AFigureHasASourceOrAnAssumption) {

@@ -37,7 +37,10 @@ name = "horn"
 on = "horn"
 position = [0.0, 0.01, 0.018]
 normal = [0, 0, 1]
-screws = "4 x M2"
+screws = "M2"
+circle = 0.016
+count = 4
+turn = 0.1
 
 [[source]]
 title = "data sheet"

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Cross-sections of a part across a line through it, and the stress that loads make there."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from manifold3d import Manifold
+
+from legwright.parts._shapes import frame_along, placed
+from legwright.parts._words import Array
+
+_EMPTY = 0.1  # [mm2]: less is no section
+
+
+@dataclass(frozen=True)
+class Section:
+    """A cross-section in the frame of the part [mm]."""
+
+    share: float
+    """Along the line, from 0 to 1."""
+    centre: Array
+    frame: Array
+    """3 x 3: two directions in the plane, then that across it."""
+    area: float
+    moments: Array
+    """2 x 2: integrals of u u, u v and v v about the centre [mm4]."""
+    corners: Array
+    """N x 2, from the centre."""
+
+    def stress(self, force: Array, moment: Array) -> float:
+        """Largest equivalent stress (von Mises) [MPa].
+
+        Of a force through the centre [N] and a moment about it [N mm], as of a beam: normal force
+        and bending about both axes; torsion as of an ellipse with the area's moments; one and a
+        half times the mean shear.
+        """
+        local_force, local_moment = self.frame.T @ force, self.frame.T @ moment
+        slope = np.linalg.solve(self.moments, [-local_moment[1], local_moment[0]])
+        normal = np.abs(local_force[2] / self.area + self.corners @ slope).max()
+        half = 2 * np.sqrt(np.linalg.eigvalsh(self.moments) / self.area)
+        torsion = 2 * abs(local_moment[2]) / (math.pi * half[1] * half[0] ** 2)
+        shear = 1.5 * math.hypot(local_force[0], local_force[1]) / self.area
+        return float(math.sqrt(normal**2 + 3 * (torsion + shear) ** 2))
+
+
+def _polygon_moments(points: Array) -> tuple[float, Array, Array]:
+    """Signed area, first and second moments of a polygon about the origin (Green)."""
+    nexts = np.roll(points, -1, axis=0)
+    cross = points[:, 0] * nexts[:, 1] - nexts[:, 0] * points[:, 1]
+    first = ((points + nexts) * cross[:, None]).sum(axis=0) / 6
+    second = np.zeros((2, 2))
+    for i in range(2):
+        for j in range(2):
+            a, b, c, d = points[:, i], points[:, j], nexts[:, i], nexts[:, j]
+            second[i, j] = (cross * (2 * a * b + a * d + c * b + 2 * c * d)).sum() / 24
+    return float(cross.sum() / 2), first, second
+
+
+def sections_of(shape: Manifold, start: Array, end: Array, shares: Array) -> list[Section]:
+    """The sections of a solid across the line from one point to another, where there are some."""
+    way = end - start
+    length = float(np.linalg.norm(way))
+    frame = frame_along(way / length)
+    level = placed(shape, frame.T, -frame.T @ start)
+    out = []
+    for share in shares:
+        polygons = [np.asarray(each) for each in level.slice(float(share * length)).to_polygons()]
+        if not polygons:
+            continue
+        sums = [_polygon_moments(each) for each in polygons]
+        area = sum(each[0] for each in sums)
+        if area < _EMPTY:
+            continue
+        centre = sum(each[1] for each in sums) / area
+        moments = sum(each[2] for each in sums) - area * np.outer(centre, centre)
+        place = start + frame @ np.array([centre[0], centre[1], share * length])
+        corners = np.vstack(polygons) - centre
+        out.append(Section(float(share), place, frame, area, moments, corners))
+    return out
