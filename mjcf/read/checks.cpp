@@ -158,9 +158,15 @@ void check_has_free_joint(const XmlFile& xml) {
   if (!first_body)
     throw xml.error(xml.root(),
                     "holds no body; a robot is a <body> with a <freejoint/> in <worldbody>");
-  throw xml.error(
-      *first_body,
-      "no free root: the trunk of a walking robot moves freely; add <freejoint/> to it");
+  int joints = 0;
+  for (const XmlElement* joint = first_body->FirstChildElement("joint"); joint != nullptr;
+       joint = joint->NextSiblingElement("joint"))
+    ++joints;
+  throw xml.error(*first_body,
+                  fmt::format("no free root: the trunk of a walking robot moves freely; {}",
+                              joints == 6 ? "legwright init ROBOT.xml -o NEW.xml puts a free joint "
+                                            "in the place of its six"
+                                          : "add <freejoint/> to it"));
 }
 
 /// Throws InputError at the first thing in an element with which no robot is read.

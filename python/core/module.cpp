@@ -15,6 +15,7 @@
 #include <memory>
 
 #include "mjcf/read/read_robot.hpp"
+#include "python/core/assembly_binding.hpp"
 #include "python/core/followed_run.hpp"
 #include "python/core/iteration.hpp"
 #include "python/core/python_errors.hpp"
@@ -103,7 +104,7 @@ void bind_proposals(nb::module_& module) {
       .def_prop_ro("left_out", [](const StudiedRobot& robot) { return robot.found.left_out; })
       .def_prop_ro("not_standing",
                    [](const StudiedRobot& robot) { return robot.found.not_standing; })
-      .def_prop_ro("mended", [](const StudiedRobot& robot) { return robot.mended; })
+      .def_prop_ro("mended", changes_besides)
       .def_prop_ro("declared",
                    [](const StudiedRobot& robot) {
                      std::vector<std::string> names;
@@ -234,6 +235,7 @@ NB_MODULE(_core, module) {
   translate_errors();
   bind_robot(module);
   bind_proposals(module);
+  bind_assembly(module);
   bind_run(module);
   bind_engine(module);
   bind_files(module);

@@ -11,6 +11,7 @@
 Importing it makes the plugin legwright.gait known to MuJoCo.
 """
 
+from legwright._assembly import build
 from legwright._codesign import Iteration, codesign
 from legwright._core import __version__, mujoco_version
 from legwright._design import Design, FrontPoint, Verdict
@@ -49,6 +50,7 @@ __all__ = [
     'Validation',
     'Verdict',
     '__version__',
+    'build',
     'codesign',
     'mujoco_version',
     'propose',

@@ -56,7 +56,8 @@ class Proposals(Mapping[str, Proposal]):
         self.not_standing: str = studied.not_standing
         """Why the home pose is none to walk from; empty where it is one."""
         self.mended: list[str] = list(studied.mended)
-        """Of a URDF, what was mended and left out in the MJCF made of it, a sentence each."""
+        """What write() changes besides, a sentence each: of a URDF that is mended, of a trunk's
+        frame that is turned upright, of six joints in the place of a free one."""
 
     def __getitem__(self, name: str) -> Proposal:
         return self._by_name[name]

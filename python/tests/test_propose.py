@@ -109,3 +109,16 @@ def test_a_urdf_becomes_mjcf_elsewhere(tmp_path):
     assert set(lw.Robot(written).parameters) == set(proposals)
     with pytest.raises(lw.InputError, match='is a URDF, expected MJCF'):
         lw.Robot(urdf)
+
+
+def test_what_is_changed_besides_is_told(bare, tmp_path):
+    assert lw.propose(bare).mended == []
+    text = bare.read_text(encoding='utf-8')
+    axes = ('1 0 0', '0 1 0', '0 0 1')
+    six = ''.join(f'<joint type="slide" axis="{axis}"/><joint axis="{axis}"/>' for axis in axes)
+    text, count = re.subn(r'<freejoint[^>]*/>', six, text)
+    assert count == 1
+    text = re.sub(r'<keyframe>.*?</keyframe>', '', text, flags=re.DOTALL)
+    bare.write_text(text, encoding='utf-8')
+    (said,) = lw.propose(bare).mended
+    assert said.startswith('a free joint in the place of the six')

@@ -115,7 +115,7 @@ LAYERS = {
     + TOOLS[:10]
     + TOOLS[11:12],
     'program': OPTIMIZER + MJCF + TOOLS + DRAWN,
-    'python/core': OPTIMIZER + MJCF + TOOLS + DRAWN,
+    'python/core': OPTIMIZER + MJCF + ('tools/modules',) + TOOLS + DRAWN,
     'tests': OPTIMIZER + MJCF + ('tools/modules',) + TOOLS + DRAWN + ('trajectory', 'plugin'),
 }
 # Files whose layer is not their folder: the trajectory's format serves the plugin and the program.

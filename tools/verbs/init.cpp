@@ -37,6 +37,21 @@ std::string axes_text(const StudiedRobot& robot, bool writes) {
                      writes || robot.of_urdf ? "" : ", as --write does");
 }
 
+/// What had the place of the trunk's free joint.
+std::string root_text(const StudiedRobot& robot, bool writes) {
+  if (!robot.root) return "";
+  return fmt::format(
+      "floats   the trunk '{}', by six joints in the file: {}\n"
+      "         a free joint {} in their place{}\n",
+      robot.root->body, fmt::join(robot.root->joints, ", "), writes ? "is put" : "has to be put",
+      writes ? "; keyframes follow" : ", as --write does");
+}
+
+Json root_json(const StudiedRobot& robot) {
+  if (!robot.root) return nullptr;
+  return {{"body", robot.root->body}, {"joints", robot.root->joints}};
+}
+
 /// What init found to stand in, where the file has no such pose.
 std::string pose_text(const StudiedRobot& robot, bool writes) {
   if (!robot.pose) return "";
@@ -111,6 +126,7 @@ Json to_json(const StudiedRobot& robot, const std::string& written, const std::s
           {"standing_pose",
            robot.pose ? Json{{"why", robot.pose->why}, {"qpos", robot.pose->qpos}} : Json(nullptr)},
           {"trunk_axes", trunk_axes_json(robot)},
+          {"six_joint_root", root_json(robot)},
           {"declared", declared},
           {"proposals", proposals},
           {"left_out", found.left_out},
@@ -192,7 +208,8 @@ std::string next_step(const InitOptions& options, const StudiedRobot& robot,
   if (!task.empty())
     return fmt::format("next: legwright optimize {} -o {}\n", shell_word(task),
                        shell_word("runs/" + fs::path(task).stem().string()));
-  const bool adds = written.empty() && (!found.proposals.empty() || robot.pose || robot.axes);
+  const bool adds =
+      written.empty() && (!found.proposals.empty() || robot.pose || robot.axes || robot.root);
   if (lacks_task(options, found)) {
     const std::string gait = no_gait_text(found.model.morphology.foot_count());
     std::string text;
@@ -235,6 +252,11 @@ int init(const InitOptions& options) {
     throw InputError(options.robot, 0, "",
                      "no task is written, in which the robot would lie on its side: " +
                          robot.axes->why + "; add --write, which turns the trunk's frame");
+  if (robot.root && !options.task.empty() && !options.write && options.output.empty())
+    throw InputError(options.robot, 0, "",
+                     fmt::format("no task is written: in the file six joints move the trunk '{}', "
+                                 "and no free one; add --write, which puts it there, or -o NEW.xml",
+                                 robot.root->body));
   const bool writes = options.write || !options.output.empty();
   const FirstTask task =
       options.task.empty() || lacks_task(options, found)
@@ -257,8 +279,9 @@ int init(const InitOptions& options) {
     fmt::print("{}", to_text(to_json(robot, written, written_task)));
     return code;
   }
-  fmt::print("{}", terminal_text(axes_text(robot, writes) + pose_text(robot, writes) +
-                                 names_text(robot, writes) + remarks_text(robot, found)));
+  fmt::print("{}", terminal_text(root_text(robot, writes) + axes_text(robot, writes) +
+                                 pose_text(robot, writes) + names_text(robot, writes) +
+                                 remarks_text(robot, found)));
   fmt::print("{}", terminal_text(writes ? robot_summary(found)
                                         : robot_tree(found) + proposal_table(found) + "\n"));
   if (writes)

@@ -109,6 +109,7 @@ StudiedRobot study(const RobotFiles& given, std::optional<StandingPose> pose) {
           std::move(named),
           false,
           {},
+          {},
           {}};
 }
 
@@ -148,14 +149,28 @@ StudiedRobot study_robot(const fs::path& file, const FileReach& reach) {
   refuse_task(file);
   std::string text = read_main_file(file);
   if (is_urdf(text)) return study_urdf(std::move(text), file, reach);
-  const RobotFiles drawn = RobotFiles::from_text(std::move(text), file, reach);
+  const RobotFiles given = RobotFiles::from_text(std::move(text), file, reach);
+  const std::optional<SixJointRoot> root = find_six_joint_root(given.text(), file);
+  const RobotFiles drawn = root ? with_free_root(given, *root) : given;
   const std::optional<TrunkAxes> axes = find_trunk_axes(drawn.text(), drawn.file());
   const RobotFiles files = upright(drawn, axes);
   FoundPose found = pose_of(files);
   StudiedRobot robot = told_of_pose(found, files, [&] { return study(files, found.pose); });
-  robot.text = drawn.main_text();
+  robot.text = given.main_text();
   robot.axes = axes;
+  robot.root = root;
   return robot;
+}
+
+std::vector<std::string> changes_besides(const StudiedRobot& robot) {
+  std::vector<std::string> out = robot.mended;
+  if (robot.root)
+    out.push_back(fmt::format("a free joint in the place of the six by which the trunk '{}' floats",
+                              robot.root->body));
+  if (robot.axes)
+    out.push_back(fmt::format("{}: what stands in it goes into <frame quat=\"{}\">",
+                              robot.axes->why, fmt::join(robot.axes->frame, " ")));
+  return out;
 }
 
 std::string write_proposals(const StudiedRobot& robot, const std::string& output) {
@@ -166,7 +181,7 @@ std::string write_proposals(const StudiedRobot& robot, const std::string& output
                      "is a URDF, which has no place for design parameters; -o ROBOT.xml writes it "
                      "as MJCF with them");
   if (!output.empty() && !onto_itself) refuse_existing(output);
-  if (robot.found.proposals.empty() && !robot.pose && !robot.axes && output.empty())
+  if (robot.found.proposals.empty() && !robot.pose && !robot.axes && !robot.root && output.empty())
     return "";  // nothing to add
   std::string written = output.empty() ? file.string() : output;
   const std::string text = with_declarations(robot.files.main_text(), file, robot.found.proposals);

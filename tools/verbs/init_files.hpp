@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "mjcf/propose/floating_root.hpp"
 #include "mjcf/propose/proposals.hpp"
 #include "mjcf/propose/standing_pose.hpp"
 #include "mjcf/propose/trunk_axes.hpp"
@@ -16,7 +17,8 @@ namespace legwright {
 
 /// A robot as `legwright init` studies it: its files, and what a designer may change in it.
 struct StudiedRobot {
-  RobotFiles files;  // with the keyframe of `pose`, the names of `named`, the turn of `axes`
+  RobotFiles
+      files;  // with the keyframe of `pose`, the names of `named`, the turn of `axes`, a free root
   ProposedParameters found;
   std::optional<StandingPose> pose;  // found for it; nothing where its home pose is one
   std::string text;                  // of the main file as it was read
@@ -24,11 +26,15 @@ struct StudiedRobot {
   bool of_urdf = false;              // `files` hold the MJCF that was made of it
   std::vector<std::string> mended;   // on the way from it
   std::optional<TrunkAxes> axes;     // of the file, where z is not up in its trunk's frame
+  std::optional<SixJointRoot> root;  // that had the place of the free joint in `files`
 };
 
 /// A URDF is studied as the MJCF that mjcf_of_urdf() makes of it.
 /// Throws InputError as parse_robot() does, and for a task file in the place of its robot.
 StudiedRobot study_robot(const std::filesystem::path& file, const FileReach& reach = {});
+
+/// What writing changes besides declarations and poses, a sentence each: `mended`, `root`, `axes`.
+std::vector<std::string> changes_besides(const StudiedRobot& robot);
 
 /// Declares the proposals in the robot's file, or in the new file `output`, and adds the keyframe
 /// of a pose that was found; all other bytes stay. In another folder than the robot's the files

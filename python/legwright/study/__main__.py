@@ -80,10 +80,13 @@ def _summary(study: Study, folder: Path) -> str:
     passed = f'passes {said.count(True)}' + (f' of the {asked} asked about' * (asked < len(said)))
     mujoco = f'MuJoCo {passed if asked else "was not asked"}'
     lines = [f'{study.name}: {len(done)} of {len(records)} points have a design, {mujoco}']
+    lines += [study.best_line] if study.best_by else []
     for point, record in zip(study.points, records):
         reason = record['reason'] if record else study.failures.get(point.hash)
         if reason:
             lines.append(f'  {point.name}: {reason.splitlines()[0]}')
+    if study.best is not None:
+        lines.append(f'  {folder / "points" / study.best.hash}')
     return '\n'.join(
         [*lines, f'table: {folder / "study.parquet"}', f'page:  {folder / "study.html"}']
     )
@@ -92,7 +95,9 @@ def _summary(study: Study, folder: Path) -> str:
 def _document(study: Study, folder: Path) -> str:
     keep = ('point', 'name', 'hash', 'status', 'reason', 'F', 'pass')
     rows = study.table.select(keep).to_pylist()
-    document = {'schema': 'legwright/study', 'version': 1, 'folder': str(folder), 'points': rows}
+    best = study.best and study.best.index
+    document = {'schema': 'legwright/study', 'version': 1, 'folder': str(folder), 'best': best}
+    document['points'] = rows
     return json.dumps(document, indent=1, ensure_ascii=False)
 
 

@@ -12,10 +12,15 @@ from legwright import _core
 from legwright._errors import InputError
 from legwright._options import kind_of
 from legwright.study import _options
+from legwright.study._measures import BEST
 from legwright.study._problems import Key, Problems
 
 MADE = Path('<study>')  # what messages name in the place of a file
-KEYS = ('name', 'robot', 'task', 'pictures', 'base', 'codesign', 'validate', 'grid', 'points')
+KEYS = ('name', 'robot', 'assembly', 'library', 'task', 'pictures', 'best', 'base', 'build')
+KEYS += ('codesign', 'validate', 'grid', 'points')
+FILES = ('robot', 'assembly', 'task')
+"""Keys that name files, alone or in the grid."""
+_FIXED = ('name', 'pictures', 'best', 'library', 'base', 'grid', 'points')
 OPTIONS = {'codesign': _options.CODESIGN, 'validate': _options.VALIDATE}
 
 
@@ -46,10 +51,17 @@ class StudyFile:
     text: str
     name: str
     robot: str | None
+    assembly: str | None
+    library: tuple[str, ...]
+    """Folders of modules of one's own, for assemblies."""
     task: str | None
     pictures: bool
+    best: str | None
+    """The column whose least value, of the designs that pass, the study is after."""
     base: Mapping[Key, Any]
     """Keys of a task that hold for all points, by key."""
+    build: Mapping[Key, Any]
+    """Keys of the assembly that hold for all points, likewise."""
     codesign: Mapping[str, Any]
     validate: Mapping[str, Any] | None
     axes: tuple[Axis, ...]
@@ -78,15 +90,16 @@ def _check_setting(key: Key, value: Any, place: Key, problems: Problems) -> bool
     before = len(problems)
     if '.' in key[-1] or any('.' in name for name in key[:-1]):
         problems.add(place, 'has a dot within quotes; write the key without quotes: gait.period')
-    elif key[0] in ('robot', 'task') and len(key) == 1:
+    elif key[0] in FILES and len(key) == 1:
         if not isinstance(value, str):
             problems.add(place, f'is {kind_of(value)}; expected the path of a file')
     elif key[0] in OPTIONS:
         _options.check(OPTIONS[key[0]], '.'.join(key[1:]), value, place, problems)
-    elif key[0] in ('name', 'pictures', 'base', 'grid', 'points'):
+    elif key[0] in _FIXED or key == ('build',):
         problems.add(
             place,
-            'cannot vary: expected a key of a task file, robot, task, codesign.… or validate.…',
+            'cannot vary: expected a key of a task file, robot, assembly, build.…, task, '
+            'codesign.… or validate.…',
         )
     return len(problems) == before
 
@@ -153,6 +166,21 @@ def _text(content: Mapping[str, Any], name: str, problems: Problems) -> str | No
     return None
 
 
+def _folders(content: Mapping[str, Any], problems: Problems) -> tuple[str, ...]:
+    value = content.get('library', [])
+    if isinstance(value, list) and all(isinstance(each, str) for each in value):
+        return tuple(value)
+    problems.add(('library',), 'expected a list of folders, like ["my_modules"]')
+    return ()
+
+
+def _best(content: Mapping[str, Any], problems: Problems) -> str | None:
+    value = _text(content, 'best', problems)
+    if value is not None and value not in BEST:
+        problems.add(('best',), f'is {value!r}; expected one of {", ".join(BEST)}')
+    return value
+
+
 def _options_of(content: Mapping[str, Any], name: str, problems: Problems) -> dict[str, Any]:
     return {
         key: value
@@ -197,9 +225,13 @@ def _parse(
         text=text,
         name=_text(content, 'name', problems) or (file.stem if file != MADE else 'study'),
         robot=_text(content, 'robot', problems),
+        assembly=_text(content, 'assembly', problems),
+        library=_folders(content, problems),
         task=_text(content, 'task', problems),
         pictures=bool(pictures),
+        best=_best(content, problems),
         base=dict(leaves(_table(content, 'base', problems))),
+        build=dict(leaves(_table(content, 'build', problems))),
         codesign=_options_of(content, 'codesign', problems),
         validate=_options_of(content, 'validate', problems) if validates else None,
         axes=axes,
@@ -213,9 +245,7 @@ def _parse(
 
 def _has_points(study: StudyFile, content: Mapping[str, Any]) -> bool:
     """Whether what is wrong leaves points to look at, whose problems are then told with it."""
-    given = (study.task is not None or 'task' not in content) and (
-        study.robot is not None or 'robot' not in content
-    )
+    given = all(getattr(study, name) is not None or name not in content for name in FILES)
     return (
         given and isinstance(content.get('base', {}), Mapping) and bool(study.axes or study.points)
     )

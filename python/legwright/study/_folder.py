@@ -187,11 +187,21 @@ class FolderRobots(Robots):
         self._folder = folder
         self._robots: dict[Path, Robot] = {}
         self._hashes: dict[Path, dict[str, str]] = {}
+        self._made: dict[str, Path] = {}
 
     def read(self, file: Path) -> Robot:
         if file not in self._robots:
             self._robots[file] = Robot(file)
         return self._robots[file]
+
+    def place(self, name: str, xml: str) -> Path:
+        sum_ = hashlib.sha256(xml.encode()).hexdigest()
+        if sum_ not in self._made:
+            folder = self._folder.scratch('built')
+            folder.mkdir()
+            self._made[sum_] = folder / f'{name}.xml'
+            write_text(self._made[sum_], xml)
+        return self._made[sum_]
 
     def hashes(self, file: Path) -> dict[str, str]:
         if file not in self._hashes:

@@ -33,6 +33,7 @@ KNOWN: Mapping[str, Measure] = {
     'search': Measure('string', '', 'how the search ended'),
     'design_iterations': Measure('int64', '', 'of the search'),
     'newton_iterations': Measure('int64', '', 'of all motions of the search'),
+    'joints': Measure('int64', '', 'that a servo turns'),
     'initial_mass': Measure('float64', 'kg', 'of the given body, without payload'),
     'mass': Measure('float64', 'kg', 'of the body, without payload'),
     'initial_printed_volume': Measure('float64', 'm^3', 'of the given body'),
@@ -43,6 +44,10 @@ KNOWN: Mapping[str, Measure] = {
     'seconds': Measure('float64', 's', 'wall time of the point on its worker'),
 }
 """By name; beside these stand `s.NAME`, `term.NAME` and `limit.NAME`."""
+
+
+BEST = ('F', 'J', 'mass', 'printed_volume', 'joints')
+"""Measures of which a study may be after the least."""
 
 
 def of_design(design: Design) -> dict[str, Any]:
@@ -59,6 +64,7 @@ def of_design(design: Design) -> dict[str, Any]:
         'search': design.status,
         'design_iterations': record.get('design_iterations'),
         'newton_iterations': record.get('newton_iterations'),
+        'joints': len(next(iter(design.tasks.values())).motion.joint_names),
     }
     for prefix, which in (('initial_', 'initial'), ('', 'final')):
         body = (record.get('body') or {}).get(which) or {}

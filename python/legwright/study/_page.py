@@ -131,7 +131,9 @@ def _line(study: 'Study', rows: Rows) -> str:
     passed = sum(row['pass'] for row in played)
     words = [f'{len(rows)} points', f'{len(done)} with a design']
     words += [f'MuJoCo passes {passed} of {len(played)}'] if played else ['none played in MuJoCo']
-    return f'{", ".join(words)}. Legwright {_core.__version__}, MuJoCo {_core.mujoco_version}.'
+    best = study.best_line
+    words = [', '.join(words)] + ([best[0].upper() + best[1:]] if best else [])
+    return f'{". ".join(words)}. Legwright {_core.__version__}, MuJoCo {_core.mujoco_version}.'
 
 
 def page_of(study: 'Study') -> str:

@@ -15,16 +15,14 @@ from typing import Any
 
 from legwright import _core
 from legwright._errors import InputError
-from legwright._options import kind_of
 from legwright._robot import Robot
 from legwright._task import Task
 from legwright.study import _options
-from legwright.study._file import MADE, Listed, StudyFile
+from legwright.study._assembly import Assemblies, Built, Places, set_key
+from legwright.study._file import FILES, MADE, Listed, StudyFile
 from legwright.study._problems import Key, dotted
 
 MOST = 100_000  # points of a study
-Places = Mapping[Key, Key]
-"""Where each setting stands in the study file."""
 _POINT = Path('<point>')
 _COMPLAINT = re.compile(r'<point>:(?:\d+:)? (?:([^\s:]+): )?(.*)')
 
@@ -43,17 +41,20 @@ class Point:
     task_file: str
     """The base's, likewise; `<study>` where there is none."""
     robot: Mapping[str, str]
-    """SHA-256 of each of the robot's files, by path; the main one is robot.xml."""
+    """SHA-256 of each of the robot's files, by path; the main one is robot.xml. Where there is no
+    robot, that of its assembly."""
     task: str
     """Text of its task file."""
     codesign: Mapping[str, Any]
     validate: Mapping[str, Any] | None
+    refusal: str = ''
+    """Why its modules make no robot; it is refused for that."""
 
     @property
     def inputs(self) -> dict[str, Any]:
         """All that its design depends on. Options are complete, so that a default that is given
         counts as one that is not."""
-        return {
+        inputs = {
             'legwright': _core.__version__,
             'mujoco': _core.mujoco_version,
             'robot': dict(self.robot),
@@ -61,6 +62,7 @@ class Point:
             'codesign': dict(self.codesign),
             'validate': None if self.validate is None else dict(self.validate),
         }
+        return inputs | ({'refusal': self.refusal} if self.refusal else {})
 
     @property
     def hash(self) -> str:
@@ -80,12 +82,18 @@ def _apply(content: dict[str, Any], key: Key, value: Any) -> str | None:
             there = ', '.join(map(str, named)) or 'none: it has no [[task]]'
             return f'expected tasks.NAME.KEY, NAME of a task of the file, which has {there}'
         table, key = named[key[1]], key[2:]
-    for name in key[:-1]:
-        table = table.setdefault(name, {})
-        if not isinstance(table, dict):
-            return f'sets a key of {name}, which is {kind_of(table)}'
-    table[key[-1]] = copy.deepcopy(value)
-    return None
+    return set_key(table, key, value)
+
+
+@dataclass(frozen=True)
+class _Source:
+    """Where a robot comes from."""
+
+    file: Path
+    """Its MJCF, or the assembly that it is built of."""
+    place: Key
+    """In the study file."""
+    built: Built | None = None
 
 
 class _Expansion:
@@ -94,6 +102,7 @@ class _Expansion:
     def __init__(self, study: StudyFile, robots: 'Robots') -> None:
         self.study, self.robots, self.problems = study, robots, study.problems
         self._bases: dict[Path, dict[str, Any]] = {}
+        self._assemblies = Assemblies(study)
 
     def _base(self, named: str | None, place: Key) -> tuple[Path, dict[str, Any]]:
         """The content of a base task, a copy; empty where there is none."""
@@ -131,20 +140,35 @@ class _Expansion:
             self.problems.add(place, f'{file} cannot be read: {error}')
         return None
 
-    def _robot_named(
+    def _source(
         self,
         settings: Mapping[Key, Any],
         task_file: Path,
         content: Mapping[str, Any],
         places: Places,
-    ) -> tuple[Path, Key] | None:
-        """The file of the robot, and where it is named; that of the base task without another."""
-        named = settings.get(('robot',), self.study.robot)
-        if named is not None:
-            return self.study.folder / named, places.get(('robot',), ('robot',))
-        if isinstance(content.get('robot'), str):
-            return task_file.parent / content['robot'], places.get(('task',), ('task',))
-        if not len(self.problems):
+    ) -> _Source | None:
+        """Where the robot comes from: its file, an assembly, or the robot of the base task."""
+        robot = settings.get(('robot',), self.study.robot)
+        assembly = settings.get(('assembly',), self.study.assembly)
+        sets = [places[key] for key in settings if key[0] == 'build']
+        sets += [('build', *key) for key in self.study.build]
+        if assembly is None and sets:
+            fault = 'sets a key of an assembly, and none is named; add: assembly = "FILE.toml"'
+            self.problems.add(sets[0], fault)
+        elif assembly is not None and robot is not None:
+            place = places.get(('assembly',), ('assembly',))
+            self.problems.add(place, 'stands beside a robot; name one of the two')
+        elif assembly is not None:
+            made = self._assemblies.build(assembly, settings, places, self._text)
+            place = places.get(('assembly',), ('assembly',))
+            return made and _Source(self.study.folder / assembly, place, made)
+        elif robot is not None:
+            place = places.get(('robot',), ('robot',))
+            return _Source(self.study.folder / robot, place)
+        elif isinstance(content.get('robot'), str):
+            place = places.get(('task',), ('task',))
+            return _Source(task_file.parent / content['robot'], place)
+        elif not len(self.problems):
             self.problems.add((), 'names no robot; add for instance: robot = "robot.xml"')
         return None
 
@@ -157,7 +181,7 @@ class _Expansion:
             'validate': dict(self.study.validate or {}),
         }
         for key, value in settings.items():
-            if key in (('robot',), ('task',)):
+            if key[0] == 'build' or len(key) == 1 and key[0] in FILES:
                 continue
             if key[0] in options:
                 options[key[0]][key[1]] = value
@@ -179,34 +203,45 @@ class _Expansion:
         task_file, content = self._base(
             settings.get(('task',), self.study.task), places.get(('task',), ('task',))
         )
-        named = self._robot_named(settings, task_file, content, places)
-        if named is None:
+        source = self._source(settings, task_file, content, places)
+        if source is None:
             return None
-        robot_file, robot_place = named
         content['robot'] = 'robot.xml'
         options = self._settle(content, {**self.study.base, **settings}, places)
-        robot = self._robot_of(robot_file, robot_place)
-        if robot is None or len(self.problems) > before:
-            return None
-        text = self._task_text(content, task_file, robot, places)
         if len(self.problems) > before:
             return None
-        shown = {dotted(key): value for key, value in settings.items()}
+        robot, text, hashes, refusal = None, '', {}, ''
+        if source.built is not None and source.built.refusal:
+            refusal = source.built.refusal
+            sum_ = hashlib.sha256(source.built.text.encode()).hexdigest()
+            hashes = {'assembly.toml': sum_}
+        else:
+            file = source.file
+            if source.built is not None:
+                file = self.robots.place(source.file.stem, source.built.xml)
+            robot = self._robot_of(file, source.place)
+            if robot is None:
+                return None
+            text = self._task_text(content, task_file, robot, places)
+            hashes = self.robots.hashes(file)
+        if len(self.problems) > before:
+            return None
         validates = self.study.validate is not None
         return Point(
             index=index,
             name=_name_of(index, listed, settings),
-            settings=shown,
-            robot_file=os.path.relpath(robot_file, self.study.folder),
+            settings={dotted(key): value for key, value in settings.items()},
+            robot_file=os.path.relpath(source.file, self.study.folder),
             task_file=str(MADE)
             if task_file == MADE
             else os.path.relpath(task_file, self.study.folder),
-            robot=self.robots.hashes(robot_file),
+            robot=hashes,
             task=text,
             codesign=_options.with_defaults(_options.CODESIGN, options['codesign']),
             validate=_options.with_defaults(_options.VALIDATE, options['validate'])
             if validates
             else None,
+            refusal=refusal,
         )
 
     def _task_text(
@@ -263,6 +298,10 @@ class Robots:
 
     def read(self, file: Path) -> Robot:
         """Raises InputError, IoError."""
+        raise NotImplementedError
+
+    def place(self, name: str, xml: str) -> Path:
+        """A file of a robot that was made, for read()."""
         raise NotImplementedError
 
     def hashes(self, file: Path) -> dict[str, str]:

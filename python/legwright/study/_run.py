@@ -16,6 +16,7 @@ from legwright._errors import LegwrightWarning
 from legwright.study._extra import require_extra
 from legwright.study._file import MADE, StudyFile, read_study
 from legwright.study._folder import FolderRobots, StudyFolder, write_text
+from legwright.study._measures import KNOWN, as_float
 from legwright.study._points import Point, points_of
 from legwright.study._work import Job, work
 
@@ -48,6 +49,8 @@ class Study:
     points: list[Point]
     failures: dict[str, str] = field(default_factory=dict)
     """Why points failed that run again next time, by hash."""
+    best_by: str | None = None
+    """`best` of the study file."""
 
     @cached_property
     def _folder(self) -> StudyFolder:
@@ -74,6 +77,31 @@ class Study:
         """
         chosen = self.points[point] if isinstance(point, int) else point
         return Design.load(self._folder.point(chosen.hash))
+
+    @property
+    def best(self) -> Point | None:
+        """Of the designs that pass in MuJoCo the one with the least of `best` of the study file; of
+        equals the first. None where none passes, or the file asks for nothing."""
+        if self.best_by is None:
+            return None
+        found = []
+        for point in self.points:
+            measures = self.records.get(point.hash, {}).get('measures', {})
+            if measures.get('pass') and measures.get('validated', True):
+                found.append((as_float(measures[self.best_by]), point))
+        return min(found, key=lambda each: each[0])[1] if found else None
+
+    @property
+    def best_line(self) -> str:
+        """The same in words; empty where the file asks for nothing."""
+        if self.best_by is None:
+            return ''
+        best = self.best
+        if best is None:
+            return f'least {self.best_by}: no design passes'
+        value = as_float(self.records[best.hash]['measures'][self.best_by])
+        words = f'{value:.4g} {KNOWN[self.best_by].unit}'.rstrip()
+        return f'least {self.best_by} that passes: {words}, {best.name}'
 
     @property
     def complete(self) -> bool:
@@ -138,7 +166,7 @@ def run(
             place.unmake()
             raise
         write_text(place.study_file, _text_of(read))
-        found = Study(place.root, read.name, points)
+        found = Study(place.root, read.name, points, best_by=read.best)
         try:
             _carry_out(found, place, read, force, _opener(scheduler, workers, client), on_point)
             _tell_of_the_killed(place.sweep(), found)

@@ -18,7 +18,7 @@ FIRST: Mapping[str, Measure] = {
     'hash': Measure('string', '', 'of its inputs; its run folder is points/HASH'),
     'status': Measure('string', '', 'done, refused (inputs), failed (worker, files) or open'),
     'reason': Measure('string', '', 'why it has no design'),
-    'robot': Measure('string', '', 'file of the robot, from that of the study file'),
+    'robot': Measure('string', '', 'its file or that of its assembly, from that of the study'),
     'task': Measure('string', '', 'file of the base task, likewise'),
 }
 """Columns that each study has first; then come what the points set, and what they measured."""
@@ -28,7 +28,7 @@ def _plain_settings(point: 'Point') -> dict[str, Any]:
     """What a point sets, lists of numbers as a column for each entry."""
     out: dict[str, Any] = {}
     for key, value in point.settings.items():
-        if key in ('robot', 'task'):
+        if key in ('robot', 'assembly', 'task'):
             continue
         if isinstance(value, list) and value and all(_is_number(each) for each in value):
             out |= {f'{key}[{i}]': each for i, each in enumerate(value)}
@@ -67,7 +67,7 @@ def rows_of(study: 'Study') -> tuple[list[dict[str, Any]], dict[str, Measure]]:
     columns: dict[str, Measure] = dict(FIRST)
     for name in dict.fromkeys(key for each in settings for key in each):
         kind = _kind(each.get(name) for each in settings)
-        columns[name] = Measure(kind, '', 'set by the study: key of the task, or option')
+        columns[name] = Measure(kind, '', 'set by the study: key of task or assembly, or option')
     measured: dict[str, Measure] = dict(_measures.KNOWN)
     for point, own in zip(study.points, settings):
         record = study.records.get(point.hash)

@@ -105,6 +105,8 @@ def _empty(folder: Path) -> None:
 
 def _design(job: Job, folder: StudyFolder, made: Path) -> tuple[dict[str, Any], list[str]]:
     """The co-design, its validation and picture. @return what it measured, what is doubtful"""
+    if 'refusal' in job.inputs:
+        raise InputError(job.inputs['refusal'])
     robot = Robot(folder.robots / robot_address(job.inputs['robot']) / 'robot.xml')
     task = Task._from_text(job.inputs['task'], folder.point(job.hash) / 'inputs/task.toml')
     with warnings.catch_warnings(record=True) as doubts:

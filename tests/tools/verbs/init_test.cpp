@@ -173,6 +173,32 @@ TEST_F(InitOfUrdf, OneWithYUpIsTurned) {
   EXPECT_TRUE(Json::parse(again.out).at("trunk_axes").is_null()) << again.out;
 }
 
+/// Strider, whose trunk floats by three slides and three hinges.
+std::string strider_on_six_joints() {
+  std::string xml = read_file(fs::path(test::source_dir()) / "tests/robots/strider/robot.xml");
+  std::string joints;
+  for (const char* axis : {"1 0 0", "0 1 0", "0 0 1"})
+    joints +=
+        "<joint type=\"slide\" axis=\"" + std::string(axis) + "\"/><joint axis=\"" + axis + "\"/>";
+  xml.replace(xml.find("<freejoint/>"), 12, joints);
+  const std::string free = "0 0 0.115267 1 0 0 0 ";
+  return xml.replace(xml.find(free), free.size(), "0 0 0 0 0 0 ");
+}
+
+TEST_F(InitOfUrdf, ATrunkThatFloatsBySixJointsGetsAFreeOne) {
+  const std::string given = strider_on_six_joints();
+  write_file(robot_, given);
+  const Outcome none = call({"init", robot_.string(), "--task", task_.string()});
+  EXPECT_EQ(none.code, 2) << none.out;
+  EXPECT_TRUE(contains(none.err, "add --write, which puts it there")) << none.err;
+  EXPECT_EQ(read_file(robot_), given);
+  const Outcome told = call({"init", robot_.string(), "--write", "--task", task_.string()});
+  ASSERT_EQ(told.code, 0) << told.err;
+  EXPECT_EQ(told.out.find("floats   the trunk 'body', by six joints in the file"), 0U) << told.out;
+  EXPECT_TRUE(contains(read_file(robot_), "<freejoint name=\"root\"/>"));
+  EXPECT_EQ(call({"check", task_.string()}).code, 0);
+}
+
 TEST_F(InitOfUrdf, NoTaskIsWrittenForAnMjcfThatHasToBeTurnedFirst) {
   const std::string drawn = test::strider_with_y_up();
   write_file(robot_, drawn);

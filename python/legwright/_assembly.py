@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Robots built of modules: servos, feet and trunks, as an assembly file says."""
+
+import os
+from collections.abc import Sequence
+from pathlib import Path
+
+from legwright import _core
+from legwright._errors import InputError, IoError, check_readable
+from legwright._robot import Robot
+
+MODULES = Path(__file__).parent / 'share/legwright/modules'
+"""The library that came with the package."""
+
+
+def build(
+    assembly: str | os.PathLike[str],
+    output: str | os.PathLike[str],
+    *,
+    library: Sequence[str | os.PathLike[str]] = (),
+) -> Robot:
+    """Builds a robot of modules and writes its MJCF, as `legwright build`.
+
+    Args:
+        assembly: an assembly file (docs/assembly_file.md).
+        output: the new file of the robot.
+        library: folders of modules of one's own; of one name the later one counts.
+
+    Raises:
+        InputError: for what is wrong with the assembly, by line and key, or where its robot does
+            not stand on legs.
+        IoError: where `output` is there already, or something cannot be read or written.
+    """
+    file, place = Path(assembly), Path(output)
+    check_readable(file, 'give the path of an assembly file')
+    folders = [MODULES, *(Path(each) for each in library)]
+    xml, refusal = _core.build_robot(file.read_text(encoding='utf-8'), file, folders)
+    if refusal:
+        message = f'its robot is refused and not written; of {refusal}'
+        raise InputError(f'{file}: {message}', str(file), 0, '', message)
+    try:
+        with place.open('x', encoding='utf-8', newline='\n') as stream:
+            stream.write(xml)
+    except FileExistsError:
+        raise IoError(f'{place}: is there already; name another file') from None
+    return Robot(place)
