@@ -3,6 +3,7 @@
 
 import io
 import json
+import os
 import re
 import subprocess
 import sys
@@ -136,6 +137,21 @@ def test_an_axis_that_the_design_turned_away_from_its_servo_fails(dog, tmp_path)
         np.degrees(np.arctan2(0.0175, 0.9998))
     )
     assert 'freeze = ["*_axis_*"]' in failed.remedy
+
+
+def test_without_its_libraries_it_says_what_to_install(dog, tmp_path):
+    (tmp_path / 'manifold3d').mkdir()
+    (tmp_path / 'manifold3d/__init__.py').write_text("raise ImportError('not here')")
+    path = os.pathsep.join([str(tmp_path), *sys.path])
+    done = subprocess.run(
+        [sys.executable, '-m', 'legwright.parts', dog, '-o', tmp_path / 'out'],
+        env={**os.environ, 'PYTHONPATH': path},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == command.IO_ERROR and 'pip install "legwright[parts]"' in done.stderr
+    assert 'not here' in done.stderr and not (tmp_path / 'out').exists()
 
 
 def test_what_is_no_robot_of_modules_is_bad_input(examples, dog, tmp_path, capsys):

@@ -46,7 +46,12 @@ def test_doctor_tells_which_extras_are_there():
     command = Path(sys.executable).parent / 'legwright'
     told = json.loads(run(command, 'doctor', '--json').stdout)['items']
     items = {each['name']: each for each in told}
-    for extra, libraries in {'study': ('distributed', 'pyarrow'), 'drake': ('pydrake',)}.items():
+    needed = {
+        'study': ('distributed', 'pyarrow'),
+        'drake': ('pydrake',),
+        'parts': ('manifold3d', 'trimesh', 'mujoco'),
+    }
+    for extra, libraries in needed.items():
         there = all(importlib.util.find_spec(each) for each in libraries)
         assert items[extra]['found'] is there and not items[extra]['required']
         if there:
@@ -82,7 +87,7 @@ def test_version_types_licence_and_the_served_mujoco_are_told():
     files = {str(file) for file in DISTRIBUTION.files or ()}
     assert {'legwright/py.typed', 'legwright/_core.pyi'} <= files
     assert any(file.endswith('licenses/LICENSE') for file in files)
-    extras = {'mujoco': [], 'drake': [], 'study': []}
+    extras = {'mujoco': [], 'drake': [], 'study': [], 'parts': []}
     for each in DISTRIBUTION.requires or ():
         for name, packages in extras.items():
             if f'extra == "{name}"' in each.replace("'", '"'):
@@ -92,6 +97,7 @@ def test_version_types_licence_and_the_served_mujoco_are_told():
     # The second engine builds its plant from MuJoCo's model.
     assert mujoco in extras['drake'] and sum(e.startswith('drake') for e in extras['drake']) == 1
     assert [each.split('>')[0] for each in extras['study']] == ['dask', 'distributed', 'pyarrow']
+    assert [each.split('>')[0] for each in extras['parts']] == [mujoco, 'manifold3d', 'trimesh']
     assert {f'legwright/study/page.{kind}' for kind in ('html', 'css', 'js')} <= files
 
 

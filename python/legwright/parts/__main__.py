@@ -6,11 +6,14 @@ import json
 import sys
 import traceback
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from legwright._errors import InputError
-from legwright.parts._make import Parts, make
+from legwright.parts._extra import require_extra
 from legwright.parts._options import PartOptions
-from legwright.parts._tables import check_lines
+
+if TYPE_CHECKING:
+    from legwright.parts._make import Parts
 
 # As tools/files/exit_code.hpp has them.
 OK, FAILED, BAD_INPUT, IO_ERROR, INTERNAL = 0, 1, 2, 3, 4
@@ -36,7 +39,9 @@ def _options(words: argparse.Namespace) -> PartOptions:
     return PartOptions(words.fit, words.wall, words.gap, bed, words.strength, words.safety)
 
 
-def _summary(made: Parts) -> str:
+def _summary(made: 'Parts') -> str:
+    from legwright.parts._tables import check_lines
+
     count = sum(part.count for part in made.parts)
     failed = sum(not check.passed for check in made.checks)
     verdict = 'PASS' if made.passed else f'FAIL: {failed} of {len(made.checks)} checks'
@@ -53,11 +58,14 @@ def main(words: list[str] | None = None) -> int:
     """The command; returns its exit code."""
     parsed = _parsed(words)
     try:
+        require_extra()
+        from legwright.parts._make import make
+
         made = make(parsed.robot, parsed.output, _options(parsed))
     except InputError as error:
         print(f'legwright: {error}', file=sys.stderr)
         return BAD_INPUT
-    except OSError as error:
+    except (OSError, ImportError) as error:
         print(f'legwright: {error}', file=sys.stderr)
         return IO_ERROR
     except Exception:

@@ -13,6 +13,7 @@ from manifold3d import Manifold
 from manifold3d import Mesh as ManifoldMesh
 from numpy.typing import NDArray
 
+_DIGITS = 5  # of a millimetre: readers take nearer corners for one
 _STL_HEAD = b'legwright parts, millimetres'.ljust(80, b' ')
 _ROW = np.dtype([('normal', '<f4', 3), ('corners', '<f4', (3, 3)), ('attribute', '<u2')])
 _CORE = 'http://schemas.microsoft.com/3dmanufacturing/core/2015/02'
@@ -45,10 +46,13 @@ class Mesh:
 
 
 def mesh_of(solid: Manifold) -> Mesh:
-    """The triangles of a solid, with the single precision that STL has: what falls together is one
-    corner."""
+    """The triangles of a solid, to 1e-5 mm and with the single precision that STL has.
+
+    What falls together is one corner.
+    """
     mesh = solid.to_mesh64()
-    corners = np.asarray(mesh.vert_properties)[:, :3].astype(np.float32) + np.float32(0)
+    fine = np.round(np.asarray(mesh.vert_properties)[:, :3], _DIGITS)
+    corners = fine.astype(np.float32) + np.float32(0)
     vertices, number = np.unique(corners, axis=0, return_inverse=True)
     triangles = number.reshape(-1)[np.asarray(mesh.tri_verts).astype(np.int64)]
     a, b, c = triangles.T
