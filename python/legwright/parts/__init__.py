@@ -32,7 +32,7 @@ _MODULES = {
 
 
 def __getattr__(name: str) -> Any:
-    """What is public, loaded when it is asked for. Raises ImportError where the extra is missing."""
+    """What is public, loaded when asked for. Raises ImportError where the extra is missing."""
     if name not in _MODULES:
         raise AttributeError(f'module {__name__} has no attribute {name}')
     require_extra()
