@@ -9,6 +9,7 @@
 
 #include "mjcf/read/feet.hpp"
 #include "mjcf/read/moving_parts.hpp"
+#include "mjcf/scene/seen_shapes.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/listed.hpp"
 #include "mjcf/text/model_arrays.hpp"
@@ -40,6 +41,11 @@ std::optional<int> lowest_geom(const mjModel& model, const mjData& data, const S
 std::vector<std::string> feet_beside_pictures(const RobotModel& robot) {
   const ModelPointer model = compile_mjcf(robot.xml, robot.file);
   const DataPointer data = kinematics_at(*model, home_qpos(*model), robot.file);
+  const std::vector<int> groups = drawn_groups(*model);
+  const auto is_drawn = [&](int geom) {
+    return groups[static_cast<std::size_t>(geom)] <= kHighestSeenGroup &&
+           model->geom_rgba[4 * geom + 3] > 0.0F;
+  };
   std::vector<std::string> feet;
   std::string worst;
   double most = 0.0;
@@ -54,6 +60,7 @@ std::vector<std::string> feet_beside_pictures(const RobotModel& robot) {
     const double length = (touches - vector_at(data->xanchor, hinges.back())).norm();
     const double higher =
         lowest_point(*model, *data, *picture) - lowest_point(*model, *data, *shape);
+    if (higher > 0.0 && is_drawn(*shape)) continue;  // the foot of a link that ends above it
     const double beside = (touches - shows).head<2>().norm();
     const double share =
         std::max(std::abs(higher) / (kHeightApart * length), beside / (kPlaceApart * length));
