@@ -123,6 +123,13 @@ def test_a_part_that_does_not_reach_a_module_fails_with_the_remedy(examples, tmp
     assert document['passed'] is False
 
 
+def test_the_hexapod_that_is_meant_to_be_printed_passes_at_home(examples, tmp_path):
+    robot = build(examples / 'assemblies/printed_hexapod.toml', tmp_path / 'hexapod.xml')
+    made = parts.make(robot, tmp_path / 'out')
+    assert made.passed, [check for check in made.checks if not check.passed]
+    assert sum(part.count for part in made.parts) == 19
+
+
 def test_an_axis_that_the_design_turned_away_from_its_servo_fails(dog, tmp_path):
     text = dog.read_text(encoding='utf-8')
     turned = text.replace(

@@ -14,7 +14,7 @@ _STEEP = math.cos(math.radians(45.0))  # a face that looks down more than that n
 _ON_THE_BED = 0.02  # [mm] above the lowest point
 _ONE_FACE = 1e-3  # of normals that are one direction
 _MOST_FACES = 40  # directions that are tried, by area
-_LEAST_CONTACT = 15.0  # [mm2]: what stands on less falls over
+_LEAST_CONTACT = 0.05  # of its box: what touches less of the bed comes loose
 _LOW = 0.5  # of the length: so high a part lies, higher ones stand
 _SUPPORT_FILL = 0.15  # of the room below an overhang
 _LAYER = 0.2  # [mm]
@@ -123,11 +123,11 @@ def best_lying(shape: Manifold) -> Lying:
     """Of the flat sides of its hull on which a solid can lie, the one with the least overhang.
 
     Those come first on which it is at most half as high as long, as layers that run along a part
-    bear more. Of equal ones the one that touches most of the bed; where none touches 15 mm2, the
-    one that touches most.
+    bear more. Of equal ones the one that touches most of the bed; where none touches as much as a
+    twentieth of its box, the one that touches most.
     """
     found = [lying_on(shape, down) for down in _directions(shape)]
-    steady = [each for each in found if each.contact >= _LEAST_CONTACT]
+    steady = [e for e in found if e.contact >= _LEAST_CONTACT * e.size[0] * e.size[1]]
     if not steady:
         return max(found, key=lambda each: each.contact)
     low = [each for each in steady if each.size[2] <= _LOW * max(each.size[:2])]

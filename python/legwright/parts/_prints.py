@@ -12,9 +12,10 @@ _RULES = """
 Sizes are of the box of a part as its STL lies, which is how it is to be printed. Of the flat sides
 of its hull that side is down which leaves the least area looking down by more than 45°; sides on
 which the part would be higher than half its length come last, as layers across a part are where it
-breaks. Support is 15 % of the room between such areas and the bed. Time is volume and support by 8
-mm³/s and 3 s for each layer of 0.2 mm: a rule to compare parts by, no slicer's figure. All parts
-are filled.
+breaks, and those that touch less than a twentieth of its box, from which it would come loose.
+Support is 15 % of the room between such areas and the bed. Time is volume and support by 8 mm³/s
+and 3 s for each layer of 0.2 mm: a rule to compare parts by, no slicer's figure. All parts are
+filled.
 """
 
 
