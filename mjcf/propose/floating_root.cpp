@@ -109,7 +109,7 @@ FreeState free_state(const mjModel& model, int body, const double* qpos, const d
   const int q = model.jnt_qposadr[model.body_jntadr[body]], v = model.body_dofadr[body];
   FreeState out{VectorXd(model.nq + 1), VectorXd(model.nv)};
   out.qpos << VectorXd::Map(qpos, q), vector_at(data->xpos, body),
-      Eigen::Vector4d::Map(data->xquat + 4 * body),
+      Eigen::Vector4d::Map(data->xquat + std::ptrdiff_t{4} * body),
       VectorXd::Map(qpos + q + kSix, model.nq - q - kSix);
   out.qvel = VectorXd::Map(qvel, model.nv);
   out.qvel.segment<3>(v) = Vector3d::Map(in_world.data() + 3);
