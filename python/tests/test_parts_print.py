@@ -8,7 +8,7 @@ from pathlib import Path
 import mujoco
 import numpy as np
 import pytest
-from legwright import parts
+from legwright import InputError, parts
 from legwright.parts._fit import Distances, free_range, home_of, things_of
 from legwright.parts._printing import best_lying, lying_on
 from legwright.parts._robot import read_built
@@ -140,6 +140,27 @@ def test_a_gait_in_which_parts_meet_fails_and_says_where(run, tmp_path):
     assert set(failed) == {'gap in the gait as played', 'range of FL_knee'}
     assert 't = 0.20 s' in failed['gap in the gait as played'].where
     assert 'works from -180 to -60' in failed['range of FL_knee'].where
+
+
+def test_of_a_run_for_several_tasks_all_gaits_count(run, tmp_path):
+    gait(run, -1.5)
+    for task in ('trot', 'sideways'):
+        (run / f'tasks/{task}').mkdir(parents=True)
+        shutil.copytree(run / 'result', run / f'tasks/{task}/result')
+    (run / 'result/motion.csv').unlink()
+    (run / 'result/playback_result.csv').unlink()
+    assert parts.make(run, tmp_path / 'good').passed
+    gait(run, -math.pi)
+    shutil.copy(run / 'result/playback_result.csv', run / 'tasks/trot/result')
+    (run / 'result/motion.csv').unlink()
+    bad = parts.make(run, tmp_path / 'bad')
+    (failed,) = [check for check in bad.checks if check.name == 'gap in the gaits as played']
+    assert not failed.passed and 'trot, t = 0.20 s' in failed.where
+    beams = [check for check in bad.checks if check.name == 'bears the gait']
+    assert beams and all(', t = ' in check.where for check in beams)
+    shutil.rmtree(run / 'tasks')
+    with pytest.raises(InputError, match='has no gait'):
+        parts.make(run, tmp_path / 'none')
 
 
 def test_the_exploded_view_has_each_thing_once(made):

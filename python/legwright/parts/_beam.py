@@ -10,7 +10,7 @@ import numpy as np
 
 from legwright._motion import Motion, read_motion
 from legwright.parts._checks import Check, at_least
-from legwright.parts._gait import PLANNED
+from legwright.parts._gait import PLANNED, results_of
 from legwright.parts._options import PartOptions
 from legwright.parts._robot import BuiltRobot
 from legwright.parts._sections import Section, sections_of
@@ -28,7 +28,8 @@ class Load:
     [N], [m]; the torque that the force alone does not explain [N m].
     """
 
-    time: float
+    when: str
+    """In words."""
     force: Array
     place: Array
     rest: float
@@ -73,14 +74,16 @@ def _contact(data: mujoco.MjData, model: mujoco.MjModel, geom: int) -> Array:
     return place
 
 
-def gait_loads(robot: BuiltRobot, motion: Motion) -> dict[int, list[Load]]:
+def gait_loads(robot: BuiltRobot, motion: Motion, task: str = '') -> dict[int, list[Load]]:
     """Of each link by its body, at each knot: the ground's force on the feet beyond it."""
+    of = f'{task}, ' if task else ''
     model = robot.model
     geoms = [mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_GEOM, n) for n in motion.foot_names]
     joints = {name: k for k, name in enumerate(motion.joint_names)}
     out: dict[int, list[Load]] = {link.body: [] for link in robot.links}
     for knot in range(len(motion.time) - 1):
         data = _placed(robot, motion, knot)
+        when = f'{of}t = {motion.time[knot]:.2f} s'
         for link in robot.links:
             turn = data.xmat[link.body].reshape(3, 3)
             torque = motion.torques[knot, joints[model.joint(link.joint).name]]
@@ -92,7 +95,7 @@ def gait_loads(robot: BuiltRobot, motion: Motion) -> dict[int, list[Load]]:
                 place = turn.T @ (_contact(data, model, geom) - data.xpos[link.body])
                 # The servo holds against the ground: its torque is the opposite of the force's.
                 rest = abs(float(torque + axis @ np.cross(place, force)))
-                out[link.body].append(Load(float(motion.time[knot]), force, place, rest))
+                out[link.body].append(Load(when, force, place, rest))
     return out
 
 
@@ -108,7 +111,7 @@ def _worst(sections: list[Section], loads: list[Load], axis: Array) -> tuple[flo
             stress = section.stress(load.force, moment)
             if stress > worst:
                 worst = stress
-                where = f'{100 * section.share:.0f} % of the way, t = {load.time:.2f} s'
+                where = f'{100 * section.share:.0f} % of the way, {load.when}'
     return worst, where
 
 
@@ -128,9 +131,10 @@ def check_beams(
     robot: BuiltRobot, parts: list[Part], run: Path | None, options: PartOptions
 ) -> list[Check]:
     """Safety factors of all parts: under a run's planned forces, and under their servo's torque."""
-    loads = {}
-    if run is not None:
-        loads = gait_loads(robot, read_motion(run / 'result' / PLANNED))
+    loads: dict[int, list[Load]] = {}
+    for task, result in results_of(run).items() if run is not None else ():
+        for body, found in gait_loads(robot, read_motion(result / PLANNED), task).items():
+            loads.setdefault(body, []).extend(found)
     out = []
     remedy = (
         'a larger radius or wall under [link] of the assembly, or --strength of another material'
@@ -142,11 +146,11 @@ def check_beams(
         stalled = _stalled(robot, part.solid, sections)
         cases = [('bears its servo', stalled, 1.0, 'all of the torque limit, against the far end')]
         if loads:
-            found = [
+            worst = [
                 _worst(sections, loads[each.link.body], robot.model.jnt_axis[each.link.joint])
                 for each in part.solids
             ]
-            stress, where = max(found)
+            stress, where = max(worst)
             cases.insert(0, ('bears the gait', stress, options.safety, where))
         for name, stress, least, where in cases:
             factor = options.strength / stress if stress > 0 else math.inf

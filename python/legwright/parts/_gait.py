@@ -4,6 +4,7 @@
 import csv
 from pathlib import Path
 
+import mujoco
 import numpy as np
 
 from legwright._errors import InputError
@@ -21,9 +22,24 @@ def _columns(file: Path) -> dict[str, Array]:
     return {name: table[:, k] for k, name in enumerate(rows[0])}
 
 
-def gait_poses(robot: BuiltRobot, result: Path) -> tuple[str, list[tuple[str, Array]]]:
-    """What the poses are of, and at most 100 of them with their times: what MuJoCo played where
-    `validate` did, else the plan. Of joints alone: the trunk stays where the file draws it."""
+def results_of(run: Path) -> dict[str, Path]:
+    """The result folders of a run: its own, called ''; of a run for several tasks theirs, by name.
+
+    Raises InputError where there is none with a gait.
+    """
+    if (run / 'result' / PLANNED).is_file():
+        return {'': run / 'result'}
+    found = {file.parents[1].name: file.parent for file in run.glob(f'tasks/*/result/{PLANNED}')}
+    if not found:
+        raise InputError(
+            f'{run}: has no gait (result/{PLANNED}); give a run whose search has ended, or the '
+            'MJCF of a robot'
+        )
+    return dict(sorted(found.items()))
+
+
+def _poses_of(robot: BuiltRobot, result: Path, task: str) -> tuple[bool, list[tuple[str, Array]]]:
+    """Whether they were played, and at most 100 poses with their times."""
     played = (result / PLAYED).is_file()
     file = result / (PLAYED if played else PLANNED)
     columns, prefix = _columns(file), '' if played else 'q:'
@@ -34,8 +50,17 @@ def gait_poses(robot: BuiltRobot, result: Path) -> tuple[str, list[tuple[str, Ar
         column = columns.get(f'{prefix}{name}_rad')
         if column is not None:
             qpos[:, robot.model.jnt_qposadr[joint]] = column
-        elif robot.model.jnt_type[joint] == 3:
+        elif robot.model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_HINGE:
             raise InputError(f'{file}: has no column of the joint {name}; optimize anew')
     step = -(-len(times) // _MOST_POSES)
-    poses = [(f't = {times[k]:.2f} s', qpos[k]) for k in range(0, len(times), step)]
-    return ('in the gait as played' if played else 'in the gait as planned'), poses
+    of = f'{task}, ' if task else ''
+    return played, [(f'{of}t = {times[k]:.2f} s', qpos[k]) for k in range(0, len(times), step)]
+
+
+def gait_poses(robot: BuiltRobot, run: Path) -> tuple[str, list[tuple[str, Array]]]:
+    """What the poses are of, and at most 100 of each task: what MuJoCo played where `validate`
+    did, else the plan. Of joints alone: the trunk stays where the file draws it."""
+    found = [_poses_of(robot, result, task) for task, result in results_of(run).items()]
+    gait = 'in the gait' if len(found) == 1 else 'in the gaits'
+    how = 'as played' if all(played for played, _ in found) else 'as planned'
+    return f'{gait} {how}', [pose for _, poses in found for pose in poses]

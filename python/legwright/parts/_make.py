@@ -54,8 +54,8 @@ def robot_file(path: Path) -> Path:
     file = path / 'result/robot.xml'
     if not file.is_file():
         raise InputError(
-            f'{path}: has no result/robot.xml; give a run folder of one task whose search has '
-            'ended, or the MJCF that `legwright build` wrote'
+            f'{path}: has no result/robot.xml; give a run folder whose search has ended, or the '
+            'MJCF that `legwright build` wrote'
         )
     return file
 
@@ -81,7 +81,7 @@ def _all_checks(
     """Of parts by themselves, on the bed, and past each other: in a run's gait, else at home."""
     what, poses = 'at home', [('home', home_of(robot))]
     if path.is_dir():
-        what, poses = gait_poses(robot, path / 'result')
+        what, poses = gait_poses(robot, path)
     distances = Distances(robot, things_of(robot, parts))
     ranges, _ = check_ranges(robot, distances, [qpos for _, qpos in poses], options.gap)
     return [
