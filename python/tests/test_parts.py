@@ -17,6 +17,7 @@ import pytest
 import trimesh
 from legwright import parts
 from legwright.parts import __main__ as command
+from legwright.parts._shapes import outline
 
 PROGRAM = Path(lw.__file__).parent / 'bin/legwright'
 
@@ -123,11 +124,15 @@ def test_a_part_that_does_not_reach_a_module_fails_with_the_remedy(examples, tmp
     assert document['passed'] is False
 
 
-def test_the_hexapod_that_is_meant_to_be_printed_passes_at_home(examples, tmp_path):
-    robot = build(examples / 'assemblies/printed_hexapod.toml', tmp_path / 'hexapod.xml')
+@pytest.mark.parametrize('name, count', [('quadruped', 13), ('hexapod', 19)])
+def test_robots_that_are_meant_to_be_printed_pass_at_home(name, count, examples, tmp_path):
+    robot = build(examples / f'assemblies/printed_{name}.toml', tmp_path / f'{name}.xml')
     made = parts.make(robot, tmp_path / 'out')
     assert made.passed, [check for check in made.checks if not check.passed]
-    assert sum(part.count for part in made.parts) == 19
+    assert sum(part.count for part in made.parts) == count
+    trunk = made.parts[-1].solid
+    for module in trunk.link.modules:
+        assert (outline(module) ^ trunk.shape).volume() < 1e-6, f'{module.of} stands in the tray'
 
 
 def test_an_axis_that_the_design_turned_away_from_its_servo_fails(dog, tmp_path):

@@ -9,9 +9,9 @@ import mujoco
 import numpy as np
 import pytest
 from legwright import InputError, parts
-from legwright.parts._fit import Distances, free_range, home_of, things_of
+from legwright.parts._fit import Distances, free_range, things_of
 from legwright.parts._printing import best_lying, lying_on
-from legwright.parts._robot import read_built
+from legwright.parts._robot import home_of, read_built
 from manifold3d import Manifold
 from test_parts import build
 

@@ -8,8 +8,7 @@ from dataclasses import dataclass
 import mujoco
 import numpy as np
 
-from legwright.parts._fit import home_of
-from legwright.parts._robot import BuiltRobot, Module, Shape
+from legwright.parts._robot import BuiltRobot, Module, Shape, home_of
 from legwright.parts._shapes import MM
 from legwright.parts._solids import Part, Solid
 from legwright.parts._words import Array

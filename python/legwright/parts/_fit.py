@@ -114,13 +114,6 @@ class Distances:
         ]
 
 
-def home_of(robot: BuiltRobot) -> Array:
-    """Its keyframe `home`, else as drawn."""
-    model = robot.model
-    key = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_KEY, 'home')
-    return model.key_qpos[key].copy() if key >= 0 else model.qpos0.copy()
-
-
 def check_poses(
     distances: Distances, poses: Sequence[tuple[str, Array]], least: float, what: str
 ) -> Check:

@@ -12,13 +12,13 @@ from legwright._errors import InputError
 from legwright.parts._beam import check_beams
 from legwright.parts._checks import Check
 from legwright.parts._exploded import exploded_scene
-from legwright.parts._fit import Distances, check_poses, check_ranges, home_of, things_of
+from legwright.parts._fit import Distances, check_poses, check_ranges, things_of
 from legwright.parts._folder import CHECKS, SCHEMA, check_place, write_folder
 from legwright.parts._gait import gait_poses
 from legwright.parts._mesh_files import Item, stl_bytes, threemf_bytes
 from legwright.parts._options import PartOptions
 from legwright.parts._prints import check_bed, prints_markdown
-from legwright.parts._robot import BuiltRobot, read_built
+from legwright.parts._robot import BuiltRobot, home_of, read_built
 from legwright.parts._screw_checks import check_screws
 from legwright.parts._shapes import MM
 from legwright.parts._solid_checks import check_solids

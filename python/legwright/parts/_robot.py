@@ -84,6 +84,13 @@ _KINDS = {
 }
 
 
+def home_of(robot: BuiltRobot) -> Array:
+    """Its keyframe `home`, else as drawn."""
+    model = robot.model
+    key = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_KEY, 'home')
+    return model.key_qpos[key].copy() if key >= 0 else model.qpos0.copy()
+
+
 def matrix(quat: Array) -> Array:
     """3 x 3, of a unit quaternion."""
     out = np.zeros(9)

@@ -1,15 +1,23 @@
 # SPDX-License-Identifier: Apache-2.0
 """The trunk as a tray: floor and walls of its box, with cradles for the servos that stand on it."""
 
+import itertools
+import math
+
+import mujoco
 import numpy as np
 from manifold3d import Manifold
 
-from legwright.parts._robot import BuiltRobot, Link, Module
+from legwright.parts._robot import BuiltRobot, Link, Module, home_of, matrix
 from legwright.parts._shapes import MM, grown, joined, outline
-from legwright.parts._words import Array
+from legwright.parts._words import Array, Place
 
 _SOLID = 4.0  # times the wall: trunks that are lower are plates
 _FAR = 500.0  # [mm]: beyond all
+_HORN = 4.0  # [mm] before a horn that stay free, whatever turns there
+_ROOM = 1.0  # [mm] around what turns
+_USED = math.radians(45.0)  # to both sides of home, of joints that turn far
+_STEP = math.radians(5.0)
 _UP = np.array([0.0, 0.0, 1.0])
 
 
@@ -50,7 +58,7 @@ def trunk_solid(robot: BuiltRobot, wall: float, fit: float) -> tuple[Manifold, M
 
     The trunk's box as a tray. A servo gets a cradle: walls around it, but not above, from where it
     is put in, and not before its horn. Cut out are the modules, grown by the fit, with their way
-    in from above, and what is before the horns.
+    in from above, what is just before the horns, and what the links there pass through.
     """
     trunk, link = _box(robot), trunk_link(robot)
     top = MM * max(float(shape.position[2] + shape.size[2]) for shape in trunk.shapes)
@@ -60,14 +68,45 @@ def trunk_solid(robot: BuiltRobot, wall: float, fit: float) -> tuple[Manifold, M
             solids.append(outline(module, fit + wall).trim_by_plane((0, 0, -1), -top))
             for place in module.places:
                 if place.on_horn:
-                    cuts.append(_swept(module, fit + wall + 1.0, place.normal) ^ _before(place))
+                    before = _swept(module, fit + wall + 1.0, place.normal) ^ _before(place)
+                    cuts.append(before)
         cuts.append(_swept(module, fit, _UP))
+    for moved in robot.links:
+        if moved.servo in link.modules:
+            cuts.append(_passed(robot, moved))
     return joined(solids), joined(cuts)
 
 
-def _before(place) -> Manifold:
-    """The half of space on which a horn looks, from just below its plane."""
+def _passed(robot: BuiltRobot, link: Link) -> Manifold:
+    """What the hulls of a link pass through over the range of its joint, with some room [mm].
+
+    Of joints that turn by more than half a turn 45 degrees to both sides of home.
+    """
+    model, joint = robot.model, link.joint
+    low, high = model.jnt_range[joint] if model.jnt_limited[joint] else (-math.pi, math.pi)
+    if high - low > math.pi:  # a range that says nothing
+        home = float(home_of(robot)[model.jnt_qposadr[joint]])
+        low, high = max(low, home - _USED), min(high, home + _USED)
+    steps = max(2, math.ceil((high - low) / _STEP))
+    corners = _ROOM * np.array(list(itertools.product((-1, 1), repeat=3)))
+    place = MM * (model.body_pos[link.body] + model.jnt_pos[joint])
+    solids = []
+    for hull in link.hulls:
+        points = MM * (hull.points - model.jnt_pos[joint])
+        turned = []
+        for angle in np.linspace(low, high, steps + 1):
+            quat = np.zeros(4)
+            mujoco.mju_axisAngle2Quat(quat, model.jnt_axis[joint], angle)
+            turned.append(place + points @ matrix(quat).T)
+        for one, other in itertools.pairwise(turned):
+            both = np.vstack([one, other])
+            solids.append(Manifold.hull_points((both[:, None] + corners).reshape(-1, 3)))
+    return joined(solids)
+
+
+def _before(place: Place) -> Manifold:
+    """A slab on which a horn looks, from just below its plane."""
     half = Manifold.cube((2 * _FAR, 2 * _FAR, 2 * _FAR), True)
-    normal = place.normal
-    start = MM * float(normal @ place.position) - 0.2
-    return half.trim_by_plane(tuple(normal), start)
+    start = MM * float(place.normal @ place.position) - 0.2
+    slab = half.trim_by_plane(tuple(place.normal), start)
+    return slab.trim_by_plane(tuple(-place.normal), -start - _HORN)
