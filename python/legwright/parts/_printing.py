@@ -82,20 +82,20 @@ def _directions(shape: Manifold) -> list[Array]:
 
 
 def _turn_down(down: Array, corners: Array) -> Array:
-    """The turn that brings a direction down, and the longer side of what lies there along x."""
+    """The turn that brings a direction down, and the longer side of what lies there along x.
+
+    Of boxes that are turned by whole degrees the one of the least area. Corners are N x 3.
+    """
     side = np.eye(3)[np.argmin(np.abs(down))]
     x = np.cross(side, -down)
     x /= np.linalg.norm(x)
     turn = np.stack([x, np.cross(-down, x), -down])
-    flat = corners.reshape(-1, 3) @ turn[:2].T
-    best, chosen = math.inf, 0.0
-    for k in range(90):
-        angle = math.radians(k)
-        c, s = math.cos(angle), math.sin(angle)
-        size = np.ptp(flat @ np.array([[c, s], [-s, c]]).T, axis=0)
-        area = round(float(size[0] * size[1]), 6)
-        if area < best:
-            best, chosen = area, angle if size[0] >= size[1] else angle + math.pi / 2
+    angles = np.radians(np.arange(90))
+    c, s = np.cos(angles), np.sin(angles)
+    flat = turn[:2] @ corners.T
+    sizes = np.ptp(np.stack([[c, s], [-s, c]]).transpose(2, 0, 1) @ flat, axis=2)
+    best = int(np.argmin(np.round(sizes.prod(axis=1), 6)))
+    chosen = angles[best] + (0.0 if sizes[best, 0] >= sizes[best, 1] else math.pi / 2)
     c, s = math.cos(chosen), math.sin(chosen)
     return np.array([[c, s, 0], [-s, c, 0], [0, 0, 1]]) @ turn
 
@@ -103,7 +103,7 @@ def _turn_down(down: Array, corners: Array) -> Array:
 def lying_on(shape: Manifold, down: Array) -> Lying:
     """A solid with that direction down."""
     faces = _Faces(shape)
-    turn = _turn_down(down, faces.corners)
+    turn = _turn_down(down, np.asarray(shape.hull().to_mesh64().vert_properties)[:, :3])
     corners = faces.corners @ turn.T
     heights = corners[:, :, 2]
     lowest = float(heights.min())
