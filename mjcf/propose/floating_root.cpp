@@ -56,13 +56,19 @@ int find_root(const mjModel& model) {
   return found >= 0 && model.njnt > kSix ? found : -1;
 }
 
+/// The body that an element belongs to, also through frames; null outside of bodies.
+const XmlElement* body_around(const XmlElement& element) {
+  const XmlElement* around = element.Parent()->ToElement();
+  while (around != nullptr && is_tag(*around, "frame")) around = around->Parent()->ToElement();
+  return around != nullptr && is_tag(*around, "body") ? around : nullptr;
+}
+
 /// The <joint> elements of the body in the main file; empty where they are elsewhere.
 std::vector<const XmlElement*> joint_elements(const XmlFile& xml, const std::string& body) {
   std::vector<const XmlElement*> out;
   for_each_element(xml.root(), [&](const XmlElement& element) {
-    if (is_tag(element, "joint") && is_tag(*element.Parent()->ToElement(), "body") &&
-        attribute(*element.Parent()->ToElement(), "name") == body)
-      out.push_back(&element);
+    const XmlElement* const around = is_tag(element, "joint") ? body_around(element) : nullptr;
+    if (around != nullptr && attribute(*around, "name") == body) out.push_back(&element);
   });
   return out;
 }
@@ -79,7 +85,8 @@ void refuse_references(const RobotFiles& files, const SixJointRoot& root) {
   const auto xml = load_xml(files.text(), files.file());
   Refusals reasons;
   for_each_element(xml->root(), [&](const XmlElement& element) {
-    for (const char* name : {"joint", "joint1", "joint2", "jointinparent"}) {
+    const bool lists = attribute(element, "objtype") == "joint";
+    for (const char* name : {"joint", "joint1", "joint2", lists ? "objname" : "joint"}) {
       const std::string_view of = attribute(element, name);
       if (of.empty() || std::find(root.joints.begin(), root.joints.end(), of) == root.joints.end())
         continue;
@@ -138,8 +145,8 @@ void change_keyframes(TextEdits& edits, const RobotFiles& files, const XmlFile& 
   }
 }
 
-/// Without the elements, and with `added` in the place of the first. Each goes with its line where
-/// it has one of its own.
+/// With `added` before the first of the joints and all six in comments, so that every line stays
+/// where it was.
 std::string replaced(const std::string& text, const std::filesystem::path& file,
                      const std::string& body, const std::string& added) {
   const auto xml = load_xml(text, file);
@@ -147,15 +154,12 @@ std::string replaced(const std::string& text, const std::filesystem::path& file,
   const std::vector<const XmlElement*> joints = joint_elements(*xml, body);
   for (auto joint = joints.rbegin(); joint != joints.rend(); ++joint) {
     const TagSpan& tag = xml->tag(**joint);
-    if (*joint == joints.front()) {
-      out.replace(tag.begin, tag.close_end - tag.begin, added);
-      continue;
-    }
-    std::size_t begin = tag.begin;
-    while (begin > 0 && (out[begin - 1] == ' ' || out[begin - 1] == '\t')) --begin;
-    if (begin > 0 && out[begin - 1] == '\n') --begin;
-    if (begin > 0 && out[begin - 1] == '\r') --begin;
-    out.erase(begin, tag.close_end - begin);
+    std::string was = out.substr(tag.begin, tag.close_end - tag.begin);
+    if (was.find("--") != std::string::npos)  // ends a comment: its lines alone
+      std::erase_if(was, [](char sign) { return sign != '\n' && sign != '\r'; });
+    std::string now = *joint == joints.front() ? added + " " : "";
+    now += "<!-- " + was + " -->";
+    out.replace(tag.begin, tag.close_end - tag.begin, now);
   }
   return out;
 }

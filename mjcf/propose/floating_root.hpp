@@ -25,7 +25,8 @@ std::optional<SixJointRoot> find_six_joint_root(const std::string& xml,
                                                 const std::filesystem::path& file);
 
 /// The same robot with a free joint in the place of those six, and keyframes in which position,
-/// turn and velocity of the trunk are those that they had. All other bytes stay.
+/// turn and velocity of the trunk are those that they had. The six stay as comments, so that every
+/// line is where it was; all other bytes stay.
 /// Throws InputError for elements that name one of the six (actuators, sensors, tendons), and for
 /// joints or keyframes that are not in the main file.
 RobotFiles with_free_root(const RobotFiles& files, const SixJointRoot& root);

@@ -158,15 +158,19 @@ void check_has_free_joint(const XmlFile& xml) {
   if (!first_body)
     throw xml.error(xml.root(),
                     "holds no body; a robot is a <body> with a <freejoint/> in <worldbody>");
-  int joints = 0;
+  int slides = 0, hinges = 0;
   for (const XmlElement* joint = first_body->FirstChildElement("joint"); joint != nullptr;
        joint = joint->NextSiblingElement("joint"))
-    ++joints;
+    ++(attribute(*joint, "type") == "slide" ? slides : hinges);
+  const bool floats = slides == 3 && hinges == 3;
   throw xml.error(*first_body,
                   fmt::format("no free root: the trunk of a walking robot moves freely; {}",
-                              joints == 6 ? "legwright init ROBOT.xml -o NEW.xml puts a free joint "
-                                            "in the place of its six"
-                                          : "add <freejoint/> to it"));
+                              !floats ? "add <freejoint/> to it"
+                              : attribute(*first_body, "name").empty()
+                                  ? "give it a name; then legwright init ROBOT.xml -o NEW.xml "
+                                    "puts a free joint in the place of its six"
+                                  : "legwright init ROBOT.xml -o NEW.xml puts a free joint in the "
+                                    "place of its six where their axes span space"));
 }
 
 /// Throws InputError at the first thing in an element with which no robot is read.

@@ -34,13 +34,23 @@ def build(
     file, place = Path(assembly), Path(output)
     check_readable(file, 'give the path of an assembly file')
     folders = [MODULES, *(Path(each) for each in library)]
-    xml, refusal = _core.build_robot(file.read_text(encoding='utf-8'), file, folders)
+    try:
+        text = file.read_text(encoding='utf-8')
+    except UnicodeDecodeError as error:
+        message = f'is no UTF-8, as TOML is: {error}'
+        raise InputError(f'{file}: {message}', str(file), 0, '', message) from None
+    xml, refusal = _core.build_robot(text, file, folders)
     if refusal:
         message = f'its robot is refused and not written; of {refusal}'
         raise InputError(f'{file}: {message}', str(file), 0, '', message)
+    made = place.with_name(f'.{place.name}.{os.getpid()}.part')
     try:
-        with place.open('x', encoding='utf-8', newline='\n') as stream:
-            stream.write(xml)
+        made.write_text(xml, encoding='utf-8', newline='\n')
+        os.link(made, place)  # refuses what is there
     except FileExistsError:
         raise IoError(f'{place}: is there already; name another file') from None
+    except OSError as error:
+        raise IoError(f'{place}: cannot be written: {error.strerror}') from None
+    finally:
+        made.unlink(missing_ok=True)
     return Robot(place)

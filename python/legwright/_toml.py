@@ -32,7 +32,7 @@ def value(item: Any) -> str:
         return '{ ' + ', '.join(f'{_key(k)} = {value(v)}' for k, v in item.items()) + ' }'
     if isinstance(item, (list, tuple)):
         return '[' + ', '.join(value(each) for each in item) + ']'
-    raise TypeError(f'a task has numbers, texts, lists and tables, not {type(item).__name__}')
+    raise TypeError(f'expected numbers, texts, lists and tables, not {type(item).__name__}')
 
 
 def _value_of(key: str, item: Any) -> str:

@@ -98,7 +98,11 @@ class Assemblies:
         for key, value in own.items():
             if fault := set_key(content, key, value):
                 self._problems.add(places['build', *key], fault)
-        return _toml.document(content)
+        try:
+            return _toml.document(content)
+        except TypeError as error:
+            self._problems.add_of(file, 0, '', str(error))
+            return ''
 
     def _build(
         self, text: str, file: Path, own: Mapping[Key, Any], places: Places
@@ -106,20 +110,30 @@ class Assemblies:
         try:
             xml, refusal = _core.build_robot(text, file, self._modules)
         except InputError as error:
-            for line in str(error).splitlines():
-                found = _COMPLAINT.fullmatch(line.removeprefix(str(file)))
-                number, where, message = found.groups() if found else (None, None, line)
-                key = next((k for k in own if _is_of(where or '', dotted(k))), None)
-                if key is not None:
-                    self._problems.add(places['build', *key], message)
-                else:  # with keys of the study, lines are those of the text that was made
-                    number = 0 if own else int(number or 0)
-                    self._problems.add_of(file, number, where or '', message)
+            for each in error.reasons or (error,):
+                self._tell(each, file, own, places)
             return None
         except IoError as error:
             self._problems.add(('library',), str(error))
             return None
         return Built(text, xml, refusal.removeprefix(f'{file}: '))
+
+    def _tell(
+        self, error: InputError, file: Path, own: Mapping[Key, Any], places: Places
+    ) -> None:
+        """What is wrong, of the key that the study sets, else of the assembly or a module file."""
+        if error.file and Path(error.file) != file:
+            self._problems.add_of(Path(error.file), error.line, error.where, error.message)
+            return
+        for line in str(error).splitlines():
+            found = _COMPLAINT.fullmatch(line.removeprefix(str(file)))
+            number, where, message = found.groups() if found else (None, None, line)
+            key = next((k for k in own if _is_of(where or '', dotted(k))), None)
+            if key is not None:
+                self._problems.add(places['build', *key], message)
+            else:  # with keys of the study, lines are those of the text that was made
+                number = 0 if own else int(number or 0)
+                self._problems.add_of(file, number, where or '', message)
 
 
 def _is_of(where: str, key: str) -> bool:

@@ -87,8 +87,10 @@ class Study:
         found = []
         for point in self.points:
             measures = self.records.get(point.hash, {}).get('measures', {})
-            if measures.get('pass') and measures.get('validated', True):
-                found.append((as_float(measures[self.best_by]), point))
+            value = measures.get(self.best_by)
+            passes = measures.get('pass') and measures.get('validated', True)
+            if passes and value is not None:
+                found.append((as_float(value), point))
         return min(found, key=lambda each: each[0])[1] if found else None
 
     @property
@@ -98,7 +100,7 @@ class Study:
             return ''
         best = self.best
         if best is None:
-            return f'least {self.best_by}: no design passes'
+            return f'least {self.best_by}: no design passes that has it'
         value = as_float(self.records[best.hash]['measures'][self.best_by])
         words = f'{value:.4g} {KNOWN[self.best_by].unit}'.rstrip()
         return f'least {self.best_by} that passes: {words}, {best.name}'

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <optional>
 #include <string>
 
@@ -62,7 +63,14 @@ SeenAtKey seen_at_key(const std::string& text) {
 }
 
 TEST(FloatingRoot, SixJointsBecomeAFreeOneAndAllElseStays) {
-  EXPECT_EQ(with_free(floating(kSixJoints)), floating("<freejoint name=\"root\"/>"));
+  std::string wanted = floating(kSixJoints);
+  for (std::size_t at = wanted.find("<joint name=\"tx\""); at < wanted.find("<geom name=\"box\"");
+       at = wanted.find("<joint", at + 12)) {
+    wanted.insert(wanted.find("/>", at) + 2, " -->");
+    wanted.insert(at, "<!-- ");
+  }
+  wanted.insert(wanted.find("<!-- <joint"), "<freejoint name=\"root\"/> ");
+  EXPECT_EQ(with_free(floating(kSixJoints)), wanted);
   const auto root = find_six_joint_root(floating(kSixJoints), kFloatingFile);
   ASSERT_TRUE(root.has_value());
   EXPECT_EQ(root->body, "trunk");
@@ -102,7 +110,9 @@ TEST(FloatingRoot, OtherRootsStayAsTheyAre) {
 TEST(FloatingRoot, WhatNamesOneOfTheSixIsToldWithItsLine) {
   const std::string more =
       "  <actuator>\n    <motor name=\"lift\" joint=\"tz\"/>\n    <motor name=\"m\" joint=\"l\"/>\n"
-      "  </actuator>\n  <sensor>\n    <jointpos name=\"height\" joint=\"tz\"/>\n  </sensor>\n";
+      "  </actuator>\n  <sensor>\n    <jointpos name=\"height\" joint=\"tz\"/>\n  </sensor>\n  "
+      "<custom>\n"
+      "    <tuple name=\"t\"><element objtype=\"joint\" objname=\"rx\"/></tuple>\n  </custom>\n";
   try {
     with_free(floating(kSixJoints, more));
     FAIL() << "an actuator on the root was accepted";
@@ -112,8 +122,35 @@ TEST(FloatingRoot, WhatNamesOneOfTheSixIsToldWithItsLine) {
               std::string::npos)
         << said;
     EXPECT_NE(said.find("jointpos 'height'"), std::string::npos) << said;
+    EXPECT_NE(said.find("attribute objname: names 'rx'"), std::string::npos) << said;
     EXPECT_EQ(said.find("motor 'm'"), std::string::npos) << said;
   }
+}
+
+TEST(FloatingRoot, JointsInAFrameAreThoseOfItsBody) {
+  const std::string framed = "<frame>" + std::string(kSixJoints) + "</frame>";
+  EXPECT_NE(with_free(floating(framed)).find("<frame><freejoint"), std::string::npos);
+}
+
+TEST(FloatingRoot, ACommentInAJointEndsNoComment) {
+  std::string joints = kSixJoints;
+  joints.replace(joints.find("/>"), 2, ">\n<!-- travel --></joint>");
+  const std::string given = floating(joints), made = with_free(given);
+  EXPECT_EQ(std::count(made.begin(), made.end(), '\n'),
+            std::count(given.begin(), given.end(), '\n'));
+  EXPECT_NO_THROW((void)compile_mjcf(made, kFloatingFile));
+}
+
+/// A fault below the six is told with the line that it has in the file as it was.
+TEST(FloatingRoot, LinesStayWhereTheyWere) {
+  const std::string more =
+      "  <custom>\n    <numeric name=\"legwright/x\" data=\"1\"/>\n  </custom>\n";
+  const std::string given = floating(kSixJoints, more), made = with_free(given);
+  const auto line = [](const std::string& text) {
+    return std::count(text.begin(), text.begin() + static_cast<long>(text.find("legwright/x")),
+                      '\n');
+  };
+  EXPECT_EQ(line(made), line(given));
 }
 
 TEST(FloatingRoot, ARobotThatIsReadAsItIsNamesTheCure) {
