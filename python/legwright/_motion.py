@@ -8,7 +8,10 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from legwright._errors import InputError
+
 Array = NDArray[np.float64]
+_CURE = '`legwright optimize` makes it anew'
 
 
 @dataclass(frozen=True)
@@ -56,16 +59,52 @@ class Motion:
         return self.root[-1, :3] - self.root[0, :3]
 
 
+def gait_table(file: Path, cure: str) -> dict[str, Array]:
+    """The columns of a table of a gait by their names: one or more rows, all of them finite.
+
+    Raises OSError where there is none, InputError where it is none, with the cure.
+    """
+    try:
+        return _columns(file.read_text(encoding='utf-8'))
+    except ValueError as error:
+        text = f'{file}: is no table of a gait ({error}); {cure}'
+        raise InputError(text, str(file)) from None
+
+
+def _columns(text: str) -> dict[str, Array]:
+    """Raises ValueError with what is wrong."""
+    rows = list(csv.reader(text.splitlines()))
+    if len(rows) < 2:
+        raise ValueError('it has no rows' if rows else 'it is empty')
+    for number, row in enumerate(rows[1:], 2):
+        if len(row) != len(rows[0]):
+            raise ValueError(f'line {number} has {len(row)} values; expected {len(rows[0])}')
+    table = np.array([[float(cell) for cell in row] for row in rows[1:]])
+    finite = np.isfinite(table)
+    if not finite.all():
+        row, column = np.argwhere(~finite)[0]
+        raise ValueError(f'line {row + 2}, {rows[0][column]} is {table[row, column]:g}')
+    return {name: table[:, k] for k, name in enumerate(rows[0])}
+
+
 def read_motion(file: Path) -> Motion:
-    """The motion of a motion.csv. Raises OSError where there is none."""
-    return motion_of(file.read_text(encoding='utf-8'))
+    """The motion of a motion.csv. Raises OSError where there is none, InputError where it is not
+    whole."""
+    column = gait_table(file, _CURE)
+    try:
+        return _motion(column)
+    except KeyError as error:
+        text = f'{file}: is no table of a gait (it has no column {error}); {_CURE}'
+        raise InputError(text, str(file)) from None
 
 
 def motion_of(text: str) -> Motion:
     """The motion that the text of a motion.csv says."""
-    rows = list(csv.reader(text.splitlines()))
-    table = np.array([[float(cell) for cell in row] for row in rows[1:]])
-    column = {name: table[:, i] for i, name in enumerate(rows[0])}
+    return _motion(_columns(text))
+
+
+def _motion(column: dict[str, Array]) -> Motion:
+    """Of the columns of a motion.csv. Raises KeyError with what is missing."""
 
     def named(prefix: str, suffix: str) -> tuple[str, ...]:
         names = (name for name in column if name.startswith(prefix) and name.endswith(suffix))
@@ -75,6 +114,9 @@ def motion_of(text: str) -> Motion:
         return np.stack([column[name] for name in names], axis=-1)
 
     joints, feet = named('q:', '_rad'), named('contact:', '')
+    for names, missing in ((joints, 'q:JOINT_rad'), (feet, 'contact:FOOT')):
+        if not names:
+            raise KeyError(missing)
     return Motion(
         time=column['time_s'],
         joints=stack([f'q:{name}_rad' for name in joints]),

@@ -9,6 +9,7 @@ import mujoco
 import numpy as np
 import pytest
 from legwright import InputError, parts
+from legwright.parts import __main__ as command
 from legwright.parts._fit import Distances, free_range, things_of
 from legwright.parts._printing import best_lying, lying_on
 from legwright.parts._robot import home_of, read_built
@@ -140,6 +141,63 @@ def test_a_gait_in_which_parts_meet_fails_and_says_where(run, tmp_path):
     assert set(failed) == {'gap in the gait as played', 'range of FL_knee'}
     assert 't = 0.20 s' in failed['gap in the gait as played'].where
     assert 'works from -180 to -60' in failed['range of FL_knee'].where
+
+
+@pytest.mark.parametrize('file', ['playback_result.csv', 'motion.csv'])
+def test_a_damaged_file_of_a_run_is_bad_input(run, file, tmp_path, capsys):
+    gait(run, -1.5)
+    table = run / 'result' / file
+    good = table.read_text()
+    head, *rows = good.splitlines()
+    columns = head.split(',')
+    at = columns.index('FL_knee_rad' if file.startswith('playback') else 'q:FL_knee_rad')
+    cells = rows[1].split(',')
+    cells[at] = 'nan'
+    damaged = {
+        'it is empty': '',
+        'it has no rows': head + '\n',
+        f'line {len(rows) + 1} has 2 values': good[: good.rindex('\n', 0, -1)] + '\n0.2,0.1',
+        f'{columns[at]} is nan': f'{head}\n{",".join(cells)}',
+        'could not convert': good.replace('0.0', 'O.0', 1),
+        'has no column': good.replace('time_s', 'other', 1),
+    }
+    for words, text in damaged.items():
+        table.write_text(text)
+        assert command.main([str(run), '-o', str(tmp_path / 'out')]) == command.BAD_INPUT, words
+        said = capsys.readouterr().err
+        assert words in said and 'makes it anew' in said and file in said
+    assert not (tmp_path / 'out').exists()
+
+
+def test_a_column_that_the_loads_need_is_missed_by_name(run, tmp_path):
+    gait(run, -1.5)
+    table = run / 'result/motion.csv'
+    table.write_text(table.read_text().replace('tau:FL_knee_Nm', 'other', 1))
+    with pytest.raises(InputError, match="motion.csv: .*'tau:FL_knee_Nm'.*optimize"):
+        parts.make(run, tmp_path / 'out')
+
+
+def test_loads_that_are_not_there_do_not_pass(run, tmp_path):
+    gait(run, -1.5)
+    table = run / 'result/motion.csv'
+    good = table.read_text()
+    table.write_text(good.replace(':FL', ':foot_a'))
+    with pytest.raises(InputError, match='has no geom foot_a'):
+        parts.make(run, tmp_path / 'out')
+    table.write_text('\n'.join(good.splitlines()[:2]))
+    with pytest.raises(InputError, match='single row'):
+        parts.make(run, tmp_path / 'out')
+    table.write_text(good.replace('4.0', '0.0'))
+    made = parts.make(run, tmp_path / 'out')
+    failed = [check for check in made.checks if not check.passed]
+    assert len(failed) == 4 and {check.name for check in failed} == {'bears the gait'}
+
+
+def test_a_servo_without_a_limit_does_not_pass(dog, tmp_path):
+    robot = tmp_path / 'robot.xml'
+    robot.write_text(dog.read_text().replace(' forcerange="-1.4 1.4"', ''))
+    failed = [check for check in parts.make(robot, tmp_path / 'out').checks if not check.passed]
+    assert len(failed) == 4 and 'has a forcerange' in failed[0].where
 
 
 def test_of_a_run_for_several_tasks_all_gaits_count(run, tmp_path):

@@ -8,6 +8,7 @@ from pathlib import Path
 import mujoco
 import numpy as np
 
+from legwright._errors import InputError
 from legwright._motion import Motion, read_motion
 from legwright.parts._checks import Check, at_least
 from legwright.parts._gait import PLANNED, results_of
@@ -19,6 +20,7 @@ from legwright.parts._solids import Part, Solid
 from legwright.parts._words import Array
 
 _SHARES = np.linspace(0.15, 0.85, 29)  # of the way: where loads enter a beam says nothing
+_REMEDY = 'a larger radius or wall under [link] of the assembly, or --strength of another material'
 
 
 @dataclass(frozen=True)
@@ -74,11 +76,40 @@ def _contact(data: mujoco.MjData, model: mujoco.MjModel, geom: int) -> Array:
     return place
 
 
+def _feet_of(robot: BuiltRobot, motion: Motion) -> list[int]:
+    """The geoms of a plan's feet. Raises InputError where the plan is of another robot."""
+    kinds = (
+        ('foot', 'geom', mujoco.mjtObj.mjOBJ_GEOM, motion.foot_names),
+        ('joint', 'joint', mujoco.mjtObj.mjOBJ_JOINT, motion.joint_names),
+    )
+    for what, kind, of, names in kinds:
+        for name in names:
+            if mujoco.mj_name2id(robot.model, of, name) < 0:
+                raise InputError(
+                    f'{robot.file}: has no {kind} {name}, which the plan has as its {what}; the '
+                    'plan is of another robot: optimize this one'
+                )
+    if missing := {robot.model.joint(e.joint).name for e in robot.links} - {*motion.joint_names}:
+        raise InputError(
+            f'{robot.file}: the plan ({PLANNED}) does not have its joint {min(missing)}; optimize '
+            'this robot'
+        )
+    if len(motion.time) < 2:
+        raise InputError(
+            f'{robot.file}: its plan ({PLANNED}) has a single row; expected a cycle of two or '
+            'more: `legwright optimize` makes it anew'
+        )
+    return [robot.model.geom(name).id for name in motion.foot_names]
+
+
 def gait_loads(robot: BuiltRobot, motion: Motion, task: str = '') -> dict[int, list[Load]]:
-    """Of each link by its body, at each knot: the ground's force on the feet beyond it."""
+    """Of each link by its body, at each knot: the ground's force on the feet beyond it.
+
+    Raises InputError where the plan is not of this robot.
+    """
     of = f'{task}, ' if task else ''
     model = robot.model
-    geoms = [mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_GEOM, n) for n in motion.foot_names]
+    geoms = _feet_of(robot, motion)
     joints = {name: k for k, name in enumerate(motion.joint_names)}
     out: dict[int, list[Load]] = {link.body: [] for link in robot.links}
     for knot in range(len(motion.time) - 1):
@@ -89,7 +120,7 @@ def gait_loads(robot: BuiltRobot, motion: Motion, task: str = '') -> dict[int, l
             torque = motion.torques[knot, joints[model.joint(link.joint).name]]
             axis = model.jnt_axis[link.joint]
             for foot, geom in enumerate(geoms):
-                if geom < 0 or not _is_beyond(model, int(model.geom_bodyid[geom]), link.body):
+                if not _is_beyond(model, int(model.geom_bodyid[geom]), link.body):
                     continue
                 force = turn.T @ motion.forces[knot, foot]
                 place = turn.T @ (_contact(data, model, geom) - data.xpos[link.body])
@@ -127,6 +158,42 @@ def _stalled(robot: BuiltRobot, solid: Solid, sections: list[Section]) -> float:
     return max((s.stress(np.zeros(3), (1 - s.share) * moment) for s in sections), default=0.0)
 
 
+def _bears_servo(robot: BuiltRobot, part: Part, sections: list[Section], strength: float) -> Check:
+    """Fails where the servo has no limit: nothing was looked at."""
+    name, stress = 'bears its servo', _stalled(robot, part.solid, sections)
+    if stress <= 0:
+        joint = robot.model.joint(part.solid.link.joint).name
+        where = f'no actuator of {joint} has a forcerange'
+        cure = 'the file is not as `legwright build` writes it: build the robot anew'
+        return Check(part.name, name, False, None, '', 'at least 1', where, cure)
+    where = f'{stress:.1f} of {strength:g} MPa, all of the torque limit, against the far end'
+    return at_least(part.name, name, strength / stress, 1.0, '', where, _REMEDY)
+
+
+def _bears_gait(
+    robot: BuiltRobot,
+    part: Part,
+    sections: list[Section],
+    loads: dict[int, list[Load]],
+    options: PartOptions,
+) -> Check:
+    """Under another name where the gait's forces say nothing of a part."""
+    if not any(loads[each.link.body] for each in part.solids):
+        where = 'no foot of the plan is beyond it: what it carries is not looked at'
+        return Check(part.name, 'no foot beyond, not checked', True, None, '', '', where)
+    name = 'bears the gait'
+    stress, where = max(
+        _worst(sections, loads[each.link.body], robot.model.jnt_axis[each.link.joint])
+        for each in part.solids
+    )
+    if stress <= 0:
+        limit, where = f'at least {options.safety:g}', 'the plan has no force on a foot beyond it'
+        return Check(part.name, name, False, None, '', limit, where, 'optimize the robot anew')
+    words = f'{stress:.1f} of {options.strength:g} MPa, {where}'
+    factor = options.strength / stress
+    return at_least(part.name, name, factor, options.safety, '', words, _REMEDY)
+
+
 def check_beams(
     robot: BuiltRobot, parts: list[Part], run: Path | None, options: PartOptions
 ) -> list[Check]:
@@ -136,24 +203,11 @@ def check_beams(
         for body, found in gait_loads(robot, read_motion(result / PLANNED), task).items():
             loads.setdefault(body, []).extend(found)
     out = []
-    remedy = (
-        'a larger radius or wall under [link] of the assembly, or --strength of another material'
-    )
     for part in parts:
         sections = _beam(part.solid)
         if not sections:
             continue
-        stalled = _stalled(robot, part.solid, sections)
-        cases = [('bears its servo', stalled, 1.0, 'all of the torque limit, against the far end')]
         if loads:
-            worst = [
-                _worst(sections, loads[each.link.body], robot.model.jnt_axis[each.link.joint])
-                for each in part.solids
-            ]
-            stress, where = max(worst)
-            cases.insert(0, ('bears the gait', stress, options.safety, where))
-        for name, stress, least, where in cases:
-            factor = options.strength / stress if stress > 0 else math.inf
-            words = f'{stress:.1f} of {options.strength:g} MPa, {where}'
-            out.append(at_least(part.name, name, factor, least, '', words, remedy))
+            out.append(_bears_gait(robot, part, sections, loads, options))
+        out.append(_bears_servo(robot, part, sections, options.strength))
     return out

@@ -1,25 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
 """The poses and loads of a run's gait, for what is checked over it."""
 
-import csv
 from pathlib import Path
 
 import mujoco
 import numpy as np
 
 from legwright._errors import InputError
+from legwright._motion import gait_table
 from legwright.parts._robot import BuiltRobot
 from legwright.parts._words import Array
 
 _MOST_POSES = 100
 PLAYED, PLANNED = 'playback_result.csv', 'motion.csv'
-
-
-def _columns(file: Path) -> dict[str, Array]:
-    with open(file, encoding='utf-8', newline='') as stream:
-        rows = list(csv.reader(stream))
-    table = np.array([[float(cell) for cell in row] for row in rows[1:]])
-    return {name: table[:, k] for k, name in enumerate(rows[0])}
 
 
 def results_of(run: Path) -> dict[str, Path]:
@@ -42,7 +35,10 @@ def _poses_of(robot: BuiltRobot, result: Path, task: str) -> tuple[bool, list[tu
     """Whether they were played, and at most 100 poses with their times."""
     played = (result / PLAYED).is_file()
     file = result / (PLAYED if played else PLANNED)
-    columns, prefix = _columns(file), '' if played else 'q:'
+    cure = f'`legwright {"validate" if played else "optimize"}` makes it anew'
+    columns, prefix = gait_table(file, cure), '' if played else 'q:'
+    if 'time_s' not in columns:
+        raise InputError(f'{file}: has no column time_s; {cure}', str(file))
     times = columns['time_s']
     qpos = np.tile(robot.model.qpos0, (len(times), 1))
     for joint in range(robot.model.njnt):
@@ -51,7 +47,7 @@ def _poses_of(robot: BuiltRobot, result: Path, task: str) -> tuple[bool, list[tu
         if column is not None:
             qpos[:, robot.model.jnt_qposadr[joint]] = column
         elif robot.model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_HINGE:
-            raise InputError(f'{file}: has no column of the joint {name}; optimize anew')
+            raise InputError(f'{file}: has no column of the joint {name}; {cure}', str(file))
     step = -(-len(times) // _MOST_POSES)
     of = f'{task}, ' if task else ''
     return played, [(f'{of}t = {times[k]:.2f} s', qpos[k]) for k in range(0, len(times), step)]

@@ -82,6 +82,9 @@ def _wall(part: Part, wall: float) -> Check:
     least, where = _wall_of(part.printed, _trimesh_of(part))
     place = f'at {where[0]:.1f} {where[1]:.1f} {where[2]:.1f} mm of its STL'
     remedy = 'a larger wall in [link] of the assembly, or --wall for a finer nozzle'
+    if not math.isfinite(least):
+        place, limit = 'no two of its sides face each other', f'at least {wall:g} mm'
+        return Check(part.name, 'wall', False, None, 'mm', limit, place, remedy)
     return at_least(part.name, 'wall', least, wall, 'mm', place, remedy)
 
 
