@@ -12,6 +12,7 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 import legwright as lw
+import mujoco
 import numpy as np
 import pytest
 import trimesh
@@ -185,3 +186,21 @@ def test_what_is_no_robot_of_modules_is_bad_input(examples, dog, tmp_path, capsy
     (tmp_path / 'empty').mkdir()
     assert command.main([str(tmp_path / 'empty')]) == command.BAD_INPUT
     assert not (tmp_path / 'a').exists()
+
+
+def test_names_of_links_lead_nowhere_but_into_the_folder(dog, tmp_path, capsys, monkeypatch):
+    text = dog.read_text(encoding='utf-8')
+    evil = tmp_path / 'evil.xml'
+    for name in ('../FL_thigh', f'{tmp_path}/FL_thigh', 'all'):
+        evil.write_text(text.replace('FL_thigh', name), encoding='utf-8')
+        assert command.main([str(evil), '-o', str(tmp_path / 'out/parts')]) == command.BAD_INPUT
+        assert 'rename it' in capsys.readouterr().err
+    assert not list(tmp_path.glob('**/*.stl'))
+    evil.write_text(text.replace('<mujoco model="', '<mujoco model="a &quot;b&quot; '))
+    (tmp_path / 'here').mkdir()
+    monkeypatch.chdir(tmp_path / 'here')
+    assert command.main([str(evil), '-o', '.', '--quiet']) in (command.OK, 1)
+    assert (tmp_path / 'here/checks.json').exists()
+    scene = mujoco.MjModel.from_xml_path(str(tmp_path / 'here/exploded.xml'))
+    assert scene.ngeom > 8
+    assert not list(tmp_path.glob('.here*'))

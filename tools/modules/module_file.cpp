@@ -229,6 +229,9 @@ class ModuleReader {
     TaskTable in = table(toml, "attachment");
     Attachment at;
     at.name = needed_text(in, "name", "back");
+    if (!at.name.empty() && !is_plain_name(at.name, "."))
+      problems_.add(in.line_of("name"), "attachment.name",
+                    fmt::format("is \"{}\"; expected letters, digits, '_', '-' and '.'", at.name));
     constexpr std::array<std::string_view, 2> kParts{"body", "horn"};
     at.on_horn = choice(in, "on", in.text("on").value_or("body"), kParts) == 1;
     const auto position = in.numbers("position");

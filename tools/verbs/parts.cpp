@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdio>
+#include <exception>
 #include <filesystem>
 
 #include "tools/files/clean_text.hpp"
@@ -43,7 +44,7 @@ void draw_exploded(const std::filesystem::path& folder) {
   pin_rasteriser();
   try {
     draw_portrait(scene, folder / "exploded.png");
-  } catch (const GlError& error) {
+  } catch (const std::exception& error) {  // a picture changes no exit code
     fmt::print(stderr, "legwright: no exploded.png: {}\n", terminal_text(error.what()));
   }
 }

@@ -4,6 +4,7 @@
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from xml.sax.saxutils import quoteattr
 
 import mujoco
 import numpy as np
@@ -83,8 +84,9 @@ class _Scene:
         assets = ''.join(self._assets)
         geoms = ''.join(self._geoms)
         return (
-            f'<!-- {self._robot.name}, moved apart: `legwright parts` draws it. Metres. -->\n'
-            f'<mujoco model="{self._robot.name}">\n  <compiler angle="radian"/>\n  <asset>\n'
+            '<!-- A robot moved apart: `legwright parts` draws it. Metres. -->\n'
+            f'<mujoco model={quoteattr(self._robot.name)}>\n'
+            '  <compiler angle="radian"/>\n  <asset>\n'
             '    <texture type="skybox" builtin="gradient" rgb1="0.97 0.98 1" rgb2="0.8 0.84 0.9" '
             f'width="64" height="64"/>\n{assets}  </asset>\n  <worldbody>\n'
             f'    <body pos="0 0 0">\n      <freejoint/>\n{geoms}    </body>\n'

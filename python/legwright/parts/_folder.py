@@ -38,14 +38,20 @@ def check_place(folder: Path) -> None:
 def write_folder(folder: Path, files: Mapping[str, bytes]) -> None:
     """Puts the files there, in the place of all that earlier calls wrote. Raises IoError."""
     check_place(folder)
+    folder = folder.resolve()
     beside = folder.with_name(f'.{folder.name}.{secrets.token_hex(4)}')
+    aside = beside.with_name(f'{beside.name}.old')
     try:
         beside.mkdir(parents=True)
         for name, data in files.items():
             (beside / name).write_bytes(data)
         if folder.exists():
-            shutil.rmtree(folder)
+            os.replace(folder, aside)
         os.replace(beside, folder)
     except OSError as error:
+        if aside.exists() and not folder.exists():
+            os.replace(aside, folder)
         shutil.rmtree(beside, ignore_errors=True)
-        raise IoError(f'{folder}: {error.strerror}; name another folder with -o') from None
+        why = error.strerror or error
+        raise IoError(f'{folder}: {why}; name another folder with -o') from None
+    shutil.rmtree(aside, ignore_errors=True)

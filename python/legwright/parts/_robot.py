@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """A built robot as its parts are made from: links, what is printed of each, and modules on them."""
 
+import re
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -9,6 +10,8 @@ import numpy as np
 
 from legwright._errors import InputError
 from legwright.parts._words import Array, ConnectorWords, ModuleWords, Place, read_words
+
+_FILE_NAME = re.compile(r'[A-Za-z0-9_-][A-Za-z0-9_.-]*')
 
 
 @dataclass(frozen=True)
@@ -199,6 +202,9 @@ class _Reader:
     def _link(self, body: int, hulls: list[Hull], modules: tuple[Module, ...]) -> Link:
         model = self._model
         name = mujoco.mj_id2name(model, mujoco.mjtObj.mjOBJ_BODY, body) or f'body {body}'
+        if not _FILE_NAME.fullmatch(name) or name.lower() in ('trunk', 'all'):
+            message = 'names a part and its file: expected letters, digits, _ and -, and not trunk'
+            raise self._error(f'body {name}', f'{message} or all; rename it')
         if model.body_jntnum[body] != 1:
             raise self._error(f'body {name}', 'carries connectors; expected one hinge on it')
         joint = int(model.body_jntadr[body])

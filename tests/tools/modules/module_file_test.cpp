@@ -64,6 +64,12 @@ TEST(ModuleFile, ReadsAWholeServo) {
   EXPECT_EQ(file.assumptions.at(0).why, "half the width from the end");
 }
 
+TEST(ModuleFile, AttachmentsHaveNamesThatARobotCanHold) {
+  for (const char* name : {"horn side", "b&k", "a;b"})
+    expect_refusal(servo_with("name = \"horn\"", "name = \"" + std::string(name) + "\""),
+                   {"attachment.name", "expected letters, digits, '_', '-' and '.'"});
+}
+
 TEST(ModuleFile, ScrewsHaveASizeAndPlacesInThePlaneOfTheirAttachment) {
   expect_refusal(servo_with("screws = \"M2\"", "screws = \"4 x M2\""),
                  {"attachment.screws", "is \"4 x M2\"; expected one of M1.6, M2"});
