@@ -16,6 +16,14 @@ from legwright.parts._solids import Part
 from legwright.parts._words import Array
 
 _ANGLES = 73  # of a range that are looked at: each five degrees of a whole turn
+_NARROW = (
+    'narrow the range in the assembly (range = [low, high] of the joint), move the joint, or ask '
+    'for less clearance: --gap'
+)
+_OVERLAP = (
+    'these two are too near where the joint works, so no range helps: move the joint (offset in '
+    'the assembly), turn its servo by roll, or ask for less clearance: --gap'
+)
 _FAR = 5.0  # [mm]: distances beyond are not measured
 
 
@@ -199,7 +207,10 @@ def check_ranges(
         works = [float(qpos[address]) for qpos in poses]
         free = free_range(robot, distances, link.joint, works, least)
         ranges.append(free)
-        good = free.gap >= least and free.low <= min(works) and max(works) <= free.high
+        # Limits are soft in MuJoCo: what is played a little beyond them was not looked at.
+        first, last = np.clip([min(works), max(works)], *free.declared)
+        is_open = free.gap >= least
+        good = is_open and free.low <= first and last <= free.high
         words = (
             f'free from {math.degrees(free.low):.0f} to {math.degrees(free.high):.0f} deg of '
             f'{math.degrees(free.declared[0]):.0f} to {math.degrees(free.declared[1]):.0f}; works '
@@ -216,8 +227,7 @@ def check_ranges(
                 words,
                 ''
                 if good
-                else 'narrow the range in the assembly (range = [low, high] of the joint), move '
-                'the joint, or ask for less clearance: --gap',
+                else (_NARROW if is_open else _OVERLAP),
             )
         )
     return checks, ranges

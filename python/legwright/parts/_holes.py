@@ -4,6 +4,7 @@
 Sizes: ISO 273 (clearance holes, medium) and ISO 4762 (cap heads).
 """
 
+import itertools
 import math
 from dataclasses import dataclass
 
@@ -75,6 +76,8 @@ class Hole:
     """Thickness under the head; 0 where the part has nothing there."""
     edge: float
     """Least material between hole and edge; negative where the hole breaks out."""
+    apart: float
+    """Least material to another hole of the attachment, between heads where they are let in."""
 
     @property
     def seat(self) -> float:
@@ -90,7 +93,7 @@ def _hits(solid: Manifold, start: Array, axis: Array, length: float) -> list[flo
 
 def _is_covered(solid: Manifold, position: Array, normal: Array) -> bool:
     """Whether material begins before an attachment [mm]."""
-    return bool(_hits(solid, position - 0.5 * normal, normal, _REACH))
+    return bool(_hits(solid, position - 0.5 * normal, normal, _REACH + 0.5))
 
 
 def fixings_of(robot: BuiltRobot, link: Link, solid: Manifold) -> list[Fixing]:
@@ -152,18 +155,23 @@ def holes_of(fixing: Fixing, solid: Manifold, wall: float) -> list[Hole]:
         hits = [hit - 0.01 for hit in _hits(solid, start - 0.01 * axis, axis, 1e3)]
         is_there = len(hits) >= 2 and hits[0] <= _REACH
         ways.append((start, max(0.0, hits[0]), hits[1]) if is_there else (start, 0.0, 0.0))
-    sunk = all(
+    pairs = itertools.combinations(MM * fixing.holes, 2)
+    spacing = min((math.dist(one, other) for one, other in pairs), default=math.inf)
+    around_head = screw.head + 2 * _HEAD_PLAY
+    sunk = spacing - around_head >= wall and all(
         _lets_in(solid, start + begins * axis, axis, ends - begins, screw, wall)
         for start, begins, ends in ways
     )
     out = []
     for start, begins, ends in ways:
         clamped = ends - begins
+        width = screw.clearance
         if sunk or clamped > _DEEP * screw.nominal:
+            width = around_head
             clamped = _CLAMPED * screw.nominal
         radius = screw.clearance / 2
         edge = _edge(solid, start + begins * axis, axis, clamped, radius) if clamped else -radius
-        out.append(Hole(fixing, screw, start, axis, begins, clamped, edge))
+        out.append(Hole(fixing, screw, start, axis, begins, clamped, edge, spacing - width))
     return out
 
 

@@ -24,7 +24,7 @@ class PartOptions:
     def faults(self) -> list[str]:
         """What is wrong with them."""
         out = []
-        for name, least in (('fit', 0.0), ('wall', 0.0), ('gap', 0.0), ('strength', 0.0)):
+        for name, least in (('fit', 0.0), ('wall', 0.1), ('gap', 0.0), ('strength', 0.1)):
             value = getattr(self, name)
             if not least <= value <= 1000.0:
                 out.append(f'{name} is {value:g}; expected {least:g} to 1000')

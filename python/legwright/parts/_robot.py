@@ -80,6 +80,7 @@ class BuiltRobot:
     """That have connectors, in the order of the file."""
 
 
+_UNTURNED = 1e-6  # of a quaternion's numbers, and [rad]
 _KINDS = {
     mujoco.mjtGeom.mjGEOM_BOX: ('box', 3),
     mujoco.mjtGeom.mjGEOM_CYLINDER: ('cylinder', 2),
@@ -196,6 +197,8 @@ class _Reader:
         body = self._id(mujoco.mjtObj.mjOBJ_BODY, words.name, where)
         if model.body_jntnum[body]:
             raise self._error(where, 'is of a body with a joint; a connector has none')
+        if not model.body_mass[body] > 0:
+            raise self._error(where, 'is of a body without mass; build the robot anew')
         points = model.body_pos[body] + words.corners @ matrix(model.body_quat[body]).T
         return int(model.body_parentid[body]), Hull(words, points, float(model.body_mass[body]))
 
@@ -208,10 +211,30 @@ class _Reader:
         if model.body_jntnum[body] != 1:
             raise self._error(f'body {name}', 'carries connectors; expected one hinge on it')
         joint = int(model.body_jntadr[body])
+        self._check_frame(name, body, joint)
         joint_name = mujoco.mj_id2name(model, mujoco.mjtObj.mjOBJ_JOINT, joint)
         servo = next((m for m in modules if m.words.joint == joint_name), None)
         own = tuple(module for module in modules if module.body == body)
         return Link(name, body, joint, servo, tuple(hulls), own)
+
+
+    def _check_frame(self, name: str, body: int, joint: int) -> None:
+        """Holes and seats are told from the horn, so a link stands there unturned at zero."""
+        model, cure = self._model, 'put back what `legwright build` wrote'
+        if np.abs(model.body_quat[body] - [1, 0, 0, 0]).max() > _UNTURNED:
+            raise self._error(
+                f'body {name}',
+                f'is turned against the body above (quat, euler, …); a link that is printed has '
+                f'the axes of its servo: {cure}',
+            )
+        if model.jnt_type[joint] != mujoco.mjtJoint.mjJNT_HINGE:
+            raise self._error(f'body {name}', f'has a joint that is no hinge: {cure}')
+        if abs(model.qpos0[model.jnt_qposadr[joint]]) > _UNTURNED:
+            raise self._error(
+                f'body {name}',
+                f'has a joint with ref; a link that is printed is drawn with its joint at zero: '
+                f'{cure}',
+            )
 
 
 def read_built(file: Path) -> BuiltRobot:

@@ -22,7 +22,7 @@ def _groups(solid: Solid) -> dict[tuple[str, str], list[Hole]]:
 
 def _edges(part: Part, of: str, holes: list[Hole], wall: float) -> Check:
     """Least material around the holes of an attachment."""
-    worst = min(hole.edge for hole in holes)
+    worst, where = min(hole.edge for hole in holes), ''
     far = max(math.dist(hole.start, 1e3 * hole.fixing.position) for hole in holes)
     # Pads are octagons; their flat sides are nearer than their radius.
     needed = (far + holes[0].screw.clearance / 2 + wall) / math.cos(math.pi / 8)
@@ -30,7 +30,11 @@ def _edges(part: Part, of: str, holes: list[Hole], wall: float) -> Check:
         f'pads that hold these screws: radius = {math.ceil(needed * 10) / 1e4:g} or more under '
         '[link] of the assembly'
     )
-    return at_least(part.name, f'edge of holes, {of}', worst, wall, 'mm', '', remedy)
+    apart = min(hole.apart for hole in holes)
+    if apart < worst:
+        worst, where = apart, 'between two of them'
+        remedy = 'fewer or smaller screws in the module file, or --wall for a finer nozzle'
+    return at_least(part.name, f'edge of holes, {of}', worst, wall, 'mm', where, remedy)
 
 
 def _blocked(solid: Solid, hole: Hole) -> str:

@@ -19,6 +19,7 @@ _SAME_MASS = 1e-3  # of it: hulls and the robot's file
 _SAMPLES = 2000  # points of a surface at which the wall is measured
 _FACING = 0.9  # cosine: two sides that face each other less than that meet in an edge, no wall
 _TILT = math.radians(0.5)  # of a horn to the joint's axis
+_BESIDE = 0.05  # [mm]: of a joint's axis from the horn's middle
 
 
 def _trimesh_of(part: Part) -> trimesh.Trimesh:
@@ -146,6 +147,9 @@ def _axis(robot: BuiltRobot, solid: Solid, part: Part) -> list[Check]:
     axis = robot.model.jnt_axis[joint]
     turn = math.acos(min(1.0, abs(float(axis @ horns[0].normal))))
     name = robot.model.joint(joint).name
+    # At zero a link's frame has the axes of the body above, on which the servo stands.
+    centre = horns[0].position - robot.model.body_pos[solid.link.body]
+    beside = np.linalg.norm(np.cross(robot.model.jnt_pos[joint] - centre, horns[0].normal))
     return [
         at_most(
             part.name,
@@ -156,7 +160,17 @@ def _axis(robot: BuiltRobot, solid: Solid, part: Part) -> list[Check]:
             f'horn of {servo.of}',
             'the design turned the axis away from the servo: freeze = ["*_axis_*"] under [design] '
             'of the task, optimize again',
-        )
+        ),
+        at_most(
+            part.name,
+            f'middle of {name} on the horn',
+            MM * float(beside),
+            _BESIDE,
+            'mm',
+            f'horn of {servo.of}',
+            'the axis runs beside the horn: put back pos of the joint and of its body, as '
+            '`legwright build` wrote them',
+        ),
     ]
 
 

@@ -7,6 +7,7 @@ from functools import cached_property
 import numpy as np
 from manifold3d import Manifold
 
+from legwright._errors import InputError
 from legwright.parts._holes import Fixing, Hole, drilled, fixings_of, holes_of
 from legwright.parts._mesh_files import Mesh, as_printed, mesh_of
 from legwright.parts._printing import Lying, best_lying
@@ -100,6 +101,14 @@ def _whole(shape: Manifold) -> tuple[Manifold, int]:
     return joined(kept), len(kept)
 
 
+def _check_left(robot: BuiltRobot, link: Link, shape: Manifold) -> None:
+    if shape.is_empty() or shape.volume() <= 0:
+        raise InputError(
+            f'{robot.file}: nothing of {link.name} is left beside its modules and holes: a smaller '
+            '--fit, or a larger radius under [link] of the assembly'
+        )
+
+
 def _cut(
     robot: BuiltRobot,
     link: Link,
@@ -110,6 +119,7 @@ def _cut(
 ) -> Solid:
     """What is left of a solid without its modules' places and without holes for screws."""
     shape, _ = _whole(declared - taken)
+    _check_left(robot, link, shape)
     seated = shape.volume()
     fixings = fixings_of(robot, link, shape)
     holes = [hole for fixing in fixings for hole in holes_of(fixing, shape, wall)]
@@ -117,6 +127,7 @@ def _cut(
         shape = shape - joined([drilled(hole) for hole in holes])
     shape, pieces = _whole(shape)
     shape = shape.simplify(_FINE)
+    _check_left(robot, link, shape)
     return Solid(
         link=link,
         declared=declared,
@@ -133,6 +144,12 @@ def _cut(
 def solid_of(robot: BuiltRobot, link: Link, fit: float, wall: float) -> Solid:
     """The union of a link's hulls, less its modules grown by the fit, less holes for screws."""
     hulls = [hull(each) for each in link.hulls]
+    for each, solid in zip(link.hulls, hulls):
+        if solid.is_empty() or solid.volume() <= 0:
+            raise InputError(
+                f'{robot.file}: connector {each.words.name} is flat: no solid to print; build the '
+                'robot anew'
+            )
     volume = sum(each.volume() for each in hulls)
     masses = sum(h.volume() * e.words.density for h, e in zip(hulls, link.hulls))
     told = {

@@ -168,6 +168,7 @@ def bill_markdown(robot: BuiltRobot, parts: Sequence[Part], rows: Sequence[Row])
 
 
 _TOGETHER = {'reaches': 'reaches its modules', 'axis': 'axes on their horns',
+    'middle': 'axes through their horns',
     'range': 'ranges of joints',
     'edge': 'edges of holes',
     'screws': 'screws reached',

@@ -98,6 +98,8 @@ def _module(of: str, data: str) -> ModuleWords:
     sort, _, holder = parts[1].partition(' ') if len(parts) > 1 else ('', '', '')
     if unit != 'kg' or sort not in ('body', 'geom') or holder != of:
         raise ValueError(data)
+    if not _numbers(mass)[0] > 0:
+        raise ValueError(data)
     joint = None
     rest = parts[2:]
     if rest and rest[0].startswith('joint '):
