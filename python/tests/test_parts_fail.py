@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Each check of a solid by itself, on one that fails it."""
+
+import dataclasses
+import re
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from legwright import parts
+from legwright.parts._holes import Fixing, fixings_of, holes_of
+from legwright.parts._mesh_files import mesh_of
+from legwright.parts._robot import Shape
+from legwright.parts._screw_checks import check_screws
+from legwright.parts._solid_checks import _closed, _wall
+from legwright.parts._words import Place
+from manifold3d import Manifold
+from test_parts import build
+
+UP = np.array([0, 0, 1.0])
+
+
+@pytest.fixture(scope='module')
+def dog(examples, tmp_path_factory) -> Path:
+    robot = tmp_path_factory.mktemp('dog') / 'dog.xml'
+    return build(examples / 'assemblies/printed_puppy.toml', robot)
+
+
+def part_of(shape: Manifold, pieces: int = 1) -> SimpleNamespace:
+    solid = SimpleNamespace(pieces=pieces)
+    return SimpleNamespace(name='it', printed=shape, mesh=mesh_of(shape), solid=solid)
+
+
+def failed(checks) -> dict[str, parts.Check]:
+    return {check.name: check for check in checks if not check.passed}
+
+
+def test_a_thin_wall_fails_and_so_does_one_that_was_not_found():
+    plate = part_of(Manifold.cube((30, 30, 0.8)))
+    assert not _wall(plate, 1.2).passed and _wall(plate, 0.7).passed
+    assert _wall(plate, 1.2).figure == pytest.approx(0.8, abs=2e-3)
+    edges = _wall(part_of(Manifold.tetrahedron().scale((9, 9, 9))), 1.2)
+    assert not edges.passed and edges.figure is None and 'face each other' in edges.where
+
+
+def test_what_falls_apart_or_is_open_fails():
+    shape = Manifold.cube((9, 9, 9))
+    assert not failed(_closed(part_of(shape)))
+    assert set(failed(_closed(part_of(shape, 2)))) == {'in one piece'}
+    broken = part_of(shape)
+    broken.mesh = dataclasses.replace(broken.mesh, triangles=broken.mesh.triangles[1:])
+    assert 'watertight and oriented' in failed(_closed(broken))
+
+
+def test_masses_that_are_not_those_of_the_solids_fail(dog, tmp_path):
+    text = dog.read_text(encoding='utf-8')
+    heavy = re.sub(
+        r'(<body name="FL_thigh_arm">\s*<inertial [^>]*mass=")([^"]*)',
+        lambda found: f'{found[1]}{1.01 * float(found[2]):.9g}',
+        text,
+    )
+    assert heavy != text
+    robot = tmp_path / 'robot.xml'
+    robot.write_text(heavy.replace('trunk trunk 0.25 kg', 'trunk trunk 0.1 kg'), encoding='utf-8')
+    found = failed(parts.make(robot, tmp_path / 'out').checks)
+    assert set(found) == {'mass of the hulls', 'mass of the trunk'}
+    assert found['mass of the hulls'].figure == pytest.approx(0.01 / 1.01, rel=1e-3)
+
+
+@pytest.mark.parametrize('way', ['free', 'roof', 'module'])
+def test_screws_that_cannot_be_reached_fail(way):
+    module = SimpleNamespace(of='servo')
+    points = np.array([[0.006, 0, 0]])
+    place = Place('horn', True, np.zeros(3), UP, 'M2', points)
+    plate = Manifold.cube((20, 20, 3)).translate((-10, -10, 1))
+    holes = holes_of(Fixing(module, place, np.zeros(3), UP, points), plate, 1.2)
+    box = Shape('box', np.full(3, 0.005), np.array([0.006, 0, 0.03]), np.eye(3))
+    others = (SimpleNamespace(of='other', shapes=(box,)),) if way == 'module' else ()
+    roof = Manifold.cube((20, 20, 3)).translate((-10, -10, 15))
+    solid = SimpleNamespace(
+        link=SimpleNamespace(servo=module, modules=others),
+        shape=plate + roof if way == 'roof' else plate,
+        holes=holes,
+    )
+    found = failed(check_screws([SimpleNamespace(name='it', solid=solid)], 1.2))
+    words = {'free': None, 'roof': 'the part itself', 'module': 'other'}[way]
+    assert ('screws reached, servo horn' in found) == (words is not None)
+    assert words is None or words in found['screws reached, servo horn'].where
+
+
+@pytest.mark.parametrize('begins, covered', [(5.8, True), (6.2, False)])
+def test_an_attachment_holds_what_begins_within_6_mm(begins, covered):
+    place = Place('top', False, np.zeros(3), UP, None, np.zeros((0, 3)))
+    link = SimpleNamespace(body=0, servo=None, modules=(SimpleNamespace(places=(place,)),))
+    robot = SimpleNamespace(model=SimpleNamespace(body_pos=np.zeros((1, 3))))
+    plate = Manifold.cube((20, 20, 3)).translate((-10, -10, begins))
+    assert bool(fixings_of(robot, link, plate)) == covered
