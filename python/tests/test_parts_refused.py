@@ -45,6 +45,15 @@ def test_frames_and_masses_are_not_taken_on_trust(dog, tmp_path, old, new, words
         parts.make(changed(dog, tmp_path, old, new), tmp_path / 'out')
 
 
+def test_a_connector_without_mass_is_refused(dog, tmp_path):
+    text = dog.read_text(encoding='utf-8')
+    arm = r'(<body name="FL_thigh_arm">\s*<inertial [^>]*mass=")[^"]*'
+    robot = tmp_path / 'changed.xml'
+    robot.write_text(re.sub(arm, r'\g<1>0', text), encoding='utf-8')
+    with pytest.raises(InputError, match='legwright_connector/FL_thigh_arm: is of a body without'):
+        parts.make(robot, tmp_path / 'out')
+
+
 def test_an_axis_beside_its_horn_fails(dog, tmp_path):
     robot = changed(dog, tmp_path, HIP, f'{HIP} pos="0 0.02 0.01"')
     checks = parts.make(robot, tmp_path / 'out').checks
