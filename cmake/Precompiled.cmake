@@ -1,7 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 # Precompiled headers: half of what compiling costs is parsing the same headers of libraries. Each
 # group is compiled once for each optimisation level and shared by all targets of that kind.
-option(LEGWRIGHT_PRECOMPILED_HEADERS "Precompile the headers of libraries" ON)
+# Not by clang through ccache: what clang precompiles names files of its own checkout, and another one
+# could not be served from the cache.
+set(LEGWRIGHT_PRECOMPILE ON)
+if(LEGWRIGHT_CCACHE AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+  set(LEGWRIGHT_PRECOMPILE OFF)
+endif()
+option(LEGWRIGHT_PRECOMPILED_HEADERS "Precompile the headers of libraries" ${LEGWRIGHT_PRECOMPILE})
 
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(fmt REQUIRED)
