@@ -16,7 +16,7 @@ import mujoco
 import numpy as np
 import pytest
 import trimesh
-from legwright import parts
+from legwright import _command, parts
 from legwright.parts import __main__ as command
 from legwright.parts._holes import drilled
 from legwright.parts._shapes import hull, joined, outline
@@ -118,7 +118,7 @@ def test_a_part_that_does_not_reach_a_module_fails_with_the_remedy(examples, tmp
         text=True,
         check=False,
     )
-    assert done.returncode == command.FAILED, done.stderr
+    assert done.returncode == _command.NOT_ALL, done.stderr
     assert 'FL_femur_link: reaches FL_tibia_servo: 0 attachments' in done.stdout
     assert 'turn its servo by roll' in done.stdout
     document = json.loads((tmp_path / 'out/checks.json').read_text())
@@ -163,28 +163,28 @@ def test_without_its_libraries_it_says_what_to_install(dog, tmp_path):
         text=True,
         check=False,
     )
-    assert done.returncode == command.IO_ERROR and 'pip install "legwright[parts]"' in done.stderr
+    assert done.returncode == _command.IO_ERROR and 'pip install "legwright[parts]"' in done.stderr
     assert 'not here' in done.stderr and not (tmp_path / 'out').exists()
 
 
 def test_what_is_no_robot_of_modules_is_bad_input(examples, dog, tmp_path, capsys):
     plain = examples / 'puppy/robot.xml'
-    assert command.main([str(plain), '-o', str(tmp_path / 'a')]) == command.BAD_INPUT
+    assert command.main([str(plain), '-o', str(tmp_path / 'a')]) == _command.BAD_INPUT
     assert 'has no connector' in capsys.readouterr().err
     text = dog.read_text(encoding='utf-8')
     old = tmp_path / 'old.xml'
     old.write_text(re.sub(r'<text name="legwright_module.*', '', text), encoding='utf-8')
-    assert command.main([str(old), '-o', str(tmp_path / 'a')]) == command.BAD_INPUT
+    assert command.main([str(old), '-o', str(tmp_path / 'a')]) == _command.BAD_INPUT
     assert 'older Legwright' in capsys.readouterr().err
     odd = tmp_path / 'odd.xml'
     odd.write_text(text.replace('0.0572 kg | body FL_hip', '0.0572 g | body FL_hip'))
-    assert command.main([str(odd), '-o', str(tmp_path / 'a')]) == command.BAD_INPUT
+    assert command.main([str(odd), '-o', str(tmp_path / 'a')]) == _command.BAD_INPUT
     assert 'text legwright_module/FL_hip_servo' in capsys.readouterr().err
-    assert command.main([str(dog), '--bed', '200', '-o', str(tmp_path / 'a')]) == command.BAD_INPUT
-    assert command.main([str(dog), '--fit', '-1', '-o', str(tmp_path / 'a')]) == command.BAD_INPUT
-    assert command.main([str(tmp_path / 'gone.xml')]) == command.IO_ERROR
+    assert command.main([str(dog), '--bed', '200', '-o', str(tmp_path / 'a')]) == _command.BAD_INPUT
+    assert command.main([str(dog), '--fit', '-1', '-o', str(tmp_path / 'a')]) == _command.BAD_INPUT
+    assert command.main([str(tmp_path / 'gone.xml')]) == _command.IO_ERROR
     (tmp_path / 'empty').mkdir()
-    assert command.main([str(tmp_path / 'empty')]) == command.BAD_INPUT
+    assert command.main([str(tmp_path / 'empty')]) == _command.BAD_INPUT
     assert not (tmp_path / 'a').exists()
 
 
@@ -193,13 +193,13 @@ def test_names_of_links_lead_nowhere_but_into_the_folder(dog, tmp_path, capsys, 
     evil = tmp_path / 'evil.xml'
     for name in ('../FL_thigh', f'{tmp_path}/FL_thigh', 'all'):
         evil.write_text(text.replace('FL_thigh', name), encoding='utf-8')
-        assert command.main([str(evil), '-o', str(tmp_path / 'out/parts')]) == command.BAD_INPUT
+        assert command.main([str(evil), '-o', str(tmp_path / 'out/parts')]) == _command.BAD_INPUT
         assert 'rename it' in capsys.readouterr().err
     assert not list(tmp_path.glob('**/*.stl'))
     evil.write_text(text.replace('<mujoco model="', '<mujoco model="a &quot;b&quot; '))
     (tmp_path / 'here').mkdir()
     monkeypatch.chdir(tmp_path / 'here')
-    assert command.main([str(evil), '-o', '.', '--quiet']) in (command.OK, 1)
+    assert command.main([str(evil), '-o', '.', '--quiet']) in (_command.OK, 1)
     assert (tmp_path / 'here/checks.json').exists()
     scene = mujoco.MjModel.from_xml_path(str(tmp_path / 'here/exploded.xml'))
     assert scene.ngeom > 8

@@ -8,7 +8,7 @@ from pathlib import Path
 import mujoco
 import numpy as np
 import pytest
-from legwright import InputError, parts
+from legwright import InputError, _command, parts
 from legwright.parts import __main__ as command
 from legwright.parts._fit import Distances, free_range, things_of
 from legwright.parts._printing import best_lying, lying_on
@@ -163,7 +163,7 @@ def test_a_damaged_file_of_a_run_is_bad_input(run, file, tmp_path, capsys):
     }
     for words, text in damaged.items():
         table.write_text(text)
-        assert command.main([str(run), '-o', str(tmp_path / 'out')]) == command.BAD_INPUT, words
+        assert command.main([str(run), '-o', str(tmp_path / 'out')]) == _command.BAD_INPUT, words
         said = capsys.readouterr().err
         assert words in said and 'makes it anew' in said and file in said
     assert not (tmp_path / 'out').exists()

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pyarrow.parquet
 import pytest
-from legwright import _toml
+from legwright import _command, _toml
 from legwright.study import __main__ as command
 from tiny_study import heights, tiny
 
@@ -102,7 +102,7 @@ def test_ctrl_c_keeps_what_is_done_and_the_same_command_goes_on(tmp_path):
     assert process.stderr.readline().lstrip().startswith('1/24')
     os.killpg(process.pid, signal.SIGINT)  # as a terminal sends it, to workers, too
     _, errors = process.communicate(timeout=60)
-    assert process.returncode == command.INTERRUPTED
+    assert process.returncode == _command.INTERRUPTED
     assert 'what is done is kept' in errors and 'Traceback' not in errors
     done = {each.name for each in (tmp_path / 'out/points').iterdir()}
     status = pyarrow.parquet.read_table(tmp_path / 'out/study.parquet')['status'].to_pylist()
@@ -120,7 +120,7 @@ def test_sigterm_is_stopped_early(tmp_path):
     )
     assert process.stderr.readline().startswith('1/8')
     process.terminate()
-    assert process.wait(60) == command.STOPPED
+    assert process.wait(60) == _command.STOPPED
     process.stderr.close()
 
 

@@ -233,6 +233,26 @@ std::string next_step(const InitOptions& options, const StudiedRobot& robot,
                             : "");
 }
 
+/// A task names the robot's file: none is written for one that has to be changed before it walks.
+void refuse_task_for_the_file_as_it_is(const InitOptions& options, const StudiedRobot& robot) {
+  if (options.task.empty() || options.write || !options.output.empty()) return;
+  const auto refuse = [&](const std::string& why) {
+    throw InputError(options.robot, 0, "", "no task is written" + why);
+  };
+  if (robot.pose)
+    refuse(", in which the robot would not stand: " + robot.pose->why +
+           "; add --write, which puts the pose that was found into the file as keyframe "
+           "'legwright'");
+  if (robot.axes)
+    refuse(", in which the robot would lie on its side: " + robot.axes->why +
+           "; add --write, which turns the trunk's frame");
+  if (robot.root)
+    refuse(
+        fmt::format(": in the file six joints move the trunk '{}', and no free one; add "
+                    "--write, which puts it there, or -o NEW.xml",
+                    robot.root->body));
+}
+
 int init(const InitOptions& options) {
   if (!options.gait.empty() && options.task.empty())
     throw InputError("--gait is for the task file that --task FILE writes; give both");
@@ -243,20 +263,7 @@ int init(const InitOptions& options) {
                      "is a URDF, which a task cannot name and which has no place for design "
                      "parameters; add" +
                          writing_options(robot) + ", which writes it as MJCF");
-  if (robot.pose && !options.task.empty() && !options.write && options.output.empty())
-    throw InputError(options.robot, 0, "",
-                     "no task is written, in which the robot would not stand: " + robot.pose->why +
-                         "; add --write, which puts the pose that was found into the file as "
-                         "keyframe 'legwright'");
-  if (robot.axes && !options.task.empty() && !options.write && options.output.empty())
-    throw InputError(options.robot, 0, "",
-                     "no task is written, in which the robot would lie on its side: " +
-                         robot.axes->why + "; add --write, which turns the trunk's frame");
-  if (robot.root && !options.task.empty() && !options.write && options.output.empty())
-    throw InputError(options.robot, 0, "",
-                     fmt::format("no task is written: in the file six joints move the trunk '{}', "
-                                 "and no free one; add --write, which puts it there, or -o NEW.xml",
-                                 robot.root->body));
+  refuse_task_for_the_file_as_it_is(options, robot);
   const bool writes = options.write || !options.output.empty();
   const FirstTask task =
       options.task.empty() || lacks_task(options, found)

@@ -17,8 +17,7 @@ namespace legwright {
 
 /// A robot as `legwright init` studies it: its files, and what a designer may change in it.
 struct StudiedRobot {
-  RobotFiles
-      files;  // with the keyframe of `pose`, the names of `named`, the turn of `axes`, a free root
+  RobotFiles files;  // with the pose, names, turn and free root of what is told below
   ProposedParameters found;
   std::optional<StandingPose> pose;  // found for it; nothing where its home pose is one
   std::string text;                  // of the main file as it was read

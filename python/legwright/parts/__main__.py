@@ -4,19 +4,16 @@
 import argparse
 import json
 import sys
-import traceback
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from legwright._command import NOT_ALL, OK, told
 from legwright._errors import InputError
 from legwright.parts._extra import require_extra
 from legwright.parts._options import PartOptions
 
 if TYPE_CHECKING:
     from legwright.parts._make import Parts
-
-# As tools/files/exit_code.hpp has them.
-OK, FAILED, BAD_INPUT, IO_ERROR, INTERNAL = 0, 1, 2, 3, 4
 
 
 def _parsed(words: list[str] | None) -> argparse.Namespace:
@@ -54,29 +51,22 @@ def _summary(made: 'Parts') -> str:
     )
 
 
-def main(words: list[str] | None = None) -> int:
-    """The command; returns its exit code."""
-    parsed = _parsed(words)
-    try:
-        require_extra()
-        from legwright.parts._make import make
+def _run(parsed: argparse.Namespace) -> int:
+    require_extra()
+    from legwright.parts._make import make
 
-        made = make(parsed.robot, parsed.output, _options(parsed))
-    except InputError as error:
-        print(f'legwright: {error}', file=sys.stderr)
-        return BAD_INPUT
-    except (OSError, ImportError) as error:
-        print(f'legwright: {error}', file=sys.stderr)
-        return IO_ERROR
-    except Exception:
-        print('legwright: internal error:', file=sys.stderr)
-        traceback.print_exc()
-        return INTERNAL
+    made = make(parsed.robot, parsed.output, _options(parsed))
     if parsed.json:
         print(json.dumps(made.document, indent=1, ensure_ascii=False))
     elif not parsed.quiet:
         print(_summary(made))
-    return OK if made.passed else FAILED
+    return OK if made.passed else NOT_ALL
+
+
+def main(words: list[str] | None = None) -> int:
+    """The command; returns its exit code."""
+    parsed = _parsed(words)
+    return told(lambda: _run(parsed))
 
 
 if __name__ == '__main__':

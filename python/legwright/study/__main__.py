@@ -5,18 +5,15 @@ import argparse
 import json
 import signal
 import sys
-import traceback
 import warnings
 from pathlib import Path
 from types import FrameType
 from typing import NoReturn
 
-from legwright._errors import InputError, LegwrightWarning
+from legwright._command import INTERRUPTED, NOT_ALL, OK, STOPPED, told
+from legwright._errors import LegwrightWarning
 from legwright.study._measures import as_float
 from legwright.study._run import Done, Study, default_folder, run
-
-# As tools/files/exit_code.hpp has them.
-OK, INCOMPLETE, BAD_INPUT, IO_ERROR, INTERNAL, STOPPED, INTERRUPTED = 0, 1, 2, 3, 4, 75, 130
 
 
 class Stopped(KeyboardInterrupt):
@@ -101,9 +98,7 @@ def _document(study: Study, folder: Path) -> str:
     return json.dumps(document, indent=1, ensure_ascii=False)
 
 
-def main(words: list[str] | None = None) -> int:
-    """The command; returns its exit code."""
-    options = _parsed(words)
+def _run(options: argparse.Namespace) -> int:
     folder = options.output or default_folder(options.study)
     interrupts = Interrupts()
 
@@ -129,18 +124,14 @@ def main(words: list[str] | None = None) -> int:
     except KeyboardInterrupt as stop:
         print('legwright: stopped; what is done is kept: the same command goes on', file=sys.stderr)
         return STOPPED if isinstance(stop, Stopped) else INTERRUPTED
-    except InputError as error:
-        print(f'legwright: {error}', file=sys.stderr)
-        return BAD_INPUT
-    except (OSError, ImportError) as error:
-        print(f'legwright: {error}', file=sys.stderr)
-        return IO_ERROR
-    except Exception:
-        print('legwright: internal error:', file=sys.stderr)
-        traceback.print_exc()
-        return INTERNAL
     print(_document(study, folder) if options.json else _summary(study, folder))
-    return OK if study.complete else INCOMPLETE
+    return OK if study.complete else NOT_ALL
+
+
+def main(words: list[str] | None = None) -> int:
+    """The command; returns its exit code."""
+    options = _parsed(words)
+    return told(lambda: _run(options))
 
 
 if __name__ == '__main__':
