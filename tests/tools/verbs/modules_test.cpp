@@ -31,7 +31,8 @@ TEST(Modules, TellsWhereEachFigureIsFrom) {
   EXPECT_TRUE(contains(told.out, "joint.no_load_speed      5.969 rad/s, 57 rev/min")) << told.out;
   EXPECT_TRUE(contains(told.out, "https://emanual.robotis.com/docs/en/dxl/x/xl430-w250/"));
   EXPECT_TRUE(contains(told.out, "not known\n  joint.continuous_torque, joint.friction"));
-  EXPECT_TRUE(contains(told.out, "assumed\n  joint.position: ")) << told.out;
+  EXPECT_TRUE(contains(told.out, "assumed\n  attachment.screws: ")) << told.out;
+  EXPECT_TRUE(contains(told.out, "\n  joint.position: not of a drawing")) << told.out;
 }
 
 TEST(Modules, ReadsAFolderOfOnesOwn) {
