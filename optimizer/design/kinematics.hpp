@@ -183,10 +183,14 @@ void direction_from_pose(const Ancestry& ancestry, const PoseKinematics& pose, i
 /// An end of a capsule [m, world]: 2 k is `from` of capsule k, 2 k + 1 is `to`.
 Eigen::Vector3d capsule_end_place(const Morphology& morphology, const GeometryAtDesign& geometry,
                                   const PoseKinematics& pose, int end);
-/// The same with what moves it.
-void capsule_end_from_pose(const Morphology& morphology, const GeometryAtDesign& geometry,
-                           const Ancestry& ancestry, const PoseKinematics& pose, int end,
-                           const Columns& columns, PointDerivatives& out);
+
+/// A point that is fixed to a link, at `own` in its frame, seen from the trunk [m, trunk frame].
+Eigen::Vector3d place_from_trunk(const PoseKinematics& pose, int link, const Eigen::Vector3d& own);
+/// The same with what moves it: the joints between trunk and link and the design, not the trunk's
+/// own coordinates. @param at where it is, place_from_trunk. @param own in the link's frame
+void point_from_trunk(const Morphology& morphology, const Ancestry& ancestry,
+                      const PoseKinematics& pose, int link, const Eigen::Vector3d& at,
+                      const AffineVector& own, const Columns& columns, PointDerivatives& out);
 
 /// Where a link's hinge is anchored [m, world]; its own joint does not move it.
 void anchor_from_pose(const Ancestry& ancestry, const PoseKinematics& pose, int link,

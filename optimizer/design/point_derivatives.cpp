@@ -119,12 +119,13 @@ void add_turns(const PoseKinematics& pose, const Columns& columns, Moves moves,
   }
 }
 
-/// What moves the world point `out.value`, which sits at `own` in the frame of a link.
-void add_point_effects(const Morphology& morphology, const Ancestry& ancestry,
-                       const PoseKinematics& pose, int link, const AffineVector& own,
-                       const Columns& columns, PointDerivatives& out) {
-  add_rigid_effects(
-      pose, columns, [&](const Twist& m) { return ancestry.contains(m.link, link); }, out);
+/// What moves the world point `out.value`, which sits at `own` in the frame of a link: the twists
+/// for which `moves(twist)`, and the design within the link.
+template <class Moves>
+void add_point_effects(const Morphology& morphology, const PoseKinematics& pose, int link,
+                       Moves moves, const AffineVector& own, const Columns& columns,
+                       PointDerivatives& out) {
+  add_rigid_effects(pose, columns, moves, out);
   if (!pose.with_design()) return;
   for (const AffineVector::Slope& slope : own.slopes)
     out.effects.push_back({columns[morphology.pose_size() + slope.parameter], link, false, true,
@@ -144,7 +145,10 @@ void foot_from_pose(const Morphology& morphology, const GeometryAtDesign& geomet
                     const Columns& columns, PointDerivatives& out) {
   const Foot& data = morphology.feet[foot];
   out.clear(foot_place(morphology, geometry, pose, foot));
-  add_point_effects(morphology, ancestry, pose, data.link, data.position, columns, out);
+  add_point_effects(
+      morphology, pose, data.link,
+      [&](const Twist& m) { return ancestry.contains(m.link, data.link); }, data.position, columns,
+      out);
 }
 
 void direction_from_pose(const Ancestry& ancestry, const PoseKinematics& pose, int link,
@@ -160,13 +164,28 @@ Vector3d capsule_end_place(const Morphology& morphology, const GeometryAtDesign&
   return pose.origin(link) + pose.rotation(link) * geometry.capsule_ends[end];
 }
 
-void capsule_end_from_pose(const Morphology& morphology, const GeometryAtDesign& geometry,
-                           const Ancestry& ancestry, const PoseKinematics& pose, int end,
-                           const Columns& columns, PointDerivatives& out) {
-  const Capsule& data = morphology.capsules[end / 2];
-  out.clear(capsule_end_place(morphology, geometry, pose, end));
-  add_point_effects(morphology, ancestry, pose, data.link, end % 2 == 0 ? data.from : data.to,
-                    columns, out);
+Vector3d place_from_trunk(const PoseKinematics& pose, int link, const Vector3d& own) {
+  if (link == 0) return own;
+  return pose.rotation(0).transpose() *
+         (pose.origin(link) + pose.rotation(link) * own - pose.origin(0));
+}
+
+void point_from_trunk(const Morphology& morphology, const Ancestry& ancestry,
+                      const PoseKinematics& pose, int link, const Vector3d& at,
+                      const AffineVector& own, const Columns& columns, PointDerivatives& out) {
+  // As in the world, without what moves the trunk; then all vectors are turned into its frame. A
+  // common turn of rates and twists leaves the curvature's products as they are.
+  const Matrix3d& trunk = pose.rotation(0);
+  out.clear(pose.origin(0) + trunk * at);
+  const auto moves = [&](const Twist& m) { return m.link > 0 && ancestry.contains(m.link, link); };
+  add_point_effects(morphology, pose, link, moves, own, columns, out);
+  out.value = at;
+  for (PointDerivatives::Effect& effect : out.effects) {
+    store(transposed_product(trunk, scalars(effect.turn)), effect.turn);
+    store(transposed_product(trunk, scalars(effect.rate)), effect.rate);
+  }
+  for (PointDerivatives::Second& second : out.seconds)
+    store(transposed_product(trunk, scalars(second.rate)), second.rate);
 }
 
 void anchor_from_pose(const Ancestry& ancestry, const PoseKinematics& pose, int link,

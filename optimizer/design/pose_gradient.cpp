@@ -44,6 +44,18 @@ void add_point_gradient(const Morphology& morphology, const PoseKinematics& pose
   });
 }
 
+void add_trunk_point_gradient(const Morphology& morphology, const PoseKinematics& pose, int link,
+                              const Vector3d& at, const Vector3d& multiplier, double* gradient) {
+  const Matrix3d& trunk = pose.rotation(0);
+  const Vector3d point = pose.origin(0) + trunk * at;
+  const Scalars3 p = scalars(point), mu = scalars(multiplier);
+  for (; link > 0; link = morphology.links[static_cast<std::size_t>(link)].parent) {
+    const Twist& twist = pose.twist_of(5 + link);
+    const Scalars3 rate = cross(scalars(twist.turn), p) + scalars(twist.shift);
+    add_rate(transposed_product(trunk, rate), mu, gradient[5 + link]);
+  }
+}
+
 void add_direction_gradient(const Morphology& morphology, const PoseKinematics& pose, int link,
                             const Vector3d& direction, const Vector3d& multiplier,
                             double* gradient) {

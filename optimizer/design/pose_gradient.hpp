@@ -20,6 +20,11 @@ void add_point_gradient(const Morphology& morphology, const PoseKinematics& pose
                         const Eigen::Vector3d& point, const Eigen::Vector3d& multiplier,
                         double* gradient);
 
+/// y = a point that is fixed to `link`, seen from the trunk. @param at there
+void add_trunk_point_gradient(const Morphology& morphology, const PoseKinematics& pose, int link,
+                              const Eigen::Vector3d& at, const Eigen::Vector3d& multiplier,
+                              double* gradient);
+
 /// y = a direction of the world that is fixed to `link`.
 void add_direction_gradient(const Morphology& morphology, const PoseKinematics& pose, int link,
                             const Eigen::Vector3d& direction, const Eigen::Vector3d& multiplier,

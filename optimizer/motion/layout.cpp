@@ -21,13 +21,13 @@ Layout::Layout(const Morphology& morphology, int design_size, const Gait& gait, 
   }
   derived_ = parameter_count();
   pair_derived_ = derived_ + (1 + foot_count_) * 3 * (knot_count_ + 1);
-  anchors_ = pair_derived_ + (1 + foot_count_) * 3 * (knot_count_ + 1);
-  torques_ = anchors_ + 3 * joint_count() * (knot_count_ + 1);
+  torques_ = pair_derived_ + (1 + foot_count_) * 3 * (knot_count_ + 1);
   shapes_ = torques_ + joint_count() * knot_count_;
   amounts_ = shapes_ + 3 * static_cast<int>(morphology.linear_actuators.size());
-  capsules_ = amounts_ + 2;
-  capsule_count_ = static_cast<int>(morphology.capsules.size());
-  soles_ = capsules_ + 6 * capsule_count_ * knot_count_;
+  trunk_points_ = amounts_ + 2;
+  trunk_point_count_ =
+      joint_count() + foot_count_ + 2 * static_cast<int>(morphology.capsules.size());
+  soles_ = trunk_points_ + 3 * trunk_point_count_ * knot_count_;
   inertia_ = soles_ + 6 * foot_count_ * (knot_count_ + 1);
   extended_size_ = inertia_ + 6;
 }

@@ -48,10 +48,6 @@ class Layout {
   int wrapping_momentum() const { return swept_momentum(knot_count_); }
   /// Rotation vector of a foot's link from knot i to i + 1, to second order.
   int foot_turn(int knot, int foot) const { return swept_momentum(knot) + 3 + 3 * foot; }
-  /// Where the hinge of link 1 … joint_count is anchored in the world; knots 0 … T.
-  int link_anchor(int knot, int link) const {
-    return anchors_ + 3 * (joint_count() * knot + link - 1);
-  }
   /// Torque of a joint's motor by inverse dynamics [N m], one slot; knots 0 … T − 1.
   int joint_torque(int knot, int joint) const { return torques_ + joint_count() * knot + joint; }
   /// A, B, C of a linear actuator's length (design/actuator_length) [leg length²]; they depend on s
@@ -65,9 +61,14 @@ class Layout {
   /// alone.
   int home_inertia() const { return inertia_; }
 
-  /// End 0 or 1 of a capsule in the world, three slots; knots 0 … T − 1.
+  // Points seen from the trunk, for (16): three slots each, in the trunk's frame; knots 0 … T − 1.
+  /// Where the hinge of link 1 … joint_count is anchored.
+  int link_anchor(int knot, int link) const { return trunk_point(knot, link - 1); }
+  /// The centre of a foot.
+  int limb_end(int knot, int foot) const { return trunk_point(knot, joint_count() + foot); }
+  /// End 0 or 1 of a capsule.
   int capsule_end(int knot, int capsule, int end) const {
-    return capsules_ + 6 * (capsule_count_ * knot + capsule) + 3 * end;
+    return trunk_point(knot, joint_count() + foot_count_ + 2 * capsule + end);
   }
 
   /// Where a foot's sole points ahead (0) or beside (1), a unit vector in the world; knots 0 … T.
@@ -79,15 +80,19 @@ class Layout {
   Eigen::VectorXd motion_units(double length, double force) const;
 
  private:
+  int trunk_point(int knot, int which) const {
+    return trunk_points_ + 3 * (trunk_point_count_ * knot + which);
+  }
+
   struct KnotSlots {
     int start;               // within m
     std::vector<int> force;  // slot or −1
   };
   std::vector<KnotSlots> knots_;
   int design_size_ = 0, motion_size_ = 0, extended_size_ = 0, derived_ = 0, pair_derived_ = 0;
-  int anchors_ = 0, torques_ = 0, shapes_ = 0, amounts_ = 0, capsules_ = 0, soles_ = 0;
+  int torques_ = 0, shapes_ = 0, amounts_ = 0, trunk_points_ = 0, soles_ = 0;
   int inertia_ = 0;
-  int capsule_count_ = 0;
+  int trunk_point_count_ = 0;  // of a knot
   int knot_count_ = 0, foot_count_ = 0, pose_size_ = 0, planted_margin_ = 1;
 };
 

@@ -215,8 +215,10 @@ void ObjectiveParts::add_derived(Order order, EvaluationScratch& workspace,
   for (std::size_t b = 0; b < derived.blocks().size(); ++b) {
     const DerivedQuantities::Extent at = derived.extents()[b];
     const auto multiplier = workspace.gradient.segment(at.slot, at.size);
-    if (multiplier.isZero(0.0)) continue;
     const DerivedQuantity& block = *derived.blocks()[b];
+    const int columns =
+        has_design(order) ? static_cast<int>(block.slots().size()) : block.motion_columns();
+    if (columns == 0 || multiplier.isZero(0.0)) continue;
     const int index = static_cast<int>(b);
     if (order == Order::gradient &&
         derived.add_motion_gradient(morphology, index, multiplier.data(), workspace.extended,
@@ -224,8 +226,6 @@ void ObjectiveParts::add_derived(Order order, EvaluationScratch& workspace,
       continue;
     const Eigen::MatrixXd& jacobian =
         derived.jacobian(morphology, index, workspace.extended, workspace.derived);
-    const int columns =
-        has_design(order) ? static_cast<int>(block.slots().size()) : block.motion_columns();
     for (int d = 0; d < block.size(); ++d)
       for (int k = 0; k < columns; ++k)
         workspace.gradient[block.slots()[k]] += jacobian(k, d) * multiplier[d];

@@ -168,7 +168,7 @@ class LimbClearance final : public Term {
   int far_slot(int knot, int segment) const {
     const Segment& s = segments_[segment];
     if (s.capsule >= 0) return layout_.capsule_end(knot, s.capsule, 1);
-    return s.child >= 0 ? layout_.link_anchor(knot, s.child) : layout_.foot_from_pose(knot, s.foot);
+    return s.child >= 0 ? layout_.link_anchor(knot, s.child) : layout_.limb_end(knot, s.foot);
   }
 
   void collect_segments(const Morphology& morphology, const VectorXd& initial) {

@@ -29,6 +29,12 @@ Dependence on_point(const Morphology& morphology, int link, const AffineVector& 
   return out;
 }
 
+Dependence on_point_of_trunk(const Morphology& morphology, int link, const AffineVector& point) {
+  Dependence out = on_point(morphology, link, point);
+  out.root = false;
+  return out;
+}
+
 Dependence on_subtree(const Morphology& morphology, const Ancestry& ancestry, int link) {
   Dependence out;
   for (int l = link; l < static_cast<int>(morphology.links.size()); ++l) {
@@ -45,6 +51,7 @@ Dependence on_subtree(const Morphology& morphology, const Ancestry& ancestry, in
 }
 
 Dependence operator|(Dependence a, const Dependence& b) {
+  a.root = a.root || b.root;
   a.links.insert(b.links.begin(), b.links.end());
   a.parameters.insert(b.parameters.begin(), b.parameters.end());
   return a;

@@ -10,7 +10,8 @@ DerivedQuantity::DerivedQuantity(const DerivedSetting& setting, int slot, int si
                                  const std::vector<int>& forces)
     : slot_(slot), size_(size) {
   const Layout& layout = setting.layout;
-  std::vector<int> coordinates{0, 1, 2, 3, 4, 5};  // of each pose
+  std::vector<int> coordinates;  // of each pose
+  if (on.root) coordinates = {0, 1, 2, 3, 4, 5};
   for (int link : on.links) coordinates.push_back(5 + link);
   for (int knot : knots)
     for (int c : coordinates) slots_.push_back(layout.pose(knot) + c);

@@ -26,13 +26,15 @@ TEST(Layout, EverySlotIsUsedOnce) {
     use(layout.com_from_pose(i), 3);
     use(layout.swept_momentum(i), 3);
     for (int a = 0; a < layout.joint_count(); ++a) {
+      if (i == layout.knot_count()) continue;
       use(layout.link_anchor(i, a + 1), 3);
-      if (i < layout.knot_count()) use(layout.joint_torque(i, a), 1);
+      use(layout.joint_torque(i, a), 1);
     }
     for (int j = 0; j < layout.foot_count(); ++j) {
       use(layout.foot(i, j), 3);
       use(layout.foot_from_pose(i, j), 3);
       use(layout.foot_turn(i, j), 3);
+      if (i < layout.knot_count()) use(layout.limb_end(i, j), 3);
       for (int which = 0; which < 2; ++which) use(layout.sole_direction(i, j, which), 3);
       EXPECT_EQ(layout.force(i, j) >= 0, task.gait.in_contact(i, j));
       if (layout.force(i, j) >= 0) use(layout.force(i, j), 3);
