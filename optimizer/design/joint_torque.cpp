@@ -14,14 +14,22 @@ using Eigen::Vector3d;
 
 /// ∂(v × w) row by row: rows of `jacobian` are ∂v for one column of the block.
 MatrixXd crossed(const MatrixXd& jacobian, const Vector3d& w) {
-  return jacobian * skew(w);  // (v × w)ᵀ = (−[w]× v)ᵀ = vᵀ [w]×
+  return jacobian.lazyProduct(skew(w));  // (v × w)ᵀ = (−[w]× v)ᵀ = vᵀ [w]×
 }
 
 /// Adds factor · (M + Mᵀ), M = a · form · bᵀ, to a lower triangle.
 void add_symmetric(double factor, const MatrixXd& a, const Eigen::Matrix3d& form, const MatrixXd& b,
                    MatrixXd& hessian) {
-  const MatrixXd product = factor * (a * form) * b.transpose();
-  hessian.triangularView<Eigen::Lower>() += product + product.transpose();
+  const Eigen::Index columns = a.rows();
+  for (Eigen::Index j = 0; j < columns; ++j) {
+    // Row j of a · form and of b · formᵀ.
+    const Scalars3 right = factor * scalars(form * Vector3d(b.row(j))),
+                   left = factor * scalars(form.transpose() * Vector3d(a.row(j)));
+    double* out = hessian.col(j).data();
+    for (Eigen::Index i = j; i < columns; ++i)
+      out[i] += a(i, 0) * right.x + a(i, 1) * right.y + a(i, 2) * right.z +
+                (b(i, 0) * left.x + b(i, 1) * left.y + b(i, 2) * left.z);
+  }
 }
 
 struct Sums {
@@ -122,7 +130,7 @@ void JointTorque::sum_parts(int column_count) {
     lever_jacobian_.middleRows<3>(foot.column) -= skew(foot.contact).transpose();
   }
   lever_jacobian_ -= crossed(anchor_jacobian_, rate_);
-  lever_jacobian_ -= rate_jacobian_ * skew(anchor_.value).transpose();
+  lever_jacobian_ -= rate_jacobian_.lazyProduct(skew(anchor_.value).transpose());
 }
 
 void JointTorque::add_jacobian(MatrixXd& jacobian) const {

@@ -101,8 +101,8 @@ class Nearest {
     const double s = s_.f, t = t_.f;
     by_s_ = 2.0 * (p_[kA] * s - p_[kB] * t + p_[kD]);
     by_t_ = 2.0 * (p_[kC] * t - p_[kB] * s - p_[kE]);
-    root_ = rounded_root(p_[kA] * s * s + p_[kC] * t * t - 2.0 * p_[kB] * s * t +
-                             2.0 * p_[kD] * s - 2.0 * p_[kE] * t + p_[kF],
+    root_ = rounded_root(p_[kA] * s * s + p_[kC] * t * t - 2.0 * p_[kB] * s * t + 2.0 * p_[kD] * s -
+                             2.0 * p_[kE] * t + p_[kF],
                          rounding);
   }
   double value() const { return root_.f; }

@@ -59,35 +59,24 @@ void add_product(double entry, const LocalRow& left, const LocalRow& right, int 
   }
 }
 
-/// Adds Σ_i C(i, right) e_i e_rightᵀ to the lower triangle of H: first the sum, then one product.
-void add_column(const Eigen::MatrixXd& C, int right, const std::vector<LocalRow>& rows, int columns,
-                Eigen::VectorXd& sum, Eigen::MatrixXd& H) {
-  sum.setZero(columns);
+/// Adds Eᵀ C E by two products of full matrices, E the rows as vectors.
+void add_full(const Eigen::MatrixXd& C, const std::vector<LocalRow>& rows, int columns,
+              ElementWorkspace& workspace) {
+  Eigen::MatrixXd &E = workspace.local_by_clique, &CE = workspace.bent;
+  E.setZero(C.rows(), columns);
   for (int i = 0; i < C.rows(); ++i) {
-    const double entry = C(i, right);
     if (rows[i].through == nullptr) {
-      if (rows[i].column < columns) sum[rows[i].column] += entry;
+      if (rows[i].column < columns) E(i, rows[i].column) = 1.0;
       continue;
     }
-    for (const ElementPlan::Run& run : rows[i].through->runs) {
-      if (run.to >= columns) break;
-      const double* chain = rows[i].chain + run.from;
-      for (int k = 0; k < run.count; ++k) sum[run.to + k] += entry * chain[k];
-    }
+    for (const ElementPlan::Run& run : rows[i].through->runs)
+      for (int k = 0; k < run.count && run.to < columns; ++k)
+        E(i, run.to + k) = rows[i].chain[run.from + k];
   }
-  const double* from = sum.data();
-  for (const ElementPlan::Run& run : rows[right].through->runs) {
-    if (run.to >= columns) break;
-    for (int b = run.to; b < run.to + run.count; ++b) {
-      const double factor = rows[right].chain[run.from + b - run.to];
-      double* __restrict__ out = H.col(b).data();
-      for (int a = b; a < columns; ++a) out[a] += factor * from[a];
-    }
-  }
+  CE = C.lazyProduct(E);
+  for (int b = 0; b < columns; ++b)
+    for (int a = b; a < columns; ++a) workspace.hessian(a, b) += E.col(a).dot(CE.col(b));
 }
-
-/// Entries of a column of C from which on it pays to sum them up first.
-constexpr int kCrowded = 7;
 
 }  // namespace
 
@@ -105,16 +94,15 @@ void expand_curvature(const PlannedElement& element, const std::vector<Eigen::Ma
     for (int d = 0; d < through.size; ++d)
       rows[through.variable + d] = {-1, &through, block.col(d).data()};
   }
+  if (2 * (C.array() != 0.0).count() > C.size()) {
+    add_full(C, rows, columns, workspace);
+    return;
+  }
   // Of most terms most entries of C are zero. Both orders of a pair of variables are visited, so
   // that each column pair of the lower triangle gets both.
-  for (int j = 0; j < C.cols(); ++j) {
-    if (rows[j].through != nullptr && (C.col(j).array() != 0.0).count() >= kCrowded) {
-      add_column(C, j, rows, columns, workspace.sum, workspace.hessian);
-      continue;
-    }
+  for (int j = 0; j < C.cols(); ++j)
     for (int i = 0; i < C.rows(); ++i)
       if (C(i, j) != 0.0) add_product(C(i, j), rows[i], rows[j], columns, workspace.hessian);
-  }
 }
 
 namespace {

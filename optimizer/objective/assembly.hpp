@@ -18,11 +18,12 @@ struct LocalRow {
 
 /// Scratch of one element; sizes grow to the largest and stay.
 struct ElementWorkspace {
-  Eigen::VectorXd z, residual, multiplier, second, sum;
+  Eigen::VectorXd z, residual, multiplier, second;
   Eigen::MatrixXd jacobian, curvature;
   Eigen::MatrixXd expanded;  // columns of the clique × rows
   Eigen::MatrixXd hessian;   // of the clique, lower triangle
   std::vector<LocalRow> rows;
+  Eigen::MatrixXd local_by_clique, bent;  // E and C E, see expand_curvature
 };
 
 /// Writes (J·E)ᵀ into workspace.expanded (the first `columns` of the clique × rows), where E is the

@@ -7,6 +7,7 @@ LinearRows linear_rows(const Term& term, const std::vector<PlannedElement>& elem
   LinearRows out;
   Eigen::VectorXd offset;
   for (std::size_t e = 0; e < elements.size(); ++e) {
+    const std::size_t before = out.entries.size();
     const Element& element = term.elements()[e];
     const Eigen::MatrixXd* J = term.constant_jacobian(static_cast<int>(e));
     if (J == nullptr) return {};
@@ -21,6 +22,10 @@ LinearRows linear_rows(const Term& term, const std::vector<PlannedElement>& elem
     }
     out.last_rows.push_back(static_cast<int>(out.ends.size()));
     out.constant.push_back(elements[e].constant ? 1 : 0);
+    const ElementPlan& plan = *elements[e].plan;
+    out.lone.push_back(plan.through.empty() && plan.clique->slots.size() == 1 &&
+                       !plan.reaches_design() &&
+                       out.entries.size() == before + static_cast<std::size_t>(element.rows));
   }
   return out;
 }

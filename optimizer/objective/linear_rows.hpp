@@ -20,6 +20,7 @@ struct LinearRows {
   std::vector<double> offsets;  // row → r at zero
   std::vector<int> last_rows;   // element → where its rows end
   std::vector<char> constant;   // element → PlannedElement::constant
+  std::vector<char> lone;       // element → whether it reaches one slot, which is of the motion
 
   bool empty() const { return last_rows.empty(); }
   int first_row(int element) const {

@@ -31,6 +31,10 @@ std::vector<double> term_weights(const Task& task) {
   return weights;
 }
 
+const Clique& clique_of(const WeightedTerm& entry, int index) {
+  return *entry.plans[static_cast<std::size_t>(index)].plan->clique;
+}
+
 }  // namespace
 
 Objective::Workspace::Workspace() : parts_(std::make_unique<EvaluationScratch>()) {}
@@ -104,8 +108,8 @@ void ObjectiveParts::residual(const WeightedTerm& entry, int index,
   entry.term->residual(index, local.z, local.residual);
 }
 
-double ObjectiveParts::add_linear(const WeightedTerm& entry, int index, bool with_gradient,
-                                  EvaluationScratch& workspace) const {
+double ObjectiveParts::add_linear(const WeightedTerm& entry, int index, Order order,
+                                  EvaluationScratch& workspace, const HessianTarget& target) const {
   const LinearRows& rows = entry.linear;
   const double* x = workspace.extended.data();
   double* gradient = workspace.gradient.data();
@@ -116,15 +120,19 @@ double ObjectiveParts::add_linear(const WeightedTerm& entry, int index, bool wit
        ++row) {
     const double r = rows.residual(row, x);
     double multiplier = entry.weight * r;
+    const LinearRows::Entry* first = rows.begin(row);
     if (constant) {
       value += 0.5 * r * r;
     } else {
       const PenaltyValue p = legwright::evaluate(penalty, r, task.barrier_edge);
       value += entry.weight * p.value;
       multiplier = entry.weight * p.first;
+      if (has_second(order))
+        target.mm[clique_of(entry, index).positions[0]] +=
+            first->coefficient * first->coefficient * (entry.weight * p.second);
     }
-    if (!with_gradient || multiplier == 0.0) continue;
-    for (const LinearRows::Entry* e = rows.begin(row); e != rows.end(row); ++e)
+    if (order == Order::value || multiplier == 0.0) continue;
+    for (const LinearRows::Entry* e = first; e != rows.end(row); ++e)
       gradient[e->slot] += e->coefficient * multiplier;
   }
   return constant ? entry.weight * value : value;
@@ -135,8 +143,9 @@ double ObjectiveParts::add_element(const WeightedTerm& entry, int index, Order o
                                    const HessianTarget& target) const {
   const Term& term = *entry.term;
   const bool linear = !entry.linear.empty();
-  if (linear && (!has_second(order) || entry.linear.constant[static_cast<std::size_t>(index)]))
-    return add_linear(entry, index, order != Order::value, workspace);
+  if (linear && (!has_second(order) || entry.linear.constant[static_cast<std::size_t>(index)] ||
+                 entry.linear.lone[static_cast<std::size_t>(index)]))
+    return add_linear(entry, index, order, workspace, target);
   ElementWorkspace& local = workspace.element;
   residual(entry, index, workspace);
   const int rows = static_cast<int>(local.residual.size());

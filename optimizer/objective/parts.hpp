@@ -61,10 +61,10 @@ struct ObjectiveParts {
   void residual(const WeightedTerm& entry, int index, EvaluationScratch& workspace) const;
   double add_term(const WeightedTerm& entry, Order order, EvaluationScratch& workspace,
                   const HessianTarget& target) const;
-  /// A linear element up to first derivatives; all there is of one whose Hessian stands in
-  /// `pattern` already.
-  double add_linear(const WeightedTerm& entry, int index, bool with_gradient,
-                    EvaluationScratch& workspace) const;
+  /// A linear element up to first derivatives, and second ones where its rows are of one slot each
+  /// (LinearRows::lone); all there is of one whose Hessian stands in `pattern` already.
+  double add_linear(const WeightedTerm& entry, int index, Order order, EvaluationScratch& workspace,
+                    const HessianTarget& target) const;
   double add_element(const WeightedTerm& entry, int index, Order order,
                      EvaluationScratch& workspace, const HessianTarget& target) const;
   void add_second(const WeightedTerm& entry, int index, Order order, EvaluationScratch& workspace,

@@ -8,14 +8,10 @@ void list_derived(DerivedList& out) {
   // derivatives.
   using Kind = void (*)(int knot, DerivedList&);
   static const std::vector<std::vector<Kind>> kTable{
-      {list_com, list_feet},
-      {list_swept_momentum, list_foot_turns, list_joint_torques},
-      {list_trunk_points},
-      {list_sole_directions},
-      {list_wrapping_momentum},
-      {list_actuator_shapes},
-      {list_mass_share},
-      {list_printed_volume},
+      {list_com, list_feet},    {list_swept_momentum, list_foot_turns, list_joint_torques},
+      {list_trunk_points},      {list_sole_directions},
+      {list_wrapping_momentum}, {list_actuator_shapes},
+      {list_mass_share},        {list_printed_volume},
       {list_home_inertia},
   };
   for (const std::vector<Kind>& row : kTable)
