@@ -23,9 +23,10 @@ LinearRows linear_rows(const Term& term, const std::vector<PlannedElement>& elem
     out.last_rows.push_back(static_cast<int>(out.ends.size()));
     out.constant.push_back(elements[e].constant ? 1 : 0);
     const ElementPlan& plan = *elements[e].plan;
-    out.lone.push_back(plan.through.empty() && plan.clique->slots.size() == 1 &&
-                       !plan.reaches_design() &&
-                       out.entries.size() == before + static_cast<std::size_t>(element.rows));
+    const bool lone = plan.through.empty() && plan.clique->slots.size() == 1 &&
+                      !plan.reaches_design() &&
+                      out.entries.size() == before + static_cast<std::size_t>(element.rows);
+    out.lone.push_back(lone ? 1 : 0);
   }
   return out;
 }

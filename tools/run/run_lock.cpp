@@ -71,7 +71,7 @@ bool is_running(const Holder& holder) {
 
 /// Who holds it has perhaps not yet written so, or the file still names a killed process.
 [[noreturn]] void refuse_second_writer(int descriptor, const fs::path& run) {
-  constexpr int kTries = 50;
+  constexpr int kTries = 500;  // a second: a busy machine may let it wait
   Holder holder = read_holder(descriptor);
   for (int n = 0; n < kTries && !is_running(holder); ++n) {
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
