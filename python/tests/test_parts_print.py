@@ -11,7 +11,7 @@ import pytest
 from legwright import InputError, _command, parts
 from legwright.parts import __main__ as command
 from legwright.parts._fit import Distances, free_range, things_of
-from legwright.parts._printing import best_lying, lying_on
+from legwright.parts._printing import _directions, best_lying, lying_on
 from legwright.parts._robot import home_of, read_built
 from manifold3d import Manifold
 from test_parts import build
@@ -28,6 +28,27 @@ def dog(examples, tmp_path_factory) -> Path:
 @pytest.fixture(scope='module')
 def made(dog, tmp_path_factory) -> parts.Parts:
     return parts.make(dog, tmp_path_factory.mktemp('made') / 'parts')
+
+
+class _WithFlatTriangle:
+    """A hull one of whose triangles has its corners in a row, as hulls of many points have some."""
+
+    def __init__(self) -> None:
+        mesh = Manifold.cube((1, 2, 3)).to_mesh64()
+        self.vert_properties = np.vstack([mesh.vert_properties, [[0.5, 0, 0]]])
+        self.tri_verts = np.vstack([mesh.tri_verts, [[0, 4, len(mesh.vert_properties)]]])
+
+    def hull(self) -> '_WithFlatTriangle':
+        return self
+
+    def to_mesh64(self) -> '_WithFlatTriangle':
+        return self
+
+
+def test_triangles_without_area_look_nowhere():
+    ways = _directions(_WithFlatTriangle())
+    assert len(ways) == 6, 'the sides of a box'
+    assert all(np.linalg.norm(way) == pytest.approx(1) for way in ways)
 
 
 def test_overhang_and_support_are_those_of_a_table_on_one_leg():

@@ -70,6 +70,8 @@ def _directions(shape: Manifold) -> list[Array]:
     faces = _Faces(shape.hull())
     found: list[tuple[float, Array]] = []
     for k in np.argsort(-faces.areas, kind='stable'):
+        if faces.areas[k] == 0:
+            break  # triangles of three points in a row: they look nowhere
         normal = faces.normals[k]
         for at, (area, other) in enumerate(found):
             if np.linalg.norm(normal - other) < _ONE_FACE:
