@@ -68,6 +68,25 @@ def test_masses_that_are_not_those_of_the_solids_fail(dog, tmp_path):
     assert found['mass of the hulls'].figure == pytest.approx(0.01 / 1.01, rel=1e-3)
 
 
+@pytest.mark.parametrize(
+    'pad, remedy',
+    [
+        (Manifold.cylinder(3, 7, 7), 'radius = 0.0091 or more'),
+        (Manifold.cylinder(3, 10, 6), 'a larger wall'),
+    ],
+)
+def test_holes_near_an_edge_are_told_what_the_pad_lacks(pad, remedy):
+    module = SimpleNamespace(of='servo')
+    points = np.array([[0.006, 0, 0], [-0.006, 0, 0]])
+    place = Place('horn', True, np.zeros(3), UP, 'M2', points)
+    shape = pad.translate((0, 0, 1))
+    holes = holes_of(Fixing(module, place, np.zeros(3), UP, points), shape, 1.2)
+    link = SimpleNamespace(servo=module, modules=())
+    solid = SimpleNamespace(link=link, shape=shape, holes=holes)
+    found = failed(check_screws([SimpleNamespace(name='it', solid=solid)], 1.2))
+    assert remedy in found['edge of holes, servo horn'].remedy
+
+
 @pytest.mark.parametrize('way', ['free', 'roof', 'module'])
 def test_screws_that_cannot_be_reached_fail(way):
     module = SimpleNamespace(of='servo')

@@ -46,6 +46,7 @@ _CLAMPED = 1.25  # times the nominal diameter: what a head presses on where it i
 _DEEP = 4.0  # times the nominal diameter: through more a head is let in wherever it is
 _REACH = 6.0  # [mm] before an attachment, within which what it holds begins
 _SAMPLED = 48  # directions around a hole
+_BEHIND = 0.05  # [mm] where a part begins
 
 
 @dataclass(frozen=True)
@@ -128,6 +129,18 @@ def _edge(solid: Manifold, start: Array, axis: Array, clamped: float, radius: fl
             hits = _hits(solid, centre, way, 1e3)
             least = min(least, hits[0] if len(hits) % 2 else 0.0)
     return least - radius
+
+
+def reach_at_face(solid: Manifold, fixing: Fixing, begins: float) -> float:
+    """How far a part reaches around an attachment, where it begins; the least of all directions."""
+    frame = frame_along(fixing.normal)
+    centre = MM * fixing.position + (begins + _BEHIND) * fixing.normal
+    least = math.inf
+    for k in range(_SAMPLED):
+        turn = 2 * math.pi * k / _SAMPLED
+        way = math.cos(turn) * frame[:, 0] + math.sin(turn) * frame[:, 1]
+        least = min(least, max(_hits(solid, centre, way, 1e3), default=0.0))
+    return least
 
 
 def _lets_in(

@@ -5,7 +5,7 @@ import math
 from collections.abc import Iterable
 
 from legwright.parts._checks import Check, at_least
-from legwright.parts._holes import Hole, driver_way
+from legwright.parts._holes import Hole, driver_way, reach_at_face
 from legwright.parts._shapes import outline
 from legwright.parts._solids import Part, Solid
 
@@ -24,12 +24,19 @@ def _edges(part: Part, of: str, holes: list[Hole], wall: float) -> Check:
     """Least material around the holes of an attachment."""
     worst, where = min(hole.edge for hole in holes), ''
     far = max(math.dist(hole.start, 1e3 * hole.fixing.position) for hole in holes)
-    # Pads are octagons; their flat sides are nearer than their radius.
-    needed = (far + holes[0].screw.clearance / 2 + wall) / math.cos(math.pi / 8)
-    remedy = (
-        f'pads that hold these screws: radius = {math.ceil(needed * 10) / 1e4:g} or more under '
-        '[link] of the assembly'
-    )
+    needed = far + holes[0].screw.clearance / 2 + wall
+    begins = max(hole.begins for hole in holes)
+    if reach_at_face(part.solid.shape, holes[0].fixing, begins) >= needed:
+        remedy = (
+            'a larger wall under [link] of the assembly: the pad is wide enough where it begins, and '
+            'the part leaves it aslant'
+        )
+    else:
+        # Pads are octagons; their flat sides are nearer than their radius.
+        radius = math.ceil(needed / math.cos(math.pi / 8) * 10) / 1e4
+        remedy = (
+            f'pads that hold these screws: radius = {radius:g} or more under [link] of the assembly'
+        )
     apart = min(hole.apart for hole in holes)
     if apart < worst:
         worst, where = apart, 'between two of them'
