@@ -28,8 +28,8 @@ def _edges(part: Part, of: str, holes: list[Hole], wall: float) -> Check:
     begins = max(hole.begins for hole in holes)
     if reach_at_face(part.solid.shape, holes[0].fixing, begins) >= needed:
         remedy = (
-            'a larger wall under [link] of the assembly: the pad is wide enough where it begins, and '
-            'the part leaves it aslant'
+            'a larger wall under [link] of the assembly: the pad is wide enough where it begins, '
+            'and the part leaves it aslant'
         )
     else:
         # Pads are octagons; their flat sides are nearer than their radius.
