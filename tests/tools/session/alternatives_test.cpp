@@ -47,7 +47,7 @@ class FewestOfThePuppy : public testing::Test {
     if (kTakesMinutes) GTEST_SKIP();
   }
 
-  SessionEngine engine_{test::puppy(), test::sideways(), test::kSideways};
+  SessionEngine engine_{test::puppy(), read_file(test::kSideways), test::kSideways};
 
   int index(const char* name) const { return engine_.state()->problem->robot.space.find(name); }
   void search() {
@@ -131,7 +131,7 @@ TEST_F(FewestOfThePuppy, OtherTasksHaveOthers) {
   const AlternativesPointer found = worked_out();
   EXPECT_NE(refusal_of(engine_, session::Choose{kFewest, 9}).find("expected 0 to 0"),
             std::string::npos);
-  engine_.apply(session::Tasks{test::sideways()});
+  engine_.apply(session::Tasks{read_file(test::kSideways)});
   EXPECT_NE(refusal_of(engine_, session::Choose{kFewest, 0}).find("for other tasks"),
             std::string::npos);
 }

@@ -158,10 +158,11 @@ TEST_F(Engine, ASearchMindsBoundsAndWhatIsFrozen) {
   EXPECT_EQ(state.iterations, end.points);
 }
 
-TEST_F(Engine, SearchingOnFallsToWhatOptimizeFinds) {
-  const SearchEnd end = engine_.search(0, {});
+TEST(EngineOfTheExample, SearchingOnFallsToWhatOptimizeFinds) {
+  SessionEngine engine(test::puppy(), read_file(test::kSideways), test::kSideways);
+  const SearchEnd end = engine.search(0, {});
   EXPECT_EQ(end.status, SolveStatus::converged);
-  EXPECT_LT(engine_.state()->value(), 1.35);  // `optimize --plan-only`: 1.26 to 1.33 by its start
+  EXPECT_LT(engine.state()->value(), 1.35);  // `optimize --plan-only`: 1.26 to 1.33 by its start
 }
 
 TEST_F(Engine, ASearchThatWasCutShortStandsWhereTheLongOneWas) {

@@ -15,7 +15,12 @@ namespace legwright::test {
 
 inline const std::filesystem::path kPuppy = test::source_dir() + "/examples/puppy";
 inline const std::filesystem::path kSideways = kPuppy / "sideways.toml";
-inline std::string sideways() { return read_file(kSideways); }
+/// Planned at half the points: how a session goes on does not hang on them, its time does.
+inline std::string sideways() {
+  std::string text = read_file(kSideways);
+  const std::string fine = "knots = 24";
+  return text.replace(text.find(fine), fine.size(), "knots = 12");
+}
 
 inline constexpr const char* kThigh = "front_thigh_length";
 inline RobotModel puppy() { return read_robot(kPuppy / "robot.xml"); }

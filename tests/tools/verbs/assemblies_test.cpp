@@ -28,8 +28,8 @@ TEST(Assemblies, APuppyIsBuiltOptimizedAndPasses) {
   EXPECT_TRUE(contains(built.out, "puppy: 0.9731 kg, 4 legs, 8 joints that move")) << built.out;
   EXPECT_TRUE(contains(built.out, "next: legwright optimize ")) << built.out;
   EXPECT_TRUE(contains(read_file(task), "name = \"trot\""));
-  const Outcome found =
-      call({"optimize", task.string(), "-o", run.string(), "--no-pictures", "--quiet"});
+  const Outcome found = call(
+      {"optimize", task.string(), "-o", run.string(), "--no-pictures", "--no-reasons", "--quiet"});
   ASSERT_EQ(found.code, 0) << found.err;
   EXPECT_TRUE(contains(read_file(run / "result/scene.xml"),
                        "<config key=\"stall_torque\" value=\"1.4 1.4 1.4 1.4 1.4 1.4 1.4 1.4\"/>"));
@@ -91,7 +91,9 @@ TEST(Assemblies, AHexapodGetsItsTaskFromInitAndPasses) {
   const std::string written = read_file(robot);
   ASSERT_EQ(call({"init", robot.string(), "--task", task.string()}).code, 0);
   EXPECT_EQ(read_file(robot), written) << "nothing was left to declare";
-  ASSERT_EQ(call({"optimize", task.string(), "-o", run.string(), "--no-pictures", "--quiet"}).code,
+  ASSERT_EQ(call({"optimize", task.string(), "-o", run.string(), "--no-pictures", "--no-reasons",
+                  "--quiet"})
+                .code,
             0);
   const Outcome verdict = call({"validate", "--quick", run.string()});
   EXPECT_EQ(verdict.code, 0) << verdict.out << verdict.err;

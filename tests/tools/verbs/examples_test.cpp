@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "tests/tools/verbs/program.hpp"
+#include "tests/tools/verbs/judged_example.hpp"
 #include "tools/files/json_file.hpp"
 
 namespace legwright {
@@ -28,6 +28,13 @@ class Example : public testing::Test, protected test::CallsInFolder {
     EXPECT_LE(optimize.code, 1) << optimize.err;  // infeasible plans have a verdict too
     const test::Outcome validate = call({"validate", "run", "--quick"});
     EXPECT_LE(validate.code, 1) << validate.err;
+    return folder_.path() / "run";
+  }
+  /// Of a task of the examples as it stands there.
+  fs::path made(const std::string& task) const {
+    const test::JudgedExample judged = test::judge_example(task, folder_.path() / "run");
+    EXPECT_LE(judged.optimize, 1) << judged.told;
+    EXPECT_LE(judged.validate, 1) << judged.told;
     return folder_.path() / "run";
   }
   static Json read(const fs::path& file) { return Json::parse(read_file(file)); }
@@ -63,13 +70,13 @@ void expect_widths_in_order(const Json& run) {
 /// they are those that every processor has.
 TEST_F(Example, QuadrupedsPaceNeedsAnotherBody) {
   const test::Variable path("LEGWRIGHT_CPU_PATH", "baseline");
-  const Json verdict = read(run(test::kExamples / "quadruped/pace.toml") / "result/verdict.json");
+  const Json verdict = read(made("quadruped/pace.toml") / "result/verdict.json");
   expect_fail(verdict, "initial");
   expect_pass(verdict, "result");
 }
 
 TEST_F(Example, QuadrupedGoesSidewaysOnAnotherBodyOnly) {
-  const fs::path result = run(test::kExamples / "quadruped/sideways.toml") / "result";
+  const fs::path result = made("quadruped/sideways.toml") / "result";
   const Json verdict = read(result / "verdict.json");
   expect_fail(verdict, "initial");
   expect_pass(verdict, "result");
@@ -79,7 +86,7 @@ TEST_F(Example, QuadrupedGoesSidewaysOnAnotherBodyOnly) {
 }
 
 TEST_F(Example, OneQuadrupedForBothTasksTradesOneForTheOther) {
-  const fs::path folder = run(test::kExamples / "quadruped/both.toml");
+  const fs::path folder = made("quadruped/both.toml");
   for (const char* task : {"pace", "sideways"}) {
     const Json verdict = read(folder / "tasks" / task / "result/verdict.json");
     expect_fail(verdict, "initial");
@@ -115,7 +122,7 @@ TEST_F(Example, OneQuadrupedForBothTasksTradesOneForTheOther) {
 }
 
 TEST_F(Example, PistonsWalkAndTheirForceIsWatched) {
-  const fs::path result = run(test::kExamples / "piston_puppy/forward.toml") / "result";
+  const fs::path result = made("piston_puppy/forward.toml") / "result";
   expect_pass(read(result / "verdict.json"), "result");
   const Json metrics = read(result / "metrics.json");
   for (const Json& joint : metrics["result"]["default"]["joints"])
@@ -176,7 +183,7 @@ TEST_F(Hexapod, KeepsItsLegsApartWithLimbClearance) {
 }
 
 TEST_F(Hexapod, GoesFasterOnAnotherBodyOnly) {
-  const fs::path folder = run(task("tripod_0.5.toml", true));
+  const fs::path folder = made("hexapod/tripod_0.5.toml");
   const fs::path result = folder / "result";
   const Json verdict = read(result / "verdict.json");
   expect_fail(verdict, "initial");  // the motion alone, of the body as it is built
@@ -193,16 +200,15 @@ TEST_F(Hexapod, GoesFasterOnAnotherBodyOnly) {
 }
 
 TEST_F(Hexapod, WithLongLegsPaysForLimbClearanceUntilItsBodyChanges) {
-  const char* name = "tripod_0.25.toml";
-  const auto at = [&](bool clearance, const std::vector<std::string>& more) {
-    const fs::path folder = run(task(name, clearance, "hexapod_long_legs"), more);
-    expect_touches(read(folder / "result/metrics.json"), !clearance);
-    const Json record = read(folder / "run.json"), verdict = read(folder / "result/verdict.json");
-    return std::pair{record, verdict};
+  const auto told_by = [&](const fs::path& folder, bool touches) {
+    expect_touches(read(folder / "result/metrics.json"), touches);
+    return std::pair{read(folder / "run.json"), read(folder / "result/verdict.json")};
   };
-  const auto [free, struck] = at(false, {"--motion-only", "--plan-only"});
+  const auto [codesigned, judged] = told_by(made("hexapod_long_legs/tripod_0.25.toml"), false);
+  const auto [free, struck] = told_by(run(task("tripod_0.25.toml", false, "hexapod_long_legs"),
+                                          {"--motion-only", "--plan-only", "--force"}),
+                                      true);
   expect_fail(struck, "result");
-  const auto [codesigned, judged] = at(true, {"--force"});
   expect_fail(judged, "initial");
   expect_pass(judged, "result");
   const double without = free["final_F"].get<double>();
@@ -211,7 +217,7 @@ TEST_F(Hexapod, WithLongLegsPaysForLimbClearanceUntilItsBodyChanges) {
 }
 
 TEST_F(Example, BipedWalks) {
-  expect_pass(read(run(test::kExamples / "biped/walk.toml") / "result/verdict.json"), "result");
+  expect_pass(read(made("biped/walk.toml") / "result/verdict.json"), "result");
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "optimizer/motion/gait.hpp"
-#include "tests/tools/verbs/program.hpp"
+#include "tests/tools/verbs/judged_example.hpp"
 #include "tools/files/json_file.hpp"
 
 namespace legwright {
@@ -69,25 +69,19 @@ class GaitExample : public testing::TestWithParam<const char*> {};
 
 TEST_P(GaitExample, PassesAtHalfDefaultAndDoubleGains) {
   const test::TemporaryFolder folder;
-  const auto call = [&](const std::vector<std::string>& words) {
-    return test::call_in(folder.path(), words);
-  };
-  const std::string task = (test::kExamples / GetParam()).string();
-  const test::Outcome optimize =
-      call({"optimize", task, "--no-pictures", "--no-certificate", "--no-reasons", "-o", "run"});
+  const test::JudgedExample judged = test::judge_example(GetParam(), folder.path() / "run");
   const bool hangs = kOtherNumerics.contains(GetParam());
-  ASSERT_EQ(optimize.code, hangs || kDrift.contains(GetParam()) ? 1 : 0) << optimize.err;
+  ASSERT_EQ(judged.optimize, hangs || kDrift.contains(GetParam()) ? 1 : 0) << judged.told;
   const std::string why = Json::parse(read_file(folder.path() / "run/run.json"))["reasons"].dump();
   EXPECT_EQ(test::contains(why, "with a pyramidal cone"), hangs) << why;
-  const test::Outcome validate = call({"validate", "run", "--quick"});
-  EXPECT_LE(validate.code, 1) << validate.err;
+  EXPECT_LE(judged.validate, 1) << judged.told;
   const Json verdict = Json::parse(read_file(folder.path() / "run/result/verdict.json"));
   const auto failing = test::failing_limits(verdict["result"]);
   if (!kDrift.contains(GetParam())) {
-    EXPECT_TRUE(failing.empty()) << validate.out;
+    EXPECT_TRUE(failing.empty()) << verdict["result"]["line"];
   }
   for (const std::string& name : failing)
-    EXPECT_TRUE(test::kDriftLimits.contains(name)) << name << "\n" << validate.out;
+    EXPECT_TRUE(test::kDriftLimits.contains(name)) << name << "\n" << verdict["result"]["line"];
 }
 
 INSTANTIATE_TEST_SUITE_P(Library, GaitExample, testing::ValuesIn(kTasks), [](const auto& instance) {

@@ -6,6 +6,7 @@
 #include <map>
 #include <thread>
 
+#include "tests/tools/verbs/judged_example.hpp"
 #include "tests/tools/verbs/program.hpp"
 #include "tests/tools/verbs/run_schemas.hpp"
 #include "tools/run/events.hpp"
@@ -209,15 +210,10 @@ TEST(CheckGradients, OfAllTasks) {
 TEST(Outer, BodyThatSpendsLessWork) {
   const test::TemporaryFolder folder;
   const auto power = [&](const char* task) {
-    const std::string file = (test::kExamples / "puppy" / task).string();
-    const auto run = [&](const std::vector<std::string>& words) {
-      return test::call_in(folder.path(), words);
-    };
-    const Outcome optimize =
-        run({"optimize", file, "--no-pictures", "--no-certificate", "--no-reasons", "-o", task});
-    EXPECT_EQ(optimize.code, 0) << optimize.err;
-    const Outcome validate = run({"validate", task, "--quick"});
-    EXPECT_EQ(validate.code, 0) << validate.out;
+    const test::JudgedExample judged =
+        test::judge_example(std::string("puppy/") + task, folder.path() / task);
+    EXPECT_EQ(judged.optimize, 0) << judged.told;
+    EXPECT_EQ(judged.validate, 0) << judged.told;
     return Json::parse(read_file(folder.path() / task / "result" /
                                  "metrics.json"))["result"]["default"]["power_mean_W"]
         .get<double>();

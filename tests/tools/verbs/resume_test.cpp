@@ -92,6 +92,23 @@ class Resume : public testing::Test, protected test::CallsInFolder {
     words.insert(words.end(), more.begin(), more.end());
     return words;
   }
+  /// A search with steps on the gait, which MuJoCo plays some dozen times in a few seconds.
+  std::vector<std::string> begin_stepping(const fs::path& into) const {
+    const fs::path file = folder_.path() / "trot.toml";
+    if (!fs::exists(file))
+      write_file(file, "robot = \"" + (test::kExamples / "quadruped/robot.xml").string() +
+                           "\"\n[gait]\nname = \"trot\"\nperiod = 0.4\nknots = 12\n"
+                           "[travel]\nvelocity = [0.1, 0.0]\n");
+    return {"optimize",
+            file.string(),
+            "--no-pictures",
+            "--no-reasons",
+            "--plan-only",
+            "--physics-steps",
+            "2",
+            "-o",
+            into.string()};
+  }
   std::string err() const { return read_file(elsewhere_.path() / "err"); }
 
   test::TemporaryFolder elsewhere_;
@@ -192,17 +209,6 @@ TEST_F(Resume, OneThatWasToReplaceARunDoesSoInTheEnd) {
   EXPECT_FALSE(fs::exists(states()));
 }
 
-/// A search with steps on the gait, into the folder that is last.
-const std::vector<std::string> kStepping{"optimize",
-                                         (test::kExamples / "piston_puppy/forward.toml").string(),
-                                         "--no-pictures",
-                                         "--no-reasons",
-                                         "--plan-only",
-                                         "--physics-steps",
-                                         "2",
-                                         "-o",
-                                         "whole"};
-
 /// The state of a gait that was played, with so many more roll-outs than it took.
 std::vector<double> with_rollouts(std::vector<double> state, int more) {
   double origin = 0.0, distance = 0.0, speed = 0.0, drift = 0.0;
@@ -230,8 +236,7 @@ std::vector<double> with_rollouts(std::vector<double> state, int more) {
 /// What a killed search had played counts: a false number of it comes out in the end.
 TEST_F(Resume, StepsOnTheGaitTakeUpWhatWasPlayed) {
   constexpr int kMore = 1000;
-  std::vector<std::string> words = kStepping;
-  words.back() = run().string();
+  const std::vector<std::string> words = begin_stepping(run());
   const std::string steps = "physics steps";
   ASSERT_EQ(signalled(SIGKILL, words, steps), -SIGKILL) << err();
   std::optional<ReadCheckpoint> kept = read_checkpoint(run());
@@ -250,9 +255,8 @@ TEST_F(Resume, StepsOnTheGaitTakeUpWhatWasPlayed) {
 }
 
 TEST_F(Resume, StepsOnTheGaitEndInTheSameBytes) {
-  std::vector<std::string> words = kStepping;
-  ASSERT_EQ(call(words).code, 0);
-  words.back() = run().string();
+  ASSERT_EQ(call(begin_stepping(folder_.path() / "whole")).code, 0);
+  const std::vector<std::string> words = begin_stepping(run());
   const std::vector<std::string> resume{"optimize", "--resume", run().string()};
   const std::string steps = "physics steps";
   ASSERT_EQ(signalled(SIGKILL, words, steps), -SIGKILL) << err();

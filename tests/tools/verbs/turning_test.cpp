@@ -9,7 +9,7 @@
 #include <map>
 #include <sstream>
 
-#include "tests/tools/verbs/program.hpp"
+#include "tests/tools/verbs/judged_example.hpp"
 #include "tools/files/json_file.hpp"
 
 namespace legwright {
@@ -25,7 +25,10 @@ struct Curve {
 
 std::ostream& operator<<(std::ostream& out, const Curve& curve) { return out << curve.task; }
 
-class Turning : public testing::TestWithParam<Curve>, protected test::CallsInFolder {};
+class Turning : public testing::TestWithParam<Curve> {
+ protected:
+  test::TemporaryFolder folder_;
+};
 
 /// One row of motion.csv, by the names of its columns.
 using Row = std::map<std::string, double>;
@@ -82,12 +85,9 @@ void expect_periodic_up_to_the_turn(const fs::path& motion_csv, double turn) {
 }
 
 TEST_P(Turning, ItsRadiusAndHeadingRateAreThoseOfTheTask) {
-  const std::string task_file = (test::kExamples / GetParam().task).string();
-  const test::Outcome optimize = call(
-      {"optimize", task_file, "--no-pictures", "--no-certificate", "--no-reasons", "-o", "run"});
-  ASSERT_EQ(optimize.code, 0) << optimize.err;
-  const test::Outcome validate = call({"validate", "run", "--quick"});
-  EXPECT_EQ(validate.code, 0) << validate.out << validate.err;
+  const test::JudgedExample judged = test::judge_example(GetParam().task, folder_.path() / "run");
+  ASSERT_EQ(judged.optimize, 0) << judged.told;
+  EXPECT_EQ(judged.validate, 0) << judged.told;
   const fs::path run = folder_.path() / "run", result = run / "result";
   const Json task = Json::parse(read_file(run / "run.json"))["task"];
   const double turn_rate = task["turn_rate"], speed = task["velocity"][0];
