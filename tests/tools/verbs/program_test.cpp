@@ -209,17 +209,23 @@ TEST(Optimize, WritesACompleteRunTwiceTheSame) {
   EXPECT_EQ(test::call_in(folder.path(), {"play", "a", "--iteration", "9"}).code, 3);
 }
 
+/// By a coarse plan, for which fewer tightened motions are tried.
 TEST(Optimize, MotionOnlyKeepsTheBodyAndSaysThatItDoesNotDo) {
   const TemporaryFolder folder;
-  const Outcome outcome =
-      wait_for(start({"optimize", kWalk, "--motion-only", "--no-pictures", "--json", "-o", "run"},
-                     folder.path()),
-               folder.path());
+  write_file(folder.path() / "task.toml",
+             "robot = \"" + (kExamples / "puppy/robot.xml").string() +
+                 "\"\n[gait]\nname = \"walk\"\nperiod = 1.0\nknots = 12\n[travel]\n"
+                 "velocity = [0.0, 0.1]\n");
+  const Outcome outcome = wait_for(
+      start({"optimize", "task.toml", "--motion-only", "--no-pictures", "--json", "-o", "run"},
+            folder.path()),
+      folder.path());
   EXPECT_EQ(outcome.code, 1) << outcome.err;
   const Json run = Json::parse(outcome.out, nullptr, false);
   ASSERT_FALSE(run.is_discarded());
   EXPECT_FALSE(run["feasible"].get<bool>());
   EXPECT_FALSE(run["reasons"].empty());
+  EXPECT_GT(run["choice"]["candidates"].size(), 1U) << "other motions were tried";
   EXPECT_EQ(read_file(folder.path() / "run/result/robot.xml"),
             read_file(kExamples / "puppy" / "robot.xml"));
 }
