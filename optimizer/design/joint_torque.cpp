@@ -22,7 +22,7 @@ void add_symmetric(double factor, const MatrixXd& a, const Eigen::Matrix3d& form
                    MatrixXd& hessian) {
   const Eigen::Index columns = a.rows();
   for (Eigen::Index j = 0; j < columns; ++j) {
-    // Row j of a · form and of b · formᵀ.
+    // With rows aᵢ and bᵢ: M(i, j) = aᵢ · form bⱼ, and M(j, i) = bᵢ · formᵀ aⱼ.
     const Scalars3 right = factor * scalars(form * Vector3d(b.row(j))),
                    left = factor * scalars(form.transpose() * Vector3d(a.row(j)));
     double* out = hessian.col(j).data();

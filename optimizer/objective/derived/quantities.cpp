@@ -8,10 +8,14 @@ void list_derived(DerivedList& out) {
   // derivatives.
   using Kind = void (*)(int knot, DerivedList&);
   static const std::vector<std::vector<Kind>> kTable{
-      {list_com, list_feet},    {list_swept_momentum, list_foot_turns, list_joint_torques},
-      {list_trunk_points},      {list_sole_directions},
-      {list_wrapping_momentum}, {list_actuator_shapes},
-      {list_mass_share},        {list_printed_volume},
+      {list_com, list_feet},  // of one pose
+      {list_swept_momentum, list_foot_turns, list_joint_torques},
+      {list_trunk_points},
+      {list_sole_directions},
+      {list_wrapping_momentum},  // from a cycle to the next
+      {list_actuator_shapes},
+      {list_mass_share},
+      {list_printed_volume},
       {list_home_inertia},
   };
   for (const std::vector<Kind>& row : kTable)
