@@ -81,7 +81,7 @@ def test_a_cost_that_is_none_is_infinite(walk, tmp_path):
 
 
 def test_what_fails_is_handed_back_with_reasons(puppy):
-    coarse = lw.Task({'name': 'walk', 'period': 1.0, 'knots': 12}, (0.0, 0.1))  # tries fewer motions
+    coarse = lw.Task({'name': 'walk', 'period': 1.0, 'knots': 12}, (0.0, 0.1))  # few motions
     design = lw.codesign(puppy, coarse, motion_only=True, reasons=False, certificate=False)
     assert not design.feasible and design.reasons
     assert not design.verdict and 'FAIL' in design.verdict.line
