@@ -90,6 +90,7 @@ LAYERS = {
     'tools/simulate': OPTIMIZER + MJCF + ('trajectory', 'tools/files'),
     'tools/run': OPTIMIZER + MJCF + ('trajectory',) + TOOLS[:3],
     'tools/modules': MJCF + ('optimizer/motion', 'tools/files', 'tools/task', 'tools/run'),
+    'tools/assemble': MJCF + ('optimizer/motion', 'tools/files', 'tools/task', 'tools/modules'),
     'tools/drawables': ('trajectory', 'tools/files', 'tools/simulate') + OPTIMIZER + MJCF,
     'tools/image': ('tools/files',),
     'tools/studio/page': (),
@@ -108,7 +109,12 @@ LAYERS = {
     + OPTIMIZER
     + DRAWN,
     'tools/viewer': ('mjcf/text', 'tools/files', 'tools/run', 'tools/simulate'),
-    'tools/studio': OPTIMIZER + MJCF + ('trajectory',) + TOOLS[:6] + TOOLS[7:8] + DRAWN,
+    'tools/studio': OPTIMIZER
+    + MJCF
+    + ('trajectory', 'tools/modules', 'tools/assemble')
+    + TOOLS[:6]
+    + TOOLS[7:8]
+    + DRAWN,
     'tools/verbs': OPTIMIZER
     + MJCF
     + ('trajectory', 'tools/modules')
@@ -116,7 +122,12 @@ LAYERS = {
     + TOOLS[11:12],
     'program': OPTIMIZER + MJCF + TOOLS + DRAWN,
     'python/core': OPTIMIZER + MJCF + ('tools/modules',) + TOOLS + DRAWN,
-    'tests': OPTIMIZER + MJCF + ('tools/modules',) + TOOLS + DRAWN + ('trajectory', 'plugin'),
+    'tests': OPTIMIZER
+    + MJCF
+    + ('tools/modules', 'tools/assemble')
+    + TOOLS
+    + DRAWN
+    + ('trajectory', 'plugin'),
 }
 # Files whose layer is not their folder: the trajectory's format serves the plugin and the program.
 EXCEPTIONS = (

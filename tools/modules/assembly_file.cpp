@@ -23,10 +23,11 @@ constexpr double kShortestOffset = 1e-3;  // [m], of the link that a foot ends
 class AssemblyReader {
  public:
   AssemblyReader(const std::string& text, const std::filesystem::path& file,
-                 const ModuleLibrary& library)
+                 const ModuleLibrary& library, AssemblyState state)
       : toml_(parse_toml(text, file)),
         problems_(file.string(), "docs/assembly_file.md has all keys"),
         library_(library),
+        state_(state),
         root_(table(&toml_, "")) {
     out_.name = file.stem().string();
   }
@@ -36,7 +37,8 @@ class AssemblyReader {
     read_trunk();
     for (const toml::table* part : root_.tables("part")) read_part(part);
     const std::vector<const toml::table*> limbs = root_.tables("limb");
-    root_.require(!limbs.empty(), "limb", "[[limb]] with name, hip, joint, foot and foot_offset");
+    root_.require(!limbs.empty() || state_ == AssemblyState::draft, "limb",
+                  "[[limb]] with name, hip, joint, foot and foot_offset");
     for (const toml::table* limb : limbs) read_limb(limb);
     check_placed_names();
     check_places();
@@ -321,6 +323,7 @@ class AssemblyReader {
   Problems problems_;
   std::map<std::string, int> lines_;
   const ModuleLibrary& library_;
+  const AssemblyState state_;
   Assembly out_;
   const Module* servo_ = nullptr;  // of joints without their own
   std::set<std::string> limb_names_;
@@ -331,8 +334,13 @@ class AssemblyReader {
 }  // namespace
 
 Assembly parse_assembly(const std::string& text, const std::filesystem::path& file,
-                        const ModuleLibrary& library) {
-  return AssemblyReader(text, file, library).run();
+                        const ModuleLibrary& library, AssemblyState state) {
+  return AssemblyReader(text, file, library, state).run();
+}
+
+bool is_assembly(const std::string& text, const std::filesystem::path& file) {
+  const toml::table toml = parse_toml(text, file);
+  return !toml.contains("robot") && (toml.contains("trunk") || toml.contains("limb"));
 }
 
 }  // namespace legwright

@@ -14,6 +14,7 @@
 #include <memory>
 #include <system_error>
 
+#include "tools/files/atomic_file.hpp"
 #include "tools/files/clean_text.hpp"
 #include "tools/files/io_error.hpp"
 #include "tools/files/parse_json.hpp"
@@ -68,14 +69,11 @@ SessionFolder::~SessionFolder() {
   ::close(lock_);
 }
 
-std::unique_ptr<SessionFolder> KeptSessions::begin(const RobotFiles& robot,
-                                                   const std::string& origin,
-                                                   const std::string& name) const {
+std::unique_ptr<SessionFolder> KeptSessions::new_session(const std::string& origin,
+                                                         const std::string& name) const {
   const fs::path folder = new_folder(root_ / "sessions", name);
   const int lock = lock_of(folder);
   auto out = std::make_unique<SessionFolder>(folder, lock);
-  fs::create_directory(folder / "robot");
-  write_robot_files(folder / "robot", robot, Durability::process);
   const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
   write_json(folder / "about.json",
              {{"schema", "legwright/studio-session"},
@@ -87,10 +85,29 @@ std::unique_ptr<SessionFolder> KeptSessions::begin(const RobotFiles& robot,
   return out;
 }
 
+std::unique_ptr<SessionFolder> KeptSessions::begin(const RobotFiles& robot,
+                                                   const std::string& origin,
+                                                   const std::string& name) const {
+  auto out = new_session(origin, name);
+  const fs::path folder = out->robot().parent_path();
+  fs::create_directory(folder);
+  write_robot_files(folder, robot, Durability::process);
+  return out;
+}
+
+std::unique_ptr<SessionFolder> KeptSessions::begin_assembly(const std::string& text,
+                                                            const std::string& origin,
+                                                            const std::string& name) const {
+  auto out = new_session(origin, name);
+  write_file(out->assembly(), text, Durability::process);
+  return out;
+}
+
 std::optional<KeptSession> kept_session(const fs::path& folder) {
   std::error_code none;
   if (!fs::is_regular_file(folder / "about.json", none) ||
-      !fs::is_regular_file(folder / "session.jsonl", none))
+      !(fs::is_regular_file(folder / "session.jsonl", none) ||
+        fs::is_regular_file(folder / kKeptAssembly, none)))
     return std::nullopt;
   const Json about = read_json(folder / "about.json", "remove the folder");
   return KeptSession{folder, about.value("origin", ""), about.value("name", ""),

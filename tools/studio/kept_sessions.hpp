@@ -20,6 +20,9 @@ struct KeptSession {
   std::string begun;   // "2026-03-01 14:05"
 };
 
+/// In such a folder the assembly that was worked on, where that is what was left.
+inline constexpr const char* kKeptAssembly = "assembly.toml";
+
 /// A folder in the user's state in which a session's robot and journal are kept as it goes, locked
 /// for as long as this lives; the lock goes with the process, however it ends.
 class SessionFolder {
@@ -32,6 +35,7 @@ class SessionFolder {
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path robot() const { return path_ / "robot" / "robot.xml"; }
   std::filesystem::path journal() const { return path_ / "session.jsonl"; }
+  std::filesystem::path assembly() const { return path_ / kKeptAssembly; }
   /// Something is in it that may be missed: it stays when this goes.
   void keep() { kept_ = true; }
   void forget() { kept_ = false; }
@@ -56,6 +60,9 @@ class KeptSessions {
   /// A new folder with a copy of the robot.
   std::unique_ptr<SessionFolder> begin(const RobotFiles& robot, const std::string& origin,
                                        const std::string& name) const;
+  /// A new folder with an assembly's text.
+  std::unique_ptr<SessionFolder> begin_assembly(const std::string& text, const std::string& origin,
+                                                const std::string& name) const;
   /// Those that no program works on, the newest first.
   std::vector<KeptSession> left_behind() const;
   /// Takes one away that was taken up, or is not wanted.
@@ -68,6 +75,10 @@ class KeptSessions {
   Json recent() const;
 
  private:
+  /// A new folder, locked, with `about.json`.
+  std::unique_ptr<SessionFolder> new_session(const std::string& origin,
+                                             const std::string& name) const;
+
   std::filesystem::path root_;
 };
 

@@ -9,6 +9,7 @@
 
 #include "mjcf/text/input_error.hpp"
 #include "tools/files/io_error.hpp"
+#include "tools/modules/assembly_file.hpp"
 #include "tools/run/result_folder.hpp"
 #include "tools/run/run_record.hpp"
 #include "tools/session/journal.hpp"
@@ -21,7 +22,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Opening open_task(const fs::path& file, const AllowedPaths& paths) {
+Opening open_assembly(const fs::path& file) {
+  Opening out;
+  out.origin = out.file = file;
+  out.assembly = read_file(file);
+  return out;
+}
+
+/// A task file, or an assembly.
+Opening open_toml(const fs::path& file, const AllowedPaths& paths) {
+  if (is_assembly(read_file(file), file)) return open_assembly(file);
   const TaskSet set = read_task_set(file);
   Opening out;
   out.origin = out.file = file;
@@ -100,18 +110,21 @@ Opening open_path(const fs::path& path, const AllowedPaths& paths) {
   if (fs::is_directory(path)) {
     if (fs::is_regular_file(path / "run.json")) return open_run_folder(path, paths.reach());
     if (const auto kept = kept_session(path)) {
-      Opening out =
-          open_journal(path / "session.jsonl", path / "robot" / "robot.xml", paths.reach());
+      const fs::path journal = path / "session.jsonl";
+      Opening out = fs::is_regular_file(journal)
+                        ? open_journal(journal, path / "robot" / "robot.xml", paths.reach())
+                        : open_assembly(path / kKeptAssembly);
       out.origin = kept->origin.empty() ? path : fs::path(kept->origin);
       out.taken_up = path;
       return out;
     }
-    throw InputError(path.string() +
-                     ": is no run and no session; open a robot's MJCF, a task file, or the folder "
-                     "of a run");
+    throw InputError(
+        path.string() +
+        ": is no run and no session; open a robot's MJCF, a task file, an assembly, or "
+        "the folder of a run");
   }
   if (!fs::is_regular_file(path)) throw IoError(path.string() + ": no such file");
-  return path.extension() == ".toml" ? open_task(path, paths)
+  return path.extension() == ".toml" ? open_toml(path, paths)
                                      : open_robot_file(path, paths.reach());
 }
 

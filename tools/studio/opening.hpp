@@ -20,12 +20,14 @@ struct Opening {
   std::filesystem::path file;            // its name, for messages
   std::vector<SessionCommand> commands;  // that lead to where it stood
   std::filesystem::path taken_up;        // a kept session that this goes on with
+  std::optional<std::string> assembly;   // the text of what is assembled, in the place of a robot
+  bool of_modules = false;               // a robot that was built of the assembly that is open
   bool proposes = false;  // a robot that declares nothing yet: what may change is to be chosen
 };
 
-/// Reads a robot's MJCF, a task file, the folder of a run or that of a kept session. A robot alone
-/// gets a first task by its size. A run goes on from its journal, one that no session wrote from
-/// its result. Throws InputError and IoError that name what is wrong with it.
+/// Reads a robot's MJCF, a task file, an assembly, the folder of a run or that of a kept
+/// session. A robot alone gets a first task by its size. A run goes on from its journal, one that
+/// no session wrote from its result. Throws InputError and IoError that name what is wrong with it.
 /// @param paths what may be read
 Opening open_path(const std::filesystem::path& path, const AllowedPaths& paths);
 

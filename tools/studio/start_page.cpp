@@ -54,6 +54,16 @@ std::vector<fs::path> tasks_below(const fs::path& examples) {
   return found;
 }
 
+/// Robots that are made of modules.
+std::vector<fs::path> assemblies_below(const fs::path& examples) {
+  std::vector<fs::path> found;
+  std::error_code none;
+  for (const auto& file : fs::directory_iterator(examples / "assemblies", none))
+    if (file.path().extension() == ".toml") found.push_back(file.path());
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
 std::string name_of_example(const fs::path& file) {
   return (file.parent_path().filename() / file.stem()).generic_string();
 }
@@ -68,13 +78,23 @@ Json start_json(const fs::path& examples, const KeptSessions& kept,
       told.push_back({{"name", name_of_example(file)},
                       {"path", file.string()},
                       {"words", first_words(read_file(file))}});
+  Json assemblies = Json::array();
+  if (!examples.empty())
+    for (const fs::path& file : assemblies_below(examples))
+      assemblies.push_back({{"name", file.stem().string()},
+                            {"path", file.string()},
+                            {"words", first_words(read_file(file))}});
   for (const KeptSession& session : kept.left_behind())
     unsaved.push_back({{"path", session.folder.string()},
                        {"name", session.name},
                        {"origin", session.origin},
                        {"begun", session.begun}});
   for (const fs::path& root : roots) folders.push_back(root.string());
-  return {{"examples", told}, {"recent", kept.recent()}, {"unsaved", unsaved}, {"roots", folders}};
+  return {{"examples", told},
+          {"assemblies", assemblies},
+          {"recent", kept.recent()},
+          {"unsaved", unsaved},
+          {"roots", folders}};
 }
 
 fs::path example_file(const fs::path& examples, const std::string& name) {

@@ -10,10 +10,10 @@
 
 #include "mjcf/text/input_error.hpp"
 #include "tools/files/io_error.hpp"
+#include "tools/files/json_values.hpp"
 #include "tools/files/parse_json.hpp"
 #include "tools/run/robot_folder.hpp"
 #include "tools/studio/proposal_view.hpp"
-#include "tools/studio/request_body.hpp"
 #include "tools/studio/start_page.hpp"
 #include "tools/studio/state_json.hpp"
 #include "tools/studio/studio_service.hpp"
@@ -89,6 +89,12 @@ const std::map<std::string, StudioService::Answer>& StudioService::answers() {
       {"POST /api/report", &StudioService::post_report},
       {"POST /api/export", &StudioService::post_export},
       {"POST /api/save", &StudioService::post_save},
+      {"GET /api/modules", &StudioService::get_modules},
+      {"GET /api/module", &StudioService::get_module},
+      {"POST /api/assembly", &StudioService::post_assembly},
+      {"POST /api/assembly/save", &StudioService::post_assembly_save},
+      {"POST /api/assembly/build", &StudioService::post_build},
+      {"POST /api/assembly/bench", &StudioService::post_bench},
   };
   return table;
 }
@@ -176,6 +182,8 @@ Json StudioService::post_open(const StudioRequest& request) {
     open(write_sent_files(kept_.new_robot_folder(), body["files"]).string());
   else if (body.is_object() && body.contains("example"))
     open(example_file(options_.examples, needed<std::string>(body, "example")).string());
+  else if (given_or(body, "new_assembly", false))
+    open_new_assembly();
   else
     open(needed<std::string>(body, "path"));
   return Json::object();

@@ -4,7 +4,7 @@
 
 #include "mjcf/text/input_error.hpp"
 #include "tools/files/atomic_file.hpp"
-#include "tools/studio/request_body.hpp"
+#include "tools/files/json_values.hpp"
 #include "tools/studio/studio_service.hpp"
 #include "tools/studio/verdict_lines.hpp"
 #include "tools/task/task_text.hpp"

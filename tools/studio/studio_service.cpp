@@ -88,6 +88,11 @@ void StudioService::open(const std::string& path) {
 }
 
 void StudioService::take(Opening opening) {
+  if (opening.assembly) {
+    take_assembly(std::move(opening));
+    tell_opened();
+    return;
+  }
   std::shared_ptr<Workspace> next;
   std::unique_ptr<SessionFolder> folder;
   if (opening.robot) {
@@ -112,6 +117,7 @@ void StudioService::take(Opening opening) {
     const std::lock_guard lock(mutex_);
     workspace_ = std::move(next);
     folder_ = std::move(folder);
+    if (!opening.of_modules) bench_.reset();
     opened_ = std::move(opening);
   }
   tell_opened();
@@ -120,9 +126,17 @@ void StudioService::take(Opening opening) {
 /// The page asks for the document, or for what is proposed, once it sees this.
 void StudioService::tell_opened() {
   const std::lock_guard lock(mutex_);
+  const bool assembles = opened_.assembly.has_value();
+  Json kept = folder_ ? Json(folder_->path().string()) : Json(nullptr);
+  if (assembles) {
+    kept = bench_->folder().string();
+    bench_->tell();
+  }
   hub_.publish("opened", Json{{"path", opened_.origin.string()},
                               {"proposes", opened_.proposes},
-                              {"kept", folder_ ? Json(folder_->path().string()) : Json(nullptr)}}
+                              {"assembles", assembles},
+                              {"of_modules", opened_.of_modules},
+                              {"kept", kept}}
                              .dump());
 }
 

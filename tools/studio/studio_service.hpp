@@ -13,6 +13,7 @@
 #include "tools/run/result_folder.hpp"
 #include "tools/session/session.hpp"
 #include "tools/studio/allowed_paths.hpp"
+#include "tools/studio/assembly_bench.hpp"
 #include "tools/studio/event_hub.hpp"
 #include "tools/studio/job_runner.hpp"
 #include "tools/studio/kept_sessions.hpp"
@@ -28,6 +29,7 @@ struct StudioOptions {
   std::filesystem::path program;  // `legwright`, for what is done in a process of its own
   /// Writes where a session stands as a run folder; true: in the place of one that is there.
   std::function<void(const SessionRecord&, const std::filesystem::path&, bool)> save;
+  std::vector<std::string> modules{};  // folders of the user's own, beside those installed
 };
 
 /// A request to the studio, whoever sent it.
@@ -87,12 +89,24 @@ class StudioService {
   Json post_optimize(const StudioRequest& request);
   Json post_report(const StudioRequest& request);
   Json post_export(const StudioRequest& request);
+  Json get_modules(const StudioRequest& request);
+  Json get_module(const StudioRequest& request);
+  Json post_assembly(const StudioRequest& request);
+  Json post_assembly_save(const StudioRequest& request);
+  Json post_build(const StudioRequest& request);
+  Json post_bench(const StudioRequest& request);
 
   /// Remembers what a verdict says of a state, and what was said of one: null where nobody judged.
   void note_verdict(const SessionState& state, const std::string& word);
   Json verdict_on(const SessionState& state) const;
 
   void take(Opening opening);
+  void take_assembly(Opening opening);
+  /// A trunk alone, to which modules are put.
+  void open_new_assembly();
+  const ModuleLibrary& library();
+  /// What is assembled. Throws InputError where nothing is.
+  std::shared_ptr<AssemblyBench> bench() const;
   /// The robot for which parameters are proposed. Throws InputError where there is none.
   std::filesystem::path proposing() const;
   /// Whether the run in a folder is what stands: saved from here, and nothing changed since.
@@ -113,6 +127,8 @@ class StudioService {
   mutable std::mutex mutex_;
   std::shared_ptr<Workspace> workspace_;  // by mutex_, with what follows
   std::unique_ptr<SessionFolder> folder_;
+  std::unique_ptr<ModuleLibrary> library_;  // once it was asked for
+  std::shared_ptr<AssemblyBench> bench_;    // also while a robot is open that was built of it
   Opening opened_;
   /// A verdict, as long as the design that it is on is kept anywhere.
   struct Judged {

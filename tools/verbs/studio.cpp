@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 struct StudioVerbOptions {
   std::string path;
-  std::vector<std::string> roots;
+  std::vector<std::string> roots, library;
   int port = 0;
   bool no_browser = false;
 };
@@ -61,8 +61,8 @@ void open_browser(const std::string& url) {
 
 int studio(const StudioVerbOptions& options) {
   const StopSignals signals;
-  StudioService studio(
-      {roots_of(options), studio_state_folder(), examples_folder(), program_file(), save_session});
+  StudioService studio({roots_of(options), studio_state_folder(), examples_folder(), program_file(),
+                        save_session, options.library});
   if (!options.path.empty()) studio.open(fs::absolute(options.path).string());
   StudioServer server(studio, options.port);
   fmt::print("{}\n", server.url());
@@ -79,15 +79,18 @@ void add_studio(CLI::App& program, Action& action) {
   const auto [verb, options] =
       add_verb(program, action, "studio",
                "Design body and gait by hand and by search, in a browser", studio);
-  verb->add_option("PATH", options->path,
-                   "MJCF of a robot, a task file, or the folder of a run; without it a page to "
-                   "start from");
+  verb->add_option(
+      "PATH", options->path,
+      "MJCF of a robot, a task file, an assembly, or the folder of a run; without it a page to "
+      "start from");
   verb->add_option("--port", options->port, "of 127.0.0.1; default: one that is free")
       ->check(CLI::Range(1, 65535));
   verb->add_option(
       "--roots", options->roots,
       "folders below which the page may read and write, besides that of PATH; default: "
       "the working directory");
+  verb->add_option("--library", options->library,
+                   "a folder of modules of your own (*.toml); may be given several times");
   verb->add_flag("--no-browser", options->no_browser, "only print the address");
   verb->footer(
       "Prints an address of this machine and opens it where there is a display. Nobody else is let "

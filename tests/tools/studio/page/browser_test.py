@@ -10,6 +10,7 @@ import pathlib
 import sys
 import unittest
 
+from assembling import Assembling  # noqa: F401
 from other_designs import OtherDesigns  # noqa: F401
 from studio_browser import ROOT, Page, Server, browser, chromium
 from touch_and_crash import Apart  # noqa: F401

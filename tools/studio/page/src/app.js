@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page: starts where the server stands, at the first page, at what is proposed for a robot, or
-// at the workspace.
+// The page: starts where the server stands, at the first page, at what is proposed for a robot, at
+// the modules of one that is assembled, or at the workspace.
 import { h } from "./dom.js";
 import { Studio } from "./studio.js";
+import { AssemblyPage } from "./ui/assembly/assembly_page.js";
 import { ProposalPage } from "./ui/proposal_page.js";
 import { StartPage, takeDrops } from "./ui/start_page.js";
 import { followTheme } from "./ui/theme.js";
@@ -17,11 +18,13 @@ function begin() {
   followTheme(() => {});
   const start = new StartPage(studio);
   const proposal = new ProposalPage(studio);
+  const assembly = new AssemblyPage(studio);
   const workspace = new Workspace(studio);
-  const pages = { start, proposal, workspace };
+  const pages = { start, proposal, assembly, workspace };
   root.append(
     start.element,
     proposal.element,
+    assembly.element,
     workspace.element,
     studio.notices.element,
     h("div.opening", { role: "status", aria: { live: "polite" } }, "Opening …"),
@@ -33,9 +36,9 @@ function begin() {
     pages[name].load?.();
   };
   studio.showStart = () => show("start");
-  studio.store.on("opened", ({ path, proposes }) =>
-    show(proposes ? "proposal" : path ? "workspace" : "start"),
-  );
+  const pageOf = ({ path, proposes, assembles }) =>
+    assembles ? "assembly" : proposes ? "proposal" : path ? "workspace" : "start";
+  studio.store.on("opened", (opened) => opened && show(pageOf(opened)));
   studio.store.on("opening", (on) => document.body.classList.toggle("is-opening", on));
   takeDrops(document.body, studio);
   studio.start();

@@ -64,14 +64,14 @@ export class Studio {
       return;
     }
     this.store.set("opened", opened);
-    if (!opened.proposes && opened.path) await this.loadDocument();
+    if (!opened.proposes && !opened.assembles && opened.path) await this.loadDocument();
   }
 
   forget() {
     this.known = undefined;
     this.motions.clear();
     this.store.values["alternatives fewest"] = this.store.values["alternatives front"] = null;
-    const keys = ["opened", "state", "motion", "design", "document", "judge", "physics"];
+    const keys = ["opened", "state", "motion", "design", "document", "judge", "physics", "assembly"];
     for (const key of keys) this.store.values[key] = null;
     this.store.set("paused", false);
     this.store.set("task", 0);
@@ -249,6 +249,11 @@ export class Studio {
       `runs/${this.name()}_found`,
       "/api/optimize",
     );
+  }
+
+  /** From a robot that was built of modules back to them. */
+  backToModules() {
+    return this.open(() => post("/api/assembly/bench"));
   }
 
   report() {

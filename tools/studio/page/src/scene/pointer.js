@@ -13,7 +13,7 @@ export class Pointer {
    * @param {object} told
    * @param {(name: ?string) => void} told.hover
    * @param {(name: string, value: number, phase: "begin"|"drag"|"end"|"cancel") => void} told.drag
-   * @param {(body: ?number, add: boolean) => void} told.pick
+   * @param {(body: ?number, add: boolean, geom: ?object) => void} told.pick
    * @param {(push: ?{body: number, at: number[], along: Vector3}) => void} told.push
    */
   constructor(view, told) {
@@ -64,7 +64,9 @@ export class Pointer {
     )[0];
     if (!hit) return null;
     const body = hit.object.userData.body;
-    return { body, at: robot.groups[body].worldToLocal(hit.point.clone()), point: hit.point };
+    const { geom } = hit.object.userData;
+    const at = robot.groups[body].worldToLocal(hit.point.clone());
+    return { body, at, point: hit.point, geom };
   }
 
   down(event) {
@@ -153,7 +155,9 @@ export class Pointer {
     const { x, y } = this.spot(event);
     const still = Math.hypot(x - this.start.x, y - this.start.y) < CLICK;
     this.start = null;
-    if (still) this.told.pick(this.bodyAt(event)?.body ?? null, event.ctrlKey || event.metaKey);
+    if (!still) return;
+    const hit = this.bodyAt(event);
+    this.told.pick(hit?.body ?? null, event.ctrlKey || event.metaKey, hit?.geom);
   }
 
   hover(name) {

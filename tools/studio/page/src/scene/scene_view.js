@@ -56,6 +56,7 @@ export class SceneView {
     this.stage.world.add(this.walker);
     this.stage.tilted.add(this.shadow.root);
     this.show = { forces: true, paths: true, faults: true, follow: true };
+    this.margin = 1; // of the robot's size that the picture shows
     this.playing = true;
     this.speed = 1;
     this.time = 0;
@@ -245,7 +246,7 @@ export class SceneView {
     this.size = size;
     this.height = height;
     for (const each of [this.planned, this.measured, this.pushArrow]) each.thickness = size * 0.011;
-    this.stage.frameRobot(size + 0.6 * this.lane(), height);
+    this.stage.frameRobot(this.margin * size + 0.6 * this.lane(), height);
   }
 
   follow(poses) {

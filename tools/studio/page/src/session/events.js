@@ -46,6 +46,7 @@ export function follow(tell, connection) {
 const KINDS = [
   "opened",
   "state",
+  "assembly",
   "design",
   "motion",
   "point",

@@ -64,6 +64,7 @@ export class StartPage {
     this.studio = studio;
     this.examples = h("div.examples");
     this.recent = h("ul.recent");
+    this.assemblies = h("ul.recent");
     this.unsaved = h("div", { hidden: true });
     this.path = h("input.wide", {
       type: "text",
@@ -89,6 +90,13 @@ export class StartPage {
           {},
           h("h2", {}, "Your own robot"),
           this.ownRobot(),
+          h("h2", {}, "Of modules"),
+          h(
+            "p",
+            {},
+            h("button", { type: "button", onClick: () => this.openNew() }, "New robot…"),
+          ),
+          this.assemblies,
           h("h2", {}, "Open"),
           h(
             "form.open-path",
@@ -131,6 +139,10 @@ export class StartPage {
     const found = await this.studio.act(() => get("/api/start"));
     if (!found) return;
     this.showExamples(found.examples ?? []);
+    const made = (found.assemblies ?? []).map(({ path, name, words: about }) =>
+      this.link(path, words(name), about),
+    );
+    fill(this.assemblies, made);
     const recent = (found.recent ?? []).map(({ path, words, name }) =>
       this.link(path, name ?? words ?? path, path),
     );
@@ -209,6 +221,10 @@ export class StartPage {
       await new Promise((resolve) => setTimeout(resolve));
     }
     pictures.dispose();
+  }
+
+  openNew() {
+    this.studio.open(() => post("/api/open", { new_assembly: true }));
   }
 
   open(path) {

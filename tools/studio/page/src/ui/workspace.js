@@ -72,11 +72,17 @@ export class Workspace {
       { label: "Back to the given body", act: () => studio.command("reset") },
       { label: "Open another…", act: () => studio.showStart() },
     ]);
+    this.modules = h(
+      "button",
+      { type: "button", hidden: true, onClick: () => studio.backToModules() },
+      "Modules",
+    );
     return h(
       "header.top-bar",
       {},
       h("span.brand", {}, "Legwright"),
       file,
+      this.modules,
       this.title,
       h("div.tabs", { role: "tablist", aria: { label: "Workspace" } }, this.tabs),
       h("span.spring"),
@@ -220,6 +226,7 @@ export class Workspace {
       this.redo.disabled = !state.can_redo;
       view.stage.touch();
     });
+    store.on("opened", (opened) => (this.modules.hidden = !opened?.of_modules));
     store.on("connected", () => {
       const on = store.get("connected");
       setText(this.connection, on ? "" : "Connection lost, trying again …");

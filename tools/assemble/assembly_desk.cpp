@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/assemble/assembly_desk.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "mjcf/text/input_error.hpp"
+#include "tools/assemble/assembly_edits.hpp"
+#include "tools/assemble/assembly_item.hpp"
+#include "tools/assemble/assembly_spots.hpp"
+#include "tools/files/json_values.hpp"
+#include "tools/modules/assembly_file.hpp"
+#include "tools/modules/assembly_text.hpp"
+
+namespace legwright {
+namespace {
+
+constexpr std::size_t kMostSteps = 1000;
+constexpr const char* kNewAssembly = R"(name = "robot"
+[trunk]
+size = [0.2, 0.09, 0.04]
+mass = 0.25
+)";
+
+/// The smallest ball of the library, else its first foot. Throws InputError where it has none.
+const Module& first_foot(const ModuleLibrary& library) {
+  const Module* found = nullptr;
+  for (const ModuleFile& file : library.modules()) {
+    const Module& module = file.module;
+    if (module.kind != ModuleKind::foot) continue;
+    const auto is_ball = [](const Module& foot) {
+      return foot.outline.size() == 1 && foot.outline[0].type == OutlineShape::Type::sphere;
+    };
+    if (!found || (is_ball(module) && !is_ball(*found)) ||
+        (is_ball(module) && module.outline[0].size.x() < found->outline[0].size.x()))
+      found = &module;
+  }
+  if (!found) throw InputError("the library has no foot; a module of the kind foot is needed");
+  return *found;
+}
+
+}  // namespace
+
+AssemblyDesk::AssemblyDesk(const ModuleLibrary& library)
+    : AssemblyDesk(kNewAssembly, "assembly.toml", library) {}
+
+AssemblyDesk::AssemblyDesk(const std::string& text, const std::filesystem::path& file,
+                           const ModuleLibrary& library)
+    : library_(&library),
+      history_{std::make_shared<const Assembly>(
+          parse_assembly(text, file, library, AssemblyState::draft))} {}
+
+void AssemblyDesk::take(const Assembly& next, bool goes_on) {
+  // What the file could not say is refused as the file's own faults are.
+  auto kept = std::make_shared<const Assembly>(
+      parse_assembly(assembly_text(next), next.name + ".toml", *library_, AssemblyState::draft));
+  history_.resize(at_ + 1);
+  if (goes_on && at_ > 0)
+    history_.back() = std::move(kept);
+  else
+    history_.push_back(std::move(kept));
+  if (history_.size() > kMostSteps) history_.erase(history_.begin());
+  at_ = history_.size() - 1;
+}
+
+std::string AssemblyDesk::obey(const Json& command) {
+  const auto kind = needed<std::string>(command, "do");
+  if (kind == "undo" || kind == "redo") {
+    if (kind == "undo" && can_undo()) --at_;
+    if (kind == "redo" && can_redo()) ++at_;
+    return {};
+  }
+  Assembly next = now();
+  const auto item = [&] { return item_named(needed<std::string>(command, "item"), next); };
+  std::string changed;
+  if (kind == "put") {
+    const Module& module = library_->find(needed<std::string>(command, "module")).module;
+    changed = to_string(
+        put_module(next, needed<std::string>(command, "spot"), module, first_foot(*library_)));
+  } else if (kind == "copy") {
+    const AssemblyItem limb = item();
+    if (limb.kind == AssemblyItem::Kind::trunk || limb.kind == AssemblyItem::Kind::part)
+      throw InputError("'copy' is of limbs; " + words_of(limb, next) + " is none");
+    changed = to_string(put_copy(next, needed<std::string>(command, "spot"), limb.index));
+  } else if (kind == "set") {
+    const AssemblyItem one = item();
+    set_value(next, one, needed<std::string>(command, "key"),
+              command.contains("value") ? command["value"] : Json(nullptr));
+    changed = to_string(one);
+  } else if (kind == "remove") {
+    remove_item(next, item());
+  } else {
+    throw InputError("'" + kind +
+                     "' is no command of an assembly; expected put, copy, set, remove, undo or "
+                     "redo");
+  }
+  take(next, given_or(command, "goes_on", false));
+  return changed;
+}
+
+}  // namespace legwright

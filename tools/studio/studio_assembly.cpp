@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// Answers about robots that are assembled of modules.
+#include <utility>
+#include <vector>
+
+#include "mjcf/text/input_error.hpp"
+#include "tools/files/json_values.hpp"
+#include "tools/studio/assembly_view.hpp"
+#include "tools/studio/studio_service.hpp"
+
+namespace legwright {
+
+namespace fs = std::filesystem;
+
+const ModuleLibrary& StudioService::library() {
+  const std::lock_guard lock(mutex_);
+  if (!library_) library_ = std::make_unique<ModuleLibrary>(library_with(options_.modules));
+  return *library_;
+}
+
+std::shared_ptr<AssemblyBench> StudioService::bench() const {
+  const std::lock_guard lock(mutex_);
+  if (!bench_)
+    throw InputError("no assembly is open; open one, or begin a new one, on the first page");
+  return bench_;
+}
+
+/// Puts an assembly on the bench, in the place of all that is open.
+void StudioService::take_assembly(Opening opening) {
+  AssemblyDesk desk = opening.assembly->empty()
+                          ? AssemblyDesk(library())
+                          : AssemblyDesk(*opening.assembly, opening.file, library());
+  const std::string name = desk.now().name;
+  const bool is_kept = !opening.taken_up.empty();
+  auto next = std::make_shared<AssemblyBench>(
+      std::move(desk), opening.origin == opening.taken_up ? fs::path() : opening.origin, kept_,
+      hub_, meshes_);
+  if (is_kept) next->keep();
+  leave();
+  hub_.forget("");
+  if (is_kept)
+    KeptSessions::remove(opening.taken_up);
+  else if (!opening.origin.empty())
+    kept_.note_recent(opening.origin, name);
+  opening.origin = next->origin();
+  const std::lock_guard lock(mutex_);
+  bench_ = std::move(next);
+  opened_ = std::move(opening);
+}
+
+void StudioService::open_new_assembly() {
+  const std::lock_guard opening_lock(opening_);
+  Opening opening;
+  opening.assembly = "";
+  take(std::move(opening));
+}
+
+Json StudioService::get_modules(const StudioRequest&) { return palette_json(library()); }
+
+Json StudioService::get_module(const StudioRequest& request) {
+  const auto name = request.query.find("name");
+  if (name == request.query.end()) throw InputError("'name' is missing; GET /api/modules has them");
+  return module_picture(library().find(name->second).module, meshes_);
+}
+
+Json StudioService::post_assembly(const StudioRequest& request) {
+  return bench()->obey(request.body);
+}
+
+/// The robot as it stands, opened with a first task; the assembly stays on the bench.
+Json StudioService::post_build(const StudioRequest&) {
+  const auto assembly = bench();
+  std::vector<std::string> notes;
+  Opening opening = open_robot(assembly->build(notes), assembly->folder() / "built" / "robot.xml");
+  opening.of_modules = true;
+  const std::lock_guard opening_lock(opening_);
+  take(std::move(opening));
+  for (const std::string& note : notes) hub_.notice("info", note);
+  return {{"notes", notes}};
+}
+
+/// From the robot that was built of it back to the assembly.
+Json StudioService::post_bench(const StudioRequest&) {
+  const auto assembly = bench();
+  const std::lock_guard opening_lock(opening_);
+  leave();
+  hub_.forget("");
+  {
+    const std::lock_guard lock(mutex_);
+    opened_ = {};
+    opened_.origin = assembly->origin();
+    opened_.assembly = "";
+  }
+  tell_opened();
+  return Json::object();
+}
+
+Json StudioService::post_assembly_save(const StudioRequest& request) {
+  const auto path = paths_.to_write(needed<std::string>(request.body, "path"));
+  const auto assembly = bench();
+  assembly->save(path, given_or(request.body, "force", false));
+  kept_.note_recent(path, path.stem().string());
+  return {{"path", path.string()}};
+}
+
+}  // namespace legwright
