@@ -17,8 +17,8 @@ void remove_item(Assembly& assembly, const AssemblyItem& item);
 /// Gives a key of an item another value, in the units of the assembly file: `axis`, `offset`,
 /// `roll`, `range`, `name`, `link` of a joint; `names`, `hip`, `step`, `copies`, `mirror` of a
 /// limb; `offset` of a foot; `position` of a part; `size`, `mass` of a trunk that is a box, `name`
-/// of the robot at the trunk. Throws InputError for a key that is none, and for a value of another kind;
-/// what values may be parse_assembly() says.
+/// of the robot at the trunk. Throws InputError for a key that is none, and for a value of another
+/// kind; what values may be parse_assembly() says.
 void set_value(Assembly& assembly, const AssemblyItem& item, const std::string& key,
                const Json& value);
 
