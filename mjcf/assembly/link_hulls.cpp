@@ -17,8 +17,6 @@ constexpr int kPadCorners = 8, kRoundCorners = 16;
 constexpr int kSampledAngles = 61;        // at which distances are sampled
 constexpr double kLeastFacing = 0.3;      // cosine between an attachment's normal and the way to it
 constexpr double kElbowStep = 2e-3;       // [m] between bosses that are tried
-constexpr double kRim = 1.5e-3;           // [m] that are left around the holes of screws
-constexpr double kPadGrain = 1e-4;        // [m] in which pads grow
 constexpr double kClearanceGrain = 1e-9;  // [m]
 
 using PadPoints = std::vector<Vector3d>;
@@ -82,17 +80,12 @@ double hulled_distance(const Hulled& a, const Hulled& b) {
 
 class LinkShaper {
  public:
-  LinkShaper(const LinkEnds& ends, std::optional<double> radius, double wall, double clearance)
-      : ends_(ends),
-        wanted_radius_(radius),
-        radius_(radius.value_or(0.0)),
-        wall_(wall),
-        clearance_(clearance) {}
+  LinkShaper(const LinkEnds& ends, double radius, double wall, double clearance)
+      : ends_(ends), radius_(radius), wall_(wall), clearance_(clearance) {}
 
   LinkHulls run() {
     find_facing();
     if (facing_.empty()) return {};
-    if (!wanted_radius_) radius_ = needed_radius();
     sweep_servo();
     LinkHulls best;
     best.clearance = -1.0;
@@ -113,21 +106,6 @@ class LinkShaper {
   /// Height over the horn's plane of what is fixed to the horn, which stands out by the clearance.
   double low() const { return clearance_; }
   double high() const { return clearance_ + wall_; }
-
-  /// Of all pads of the link: so much that 1.5 mm are left around the holes of all its screws whose
-  /// pattern is known.
-  double needed_radius() const {
-    double reach = 0.0;
-    const auto ask = [&reach](const Attachment& at) {
-      reach = std::max(reach, reach_of_screws(at).value_or(-kRim) + kRim);
-    };
-    for (const Attachment& at : ends_.servo->attachments)
-      if (at.on_horn) ask(at);
-    for (const Attachment* at : facing_) ask(*at);
-    // Sides of the octagon are nearer than its corners. In tenths of a millimetre.
-    const double needed = reach / std::cos(std::numbers::pi / kPadCorners);
-    return std::max(Assembly::kLinkRadius, std::ceil(needed / kPadGrain - 1e-6) * kPadGrain);
-  }
 
   /// The attachments of the other module that look at the horn: the one that does most, and those
   /// that do nearly as much.
@@ -214,9 +192,7 @@ class LinkShaper {
   }
 
   const LinkEnds& ends_;
-  const std::optional<double> wanted_radius_;
-  double radius_;  // of the pads [m]
-  const double wall_, clearance_;
+  const double radius_, wall_, clearance_;  // [m]
   std::vector<const Attachment*> facing_;
   Vector3d middle_ = Vector3d::Zero();  // of those, in the link
   std::vector<Hulled> swept_;
@@ -224,8 +200,7 @@ class LinkShaper {
 
 }  // namespace
 
-LinkHulls link_hulls(const LinkEnds& ends, std::optional<double> radius, double wall,
-                     double clearance) {
+LinkHulls link_hulls(const LinkEnds& ends, double radius, double wall, double clearance) {
   return LinkShaper(ends, radius, wall, clearance).run();
 }
 

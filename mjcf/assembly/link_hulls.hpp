@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <limits>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,9 +41,6 @@ struct LinkEnds {
 /// at which the modules themselves keep it, the way goes round the servo: along the horn's plane
 /// in a boss, and from there in an arm; where the other module is too near for that, the arm's end
 /// is pulled back before the horn's plane. Sampled over the range.
-/// @param radius of the pads [m]; none: 6 mm, or so much more that 1.5 mm are left around the holes
-/// of screws whose pattern is known
-LinkHulls link_hulls(const LinkEnds& ends, std::optional<double> radius, double wall,
-                     double clearance);
+LinkHulls link_hulls(const LinkEnds& ends, double radius, double wall, double clearance);
 
 }  // namespace legwright

@@ -4,10 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numbers>
-#include <string_view>
 
 #include "mjcf/read/mirror.hpp"
 #include "mjcf/text/numbers.hpp"
@@ -57,19 +55,6 @@ std::string arrow(const Vector3d& from, const Vector3d& along, double length, do
 }
 
 }  // namespace
-
-std::optional<double> reach_of_screws(const Attachment& attachment) {
-  if (attachment.holes.empty()) return std::nullopt;
-  // Holes to go through are 0.15 to 0.2 diameters wider than screws (ISO 273, medium).
-  constexpr double kHole = 1.2;
-  double diameter = 0.0;  // [mm]
-  const std::string_view digits = std::string_view(attachment.screws).substr(1);
-  std::from_chars(digits.data(), digits.data() + digits.size(), diameter);
-  double far = 0.0;
-  for (const Vector3d& hole : attachment.holes)
-    far = std::max(far, (hole - attachment.position).cross(attachment.normal).norm());
-  return far + 0.5 * kHole * 1e-3 * diameter;
-}
 
 double OutlineShape::volume() const {
   switch (type) {

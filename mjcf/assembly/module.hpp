@@ -65,10 +65,6 @@ struct Attachment {
 inline constexpr std::array<std::string_view, 8> kScrewSizes{"M1.6", "M2", "M2.5", "M2.6",
                                                              "M3",   "M4", "M5",   "M6"};
 
-/// How far from the middle of an attachment its screws reach, with the holes that they go through
-/// [m]; none where they are not known.
-std::optional<double> reach_of_screws(const Attachment& attachment);
-
 /// A module in its own frame. SI units.
 struct Module {
   std::string name;

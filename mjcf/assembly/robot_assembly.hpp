@@ -55,7 +55,6 @@ enum class LinkShape { hull, capsule };
 /// Axes of all vectors are those of the trunk with all angles zero: x forward, y left, z up. SI
 /// units.
 struct Assembly {
-  static constexpr double kLinkRadius = 0.006;  // [m]
   std::string name;
   Module trunk;  // its frame is the trunk's
   std::vector<AssemblyPart> parts;
@@ -64,9 +63,7 @@ struct Assembly {
   double torque_share = 1.0;       // of that torque
   std::optional<double> armature;  // where a reflected inertia is not known [kg m2]
   LinkShape link_shape = LinkShape::hull;
-  /// Of the hulls' pads, and of the capsules between joints [m]; none: kLinkRadius, and pads as
-  /// large as screws need whose pattern is known.
-  std::optional<double> link_radius;
+  double link_radius = 0.006;     // of the hulls' pads, and of the capsules between joints [m]
   double link_wall = 0.003;       // thickness of the pads [m]
   double link_clearance = 0.001;  // of hulls to the servos that turn them [m]
   double link_density = 1240.0;   // [kg/m3]

@@ -161,7 +161,7 @@ def test_a_gait_in_which_parts_meet_fails_and_says_where(run, tmp_path):
     failed = {check.name: check for check in bad.checks if not check.passed}
     assert set(failed) == {'gap in the gait as played', 'range of FL_knee'}
     assert 't = 0.20 s' in failed['gap in the gait as played'].where
-    assert 'works from -180 to -61' in failed['range of FL_knee'].where
+    assert 'works from -180 to -60' in failed['range of FL_knee'].where
 
 
 @pytest.mark.parametrize('file', ['playback_result.csv', 'motion.csv'])

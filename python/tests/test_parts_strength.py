@@ -104,11 +104,8 @@ def horn_holes(part):
 
 
 def test_pads_that_are_too_small_for_screws_fail_with_the_radius_that_would_do(examples, tmp_path):
-    """Pads of 6 mm are asked for; the horn's screws are on a circle of 16 mm."""
-    assembly = tmp_path / 'small.toml'
-    text = (examples / 'assemblies/puppy.toml').read_text(encoding='utf-8')
-    assembly.write_text(text + '\n[link]\nradius = 0.006\n', encoding='utf-8')
-    robot = build(assembly, tmp_path / 'small.xml')
+    """The example puppy's pads are of 6 mm; the horn's screws are on a circle of 16 mm."""
+    robot = build(examples / 'assemblies/puppy.toml', tmp_path / 'small.xml')
     made = parts.make(robot, tmp_path / 'out')
     failed = {check.name: check for check in made.checks if not check.passed}
     edge = failed['edge of holes, FL_hip_servo horn']

@@ -39,10 +39,9 @@ std::vector<TaskKey> keys_of_the_assembly() {
           "What is printed between modules: `hull`, the convex hull of their attachment points "
           "that face each other, which follows the design, or `capsule`, from joint to joint."),
       number_key(
-          "link.radius", {0.0, 0.5, true, false, "m"}, "what screws need, at least 0.006", "0.005",
+          "link.radius", {0.0, 0.5, true, false, "m"}, "0.006", "0.005",
           "Of a hull's round pads on horns and attachments, and of capsules, which collide in "
-          "the place of hulls. By default pads leave 1.5 mm around all holes of screws whose "
-          "pattern is known, and capsules have 6 mm."),
+          "the place of hulls."),
       number_key("link.wall", {0.0, 0.1, true, false, "m"}, "0.003", "0.004",
                  "Thickness of those pads."),
       number_key("link.clearance", {0.0, 0.1, true, false, "m"}, "0.001", "0.002",

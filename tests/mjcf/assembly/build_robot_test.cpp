@@ -32,7 +32,7 @@ double mass_of(const mjModel& model) {
 TEST(AssembledRobot, WeighsItsModulesAndItsLinks) {
   const Assembly assembly = boxy_dog();
   const ModelPointer model = compile_mjcf(assembly_xml(assembly, 0.2), "dog.xml");
-  const double link = capsule_mass(0.09, Assembly::kLinkRadius, assembly.link_density);
+  const double link = capsule_mass(0.09, assembly.link_radius, assembly.link_density);
   EXPECT_NEAR(mass_of(*model), 0.4 + 0.2 + 8 * 0.06 + 4 * 0.01 + 8 * link, 1e-9);
 }
 

@@ -9,7 +9,6 @@
 
 #include "mjcf/assembly/assembly_xml.hpp"
 #include "mjcf/assembly/build_robot.hpp"
-#include "mjcf/assembly/limb_hulls.hpp"
 #include "mjcf/read/connectors.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/write/rewrite_robot.hpp"
@@ -135,48 +134,6 @@ TEST(LinkHulls, AreNoneWhereNothingFacesTheHorn) {
   EXPECT_LT(mj_name2id(model.get(), mjOBJ_BODY, "FL_knee_link_arm"), 0);
   const int link = id_of(*model, mjOBJ_BODY, "FL_knee_link");
   EXPECT_GT(model->body_mass[link], 0.011) << "a capsule is printed instead";
-}
-
-/// Four holes on a circle about an attachment.
-void add_screws(Attachment& at, const std::string& screws, double circle) {
-  at.screws = screws;
-  const Vector3d side = at.normal.unitOrthogonal(), other = at.normal.cross(side);
-  for (const Vector3d& way : {side, other, Vector3d(-side), Vector3d(-other)})
-    at.holes.emplace_back(at.position + 0.5 * circle * way);
-}
-
-/// The dog with screws of a horn, and of the ends of its servos [mm]; no circle: not known.
-Assembly screwed_dog(const std::string& screws, double horn_circle, double end_circle) {
-  Assembly out = hulled_dog();
-  for (AssemblyJoint& joint : out.limbs[0].joints) {
-    Attachment horn{"horn", true, joint.servo.joint->position, joint.servo.joint->axis, "", {}};
-    if (horn_circle > 0.0) add_screws(horn, screws, 1e-3 * horn_circle);
-    if (end_circle > 0.0) add_screws(joint.servo.attachments[0], screws, 1e-3 * end_circle);
-    joint.servo.attachments.push_back(horn);
-  }
-  return out;
-}
-
-/// Of the pad on the horn of the first limb's link [mm].
-double pad_radius(const Assembly& assembly, std::size_t link) {
-  const std::vector<LinkHulls> links = limb_hulls(assembly, placed_limbs(assembly)[0]);
-  const Vector3d& point = links.at(link).hulls.at(0).near.at(0);
-  return 1e3 * assembly.limbs[0].joints[link].axis.cross(point).norm();
-}
-
-/// A flat side of the octagon is 1.5 mm beyond the holes: (8 + 1.2 + 1.5) / cos 22.5° = 11.58 mm.
-TEST(LinkHulls, PadsHoldTheScrewsThatAreKnown) {
-  EXPECT_NEAR(pad_radius(screwed_dog("M2", 16.0, 0.0), 0), 11.6, 1e-9);
-  EXPECT_NEAR(pad_radius(screwed_dog("M2", 16.0, 0.0), 1), 11.6, 1e-9);
-  EXPECT_NEAR(pad_radius(screwed_dog("M2.5", 16.0, 0.0), 0), 12.0, 1e-9) << "(8 + 1.5 + 1.5)";
-  EXPECT_NEAR(pad_radius(screwed_dog("M2", 2.0, 0.0), 0), 6.0, 1e-9) << "no smaller than that";
-  EXPECT_NEAR(pad_radius(screwed_dog("M2", 0.0, 0.0), 0), 6.0, 1e-9) << "nothing is known";
-  const Assembly ends = screwed_dog("M2", 0.0, 16.0);
-  EXPECT_NEAR(pad_radius(ends, 0), 11.6, 1e-9) << "of the other module";
-  EXPECT_NEAR(pad_radius(ends, 1), 6.0, 1e-9) << "whose other end is a foot";
-  Assembly asked = screwed_dog("M2", 16.0, 0.0);
-  asked.link_radius = 0.007;
-  EXPECT_NEAR(pad_radius(asked, 0), 7.0, 1e-9);
 }
 
 /// The next servo lies within the reach of the one that turns it: the part's end stays before the

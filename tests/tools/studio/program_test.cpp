@@ -100,6 +100,24 @@ TEST_F(StudioProgramTest, NothingOlderThanASecondIsLostWhenItIsKilled) {
   EXPECT_TRUE(kept_.left_behind().empty()) << "it has been taken up";
 }
 
+TEST_F(StudioProgramTest, AnAssemblyIsAsItWasAnsweredWhenItIsKilled) {
+  const std::string assembly = test::source_dir() + "/examples/assemblies/puppy.toml";
+  {
+    RunningStudio studio(folder_.path(), assembly);
+    Browser browser(studio.url());
+    const Json put{{"do", "put"}, {"module", "XM430-W350"}, {"spot", "limb/0/joint/1"}};
+    ASSERT_EQ(browser.post("/api/assembly", put)["item"], "limb/0/joint/1");
+    EXPECT_EQ(studio.end(SIGKILL), -SIGKILL);
+  }
+  const std::vector<KeptSession> left = kept_.left_behind();
+  ASSERT_EQ(left.size(), 1U);
+  EXPECT_EQ(left[0].origin, assembly);
+  RunningStudio again(folder_.path(), left[0].folder.string());
+  const Json told = Browser(again.url()).next("assembly");
+  EXPECT_EQ(told["limbs"][0]["joints"][1]["servo"], "XM430-W350");
+  EXPECT_EQ(told["path"], assembly);
+}
+
 TEST_F(StudioProgramTest, ARunGoesOnWhereAKilledStudioLeftIt) {
   const std::string run = (folder_.path() / "run").string();
   {
