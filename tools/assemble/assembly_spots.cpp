@@ -186,13 +186,13 @@ std::string free_limb_name(const Assembly& assembly, const AssemblySpot& spot) {
           if (other == name + side || other + side == name) return true;
     return false;
   };
-  const std::string row = spot.id.starts_with("side/front")    ? "F"
+  std::string row = spot.id.starts_with("side/front")    ? "F"
                           : spot.id.starts_with("side/middle") ? "M"
                           : spot.id.starts_with("side/hind")   ? "H"
                                                                : "";
   if (!row.empty() && !is_taken(row)) return row;
   for (int k = 1;; ++k)
-    if (const std::string name = fmt::format("leg{}", k); !is_taken(name)) return name;
+    if (std::string name = fmt::format("leg{}", k); !is_taken(name)) return name;
 }
 
 /// hip, knee, ankle, then by a number: what the limb has not yet.
@@ -205,7 +205,7 @@ std::string free_joint_name(const AssemblyLimb& limb) {
   for (const char* name : {"hip", "knee", "ankle"})
     if (!is_taken(name)) return name;
   for (int k = 4;; ++k)
-    if (const std::string name = fmt::format("joint{}", k); !is_taken(name)) return name;
+    if (std::string name = fmt::format("joint{}", k); !is_taken(name)) return name;
 }
 
 AssemblyJoint joint_of(const AssemblyLimb& limb, const Module& servo) {

@@ -7,6 +7,7 @@
 
 #include "mjcf/assembly/build_robot.hpp"
 #include "mjcf/text/input_error.hpp"
+#include "tools/files/io_error.hpp"
 #include "tools/modules/assembly_text.hpp"
 #include "tools/studio/assembly_view.hpp"
 
@@ -88,7 +89,7 @@ void AssemblyBench::save(const fs::path& file, bool replace) {
   if (file.extension() != ".toml")
     throw InputError(file.string() + ": an assembly's file ends in .toml");
   if (!replace && fs::exists(file))
-    throw InputError(file.string() + ": is there already; name another file");
+    throw IoError(file.string() + ": is there already; name another file");
   fs::create_directories(file.parent_path());
   write_file(file, assembly_text(desk_.now()));
   origin_ = file;

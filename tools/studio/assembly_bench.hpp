@@ -35,7 +35,8 @@ class AssemblyBench {
   /// Builds the robot (build_robot()) into the bench's folder. Throws InputError where it is no
   /// robot yet. @param notes gets what build_robot() notes
   RobotModel build(std::vector<std::string>& notes);
-  /// Writes the assembly to a file. Throws InputError where that is there and not to be replaced.
+  /// Writes the assembly to a file. Throws IoError where that is there and not to be replaced,
+  /// InputError for a name without .toml.
   void save(const std::filesystem::path& file, bool replace);
 
   /// Has in its folder what may be missed: it stays there until it is saved.

@@ -110,7 +110,7 @@ void StudioService::take(Opening opening) {
                                     hub_, meshes_);
     folder->keep();
     if (!opening.taken_up.empty()) KeptSessions::remove(opening.taken_up);
-    kept_.note_recent(opening.origin, robot.morphology.name);
+    if (!opening.of_modules) kept_.note_recent(opening.origin, robot.morphology.name);
     opening.robot.reset();
   }
   {

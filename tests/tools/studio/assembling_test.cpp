@@ -65,7 +65,7 @@ TEST_F(AssemblingTest, IsSavedAsAFileThatIsReadBack) {
   const std::string file = (studio_.folder.path() / "made.toml").string();
   EXPECT_EQ(post("/api/assembly/save", {{"path", "/etc/made.toml"}})["status"], 400);
   EXPECT_EQ(post("/api/assembly/save", {{"path", file}})["status"], 200);
-  EXPECT_EQ(post("/api/assembly/save", {{"path", file}})["status"], 400) << "it is there already";
+  EXPECT_EQ(post("/api/assembly/save", {{"path", file}})["status"], 409) << "it is there already";
   EXPECT_EQ(post("/api/assembly/save", {{"path", file}, {"force", true}})["status"], 200);
   ASSERT_EQ(post("/api/open", {{"path", file}})["status"], 200);
   EXPECT_EQ(told()["limbs"].size(), 2u);

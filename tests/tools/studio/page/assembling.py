@@ -150,4 +150,13 @@ class Assembling(unittest.TestCase):
         studio.page.get_by_label('File').fill(str(self.server.output / 'made.toml'))
         studio.page.keyboard.press('Enter')
         studio.page.get_by_text('Saved: ').wait_for()
-        self.assertIn('XM430-W350', (self.server.output / 'made.toml').read_text())
+        saved = self.server.output / 'made.toml'
+        self.assertIn('XM430-W350', saved.read_text())
+        saved.write_text('# of somebody else\n')
+        for answer, begin in (('Cancel', '# of'), ('Replace', 'name = ')):
+            studio.page.keyboard.press('Control+s')
+            studio.page.get_by_label('File').fill(str(saved))
+            studio.page.keyboard.press('Enter')
+            studio.button(answer).click()
+            studio.page.wait_for_timeout(300)
+            self.assertTrue(saved.read_text().startswith(begin), answer)

@@ -5,7 +5,7 @@ import { h, iconButton, setText } from "../../dom.js";
 import { AssemblyClient } from "../../session/assembly_client.js";
 import { post } from "../../session/api.js";
 import { significant } from "../../units.js";
-import { ask } from "../dialogs.js";
+import { ask, openDialog } from "../dialogs.js";
 import { cameraButtons } from "../scene_tools.js";
 import { switchTheme } from "../theme.js";
 import { AssemblyScene } from "./assembly_scene.js";
@@ -115,18 +115,47 @@ export class AssemblyPage {
     const asked = await ask("Save the assembly", path || `${name}.toml`, {
       label: "File",
       action: "Save",
-      hint: "Below the folders that the studio was started with. A file that is there is replaced.",
+      hint: "Below the folders that the studio was started with.",
     });
-    if (!asked) return;
-    const done = await this.studio.act(() =>
-      post("/api/assembly/save", { path: asked, force: true }),
-    );
-    if (done) this.studio.notices.show("info", `Saved: ${done.path}`);
+    if (asked) await this.saveTo(asked, false);
+  }
+
+  /** Writes the file; one that is there is replaced once that was asked for. */
+  async saveTo(file, force) {
+    try {
+      const { path } = await post("/api/assembly/save", { path: file, force });
+      this.studio.notices.show("info", `Saved: ${path}`);
+    } catch (error) {
+      const isThere = error.status === 409 && !force;
+      if (isThere && (await this.mayReplace(file))) await this.saveTo(file, true);
+      else if (!isThere) this.studio.fail(error);
+    }
+  }
+
+  mayReplace(file) {
+    return new Promise((resolve) => {
+      const say = (yes) => () => {
+        resolve(yes);
+        dialog.close();
+      };
+      const dialog = openDialog(
+        "Replace the file?",
+        h("p", {}, `${file} is there already. Its comments and its order would be lost.`),
+        h(
+          "div.actions",
+          {},
+          h("button", { type: "button", onClick: say(false) }, "Cancel"),
+          h("button.primary", { type: "button", onClick: say(true) }, "Replace"),
+        ),
+      );
+      dialog.addEventListener("close", () => resolve(false));
+    });
   }
 
   key(event) {
-    const typing = event.target.matches?.("input, textarea, select, dialog *");
     if (event.defaultPrevented || document.body.dataset.page !== "assembly") return;
+    if (document.querySelector("dialog[open]")) return;
+    const typing = event.target.matches?.("input, textarea, select");
     const control = event.ctrlKey || event.metaKey;
     const acts = control
       ? {
