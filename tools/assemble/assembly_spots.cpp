@@ -187,9 +187,9 @@ std::string free_limb_name(const Assembly& assembly, const AssemblySpot& spot) {
     return false;
   };
   std::string row = spot.id.starts_with("side/front")    ? "F"
-                          : spot.id.starts_with("side/middle") ? "M"
-                          : spot.id.starts_with("side/hind")   ? "H"
-                                                               : "";
+                    : spot.id.starts_with("side/middle") ? "M"
+                    : spot.id.starts_with("side/hind")   ? "H"
+                                                         : "";
   if (!row.empty() && !is_taken(row)) return row;
   for (int k = 1;; ++k)
     if (std::string name = fmt::format("leg{}", k); !is_taken(name)) return name;
