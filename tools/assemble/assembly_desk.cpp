@@ -2,6 +2,7 @@
 #include "tools/assemble/assembly_desk.hpp"
 
 #include <algorithm>
+#include <sstream>
 #include <utility>
 
 #include "mjcf/text/input_error.hpp"
@@ -39,10 +40,32 @@ const Module& first_foot(const ModuleLibrary& library) {
   return *found;
 }
 
+constexpr const char* kNoFile = "assembly.toml";
+
+/// What is wrong, a line each, without the places in a file that nobody has.
+std::string words_without_places(const std::string& told) {
+  std::istringstream in(told);
+  std::string out;
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with(kNoFile)) line.erase(0, line.find(": ") + 2);
+    out += (out.empty() ? "" : "\n") + line;
+  }
+  return out;
+}
+
+/// The assembly of a text as its file would be read.
+Assembly checked(const std::string& text, const ModuleLibrary& library) {
+  try {
+    return parse_assembly(text, kNoFile, library, AssemblyState::draft);
+  } catch (const InputError& error) {
+    throw InputError(words_without_places(error.what()));
+  }
+}
+
 }  // namespace
 
 AssemblyDesk::AssemblyDesk(const ModuleLibrary& library)
-    : AssemblyDesk(kNewAssembly, "assembly.toml", library) {}
+    : AssemblyDesk(kNewAssembly, kNoFile, library) {}
 
 AssemblyDesk::AssemblyDesk(const std::string& text, const std::filesystem::path& file,
                            const ModuleLibrary& library)
@@ -50,17 +73,19 @@ AssemblyDesk::AssemblyDesk(const std::string& text, const std::filesystem::path&
       history_{std::make_shared<const Assembly>(
           parse_assembly(text, file, library, AssemblyState::draft))} {}
 
-void AssemblyDesk::take(const Assembly& next, bool goes_on) {
-  // What the file could not say is refused as the file's own faults are.
-  auto kept = std::make_shared<const Assembly>(
-      parse_assembly(assembly_text(next), next.name + ".toml", *library_, AssemblyState::draft));
+void AssemblyDesk::take(const Assembly& next, const std::string& set, bool goes_on) {
+  const bool same_step = goes_on && !set.empty() && set == last_set_ && !can_redo();
+  const std::string text = assembly_text(next);
+  if (text == assembly_text(now())) return;
+  auto kept = std::make_shared<const Assembly>(checked(text, *library_));
   history_.resize(at_ + 1);
-  if (goes_on && at_ > 0)
+  if (same_step)
     history_.back() = std::move(kept);
   else
     history_.push_back(std::move(kept));
   if (history_.size() > kMostSteps) history_.erase(history_.begin());
   at_ = history_.size() - 1;
+  last_set_ = set;
 }
 
 std::string AssemblyDesk::obey(const Json& command) {
@@ -68,11 +93,12 @@ std::string AssemblyDesk::obey(const Json& command) {
   if (kind == "undo" || kind == "redo") {
     if (kind == "undo" && can_undo()) --at_;
     if (kind == "redo" && can_redo()) ++at_;
+    last_set_.clear();
     return {};
   }
   Assembly next = now();
   const auto item = [&] { return item_named(needed<std::string>(command, "item"), next); };
-  std::string changed;
+  std::string changed, set;
   if (kind == "put") {
     const Module& module = library_->find(needed<std::string>(command, "module")).module;
     changed = to_string(
@@ -84,9 +110,10 @@ std::string AssemblyDesk::obey(const Json& command) {
     changed = to_string(put_copy(next, needed<std::string>(command, "spot"), limb.index));
   } else if (kind == "set") {
     const AssemblyItem one = item();
-    set_value(next, one, needed<std::string>(command, "key"),
-              command.contains("value") ? command["value"] : Json(nullptr));
+    const auto key = needed<std::string>(command, "key");
+    set_value(next, one, key, command.contains("value") ? command["value"] : Json(nullptr));
     changed = to_string(one);
+    set = changed + " " + key;
   } else if (kind == "remove") {
     remove_item(next, item());
   } else {
@@ -94,7 +121,7 @@ std::string AssemblyDesk::obey(const Json& command) {
                      "' is no command of an assembly; expected put, copy, set, remove, undo or "
                      "redo");
   }
-  take(next, given_or(command, "goes_on", false));
+  take(next, set, given_or(command, "goes_on", false));
   return changed;
 }
 

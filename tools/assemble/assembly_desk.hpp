@@ -28,16 +28,17 @@ class AssemblyDesk {
 
   /// Obeys `{"do": …}`: `put {module, spot}`, `copy {item, spot}` of a limb, `set {item, key,
   /// value, goes_on}`, `remove {item}`, `undo`, `redo`. With `goes_on` it is one step with the one
-  /// before. Throws InputError for what is no command, or would make no assembly; nothing changes
+  /// before, where that set the same; what changes nothing is no step. Throws InputError for what is no command, or would make no assembly; nothing changes
   /// then. @return the item that was put or changed, empty where there is none
   std::string obey(const Json& command);
 
  private:
-  void take(const Assembly& next, bool goes_on);
+  void take(const Assembly& next, const std::string& set, bool goes_on);
 
   const ModuleLibrary* library_;
   std::vector<std::shared_ptr<const Assembly>> history_;
   std::size_t at_ = 0;
+  std::string last_set_;  // item and key, where the last command was a `set`
 };
 
 }  // namespace legwright

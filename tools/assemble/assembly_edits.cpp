@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "mjcf/text/input_error.hpp"
@@ -17,6 +20,7 @@ using Eigen::Vector3d;
 using Kind = AssemblyItem::Kind;
 
 constexpr int kMostCopies = 16;
+constexpr double kBehind = 0.45;    // of the trunk's length, to a copy of one in its middle
 constexpr double kStepShare = 2.0;  // of a hip's way from the trunk's middle, to a copy behind it
 
 void remove_joint(Assembly& assembly, std::size_t index, std::size_t k) {
@@ -78,10 +82,13 @@ void set_of_trunk(Assembly& assembly, const AssemblyItem& item, const std::strin
     trunk.mass = number_value(value, key);
 }
 
-/// Copies stand behind each other: the second as far behind the trunk's middle as the first is
-/// before it.
-void set_copies(AssemblyLimb& limb, const Json& value) {
-  const auto count = value_as<int>(value, "copies", "a whole number");
+/// Copies stand behind each other: the last as far behind the trunk's middle as the first is before
+/// it.
+void set_copies(AssemblyLimb& limb, const Json& value, double trunk_length) {
+  if (!value.is_number_integer())
+    throw InputError(
+        fmt::format("'copies' is to be {}; expected a whole number", value.dump(-1, ' ', true)));
+  const auto count = value.get<std::int64_t>();
   if (count < 1 || count > kMostCopies)
     throw InputError(fmt::format("'copies' is to be {}; expected 1 to {}", count, kMostCopies));
   const std::size_t had = limb.names.size();
@@ -90,24 +97,33 @@ void set_copies(AssemblyLimb& limb, const Json& value) {
   for (std::size_t k = limb.names.size(); k < static_cast<std::size_t>(count); ++k)
     limb.names.push_back(fmt::format("{}{}", first, k + 1));
   if (had == 1 && count > 1 && limb.step.norm() == 0.0)
-    limb.step = -kStepShare * limb.hip.x() / (count - 1) * Vector3d::UnitX();
+    limb.step = -(std::abs(limb.hip.x()) > kInThePlane ? kStepShare * limb.hip.x()
+                                                       : kBehind * trunk_length) /
+                static_cast<double>(count - 1) * Vector3d::UnitX();
+}
+
+void set_names(AssemblyLimb& limb, const Json& value) {
+  auto names = value_as<std::vector<std::string>>(value, "names", "names");
+  if (names.size() != limb.names.size())
+    throw InputError(fmt::format("'names' has {}; expected {}, one for each of the copies",
+                                 names.size(), limb.names.size()));
+  limb.names = std::move(names);
 }
 
 void set_of_limb(AssemblyLimb& limb, const AssemblyItem& item, const std::string& key,
-                 const Json& value) {
+                 const Json& value, double trunk_length) {
   if (key == "names")
-    limb.names = value_as<std::vector<std::string>>(value, key, "names");
+    set_names(limb, value);
   else if (key == "hip")
     limb.hip = vector_value(value, key);
   else if (key == "step")
     limb.step = vector_value(value, key);
   else if (key == "copies")
-    set_copies(limb, value);
+    set_copies(limb, value, trunk_length);
   else if (key == "mirror")
     limb.mirrored = value_as<bool>(value, key, "true or false");
   else
     refuse_key(item, key, "names, hip, step, copies or mirror");
-  if (limb.names.empty()) throw InputError("'names' is empty; expected a name for each copy");
 }
 
 void set_of_joint(AssemblyJoint& joint, const AssemblyItem& item, const std::string& key,
@@ -165,7 +181,8 @@ void set_value(Assembly& assembly, const AssemblyItem& item, const std::string& 
       assembly.parts[item.index].position = vector_value(value, key);
       return;
     case Kind::limb:
-      return set_of_limb(assembly.limbs[item.index], item, key, value);
+      return set_of_limb(assembly.limbs[item.index], item, key, value,
+                         2.0 * assembly.trunk.outline.front().half().x());
     case Kind::joint:
       return set_of_joint(assembly.limbs[item.index].joints[item.joint], item, key, value);
     case Kind::foot:

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 AssemblyBench::AssemblyBench(AssemblyDesk desk, fs::path origin, const KeptSessions& kept,
                              EventHub& hub, MeshStore& meshes)
-    : desk_(std::move(desk)), origin_(std::move(origin)), hub_(hub), meshes_(meshes) {
+    : desk_(std::move(desk)), origin_(std::move(origin)), kept_(kept), hub_(hub), meshes_(meshes) {
   drawn_ = picture(desk_);
   const Assembly& now = desk_.now();
   folder_ = kept.begin_assembly(assembly_text(now), origin_.string(), now.name);
@@ -32,6 +32,11 @@ fs::path AssemblyBench::origin() const {
   return origin_;
 }
 
+fs::path AssemblyBench::folder() const {
+  const std::lock_guard lock(mutex_);
+  return folder_->path();
+}
+
 void AssemblyBench::keep() {
   const std::lock_guard lock(mutex_);
   folder_->keep();
@@ -42,6 +47,7 @@ Json AssemblyBench::picture(const AssemblyDesk& desk) const {
   Json out = assembly_json(desk.now(), meshes_);
   out["can_undo"] = desk.can_undo();
   out["can_redo"] = desk.can_redo();
+  out["path"] = origin_.string();
   return out;
 }
 
@@ -64,7 +70,6 @@ Json AssemblyBench::obey(const Json& command) {
 void AssemblyBench::tell() {
   const std::lock_guard lock(mutex_);
   drawn_["revision"] = revision_;
-  drawn_["path"] = origin_.string();
   hub_.publish("assembly", to_line(drawn_));
 }
 
@@ -74,7 +79,7 @@ RobotModel AssemblyBench::build(std::vector<std::string>& notes) {
   const Assembly& assembly = desk_.now();
   if (assembly.limbs.empty())
     throw InputError("the robot has no limb yet; put a servo on the trunk, which begins one");
-  const BuiltRobot built = build_robot(assembly, file);
+  const BuiltRobot built = build_robot(assembly, assembly.name + ".xml");
   fs::create_directories(folder);
   write_file(file, built.xml, Durability::process);
   notes = built.notes;
@@ -95,7 +100,9 @@ void AssemblyBench::save(const fs::path& file, bool replace) {
   origin_ = file;
   drawn_["path"] = file.string();
   hub_.publish("assembly", to_line(drawn_));
+  // What is done from now on is of that file.
   folder_->forget();
+  folder_ = kept_.begin_assembly(assembly_text(desk_.now()), origin_.string(), desk_.now().name);
   changed_ = false;
 }
 

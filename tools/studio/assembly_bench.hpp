@@ -19,7 +19,7 @@ namespace legwright {
 /// and kept in the user's state before it is answered. Any thread may call.
 class AssemblyBench {
  public:
-  /// Throws InputError as AssemblyDesk does. @param library, hub and meshes must live longer
+  /// Throws InputError as AssemblyDesk does. @param kept, hub and meshes must live longer
   /// @param origin the file that it is from; empty where it is new
   AssemblyBench(AssemblyDesk desk, std::filesystem::path origin, const KeptSessions& kept,
                 EventHub& hub, MeshStore& meshes);
@@ -41,7 +41,7 @@ class AssemblyBench {
 
   /// Has in its folder what may be missed: it stays there until it is saved.
   void keep();
-  const std::filesystem::path& folder() const { return folder_->path(); }
+  std::filesystem::path folder() const;
   std::filesystem::path origin() const;
 
  private:
@@ -50,6 +50,7 @@ class AssemblyBench {
   mutable std::mutex mutex_;
   AssemblyDesk desk_;
   std::filesystem::path origin_;
+  const KeptSessions& kept_;
   EventHub& hub_;
   MeshStore& meshes_;
   std::unique_ptr<SessionFolder> folder_;

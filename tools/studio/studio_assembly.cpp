@@ -10,7 +10,21 @@
 
 namespace legwright {
 
+namespace {
+
 namespace fs = std::filesystem;
+
+/// The robot with a first task. Throws InputError that names no file: nobody has one yet.
+Opening first_opening(RobotModel robot) {
+  const fs::path file = robot.file;
+  try {
+    return open_robot(std::move(robot), file);
+  } catch (const InputError& error) {
+    throw InputError(error.message());
+  }
+}
+
+}  // namespace
 
 const ModuleLibrary& StudioService::library() {
   const std::lock_guard lock(mutex_);
@@ -71,7 +85,8 @@ Json StudioService::post_assembly(const StudioRequest& request) {
 Json StudioService::post_build(const StudioRequest&) {
   const auto assembly = bench();
   std::vector<std::string> notes;
-  Opening opening = open_robot(assembly->build(notes), assembly->folder() / "built" / "robot.xml");
+  Opening opening = first_opening(assembly->build(notes));
+  opening.origin = assembly->origin();
   opening.of_modules = true;
   const std::lock_guard opening_lock(opening_);
   take(std::move(opening));
@@ -83,6 +98,10 @@ Json StudioService::post_build(const StudioRequest&) {
 Json StudioService::post_bench(const StudioRequest&) {
   const auto assembly = bench();
   const std::lock_guard opening_lock(opening_);
+  const bool is_left = [this] {
+    const std::lock_guard lock(mutex_);
+    return workspace_ && workspace_->session().snapshot()->can_undo;
+  }();
   leave();
   hub_.forget("");
   {
@@ -92,6 +111,11 @@ Json StudioService::post_bench(const StudioRequest&) {
     opened_.assembly = "";
   }
   tell_opened();
+  if (is_left)
+    hub_.notice(
+        "info",
+        "What was designed of the built robot and not saved is kept, under \"Not saved\" on "
+        "the first page.");
   return Json::object();
 }
 

@@ -55,6 +55,32 @@ TEST(AssemblyDesk, StepsAreUndoneAndDoneAgain) {
   EXPECT_FALSE(desk.can_redo()) << "what was undone is another way";
 }
 
+TEST(AssemblyDesk, WhatGoesOnTakesNoOlderStepAway) {
+  AssemblyDesk desk(installed_library());
+  desk.obey(put("XL430-W250", "side/front"));
+  desk.obey(set("limb/0", "hip", {0.11, 0.08, 0.0}));
+  desk.obey(set("limb/0/foot", "offset", {0.0, 0.0, -0.12}, true));  // another key than before
+  desk.obey({{"do", "undo"}});
+  EXPECT_EQ(desk.now().limbs[0].hip.x(), 0.11);
+  desk.obey(set("limb/0/foot", "offset", {0.0, 0.0, -0.13}, true));  // a hand that went on
+  desk.obey({{"do", "undo"}});
+  EXPECT_EQ(desk.now().limbs[0].hip.x(), 0.11);
+  desk.obey(set("limb/0", "hip", {0.11, 0.08, 0.0}));
+  EXPECT_TRUE(desk.can_redo()) << "what changes nothing is no step";
+}
+
+TEST(AssemblyDesk, RefusalsNameNoLineOfAFileThatNobodyHas) {
+  AssemblyDesk desk(installed_library());
+  desk.obey(put("XL430-W250", "side/front"));
+  try {
+    desk.obey(set("limb/0/joint/0", "name", "two words"));
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_TRUE(std::string(error.what()).starts_with("limb.joint.")) << error.what();
+    EXPECT_NE(std::string(error.what()).find("is \"two words\""), std::string::npos);
+  }
+}
+
 TEST(AssemblyDesk, WhatTheFileCouldNotSayChangesNothing) {
   AssemblyDesk desk(installed_library());
   desk.obey(put("XL430-W250", "side/front"));

@@ -89,6 +89,12 @@ TEST(AssemblyEdits, CopiesStandBehindEachOther) {
   set(dog, "limb/0", "copies", 3);
   EXPECT_EQ(dog.limbs[0].names, (std::vector<std::string>{"F", "F2", "F3"}));
   EXPECT_NEAR(dog.limbs[0].step.x(), -dog.limbs[0].hip.x(), 1e-12) << "one in the middle";
+  Assembly other = assembly_of("quadruped");
+  set(other, "limb/0", "copies", 1);
+  other.limbs[0].step.setZero();
+  other.limbs[0].hip.x() = 0.0;
+  set(other, "limb/0", "copies", 2);
+  EXPECT_LT(other.limbs[0].step.x(), -0.05) << "behind one in the trunk's middle";
 }
 
 TEST(AssemblyEdits, WhatIsNoKeyOrNoValueIsRefusedInWords) {
@@ -97,7 +103,9 @@ TEST(AssemblyEdits, WhatIsNoKeyOrNoValueIsRefusedInWords) {
   EXPECT_NE(refusal("limb/0/joint/0", "axis", "up").find("expected three numbers"),
             std::string::npos);
   EXPECT_NE(refusal("limb/0", "copies", 17).find("expected 1 to 16"), std::string::npos);
-  EXPECT_NE(refusal("limb/0", "names", Json::array()).find("'names' is empty"), std::string::npos);
+  EXPECT_NE(refusal("limb/0", "copies", 1.5).find("expected a whole number"), std::string::npos);
+  EXPECT_NE(refusal("limb/0", "names", Json::array({"F"})).find("'names' has 1; expected 2"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -112,7 +112,15 @@ class Assembling(unittest.TestCase):
         self.until_told('t.limbs[0].foot.offset[2] === -0.09 && !t.can_undo')
         self.assertEqual(studio.console, [])
 
-    def drag_handle(self, name, pixels):
+    def test_escape_puts_back_what_is_under_the_hand(self):
+        studio = self.open(str(ROOT / 'examples/assemblies/puppy.toml'))
+        self.until_told('t.limbs.length === 1')
+        studio.page.locator('.outline-row[data-item="limb/0/foot"]').click()
+        self.drag_handle('z', 40, 'Escape')
+        self.until_told('t.limbs[0].foot.offset[2] === -0.09 && t.can_redo')
+        self.assertEqual(studio.console, [])
+
+    def drag_handle(self, name, pixels, key=None):
         x, y = self.studio.js(
             """(name) => {
               const { view } = legwrightStudio.assemblyScene;
@@ -133,6 +141,10 @@ class Assembling(unittest.TestCase):
         for share in (0.3, 0.6, 1.0):
             mouse.move(x + pixels * share, y + pixels * share)
             self.studio.page.wait_for_timeout(120)
+        if key:
+            self.until_told('t.limbs[0].foot.offset[2] !== -0.09')
+            self.studio.page.keyboard.press(key)
+            mouse.move(x + 2 * pixels, y + 2 * pixels)
         mouse.up()
 
     def test_fields_set_what_the_file_says_and_refuse_what_it_cannot(self):
@@ -145,6 +157,7 @@ class Assembling(unittest.TestCase):
         name.fill('two words')
         name.press('Tab')
         studio.page.get_by_role('alert').wait_for()
+        self.assertEqual(studio.page.locator('[data-field="name"]').input_value(), 'knee')
         self.assertEqual(studio.js(f'{DESK}.told.limbs[0].joints[1].name'), 'knee')
         studio.page.keyboard.press('Control+s')
         studio.page.get_by_label('File').fill(str(self.server.output / 'made.toml'))
@@ -152,6 +165,8 @@ class Assembling(unittest.TestCase):
         studio.page.get_by_text('Saved: ').wait_for()
         saved = self.server.output / 'made.toml'
         self.assertIn('XM430-W350', saved.read_text())
+        studio.page.reload()  # a page that does not know who wrote the file
+        self.until_told('t.limbs.length === 1')
         saved.write_text('# of somebody else\n')
         for answer, begin in (('Cancel', '# of'), ('Replace', 'name = ')):
             studio.page.keyboard.press('Control+s')

@@ -36,8 +36,8 @@ function begin() {
     pages[name].load?.();
   };
   studio.showStart = () => show("start");
-  const pageOf = ({ path, proposes, assembles }) =>
-    assembles ? "assembly" : proposes ? "proposal" : path ? "workspace" : "start";
+  const pageOf = ({ path, proposes, assembles, of_modules: built }) =>
+    assembles ? "assembly" : proposes ? "proposal" : path || built ? "workspace" : "start";
   studio.store.on("opened", (opened) => opened && show(pageOf(opened)));
   studio.store.on("opening", (on) => document.body.classList.toggle("is-opening", on));
   takeDrops(document.body, studio);

@@ -64,7 +64,8 @@ export class Studio {
       return;
     }
     this.store.set("opened", opened);
-    if (!opened.proposes && !opened.assembles && opened.path) await this.loadDocument();
+    const robot = opened.path || opened.of_modules;
+    if (!opened.proposes && !opened.assembles && robot) await this.loadDocument();
   }
 
   forget() {

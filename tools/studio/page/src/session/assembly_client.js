@@ -92,7 +92,9 @@ export class AssemblyClient {
   }
 
   async obey(command) {
+    this.began = false; // what a hand does from now on is a step of its own
     const done = await this.studio.act(() => post("/api/assembly", command));
+    if (done) this.studio.notices.clear("error");
     if (done?.item) this.select(done.item);
     return done;
   }
@@ -108,8 +110,17 @@ export class AssemblyClient {
 
   drag(item, key, value) {
     this.studio.latest("assembly", async () => {
-      await post("/api/assembly", { do: "set", item, key, value, goes_on: this.began });
+      const goes_on = this.began;
       this.began = true;
+      await post("/api/assembly", { do: "set", item, key, value, goes_on });
+    });
+  }
+
+  /** Takes back what was sent since `begin`. */
+  cancelDrag() {
+    this.studio.latest("assembly", async () => {
+      if (this.began) await post("/api/assembly", { do: "undo" });
+      this.began = false;
     });
   }
 }

@@ -104,6 +104,11 @@ export class Notices {
     this.element = h("div.notices", { role: "status", aria: { live: "polite" } });
   }
 
+  /** Takes away those of a level: what they said holds no longer. */
+  clear(level) {
+    for (const note of this.element.querySelectorAll(`.notice.${level}`)) note.remove();
+  }
+
   /** @param {"info"|"warning"|"error"} level */
   show(level, words) {
     const close = () => note.remove();

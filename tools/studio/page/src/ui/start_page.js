@@ -88,6 +88,7 @@ export class StartPage {
         h(
           "section.start-side",
           {},
+          this.unsaved,
           h("h2", {}, "Your own robot"),
           this.ownRobot(),
           h("h2", {}, "Of modules"),
@@ -104,7 +105,6 @@ export class StartPage {
             this.path,
             h("button", { type: "submit" }, "Open"),
           ),
-          this.unsaved,
           h("h2", {}, "Recent"),
           this.recent,
         ),

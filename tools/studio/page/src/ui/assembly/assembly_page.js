@@ -117,13 +117,14 @@ export class AssemblyPage {
       action: "Save",
       hint: "Below the folders that the studio was started with.",
     });
-    if (asked) await this.saveTo(asked, false);
+    if (asked) await this.saveTo(asked, asked === this.savedAs);
   }
 
   /** Writes the file; one that is there is replaced once that was asked for. */
   async saveTo(file, force) {
     try {
       const { path } = await post("/api/assembly/save", { path: file, force });
+      this.savedAs = path; // no comments are in it
       this.studio.notices.show("info", `Saved: ${path}`);
     } catch (error) {
       const isThere = error.status === 409 && !force;
@@ -165,7 +166,7 @@ export class AssemblyPage {
         }
       : {
           Delete: () => this.client.obey({ do: "remove", item: this.client.selected }),
-          Escape: () => this.client.carry(null),
+          Escape: () => this.scene.cancelDrag() || this.client.carry(null),
           1: () => this.scene.view.stage.view("corner"),
           2: () => this.scene.view.stage.view("side"),
           3: () => this.scene.view.stage.view("front"),

@@ -128,28 +128,41 @@ export class AssemblyScene {
     const { client } = this;
     if (phase === "begin") {
       client.begin();
-      this.from = client.find(client.selected).axis;
+      const item = client.selected;
+      this.held = { item, place: placeOf(client, item), axis: client.find(item).axis };
     } else if (phase === "drag") {
+      if (!this.held || !client.find(this.held.item)) return;
       this.draft = { name, value };
       if (name.startsWith("turn")) this.turnAxis(WAYS[name.at(-1)], value);
       else this.move("xyz".indexOf(name), value);
-    } else {
-      this.draft = null;
-      this.view.pose();
-    }
+    } else if (phase === "cancel") this.cancelDrag();
+    else this.letGo();
+  }
+
+  letGo() {
+    this.held = this.draft = null;
+    this.view.pose();
+  }
+
+  /** Puts back what is under the user's hand; false where nothing is. */
+  cancelDrag() {
+    if (!this.held) return false;
+    this.client.cancelDrag();
+    this.letGo();
+    return true;
   }
 
   move(i, value) {
-    const place = placeOf(this.client, this.client.selected);
+    const { place } = this.held;
     const next = place.value.map(clean);
     next[i] = clean(Math.round(value / GRAIN) * GRAIN);
-    if (next[i] !== place.value[i]) this.client.drag(place.item, place.key, next);
+    this.client.drag(place.item, place.key, next);
   }
 
   turnAxis(way, angle) {
     const turn = Math.round(angle / TURN) * TURN;
-    const axis = new Vector3().fromArray(this.from).applyAxisAngle(way, turn);
-    this.client.drag(this.client.selected, "axis", axis.toArray().map(clean));
+    const axis = new Vector3().fromArray(this.held.axis).applyAxisAngle(way, turn);
+    this.client.drag(this.held.item, "axis", axis.toArray().map(clean));
   }
 
   pick(body, geom) {

@@ -32,6 +32,16 @@ export class ItemForm {
     this.shownItem = selected;
   }
 
+  /** Sets a value; where it is refused, the field shows again what holds. */
+  async set(item, key, value) {
+    const done = await this.client.set(item, key, value);
+    if (!done) this.fillInAgain(item);
+  }
+
+  fillInAgain(item) {
+    if (this.shownItem === item) this.fillIn(item, this.client.find(item));
+  }
+
   fillIn(item, found) {
     const [title, rows] = this.rowsOf(item, found);
     fill(this.title, title);
@@ -76,7 +86,7 @@ export class ItemForm {
           value: names.join(", "),
           data: { field: "names" },
           onChange: ({ target }) =>
-            this.client.set(item, "names", target.value.split(/[\s,]+/).filter(Boolean)),
+            this.set(item, "names", target.value.split(/[\s,]+/).filter(Boolean)),
         }),
       ),
       this.vector(item, "hip", "m", hip, "of the first joint, in the trunk"),
@@ -86,7 +96,7 @@ export class ItemForm {
           type: "checkbox",
           checked: mirror,
           data: { field: "mirror" },
-          onChange: ({ target }) => this.client.set(item, "mirror", target.checked),
+          onChange: ({ target }) => this.set(item, "mirror", target.checked),
         }),
       ),
       this.number(item, "copies", "", copies, 1),
@@ -109,7 +119,7 @@ export class ItemForm {
     const along = Object.entries(AXES).map(([label, value]) =>
       h(
         "button.small",
-        { type: "button", onClick: () => this.client.set(item, "axis", value) },
+        { type: "button", onClick: () => this.set(item, "axis", value) },
         label,
       ),
     );
@@ -138,8 +148,8 @@ export class ItemForm {
         data: { field: `range ${i}` },
         onChange: () => {
           const both = inputs.map((each) => each.valueAsNumber);
-          if (both.every(Number.isFinite)) this.client.set(item, "range", both);
-          else if (both.every(Number.isNaN)) this.client.set(item, "range", null);
+          if (both.every(Number.isFinite)) this.set(item, "range", both);
+          else if (both.every(Number.isNaN)) this.set(item, "range", null);
         },
       }),
     );
@@ -165,7 +175,8 @@ export class ItemForm {
         data: { field: `${key} ${i}` },
         onChange: () => {
           const all = inputs.map((input) => input.valueAsNumber);
-          if (all.every(Number.isFinite)) this.client.set(item, key, all);
+          if (all.every(Number.isFinite)) this.set(item, key, all);
+          else this.fillInAgain(item);
         },
       }),
     );
@@ -180,13 +191,15 @@ export class ItemForm {
       value: shown(value),
       data: { field: key },
       onChange: () =>
-        Number.isFinite(input.valueAsNumber) && this.client.set(item, key, input.valueAsNumber),
+        Number.isFinite(input.valueAsNumber)
+          ? this.set(item, key, input.valueAsNumber)
+          : this.fillInAgain(item),
     });
     return this.field(unit ? `${key} [${unit}]` : key, input);
   }
 
   text(item, key, label, value) {
-    const change = ({ target }) => this.client.set(item, key, target.value.trim());
+    const change = ({ target }) => this.set(item, key, target.value.trim());
     return this.field(
       label,
       h("input", { type: "text", value, data: { field: key }, spellcheck: false, onChange: change }),

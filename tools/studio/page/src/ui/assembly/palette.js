@@ -5,7 +5,7 @@ import { fill, h } from "../../dom.js";
 import { StillPictures } from "../../scene/still.js";
 import { get } from "../../session/api.js";
 import { significant } from "../../units.js";
-import { theme } from "../theme.js";
+import { followTheme, theme } from "../theme.js";
 
 const KINDS = {
   servo: "Servos",
@@ -50,7 +50,7 @@ export class Palette {
     this.modules = (await this.client.studio.act(() => get("/api/modules")))?.modules ?? [];
     this.cards = new Map(this.modules.map((each) => [each.name, this.card(each)]));
     this.show();
-    await this.drawPictures();
+    followTheme(() => this.drawPictures());
   }
 
   show() {
@@ -90,7 +90,8 @@ export class Palette {
     button.setPointerCapture(event.pointerId);
     const move = (now) => {
       const far = Math.hypot(now.clientX - start.clientX, now.clientY - start.clientY);
-      if (!this.dragged && far < BEGIN) return;
+      if (this.dragged && !this.client.carried) this.ghost.hidden = true; // it was put away
+      if (this.dragged ? !this.client.carried : far < BEGIN) return;
       if (!this.dragged) this.client.carry(module, { dragged: true });
       this.dragged = true;
       this.showGhost(module.name, now);
@@ -103,6 +104,7 @@ export class Palette {
       const spot = now.type === "pointerup" && this.client.carried && this.scene.spotAt(now);
       if (spot) this.client.put(spot.id);
       else this.client.carry(null);
+      if (now.type !== "pointerup") this.dragged = false; // no click follows
     };
     button.addEventListener("pointermove", move);
     for (const name of ["pointerup", "pointercancel"])
@@ -117,6 +119,7 @@ export class Palette {
 
   /** One after the other, so that the page answers meanwhile. */
   async drawPictures() {
+    const drawing = (this.drawing = {}); // an older one ends
     const { meshSource } = this.client.studio;
     const pictures = new StillPictures({ width: 128, height: 96, theme: theme(), meshSource });
     for (const [name, card] of this.cards) {
@@ -127,6 +130,7 @@ export class Palette {
         image.classList.add("no-picture");
       }
       await new Promise((resolve) => setTimeout(resolve));
+      if (this.drawing !== drawing) break;
     }
     pictures.dispose();
   }
