@@ -28,8 +28,8 @@ class AssemblyDesk {
 
   /// Obeys `{"do": …}`: `put {module, spot}`, `copy {item, spot}` of a limb, `set {item, key,
   /// value, goes_on}`, `remove {item}`, `undo`, `redo`. With `goes_on` it is one step with the one
-  /// before, where that set the same; what changes nothing is no step. Throws InputError for what is
-  /// no command, or would make no assembly; nothing changes then.
+  /// before, where that set the same; what changes nothing is no step. Throws InputError for what
+  /// is no command, or would make no assembly; nothing changes then.
   /// @return the item that was put or changed, empty where there is none
   std::string obey(const Json& command);
 
