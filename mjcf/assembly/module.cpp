@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "mjcf/read/mirror.hpp"
@@ -107,6 +108,18 @@ Vector3d OutlineShape::half() const {
       break;
   }
   return Vector3d::Constant(size.x());
+}
+
+ModuleExtent extent_of(const Module& module) {
+  if (module.outline.empty()) return {};
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  Vector3d low = Vector3d::Constant(kFar), high = Vector3d::Constant(-kFar);
+  for (const OutlineShape& shape : module.outline) {
+    const Vector3d reach = shape.pose().linear().cwiseAbs() * shape.half();
+    low = low.cwiseMin(shape.position - reach);
+    high = high.cwiseMax(shape.position + reach);
+  }
+  return {0.5 * (high - low), 0.5 * (high + low)};
 }
 
 ModuleInertia inertia_of(const Module& module) {

@@ -80,6 +80,12 @@ struct Module {
   std::string_view kind_name() const { return kModuleKinds[static_cast<std::size_t>(kind)]; }
 };
 
+/// The box around all of a module's outline, along its axes [m].
+struct ModuleExtent {
+  Eigen::Vector3d half = Eigen::Vector3d::Zero(), middle = Eigen::Vector3d::Zero();
+};
+ModuleExtent extent_of(const Module& module);
+
 /// Mass distribution of a module whose outline is filled evenly.
 struct ModuleInertia {
   double mass = 0.0;                                      // [kg]

@@ -74,9 +74,16 @@ AssemblyDesk::AssemblyDesk(const std::string& text, const std::filesystem::path&
           parse_assembly(text, file, library, AssemblyState::draft))} {}
 
 void AssemblyDesk::take(const Assembly& next, const std::string& set, bool goes_on) {
-  const bool same_step = goes_on && !set.empty() && set == last_set_ && !can_redo();
+  if (!goes_on) last_set_.clear();
+  const bool same_step = !set.empty() && set == last_set_;
   const std::string text = assembly_text(next);
   if (text == assembly_text(now())) return;
+  if (same_step && text == assembly_text(*history_[at_ - 1])) {  // a hand that came back
+    history_.pop_back();
+    --at_;
+    last_set_.clear();
+    return;
+  }
   auto kept = std::make_shared<const Assembly>(checked(text, *library_));
   history_.resize(at_ + 1);
   if (same_step)

@@ -39,7 +39,7 @@ class AssemblyDesk {
   const ModuleLibrary* library_;
   std::vector<std::shared_ptr<const Assembly>> history_;
   std::size_t at_ = 0;
-  std::string last_set_;  // item and key, where the last command was a `set`
+  std::string last_set_;  // item and key of the last step, where more of it may come
 };
 
 }  // namespace legwright

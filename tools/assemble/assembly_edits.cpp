@@ -182,7 +182,7 @@ void set_value(Assembly& assembly, const AssemblyItem& item, const std::string& 
       return;
     case Kind::limb:
       return set_of_limb(assembly.limbs[item.index], item, key, value,
-                         2.0 * assembly.trunk.outline.front().half().x());
+                         2.0 * extent_of(assembly.trunk).half.x());
     case Kind::joint:
       return set_of_joint(assembly.limbs[item.index].joints[item.joint], item, key, value);
     case Kind::foot:

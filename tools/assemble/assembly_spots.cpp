@@ -23,25 +23,9 @@ constexpr double kReach = 0.45;  // of the trunk's length: a new limb's first li
 constexpr double kLeastReach = 0.04, kMostReach = 0.4;  // [m]
 constexpr double kSideways = 0.5;                       // of a normal's height: less is sideways
 
-/// Half extents of a module's outline, and its middle [m].
-struct Extent {
-  Vector3d half = Vector3d::Zero(), middle = Vector3d::Zero();
-};
-
-Extent extent_of(const Module& module) {
-  Vector3d low = Vector3d::Constant(1e9), high = -low;
-  for (const OutlineShape& shape : module.outline) {
-    const Vector3d reach = shape.pose().linear().cwiseAbs() * shape.half();
-    low = low.cwiseMin(shape.position - reach);
-    high = high.cwiseMax(shape.position + reach);
-  }
-  if (module.outline.empty()) return {};
-  return {0.5 * (high - low), 0.5 * (high + low)};
-}
-
 /// How far a servo's body reaches behind its horn, against its axis [m].
 double depth_of(const Module& servo) {
-  const Extent extent = extent_of(servo);
+  const ModuleExtent extent = extent_of(servo);
   const Vector3d axis = servo.joint->axis;
   return (servo.joint->position - extent.middle).dot(axis) + extent.half.dot(axis.cwiseAbs());
 }
@@ -165,7 +149,7 @@ class SpotFinder {
   }
 
   const Assembly& assembly_;
-  const Extent trunk_;
+  const ModuleExtent trunk_;
   const std::vector<PlacedLimb> limbs_;
   std::vector<AssemblySpot> out_;
 };
@@ -261,7 +245,7 @@ void replace(Assembly& assembly, const AssemblyItem& item, const Module& module)
 
 /// Its outline stands on the spot.
 AssemblyItem put_rider(Assembly& assembly, const AssemblySpot& spot, const Module& module) {
-  const Extent extent = extent_of(module);
+  const ModuleExtent extent = extent_of(module);
   const Vector3d out = extent.half.dot(spot.normal.cwiseAbs()) * spot.normal;
   assembly.parts.push_back({module, spot.at + out - extent.middle});
   return {Kind::part, assembly.parts.size() - 1, 0};

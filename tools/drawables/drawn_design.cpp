@@ -117,4 +117,15 @@ Json drawables_json(const mjModel& model, MeshStore& meshes) {
   return {{"bodies", bodies}, {"geoms", geoms}};
 }
 
+Json posed_drawables_json(const mjModel& model, const mjData& data, MeshStore& meshes) {
+  std::vector<float> poses;
+  for (int body = 0; body < static_cast<int>(model.nbody); ++body) {
+    for (int k = 0; k < 3; ++k) poses.push_back(static_cast<float>(data.xpos[3 * body + k]));
+    for (int k = 0; k < 4; ++k) poses.push_back(static_cast<float>(data.xquat[4 * body + k]));
+  }
+  Json out = drawables_json(model, meshes);
+  out["poses"] = base64_of(poses);
+  return out;
+}
+
 }  // namespace legwright

@@ -39,5 +39,8 @@ class MeshStore {
 /// Bodies and what of them is seen, as a page draws it: {bodies, geoms}. Numbers of bodies are
 /// those of the model.
 Json drawables_json(const mjModel& model, MeshStore& meshes);
+/// The same with the poses that `data` holds: {bodies, geoms, poses}, of each body place and unit
+/// quaternion (wxyz) in the world, base64 of float32.
+Json posed_drawables_json(const mjModel& model, const mjData& data, MeshStore& meshes);
 
 }  // namespace legwright

@@ -23,10 +23,6 @@ AssemblyBench::AssemblyBench(AssemblyDesk desk, fs::path origin, const KeptSessi
   folder_ = kept.begin_assembly(assembly_text(now), origin_.string(), now.name);
 }
 
-AssemblyBench::~AssemblyBench() {
-  if (!changed_) folder_->forget();
-}
-
 fs::path AssemblyBench::origin() const {
   const std::lock_guard lock(mutex_);
   return origin_;
@@ -40,7 +36,6 @@ fs::path AssemblyBench::folder() const {
 void AssemblyBench::keep() {
   const std::lock_guard lock(mutex_);
   folder_->keep();
-  changed_ = true;
 }
 
 Json AssemblyBench::picture(const AssemblyDesk& desk) const {
@@ -61,7 +56,6 @@ Json AssemblyBench::obey(const Json& command) {
   folder_->keep();
   desk_ = std::move(next);
   drawn_ = std::move(drawn);
-  changed_ = true;
   drawn_["revision"] = ++revision_;
   hub_.publish("assembly", to_line(drawn_));
   return {{"item", item}, {"revision", revision_}};
@@ -100,10 +94,10 @@ void AssemblyBench::save(const fs::path& file, bool replace) {
   origin_ = file;
   drawn_["path"] = file.string();
   hub_.publish("assembly", to_line(drawn_));
-  // What is done from now on is of that file.
+  // What is done from now on is of that file; what was is in it.
+  auto next = kept_.begin_assembly(assembly_text(desk_.now()), origin_.string(), desk_.now().name);
   folder_->forget();
-  folder_ = kept_.begin_assembly(assembly_text(desk_.now()), origin_.string(), desk_.now().name);
-  changed_ = false;
+  folder_ = std::move(next);
 }
 
 }  // namespace legwright

@@ -23,7 +23,6 @@ class AssemblyBench {
   /// @param origin the file that it is from; empty where it is new
   AssemblyBench(AssemblyDesk desk, std::filesystem::path origin, const KeptSessions& kept,
                 EventHub& hub, MeshStore& meshes);
-  ~AssemblyBench();
   AssemblyBench(const AssemblyBench&) = delete;
   AssemblyBench& operator=(const AssemblyBench&) = delete;
 
@@ -55,8 +54,7 @@ class AssemblyBench {
   MeshStore& meshes_;
   std::unique_ptr<SessionFolder> folder_;
   int revision_ = 0;
-  bool changed_ = false;  // since it was opened or saved
-  Json drawn_;            // what was told last
+  Json drawn_;  // what was told last
 };
 
 }  // namespace legwright

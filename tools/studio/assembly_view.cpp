@@ -16,7 +16,6 @@
 #include "mjcf/text/compile.hpp"
 #include "tools/assemble/assembly_item.hpp"
 #include "tools/assemble/assembly_spots.hpp"
-#include "tools/files/base64.hpp"
 #include "tools/modules/assembly_text.hpp"
 
 namespace legwright {
@@ -35,15 +34,8 @@ Json drawn(const std::string& xml, const std::string& file, MeshStore& meshes, M
   double low = std::numeric_limits<double>::infinity();
   for (int g = 0; g < static_cast<int>(model->ngeom); ++g)
     if (model->geom_type[g] != mjGEOM_PLANE) low = std::min(low, lowest_point(*model, *data, g));
-  std::vector<float> poses;
-  for (int body = 0; body < static_cast<int>(model->nbody); ++body) {
-    for (int k = 0; k < 3; ++k)
-      poses.push_back(
-          static_cast<float>(data->xpos[3 * body + k] - (body > 0 && k == 2 ? low : 0.0)));
-    for (int k = 0; k < 4; ++k) poses.push_back(static_cast<float>(data->xquat[4 * body + k]));
-  }
-  Json out = drawables_json(*model, meshes);
-  out["poses"] = base64_of(poses);
+  for (int body = 1; body < static_cast<int>(model->nbody); ++body) data->xpos[3 * body + 2] -= low;
+  Json out = posed_drawables_json(*model, *data, meshes);
   if (kept) *kept = std::move(model);
   return out;
 }

@@ -9,7 +9,6 @@
 #include "mjcf/read/read_robot.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/input_error.hpp"
-#include "tools/files/base64.hpp"
 #include "tools/task/task_file.hpp"
 
 namespace legwright {
@@ -112,14 +111,7 @@ Json example_picture(const fs::path& file, MeshStore& meshes) {
     if (key == 0 || name_of(*model, mjOBJ_KEY, key) == "home")
       home = model->key_qpos + static_cast<std::ptrdiff_t>(key) * model->nq;
   const DataPointer data = kinematics_at(*model, home, robot.file);
-  std::vector<float> poses;
-  for (int body = 0; body < model->nbody; ++body) {
-    for (int k = 0; k < 3; ++k) poses.push_back(static_cast<float>(data->xpos[3 * body + k]));
-    for (int k = 0; k < 4; ++k) poses.push_back(static_cast<float>(data->xquat[4 * body + k]));
-  }
-  Json out = drawables_json(*model, meshes);
-  out["poses"] = base64_of(poses);
-  return out;
+  return posed_drawables_json(*model, *data, meshes);
 }
 
 }  // namespace legwright

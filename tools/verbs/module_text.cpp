@@ -15,14 +15,7 @@ constexpr double kTurnsPerMinute = 60.0 / (2.0 * std::numbers::pi);
 
 /// "28.5 x 46.5 x 34 mm", around all of its outline.
 std::string size_text(const Module& module) {
-  Eigen::Vector3d low = Eigen::Vector3d::Constant(1e9), high = -low;
-  for (const OutlineShape& shape : module.outline) {
-    const Eigen::Isometry3d pose = shape.pose();
-    const Eigen::Vector3d reach = pose.linear().cwiseAbs() * shape.half();
-    low = low.cwiseMin(pose.translation() - reach);
-    high = high.cwiseMax(pose.translation() + reach);
-  }
-  const Eigen::Vector3d size = kMillimetres * (high - low);
+  const Eigen::Vector3d size = 2.0 * kMillimetres * extent_of(module).half;
   return fmt::format("{:.4g} x {:.4g} x {:.4g}", size.x(), size.y(), size.z());
 }
 

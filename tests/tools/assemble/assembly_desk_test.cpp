@@ -69,6 +69,26 @@ TEST(AssemblyDesk, WhatGoesOnTakesNoOlderStepAway) {
   EXPECT_TRUE(desk.can_redo()) << "what changes nothing is no step";
 }
 
+TEST(AssemblyDesk, AHandThatComesBackOrDoesNotMoveIsNoStep) {
+  AssemblyDesk desk(installed_library());
+  desk.obey(put("XL430-W250", "side/front"));
+  const auto drag = [&](double z, bool goes_on) {
+    desk.obey(set("limb/0/foot", "offset", {0.0, 0.0, z}, goes_on));
+  };
+  drag(-0.10, false);
+  drag(-0.10, false);  // another hand, which has not moved yet,
+  drag(-0.12, true);
+  desk.obey({{"do", "undo"}});
+  EXPECT_EQ(desk.now().limbs[0].foot_offset.z(), -0.10) << "took nothing of the step before";
+  desk.obey({{"do", "redo"}});
+  drag(-0.13, false);
+  drag(-0.14, true);
+  drag(-0.12, true);  // back where it began
+  EXPECT_FALSE(desk.can_redo());
+  desk.obey({{"do", "undo"}});
+  EXPECT_EQ(desk.now().limbs[0].foot_offset.z(), -0.10) << "as if it had not been there";
+}
+
 TEST(AssemblyDesk, RefusalsNameNoLineOfAFileThatNobodyHas) {
   AssemblyDesk desk(installed_library());
   desk.obey(put("XL430-W250", "side/front"));

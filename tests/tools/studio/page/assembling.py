@@ -117,7 +117,7 @@ class Assembling(unittest.TestCase):
         self.until_told('t.limbs.length === 1')
         studio.page.locator('.outline-row[data-item="limb/0/foot"]').click()
         self.drag_handle('z', 40, 'Escape')
-        self.until_told('t.limbs[0].foot.offset[2] === -0.09 && t.can_redo')
+        self.until_told('t.limbs[0].foot.offset[2] === -0.09 && !t.can_undo && !t.can_redo')
         self.assertEqual(studio.console, [])
 
     def drag_handle(self, name, pixels, key=None):

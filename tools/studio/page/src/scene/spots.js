@@ -22,7 +22,11 @@ export class Spots {
 
   /** @param {{id: string, at: number[], words: string}[]} spots in the frame of body 1 */
   set(spots, aimed) {
-    while (this.all.length > spots.length) this.root.remove(this.all.pop().mesh);
+    while (this.all.length > spots.length) {
+      const { mesh } = this.all.pop();
+      this.root.remove(mesh);
+      mesh.material.dispose();
+    }
     while (this.all.length < spots.length) {
       const material = new MeshBasicMaterial({ depthTest: false, transparent: true, fog: false });
       const mesh = new Mesh(KNOB, material);

@@ -115,12 +115,4 @@ export class AssemblyClient {
       await post("/api/assembly", { do: "set", item, key, value, goes_on });
     });
   }
-
-  /** Takes back what was sent since `begin`. */
-  cancelDrag() {
-    this.studio.latest("assembly", async () => {
-      if (this.began) await post("/api/assembly", { do: "undo" });
-      this.began = false;
-    });
-  }
 }

@@ -147,7 +147,9 @@ export class AssemblyScene {
   /** Puts back what is under the user's hand; false where nothing is. */
   cancelDrag() {
     if (!this.held) return false;
-    this.client.cancelDrag();
+    const { item, place, axis } = this.held;
+    if (this.draft?.name.startsWith("turn")) this.client.drag(item, "axis", axis);
+    else if (this.draft) this.client.drag(place.item, place.key, place.value);
     this.letGo();
     return true;
   }

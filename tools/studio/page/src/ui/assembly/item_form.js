@@ -23,12 +23,11 @@ export class ItemForm {
     const { client } = this;
     const { selected } = client;
     const found = client.find(selected);
-    // What is being typed into stays.
-    if (this.shownItem === selected && this.body.contains(document.activeElement)) {
-      const name = document.activeElement.dataset.field;
-      this.fillIn(selected, found);
-      this.body.querySelector(`[data-field="${name}"]`)?.focus();
-    } else this.fillIn(selected, found);
+    const { activeElement: focused } = document;
+    const stays = this.shownItem === selected && this.body.contains(focused);
+    const field = stays && focused.dataset.field;
+    this.fillIn(selected, found);
+    if (field) this.body.querySelector(`[data-field="${field}"]`)?.focus();
     this.shownItem = selected;
   }
 
