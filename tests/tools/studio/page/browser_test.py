@@ -158,8 +158,7 @@ class Studio(unittest.TestCase):
         self.studio.workspace('Simulate')
         self.studio.button('Optimise').click()
         self.studio.until('legwrightStudio.store.get("state").iterations > 2')
-        if self.studio.state('phase') == 'searching':
-            self.studio.button('Pause').click()
+        self.studio.press_while_it_serves('Pause')
         self.studio.settled()
         F = self.studio.state('F')
         self.studio.workspace('Design')
@@ -168,8 +167,11 @@ class Studio(unittest.TestCase):
         before = self.studio.state('iterations')
         self.studio.page.locator('.search-buttons .primary').click()
         self.studio.until('n => legwrightStudio.store.get("state").iterations > n', before)
-        self.studio.page.get_by_role('button', name='Stop', exact=True).click()
+        self.studio.press_while_it_serves('Stop')
         self.studio.settled()
+        self.studio.until('!legwrightStudio.store.get("paused")')
+        self.assertTrue(self.studio.button('Optimise').first.is_enabled())
+        self.assertTrue(self.studio.button('Stop').is_disabled())
 
 
     def task(self, key):

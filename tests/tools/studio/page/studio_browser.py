@@ -119,6 +119,18 @@ class Page:
     def button(self, name):
         return self.page.get_by_role('button', name=name, exact=True)
 
+    def press_while_it_serves(self, name):
+        """Presses a button unless it is off or gone: a search may end at any moment by itself."""
+        return self.js(
+            """name => {
+              const found = [...document.querySelectorAll('button')].find(
+                (one) => one.textContent.trim() === name && !one.disabled);
+              found?.click();
+              return Boolean(found);
+            }""",
+            name,
+        )
+
     def workspace(self, name):
         self.page.get_by_role('tab', name=name, exact=True).click()
 
