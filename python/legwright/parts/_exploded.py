@@ -9,6 +9,7 @@ from xml.sax.saxutils import quoteattr
 import mujoco
 import numpy as np
 
+from legwright.parts._digits import strokes
 from legwright.parts._robot import BuiltRobot, Module, Shape, home_of
 from legwright.parts._shapes import MM
 from legwright.parts._solids import Part, Solid
@@ -19,14 +20,6 @@ _ALONG = 0.03  # [m], besides, of a part along the horn that it is screwed to
 _AZIMUTH, _ELEVATION = math.radians(215.0), math.radians(-16.0)  # of the picture, by the program
 _BEFORE = 0.06  # [m]: numbers stand nearer to the camera than what they are of
 _DIGIT = 0.024  # of the size of all: height of a number
-_SEGMENTS = {
-    '0': 'abcdef', '1': 'bc', '2': 'abged', '3': 'abgcd', '4': 'fgbc', '5': 'afgcd',
-    '6': 'afgedc', '7': 'abc', '8': 'abcdefg', '9': 'abcdfg',
-}  # fmt: skip
-_ENDS = {
-    'a': ((0, 2), (1, 2)), 'b': ((1, 2), (1, 1)), 'c': ((1, 1), (1, 0)), 'd': ((0, 0), (1, 0)),
-    'e': ((0, 1), (0, 0)), 'f': ((0, 2), (0, 1)), 'g': ((0, 1), (1, 1)),
-}  # fmt: skip
 _COLOURS = {
     'printed': '0.93 0.62 0.2 1',
     'servo': '0.24 0.27 0.32 1',
@@ -164,13 +157,9 @@ class _Scene:
         corner = before + 1.4 * size * right + 0.9 * size * up
         self._geoms.append(_rod(before, corner, 0.04 * size, _INK))
         corner = corner + 0.3 * size * right
-        for digit in str(self._numbers[key]):
-            for segment in _SEGMENTS[digit]:
-                a, b = (
-                    corner + size / 2 * (x * right + y * up) for x, y in _ENDS[segment]
-                )
-                self._geoms.append(_rod(a, b, 0.08 * size, _INK))
-            corner = corner + 0.8 * size * right
+        for stroke in strokes(self._numbers[key], size, 0.3 * size):
+            a, b = (corner + x * right + y * up for x, y in (stroke.start, stroke.end))
+            self._geoms.append(_rod(a, b, 0.08 * size, _INK))
 
 
 def _mesh(name: str, solid: Solid) -> str:

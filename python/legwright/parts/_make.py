@@ -16,6 +16,7 @@ from legwright.parts._fit import Distances, check_poses, check_ranges, things_of
 from legwright.parts._folder import CHECKS, SCHEMA, check_place, write_folder
 from legwright.parts._gait import gait_poses
 from legwright.parts._mesh_files import Item, stl_bytes, threemf_bytes
+from legwright.parts._numbers import numbered_parts
 from legwright.parts._options import PartOptions
 from legwright.parts._prints import check_bed, prints_markdown
 from legwright.parts._robot import BuiltRobot, home_of, read_built
@@ -23,7 +24,7 @@ from legwright.parts._screw_checks import check_screws
 from legwright.parts._shapes import MM
 from legwright.parts._solid_checks import check_solids
 from legwright.parts._solids import Part, parts_of
-from legwright.parts._tables import bill, bill_csv, bill_markdown
+from legwright.parts._tables import bill, bill_csv, bill_markdown, module_counts
 
 SCENE, PICTURE = 'exploded.xml', 'exploded.png'
 """The exploded view; `legwright parts` draws the picture of the scene."""
@@ -98,6 +99,7 @@ def _part_json(part: Part) -> dict[str, Any]:
     solid = part.solid
     return {
         'name': part.name,
+        'number': part.number,
         'links': part.links,
         'count': part.count,
         'volume_mm3': solid.shape.volume(),
@@ -106,6 +108,8 @@ def _part_json(part: Part) -> dict[str, Any]:
         'overlap_mm3': solid.hull_volume - solid.declared.volume(),
         'modules_mm3': solid.seat_volume,
         'holes_mm3': solid.hole_volume,
+        'number_mm3': solid.number_volume,
+        'digits_mm': part.mark.height if part.mark else None,
         'density_for_mass_of_file_kgpm3': solid.file_mass / solid.shape.volume() * MM**3,
         'lying': {
             'down': [round(float(value), 9) for value in part.lying.down],
@@ -137,7 +141,12 @@ def make(
     check_place(place)
     path = Path(robot)
     built = read_built(robot_file(path))
-    parts = parts_of(built, options.fit, options.wall)
+    parts = numbered_parts(
+        built,
+        parts_of(built, options.fit, options.wall),
+        len(module_counts(built)) + 1,
+        options.wall,
+    )
     checks = _all_checks(built, parts, options, path)
     rows = bill(built, parts)
     files = {f'{part.name}.stl': stl_bytes(part.mesh) for part in parts}

@@ -51,7 +51,7 @@ class Lying:
         return bool(flat[0] <= room[0] and flat[1] <= room[1] and size[2] <= bed[2])
 
 
-class _Faces:
+class Faces:
     """Triangles of a solid: normals, areas and corners."""
 
     def __init__(self, shape: Manifold) -> None:
@@ -67,7 +67,7 @@ class _Faces:
 
 def _directions(shape: Manifold) -> list[Array]:
     """Those that may look down: normals of the flat sides of the hull, the largest first."""
-    faces = _Faces(shape.hull())
+    faces = Faces(shape.hull())
     found: list[tuple[float, Array]] = []
     for k in np.argsort(-faces.areas, kind='stable'):
         if faces.areas[k] == 0:
@@ -83,7 +83,7 @@ def _directions(shape: Manifold) -> list[Array]:
     return [normal for _, normal in found[:_MOST_FACES]]
 
 
-def _turn_down(down: Array, corners: Array) -> Array:
+def turn_down(down: Array, corners: Array) -> Array:
     """The turn that brings a direction down, and the longer side of what lies there along x.
 
     Of boxes that are turned by whole degrees the one of the least area. Corners are N x 3.
@@ -104,8 +104,8 @@ def _turn_down(down: Array, corners: Array) -> Array:
 
 def lying_on(shape: Manifold, down: Array) -> Lying:
     """A solid with that direction down."""
-    faces = _Faces(shape)
-    turn = _turn_down(down, np.asarray(shape.hull().to_mesh64().vert_properties)[:, :3])
+    faces = Faces(shape)
+    turn = turn_down(down, np.asarray(shape.hull().to_mesh64().vert_properties)[:, :3])
     corners = faces.corners @ turn.T
     heights = corners[:, :, 2]
     lowest = float(heights.min())

@@ -10,7 +10,7 @@ from manifold3d import Manifold
 from legwright._errors import InputError
 from legwright.parts._holes import Fixing, Hole, drilled, fixings_of, holes_of
 from legwright.parts._mesh_files import Mesh, as_printed, mesh_of
-from legwright.parts._printing import Lying, best_lying
+from legwright.parts._printing import Lying, best_lying, lying_on
 from legwright.parts._robot import BuiltRobot, Link
 from legwright.parts._shapes import MM, hull, joined, outline, placed
 from legwright.parts._trunk import trunk_link, trunk_solid
@@ -45,6 +45,8 @@ class Solid:
     """[kg/m3]; of several hulls by their volumes."""
     file_mass: float
     """Of the connectors, or of the trunk's module, as the robot's file says [kg]."""
+    number_volume: float = 0.0
+    """What its number takes away [mm3]."""
 
     @property
     def mass(self) -> float:
@@ -53,11 +55,33 @@ class Solid:
 
 
 @dataclass(frozen=True)
+class Mark:
+    """A number that is engraved, in the frame of the link [mm]."""
+
+    number: int
+    height: float
+    """Of its digits."""
+    wall: float
+    """The least one, by which its strokes keep apart."""
+    centre: Array
+    normal: Array
+    along: Array
+    """In the direction of reading."""
+    up: Array
+
+
+@dataclass(frozen=True)
 class Part:
     """A solid that is printed as often as links have it."""
 
     name: str
     solids: tuple[Solid, ...]
+    number: int = 0
+    """Of its row in the bill."""
+    mark: Mark | None = None
+    """None where no side has room for it."""
+    down: Array | None = None
+    """The direction that looks down; None: best_lying() finds it."""
 
     @property
     def solid(self) -> Solid:
@@ -67,6 +91,8 @@ class Part:
     @cached_property
     def lying(self) -> Lying:
         """How it lies on the bed."""
+        if self.down is not None:
+            return lying_on(self.solid.shape, self.down)
         return best_lying(self.solid.shape)
 
     @cached_property

@@ -31,12 +31,18 @@ class Row:
         return f'{self.kind} {self.name}'
 
 
-def bill(robot: BuiltRobot, parts: Sequence[Part]) -> list[Row]:
-    """Modules, printed parts, then screws."""
+def module_counts(robot: BuiltRobot) -> dict[tuple[str, str, float], int]:
+    """How many there are, by kind, name and mass [kg]: a row of the bill each, the first."""
     counts: dict[tuple[str, str, float], int] = {}
     for module in robot.modules:
         key = (module.words.kind, module.words.name, module.words.mass)
         counts[key] = counts.get(key, 0) + 1
+    return counts
+
+
+def bill(robot: BuiltRobot, parts: Sequence[Part]) -> list[Row]:
+    """Modules, printed parts, then screws."""
+    counts = module_counts(robot)
     trunk = next((part.solid for part in parts if part.solid.link.servo is None), None)
     rows = []
     for (kind, name, mass), count in counts.items():
@@ -120,6 +126,7 @@ def _mass_rows(parts: Sequence[Part]) -> list[list[str]]:
                 f'{overlap:.0f}',
                 f'{solid.seat_volume:.0f}',
                 f'{solid.hole_volume:.0f}',
+                f'{solid.number_volume:.0f}' if part.mark else 'no room',
                 f'{density:.0f}',
             ]
         )
@@ -158,12 +165,14 @@ def bill_markdown(robot: BuiltRobot, parts: Sequence[Part], rows: Sequence[Row])
                 'overlap, mm3',
                 'modules, mm3',
                 'holes, mm3',
+                'number, mm3',
                 'kg/m3 for the mass of the file',
             ],
             _mass_rows(parts),
         )
-        + '\nThe file weighs each hull by itself: where two overlap, twice. Modules and holes take '
-        'material away. A fill of less than all of the volume is lighter still.\n'
+        + '\nThe file weighs each hull by itself: where two overlap, twice. Modules, holes '
+        'and the number take material away; "no room": no flat side has room for the number. A '
+        'fill of less than all of the volume is lighter still.\n'
     )
 
 
