@@ -170,10 +170,6 @@ void check_surroundings(const XmlFile& xml, const mjModel& model, int trunk, Ref
   }
   refuse_section(xml, static_cast<int>(model.nmocap), "worldbody",
                  "mocap bodies are moved from outside", reasons);
-  for_each_element(xml.root(), [&](const XmlElement& element) {
-    if (is_tag(element, "skin"))
-      reasons.add(xml.error(element, "skins are not carried to other designs; remove it"));
-  });
   check_gravity(xml, model, reasons);
   refuse_mass_from_nowhere(xml, model, trunk, reasons);
   for (int g = 0; g < model.ngeom; ++g)

@@ -86,7 +86,8 @@ class Player {
       body.Parent()->DeleteChild(&body);
     }
     drop_watching(root_);
-    for (const char* section : {"contact", "equality", "tendon"}) drop_references(section);
+    for (const char* section : {"asset", "contact", "deformable", "equality", "tendon"})
+      drop_references(section);
   }
 
   /// Cameras and lights that look at a body that is gone.

@@ -23,6 +23,7 @@
 #include "mjcf/write/connector_hulls.hpp"
 #include "mjcf/write/keyframes.hpp"
 #include "mjcf/write/mesh_scales.hpp"
+#include "mjcf/write/skins.hpp"
 #include "mjcf/write/verify.hpp"
 
 namespace legwright {
@@ -342,6 +343,7 @@ std::string rewrite_robot(const RobotModel& robot, const VectorXd& design) {
   write_mesh_scales(*xml, *model, elements, all, rigid, s, edits);
   write_capsule_masses(*xml, *model, elements, all, s, edits);
   write_connectors(robot, *xml, *model, elements, s, edits);
+  hide_skins(*xml, *model, all, s, edits);
   // A pose that the robot's reader would refuse is given up; the design itself never is.
   std::string first;
   for (const KeyframeEffort effort :

@@ -15,6 +15,7 @@
 #include "mjcf/read/world_parts.hpp"
 #include "mjcf/text/angle_words.hpp"
 #include "mjcf/text/compile.hpp"
+#include "mjcf/write/skins.hpp"
 
 namespace legwright {
 namespace {
@@ -216,8 +217,9 @@ std::string table_of(const std::vector<Proposal>& proposals) {
 std::string file_notes(const RobotModel& robot) {
   const ModelPointer model = compile_mjcf(robot.xml, robot.file);
   std::string text;
-  for (const std::string& note : {describe_surroundings(surroundings_of(*model)),
-                                  describe_overridden(overridden_options(model->opt))})
+  for (const std::string& note :
+       {describe_surroundings(surroundings_of(*model)),
+        describe_overridden(overridden_options(model->opt)), describe_skins(*model)})
     if (!note.empty()) text += "  " + note + "\n";
   return text;
 }

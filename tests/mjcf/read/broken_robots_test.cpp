@@ -132,7 +132,6 @@ const std::map<std::string, Refusal>& refusals() {
        {29,
         {"jointpos 'contact:foot'", "the scene adds an element of this name",
          "name it otherwise"}}},
-      {"skin", {6, {"skin 'fur'", "skins are not carried", "remove it"}}},
       {"slide_joint", {14, {"joint 'knee'", "slide joints are not supported", "use a hinge"}}},
       {"springdamper_nan",
        {14, {"joint 'knee'", "attribute springdamper: 'nan'", "write it like"}}},
