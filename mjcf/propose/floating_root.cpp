@@ -10,8 +10,10 @@
 #include <cstddef>
 #include <string_view>
 
+#include "mjcf/propose/root_chain.hpp"
 #include "mjcf/read/checks.hpp"
 #include "mjcf/text/compile.hpp"
+#include "mjcf/text/elements.hpp"
 #include "mjcf/text/input_error.hpp"
 #include "mjcf/text/model_arrays.hpp"
 #include "mjcf/text/refusals.hpp"
@@ -26,35 +28,6 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr int kSix = 6;
-constexpr double kSpans = 0.5;  // least volume of three unit axes
-
-/// Whether a body moves by three slides and three hinges, each kind in all directions.
-bool floats_by_six(const mjModel& model, int body) {
-  if (model.body_jntnum[body] != kSix) return false;
-  std::array<Matrix3d, 2> axes{Matrix3d::Zero(), Matrix3d::Zero()};
-  std::array<int, 2> count{0, 0};
-  for (int j = model.body_jntadr[body]; j < model.body_jntadr[body] + kSix; ++j) {
-    const int type = model.jnt_type[j];
-    if (type != mjJNT_SLIDE && type != mjJNT_HINGE) return false;
-    const std::size_t kind = type == mjJNT_SLIDE ? 0 : 1;
-    if (count[kind] == 3) return false;
-    axes[kind].col(count[kind]++) = vector_at(model.jnt_axis, j);
-  }
-  return std::all_of(axes.begin(), axes.end(), [](const Matrix3d& of_kind) {
-    return std::abs(of_kind.determinant()) > kSpans;
-  });
-}
-
-/// That body; −1 where there is none or several things move in the world.
-int find_root(const mjModel& model) {
-  int found = -1;
-  for (int b = 1; b < model.nbody; ++b) {
-    if (model.body_parentid[b] != 0 || model.body_dofnum[b] == 0) continue;
-    if (found >= 0 || !floats_by_six(model, b)) return -1;
-    found = b;
-  }
-  return found >= 0 && model.njnt > kSix ? found : -1;
-}
 
 /// The body that an element belongs to, also through frames; null outside of bodies.
 const XmlElement* body_around(const XmlElement& element) {
@@ -63,12 +36,22 @@ const XmlElement* body_around(const XmlElement& element) {
   return around != nullptr && is_tag(*around, "body") ? around : nullptr;
 }
 
-/// The <joint> elements of the body in the main file; empty where they are elsewhere.
-std::vector<const XmlElement*> joint_elements(const XmlFile& xml, const std::string& body) {
+/// The trunk in the main file, innermost, and the bodies around it that carry it; empty where they
+/// are elsewhere.
+std::vector<const XmlElement*> chain_elements(const XmlFile& xml, const SixJointRoot& root) {
   std::vector<const XmlElement*> out;
-  for_each_element(xml.root(), [&](const XmlElement& element) {
-    const XmlElement* const around = is_tag(element, "joint") ? body_around(element) : nullptr;
-    if (around != nullptr && attribute(*around, "name") == body) out.push_back(&element);
+  for (const XmlElement* body = find_named(xml.root(), "body", root.body); body != nullptr;
+       body = body_around(*body))
+    out.push_back(body);
+  if (out.size() != root.carriers.size() + 1) out.clear();
+  return out;
+}
+
+/// The <joint> elements of a body.
+std::vector<const XmlElement*> joint_elements(const XmlElement& body) {
+  std::vector<const XmlElement*> out;
+  for_each_element(body, [&](const XmlElement& element) {
+    if (is_tag(element, "joint") && body_around(element) == &body) out.push_back(&element);
   });
   return out;
 }
@@ -80,23 +63,60 @@ std::string free_name(const mjModel& model) {
   return name;
 }
 
-/// Throws InputError with all elements that name one of the six joints.
+/// What an element names that goes, by an attribute of a kind: "joint", "body2", objname …; empty
+/// where it names none.
+std::string named_by(const XmlElement& element, const char* name, const std::string& kind,
+                     const std::vector<std::string>& gone) {
+  const std::string_view of = attribute(element, name);
+  const bool is_object = name == std::string_view("objname");
+  const std::string_view type = attribute(element, "objtype");
+  if (of.empty() || (is_object && type != kind && !(kind == "body" && type == "xbody"))) return "";
+  return std::find(gone.begin(), gone.end(), of) == gone.end() ? "" : std::string(of);
+}
+
+/// Throws InputError with all elements that name what goes: one of the six joints, or a body that
+/// carries the trunk or a geom of it, and with all else that stands in such a body.
 void refuse_references(const RobotFiles& files, const SixJointRoot& root) {
   const auto xml = load_xml(files.text(), files.file());
   Refusals reasons;
-  for_each_element(xml->root(), [&](const XmlElement& element) {
-    const bool lists = attribute(element, "objtype") == "joint";
-    for (const char* name : {"joint", "joint1", "joint2", lists ? "objname" : "joint"}) {
-      const std::string_view of = attribute(element, name);
-      if (of.empty() || std::find(root.joints.begin(), root.joints.end(), of) == root.joints.end())
-        continue;
-      reasons.add(xml->error(
-          element, fmt::format("attribute {}: names '{}', one of the six joints by which the trunk "
-                               "'{}' floats; a walking robot floats by itself: remove this, and "
-                               "init puts a free joint there",
-                               name, of, root.body)));
+  const auto names = [&](const XmlElement& element, const char* kind, const auto& gone,
+                         const auto& fault) {
+    const std::string one = std::string(kind) + "1", two = std::string(kind) + "2";
+    const char* const looks = kind == std::string_view("body") ? "target" : kind;
+    for (const char* name : {kind, one.c_str(), two.c_str(), "objname", looks}) {
+      const std::string of = named_by(element, name, kind, gone);
+      if (of.empty()) continue;
+      reasons.add(
+          xml->error(element, fmt::format("attribute {}: names '{}', {}", name, of, fault)));
+      return;
     }
+  };
+  const std::string of_joints = fmt::format(
+      "one of the six joints by which the trunk '{}' floats; a walking robot floats by itself: "
+      "remove this, and init puts a free joint there",
+      root.body);
+  const std::string of_bodies = fmt::format(
+      "which does nothing but carry the trunk '{0}' on its way to float; name '{0}' or remove "
+      "this, "
+      "and init puts a free joint there",
+      root.body);
+  for_each_element(xml->root(), [&](const XmlElement& element) {
+    names(element, "joint", root.joints, of_joints);
+    names(element, "body", root.carriers, of_bodies);
+    names(element, "geom", root.geoms, of_bodies);
   });
+  for (const XmlElement* body : chain_elements(*xml, root))
+    for_each_element(*body, [&](const XmlElement& element) {
+      const bool stays = body_around(element) != body || attribute(*body, "name") == root.body;
+      for (const char* tag : {"joint", "inertial", "geom", "frame", "body"})
+        if (stays || is_tag(element, tag)) return;
+      reasons.add(xml->error(
+          element,
+          fmt::format("stands in a body that does nothing but carry the trunk '{0}' on its "
+                      "way to float; put it into '{0}' or remove it, and init puts a free "
+                      "joint there",
+                      root.body)));
+    });
   reasons.throw_if_any();
 }
 
@@ -105,7 +125,8 @@ struct FreeState {
   VectorXd qpos, qvel;
 };
 
-FreeState free_state(const mjModel& model, int body, const double* qpos, const double* qvel) {
+FreeState free_state(const mjModel& model, int body, int first, const double* qpos,
+                     const double* qvel) {
   const DataPointer data(mj_makeData(&model));
   std::copy(qpos, qpos + model.nq, data->qpos);
   std::copy(qvel, qvel + model.nv, data->qvel);
@@ -114,7 +135,7 @@ FreeState free_state(const mjModel& model, int body, const double* qpos, const d
   std::array<double, 6> in_world{}, in_body{};  // turn first, then the origin's velocity
   mj_objectVelocity(&model, data.get(), mjOBJ_XBODY, body, in_world.data(), 0);
   mj_objectVelocity(&model, data.get(), mjOBJ_XBODY, body, in_body.data(), 1);
-  const int q = model.jnt_qposadr[model.body_jntadr[body]], v = model.body_dofadr[body];
+  const int q = model.jnt_qposadr[first], v = model.jnt_dofadr[first];
   FreeState out{VectorXd(model.nq + 1), VectorXd(model.nv)};
   out.qpos << VectorXd::Map(qpos, q), vector_at(data->xpos, body),
       Eigen::Vector4d::Map(data->xquat + std::ptrdiff_t{4} * body),
@@ -127,7 +148,7 @@ FreeState free_state(const mjModel& model, int body, const double* qpos, const d
 
 /// Gives keyframes the free joint's numbers. Those of velocities only where a keyframe has some.
 void change_keyframes(TextEdits& edits, const RobotFiles& files, const XmlFile& xml,
-                      const mjModel& model, int body) {
+                      const mjModel& model, int body, int first) {
   std::vector<const XmlElement*> keys;
   for_each_element(xml.root(), [&](const XmlElement& element) {
     if (is_tag(element, "key")) keys.push_back(&element);
@@ -138,29 +159,55 @@ void change_keyframes(TextEdits& edits, const RobotFiles& files, const XmlFile& 
                      "the main file, or a free joint in the place of the trunk's six");
   for (int k = 0; k < model.nkey; ++k) {
     const XmlElement& key = *keys[static_cast<std::size_t>(k)];
-    const FreeState state =
-        free_state(model, body, model.key_qpos + k * model.nq, model.key_qvel + k * model.nv);
+    const FreeState state = free_state(model, body, first, model.key_qpos + k * model.nq,
+                                       model.key_qvel + k * model.nv);
     if (!attribute(key, "qpos").empty()) edits.set_numbers(key, "qpos", state.qpos);
     if (!attribute(key, "qvel").empty()) edits.set_numbers(key, "qvel", state.qvel);
   }
 }
 
-/// With `added` before the first of the joints and all six in comments, so that every line stays
-/// where it was.
+/// Where the carried trunk stands while all of the six are at rest, in its own attributes, and the
+/// class of defaults that it had from around it.
+void place_trunk(TextEdits& edits, const std::vector<const XmlElement*>& chain,
+                 const mjModel& model, int body, const std::filesystem::path& file) {
+  const XmlElement& trunk = *chain.front();
+  const DataPointer data = kinematics_at(model, model.qpos0, file);
+  edits.set_numbers(trunk, "pos", vector_at(data->xpos, body));
+  for (const char* name : {"euler", "axisangle", "xyaxes", "zaxis"}) edits.remove(trunk, name);
+  edits.set_numbers(trunk, "quat", Eigen::Vector4d::Map(data->xquat + std::ptrdiff_t{4} * body));
+  const XmlElement* around = &trunk;
+  while (around != chain.back() && !has_attribute(*around, "childclass"))
+    around = around->Parent()->ToElement();
+  if (around != &trunk && has_attribute(*around, "childclass"))
+    edits.set(trunk, "childclass", std::string(attribute(*around, "childclass")));
+}
+
+/// As a comment of as many lines: two dashes would end it.
+std::string commented(std::string was) {
+  for (std::size_t at; (at = was.find("--")) != std::string::npos;) was.insert(at + 1, " ");
+  return "<!-- " + was + " -->";
+}
+
+/// With `added` before the first joint of the trunk and all six in comments, and with them the
+/// bodies that carried it, so that every line stays where it was.
 std::string replaced(const std::string& text, const std::filesystem::path& file,
-                     const std::string& body, const std::string& added) {
+                     const SixJointRoot& root, const std::string& added) {
   const auto xml = load_xml(text, file);
   std::string out = xml->text;
-  const std::vector<const XmlElement*> joints = joint_elements(*xml, body);
+  const std::vector<const XmlElement*> chain = chain_elements(*xml, root);
+  const TagSpan &trunk = xml->tag(*chain.front()), &outer = xml->tag(*chain.back());
+  const auto comment = [&](std::size_t begin, std::size_t end, const std::string& before) {
+    if (end > begin)
+      out.replace(begin, end - begin, before + commented(out.substr(begin, end - begin)));
+  };
+  comment(trunk.close_end, outer.close_end, "");
+  const std::vector<const XmlElement*> joints = joint_elements(*chain.front());
   for (auto joint = joints.rbegin(); joint != joints.rend(); ++joint) {
     const TagSpan& tag = xml->tag(**joint);
-    std::string was = out.substr(tag.begin, tag.close_end - tag.begin);
-    if (was.find("--") != std::string::npos)  // ends a comment: its lines alone
-      std::erase_if(was, [](char sign) { return sign != '\n' && sign != '\r'; });
-    std::string now = *joint == joints.front() ? added + " " : "";
-    now += "<!-- " + was + " -->";
-    out.replace(tag.begin, tag.close_end - tag.begin, now);
+    comment(tag.begin, tag.close_end, *joint == joints.front() ? added + " " : "");
   }
+  if (joints.empty()) out.insert(trunk.end, added);
+  comment(outer.begin, trunk.begin, "");
   return out;
 }
 
@@ -177,13 +224,7 @@ std::optional<SixJointRoot> find_six_joint_root(const std::string& text,
     if (floats) return std::nullopt;
     check_values(*xml);
     const ModelPointer model = compile_mjcf(xml->text, file);
-    const int body = find_root(*model);
-    if (body < 0) return std::nullopt;
-    SixJointRoot out{name_of(*model, mjOBJ_BODY, body), {}};
-    for (int j = model->body_jntadr[body]; j < model->body_jntadr[body] + kSix; ++j)
-      out.joints.push_back(name_of(*model, mjOBJ_JOINT, j));
-    if (out.body.empty()) return std::nullopt;
-    return out;
+    return find_floating_chain(*model);
   } catch (const InputError&) {
     return std::nullopt;  // its reader tells all faults
   }
@@ -194,13 +235,18 @@ RobotFiles with_free_root(const RobotFiles& files, const SixJointRoot& root) {
   const auto xml = load_xml(files.main_text(), files.file());
   const ModelPointer model = compile_mjcf(files.text(), files.file());
   const int body = mj_name2id(model.get(), mjOBJ_BODY, root.body.c_str());
-  if (joint_elements(*xml, root.body).size() != kSix)
+  const std::vector<const XmlElement*> chain = chain_elements(*xml, root);
+  std::size_t joints = 0;
+  for (const XmlElement* const of : chain) joints += joint_elements(*of).size();
+  const bool is_carried = chain.size() > 1;
+  if (joints != kSix || (is_carried && !is_tag(*chain.back()->Parent()->ToElement(), "worldbody")))
     throw InputError(files.file().string(), 0, fmt::format("body '{}'", root.body),
-                     "floats by six joints that are not in the main file, where init could put a "
-                     "free joint in their place: write <freejoint/> for them");
+                     "floats by six joints that are not in the main file, or in a frame, where "
+                     "init could put a free joint in their place: write <freejoint/> for them");
   TextEdits edits(*xml);
-  change_keyframes(edits, files, *xml, *model, body);
-  return files.with_main(replaced(edits.apply(), files.file(), root.body,
+  if (is_carried) place_trunk(edits, chain, *model, body, files.file());
+  change_keyframes(edits, files, *xml, *model, body, root.first);
+  return files.with_main(replaced(edits.apply(), files.file(), root,
                                   fmt::format("<freejoint name=\"{}\"/>", free_name(*model))));
 }
 

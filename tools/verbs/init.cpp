@@ -40,11 +40,19 @@ std::string axes_text(const StudiedRobot& robot, bool writes) {
 /// What had the place of the trunk's free joint.
 std::string root_text(const StudiedRobot& robot, bool writes) {
   if (!robot.root) return "";
+  const std::vector<std::string>& carriers = robot.root->carriers;
+  const std::string chain =
+      carriers.empty() ? ""
+                       : fmt::format("         with them {} that only carr{} it: {}\n",
+                                     carriers.size() == 1 ? "goes the body" : "go the bodies",
+                                     carriers.size() == 1 ? "ies" : "y", fmt::join(carriers, ", "));
   return fmt::format(
-      "floats   the trunk '{}', by six joints in the file: {}\n"
-      "         a free joint {} in their place{}\n",
-      robot.root->body, fmt::join(robot.root->joints, ", "), writes ? "is put" : "has to be put",
-      writes ? "; keyframes follow" : ", as --write does");
+             "floats   the trunk '{}', by six joints in the file: {}\n"
+             "         a free joint {} in their place{}\n",
+             robot.root->body, fmt::join(robot.root->joints, ", "),
+             writes ? "is put" : "has to be put",
+             writes ? "; keyframes follow" : ", as --write does") +
+         chain;
 }
 
 Json root_json(const StudiedRobot& robot) {
