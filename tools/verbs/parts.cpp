@@ -2,10 +2,12 @@
 // `legwright parts` is the Python module legwright.parts: the solids are manifold3d's.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <vector>
 
 #include "tools/files/clean_text.hpp"
 #include "tools/render/gl_context.hpp"
@@ -37,15 +39,26 @@ struct PartsOptions {
   bool quiet = false, json = false;
 };
 
-/// exploded.png of the scene that the module wrote. Parts are there without it, too.
+/// Pictures of the scenes that the module wrote, exploded.xml and those of the assembly sheet. Parts
+/// are there without them, too.
 void draw_exploded(const std::filesystem::path& folder) {
-  const std::filesystem::path scene = folder / "exploded.xml";
-  if (!std::filesystem::exists(scene)) return;
+  std::vector<std::filesystem::path> scenes;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::filesystem::path& file = entry.path();
+    if (file.extension() == ".xml" && file.filename().string().starts_with("exploded"))
+      scenes.push_back(file);
+  }
+  std::ranges::sort(scenes);
   pin_rasteriser();
-  try {
-    draw_portrait(scene, folder / "exploded.png");
-  } catch (const std::exception& error) {  // a picture changes no exit code
-    fmt::print(stderr, "legwright: no exploded.png: {}\n", terminal_text(error.what()));
+  for (std::filesystem::path file : scenes) {
+    const std::filesystem::path scene = file;
+    try {
+      draw_portrait(scene, file.replace_extension(".png"));
+    } catch (const std::exception& error) {  // a picture changes no exit code
+      fmt::print(stderr, "legwright: no {}: {}\n", file.filename().string(),
+                 terminal_text(error.what()));
+      return;
+    }
   }
 }
 

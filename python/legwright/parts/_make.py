@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from legwright._errors import InputError
+from legwright.parts._assembly_sheet import assembly_files
 from legwright.parts._beam import check_beams
 from legwright.parts._checks import Check
 from legwright.parts._exploded import exploded_scene
@@ -155,13 +156,15 @@ def make(
     files['prints.md'] = prints_markdown(built.name, parts, options).encode()
     numbers = {row.key: number for number, row in enumerate(rows, 1)}
     files[SCENE] = exploded_scene(built, parts, numbers).encode()
+    sheet, pictures = assembly_files(built, parts, rows)
+    files |= sheet
     files['bom.md'] = bill_markdown(built, parts, rows).encode()
     document = {
         'schema': SCHEMA,
         'version': 1,
         'robot': built.name,
         'passed': all(check.passed for check in checks),
-        'files': sorted([*files, CHECKS, PICTURE]),
+        'files': sorted([*files, CHECKS, PICTURE, *pictures]),
         'parts': [_part_json(part) for part in parts],
         'checks': [check.as_json() for check in checks],
     }

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from legwright.parts._checks import Check
+from legwright.parts._holes import Fixing, Hole
 from legwright.parts._robot import BuiltRobot
 from legwright.parts._shapes import MM
 from legwright.parts._solids import Part
@@ -65,28 +66,30 @@ def bill(robot: BuiltRobot, parts: Sequence[Part]) -> list[Row]:
     return rows + _screws(parts)
 
 
+def screw_of(fixing: Fixing, hole: Hole | None) -> tuple[str, str]:
+    """Name and note of the bill's row for a screw; without a hole its pattern is not known."""
+    what = f'{fixing.module.words.name}, {fixing.place.name}'
+    if hole is None:
+        return 'pattern not known', f'{what}: holes to be drilled'
+    note = f'{what}: bridges {hole.seat:.1f} mm, and the depth of the thread there'
+    return fixing.place.screw or '', note
+
+
 def _screws(parts: Sequence[Part]) -> list[Row]:
-    counts: dict[tuple[str, str], int] = {}
-    unknown: dict[str, int] = {}
+    known: dict[tuple[str, str], int] = {}
+    unknown: dict[tuple[str, str], int] = {}
     for part in parts:
         for fixing in part.solid.fixings:
             if fixing.place.screw is None:
-                what = f'{fixing.module.words.name}, {fixing.place.name}'
-                unknown[what] = unknown.get(what, 0) + part.count
+                key = screw_of(fixing, None)
+                unknown[key] = unknown.get(key, 0) + part.count
         for hole in part.solid.holes:
-            place = hole.fixing.place
-            what = f'{hole.fixing.module.words.name}, {place.name}: bridges {hole.seat:.1f} mm'
-            key = (place.screw or '', what)
-            counts[key] = counts.get(key, 0) + part.count
-    rows = [
-        Row('screw', size, count, None, None, f'{what}, and the depth of the thread there')
-        for (size, what), count in counts.items()
+            key = screw_of(hole.fixing, hole)
+            known[key] = known.get(key, 0) + part.count
+    return [
+        Row('screw', name, count, None, None, note)
+        for (name, note), count in [*known.items(), *unknown.items()]
     ]
-    for what, count in unknown.items():
-        rows.append(
-            Row('screw', 'pattern not known', count, None, None, f'{what}: holes to be drilled')
-        )
-    return rows
 
 
 def bill_csv(rows: Sequence[Row]) -> str:
