@@ -39,7 +39,7 @@ struct PartsOptions {
   bool quiet = false, json = false;
 };
 
-/// Pictures of the scenes that the module wrote, exploded.xml and those of the assembly sheet. Parts
+/// Pictures of the scenes that the module wrote: exploded.xml, those of the assembly sheet. Parts
 /// are there without them, too.
 void draw_exploded(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> scenes;

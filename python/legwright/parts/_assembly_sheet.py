@@ -13,10 +13,10 @@ from legwright.parts._tables import Row, markdown, screw_of
 SHEET = 'assembly.md'
 _TRUNK = 'trunk'
 _WORDS = """
-Numbers are those of the rows of the bill of materials (`bom.md`), and of the pictures; printed parts
-have theirs engraved where there is room. Screws are told with the attachment that they are for, and
-with what they bridge until they are in the module: add the depth of its thread. "Not known" is a
-pattern that no module file tells: holes are to be drilled there.
+Numbers are those of the rows of the bill of materials (`bom.md`), and of the pictures; printed
+parts have theirs engraved where there is room. Screws are told with the attachment that they are
+for, and with what they bridge until they are in the module: add the depth of its thread. "Not
+known" is a pattern that no module file tells: holes are to be drilled there.
 """
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where numbers stand in a picture: beside their things, before all, on no other thing or number."""
+"""Where numbers stand in a picture: beside their things, before all, on nothing else."""
 
 import math
 from collections.abc import Iterator, Sequence

@@ -26,7 +26,7 @@ class Limb:
     name: str
     """By which a file may be called."""
     steps: tuple[Piece | Module, ...]
-    """In the order of assembly: first the servo on the trunk, then each link and what it carries."""
+    """In the order of assembly: the servo on the trunk, then each link and what it carries."""
 
 
 def trunk_steps(robot: BuiltRobot, parts: Sequence[Part]) -> list[Piece | Module]:
