@@ -39,7 +39,8 @@ TEST_P(FileFaults, LeaveTheOldOrTheNew) {
   const Tree fresh = tree(undisturbed);
   ASSERT_GT(calls, 2);
   ASSERT_NE(fresh, old_) << "else nothing is tested";
-  const long step = std::getenv("LEGWRIGHT_ALL_FAULTS") ? 1 : std::max(1L, calls / tried(GetParam().name));
+  const long step =
+      std::getenv("LEGWRIGHT_ALL_FAULTS") ? 1 : std::max(1L, calls / tried(GetParam().name));
   for (const char* how : {"kill", "EIO", "ENOSPC"})
     for (long at = 1 + (how[0] + how[1]) % step; at <= calls; at += step) {
       SCOPED_TRACE(std::string(how) + " at call " + std::to_string(at) + " of " +
