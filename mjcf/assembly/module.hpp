@@ -72,6 +72,7 @@ struct Module {
   std::string maker, about;
   double mass = 0.0;              // [kg]
   std::optional<double> voltage;  // at which torques and speed hold [V]
+  std::optional<double> price;    // of one, in whatever currency all prices are
   std::vector<OutlineShape> outline;
   std::optional<ModuleJoint> joint;  // of a servo
   std::optional<double> friction;    // of a foot's sliding

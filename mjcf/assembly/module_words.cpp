@@ -33,6 +33,7 @@ std::string module_declaration(const Module& module, const ModulePlace& place,
   std::string data = fmt::format("{} {} {} kg | {} {}", module.name, module.kind_name(),
                                  format_number(module.mass), sort, of);
   if (!joint.empty()) data += " | joint " + joint;
+  if (module.price) data += " | price " + format_number(*module.price);
   for (const Attachment& at : module.attachments) data += attachment_words(at, place);
   return fmt::format("<text name=\"{}{}\" data=\"{}\"/>", kModulePrefix, of, data);
 }

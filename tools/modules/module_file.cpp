@@ -137,6 +137,7 @@ class ModuleReader {
     root_.require(mass.has_value(), "mass", "mass = 0.057");
     module.mass = mass.value_or(1.0);
     module.voltage = root_.number("voltage");
+    module.price = root_.number("price");
     note("mass", mass.has_value());
     note("voltage", module.voltage.has_value());
   }

@@ -21,6 +21,9 @@ std::vector<TaskKey> keys_of_the_module() {
                  "Spread evenly over the outline."),
       number_key("voltage", {0.0, 1000.0, true, false, "V"}, "none", "11.1",
                  "At which torques and speed hold."),
+      number_key("price", {0.0, 1e6, false, false, ""}, "none", "23.9",
+                 "Of one, in the currency of all your prices; no source is asked for. The bill of "
+                 "`legwright parts` sums them."),
       tables_key("outline", "needed", "[{shape = \"box\", size = [0.02, 0.03, 0.02]}]",
                  "`[[outline]]`, once for each box, cylinder or ball of which its shape is made."),
       text_key("outline.shape", "needed", "\"box\"", "`box`, `cylinder` or `sphere`."),

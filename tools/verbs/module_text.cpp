@@ -157,6 +157,7 @@ std::string module_page(const ModuleFile& file) {
                   module.about.empty() ? "" : ", " + module.about, file.file.string());
   out += figure_line(file, "mass", fmt::format("{:.4g} g", kGrams * module.mass));
   if (module.voltage) out += figure_line(file, "voltage", fmt::format("{:.4g} V", *module.voltage));
+  if (module.price) out += fmt::format("  {:<24} {:.2f}\n", "price", *module.price);
   out += figure_line(file, "outline", size_text(module) + " mm");
   if (module.joint) out += joint_lines(file);
   if (module.friction)
@@ -198,6 +199,7 @@ Json to_json(const ModuleFile& file) {
           {"file", file.file.string()},
           {"mass_kg", module.mass},
           {"voltage_v", optional_json(module.voltage)},
+          {"price", optional_json(module.price)},
           {"outline", outline},
           {"joint", module.joint ? joint_json(*module.joint) : Json(nullptr)},
           {"foot_friction", optional_json(module.friction)},

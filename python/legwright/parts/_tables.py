@@ -25,6 +25,8 @@ class Row:
     volume: float | None
     """Of one [cm3]."""
     note: str
+    price: float | None = None
+    """Of one, where its module file tells it."""
 
     @property
     def key(self) -> str:
@@ -45,12 +47,13 @@ def bill(robot: BuiltRobot, parts: Sequence[Part]) -> list[Row]:
     """Modules, printed parts, then screws."""
     counts = module_counts(robot)
     trunk = next((part.solid for part in parts if part.solid.link.servo is None), None)
+    prices = {(m.words.kind, m.words.name): m.words.price for m in robot.modules}
     rows = []
     for (kind, name, mass), count in counts.items():
         note = ''
         if kind == 'trunk' and trunk is not None:
             mass, note = mass - trunk.mass, 'what else its mass stands for, beside the print'
-        rows.append(Row(kind, name, count, MM * mass, None, note))
+        rows.append(Row(kind, name, count, MM * mass, None, note, prices[kind, name]))
     for part in parts:
         solid = part.solid
         rows.append(
@@ -92,16 +95,37 @@ def _screws(parts: Sequence[Part]) -> list[Row]:
     ]
 
 
+def price_cells(row: Row) -> list[str]:
+    """Of one, and of all of them; empty where it is not known."""
+    return ['', ''] if row.price is None else [f'{row.price:.2f}', f'{row.count * row.price:.2f}']
+
+
+def _price_words(rows: Sequence[Row]) -> str:
+    """The sum, and of how many modules no file tells a price."""
+    modules = [row for row in rows if row.kind not in ('printed', 'screw', 'trunk') or row.price]
+    known = [row for row in modules if row.price is not None]
+    unknown = sum(row.count for row in modules if row.price is None)
+    all_of_them = sum(row.count for row in modules)
+    if not known:
+        return 'No module file gives a price: `price = 23.9` in a file of your own library does.'
+    total = sum(row.count * (row.price or 0.0) for row in known)
+    rest = f'not known of {unknown} of {all_of_them} modules' if unknown else 'of all modules'
+    return f'Prices come to {total:.2f}, {rest}; printed parts and screws are not in them.'
+
+
 def bill_csv(rows: Sequence[Row]) -> str:
     """A row each, with empty cells for what is not known."""
     out = io.StringIO()
     writer = csv.writer(out, lineterminator='\n')
-    writer.writerow(['no', 'kind', 'name', 'count', 'mass_g', 'total_mass_g', 'volume_cm3', 'note'])
+    head = 'no kind name count mass_g total_mass_g volume_cm3 price total_price note'
+    writer.writerow(head.split())
     for number, row in enumerate(rows, 1):
         mass = '' if row.mass is None else f'{row.mass:.4g}'
         total = '' if row.mass is None else f'{row.count * row.mass:.4g}'
         volume = '' if row.volume is None else f'{row.volume:.4g}'
-        writer.writerow([number, row.kind, row.name, row.count, mass, total, volume, row.note])
+        price, cost = price_cells(row)
+        cells = [mass, total, volume, price, cost, row.note]
+        writer.writerow([number, row.kind, row.name, row.count, *cells])
     return out.getvalue()
 
 
@@ -147,6 +171,7 @@ def bill_markdown(robot: BuiltRobot, parts: Sequence[Part], rows: Sequence[Row])
             '' if row.mass is None else f'{row.mass:.2f}',
             '' if row.mass is None else f'{row.count * row.mass:.2f}',
             '' if row.volume is None else f'{row.volume:.2f}',
+            *price_cells(row),
             row.note,
         ]
         for number, row in enumerate(rows, 1)
@@ -155,9 +180,11 @@ def bill_markdown(robot: BuiltRobot, parts: Sequence[Part], rows: Sequence[Row])
     of_file = MM * float(robot.model.body_mass.sum())
     return (
         f'# {robot.name}: bill of materials\n\n'
-        + markdown(['no.', 'kind', 'name', 'count', 'g each', 'g', 'cm3 each', 'note'], cells)
+        + markdown(
+            ['no.', 'kind', 'name', 'count', 'g each', 'g', 'cm3 each', 'price each', 'price', 'note'], cells
+        )
         + f"\n{total:.1f} g, without screws and cables; the robot's file has {of_file:.1f} g. "
-        'Prices are not in the library.\n\n'
+        f'{_price_words(rows)}\n\n'
         '## Masses of the printed parts\n\n'
         + markdown(
             [

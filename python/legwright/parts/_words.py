@@ -43,6 +43,8 @@ class ModuleWords:
     """[kg]"""
     joint: str | None
     """That a servo turns."""
+    price: float | None
+    """Of one, in the currency of all of them; None where no file tells it."""
     places: tuple[Place, ...]
 
 
@@ -92,6 +94,11 @@ def _place(part: str) -> Place:
     return Place(words[1], words[0] == 'horn', rows[0], rows[1], screw, rows[2:])
 
 
+def _taken(rest: list[str], word: str) -> str | None:
+    """What follows that word, where it comes first; it is no longer in the rest."""
+    return rest.pop(0).removeprefix(word) if rest and rest[0].startswith(word) else None
+
+
 def _module(of: str, data: str) -> ModuleWords:
     parts = [part.strip() for part in data.split('|')]
     name, kind, mass, unit = parts[0].split()
@@ -100,12 +107,13 @@ def _module(of: str, data: str) -> ModuleWords:
         raise ValueError(data)
     if not _numbers(mass)[0] > 0:
         raise ValueError(data)
-    joint = None
     rest = parts[2:]
-    if rest and rest[0].startswith('joint '):
-        joint = rest.pop(0).removeprefix('joint ')
+    joint, price = _taken(rest, 'joint '), _taken(rest, 'price ')
+    cost = None if price is None else float(_numbers(price)[0])
+    if cost is not None and cost < 0:
+        raise ValueError(data)
     places = tuple(_place(part) for part in rest)
-    return ModuleWords(of, sort, name, kind, float(_numbers(mass)[0]), joint, places)
+    return ModuleWords(of, sort, name, kind, float(_numbers(mass)[0]), joint, cost, places)
 
 
 def _connector(name: str, data: str, meshes: dict[str, str]) -> ConnectorWords:

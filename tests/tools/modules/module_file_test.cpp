@@ -38,6 +38,13 @@ void expect_refusal(const std::string& text, const std::vector<std::string>& par
     EXPECT_NE(told.find(part), std::string::npos) << part << " in\n" << told;
 }
 
+TEST(ModuleFile, TakesAPriceWithoutASource) {
+  EXPECT_FALSE(parse_module(kWholeServo, "hs1.toml").module.price.has_value());
+  const std::string priced = servo_with("voltage = 6.0", "voltage = 6.0\nprice = 23.9");
+  EXPECT_EQ(parse_module(priced, "hs1.toml").module.price, 23.9);
+  expect_refusal(servo_with("voltage = 6.0", "voltage = 6.0\nprice = -1.0"), {"price", "-1"});
+}
+
 TEST(ModuleFile, ReadsAWholeServo) {
   const ModuleFile file = parse_module(kWholeServo, "hs1.toml");
   const Module& module = file.module;
