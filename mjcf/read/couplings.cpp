@@ -15,12 +15,16 @@ std::string title(const mjModel& model, mjtObj type, int id, const std::string& 
   return name.empty() ? kind : fmt::format("{} '{}'", kind, name);
 }
 
+/// Whether a tendon acts by itself.
+bool pulls(const mjModel& model, int t) {
+  return model.tendon_limited[t] || model.tendon_stiffness[t] != 0.0 ||
+         model.tendon_damping[t] != 0.0 || model.tendon_frictionloss[t] != 0.0;
+}
+
 /// Whether something acts along each tendon; else it only measures.
 std::vector<bool> acting_tendons(const mjModel& model) {
   std::vector<bool> out;
-  for (int t = 0; t < static_cast<int>(model.ntendon); ++t)
-    out.push_back(model.tendon_limited[t] || model.tendon_stiffness[t] != 0.0 ||
-                  model.tendon_damping[t] != 0.0 || model.tendon_frictionloss[t] != 0.0);
+  for (int t = 0; t < static_cast<int>(model.ntendon); ++t) out.push_back(pulls(model, t));
   for (int a = 0; a < model.nactuator; ++a)
     if (model.actuator_trntype[a] == mjTRN_TENDON)
       out[static_cast<std::size_t>(model.actuator_trnid[2 * a])] = true;
@@ -42,6 +46,14 @@ int coupled_body(const mjModel& model, int type, int id) {
 }
 
 }  // namespace
+
+int lone_joint(const mjModel& model, int tendon) {
+  const int first = model.tendon_adr[tendon];
+  return model.tendon_num[tendon] == 1 && model.wrap_type[first] == mjWRAP_JOINT &&
+                 model.tendon_armature[tendon] == 0.0 && !pulls(model, tendon)
+             ? model.wrap_objid[first]
+             : -1;
+}
 
 bool joins_two_sites(const mjModel& model, int tendon) {
   const int first = model.tendon_adr[tendon];
@@ -98,8 +110,22 @@ std::map<int, std::string> coupled_joints(const XmlFile& xml, const mjModel& mod
     }
   }
   for (int t = 0; t < static_cast<int>(model.ntendon); ++t) {
-    if (joins_two_sites(model, t) || !acts[static_cast<std::size_t>(t)]) continue;
+    if (joins_two_sites(model, t) || !acts[static_cast<std::size_t>(t)] ||
+        lone_joint(model, t) >= 0)
+      continue;
     couple_tendon(t, title(model, mjOBJ_TENDON, t, std::string(tendons[t].Name()) + " tendon"));
+  }
+  return out;
+}
+
+std::map<int, std::string> joints_of_driven_tendons(const mjModel& model) {
+  std::map<int, std::string> out;
+  for (int a = 0; a < model.nactuator; ++a) {
+    const int tendon = model.actuator_trnid[2 * a];
+    if (model.actuator_trntype[a] != mjTRN_TENDON || joins_two_sites(model, tendon)) continue;
+    const std::vector<int> joints = joints_under(model, tendon);
+    if (joints.size() < 2) continue;
+    for (const int joint : joints) out.emplace(joint, name_of(model, mjOBJ_ACTUATOR, a));
   }
   return out;
 }

@@ -204,18 +204,32 @@ class StructureReader {
       why.emplace(joint, by);
       freeze(joint, "coupled by " + by);
     }
+    const std::map<int, std::string> driven = joints_of_driven_tendons(model_);
     for (const int end : leg_ends) {
-      std::string all;
-      bool moves = false;
+      std::string all, drivers;
+      int moving = 0, pulled = 0;
       for (int b = end; b != out_.trunk; b = model_.body_parentid[b])
         for (int j = model_.body_jntadr[b]; j < model_.body_jntadr[b] + model_.body_jntnum[b];
              ++j) {
-          moves = moves || out_.moves[at(j)];
+          moving += out_.moves[at(j)] ? 1 : 0;
           if (!why.count(j)) continue;
+          if (const auto by = driven.find(j); by != driven.end()) {
+            ++pulled;
+            drivers = by->second;
+          }
           all += fmt::format("{}'{}' by {}", all.empty() ? "" : ", ",
                              name_of(model_, mjOBJ_JOINT, j), why.at(j));
         }
-      if (!moves)
+      if (moving > 0 && pulled > moving)
+        reasons_.add(error_at(
+            xml_, model_, mjOBJ_BODY, end,
+            fmt::format(
+                "ends a leg of which {} hinges would be held in the home pose, as actuators "
+                "drive several of them by one tendon (like '{}'), and {} would move: the "
+                "planner drives each hinge by a servo of its own ({}); give each hinge an "
+                "actuator, and remove what couples them",
+                pulled, drivers, moving, all)));
+      if (moving == 0)
         reasons_.add(error_at(
             xml_, model_, mjOBJ_BODY, end,
             fmt::format("ends a leg of which no joint moves by itself, and coupled joints are held "

@@ -40,6 +40,8 @@ struct Servo {
   std::string tendon;                  // of a linear actuator; empty: the servo sits at the joint
   double joint_damping = 0.0;          // of the joint itself, besides kd [N m s/rad]
   std::optional<MotorLine> line = {};  // read/motor_lines
+  double lag = 0.0;                    // of the file's actuator behind its control [s]
+  bool integrates = false;             // whether that control is a rate
 };
 
 /// Gains of a servo to which nobody gave any: the error at which it gives all it has [rad], and kd

@@ -9,8 +9,10 @@
 #include <map>
 
 #include "mjcf/read/checks.hpp"
+#include "mjcf/read/couplings.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/elements.hpp"
+#include "mjcf/text/listed.hpp"
 #include "optimizer/design/actuator_length.hpp"
 
 namespace legwright {
@@ -19,6 +21,12 @@ namespace {
 /// The part of a range that serves both directions; infinite if nothing limits.
 double symmetric(bool limited, const mjtNum* range) {
   return limited ? std::min(-range[0], range[1]) : std::numeric_limits<double>::infinity();
+}
+
+/// Whether what drives is the control behind a filter of first order.
+bool lags(const mjModel& model, int actuator) {
+  return model.actuator_dyntype[actuator] == mjDYN_FILTER ||
+         model.actuator_dyntype[actuator] == mjDYN_FILTEREXACT;
 }
 
 /// What the plugin's servo would not do must not get lost in silence.
@@ -41,16 +49,50 @@ void refuse_dropped_settings(const XmlFile& xml, const mjModel& model, int actua
                     "attribute damping: the scene brings actuators of its own; write damping "
                     "(times the square of gear) at the joint");
   refuse(model.actuator_delay[actuator] != 0.0, "attribute delay: delays its control");
-  refuse(model.actuator_dyntype[actuator] != mjDYN_NONE || model.actuator_actnum[actuator] != 0,
-         "has dynamics of its own (timeconst, dyntype, an integral or a slew limit)");
+  const int dynamics = model.actuator_dyntype[actuator];
+  const bool is_known = lags(model, actuator) || dynamics == mjDYN_INTEGRATOR;
+  const bool is_plain = dynamics == mjDYN_NONE && model.actuator_actnum[actuator] == 0;
+  const bool has_one_state =
+      model.actuator_actnum[actuator] == 1 && model.actuator_gaintype[actuator] == mjGAIN_FIXED;
+  refuse(!is_plain && !(is_known && has_one_state),
+         "has dynamics of its own (dyntype, an integral or a slew limit)");
+}
+
+void refuse_muscle(const mjModel& model, int actuator, const XmlFile& xml,
+                   const XmlElement& element) {
+  if (model.actuator_dyntype[actuator] == mjDYN_MUSCLE ||
+      model.actuator_gaintype[actuator] == mjGAIN_MUSCLE)
+    throw xml.error(element,
+                    "is a muscle: it only pulls, as hard as its length, speed and activation let "
+                    "it, and the gait's servos are none of that; drive each hinge by <position> or "
+                    "<motor> in the place of muscles");
+}
+
+/// The joint that an actuator drives through a fixed tendon over nothing else; −1 for others.
+int joint_through_tendon(const mjModel& model, int actuator) {
+  return model.actuator_trntype[actuator] == mjTRN_TENDON
+             ? lone_joint(model, model.actuator_trnid[2 * actuator])
+             : -1;
+}
+
+/// How far such a tendon moves as its joint turns; one for others.
+double tendon_gear(const mjModel& model, int actuator) {
+  return joint_through_tendon(model, actuator) < 0
+             ? 1.0
+             : model.wrap_prm[model.tendon_adr[model.actuator_trnid[2 * actuator]]];
 }
 
 /// What limits the actuator's force besides its own forcerange, at its joint or tendon.
 double outer_limit(const mjModel& model, int actuator) {
-  const int t = model.actuator_trnid[2 * actuator];
-  return model.actuator_trntype[actuator] == mjTRN_TENDON
-             ? symmetric(model.tendon_actfrclimited[t], model.tendon_actfrcrange + 2 * t)
-             : symmetric(model.jnt_actfrclimited[t], model.jnt_actfrcrange + 2 * t);
+  const int t = model.actuator_trnid[2 * actuator], joint = joint_through_tendon(model, actuator);
+  const auto of_joint = [&](int j) {
+    return symmetric(model.jnt_actfrclimited[j], model.jnt_actfrcrange + 2 * j);
+  };
+  if (model.actuator_trntype[actuator] != mjTRN_TENDON) return of_joint(t);
+  const double of_tendon =
+      symmetric(model.tendon_actfrclimited[t], model.tendon_actfrcrange + 2 * t);
+  return joint < 0 ? of_tendon
+                   : std::min(std::abs(tendon_gear(model, actuator)) * of_tendon, of_joint(joint));
 }
 
 /// @param full_force_error error of angle or length at which a servo without gains gives all it
@@ -59,9 +101,11 @@ Servo read_servo(const XmlFile& xml, const mjModel& model, int actuator, const X
                  const std::string& joint, double full_force_error) {
   const mjtNum* gain = model.actuator_gainprm + mjNGAIN * actuator;
   const mjtNum* bias = model.actuator_biasprm + mjNBIAS * actuator;
-  const double gear = model.actuator_gear[6 * model.actuator_outadr[actuator]];
+  const double gear =
+      model.actuator_gear[6 * model.actuator_outadr[actuator]] * tendon_gear(model, actuator);
   if (!(std::abs(gear) > 1e-9))
-    throw xml.error(element, "attribute gear: is zero, so the actuator drives nothing");
+    throw xml.error(
+        element, "attribute gear (or the tendon's coef): is zero, so the actuator drives nothing");
   refuse_dropped_settings(xml, model, actuator, element);
   Servo servo{name_of(model, mjOBJ_ACTUATOR, actuator), joint, 0.0, 0.0, 0.0, ""};
   if (servo.actuator.empty()) servo.actuator = joint;
@@ -73,6 +117,13 @@ Servo read_servo(const XmlFile& xml, const mjModel& model, int actuator, const X
   const bool is_position =
       model.actuator_biastype[actuator] == mjBIAS_AFFINE &&
       (is_pid || (is_fixed_gain && gain[0] > 0.0 && std::abs(bias[1] + gain[0]) <= 1e-9 * gain[0]));
+  if (lags(model, actuator)) servo.lag = model.actuator_dynprm[mjNDYN * actuator];
+  servo.integrates = model.actuator_dyntype[actuator] == mjDYN_INTEGRATOR;
+  if (servo.integrates && !is_position)
+    throw xml.error(
+        element,
+        "is told how fast its force shall change, not the force, which the gait's servos "
+        "are not; write dyntype=\"none\", or use <position> or <intvelocity>");
   const int control = model.actuator_ctrladr[actuator];
   if (is_fixed_gain && model.actuator_biastype[actuator] == mjBIAS_AFFINE && gain[0] < 0.0)
     throw xml.error(element, fmt::format("has a gain of {}, which drives its joint away from where "
@@ -110,8 +161,11 @@ bool drives_held(const mjModel& model, const Structure& structure, int actuator)
     case mjTRN_JOINT:
     case mjTRN_JOINTINPARENT:
       return !structure.moves[target] && model.jnt_type[target] != mjJNT_FREE;
-    case mjTRN_TENDON:
-      return !structure.reads_tendon[target];
+    case mjTRN_TENDON: {
+      const int joint = lone_joint(model, static_cast<int>(target));
+      return joint >= 0 ? !structure.moves[static_cast<std::size_t>(joint)]
+                        : !structure.reads_tendon[target];
+    }
     default:
       return false;
   }
@@ -132,6 +186,8 @@ std::string driven_joint(const mjModel& model, const Morphology& morphology, int
     case mjTRN_JOINTINPARENT:
       return model.jnt_type[target] == mjJNT_HINGE ? name_of(model, mjOBJ_JOINT, target) : "";
     case mjTRN_TENDON:
+      if (const int joint = lone_joint(model, target); joint >= 0)
+        return name_of(model, mjOBJ_JOINT, joint);
       return morphology.links[linear_actuator(model, morphology, target).joint + 1].joint.name;
     default:
       return "";
@@ -156,7 +212,9 @@ void check_each_tendon_drives(const XmlFile& xml, const Morphology& morphology,
 /// Moment arm of an actuator in the home pose [m]; one for a servo at its joint [-].
 double home_arm(const mjModel& model, const Morphology& morphology, const Eigen::VectorXd& s,
                 int actuator) {
-  if (model.actuator_trntype[actuator] != mjTRN_TENDON) return 1.0;
+  if (model.actuator_trntype[actuator] != mjTRN_TENDON ||
+      joint_through_tendon(model, actuator) >= 0)
+    return 1.0;
   const LinearActuator& linear =
       linear_actuator(model, morphology, model.actuator_trnid[2 * actuator]);
   return morphology.leg_length *
@@ -173,6 +231,7 @@ std::vector<Servo> read_servos(const XmlFile& xml, const mjModel& model, const S
   for (int a = 0; a < model.nactuator; ++a) {
     if (drives_held(model, structure, a)) continue;
     const XmlElement& element = elements[a];
+    refuse_muscle(model, a, xml, element);
     const std::string name = driven_joint(model, morphology, a);
     if (name.empty())
       throw xml.error(element,
@@ -192,13 +251,32 @@ std::vector<Servo> read_servos(const XmlFile& xml, const mjModel& model, const S
     const int actuator = found->second;
     servos.push_back(read_servo(xml, model, actuator, elements[actuator], joint,
                                 kFullTorqueError * home_arm(model, morphology, s, actuator)));
-    if (model.actuator_trntype[actuator] == mjTRN_TENDON)
+    if (model.actuator_trntype[actuator] == mjTRN_TENDON &&
+        joint_through_tendon(model, actuator) < 0)
       servos.back().tendon = name_of(model, mjOBJ_TENDON, model.actuator_trnid[2 * actuator]);
     const int id = mj_name2id(&model, mjOBJ_JOINT, joint.c_str());
     servos.back().joint_damping = model.dof_damping[model.jnt_dofadr[id]];
   }
   check_each_tendon_drives(xml, morphology, servos);
   return servos;
+}
+
+std::string describe_dynamics(const std::vector<Servo>& servos) {
+  std::vector<std::string> lagging, integrating;
+  for (const Servo& servo : servos) {
+    if (servo.lag > 0.0) lagging.push_back(fmt::format("{} ({:.3g} s)", servo.actuator, servo.lag));
+    if (servo.integrates) integrating.push_back(servo.actuator);
+  }
+  constexpr std::size_t kNamed = 6;
+  std::string out;
+  if (!lagging.empty())
+    out = fmt::format("actuators that filter their controls: {}; ", listed(lagging, kNamed));
+  if (!integrating.empty())
+    out += fmt::format("actuators whose controls are rates: {}; ", listed(integrating, kNamed));
+  return out.empty() ? out
+                     : out +
+                           "gaits are planned and played on servos of the same gains and torque "
+                           "limits without that";
 }
 
 void set_gains(const std::vector<Servo>& servos, const Eigen::VectorXd& s, Morphology& morphology) {

@@ -81,6 +81,7 @@ void replace_servos(XMLElement& root, const RobotModel& robot, double gain_scale
       pd.SetAttribute("class", at->second.c_str());
       XMLElement& general = add(pd, "general");
       general.SetAttribute("dyntype", "none");
+      general.SetAttribute("actlimited", "false");
       general.SetAttribute("gaintype", "fixed");
       general.SetAttribute("gainprm", "1");
       general.SetAttribute("biastype", "affine");

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <optional>
 
+#include "mjcf/read/couplings.hpp"
 #include "mjcf/read/feet.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/elements.hpp"
@@ -212,7 +213,10 @@ class Solver {
   /// How much further the joint has turned [rad], or the tendon is longer [m].
   double travel(int actuator, const VectorXd& pose, const VectorXd& old) const {
     const int target = model_.actuator_trnid[std::ptrdiff_t{2} * actuator];
-    if (model_.actuator_trntype[actuator] == mjTRN_TENDON) {
+    const bool is_tendon = model_.actuator_trntype[actuator] == mjTRN_TENDON;
+    const int alone = is_tendon ? lone_joint(model_, target) : -1;
+    if (alone >= 0) return model_.wrap_prm[model_.tendon_adr[target]] * turn(alone, pose, old);
+    if (is_tendon) {
       const std::string name = name_of(model_, mjOBJ_TENDON, target);
       for (const LinearActuator& linear : morphology_.linear_actuators) {
         if (linear.name != name) continue;
@@ -228,8 +232,13 @@ class Solver {
     if (model_.actuator_trntype[actuator] != mjTRN_JOINT &&
         model_.actuator_trntype[actuator] != mjTRN_JOINTINPARENT)  // the same for a hinge
       return 0.0;
+    return turn(target, pose, old);
+  }
+
+  /// How much further a joint has turned [rad].
+  double turn(int joint, const VectorXd& pose, const VectorXd& old) const {
     for (std::size_t a = 0; a < at_.joints.size(); ++a)
-      if (model_.jnt_qposadr[target] == at_.joints[a])
+      if (model_.jnt_qposadr[joint] == at_.joints[a])
         return pose[static_cast<Eigen::Index>(6 + a)] - old[static_cast<Eigen::Index>(6 + a)];
     return 0.0;
   }

@@ -11,6 +11,7 @@
 
 #include "mjcf/read/foot_words.hpp"
 #include "mjcf/read/moving_parts.hpp"
+#include "mjcf/read/servos.hpp"
 #include "mjcf/read/solver_options.hpp"
 #include "mjcf/read/world_parts.hpp"
 #include "mjcf/text/angle_words.hpp"
@@ -217,9 +218,9 @@ std::string table_of(const std::vector<Proposal>& proposals) {
 std::string file_notes(const RobotModel& robot) {
   const ModelPointer model = compile_mjcf(robot.xml, robot.file);
   std::string text;
-  for (const std::string& note :
-       {describe_surroundings(surroundings_of(*model)),
-        describe_overridden(overridden_options(model->opt)), describe_skins(*model)})
+  for (const std::string& note : {describe_surroundings(surroundings_of(*model)),
+                                  describe_overridden(overridden_options(model->opt)),
+                                  describe_skins(*model), describe_dynamics(robot.servos)})
     if (!note.empty()) text += "  " + note + "\n";
   return text;
 }
