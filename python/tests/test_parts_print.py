@@ -2,6 +2,7 @@
 """How parts lie on the bed, whether they keep clear of each other, and the exploded view."""
 
 import math
+import re
 import shutil
 from pathlib import Path
 
@@ -77,7 +78,16 @@ def test_stl_lies_as_the_sheet_says(made):
         assert np.allclose(high, part.lying.size, atol=1e-4)
         assert part.lying.size[2] <= max(part.lying.size) / 2
     sheet = (made.folder / 'prints.md').read_text(encoding='utf-8')
-    assert all(f'| {part.name} | {part.count} |' in sheet for part in made.parts)
+    rows = [line.split(' | ') for line in sheet.splitlines() if line.startswith('| ')][1:]
+    walls = {check.part: check.figure for check in made.checks if check.name == 'wall'}
+    for part, row in zip(made.parts, rows, strict=True):
+        assert row[:3] == [f'| {part.number}', part.name, str(part.count)]
+        assert float(row[7]) == pytest.approx(walls[part.name], abs=0.051)
+        support = 1.24e-3 * part.lying.support
+        assert float(row[9]) == pytest.approx(1e3 * part.solid.mass + support, abs=0.051)
+        assert float(row[10]) == pytest.approx(part.lying.seconds / 60, abs=0.51)
+    grams = sum(part.count * float(row[9]) for part, row in zip(made.parts, rows))
+    assert float(re.search(r'h and (\d+) g', sheet)[1]) == pytest.approx(grams, abs=1.0)
 
 
 def test_a_part_that_is_larger_than_the_bed_fails(dog, tmp_path):

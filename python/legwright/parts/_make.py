@@ -153,7 +153,7 @@ def make(
     files = {f'{part.name}.stl': stl_bytes(part.mesh) for part in parts}
     files['all.3mf'] = threemf_bytes(built.name, _items(parts))
     files['bom.csv'] = bill_csv(rows).encode()
-    files['prints.md'] = prints_markdown(built.name, parts, options).encode()
+    files['prints.md'] = prints_markdown(built.name, parts, checks, options).encode()
     numbers = {row.key: number for number, row in enumerate(rows, 1)}
     files[SCENE] = exploded_scene(built, parts, numbers).encode()
     sheet, pictures = assembly_files(built, parts, rows)

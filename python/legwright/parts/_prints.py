@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """The print sheet: how each part lies on the bed, and what that costs."""
 
+import math
 from collections.abc import Sequence
 
 from legwright.parts._checks import Check
 from legwright.parts._options import PartOptions
+from legwright.parts._shapes import MM
 from legwright.parts._solids import Part
 from legwright.parts._tables import markdown
 
@@ -13,9 +15,10 @@ Sizes are of the box of a part as its STL lies, which is how it is to be printed
 of its hull that side is down which leaves the least area looking down by more than 45°; sides on
 which the part would be higher than half its length come last, as layers across a part are where it
 breaks, and those that touch less than a twentieth of its box, from which it would come loose.
-Support is 15 % of the room between such areas and the bed. Time is volume and support by 8 mm³/s
-and 3 s for each layer of 0.2 mm: a rule to compare parts by, no slicer's figure. All parts are
-filled.
+Wall is the least thickness that the checks found. Support is 15 % of the room between such areas
+and the bed. Time is volume and support by 8 mm³/s and 3 s for each layer of 0.2 mm: a rule to
+compare parts by, no slicer's figure. Mass is of part and support, filled, at the density that the
+robot was designed with.
 """
 
 
@@ -31,39 +34,63 @@ def _minutes(seconds: float) -> str:
     return f'{seconds / 60:.0f}'
 
 
-def prints_markdown(name: str, parts: Sequence[Part], options: PartOptions) -> str:
-    """A table of all parts, with the rules by which it was made."""
+def _grams(part: Part) -> float:
+    """Of one, with its support."""
+    return part.solid.density * (part.solid.shape.volume() + part.lying.support) / MM**2
+
+
+def _total_words(parts: Sequence[Part]) -> str:
+    pieces = sum(part.count for part in parts)
+    hours = sum(part.count * part.lying.seconds for part in parts) / 3600
+    grams = sum(part.count * _grams(part) for part in parts)
+    support = sum(part.count * part.lying.support for part in parts) / MM
+    return (
+        f'{pieces} pieces, {hours:.1f} h and {grams:.0f} g together, {support:.1f} cm3 of it '
+        'support.\n'
+    )
+
+
+def prints_markdown(
+    name: str, parts: Sequence[Part], checks: Sequence[Check], options: PartOptions
+) -> str:
+    """A table of all parts, with the rules by which it was made; walls are those of the checks."""
+    walls = {check.part: check.figure for check in checks if check.name == 'wall'}
     rows = []
     for part in parts:
         lying = part.lying
         rows.append(
             [
+                str(part.number),
                 part.name,
                 str(part.count),
                 _sizes(lying.size),
                 _direction(part),
                 f'{lying.contact:.0f}',
                 f'{lying.overhang:.0f}',
+                f'{walls[part.name] or math.nan:.1f}',
                 f'{lying.support:.0f}',
+                f'{_grams(part):.1f}',
                 _minutes(lying.seconds),
                 'yes' if lying.fits(options.bed) else 'NO',
             ]
         )
-    total = sum(part.count * part.lying.seconds for part in parts)
     head = [
+        'no.',
         'part',
         'count',
         'size, mm',
         'down, in its link',
         'on the bed, mm2',
         'overhang, mm2',
+        'wall, mm',
         'support, mm3',
+        'g each',
         'min each',
         f'fits {_sizes(options.bed)}',
     ]
     return (
         f'# {name}: print sheet\n\n{markdown(head, rows)}\n'
-        f'{sum(part.count for part in parts)} pieces, {total / 3600:.1f} h together.\n{_RULES}'
+        f'{_total_words(parts)}{_RULES}'
     )
 
 

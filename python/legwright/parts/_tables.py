@@ -160,6 +160,20 @@ def _mass_rows(parts: Sequence[Part]) -> list[list[str]]:
     return rows
 
 
+_HEAD = [
+    'no.',
+    'kind',
+    'name',
+    'count',
+    'g each',
+    'g',
+    'cm3 each',
+    'price each',
+    'price',
+    'note',
+]
+
+
 def bill_markdown(robot: BuiltRobot, parts: Sequence[Part], rows: Sequence[Row]) -> str:
     """The bill, and how far the printed masses are from those that the design was made with."""
     cells = [
@@ -180,10 +194,8 @@ def bill_markdown(robot: BuiltRobot, parts: Sequence[Part], rows: Sequence[Row])
     of_file = MM * float(robot.model.body_mass.sum())
     return (
         f'# {robot.name}: bill of materials\n\n'
-        + markdown(
-            ['no.', 'kind', 'name', 'count', 'g each', 'g', 'cm3 each', 'price each', 'price', 'note'], cells
-        )
-        + f"\n{total:.1f} g, without screws and cables; the robot's file has {of_file:.1f} g. "
+        + markdown(_HEAD, cells)
+        + f"\n{total:.1f} g, without screws and cables; the robot's file has {of_file:.1f} g.\n"
         f'{_price_words(rows)}\n\n'
         '## Masses of the printed parts\n\n'
         + markdown(
