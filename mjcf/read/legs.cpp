@@ -205,6 +205,9 @@ class StructureReader {
       freeze(joint, "coupled by " + by);
     }
     const std::map<int, std::string> driven = joints_of_driven_tendons(model_);
+    std::map<int, int> legs_on;  // by body: a spine is above several
+    for (const int end : leg_ends)
+      for (int b = end; b != out_.trunk; b = model_.body_parentid[b]) ++legs_on[b];
     for (const int end : leg_ends) {
       std::string all, drivers;
       int moving = 0, pulled = 0;
@@ -213,7 +216,7 @@ class StructureReader {
              ++j) {
           moving += out_.moves[at(j)] ? 1 : 0;
           if (!why.count(j)) continue;
-          if (const auto by = driven.find(j); by != driven.end()) {
+          if (const auto by = driven.find(j); by != driven.end() && legs_on.at(b) == 1) {
             ++pulled;
             drivers = by->second;
           }

@@ -19,7 +19,7 @@ namespace legwright {
 std::vector<Servo> read_servos(const XmlFile& xml, const mjModel& model, const Structure& structure,
                                const Morphology& morphology, const Eigen::VectorXd& s);
 
-/// "actuators that filter their controls: knee (0.05 s), …; gaits are …": what actuators of the file
+/// "actuators that filter their controls: knee (0.05 s), …; gaits are …": what actuators of a file
 /// have that servos of scenes do not; empty where there is nothing.
 std::string describe_dynamics(const std::vector<Servo>& servos);
 
