@@ -11,6 +11,7 @@
 
 #include "mjcf/read/couplings.hpp"
 #include "mjcf/read/feet.hpp"
+#include "mjcf/read/world_parts.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/elements.hpp"
 #include "mjcf/text/numbers.hpp"
@@ -83,7 +84,9 @@ double lowest_of_trunk(const mjModel& model, const mjData& data, int trunk) {
 
 class Solver {
  public:
-  Solver(const RobotModel& robot, const mjModel& model, const VectorXd& s)
+  /// @param lifts whether the feet leave the ground also in the design of the file, whose numbers
+  /// are the author's
+  Solver(const RobotModel& robot, const mjModel& model, const VectorXd& s, bool lifts)
       : robot_(robot),
         morphology_(robot.morphology),
         model_(model),
@@ -91,10 +94,11 @@ class Solver {
         legs_(legs_of(robot.morphology)),
         before_(robot.morphology, robot.space.initial()),
         after_(robot.morphology, s),
-        s_(s) {}
+        s_(s),
+        lifts_(lifts) {}
 
   /// Nothing for a keyframe in which the robot does not stand.
-  std::optional<StandingKey> solve(int key, KeyframeEffort effort) {
+  std::optional<StandingKey> solve(int key, KeyframeEffort effort) const {
     StandingKey out;
     out.key = key;
     out.qpos =
@@ -126,12 +130,11 @@ class Solver {
            lowest_of_trunk(model_, *data, trunk) > lowest + kClear * morphology_.leg_length;
   }
 
-  /// How deep the lowest foot is in the ground, where authors did not mean to touch it [m]: another
-  /// design stands on it. That of the file keeps the author's numbers.
+  /// How deep the lowest foot is in the ground, where authors did not mean to touch it [m].
   double depth_in_ground(const StandingKey& key) const {
     const double depth = -*std::min_element(key.foot_height.begin(), key.foot_height.end());
     const bool same = s_.isApprox(robot_.space.initial(), kSameDesign);
-    return !same && depth > kInGround * morphology_.leg_length ? depth : 0.0;
+    return (lifts_ || !same) && depth > kInGround * morphology_.leg_length ? depth : 0.0;
   }
 
   /// How much further each foot is below the trunk than before, at the same angles; of feet on the
@@ -250,16 +253,13 @@ class Solver {
   const std::vector<LegJoints> legs_;
   const PosedRobot before_, after_;
   const VectorXd& s_;
+  const bool lifts_;
 };
 
-}  // namespace
-
-std::vector<StandingKey> solve_keyframes(const RobotModel& robot, const XmlFile& xml,
-                                         const mjModel& model, const VectorXd& s,
-                                         KeyframeEffort effort) {
+/// The keyframes with numbers of their own in which the robot stands.
+std::vector<StandingKey> solved_keyframes(const Solver& solver, const XmlFile& xml,
+                                          const mjModel& model, KeyframeEffort effort) {
   std::vector<StandingKey> keys;
-  if (effort == KeyframeEffort::none || robot.morphology.feet.empty()) return keys;
-  Solver solver(robot, model, s);
   int key = 0;  // MuJoCo counts them in the order of the file
   for_each_element(xml.root(), [&](const XmlElement& element) {
     if (!is_tag(element, "key")) return;
@@ -271,6 +271,45 @@ std::vector<StandingKey> solve_keyframes(const RobotModel& robot, const XmlFile&
     keys.push_back(std::move(*solved));
   });
   return keys;
+}
+
+/// Whether the level ground at height zero is where the robot stands in its file too.
+bool stands_at_zero(const mjModel& model) {
+  for (int g = 0; g < model.ngeom; ++g)
+    if (is_of_surroundings(model, g) && collides(model, g) &&
+        (model.geom_type[g] != mjGEOM_PLANE || model.geom_pos[3 * g + 2] != 0.0))
+      return false;
+  return true;
+}
+
+}  // namespace
+
+std::vector<StandingKey> solve_keyframes(const RobotModel& robot, const XmlFile& xml,
+                                         const mjModel& model, const VectorXd& s,
+                                         KeyframeEffort effort) {
+  if (effort == KeyframeEffort::none || robot.morphology.feet.empty()) return {};
+  return solved_keyframes(Solver(robot, model, s, false), xml, model, effort);
+}
+
+LiftedKeyframes with_lifted_keyframes(const RobotModel& robot) {
+  LiftedKeyframes out{robot.files, 0.0};
+  const std::string& text = robot.files.text();
+  const auto xml = load_xml(text, robot.file);
+  const ModelPointer model = compile_mjcf(text, robot.file);
+  if (robot.morphology.feet.empty() || !stands_at_zero(*model)) return out;
+  const VectorXd s = robot.space.initial();
+  const std::vector<StandingKey> keys =
+      solved_keyframes(Solver(robot, *model, s, true), *xml, *model, KeyframeEffort::height);
+  for (const StandingKey& key : keys)
+    out.lifted = std::max(
+        out.lifted,
+        (key.qpos - VectorXd::Map(model->key_qpos + std::ptrdiff_t{key.key} * model->nq, model->nq))
+            .maxCoeff());
+  if (out.lifted <= 0.0) return out;
+  TextEdits edits(*xml);
+  edit_keyframes(*model, keys, edits);
+  out.files = robot.files.with_text(edits.apply());
+  return out;
 }
 
 void edit_keyframes(const mjModel& model, const std::vector<StandingKey>& keys, TextEdits& edits) {

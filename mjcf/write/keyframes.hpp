@@ -40,6 +40,17 @@ std::vector<StandingKey> solve_keyframes(const RobotModel& robot, const XmlFile&
                                          const mjModel& model, const Eigen::VectorXd& s,
                                          KeyframeEffort effort);
 
+/// A robot's files, and by how much the keyframe in them that was deepest in the ground rose [m].
+struct LiftedKeyframes {
+  RobotFiles files;
+  double lifted = 0.0;
+};
+
+/// The robot as it is, but with its feet on the ground in keyframes in which it stands and its
+/// lowest foot is deeper in the ground than 1 % of a leg's length: the trunk rises, angles stay.
+/// Where the file has ground of its own that is no plane at height zero, nothing changes.
+LiftedKeyframes with_lifted_keyframes(const RobotModel& robot);
+
 /// Writes the numbers that changed into qpos, and into ctrl where the keyframe has that.
 void edit_keyframes(const mjModel& model, const std::vector<StandingKey>& keys, TextEdits& edits);
 

@@ -110,6 +110,11 @@ int export_run(const ExportOptions& options) {
     facts.standing +=
         " The `ctrl` of its home keyframe, which tells its servos that pose, is the export's: the "
         "robot's file has none.";
+  if (from.lifted > 0.0)
+    facts.standing += fmt::format(
+        " Keyframes that have the feet in the ground in the robot's file have them on it here: the "
+        "trunk is up to {:.3g} m higher.",
+        from.lifted);
   facts.others = others;
   const std::vector<HomeTouch> touches = home_touches(from);
   facts.touches = describe(touches);

@@ -10,6 +10,7 @@
 #include "mjcf/text/input_error.hpp"
 #include "mjcf/text/safe_path.hpp"
 #include "mjcf/write/home_ctrl.hpp"
+#include "mjcf/write/keyframes.hpp"
 #include "mjcf/write/verify.hpp"
 #include "tools/files/checksum.hpp"
 #include "tools/files/io_error.hpp"
@@ -132,9 +133,12 @@ ExportedRun read_exported_run(const fs::path& root) {
   // What was a leg is one: a design may be read otherwise where it is borderline.
   const RobotFiles files = RobotFiles::read(result);
   check_assets(out.run, files);
-  const RobotFiles held = with_home_ctrl(files);
+  const LiftedKeyframes raised = with_lifted_keyframes(
+      files.at_their_lines([&] { return parse_robot(files, &out.before.structure); }));
+  out.lifted = raised.lifted;
+  const RobotFiles held = with_home_ctrl(raised.files);
   out.after = files.at_their_lines([&] { return parse_robot(held, &out.before.structure); });
-  out.holds_home = held.text() != files.text();
+  out.holds_home = held.text() != raised.files.text();
   const Eigen::VectorXd s = out.after.space.initial();
   const std::string difference =
       s.size() != out.before.space.size()

@@ -141,6 +141,27 @@ TEST_F(Export, ARobotWithoutControlsAtHomeStands) {
   EXPECT_FALSE(test::contains(done.out, "another place")) << done.out;
 }
 
+/// A search that leaves the body as it was keeps its file, to the byte: the export lifts it.
+TEST_F(Export, AnUnchangedBodyStandsOnTheGroundToo) {
+  const fs::path mine = root() / "mine";
+  fs::create_directories(mine);
+  const std::string robot = read_file(kExamples.parent_path() / "tests/robots/servo_dog/robot.xml");
+  write_file(mine / "dog.xml", replaced(robot, "0 0 0.141102 1 0 0 0", "0 0 0.134102 1 0 0 0"));
+  ASSERT_EQ(call({"init", "mine/dog.xml", "-o", "mine/new.xml", "--task", "mine/dog.toml"}).code,
+            0);
+  std::string fixed = read_file(mine / "dog.toml");
+  fixed = replaced(fixed, "new.xml", "dog.xml");  // no design parameters
+  write_file(mine / "dog.toml", fixed);
+  const Outcome run = call({"optimize", "mine/dog.toml", "-o", "same", "--plan-only",
+                            "--no-pictures", "--no-certificate", "--no-reasons"});
+  ASSERT_TRUE(run.code == 0 || run.code == 1) << run.err;
+  const Outcome done = call({"export", "same", "-o", "lifted", "--no-picture"});
+  EXPECT_EQ(done.code, 0) << done.err;
+  EXPECT_TRUE(contains(done.out, "the trunk is up to 0.007 m higher")) << done.out;
+  EXPECT_FALSE(contains(done.out, "deep in the ground")) << done.out;
+  EXPECT_TRUE(contains(read_file(root() / "lifted" / "servo_dog.xml"), "qpos=\"0 0 0.1411"));
+}
+
 TEST_F(Export, RefusesToOverwriteAndLeavesNothingBehind) {
   ASSERT_EQ(call({"export", "run", "-o", "there", "--no-picture"}).code, 0);
   const auto before = fs::last_write_time(root() / "there" / "README.md");
