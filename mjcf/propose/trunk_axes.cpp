@@ -11,6 +11,7 @@
 
 #include "mjcf/propose/declare.hpp"
 #include "mjcf/propose/leg_chains.hpp"
+#include "mjcf/propose/two_legs_up.hpp"
 #include "mjcf/read/checks.hpp"
 #include "mjcf/read/moving_parts.hpp"
 #include "mjcf/read/tree_checks.hpp"
@@ -32,6 +33,7 @@ constexpr double kTrunkOnItsSide = 0.5;  // cosine of the tilt beyond which z is
 constexpr double kOnePlane = 0.1;        // of the leg's length: feet that end at one height
 constexpr double kFarBelow = 0.15;       // of the leg's length: a foot below its hip
 constexpr std::size_t kThreeFeet = 3;    // have a plane
+constexpr double kToesBelow = 0.5;       // of what legs hang down: below hips of a lying robot
 constexpr double kNoTurn = 1e-9;         // a rounding error of a turn
 
 /// The turns that lead axes to axes, as w x y z in whole numbers.
@@ -89,16 +91,32 @@ class AxesFinder {
       const Vector3d up = std::copysign(1.0, up_at_home[axis]) * Vector3d::Unit(axis);
       if (home.legs > 0 && up != Vector3d::UnitZ()) return told(up, home, true);
     }
-    const std::size_t as_drawn = held_as(Quaterniond::Identity()).legs;
+    const Held as_drawn = held_as(Quaterniond::Identity());
     for (const Vector3d& up :
          {Vector3d(0, 1, 0), Vector3d(0, -1, 0), Vector3d(1, 0, 0), Vector3d(-1, 0, 0)})
       if (const Held held = held_as(Quaterniond::FromTwoVectors(up, Vector3d::UnitZ()));
-          held.legs >= kThreeFeet && held.legs > as_drawn)
+          held.legs >= kThreeFeet && held.legs > as_drawn.legs)
         return told(up, held, false);
-    return std::nullopt;
+    return as_drawn.legs <= 2 ? lying_on_two(as_drawn.below) : std::nullopt;
   }
 
  private:
+  /// Two feet have no plane: one direction alone may be up, and all that can be looked at says so.
+  /// @param as_drawn how far the feet are below the hips along z [m]: long toes alone may be
+  std::optional<TrunkAxes> lying_on_two(double as_drawn) {
+    std::optional<TrunkAxes> found;
+    for (const Vector3d& up :
+         {Vector3d(0, 1, 0), Vector3d(0, -1, 0), Vector3d(1, 0, 0), Vector3d(-1, 0, 0)}) {
+      const Held held = held_as(Quaterniond::FromTwoVectors(up, Vector3d::UnitZ()));
+      if (held.legs != 2 || as_drawn > kToesBelow * held.below ||
+          !plainly_stands_on_two(model_, *data_, trunk_, legs_of_one_build(model_, trunk_, *data_)))
+        continue;
+      if (found) return std::nullopt;
+      found = told(up, held, false);
+    }
+    return found;
+  }
+
   TrunkAxes told(const Vector3d& up, const Held& held, bool stands) const {
     Eigen::Index axis = 0;
     up.cwiseAbs().maxCoeff(&axis);

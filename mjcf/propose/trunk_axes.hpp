@@ -20,7 +20,8 @@ struct TrunkAxes {
 /// Finds that the feet of a robot lie along another axis than −z of the trunk's frame: the home
 /// pose stands in the world while the trunk's z axis is level or down; or three legs and more of
 /// one build end in one plane square to ±x or ±y, below their hips and the centre of mass along
-/// that axis, more of them than do so along z.
+/// that axis, more of them than do so along z; or two hang at most half as far along z, and do so
+/// plainly along one of those axes (two_legs_up.hpp).
 /// Nothing where z is up, or where neither is so. Faults of the file are left to its reader.
 /// @param xml of all files of the robot, whose main one is `file`
 std::optional<TrunkAxes> find_trunk_axes(const std::string& xml, const std::filesystem::path& file);
