@@ -18,6 +18,7 @@ import pytest
 import trimesh
 from legwright import _command, parts
 from legwright.parts import __main__ as command
+from legwright.parts._feet import peg_solid
 from legwright.parts._holes import drilled
 from legwright.parts._shapes import hull, joined, outline
 
@@ -82,6 +83,7 @@ def test_a_part_weighs_its_hulls_less_overlap_modules_and_holes(made):
         left = joined([hull(each) for each in solid.link.hulls]) - seats
         assert solid.seat_volume == pytest.approx(solid.declared.volume() - left.volume(), abs=1)
         left = left - joined([drilled(hole) for hole in solid.holes])
+        left = left + joined([peg_solid(peg) for peg in solid.pegs])
         assert solid.shape.volume() == pytest.approx(left.volume(), rel=1e-3)
         assert solid.seat_volume > 0 and solid.hole_volume > 0
         assert solid.file_mass == pytest.approx(1240e-9 * solid.hull_volume, rel=1e-9)

@@ -20,7 +20,7 @@ def _parsed(words: list[str] | None) -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog='legwright parts', description=__doc__)
     parser.add_argument('robot', type=Path, metavar='RUN|ROBOT', help='run folder, or MJCF')
     parser.add_argument('-o', '--output', type=Path, default=Path('parts'), help='folder')
-    for name in ('fit', 'wall', 'gap', 'strength', 'safety'):
+    for name in ('fit', 'wall', 'gap', 'strength', 'safety', 'press'):
         parser.add_argument(f'--{name}', type=float, default=getattr(PartOptions, name))
     parser.add_argument('--bed', default='x'.join(f'{side:g}' for side in PartOptions.bed))
     parser.add_argument('--quiet', action='store_true', help='say nothing but errors')
@@ -33,7 +33,9 @@ def _options(words: argparse.Namespace) -> PartOptions:
         bed = tuple(float(side) for side in words.bed.split('x'))
     except ValueError:
         raise InputError(f'--bed is {words.bed}; expected three sizes in mm: 220x220x250') from None
-    return PartOptions(words.fit, words.wall, words.gap, bed, words.strength, words.safety)
+    return PartOptions(
+        words.fit, words.wall, words.gap, bed, words.strength, words.safety, words.press
+    )
 
 
 def _summary(made: 'Parts') -> str:

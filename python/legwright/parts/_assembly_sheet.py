@@ -8,7 +8,7 @@ from legwright.parts._limb_views import limb_scene, number_of, trunk_scene
 from legwright.parts._limbs import Limb, Piece, limbs_of, trunk_steps
 from legwright.parts._robot import BuiltRobot, Module
 from legwright.parts._solids import Part, Solid
-from legwright.parts._tables import Row, markdown, screw_of
+from legwright.parts._tables import Row, is_pressed, markdown, screw_of
 
 SHEET = 'assembly.md'
 _TRUNK = 'trunk'
@@ -30,6 +30,8 @@ class _Sheet:
         self.numbers = {row.key: number for number, row in enumerate(rows, 1)}
 
     def _of_fixing(self, solid: Solid, fixing: Fixing) -> str:
+        if is_pressed(solid, fixing):
+            return f'{fixing.place.name}: none, it is pressed on its peg'
         holes = [hole for hole in solid.holes if hole.fixing is fixing]
         name, note = screw_of(fixing, holes[0] if holes else None)
         number = self._screws.get((name, note))

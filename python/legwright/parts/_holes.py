@@ -117,6 +117,12 @@ def fixings_of(robot: BuiltRobot, link: Link, solid: Manifold) -> list[Fixing]:
     return out
 
 
+def begins_at(solid: Manifold, fixing: Fixing) -> float:
+    """How far before an attachment that it covers a part begins [mm]."""
+    hits = _hits(solid, MM * fixing.position - 0.5 * fixing.normal, fixing.normal, _REACH + 0.5)
+    return max(0.0, hits[0] - 0.5) if hits else 0.0
+
+
 def _edge(solid: Manifold, start: Array, axis: Array, clamped: float, radius: float) -> float:
     """From a hole's rim to the nearest side of what it goes through [mm]."""
     frame = frame_along(axis)

@@ -13,10 +13,11 @@ from legwright.parts._assembly_sheet import assembly_files
 from legwright.parts._beam import check_beams
 from legwright.parts._checks import Check
 from legwright.parts._exploded import exploded_scene
+from legwright.parts._feet import feet_of, foot_solid
 from legwright.parts._fit import Distances, check_poses, check_ranges, things_of
 from legwright.parts._folder import CHECKS, SCHEMA, check_place, write_folder
 from legwright.parts._gait import gait_poses
-from legwright.parts._mesh_files import Item, stl_bytes, threemf_bytes
+from legwright.parts._mesh_files import Item, mesh_of, stl_bytes, threemf_bytes
 from legwright.parts._numbers import numbered_parts
 from legwright.parts._options import PartOptions
 from legwright.parts._prints import check_bed, prints_markdown
@@ -96,6 +97,19 @@ def _all_checks(
     ]
 
 
+def _feet(parts: Sequence[Part], press: float) -> dict[str, bytes]:
+    """The STL of each ball foot with its socket, under a name that no part has."""
+    taken = {part.name for part in parts}
+    out = {}
+    for name, peg in feet_of([peg for part in parts for peg in part.solid.pegs]).items():
+        file = f'foot_{name}'
+        while file in taken:
+            file += '_'
+        taken.add(file)
+        out[f'{file}.stl'] = stl_bytes(mesh_of(foot_solid(peg, press)))
+    return out
+
+
 def _part_json(part: Part) -> dict[str, Any]:
     solid = part.solid
     return {
@@ -109,6 +123,7 @@ def _part_json(part: Part) -> dict[str, Any]:
         'overlap_mm3': solid.hull_volume - solid.declared.volume(),
         'modules_mm3': solid.seat_volume,
         'holes_mm3': solid.hole_volume,
+        'pegs_mm3': solid.peg_volume,
         'number_mm3': solid.number_volume,
         'digits_mm': part.mark.height if part.mark else None,
         'density_for_mass_of_file_kgpm3': solid.file_mass / solid.shape.volume() * MM**3,
@@ -149,8 +164,9 @@ def make(
         options.wall,
     )
     checks = _all_checks(built, parts, options, path)
-    rows = bill(built, parts)
+    rows = bill(built, parts, options.press)
     files = {f'{part.name}.stl': stl_bytes(part.mesh) for part in parts}
+    files |= _feet(parts, options.press)
     files['all.3mf'] = threemf_bytes(built.name, _items(parts))
     files['bom.csv'] = bill_csv(rows).encode()
     files['prints.md'] = prints_markdown(built.name, parts, checks, options).encode()

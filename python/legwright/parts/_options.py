@@ -21,6 +21,9 @@ class PartOptions:
     safety: float = 2.0
     """Least safety factor under the loads of the gait."""
 
+    press: float = 0.1
+    """By how much a foot's socket is narrower than its peg, across [mm]; negative is play."""
+
     def faults(self) -> list[str]:
         """What is wrong with them."""
         out = []
@@ -28,6 +31,8 @@ class PartOptions:
             value = getattr(self, name)
             if not least <= value <= 1000.0:
                 out.append(f'{name} is {value:g}; expected {least:g} to 1000')
+        if not -1.0 <= self.press <= 1.0:
+            out.append(f'press is {self.press:g}; expected -1 to 1')
         if len(self.bed) != 3 or not all(1 <= side <= 10000 for side in self.bed):
             out.append(f'bed is {self.bed}; expected three sizes in mm from 1 to 10000')
         if not 0 < self.safety <= 100:

@@ -8,7 +8,8 @@ import numpy as np
 from manifold3d import Manifold
 
 from legwright._errors import InputError
-from legwright.parts._holes import Fixing, Hole, drilled, fixings_of, holes_of
+from legwright.parts._feet import Peg, peg_of, peg_solid
+from legwright.parts._holes import Fixing, Hole, begins_at, drilled, fixings_of, holes_of
 from legwright.parts._mesh_files import Mesh, as_printed, mesh_of
 from legwright.parts._printing import Lying, best_lying, lying_on
 from legwright.parts._robot import BuiltRobot, Link
@@ -45,6 +46,10 @@ class Solid:
     """[kg/m3]; of several hulls by their volumes."""
     file_mass: float
     """Of the connectors, or of the trunk's module, as the robot's file says [kg]."""
+    pegs: tuple[Peg, ...] = ()
+    """On which ball feet are pressed."""
+    peg_volume: float = 0.0
+    """What they add [mm3]."""
     number_volume: float = 0.0
     """What its number takes away [mm3]."""
 
@@ -154,6 +159,10 @@ def _cut(
     shape, pieces = _whole(shape)
     shape = shape.simplify(_FINE)
     _check_left(robot, link, shape)
+    without = shape.volume()
+    pegs = [peg for fixing in fixings if (peg := peg_of(fixing, begins_at(shape, fixing)))]
+    if pegs:
+        shape = (shape + joined([peg_solid(peg) for peg in pegs])).simplify(_FINE)
     return Solid(
         link=link,
         declared=declared,
@@ -162,7 +171,9 @@ def _cut(
         fixings=tuple(fixings),
         holes=tuple(holes),
         seat_volume=declared.volume() - seated,
-        hole_volume=seated - shape.volume(),
+        hole_volume=seated - without,
+        pegs=tuple(pegs),
+        peg_volume=shape.volume() - without,
         **told,
     )
 

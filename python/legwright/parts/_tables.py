@@ -7,10 +7,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from legwright.parts._checks import Check
+from legwright.parts._feet import feet_of, socket_size
 from legwright.parts._holes import Fixing, Hole
 from legwright.parts._robot import BuiltRobot
 from legwright.parts._shapes import MM
-from legwright.parts._solids import Part
+from legwright.parts._solids import Part, Solid
 
 
 @dataclass(frozen=True)
@@ -43,14 +44,15 @@ def module_counts(robot: BuiltRobot) -> dict[tuple[str, str, float], int]:
     return counts
 
 
-def bill(robot: BuiltRobot, parts: Sequence[Part]) -> list[Row]:
-    """Modules, printed parts, then screws."""
+def bill(robot: BuiltRobot, parts: Sequence[Part], press: float) -> list[Row]:
+    """Modules, printed parts, then screws; feet with the sockets that the press asks for [mm]."""
     counts = module_counts(robot)
     trunk = next((part.solid for part in parts if part.solid.link.servo is None), None)
     prices = {(m.words.kind, m.words.name): m.words.price for m in robot.modules}
+    feet = _foot_notes(parts, press)
     rows = []
     for (kind, name, mass), count in counts.items():
-        note = ''
+        note = feet.get(name, '') if kind == 'foot' else ''
         if kind == 'trunk' and trunk is not None:
             mass, note = mass - trunk.mass, 'what else its mass stands for, beside the print'
         rows.append(Row(kind, name, count, MM * mass, None, note, prices[kind, name]))
@@ -78,12 +80,27 @@ def screw_of(fixing: Fixing, hole: Hole | None) -> tuple[str, str]:
     return fixing.place.screw or '', note
 
 
+def is_pressed(solid: Solid, fixing: Fixing) -> bool:
+    """Whether a peg holds what is there, and no screw."""
+    return any(peg.fixing is fixing for peg in solid.pegs)
+
+
+def _foot_notes(parts: Sequence[Part], press: float) -> dict[str, str]:
+    """Of each foot that stands on a peg, by the name of its module."""
+    out = {}
+    for name, peg in feet_of([peg for part in parts for peg in part.solid.pegs]).items():
+        wide, deep = socket_size(peg, press)
+        place = peg.fixing.place.name
+        out[name] = f'socket of {wide:.2f} mm, {deep:.1f} mm deep, at its {place}'
+    return out
+
+
 def _screws(parts: Sequence[Part]) -> list[Row]:
     known: dict[tuple[str, str], int] = {}
     unknown: dict[tuple[str, str], int] = {}
     for part in parts:
         for fixing in part.solid.fixings:
-            if fixing.place.screw is None:
+            if fixing.place.screw is None and not is_pressed(part.solid, fixing):
                 key = screw_of(fixing, None)
                 unknown[key] = unknown.get(key, 0) + part.count
         for hole in part.solid.holes:
@@ -153,6 +170,7 @@ def _mass_rows(parts: Sequence[Part]) -> list[list[str]]:
                 f'{overlap:.0f}',
                 f'{solid.seat_volume:.0f}',
                 f'{solid.hole_volume:.0f}',
+                f'{solid.peg_volume:.0f}',
                 f'{solid.number_volume:.0f}' if part.mark else 'no room',
                 f'{density:.0f}',
             ]
@@ -207,18 +225,21 @@ def bill_markdown(robot: BuiltRobot, parts: Sequence[Part], rows: Sequence[Row])
                 'overlap, mm3',
                 'modules, mm3',
                 'holes, mm3',
+                'pegs, mm3',
                 'number, mm3',
                 'kg/m3 for the mass of the file',
             ],
             _mass_rows(parts),
         )
         + '\nThe file weighs each hull by itself: where two overlap, twice. Modules, holes '
-        'and the number take material away; "no room": no flat side has room for the number. A '
-        'fill of less than all of the volume is lighter still.\n'
+        'and the number take material away; "no room": no flat side has room for the number. '
+        'Pegs of feet add some. A fill of less than all of the volume is lighter still.\n'
     )
 
 
-_TOGETHER = {'reaches': 'reaches its modules', 'axis': 'axes on their horns',
+_TOGETHER = {
+    'reaches': 'reaches its modules',
+    'axis': 'axes on their horns',
     'middle': 'axes through their horns',
     'range': 'ranges of joints',
     'edge': 'edges of holes',
