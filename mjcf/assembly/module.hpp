@@ -77,6 +77,7 @@ struct Module {
   std::optional<ModuleJoint> joint;  // of a servo
   std::optional<double> friction;    // of a foot's sliding
   std::vector<Attachment> attachments;
+  std::vector<std::string> cable;  // attachments at which cables leave
 
   std::string_view kind_name() const { return kModuleKinds[static_cast<std::size_t>(kind)]; }
 };

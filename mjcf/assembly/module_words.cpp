@@ -2,6 +2,7 @@
 #include "mjcf/assembly/module_words.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 
@@ -34,6 +35,7 @@ std::string module_declaration(const Module& module, const ModulePlace& place,
                                  format_number(module.mass), sort, of);
   if (!joint.empty()) data += " | joint " + joint;
   if (module.price) data += " | price " + format_number(*module.price);
+  if (!module.cable.empty()) data += fmt::format(" | cable {}", fmt::join(module.cable, " "));
   for (const Attachment& at : module.attachments) data += attachment_words(at, place);
   return fmt::format("<text name=\"{}{}\" data=\"{}\"/>", kModulePrefix, of, data);
 }

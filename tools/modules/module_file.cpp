@@ -19,7 +19,8 @@ namespace {
 using Eigen::Vector3d;
 
 /// Figures that must be sourced or assumed where they are given.
-constexpr std::array<std::string_view, 16> kFigures{"mass",
+constexpr std::array<std::string_view, 17> kFigures{"mass",
+                                                    "cable",
                                                     "voltage",
                                                     "outline",
                                                     "joint.position",
@@ -75,6 +76,7 @@ class ModuleReader {
     read_joint();
     read_foot();
     for (const toml::table* at : root_.tables("attachment")) read_attachment(at);
+    read_cable();
     for (const toml::table* source : root_.tables("source")) read_source(source);
     for (const toml::table* assumption : root_.tables("assumption")) read_assumption(assumption);
     out_.unknown = figures(root_, "unknown");
@@ -248,6 +250,21 @@ class ModuleReader {
     read_holes(in, at);
     in.finish();
     out_.module.attachments.push_back(at);
+  }
+
+  void read_cable() {
+    Module& module = out_.module;
+    module.cable = root_.names("cable").value_or(std::vector<std::string>{});
+    note("cable", !module.cable.empty());
+    std::vector<std::string> sides;
+    for (const Attachment& at : module.attachments)
+      if (!at.on_horn) sides.push_back(at.name);
+    const std::string told = fmt::format("{}", fmt::join(sides, ", "));
+    for (const std::string& side : module.cable)
+      if (std::find(sides.begin(), sides.end(), side) == sides.end())
+        problems_.add(root_.line_of("cable"), "cable",
+                      fmt::format("names \"{}\", which is no attachment on the body; there are {}",
+                                  side, sides.empty() ? "none" : told));
   }
 
   /// Screws on a circle about the middle of an attachment, and places one by one.

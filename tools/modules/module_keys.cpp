@@ -95,6 +95,9 @@ std::vector<TaskKey> keys_of_attachments_and_sources() {
                  "along x."),
       numbers_key("attachment.holes", kPlaceInModule, 0, "none", "[0.008, 0.0, 0.018]",
                   "Where single ones are, in the attachment's plane: three numbers each."),
+      names_key("cable", "none", "[\"left\", \"right\"]",
+                "Names of attachments on the body at which cables leave: printed parts have a slot "
+                "there."),
       tables_key("source", "none",
                  "[{title = \"data sheet\", address = \"https://…\", figures = [\"mass\"]}]",
                  "`[[source]]`, once for each page or data sheet that figures are from. A figure "

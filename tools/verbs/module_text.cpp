@@ -87,6 +87,8 @@ std::string attachment_lines(const Module& module) {
                        at.on_horn ? "horn" : "body", place.x(), place.y(), place.z(),
                        at.screws.empty() ? "" : ": " + screw_words(at));
   }
+  if (!module.cable.empty())
+    out += fmt::format("  cables leave at {}\n", fmt::join(module.cable, ", "));
   return out.empty() ? "" : "attachments\n" + out;
 }
 
@@ -204,6 +206,7 @@ Json to_json(const ModuleFile& file) {
           {"joint", module.joint ? joint_json(*module.joint) : Json(nullptr)},
           {"foot_friction", optional_json(module.friction)},
           {"attachments", attachments},
+          {"cable", module.cable},
           {"sources", sources},
           {"assumptions", assumptions},
           {"unknown", file.unknown}};

@@ -14,6 +14,7 @@ from legwright.parts._mesh_files import Mesh, as_printed, mesh_of
 from legwright.parts._printing import Lying, best_lying, lying_on
 from legwright.parts._robot import BuiltRobot, Link
 from legwright.parts._shapes import MM, hull, joined, outline, placed
+from legwright.parts._slots import all_slots
 from legwright.parts._trunk import trunk_link, trunk_solid
 from legwright.parts._words import Array
 
@@ -37,7 +38,7 @@ class Solid:
     fixings: tuple[Fixing, ...]
     holes: tuple[Hole, ...]
     seat_volume: float
-    """What places of modules take away [mm3]."""
+    """What places of modules and slots for their cables take away [mm3]."""
     hole_volume: float
     """What holes take away [mm3]."""
     hull_volume: float
@@ -194,7 +195,7 @@ def solid_of(robot: BuiltRobot, link: Link, fit: float, wall: float) -> Solid:
         'density': masses / volume,
         'file_mass': sum(each.mass for each in link.hulls),
     }
-    taken = joined([outline(module, fit) for module in link.modules])
+    taken = joined([*(outline(module, fit) for module in link.modules), *all_slots(link.modules)])
     return _cut(robot, link, joined(hulls), taken, wall, told)
 
 

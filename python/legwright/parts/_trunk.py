@@ -10,6 +10,7 @@ from manifold3d import Manifold
 
 from legwright.parts._robot import BuiltRobot, Link, Module, home_of, matrix
 from legwright.parts._shapes import MM, grown, joined, outline
+from legwright.parts._slots import all_slots
 from legwright.parts._words import Array, Place
 
 _SOLID = 4.0  # times the wall: trunks that are lower are plates
@@ -58,7 +59,8 @@ def trunk_solid(robot: BuiltRobot, wall: float, fit: float) -> tuple[Manifold, M
 
     The trunk's box as a tray. A servo gets a cradle: walls around it, but not above, from where it
     is put in, and not before its horn. Cut out are the modules, grown by the fit, with their way
-    in from above, what is just before the horns, and what the links there pass through.
+    in from above, slots for their cables, what is just before the horns, and what the links there
+    pass through.
     """
     trunk, link = _box(robot), trunk_link(robot)
     top = MM * max(float(shape.position[2] + shape.size[2]) for shape in trunk.shapes)
@@ -71,6 +73,7 @@ def trunk_solid(robot: BuiltRobot, wall: float, fit: float) -> tuple[Manifold, M
                     before = _swept(module, fit + wall + 1.0, place.normal) ^ _before(place)
                     cuts.append(before)
         cuts.append(_swept(module, fit, _UP))
+    cuts += all_slots(link.modules, _FAR)
     for moved in robot.links:
         if moved.servo in link.modules:
             cuts.append(_passed(robot, moved))

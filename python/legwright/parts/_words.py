@@ -45,6 +45,8 @@ class ModuleWords:
     """That a servo turns."""
     price: float | None
     """Of one, in the currency of all of them; None where no file tells it."""
+    cable: tuple[str, ...]
+    """Names of the attachments at which cables leave."""
     places: tuple[Place, ...]
 
 
@@ -109,11 +111,15 @@ def _module(of: str, data: str) -> ModuleWords:
         raise ValueError(data)
     rest = parts[2:]
     joint, price = _taken(rest, 'joint '), _taken(rest, 'price ')
+    cable = tuple((_taken(rest, 'cable ') or '').split())
     cost = None if price is None else float(_numbers(price)[0])
     if cost is not None and cost < 0:
         raise ValueError(data)
     places = tuple(_place(part) for part in rest)
-    return ModuleWords(of, sort, name, kind, float(_numbers(mass)[0]), joint, cost, places)
+    if not set(cable) <= {place.name for place in places if not place.on_horn}:
+        raise ValueError(data)
+    weight = float(_numbers(mass)[0])
+    return ModuleWords(of, sort, name, kind, weight, joint, cost, cable, places)
 
 
 def _connector(name: str, data: str, meshes: dict[str, str]) -> ConnectorWords:

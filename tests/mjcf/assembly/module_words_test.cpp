@@ -52,13 +52,14 @@ TEST(ModuleWords, HaveTheHolesOfScrewsBehindTheNormal) {
             "-0.009 0.017 0 0 1 0.008 -0.009 0.017 0 -0.017 0.017\"/>");
 }
 
-TEST(ModuleWords, TellAPriceThatIsKnown) {
+TEST(ModuleWords, TellPriceAndCablesThatAreKnown) {
   Module servo = test::servo_module();
   servo.attachments.clear();
   servo.price = 23.9;
+  servo.cable = {"left", "back"};
   EXPECT_EQ(module_declaration(servo, {}, "body", "A", "A_hip"),
             "<text name=\"legwright_module/A\" data=\"S servo 0.06 kg | body A | joint A_hip | "
-            "price 23.9\"/>");
+            "price 23.9 | cable left back\"/>");
 }
 
 /// Trunk, what rides on it, servos and feet, each once, at any design.

@@ -45,6 +45,19 @@ TEST(ModuleFile, TakesAPriceWithoutASource) {
   expect_refusal(servo_with("voltage = 6.0", "voltage = 6.0\nprice = -1.0"), {"price", "-1"});
 }
 
+TEST(ModuleFile, TakesSidesOfCablesThatAreAttachmentsAndHaveASource) {
+  const std::string back =
+      "[[attachment]]\nname = \"back\"\nposition = [0, 0, -0.018]\nnormal = [0, 0, -1]\n\n"
+      "[[attachment]]\nname = \"horn\"";
+  std::string text = servo_with("[[attachment]]\nname = \"horn\"", back);
+  text.insert(text.find("mass = 0.055"), "cable = [\"back\"]\n");
+  expect_refusal(text, {"cable", "has no source"});
+  text.replace(text.find("\"mass\", \"voltage\""), 6, "\"mass\", \"cable\"");
+  EXPECT_EQ(parse_module(text, "hs1.toml").module.cable, std::vector<std::string>{"back"});
+  text.replace(text.find("[\"back\"]"), 8, "[\"horn\"]");
+  expect_refusal(text, {"names \"horn\"", "there are back"});
+}
+
 TEST(ModuleFile, ReadsAWholeServo) {
   const ModuleFile file = parse_module(kWholeServo, "hs1.toml");
   const Module& module = file.module;
