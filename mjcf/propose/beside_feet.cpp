@@ -80,8 +80,7 @@ class Feet {
     const double near = std::max(kLeastFar, kFarther * foot.radius);
     Beside worst;
     for (int g = 0; g < model_->ngeom; ++g) {
-      const bool own = g == foot.geom ||
-                       std::find(foot.others.begin(), foot.others.end(), g) != foot.others.end();
+      const bool own = is_of_foot(foot, g);
       if (own || !collides(*model_, g) || !is_of_leg(model_->geom_bodyid[g], body)) continue;
       for (const Vector3d& point : surface_points(*model_, *data_, g)) {
         const double away = (point - place).head<2>().norm(), higher = point.z() - low;

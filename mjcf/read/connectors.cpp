@@ -188,7 +188,8 @@ class ConnectorReader {
     const XmlElement& element = *elements_.geoms[static_cast<std::size_t>(geom)];
     AffineVector out = stretched_point(pose_in_body(xml_, element).translation(), stretches());
     for (const FootContact& foot : structure_.feet)
-      if (foot.geom == geom) out = sum(out, foot_shift(xml_, elements_, model_, foot, stretches()));
+      if (is_of_foot(foot, geom))
+        out = sum(out, foot_shift(xml_, elements_, model_, foot, stretches()));
     return out;
   }
 

@@ -21,8 +21,10 @@ constexpr double kLevel = 0.035;   // the same for what lies on its side: else i
 constexpr double kNearEnd = 0.25;  // of the far end's distance: so near to the hinge a link begins
 constexpr double kAsLow = 1e-4;    // [m]: balls that touch together
 constexpr double kTwinsAsLow = 5e-4;  // [m]: geoms of one shape, of which the first counts
-constexpr double kSoleShare = 0.02;   // of a mesh's height: what is no higher belongs to the sole
-constexpr double kBallFirst = 0.5;  // of its radius: a ball may be so much higher than other geoms
+constexpr double kTurnedAlike = 1e-9;
+constexpr double kApart = 1e-6;      // [m]: geoms that stand in the file twice are one plate
+constexpr double kSoleShare = 0.02;  // of a mesh's height: what is no higher belongs to the sole
+constexpr double kBallFirst = 0.5;   // of its radius: a ball may be so much higher than other geoms
 
 /// Vertices of a geom's mesh in its frame.
 Eigen::Map<const Eigen::Matrix<float, 3, Eigen::Dynamic>> vertices_of(const mjModel& model,
@@ -44,6 +46,22 @@ bool are_twins(const mjModel& model, int a, int b) {
          std::equal(model.geom_size + std::ptrdiff_t{3} * a,
                     model.geom_size + std::ptrdiff_t{3} * a + 3,
                     model.geom_size + std::ptrdiff_t{3} * b);
+}
+
+/// Whether a geom is a ball as a given one of the same body is.
+bool is_ball_of_sole(const mjModel& model, int geom, int ball) {
+  return model.geom_type[geom] == mjGEOM_SPHERE &&
+         model.geom_bodyid[geom] == model.geom_bodyid[ball] &&
+         model.geom_size[std::ptrdiff_t{3} * geom] == model.geom_size[std::ptrdiff_t{3} * ball];
+}
+
+/// Whether the plates of a fork touch together, turned alike.
+bool is_fork(const mjModel& model, const mjData& data, int a, int b) {
+  const double turn = Eigen::Vector4d::Map(model.geom_quat + std::ptrdiff_t{4} * a)
+                          .dot(Eigen::Vector4d::Map(model.geom_quat + std::ptrdiff_t{4} * b));
+  const double apart = (vector_at(model.geom_pos, a) - vector_at(model.geom_pos, b)).norm();
+  return are_twins(model, a, b) && apart > kApart && std::abs(turn) > 1.0 - kTurnedAlike &&
+         std::abs(lowest_point(model, data, a) - lowest_point(model, data, b)) <= kTwinsAsLow;
 }
 
 /// Down in the frame of a geom.
@@ -238,13 +256,12 @@ bool choose_foot(const XmlFile& xml, const mjModel& model, const mjData& data,
   if (ball >= 0 && low(ball) - low(geom) <= kBallFirst * model.geom_size[std::ptrdiff_t{3} * ball])
     geom = ball;
   if (geom >= 0) {
-    // The balls of one sole that touch together are one foot.
+    // The balls of one sole that touch together are one foot, and so are the plates of a fork.
     std::vector<int> others;
-    for (int g = 0; g < model.ngeom && geom == ball; ++g)
-      if (g != ball && model.geom_type[g] == mjGEOM_SPHERE && collides(model, g) &&
-          model.geom_bodyid[g] == model.geom_bodyid[ball] &&
-          model.geom_size[std::ptrdiff_t{3} * g] == model.geom_size[std::ptrdiff_t{3} * ball] &&
-          low(g) - low(ball) <= kAsLow)
+    for (int g = 0; g < model.ngeom; ++g)
+      if (g != geom && collides(model, g) &&
+          (geom == ball ? is_ball_of_sole(model, g, ball) && low(g) - low(ball) <= kAsLow
+                        : is_fork(model, data, g, geom)))
         others.push_back(g);
     const int last = model.body_jntadr[bodies.front()] + model.body_jntnum[bodies.front()] - 1;
     foot = contact_of(model, data, geom, Vector3d::Map(data.xanchor + std::ptrdiff_t{3} * last));
@@ -272,6 +289,11 @@ bool choose_foot(const XmlFile& xml, const mjModel& model, const mjData& data,
   return true;
 }
 
+bool is_of_foot(const FootContact& foot, int geom) {
+  return geom >= 0 && (geom == foot.geom || std::find(foot.others.begin(), foot.others.end(),
+                                                      geom) != foot.others.end());
+}
+
 int foot_body(const mjModel& model, const FootContact& foot) {
   return foot.geom >= 0 ? model.geom_bodyid[foot.geom] : model.site_bodyid[foot.site];
 }
@@ -282,10 +304,9 @@ AffineVector foot_point(const XmlFile& xml, const TreeElements& elements, const 
   if (foot.middle) return stretched_point(*foot.middle, stretches);
   const int g = foot.geom;
   Vector3d centre = vector_at(model.geom_pos, g);
-  if (!foot.others.empty()) {
-    for (const int other : foot.others) centre += vector_at(model.geom_pos, other);
-    return stretched_point(centre / static_cast<double>(1 + foot.others.size()), stretches);
-  }
+  for (const int other : foot.others) centre += vector_at(model.geom_pos, other);
+  centre /= static_cast<double>(1 + foot.others.size());
+  if (model.geom_type[g] == mjGEOM_SPHERE) return stretched_point(centre, stretches);
   Matrix3d axes = rotation_at(model.geom_quat, g);
   if (is_mesh(model, g)) {
     // From MuJoCo's frame of the geom, at the mesh's centre, to the one that the file places.

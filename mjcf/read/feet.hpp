@@ -22,11 +22,14 @@ Eigen::Vector3d lowest_place(const mjModel& model, const mjData& data, int geom)
 bool collides(const mjModel& model, int geom);
 
 /// The foot among the parts of a leg's last link, in the pose that `data` holds: the colliding geom
-/// that reaches lowest (a ball before others that are about as low; balls of one size that reach as
-/// low together), else the lowest site. Without name. Returns false where there is neither.
+/// that reaches lowest (a ball before others about as low; balls, or plates, of one size that reach
+/// as low together), else the lowest site. Without name. Returns false where there is neither.
 /// @param bodies those that make up the link.
 bool choose_foot(const XmlFile& xml, const mjModel& model, const mjData& data,
                  const std::vector<int>& bodies, FootContact& foot);
+
+/// Whether a geom is the foot's, or another of several alike in whose middle it is.
+bool is_of_foot(const FootContact& foot, int geom);
 
 /// Body that a foot belongs to.
 int foot_body(const mjModel& model, const FootContact& foot);

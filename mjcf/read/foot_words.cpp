@@ -48,6 +48,9 @@ std::string part_of_geom(const FootContact& contact) {
 std::string touching_part(const RobotModel& robot, int index) {
   const Foot& foot = robot.morphology.feet[static_cast<std::size_t>(index)];
   const FootContact& contact = robot.structure.feet[static_cast<std::size_t>(index)];
+  const bool is_fork = !contact.others.empty() && contact.geom_type != mjGEOM_SPHERE;
+  if (is_fork && !foot.sole)
+    return fmt::format("middle of {} plates alike", 1 + contact.others.size());
   if (foot.radius > 0.0) {
     const std::size_t balls = 1 + contact.others.size();
     return fmt::format("{} of {:.3g} mm",

@@ -278,8 +278,7 @@ class StructureReader {
     foot.normal = world.transpose() * *normal;
     const std::vector<int> geoms = ground_geoms(model_, *data_, link_of(end));
     const bool known = std::all_of(geoms.begin(), geoms.end(), [&](int geom) {
-      return geom == foot.geom ||
-             std::find(foot.others.begin(), foot.others.end(), geom) != foot.others.end();
+      return foot.geom_type == mjGEOM_SPHERE ? is_of_foot(foot, geom) : geom == foot.geom;
     });
     if (known) return;
     const Eigen::Vector3d ahead = matrix_at(data_->xmat, out_.trunk).col(0);

@@ -300,8 +300,9 @@ PrintedMap read_printed(const XmlFile& xml, const mjModel& model, const Structur
     std::vector<Solid> meshes;
     for (Solid& solid : solids_of(xml, model, elements, id)) {
       for (const FootContact& foot : structure.feet) {
-        if (foot.geom < 0 || elements.geoms[static_cast<std::size_t>(foot.geom)] != solid.element)
-          continue;
+        const auto& geoms = elements.geoms;
+        const auto geom = std::find(geoms.begin(), geoms.end(), solid.element) - geoms.begin();
+        if (!is_of_foot(foot, static_cast<int>(geom))) continue;
         solid.shift = foot_shift(xml, elements, model, foot, own);
         if (solid.type == mjGEOM_MESH && solid.density > 0.0)
           check_mesh_foot(xml, model, elements, foot, own);

@@ -25,7 +25,8 @@ struct FootContact {
   /// Where several geoms make up such a foot that are no balls of one size: the middle of the face
   /// with which they touch, in the same frame; `share` is not used.
   std::optional<Eigen::Vector3d> middle = {};
-  std::vector<int> others;  // balls of one sole as low as this one: the point is the middle of all
+  /// Balls of one sole, or plates of a fork, as low as this one: the point is the middle of all.
+  std::vector<int> others;
 };
 
 /// A joint that the plan holds at its home pose.

@@ -266,6 +266,13 @@ bool is_same_place(const mjModel& model, int a, int b) {
          rotation_at(model.geom_quat, a).isApprox(rotation_at(model.geom_quat, b), 1e-9);
 }
 
+/// Whether a mesh is where one of a foot is.
+bool is_part_of(const mjModel& model, int geom, const FootContact& foot) {
+  return is_same_place(model, geom, foot.geom) ||
+         std::any_of(foot.others.begin(), foot.others.end(),
+                     [&](int other) { return is_same_place(model, geom, other); });
+}
+
 }  // namespace
 
 std::map<const XmlElement*, Vector3d> rigid_feet(const XmlFile& xml, const mjModel& model,
@@ -289,7 +296,7 @@ std::map<const XmlElement*, Vector3d> rigid_feet(const XmlFile& xml, const mjMod
         stretch_matrix(own->second, s) * point + stretch_shift(own->second, s) - point;
     for (int g = 0; g < model.ngeom; ++g) {
       const XmlElement& element = *elements.geoms[static_cast<std::size_t>(g)];
-      if (model.geom_type[g] == mjGEOM_MESH && is_same_place(model, g, foot.geom) &&
+      if (model.geom_type[g] == mjGEOM_MESH && is_part_of(model, g, foot) &&
           mesh_grows(xml, element))
         out.emplace(&element, move);
     }

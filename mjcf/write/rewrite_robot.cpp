@@ -239,8 +239,9 @@ ShiftMap shifted_feet(const XmlFile& xml, const mjModel& model, const TreeElemen
     const auto own = stretches.find(name_of(model, mjOBJ_BODY, foot_body(model, foot)));
     if (foot.geom < 0 || own == stretches.end()) continue;
     AffineVector shift = foot_shift(xml, elements, model, foot, own->second);
-    if (!shift.slopes.empty())
-      out.emplace(elements.geoms[static_cast<std::size_t>(foot.geom)], std::move(shift));
+    if (shift.slopes.empty()) continue;
+    for (int g = 0; g < model.ngeom; ++g)
+      if (is_of_foot(foot, g)) out.emplace(elements.geoms[static_cast<std::size_t>(g)], shift);
   }
   return out;
 }

@@ -19,12 +19,15 @@ int foot_site(const mjModel& model, int geom) {
   return name ? mj_name2id(&model, mjOBJ_SITE, (kFootSite + std::string(name)).c_str()) : -1;
 }
 
-/// Whether a geom is the foot's, or another ball of a sole of several.
+/// Whether a geom is the foot's, or another of those alike in whose middle it is.
 bool belongs_to(const mjModel& model, int geom, int foot) {
   if (geom == foot) return true;
   return model.geom_bodyid[geom] == model.geom_bodyid[foot] &&
-         model.geom_type[geom] == mjGEOM_SPHERE && model.geom_type[foot] == mjGEOM_SPHERE &&
-         model.geom_size[3 * geom] == model.geom_size[3 * foot] && foot_site(model, foot) >= 0;
+         model.geom_type[geom] == model.geom_type[foot] &&
+         model.geom_dataid[geom] == model.geom_dataid[foot] &&
+         std::equal(model.geom_size + 3 * geom, model.geom_size + 3 * geom + 3,
+                    model.geom_size + 3 * foot) &&
+         foot_site(model, foot) >= 0;
 }
 
 }  // namespace

@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
+#include "mjcf/read/foot_words.hpp"
 #include "mjcf/scene/played_robot.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/write/rewrite_robot.hpp"
@@ -95,6 +97,56 @@ TEST(Feet, OfTwoPlatesOfOneShapeTheFirstCounts) {
   };
   EXPECT_EQ(foot_of("-0.2", "-0.2000000001"), foot_of("-0.2", "-0.2"));
   EXPECT_EQ(foot_of("-0.2", "-0.21"), foot_of("-0.2", "-0.2") + 1);
+}
+
+std::string fork_of(const std::string& shape) {
+  return "<geom " + shape + " pos=\"0.01 0.02 -0.2\"/><geom " + shape +
+         " pos=\"0.01 -0.03 -0.2\"/>";
+}
+
+TEST(Feet, OfAForkAreInTheMiddleOfItsPlates) {
+  for (const auto& [shape, z, radius] :
+       {std::tuple{"type=\"box\" size=\"0.02 0.003 0.01\"", -0.21, 0.0},
+        std::tuple{"type=\"capsule\" size=\"0.005 0.02\"", -0.22, 0.005},
+        std::tuple{"type=\"mesh\" mesh=\"shoe\"", -0.2, 0.0}}) {
+    const std::string xml = test::hopper_with(fork_of(shape));
+    const RobotModel robot = parse_robot(xml, "robot.xml");
+    const Foot& foot = robot.morphology.feet[0];
+    const double ahead = std::string(shape).find("shoe") != std::string::npos ? 0.02 : 0.01;
+    EXPECT_LT((foot.position.at(VectorXd()) - Vector3d(ahead, -0.005, z)).norm(), 1e-7) << shape;
+    EXPECT_EQ(foot.radius, radius) << shape;
+    EXPECT_EQ(touching_part(robot, 0), "middle of 2 plates alike");
+    const ModelPointer played = compile_mjcf(played_robot(robot, xml), "played.xml");
+    EXPECT_EQ(played->ngeom, 2) << "physics keeps both";
+    const int site = mj_name2id(played.get(), mjOBJ_SITE, "foot:shank");
+    ASSERT_GE(site, 0);
+    EXPECT_NEAR(played->site_pos[3 * site + 1], -0.005, 1e-12);
+  }
+  const std::string box = "<geom type=\"box\" size=\"0.02 0.003 0.01\" pos=\"0 ";
+  for (const char* second : {"0.02 -0.2\"/>", "-0.02 -0.198\"/>", "-0.02 -0.2\" euler=\"0 0 1\"/>"})
+    EXPECT_TRUE(parse_robot(test::hopper_with(box + "0.02 -0.2\"/>" + box + second), "robot.xml")
+                    .structure.feet[0]
+                    .others.empty())
+        << second;  // there twice, higher, turned
+}
+
+/// Both plates keep their thickness, and go where the stretch takes their soles.
+TEST(Feet, OfAForkStretchAsOne) {
+  for (const char* shape : {"type=\"box\" size=\"0.02 0.003 0.01\"", "type=\"mesh\" mesh=\"shoe\"",
+                            "type=\"cylinder\" size=\"0.02 0.01\""}) {
+    const std::string custom =
+        "<custom><numeric name=\"legwright/long\" data=\"LONG 0.1 0.4\"/>"
+        "<text name=\"legwright/long\" data=\"m | stretch z: shank | l\"/></custom><keyframe>";
+    const bool is_mesh = std::string(shape).find("shoe") != std::string::npos;
+    const RobotModel robot =
+        parse_robot(test::with(test::hopper_with(fork_of(shape)), "<keyframe>",
+                               test::with(custom, "LONG", is_mesh ? "0.2" : "0.21")),
+                    "robot.xml");
+    const ModelPointer model =
+        compile_mjcf(rewrite_robot(robot, VectorXd::Constant(1, 0.3)), "x");  // verifies the foot
+    EXPECT_NEAR(model->geom_pos[2], model->geom_pos[5], 1e-12) << shape;
+    EXPECT_LT(model->geom_pos[2], -0.25) << shape;
+  }
 }
 
 TEST(Feet, KeepTheirPlaceWhenTheLegTurnsAndStretches) {
