@@ -37,7 +37,7 @@ constexpr std::array kHandedOn{
 struct PartsOptions {
   std::string robot, folder = "parts";
   std::array<std::string, kHandedOn.size()> values;  // empty: not given
-  bool quiet = false, json = false;
+  bool step = false, quiet = false, json = false;
 };
 
 /// Pictures of the scenes that the module wrote: exploded.xml, those of the assembly sheet. Parts
@@ -68,6 +68,7 @@ int parts(const PartsOptions& options) {
   for (std::size_t k = 0; k < kHandedOn.size(); ++k)
     if (!options.values[k].empty())
       words.insert(words.end(), {kHandedOn[k].name, options.values[k]});
+  if (options.step) words.emplace_back("--step");
   if (options.quiet) words.emplace_back("--quiet");
   if (options.json) words.emplace_back("--json");
   words.insert(words.end(), {"--", options.robot});
@@ -87,6 +88,7 @@ void add_parts(CLI::App& program, Action& action) {
   verb->add_option("-o,--output", options->folder, "folder of the parts")->capture_default_str();
   for (std::size_t k = 0; k < kHandedOn.size(); ++k)
     verb->add_option(kHandedOn[k].name, options->values[k], kHandedOn[k].meaning);
+  verb->add_flag("--step", options->step, "each part as STEP, too, for CAD");
   verb->add_flag("--quiet", options->quiet, "say nothing but errors");
   verb->add_flag("--json", options->json, "print checks.json instead of a table");
   verb->footer(

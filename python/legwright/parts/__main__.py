@@ -23,6 +23,7 @@ def _parsed(words: list[str] | None) -> argparse.Namespace:
     for name in ('fit', 'wall', 'gap', 'strength', 'safety', 'press'):
         parser.add_argument(f'--{name}', type=float, default=getattr(PartOptions, name))
     parser.add_argument('--bed', default='x'.join(f'{side:g}' for side in PartOptions.bed))
+    parser.add_argument('--step', action='store_true', help='each part as STEP, too')
     parser.add_argument('--quiet', action='store_true', help='say nothing but errors')
     parser.add_argument('--json', action='store_true', help='print checks.json')
     return parser.parse_args(words)
@@ -34,7 +35,14 @@ def _options(words: argparse.Namespace) -> PartOptions:
     except ValueError:
         raise InputError(f'--bed is {words.bed}; expected three sizes in mm: 220x220x250') from None
     return PartOptions(
-        words.fit, words.wall, words.gap, bed, words.strength, words.safety, words.press
+        words.fit,
+        words.wall,
+        words.gap,
+        bed,
+        words.strength,
+        words.safety,
+        words.press,
+        words.step,
     )
 
 

@@ -26,6 +26,7 @@ from legwright.parts._screw_checks import check_screws
 from legwright.parts._shapes import MM
 from legwright.parts._solid_checks import check_solids
 from legwright.parts._solids import Part, parts_of
+from legwright.parts._step_file import step_bytes
 from legwright.parts._tables import bill, bill_csv, bill_markdown, module_counts
 
 SCENE, PICTURE = 'exploded.xml', 'exploded.png'
@@ -166,6 +167,8 @@ def make(
     checks = _all_checks(built, parts, options, path)
     rows = bill(built, parts, options.press)
     files = {f'{part.name}.stl': stl_bytes(part.mesh) for part in parts}
+    if options.step:
+        files |= {f'{part.name}.step': step_bytes(part.name, part.mesh) for part in parts}
     files |= _feet(parts, options.press)
     files['all.3mf'] = threemf_bytes(built.name, _items(parts))
     files['bom.csv'] = bill_csv(rows).encode()

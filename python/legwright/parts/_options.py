@@ -23,6 +23,8 @@ class PartOptions:
 
     press: float = 0.1
     """By how much a foot's socket is narrower than its peg, across [mm]; negative is play."""
+    step: bool = False
+    """Whether parts are written as STEP, too."""
 
     def faults(self) -> list[str]:
         """What is wrong with them."""
