@@ -12,6 +12,7 @@
 #include "mjcf/assembly/assembly_names.hpp"
 #include "mjcf/assembly/assembly_xml.hpp"
 #include "mjcf/assembly/limb_hulls.hpp"
+#include "mjcf/assembly/print_bounds.hpp"
 #include "mjcf/propose/declare.hpp"
 #include "mjcf/propose/standing_pose.hpp"
 #include "mjcf/read/feet.hpp"
@@ -141,6 +142,10 @@ std::vector<std::string> notes_on(const Assembly& assembly) {
   return out;
 }
 
+void append(std::vector<std::string>& to, const std::vector<std::string>& more) {
+  to.insert(to.end(), more.begin(), more.end());
+}
+
 }  // namespace
 
 BuiltRobot build_robot(const Assembly& assembly, const std::filesystem::path& file) {
@@ -155,14 +160,17 @@ BuiltRobot build_robot(const Assembly& assembly, const std::filesystem::path& fi
                      fmt::format("the robot does not stand: {}; draw its limbs below the trunk, or "
                                  "stretched out downwards, from where a pose is searched for",
                                  proposed.not_standing));
+  const PrintBounds bounds = assembly.print ? print_bounds(assembly, proposed.proposals)
+                                            : PrintBounds{proposed.proposals, {}, {}};
   BuiltRobot out;
-  out.xml = with_declarations(standing, file, proposed.proposals);
+  out.xml = with_declarations(standing, file, bounds.proposals);
   out.found = propose_parameters(out.xml, file);
   out.found.left_out = proposed.left_out;
+  append(out.found.left_out, bounds.left_out);
   if (pose) out.pose = pose->words;
-  out.notes = notes_on(assembly);
-  const std::vector<std::string> of_hulls = notes_on_hulls(assembly);
-  out.notes.insert(out.notes.end(), of_hulls.begin(), of_hulls.end());
+  for (const std::vector<std::string>& notes :
+       {notes_on(assembly), notes_on_hulls(assembly), bounds.notes})
+    append(out.notes, notes);
   return out;
 }
 

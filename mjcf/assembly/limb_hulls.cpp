@@ -67,24 +67,28 @@ Vector3d towards_above(const PlacedLimb& limb, std::size_t joint) {
   return joint == 0 ? Vector3d(-limb.vector(limb.hip)) : Vector3d(-limb.of->joints[joint].offset);
 }
 
-std::vector<LinkHulls> limb_hulls(const Assembly& assembly, const PlacedLimb& placed) {
+LinkEnds link_ends(const PlacedLimb& placed, std::size_t k) {
   const AssemblyLimb& limb = *placed.of;
-  std::vector<LinkHulls> out(limb.joints.size());
+  const AssemblyJoint& joint = limb.joints[k];
+  const bool is_last = k + 1 == limb.joints.size();
+  LinkEnds out;
+  out.servo = &joint.servo;
+  out.servo_pose = servo_pose(joint, towards_above(placed, k));
+  out.axis = joint.axis;
+  out.range = joint.range.value_or(
+      joint.servo.joint->range.value_or(std::array{-std::numbers::pi, std::numbers::pi}));
+  out.other = is_last ? &limb.foot : &limb.joints[k + 1].servo;
+  out.place = is_last ? limb.foot_offset : limb.joints[k + 1].offset;
+  if (!is_last) out.other_pose = servo_pose(limb.joints[k + 1], towards_above(placed, k + 1));
+  return out;
+}
+
+std::vector<LinkHulls> limb_hulls(const Assembly& assembly, const PlacedLimb& placed) {
+  std::vector<LinkHulls> out(placed.of->joints.size());
   if (assembly.link_shape == LinkShape::capsule) return out;
-  for (std::size_t k = 0; k < limb.joints.size(); ++k) {
-    const AssemblyJoint& joint = limb.joints[k];
-    const bool is_last = k + 1 == limb.joints.size();
-    LinkEnds ends;
-    ends.servo = &joint.servo;
-    ends.servo_pose = servo_pose(joint, towards_above(placed, k));
-    ends.axis = joint.axis;
-    ends.range = joint.range.value_or(
-        joint.servo.joint->range.value_or(std::array{-std::numbers::pi, std::numbers::pi}));
-    ends.other = is_last ? &limb.foot : &limb.joints[k + 1].servo;
-    ends.place = is_last ? limb.foot_offset : limb.joints[k + 1].offset;
-    if (!is_last) ends.other_pose = servo_pose(limb.joints[k + 1], towards_above(placed, k + 1));
-    out[k] = link_hulls(ends, assembly.link_radius, assembly.link_wall, assembly.link_clearance);
-  }
+  for (std::size_t k = 0; k < out.size(); ++k)
+    out[k] = link_hulls(link_ends(placed, k), assembly.link_radius, assembly.link_wall,
+                        assembly.link_clearance);
   return out;
 }
 

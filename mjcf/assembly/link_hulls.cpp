@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "mjcf/shape/convex_distance.hpp"
+#include "mjcf/assembly/outline_hulls.hpp"
 
 namespace legwright {
 namespace {
@@ -13,8 +13,7 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-constexpr int kPadCorners = 8, kRoundCorners = 16;
-constexpr int kSampledAngles = 61;        // at which distances are sampled
+constexpr int kPadCorners = 8;
 constexpr double kLeastFacing = 0.3;      // cosine between an attachment's normal and the way to it
 constexpr double kElbowStep = 2e-3;       // [m] between bosses that are tried
 constexpr double kClearanceGrain = 1e-9;  // [m]
@@ -39,43 +38,6 @@ PadPoints pad(const Vector3d& centre, const Vector3d& normal, const Vector3d& to
                     radius * (std::cos(turn) * side + std::sin(turn) * other));
     }
   return out;
-}
-
-/// A shape of an outline as the hull of points, padded by a radius; round ones from outside.
-struct Hulled {
-  PadPoints points;
-  double radius = 0.0;
-};
-
-Hulled hulled(const OutlineShape& shape, const Isometry3d& pose) {
-  const Isometry3d at = pose * shape.pose();
-  const Vector3d half = shape.half();
-  Hulled out;
-  if (shape.type == OutlineShape::Type::sphere) return {{at.translation()}, half.x()};
-  if (shape.type == OutlineShape::Type::box) {
-    for (const double x : {-1.0, 1.0})
-      for (const double y : {-1.0, 1.0})
-        for (const double z : {-1.0, 1.0})
-          out.points.push_back(at * half.cwiseProduct(Vector3d(x, y, z)));
-    return out;
-  }
-  const double round = half.x() / std::cos(std::numbers::pi / kRoundCorners);
-  for (int k = 0; k < kRoundCorners; ++k) {
-    const double turn = 2.0 * std::numbers::pi * k / kRoundCorners;
-    for (const double z : {-half.z(), half.z()})
-      out.points.push_back(at * Vector3d(round * std::cos(turn), round * std::sin(turn), z));
-  }
-  return out;
-}
-
-std::vector<Hulled> hulled(const Module& module, const Isometry3d& pose) {
-  std::vector<Hulled> out;
-  for (const OutlineShape& shape : module.outline) out.push_back(hulled(shape, pose));
-  return out;
-}
-
-double hulled_distance(const Hulled& a, const Hulled& b) {
-  return std::max(0.0, convex_distance(a.points, b.points) - a.radius - b.radius);
 }
 
 class LinkShaper {
@@ -128,19 +90,12 @@ class LinkShaper {
   /// Where the servo is, as seen from the link, at angles at which the modules keep clear of each
   /// other; at all where they do at none.
   void sweep_servo() {
-    Isometry3d other = ends_.other_pose;
-    other.translation() += ends_.place;
-    const std::vector<Hulled> others = hulled(*ends_.other, other);
-    std::vector<Hulled> all;
+    const OutlineHulls others = other_end_of_link(ends_);
+    OutlineHulls all;
     for (int k = 0; k < kSampledAngles; ++k) {
-      const double share = k / (kSampledAngles - 1.0);
-      const double angle = ends_.range[0] + share * (ends_.range[1] - ends_.range[0]);
-      const std::vector<Hulled> servo =
-          hulled(*ends_.servo, Eigen::AngleAxisd(-angle, ends_.axis) * ends_.servo_pose);
-      bool is_clear = true;
-      for (const Hulled& a : servo)
-        for (const Hulled& b : others) is_clear = is_clear && hulled_distance(a, b) >= clearance_;
-      for (std::vector<Hulled>* into : {&all, is_clear ? &swept_ : nullptr})
+      const OutlineHulls servo = servo_seen_from_link(ends_, k);
+      const bool is_clear = hull_distance(servo, others) >= clearance_;
+      for (OutlineHulls* into : {&all, is_clear ? &swept_ : nullptr})
         if (into) into->insert(into->end(), servo.begin(), servo.end());
     }
     if (swept_.empty()) swept_ = all;
@@ -149,9 +104,9 @@ class LinkShaper {
   double least_distance(const std::vector<LinkHull>& hulls) const {
     double least = std::numeric_limits<double>::infinity();
     for (const LinkHull& hull : hulls) {
-      Hulled whole{hull.near, 0.0};
+      OutlineHull whole{hull.near, 0.0};
       for (const Vector3d& point : hull.far) whole.points.push_back(ends_.place + point);
-      for (const Hulled& servo : swept_) least = std::min(least, hulled_distance(whole, servo));
+      for (const OutlineHull& servo : swept_) least = std::min(least, hull_distance(whole, servo));
     }
     return least;
   }
@@ -195,10 +150,26 @@ class LinkShaper {
   const double radius_, wall_, clearance_;  // [m]
   std::vector<const Attachment*> facing_;
   Vector3d middle_ = Vector3d::Zero();  // of those, in the link
-  std::vector<Hulled> swept_;
+  OutlineHulls swept_;
 };
 
 }  // namespace
+
+Isometry3d turn_to_link(const LinkEnds& ends, int sample) {
+  const double share = sample / (kSampledAngles - 1.0);
+  const double angle = ends.range[0] + share * (ends.range[1] - ends.range[0]);
+  return Isometry3d(Eigen::AngleAxisd(-angle, ends.axis));
+}
+
+OutlineHulls servo_seen_from_link(const LinkEnds& ends, int sample) {
+  return outline_hulls(*ends.servo, turn_to_link(ends, sample) * ends.servo_pose);
+}
+
+OutlineHulls other_end_of_link(const LinkEnds& ends) {
+  Isometry3d pose = ends.other_pose;
+  pose.translation() += ends.place;
+  return outline_hulls(*ends.other, pose);
+}
 
 LinkHulls link_hulls(const LinkEnds& ends, double radius, double wall, double clearance) {
   return LinkShaper(ends, radius, wall, clearance).run();

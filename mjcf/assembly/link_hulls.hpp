@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "mjcf/assembly/outline_hulls.hpp"
 #include "mjcf/assembly/robot_assembly.hpp"
 
 namespace legwright {
@@ -35,6 +36,15 @@ struct LinkEnds {
   Eigen::Isometry3d other_pose = Eigen::Isometry3d::Identity();  // from its place
   Eigen::Vector3d place = Eigen::Vector3d::Zero();               // of the joint or foot there [m]
 };
+
+/// Angles of a joint's range at which distances are sampled, both ends among them.
+inline constexpr int kSampledAngles = 61;
+/// Link ← what carries its servo, about the hinge, at one of these.
+Eigen::Isometry3d turn_to_link(const LinkEnds& ends, int sample);
+/// The body of the servo that turns the link, as the link sees it at one of these.
+OutlineHulls servo_seen_from_link(const LinkEnds& ends, int sample);
+/// The module at the link's other end.
+OutlineHulls other_end_of_link(const LinkEnds& ends);
 
 /// Pads on the horn and on those attachments of the other module that face it, as thick as the
 /// wall, and their hull. Where that would come nearer to the servo than the clearance, at an angle

@@ -52,6 +52,11 @@ enum class TorqueLimit { stall, continuous };
 /// joint to joint.
 enum class LinkShape { hull, capsule };
 
+/// What printed parts are to keep, in every design.
+struct PrintLimits {
+  Eigen::Vector3d bed{0.22, 0.22, 0.25};  // of the printer, and its height [m]
+};
+
 /// Axes of all vectors are those of the trunk with all angles zero: x forward, y left, z up. SI
 /// units.
 struct Assembly {
@@ -63,11 +68,12 @@ struct Assembly {
   double torque_share = 1.0;       // of that torque
   std::optional<double> armature;  // where a reflected inertia is not known [kg m2]
   LinkShape link_shape = LinkShape::hull;
-  double link_radius = 0.006;     // of the hulls' pads, and of the capsules between joints [m]
-  double link_wall = 0.003;       // thickness of the pads [m]
-  double link_clearance = 0.001;  // of hulls to the servos that turn them [m]
-  double link_density = 1240.0;   // [kg/m3]
-  bool only_feet_touch = false;   // else everything that is no neighbour may
+  double link_radius = 0.006;        // of the hulls' pads, and of the capsules between joints [m]
+  double link_wall = 0.003;          // thickness of the pads [m]
+  double link_clearance = 0.001;     // of hulls to the servos that turn them [m]
+  double link_density = 1240.0;      // [kg/m3]
+  bool only_feet_touch = false;      // else everything that is no neighbour may
+  std::optional<PrintLimits> print;  // none: parts are not made to be printed
 };
 
 /// One limb of a robot: a copy, or a mirror image of one.

@@ -111,6 +111,7 @@ class AssemblyReader {
     out_.armature = root_.number("armature");
     out_.only_feet_touch = second_of(root_, "contacts", "all", "feet");
     read_link();
+    read_print();
   }
 
   void read_link() {
@@ -124,6 +125,17 @@ class AssemblyReader {
     out_.link_radius = link.number("radius").value_or(out_.link_radius);
     out_.link_density = link.number("density").value_or(out_.link_density);
     link.finish();
+  }
+
+  void read_print() {
+    const toml::table* toml = root_.table("print");
+    if (!toml) return;
+    if (out_.link_shape == LinkShape::capsule)
+      refuse(root_, "print", "is of hulls; take it out, or let [link] shape be \"hull\"");
+    TaskTable print = table(toml, "print");
+    out_.print = PrintLimits{};
+    if (const auto bed = print.numbers("bed")) out_.print->bed = vector_of(*bed);
+    print.finish();
   }
 
   void read_trunk() {

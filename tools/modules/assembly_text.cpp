@@ -42,6 +42,7 @@ class AssemblyText {
     write_whole();
     write_trunk();
     write_link();
+    write_print();
     for (const AssemblyPart& part : assembly_.parts) {
       head("[[part]]");
       line("module", quoted(part.module.name));
@@ -89,6 +90,12 @@ class AssemblyText {
     number_unless("clearance", assembly_.link_clearance, other.link_clearance);
     number_unless("density", assembly_.link_density, other.link_density);
     out_ = before + (out_.empty() ? "" : "\n[link]\n") + out_;
+  }
+
+  void write_print() {
+    if (!assembly_.print) return;
+    head("[print]");
+    if (assembly_.print->bed != PrintLimits{}.bed) line("bed", list(assembly_.print->bed));
   }
 
   void write_limb(const AssemblyLimb& limb) {

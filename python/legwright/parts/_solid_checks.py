@@ -158,8 +158,8 @@ def _axis(robot: BuiltRobot, solid: Solid, part: Part) -> list[Check]:
             math.degrees(_TILT),
             'deg',
             f'horn of {servo.of}',
-            'the design turned the axis away from the servo: freeze = ["*_axis_*"] under [design] '
-            'of the task, optimize again',
+            'the design turned the axis away from the servo: [print] in the assembly keeps axes, '
+            'or freeze = ["*_axis_*"] under [design] of the task; optimize again',
         ),
         at_most(
             part.name,

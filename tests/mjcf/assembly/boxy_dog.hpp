@@ -64,4 +64,20 @@ inline Assembly boxy_dog() {
   return out;
 }
 
+inline Attachment attachment(const char* name, const Eigen::Vector3d& position,
+                             const Eigen::Vector3d& normal) {
+  return {name, false, position, normal, "", {}};
+}
+
+/// The dog with attachments on the ends and backs of its servos and on its feet.
+inline Assembly hulled_dog() {
+  Assembly out = boxy_dog();
+  out.link_shape = LinkShape::hull;
+  for (AssemblyJoint& joint : out.limbs[0].joints)
+    joint.servo.attachments = {attachment("end", {0.0, -0.023, 0.0}, {0.0, -1.0, 0.0}),
+                               attachment("back", {0.0, 0.0, -0.017}, {0.0, 0.0, -1.0})};
+  out.limbs[0].foot.attachments = {attachment("top", {0.0, 0.0, 0.012}, {0.0, 0.0, 1.0})};
+  return out;
+}
+
 }  // namespace legwright::test

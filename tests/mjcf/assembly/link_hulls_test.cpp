@@ -18,21 +18,7 @@ namespace legwright {
 namespace {
 
 using Eigen::Vector3d;
-
-Attachment attachment(const char* name, const Vector3d& position, const Vector3d& normal) {
-  return {name, false, position, normal, "", {}};
-}
-
-/// The dog with attachments on the ends and backs of its servos and on its feet.
-Assembly hulled_dog() {
-  Assembly out = test::boxy_dog();
-  out.link_shape = LinkShape::hull;
-  for (AssemblyJoint& joint : out.limbs[0].joints)
-    joint.servo.attachments = {attachment("end", {0.0, -0.023, 0.0}, {0.0, -1.0, 0.0}),
-                               attachment("back", {0.0, 0.0, -0.017}, {0.0, 0.0, -1.0})};
-  out.limbs[0].foot.attachments = {attachment("top", {0.0, 0.0, 0.012}, {0.0, 0.0, 1.0})};
-  return out;
-}
+using test::hulled_dog;
 
 int id_of(const mjModel& model, mjtObj type, const std::string& name) {
   const int id = mj_name2id(&model, type, name.c_str());

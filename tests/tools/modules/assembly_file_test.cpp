@@ -144,6 +144,22 @@ TEST(AssemblyFile, LinksMayBeCapsules) {
                    "expected \"hull\" or \"capsule\"");
 }
 
+TEST(AssemblyFile, MayBeToBePrinted) {
+  const auto read = [&](const std::string& tables) {
+    return parse_assembly(assembly_with("[link]\n", tables + "[link]\n"), "x.toml", installed());
+  };
+  EXPECT_FALSE(read("").print);
+  EXPECT_EQ(read("[print]\n").print.value().bed, PrintLimits{}.bed);
+  EXPECT_EQ(read("[print]\nbed = [0.18, 0.2, 0.15]\n").print.value().bed,
+            Eigen::Vector3d(0.18, 0.2, 0.15));
+  expect_complaint(assembly_with("[link]\n", "[print]\nbed = [0.18, 0.2]\n[link]\n"), "print.bed");
+  expect_complaint(assembly_with("[link]\n", "[print]\nwall = 0.1\n[link]\n"), "print.wall");
+  expect_complaint(
+      assembly_with("shape = \"hull\"\nradius = 0.006\nwall = 0.004\nclearance = 0.002\n",
+                    "shape = \"capsule\"\n[print]\n"),
+      "print: is of hulls; take it out, or let [link] shape be \"hull\"");
+}
+
 TEST(AssemblyFile, OffersTheNearestModule) {
   expect_complaint(assembly_with("\"XL430-W250\"", "\"XL430-W25\""),
                    "dog.toml:2: servo: names \"XL430-W25\", which is not in the library; did you "

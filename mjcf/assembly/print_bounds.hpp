@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// What printing asks of a design, as bounds of its parameters: no search leaves them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mjcf/assembly/robot_assembly.hpp"
+#include "mjcf/propose/proposal.hpp"
+
+namespace legwright {
+
+struct PrintBounds {
+  std::vector<Proposal> proposals;    // those that stay, some with narrower bounds
+  std::vector<std::string> left_out;  // "front_hip_axis_yaw: why", one each
+  std::vector<std::string> notes;     // what was narrowed
+};
+
+/// The design parameters of a printed robot, `Assembly::print`, within which its parts fit:
+/// - Lengths of links: where two modules of a joint keep the assembly's clearance as drawn, they do
+///   so, at each sampled angle of its range, and the hulls keep what they keep as drawn; no two
+///   points of a part are farther apart than the shorter side of the bed.
+/// - Length and width of the trunk: servos and parts on it keep the clearance where they do as
+///   drawn; the tray with its cradles lies on the bed.
+/// - Axes are left out: a servo keeps its direction when its axis turns, so that the next part
+///   would not lie on its horn.
+/// Where a drawn part is larger than the bed, it may not grow. Bounds are sampled on the way from
+/// the drawn design, and found to 1e-5 of a length.
+/// @param proposals of the robot as it was built
+PrintBounds print_bounds(const Assembly& assembly, const std::vector<Proposal>& proposals);
+
+}  // namespace legwright
