@@ -8,8 +8,8 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <set>
 #include <sstream>
+#include <string_view>
 
 #include "mjcf/assembly/assembly_names.hpp"
 #include "mjcf/assembly/limb_hulls.hpp"
@@ -20,11 +20,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kKept = 1e-9;        // [m], of distances that stay as they are
-constexpr double kCradle = 2.7e-3;    // [m] around servos on the trunk: fit and walls of parts
+constexpr double kKept = 1e-9;  // [m], of distances that stay as they are
+// [m] around servos on the trunk: `legwright parts` takes its --fit and twice its --wall there.
+constexpr double kCradle = 0.3e-3 + 2.0 * 1.2e-3;
+constexpr double kPeg = 0.3;          // radius of the peg that holds a ball foot, of the ball's
 constexpr double kPerGrain = 1e6;     // bounds are written to a millionth of a metre
 constexpr double kLeastRange = 1e-3;  // of a length, below which it is left out
-constexpr int kScaleSteps = 8, kScaleHalvings = 12;  // to a bound: those of 0.25 to 1e-5
+constexpr int kScaleSteps = 8, kScaleHalvings = 13;  // to a bound: those of 0.25 to 1e-5
 
 constexpr const char* kAxesStay =
     "the parts are to be printed, and a servo keeps its direction when its axis turns, so that the "
@@ -63,6 +65,12 @@ OutlineHulls parts_at(const std::vector<LinkHull>& hulls, const Vector3d& place)
   return out;
 }
 
+/// Where a link's length is measured to, from its place there: a foot's middle, or the next joint.
+Vector3d end_of_length(const LinkEnds& ends) {
+  return ends.other->kind == ModuleKind::foot ? ends.other->outline.front().position
+                                              : Vector3d(Vector3d::Zero());
+}
+
 /// A servo and the walls around it on the trunk.
 Module with_cradle(Module servo) {
   for (OutlineShape& shape : servo.outline) {
@@ -97,60 +105,99 @@ class PrintedLink {
  public:
   PrintedLink(const Assembly& assembly, const PlacedLimb& limb, std::size_t joint)
       : ends_(link_ends(limb, joint)),
-        hulls_(link_hulls(ends_, assembly.link_radius, assembly.link_wall, assembly.link_clearance)
-                   .hulls),
+        radius_(assembly.link_radius),
+        hulls_(link_hulls(ends_, radius_, assembly.link_wall, assembly.link_clearance).hulls),
         clearance_(assembly.link_clearance - kKept) {
-    const OutlineHulls carrier = carrier_of(assembly, limb, joint), other = other_at(1.0),
-                       parts = parts_at(hulls_, ends_.place);
-    for (int k = 0; k < kSampledAngles; ++k) {
-      OutlineHulls near = servo_seen_from_link(ends_, k);
-      if (hull_distance(near, other) < clearance_) continue;  // it cannot be there as drawn
-      for (OutlineHull& hull : moved(carrier, turn_to_link(ends_, k))) near.push_back(hull);
-      for (const OutlineHull& each : near) {
-        if (is_clear(each, other)) of_other_.push_back(each);
-        if (is_clear(each, parts)) of_parts_.push_back(each);
-      }
-    }
-    room_ = std::max(assembly.print->bed.head<2>().minCoeff(), span(1.0));
+    find_what_is_near(carrier_of(assembly, limb, joint));
+    const double room = assembly.print->bed.minCoeff();
+    fits_ = span(1.0) <= room;
+    most_span_ = std::max(room, span(1.0));
   }
 
   bool is_allowed(double scale) const {
-    if (span(scale) > room_) return false;
-    const OutlineHulls other = other_at(scale), parts = parts_at(hulls_, scale * ends_.place);
-    const auto all_clear = [&](const OutlineHulls& near, const OutlineHulls& of) {
-      return std::all_of(near.begin(), near.end(),
-                         [&](const OutlineHull& each) { return is_clear(each, of); });
+    if (span(scale) > most_span_) return false;
+    const OutlineHulls other = other_at(scale), parts = printed_at(scale);
+    const auto all_clear = [](const std::vector<Near>& near, const OutlineHulls& of) {
+      return std::all_of(near.begin(), near.end(), [&](const Near& each) {
+        return hull_distance({each.hull}, of) >= each.least;
+      });
     };
     return all_clear(of_other_, other) && all_clear(of_parts_, parts);
   }
 
+  /// Whether its part lies on the bed as drawn.
+  bool fits() const { return fits_; }
+
  private:
-  bool is_clear(const OutlineHull& near, const OutlineHulls& of) const {
-    return hull_distance({near}, of) >= clearance_;
+  /// What stays at least so far away [m].
+  struct Near {
+    OutlineHull hull;
+    double least;
+  };
+
+  /// At the angles at which the module at the far end is clear of the servo as drawn; where that is
+  /// nowhere so, at those at which it is farthest.
+  void find_what_is_near(const OutlineHulls& carrier) {
+    const OutlineHulls other = other_at(1.0), parts = printed_at(1.0);
+    std::array<double, kSampledAngles> drawn{};
+    for (int k = 0; k < kSampledAngles; ++k)
+      drawn[k] = hull_distance(servo_seen_from_link(ends_, k), other);
+    const double own = std::min(clearance_, *std::max_element(drawn.begin(), drawn.end()) - kKept);
+    for (int k = 0; k < kSampledAngles; ++k) {
+      if (drawn[k] < own) continue;  // it cannot be there as drawn
+      const OutlineHulls servo = servo_seen_from_link(ends_, k);
+      for (const OutlineHull& hull : servo) {
+        of_other_.push_back({hull, own});
+        if (hull_distance({hull}, parts) >= clearance_) of_parts_.push_back({hull, clearance_});
+      }
+      for (const OutlineHull& hull : moved(carrier, turn_to_link(ends_, k))) {
+        if (hull_distance({hull}, other) >= clearance_) of_other_.push_back({hull, clearance_});
+        if (hull_distance({hull}, parts) >= clearance_) of_parts_.push_back({hull, clearance_});
+      }
+    }
+  }
+
+  /// The place at the far end in a link of that scale.
+  Vector3d place_at(double scale) const {
+    return ends_.place + (scale - 1.0) * (ends_.place + end_of_length(ends_));
   }
 
   OutlineHulls other_at(double scale) const {
     LinkEnds ends = ends_;
-    ends.place *= scale;
+    ends.place = place_at(scale);
     return other_end_of_link(ends);
   }
 
-  /// The largest distance of two points of the part [m].
+  /// The hulls; a capsule where there are none.
+  OutlineHulls printed_at(double scale) const {
+    const Vector3d place = place_at(scale);
+    if (hulls_.empty()) return {{{Vector3d::Zero(), place}, radius_}};
+    return parts_at(hulls_, place);
+  }
+
+  /// The largest distance of two points of the part, with a peg to the middle of a ball foot [m].
   double span(double scale) const {
-    std::vector<Vector3d> points;
-    for (const OutlineHull& hull : parts_at(hulls_, scale * ends_.place))
-      points.insert(points.end(), hull.points.begin(), hull.points.end());
+    OutlineHulls hulls = printed_at(scale);
+    if (ends_.other->kind == ModuleKind::foot) {
+      const OutlineShape& ball = ends_.other->outline.front();
+      hulls.push_back({{place_at(scale) + ball.position}, kPeg * ball.size.x()});
+    }
     double most = 0.0;
-    for (std::size_t i = 0; i < points.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j) most = std::max(most, (points[i] - points[j]).norm());
+    for (const OutlineHull& one : hulls)
+      for (const OutlineHull& other : hulls)
+        for (const Vector3d& a : one.points)
+          for (const Vector3d& b : other.points)
+            most = std::max(most, (a - b).norm() + one.radius + other.radius);
     return most;
   }
 
   LinkEnds ends_;
+  double radius_;  // of a capsule [m]
   std::vector<LinkHull> hulls_;
-  double clearance_;                  // [m]
-  OutlineHulls of_other_, of_parts_;  // what the module and the parts keep clear of
-  double room_ = 0.0;                 // [m]
+  double clearance_;                       // [m]
+  std::vector<Near> of_other_, of_parts_;  // of the module there, and of the part
+  bool fits_ = true;
+  double most_span_ = 0.0;  // [m]
 };
 
 /// What length and width of the trunk change: the modules on it, which move with their places.
@@ -175,26 +222,33 @@ class PrintedTrunk {
       };
       riders_.push_back({limb.hip, on_trunk(hip.servo), on_trunk(with_cradle(hip.servo))});
     }
-    const Vector3d size = size_at(Vector3d::Ones());
-    if (size.x() > bed_.x() || size.y() > bed_.y()) std::swap(bed_.x(), bed_.y());
-    bed_ = bed_.cwiseMax(size);
+    drawn_size_ = size_at(Vector3d::Ones());
     for (const auto& [i, j] : pairs()) drawn_.push_back(distance(i, j, Vector3d::Ones()));
   }
 
   bool is_allowed(const Vector3d& scale) const {
     const Vector3d size = size_at(scale);
-    if (size.x() > bed_.x() + kKept || size.y() > bed_.y() + kKept) return false;
+    const bool has_not_grown =
+        size.x() <= drawn_size_.x() + kKept && size.y() <= drawn_size_.y() + kKept;
+    if (!has_not_grown && !lies_on_bed(size)) return false;
     std::size_t k = 0;
     for (const auto& [i, j] : pairs())
       if (distance(i, j, scale) < std::min(clearance_, drawn_[k++] - kKept)) return false;
     return true;
   }
 
+  bool fits() const { return lies_on_bed(drawn_size_); }
+
  private:
   struct Rider {
     Vector3d place;  // of its body [m]
     OutlineHulls outline, cradle;
   };
+
+  bool lies_on_bed(const Vector3d& size) const {
+    return (size.x() <= bed_.x() && size.y() <= bed_.y()) ||
+           (size.x() <= bed_.y() && size.y() <= bed_.x());
+  }
 
   std::vector<std::pair<std::size_t, std::size_t>> pairs() const {
     std::vector<std::pair<std::size_t, std::size_t>> out;
@@ -226,59 +280,76 @@ class PrintedTrunk {
     return high - low;
   }
 
-  Vector3d bed_;  // as the trunk lies on it, and at least as large as that is drawn [m]
+  Eigen::Vector2d bed_;  // [m]
+  Vector3d drawn_size_;  // of the tray [m]
   double clearance_;
   Vector3d low_, high_;  // of its box [m]
   std::vector<Rider> riders_;
   std::vector<double> drawn_;  // distances of pairs() [m]
 };
 
-std::vector<std::string> words_behind(const std::string& text, const std::string& head) {
+/// The links that a binding stretches, "stretch link: FL_thigh 0.98*FR_thigh", all in proportion;
+/// none of another binding.
+std::vector<std::string> stretched_links(const std::string& binding) {
+  constexpr std::string_view kHead = "stretch link: ";
   std::vector<std::string> out;
-  if (!text.starts_with(head)) return out;
-  std::istringstream in(text.substr(head.size()));
-  for (std::string word; in >> word;) out.push_back(word);
+  if (!binding.starts_with(kHead)) return out;
+  std::istringstream in(binding.substr(kHead.size()));
+  for (std::string word; in >> word;) out.push_back(word.substr(word.find('*') + 1));
   return out;
 }
 
-class Bounds {
+class BoundsOfPrint {
  public:
-  explicit Bounds(const Assembly& assembly) : assembly_(assembly), trunk_(assembly) {}
+  explicit BoundsOfPrint(const Assembly& assembly) : assembly_(assembly), trunk_(assembly) {
+    if (!trunk_.fits()) too_large_.emplace_back("the trunk");
+  }
 
   PrintBounds run(const std::vector<Proposal>& proposals) {
     for (const Proposal& proposal : proposals) {
+      const std::vector<std::string> links = stretched_links(proposal.binding);
       if (proposal.binding.starts_with("axis "))
         out_.left_out.push_back(proposal.name + ": " + kAxesStay);
-      else if (proposal.binding.starts_with("stretch x: "))
-        narrow(proposal, [&](double scale) { return trunk_.is_allowed({scale, width_, 1.0}); });
-      else if (proposal.binding.starts_with("stretch y: "))
-        narrow(proposal, [&](double scale) { return trunk_.is_allowed({length_, scale, 1.0}); });
+      else if (proposal.binding == "stretch x: trunk")
+        length_ = narrow(proposal, [&](double k) { return trunk_.is_allowed({k, width_, 1.0}); });
+      else if (proposal.binding == "stretch y: trunk")
+        width_ = narrow(proposal, [&](double k) { return trunk_.is_allowed({length_, k, 1.0}); });
+      else if (!links.empty())
+        narrow_link(proposal, links);
       else
-        narrow_link(proposal);
+        out_.proposals.push_back(proposal);
     }
-    if (out_.left_out.size() > stays_.size())
-      out_.notes.push_back(std::string("axes of joints are no design parameters: ") + kAxesStay);
-    if (!stays_.empty())
-      out_.notes.push_back(
-          fmt::format("clearance and bed leave no room for another {}", fmt::join(stays_, ", ")));
-    if (!narrowed_.empty())
-      out_.notes.push_back(fmt::format(
-          "what is printed narrows bounds, by the clearance of {:.3g} mm and the bed: {}",
-          1e3 * assembly_.link_clearance, fmt::join(narrowed_, ", ")));
+    write_notes();
     return out_;
   }
 
  private:
-  void narrow_link(const Proposal& proposal) {
-    const std::vector<std::string> names = words_behind(proposal.binding, "stretch link: ");
+  void write_notes() {
+    if (out_.left_out.size() > without_room_.size())
+      out_.notes.push_back(std::string("axes of joints are no design parameters: ") + kAxesStay);
+    if (!without_room_.empty())
+      out_.notes.push_back(
+          fmt::format("no design parameters, as clearance and bed leave no room: {}",
+                      fmt::join(without_room_, ", ")));
+    if (!too_large_.empty())
+      out_.notes.push_back(
+          fmt::format("larger than the bed as drawn, which [print] bed gives, and no design is "
+                      "larger still: {}",
+                      fmt::join(too_large_, ", ")));
+    if (!narrowed_.empty())
+      out_.notes.push_back(fmt::format(
+          "what is printed narrows bounds, by the clearance of {:.3g} mm and the bed: {}",
+          1e3 * assembly_.link_clearance, fmt::join(narrowed_, ", ")));
+  }
+
+  void narrow_link(const Proposal& proposal, const std::vector<std::string>& names) {
     std::vector<PrintedLink> links;
-    std::set<std::pair<const AssemblyLimb*, std::size_t>> seen;  // mirror images are alike
     for (const PlacedLimb& limb : placed_limbs(assembly_))
       for (std::size_t k = 0; k < limb.of->joints.size(); ++k) {
         const std::string name = link_name(limb, limb.of->joints[k]);
-        if (std::find(names.begin(), names.end(), name) != names.end() &&
-            (seen.emplace(limb.of, k).second || !limb.mirrored))
-          links.emplace_back(assembly_, limb, k);
+        if (std::find(names.begin(), names.end(), name) == names.end()) continue;
+        links.emplace_back(assembly_, limb, k);
+        if (!links.back().fits()) too_large_.push_back(name);
       }
     narrow(proposal, [&](double scale) {
       return std::all_of(links.begin(), links.end(),
@@ -286,7 +357,8 @@ class Bounds {
     });
   }
 
-  void narrow(const Proposal& proposal, const std::function<bool(double)>& is_allowed) {
+  /// @return the least scale of the length
+  double narrow(const Proposal& proposal, const std::function<bool(double)>& is_allowed) {
     const double low = farthest_scale(proposal.lower / proposal.value, is_allowed),
                  high = farthest_scale(proposal.upper / proposal.value, is_allowed);
     // Inwards to a millionth of a metre, as far as there is room.
@@ -296,27 +368,26 @@ class Bounds {
     if (high < proposal.upper / proposal.value)
       out.upper = std::max(out.value, std::floor(high * out.value * kPerGrain) / kPerGrain);
     if (out.upper - out.lower < kLeastRange * out.value) {
-      out_.left_out.push_back(
-          out.name + ": clearance and bed leave no room for another one of what is printed");
-      stays_.push_back(out.name);
-      return;
+      out_.left_out.push_back(out.name + ": clearance and bed leave its parts no room to change");
+      without_room_.push_back(out.name);
+      return 1.0;
     }
     if (out.lower > proposal.lower || out.upper < proposal.upper)
       narrowed_.push_back(fmt::format("{} {:.4g} to {:.4g} m", out.name, out.lower, out.upper));
-    if (proposal.binding.starts_with("stretch x: ")) length_ = out.lower / out.value;
     out_.proposals.push_back(out);
+    return out.lower / out.value;
   }
 
   const Assembly& assembly_;
   const PrintedTrunk trunk_;
   double length_ = 1.0, width_ = 1.0;  // of the trunk, at which the other is looked at
-  std::vector<std::string> narrowed_, stays_;
+  std::vector<std::string> narrowed_, without_room_, too_large_;
   PrintBounds out_;
 };
 
 }  // namespace
 
 PrintBounds print_bounds(const Assembly& assembly, const std::vector<Proposal>& proposals) {
-  return Bounds(assembly).run(proposals);
+  return BoundsOfPrint(assembly).run(proposals);
 }
 }  // namespace legwright

@@ -17,15 +17,16 @@ struct PrintBounds {
 };
 
 /// The design parameters of a printed robot, `Assembly::print`, within which its parts fit:
-/// - Lengths of links: where two modules of a joint keep the assembly's clearance as drawn, they do
-///   so, at each sampled angle of its range, and the hulls keep what they keep as drawn; no two
-///   points of a part are farther apart than the shorter side of the bed.
+/// - Lengths of links: the far module and the part keep clear of the servo that turns the link and
+///   of what carries that, at each sampled angle of the range at which they do as drawn; servos
+///   that are too near at all of them come no nearer. No two points of a part are farther apart
+///   than the shorter side of the bed.
 /// - Length and width of the trunk: servos and parts on it keep the clearance where they do as
-///   drawn; the tray with its cradles lies on the bed.
+///   drawn; the tray with its cradles lies on the bed. The second at the least of the first.
 /// - Axes are left out: a servo keeps its direction when its axis turns, so that the next part
 ///   would not lie on its horn.
-/// Where a drawn part is larger than the bed, it may not grow. Bounds are sampled on the way from
-/// the drawn design, and found to 1e-5 of a length.
+/// What is larger than the bed as drawn may not grow. Bounds are sampled on the way from the drawn
+/// design, and found to 1e-5 of a length.
 /// @param proposals of the robot as it was built
 PrintBounds print_bounds(const Assembly& assembly, const std::vector<Proposal>& proposals);
 

@@ -54,7 +54,7 @@ enum class LinkShape { hull, capsule };
 
 /// What printed parts are to keep, in every design.
 struct PrintLimits {
-  Eigen::Vector3d bed{0.22, 0.22, 0.25};  // of the printer, and its height [m]
+  Eigen::Vector2d bed{0.22, 0.22};  // of the printer [m]
 };
 
 /// Axes of all vectors are those of the trunk with all angles zero: x forward, y left, z up. SI

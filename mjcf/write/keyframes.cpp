@@ -274,11 +274,15 @@ std::vector<StandingKey> solved_keyframes(const Solver& solver, const XmlFile& x
 }
 
 /// Whether the level ground at height zero is where the robot stands in its file too.
-bool stands_at_zero(const mjModel& model) {
-  for (int g = 0; g < model.ngeom; ++g)
-    if (is_of_surroundings(model, g) && collides(model, g) &&
-        (model.geom_type[g] != mjGEOM_PLANE || model.geom_pos[3 * g + 2] != 0.0))
+bool stands_at_zero(const mjModel& model, const std::filesystem::path& file) {
+  constexpr double kLevel = 1e-9;
+  const DataPointer data = kinematics_at(model, nullptr, file);
+  for (int g = 0; g < static_cast<int>(model.ngeom); ++g) {
+    if (!is_of_surroundings(model, g) || !collides(model, g)) continue;
+    const double height = data->geom_xpos[3 * g + 2], upright = data->geom_xmat[9 * g + 8];
+    if (model.geom_type[g] != mjGEOM_PLANE || std::abs(height) > kLevel || upright < 1.0 - kLevel)
       return false;
+  }
   return true;
 }
 
@@ -296,7 +300,7 @@ LiftedKeyframes with_lifted_keyframes(const RobotModel& robot) {
   const std::string& text = robot.files.text();
   const auto xml = load_xml(text, robot.file);
   const ModelPointer model = compile_mjcf(text, robot.file);
-  if (robot.morphology.feet.empty() || !stands_at_zero(*model)) return out;
+  if (robot.morphology.feet.empty() || !stands_at_zero(*model, robot.file)) return out;
   const VectorXd s = robot.space.initial();
   const std::vector<StandingKey> keys =
       solved_keyframes(Solver(robot, *model, s, true), *xml, *model, KeyframeEffort::height);

@@ -8,6 +8,11 @@ execute_process(
           "${STORED}" "${KEPT}/learnt" "${KEPT}/corpus" "${KEPT}/seeds"
   COMMAND_ERROR_IS_FATAL ANY)
 file(GLOB inputs RELATIVE "${fewest}" "${fewest}/*")
+if(NOT inputs)
+  message(FATAL_ERROR "${PROGRAM} reaches nothing: ${LEARNT} stays as it is")
+endif()
 execute_process(
-  COMMAND "${CMAKE_COMMAND}" -E tar cJf "${LEARNT}" --mtime=2000-01-01 -- ${inputs}
+  COMMAND "${CMAKE_COMMAND}" -E tar cJf "${KEPT}/learnt.tar.xz" --mtime=2000-01-01 -- ${inputs}
   WORKING_DIRECTORY "${fewest}" COMMAND_ERROR_IS_FATAL ANY)
+file(COPY_FILE "${KEPT}/learnt.tar.xz" "${LEARNT}.new")
+file(RENAME "${LEARNT}.new" "${LEARNT}")

@@ -134,7 +134,7 @@ class AssemblyReader {
       refuse(root_, "print", "is of hulls; take it out, or let [link] shape be \"hull\"");
     TaskTable print = table(toml, "print");
     out_.print = PrintLimits{};
-    if (const auto bed = print.numbers("bed")) out_.print->bed = vector_of(*bed);
+    if (const auto bed = print.numbers("bed")) out_.print->bed = {(*bed)[0], (*bed)[1]};
     print.finish();
   }
 

@@ -95,7 +95,9 @@ class AssemblyText {
   void write_print() {
     if (!assembly_.print) return;
     head("[print]");
-    if (assembly_.print->bed != PrintLimits{}.bed) line("bed", list(assembly_.print->bed));
+    const Eigen::Vector2d& bed = assembly_.print->bed;
+    if (bed != PrintLimits{}.bed)
+      line("bed", fmt::format("[{}, {}]", format_number(bed.x()), format_number(bed.y())));
   }
 
   void write_limb(const AssemblyLimb& limb) {

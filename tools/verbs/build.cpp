@@ -152,8 +152,9 @@ void add_build(CLI::App& program, Action& action) {
   verb->add_flag("--keys", options->keys, "tell every key of an assembly file");
   verb->add_flag("--json", options->json, "print one JSON document");
   verb->footer(
-      "The robot declares what may change (lengths of links, axes, length and width of the trunk) "
-      "and has a home pose\nin which it stands: `legwright optimize` takes it as it is.");
+      "The robot declares what may change (lengths of links, length and width of the trunk; axes, "
+      "unless [print] is in\nthe assembly) and has a home pose in which it stands: `legwright "
+      "optimize` takes it as it is.");
 }
 
 }  // namespace legwright

@@ -43,6 +43,7 @@ struct PartsOptions {
 /// Pictures of the scenes that the module wrote: exploded.xml, those of the assembly sheet. Parts
 /// are there without them, too.
 void draw_exploded(const std::filesystem::path& folder) {
+  if (!std::filesystem::is_directory(folder)) return;  // it ended before it wrote any
   std::vector<std::filesystem::path> scenes;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const std::filesystem::path& file = entry.path();

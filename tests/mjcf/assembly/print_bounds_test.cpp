@@ -24,7 +24,7 @@ Assembly short_dog() {
   return out;
 }
 
-Assembly printed_dog(const Eigen::Vector3d& bed = PrintLimits{}.bed) {
+Assembly printed_dog(const Eigen::Vector2d& bed = PrintLimits{}.bed) {
   Assembly out = short_dog();
   out.print = PrintLimits{bed};
   return out;
@@ -94,6 +94,51 @@ TEST(PrintBounds, OfALinkKeepItClearOfWhatItIsClearOfAsDrawn) {
       << "a tenth of a millimetre less is too short";
 }
 
+/// A proposal of the length of these links, which is 0.055 m.
+Proposal length_of(const std::string& links) {
+  return {"length", 0.055, 0.03, 0.08, "m", "stretch link: " + links, ""};
+}
+
+double least_of(const Assembly& assembly, const std::string& links) {
+  return print_bounds(assembly, {length_of(links)}).proposals.at(0).lower;
+}
+
+TEST(PrintBounds, OfALinkKnowWhatCarriesItsServo) {
+  Assembly far = printed_dog();
+  far.limbs[0].hip.y() = 0.2;
+  EXPECT_GT(least_of(printed_dog(), "FL_hip_link"), least_of(far, "FL_hip_link") + 1e-3)
+      << "the trunk";
+  EXPECT_EQ(least_of(printed_dog(), "FL_hip_link"), least_of(printed_dog(), "FR_hip_link"))
+      << "mirror images";
+}
+
+TEST(PrintBounds, OfLinksInProportionAreThoseOfTheTightest) {
+  Assembly dog = printed_dog();
+  dog.limbs.push_back(dog.limbs[0]);
+  dog.limbs[0].names = {"F"};
+  dog.limbs[1].names = {"H"};
+  dog.limbs[1].hip.x() *= -1.0;
+  dog.limbs[1].foot_offset *= 0.9;
+  const double front = least_of(dog, "FL_knee_link"), hind = least_of(dog, "HL_knee_link");
+  EXPECT_GT(hind, front + 1e-3);
+  EXPECT_EQ(least_of(dog, "FL_knee_link 0.9*HL_knee_link"), hind);
+}
+
+TEST(PrintBounds, OfAShankAreTheSameWhereverItsFootsFrameIs) {
+  Assembly moved = printed_dog();
+  const Eigen::Vector3d by(0.02, 0.0, -0.01);
+  moved.limbs[0].foot_offset += by;
+  moved.limbs[0].foot.outline[0].position -= by;
+  moved.limbs[0].foot.attachments[0].position -= by;
+  EXPECT_NEAR(least_of(moved, "FL_knee_link"), least_of(printed_dog(), "FL_knee_link"), 1e-6);
+}
+
+TEST(PrintBounds, OfServosThatAreTooNearAsDrawnLetThemComeNoNearer) {
+  Assembly near = printed_dog();
+  near.link_clearance = 0.06;
+  EXPECT_NEAR(least_of(near, "FL_hip_link"), 0.055, 1e-5);
+}
+
 /// The largest distance of two corners of a leg's parts below the hip [m].
 double span_of_thigh(const mjModel& model) {
   const DataPointer data = kinematics_at(model, nullptr, "dog.xml");
@@ -125,7 +170,7 @@ TEST(PrintBounds, OfALinkLetItsPartLieOnTheBed) {
   const DesignParameter& as_proposed = parameter(free, name);
   const double bed = 0.3 * span_of_thigh(*model_at(free, name, as_proposed.upper)) +
                      0.7 * span_of_thigh(*model_at(free, name, as_proposed.initial));
-  const BuiltRobot built = build_robot(printed_dog({1.0, bed, 0.2}), "dog.xml");
+  const BuiltRobot built = build_robot(printed_dog({1.0, bed}), "dog.xml");
   const double upper = parameter(built, name).upper;
   EXPECT_LT(upper, as_proposed.upper);
   EXPECT_GT(upper, as_proposed.initial);
@@ -133,18 +178,27 @@ TEST(PrintBounds, OfALinkLetItsPartLieOnTheBed) {
 }
 
 TEST(PrintBounds, OfTheTrunkLetItLieOnTheBedAndKeepItsServosApart) {
-  const BuiltRobot free = build_robot(printed_dog({1.0, 1.0, 1.0}), "dog.xml");
+  const BuiltRobot free = build_robot(printed_dog({1.0, 1.0}), "dog.xml");
   const DesignParameter& length = parameter(free, "body_length");
   // As long as servos at both ends, with 2.7 mm around them.
   const double drawn = 0.18 + 2.0 * (0.014 + 2.7e-3);
-  const BuiltRobot built = build_robot(printed_dog({0.19, drawn + 0.004, 0.2}), "dog.xml");
+  const BuiltRobot built = build_robot(printed_dog({0.19, drawn + 0.004}), "dog.xml");
   EXPECT_NEAR(parameter(built, "body_length").upper, 0.184, 2e-5) << "lies across the bed";
   EXPECT_LT(parameter(built, "body_length").upper, length.upper);
-  const BuiltRobot stays = build_robot(printed_dog({0.1, 0.1, 0.2}), "dog.xml");
+  const BuiltRobot stays = build_robot(printed_dog({0.1, 0.1}), "dog.xml");
+  EXPECT_TRUE(std::any_of(stays.notes.begin(), stays.notes.end(), [](const std::string& note) {
+    return note.starts_with("larger than the bed as drawn") && note.ends_with("the trunk");
+  }));
   EXPECT_LE(parameter(stays, "body_length").upper, 0.18) << "larger than the bed as drawn";
   EXPECT_LT(parameter(stays, "body_length").lower, 0.18);
 
-  Assembly near = printed_dog({1.0, 1.0, 1.0});
+  const auto bounds = [](const Eigen::Vector2d& bed) {
+    const BuiltRobot robot = build_robot(printed_dog(bed), "dog.xml");
+    return std::pair(parameter(robot, "body_length").upper, parameter(robot, "body_width").upper);
+  };
+  EXPECT_EQ(bounds({0.4, drawn + 0.004}), bounds({drawn + 0.004, 0.4}));
+
+  Assembly near = printed_dog({1.0, 1.0});
   near.limbs[0].hip.x() = 0.01475;  // servos of front and hind legs are 1.5 mm apart
   near.limbs[0].step.x() = -0.0295;
   near.limbs[0].joints[0].roll = 0.5 * std::numbers::pi;

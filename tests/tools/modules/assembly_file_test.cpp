@@ -150,9 +150,8 @@ TEST(AssemblyFile, MayBeToBePrinted) {
   };
   EXPECT_FALSE(read("").print);
   EXPECT_EQ(read("[print]\n").print.value().bed, PrintLimits{}.bed);
-  EXPECT_EQ(read("[print]\nbed = [0.18, 0.2, 0.15]\n").print.value().bed,
-            Eigen::Vector3d(0.18, 0.2, 0.15));
-  expect_complaint(assembly_with("[link]\n", "[print]\nbed = [0.18, 0.2]\n[link]\n"), "print.bed");
+  EXPECT_EQ(read("[print]\nbed = [0.18, 0.2]\n").print.value().bed, Eigen::Vector2d(0.18, 0.2));
+  expect_complaint(assembly_with("[link]\n", "[print]\nbed = [0.18]\n[link]\n"), "print.bed");
   expect_complaint(assembly_with("[link]\n", "[print]\nwall = 0.1\n[link]\n"), "print.wall");
   expect_complaint(
       assembly_with("shape = \"hull\"\nradius = 0.006\nwall = 0.004\nclearance = 0.002\n",

@@ -75,6 +75,7 @@ TEST_F(FewChanges, OfTheResultAreThoseOfItsRecord) {
                                        "--no-pictures", "--no-certificate", "-o", "run"});
   ASSERT_LE(optimize.code, 1) << optimize.err;
   const Json run = Json::parse(read_file(folder_.path() / "run" / "run.json"));
+  EXPECT_GT(run["choice"]["candidates"].size(), 1U) << "no tightened search: choose another task";
   const Json& fewest = run["fewest_changes"];
   EXPECT_TRUE(fewest["kept"].get<bool>());
   std::vector<std::string> changed;
