@@ -94,7 +94,7 @@ TEST(PrintBounds, OfALinkKeepItClearOfWhatItIsClearOfAsDrawn) {
       << "a tenth of a millimetre less is too short";
 }
 
-/// A proposal of the length of these links, which is 0.055 m.
+/// A proposal of the length of these links as if it were 0.055 m: its scale counts.
 Proposal length_of(const std::string& links) {
   return {"length", 0.055, 0.03, 0.08, "m", "stretch link: " + links, ""};
 }
@@ -110,6 +110,21 @@ TEST(PrintBounds, OfALinkKnowWhatCarriesItsServo) {
       << "the trunk";
   EXPECT_EQ(least_of(printed_dog(), "FL_hip_link"), least_of(printed_dog(), "FR_hip_link"))
       << "mirror images";
+}
+
+/// Left and right are alike only where the trunk is its own mirror image.
+TEST(PrintBounds, OfALinkKnowATrunkThatIsLargerOnOneSide) {
+  Assembly dog = printed_dog();
+  OutlineShape block;  // below the right front knee, 4 mm from its servo as drawn
+  block.size = {0.02, 0.02, 0.02};
+  block.position = {0.09, -0.053, -0.118};
+  dog.trunk.outline.push_back(block);
+  const auto most = [&](const char* link) {
+    return print_bounds(dog, {length_of(link)}).proposals.at(0).upper;
+  };
+  EXPECT_EQ(most("FL_hip_link"), length_of("FL_hip_link").upper);
+  EXPECT_GT(most("FR_hip_link"), 0.055);
+  EXPECT_LT(most("FR_hip_link"), 0.06);
 }
 
 TEST(PrintBounds, OfLinksInProportionAreThoseOfTheTightest) {
