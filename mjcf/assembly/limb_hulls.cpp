@@ -83,12 +83,15 @@ LinkEnds link_ends(const PlacedLimb& placed, std::size_t k) {
   return out;
 }
 
+LinkHulls hulls_of_link(const Assembly& assembly, const PlacedLimb& limb, std::size_t joint) {
+  return link_hulls(link_ends(limb, joint), assembly.link_radius, assembly.link_wall,
+                    assembly.link_clearance);
+}
+
 std::vector<LinkHulls> limb_hulls(const Assembly& assembly, const PlacedLimb& placed) {
   std::vector<LinkHulls> out(placed.of->joints.size());
   if (assembly.link_shape == LinkShape::capsule) return out;
-  for (std::size_t k = 0; k < out.size(); ++k)
-    out[k] = link_hulls(link_ends(placed, k), assembly.link_radius, assembly.link_wall,
-                        assembly.link_clearance);
+  for (std::size_t k = 0; k < out.size(); ++k) out[k] = hulls_of_link(assembly, placed, k);
   return out;
 }
 

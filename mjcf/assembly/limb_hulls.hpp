@@ -21,6 +21,9 @@ Eigen::Vector3d towards_above(const PlacedLimb& limb, std::size_t joint);
 /// What the link that a joint of the limb moves holds together. Points into the limb.
 LinkEnds link_ends(const PlacedLimb& limb, std::size_t joint);
 
+/// The hulls of that link as drawn.
+LinkHulls hulls_of_link(const Assembly& assembly, const PlacedLimb& limb, std::size_t joint);
+
 /// The printed parts of a limb, by its joints: those of the link that each moves, in the axes of
 /// the limb as the file gives it. None where links are capsules.
 std::vector<LinkHulls> limb_hulls(const Assembly& assembly, const PlacedLimb& limb);

@@ -44,6 +44,12 @@ OutlineHulls outline_hulls(const Module& module, const Eigen::Isometry3d& pose) 
   return out;
 }
 
+OutlineHulls moved(OutlineHulls hulls, const Eigen::Isometry3d& by) {
+  for (OutlineHull& hull : hulls)
+    for (Vector3d& point : hull.points) point = by * point;
+  return hulls;
+}
+
 double hull_distance(const OutlineHull& a, const OutlineHull& b) {
   return std::max(0.0, convex_distance(a.points, b.points) - a.radius - b.radius);
 }

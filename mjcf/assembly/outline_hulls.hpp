@@ -18,6 +18,8 @@ using OutlineHulls = std::vector<OutlineHull>;
 /// Every shape of a module's outline. @param pose of the module
 OutlineHulls outline_hulls(const Module& module, const Eigen::Isometry3d& pose);
 
+OutlineHulls moved(OutlineHulls hulls, const Eigen::Isometry3d& by);
+
 /// Least distance [m]; zero where they touch or meet.
 double hull_distance(const OutlineHull& a, const OutlineHull& b);
 double hull_distance(const OutlineHulls& a, const OutlineHulls& b);
