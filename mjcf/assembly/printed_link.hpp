@@ -18,7 +18,8 @@ class PrintedLink {
   /// Points into the limb. @param assembly one that is to be printed
   PrintedLink(const Assembly& assembly, const PlacedLimb& limb, std::size_t joint);
 
-  /// Whether all is clear, and no larger than the bed or than as drawn, at so many times its length.
+  /// Whether all is clear, and no larger than the bed or than as drawn, at so many times its
+  /// length.
   bool is_allowed(double scale) const;
   /// Whether its part lies on the bed as drawn.
   bool fits() const { return fits_; }
