@@ -112,6 +112,21 @@ class Assembling(unittest.TestCase):
         self.until_told('t.limbs[0].foot.offset[2] === -0.09 && !t.can_undo')
         self.assertEqual(studio.console, [])
 
+    def test_undo_comes_after_the_drag_that_still_waits(self):
+        studio = self.open(str(ROOT / 'examples/assemblies/puppy.toml'))
+        self.until_told('t.limbs.length === 1')
+        studio.js(
+            f"""async () => {{
+              const desk = {DESK};
+              desk.begin();
+              for (const z of [-0.10, -0.11, -0.12]) desk.drag('limb/0/foot', 'offset', [0, 0, z]);
+              await desk.obey({{ do: 'undo' }});
+              await legwrightStudio.sender.sent();
+            }}"""
+        )
+        self.until_told('t.limbs[0].foot.offset[2] === -0.09 && !t.can_undo && t.can_redo')
+        self.assertEqual(studio.console, [])
+
     def test_escape_puts_back_what_is_under_the_hand(self):
         studio = self.open(str(ROOT / 'examples/assemblies/puppy.toml'))
         self.until_told('t.limbs.length === 1')

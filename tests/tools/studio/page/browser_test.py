@@ -69,6 +69,21 @@ class Studio(unittest.TestCase):
             'v => legwrightStudio.readParameter("front_foot_length").value === v', before
         )
 
+    def test_undo_comes_after_the_edits_that_still_wait(self):
+        name = 'front_foot_length'
+        before = self.studio.value(name)
+        self.studio.js(
+            """([name, value]) => {
+              const studio = legwrightStudio;
+              for (const [i, phase] of ['begin', 'drag', 'end'].entries())
+                studio.edit(name, value + 0.002 * (i + 1), phase);
+              return studio.command('undo');
+            }""",
+            [name, before],
+        )
+        self.studio.settled()
+        self.assertEqual(self.studio.value(name), before)
+
     def test_a_handle_stops_at_its_bound(self):
         upper = self.studio.js('legwrightStudio.readParameter("front_foot_length").upper')
         self.drag('front_foot_length', 0.3)

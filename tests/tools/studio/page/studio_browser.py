@@ -75,7 +75,7 @@ class Page:
             has_touch=touch,
         )
         self.page = self.context.new_page()
-        self.page.set_default_timeout(20000)
+        self.page.set_default_timeout(60000)
         self.console = []
         self.page.on('console', lambda message: self.console.append(message.text))
         self.page.on('pageerror', lambda error: self.console.append(str(error)))
@@ -86,7 +86,7 @@ class Page:
     def js(self, expression, *arguments):
         return self.page.evaluate(expression, *arguments)
 
-    def until(self, expression, argument=None, seconds=20):
+    def until(self, expression, argument=None, seconds=60):
         """Waits until an expression holds. (Playwright's own way needs `eval`, which the page's
         policy forbids.)"""
         end = time.monotonic() + seconds

@@ -17,6 +17,8 @@ export class Studio {
     const fail = (error) => this.fail(error);
     this.edits = new Edits(fail, () => this.store.touch("state"));
     this.sender = new Latest(fail);
+    this.beside = new Latest(fail);
+    this.turn = Promise.resolve(); // done when the last command is answered
     this.meshSource = meshSource;
     this.store.on("task", () => this.showMotion());
   }
@@ -179,8 +181,20 @@ export class Studio {
     this.notices.show("error", error.words ?? error.message);
   }
 
+  /** Waits until all that the hand asked for is answered: requests may overtake each other. */
+  answered() {
+    return Promise.all([this.turn, this.edits.sent(), this.sender.sent()]);
+  }
+
+  /** Runs what the hand asks for after all that it asked for before; see `act`. */
+  inOrder(run) {
+    const before = this.answered();
+    this.turn = before.then(() => this.act(run));
+    return this.turn;
+  }
+
   command(name, fields) {
-    return this.act(() => command(name, fields));
+    return this.inOrder(() => command(name, fields));
   }
 
   /** For what is sent often: the caller keeps one on its way. */
@@ -188,9 +202,14 @@ export class Studio {
     return command(name, fields);
   }
 
-  /** Sends what `make` makes, the latest of each kind, one at a time. */
+  /** Sends what changes the robot or its tasks, the latest of each kind, one at a time. */
   latest(kind, make) {
     this.sender.send(kind, make);
+  }
+
+  /** As `latest`, for what no command has to wait for. */
+  latestBeside(kind, make) {
+    this.beside.send(kind, make);
   }
 
   setTask(task, changes) {
@@ -207,19 +226,25 @@ export class Studio {
     return this.command("start");
   }
 
+  /** Ends what the server works at; unlike other commands it waits for nothing. */
+  halt() {
+    return this.act(() => command("pause"));
+  }
+
   pauseSearch() {
     this.store.set("paused", true);
-    return this.command("pause");
+    return this.halt();
   }
 
   stopSearch() {
     this.store.set("paused", false);
-    return this.command("pause");
+    return this.halt();
   }
 
   /** Opens something else, with the page dimmed while the server reads it. */
   async open(request) {
     this.store.set("opening", true);
+    await this.answered();
     await this.act(request);
     this.store.set("opening", false);
   }
@@ -232,6 +257,7 @@ export class Studio {
     });
     if (!path) return undefined;
     this.notices.show("info", `${action}: ${path} …`);
+    await this.answered();
     return this.act(() => post(request, { path }));
   }
 

@@ -12,6 +12,7 @@ export class AssemblyClient {
     this.followers = [];
     this.selected = "trunk";
     /** @type {?Carried} */ this.carried = null;
+    this.step = 0; // of what a hand does
     this.aimed = null; // the id of the spot that is pointed at
     studio.store.on("assembly", (told) => told && this.take(told));
   }
@@ -92,8 +93,8 @@ export class AssemblyClient {
   }
 
   async obey(command) {
-    this.began = false; // what a hand does from now on is a step of its own
-    const done = await this.studio.act(() => post("/api/assembly", command));
+    this.begin(); // what a hand does from now on is a step of its own
+    const done = await this.studio.inOrder(() => post("/api/assembly", command));
     if (done) this.studio.notices.clear("error");
     if (done?.item) this.select(done.item);
     return done;
@@ -105,13 +106,14 @@ export class AssemblyClient {
 
   /** A value under the user's hand: what is sent from `begin` on is one step of undo. */
   begin() {
-    this.began = false;
+    this.step += 1;
   }
 
   drag(item, key, value) {
+    const { step } = this;
     this.studio.latest("assembly", async () => {
-      const goes_on = this.began;
-      this.began = true;
+      const goes_on = this.draggedStep === step;
+      this.draggedStep = step;
       await post("/api/assembly", { do: "set", item, key, value, goes_on });
     });
   }

@@ -14,6 +14,7 @@ export class Edits {
     this.drafts = new Map(); // values that are not in the server's state yet
     this.waiting = new Map();
     this.flying = false;
+    this.flight = Promise.resolve(); // done when nothing is on its way and nothing waits
     this.moving = null; // the parameters that move on as one edit
   }
 
@@ -34,17 +35,21 @@ export class Edits {
     this.next = { names, held, fresh: this.next?.fresh || this.moving !== names };
     this.moving = held ? names : null;
     this.changed();
-    this.pump();
+    if (!this.flying) this.flight = this.pump();
   }
 
   async pump() {
-    if (this.flying || !this.waiting.size) return;
+    this.flying = true;
+    while (this.waiting.size) await this.sendWaiting();
+    this.flying = false;
+  }
+
+  async sendWaiting() {
     const values = Object.fromEntries(this.waiting);
     const { held, fresh } = this.next;
     this.waiting.clear();
     this.next = null;
-    this.flying = true;
-    const sent = performance.now();
+    const begun = performance.now();
     try {
       const { revision } = await command("edit", { values, goes_on: !fresh, held });
       for (const [name, value] of Object.entries(values)) {
@@ -56,12 +61,14 @@ export class Edits {
       for (const name of Object.keys(values)) this.drafts.delete(name);
       this.changed();
       this.failed(error);
-    } finally {
-      const early = EVERY - (performance.now() - sent);
-      if (early > 1) await passed(early);
-      this.flying = false;
-      this.pump();
     }
+    const early = EVERY - (performance.now() - begun);
+    if (early > 1) await passed(early);
+  }
+
+  /** Waits until what was set is answered. */
+  sent() {
+    return this.flight;
   }
 
   /** Whether nothing is on its way. */

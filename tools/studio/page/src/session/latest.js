@@ -5,25 +5,30 @@ export class Latest {
   /** @param {(error: Error) => void} failed */
   constructor(failed) {
     this.failed = failed;
-    this.flying = new Set();
+    this.flights = new Map(); // by kind: done when nothing of it is on its way and nothing waits
     this.waiting = new Map();
   }
 
   /** @param {() => Promise<any>} make */
-  async send(kind, make) {
-    if (this.flying.has(kind)) {
-      this.waiting.set(kind, make);
-      return;
+  send(kind, make) {
+    this.waiting.set(kind, make);
+    if (!this.flights.has(kind)) this.flights.set(kind, this.fly(kind));
+  }
+
+  async fly(kind) {
+    for (let make; (make = this.waiting.get(kind));) {
+      this.waiting.delete(kind);
+      try {
+        await make();
+      } catch (error) {
+        this.failed(error);
+      }
     }
-    this.flying.add(kind);
-    try {
-      await make();
-    } catch (error) {
-      this.failed(error);
-    }
-    this.flying.delete(kind);
-    const next = this.waiting.get(kind);
-    this.waiting.delete(kind);
-    if (next) this.send(kind, next);
+    this.flights.delete(kind);
+  }
+
+  /** Waits until what was sent is answered. */
+  sent() {
+    return Promise.all(this.flights.values());
   }
 }

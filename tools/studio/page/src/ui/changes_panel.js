@@ -25,7 +25,7 @@ export class ChangesPanel {
     );
     this.cancel = h(
       "button.small",
-      { type: "button", hidden: true, onClick: () => studio.command("pause") },
+      { type: "button", hidden: true, onClick: () => studio.halt() },
       "Cancel",
     );
     this.busy = h("p.status", { role: "status" });

@@ -38,7 +38,7 @@ export class HeldBounds {
     const { studio, name } = this;
     this.loaded = true;
     const task = studio.store.get("task") ?? 0;
-    studio.latest("bounds", async () => {
+    studio.latestBeside("bounds", async () => {
       const found = await get(`/api/bounds?name=${encodeURIComponent(name)}&task=${task}`);
       if (this.name === name) studio.view.setBounds(found);
     });

@@ -157,7 +157,7 @@ export class PhysicsPanel {
   }
 
   send(extra) {
-    this.studio.latest("physics", () => post("/api/physics", this.body(extra)));
+    this.studio.latestBeside("physics", () => post("/api/physics", this.body(extra)));
   }
 
   startAgain() {

@@ -33,7 +33,7 @@ export class TradeOff {
     );
     this.cancel = h(
       "button.small",
-      { type: "button", onClick: () => studio.command("pause") },
+      { type: "button", onClick: () => studio.halt() },
       "Cancel",
     );
     this.status = h("p.status", { role: "status" });

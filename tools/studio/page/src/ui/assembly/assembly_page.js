@@ -117,6 +117,7 @@ export class AssemblyPage {
       action: "Save",
       hint: "Below the folders that the studio was started with.",
     });
+    await this.studio.answered();
     if (asked) await this.saveTo(asked, asked === this.savedAs);
   }
 
