@@ -319,7 +319,39 @@ std::string difference_from_intent(const RobotModel& robot, const VectorXd& s,
   }
 }
 
+/// All that changes with the body; keyframes stay.
+TextEdits edited_body(const RobotModel& robot, const XmlFile& xml, const mjModel& model,
+                      const VectorXd& s) {
+  TextEdits edits(xml);
+  write_values(robot, xml, s, edits);
+  write_axes(robot, xml, s, edits);
+  const StretchMap all = collect_stretches(robot.space, robot.bindings, robot.file);
+  const PlaceMap places = collect_places(robot.space, robot.bindings, robot.file);
+  const TreeElements elements = find_elements(xml, model);
+  const RigidMap rigid = rigid_feet(xml, model, elements, robot.structure, all, s);
+  const ShiftMap feet = shifted_feet(xml, model, elements, robot.structure, all);
+  const ArmMap hinges = arms_to_hinges(model, elements, robot.structure);
+  for (const auto& [body, stretches] : all)
+    BodyRewriter(xml, model, *find_named(xml.root(), "body", body), stretches, places, s, rigid,
+                 feet, hinges, edits)
+        .run();
+  write_places(robot, xml, all, places, s, edits);
+  write_mesh_scales(xml, model, elements, all, rigid, s, edits);
+  write_capsule_masses(xml, model, elements, all, s, edits);
+  write_connectors(robot, xml, model, elements, s, edits);
+  hide_skins(xml, model, all, s, edits);
+  return edits;
+}
+
 }  // namespace
+
+std::string rewrite_body(const RobotModel& robot, const VectorXd& design) {
+  check_design(robot.space, design);
+  const VectorXd s = written_design(robot.space, design);
+  if (s == robot.space.initial()) return robot.xml;
+  const auto xml = load_xml(robot.xml, robot.file);
+  return edited_body(robot, *xml, *compile_mjcf(robot.xml, robot.file), s).apply();
+}
 
 std::string rewrite_robot(const RobotModel& robot, const VectorXd& design) {
   check_design(robot.space, design);
@@ -327,24 +359,7 @@ std::string rewrite_robot(const RobotModel& robot, const VectorXd& design) {
   if (s == robot.space.initial()) return robot.xml;
   const auto xml = load_xml(robot.xml, robot.file);
   const ModelPointer model = compile_mjcf(robot.xml, robot.file);
-  TextEdits edits(*xml);
-  write_values(robot, *xml, s, edits);
-  write_axes(robot, *xml, s, edits);
-  const StretchMap all = collect_stretches(robot.space, robot.bindings, robot.file);
-  const PlaceMap places = collect_places(robot.space, robot.bindings, robot.file);
-  const TreeElements elements = find_elements(*xml, *model);
-  const RigidMap rigid = rigid_feet(*xml, *model, elements, robot.structure, all, s);
-  const ShiftMap feet = shifted_feet(*xml, *model, elements, robot.structure, all);
-  const ArmMap hinges = arms_to_hinges(*model, elements, robot.structure);
-  for (const auto& [body, stretches] : all)
-    BodyRewriter(*xml, *model, *find_named(xml->root(), "body", body), stretches, places, s, rigid,
-                 feet, hinges, edits)
-        .run();
-  write_places(robot, *xml, all, places, s, edits);
-  write_mesh_scales(*xml, *model, elements, all, rigid, s, edits);
-  write_capsule_masses(*xml, *model, elements, all, s, edits);
-  write_connectors(robot, *xml, *model, elements, s, edits);
-  hide_skins(*xml, *model, all, s, edits);
+  const TextEdits edits = edited_body(robot, *xml, *model, s);
   // A pose that the robot's reader would refuse is given up; the design itself never is.
   std::string first;
   for (const KeyframeEffort effort :

@@ -64,7 +64,7 @@ Json colour_of(const mjModel& model, int geom) {
 }  // namespace
 
 ModelPointer drawn_model(const RobotModel& robot, const Eigen::VectorXd& s) {
-  return compile_mjcf(played_robot(robot, rewrite_robot(robot, s)), robot.file,
+  return compile_mjcf(played_robot(robot, rewrite_body(robot, s)), robot.file,
                       MeshDetail::triangles);
 }
 

@@ -116,7 +116,7 @@ void Session::run() {
       phase_ = searching_      ? SessionPhase::searching
                : must_settle() ? SessionPhase::solving
                                : SessionPhase::working_out;
-      held_ = phase_ == SessionPhase::solving && pace_.must_end(DragPace::Clock::now(), took_);
+      held_ = phase_ == SessionPhase::solving && pace_.must_end(DragPace::Clock::now());
       pace_.end();
       lock.unlock();
       work();
@@ -196,7 +196,7 @@ void Session::settle() {
   const auto start = DragPace::Clock::now();
   const bool solved = engine_.settle();
   if (!solved && interrupted()) return;
-  took_ = DragPace::Clock::now() - start;
+  pace_.solved(DragPace::Clock::now() - start);
   if (solved) note(session::Settled{});
   {
     const std::lock_guard lock(mutex_);

@@ -67,7 +67,7 @@ std::string_view to_string(SessionEvent::Kind kind);
 /// Co-design with somebody who takes part. Every call may come from any thread. A worker thread
 /// owns the state: it obeys commands in their order, at once, and does the long work between them:
 /// solving for motions that a change left behind, and the search. While a hand holds the body it
-/// solves once the hand rests, and once a second. A command interrupts long work
+/// solves once the hand rests, and now and then (DragPace). A command interrupts long work
 /// within one Newton step; a search is then paused, and start() goes on from what is there. What
 /// happened stands in the journal, whose replay leads to the same bits.
 class Session {
@@ -165,9 +165,8 @@ class Session {
   // The worker's own.
   SessionEngine engine_;
   SessionJournal journal_;
-  DragPace pace_;                     // of solving
-  bool moves_ = false;                // a hand holds what was moved last
-  DragPace::Clock::duration took_{};  // solving for motions, the last time
+  DragPace pace_;       // of solving
+  bool moves_ = false;  // a hand holds what was moved last
   std::thread worker_;
   std::mutex joining_;  // of the worker, by close() alone
 };

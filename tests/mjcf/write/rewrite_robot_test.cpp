@@ -52,6 +52,19 @@ TEST(RewriteRobot, ThereAndBackGivesTheSameRobot) {
   EXPECT_NE(find_difference(robot.morphology, s0, there.morphology, s), "");   // negative control
 }
 
+TEST(RewriteRobot, ABodyToBeLookedAtDiffersInItsKeyframesAlone) {
+  for (const char* name : {"puppy", "crooked", "piston_puppy", "crooked_piston", "crooked_printed",
+                           "crooked_weighed"}) {
+    const RobotModel robot = parse_robot(test::named_robot(name), "robot.xml");
+    std::mt19937 random(7);
+    const VectorXd s = test::random_design(robot.space, random);
+    const std::set<std::string> key{"key.qpos", "key.ctrl"};
+    EXPECT_EQ(blanked(rewrite_body(robot, s), key), blanked(rewrite_robot(robot, s), key));
+    EXPECT_TRUE(rewrite_body(robot, robot.space.initial()) == robot.xml);
+    EXPECT_THROW(rewrite_body(robot, s.head(3)), std::invalid_argument);
+  }
+}
+
 class RandomDesigns : public testing::TestWithParam<const char*> {};
 
 TEST_P(RandomDesigns, CompileAndMatchMujoco) {

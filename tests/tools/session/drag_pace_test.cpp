@@ -26,14 +26,26 @@ TEST(DragPaceTest, SolvesEverySoOftenWhileTheHandMoves) {
     pace.move(now);
     EXPECT_GT(pace.due(), now);
   }
-  EXPECT_FALSE(pace.must_end(now - 1ms, 0ms));
+  EXPECT_FALSE(pace.must_end(now - 1ms));
   pace.move(now);
   EXPECT_LE(pace.due(), now) << "overdue";
-  EXPECT_TRUE(pace.must_end(now, DragPace::kShort - 1ms));
-  EXPECT_FALSE(pace.must_end(now, DragPace::kShort)) << "too long for the hand to wait";
+  EXPECT_TRUE(pace.must_end(now));
   pace.end();
   pace.move(now);  // the next step of the same hand, whether it interrupted the solve or not
   EXPECT_EQ(pace.due(), now + DragPace::kRest);
+}
+
+TEST(DragPaceTest, SolvesTakeASmallShareOfADrag) {
+  const auto start = DragPace::Clock::now();
+  const auto took = DragPace::kShort - 1ms;
+  DragPace pace;
+  pace.solved(took);
+  pace.move(start);
+  EXPECT_FALSE(pace.must_end(start + DragPace::kLongest));
+  EXPECT_FALSE(pace.must_end(start + DragPace::kRarely * took - 1ms));
+  EXPECT_TRUE(pace.must_end(start + DragPace::kRarely * took));
+  pace.solved(DragPace::kShort);
+  EXPECT_FALSE(pace.must_end(start + 10 * DragPace::kLongest)) << "too long for the hand to wait";
 }
 
 }  // namespace

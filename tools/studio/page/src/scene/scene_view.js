@@ -224,8 +224,8 @@ export class SceneView {
     this.drawForces(poses);
     this.drawFeet(poses);
     this.stage.scene.updateMatrixWorld();
-    const { camera, host } = this.stage;
-    this.handles.update(this.robot, camera, host.clientHeight, this.size, this.readParameter);
+    const { camera, tall } = this.stage;
+    this.handles.update(this.robot, camera, tall, this.size, this.readParameter);
     this.drawFaults();
     this.tagNeighbour(camera);
     this.slopeTag.show(this.stage.up, this.player?.advance ?? [1, 0, 0]);
