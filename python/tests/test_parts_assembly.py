@@ -65,6 +65,8 @@ def test_the_sheet_has_all_of_the_bill_and_as_many_screws(made):
             found = [t for s in steps for t in s[4].split('; ') if f'(no. {number})' in t]
             known = row['name'] != 'pattern not known'
             count = sum(int(re.search(r'(\d+) x', t)[1]) if known else 1 for t in found)
+        elif row['kind'] in ('tie', 'tape'):
+            count = sum(f'(no. {number})' in s[4] for s in steps)
         elif row['kind'] == 'trunk':
             continue
         else:
@@ -79,7 +81,7 @@ def test_pictures_have_each_thing_once(made):
     for name, steps in sections(made).items():
         model = mujoco.MjModel.from_xml_path(str(made.folder / f'exploded_{name}.xml'))
         meshes = sum(model.geom_type == mujoco.mjtGeom.mjGEOM_MESH)
-        assert meshes == sum('.stl' in step[2] for step in steps)
+        assert meshes == sum('.stl' in s[2] or 'cable tie' in s[4] for s in steps)
         boxes = sum(model.geom_type == mujoco.mjtGeom.mjGEOM_BOX)
         assert boxes >= sum('servo ' in step[2] for step in steps)
 

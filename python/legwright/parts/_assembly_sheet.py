@@ -8,7 +8,15 @@ from legwright.parts._limb_views import limb_scene, number_of, trunk_scene
 from legwright.parts._limbs import Limb, Piece, limbs_of, trunk_steps
 from legwright.parts._robot import BuiltRobot, Module
 from legwright.parts._solids import Part, Solid
-from legwright.parts._tables import Row, is_pressed, markdown, screw_of
+from legwright.parts._tables import (
+    TAPE,
+    Row,
+    is_pressed,
+    is_taped,
+    markdown,
+    screw_of,
+    tie_of,
+)
 
 SHEET = 'assembly.md'
 _TRUNK = 'trunk'
@@ -47,8 +55,21 @@ class _Sheet:
         found = [f for f in solid.fixings if f.module is module]
         return '; '.join(self._of_fixing(solid, fixing) for fixing in found) or 'none'
 
+    def held(self, trunk: Solid, module: Module) -> str:
+        """What fixes a module to the trunk."""
+        found = [f for f in trunk.fixings if f.module is module and f.place.screw is not None]
+        ways = [self._of_fixing(trunk, fixing) for fixing in found]
+        for strap in trunk.straps:
+            if strap.module is module:
+                name = tie_of(strap)
+                number = self.numbers[f'tie {name}']
+                ways.append(f'{name} (no. {number}), over it and through the slots beside it')
+        if is_taped(trunk, module):
+            ways.append(f'{TAPE} (no. {self.numbers[f"tape {TAPE}"]}) under it: no tie has room')
+        return '; '.join(ways)
+
     def table(self, lines: Sequence[Sequence[str]]) -> str:
-        return markdown(['step', 'no.', 'what', 'goes', 'screws'], lines)
+        return markdown(['step', 'no.', 'what', 'goes', 'held by'], lines)
 
 
 def _kind(module: Module) -> str:
@@ -67,9 +88,8 @@ def _trunk_lines(sheet: _Sheet, steps: Sequence[Piece | Module]) -> list[list[st
         goes = f'from above into {"its cradle" if servo else "the trunk"}, as {step.of}'
         if base is None:
             goes = f'on the trunk, as {step.of}'
-        lines.append(
-            [str(count), number, _kind(step), goes, sheet.screws(base, step) if base else '']
-        )
+        held = sheet.held(base, step) if base else ''
+        lines.append([str(count), number, _kind(step), goes, held])
     return lines
 
 

@@ -10,6 +10,7 @@ from xml.sax.saxutils import quoteattr
 
 import mujoco
 import numpy as np
+from manifold3d import Manifold
 
 from legwright.parts._digits import strokes, width
 from legwright.parts._holes import Hole
@@ -17,6 +18,7 @@ from legwright.parts._labels import GAP, RIGHT, UP, Label
 from legwright.parts._robot import BuiltRobot, Module, home_of
 from legwright.parts._shapes import MM
 from legwright.parts._solids import Part, Solid
+from legwright.parts._straps import Strap
 from legwright.parts._words import Array
 
 _COLOURS = {
@@ -25,6 +27,7 @@ _COLOURS = {
     'foot': '0.1 0.1 0.11 1',
     'trunk': '0.08 0.52 0.52 1',
     'screw': '0.75 0.77 0.8 1',
+    'tie': '0.12 0.12 0.13 1',
 }
 _OTHER, _LINE, _INK = '0.35 0.4 0.5 1', '0.45 0.45 0.45 1', '0.75 0.1 0.1 1'
 
@@ -42,8 +45,8 @@ def _rod(start: Array, end: Array, radius: float, colour: str, kind: str = 'caps
     )
 
 
-def _mesh(name: str, solid: Solid) -> str:
-    mesh = solid.shape.to_mesh64()
+def _mesh(name: str, shape: Manifold) -> str:
+    mesh = shape.to_mesh64()
     vertices = np.asarray(mesh.vert_properties)[:, :3] / MM
     faces = ' '.join(str(k) for k in np.asarray(mesh.tri_verts).ravel())
     return f'    <mesh name="{name}" vertex="{_words(vertices)}" face="{faces}"/>\n'
@@ -102,13 +105,21 @@ class Drawing:
     def part(self, part: Part, solid: Solid, shift: Array) -> None:
         """One of a part's solids, moved from where it belongs."""
         name = f'part_{part.number}'
-        self._assets.setdefault(name, _mesh(name, part.solid))
+        colour = _COLOURS['printed' if solid.link.servo else 'trunk']
+        self._shape(name, part.solid.shape, solid.link.body, shift, colour)
+
+    def tie(self, body: int, strap: Strap, shift: Array) -> None:
+        """A cable tie around a module."""
+        self._shape(f'tie_{strap.module.of}', strap.tie, body, shift, _COLOURS['tie'])
+
+    def _shape(self, name: str, shape: Manifold, body: int, shift: Array, colour: str) -> None:
+        self._assets.setdefault(name, _mesh(name, shape))
         quat = np.zeros(4)
-        mujoco.mju_mat2Quat(quat, self.turn_of(solid.link.body).ravel())
-        place = self.world(solid.link.body, np.zeros(3)) + shift
+        mujoco.mju_mat2Quat(quat, self.turn_of(body).ravel())
+        place = self.world(body, np.zeros(3)) + shift
         self._geoms.append(
             f'      <geom type="mesh" mesh="{name}" pos="{_words(place)}" quat="{_words(quat)}" '
-            f'rgba="{_COLOURS["printed" if solid.link.servo else "trunk"]}"/>\n'
+            f'rgba="{colour}"/>\n'
         )
 
     def screw(self, body: int, hole: Hole, shift: Array, out: float) -> None:

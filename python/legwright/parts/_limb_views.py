@@ -60,7 +60,7 @@ def _draw(
     shifts: Sequence[Array],
     numbers: Mapping[str, int],
 ) -> str:
-    """The scene: things, screws before their holes, lines from modules to parts, numbers."""
+    """The scene: things, screws and ties, lines from modules to parts, numbers."""
     moved = {id(step): shift for step, shift in zip(steps, shifts)}
     things = []
     for step, shift in zip(steps, shifts):
@@ -72,6 +72,8 @@ def _draw(
         body = step.solid.link.body
         for hole in step.solid.holes:
             drawing.screw(body, hole, shift, _OUT)
+        for strap in step.solid.straps:
+            drawing.tie(body, strap, moved[id(strap.module)])
         for fixing in step.solid.fixings:
             if id(fixing.module) in moved and step.solid.link.servo:
                 place = drawing.world(body, fixing.position)

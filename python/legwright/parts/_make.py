@@ -136,6 +136,10 @@ def _part_json(part: Part) -> dict[str, Any]:
             'support_mm3': part.lying.support,
             'seconds': part.lying.seconds,
         },
+        'ties': [
+            {'around': strap.module.of, 'loop_mm': strap.loop, 'length_mm': strap.length}
+            for strap in solid.straps
+        ],
         'fixed_to': [f'{fixing.module.of}: {fixing.place.name}' for fixing in solid.fixings],
     }
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The solid of each link, and which of them are one part."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -15,11 +15,11 @@ from legwright.parts._printing import Lying, best_lying, lying_on
 from legwright.parts._robot import BuiltRobot, Link
 from legwright.parts._shapes import MM, hull, joined, outline, placed
 from legwright.parts._slots import all_slots
+from legwright.parts._straps import Strap
 from legwright.parts._trunk import trunk_link, trunk_solid
 from legwright.parts._words import Array
 
 _CHIP = 0.01  # of a solid; what falls off and is smaller is left out
-_TRUNK_WALL = 2.0  # times the least wall
 _FINE = 1e-3  # [mm]: finer details are left out
 _SAME = 5e-3  # [mm]: vertices of solids that are one part
 
@@ -38,7 +38,7 @@ class Solid:
     fixings: tuple[Fixing, ...]
     holes: tuple[Hole, ...]
     seat_volume: float
-    """What places of modules and slots for their cables take away [mm3]."""
+    """What places of modules, slots for their cables and slots for ties take away [mm3]."""
     hole_volume: float
     """What holes take away [mm3]."""
     hull_volume: float
@@ -53,6 +53,8 @@ class Solid:
     """What they add [mm3]."""
     number_volume: float = 0.0
     """What its number takes away [mm3]."""
+    straps: tuple[Strap, ...] = ()
+    """Ties that hold what stands on the trunk."""
 
     @property
     def mass(self) -> float:
@@ -201,10 +203,11 @@ def solid_of(robot: BuiltRobot, link: Link, fit: float, wall: float) -> Solid:
 
 def trunk_of(robot: BuiltRobot, fit: float, wall: float, density: float) -> Solid:
     """The trunk as a tray (trunk_solid()) with walls of twice the least one, of that density."""
-    declared, taken = trunk_solid(robot, _TRUNK_WALL * wall, fit)
+    trunk = trunk_solid(robot, wall, fit)
     mass = next(m.words.mass for m in robot.modules if m.words.kind == 'trunk')
-    told = {'hull_volume': declared.volume(), 'density': density, 'file_mass': mass}
-    return _cut(robot, trunk_link(robot), declared, taken, wall, told)
+    told = {'hull_volume': trunk.whole.volume(), 'density': density, 'file_mass': mass}
+    solid = _cut(robot, trunk_link(robot), trunk.whole, trunk.cut, wall, told)
+    return replace(solid, straps=trunk.straps)
 
 
 def vertices_of(shape: Manifold) -> Array:

@@ -9,9 +9,13 @@ from dataclasses import dataclass
 from legwright.parts._checks import Check
 from legwright.parts._feet import feet_of, socket_size
 from legwright.parts._holes import Fixing, Hole
-from legwright.parts._robot import BuiltRobot
+from legwright.parts._robot import BuiltRobot, Module
 from legwright.parts._shapes import MM
 from legwright.parts._solids import Part, Solid
+from legwright.parts._straps import TIE, Strap
+
+TAPE = 'double-sided foam tape'
+"""Under what no tie has room for."""
 
 
 @dataclass(frozen=True)
@@ -45,7 +49,7 @@ def module_counts(robot: BuiltRobot) -> dict[tuple[str, str, float], int]:
 
 
 def bill(robot: BuiltRobot, parts: Sequence[Part], press: float) -> list[Row]:
-    """Modules, printed parts, then screws; feet with the sockets that the press asks for [mm]."""
+    """Modules, printed parts, screws, ties, tape; feet with sockets as the press asks [mm]."""
     counts = module_counts(robot)
     trunk = next((part.solid for part in parts if part.solid.link.servo is None), None)
     prices = {(m.words.kind, m.words.name): m.words.price for m in robot.modules}
@@ -68,7 +72,7 @@ def bill(robot: BuiltRobot, parts: Sequence[Part], press: float) -> list[Row]:
                 'for ' + ', '.join(part.links),
             )
         )
-    return rows + _screws(parts)
+    return rows + _screws(parts) + _ties(parts) + _tapes(parts)
 
 
 def screw_of(fixing: Fixing, hole: Hole | None) -> tuple[str, str]:
@@ -99,8 +103,10 @@ def _screws(parts: Sequence[Part]) -> list[Row]:
     known: dict[tuple[str, str], int] = {}
     unknown: dict[tuple[str, str], int] = {}
     for part in parts:
+        on_trunk = part.solid.link.servo is None  # where ties and tape do without screws
         for fixing in part.solid.fixings:
-            if fixing.place.screw is None and not is_pressed(part.solid, fixing):
+            held = on_trunk or is_pressed(part.solid, fixing)
+            if fixing.place.screw is None and not held:
                 key = screw_of(fixing, None)
                 unknown[key] = unknown.get(key, 0) + part.count
         for hole in part.solid.holes:
@@ -112,14 +118,51 @@ def _screws(parts: Sequence[Part]) -> list[Row]:
     ]
 
 
+def tie_of(strap: Strap) -> str:
+    """Name of the bill's row for a cable tie."""
+    return f'cable tie {TIE:g} x {strap.length}'
+
+
+def _ties(parts: Sequence[Part]) -> list[Row]:
+    around: dict[str, list[str]] = {}
+    for part in parts:
+        for strap in part.solid.straps:
+            around.setdefault(tie_of(strap), []).append(strap.module.of)
+    return [
+        Row('tie', name, len(held), None, None, f'or longer, around {", ".join(held)}')
+        for name, held in sorted(around.items())
+    ]
+
+
+def is_taped(trunk: Solid, module: Module) -> bool:
+    """Whether neither screws that are known nor a tie hold a module on the trunk."""
+    screwed = any(hole.fixing.module is module for hole in trunk.holes)
+    return not screwed and all(strap.module is not module for strap in trunk.straps)
+
+
+def _tapes(parts: Sequence[Part]) -> list[Row]:
+    held = [
+        module.of
+        for part in parts
+        if not part.solid.link.servo
+        for module in part.solid.link.modules
+        if is_taped(part.solid, module)
+    ]
+    note = f'under {", ".join(held)}: no tie has room'
+    return [Row('tape', TAPE, len(held), None, None, note)] if held else []
+
+
 def price_cells(row: Row) -> list[str]:
     """Of one, and of all of them; empty where it is not known."""
     return ['', ''] if row.price is None else [f'{row.price:.2f}', f'{row.count * row.price:.2f}']
 
 
+_UNPRICED = ('printed', 'screw', 'tie', 'tape', 'trunk')
+
+
 def _price_words(rows: Sequence[Row]) -> str:
     """The sum, and of how many modules no file tells a price."""
-    modules = [row for row in rows if row.kind not in ('printed', 'screw', 'trunk') or row.price]
+    modules = [row for row in rows if row.kind not in _UNPRICED or row.price]
     known = [row for row in modules if row.price is not None]
     unknown = sum(row.count for row in modules if row.price is None)
     all_of_them = sum(row.count for row in modules)
@@ -127,7 +170,8 @@ def _price_words(rows: Sequence[Row]) -> str:
         return 'No module file gives a price: `price = 23.9` in a file of your own library does.'
     total = sum(row.count * (row.price or 0.0) for row in known)
     rest = f'not known of {unknown} of {all_of_them} modules' if unknown else 'of all modules'
-    return f'Prices come to {total:.2f}, {rest}; printed parts and screws are not in them.'
+    without = 'printed parts, screws, ties and tape are not in them'
+    return f'Prices come to {total:.2f}, {rest}; {without}.'
 
 
 def bill_csv(rows: Sequence[Row]) -> str:
@@ -213,7 +257,8 @@ def bill_markdown(robot: BuiltRobot, parts: Sequence[Part], rows: Sequence[Row])
     return (
         f'# {robot.name}: bill of materials\n\n'
         + markdown(_HEAD, cells)
-        + f"\n{total:.1f} g, without screws and cables; the robot's file has {of_file:.1f} g.\n"
+        + f'\n{total:.1f} g, without screws, ties and cables; '
+        f"the robot's file has {of_file:.1f} g.\n"
         f'{_price_words(rows)}\n\n'
         '## Masses of the printed parts\n\n'
         + markdown(

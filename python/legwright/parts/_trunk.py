@@ -3,16 +3,22 @@
 
 import itertools
 import math
+from dataclasses import dataclass
 
 import mujoco
 import numpy as np
 from manifold3d import Manifold
 
-from legwright.parts._robot import BuiltRobot, Link, Module, home_of, matrix
+from legwright.parts._robot import BuiltRobot, Link, Module, Shape, home_of, matrix
 from legwright.parts._shapes import MM, grown, joined, outline
 from legwright.parts._slots import all_slots
+from legwright.parts._straps import Strap, straps_of
 from legwright.parts._words import Array, Place
 
+_WALL = 2.0  # times the least wall
+_LOW = 15.0  # [mm] over the floor: what hangs higher stands on nothing
+_INTO = 0.1  # [mm] that what stands on the floor goes into it
+_RIB = 0.2  # of a length: where ribs are
 _SOLID = 4.0  # times the wall: trunks that are lower are plates
 _FAR = 500.0  # [mm]: beyond all
 _HORN = 4.0  # [mm] before a horn that stay free, whatever turns there
@@ -41,31 +47,49 @@ def _box(robot: BuiltRobot) -> Module:
     return next(module for module in robot.modules if module.words.kind == 'trunk')
 
 
+def _is_tray(shape: Shape, wall: float) -> bool:
+    """Whether it is high enough to be hollow."""
+    low, high = grown(shape, 0.0).bounding_box()[2::3]
+    return shape.kind == 'box' and high - low > _SOLID * wall
+
+
 def _shell(trunk: Module, wall: float) -> Manifold:
     """Open above; of low trunks all of it."""
     out = []
     for shape in trunk.shapes:
         whole = grown(shape, 0.0)
-        height = whole.bounding_box()[5] - whole.bounding_box()[2]
-        if shape.kind == 'box' and height > _SOLID * wall:
+        if _is_tray(shape, wall):
             room = grown(shape, -wall)
             whole = whole - Manifold.batch_hull([room, room.translate(tuple(_FAR * _UP))])
         out.append(whole)
     return joined(out)
 
 
-def trunk_solid(robot: BuiltRobot, wall: float, fit: float) -> tuple[Manifold, Manifold]:
-    """What is printed before anything is cut out, and what is cut out [mm].
+@dataclass(frozen=True)
+class TrunkSolid:
+    """The trunk as it is printed [mm]."""
 
-    The trunk's box as a tray. A servo gets a cradle: walls around it, but not above, from where it
-    is put in, and not before its horn. Cut out are the modules, grown by the fit, with their way
-    in from above, slots for their cables, what is just before the horns, and what the links there
-    pass through.
+    whole: Manifold
+    """Before anything is cut out."""
+    cut: Manifold
+    straps: tuple[Strap, ...]
+    """Whose slots are cut out, too."""
+
+
+def trunk_solid(robot: BuiltRobot, least: float, fit: float) -> TrunkSolid:
+    """The trunk's box as a tray, with walls of twice the least one.
+
+    A servo gets a cradle: walls around it, but not above, from where it is put in, and not before
+    its horn; what else hangs over the floor stands on ribs. Cut out are the modules, grown by the
+    fit, with their way in from above, slots for their cables, what is just before the horns, what
+    the links there pass through, and slots for ties.
     """
+    wall = _WALL * least
     trunk, link = _box(robot), trunk_link(robot)
     top = MM * max(float(shape.position[2] + shape.size[2]) for shape in trunk.shapes)
     solids, cuts = [_shell(trunk, wall)], []
     for module in link.modules:
+        solids += _stands(trunk, module, wall, fit)
         if module.words.kind == 'servo':
             solids.append(outline(module, fit + wall).trim_by_plane((0, 0, -1), -top))
             for place in module.places:
@@ -74,10 +98,50 @@ def trunk_solid(robot: BuiltRobot, wall: float, fit: float) -> tuple[Manifold, M
                     cuts.append(before)
         cuts.append(_swept(module, fit, _UP))
     cuts += all_slots(link.modules, _FAR)
-    for moved in robot.links:
-        if moved.servo in link.modules:
-            cuts.append(_passed(robot, moved))
-    return joined(solids), joined(cuts)
+    passed = [_passed(robot, each) for each in robot.links if each.servo in link.modules]
+    whole, cut = joined(solids), joined([*cuts, *passed])
+    floor = max(_floor(shape, wall)[1] for shape in trunk.shapes)
+    straps = straps_of(link.modules, whole - cut, floor, (fit + wall, least), passed)
+    return TrunkSolid(whole, joined([cut, *(strap.cut for strap in straps)]), tuple(straps))
+
+
+def _floor(shape: Shape, wall: float) -> tuple[float, float]:
+    """Its upper side, and how thick it is [mm]."""
+    whole = grown(shape, 0.0).bounding_box()
+    if _is_tray(shape, wall):
+        return whole[2] + wall, wall
+    return whole[5], whole[5] - whole[2]
+
+
+def _stands(trunk: Module, module: Module, wall: float, fit: float) -> list[Manifold]:
+    """What fills the room between a module, or its cradle, and the floor, where that is low."""
+    is_servo = module.words.kind == 'servo'
+    body = outline(module, fit + wall if is_servo else fit)
+    low = body.bounding_box()[2]
+    gap = low - max(_floor(shape, wall)[0] for shape in trunk.shapes)
+    if not 0 < gap < _LOW:
+        return []
+    solid = Manifold.batch_hull([body, body.translate((0, 0, -gap - _INTO))])
+    solid = solid.trim_by_plane((0, 0, -1), -low - (wall if is_servo else 0.0))
+    box = joined([grown(shape, 0.0) for shape in trunk.shapes])
+    if is_servo:
+        return [solid ^ box]
+    return [(solid ^ rib) ^ box for rib in _ribs(module, wall)]
+
+
+def _ribs(module: Module, wall: float) -> list[Manifold]:
+    """Slabs across the longer level side of a module, through all, at both ends."""
+    x0, y0, _, x1, y1, _ = outline(module).bounding_box()
+    long = 0 if x1 - x0 > y1 - y0 else 1
+    low, high = ((x0, x1), (y0, y1))[long]
+    size = [2 * _FAR, 2 * _FAR, 2 * _FAR]
+    size[long] = wall
+    out = []
+    for share in (_RIB, 1 - _RIB):
+        middle = [0.0, 0.0, 0.0]
+        middle[long] = low + share * (high - low)
+        out.append(Manifold.cube(size, True).translate(middle))
+    return out
 
 
 def _passed(robot: BuiltRobot, link: Link) -> Manifold:
