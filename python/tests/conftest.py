@@ -1,10 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
 """What tests share: the examples, and one co-designed puppy."""
 
+from __future__ import annotations
+
+import functools
+import subprocess
+from collections.abc import Callable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import legwright as lw
 import pytest
+
+if TYPE_CHECKING:
+    from legwright import parts
 
 EXAMPLES = Path(__file__).resolve().parents[2] / 'examples'
 
@@ -12,6 +21,24 @@ EXAMPLES = Path(__file__).resolve().parents[2] / 'examples'
 @pytest.fixture(scope='session')
 def examples() -> Path:
     return EXAMPLES
+
+
+@pytest.fixture(scope='session')
+def printed(tmp_path_factory) -> Callable[[str], parts.Parts]:
+    """Makes the parts of a `printed_NAME.toml` of the examples, once: not to be changed."""
+    folder = tmp_path_factory.mktemp('printed')
+    program = Path(lw.__file__).parent / 'bin/legwright'
+
+    @functools.cache
+    def made(name: str) -> parts.Parts:
+        from legwright import parts  # needs more than other tests do
+
+        robot = folder / f'{name}.xml'
+        assembly = EXAMPLES / f'assemblies/printed_{name}.toml'
+        subprocess.run([program, 'build', assembly, '-o', robot], check=True, capture_output=True)
+        return parts.make(robot, folder / name)
+
+    return made
 
 
 @pytest.fixture

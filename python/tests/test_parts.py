@@ -129,9 +129,8 @@ def test_a_part_that_does_not_reach_a_module_fails_with_the_remedy(examples, tmp
 
 
 @pytest.mark.parametrize('name, count', [('quadruped', 13), ('hexapod', 19)])
-def test_robots_that_are_meant_to_be_printed_pass_at_home(name, count, examples, tmp_path):
-    robot = build(examples / f'assemblies/printed_{name}.toml', tmp_path / f'{name}.xml')
-    made = parts.make(robot, tmp_path / 'out')
+def test_robots_that_are_meant_to_be_printed_pass_at_home(name, count, printed):
+    made = printed(name)
     assert made.passed, [check for check in made.checks if not check.passed]
     assert sum(part.count for part in made.parts) == count
     trunk = made.parts[-1].solid

@@ -20,10 +20,8 @@ SIGNS = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
 
 
 @pytest.fixture(scope='module', params=['puppy', 'hexapod'])
-def made(request, examples, tmp_path_factory) -> parts.Parts:
-    folder = tmp_path_factory.mktemp(request.param)
-    robot = build(examples / f'assemblies/printed_{request.param}.toml', folder / 'robot.xml')
-    return parts.make(robot, folder / 'parts')
+def made(request, printed) -> parts.Parts:
+    return printed(request.param)
 
 
 def sections(made: parts.Parts) -> dict[str, list[list[str]]]:

@@ -14,7 +14,6 @@ from legwright.parts._robot import Shape
 from legwright.parts._shapes import outline
 from legwright.parts._solids import Mark
 from manifold3d import Manifold
-from test_parts import build
 
 # Of a digit that is 1 wide and 2 high: the middles of its seven segments, clockwise from the top.
 MIDDLES = [(0.5, 2), (1, 1.5), (1, 0.5), (0.5, 0), (0, 0.5), (0, 1.5), (0.5, 1)]
@@ -25,10 +24,8 @@ READ = {
 
 
 @pytest.fixture(scope='module', params=['puppy', 'hexapod'])
-def made(request, examples, tmp_path_factory) -> parts.Parts:
-    folder = tmp_path_factory.mktemp(request.param)
-    robot = build(examples / f'assemblies/printed_{request.param}.toml', folder / 'robot.xml')
-    return parts.make(robot, folder / 'parts')
+def made(request, printed) -> parts.Parts:
+    return printed(request.param)
 
 
 def is_cut(shape: Manifold, mark: Mark, x: float, y: float) -> bool:

@@ -12,14 +12,11 @@ from legwright.parts._shapes import MM, outline
 from legwright.parts._straps import TAIL, THICK, TIE, WIDE, straps_of
 from legwright.parts._trunk import trunk_link, trunk_solid
 from manifold3d import Manifold
-from test_parts import build
 
 
-@pytest.fixture(scope='module')
-def made(examples, tmp_path_factory) -> parts.Parts:
-    folder = tmp_path_factory.mktemp('ties')
-    robot = build(examples / 'assemblies/printed_puppy.toml', folder / 'robot.xml')
-    return parts.make(robot, folder / 'out')
+@pytest.fixture
+def made(printed) -> parts.Parts:
+    return printed('puppy')
 
 
 def test_a_tie_goes_over_its_module_and_under_the_trunk(made):
@@ -76,16 +73,15 @@ def test_a_tie_keeps_off_what_moves_over_its_module(made):
     assert straps_of(modules[:1], far, 2.4, (2.6, 1.2), []) == [], 'nothing to be held to'
 
 
-def test_what_no_tie_has_room_for_is_taped(examples, tmp_path):
-    robot = build(examples / 'assemblies/printed_hexapod.toml', tmp_path / 'robot.xml')
-    made = parts.make(robot, tmp_path / 'out')
+def test_what_no_tie_has_room_for_is_taped(printed):
+    made = printed('hexapod')
     assert made.passed
     tied = {strap.module.of for strap in made.parts[-1].solid.straps}
     taped = {m.of for m in made.parts[-1].solid.link.modules} - tied
     assert taped == {'FL_coxa_servo', 'FR_coxa_servo'}, 'their links pass over where ties could lie'
-    bill = (tmp_path / 'out/bom.csv').read_text(encoding='utf-8')
+    bill = (made.folder / 'bom.csv').read_text(encoding='utf-8')
     assert 'tape,double-sided foam tape,2,' in bill
-    sheet = (tmp_path / 'out/assembly.md').read_text(encoding='utf-8')
+    sheet = (made.folder / 'assembly.md').read_text(encoding='utf-8')
     assert sheet.count('under it: no tie has room') == 2
 
 

@@ -194,14 +194,19 @@ def _bears_gait(
     return at_least(part.name, name, factor, options.safety, '', words, _REMEDY)
 
 
-def check_beams(
-    robot: BuiltRobot, parts: list[Part], run: Path | None, options: PartOptions
-) -> list[Check]:
-    """Safety factors of all parts: under a run's planned forces, and under their servo's torque."""
+def run_loads(robot: BuiltRobot, run: Path) -> dict[int, list[Load]]:
+    """What the plans of a run put on each link, by its body."""
     loads: dict[int, list[Load]] = {}
-    for task, result in results_of(run).items() if run is not None else ():
+    for task, result in results_of(run).items():
         for body, found in gait_loads(robot, read_motion(result / PLANNED), task).items():
             loads.setdefault(body, []).extend(found)
+    return loads
+
+
+def check_beams(
+    robot: BuiltRobot, parts: list[Part], loads: dict[int, list[Load]], options: PartOptions
+) -> list[Check]:
+    """Safety factors of all parts: under loads, where there are any, and their servo's torque."""
     out = []
     for part in parts:
         sections = _beam(part.solid)

@@ -10,7 +10,7 @@ from typing import Any
 
 from legwright._errors import InputError
 from legwright.parts._assembly_sheet import assembly_files
-from legwright.parts._beam import check_beams
+from legwright.parts._beam import Load, check_beams, run_loads
 from legwright.parts._checks import Check
 from legwright.parts._exploded import exploded_scene
 from legwright.parts._feet import feet_of, foot_solid
@@ -28,6 +28,7 @@ from legwright.parts._solid_checks import check_solids
 from legwright.parts._solids import Part, parts_of
 from legwright.parts._step_file import step_bytes
 from legwright.parts._tables import bill, bill_csv, bill_markdown, module_counts
+from legwright.parts._words import Array
 
 SCENE, PICTURE = 'exploded.xml', 'exploded.png'
 """The exploded view; `legwright parts` draws the picture of the scene."""
@@ -79,21 +80,34 @@ def _items(parts: Sequence[Part]) -> list[Item]:
     return items
 
 
+@dataclass(frozen=True)
+class _Use:
+    """What the robot does: the gaits of a run, or no more than to stand."""
+
+    what: str
+    poses: list[tuple[str, Array]]
+    loads: dict[int, list[Load]]
+
+
+def _use_of(robot: BuiltRobot, path: Path) -> _Use:
+    """Read before anything is cut, as a damaged file of a run is to be told at once."""
+    if not path.is_dir():
+        return _Use('at home', [('home', home_of(robot))], {})
+    return _Use(*gait_poses(robot, path), run_loads(robot, path))
+
+
 def _all_checks(
-    robot: BuiltRobot, parts: Sequence[Part], options: PartOptions, path: Path
+    robot: BuiltRobot, parts: Sequence[Part], options: PartOptions, use: _Use
 ) -> list[Check]:
     """Of parts by themselves, on the bed, and past each other: in a run's gait, else at home."""
-    what, poses = 'at home', [('home', home_of(robot))]
-    if path.is_dir():
-        what, poses = gait_poses(robot, path)
     distances = Distances(robot, things_of(robot, parts))
-    ranges, _ = check_ranges(robot, distances, [qpos for _, qpos in poses], options.gap)
+    ranges, _ = check_ranges(robot, distances, [qpos for _, qpos in use.poses], options.gap)
     return [
         *check_solids(robot, parts, options.wall),
         *check_screws(parts, options.wall),
         *check_bed(parts, options),
-        *check_beams(robot, parts, path if path.is_dir() else None, options),
-        check_poses(distances, poses, options.gap, what),
+        *check_beams(robot, parts, use.loads, options),
+        check_poses(distances, use.poses, options.gap, use.what),
         *ranges,
     ]
 
@@ -162,13 +176,14 @@ def make(
     check_place(place)
     path = Path(robot)
     built = read_built(robot_file(path))
+    use = _use_of(built, path)
     parts = numbered_parts(
         built,
         parts_of(built, options.fit, options.wall),
         len(module_counts(built)) + 1,
         options.wall,
     )
-    checks = _all_checks(built, parts, options, path)
+    checks = _all_checks(built, parts, options, use)
     rows = bill(built, parts, options.press)
     files = {f'{part.name}.stl': stl_bytes(part.mesh) for part in parts}
     if options.step:
