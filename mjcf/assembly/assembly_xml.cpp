@@ -11,6 +11,7 @@
 #include "mjcf/assembly/module_words.hpp"
 #include "mjcf/read/connectors.hpp"
 #include "mjcf/read/motor_lines.hpp"
+#include "mjcf/read/printed_robot.hpp"
 #include "mjcf/read/robot_model.hpp"
 #include "mjcf/text/numbers.hpp"
 
@@ -262,6 +263,8 @@ class AssemblyWriter {
   void write_declarations() {
     out_.empty();
     out_.open("<custom>");
+    if (assembly_.print)
+      out_.add(fmt::format("<text name=\"{}\" data=\"axes stay\"/>", kPrintText));
     for (const std::string& motor : motor_lines()) out_.add(motor);
     for (const std::string& module : modules_) out_.add(module);
     for (const PlacedHull& hull : placed_)

@@ -12,6 +12,7 @@
 #include "mjcf/assembly/assembly_names.hpp"
 #include "mjcf/assembly/printed_link.hpp"
 #include "mjcf/assembly/printed_trunk.hpp"
+#include "mjcf/read/printed_robot.hpp"
 
 namespace legwright {
 namespace {
@@ -19,10 +20,6 @@ namespace {
 constexpr double kPerGrain = 1e6;                    // bounds are written to a millionth of a metre
 constexpr double kLeastRange = 1e-3;                 // of a length, below which it is left out
 constexpr int kScaleSteps = 8, kScaleHalvings = 13;  // to a bound: those of 0.25 to 1e-5
-
-constexpr const char* kAxesStay =
-    "the parts are to be printed, and a servo keeps its direction when its axis turns, so that the "
-    "next part would not lie on its horn";
 
 /// The scale farthest from 1 towards `to` up to which all is allowed that is at 1.
 double farthest_scale(double to, const std::function<bool(double)>& is_allowed) {
@@ -61,9 +58,7 @@ class BoundsOfPrint {
   PrintBounds run(const std::vector<Proposal>& proposals) {
     for (const Proposal& proposal : proposals) {
       const std::vector<std::string> links = stretched_links(proposal.binding);
-      if (proposal.binding.starts_with("axis "))
-        out_.left_out.push_back(proposal.name + ": " + kAxesStay);
-      else if (proposal.binding == "stretch x: trunk")
+      if (proposal.binding == "stretch x: trunk")
         length_ = narrow(proposal, [&](double k) { return trunk_.is_allowed({k, width_, 1.0}); });
       else if (proposal.binding == "stretch y: trunk")
         width_ = narrow(proposal, [&](double k) { return trunk_.is_allowed({length_, k, 1.0}); });
@@ -78,8 +73,7 @@ class BoundsOfPrint {
 
  private:
   void write_notes() {
-    if (out_.left_out.size() > without_room_.size())
-      out_.notes.push_back(std::string("axes of joints are no design parameters: ") + kAxesStay);
+    out_.notes.push_back(std::string("axes of joints are no design parameters: ") + kAxesStay);
     if (!without_room_.empty())
       out_.notes.push_back(
           fmt::format("no design parameters, as clearance and bed leave no room: {}",

@@ -23,8 +23,7 @@ struct PrintBounds {
 ///   than the shorter side of the bed.
 /// - Length and width of the trunk: servos and parts on it keep the clearance where they do as
 ///   drawn; the tray with its cradles lies on the bed. The second at the least of the first.
-/// - Axes are left out: a servo keeps its direction when its axis turns, so that the next part
-///   would not lie on its horn.
+/// Axes are no proposals of such a robot (printed_robot.hpp).
 /// What is larger than the bed as drawn may not grow. Bounds are sampled on the way from the drawn
 /// design, and found to 1e-5 of a length.
 /// @param proposals of the robot as it was built

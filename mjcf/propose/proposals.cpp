@@ -16,6 +16,7 @@
 #include "mjcf/read/checks.hpp"
 #include "mjcf/read/mirror.hpp"
 #include "mjcf/read/moving_parts.hpp"
+#include "mjcf/read/printed_robot.hpp"
 #include "mjcf/read/stretch.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/input_error.hpp"
@@ -271,7 +272,9 @@ class ProposalBuilder {
     for (auto k = static_cast<std::size_t>(limb.shared); k < limb.links.size(); ++k) {
       const Joint &joint = link(limb.links[k]).joint, &twin = link(other.links[k]).joint;
       const Vector3d axis = joint.axis.at(s_);
-      const std::string untied = limb.partner < 0 ? "" : unmirrored(joint, twin);
+      const std::string hindrance = is_to_be_printed(*xml_) ? std::string(kAxesStay)
+                                    : limb.partner < 0      ? std::string()
+                                                            : unmirrored(joint, twin);
       std::string own = without_side(joint.name);
       if (own.empty()) own = fmt::format("joint{}", k + 1);
       const std::string where = place(limb);
@@ -279,8 +282,8 @@ class ProposalBuilder {
         if (std::abs(axis[n]) > kAcross) continue;
         const std::string name =
             fmt::format("{}{}{}_axis_{}", where, where.empty() ? "" : "_", own, turns[n]);
-        if (!untied.empty()) {
-          leave_out(name, untied);
+        if (!hindrance.empty()) {
+          leave_out(name, hindrance);
           continue;
         }
         offer({name, 0.0, -most, most, "rad",

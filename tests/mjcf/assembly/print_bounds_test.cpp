@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "mjcf/assembly/build_robot.hpp"
+#include "mjcf/propose/proposals.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/write/rewrite_robot.hpp"
 #include "tests/mjcf/assembly/boxy_dog.hpp"
@@ -232,6 +233,11 @@ TEST(PrintBounds, LeaveAxesOutAndSaySo) {
   EXPECT_TRUE(has(built.notes, "axes of joints are no design parameters"));
   EXPECT_TRUE(has(built.notes, "front_knee_link_length 0.0"));
   EXPECT_EQ(build_robot(printed_dog(), "dog.xml").xml, built.xml) << "same input, same bytes";
+
+  // Nor does `init` offer them for the file.
+  const ProposedParameters again = propose_parameters(built.xml, "dog.xml");
+  EXPECT_TRUE(again.proposals.empty());
+  EXPECT_TRUE(has(again.left_out, "front_hip_axis_yaw: the parts are to be printed"));
 }
 
 }  // namespace

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string_view>
+
+#include "mjcf/text/xml.hpp"
+
+namespace legwright {
+
+/// `build` calls so a <text> in the file of a robot whose parts are to be printed.
+inline constexpr std::string_view kPrintText = "legwright_print";
+
+/// Why the axes of such a robot's joints are no design parameters.
+inline constexpr const char* kAxesStay =
+    "the parts are to be printed, and a servo keeps its direction when its axis turns, so that the "
+    "next part would not lie on its horn";
+
+/// Whether a robot's file has that text.
+inline bool is_to_be_printed(const XmlFile& xml) {
+  return find_named(xml.root(), "text", kPrintText) != nullptr;
+}
+
+}  // namespace legwright
