@@ -264,7 +264,9 @@ class AssemblyWriter {
     out_.empty();
     out_.open("<custom>");
     if (assembly_.print)
-      out_.add(fmt::format("<text name=\"{}\" data=\"axes stay\"/>", kPrintText));
+      out_.add(fmt::format("<text name=\"{}\" data=\"bed {} {} m\"/>", kPrintText,
+                           format_number(assembly_.print->bed.x()),
+                           format_number(assembly_.print->bed.y())));
     for (const std::string& motor : motor_lines()) out_.add(motor);
     for (const std::string& module : modules_) out_.add(module);
     for (const PlacedHull& hull : placed_)

@@ -7,7 +7,8 @@
 
 namespace legwright {
 
-/// `build` calls so a <text> in the file of a robot whose parts are to be printed.
+/// `build` calls so the <text data="bed 0.22 0.22 m"> of a robot whose parts are to be printed on
+/// that bed.
 inline constexpr std::string_view kPrintText = "legwright_print";
 
 /// Why the axes of such a robot's joints are no design parameters.

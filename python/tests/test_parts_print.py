@@ -91,6 +91,14 @@ def test_stl_lies_as_the_sheet_says(made):
 
 
 def test_a_part_that_is_larger_than_the_bed_fails(dog, tmp_path):
+    text = dog.read_text(encoding='utf-8')
+    own = tmp_path / 'own.xml'
+    own.write_text(text.replace('"bed 0.22 0.22 m"', '"bed 0.06 0.07 m"'), encoding='utf-8')
+    found = [c for c in parts.make(own, tmp_path / 'out').checks if c.name == 'size on the bed']
+    assert {c.limit for c in found} == {'in 60.0 x 70.0 x 250.0 mm'} and not found[-1].passed
+    own.write_text(text.replace('"bed 0.22 0.22 m"', '"bed 0.22 m"'), encoding='utf-8')
+    with pytest.raises(InputError, match='text legwright_print: '):
+        parts.make(own, tmp_path / 'out')
     small = parts.make(dog, tmp_path / 'out', parts.PartOptions(bed=(60, 60, 60)))
     failed = {check.name for check in small.checks if not check.passed}
     assert failed == {'size on the bed'} and '| NO |' in (tmp_path / 'out/prints.md').read_text()

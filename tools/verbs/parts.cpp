@@ -31,7 +31,8 @@ constexpr std::array kHandedOn{
     HandedOn{"--strength", "that the printed material bears across its layers, MPa; default: 25"},
     HandedOn{"--safety", "least safety factor under the gait's forces; default: 2"},
     HandedOn{"--press", "by how much a foot's socket is narrower than its peg, mm; default: 0.1"},
-    HandedOn{"--bed", "of the printer, mm; default: 220x220x250"},
+    HandedOn{"--bed",
+             "of the printer, mm; default: that of [print] in its assembly, else 220x220x250"},
 };
 
 struct PartsOptions {

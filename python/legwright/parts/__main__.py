@@ -22,7 +22,7 @@ def _parsed(words: list[str] | None) -> argparse.Namespace:
     parser.add_argument('-o', '--output', type=Path, default=Path('parts'), help='folder')
     for name in ('fit', 'wall', 'gap', 'strength', 'safety', 'press'):
         parser.add_argument(f'--{name}', type=float, default=getattr(PartOptions, name))
-    parser.add_argument('--bed', default='x'.join(f'{side:g}' for side in PartOptions.bed))
+    parser.add_argument('--bed', help="in mm, 220x220x250; default: the robot's")
     parser.add_argument('--step', action='store_true', help='each part as STEP, too')
     parser.add_argument('--quiet', action='store_true', help='say nothing but errors')
     parser.add_argument('--json', action='store_true', help='print checks.json')
@@ -31,7 +31,7 @@ def _parsed(words: list[str] | None) -> argparse.Namespace:
 
 def _options(words: argparse.Namespace) -> PartOptions:
     try:
-        bed = tuple(float(side) for side in words.bed.split('x'))
+        bed = words.bed and tuple(float(side) for side in words.bed.split('x'))
     except ValueError:
         raise InputError(f'--bed is {words.bed}; expected three sizes in mm: 220x220x250') from None
     return PartOptions(

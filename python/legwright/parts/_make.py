@@ -4,7 +4,7 @@
 import json
 import os
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -176,6 +176,7 @@ def make(
     check_place(place)
     path = Path(robot)
     built = read_built(robot_file(path))
+    options = replace(options, bed=options.bed_for(built.bed))
     use = _use_of(built, path)
     parts = numbered_parts(
         built,

@@ -3,6 +3,8 @@
 
 from dataclasses import dataclass
 
+_BED, _HIGH = (0.22, 0.22), 250.0  # [m], [mm]
+
 
 @dataclass(frozen=True)
 class PartOptions:
@@ -14,8 +16,9 @@ class PartOptions:
     """Least thickness, and least material around a hole [mm]."""
     gap: float = 0.5
     """Least distance between what moves past each other [mm]."""
-    bed: tuple[float, float, float] = (220.0, 220.0, 250.0)
-    """Of the printer [mm]."""
+    bed: tuple[float, float, float] | None = None
+    """Of the printer [mm]; None: that of [print] in the robot's assembly, else 220 x 220, and 250
+    high."""
     strength: float = 25.0
     """That the printed material bears, across its layers [MPa]."""
     safety: float = 2.0
@@ -26,6 +29,13 @@ class PartOptions:
     step: bool = False
     """Whether parts are written as STEP, too."""
 
+    def bed_for(self, own: tuple[float, float] | None) -> tuple[float, float, float]:
+        """The bed [mm]. @param own the robot's [m]"""
+        if self.bed is not None:
+            return self.bed
+        wide, deep = own or _BED
+        return 1e3 * wide, 1e3 * deep, _HIGH
+
     def faults(self) -> list[str]:
         """What is wrong with them."""
         out = []
@@ -35,7 +45,9 @@ class PartOptions:
                 out.append(f'{name} is {value:g}; expected {least:g} to 1000')
         if not -1.0 <= self.press <= 1.0:
             out.append(f'press is {self.press:g}; expected -1 to 1')
-        if len(self.bed) != 3 or not all(1 <= side <= 10000 for side in self.bed):
+        if self.bed is None:
+            pass
+        elif len(self.bed) != 3 or not all(1 <= side <= 10000 for side in self.bed):
             out.append(f'bed is {self.bed}; expected three sizes in mm from 1 to 10000')
         if not 0 < self.safety <= 100:
             out.append(f'safety is {self.safety:g}; expected more than 0, at most 100')

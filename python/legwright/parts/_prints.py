@@ -71,7 +71,7 @@ def prints_markdown(
                 f'{lying.support:.0f}',
                 f'{_grams(part):.1f}',
                 _minutes(lying.seconds),
-                'yes' if lying.fits(options.bed) else 'NO',
+                'yes' if lying.fits(options.bed_for(None)) else 'NO',
             ]
         )
     head = [
@@ -86,7 +86,7 @@ def prints_markdown(
         'support, mm3',
         'g each',
         'min each',
-        f'fits {_sizes(options.bed)}',
+        f'fits {_sizes(options.bed_for(None))}',
     ]
     return (
         f'# {name}: print sheet\n\n{markdown(head, rows)}\n'
@@ -98,7 +98,7 @@ def check_bed(parts: Sequence[Part], options: PartOptions) -> list[Check]:
     """Each part on the bed as it lies."""
     out = []
     for part in parts:
-        good = part.lying.fits(options.bed)
+        good = part.lying.fits(options.bed_for(None))
         largest = float(max(part.lying.size))
         out.append(
             Check(
@@ -107,7 +107,7 @@ def check_bed(parts: Sequence[Part], options: PartOptions) -> list[Check]:
                 good,
                 largest,
                 'mm',
-                f'in {_sizes(options.bed)} mm',
+                f'in {_sizes(options.bed_for(None))} mm',
                 _sizes(part.lying.size) + ' mm',
                 ''
                 if good

@@ -78,6 +78,8 @@ class BuiltRobot:
     modules: tuple[Module, ...]
     links: tuple[Link, ...]
     """That have connectors, in the order of the file."""
+    bed: tuple[float, float] | None = None
+    """That it was built for [m], if for any."""
 
 
 _UNTURNED = 1e-6  # of a quaternion's numbers, and [rad]
@@ -123,7 +125,8 @@ class _Reader:
         if len(trunks) != 1:
             raise self._error('', f'has {len(trunks)} modules of the kind trunk; expected one')
         name = model.names[: model.names.index(b'\0')].decode() or self._file.stem
-        return BuiltRobot(self._file, name, model, trunks[0].body, modules, links)
+        bed = self._words.bed
+        return BuiltRobot(self._file, name, model, trunks[0].body, modules, links, bed)
 
     def _error(self, where: str, message: str) -> InputError:
         text = f'{self._file}: {where}: {message}' if where else f'{self._file}: {message}'

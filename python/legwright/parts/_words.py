@@ -12,6 +12,7 @@ from legwright._errors import InputError, together, unreadable
 
 Array = NDArray[np.float64]
 MODULE, CONNECTOR = 'legwright_module/', 'legwright_connector/'
+_PRINT = 'legwright_print'
 SCREW_SIZES = ('M1.6', 'M2', 'M2.5', 'M2.6', 'M3', 'M4', 'M5', 'M6')
 _CURE = '`legwright build` writes it: build the robot anew, or put back what was changed'
 
@@ -67,6 +68,8 @@ class RobotWords:
 
     modules: tuple[ModuleWords, ...]
     connectors: tuple[ConnectorWords, ...]
+    bed: tuple[float, float] | None
+    """That [print] in its assembly gave [m]; None without [print]."""
 
 
 def _numbers(words: str) -> Array:
@@ -130,6 +133,14 @@ def _connector(name: str, data: str, meshes: dict[str, str]) -> ConnectorWords:
     return ConnectorWords(name, float(density), corners.reshape(-1, 3))
 
 
+def _bed(data: str) -> tuple[float, float]:
+    word, *sides, unit = data.split()
+    found = _numbers(' '.join(sides))
+    if word != 'bed' or unit != 'm' or found.size != 2 or not np.all(found > 0):
+        raise ValueError(data)
+    return float(found[0]), float(found[1])
+
+
 def read_words(file: Path) -> RobotWords:
     """The declarations of a robot's file.
 
@@ -148,10 +159,13 @@ def read_words(file: Path) -> RobotWords:
     modules: list[ModuleWords] = []
     connectors: list[ConnectorWords] = []
     wrong: list[InputError] = []
+    bed: tuple[float, float] | None = None
     for text in root.iterfind('./custom/text'):
         name, data = text.get('name', ''), text.get('data', '')
         try:
-            if name.startswith(MODULE):
+            if name == _PRINT:
+                bed = _bed(data)
+            elif name.startswith(MODULE):
                 modules.append(_module(name.removeprefix(MODULE), data))
             elif name.startswith(CONNECTOR):
                 connectors.append(_connector(name.removeprefix(CONNECTOR), data, meshes))
@@ -173,4 +187,4 @@ def read_words(file: Path) -> RobotWords:
             'it anew from its assembly, and optimize that'
         )
         raise InputError(f'{file}: {message}', str(file), 0, '', message)
-    return RobotWords(tuple(modules), tuple(connectors))
+    return RobotWords(tuple(modules), tuple(connectors), bed)

@@ -234,6 +234,7 @@ TEST(PrintBounds, LeaveAxesOutAndSaySo) {
   EXPECT_TRUE(has(built.notes, "front_knee_link_length 0.0"));
   EXPECT_EQ(build_robot(printed_dog(), "dog.xml").xml, built.xml) << "same input, same bytes";
 
+  EXPECT_NE(built.xml.find("<text name=\"legwright_print\" data=\"bed "), std::string::npos);
   // Nor does `init` offer them for the file.
   const ProposedParameters again = propose_parameters(built.xml, "dog.xml");
   EXPECT_TRUE(again.proposals.empty());
