@@ -62,9 +62,8 @@ fs::path StudioService::scratch(const std::string& name) const {
 Json StudioService::post_judge(const StudioRequest&) {
   const auto space = workspace();
   const fs::path folder = scratch("judged");
-  const std::uint64_t revision = space->session().snapshot()->revision;
   auto record = std::make_shared<SessionRecord>(space->session().record());
-  judge_.start([this, folder, record, revision](JobRunner& job) {
+  judge_.start([this, folder, record](JobRunner& job) {
     const PassingRun run(folder);
     job.tell({{"words", "saving"}, {"done", 0}, {"of", 0}, {"lines", Json::array()}}, true);
     options_.save(*record, run.folder(), true);
@@ -74,7 +73,9 @@ Json StudioService::post_judge(const StudioRequest&) {
     Json told = verdict_lines(run.folder());
     note_verdict(*record->state, told["verdict"]["word"]);
     told["done"] = told["of"] = 1;
-    told["revision"] = revision;
+    const Eigen::VectorXd& s = record->state->s();
+    told["judged"] = {{"s", std::vector<double>(s.begin(), s.end())},
+                      {"task_text", record->state->problem->set.text}};
     job.tell(std::move(told), false);
   });
   return Json::object();

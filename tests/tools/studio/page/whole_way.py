@@ -47,6 +47,66 @@ class Whole(unittest.TestCase):
         studio.close()
         server.close()
 
+    def judged(self, studio):
+        """The heading over the verdict once it is there."""
+        studio.button('Judge').click()
+        studio.until('legwrightStudio.store.get("judge")?.running')
+        studio.until('legwrightStudio.store.get("judge")?.verdict', seconds=60)
+        return studio.page.locator('section[aria-label="Judge"] h2').inner_text()
+
+    def test_verdict_and_physics_go_with_what_they_are_of(self):
+        server = Server(str(ROOT / 'examples/puppy/sideways.toml'))
+        studio = Page(self.browser, server.url)
+        studio.ready()
+        studio.workspace('Simulate')
+        heading = 'document.querySelector(\'section[aria-label="Judge"] h2\').textContent'
+        for speed in (0.1, 0.05):
+            studio.page.get_by_label('left [m/s]').fill(str(speed))
+            studio.page.keyboard.press('Enter')
+            speeds = 'v => legwrightStudio.store.get("document").tasks[0].velocity[1] === v'
+            studio.until(speeds, speed)
+            studio.settled()
+            self.assertEqual(self.judged(studio), 'Verdict')
+        failing = studio.js('legwrightStudio.store.get("judge").verdict.word') == 'FAIL'
+        self.assertEqual(studio.page.get_by_text('What helps as a rule').is_visible(), failing)
+        name = 'front_foot_length'
+        studio.js(
+            'n => legwrightStudio.edit(n, legwrightStudio.readParameter(n).value + 0.001, "once")',
+            name,
+        )
+        studio.until(f'{heading} === "Verdict of an earlier design"')
+        studio.page.keyboard.press('Control+z')
+        studio.until(f'{heading} === "Verdict"')
+        studio.page.reload()
+        studio.ready()
+        studio.workspace('Simulate')
+        studio.until(f'{heading} === "Verdict" && document.querySelector(".verdict").textContent')
+
+        studio.page.get_by_label('stiffness in physics').fill('2')
+        studio.button('Play in MuJoCo').click()
+        studio.until('legwrightStudio.view.live?.time > 0.1')
+        studio.js('legwrightStudio.physics.hold()')
+        studio.js(
+            'n => legwrightStudio.edit(n, legwrightStudio.readParameter(n).value + 0.001, "once")',
+            name,
+        )
+        studio.until('legwrightStudio.view.live === null')  # poses of the body before
+        studio.settled()
+        studio.button('Play in MuJoCo').click()
+        studio.until('legwrightStudio.view.live?.time > 0.1')
+        studio.button('File').click()
+        studio.page.get_by_role('menuitem', name='Open another…').click()
+        studio.page.get_by_role('button', name='walk', exact=True).click()
+        studio.until('legwrightStudio.store.get("document")?.name === "biped"')
+        studio.ready()
+        self.assertTrue(studio.js('legwrightStudio.view.live === null'))
+        self.assertEqual(studio.page.get_by_label('stiffness in physics').input_value(), '1')
+        self.assertTrue(studio.page.get_by_text('The plan is shown.').is_visible())
+        self.assertEqual(studio.page.locator('.verdict-lines li').count(), 0)
+        self.assertEqual(studio.console, [])
+        studio.close()
+        server.close()
+
     def test_another_robot_takes_the_place_in_every_page(self):
         server = Server(str(ROOT / 'examples/puppy/sideways.toml'))
         pages = [Page(self.browser, server.url) for _ in range(2)]

@@ -249,11 +249,11 @@ export class Studio {
     this.store.set("opening", false);
   }
 
-  async toFolder(title, action, suggestion, request) {
+  async toFolder(title, action, suggestion, request, words = "") {
     const path = await ask(title, suggestion, {
       label: "Folder",
       action,
-      hint: "Below the folders that the studio was started with.",
+      hint: `${words}The folder is below those that the studio was started with.`,
     });
     if (!path) return undefined;
     this.notices.show("info", `${action}: ${path} …`);
@@ -275,6 +275,9 @@ export class Studio {
       "Search",
       `runs/${this.name()}_found`,
       "/api/optimize",
+      "Searches from this body within its bounds, with what is locked as it is, plays what it " +
+        "finds in MuJoCo and writes the best as a run: half a minute as a rule, up to some " +
+        "minutes. Then open that run. ",
     );
   }
 

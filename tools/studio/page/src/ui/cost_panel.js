@@ -73,16 +73,26 @@ export class FaultsPanel {
       "motion",
       atMost(200, (motion) => this.update(motion)),
     );
+    studio.store.on("refused", () => {
+      const motion = studio.store.get("motion");
+      if (motion) this.update(motion);
+    });
   }
 
   update(motion) {
     const faults = motion.faults ?? [];
-    const key = JSON.stringify(faults.map(({ words, from }) => [words, from]));
+    const refused = Boolean(this.studio.store.get("refused"));
+    const key = JSON.stringify([refused, faults.map(({ words, from }) => [words, from])]);
     if (key === this.key) return;
     this.key = key;
     setText(this.title, faults.length ? `What is wrong (${faults.length})` : "What is wrong");
     if (!faults.length)
-      return fill(this.list, h("li.good", {}, "Nothing: the plan keeps all limits."));
+      return fill(
+        this.list,
+        refused
+          ? h("li", {}, "The plan keeps all limits, but MuJoCo fails it: see Simulate, Verdict.")
+          : h("li.good", {}, "Nothing: the plan keeps all limits."),
+      );
     fill(
       this.list,
       faults.slice(0, 12).map((fault) => this.row(fault)),

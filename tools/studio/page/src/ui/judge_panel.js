@@ -11,6 +11,10 @@ const headline = (words) =>
     .map((line) => (line.startsWith("FAIL") ? line.split(":")[0] : line))
     .join("\n");
 
+const ADVICE =
+  "What helps as a rule: optimise from here, then “Find one that passes…”; or ask for less: a " +
+  "lower speed, another gait, stronger servos.";
+
 export class JudgePanel {
   constructor(studio) {
     this.studio = studio;
@@ -29,6 +33,7 @@ export class JudgePanel {
       },
       "Find one that passes…",
     );
+    this.found = h("button", { type: "button", hidden: true, onClick: () => this.openFound() });
     this.progress = h("progress", {
       max: 1,
       value: 0,
@@ -37,6 +42,7 @@ export class JudgePanel {
     });
     this.title = h("h2", {}, "Verdict");
     this.verdict = h("p.verdict", { role: "status" });
+    this.advice = h("p.hint", { hidden: true }, ADVICE);
     this.lines = h("ul.verdict-lines");
     this.element = h(
       "section.panel",
@@ -45,17 +51,23 @@ export class JudgePanel {
       h("p.hint", {}, "Plays the gait in MuJoCo at half, default and double gains."),
       h("div.button-row", {}, this.start, this.cancel, this.find, this.progress),
       this.verdict,
+      this.advice,
+      this.found,
       this.lines,
     );
     studio.store.on("judge", (judge) => this.update(judge));
-    studio.store.on("state", (state) => this.markOld(state));
+    studio.store.on(["state", "document"], () => this.markOld());
+    studio.store.on("forgotten", () => this.forget());
+    studio.store.on("job", (job) => this.showFound(job));
   }
 
-  begin() {
-    this.studio.act(() => post("/api/judge", {}));
+  async begin() {
+    this.asked = true;
+    await this.studio.answered();
+    await this.studio.act(() => post("/api/judge", {}));
   }
 
-  update({ running, words, done = 0, of = 0, lines = [], verdict, failed, revision }) {
+  update({ running, words, done = 0, of = 0, lines = [], verdict, failed, judged }) {
     this.start.disabled = Boolean(running);
     this.cancel.hidden = this.progress.hidden = !running;
     if (of > 0) this.progress.value = done / of;
@@ -64,13 +76,35 @@ export class JudgePanel {
     setText(this.verdict, running ? doing : verdict ? headline(verdict.words) : (failed ?? ""));
     const sign = verdict?.word === "PASS" ? "good" : "bad";
     this.verdict.className = `verdict ${running || !verdict ? "" : sign}`;
-    this.judged = verdict ? revision : undefined;
+    this.judged = verdict ? judged : undefined;
+    this.passes = verdict?.word === "PASS";
+    this.advice.hidden = !verdict || this.passes;
+    this.markOld();
     const failing = lines.filter((line) => !line.passed);
     const passing = lines.filter((line) => line.passed);
     fill(
       this.lines,
       [...failing, ...passing].map((line) => this.line(line)),
     );
+    if (this.asked && (running || verdict)) this.verdict.scrollIntoView({ block: "nearest" });
+    if (!running) this.asked = false;
+  }
+
+  forget() {
+    this.update({});
+    this.found.hidden = true;
+  }
+
+  /** What a search with MuJoCo's verdicts has written can be opened. */
+  showFound({ path, passes }) {
+    if (passes === undefined) return;
+    this.path = path;
+    this.found.hidden = false;
+    setText(this.found, passes ? "Open the one that passes" : "Open the best, which fails");
+  }
+
+  openFound() {
+    return this.studio.open(() => post("/api/open", { path: this.path }));
   }
 
   line({ words, passed, moment, numbers }) {
@@ -89,10 +123,16 @@ export class JudgePanel {
     );
   }
 
-  /** Says so where the design has changed since. */
-  markOld({ revision }) {
-    const old = this.judged !== undefined && this.judged !== revision;
+  /** Says so where body or task have changed since. */
+  markOld() {
+    const { judged } = this;
+    const { store } = this.studio;
+    const [s, text] = [store.get("state")?.s, store.get("document")?.task_text];
+    const old = Boolean(
+      judged && s && (judged.task_text !== text || judged.s.some((value, i) => value !== s[i])),
+    );
     this.element.classList.toggle("old", old);
-    this.title.textContent = old ? "Verdict of an earlier design" : "Verdict";
+    setText(this.title, old ? "Verdict of an earlier design" : "Verdict");
+    store.set("refused", Boolean(judged) && !old && !this.passes);
   }
 }

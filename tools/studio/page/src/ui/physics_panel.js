@@ -39,7 +39,9 @@ export class PhysicsPanel {
     );
     this.show(false);
     studio.view.onRecording = () => this.hold();
-    studio.store.on("forgotten", () => studio.view.recording.clear());
+    studio.store.on("forgotten", () => this.forget());
+    // Of a body that has changed since, a run that is held has poses that do not fit.
+    studio.store.on("design", () => this.held && this.toggle(false));
     studio.store.on("physics", (physics) => this.update(physics));
     studio.store.on("document", (document) => this.takeTask(document));
   }
@@ -170,6 +172,24 @@ export class PhysicsPanel {
   resume() {
     this.release();
     this.send({});
+  }
+
+  /** Another robot is opened: nothing of the run of this one stays. */
+  forget() {
+    this.release();
+    this.push = this.until = this.plotKey = this.names = null;
+    this.starting = this.again = false;
+    this.times = [];
+    this.forces.hidden = true;
+    for (const { key, value } of SLIDERS) {
+      this.values[key] = this.inputs[key].input.valueAsNumber = value;
+      this.inputs[key].tell();
+    }
+    const { view } = this.studio;
+    if (this.running) view.setPlaying(this.wasPlaying ?? true);
+    this.show(false);
+    view.recording.clear();
+    view.leaveRecording();
   }
 
   release() {

@@ -13,6 +13,7 @@ import { ItemForm } from "./item_form.js";
 import { Outline } from "./outline.js";
 import { Palette, PlaceList } from "./palette.js";
 
+const FIRST = "drag a servo from the palette onto the trunk, where it begins a leg";
 const WAYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
 export class AssemblyPage {
@@ -97,7 +98,8 @@ export class AssemblyPage {
     this.title.title = path ?? "";
     this.undo.disabled = !can_undo;
     this.redo.disabled = !can_redo;
-    setText(this.summary, `${significant(mass, 3)} kg, ${servos} servo${servos === 1 ? "" : "s"}`);
+    const weight = `${significant(mass, 3)} kg, ${servos} servo${servos === 1 ? "" : "s"}`;
+    setText(this.summary, servos ? weight : `${weight}: ${FIRST}`);
     this.outline.show();
     this.form.show();
     if (!this.tools.firstChild) {
