@@ -9,6 +9,7 @@
 #include "mjcf/assembly/assembly_names.hpp"
 #include "mjcf/assembly/limb_hulls.hpp"
 #include "mjcf/assembly/module_words.hpp"
+#include "mjcf/assembly/reflected_inertia.hpp"
 #include "mjcf/read/connectors.hpp"
 #include "mjcf/read/motor_lines.hpp"
 #include "mjcf/read/printed_robot.hpp"
@@ -202,7 +203,7 @@ class AssemblyWriter {
     const auto add = [&](const char* attribute, const std::optional<double>& value) {
       if (value) out += fmt::format(" {}=\"{}\"", attribute, format_number(*value));
     };
-    add("armature", servo.reflected_inertia ? servo.reflected_inertia : assembly_.armature);
+    add("armature", reflected_inertia(servo, assembly_));
     add("frictionloss", servo.friction);
     add("damping", servo.damping);
     return out + "/>";

@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <set>
 
 #include "mjcf/assembly/assembly_names.hpp"
 #include "mjcf/assembly/assembly_xml.hpp"
 #include "mjcf/assembly/limb_hulls.hpp"
 #include "mjcf/assembly/print_bounds.hpp"
+#include "mjcf/assembly/reflected_inertia.hpp"
 #include "mjcf/propose/declare.hpp"
 #include "mjcf/propose/standing_pose.hpp"
 #include "mjcf/read/feet.hpp"
@@ -55,38 +55,6 @@ std::string home_key(const Assembly& assembly, double height,
                      pose ? pose->ctrl : zeros.substr(1));
 }
 
-/// docs/findings/reflected_inertia.md: fitted values of geared hobby servos for each N m of stall
-/// torque [kg m2], and one between. It grows with the square of the ratio, and says nothing
-/// of brushless joints.
-constexpr double kLeastInertia = 0.003, kMostInertia = 0.007, kInertia = 0.005, kLeastRatio = 100.0;
-
-bool has_rule(const ModuleJoint& joint) {
-  return !joint.gear_ratio || *joint.gear_ratio >= kLeastRatio;
-}
-
-std::string note_on_inertia(const std::map<std::string, const ModuleJoint*>& unknown) {
-  std::vector<std::string> names, ruled;
-  double least = std::numeric_limits<double>::infinity();
-  for (const auto& [name, joint] : unknown) {
-    names.push_back(name);
-    if (!has_rule(*joint)) continue;
-    ruled.push_back(fmt::format("{:.2g} to {:.2g} of {}", kLeastInertia * joint->stall_torque,
-                                kMostInertia * joint->stall_torque, name));
-    least = std::min(least, kInertia * joint->stall_torque);
-  }
-  const std::string hint =
-      ruled.empty() ? "armature gives one: rotor inertia times the square of the ratio"
-                    : fmt::format(
-                          "those of geared hobby servos are {} to {} kg m2 for each N m of stall "
-                          "torque, {}: armature = {:.2g} gives one{}",
-                          kLeastInertia, kMostInertia, fmt::join(ruled, ", "), least,
-                          unknown.size() > 1 ? ", of the weakest, to all" : "");
-  return fmt::format(
-      "the reflected inertia of {} is not known: their joints have no armature, without which "
-      "gaits hang on details; {}",
-      fmt::join(names, ", "), hint);
-}
-
 /// The links whose printed parts come nearer to the servo that turns them than asked for, and those
 /// for whose modules there is none; of mirror images and copies each.
 std::vector<std::string> notes_on_hulls(const Assembly& assembly) {
@@ -117,18 +85,14 @@ std::vector<std::string> notes_on_hulls(const Assembly& assembly) {
 
 /// What of servos and feet is not known, once each.
 std::vector<std::string> notes_on(const Assembly& assembly) {
-  std::map<std::string, const ModuleJoint*> inertia;
   std::set<std::string> continuous, feet;
   for (const AssemblyLimb& limb : assembly.limbs) {
     if (!limb.foot.friction) feet.insert(limb.foot.name);
     for (const AssemblyJoint& joint : limb.joints) {
-      if (!joint.servo.joint->reflected_inertia && !assembly.armature)
-        inertia.emplace(joint.servo.name, &*joint.servo.joint);
       if (!joint.servo.joint->continuous_torque) continuous.insert(joint.servo.name);
     }
   }
-  std::vector<std::string> out;
-  if (!inertia.empty()) out.push_back(note_on_inertia(inertia));
+  std::vector<std::string> out = notes_on_inertia(assembly);
   if (assembly.torque == TorqueLimit::continuous && !continuous.empty())
     out.push_back(
         fmt::format("the continuous torque of {} is not known: the stall torque is the "

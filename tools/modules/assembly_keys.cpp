@@ -19,9 +19,9 @@ std::vector<TaskKey> keys_of_the_assembly() {
                "joints, or `continuous`, where the servo has none the stall torque."),
       number_key("torque_share", {0.0, 1.0, true, false, ""}, "1", "0.5",
                  "How much of that torque they may use."),
-      number_key("armature", {0.0, 10.0, true, false, "kg m2"}, "none", "0.0075",
-                 "Of joints whose servo's reflected inertia is not known; `build` tells one by the "
-                 "stall torque."),
+      number_key("armature", {0.0, 10.0, true, false, "kg m2"},
+                 "0.005 for each N m of stall torque; none of gears below 100", "0.0075",
+                 "Of joints whose servo's reflected inertia is not known."),
       text_key("contacts", "`\"all\"`", "\"feet\"",
                "What touches: `all`, but for neighbours in a limb, or the `feet` alone."),
       text_key("trunk.module", "none", "\"plate_200x100\"",

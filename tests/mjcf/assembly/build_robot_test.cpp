@@ -156,7 +156,7 @@ TEST(BuiltRobots, SayWhatIsNotKnownOfTheirServos) {
   }
   const std::vector<std::string> notes = build_robot(assembly, "dog.xml").notes;
   ASSERT_EQ(notes.size(), 2u);
-  EXPECT_NE(notes[0].find("the reflected inertia of S is not known"), std::string::npos);
+  EXPECT_NE(notes[0].find("reflected inertia is not known and taken as"), std::string::npos);
   EXPECT_NE(notes[1].find("the stall torque is the limit"), std::string::npos);
 }
 
@@ -165,25 +165,34 @@ std::string first_note(const Assembly& assembly) {
   return notes.empty() ? "" : notes[0];
 }
 
-/// The hint follows the stall torque, and does not speak of brushless joints.
-TEST(BuiltRobots, TellAnArmatureByTheStallTorque) {
+/// It follows the stall torque, and is none of brushless joints.
+TEST(BuiltRobots, TakeAnArmatureByTheStallTorque) {
   Assembly assembly = boxy_dog();
   for (AssemblyJoint& joint : assembly.limbs[0].joints) {
     joint.servo.joint->reflected_inertia.reset();
     joint.servo.joint->stall_torque = 4.0;
   }
-  EXPECT_NE(first_note(assembly).find("0.012 to 0.028 of S: armature = 0.02 gives one"),
+  EXPECT_NE(first_note(assembly).find("taken as 0.02 kg m2 of S: 0.005 for each N m"),
             std::string::npos)
       << first_note(assembly);
+  const auto armature = [&] {
+    const ModelPointer model = compile_mjcf(build_robot(assembly, "dog.xml").xml, "dog.xml");
+    return model->dof_armature[model->jnt_dofadr[1]];
+  };
+  EXPECT_DOUBLE_EQ(armature(), 0.02);
+  assembly.armature = 0.01;
+  EXPECT_DOUBLE_EQ(armature(), 0.01);
+  EXPECT_EQ(first_note(assembly), "");
+  assembly.armature.reset();
   assembly.limbs[0].joints[1].servo.name = "T";
   assembly.limbs[0].joints[1].servo.joint->stall_torque = 2.0;
-  EXPECT_NE(first_note(assembly).find("armature = 0.01 gives one, of the weakest, to all"),
-            std::string::npos)
+  EXPECT_NE(first_note(assembly).find("0.01 kg m2 of T, 0.02 kg m2 of S: "), std::string::npos)
       << first_note(assembly);
   for (AssemblyJoint& joint : assembly.limbs[0].joints) joint.servo.joint->gear_ratio = 9.0;
   EXPECT_NE(first_note(assembly).find("rotor inertia times the square of the ratio"),
             std::string::npos)
       << first_note(assembly);
+  EXPECT_EQ(armature(), 0.0);
 }
 
 TEST(BuiltRobots, SayWhatFrictionIsAssumedOfAFoot) {

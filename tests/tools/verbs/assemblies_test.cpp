@@ -111,8 +111,8 @@ TEST(Assemblies, AnotherServoIsOneEdit) {
   const Json json = Json::parse(built.out);
   EXPECT_NEAR(json["mass_kg"].get<double>(), 0.9731 + 8 * (0.082 - 0.0572), 1e-3);
   EXPECT_TRUE(contains(read_file(robot), "forcerange=\"-4.1 4.1\""));
-  EXPECT_TRUE(contains(json["notes"][0].get<std::string>(), "reflected inertia of XM430-W350"));
-  EXPECT_TRUE(contains(json["notes"][0].get<std::string>(), "armature = 0.02"));
+  EXPECT_TRUE(contains(json["notes"][0].get<std::string>(), "reflected inertia is not known"));
+  EXPECT_TRUE(contains(json["notes"][0].get<std::string>(), "0.02 kg m2 of XM430-W350"));
 }
 
 TEST(Assemblies, WhatIsWrongIsToldAndNothingWritten) {

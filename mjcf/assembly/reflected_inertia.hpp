@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mjcf/assembly/robot_assembly.hpp"
+
+namespace legwright {
+
+/// The armature of a joint [kg m2]: what the module's file tells; else what the assembly gives;
+/// else, of a geared servo, 0.005 for each N m of stall torque, as gaits hang on details without
+/// any (docs/findings/reflected_inertia.md). None of brushless joints that tell none.
+std::optional<double> reflected_inertia(const ModuleJoint& joint, const Assembly& assembly);
+
+/// Of which servos it is not known, and what is taken in its place: up to two notes.
+std::vector<std::string> notes_on_inertia(const Assembly& assembly);
+
+}  // namespace legwright
