@@ -45,6 +45,38 @@ class Apart(unittest.TestCase):
         self.assertEqual(page.console, [])
         page.close()
 
+    def test_a_finger_scrolls_modules_by_their_words_and_drags_them_by_their_pictures(self):
+        server = Server()
+        page = Page(self.browser, server.url, width=820, height=1180, touch=True)
+        page.button('New robot…').click()
+        page.until('legwrightStudio.assembly.told?.limbs.length === 0')
+        card = page.page.locator('button.module-card[data-module="XL430-W250"]')
+        card.scroll_into_view_if_needed()
+        top = card.locator('strong').bounding_box()['y']
+        words, picture = (card.locator(part).bounding_box() for part in ('strong', 'img'))
+        x, y = words['x'] + 20, words['y'] + 6
+        page.swipe((x, y), (x, y - 120))
+        page.until(
+            'y => document.querySelector(\'button.module-card[data-module="XL430-W250"] strong\')'
+            '.getBoundingClientRect().y < y - 40',
+            top,
+        )
+        self.assertTrue(page.js('legwrightStudio.assembly.told.limbs.length === 0'))
+        picture = card.locator('img').bounding_box()
+        stage = page.page.locator('.assembly canvas').first.bounding_box()
+        start = picture['x'] + 20, picture['y'] + 20
+        end = stage['x'] + stage['width'] / 2, stage['y'] + stage['height'] / 2
+        page.js("""() => {
+          globalThis.carried = [];
+          const { assembly } = legwrightStudio;
+          assembly.on((what) => what === 'carried' && carried.push(assembly.carried?.name));
+        }""")
+        page.swipe(start, end)
+        page.until('carried.includes("XL430-W250")')
+        self.assertEqual(page.console, [])
+        page.close()
+        server.close()
+
     def test_a_killed_page_leaves_the_session_as_it_was(self):
         studio = Page(self.browser, self.server.url)
         studio.ready()
