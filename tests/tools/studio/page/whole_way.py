@@ -47,6 +47,22 @@ class Whole(unittest.TestCase):
         studio.close()
         server.close()
 
+    def test_a_state_may_come_before_the_document_of_its_robot(self):
+        server = Server(str(ROOT / 'examples/puppy/sideways.toml'))
+        studio = Page(self.browser, server.url)
+        studio.ready()
+        studio.js(
+            """() => {
+              const { store } = legwrightStudio;
+              const state = store.get('state');
+              store.set('state', { ...state, s: state.s.slice(0, 3) });
+            }"""
+        )
+        studio.page.wait_for_timeout(400)  # longer than panels wait
+        self.assertEqual(studio.console, [])
+        studio.close()
+        server.close()
+
     def judged(self, studio):
         """The heading over the verdict once it is there."""
         studio.button('Judge').click()

@@ -122,7 +122,9 @@ export class Studio {
     const state = this.store.get("state");
     const document = this.store.get("document");
     const i = document?.parameters.findIndex((p) => p.name === name) ?? -1;
-    if (i < 0 || !state) return { value: 0, lower: 0, upper: 0, locked: true, gradient: null };
+    // The state of a robot that is being opened comes before its document.
+    const known = i >= 0 && i < (state?.s.length ?? 0);
+    if (!known) return { value: 0, lower: 0, upper: 0, locked: true, gradient: null };
     const parameter = document.parameters[i];
     return {
       value: this.edits.value(name, state.s[i]),
