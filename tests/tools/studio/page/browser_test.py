@@ -72,7 +72,7 @@ class Studio(unittest.TestCase):
     def test_undo_comes_after_the_edits_that_still_wait(self):
         name = 'front_foot_length'
         before = self.studio.value(name)
-        self.studio.js(
+        undone = self.studio.js(
             """([name, value]) => {
               const studio = legwrightStudio;
               for (const [i, phase] of ['begin', 'drag', 'end'].entries())
@@ -81,6 +81,9 @@ class Studio(unittest.TestCase):
             }""",
             [name, before],
         )
+        # What is present may look settled: what the undo brings must be here, too.
+        reached = 'r => legwrightStudio.store.get("state").revision >= r'
+        self.studio.until(reached, undone['revision'])
         self.studio.settled()
         self.assertEqual(self.studio.value(name), before)
 
