@@ -17,8 +17,8 @@ namespace legwright {
 /// @param s as long as the design, finite and within its bounds, else std::invalid_argument.
 std::string rewrite_robot(const RobotModel& robot, const Eigen::VectorXd& s);
 
-/// As rewrite_robot(), for what is looked at and not kept, such as a body under somebody's hand, in
-/// less than half the time: keyframes stay as they are and nothing is compared.
+/// As rewrite_robot(), and quicker, for what is looked at and not kept, such as a body under
+/// somebody's hand: keyframes stay as they are and nothing is compared.
 std::string rewrite_body(const RobotModel& robot, const Eigen::VectorXd& s);
 
 }  // namespace legwright

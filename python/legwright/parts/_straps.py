@@ -40,7 +40,6 @@ class Strap:
     tie: Manifold
     """Itself, for others to keep off."""
 
-
     @property
     def length(self) -> int:
         """What to buy at least, in steps of a centimetre [mm]."""
