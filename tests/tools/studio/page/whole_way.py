@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tests that begin on the first page; browser_test.py runs them."""
+"""Tests of ways through several robots and requests; browser_test.py runs them."""
 
 import unittest
 
@@ -7,7 +7,7 @@ from studio_browser import ROOT, Page, Server, browser
 
 
 class Whole(unittest.TestCase):
-    """From the first page to a saved run and back."""
+    """Each has a server of its own: what is opened, judged and undone in turn."""
 
     def setUp(self):
         self.stack = browser()
@@ -43,6 +43,30 @@ class Whole(unittest.TestCase):
         studio.page.locator('.workspace').wait_for()
         studio.ready()
         self.assertEqual(studio.state('s'), before)
+        self.assertEqual(studio.console, [])
+        studio.close()
+        server.close()
+
+    def test_undo_comes_after_the_edits_that_still_wait(self):
+        server = Server(str(ROOT / 'examples/puppy/sideways.toml'))
+        studio = Page(self.browser, server.url)
+        studio.ready()
+        name = 'front_foot_length'
+        before = studio.value(name)
+        undone = studio.js(
+            """([name, value]) => {
+              const studio = legwrightStudio;
+              for (const [i, phase] of ['begin', 'drag', 'end'].entries())
+                studio.edit(name, value + 0.002 * (i + 1), phase);
+              return studio.command('undo');
+            }""",
+            [name, before],
+        )
+        # What is present may look settled: what the undo brings must be here, too.
+        reached = 'r => legwrightStudio.store.get("state").revision >= r'
+        studio.until(reached, undone['revision'])
+        studio.settled()
+        self.assertEqual(studio.value(name), before)
         self.assertEqual(studio.console, [])
         studio.close()
         server.close()
