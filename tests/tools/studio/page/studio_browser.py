@@ -14,6 +14,8 @@ from playwright.sync_api import Error, sync_playwright
 ROOT = pathlib.Path(__file__).resolve().parents[4]
 # GL on the processor: the same pictures on every machine.
 GL = ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--no-sandbox']
+# As Chromium is where there is no graphics processor: it lays pages out without GL.
+PLAIN = ['--enable-unsafe-swiftshader', '--no-sandbox']
 
 
 def program():
@@ -57,9 +59,9 @@ class Server:
 
 
 @contextlib.contextmanager
-def browser():
+def browser(flags=GL):
     with sync_playwright() as playwright:
-        started = playwright.chromium.launch(executable_path=chromium(), args=GL)
+        started = playwright.chromium.launch(executable_path=chromium(), args=flags)
         yield started
         started.close()
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Edits of parameters on their way to the server: one at a time, the latest values win, and what is
-// under the user's hand is shown at once. More than pictures are drawn are not sent.
+// under the user's hand is shown at once. No more are sent than a screen shows.
 import { command } from "./api.js";
 
-const EVERY = 28; // ms between edits, as between pictures in software
+const EVERY = 15; // ms between edits: as a screen's pictures
 const passed = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 
 export class Edits {

@@ -5,17 +5,15 @@ import { atMost } from "./rate.js";
 
 const LINGER = 700; // ms after the hand is off
 const SOON = 200; // ms after which they are asked for: the first edits come first
-const ANEW = 500; // ms between ghosts that follow the motion
+const ANEW = 500; // ms between ghosts that follow solved motions
 
 export class HeldBounds {
   constructor(studio) {
     this.studio = studio;
     this.name = null;
     studio.store.on("held", ({ name, phase }) => this.take(name, phase));
-    studio.store.on(
-      "motion",
-      atMost(ANEW, () => this.loaded && this.load()),
-    );
+    const anew = atMost(ANEW, () => this.loaded && this.load());
+    studio.store.on("motion", (motion) => motion && !motion.predicted && anew());
     studio.store.on("forgotten", () => this.end());
   }
 

@@ -41,6 +41,9 @@ export class Workspace {
     studio.showWorkspace = (name) => this.show(name);
     this.follow();
     new HeldBounds(studio);
+    studio.store.on("held", ({ phase }) =>
+      studio.view.stage.setHeld(phase === "begin" || phase === "drag"),
+    );
     takeKeys(studio);
     followTheme((theme) => studio.view.setTheme(theme));
     this.show("design");
