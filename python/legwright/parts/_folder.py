@@ -44,6 +44,7 @@ def write_folder(folder: Path, files: Mapping[str, bytes]) -> None:
     try:
         beside.mkdir(parents=True)
         for name, data in files.items():
+            (beside / name).parent.mkdir(parents=True, exist_ok=True)
             (beside / name).write_bytes(data)
         if folder.exists():
             os.replace(folder, aside)

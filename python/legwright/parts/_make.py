@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from legwright._errors import InputError
+from legwright.parts._as_printed import as_printed, check_as_printed
 from legwright.parts._assembly_sheet import assembly_files
 from legwright.parts._beam import Load, check_beams, run_loads
 from legwright.parts._checks import Check
@@ -165,9 +166,10 @@ def make(
 ) -> Parts:
     """Writes the printable parts of a run's result, or of a robot's MJCF, into a folder.
 
-    STL and 3MF in millimetres, bill of materials, checks.json; docs/parts.md tells what is cut and
-    checked. The same robot gives the same bytes. Raises InputError for a robot that was not built
-    from an assembly, IoError where the folder holds something else.
+    STL and 3MF in millimetres, bill of materials, checks.json, of a run also that run with the
+    masses of its parts; docs/parts.md tells what is cut and checked. The same robot gives the same
+    bytes. Raises InputError for a robot that was not built from an assembly, IoError where the
+    folder holds something else.
     """
     options = options or PartOptions()
     if faults := options.faults():
@@ -198,12 +200,14 @@ def make(
     sheet, pictures = assembly_files(built, parts, rows)
     files |= sheet
     files['bom.md'] = bill_markdown(built, parts, rows).encode()
+    files |= as_printed(built, parts, path)
+    checks += check_as_printed(files, parts, path)
     document = {
         'schema': SCHEMA,
         'version': 1,
         'robot': built.name,
         'passed': all(check.passed for check in checks),
-        'files': sorted([*files, CHECKS, PICTURE, *pictures]),
+        'files': sorted({name.split('/')[0] for name in [*files, CHECKS, PICTURE, *pictures]}),
         'parts': [_part_json(part) for part in parts],
         'checks': [check.as_json() for check in checks],
     }

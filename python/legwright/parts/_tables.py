@@ -318,6 +318,8 @@ def _figure(check: Check) -> str:
 
 def _worst(group: Sequence[Check]) -> str:
     told = [check for check in group if check.figure is not None]
+    if len(group) == 1 and group[0].passed and not told and group[0].where:
+        return group[0].where
     if not told or not all(check.passed for check in group):
         return f'{sum(check.passed for check in group)} of {len(group)}'
     least = told[0].limit.startswith('at least')
