@@ -47,6 +47,7 @@ void fields(Fields& f, JointMetrics& joint) {
   f("torque_limit_Nm", joint.torque_limit, "null without a limit");
   f("saturated_share", joint.saturated_share, "of the time");
   f("tracking_rms_rad", joint.tracking_rms, "target minus angle");
+  f("saturated_time_s", joint.saturated_time, "when it was at its limit first");
 }
 
 namespace {

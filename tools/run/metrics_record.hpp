@@ -39,6 +39,7 @@ struct JointMetrics {
   double torque_limit = 0.0;                   // [N m], not finite if there is none
   double saturated_share = 0.0;                // of the time
   double tracking_rms = 0.0;                   // target − angle [rad]
+  std::optional<double> saturated_time = {};   // when it was at its limit first [s]
 };
 
 /// How a robot touched itself during a roll-out, legs against legs for instance.

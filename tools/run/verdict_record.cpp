@@ -3,6 +3,13 @@
 
 namespace legwright {
 
+void fields(Fields& f, WorstPart& part) {
+  f("kind", part.kind, "\"joint\", \"foot\" or \"body\"");
+  f("name", part.name);
+  f("value", part.value, "of it alone, in the unit of the row");
+  f("time_s", part.time, "when it was so first, or most");
+}
+
 void fields(Fields& f, LimitRow& row) {
   f("name", row.name);
   f("what", row.what);
@@ -15,7 +22,13 @@ void fields(Fields& f, LimitRow& row) {
   std::optional<bool> strict;
   if (row.strict) strict = true;
   f("strict", strict, "the upper bound itself does not pass");
-  if (f.reads()) row.strict = strict.value_or(false);
+  std::optional<std::vector<WorstPart>> worst;
+  if (!row.worst.empty()) worst = row.worst;
+  f("worst", worst, "joints, feet or bodies whose value it is, the worst first");
+  if (f.reads()) {
+    row.strict = strict.value_or(false);
+    row.worst = worst.value_or(std::vector<WorstPart>{});
+  }
 }
 
 void fields(Fields& f, DesignVerdict& verdict) {

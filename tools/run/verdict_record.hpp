@@ -10,6 +10,13 @@
 
 namespace legwright {
 
+/// A joint, foot or body that a value is of.
+struct WorstPart {
+  std::string kind, name;            // "joint", "foot" or "body"
+  std::optional<double> value = {};  // of it alone, in the unit of the row
+  std::optional<double> time = {};   // when it was so first, or most [s]
+};
+
 /// A value against its limit: a row of the verdict.
 struct LimitRow {
   std::string name, what, unit;
@@ -17,7 +24,8 @@ struct LimitRow {
   std::optional<double> value;      // the worst; absent where it could not be measured
   std::string where;                // "half gains", where that is
   bool pass = false;
-  bool strict = false;  // the upper bound itself does not pass
+  bool strict = false;                // the upper bound itself does not pass
+  std::vector<WorstPart> worst = {};  // whose value it is, the worst first
 };
 
 /// What was judged of one design. It passes when all limits are kept.
@@ -59,6 +67,7 @@ struct VerdictRecord {
   std::optional<JudgedSums> with = {};  // SHA-256 of the other files of the judgement, by name
 };
 
+void fields(Fields& f, WorstPart& part);
 void fields(Fields& f, DesignVerdict& verdict);
 void fields(Fields& f, OverriddenRecord& overridden);
 void fields(Fields& f, VerdictRecord& verdict);

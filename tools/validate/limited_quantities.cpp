@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tools/validate/limits.hpp"
+#include "tools/validate/worst_parts.hpp"
 
 namespace legwright {
 namespace {
@@ -22,9 +23,7 @@ double greatest(const std::vector<FootMeasures>& feet, const Value& value) {
 
 double peak_torque_share(const Measurements& run) {
   double out = 0.0;
-  for (const auto& joint : run.joints)
-    if (std::isfinite(joint.torque_limit))
-      out = std::max(out, joint.torque_peak / joint.torque_limit);
+  for (const auto& joint : run.joints) out = std::max(out, torque_share(joint));
   return out;
 }
 
@@ -59,7 +58,8 @@ std::vector<LimitedQuantity> judged_by_default() {
        .told = Told::percent,
        .below = true,
        .by_default = {{}, 1e-3},
-       .value = [](const Measurements& run) { return run.saturated_share; }},
+       .value = [](const Measurements& run) { return run.saturated_share; },
+       .worst = saturated_joints},
       {.name = "self_contact",
        .what = "share of the time in which the robot touches itself",
        .unit = "1",
@@ -67,14 +67,16 @@ std::vector<LimitedQuantity> judged_by_default() {
        .note = "of the time",
        .told = Told::percent,
        .by_default = {{}, 0.01},
-       .value = [](const Measurements& run) { return run.self_contact.share; }},
+       .value = [](const Measurements& run) { return run.self_contact.share; },
+       .worst = touching_bodies},
       {.name = "self_contact_depth",
        .what = "how deep two bodies of the robot go into each other",
        .unit = "m",
        .verb = "strikes itself, bodies going into each other by",
        .note = "",
        .by_default = {{}, 0.001},
-       .value = [](const Measurements& run) { return run.self_contact.depth_max; }},
+       .value = [](const Measurements& run) { return run.self_contact.depth_max; },
+       .worst = touching_bodies},
       {.name = "speed_ratio",
        .what = "measured over planned speed, along its heading",
        .unit = "1",
@@ -174,7 +176,8 @@ std::vector<LimitedQuantity> judged_if_asked() {
        .value =
            [](const Measurements& run) {
              return greatest(run.feet, [](const auto& foot) { return foot.slip_max; });
-           }},
+           },
+       .worst = worst_feet([](const FootMeasures& foot) { return foot.slip_max; })},
       {.name = "touchdown_error",
        .what = "largest error in time of a touchdown",
        .unit = "s",
@@ -183,7 +186,8 @@ std::vector<LimitedQuantity> judged_if_asked() {
        .value =
            [](const Measurements& run) {
              return greatest(run.feet, [](const auto& foot) { return foot.touchdown_max; });
-           }},
+           },
+       .worst = worst_feet([](const FootMeasures& foot) { return foot.touchdown_max; })},
       {.name = "liftoff_error",
        .what = "largest error in time of a lift-off",
        .unit = "s",
@@ -192,7 +196,8 @@ std::vector<LimitedQuantity> judged_if_asked() {
        .value =
            [](const Measurements& run) {
              return greatest(run.feet, [](const auto& foot) { return foot.liftoff_max; });
-           }},
+           },
+       .worst = worst_feet([](const FootMeasures& foot) { return foot.liftoff_max; })},
       {.name = "landing_speed",
        .what = "greatest speed at which a foot meets the ground",
        .unit = "m/s",
@@ -201,13 +206,15 @@ std::vector<LimitedQuantity> judged_if_asked() {
        .value =
            [](const Measurements& run) {
              return greatest(run.feet, [](const auto& foot) { return foot.landing_max; });
-           }},
+           },
+       .worst = worst_feet([](const FootMeasures& foot) { return foot.landing_max; })},
       {.name = "foot_clearance",
        .what = "height of a bar across each step that every foot passes over",
        .unit = "m",
        .verb = "steps over no more than",
        .note = "",
-       .value = least_clearance},
+       .value = least_clearance,
+       .worst = least_lifted_foot},
       {.name = "missed_stances",
        .what = "planned stances in which a foot never touched the ground",
        .unit = "1",
@@ -218,26 +225,30 @@ std::vector<LimitedQuantity> judged_if_asked() {
              double sum = 0.0;
              for (const auto& foot : run.feet) sum += foot.missed;
              return sum;
-           }},
+           },
+       .worst = worst_feet([](const FootMeasures& foot) -> double { return foot.missed; })},
       {.name = "tracking",
        .what = "joint angles off their targets, root of the mean square",
        .unit = "rad",
        .verb = "tracks its targets within",
        .note = "",
-       .value = [](const Measurements& run) { return run.tracking_rms; }},
+       .value = [](const Measurements& run) { return run.tracking_rms; },
+       .worst = worst_joints([](const JointMetrics& joint) { return joint.tracking_rms; })},
       {.name = "torque_peak_share",
        .what = "greatest torque of a servo over its limit",
        .unit = "1",
        .verb = "needs at its peak",
        .note = "of a servo's torque limit",
        .told = Told::percent,
-       .value = peak_torque_share},
+       .value = peak_torque_share,
+       .worst = worst_joints(torque_share)},
       {.name = "torque_rms",
        .what = "torque of the servos, root of the mean square",
        .unit = "N m",
        .verb = "needs",
        .note = "",
-       .value = [](const Measurements& run) { return run.torque_rms; }},
+       .value = [](const Measurements& run) { return run.torque_rms; },
+       .worst = worst_joints([](const JointMetrics& joint) { return joint.torque_rms; })},
       {.name = "power",
        .what = "mean positive mechanical power of the servos",
        .unit = "W",

@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace legwright {
 namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Of a robot that fell or flew apart nothing else is told: the rest follows from it.
 bool ended_early(const Measurements& run) { return run.fall || run.diverged; }
@@ -31,11 +34,19 @@ std::string told(const LimitedQuantity& quantity, const std::optional<double>& v
 
 /// How far inside its bounds, in their own unit; negative outside, least where unknown.
 double room(const std::optional<double>& value, const Bounds& bounds) {
-  if (!value || !std::isfinite(*value)) return -INFINITY;
-  double least = INFINITY;
+  if (!value || !std::isfinite(*value)) return -kInfinity;
+  double least = kInfinity;
   if (bounds.low) least = std::min(least, *value - *bounds.low);
   if (bounds.high) least = std::min(least, *bounds.high - *value);
   return least;
+}
+
+/// "; worst FL_knee and FR_knee". Bodies that touch are told by the verdict, as a pair.
+std::string worst_words(const std::vector<WorstPart>& worst) {
+  std::vector<std::string> names;
+  for (const WorstPart& part : worst)
+    if (part.kind != "body") names.push_back(part.name);
+  return names.empty() ? "" : "; worst " + listed(names);
 }
 
 JudgedLimit judge_one(const LimitedQuantity& quantity, const Bounds& bounds,
@@ -51,6 +62,7 @@ JudgedLimit judge_one(const LimitedQuantity& quantity, const Bounds& bounds,
     if (const double left = room(value, bounds); out.where.empty() || left < least) {
       out.value = value;
       out.where = gain_name(run.gain_scale) + " gains";
+      out.worst = quantity.worst(run);
       least = left;
     }
     if (!within(value, bounds, quantity.below))
@@ -64,7 +76,7 @@ JudgedLimit judge_one(const LimitedQuantity& quantity, const Bounds& bounds,
   if (out.pass) return out;
   const std::string passes = what_passes(bounds, quantity.unit, quantity.told, quantity.below);
   out.reason = quantity.verb + " " + listed(faults) + " gains (" + quantity.note +
-               (quantity.note.empty() ? "" : "; ") + passes + ")";
+               (quantity.note.empty() ? "" : "; ") + passes + worst_words(out.worst) + ")";
   return out;
 }
 
@@ -102,7 +114,7 @@ std::string what_passes(const Bounds& bounds, const std::string& unit, Told told
     return "at least " + text(*bounds.low) + " and less than " + text(*bounds.high) + tail;
   if (bounds.low && bounds.high) return text(*bounds.low) + " to " + text(*bounds.high) + tail;
   if (bounds.low) return "at least " + text(*bounds.low) + tail;
-  return (below ? "less than " : "up to ") + text(bounds.high.value_or(INFINITY)) + tail;
+  return (below ? "less than " : "up to ") + text(bounds.high.value_or(kInfinity)) + tail;
 }
 
 Limits default_limits() {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/run/verdict_record.hpp"
 #include "tools/validate/measure.hpp"
 
 namespace legwright {
@@ -37,6 +38,10 @@ struct LimitedQuantity {
   std::function<bool(const WantedMotion&)> asked = [](const WantedMotion&) { return true; };
   /// Absent where it could not be measured: that never passes.
   std::function<std::optional<double>(const Measurements&)> value;
+  /// Whose value it is, the worst first; none where it is the whole robot's.
+  std::function<std::vector<WorstPart>(const Measurements&)> worst = [](const Measurements&) {
+    return std::vector<WorstPart>{};
+  };
 };
 
 /// All of them, in the order in which they are judged.
@@ -58,8 +63,9 @@ struct JudgedLimit {
   std::optional<double> value;  // the worst; absent where it could not be measured
   std::string where;            // "half gains", where that is
   bool pass = false;
-  std::string reason;   // why it fails, as a sentence; empty if it passes
-  bool strict = false;  // the upper bound itself does not pass
+  std::string reason;                 // why it fails, as a sentence; empty if it passes
+  bool strict = false;                // the upper bound itself does not pass
+  std::vector<WorstPart> worst = {};  // at those gains, the worst first
 };
 
 /// Each asked quantity that has bounds, over all roll-outs that came to their end.

@@ -49,6 +49,7 @@ class GaitMeasurement::Measurer {
   struct JointSums {
     double torque_squared = 0.0, peak = 0.0, error_squared = 0.0;
     long long saturated = 0;
+    std::optional<double> saturated_time = {};  // the first [s]
   };
   void watch_trunk(const RolloutSample& sample);
   void watch_contacts(const RolloutSample& sample);
@@ -117,6 +118,7 @@ void GaitMeasurement::Measurer::watch_joints(const RolloutSample& sample) {
     sums.error_squared += error * error;
     sums.peak = std::max(sums.peak, std::abs(torque));
     sums.saturated += saturated;
+    if (saturated && !sums.saturated_time) sums.saturated_time = sample.time;
     any = any || saturated;
   }
   settled_ += settled;
@@ -196,7 +198,7 @@ void GaitMeasurement::Measurer::finish(const Rollout& played, const WantedMotion
     out.joints.push_back({scene_.trajectory.joint_names[a], std::sqrt(sums.torque_squared / count),
                           sums.peak, scene_.torque_limit[a],
                           static_cast<double>(sums.saturated) / count,
-                          std::sqrt(sums.error_squared / count)});
+                          std::sqrt(sums.error_squared / count), sums.saturated_time});
   }
   const double joints = static_cast<double>(sums_.size());
   out.torque_rms = std::sqrt(torque / joints);

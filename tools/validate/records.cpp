@@ -64,7 +64,7 @@ DesignVerdict verdict_record(const Verdict& verdict) {
   DesignVerdict out{verdict.pass, verdict.line, verdict.reasons, {}};
   for (const JudgedLimit& row : verdict.limits)
     out.limits.push_back({row.name, row.what, row.unit, row.bounds.low, row.bounds.high, row.value,
-                          row.where, row.pass, row.strict});
+                          row.where, row.pass, row.strict, row.worst});
   return out;
 }
 

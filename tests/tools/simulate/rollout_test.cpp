@@ -159,6 +159,8 @@ TEST(Rollout, WeakServoIsSaturated) {
   const Measurements run = play(tiny, kStanding);
   EXPECT_GT(run.saturated_share, 0.1);
   EXPECT_LE(run.joints[0].torque_peak, 0.001 + 1e-12);
+  ASSERT_TRUE(run.joints[0].saturated_time);
+  EXPECT_GE(*run.joints[0].saturated_time, TinyScene::kPeriod) << "the first cycle does not count";
   EXPECT_GT(run.tracking_rms, 0.1);
   EXPECT_FALSE(judge({run}, kStanding, "wag").pass);
 }

@@ -162,6 +162,7 @@ Measurements walk(double gain, double slip) {
   run.velocity = Eigen::Vector2d(0.1, 0.0);
   run.path_deviation = 0.0;
   run.feet.resize(2);
+  run.feet[1].name = "right";
   run.feet[1].slip_max = slip;
   return run;
 }
@@ -178,7 +179,8 @@ TEST(JudgedLimits, WorstValueAndItsPlaceAreTold) {
   EXPECT_EQ(slip->value, 0.03);
   EXPECT_EQ(slip->where, "default gains");
   EXPECT_EQ(slip->reason,
-            "slips by 0.03 m at default and 0.025 m at double gains (up to 0.02 m passes)");
+            "slips by 0.03 m at default and 0.025 m at double gains (up to 0.02 m passes; worst "
+            "right)");
   const auto judged_slip = [](const auto& row) { return row.name == "slip"; };
   const auto by_default = judge_limits(runs, {{0.1, 0.0}, 0.0}, default_limits());
   EXPECT_EQ(std::count_if(by_default.begin(), by_default.end(), judged_slip), 0);

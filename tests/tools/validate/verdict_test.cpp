@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -66,6 +67,41 @@ TEST(Verdict, ARobotThatDragsOneLegOverTheOtherFails) {
             std::string::npos)
       << struck.line;
   EXPECT_NE(struck.reasons[1].find("shank on thigh"), std::string::npos) << struck.line;
+}
+
+TEST(Verdict, AFailingServoIsNamed) {
+  auto runs = good_at_all();
+  runs[2].saturated_share = 0.13;
+  runs[2].joints = {{"hip", 1.0, 2.0, 3.0, 0.01, 0.1, 1.4},
+                    {"knee", 1.0, 3.0, 3.0, 0.12, 0.1, 0.6},
+                    {"ankle", 1.0, 3.0, 3.0, 0.09, 0.1, 0.8},
+                    {"toe", 1.0, 1.0, 3.0, 0.0, 0.1}};
+  const Verdict verdict = judge(runs, kSideways, "walk");
+  EXPECT_NE(verdict.line.find("saturates servos 13.0 % at double gains (of the time; less than "
+                              "0.1 % pass; worst knee and ankle)"),
+            std::string::npos)
+      << verdict.line;
+  const auto row = std::find_if(verdict.limits.begin(), verdict.limits.end(),
+                                [](const auto& each) { return each.name == "saturated_share"; });
+  ASSERT_EQ(row->worst.size(), 2U) << "the hip has less than half of what the knee has";
+  EXPECT_EQ(row->worst[0].kind, "joint");
+  EXPECT_EQ(row->worst[0].value, 0.12);
+  EXPECT_EQ(row->worst[0].time, 0.6);
+}
+
+TEST(Verdict, AFailingFootIsNamed) {
+  auto runs = good_at_all();
+  for (const double slip : {0.001, 0.02}) {
+    FootMeasures foot;
+    foot.name = slip > 0.01 ? "left" : "right";
+    foot.slip_max = slip;
+    runs[1].feet.push_back(foot);
+  }
+  Limits limits = default_limits();
+  limits["slip"].high = 0.01;
+  const Verdict verdict = judge(runs, kSideways, "walk", limits);
+  EXPECT_NE(verdict.line.find("(up to 0.01 m passes; worst left)"), std::string::npos)
+      << verdict.line;
 }
 
 struct Case {
