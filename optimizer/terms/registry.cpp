@@ -28,9 +28,9 @@ const std::vector<TermEntry>& term_registry() {
        "jerky joints"},
       // Constraints.
       {"com_position", "(12)", 1e5, make_com_position, TermRole::constraint, "m",
-       "centre of mass fits the pose", "misfit of centre of mass"},
+       "centre of mass fits the pose", "centre of mass off the body's"},
       {"foot_position", "(12)", 1e4, make_foot_position, TermRole::constraint, "m",
-       "feet fit the pose", "misfit of feet and pose"},
+       "feet fit the pose", "feet off the legs' ends"},
       {"force_balance", "(13)", 1e3, make_force_balance, TermRole::constraint, "N",
        "forces carry the body", "forces out of balance"},
       {"torque_balance", "(13)", 1e3, make_torque_balance, TermRole::constraint, "N m",

@@ -118,6 +118,15 @@ Json terms_of_all() {
   return out;
 }
 
+/// The body that each joint moves.
+Json joints_of(const mjModel& model) {
+  Json out = Json::array();
+  for (int joint = 0; joint < model.njnt; ++joint)
+    if (const char* name = mj_id2name(&model, mjOBJ_JOINT, joint); name != nullptr)
+      out.push_back({{"name", name}, {"body", model.jnt_bodyid[joint]}});
+  return out;
+}
+
 }  // namespace
 
 Json document_json(const SessionState& state, const std::vector<Handle>& handles,
@@ -127,6 +136,7 @@ Json document_json(const SessionState& state, const std::vector<Handle>& handles
           {"mass", state.problem->robot.morphology.total_mass()},
           {"leg_length", state.problem->robot.morphology.leg_length},
           {"feet", feet},
+          {"joints", joints_of(model)},
           {"parameters", parameters_of(state, handles, model)},
           {"tasks", tasks_of(state, feet)},
           {"task_text", state.problem->set.text},

@@ -12,11 +12,12 @@ JobRunner::~JobRunner() {
   if (thread_.joinable()) thread_.join();
 }
 
-void JobRunner::start(Work work) {
+void JobRunner::start(const std::string& what, Work work) {
   const std::lock_guard lock(mutex_);
   if (running_) throw InputError("this goes on already; wait for it, or cancel it");
   if (thread_.joinable()) thread_.join();
   cancelled_ = false;
+  what_ = what;
   running_ = true;
   thread_ = std::thread([this, work = std::move(work)] {
     try {
@@ -36,6 +37,7 @@ void JobRunner::cancel() {
 }
 
 void JobRunner::tell(Json json, bool running) {
+  json["what"] = what_;
   json["running"] = running;
   hub_.publish(kind_, to_line(json));
 }

@@ -29,8 +29,8 @@ class JobRunner {
   JobRunner(const JobRunner&) = delete;
   JobRunner& operator=(const JobRunner&) = delete;
 
-  /// Throws InputError where some goes on already.
-  void start(Work work);
+  /// Throws InputError where some goes on already. @param what it is: told with all of it
+  void start(const std::string& what, Work work);
   void cancel();
 
   // For the work itself:
@@ -44,7 +44,7 @@ class JobRunner {
 
  private:
   EventHub& hub_;
-  std::string kind_;
+  std::string kind_, what_;
   std::atomic<bool> cancelled_ = false, running_ = false;
   std::mutex mutex_;
   std::thread thread_;

@@ -19,6 +19,7 @@
 #include "tools/files/io_error.hpp"
 #include "tools/files/parse_json.hpp"
 #include "tools/run/robot_folder.hpp"
+#include "tools/studio/session_names.hpp"
 
 namespace legwright {
 namespace {
@@ -74,13 +75,12 @@ std::unique_ptr<SessionFolder> KeptSessions::new_session(const std::string& orig
   const fs::path folder = new_folder(root_ / "sessions", name);
   const int lock = lock_of(folder);
   auto out = std::make_unique<SessionFolder>(folder, lock);
-  const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
   write_json(folder / "about.json",
              {{"schema", "legwright/studio-session"},
               {"version", 1},
               {"origin", origin},
               {"name", name},
-              {"begun", fmt::format("{:%Y-%m-%d %H:%M}", fmt::localtime(now))}},
+              {"begun", clock_words()}},
              Durability::process);
   return out;
 }
@@ -143,7 +143,7 @@ void KeptSessions::remove(const fs::path& folder) {
 fs::path KeptSessions::new_robot_folder() const { return new_folder(root_ / "robots", "dropped"); }
 
 void KeptSessions::note_recent(const fs::path& path, const std::string& words) const {
-  Json kept = Json::array({{{"path", path.string()}, {"words", words}}});
+  Json kept = Json::array({{{"path", path.string()}, {"words", words}, {"opened", clock_words()}}});
   for (const Json& one : recent())
     if (one["path"] != path.string() && kept.size() < kRecentKept) kept.push_back(one);
   fs::create_directories(root_);
@@ -159,7 +159,9 @@ Json KeptSessions::recent() const {
   for (const Json& one : kept)
     if (one.is_object() && one.contains("path") && one["path"].is_string() &&
         fs::exists(one["path"].get<std::string>(), none))
-      out.push_back({{"path", one["path"]}, {"words", one.value("words", "")}});
+      out.push_back({{"path", one["path"]},
+                     {"words", one.value("words", "")},
+                     {"opened", one.value("opened", "")}});
   return out;
 }
 

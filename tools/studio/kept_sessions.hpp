@@ -16,7 +16,7 @@ namespace legwright {
 struct KeptSession {
   std::filesystem::path folder;
   std::string origin;  // what was opened: a file or a run
-  std::string name;    // of the robot
+  std::string name;    // session_name()
   std::string begun;   // "2026-03-01 14:05"
 };
 
@@ -71,7 +71,7 @@ class KeptSessions {
   std::filesystem::path new_robot_folder() const;
 
   void note_recent(const std::filesystem::path& path, const std::string& words) const;
-  /// [{path, words}], the newest first, as far as they are still there.
+  /// [{path, words, opened}], the newest first, as far as they are still there.
   Json recent() const;
 
  private:

@@ -14,6 +14,7 @@
 #include "tools/run/run_record.hpp"
 #include "tools/session/journal.hpp"
 #include "tools/studio/kept_sessions.hpp"
+#include "tools/task/problem.hpp"
 #include "tools/task/starter_task.hpp"
 #include "tools/task/task_file.hpp"
 
@@ -94,6 +95,12 @@ Opening open_run_folder(const fs::path& folder, const FileReach& reach) {
 }
 
 }  // namespace
+
+void check_fit(const Opening& opening) {
+  TaskSet set = parse_task_tables(opening.text, opening.file);
+  set.robot = opening.robot->file;
+  (void)make_problem(std::move(set), *opening.robot);
+}
 
 Opening open_robot(RobotModel robot, const fs::path& origin) {
   const std::string missing = no_task_text(robot);

@@ -15,6 +15,7 @@ namespace legwright {
 /// What a path that is opened has to say.
 struct Opening {
   std::filesystem::path origin;          // what was opened
+  std::string label;                     // what its robot is called in lists and names of folders
   std::optional<RobotModel> robot;       // none: only `proposes`
   std::string text;                      // of the task file
   std::filesystem::path file;            // its name, for messages
@@ -30,6 +31,9 @@ struct Opening {
 /// no session wrote from its result. Throws InputError and IoError that name what is wrong with it.
 /// @param paths what may be read
 Opening open_path(const std::filesystem::path& path, const AllowedPaths& paths);
+
+/// Throws InputError where tasks and robot do not fit: before what is open is closed for them.
+void check_fit(const Opening& opening);
 
 /// A robot and the first task by its size. Throws InputError where there is none for it.
 Opening open_robot(RobotModel robot, const std::filesystem::path& origin);

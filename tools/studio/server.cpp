@@ -6,10 +6,13 @@
 #include <httplib.h>
 
 #include <atomic>
+#include <charconv>
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -51,6 +54,15 @@ void send(httplib::Response& response, std::string_view bytes, const char* type,
 void send_json(httplib::Response& response, std::shared_ptr<const std::string> json) {
   const std::string_view bytes = *json;
   send(response, bytes, kJson, std::move(json));
+}
+
+/// ?heard=: what a page had heard when it left another stream, so that it misses no notice.
+std::optional<std::uint64_t> heard_so_far(const httplib::Request& request) {
+  const std::string text = request.get_param_value("heard");
+  std::uint64_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return number;
 }
 
 void refuse(httplib::Response& response, int status, const std::string& words) {
@@ -191,7 +203,7 @@ struct StudioServer::Parts {
       return refuse(response, 429,
                     fmt::format("{} pages follow this studio already; close one", kStreams));
     }
-    const std::uint64_t joined = studio.hub().now();
+    const std::uint64_t joined = heard_so_far(request).value_or(studio.hub().now());
     response.set_chunked_content_provider(
         "text/event-stream",
         [this, joined, last = std::uint64_t{0}](std::size_t, httplib::DataSink& sink) mutable {

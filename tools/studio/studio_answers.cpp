@@ -14,6 +14,7 @@
 #include "tools/files/parse_json.hpp"
 #include "tools/run/robot_folder.hpp"
 #include "tools/studio/proposal_view.hpp"
+#include "tools/studio/session_names.hpp"
 #include "tools/studio/start_page.hpp"
 #include "tools/studio/state_json.hpp"
 #include "tools/studio/studio_service.hpp"
@@ -68,6 +69,7 @@ std::optional<std::array<double, 2>> slope_of_body(const Json& body) {
 const std::map<std::string, StudioService::Answer>& StudioService::answers() {
   static const std::map<std::string, Answer> table{
       {"GET /api/start", &StudioService::get_start},
+      {"GET /api/free", &StudioService::get_free},
       {"GET /api/document", &StudioService::get_document},
       {"GET /api/design", &StudioService::get_design},
       {"GET /api/bounds", &StudioService::get_bounds},
@@ -121,10 +123,22 @@ Json StudioService::get_start(const StudioRequest&) {
   return start_json(options_.examples, kept_, paths_.writable());
 }
 
+/// The path ?path=, where nothing is there yet; else one that is free and begins with it.
+Json StudioService::get_free(const StudioRequest& request) {
+  const std::filesystem::path asked = query_of(request, "path");
+  if (asked.empty()) throw InputError("'path' is missing: a folder or file to be written");
+  const std::string stem = (asked.parent_path() / asked.stem()).string();
+  std::string path = asked.string();
+  for (int k = 2; std::filesystem::exists(paths_.to_write(path)); ++k)
+    path = fmt::format("{}_{}{}", stem, k, asked.extension().string());
+  return {{"path", path}};
+}
+
 Json StudioService::get_document(const StudioRequest&) {
   Json out = workspace()->document();
   const std::lock_guard lock(mutex_);
   out["path"] = opened_.origin.string();
+  out["label"] = opened_.label;
   return out;
 }
 
@@ -298,7 +312,7 @@ Json StudioService::post_save(const StudioRequest& request) {
     saved_ = record.state;
     saved_at_ = path;
   }
-  kept_.note_recent(path, space->robot().morphology.name);
+  kept_.note_recent(path, session_name(label(), path));
   return {{"path", path.string()}};
 }
 

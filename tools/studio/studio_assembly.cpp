@@ -59,6 +59,7 @@ void StudioService::take_assembly(Opening opening) {
   opening.origin = next->origin();
   const std::lock_guard lock(mutex_);
   bench_ = std::move(next);
+  carried_.reset();
   opened_ = std::move(opening);
 }
 
@@ -89,9 +90,16 @@ Json StudioService::post_build(const StudioRequest&) {
   opening.origin = assembly->origin();
   opening.of_modules = true;
   const std::lock_guard opening_lock(opening_);
+  std::string carried;
+  {
+    const std::lock_guard lock(mutex_);
+    first_text_ = opening.text;
+    if (carried_) carried = carry_over(*carried_, opening);
+  }
   take(std::move(opening));
   for (const std::string& note : notes) hub_.notice("info", note);
-  return {{"notes", notes}};
+  if (!carried.empty()) hub_.notice("info", carried);
+  return {{"notes", notes}, {"carried", carried}};
 }
 
 /// From the robot that was built of it back to the assembly.
@@ -100,7 +108,10 @@ Json StudioService::post_bench(const StudioRequest&) {
   const std::lock_guard opening_lock(opening_);
   const bool is_left = [this] {
     const std::lock_guard lock(mutex_);
-    return workspace_ && workspace_->session().snapshot()->can_undo;
+    if (!workspace_) return false;
+    const SnapshotPointer last = workspace_->session().snapshot();
+    carried_ = carried_of(*last->state, first_text_);
+    return last->can_undo;
   }();
   leave();
   hub_.forget("");
@@ -114,8 +125,8 @@ Json StudioService::post_bench(const StudioRequest&) {
   if (is_left)
     hub_.notice(
         "info",
-        "What was designed of the built robot and not saved is kept, under \"Not saved\" on "
-        "the first page.");
+        "\"Build and design\" takes over what was designed, as far as the robot still has it. What "
+        "was not saved is kept, too, under \"Not saved\" on the first page.");
   return Json::object();
 }
 

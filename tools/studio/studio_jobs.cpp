@@ -5,6 +5,7 @@
 #include "mjcf/text/input_error.hpp"
 #include "tools/files/atomic_file.hpp"
 #include "tools/files/json_values.hpp"
+#include "tools/studio/session_names.hpp"
 #include "tools/studio/studio_service.hpp"
 #include "tools/studio/verdict_lines.hpp"
 #include "tools/task/task_text.hpp"
@@ -63,7 +64,7 @@ Json StudioService::post_judge(const StudioRequest&) {
   const auto space = workspace();
   const fs::path folder = scratch("judged");
   auto record = std::make_shared<SessionRecord>(space->session().record());
-  judge_.start([this, folder, record](JobRunner& job) {
+  judge_.start("judge", [this, folder, record](JobRunner& job) {
     const PassingRun run(folder);
     job.tell({{"words", "saving"}, {"done", 0}, {"of", 0}, {"lines", Json::array()}}, true);
     options_.save(*record, run.folder(), true);
@@ -95,6 +96,11 @@ Json StudioService::verdict_on(const SessionState& state) const {
   return nullptr;
 }
 
+std::string StudioService::label() const {
+  const std::lock_guard lock(mutex_);
+  return opened_.label;
+}
+
 Json StudioService::delete_judge(const StudioRequest&) {
   judge_.cancel();
   return Json::object();
@@ -107,16 +113,18 @@ Json StudioService::post_optimize(const StudioRequest& request) {
   const fs::path path = paths_.to_write(needed<std::string>(request.body, "path"));
   if (fs::exists(path)) throw InputError(path.string() + ": exists already; name a new folder");
   const fs::path folder = scratch("asked");
+  const std::string name = session_name(label(), path);
   auto record = std::make_shared<SessionRecord>(space->session().record());
-  jobs_.start([this, path, folder, record](JobRunner& job) {
+  jobs_.start("optimize", [this, path, folder, record, name](JobRunner& job) {
     const PassingRun run(folder);
     options_.save(*record, run.folder(), true);
     const fs::path task = run.folder() / "result" / "task.toml";
     write_file(task, text_from_here(*record->state));
     const bool passes = job.run("searching, with MuJoCo's verdicts",
                                 {options_.program.string(), "optimize", task.string(), "-o",
-                                 path.string(), "--no-pictures", "--no-reasons"},
+                                 path.string(), "--no-pictures", "--no-reasons", "--progress"},
                                 1);
+    kept_.note_recent(path, name);
     job.tell({{"words", "written"}, {"path", path.string()}, {"passes", passes}}, false);
     hub_.notice(passes ? "info" : "error",
                 fmt::format("{}: {}", path.string(),
@@ -141,7 +149,7 @@ Json StudioService::post_report(const StudioRequest& request) {
                      ": holds another state than what stands; save that there first, in its place, "
                      "or name a new folder");
   auto record = std::make_shared<SessionRecord>(space->session().record());
-  jobs_.start([this, path, record, saved](JobRunner& job) {
+  jobs_.start("report", [this, path, record, saved](JobRunner& job) {
     const std::string program = options_.program.string();
     if (!saved) options_.save(*record, path, false);
     job.run("playing", {program, "validate", path.string(), "--quick", "--progress"}, 1);
@@ -160,7 +168,7 @@ Json StudioService::post_export(const StudioRequest& request) {
   if (fs::exists(path)) throw InputError(path.string() + ": exists already; name a new folder");
   const fs::path folder = scratch("exported");
   auto record = std::make_shared<SessionRecord>(space->session().record());
-  jobs_.start([this, path, folder, record](JobRunner& job) {
+  jobs_.start("export", [this, path, folder, record](JobRunner& job) {
     const PassingRun run(folder);
     options_.save(*record, run.folder(), true);
     job.run("exporting",

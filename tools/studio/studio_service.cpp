@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "mjcf/text/input_error.hpp"
-#include "tools/task/problem.hpp"
+#include "tools/studio/session_names.hpp"
 
 namespace legwright {
 namespace {
@@ -18,13 +18,6 @@ std::optional<fs::path> left_of(const KeptSessions& kept, const fs::path& origin
   for (const KeptSession& session : kept.left_behind())
     if (session.origin == origin.string()) return session.folder;
   return std::nullopt;
-}
-
-/// Throws InputError where tasks and robot do not fit: before what is open is closed for them.
-void check_fit(const Opening& opening) {
-  TaskSet set = parse_task_tables(opening.text, opening.file);
-  set.robot = opening.robot->file;
-  (void)make_problem(std::move(set), *opening.robot);
 }
 
 }  // namespace
@@ -98,7 +91,10 @@ void StudioService::take(Opening opening) {
   if (opening.robot) {
     check_fit(opening);
     const RobotModel& robot = *opening.robot;
-    folder = kept_.begin(robot.files, opening.origin.string(), robot.morphology.name);
+    const fs::path& origin = opening.origin;
+    opening.label = robot_label(robot.morphology.name, origin, robot.file);
+    const std::string name = session_name(opening.label, origin);
+    folder = kept_.begin(robot.files, origin.string(), name);
     // The session works on the copy: the file may change while somebody works.
     RobotModel copy = read_robot(folder->robot());
     copy.morphology.name = robot.morphology.name;
@@ -110,14 +106,17 @@ void StudioService::take(Opening opening) {
                                     hub_, meshes_);
     folder->keep();
     if (!opening.taken_up.empty()) KeptSessions::remove(opening.taken_up);
-    if (!opening.of_modules) kept_.note_recent(opening.origin, robot.morphology.name);
+    if (!opening.of_modules) kept_.note_recent(origin, name);
     opening.robot.reset();
   }
   {
     const std::lock_guard lock(mutex_);
     workspace_ = std::move(next);
     folder_ = std::move(folder);
-    if (!opening.of_modules) bench_.reset();
+    if (!opening.of_modules) {
+      bench_.reset();
+      carried_.reset();
+    }
     opened_ = std::move(opening);
   }
   tell_opened();
@@ -136,6 +135,7 @@ void StudioService::tell_opened() {
                               {"proposes", opened_.proposes},
                               {"assembles", assembles},
                               {"of_modules", opened_.of_modules},
+                              {"heard", hub_.now()},
                               {"kept", kept}}
                              .dump());
 }

@@ -14,6 +14,7 @@
 #include "tools/session/session.hpp"
 #include "tools/studio/allowed_paths.hpp"
 #include "tools/studio/assembly_bench.hpp"
+#include "tools/studio/carried_design.hpp"
 #include "tools/studio/event_hub.hpp"
 #include "tools/studio/job_runner.hpp"
 #include "tools/studio/kept_sessions.hpp"
@@ -68,6 +69,7 @@ class StudioService {
   static const std::map<std::string, Answer>& answers();
 
   Json get_start(const StudioRequest& request);
+  Json get_free(const StudioRequest& request);
   Json get_document(const StudioRequest& request);
   Json get_design(const StudioRequest& request);
   Json get_bounds(const StudioRequest& request);
@@ -99,6 +101,8 @@ class StudioService {
   /// Remembers what a verdict says of a state, and what was said of one: null where nobody judged.
   void note_verdict(const SessionState& state, const std::string& word);
   Json verdict_on(const SessionState& state) const;
+  /// What the robot that is open is called in lists and names of folders.
+  std::string label() const;
 
   void take(Opening opening);
   void take_assembly(Opening opening);
@@ -130,6 +134,8 @@ class StudioService {
   std::unique_ptr<ModuleLibrary> library_;  // once it was asked for
   std::shared_ptr<AssemblyBench> bench_;    // also while a robot is open that was built of it
   Opening opened_;
+  std::optional<CarriedDesign> carried_;  // of the robot that was built of the bench last
+  std::string first_text_;                // of the tasks by the size of that robot
   /// A verdict, as long as the design that it is on is kept anywhere.
   struct Judged {
     std::weak_ptr<const DesignPoint> design;

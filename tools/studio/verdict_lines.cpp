@@ -6,9 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "tools/run/metrics_record.hpp"
 #include "tools/run/task_folders.hpp"
-#include "tools/run/verdict_record.hpp"
+#include "tools/studio/verdict_marks.hpp"
 
 namespace legwright {
 namespace {
@@ -22,20 +21,21 @@ std::string value_words(const LimitRow& row) {
                                  : std::string("could not be measured"));
   if (!row.where.empty()) words += " at " + row.where;
   if (row.low && row.high)
-    return words + fmt::format(" ({:.3g} to {:.3g} passes)", *row.low, *row.high);
-  if (row.high) return words + fmt::format(" (at most {:.3g})", *row.high);
-  if (row.low) return words + fmt::format(" (at least {:.3g})", *row.low);
-  return words;
+    words += fmt::format(" ({:.3g} to {:.3g} passes)", *row.low, *row.high);
+  else if (row.high)
+    words += fmt::format(" (at most {:.3g})", *row.high);
+  else if (row.low)
+    words += fmt::format(" (at least {:.3g})", *row.low);
+  return words + worst_words(row);
 }
 
-/// When it was: the fall, the hardest touch, the first warning of those gains. None for what is
-/// measured over a whole walk.
+/// When it was: the fall, the hardest touch, the first warning of those gains, what the worst part
+/// did first. None for what is measured over a whole walk.
 std::optional<double> moment_of(const LimitRow& row, const MetricsRecord& metrics) {
+  if (!row.worst.empty() && row.worst.front().time) return row.worst.front().time;
   for (const auto& [gain, measured] : metrics.result) {
     if (!row.where.empty() && row.where.find(gain) == std::string::npos) continue;
     if (measured.fall && !row.pass) return measured.fall->time;
-    if (row.name.starts_with("self_contact") && measured.self_contact.count > 0)
-      return measured.self_contact.force_time;
     if (row.name.find("warning") != std::string::npos && !measured.warnings.empty())
       return measured.warnings.front().time;
   }
@@ -55,23 +55,28 @@ bool add_lines(const fs::path& folder, int task, const std::string& name, Json& 
   const auto metrics = read_metrics(folder / "result" / "metrics.json");
   words += verdict.result.line;
   if (standing == Standing::without_sums) words += std::string(" (") + kWithoutSums + ")";
-  for (const LimitRow& row : verdict.result.limits) {
-    const auto moment = metrics ? moment_of(row, *metrics) : std::nullopt;
-    lines.push_back({{"words", (name.empty() ? "" : name + ": ") + value_words(row)},
-                     {"name", row.name},
-                     {"passed", row.pass},
-                     {"numbers",
-                      {{"value", or_null(row.value)},
-                       {"low", or_null(row.low)},
-                       {"high", or_null(row.high)},
-                       {"unit", row.unit},
-                       {"gains", row.where}}},
-                     {"moment", moment ? Json{{"task", task}, {"time", *moment}} : Json(nullptr)}});
-  }
+  for (const LimitRow& row : verdict.result.limits)
+    lines.push_back(verdict_line(row, metrics, task, name));
   return true;
 }
 
 }  // namespace
+
+Json verdict_line(const LimitRow& row, const std::optional<MetricsRecord>& metrics, int task,
+                  const std::string& name) {
+  const auto moment = metrics ? moment_of(row, *metrics) : std::nullopt;
+  return {{"words", (name.empty() ? "" : name + ": ") + value_words(row)},
+          {"name", row.name},
+          {"passed", row.pass},
+          {"marks", marks_of(row, metrics)},
+          {"numbers",
+           {{"value", or_null(row.value)},
+            {"low", or_null(row.low)},
+            {"high", or_null(row.high)},
+            {"unit", row.unit},
+            {"gains", row.where}}},
+          {"moment", moment ? Json{{"task", task}, {"time", *moment}} : Json(nullptr)}};
+}
 
 Json verdict_lines(const fs::path& run) {
   Json lines = Json::array();

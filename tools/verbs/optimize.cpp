@@ -44,6 +44,7 @@ int optimize(const OptimizeOptions& asked) {
     options.force = true;
     if (asked.threads > 0) options.threads = asked.threads;
     options.quiet = asked.quiet;
+    options.progress = asked.progress;
     options.json = asked.json;
   }
   CodesignProblem problem = read_problem(options.task, options.robot, options.reach());

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <thread>
 
+#include "tools/verbs/progress.hpp"
+
 namespace legwright {
 namespace {
 
@@ -16,6 +18,10 @@ int all_threads(const OptimizeOptions& options) {
 }
 
 std::function<void(const std::string&)> teller_of(const OptimizeOptions& options) {
+  if (options.progress)
+    return [played = 0](const std::string&) mutable {
+      print_progress("playing designs in MuJoCo", ++played, 0);
+    };
   if (options.quiet) return {};
   return [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
 }
@@ -99,6 +105,9 @@ void add_resume(CLI::App& verb, OptimizeOptions& options) {
                 "bits may differ then")
       ->needs(resume);
   verb.add_flag("--quiet", options.quiet, "say nothing but errors");
+  verb.add_flag("--progress", options.progress,
+                "tell iterations, then designs that were played, as lines of JSON on stderr, for "
+                "programs; their total is 0 where nobody knows it");
   verb.add_flag("--json", options.json, "print run.json instead of a summary");
 }
 

@@ -21,7 +21,7 @@ struct OptimizeOptions : ReadingOptions {
   std::string task, robot, run;
   bool motion_only = false, no_pictures = false, quiet = false, json = false, force = false;
   bool few = false, one_start = false, lbfgs = false, bilevel = false, plan_only = false;
-  bool no_certificate = false, no_reasons = false;
+  bool no_certificate = false, no_reasons = false, progress = false;
   double few_keeps = 95.0;  // percent of the fall of F
   int max_iterations = CodesignOptions{}.max_iterations;
   int starts = 0, threads = 0, front = 0, physics_steps = 0;

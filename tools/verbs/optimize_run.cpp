@@ -28,8 +28,9 @@ Progress make_progress(const OptimizeOptions& options, const CodesignOptions& se
     units.push_back(problem.speed_unit(k));
     unknowns += problem.objectives[k]->layout().motion_size();
   }
-  Progress progress(Progress::mode_for_stderr(options.quiet), settings, names, units,
-                    problem.set.outer.empty() ? "F" : "F + J");
+  const auto mode =
+      options.progress ? Progress::Mode::json : Progress::mode_for_stderr(options.quiet);
+  Progress progress(mode, settings, names, units, problem.set.outer.empty() ? "F" : "F + J");
   progress.start(fmt::format(
       "{} design parameters, {} motion unknowns; first the motion of the initial design ...",
       problem.robot.space.size(), unknowns));

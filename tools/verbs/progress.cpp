@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "tools/files/json_file.hpp"
+
 namespace legwright {
 namespace {
 
@@ -37,6 +39,15 @@ int iterations_left(const std::vector<double>& history, double tolerance, int mo
   const double rate = std::clamp(now / std::max(before, 1e-300), 0.1, 0.95);
   return std::clamp(static_cast<int>(std::ceil(std::log(tolerance / now) / std::log(rate))), 1,
                     most);
+}
+
+void print_progress(const std::string& stage, int done, int total) {
+  fmt::print(stderr, "{}\n", to_line(Json{{"stage", stage}, {"done", done}, {"total", total}}));
+}
+
+int TimeLeft::iterations() const {
+  const int done = static_cast<int>(history_.size()) - 1;
+  return done + iterations_left(history_, tolerance_, most_ - done);
 }
 
 std::optional<double> TimeLeft::after(int index, double value, double seconds) {
@@ -71,6 +82,10 @@ void Progress::iteration(const RunLabel& label, const DesignIteration& iteration
                          const std::vector<PlanQuality>& qualities) {
   const auto left = time_left_.after(iteration.index, iteration.value, iteration.seconds);
   if (mode_ == Mode::quiet) return;
+  if (mode_ == Mode::json) {
+    const int total = names_.size() == 1 ? time_left_.iterations() : 0;
+    return print_progress("searching", iteration.index, total);
+  }
   std::string run;
   if (names_.size() > 1)
     run = label.tasks.size() == names_.size() ? fmt::format("from {}: ", label.start)

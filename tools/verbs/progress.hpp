@@ -23,6 +23,8 @@ class TimeLeft {
   /// @param index of an iteration; 0 starts anew @param value its F @param seconds that it took
   /// Nothing until there is a trend.
   std::optional<double> after(int index, double value, double seconds);
+  /// How many iterations there will be, guessed after each.
+  int iterations() const;
 
  private:
   double tolerance_;
@@ -30,11 +32,14 @@ class TimeLeft {
   std::vector<double> history_, ends_, seconds_;  // F; guessed last iteration; time of each
 };
 
+/// Writes a line of JSON to stderr, {"stage", "done", "total"}: for programs that follow.
+void print_progress(const std::string& stage, int done, int total);
+
 /// Tells on stderr how an optimization goes: one live line on a terminal, a line per iteration
-/// elsewhere.
+/// elsewhere, or one of JSON.
 class Progress {
  public:
-  enum class Mode { quiet, lines, live };
+  enum class Mode { quiet, lines, live, json };
   /// Live where stderr is a terminal.
   static Mode mode_for_stderr(bool quiet);
 

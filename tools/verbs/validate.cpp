@@ -13,6 +13,7 @@
 #include "tools/validate/limits_file.hpp"
 #include "tools/validate/robustness_limits.hpp"
 #include "tools/verbs/judge_run.hpp"
+#include "tools/verbs/progress.hpp"
 #include "tools/verbs/python_module.hpp"
 #include "tools/verbs/verbs.hpp"
 
@@ -38,10 +39,7 @@ RunRecord read_run_record(const ResultFolder& folder) {
 /// Tells on stderr from the first moment what is done and how far it is: one live line on a
 /// terminal, none elsewhere; or a line for each step, for programs.
 ProgressListener live_progress(bool lines) {
-  if (lines)
-    return [](const std::string& stage, int done, int total) {
-      fmt::print(stderr, "{}\n", to_line(Json{{"stage", stage}, {"done", done}, {"total", total}}));
-    };
+  if (lines) return print_progress;
   if (::isatty(STDERR_FILENO) == 0) return {};
   return [](const std::string& stage, int done, int total) {
     if (done == total)

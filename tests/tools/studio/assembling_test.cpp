@@ -50,6 +50,43 @@ TEST_F(AssemblingTest, FromATrunkToARobotWithATaskAndBack) {
   EXPECT_EQ(told()["limbs"].size(), 2u) << "as it was left";
 }
 
+TEST_F(AssemblingTest, WhatWasDesignedGoesOnToTheNextBuildOfTheRobot) {
+  make_quadruped();
+  const auto build = [this] { return post("/api/assembly/build", Json::object()); };
+  const auto document = [this] { return studio_.browser->get("/api/document"); };
+  EXPECT_EQ(build()["carried"], "") << "nothing was designed before";
+  const Json before = document();
+  const Json& first = before["parameters"][0];
+  const std::string name = first["name"];
+  const double value = 0.5 * (first["given"].get<double>() + first["robot_upper"].get<double>());
+  post("/api/command", {{"do", "edit"}, {"values", {{name, value}}}});
+  post("/api/command", {{"do", "freeze"}, {"names", {name}}});
+  const Json slow{{"travel", {{"velocity", {0.031, 0.0}}}}};
+  ASSERT_EQ(post("/api/task", {{"task", 0}, {"changes", slow}})["status"], 200);
+  for (int again = 0; again < 2; ++again) {
+    ASSERT_EQ(post("/api/assembly/bench", Json::object())["status"], 200);
+    const std::string carried = build()["carried"];
+    EXPECT_NE(carried.find("The task is that of before. Values of before: " + name),
+              std::string::npos)
+        << carried;
+    const Json state = studio_.browser->next("state");
+    EXPECT_EQ(state["s"][0], value);
+    EXPECT_EQ(state["frozen"][0], true);
+    EXPECT_EQ(document()["tasks"][0]["velocity"][0], 0.031);
+  }
+  ASSERT_EQ(post("/api/assembly/bench", Json::object())["status"], 200);
+  ASSERT_EQ(post("/api/assembly", {{"do", "set"},
+                                   {"item", "limb/0/joint/0"},
+                                   {"key", "name"},
+                                   {"value", "haunch"}})["status"],
+            200);
+  const std::string gone = build()["carried"];
+  EXPECT_NE(gone.find("this robot has no such parameters: " + name), std::string::npos) << gone;
+  ASSERT_EQ(post("/api/open", {{"path", test::kSidewaysTask}})["status"], 200);
+  make_quadruped();
+  EXPECT_EQ(build()["carried"], "") << "another assembly";
+}
+
 TEST_F(AssemblingTest, WhatIsRefusedChangesNothing) {
   make_quadruped();
   const auto revision = told()["revision"];

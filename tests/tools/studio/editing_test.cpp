@@ -190,6 +190,13 @@ TEST_F(EditingTest, ASavedSessionIsTakenUpFromItsRun) {
   EXPECT_TRUE(state["can_undo"].get<bool>());
   const Json start = browser_.get("/api/start");
   EXPECT_EQ(start["recent"][0]["path"], (studio_.folder.path() / "runs/mine").string());
+  EXPECT_EQ(start["recent"][0]["words"], "puppy, run mine");
+  EXPECT_EQ(start["recent"][0]["opened"].get<std::string>().size(), 16U);
+  EXPECT_EQ(start["recent"][1]["words"], "puppy, sideways");
+  EXPECT_EQ(start["unsaved"][0]["name"], "puppy, sideways");
+  EXPECT_EQ(browser_.get("/api/free?path=runs/mine")["path"], "runs/mine_2");
+  EXPECT_EQ(browser_.get("/api/free?path=runs/other")["path"], "runs/other");
+  EXPECT_EQ(browser_.get("/api/free?path=/etc/mine")["status"], 400);
   ASSERT_EQ(start["unsaved"].size(), 1U) << "what came after it was saved is kept";
   EXPECT_EQ(start["unsaved"][0]["origin"], task_);
 }

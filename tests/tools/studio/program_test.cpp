@@ -148,10 +148,18 @@ TEST_F(StudioProgramTest, SearchesOnWithMujocoFromTheBodyThatStands) {
   (void)browser.settled();
   ASSERT_EQ(browser.post("/api/optimize", {{"path", "found"}})["status"], 200);
   EXPECT_EQ(browser.post("/api/optimize", {{"path", "other"}})["status"], 400) << "one at a time";
-  const Json found = browser.next("job", [](const Json& j) { return !j["running"]; });
+  bool searched = false, played = false;
+  const Json found = browser.next("job", [&](const Json& j) {
+    searched = searched || (j.value("words", "") == "searching" && j.value("of", 0) > 0);
+    played = played || (j.value("words", "").starts_with("playing") && j.value("done", 0) > 0);
+    return !j["running"];
+  });
+  EXPECT_TRUE(searched && played) << "it tells how far it is";
+  EXPECT_EQ(found["what"], "optimize");
   ASSERT_EQ(found.value("failed", ""), "") << found;
   const std::filesystem::path run = folder_.path() / "found";
   EXPECT_EQ(found["path"], std::filesystem::canonical(run).string());
+  EXPECT_EQ(browser.get("/api/start")["recent"][0]["path"], found["path"]);
   const Json told = Json::parse(std::ifstream(run / "run.json"));
   EXPECT_TRUE(told["feasible"].get<bool>());
   for (const Json& parameter : told["parameters"]) {

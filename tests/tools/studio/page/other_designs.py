@@ -59,7 +59,7 @@ class OtherDesigns(unittest.TestCase):
         studio.until(f'{CHANGES} < 4')
         studio.settled()
         few = self.changes(studio)
-        self.assertIn('of the fall of F', slider.get_attribute('aria-valuetext'))
+        self.assertIn('of the gain', slider.get_attribute('aria-valuetext'))
         back = panel.get_by_role('button', name='Put').first
         back.click()
         studio.until('legwrightStudio.edits.idle')

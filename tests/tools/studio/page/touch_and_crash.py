@@ -45,6 +45,27 @@ class Apart(unittest.TestCase):
         self.assertEqual(page.console, [])
         page.close()
 
+    def test_a_finger_slides_a_slider_sideways_and_scrolls_past_it(self):
+        page = Page(self.browser, self.server.url, width=1024, height=600, touch=True)
+        page.ready()
+        name = 'hind_foot_length'
+        slider = page.page.locator(f'.parameter[data-name="{name}"] .slider')
+        slider.scroll_into_view_if_needed()
+        box = slider.bounding_box()
+        x, y = box['x'] + 0.8 * box['width'], box['y'] + box['height'] / 2
+        top, before = box['y'], page.value(name)
+        page.swipe((x, y), (x + 4, y - 150))
+        page.until(f'top => document.querySelector(\'[data-name="{name}"] .slider\')'
+                   '.getBoundingClientRect().y < top - 60', top)
+        self.assertEqual(page.value(name), before)
+        box = slider.bounding_box()
+        y = box['y'] + box['height'] / 2
+        page.swipe((box['x'] + 0.5 * box['width'], y), (box['x'] + 0.8 * box['width'], y + 4))
+        page.until('([n, v]) => legwrightStudio.readParameter(n).value > v', [name, before])
+        page.settled()
+        self.assertEqual(page.console, [])
+        page.close()
+
     def test_a_finger_scrolls_modules_by_their_words_and_drags_them_by_their_pictures(self):
         server = Server()
         page = Page(self.browser, server.url, width=820, height=1180, touch=True)

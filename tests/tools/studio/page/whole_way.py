@@ -175,6 +175,8 @@ class Whole(unittest.TestCase):
         boxes = studio.page.locator('.proposals input[type=checkbox]')
         boxes.first.wait_for()
         proposed = boxes.count()
+        onwards = studio.button('Write and go on').bounding_box()
+        self.assertLessEqual(onwards['y'] + onwards['height'], 720, 'it is seen without scrolling')
         boxes.first.uncheck()
         studio.button('Write and go on').click()
         studio.ready()

@@ -7,6 +7,7 @@ import { AssemblyPage } from "./ui/assembly/assembly_page.js";
 import { ProposalPage } from "./ui/proposal_page.js";
 import { StartPage, takeDrops } from "./ui/start_page.js";
 import { followTheme } from "./ui/theme.js";
+import { takeTouches } from "./ui/touch_sliders.js";
 import { Workspace } from "./ui/workspace.js";
 
 const NOTHING_OPEN = 250; // ms after which it is clear that nothing is open
@@ -41,6 +42,7 @@ function begin() {
   studio.store.on("opened", (opened) => opened && show(pageOf(opened)));
   studio.store.on("opening", (on) => document.body.classList.toggle("is-opening", on));
   takeDrops(document.body, studio);
+  takeTouches(document);
   studio.start();
   studio.store.on("connected", (on) => on && setTimeout(() => beginAtStart(show), NOTHING_OPEN));
 }

@@ -4,6 +4,7 @@ import { Edits } from "./session/edits.js";
 import { ApiError, command, get, meshSource, post } from "./session/api.js";
 import { follow } from "./session/events.js";
 import { Latest } from "./session/latest.js";
+import { SetByHand } from "./session/set_by_hand.js";
 import { Store } from "./session/store.js";
 import { ask, Notices } from "./ui/dialogs.js";
 import { Selection } from "./ui/selection.js";
@@ -20,13 +21,16 @@ export class Studio {
     this.beside = new Latest(fail);
     this.turn = Promise.resolve(); // done when the last command is answered
     this.meshSource = meshSource;
+    this.hand = new SetByHand(this);
     this.store.on("task", () => this.showMotion());
   }
 
-  start() {
+  /** @param {number=} heard as an event "opened" tells it: notices from then on are told */
+  start(heard) {
     this.stopFollowing = follow(
       (kind, data) => this.take(kind, data),
       (connected) => this.store.set("connected", connected),
+      heard,
     );
   }
 
@@ -62,7 +66,7 @@ export class Studio {
     if (other) {
       this.forget();
       this.stopFollowing();
-      this.start();
+      this.start(opened.heard);
       return;
     }
     this.store.set("opened", opened);
@@ -109,7 +113,8 @@ export class Studio {
 
   /** A name for files. */
   name() {
-    return (this.store.get("document")?.name ?? "legwright").replaceAll(/\W+/g, "_");
+    const { label, name } = this.store.get("document") ?? {};
+    return (label || name || "legwright").replaceAll(/\W+/g, "_");
   }
 
   showMotion() {
@@ -138,6 +143,7 @@ export class Studio {
   /** @param {"begin"|"drag"|"end"|"once"} phase */
   edit(name, value, phase) {
     if (this.store.get("state")?.phase === "searching") this.store.set("paused", true);
+    this.hand.note(name);
     this.edits.set({ [name]: value }, phase);
     this.store.set("held", { name, phase });
   }
@@ -196,6 +202,7 @@ export class Studio {
   }
 
   command(name, fields) {
+    if (name === "start" || name === "step") this.hand.searchBegins();
     return this.inOrder(() => command(name, fields));
   }
 
@@ -251,8 +258,10 @@ export class Studio {
     this.store.set("opening", false);
   }
 
+  /** Asks for a folder, and proposes one where nothing is yet. */
   async toFolder(title, action, suggestion, request, words = "") {
-    const path = await ask(title, suggestion, {
+    const free = await this.act(() => get(`/api/free?path=${encodeURIComponent(suggestion)}`));
+    const path = await ask(title, free?.path ?? suggestion, {
       label: "Folder",
       action,
       hint: `${words}The folder is below those that the studio was started with.`,
@@ -292,8 +301,10 @@ export class Studio {
     return this.toFolder(
       "Write the report of a run",
       "Report",
-      `runs/${this.name()}`,
+      `runs/${this.name()}_report`,
       "/api/report",
+      "Saves what stands as a run, plays it and writes its report. The run that it was saved as " +
+        "can be named, too. ",
     );
   }
 
@@ -312,10 +323,23 @@ export class Studio {
     this.view.seekPhase(from <= to ? (from + to) / 2 : from);
   }
 
-  /** Plays to a moment of the verdict. */
-  showMoment({ task, time }, gains) {
+  /** Plays to a moment of the verdict, and marks on the robot what its line is about. */
+  showMoment({ task, time }, gains, marks = []) {
     this.showTask(task ?? 0);
     this.showWorkspace("simulate");
     this.physics.playUntil(time, gains);
+    this.view.pointAt(marks.map((mark) => this.partOf(mark)));
+  }
+
+  /** The body, or the foot, that a mark of the verdict is at. */
+  partOf({ kind, name, words }) {
+    const { joints = [] } = this.store.get("document") ?? {};
+    const { bodies = [] } = this.store.get("design") ?? {};
+    const at = {
+      joint: () => joints.find((joint) => joint.name === name)?.body,
+      body: () => bodies.findIndex((body) => body.name === name),
+    };
+    const body = at[kind]?.() ?? -1;
+    return { body: body > 0 ? body : 1, where: kind === "foot" ? name : undefined, words };
   }
 }

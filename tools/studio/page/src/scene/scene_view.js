@@ -61,6 +61,7 @@ export class SceneView {
     this.speed = 1;
     this.time = 0;
     this.live = null; // what physics says, instead of the plan
+    this.pointed = []; // what the judge speaks of
     this.recording = new Recording(); // of what physics said
     this.readParameter = () => ({ value: 0, lower: 0, upper: 0, locked: false });
     this.offset = new Vector3();
@@ -146,6 +147,15 @@ export class SceneView {
    */
   setLive(live) {
     this.live = live;
+    this.pose();
+  }
+
+  /**
+   * Marks parts of the robot, whatever it does, until others are pointed at.
+   * @param {{body: number, where: ?string, words: string}[]} parts of a body, or at the foot `where`
+   */
+  pointAt(parts) {
+    this.pointed = parts;
     this.pose();
   }
 
@@ -331,16 +341,20 @@ export class SceneView {
   }
 
   drawFaults() {
-    const marks = [];
-    if (this.show.faults && this.player && !this.live)
-      for (const fault of this.player.faultsAt(this.time))
-        marks.push({ at: this.placeOf(fault, new Vector3()), words: fault.words });
+    const plan = this.show.faults && this.player && !this.live && !this.pointed.length;
+    const faults = plan ? this.player.faultsAt(this.time) : this.pointed;
+    const marks = faults.map((each) => ({
+      at: this.placeOf(each, new Vector3()),
+      words: each.words,
+    }));
     this.marks.show(marks, this.size * 0.045, this.stage.camera);
   }
 
   /** Where a fault is drawn: at the point of a body or at the foot that it names. */
   placeOf({ body, at, where }, out) {
-    const foot = this.player.feet.findIndex((each) => each.name === where);
+    const measured = this.live?.feet?.find((each) => each.name === where);
+    if (measured) return out.fromArray(measured.at);
+    const foot = this.live ? -1 : this.player.feet.findIndex((each) => each.name === where);
     if (foot >= 0) return this.soles()(this.poses, foot, out);
     return this.robot.place(typeof body === "number" ? body : 1, at ?? [0, 0, 0], out);
   }

@@ -7,18 +7,20 @@ const LONGEST_WAIT = 5000; // ms between attempts
 /**
  * @param {(kind: string, data: any) => void} tell
  * @param {(connected: boolean) => void} connection
+ * @param {number=} heard where another stream was left; without, notices of before are not told
  * @returns {() => void} ends it
  */
-export function follow(tell, connection) {
+export function follow(tell, connection, heard) {
   let source = null;
   let wait = 250;
   let timer = 0;
   let closed = false;
 
   const connect = () => {
-    source = new EventSource("/api/events");
+    source = new EventSource(heard === undefined ? "/api/events" : `/api/events?heard=${heard}`);
     source.onopen = () => {
       wait = 250;
+      heard = undefined;
       connection(true);
     };
     for (const kind of KINDS)

@@ -18,7 +18,7 @@ export class ChangesPanel {
       {
         type: "button",
         title:
-          "Puts changes back, the one that costs least first, and optimises the rest again (F)",
+          "Puts changes back, the one that costs least first, and optimises the rest again (key F)",
         onClick: () => this.findFewest(),
       },
       "Fewest changes",
@@ -57,7 +57,7 @@ export class ChangesPanel {
     const [state, document] = [store.get("state"), store.get("document")];
     if (!state || !document) return "No robot is here yet.";
     if (state.phase === "searching")
-      return "A search goes on: pause it (O), then the fewest changes can be worked out (F).";
+      return "A search goes on: pause it (O), then the fewest changes can be worked out.";
     if (state.phase === "working out") return "Other designs are being worked out already.";
     const free = document.parameters.some(
       ({ given }, i) => !state.frozen?.[i] && Math.abs(state.s[i] - given) > SAME,
@@ -66,7 +66,7 @@ export class ChangesPanel {
     return "The body is as it was given, as far as it is free: optimise (O) or edit it first.";
   }
 
-  /** A bar for each design, as high as what it keeps of the fall of F, and the slider below. */
+  /** A bar for each design, as high as what it keeps of the gain, and the slider below. */
   chooser() {
     this.chart = svg("svg.kept", {
       viewBox: `0 0 ${CHART.width} ${CHART.height}`,
@@ -81,7 +81,10 @@ export class ChangesPanel {
       onInput: () => this.choose(this.slider.valueAsNumber),
       onChange: () => (this.moving = false),
     });
-    this.told = h("p.told", { aria: { live: "polite" } });
+    this.told = h("p.told", {
+      title: "The gain: by how much the cost F fell from the given body to the optimised one",
+      aria: { live: "polite" },
+    });
     this.counts = h("div.kept-counts", { aria: { hidden: "true" } });
     this.choices = h(
       "div.fewest",
@@ -116,7 +119,7 @@ export class ChangesPanel {
     else this.showChanges();
   }
 
-  /** The share of the fall of F that a design keeps. */
+  /** The share of the gain, by how much F fell, that a design keeps. */
   kept(k) {
     const { designs, given_F: given } = this.found;
     return (given - designs[k].F) / (given - designs[0].F || 1);
@@ -166,12 +169,12 @@ export class ChangesPanel {
   tell(k) {
     if (k < 0) {
       const few = this.found.fewest;
-      const text = `${this.changesOf(few)} changes would keep ${this.percent(few)} of the fall of F.`;
+      const text = `${this.changesOf(few)} changes would keep ${this.percent(few)} of the gain.`;
       this.slider.setAttribute("aria-valuetext", text);
       return setText(this.told, text);
     }
     const count = this.changesOf(k);
-    const text = `${count} ${count === 1 ? "change" : "changes"}, F ${significant(this.found.designs[k].F)}: ${this.percent(k)} of the fall of F`;
+    const text = `${count} ${count === 1 ? "change" : "changes"}, cost F ${significant(this.found.designs[k].F)}: ${this.percent(k)} of the gain`;
     this.slider.setAttribute("aria-valuetext", text);
     setText(this.told, text);
   }
@@ -249,8 +252,8 @@ export class ChangesPanel {
         ? null
         : h(
             "td",
-            { title: "F rises by so much where this one alone is put back" },
-            worth === null ? "all" : `F ${significant(worth, 2)}`,
+            { title: "The cost F rises by so much where this one alone is put back" },
+            worth === null ? "all" : `cost +${significant(worth, 2)}`,
           ),
       h(
         "td",

@@ -31,7 +31,7 @@ function parameterRow({ name, unit, a, b }) {
 export function comparisonTable(name, { rows, tasks = [], F, mass, verdict }) {
   const changed = rows.filter(({ a, b }) => Math.abs(a - b) > SAME);
   const head = ["", name, "now", "change"].map((text) => h("th", { scope: "col" }, text));
-  const costs = [{ name: "F", ...F }, ...(tasks.length > 1 ? tasks : [])];
+  const costs = [{ name: "", ...F }, ...(tasks.length > 1 ? tasks : [])];
   const table = h(
     "table.differences.compared",
     {},
@@ -42,7 +42,7 @@ export function comparisonTable(name, { rows, tasks = [], F, mass, verdict }) {
       {},
       costs.map((one) =>
         row(
-          one.name === "F" ? "F" : `F, ${one.name}`,
+          one.name ? `cost F, ${one.name}` : "cost F",
           significant(one.a),
           significant(one.b),
           one.a === null ? "–" : signed(one.b - one.a),

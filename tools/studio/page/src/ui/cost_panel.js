@@ -6,17 +6,20 @@ import { significant } from "../units.js";
 import { atMost, calmly } from "./rate.js";
 
 const MOST_TERMS = 9;
+const COST =
+  "F sums up how far body and gait are from what is asked of them: the less, the better. The " +
+  "search makes it small.";
 
 export class CostPanel {
   constructor(studio) {
     this.studio = studio;
     this.F = h("strong.figure");
     this.rest = h("span.figures");
-    this.terms = h("table.terms", { aria: { label: "What F consists of" } });
+    this.terms = h("table.terms", { aria: { label: "What the cost F consists of" } });
     this.element = h(
       "section.panel",
       { aria: { label: "Cost" } },
-      h("h2", {}, "Cost F"),
+      h("h2", { title: COST }, "Cost F"),
       h("p.headline", {}, this.F, this.rest),
       this.terms,
     );
@@ -30,7 +33,7 @@ export class CostPanel {
     setText(this.F, significant(state.F));
     const parts = [
       state.settled ? "" : "predicted",
-      state.J ? `J ${significant(state.J)}` : "",
+      state.J ? `goal of the body (J) ${significant(state.J)}` : "",
       Number.isFinite(state.mass) ? `${state.mass.toFixed(3)} kg` : "",
       ...(state.task_F?.length > 1
         ? state.task_F.map((F, i) => `${this.taskName(i)} ${significant(F, 3)}`)
@@ -53,7 +56,7 @@ export class CostPanel {
       bar.style.width = `${Math.max(1, (100 * Math.max(0, value)) / most).toFixed(1)}%`;
       return h(
         "tr",
-        { title: name },
+        { title: `${words ?? name} (term ${name} of F)` },
         h("th", { scope: "row" }, words ?? name),
         h("td.bar-cell", {}, bar),
         h("td.value", {}, significant(value, 3)),

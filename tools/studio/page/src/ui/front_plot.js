@@ -50,8 +50,8 @@ export class FrontPlot {
       this.drawing,
       svg("path.front-line", { d: `M${x.map((v, i) => `${v} ${y[i]}`).join("L")}` }),
       this.points,
-      svg("text", { x: width - right, y: height - 2, "text-anchor": "end" }, `F of ${names[0]} →`),
-      svg("text", { x: left, y: height - 2 }, `↑ F of ${names[1]}`),
+      svg("text", { x: width - right, y: height - 2, "text-anchor": "end" }, `cost F of ${names[0]} →`),
+      svg("text", { x: left, y: height - 2 }, `↑ cost F of ${names[1]}`),
     );
   }
 
@@ -61,7 +61,7 @@ export class FrontPlot {
     const design = this.designs[present];
     this.words.textContent = design
       ? `Design ${present + 1} of ${this.designs.length}: ${this.names
-          .map((name, k) => `${name} F ${significant(design.task_F[k], 3)}`)
+          .map((name, k) => `${name} cost F ${significant(design.task_F[k], 3)}`)
           .join(", ")}`
       : `${this.designs.length} designs are known; the one that stands is none of them.`;
   }

@@ -3,6 +3,7 @@
 // the moment it speaks of.
 import { fill, h, setText } from "../dom.js";
 import { post, remove } from "../session/api.js";
+import { JobProgress } from "./job_progress.js";
 
 /** The verdict of each task without its reasons, which the lines below tell. */
 const headline = (words) =>
@@ -40,6 +41,7 @@ export class JudgePanel {
       hidden: true,
       aria: { label: "Progress of the judge" },
     });
+    this.finding = new JobProgress({ cancel: () => studio.act(() => remove("/api/job")) });
     this.title = h("h2", {}, "Verdict");
     this.verdict = h("p.verdict", { role: "status" });
     this.advice = h("p.hint", { hidden: true }, ADVICE);
@@ -50,6 +52,7 @@ export class JudgePanel {
       this.title,
       h("p.hint", {}, "Plays the gait in MuJoCo at half, default and double gains."),
       h("div.button-row", {}, this.start, this.cancel, this.find, this.progress),
+      this.finding.element,
       this.verdict,
       this.advice,
       this.found,
@@ -96,7 +99,11 @@ export class JudgePanel {
   }
 
   /** What a search with MuJoCo's verdicts has written can be opened. */
-  showFound({ path, passes }) {
+  showFound(job) {
+    const { what, running, path, passes } = job;
+    const isSearch = what === "optimize";
+    this.find.disabled = isSearch && Boolean(running);
+    this.finding.show(isSearch ? job : {});
     if (passes === undefined) return;
     this.path = path;
     this.found.hidden = false;
@@ -107,7 +114,7 @@ export class JudgePanel {
     return this.studio.open(() => post("/api/open", { path: this.path }));
   }
 
-  line({ words, passed, moment, numbers }) {
+  line({ words, passed, moment, numbers, marks }) {
     return h(
       `li.${passed ? "good" : "bad"}`,
       {},
@@ -116,7 +123,10 @@ export class JudgePanel {
       moment
         ? h(
             "button.link",
-            { type: "button", onClick: () => this.studio.showMoment(moment, numbers?.gains) },
+            {
+              type: "button",
+              onClick: () => this.studio.showMoment(moment, numbers?.gains, marks),
+            },
             "Show me",
           )
         : null,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A design parameter as a row: name, slider, number, lock, reset, what F would gain; and, where it
 // is selected, its sentence and its bounds.
-import { h, icon, iconButton, setText } from "../dom.js";
+import { fill, h, icon, iconButton, setText } from "../dom.js";
 import { digitsOf, format, significant, words } from "../units.js";
 
 const KEY_STEPS = 200; // arrow keys go from bound to bound in so many
@@ -38,7 +38,6 @@ export class ParameterRow {
       onChange: () => this.enter(),
       onKeydown: (event) => this.key(event),
     });
-    this.lockIcon = h("span");
     this.lock = h("button.icon-button.lock", {
       type: "button",
       onClick: () => told.lock(name, !this.state?.locked),
@@ -53,6 +52,7 @@ export class ParameterRow {
       { type: "button", onClick: (event) => told.select(name, event.ctrlKey || event.metaKey) },
       label,
     );
+    this.atBound = h("span.at-bound", { hidden: true });
     this.detail = h("div.parameter-detail", { hidden: true });
     this.element = h(
       "div.parameter",
@@ -63,7 +63,7 @@ export class ParameterRow {
         onPointerenter: () => told.hover(name),
         onPointerleave: () => told.hover(null),
       },
-      h("div.parameter-line", {}, this.name, this.number, h("span.unit", {}, unit)),
+      h("div.parameter-line", {}, this.name, this.atBound, this.number, h("span.unit", {}, unit)),
       h("div.parameter-line", {}, this.slider, this.gradient, this.lock, this.reset),
       this.detail,
     );
@@ -133,10 +133,34 @@ export class ParameterRow {
       const changed = Math.abs(state.value - parameter.given) > NEAR;
       this.reset.disabled = !changed || state.locked;
       this.element.classList.toggle("changed", changed);
-      slider.setAttribute("aria-valuetext", format(state.value, parameter.unit));
     }
+    this.showBound(state);
     if (old.locked !== state.locked) this.showLock(state.locked);
     this.showGradient(state);
+  }
+
+  /** Marks a value that stands at a bound: the search might go on beyond it. */
+  showBound({ value, lower, upper }) {
+    const { parameter, slider, atBound } = this;
+    const { unit, robot_lower, robot_upper } = parameter;
+    const near = 1e-6 * (upper - lower);
+    const isFree = upper - lower > NEAR;
+    const side = !isFree ? "" : value <= lower + near ? "lower" : value >= upper - near ? "upper" : "";
+    const bound = side === "lower" ? lower : upper;
+    const own = Math.abs(bound - (side === "lower" ? robot_lower : robot_upper)) > NEAR;
+    const whose = own ? "set here" : "of the robot's file";
+    const told = side ? `At its ${side} bound ${format(bound, unit)}, ${whose}` : "";
+    slider.setAttribute("aria-valuetext", [format(value, unit), told].filter(Boolean).join(". "));
+    if (told === this.toldBound) return;
+    this.toldBound = told;
+    this.element.classList.toggle("bounded", Boolean(side));
+    atBound.hidden = !side;
+    atBound.title = told && `${told}: the search may want to go beyond it`;
+    fill(
+      atBound,
+      h("span", { aria: { hidden: "true" } }, side === "lower" ? "min" : "max"),
+      h("span.unseen", {}, told),
+    );
   }
 
   showLock(locked) {
@@ -159,8 +183,8 @@ export class ParameterRow {
     this.bar.style.left = share > 0 ? `${(50 - width).toFixed(1)}%` : "50%";
     const { unit } = this.parameter;
     this.gradient.title = known
-      ? `dF/ds ${significant(gradient, 3)} per ${unit}: F falls to the ${gradient > 0 ? "left" : "right"}`
-      : "dF/ds is not known while motions are predicted";
+      ? `The cost F falls to the ${gradient > 0 ? "left" : "right"}: slope (dF/ds) ${significant(gradient, 3)} per ${unit}`
+      : "The slope of the cost F (dF/ds) is not known while motions are predicted";
     if (this.slope) setText(this.slope, known ? `${significant(gradient, 3)} per ${unit}` : "–");
   }
 
@@ -200,7 +224,7 @@ export class ParameterRow {
         h("label", {}, " to ", this.high),
         h("span.unit", {}, parameter.unit),
       ),
-      h("div.bounds", {}, "dF/ds ", this.slope),
+      h("div.bounds", {}, "slope of the cost F (dF/ds): ", this.slope),
       h(
         "button.small",
         {

@@ -196,6 +196,7 @@ export class PhysicsPanel {
     this.held = false;
     this.goOn.hidden = true;
     this.studio.view.recording.shown = false;
+    this.studio.view.pointAt([]);
   }
 
   toggle(on = !this.running) {
@@ -299,8 +300,9 @@ export class PhysicsPanel {
     this.until = time;
     this.rewound = false;
     this.again = true;
-    if (!this.running) this.toggle(true);
-    else this.send({});
+    if (!this.running) return this.toggle(true);
+    this.release();
+    this.send({});
   }
 
   /** Keeps the picture of this moment; the physics rest. */

@@ -61,7 +61,7 @@ export class SearchPanel {
     this.studio = studio;
     this.status = h("p.status", { role: "status" });
     this.plot = new Plot({
-      label: "F and its largest terms over the iterations",
+      label: "Cost F and its largest terms over the iterations",
       series: [],
       x: "iteration",
       log: true,
@@ -99,7 +99,7 @@ export class SearchPanel {
       solving: "Solving for the motion",
       idle: state.settled ? "At rest" : "The motion is predicted, not solved",
     }[state.phase];
-    setText(this.status, `${doing} · F ${significant(state.F)}`);
+    setText(this.status, `${doing} · cost F ${significant(state.F)}`);
   }
 
   add(point) {
@@ -119,7 +119,7 @@ export class SearchPanel {
     const top = [...(last.terms ?? [])].sort((a, b) => b.value - a.value).slice(0, MOST_TERMS);
     const names = top.map((term) => term.name);
     const series = [
-      { label: "F", colour: COLOURS[0], width: 2.25 },
+      { label: "cost F", colour: COLOURS[0], width: 2.25 },
       ...top.map((term, i) => ({
         label: term.words ?? term.name,
         colour: COLOURS[i + 1],

@@ -59,6 +59,12 @@ export function takeDrops(element, studio) {
   });
 }
 
+/** Where something is from; of a robot that was dropped onto the page its file's name. */
+const placeOf = (path) => {
+  const dropped = /-dropped-\d+\/(.+)$/.exec(path ?? "");
+  return dropped ? `dropped: ${dropped[1]}` : path;
+};
+
 export class StartPage {
   constructor(studio) {
     this.studio = studio;
@@ -143,12 +149,12 @@ export class StartPage {
       this.link(path, words(name), about),
     );
     fill(this.assemblies, made);
-    const recent = (found.recent ?? []).map(({ path, words, name }) =>
-      this.link(path, name ?? words ?? path, path),
+    const recent = (found.recent ?? []).map(({ path, words, opened }) =>
+      this.link(path, words || path, [opened, placeOf(path)].filter(Boolean).join(", ")),
     );
     fill(this.recent, recent.length ? recent : h("li.empty", {}, "Nothing yet."));
     const unsaved = (found.unsaved ?? []).map(({ path, name, origin, begun }) =>
-      this.link(path, name, [origin, begun].filter(Boolean).join(", ")),
+      this.link(path, name, [begun, placeOf(origin)].filter(Boolean).join(", ")),
     );
     this.unsaved.hidden = !unsaved.length;
     fill(this.unsaved, h("h2", {}, "Not saved"), h("ul.recent", {}, unsaved));
@@ -161,7 +167,7 @@ export class StartPage {
       "li",
       {},
       h("button.link", { type: "button", title: path, onClick: open }, words),
-      h("span.path", {}, below),
+      h("span.path", { title: below }, below),
     );
   }
 

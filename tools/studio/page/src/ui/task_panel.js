@@ -143,7 +143,7 @@ export class TaskPanel {
         {},
         h("summary", {}, "Style, limits, weights"),
         h("div.fields.two", {}, pick(true)),
-        h("h3", {}, "Weights of the terms of F"),
+        h("h3", {}, "Weights of the terms of the cost F"),
         this.terms,
       ),
     ];

@@ -7,8 +7,9 @@ import { SceneView } from "../scene/scene_view.js";
 import { ChangesPanel } from "./changes_panel.js";
 import { CostPanel, FaultsPanel } from "./cost_panel.js";
 import { menuButton } from "./dialogs.js";
+import { HandNote } from "./hand_note.js";
 import { HeldBounds } from "./held_bounds.js";
-import { JobStatus } from "./job_status.js";
+import { JobProgress } from "./job_progress.js";
 import { JudgePanel } from "./judge_panel.js";
 import { ParameterList } from "./parameter_list.js";
 import { PhysicsPanel } from "./physics_panel.js";
@@ -54,6 +55,8 @@ export class Workspace {
     this.undo = iconButton("undo", "Undo (ctrl z)", () => studio.command("undo"));
     this.redo = iconButton("redo", "Redo (ctrl shift z)", () => studio.command("redo"));
     this.title = h("span.document-name");
+    this.job = new JobProgress();
+    studio.store.on("job", (job) => this.job.show(job));
     this.connection = h("span.connection", { role: "status" });
     this.tabs = ["design", "simulate"].map((name) =>
       h(
@@ -91,7 +94,7 @@ export class Workspace {
       h("span.spring"),
       studio.searchButtons.element,
       h("div.segmented", { role: "group", aria: { label: "History" } }, this.undo, this.redo),
-      new JobStatus(studio).element,
+      this.job.element,
       this.connection,
       iconButton("sun", "Light or dark", switchTheme),
       iconButton("help", "Keys (?)", showShortcuts),
@@ -147,6 +150,7 @@ export class Workspace {
       this.stage,
       this.tools,
       this.hint,
+      new HandNote(studio).element,
       studio.timeline.element,
     );
     return h("div.panes", {}, this.sides[0], this.sides[2], middle, this.sides[1], this.sides[3]);
@@ -204,7 +208,7 @@ export class Workspace {
     const { studio } = this;
     const { store, view } = studio;
     store.on("document", (document) => {
-      setText(this.title, document.name);
+      setText(this.title, document.label || document.name);
       this.title.title = document.path ?? "";
       view.handles.setParameters(document.parameters, store.get("design")?.bodies ?? []);
       const places = store.get("design")?.handles;

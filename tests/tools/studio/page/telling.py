@@ -1,0 +1,179 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Tests of what the page says, names and proposes; browser_test.py runs them."""
+
+import unittest
+
+from studio_browser import ROOT, Page, Server, browser
+
+STATE = 'legwrightStudio.store.get("state")'
+
+
+class Telling(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.stack = browser()
+        cls.browser = cls.stack.__enter__()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.stack.__exit__(None, None, None)
+
+    def open(self, task, **options):
+        self.server = Server(*([str(ROOT / 'examples' / task)] if task else []))
+        self.addCleanup(self.server.close)
+        studio = Page(self.browser, self.server.url, **options)
+        self.addCleanup(studio.close)
+        if task:
+            studio.ready()
+        return studio
+
+    def test_a_line_of_the_verdict_is_shown_on_the_robot(self):
+        studio = self.open('puppy/sideways.toml')
+        studio.workspace('Simulate')
+        joint = studio.js('legwrightStudio.store.get("document").joints[1]')
+        foot = studio.js('legwrightStudio.store.get("document").feet[0]')
+        said = f'{joint["name"]}: servo at its limit for 12 % of the time'
+        marks = [
+            {'kind': 'joint', 'name': joint['name'], 'words': said},
+            {'kind': 'foot', 'name': foot, 'words': f'{foot}: slips'},
+        ]
+        studio.js(
+            """marks => legwrightStudio.take('judge', {
+              running: false, verdict: {word: 'FAIL', words: 'FAIL  walk'},
+              lines: [{words: 'saturated', passed: false, marks, numbers: {gains: 'half gains'},
+                       moment: {task: 0, time: 0.3}}]})""",
+            marks,
+        )
+        studio.button('Show me').click()
+        labels = '[...document.querySelectorAll(".mark-label:not([hidden])")]'
+        shown = f'{labels}.map((each) => each.textContent)'
+        held = 'legwrightStudio.physics.held'
+        for _ in range(2):  # a second time, from what is held
+            studio.until(held)
+            self.assertEqual(studio.js(shown), [said, f'{foot}: slips'])
+            self.assertEqual(studio.js('legwrightStudio.view.pointed[0].body'), joint['body'])
+            at = studio.js('legwrightStudio.view.recording.end')
+            self.assertAlmostEqual(at, 0.3, delta=0.2)
+            studio.button('Show me').click()
+            studio.until(f'!{held}')
+        studio.until(held)
+        studio.button('Go on').click()
+        studio.until(f'({shown}).length === 0')
+        self.assertEqual(studio.console, [])
+
+    def set_by_hand(self, studio, name, value):
+        studio.js('([n, v]) => legwrightStudio.edit(n, v, "once")', [name, value])
+        studio.until('legwrightStudio.edits.idle')
+        studio.until('([n, v]) => legwrightStudio.readParameter(n).value === v', [name, value])
+        studio.settled()
+
+    def test_what_was_set_by_hand_is_locked_before_a_search(self):
+        studio = self.open('puppy/sideways.toml')
+        note = studio.page.locator('.hand-note')
+        self.assertFalse(note.is_visible())
+        names = ['front_thigh_length', 'hind_thigh_length']
+        for name in names:
+            self.set_by_hand(studio, name, studio.value(name) + 0.003)
+        studio.page.get_by_text('Optimise may change 2 lengths that you set.').wait_for()
+        studio.page.keyboard.press('Control+z')
+        studio.page.get_by_text('Optimise may change 1 length that you set.').wait_for()
+        studio.button('Lock it').click()
+        note.wait_for(state='hidden')
+        frozen = [studio.js('n => legwrightStudio.readParameter(n).locked', n) for n in names]
+        self.assertEqual(frozen, [True, False])
+        self.assertEqual(studio.console, [])
+
+    def test_what_a_search_has_changed_is_put_back_and_locked(self):
+        studio = self.open('puppy/sideways.toml')
+        name = 'front_thigh_length'
+        wanted = studio.value(name) + 0.003
+        self.set_by_hand(studio, name, wanted)
+        studio.button('Step').click()
+        studio.until(f'{STATE}.iterations === 1')
+        studio.settled()
+        self.assertNotEqual(studio.value(name), wanted)
+        studio.page.get_by_text('The search has changed 1 length that you set.').wait_for()
+        studio.button('Put it back and lock').click()
+        studio.until('n => legwrightStudio.readParameter(n).locked', name)
+        self.assertEqual(studio.value(name), wanted)
+        studio.page.locator('.hand-note').wait_for(state='hidden')
+        self.assertEqual(studio.console, [])
+
+    def test_folders_that_are_proposed_are_free_and_named_after_what_they_are(self):
+        studio = self.open('puppy/sideways.toml')
+        folder = studio.page.get_by_label('Folder')
+
+        def proposed(item):
+            studio.button('File').click()
+            studio.page.get_by_role('menuitem', name=item).click()
+            folder.wait_for()
+            return folder.input_value()
+
+        self.assertEqual(proposed('Save'), 'runs/puppy')
+        studio.page.keyboard.press('Enter')
+        studio.page.get_by_text('Done: ').wait_for()
+        self.assertEqual(proposed('Save'), 'runs/puppy_2')
+        studio.page.keyboard.press('Escape')
+        self.assertEqual(proposed('Report'), 'runs/puppy_report')
+        studio.page.keyboard.press('Escape')
+        self.assertEqual(proposed('Export'), 'exports/puppy')
+        studio.page.keyboard.press('Escape')
+        self.assertEqual(studio.console, [])
+
+    def test_a_search_for_one_that_passes_tells_how_far_it_is(self):
+        studio = self.open('puppy/sideways.toml')
+        studio.workspace('Simulate')
+        panel = studio.page.get_by_label('Judge', exact=True)
+        bar = panel.get_by_label('Progress', exact=True)
+        shares = []
+        for job, words in [
+            ({'words': 'searching', 'done': 6, 'of': 24}, 'searching, 6 of about 24'),
+            ({'words': 'playing', 'done': 3, 'of': 0}, 'playing, 3 so far'),
+            ({'words': 'playing', 'done': 4, 'of': 0}, 'playing, 4 so far'),
+        ]:
+            job = {'what': 'optimize', 'running': True, **job}
+            studio.js('job => legwrightStudio.take("job", job)', job)
+            panel.get_by_text(words).wait_for()
+            shares.append(bar.evaluate('bar => bar.value'))
+        self.assertTrue(0 < shares[0] < shares[1] < shares[2] < 1, shares)
+        self.assertTrue(studio.button('Find one that passes…').is_disabled())
+        done = {'what': 'optimize', 'running': False, 'path': '/runs/found', 'passes': True}
+        studio.js('job => legwrightStudio.take("job", job)', done)
+        studio.button('Open the one that passes').wait_for()
+        self.assertFalse(bar.is_visible())
+        self.assertEqual(studio.console, [])
+
+    def test_a_value_at_its_bound_is_marked(self):
+        studio = self.open('puppy/sideways.toml')
+        name = 'front_thigh_length'
+        row = studio.page.locator(f'.parameter[data-name="{name}"]')
+        mark = row.locator('.at-bound')
+        self.assertFalse(mark.is_visible())
+        upper = studio.js('n => legwrightStudio.readParameter(n).upper', name)
+        self.set_by_hand(studio, name, upper)
+        mark.wait_for()
+        said = f'At its upper bound {upper:.4f} m'
+        self.assertEqual(mark.locator('.unseen').text_content(), said + ", of the robot's file")
+        self.assertTrue(mark.get_attribute('title').startswith(said))
+        self.assertIn(said, row.locator('.slider').get_attribute('aria-valuetext'))
+        lower = upper - 0.01
+        studio.js('([n, low, high]) => legwrightStudio.setBounds(n, low, high)',
+                  [name, lower, upper])
+        self.set_by_hand(studio, name, lower)
+        said = f'At its lower bound {lower:.4f} m, set here'
+        studio.until('text => document.querySelector(".at-bound .unseen").textContent === text',
+                     said)
+        self.set_by_hand(studio, name, upper - 0.005)
+        mark.wait_for(state='hidden')
+        self.assertEqual(studio.console, [])
+
+    def test_words_are_those_of_people(self):
+        studio = self.open('puppy/sideways.toml')
+        studio.js('legwrightStudio.selection.set(["front_thigh_length"])')
+        studio.page.get_by_text('slope of the cost F (dF/ds): ').wait_for()
+        text = studio.js('document.querySelector("#app").textContent')
+        for odd in ('fall of F', 'misfit', 'terms of F'):
+            self.assertNotIn(odd, text)
+        terms = studio.page.locator('.terms tr')
+        self.assertIn('of F)', terms.first.get_attribute('title'))
+        self.assertEqual(studio.console, [])

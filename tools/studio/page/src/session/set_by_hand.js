@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which values were set by hand since the last search, and what a search makes of them.
+
+const SAME = 1e-9;
+
+export class SetByHand {
+  /** @param {import("../studio.js").Studio} studio */
+  constructor(studio) {
+    this.studio = studio;
+    this.begin();
+    studio.store.on("state", (state) => state && this.follow(state));
+    studio.store.on("forgotten", () => this.begin());
+  }
+
+  begin() {
+    this.names = new Set(); // of parameters
+    this.before = null; // their values when a search began, by name
+    this.known = null; // the values since which hands count, by name
+    this.searching = false;
+  }
+
+  /** A hand has set a value. */
+  note(name) {
+    if (this.before) this.startAnew();
+    this.names.add(name);
+  }
+
+  /** A search begins: what was set by hand is remembered. */
+  searchBegins() {
+    if (!this.before) this.before = new Map(this.free().map((name) => [name, this.value(name)]));
+  }
+
+  /** What is here now is where hands begin. */
+  startAnew() {
+    this.names.clear();
+    this.before = this.known = null;
+    this.follow(this.studio.store.get("state"));
+  }
+
+  follow(state) {
+    const searching = state.phase === "searching";
+    if (searching && !this.searching) this.searchBegins();
+    this.searching = searching;
+    const { parameters } = this.studio.store.get("document") ?? {};
+    if (!this.known && parameters?.length === state.s.length)
+      this.known = new Map(parameters.map(({ name }, i) => [name, state.s[i]]));
+  }
+
+  value(name) {
+    return this.studio.readParameter(name).value;
+  }
+
+  /** What was set by hand, is not locked, and no undo has put back. */
+  free() {
+    return [...this.names].filter((name) => {
+      const { value, locked } = this.studio.readParameter(name);
+      return !locked && Math.abs(value - (this.known?.get(name) ?? value)) > SAME;
+    });
+  }
+
+  /** What a search has changed of that. */
+  changed() {
+    return [...(this.before ?? [])]
+      .filter(([name, value]) => Math.abs(this.value(name) - value) > SAME)
+      .map(([name]) => name);
+  }
+
+  /** Locks what was set; what a search has changed of it is put back first. */
+  async keep() {
+    const { studio } = this;
+    const [changed, before] = [this.changed(), this.before];
+    const names = changed.length ? changed : this.free();
+    if (this.searching) await studio.stopSearch();
+    if (changed.length) {
+      const values = Object.fromEntries(changed.map((name) => [name, before.get(name)]));
+      await studio.command("edit", { values, goes_on: false });
+    }
+    await studio.command("freeze", { names, frozen: true });
+    this.startAnew();
+  }
+}
