@@ -87,6 +87,24 @@ TEST_F(AssemblingTest, WhatWasDesignedGoesOnToTheNextBuildOfTheRobot) {
   EXPECT_EQ(build()["carried"], "") << "another assembly";
 }
 
+TEST_F(AssemblingTest, APageThatLooksAnewMissesNoNoticeOfWhatIsOpened) {
+  make_quadruped();
+  ASSERT_EQ(post("/api/assembly/build", Json::object())["status"], 200);
+  const std::string name = studio_.browser->get("/api/document")["parameters"][0]["name"];
+  post("/api/command", {{"do", "freeze"}, {"names", {name}}});
+  (void)studio_.browser->settled();
+  ASSERT_EQ(post("/api/assembly/bench", Json::object())["status"], 200);
+  const auto heard = studio_.browser->next("opened")["heard"].get<std::uint64_t>();
+  const auto told = [&](const std::string& path) {
+    const auto any = [](const std::string& kind, const Json&) { return kind == "notice"; };
+    return studio_.browser->follow(any, std::chrono::seconds(1), path);
+  };
+  const Json notice = told("/api/events?heard=" + std::to_string(heard));
+  ASSERT_TRUE(notice.is_object());
+  EXPECT_NE(notice["words"].get<std::string>().find("takes over"), std::string::npos) << notice;
+  EXPECT_TRUE(told("/api/events?heard=x").is_null()) << "no number: notices from now on";
+}
+
 TEST_F(AssemblingTest, WhatIsRefusedChangesNothing) {
   make_quadruped();
   const auto revision = told()["revision"];

@@ -54,13 +54,14 @@ class Browser {
 
   /// Follows events until one does. @return it, or null after `limit`
   Json follow(const std::function<bool(const std::string&, const Json&)>& enough,
-              std::chrono::seconds limit = std::chrono::seconds(60)) {
+              std::chrono::seconds limit = std::chrono::seconds(60),
+              const std::string& path = "/api/events") {
     const auto end = std::chrono::steady_clock::now() + limit;
     std::string text;
     Json found = nullptr;
     httplib::Client stream("127.0.0.1", std::stoi(port_));
     stream.set_read_timeout(limit.count());
-    stream.Get("/api/events", headers_, [&](const char* bytes, std::size_t count) {
+    stream.Get(path.c_str(), headers_, [&](const char* bytes, std::size_t count) {
       text.append(bytes, count);
       for (std::size_t stop; (stop = text.find("\n\n")) != std::string::npos;) {
         const std::string event = text.substr(0, stop);

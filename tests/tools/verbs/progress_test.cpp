@@ -31,6 +31,14 @@ TEST(TimeLeft, IsSilentUntilThereIsATrend) {
   EXPECT_FALSE(left.after(0, 2.0, 1.0)) << "another start has no trend yet";
 }
 
+TEST(TimeLeft, GuessesHowManyIterationsThereWillBe) {
+  TimeLeft left(1e-5, 60);
+  (void)left.after(0, 2.0, 1.0);
+  EXPECT_EQ(left.iterations(), 60) << "no trend yet: the limit";
+  for (int i = 1; i <= 8; ++i) (void)left.after(i, 1.0 + std::pow(0.5, i), 1.0);
+  EXPECT_NEAR(left.iterations(), 20, 2);
+}
+
 TEST(TimeLeft, OneOddIterationDoesNotMoveIt) {
   // The same run with and without a hiccup: a slow iteration in which F hardly falls.
   const auto told = [](bool hiccup) {

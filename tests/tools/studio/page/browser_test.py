@@ -267,7 +267,7 @@ class Studio(unittest.TestCase):
         self.assertTrue(frames['moved'])
 
     def test_a_long_job_shows_how_far_it_is(self):
-        status = self.studio.page.locator('.job-status')
+        status = self.studio.page.locator('.top-bar .job-status')
         self.studio.js(
             """path => fetch("/api/export", {
                  method: "POST", body: JSON.stringify({ path }),

@@ -79,6 +79,7 @@ class Telling(unittest.TestCase):
         studio.page.get_by_text('Optimise may change 1 length that you set.').wait_for()
         studio.button('Lock it').click()
         note.wait_for(state='hidden')
+        studio.until('n => legwrightStudio.readParameter(n).locked', names[0])
         frozen = [studio.js('n => legwrightStudio.readParameter(n).locked', n) for n in names]
         self.assertEqual(frozen, [True, False])
         self.assertEqual(studio.console, [])
