@@ -133,7 +133,7 @@ def main():
     server = Server(str(ROOT / TASK))
     with browser() as chrome:
         studio = Page(chrome, server.url)
-        studio.ready()
+        studio.ready(walking=True)
         studio.js(POINTER)
         film = Film(studio)
         play(film)

@@ -238,11 +238,13 @@ class Studio(unittest.TestCase):
         self.studio.until('!legwrightStudio.view.live')
 
     def test_a_film_is_recorded(self):
+        self.studio.js('legwrightStudio.view.setPlaying(true)')
         self.studio.button('Record').click()
         drawn = self.studio.js('legwrightStudio.view.stage.drawn')
         self.studio.until('n => legwrightStudio.view.stage.drawn > n + 8', drawn)
         with self.studio.page.expect_download() as download:
             self.studio.button('Record').click()
+        self.studio.js('legwrightStudio.view.setPlaying(false)')
         self.assertEqual(download.value.suggested_filename, 'puppy.webp')
         film = pathlib.Path(download.value.path()).read_bytes()
         frames = self.studio.js(

@@ -12,10 +12,9 @@ import time
 from playwright.sync_api import Error, sync_playwright
 
 ROOT = pathlib.Path(__file__).resolve().parents[4]
-# GL on the processor: the same pictures on every machine.
-GL = ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--no-sandbox']
-# As Chromium is where there is no graphics processor: it lays pages out without GL.
-PLAIN = ['--enable-unsafe-swiftshader', '--no-sandbox']
+# GL on the processor: the same pictures on every machine, laid out as where there is no other.
+FLAGS = ['--disable-gpu', '--enable-unsafe-swiftshader', '--no-sandbox']
+DRIVER = 'GL Driver Message'  # Chromium's, where pixels are read back
 
 
 def program():
@@ -59,9 +58,9 @@ class Server:
 
 
 @contextlib.contextmanager
-def browser(flags=GL):
+def browser():
     with sync_playwright() as playwright:
-        started = playwright.chromium.launch(executable_path=chromium(), args=flags)
+        started = playwright.chromium.launch(executable_path=chromium(), args=FLAGS)
         yield started
         started.close()
 
@@ -79,11 +78,15 @@ class Page:
         self.page = self.context.new_page()
         self.page.set_default_timeout(60000)
         self.console = []
-        self.page.on('console', lambda message: self.console.append(message.text))
+        self.page.on('console', lambda message: self.say(message.text))
         self.page.on('pageerror', lambda error: self.console.append(str(error)))
         if cut:
             self.page.route(*cut)
         self.page.goto(url)
+
+    def say(self, text):
+        if DRIVER not in text:
+            self.console.append(text)
 
     def js(self, expression, *arguments):
         return self.page.evaluate(expression, *arguments)
@@ -97,13 +100,15 @@ class Page:
                 raise TimeoutError(f'{expression} does not hold; console: {self.console}')
             self.page.wait_for_timeout(20)
 
-    def ready(self):
-        """Waits until a robot is shown and its motion is solved."""
+    def ready(self, walking=False):
+        """Waits until a robot is shown and its motion is solved. Its walk halts unless it is asked
+        for: a picture that moves takes a processor."""
         self.until(
             'globalThis.legwrightStudio?.store.get("motion") && legwrightStudio.isOpen() && '
             'legwrightStudio.view.framed'
         )
         self.settled()
+        self.js('walking => legwrightStudio.view.setPlaying(walking)', walking)
 
     def settled(self):
         self.until(
