@@ -21,8 +21,8 @@ import { Ground } from "./ground.js";
 const EVERY = 28; // ms between pictures in software: every other of a screen's
 const SLOW = 42; // ms between pictures in software, on average of so many, from which on they
 const SLOW_COUNT = 12; // are drawn with fewer pixels
-const COARSE = 0.75; // pixels for one of the page, then,
-const HELD = 0.5; // and while a hand moves the body, whose every step takes the server's time, too
+const COARSE = 0.75; // pixels for one of the page, then
+const HELD = 0.5; // the same while a hand moves the body: each step takes the server's time, too
 const REST = 350; // ms without a change after which a picture is drawn finely
 const PALETTE = {
   light: { sky: 0xe9ecf0, line: 0xb9c1ca, minor: 0xd5dae0, ambient: 1.15 },
@@ -190,15 +190,15 @@ export class Stage {
   ratio() {
     if (!this.software) return Math.min(devicePixelRatio, 2);
     if (this.fine) return 2;
-    if (!this.coarse) return 1;
-    return this.held ? HELD : COARSE;
+    if (this.held) return HELD;
+    return this.coarse ? COARSE : 1;
   }
 
   /** Says whether a hand moves the body at present. */
   setHeld(held) {
     if (this.held === held) return;
     this.held = held;
-    if (this.coarse && !this.fine) this.setFine(false);
+    if (this.software && !this.fine) this.setFine(false);
   }
 
   resize() {
