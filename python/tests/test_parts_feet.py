@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 import trimesh
 from legwright import InputError, parts
+from legwright.parts._beam import Load, pegs_bear
 from legwright.parts._feet import foot_solid, peg_of, peg_solid, socket_size
 from legwright.parts._holes import Fixing
 from legwright.parts._robot import Shape
@@ -50,6 +51,21 @@ def test_a_peg_reaches_the_middle_of_the_ball_and_the_socket_is_narrower():
 @pytest.mark.parametrize('how', [{'kind': 'box'}, {'of': 'servo'}, {'screw': 'M2'}])
 def test_other_feet_and_those_with_screws_get_no_peg(how):
     assert peg_of(fixing(**how), 0.15) is None
+
+
+def test_a_peg_that_is_too_weak_for_the_ground_s_force_fails():
+    solid = SimpleNamespace(pegs=(peg_of(fixing(), 0.15),), link=SimpleNamespace(body=1))
+    part = SimpleNamespace(name='shank', solid=solid, solids=(solid,))
+    load = Load('t = 0.10 s', np.array([4.0, 0, 10]), np.array([0, 0, -0.012]), 0.0)
+    bending = 4 * 24.15 / (math.pi * 3.6**3 / 4)
+    normal, shear = 10 / (math.pi * 3.6**2), 1.5 * 4 / (math.pi * 3.6**2)
+    stress = math.sqrt((bending + normal) ** 2 + 3 * shear**2)
+    (check,) = pegs_bear(part, {1: [load]}, parts.PartOptions(strength=3 * stress))
+    assert check.passed and check.figure == pytest.approx(3, rel=2e-3)
+    (check,) = pegs_bear(part, {1: [load]}, parts.PartOptions(strength=1.5 * stress))
+    assert not check.passed and 't = 0.10 s' in check.where and 'larger foot' in check.remedy
+    (check,) = pegs_bear(part, {1: []}, parts.PartOptions())
+    assert not check.passed, 'what has no load was not looked at'
 
 
 def test_each_foot_of_the_puppy_stands_on_a_peg_of_its_shank(dog, tmp_path):

@@ -14,7 +14,7 @@ from legwright.parts._checks import Check, at_least
 from legwright.parts._gait import PLANNED, results_of
 from legwright.parts._options import PartOptions
 from legwright.parts._robot import BuiltRobot
-from legwright.parts._sections import Section, sections_of
+from legwright.parts._sections import Section, disc, sections_of
 from legwright.parts._shapes import MM
 from legwright.parts._solids import Part, Solid
 from legwright.parts._words import Array
@@ -194,6 +194,26 @@ def _bears_gait(
     return at_least(part.name, name, factor, options.safety, '', words, _REMEDY)
 
 
+def pegs_bear(part: Part, loads: dict[int, list[Load]], options: PartOptions) -> list[Check]:
+    """Each peg where it leaves the part, under the ground's force on its foot."""
+    out = []
+    for k in range(len(part.solid.pegs)):
+        stress, when = 0.0, 'the plan has no force on its foot'
+        for solid in part.solids:
+            own = solid.pegs[k]
+            root = disc(own.start - own.begins * own.axis, own.axis, own.radius)
+            for load in loads[solid.link.body]:
+                found = root.stress(load.force, np.cross(MM * load.place - root.centre, load.force))
+                if found > stress:
+                    stress, when = found, load.when
+        words = f'{stress:.1f} of {options.strength:g} MPa, {when}'
+        factor = options.strength / stress if stress > 0 else 0.0
+        cure = 'a larger foot, one whose module file has screws, or --strength of another material'
+        name, least = 'peg bears the gait', options.safety
+        out.append(at_least(part.name, name, factor, least, '', words, cure))
+    return out
+
+
 def run_loads(robot: BuiltRobot, run: Path) -> dict[int, list[Load]]:
     """What the plans of a run put on each link, by its body."""
     loads: dict[int, list[Load]] = {}
@@ -214,5 +234,6 @@ def check_beams(
             continue
         if loads:
             out.append(_bears_gait(robot, part, sections, loads, options))
+            out += pegs_bear(part, loads, options)
         out.append(_bears_servo(robot, part, sections, options.strength))
     return out

@@ -57,6 +57,14 @@ def _polygon_moments(points: Array) -> tuple[float, Array, Array]:
     return float(cross.sum() / 2), first, second
 
 
+def disc(centre: Array, axis: Array, radius: float, corners: int = 64) -> Section:
+    """The section of a round rod at a point of it [mm]."""
+    angles = 2 * math.pi * np.arange(corners) / corners
+    rim = radius * np.column_stack([np.cos(angles), np.sin(angles)])
+    moments = math.pi * radius**4 / 4 * np.eye(2)
+    return Section(0.0, centre, frame_along(axis), math.pi * radius**2, moments, rim)
+
+
 def sections_of(shape: Manifold, start: Array, end: Array, shares: Array) -> list[Section]:
     """The sections of a solid across the line from one point to another, where there are some."""
     way = end - start
