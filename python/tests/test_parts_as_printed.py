@@ -107,7 +107,7 @@ def test_it_walks_and_is_an_ordinary_run(made, tmp_path):
 def test_a_run_that_fails_as_planned_says_so(run, made, tmp_path):
     ice = changed(run, tmp_path / 'ice', 'friction="0.8 ', 'friction="0.01 ')
     files = {f'{p.name}.stl': (made.folder / f'{p.name}.stl').read_bytes() for p in made.parts}
-    files |= as_printed(made.robot, made.parts, ice)
+    files |= as_printed(made.robot, made.parts, ice, made.folder)
     check = of_walks(check_as_printed(files, made.parts, ice))
     assert not check.passed
     assert check.remedy.startswith('as planned it fails, too')
@@ -117,11 +117,19 @@ def test_a_run_that_fails_as_planned_says_so(run, made, tmp_path):
 def test_a_robot_without_the_inertial_is_refused(run, made, tmp_path):
     bare = changed(run, tmp_path / 'bare', '<inertial pos="0 0.0035 -0.0238"', '<!-- x --><site')
     with pytest.raises(lw.InputError, match='FL_thigh_boss: expected one <inertial>'):
-        as_printed(made.robot, made.parts, bare)
+        as_printed(made.robot, made.parts, bare, made.folder)
 
 
 def test_a_folder_that_is_no_whole_run_has_none(run, made, tmp_path):
     half = tmp_path / 'half'
     shutil.copytree(run, half)
     (half / 'run.json').unlink()
-    assert as_printed(made.robot, made.parts, half) == {}
+    assert as_printed(made.robot, made.parts, half, made.folder) == {}
+
+
+def test_parts_in_their_own_run_are_no_part_of_it(run, made, tmp_path):
+    whole = tmp_path / 'run'
+    shutil.copytree(run, whole)
+    first = as_printed(made.robot, made.parts, whole, whole / 'parts')
+    shutil.copytree(made.folder, whole / 'parts')
+    assert as_printed(made.robot, made.parts, whole, whole / 'parts') == first

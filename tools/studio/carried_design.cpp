@@ -15,14 +15,14 @@ namespace {
 
 /// What became of the parameters, by their names.
 struct CarriedNames {
-  std::vector<std::string> taken, at_bound, gone;
+  std::vector<std::string> taken, at_bound, fixed, locked, gone;
 };
 
 /// @return why the tasks do not fit; empty where they do, and were taken
 std::string take_tasks(const std::string& text, Opening& opening) {
   std::string first = std::exchange(opening.text, text);
   try {
-    check_fit(opening);
+    (void)check_fit(opening);
     return {};
   } catch (const InputError& error) {
     opening.text = std::move(first);
@@ -33,7 +33,7 @@ std::string take_tasks(const std::string& text, Opening& opening) {
 CarriedNames take_values(const CarriedDesign& carried, Opening& opening) {
   CarriedNames names;
   session::Edit edit;
-  const DesignSpace& space = opening.robot->space;
+  const DesignSpace space = check_fit(opening);
   for (const auto& [name, value] : carried.values) {
     const int i = space.find(name);
     if (i < 0) {
@@ -41,16 +41,24 @@ CarriedNames take_values(const CarriedDesign& carried, Opening& opening) {
       continue;
     }
     const DesignParameter& parameter = space.parameters[static_cast<std::size_t>(i)];
+    if (parameter.frozen()) {
+      names.fixed.push_back(name);
+      continue;
+    }
     const double within = std::clamp(value, parameter.lower, parameter.upper);
     names.taken.push_back(name);
     if (within != value) names.at_bound.push_back(name);
     edit.values[name] = within;
   }
   if (!edit.values.empty()) opening.commands.push_back(std::move(edit));
-  session::Freeze locks;
-  for (const std::string& name : carried.locked)
-    if (space.find(name) >= 0) locks.names.push_back(name);
-  if (!locks.names.empty()) opening.commands.push_back(std::move(locks));
+  for (const std::string& name : carried.locked) {
+    if (const int i = space.find(name); i < 0) {
+      if (!carried.values.contains(name)) names.gone.push_back(name);
+    } else if (!space.parameters[static_cast<std::size_t>(i)].frozen()) {
+      names.locked.push_back(name);
+    }
+  }
+  if (!names.locked.empty()) opening.commands.push_back(session::Freeze{names.locked});
   return names;
 }
 
@@ -65,7 +73,7 @@ CarriedDesign carried_of(const SessionState& state, const std::string& opened_te
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const double value = state.s()[static_cast<Eigen::Index>(i)];
     if (value != parameters[i].initial) out.values[parameters[i].name] = value;
-    if (state.frozen[i]) out.locked.push_back(parameters[i].name);
+    if (state.frozen[i] && !parameters[i].frozen()) out.locked.push_back(parameters[i].name);
   }
   return out;
 }
@@ -84,6 +92,11 @@ std::string carry_over(const CarriedDesign& carried, Opening& opening) {
     told.push_back(fmt::format("Values of before: {}.", fmt::join(names.taken, ", ")));
   if (!names.at_bound.empty())
     told.push_back(fmt::format("At their new bounds: {}.", fmt::join(names.at_bound, ", ")));
+  if (!names.fixed.empty())
+    told.push_back(fmt::format("Not taken over, as this robot or its task holds them: {}.",
+                               fmt::join(names.fixed, ", ")));
+  if (!names.locked.empty())
+    told.push_back(fmt::format("Locked as before: {}.", fmt::join(names.locked, ", ")));
   if (!names.gone.empty())
     told.push_back(fmt::format("Not taken over, as this robot has no such parameters: {}.",
                                fmt::join(names.gone, ", ")));

@@ -15,7 +15,7 @@ namespace legwright {
 struct CarriedDesign {
   std::string text;                      // of its tasks; empty: those that it was opened with
   std::map<std::string, double> values;  // of parameters that are not as given
-  std::vector<std::string> locked;
+  std::vector<std::string> locked;       // by hand
 };
 
 /// @param opened_text of the tasks that it was opened with

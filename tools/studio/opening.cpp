@@ -96,10 +96,10 @@ Opening open_run_folder(const fs::path& folder, const FileReach& reach) {
 
 }  // namespace
 
-void check_fit(const Opening& opening) {
+DesignSpace check_fit(const Opening& opening) {
   TaskSet set = parse_task_tables(opening.text, opening.file);
   set.robot = opening.robot->file;
-  (void)make_problem(std::move(set), *opening.robot);
+  return make_problem(std::move(set), *opening.robot).robot.space;
 }
 
 Opening open_robot(RobotModel robot, const fs::path& origin) {

@@ -32,8 +32,9 @@ struct Opening {
 /// @param paths what may be read
 Opening open_path(const std::filesystem::path& path, const AllowedPaths& paths);
 
-/// Throws InputError where tasks and robot do not fit: before what is open is closed for them.
-void check_fit(const Opening& opening);
+/// The design parameters within the bounds of the tasks. Throws InputError where tasks and robot do
+/// not fit: before what is open is closed for them.
+DesignSpace check_fit(const Opening& opening);
 
 /// A robot and the first task by its size. Throws InputError where there is none for it.
 Opening open_robot(RobotModel robot, const std::filesystem::path& origin);

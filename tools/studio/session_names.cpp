@@ -32,10 +32,10 @@ bool is_kept_folder(const std::string& name) {
 
 /// The name of a file, else of the nearest two folders above it; empty where they say nothing.
 std::string name_by_path(const fs::path& file) {
-  if (const std::string stem = file.stem().string(); !is_anyones(stem)) return stem;
+  if (std::string stem = file.stem().string(); !is_anyones(stem)) return stem;
   fs::path above = file.parent_path();
   for (int k = 0; k < 2; ++k, above = above.parent_path()) {
-    const std::string folder = above.filename().string();
+    std::string folder = above.filename().string();
     if (is_kept_folder(folder)) break;
     if (!is_anyones(folder)) return folder;
   }
@@ -58,9 +58,12 @@ std::string robot_label(const std::string& model, const fs::path& origin, const 
 }
 
 std::string session_name(const std::string& label, const fs::path& origin) {
-  std::string own = origin.stem().string();
-  std::replace(own.begin(), own.end(), '_', ' ');
-  if (origin.extension() == ".toml") return own == label ? label : label + ", " + own;
+  if (origin.extension() == ".toml") {
+    std::string own = origin.stem().string();
+    if (own == label) return label;
+    std::replace(own.begin(), own.end(), '_', ' ');
+    return label + ", " + own;
+  }
   if (origin.extension() == ".xml" || origin.empty()) return label;
   const std::string run = origin.filename().string();
   return run == label ? label : label + ", run " + run;

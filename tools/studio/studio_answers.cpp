@@ -125,7 +125,8 @@ Json StudioService::get_start(const StudioRequest&) {
 
 /// The path ?path=, where nothing is there yet; else one that is free and begins with it.
 Json StudioService::get_free(const StudioRequest& request) {
-  const std::filesystem::path asked = query_of(request, "path");
+  std::filesystem::path asked = query_of(request, "path");
+  if (!asked.has_filename()) asked = asked.parent_path();  // "runs/mine/"
   if (asked.empty()) throw InputError("'path' is missing: a folder or file to be written");
   const std::string stem = (asked.parent_path() / asked.stem()).string();
   std::string path = asked.string();

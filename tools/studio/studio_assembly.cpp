@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Answers about robots that are assembled of modules.
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -90,12 +91,13 @@ Json StudioService::post_build(const StudioRequest&) {
   opening.origin = assembly->origin();
   opening.of_modules = true;
   const std::lock_guard opening_lock(opening_);
-  std::string carried;
+  std::optional<CarriedDesign> before;
   {
     const std::lock_guard lock(mutex_);
     first_text_ = opening.text;
-    if (carried_) carried = carry_over(*carried_, opening);
+    before = carried_;
   }
+  const std::string carried = before ? carry_over(*before, opening) : "";
   take(std::move(opening));
   for (const std::string& note : notes) hub_.notice("info", note);
   if (!carried.empty()) hub_.notice("info", carried);

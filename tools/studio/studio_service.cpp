@@ -89,7 +89,7 @@ void StudioService::take(Opening opening) {
   std::shared_ptr<Workspace> next;
   std::unique_ptr<SessionFolder> folder;
   if (opening.robot) {
-    check_fit(opening);
+    (void)check_fit(opening);
     const RobotModel& robot = *opening.robot;
     const fs::path& origin = opening.origin;
     opening.label = robot_label(robot.morphology.name, origin, robot.file);

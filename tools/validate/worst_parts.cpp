@@ -11,15 +11,17 @@ namespace {
 constexpr std::size_t kMostParts = 3;
 constexpr double kShareOfWorst = 0.5;
 
+double value_of(const WorstPart& part) { return part.value.value_or(0.0); }
+
 std::vector<WorstPart> worst_of(std::vector<WorstPart> parts) {
+  // What is no number goes first: it has no place in an order.
+  std::erase_if(parts, [](const WorstPart& part) { return !(value_of(part) > 0.0); });
   std::stable_sort(parts.begin(), parts.end(), [](const WorstPart& a, const WorstPart& b) {
-    return a.value.value_or(0.0) > b.value.value_or(0.0);
+    return value_of(a) > value_of(b);
   });
   if (parts.size() > kMostParts) parts.resize(kMostParts);
-  const double least = parts.empty() ? 0.0 : kShareOfWorst * parts.front().value.value_or(0.0);
-  std::erase_if(parts, [&](const WorstPart& part) {
-    return !(part.value.value_or(0.0) >= least && part.value.value_or(0.0) > 0.0);
-  });
+  const double least = parts.empty() ? 0.0 : kShareOfWorst * value_of(parts.front());
+  std::erase_if(parts, [&](const WorstPart& part) { return value_of(part) < least; });
   return parts;
 }
 

@@ -48,7 +48,7 @@ FirstMotionOptions first_motion_of(const OptimizeOptions& options, const StopAsk
   FirstMotionOptions out{options.motion_only ? options.starts : 0, options.seed};
   out.go_on = [stop] { return !stop(); };
   out.threads = all_threads(options);
-  if (out.perturbations > 0 && !options.quiet)
+  if (out.perturbations > 0 && !options.quiet && !options.progress)
     out.tell = [](const std::string& start, double F) {
       fmt::print(stderr, "motion from {}: F {:.5g}\n", start, F);
     };

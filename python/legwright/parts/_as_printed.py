@@ -89,11 +89,14 @@ def _with_inertials(text: str, inertials: Sequence[_Inertial], file: Path) -> st
     return text
 
 
-def as_printed(robot: BuiltRobot, parts: Sequence[Part], run: Path) -> dict[str, bytes]:
+def as_printed(
+    robot: BuiltRobot, parts: Sequence[Part], run: Path, folder: Path
+) -> dict[str, bytes]:
     """The files of the run, whose results weigh what is printed of their links.
 
     Empty where the run has no run.json: what is no whole run cannot be played. The trunk weighs
-    what its module does, as does a foot that stands on a peg.
+    what its module does, as does a foot that stands on a peg. `folder`, where parts are written,
+    may be in the run and is left out of it.
     """
     if not (run / 'run.json').is_file():
         return {}
@@ -108,10 +111,11 @@ def as_printed(robot: BuiltRobot, parts: Sequence[Part], run: Path) -> dict[str,
     if (run / 'result').is_dir():
         results.add(Path('result'))
     weighed = {result / name for result in results for name in ('robot.xml', 'scene.xml')}
+    written = folder.resolve()
     files = {}
     for file in sorted(path for path in run.rglob('*') if path.is_file()):
         name = file.relative_to(run)
-        if _LEFT_OUT.fullmatch(name.as_posix()):
+        if file.resolve().is_relative_to(written) or _LEFT_OUT.fullmatch(name.as_posix()):
             continue
         try:
             data = file.read_bytes()

@@ -200,7 +200,7 @@ def make(
     sheet, pictures = assembly_files(built, parts, rows)
     files |= sheet
     files['bom.md'] = bill_markdown(built, parts, rows).encode()
-    files |= as_printed(built, parts, path)
+    files |= as_printed(built, parts, path, place)
     checks += check_as_printed(files, parts, path)
     document = {
         'schema': SCHEMA,

@@ -66,9 +66,8 @@ TEST_F(AssemblingTest, WhatWasDesignedGoesOnToTheNextBuildOfTheRobot) {
   for (int again = 0; again < 2; ++again) {
     ASSERT_EQ(post("/api/assembly/bench", Json::object())["status"], 200);
     const std::string carried = build()["carried"];
-    EXPECT_NE(carried.find("The task is that of before. Values of before: " + name),
-              std::string::npos)
-        << carried;
+    EXPECT_EQ(carried, "The task is that of before. Values of before: " + name +
+                           ". Locked as before: " + name + ".");
     const Json state = studio_.browser->next("state");
     EXPECT_EQ(state["s"][0], value);
     EXPECT_EQ(state["frozen"][0], true);

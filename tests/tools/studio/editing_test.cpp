@@ -195,6 +195,7 @@ TEST_F(EditingTest, ASavedSessionIsTakenUpFromItsRun) {
   EXPECT_EQ(start["recent"][1]["words"], "puppy, sideways");
   EXPECT_EQ(start["unsaved"][0]["name"], "puppy, sideways");
   EXPECT_EQ(browser_.get("/api/free?path=runs/mine")["path"], "runs/mine_2");
+  EXPECT_EQ(browser_.get("/api/free?path=runs/mine/")["path"], "runs/mine_2") << "beside, not in";
   EXPECT_EQ(browser_.get("/api/free?path=runs/other")["path"], "runs/other");
   EXPECT_EQ(browser_.get("/api/free?path=/etc/mine")["status"], 400);
   ASSERT_EQ(start["unsaved"].size(), 1U) << "what came after it was saved is kept";

@@ -8,7 +8,7 @@ export class SetByHand {
   constructor(studio) {
     this.studio = studio;
     this.begin();
-    studio.store.on("state", (state) => state && this.follow(state));
+    studio.store.on("state", (state) => this.follow(state));
     studio.store.on("forgotten", () => this.begin());
   }
 
@@ -38,6 +38,7 @@ export class SetByHand {
   }
 
   follow(state) {
+    if (!state) return; // nothing is open
     const searching = state.phase === "searching";
     if (searching && !this.searching) this.searchBegins();
     this.searching = searching;
