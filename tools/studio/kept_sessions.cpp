@@ -39,6 +39,12 @@ int lock_of(const fs::path& folder) {
   return -1;
 }
 
+/// Empty where there is none, or something else: somebody's edit.
+std::string text_in(const Json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
 /// A folder of a new name that sorts by time.
 fs::path new_folder(const fs::path& above, const std::string& name) {
   fs::create_directories(above);
@@ -110,8 +116,8 @@ std::optional<KeptSession> kept_session(const fs::path& folder) {
         fs::is_regular_file(folder / kKeptAssembly, none)))
     return std::nullopt;
   const Json about = read_json(folder / "about.json", "remove the folder");
-  return KeptSession{folder, about.value("origin", ""), about.value("name", ""),
-                     about.value("begun", "")};
+  return KeptSession{folder, text_in(about, "origin"), text_in(about, "name"),
+                     text_in(about, "begun")};
 }
 
 std::vector<KeptSession> KeptSessions::left_behind() const {
@@ -143,6 +149,7 @@ void KeptSessions::remove(const fs::path& folder) {
 fs::path KeptSessions::new_robot_folder() const { return new_folder(root_ / "robots", "dropped"); }
 
 void KeptSessions::note_recent(const fs::path& path, const std::string& words) const {
+  const std::lock_guard lock(recent_mutex_);
   Json kept = Json::array({{{"path", path.string()}, {"words", words}, {"opened", clock_words()}}});
   for (const Json& one : recent())
     if (one["path"] != path.string() && kept.size() < kRecentKept) kept.push_back(one);
@@ -160,8 +167,8 @@ Json KeptSessions::recent() const {
     if (one.is_object() && one.contains("path") && one["path"].is_string() &&
         fs::exists(one["path"].get<std::string>(), none))
       out.push_back({{"path", one["path"]},
-                     {"words", one.value("words", "")},
-                     {"opened", one.value("opened", "")}});
+                     {"words", text_in(one, "words")},
+                     {"opened", text_in(one, "opened")}});
   return out;
 }
 

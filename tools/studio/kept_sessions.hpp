@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -80,6 +81,7 @@ class KeptSessions {
                                              const std::string& name) const;
 
   std::filesystem::path root_;
+  mutable std::mutex recent_mutex_;  // of its file: requests and jobs both note
 };
 
 /// The origin of a kept session, or nothing where the folder is none.

@@ -5,9 +5,11 @@
 #include <fmt/format.h>
 #include <httplib.h>
 
+#include <algorithm>
 #include <atomic>
 #include <charconv>
 #include <chrono>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -203,7 +205,8 @@ struct StudioServer::Parts {
       return refuse(response, 429,
                     fmt::format("{} pages follow this studio already; close one", kStreams));
     }
-    const std::uint64_t joined = heard_so_far(request).value_or(studio.hub().now());
+    const std::uint64_t joined =
+        std::min(heard_so_far(request).value_or(UINT64_MAX), studio.hub().now());
     response.set_chunked_content_provider(
         "text/event-stream",
         [this, joined, last = std::uint64_t{0}](std::size_t, httplib::DataSink& sink) mutable {

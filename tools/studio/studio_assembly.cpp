@@ -94,6 +94,8 @@ Json StudioService::post_build(const StudioRequest&) {
   std::optional<CarriedDesign> before;
   {
     const std::lock_guard lock(mutex_);
+    if (workspace_ && opened_.of_modules)  // built again, as by a second page
+      carried_ = carried_of(*workspace_->session().snapshot()->state, first_text_);
     first_text_ = opening.text;
     before = carried_;
   }
@@ -113,7 +115,7 @@ Json StudioService::post_bench(const StudioRequest&) {
     if (!workspace_) return false;
     const SnapshotPointer last = workspace_->session().snapshot();
     carried_ = carried_of(*last->state, first_text_);
-    return last->can_undo;
+    return !is_untouched(*last);
   }();
   leave();
   hub_.forget("");

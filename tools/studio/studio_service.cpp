@@ -20,6 +20,12 @@ std::optional<fs::path> left_of(const KeptSessions& kept, const fs::path& origin
   return std::nullopt;
 }
 
+/// Whether two states ask for the same, however far their motions are solved.
+bool same_wishes(const SessionState& a, const SessionState& b) {
+  return a.problem == b.problem && a.s() == b.s() && a.frozen == b.frozen && a.lower == b.lower &&
+         a.upper == b.upper && a.weights == b.weights;
+}
+
 }  // namespace
 
 StudioService::StudioService(StudioOptions options)
@@ -35,16 +41,22 @@ StudioService::~StudioService() {
   leave();
 }
 
+/// By mutex_: whether nothing was done since the robot was opened, with what was carried over.
+bool StudioService::is_untouched(const SessionSnapshot& last) const {
+  const bool as_begun = !last.can_undo || (began_ && same_wishes(*began_, *last.state));
+  return as_begun && last.names.empty();
+}
+
 void StudioService::leave() {
   const std::lock_guard lock(mutex_);
   if (workspace_ && folder_) {
     const SnapshotPointer last = workspace_->session().snapshot();
-    const bool untouched = !last->can_undo && last->names.empty();
-    if (untouched || saved_ == last->state) folder_->forget();
+    if (is_untouched(*last) || saved_ == last->state) folder_->forget();
   }
   workspace_.reset();
   folder_.reset();
   saved_.reset();
+  began_.reset();
 }
 
 bool StudioService::stands_in(const fs::path& run) const {
@@ -80,6 +92,30 @@ void StudioService::open(const std::string& path) {
                                     left->string()));
 }
 
+/// Where it fails, nothing is open any more but an assembly on its bench, and pages are told so.
+std::shared_ptr<Workspace> StudioService::make_workspace(RobotModel robot,
+                                                         const SessionFolder& folder,
+                                                         Opening& opening) {
+  try {
+    return std::make_shared<Workspace>(
+        WorkspaceBegin{std::move(robot), opening.text, opening.file, folder.journal(),
+                       std::move(opening.commands)},
+        hub_, meshes_);
+  } catch (...) {
+    {
+      const std::lock_guard lock(mutex_);
+      opened_ = {};
+      carried_.reset();
+      if (bench_) {
+        opened_.origin = bench_->origin();
+        opened_.assembly = "";
+      }
+    }
+    tell_opened();
+    throw;
+  }
+}
+
 void StudioService::take(Opening opening) {
   if (opening.assembly) {
     take_assembly(std::move(opening));
@@ -100,10 +136,7 @@ void StudioService::take(Opening opening) {
     copy.morphology.name = robot.morphology.name;
     leave();  // from now on nothing of what was may be told
     hub_.forget("");
-    next =
-        std::make_shared<Workspace>(WorkspaceBegin{std::move(copy), opening.text, opening.file,
-                                                   folder->journal(), std::move(opening.commands)},
-                                    hub_, meshes_);
+    next = make_workspace(std::move(copy), *folder, opening);
     folder->keep();
     if (!opening.taken_up.empty()) KeptSessions::remove(opening.taken_up);
     if (!opening.of_modules) kept_.note_recent(origin, name);
@@ -111,6 +144,7 @@ void StudioService::take(Opening opening) {
   }
   {
     const std::lock_guard lock(mutex_);
+    if (next && opening.of_modules) began_ = next->session().snapshot()->state;
     workspace_ = std::move(next);
     folder_ = std::move(folder);
     if (!opening.of_modules) {

@@ -105,6 +105,8 @@ class StudioService {
   std::string label() const;
 
   void take(Opening opening);
+  std::shared_ptr<Workspace> make_workspace(RobotModel robot, const SessionFolder& folder,
+                                            Opening& opening);
   void take_assembly(Opening opening);
   /// A trunk alone, to which modules are put.
   void open_new_assembly();
@@ -118,6 +120,7 @@ class StudioService {
   /// A folder in that of the session.
   std::filesystem::path scratch(const std::string& name) const;
   void tell_opened();
+  bool is_untouched(const SessionSnapshot& last) const;
   /// Closes what is open. A session whose state was saved, or in which nothing was done, need not
   /// be kept.
   void leave();
@@ -144,6 +147,7 @@ class StudioService {
   };
   std::vector<Judged> judged_;
   StatePointer saved_;              // what was saved last
+  StatePointer began_;              // with which a robot of modules was opened
   std::filesystem::path saved_at_;  // the run that holds it
   JobRunner judge_{hub_, "judge"}, jobs_{hub_, "job"};
 };

@@ -26,7 +26,7 @@ from legwright.parts._words import Array
 FOLDER = 'as_printed'
 """Of the run, in the folder of parts."""
 _LEFT_OUT = re.compile(
-    r'candidates/.*|.*\.(png|webp|html|md)|.*/(verdict|comparison|numerics|robustness|matrix)\.json'
+    r'candidates/.*|((tasks/[^/]+/)?(result|iterations/\d+)/)?[^/]+\.(png|webp|html|md)|.*/(verdict|comparison|numerics|robustness|matrix)\.json'
     r'|.*/playback_\w+\.csv|checkpoint.*|.*/validation_\w+\.json|(.*/)?\..*'
 )
 """What is of the masses that were planned: verdicts and pictures."""

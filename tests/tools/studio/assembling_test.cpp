@@ -72,6 +72,8 @@ TEST_F(AssemblingTest, WhatWasDesignedGoesOnToTheNextBuildOfTheRobot) {
     EXPECT_EQ(state["s"][0], value);
     EXPECT_EQ(state["frozen"][0], true);
     EXPECT_EQ(document()["tasks"][0]["velocity"][0], 0.031);
+    EXPECT_EQ(studio_.browser->get("/api/start")["unsaved"].size(), 1U)
+        << "what was only carried over is no work that may be missed";
   }
   ASSERT_EQ(post("/api/assembly/bench", Json::object())["status"], 200);
   ASSERT_EQ(post("/api/assembly", {{"do", "set"},

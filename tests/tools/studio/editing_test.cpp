@@ -194,6 +194,12 @@ TEST_F(EditingTest, ASavedSessionIsTakenUpFromItsRun) {
   EXPECT_EQ(start["recent"][0]["opened"].get<std::string>().size(), 16U);
   EXPECT_EQ(start["recent"][1]["words"], "puppy, sideways");
   EXPECT_EQ(start["unsaved"][0]["name"], "puppy, sideways");
+  const auto recent = studio_.folder.path() / "state/recent.json";
+  ASSERT_TRUE(std::filesystem::is_regular_file(recent)) << recent;
+  Json edited = Json::parse(read_file(recent));
+  edited[0]["words"] = 7;
+  write_file(recent, to_text(edited));
+  EXPECT_EQ(browser_.get("/api/start")["recent"][0]["words"], "") << "somebody's edit";
   EXPECT_EQ(browser_.get("/api/free?path=runs/mine")["path"], "runs/mine_2");
   EXPECT_EQ(browser_.get("/api/free?path=runs/mine/")["path"], "runs/mine_2") << "beside, not in";
   EXPECT_EQ(browser_.get("/api/free?path=runs/other")["path"], "runs/other");

@@ -58,7 +58,9 @@ class Apart(unittest.TestCase):
         page.until(f'top => document.querySelector(\'[data-name="{name}"] .slider\')'
                    '.getBoundingClientRect().y < top - 60', top)
         self.assertEqual(page.value(name), before)
-        box = slider.bounding_box()
+        box = None
+        while box != (box := slider.bounding_box()):  # the list still rolls
+            page.page.wait_for_timeout(100)
         y = box['y'] + box['height'] / 2
         page.swipe((box['x'] + 0.5 * box['width'], y), (box['x'] + 0.8 * box['width'], y + 4))
         page.until('([n, v]) => legwrightStudio.readParameter(n).value > v', [name, before])

@@ -202,8 +202,11 @@ export class Studio {
   }
 
   command(name, fields) {
-    if (name === "start" || name === "step") this.hand.searchBegins();
-    return this.inOrder(() => command(name, fields));
+    return this.inOrder(async () => {
+      const answer = await command(name, fields);
+      if (name === "start" || name === "step") this.hand.searchBegins();
+      return answer;
+    });
   }
 
   /** For what is sent often: the caller keeps one on its way. */
