@@ -24,7 +24,8 @@ void fields(Fields& f, LimitRow& row) {
   f("strict", strict, "the upper bound itself does not pass");
   std::optional<std::vector<WorstPart>> worst;
   if (!row.worst.empty()) worst = row.worst;
-  f("worst", worst, "joints, feet or bodies whose value it is, the worst first");
+  f("worst", worst,
+    "joints or feet whose value it is, the worst first; of touches the bodies of the hardest");
   if (f.reads()) {
     row.strict = strict.value_or(false);
     row.worst = worst.value_or(std::vector<WorstPart>{});
