@@ -26,8 +26,9 @@ from legwright.parts._words import Array
 FOLDER = 'as_printed'
 """Of the run, in the folder of parts."""
 _LEFT_OUT = re.compile(
-    r'candidates/.*|((tasks/[^/]+/)?(result|iterations/\d+)/)?[^/]+\.(png|webp|html|md)|.*/(verdict|comparison|numerics|robustness|matrix)\.json'
-    r'|.*/playback_\w+\.csv|checkpoint.*|.*/validation_\w+\.json|(.*/)?\..*'
+    r'candidates/.*|checkpoint.*|(.*/)?\..*|.*/playback_\w+\.csv|.*/validation_\w+\.json'
+    r'|.*/(verdict|comparison|numerics|robustness|matrix)\.json'
+    r'|((tasks/[^/]+/)?(result|iterations/\d+)/)?[^/]+\.(png|webp|html|md)'
 )
 """What is of the masses that were planned: verdicts and pictures."""
 _CYCLES = 20
