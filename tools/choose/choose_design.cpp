@@ -10,6 +10,7 @@
 #include "optimizer/base/parallel.hpp"
 #include "optimizer/base/stopwatch.hpp"
 #include "tools/choose/candidate_words.hpp"
+#include "tools/choose/cheapest_stable.hpp"
 #include "tools/choose/finalists.hpp"
 #include "tools/choose/kept_play.hpp"
 #include "tools/choose/other_designs.hpp"
@@ -26,7 +27,6 @@ constexpr std::size_t kLeversKept = 7;  // from the second round on
 constexpr int kSearchIterations = 12;   // of each: it starts from a design that is nearly right
 constexpr double kDear = 1.3;  // × F of the optimum: a design that passes with more is not the last
 constexpr double kGivenFirst = 2.0;  // × F of the optimum: up to there the given body comes first
-constexpr double kAlmostAsCheap = 1.1;  // × F of the best that passes: stability decides
 constexpr double kGain = 0.99;  // of the distance from passing: a round that gains less is the last
 
 /// Plays candidates and keeps the best of them.
@@ -129,33 +129,15 @@ class DesignChooser {
     }
   }
 
-  /// Of several designs that pass and cost about as much, the cheapest whose cycle is stable at all
-  /// three gains is better than a cheaper one that passes while nothing disturbs it.
+  /// Takes the cheapest design with a stable cycle, where several pass with about as much F.
   void prefer_stable() {
     if (!played_.pass || stopped()) return;
-    const double most = kAlmostAsCheap * best_->design.value;
-    std::vector<const std::pair<std::size_t, Candidate>*> rivals;
-    for (const auto& kept : kept_)
-      if (record_.candidates[kept.first].played.pass && kept.second.design.value <= most)
-        rivals.push_back(&kept);
-    if (rivals.size() < 2) return;
-    std::stable_sort(rivals.begin(), rivals.end(), [](const auto* a, const auto* b) {
-      return a->second.design.value < b->second.design.value;
-    });
-    for (const auto* rival : rivals) {
-      const double multiplier = kept_play(next_play(), options_.stop, [&] {
-        return largest_multiplier(problem_, rival->second, options_.threads, options_.stop);
-      });
-      CandidateRecord& record = record_.candidates[rival->first];
-      record.stable = multiplier < 1.0;
-      if (std::isfinite(multiplier)) record.multiplier = multiplier;
-      if (options_.tell)
-        options_.tell(fmt::format("physics, {} (F {:.5g}): largest Floquet multiplier {:.2f}",
-                                  rival->second.name, rival->second.design.value, multiplier));
-      if (!(multiplier < 1.0)) continue;
-      best_ = rival->second;
-      return;
-    }
+    std::vector<PlayedCost> costs;
+    for (const auto& [place, candidate] : kept_)
+      costs.push_back({record_.candidates[place].played.pass, candidate.design.value});
+    const auto found = cheapest_stable(costs, best_->design.value,
+                                       [&](std::size_t k) { return told_multiplier(kept_[k]); });
+    if (found) best_ = kept_[*found].second;
   }
 
   ChosenDesign result(double seconds) {
@@ -172,6 +154,21 @@ class DesignChooser {
   }
 
  private:
+  /// The largest Floquet multiplier of a design, which goes into the record.
+  double told_multiplier(const std::pair<std::size_t, Candidate>& kept) {
+    const auto& [place, candidate] = kept;
+    const double multiplier = kept_play(next_play(), options_.stop, [&] {
+      return largest_multiplier(problem_, candidate, options_.threads, options_.stop);
+    });
+    CandidateRecord& record = record_.candidates[place];
+    record.stable = multiplier < 1.0;
+    if (std::isfinite(multiplier)) record.multiplier = multiplier;
+    if (options_.tell)
+      options_.tell(fmt::format("physics, {} (F {:.5g}): largest Floquet multiplier {:.2f}",
+                                candidate.name, candidate.design.value, multiplier));
+    return multiplier;
+  }
+
   struct PlayedDesign {
     Candidate design;
     PlayedCandidate played;

@@ -181,10 +181,10 @@ TEST(ChooseDesign, TightensTheMotionOfTheGivenBodyAsWell) {
   EXPECT_EQ(chosen.rollouts, 2);
 }
 
-/// An iterate on the way passes with the least F, but grows away from its cycle when something
-/// disturbs it; a tightened design costs 0.4 % more and does not. With other last bits the one with
-/// the least F may be stable itself, so they are those that every processor has.
-TEST(ChooseDesign, StableCyclesAreBetterThanAlmostTheSameF) {
+/// Several designs pass with almost the same F. On some processors the cheapest grows away from its
+/// cycle when something disturbs it, and one that costs 0.4 % more does not; on others the cheapest
+/// is stable itself, with the baseline's bits, too.
+TEST(ChooseDesign, AStableCycleIsChosenOfThoseWithAlmostTheSameF) {
   const test::Variable path("LEGWRIGHT_CPU_PATH", "baseline");
   const SearchedProblem searched(test::problem_of(
       "hexapod", "[gait]\nname = \"tripod\"\nperiod = 0.6\n[travel]\nvelocity = [0.6, 0.0]\n"));
@@ -193,13 +193,16 @@ TEST(ChooseDesign, StableCyclesAreBetterThanAlmostTheSameF) {
   const CandidateRecord& chosen = searched.candidate(choice, choice.record.chosen);
   ASSERT_TRUE(chosen.multiplier) << "one design passes: this test shows nothing";
   EXPECT_LT(*chosen.multiplier, 1.0);
-  EXPECT_TRUE(choice.record.by_stability());
   EXPECT_EQ(choice.result.name, choice.record.chosen);
-  for (const CandidateRecord& record : choice.record.candidates)
-    if (record.multiplier && record.F < chosen.F) {
-      EXPECT_GT(*record.multiplier, 1.0) << record.name;
-      EXPECT_LT(chosen.F, 1.1 * record.F);
-    }
+  bool cheaper = false;
+  for (const CandidateRecord& record : choice.record.candidates) {
+    if (!record.played.pass || record.F >= chosen.F) continue;
+    cheaper = true;
+    ASSERT_TRUE(record.stable) << record.name << ": nobody asked";
+    EXPECT_FALSE(*record.stable) << record.name;
+    EXPECT_LT(chosen.F, 1.1 * record.F);
+  }
+  EXPECT_EQ(choice.record.by_stability(), cheaper);
 }
 
 /// Who asks to stop waits for a few steps of a roll-out, not for the rest of the choice.
