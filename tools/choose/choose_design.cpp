@@ -156,11 +156,11 @@ class DesignChooser {
  private:
   /// The largest Floquet multiplier of a design, which goes into the record.
   double told_multiplier(const std::pair<std::size_t, Candidate>& kept) {
-    const auto& [place, candidate] = kept;
+    const Candidate& candidate = kept.second;
     const double multiplier = kept_play(next_play(), options_.stop, [&] {
       return largest_multiplier(problem_, candidate, options_.threads, options_.stop);
     });
-    CandidateRecord& record = record_.candidates[place];
+    CandidateRecord& record = record_.candidates[kept.first];
     record.stable = multiplier < 1.0;
     if (std::isfinite(multiplier)) record.multiplier = multiplier;
     if (options_.tell)
