@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Changes of the body, fronts of tasks, ghosts of bounds, slopes, runs that are scrubbed."""
 
-import unittest
-
-from studio_browser import ROOT, Page, Server, browser
+from own_studio import OwnStudio
 
 STATE = 'legwrightStudio.store.get("state")'
 VIEW = 'legwrightStudio.view'
@@ -17,24 +15,7 @@ PRESENT = (
 )
 
 
-class OtherDesigns(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.stack = browser()
-        cls.browser = cls.stack.__enter__()
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.stack.__exit__(None, None, None)
-
-    def open(self, task, **options):
-        server = Server(str(ROOT / 'examples' / task))
-        self.addCleanup(server.close)
-        studio = Page(self.browser, server.url, **options)
-        self.addCleanup(studio.close)
-        studio.ready()
-        return studio
-
+class OtherDesigns(OwnStudio):
     def search(self, studio):
         studio.button('Optimise').click()
         studio.until(f'{STATE}.phase === "searching"')

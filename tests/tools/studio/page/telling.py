@@ -1,32 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tests of what the page says, names and proposes; browser_test.py runs them."""
 
-import unittest
-
-from studio_browser import ROOT, Page, Server, browser
+from own_studio import OwnStudio
 
 STATE = 'legwrightStudio.store.get("state")'
 
 
-class Telling(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.stack = browser()
-        cls.browser = cls.stack.__enter__()
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.stack.__exit__(None, None, None)
-
-    def open(self, task, **options):
-        self.server = Server(*([str(ROOT / 'examples' / task)] if task else []))
-        self.addCleanup(self.server.close)
-        studio = Page(self.browser, self.server.url, **options)
-        self.addCleanup(studio.close)
-        if task:
-            studio.ready()
-        return studio
-
+class Telling(OwnStudio):
     def test_a_line_of_the_verdict_is_shown_on_the_robot(self):
         studio = self.open('puppy/sideways.toml')
         studio.workspace('Simulate')
