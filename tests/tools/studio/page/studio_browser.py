@@ -163,8 +163,18 @@ class Page:
             name,
         )
 
+    def still(self, locator):
+        """Where an element is, once what it lies in rolls no more. (A browser under load may show
+        the same picture for some time while it rolls.)"""
+        boxes = [locator.bounding_box()]
+        while len(boxes) < 4 or any(box != boxes[-1] for box in boxes[-4:]):
+            self.page.wait_for_timeout(150)
+            boxes.append(locator.bounding_box())
+        return boxes[-1]
+
     def swipe(self, start, end, steps=6):
-        """Moves a finger over the page."""
+        """Moves a finger over the page. It rests before it leaves: what it scrolls rolls no
+        further."""
         devtools = self.context.new_cdp_session(self.page)
 
         def touch(kind, *points):
@@ -175,6 +185,8 @@ class Page:
         for i in range(1, steps + 1):
             share = i / steps
             touch('touchMove', [a + share * (b - a) for a, b in zip(start, end)])
+        self.page.wait_for_timeout(150)
+        touch('touchMove', end)
         touch('touchEnd')
         devtools.detach()
 

@@ -58,9 +58,7 @@ class Apart(unittest.TestCase):
         page.until(f'top => document.querySelector(\'[data-name="{name}"] .slider\')'
                    '.getBoundingClientRect().y < top - 60', top)
         self.assertEqual(page.value(name), before)
-        box = None
-        while box != (box := slider.bounding_box()):  # the list still rolls
-            page.page.wait_for_timeout(100)
+        box = page.still(slider)
         y = box['y'] + box['height'] / 2
         page.swipe((box['x'] + 0.5 * box['width'], y), (box['x'] + 0.8 * box['width'], y + 4))
         page.until('([n, v]) => legwrightStudio.readParameter(n).value > v', [name, before])
@@ -85,7 +83,7 @@ class Apart(unittest.TestCase):
             top,
         )
         self.assertTrue(page.js('legwrightStudio.assembly.told.limbs.length === 0'))
-        picture = card.locator('img').bounding_box()
+        picture = page.still(card.locator('img'))
         stage = page.page.locator('.assembly canvas').first.bounding_box()
         start = picture['x'] + 20, picture['y'] + 20
         end = stage['x'] + stage['width'] / 2, stage['y'] + stage['height'] / 2

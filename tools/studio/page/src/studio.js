@@ -202,11 +202,9 @@ export class Studio {
   }
 
   command(name, fields) {
-    return this.inOrder(async () => {
-      const answer = await command(name, fields);
-      if (name === "start" || name === "step") this.hand.searchBegins();
-      return answer;
-    });
+    const searches = name === "start" || name === "step";
+    const ask = () => command(name, fields);
+    return this.inOrder(searches ? () => this.hand.aroundSearch(ask) : ask);
   }
 
   /** For what is sent often: the caller keeps one on its way. */

@@ -30,6 +30,18 @@ export class SetByHand {
     if (!this.before) this.before = new Map(this.free().map((name) => [name, this.value(name)]));
   }
 
+  /** Asks for a search; the first state that comes of it may hold what it has changed already. */
+  async aroundSearch(ask) {
+    const known = this.before;
+    this.searchBegins();
+    try {
+      return await ask();
+    } catch (error) {
+      this.before = known;
+      throw error;
+    }
+  }
+
   /** What is here now is where hands begin. */
   startAnew() {
     this.names.clear();
