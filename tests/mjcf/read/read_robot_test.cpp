@@ -230,12 +230,15 @@ TEST(CallEngine, TurnsErrorsIntoInputErrorsAndLeavesOtherThreadsAlone) {
 /// While it lives, MuJoCo's own allocations fail.
 class NoMemoryForMujoco {
  public:
-  NoMemoryForMujoco() {
+  NoMemoryForMujoco() : before_(mju_user_malloc) {
     mju_user_malloc = [](std::size_t) -> void* { return nullptr; };
   }
-  ~NoMemoryForMujoco() { mju_user_malloc = nullptr; }
+  ~NoMemoryForMujoco() { mju_user_malloc = before_; }
   NoMemoryForMujoco(const NoMemoryForMujoco&) = delete;
   NoMemoryForMujoco& operator=(const NoMemoryForMujoco&) = delete;
+
+ private:
+  void* (*before_)(std::size_t);
 };
 
 TEST(CallEngine, DoesNotBlameTheFileForWantOfMemory) {
