@@ -3,7 +3,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <limits>
+#include <array>
 
 namespace legwright {
 namespace {
@@ -15,14 +15,36 @@ constexpr double kNearEnough = 1e-10;  // of the size
 
 /// The point of a list that lies farthest in a direction.
 const Vector3d& farthest_along(const std::vector<Vector3d>& points, const Vector3d& direction) {
-  return *std::max_element(points.begin(), points.end(), [&](const Vector3d& a, const Vector3d& b) {
-    return a.dot(direction) < b.dot(direction);
-  });
+  const Vector3d* farthest = &points.front();
+  double most = farthest->dot(direction);
+  for (const Vector3d& each : points) {
+    const double along = each.dot(direction);
+    if (!(most < along)) continue;
+    most = along;
+    farthest = &each;
+  }
+  return *farthest;
 }
+
+/// Up to four corners.
+class Simplex {
+ public:
+  void add(const Vector3d& corner) { corners_[count_++] = corner; }
+  std::size_t size() const { return count_; }
+  const Vector3d& operator[](std::size_t k) const { return corners_[k]; }
+  bool has(const Vector3d& corner) const {
+    return std::find(corners_.begin(), corners_.begin() + count_, corner) !=
+           corners_.begin() + count_;
+  }
+
+ private:
+  std::array<Vector3d, 4> corners_;
+  std::size_t count_ = 0;
+};
 
 /// The point of the plane, line or point through some corners that is nearest to the origin, if it
 /// lies between all of them.
-bool nearest_between(const std::vector<Vector3d>& corners, Vector3d& nearest) {
+bool nearest_between(const Simplex& corners, Vector3d& nearest) {
   const auto count = static_cast<Eigen::Index>(corners.size()) - 1;
   Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> edges(3, count);
   for (Eigen::Index k = 0; k < count; ++k)
@@ -40,39 +62,41 @@ bool nearest_between(const std::vector<Vector3d>& corners, Vector3d& nearest) {
   return true;
 }
 
-/// Keeps those corners of a simplex between which its nearest point to the origin lies.
-Vector3d nearest_of(std::vector<Vector3d>& simplex) {
-  Vector3d best = simplex.front();
-  std::vector<Vector3d> kept{simplex.front()};
-  double least = std::numeric_limits<double>::infinity();
-  for (unsigned set = 1; set < (1U << simplex.size()); ++set) {
-    std::vector<Vector3d> some;
+/// Adds a corner to a simplex between whose corners `nearest` lies, and keeps those between which
+/// the nearest point to the origin lies now. False if none is nearer.
+bool add_and_reduce(const Vector3d& corner, Simplex& simplex, Vector3d& nearest) {
+  const unsigned old_sets = 1U << simplex.size();  // without the new corner none is nearer
+  Simplex kept;
+  double least = nearest.norm();
+  for (unsigned set = 0; set < old_sets; ++set) {
+    Simplex some;
     for (std::size_t k = 0; k < simplex.size(); ++k)
-      if (set >> k & 1U) some.push_back(simplex[k]);
-    Vector3d nearest;
-    if (!nearest_between(some, nearest) || !(nearest.norm() < least)) continue;
-    least = nearest.norm();
-    best = nearest;
-    kept = std::move(some);
+      if (set >> k & 1U) some.add(simplex[k]);
+    some.add(corner);
+    Vector3d found;
+    if (!nearest_between(some, found) || !(found.norm() < least)) continue;
+    least = found.norm();
+    nearest = found;
+    kept = some;
   }
-  simplex = std::move(kept);
-  return best;
+  if (kept.size() == 0) return false;
+  simplex = kept;
+  return true;
 }
 
 }  // namespace
 
 double convex_distance(const std::vector<Vector3d>& a, const std::vector<Vector3d>& b) {
   Vector3d nearest = a.front() - b.front();
-  std::vector<Vector3d> simplex{nearest};
+  Simplex simplex;
+  simplex.add(nearest);
   for (int round = 0; round < kMostSupports; ++round) {
     const double distance = nearest.norm();
     const Vector3d corner = farthest_along(a, -nearest) - farthest_along(b, nearest);
     // No corner is nearer along this direction: it is the least distance.
     const double least = distance > 0.0 ? nearest.dot(corner) / distance : 0.0;
     if (!(distance - least > kNearEnough * (distance + corner.norm()))) return distance;
-    if (std::find(simplex.begin(), simplex.end(), corner) != simplex.end()) return distance;
-    simplex.push_back(corner);
-    nearest = nearest_of(simplex);
+    if (simplex.has(corner) || !add_and_reduce(corner, simplex, nearest)) return distance;
     if (simplex.size() == 4) return 0.0;  // the origin lies within
   }
   return nearest.norm();
