@@ -24,21 +24,39 @@ def examples() -> Path:
 
 
 @pytest.fixture(scope='session')
-def printed(tmp_path_factory) -> Callable[[str], parts.Parts]:
-    """Makes the parts of a `printed_NAME.toml` of the examples, once: not to be changed."""
-    folder = tmp_path_factory.mktemp('printed')
+def built(tmp_path_factory) -> Callable[[str], Path]:
+    """Builds the robot of a `printed_NAME.toml` of the examples, once: not to be changed."""
+    folder = tmp_path_factory.mktemp('built')
     program = Path(lw.__file__).parent / 'bin/legwright'
+
+    @functools.cache
+    def robot(name: str) -> Path:
+        file = folder / f'{name}.xml'
+        assembly = EXAMPLES / f'assemblies/printed_{name}.toml'
+        subprocess.run([program, 'build', assembly, '-o', file], check=True, capture_output=True)
+        return file
+
+    return robot
+
+
+@pytest.fixture(scope='session')
+def printed(built, tmp_path_factory) -> Callable[[str], parts.Parts]:
+    """Makes the parts of such a robot, once: not to be changed."""
+    folder = tmp_path_factory.mktemp('printed')
 
     @functools.cache
     def made(name: str) -> parts.Parts:
         from legwright import parts  # needs more than other tests do
 
-        robot = folder / f'{name}.xml'
-        assembly = EXAMPLES / f'assemblies/printed_{name}.toml'
-        subprocess.run([program, 'build', assembly, '-o', robot], check=True, capture_output=True)
-        return parts.make(robot, folder / name)
+        return parts.make(built(name), folder / name)
 
     return made
+
+
+@pytest.fixture(scope='session')
+def dog(built) -> Path:
+    """The puppy that is meant to be printed, as `build` writes it."""
+    return built('puppy')
 
 
 @pytest.fixture

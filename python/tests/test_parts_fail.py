@@ -3,7 +3,6 @@
 
 import dataclasses
 import re
-from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
@@ -16,15 +15,8 @@ from legwright.parts._screw_checks import check_screws
 from legwright.parts._solid_checks import _closed, _wall
 from legwright.parts._words import Place
 from manifold3d import Manifold
-from test_parts import build
 
 UP = np.array([0, 0, 1.0])
-
-
-@pytest.fixture(scope='module')
-def dog(examples, tmp_path_factory) -> Path:
-    robot = tmp_path_factory.mktemp('dog') / 'dog.xml'
-    return build(examples / 'assemblies/printed_puppy.toml', robot)
 
 
 def part_of(shape: Manifold, pieces: int = 1) -> SimpleNamespace:

@@ -4,7 +4,6 @@
 import csv
 import math
 import re
-from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
@@ -16,15 +15,8 @@ from legwright.parts._feet import foot_solid, peg_of, peg_solid, socket_size
 from legwright.parts._holes import Fixing
 from legwright.parts._robot import Shape
 from legwright.parts._words import Place
-from test_parts import build
 
 UP = np.array([0, 0, 1.0])
-
-
-@pytest.fixture(scope='module')
-def dog(examples, tmp_path_factory) -> Path:
-    robot = tmp_path_factory.mktemp('dog') / 'dog.xml'
-    return build(examples / 'assemblies/printed_puppy.toml', robot)
 
 
 def fixing(kind: str = 'sphere', of: str = 'foot', screw: str | None = None) -> Fixing:

@@ -15,20 +15,13 @@ from legwright.parts._fit import Distances, free_range, things_of
 from legwright.parts._printing import _directions, best_lying, lying_on
 from legwright.parts._robot import home_of, read_built
 from manifold3d import Manifold
-from test_parts import build
 
 TABLE = Manifold.cube((40, 20, 4)).translate((0, 0, 16)) + Manifold.cube((4, 20, 16))
 
 
-@pytest.fixture(scope='module')
-def dog(examples, tmp_path_factory) -> Path:
-    robot = tmp_path_factory.mktemp('dog') / 'dog.xml'
-    return build(examples / 'assemblies/printed_puppy.toml', robot)
-
-
-@pytest.fixture(scope='module')
-def made(dog, tmp_path_factory) -> parts.Parts:
-    return parts.make(dog, tmp_path_factory.mktemp('made') / 'parts')
+@pytest.fixture
+def made(printed) -> parts.Parts:
+    return printed('puppy')
 
 
 class _WithFlatTriangle:
@@ -104,9 +97,8 @@ def test_a_part_that_is_larger_than_the_bed_fails(dog, tmp_path):
     assert failed == {'size on the bed'} and '| NO |' in (tmp_path / 'out/prints.md').read_text()
 
 
-def test_a_joint_is_free_until_something_is_in_its_way(dog):
+def test_a_joint_is_free_until_something_is_in_its_way(dog, made):
     robot = read_built(dog)
-    made = parts.make(dog, dog.parent / 'free')
     distances = Distances(robot, things_of(robot, made.parts))
     joint = robot.model.joint('FL_knee').id
     free = free_range(robot, distances, joint, [-1.0], 0.5)

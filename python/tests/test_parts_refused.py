@@ -10,13 +10,6 @@ import pytest
 from legwright import InputError, parts
 from legwright.parts._fit import Distances, check_ranges, things_of
 from legwright.parts._robot import home_of, read_built
-from test_parts import build
-
-
-@pytest.fixture(scope='module')
-def dog(examples, tmp_path_factory) -> Path:
-    robot = tmp_path_factory.mktemp('dog') / 'dog.xml'
-    return build(examples / 'assemblies/printed_puppy.toml', robot)
 
 
 def changed(dog: Path, folder: Path, old: str, new: str) -> Path:
@@ -84,11 +77,11 @@ def test_options_that_leave_nothing_are_refused(dog, tmp_path):
         parts.make(dog, tmp_path / 'out', parts.PartOptions(fit=200.0))
 
 
-def test_what_is_played_a_little_beyond_a_limit_is_no_fault_of_the_range(dog, tmp_path):
+def test_what_is_played_a_little_beyond_a_limit_is_no_fault_of_the_range(dog, printed, tmp_path):
     robot = read_built(
         changed(dog, tmp_path, f'{HIP} range="-3.14159 3.14159"', f'{HIP} range="-1.5 1.5"')
     )
-    made = parts.make(dog, tmp_path / 'out')
+    made = printed('puppy')
     distances = Distances(robot, things_of(robot, made.parts))
     pose = home_of(robot)
     pose[robot.model.joint('FL_hip').qposadr[0]] = -1.502

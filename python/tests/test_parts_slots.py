@@ -10,7 +10,7 @@ import pytest
 from legwright import InputError, parts
 from legwright.parts._slots import FAR, WIDE, slots_of
 from legwright.parts._words import Place
-from test_parts import PROGRAM, build
+from test_parts import PROGRAM
 
 NONE = np.zeros((0, 3))
 
@@ -49,10 +49,9 @@ def dog(examples, tmp_path_factory) -> Path:
     return robot
 
 
-def test_parts_and_cradles_leave_the_slots_free(dog, examples, tmp_path):
+def test_parts_and_cradles_leave_the_slots_free(dog, printed, tmp_path):
     made = parts.make(dog, tmp_path / 'out')
-    closed = build(examples / 'assemblies/printed_puppy.toml', tmp_path / 'closed.xml')
-    without = parts.make(closed, tmp_path / 'closed')
+    without = printed('puppy')
     for part, whole in zip(made.parts, without.parts, strict=True):
         servos = [m for m in part.solid.link.modules if m.words.kind == 'servo']
         for servo in servos:

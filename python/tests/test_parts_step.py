@@ -10,7 +10,6 @@ from legwright import parts
 from legwright.parts._mesh_files import mesh_of
 from legwright.parts._step_file import faces_of, step_bytes
 from manifold3d import Manifold
-from test_parts import build
 
 PLATE = Manifold.cube((20, 10, 4)) - Manifold.cylinder(6, 2, -1, 16).translate((6, 5, -1))
 
@@ -65,10 +64,9 @@ def test_a_plate_with_a_hole_has_six_sides_and_the_holes_facets():
 
 
 @pytest.fixture(scope='module')
-def made(examples, tmp_path_factory) -> parts.Parts:
+def made(dog, tmp_path_factory) -> parts.Parts:
     folder = tmp_path_factory.mktemp('dog')
-    robot = build(examples / 'assemblies/printed_puppy.toml', folder / 'dog.xml')
-    return parts.make(robot, folder / 'parts', parts.PartOptions(step=True))
+    return parts.make(dog, folder / 'parts', parts.PartOptions(step=True))
 
 
 def test_parts_are_closed_and_of_their_volume(made):
@@ -99,7 +97,6 @@ def test_a_cad_kernel_takes_them_for_solids(made):
         assert found.Mass() == pytest.approx(part.solid.shape.volume(), rel=1e-5)
 
 
-def test_no_step_is_written_unasked(made, examples, tmp_path):
-    robot = build(examples / 'assemblies/printed_puppy.toml', tmp_path / 'dog.xml')
-    parts.make(robot, tmp_path / 'parts')
-    assert not list((tmp_path / 'parts').glob('*.step'))
+def test_no_step_is_written_unasked(made, printed):
+    assert list(made.folder.glob('*.step'))
+    assert not list(printed('puppy').folder.glob('*.step'))

@@ -2,7 +2,6 @@
 """Screw holes, and parts as beams, against what is known by hand."""
 
 import math
-from pathlib import Path
 
 import mujoco
 import numpy as np
@@ -79,14 +78,8 @@ def test_a_hole_that_breaks_out_or_misses_has_a_negative_edge():
     assert gone.edge < 0 and gone.clamped == 0
 
 
-@pytest.fixture(scope='module')
-def dog(examples, tmp_path_factory) -> Path:
-    robot = tmp_path_factory.mktemp('dog') / 'dog.xml'
-    return build(examples / 'assemblies/printed_puppy.toml', robot)
-
-
-def test_holes_are_where_the_module_file_has_them(dog, tmp_path):
-    made = parts.make(dog, tmp_path / 'out')
+def test_holes_are_where_the_module_file_has_them(printed):
+    made = printed('puppy')
     thigh = next(part for part in made.parts if part.name == 'FL_thigh')
     places = sorted((round(1e6 * x), round(1e6 * z)) for x, _, z in horn_holes(thigh))
     assert places == [(-8000, 0), (0, -8000), (0, 8000), (8000, 0)]
@@ -94,7 +87,7 @@ def test_holes_are_where_the_module_file_has_them(dog, tmp_path):
     for x, _, z in horn_holes(thigh):
         assert not mesh.ray_cast((1e3 * x, -1, 1e3 * z), (1e3 * x, 20, 1e3 * z)), 'free to the end'
         assert mesh.ray_cast((1e3 * x, -1, 1e3 * z + 1.4), (1e3 * x, 20, 1e3 * z + 1.4))
-    sizes = [line for line in (tmp_path / 'out/bom.csv').read_text().splitlines() if ',M2,' in line]
+    sizes = [line for line in (made.folder / 'bom.csv').read_text().splitlines() if ',M2,' in line]
     assert [line.split(',')[3] for line in sizes] == ['32']
 
 

@@ -2,6 +2,7 @@
 """The number of each part, engraved where a flat side has room: that of its row in the bill."""
 
 import dataclasses
+import functools
 import itertools
 import math
 from collections.abc import Iterator, Sequence
@@ -182,13 +183,18 @@ def find_mark(robot: BuiltRobot, part: Part, number: int, wall: float) -> Mark |
     ridge = _RIDGE * wall
     deep = DEPTH + ridge
     around = _around(robot, solid)
-    sides = [(side, *_free(side, solid.shape, around, deep)) for side in _sides(solid.shape)]
+    sides = _sides(solid.shape)
+
+    @functools.cache  # most numbers are on one of the first sides that are asked
+    def free_of(k: int) -> tuple[Array, NDArray]:
+        return _free(sides[k], solid.shape, around, deep)
+
     for looks_down, height in itertools.product((False, True), HEIGHTS):
         room = _Room(number, height, ridge)
-        for side, grid, free in sides:
+        for k, side in enumerate(sides):
             if not room.stays or (side.turn[2] @ down > _DOWN) != looks_down:
                 continue
-            for mark in _places(room, side, grid, free, wall):
+            for mark in _places(room, side, *free_of(k), wall):
                 if _is_whole(mark, room, solid.shape, deep):
                     return mark
     return None
