@@ -14,6 +14,7 @@
 #include "mjcf/read/motor_lines.hpp"
 #include "mjcf/read/printed_robot.hpp"
 #include "mjcf/read/robot_model.hpp"
+#include "mjcf/read/turning_parts.hpp"
 #include "mjcf/text/numbers.hpp"
 
 namespace legwright {
@@ -270,6 +271,12 @@ class AssemblyWriter {
                            format_number(assembly_.print->bed.y())));
     for (const std::string& motor : motor_lines()) out_.add(motor);
     for (const std::string& module : modules_) out_.add(module);
+    const bool servos_turn = !assembly_.print || assembly_.print->turn > 0.0;
+    for (const PlacedLimb& limb : limbs_)
+      for (const AssemblyJoint& joint : limb.of->joints)
+        if (servos_turn)
+          out_.add(fmt::format("<text name=\"{}{}\" data=\"joint {}\"/>", kTurnsPrefix,
+                               servo_name(limb, joint), joint_name(limb, joint)));
     for (const PlacedHull& hull : placed_)
       out_.add(fmt::format("<text name=\"{}{}\" data=\"{}\"/>", kConnectorPrefix, hull.name,
                            hull.written.data));
@@ -286,7 +293,8 @@ class AssemblyWriter {
     for (const LinkHull& hull : hulls.hulls) {
       const std::string name = hull_name(limb, of.joints[k], hull.role);
       placed_.push_back({&limb, k, name,
-                         written_hull(hull, limb, assembly_.link_density, name, end, place, from)});
+                         written_hull(hull, limb, assembly_.link_density,
+                                      joint_name(limb, of.joints[k]), end, place, from)});
     }
   }
 

@@ -96,7 +96,7 @@ std::vector<LinkHulls> limb_hulls(const Assembly& assembly, const PlacedLimb& pl
 }
 
 WrittenHull written_hull(const LinkHull& hull, const PlacedLimb& limb, double density,
-                         const std::string& body, const std::string& end, const Vector3d& place,
+                         const std::string& joint, const std::string& end, const Vector3d& place,
                          const Vector3d& from) {
   std::vector<Vector3d> near, far, all;
   for (const Vector3d& point : hull.near) near.push_back(on_the_grain(limb.vector(point)));
@@ -109,7 +109,7 @@ WrittenHull written_hull(const LinkHull& hull, const PlacedLimb& limb, double de
   out.vertices = rounded_words(vertices_of(facets, all));
   out.inertial = fmt::format("pos=\"{}\" mass=\"{}\" fullinertia=\"{}\"", rounded_words(own.centre),
                              format_number(rounded(own.mass)), rounded_words(own.full));
-  out.data = fmt::format("{} kg/m3 | body {}: {}", format_number(density), body, words_of(near));
+  out.data = fmt::format("{} kg/m3 | joint {}: {}", format_number(density), joint, words_of(near));
   if (!far.empty()) out.data += fmt::format(" | {}: {}", end, words_of(far));
   return out;
 }

@@ -35,11 +35,12 @@ struct WrittenHull {
   std::string data;      // of the <text> that declares it (read_connectors())
 };
 
-/// @param body of the connector. @param end "body NAME" or "geom NAME", which goes with the points
-/// at the other end. @param place of that in the link, of the limb as the file gives it [m].
-/// @param from where these points are from, as seen from there [m]
+/// @param joint of the link, with whose axis its points there turn. @param end "body NAME" or
+/// "geom NAME", which goes with the points at the other end. @param place of that in the link, of
+/// the limb as the file gives it [m]. @param from where these points are from, as seen from there
+/// [m]
 WrittenHull written_hull(const LinkHull& hull, const PlacedLimb& limb, double density,
-                         const std::string& body, const std::string& end,
+                         const std::string& joint, const std::string& end,
                          const Eigen::Vector3d& place, const Eigen::Vector3d& from);
 
 }  // namespace legwright

@@ -3,9 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
+#include <optional>
 #include <sstream>
 #include <string_view>
 
@@ -17,21 +20,27 @@
 namespace legwright {
 namespace {
 
-constexpr double kPerGrain = 1e6;                    // bounds are written to a millionth of a metre
-constexpr double kLeastRange = 1e-3;                 // of a length, below which it is left out
-constexpr int kScaleSteps = 8, kScaleHalvings = 13;  // to a bound: those of 0.25 to 1e-5
+constexpr double kPerGrain = 1e6;     // bounds are written to a millionth of a metre
+constexpr double kPerAngle = 1e3;     // and to a thousandth of a radian
+constexpr double kLeastRange = 1e-3;  // of a length, below which it is left out
+constexpr double kLeastTurn = 0.02;   // [rad], likewise
+const Eigen::Vector3d kAsDrawn = Eigen::Vector3d::Ones();  // scales of the trunk
+constexpr int kSteps = 8;                                  // to a bound
+constexpr int kScaleHalvings = 13;  // of a length, from there on: those of 0.25 to 1e-5
+constexpr int kTurnHalvings = 6;    // of an angle: those of 1 to 2e-3
 
-/// The scale farthest from 1 towards `to` up to which all is allowed that is at 1.
-double farthest_scale(double to, const std::function<bool(double)>& is_allowed) {
-  double good = 1.0, bad = to;
+/// The value farthest from `from` towards `to` up to which all is allowed that is at `from`.
+double farthest(double from, double to, int halvings,
+                const std::function<bool(double)>& is_allowed) {
+  double good = from, bad = to;
   int step = 1;
-  for (; step <= kScaleSteps; ++step) {
-    bad = 1.0 + (to - 1.0) * step / kScaleSteps;
+  for (; step <= kSteps; ++step) {
+    bad = from + (to - from) * step / kSteps;
     if (!is_allowed(bad)) break;
     good = bad;
   }
-  if (step > kScaleSteps) return to;
-  for (int k = 0; k < kScaleHalvings; ++k) {
+  if (step > kSteps) return to;
+  for (int k = 0; k < halvings; ++k) {
     const double middle = 0.5 * (good + bad);
     (is_allowed(middle) ? good : bad) = middle;
   }
@@ -49,23 +58,51 @@ std::vector<std::string> stretched_links(const std::string& binding) {
   return out;
 }
 
+bool stretches_trunk(const std::string& binding) {
+  return binding == "stretch x: trunk" || binding == "stretch y: trunk";
+}
+
+/// What a binding turns, "axis z: FL_hip ~FR_hip".
+struct TurnedAxes {
+  Eigen::Vector3d about;
+  std::vector<std::string> joints;  // mirror images of the first
+
+  bool has(const std::string& joint) const {
+    return std::find(joints.begin(), joints.end(), joint) != joints.end();
+  }
+};
+
+/// Of a binding that turns axes; no joints of another.
+TurnedAxes turned_axes(const std::string& binding) {
+  constexpr std::string_view kHead = "axis ";
+  TurnedAxes out;
+  if (!binding.starts_with(kHead) || binding.size() < kHead.size() + 3) return out;
+  out.about = Eigen::Vector3d::Unit(binding[kHead.size()] - 'x');
+  std::istringstream in(binding.substr(kHead.size() + 2));
+  for (std::string word; in >> word;)
+    out.joints.push_back(word.substr(word.find_first_not_of("~^", word.find('*') + 1)));
+  return out;
+}
+
 class BoundsOfPrint {
  public:
-  explicit BoundsOfPrint(const Assembly& assembly) : assembly_(assembly), trunk_(assembly) {
+  explicit BoundsOfPrint(const Assembly& assembly)
+      : assembly_(assembly), limbs_(placed_limbs(assembly)), trunk_(assembly) {
     if (!trunk_.fits()) too_large_.emplace_back("the trunk");
   }
 
   PrintBounds run(const std::vector<Proposal>& proposals) {
-    for (const Proposal& proposal : proposals) {
-      const std::vector<std::string> links = stretched_links(proposal.binding);
-      if (proposal.binding == "stretch x: trunk")
-        length_ = narrow(proposal, [&](double k) { return trunk_.is_allowed({k, width_, 1.0}); });
-      else if (proposal.binding == "stretch y: trunk")
-        width_ = narrow(proposal, [&](double k) { return trunk_.is_allowed({length_, k, 1.0}); });
-      else if (!links.empty())
-        narrow_link(proposal, links);
-      else
-        out_.proposals.push_back(proposal);
+    std::vector<std::optional<Proposal>> found(proposals.size());
+    for (std::size_t k = 0; k < proposals.size(); ++k) found[k] = narrowed(proposals[k]);
+    narrow_hips(found);
+    for (std::size_t k = 0; k < proposals.size(); ++k) {
+      if (found[k] && stretches_trunk(proposals[k].binding)) found[k] = narrow_trunk(*found[k]);
+      if (!found[k]) {
+        leave_out(proposals[k].name);
+        continue;
+      }
+      tell(proposals[k], *found[k]);
+      out_.proposals.push_back(*found[k]);
     }
     write_notes();
     return out_;
@@ -73,7 +110,8 @@ class BoundsOfPrint {
 
  private:
   void write_notes() {
-    out_.notes.push_back(std::string("axes of joints are no design parameters: ") + kAxesStay);
+    if (assembly_.print->turn == 0.0)
+      out_.notes.push_back(std::string("axes of joints are no design parameters: ") + kAxesStay);
     if (!without_room_.empty())
       out_.notes.push_back(
           fmt::format("no design parameters, as clearance and bed leave no room: {}",
@@ -89,44 +127,170 @@ class BoundsOfPrint {
           1e3 * assembly_.link_clearance, fmt::join(narrowed_, ", ")));
   }
 
-  void narrow_link(const Proposal& proposal, const std::vector<std::string>& names) {
-    std::vector<PrintedLink> links;
-    for (const PlacedLimb& limb : placed_limbs(assembly_))
+  /// The link of a joint, looked at once.
+  const PrintedLink& link_of(const PlacedLimb& limb, std::size_t joint) {
+    const std::string name = link_name(limb, limb.of->joints[joint]);
+    return links_.try_emplace(name, assembly_, limb, joint).first->second;
+  }
+
+  /// A proposal by itself; nothing where there is no room. Those of the trunk come later.
+  std::optional<Proposal> narrowed(const Proposal& proposal) {
+    const std::vector<std::string> links = stretched_links(proposal.binding);
+    if (!links.empty()) return narrow_link(proposal, links);
+    const TurnedAxes axes = turned_axes(proposal.binding);
+    if (axes.joints.empty()) return proposal;
+    Proposal within = proposal;
+    within.lower = std::max(within.lower, -assembly_.print->turn);
+    within.upper = std::min(within.upper, assembly_.print->turn);
+    return narrow_turn(within, axes);
+  }
+
+  std::optional<Proposal> narrow_turn(const Proposal& proposal, const TurnedAxes& axes) {
+    const Eigen::Matrix3d still = Eigen::Matrix3d::Identity();
+    const Hips hips = hips_of(axes);
+    std::vector<std::pair<const PrintedLink*, bool>> links;  // whether at its far end
+    for (const PlacedLimb& limb : limbs_)
+      for (std::size_t k = 0; k < limb.of->joints.size(); ++k) {
+        if (!axes.has(joint_name(limb, limb.of->joints[k]))) continue;
+        links.emplace_back(&link_of(limb, k), false);
+        if (k > 0) links.emplace_back(&link_of(limb, k - 1), true);
+      }
+    const auto is_allowed = [&](double angle) {
+      const Eigen::Matrix3d turn = hips.turn(angle);
+      return trunk_.turned(hips.limbs, turn).is_allowed(kAsDrawn) &&
+             std::all_of(links.begin(), links.end(), [&](const auto& link) {
+               return link.second ? link.first->is_allowed(1.0, {still, turn})
+                                  : link.first->is_allowed(1.0, {turn, still});
+             });
+    };
+    return with_turns(proposal, farthest(0.0, proposal.lower, kTurnHalvings, is_allowed),
+                      farthest(0.0, proposal.upper, kTurnHalvings, is_allowed));
+  }
+
+  /// Inwards to a thousandth of a radian; nothing where too little is left.
+  static std::optional<Proposal> with_turns(const Proposal& proposal, double low, double high) {
+    Proposal out = proposal;
+    if (low > out.lower) out.lower = std::min(0.0, std::ceil(low * kPerAngle) / kPerAngle);
+    if (high < out.upper) out.upper = std::max(0.0, std::floor(high * kPerAngle) / kPerAngle);
+    if (out.upper - out.lower < kLeastTurn) return std::nullopt;
+    return out;
+  }
+
+  /// Limbs whose first joints a binding turns; none for other joints.
+  struct Hips {
+    std::vector<std::string> limbs;
+    Eigen::Vector3d about;
+    double sign = 1.0;  // of the first joint's turn, in the axes of the limb as the file gives it
+
+    Eigen::Matrix3d turn(double angle) const {
+      return Eigen::AngleAxisd(sign * angle, about).toRotationMatrix();
+    }
+  };
+
+  Hips hips_of(const TurnedAxes& axes) const {
+    Hips out{{}, axes.about};
+    for (const PlacedLimb& limb : limbs_)
+      for (std::size_t k = 0; k < limb.of->joints.size(); ++k) {
+        const std::string name = joint_name(limb, limb.of->joints[k]);
+        if (name == axes.joints.front()) out.sign = axes.about.dot(limb.hinge(axes.about));
+        if (k == 0 && axes.has(name)) out.limbs.push_back(limb.name);
+      }
+    return out;
+  }
+
+  /// What hips may turn at once: all in proportion, so that the trunk fits with each at either
+  /// bound.
+  void narrow_hips(std::vector<std::optional<Proposal>>& found) {
+    std::vector<std::pair<Hips, std::optional<Proposal>*>> turned;
+    for (std::optional<Proposal>& each : found) {
+      if (!each) continue;
+      const TurnedAxes axes = turned_axes(each->binding);
+      if (axes.joints.empty()) continue;
+      Hips hips = hips_of(axes);
+      if (!hips.limbs.empty()) turned.emplace_back(std::move(hips), &each);
+    }
+    // The one that is declared last turns within the others.
+    const auto corners = [&](double share) {
+      std::vector<PrintedTrunk> out{trunk_};
+      for (auto each = turned.rbegin(); each != turned.rend(); ++each)
+        for (std::size_t k = 0, count = out.size(); k < count; ++k) {
+          const auto& [hips, proposal] = *each;
+          out.push_back(out[k].turned(hips.limbs, hips.turn(share * (*proposal)->upper)));
+          out[k] = out[k].turned(hips.limbs, hips.turn(share * (*proposal)->lower));
+        }
+      return out;
+    };
+    const double share = farthest(0.0, 1.0, kTurnHalvings, [&](double of_bounds) {
+      const std::vector<PrintedTrunk> all = corners(of_bounds);
+      return std::all_of(all.begin(), all.end(),
+                         [](const PrintedTrunk& trunk) { return trunk.is_allowed(kAsDrawn); });
+    });
+    corners_ = corners(share);
+    for (auto& [hips, proposal] : turned)
+      *proposal = with_turns(**proposal, share * (*proposal)->lower, share * (*proposal)->upper);
+  }
+
+  std::optional<Proposal> narrow_trunk(const Proposal& proposal) {
+    const bool is_length = proposal.binding.starts_with("stretch x");
+    double& own = is_length ? length_ : width_;
+    const auto is_allowed = [&](double scale) {
+      const Eigen::Vector3d scales =
+          is_length ? Eigen::Vector3d(scale, width_, 1.0) : Eigen::Vector3d(length_, scale, 1.0);
+      return std::all_of(corners_.begin(), corners_.end(),
+                         [&](const PrintedTrunk& trunk) { return trunk.is_allowed(scales); });
+    };
+    const std::optional<Proposal> out = narrow(proposal, is_allowed);
+    if (out) own = out->lower / out->value;
+    return out;
+  }
+
+  void leave_out(const std::string& name) {
+    out_.left_out.push_back(name + ": clearance and bed leave its parts no room to change");
+    without_room_.push_back(name);
+  }
+
+  void tell(const Proposal& before, const Proposal& now) {
+    if (now.lower > before.lower || now.upper < before.upper)
+      narrowed_.push_back(
+          fmt::format("{} {:.4g} to {:.4g} {}", now.name, now.lower, now.upper, now.unit));
+  }
+
+  std::optional<Proposal> narrow_link(const Proposal& proposal,
+                                      const std::vector<std::string>& names) {
+    std::vector<const PrintedLink*> links;
+    for (const PlacedLimb& limb : limbs_)
       for (std::size_t k = 0; k < limb.of->joints.size(); ++k) {
         const std::string name = link_name(limb, limb.of->joints[k]);
         if (std::find(names.begin(), names.end(), name) == names.end()) continue;
-        links.emplace_back(assembly_, limb, k);
-        if (!links.back().fits()) too_large_.push_back(name);
+        links.push_back(&link_of(limb, k));
+        if (!links.back()->fits()) too_large_.push_back(name);
       }
-    narrow(proposal, [&](double scale) {
+    return narrow(proposal, [&](double scale) {
       return std::all_of(links.begin(), links.end(),
-                         [&](const PrintedLink& link) { return link.is_allowed(scale); });
+                         [&](const PrintedLink* link) { return link->is_allowed(scale); });
     });
   }
 
-  /// @return the least scale of the length
-  double narrow(const Proposal& proposal, const std::function<bool(double)>& is_allowed) {
-    const double low = farthest_scale(proposal.lower / proposal.value, is_allowed),
-                 high = farthest_scale(proposal.upper / proposal.value, is_allowed);
+  /// A length, as far as its scale is allowed; nothing where there is no room.
+  static std::optional<Proposal> narrow(const Proposal& proposal,
+                                        const std::function<bool(double)>& is_allowed) {
+    const double low = farthest(1.0, proposal.lower / proposal.value, kScaleHalvings, is_allowed),
+                 high = farthest(1.0, proposal.upper / proposal.value, kScaleHalvings, is_allowed);
     // Inwards to a millionth of a metre, as far as there is room.
     Proposal out = proposal;
     if (low > proposal.lower / proposal.value)
       out.lower = std::min(out.value, std::ceil(low * out.value * kPerGrain) / kPerGrain);
     if (high < proposal.upper / proposal.value)
       out.upper = std::max(out.value, std::floor(high * out.value * kPerGrain) / kPerGrain);
-    if (out.upper - out.lower < kLeastRange * out.value) {
-      out_.left_out.push_back(out.name + ": clearance and bed leave its parts no room to change");
-      without_room_.push_back(out.name);
-      return 1.0;
-    }
-    if (out.lower > proposal.lower || out.upper < proposal.upper)
-      narrowed_.push_back(fmt::format("{} {:.4g} to {:.4g} m", out.name, out.lower, out.upper));
-    out_.proposals.push_back(out);
-    return out.lower / out.value;
+    if (out.upper - out.lower < kLeastRange * out.value) return std::nullopt;
+    return out;
   }
 
   const Assembly& assembly_;
+  const std::vector<PlacedLimb> limbs_;
   const PrintedTrunk trunk_;
+  std::vector<PrintedTrunk> corners_;  // it with each hip at either bound
+  std::map<std::string, PrintedLink> links_;
   double length_ = 1.0, width_ = 1.0;  // of the trunk, at which the other is looked at
   std::vector<std::string> narrowed_, without_room_, too_large_;
   PrintBounds out_;

@@ -31,7 +31,7 @@ PrintedTrunk::PrintedTrunk(const Assembly& assembly)
   high_ = box.middle + box.half;
   for (const AssemblyPart& part : assembly.parts) {
     const Eigen::Isometry3d pose(Eigen::Translation3d(part.position));
-    riders_.push_back({part.position, outline_hulls(part.module, pose), {}});
+    riders_.push_back({part.position, outline_hulls(part.module, pose), {}, "", false});
   }
   for (const PlacedLimb& limb : placed_limbs(assembly)) {
     const AssemblyJoint& hip = limb.of->joints.front();
@@ -41,7 +41,8 @@ PrintedTrunk::PrintedTrunk(const Assembly& assembly)
         for (Vector3d& point : hull.points) point = limb.hip + limb.vector(point);
       return out;
     };
-    riders_.push_back({limb.hip, on_trunk(hip.servo), on_trunk(with_cradle(hip.servo))});
+    riders_.push_back({limb.hip, on_trunk(hip.servo), on_trunk(with_cradle(hip.servo)), limb.name,
+                       limb.mirrored});
   }
   drawn_size_ = size_at(Vector3d::Ones());
   for (const auto& [i, j] : pairs()) drawn_.push_back(distance(i, j, Vector3d::Ones()));
@@ -51,7 +52,28 @@ bool PrintedTrunk::is_allowed(const Vector3d& scale) const {
   const Vector3d size = size_at(scale);
   const bool has_not_grown =
       size.x() <= drawn_size_.x() + kKeptOnTrunk && size.y() <= drawn_size_.y() + kKeptOnTrunk;
-  if (!has_not_grown && !lies_on_bed(size)) return false;
+  return (has_not_grown || lies_on_bed(size)) && is_clear(scale);
+}
+
+PrintedTrunk PrintedTrunk::turned(const std::vector<std::string>& limbs,
+                                  const Eigen::Matrix3d& turn) const {
+  PrintedTrunk out = *this;
+  for (Rider& rider : out.riders_) {
+    if (std::find(limbs.begin(), limbs.end(), rider.limb) == limbs.end()) continue;
+    Eigen::Matrix3d own = turn;
+    if (rider.mirrored)
+      for (const Eigen::Index k : {0, 2}) {  // across the x-z plane
+        own(k, 1) *= -1.0;
+        own(1, k) *= -1.0;
+      }
+    for (OutlineHulls* hulls : {&rider.outline, &rider.cradle})
+      for (OutlineHull& hull : *hulls)
+        for (Vector3d& point : hull.points) point = rider.place + own * (point - rider.place);
+  }
+  return out;
+}
+
+bool PrintedTrunk::is_clear(const Vector3d& scale) const {
   std::size_t k = 0;
   for (const auto& [i, j] : pairs())
     if (distance(i, j, scale) < std::min(clearance_, drawn_[k++] - kKeptOnTrunk)) return false;

@@ -55,6 +55,7 @@ enum class LinkShape { hull, capsule };
 /// What printed parts are to keep, in every design.
 struct PrintLimits {
   Eigen::Vector2d bed{0.22, 0.22};  // of the printer [m]
+  double turn = 0.0;                // how far axes of joints may turn, either way [rad]
 };
 
 /// Axes of all vectors are those of the trunk with all angles zero: x forward, y left, z up. SI

@@ -272,9 +272,11 @@ class ProposalBuilder {
     for (auto k = static_cast<std::size_t>(limb.shared); k < limb.links.size(); ++k) {
       const Joint &joint = link(limb.links[k]).joint, &twin = link(other.links[k]).joint;
       const Vector3d axis = joint.axis.at(s_);
-      const std::string hindrance = is_to_be_printed(*xml_) ? std::string(kAxesStay)
-                                    : limb.partner < 0      ? std::string()
-                                                            : unmirrored(joint, twin);
+      const bool stays =
+          is_to_be_printed(*xml_) && !turns_with_axis(out_.model.turning_parts, joint.name);
+      const std::string hindrance = stays              ? std::string(kAxesStay)
+                                    : limb.partner < 0 ? std::string()
+                                                       : unmirrored(joint, twin);
       std::string own = without_side(joint.name);
       if (own.empty()) own = fmt::format("joint{}", k + 1);
       const std::string where = place(limb);

@@ -26,29 +26,24 @@ constexpr double kSamePoint = 1e-6;   // [m]; files have six digits
 constexpr double kSameWeight = 1e-6;  // of mass and moments
 constexpr std::size_t kMostPoints = 500;
 constexpr const char* kForm =
-    "expected \"DENSITY kg/m3 | body NAME: x y z … | geom NAME: x y z …\"";
+    "expected \"DENSITY kg/m3 | joint NAME: x y z … | body NAME: x y z … | geom NAME: x y z …\"";
 constexpr const char* kCure =
     "change lengths by `legwright export`, which makes it anew, or remove the declaration: then it "
     "stays as it is";
-
-/// Points that go with one thing.
-struct ConnectorEnd {
-  bool is_geom = false;
-  std::string name;
-  std::vector<Vector3d> points;
-};
 
 /// One declaration, read against the compiled model.
 class ConnectorReader {
  public:
   ConnectorReader(const XmlFile& xml, const mjModel& model, const TreeElements& elements,
-                  const Structure& structure, const StretchMap& stretches, const VectorXd& initial,
+                  const Structure& structure, const StretchMap& stretches,
+                  const std::vector<TurningPart>& turning, const VectorXd& initial,
                   const MeshElements& meshes, const XmlElement& text)
       : xml_(xml),
         model_(model),
         elements_(elements),
         structure_(structure),
         stretches_(stretches),
+        turning_(turning),
         initial_(initial),
         meshes_(meshes),
         text_(text) {}
@@ -59,7 +54,8 @@ class ConnectorReader {
     body_ = model_.geom_bodyid[geom];
     out_.body = name_of(model_, mjOBJ_BODY, body_);
     check_body(geom);
-    for (const ConnectorEnd& end : read_text()) {
+    out_.ends = read_text();
+    for (Connector::End& end : out_.ends) {
       const AffineVector place = place_of(end);
       for (const Vector3d& point : end.points) out_.points.push_back(sum(place, {point, {}}));
     }
@@ -110,11 +106,13 @@ class ConnectorReader {
     const XmlElement* const body = elements_.bodies[static_cast<std::size_t>(body_)];
     const bool is_plain = body_ > structure_.trunk && !out_.body.empty() &&
                           model_.body_jntnum[body_] == 0 && body->FirstChildElement("inertial") &&
-                          is_at_origin(geom, *body);
+                          !find_turning_part(turning_, out_.body) && is_at_origin(geom, *body);
     if (!is_plain)
-      throw xml_.error(element,
-                       "is a connector, which stands at the origin of a body of its own that has a "
-                       "name, an <inertial> and no joint, and is fixed to a link; put it into one");
+      throw xml_.error(
+          element,
+          "is a connector, which stands at the origin of a body of its own that has a "
+          "name, an <inertial> and no joint, and is fixed to a link; put it into one that "
+          "is not declared to turn");
   }
 
   /// MuJoCo adds the mesh's own centre and axes to a geom's place.
@@ -125,7 +123,7 @@ class ConnectorReader {
            rotation_at(model_.geom_quat, geom).isApprox(rotation_at(model_.mesh_quat, mesh), 1e-9);
   }
 
-  std::vector<ConnectorEnd> read_text() {
+  std::vector<Connector::End> read_text() {
     const std::string_view data = attribute(text_, "data");
     std::vector<std::string_view> parts;
     for (std::size_t at = 0; at <= data.size();) {
@@ -139,7 +137,7 @@ class ConnectorReader {
       throw xml_.error(text_,
                        fmt::format("attribute data: '{}' is no density; {}", parts.front(), kForm));
     out_.density = *density;
-    std::vector<ConnectorEnd> ends;
+    std::vector<Connector::End> ends;
     std::size_t count = 0;
     for (std::size_t k = 1; k < parts.size(); ++k) {
       ends.push_back(read_end(parts[k]));
@@ -152,18 +150,18 @@ class ConnectorReader {
     return ends;
   }
 
-  ConnectorEnd read_end(std::string_view part) const {
+  Connector::End read_end(std::string_view part) const {
     const std::size_t colon = part.rfind(':');
     const std::string_view head = trimmed(part.substr(0, colon));
-    ConnectorEnd out;
-    out.is_geom = head.substr(0, 5) == "geom ";
+    Connector::End out;
     const auto numbers =
         colon == std::string_view::npos ? std::nullopt : parse_numbers(part.substr(colon + 1));
-    if ((!out.is_geom && head.substr(0, 5) != "body ") || !numbers || numbers->empty() ||
+    const auto sort = sort_of(head);
+    if ((sort != "geom" && sort != "body" && sort != "joint") || !numbers || numbers->empty() ||
         numbers->size() % 3 != 0)
       throw xml_.error(text_,
                        fmt::format("attribute data: '{}' is no end with points; {}", part, kForm));
-    out.name = trimmed(head.substr(5));
+    out.what = fmt::format("{} {}", sort, trimmed(head.substr(sort.size())));
     for (std::size_t k = 0; k < numbers->size(); k += 3)
       out.points.emplace_back(Vector3d::Map(numbers->data() + k));
     return out;
@@ -193,22 +191,41 @@ class ConnectorReader {
     return out;
   }
 
-  /// The origin of what an end goes with, in the connector's frame.
-  AffineVector place_of(const ConnectorEnd& end) const {
-    const int id = mj_name2id(&model_, end.is_geom ? mjOBJ_GEOM : mjOBJ_BODY, end.name.c_str());
-    const int above = model_.body_parentid[body_];
+  static std::string_view sort_of(std::string_view what) { return what.substr(0, what.find(' ')); }
+
+  /// The origin of what an end goes with, in the connector's frame; the end is told with whose axis
+  /// it turns.
+  AffineVector place_of(Connector::End& end) const {
+    const std::string_view sort = sort_of(end.what);
+    const bool is_geom = sort == "geom", is_joint = sort == "joint";
+    const mjtObj kind = is_geom ? mjOBJ_GEOM : is_joint ? mjOBJ_JOINT : mjOBJ_BODY;
+    const std::string name = end.what.substr(sort.size() + 1);
+    const int id = mj_name2id(&model_, kind, name.c_str()), above = model_.body_parentid[body_];
     const bool is_beside =
-        id >= 0 && (end.is_geom ? model_.geom_bodyid[id] == above
-                                : id == body_ || (id > 0 && model_.body_parentid[id] == above));
+        id >= 0 && (is_geom    ? model_.geom_bodyid[id] == above
+                    : is_joint ? model_.jnt_bodyid[id] == above
+                               : id == body_ || (id > 0 && model_.body_parentid[id] == above));
     if (!is_beside)
       throw xml_.error(text_,
                        fmt::format("names the {} '{}', which does not stand in the body that "
                                    "holds '{}'; name one that does, or '{}' itself",
-                                   end.is_geom ? "geom" : "body", end.name, out_.body, out_.body));
-    if (!end.is_geom && id == body_) return {};
-    const AffineVector place = end.is_geom ? origin_of_geom(id) : origin_of(id);
+                                   sort, name, out_.body, out_.body));
     const Matrix3d back = rotation_at(model_.body_quat, body_).transpose();
-    return rotated(back, sum(place, negative(origin_of(body_))));
+    const auto from_own = [&](const AffineVector& place) {
+      return rotated(back, sum(place, negative(origin_of(body_))));
+    };
+    if (is_geom) return from_own(origin_of_geom(id));
+    if (is_joint) {
+      end.joint = name;
+      end.frame = back;
+      return from_own(stretched_point(vector_at(model_.jnt_pos, id), stretches()));
+    }
+    if (id == body_) return {};
+    if (const TurningPart* const part = find_turning_part(turning_, name)) {
+      end.joint = part->joint;
+      end.frame = back * part->frame;
+    }
+    return from_own(origin_of(id));
   }
 
   /// Its corners are declared points; whether they are all of them is told by what the hull weighs.
@@ -249,6 +266,7 @@ class ConnectorReader {
   const TreeElements& elements_;
   const Structure& structure_;
   const StretchMap& stretches_;
+  const std::vector<TurningPart>& turning_;
   const VectorXd& initial_;
   const MeshElements& meshes_;
   const XmlElement& text_;
@@ -282,6 +300,7 @@ std::vector<Facet> facets_at(const Connector& connector, const std::vector<Vecto
 
 std::vector<Connector> read_connectors(const XmlFile& xml, const mjModel& model,
                                        const Structure& structure, const StretchMap& stretches,
+                                       const std::vector<TurningPart>& turning,
                                        const VectorXd& initial) {
   std::vector<const XmlElement*> texts;
   for (const XmlElement* section = xml.root().FirstChildElement("custom"); section;
@@ -296,7 +315,8 @@ std::vector<Connector> read_connectors(const XmlFile& xml, const mjModel& model,
   const MeshElements meshes = find_mesh_elements(xml);
   for (const XmlElement* text : texts)
     out.push_back(
-        ConnectorReader(xml, model, elements, structure, stretches, initial, meshes, *text).run());
+        ConnectorReader(xml, model, elements, structure, stretches, turning, initial, meshes, *text)
+            .run());
   return out;
 }
 
@@ -307,14 +327,50 @@ void add_connector_masses(const std::vector<Connector>& connectors, const Vector
                                                     connector.density, initial));
 }
 
+bool turns(const RobotModel& robot, const Connector& connector, const VectorXd& s) {
+  const VectorXd initial = robot.space.initial();
+  return std::any_of(connector.ends.begin(), connector.ends.end(), [&](const Connector::End& end) {
+    return !end.joint.empty() &&
+           axis_turn(robot.morphology, end.joint, initial, s) != Matrix3d::Identity();
+  });
+}
+
+std::vector<Vector3d> turned_end(const RobotModel& robot, const Connector::End& end,
+                                 const VectorXd& s) {
+  std::vector<Vector3d> out = end.points;
+  if (end.joint.empty()) return out;
+  const Matrix3d turn = axis_turn(robot.morphology, end.joint, robot.space.initial(), s);
+  if (turn == Matrix3d::Identity()) return out;
+  for (Vector3d& point : out) point = end.frame * (turn * (end.frame.transpose() * point));
+  return out;
+}
+
+std::vector<AffineVector> turned_points(const RobotModel& robot, const Connector& connector,
+                                        const VectorXd& s) {
+  std::vector<AffineVector> out = connector.points;
+  auto at = out.begin();
+  for (const Connector::End& end : connector.ends) {
+    const std::vector<Vector3d> turned = turned_end(robot, end, s);
+    for (std::size_t k = 0; k < turned.size(); ++k) at++->constant += turned[k] - end.points[k];
+  }
+  return out;
+}
+
 Morphology with_hulls_at(const RobotModel& robot, const VectorXd& s) {
   Morphology out = robot.morphology;
   for (const Connector& connector : robot.connectors) {
-    const std::vector<Vector3d> points = points_at(connector.in_link, s);
-    const std::vector<Facet> facets = facets_at(connector, points);
-    if (facets == connector.facets) continue;
+    std::vector<AffineVector> in_link = connector.in_link;
+    const bool turned = turns(robot, connector, s);
+    if (turned) {
+      const std::vector<AffineVector> own = turned_points(robot, connector, s);
+      for (std::size_t k = 0; k < own.size(); ++k)
+        in_link[k].constant +=
+            connector.link_from_body * (own[k].constant - connector.points[k].constant);
+    }
+    const std::vector<Facet> facets = facets_at(connector, points_at(in_link, s));
+    if (!turned && facets == connector.facets) continue;
     const std::vector<PointMass> masses =
-        masses_of_solid(facets, connector.in_link, connector.density, robot.space.initial());
+        masses_of_solid(facets, in_link, connector.density, robot.space.initial());
     std::copy(
         masses.begin(), masses.end(),
         out.links[static_cast<std::size_t>(connector.link)].masses.begin() + connector.first_mass);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mjcf/read/structure.hpp"
+#include "mjcf/read/turning_parts.hpp"
 #include "mjcf/shape/convex_hull.hpp"
 #include "mjcf/text/robot_files.hpp"
 #include "optimizer/design/design.hpp"
@@ -51,13 +52,22 @@ inline constexpr double kFullTorqueError = 0.0375, kDampingTime = 0.015;
 /// A printed part between modules: the convex hull of points, each of which goes with what it is
 /// fixed to.
 struct Connector {
+  /// Points that go with one thing.
+  struct End {
+    std::string what;                     // of the declaration: "body FL_knee_servo"
+    std::vector<Eigen::Vector3d> points;  // from there, in the axes of the mesh [m]
+    std::string joint;                    // with whose axis they turn; empty: with none
+    Eigen::Matrix3d frame = Eigen::Matrix3d::Identity();  // mesh ← body of that joint
+  };
   std::string mesh, body;             // of the file: its asset, and the body that shows it
   double density = 0.0;               // [kg/m3]
+  std::vector<End> ends;              // whose points are `points`, in this order
   std::vector<AffineVector> points;   // in the body's frame
   std::vector<Facet> facets;          // of the hull at the initial design, indices of points
   int link = 0;                       // of the morphology, that it belongs to
   std::vector<AffineVector> in_link;  // the points in that link's frame
-  std::ptrdiff_t first_mass = 0;      // of those of the link that stand for it
+  Eigen::Matrix3d link_from_body = Eigen::Matrix3d::Identity();
+  std::ptrdiff_t first_mass = 0;  // of those of the link that stand for it
 };
 
 /// A robot as Legwright sees it: the compiled tree, its design parameters, and how to find them in
@@ -71,6 +81,7 @@ struct RobotModel {
   std::vector<Binding> bindings;  // one for each entry of `space`
   std::vector<Servo> servos;      // in the order of the morphology's joints
   std::vector<Connector> connectors;
+  std::vector<TurningPart> turning_parts;
   std::string root_body;    // MJCF name of the trunk
   bool in_degrees = false;  // angles of the file, but for those of keyframes
   Structure structure;      // what moves, what is held; the ids are those of each design

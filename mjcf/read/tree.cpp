@@ -48,18 +48,16 @@ struct Placement {
 class MorphologyBuilder {
  public:
   MorphologyBuilder(const mjModel& model, const Structure& structure, const DesignSpace& space,
-                    const std::vector<Binding>& bindings, const StretchMap& stretches,
-                    const PlaceMap& places, const PrintedMap& printed,
+                    const std::vector<Binding>& bindings, const MovedParts& moved,
                     std::vector<Connector>& connectors)
       : model_(model),
         structure_(structure),
         trunk_(structure.trunk),
         space_(space),
         bindings_(bindings),
-        stretches_(stretches),
-        places_(places),
-        printed_(printed),
+        moved_(moved),
         connectors_(connectors),
+        initial_(space.initial()),
         placements_(static_cast<std::size_t>(model.nbody)) {}
 
   /// @param xml the file that was compiled.
@@ -81,7 +79,7 @@ class MorphologyBuilder {
                            foot.radius, sole_of(foot, at.rotation)});
     }
     for (const TendonSpan& span : tendons) add_linear_actuator(span);
-    out_.leg_length = stretched_limb(out_, 0, space_.initial());
+    out_.leg_length = stretched_limb(out_, 0, initial_);
     add_capsules(xml, elements);
     return std::move(out_);
   }
@@ -89,8 +87,8 @@ class MorphologyBuilder {
  private:
   const std::vector<Stretch>& stretches_of(int body) const {
     static const std::vector<Stretch> none;
-    const auto found = stretches_.find(name_of(model_, mjOBJ_BODY, body));
-    return found == stretches_.end() ? none : found->second;
+    const auto found = moved_.stretches.find(name_of(model_, mjOBJ_BODY, body));
+    return found == moved_.stretches.end() ? none : found->second;
   }
 
   /// A point of a body's frame in the frame of its link.
@@ -159,29 +157,30 @@ class MorphologyBuilder {
     return out;
   }
 
-  JointAxis axis(int j, const std::string& name) const {
-    JointAxis out;
+  /// What turns a joint's axis, in the frame of its body.
+  std::vector<JointAxis::Turn> turns_of(const std::string& joint) const {
+    std::vector<JointAxis::Turn> out;
     for (int k = 0; k < space_.size(); ++k) {
       if (space_.parameters[k].kind != ParameterKind::axis_angle) continue;
       for (const Binding::Target& target : bindings_[k].targets)
-        if (target.name == name) out.turns.push_back({k, target.direction, target.factor});
+        if (target.name == joint) out.push_back({k, target.direction, target.factor});
     }
-    // The file's axis has the file's turns in it, outermost first; take them back in this order.
-    out.reference = vector_at(model_.jnt_axis, j);
-    for (const JointAxis::Turn& turn : out.turns)
-      out.reference =
-          Eigen::AngleAxisd(-turn.factor * space_.parameters[turn.parameter].initial, turn.about) *
-          out.reference;
-    out.reference.normalize();
+    return out;
+  }
+
+  JointAxis axis(int j, const std::string& name) const {
+    JointAxis out{Vector3d::Zero(), turns_of(name)};
+    // The file's axis has the file's turns in it.
+    out.reference = turned_back(out.turns, initial_, vector_at(model_.jnt_axis, j)).normalized();
     return out;
   }
 
   AffineVector attachment(int site) const {
     const int body = model_.site_bodyid[site];
-    const auto found = places_.find(name_of(model_, mjOBJ_SITE, site));
+    const auto found = moved_.places.find(name_of(model_, mjOBJ_SITE, site));
     const AffineVector own =
         placed_point(vector_at(model_.site_pos, site), stretches_of(body),
-                     found == places_.end() ? std::vector<Place>{} : found->second);
+                     found == moved_.places.end() ? std::vector<Place>{} : found->second);
     return sum(placements_[body].origin, rotated(placements_[body].rotation, own));
   }
 
@@ -203,8 +202,8 @@ class MorphologyBuilder {
   void add_capsules(const XmlFile& xml, const TreeElements& elements) {
     const TrunkCapsules found = trunk_capsules(
         xml, elements, model_, structure_,
-        [&](int body) -> const std::vector<Stretch>& { return stretches_of(body); },
-        space_.initial(), out_.leg_length);
+        [&](int body) -> const std::vector<Stretch>& { return stretches_of(body); }, initial_,
+        out_.leg_length);
     std::map<int, std::pair<int, int>> of_geom;  // first capsule and the one behind the last
     for (const auto& [geom, capsules] : found.of_geom) {
       const Placement& at = placements_[static_cast<std::size_t>(model_.geom_bodyid[geom])];
@@ -236,8 +235,8 @@ class MorphologyBuilder {
   /// mass, centre and inertia.
   void add_masses(int body) {
     const std::string name = name_of(model_, mjOBJ_BODY, body);
-    const auto found = printed_.find(name);
-    if (found != printed_.end()) {
+    const auto found = moved_.printed.find(name);
+    if (found != moved_.printed.end()) {
       const Placement& at = placements_[body];
       tell_connector(name, at);
       for (PointMass point : found->second) {
@@ -251,13 +250,34 @@ class MorphologyBuilder {
     const Vector3d inertia = vector_at(model_.body_inertia, body),
                    centre = vector_at(model_.body_ipos, body);
     const Matrix3d axes = rotation_at(model_.body_iquat, body);
+    const std::vector<JointAxis::Turn> turns = turns_of_part(body, name);
     for (int k = 0; k < 3; ++k) {
       const double second_moment = std::max(0.0, inertia.sum() / 2 - inertia[k]);
       const Vector3d arm = std::sqrt(3 * second_moment / mass) * axes.col(k);
       for (const double sign : {1.0, -1.0})
         out_.links[placements_[body].link].masses.push_back(
-            {mass / 6, point(body, centre + sign * arm)});
+            turns.empty() ? PointMass{mass / 6, point(body, centre + sign * arm)}
+                          : turning_mass(mass / 6, body, centre + sign * arm, turns));
     }
+  }
+
+  /// What turns a body with a joint's axis, in the frame of its link; nothing for most.
+  std::vector<JointAxis::Turn> turns_of_part(int body, const std::string& name) const {
+    const TurningPart* const part = find_turning_part(moved_.turning, name);
+    if (!part) return {};
+    std::vector<JointAxis::Turn> out = turns_of(part->joint);
+    const Matrix3d& around = placements_[model_.body_parentid[body]].rotation;
+    for (JointAxis::Turn& turn : out) turn.about = around * (part->frame * turn.about);
+    return out;
+  }
+
+  /// @param at in the body's frame
+  PointMass turning_mass(double mass, int body, const Vector3d& at,
+                         const std::vector<JointAxis::Turn>& turns) const {
+    const Placement& place = placements_[body];
+    PointMass out{mass, place.origin};
+    out.arm = {turned_back(turns, initial_, place.rotation * at), turns};
+    return out;
   }
 
   /// Of a connector whose masses come next.
@@ -265,6 +285,7 @@ class MorphologyBuilder {
     for (Connector& connector : connectors_) {
       if (connector.body != body) continue;
       connector.link = at.link;
+      connector.link_from_body = at.rotation;
       connector.first_mass = static_cast<std::ptrdiff_t>(out_.links[at.link].masses.size());
       for (const AffineVector& own : connector.points)
         connector.in_link.push_back(sum(at.origin, rotated(at.rotation, own)));
@@ -276,10 +297,9 @@ class MorphologyBuilder {
   const int trunk_;
   const DesignSpace& space_;
   const std::vector<Binding>& bindings_;
-  const StretchMap& stretches_;
-  const PlaceMap& places_;
-  const PrintedMap& printed_;
+  const MovedParts& moved_;
   std::vector<Connector>& connectors_;
+  const Eigen::VectorXd initial_;
   std::vector<Placement> placements_;  // by body id
   Morphology out_;
 };
@@ -310,12 +330,10 @@ Eigen::Isometry3d held_displacement(const mjModel& model, int joint) {
 
 Morphology build_morphology(const XmlFile& xml, const mjModel& model, const Structure& structure,
                             const DesignSpace& space, const std::vector<Binding>& bindings,
-                            const StretchMap& stretches, const PlaceMap& places,
-                            const PrintedMap& printed, const std::vector<TendonSpan>& tendons,
+                            const MovedParts& moved, const std::vector<TendonSpan>& tendons,
                             std::vector<Connector>& connectors) {
   Morphology out =
-      MorphologyBuilder(model, structure, space, bindings, stretches, places, printed, connectors)
-          .build(xml, tendons);
+      MorphologyBuilder(model, structure, space, bindings, moved, connectors).build(xml, tendons);
   out.name = std::string(model.names);  // the model's name comes first
   return out;
 }

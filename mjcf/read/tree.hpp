@@ -15,13 +15,20 @@
 
 namespace legwright {
 
+/// What a design moves besides axes.
+struct MovedParts {
+  const StretchMap& stretches;
+  const PlaceMap& places;
+  const PrintedMap& printed;
+  const std::vector<TurningPart>& turning;
+};
+
 /// Builds the kinematic tree of the compiled robot with the stretches, turns and places of its
 /// design parameters. Held joints are rigid, in their home pose.
 /// @param connectors are told their link and where its masses stand for them
 Morphology build_morphology(const XmlFile& xml, const mjModel& model, const Structure& structure,
                             const DesignSpace& space, const std::vector<Binding>& bindings,
-                            const StretchMap& stretches, const PlaceMap& places,
-                            const PrintedMap& printed, const std::vector<TendonSpan>& tendons,
+                            const MovedParts& moved, const std::vector<TendonSpan>& tendons,
                             std::vector<Connector>& connectors);
 
 /// How the home pose turns (hinge, ball) or shifts (slide) what a joint moves, against the pose

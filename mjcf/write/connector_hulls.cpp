@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mjcf/write/connector_hulls.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "mjcf/read/connectors.hpp"
@@ -28,21 +30,44 @@ Eigen::VectorXd vertices_of(const std::vector<Facet>& facets,
   return out;
 }
 
+namespace {
+
+std::string declared_points(const RobotModel& robot, const Connector& connector,
+                            const Eigen::VectorXd& s) {
+  std::string out = format_number(connector.density) + " kg/m3";
+  for (const Connector::End& end : connector.ends) {
+    std::vector<double> numbers;
+    for (const Eigen::Vector3d& point : turned_end(robot, end, s))
+      numbers.insert(numbers.end(), point.begin(), point.end());
+    const auto size = static_cast<Eigen::Index>(numbers.size());
+    out += fmt::format(" | {}: {}", end.what,
+                       format_numbers(rounded(Eigen::VectorXd::Map(numbers.data(), size))));
+  }
+  return out;
+}
+
+}  // namespace
+
 void write_connectors(const RobotModel& robot, const XmlFile& xml, const mjModel& model,
                       const TreeElements& elements, const Eigen::VectorXd& s, TextEdits& edits) {
   if (robot.connectors.empty()) return;
   const Eigen::VectorXd initial = robot.space.initial();
   const MeshElements meshes = find_mesh_elements(xml);
   for (const Connector& connector : robot.connectors) {
-    const bool moves = std::any_of(
-        connector.points.begin(), connector.points.end(), [&](const AffineVector& point) {
-          return std::any_of(point.slopes.begin(), point.slopes.end(), [&](const auto& slope) {
-            return s[slope.parameter] != initial[slope.parameter];
-          });
-        });
+    const bool moves =
+        turns(robot, connector, s) ||
+        std::any_of(
+            connector.points.begin(), connector.points.end(), [&](const AffineVector& point) {
+              return std::any_of(point.slopes.begin(), point.slopes.end(), [&](const auto& slope) {
+                return s[slope.parameter] != initial[slope.parameter];
+              });
+            });
     if (!moves) continue;
-    const std::vector<Eigen::Vector3d> points = points_at(connector.points, s);
+    const std::vector<Eigen::Vector3d> points = points_at(turned_points(robot, connector, s), s);
     const std::vector<Facet> facets = facets_at(connector, points);
+    if (turns(robot, connector, s))
+      edits.set(*find_named(xml.root(), "text", std::string(kConnectorPrefix) + connector.mesh),
+                "data", declared_points(robot, connector, s));
     const int body = mj_name2id(&model, mjOBJ_BODY, connector.body.c_str());
     const XmlElement& inertial =
         *elements.bodies[static_cast<std::size_t>(body)]->FirstChildElement("inertial");

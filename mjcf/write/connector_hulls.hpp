@@ -28,7 +28,8 @@ Eigen::VectorXd vertices_of(const std::vector<Facet>& facets,
                             const std::vector<Eigen::Vector3d>& points);
 
 /// Writes the hulls of a robot's connectors at design s into their meshes, and what they weigh into
-/// the <inertial> of their bodies. What does not move keeps its bytes.
+/// the <inertial> of their bodies; and where points turn with an axis, into their declarations.
+/// What does not move keeps its bytes.
 void write_connectors(const RobotModel& robot, const XmlFile& xml, const mjModel& model,
                       const TreeElements& elements, const Eigen::VectorXd& s, TextEdits& edits);
 

@@ -24,6 +24,7 @@
 #include "mjcf/write/keyframes.hpp"
 #include "mjcf/write/mesh_scales.hpp"
 #include "mjcf/write/skins.hpp"
+#include "mjcf/write/turned_bodies.hpp"
 #include "mjcf/write/verify.hpp"
 
 namespace legwright {
@@ -339,6 +340,7 @@ TextEdits edited_body(const RobotModel& robot, const XmlFile& xml, const mjModel
   write_mesh_scales(xml, model, elements, all, rigid, s, edits);
   write_capsule_masses(xml, model, elements, all, s, edits);
   write_connectors(robot, xml, model, elements, s, edits);
+  write_turned_bodies(robot, model, elements, s, edits);
   hide_skins(xml, model, all, s, edits);
   return edits;
 }

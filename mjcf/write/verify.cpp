@@ -13,7 +13,7 @@ namespace {
 Eigen::Matrix4d moments(const Link& link, const Eigen::VectorXd& s) {
   Eigen::Matrix4d sum = Eigen::Matrix4d::Zero();
   for (const PointMass& point : link.masses) {
-    const Eigen::Vector4d p = point.position.at(s).homogeneous();
+    const Eigen::Vector4d p = point.at(s).homogeneous();
     sum += point.mass * point.growth_at(s) * p * p.transpose();
   }
   return sum;

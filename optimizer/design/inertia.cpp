@@ -20,7 +20,8 @@ struct Slope {
   double growth = 0.0;                // a_k
 };
 
-std::vector<Slope> slopes_of(const PointMass& point, const Eigen::VectorXd& s) {
+std::vector<Slope> slopes_of(const PointMass& point, const AxisAtDesign& arm,
+                             const Eigen::VectorXd& s) {
   std::vector<Slope> slopes;
   const auto at = [&slopes](int parameter) -> Slope& {
     for (Slope& slope : slopes)
@@ -29,9 +30,25 @@ std::vector<Slope> slopes_of(const PointMass& point, const Eigen::VectorXd& s) {
   };
   for (const AffineVector::Slope& slope : point.position.slopes)
     at(slope.parameter).slope.head<3>() += slope.slope;
+  for (std::size_t k = 0; k < arm.parameters.size(); ++k)
+    at(arm.parameters[k]).slope.head<3>() += arm.first[k];
   for (const PointMass::Growth& growth : point.growth)
     at(growth.parameter).growth += 0.5 / s[growth.parameter];
   return slopes;
+}
+
+/// Adds what an arm that turns has of second derivatives, and nothing else: Σ m [u_kl; 0] [u; 1]ᵀ.
+void add_bends(const AxisAtDesign& arm, double mass, const Vector4d& u,
+               std::vector<InnerMotion>& inner) {
+  const auto index = [&inner](int parameter) {
+    const auto found = std::find_if(inner.begin(), inner.end(),
+                                    [&](const InnerMotion& i) { return i.parameter == parameter; });
+    return static_cast<std::size_t>(found - inner.begin());
+  };
+  for (std::size_t k = 0; k < arm.parameters.size(); ++k)
+    for (std::size_t l = 0; l < arm.parameters.size(); ++l)
+      inner[index(arm.parameters[k])].seconds[index(arm.parameters[l])].topRows<3>() +=
+          mass * arm.second[k][l] * u.transpose();
 }
 
 /// Σ over point masses of what parameter k does to them.
@@ -42,7 +59,7 @@ std::vector<InnerMotion> inner_motion(const Link& link, const Eigen::VectorXd& s
                         [&](const InnerMotion& i) { return i.parameter == parameter; });
   };
   for (const PointMass& point : link.masses)
-    for (const Slope& slope : slopes_of(point, s))
+    for (const Slope& slope : slopes_of(point, axis_at(point.arm, s), s))
       if (find(slope.parameter) == inner.end())
         inner.push_back({slope.parameter, Vector4d::Zero(), Matrix4d::Zero(), {}, {}});
   for (InnerMotion& k : inner) {
@@ -50,9 +67,11 @@ std::vector<InnerMotion> inner_motion(const Link& link, const Eigen::VectorXd& s
     k.seconds.assign(inner.size(), Matrix4d::Zero());
   }
   for (const PointMass& point : link.masses) {
-    const Vector4d u = point.position.at(s).homogeneous();
+    const Vector4d u = point.at(s).homogeneous();
     const double mass = point.mass * point.growth_at(s);
-    const std::vector<Slope> slopes = slopes_of(point, s);
+    const AxisAtDesign arm = axis_at(point.arm, s);
+    const std::vector<Slope> slopes = slopes_of(point, arm, s);
+    add_bends(arm, mass, u, inner);
     for (const Slope& own : slopes) {
       InnerMotion& k = *find(own.parameter);
       const Vector4d first = own.slope + own.growth * u;
@@ -100,11 +119,12 @@ AxisAtDesign axis_at(const JointAxis& joint_axis, const Eigen::VectorXd& s) {
 GeometryAtDesign::GeometryAtDesign(const Morphology& morphology, const Eigen::VectorXd& s) {
   for (const Link& link : morphology.links) {
     LinkAtDesign at{link.origin.at(s), axis_at(link.joint.axis, s), Eigen::Matrix4d::Zero(),
-                    inner_motion(link, s), false};
+                    inner_motion(link, s)};
     for (const PointMass& point : link.masses) {
-      const Vector4d u = point.position.at(s).homogeneous();
+      const Vector4d u = point.at(s).homogeneous();
       at.moments += point.mass * point.growth_at(s) * u * u.transpose();
       at.grows |= !point.growth.empty();
+      at.bends |= at.grows || !point.arm.turns.empty();
     }
     grows |= at.grows;
     total_mass += at.moments(3, 3);

@@ -8,8 +8,8 @@
 
 namespace legwright {
 
-/// A joint axis at one design, with its exact first and second derivatives in the parameters that
-/// turn it.
+/// A joint axis, or another vector that a design turns, at one design, with its exact first and
+/// second derivatives in the parameters that turn it.
 struct AxisAtDesign {
   Eigen::Vector3d axis;
   std::vector<int> parameters;
@@ -27,7 +27,7 @@ struct InnerMotion {
   Eigen::Vector4d first;    // ∂/∂s_k of Σ m [u; 1]; the last entry is the link's growth
   Eigen::Matrix4d moments;  // Σ v_k vᵀ
   std::vector<Eigen::Matrix4d> products;  // Σ v_k v_lᵀ, by index of another InnerMotion
-  std::vector<Eigen::Matrix4d> seconds;   // Σ v_kl vᵀ, likewise; zero where no mass grows
+  std::vector<Eigen::Matrix4d> seconds;   // Σ v_kl vᵀ, likewise; zero where nothing bends
   /// ∂²/∂s_k∂s_l of Σ m [u; 1].
   Eigen::Vector4d second_first(const InnerMotion& other, int own_index, int index) const {
     return (seconds[index] + seconds[index].transpose() + products[index] +
@@ -44,6 +44,7 @@ struct LinkAtDesign {
   Eigen::Matrix4d moments;
   std::vector<InnerMotion> inner;
   bool grows = false;  // whether its mass depends on the design
+  bool bends = false;  // whether v_kl of a point is not zero: its mass grows, or an arm turns
 };
 
 /// M and I of a design, and every other measure kinematics needs; depends on s only.

@@ -102,7 +102,7 @@ void PairDerivatives::add_inner(const LinkAtDesign& at, const PoseKinematics& ow
   };
   const InnerMotion& motion = at.inner[twist.inner_index];
   effect.swept = in_world(motion.moments);
-  if (!at.grows) return;
+  if (!at.bends) return;
   effect.growth = other_turn * motion.moments.row(3).head<3>().transpose() +
                   motion.moments(3, 3) * other_origin;
   for (int l = twist.inner_index; l < static_cast<int>(at.inner.size()); ++l) {

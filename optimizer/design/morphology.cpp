@@ -12,11 +12,22 @@ Eigen::Vector3d AffineVector::at(const Eigen::VectorXd& s) const {
   return v;
 }
 
-Eigen::Vector3d JointAxis::at(const Eigen::VectorXd& s) const {
-  Eigen::Vector3d axis = reference;
+Eigen::Vector3d TurnedVector::at(const Eigen::VectorXd& s) const {
+  return turned(turns, s, reference);
+}
+
+Eigen::Vector3d turned(const std::vector<TurnedVector::Turn>& turns, const Eigen::VectorXd& s,
+                       Eigen::Vector3d vector) {
   for (auto turn = turns.rbegin(); turn != turns.rend(); ++turn)
-    axis = Eigen::AngleAxisd(turn->factor * s[turn->parameter], turn->about) * axis;
-  return axis;
+    vector = Eigen::AngleAxisd(turn->factor * s[turn->parameter], turn->about) * vector;
+  return vector;
+}
+
+Eigen::Vector3d turned_back(const std::vector<TurnedVector::Turn>& turns, const Eigen::VectorXd& s,
+                            Eigen::Vector3d vector) {
+  for (const TurnedVector::Turn& turn : turns)
+    vector = Eigen::AngleAxisd(-turn.factor * s[turn.parameter], turn.about) * vector;
+  return vector;
 }
 
 double PointMass::growth_at(const Eigen::VectorXd& s) const {

@@ -25,19 +25,29 @@ struct AffineVector {
   Eigen::Vector3d at(const Eigen::VectorXd& s) const;
 };
 
-/// A joint axis as a function of the design: the reference axis turned about fixed directions of
-/// the link frame, a(s) = R(about₁, f₁ s₁) R(about₂, f₂ s₂) … reference. A unit vector for every s.
-struct JointAxis {
+/// A vector that a design turns about fixed directions of the link frame,
+/// a(s) = R(about₁, f₁ s₁) R(about₂, f₂ s₂) … reference. As long for every s.
+struct TurnedVector {
   struct Turn {
     int parameter;          // angle in s [rad]
     Eigen::Vector3d about;  // unit vector; already mirrored where the joint is the mirrored one
-    double factor = 1.0;    // f: this joint turns by so many times the angle (scaled ties)
+    double factor = 1.0;    // f: it turns by so many times the angle (scaled ties)
   };
-  Eigen::Vector3d reference = Eigen::Vector3d::UnitY();  // unit vector: the axis at angles zero
-  std::vector<Turn> turns;                               // outermost first
+  Eigen::Vector3d reference = Eigen::Vector3d::Zero();  // at angles zero
+  std::vector<Turn> turns;                              // outermost first
 
   Eigen::Vector3d at(const Eigen::VectorXd& s) const;
 };
+
+/// Turns a vector by R(about₁, f₁ s₁) R(about₂, f₂ s₂) …
+Eigen::Vector3d turned(const std::vector<TurnedVector::Turn>& turns, const Eigen::VectorXd& s,
+                       Eigen::Vector3d vector);
+/// Takes such turns back.
+Eigen::Vector3d turned_back(const std::vector<TurnedVector::Turn>& turns, const Eigen::VectorXd& s,
+                            Eigen::Vector3d vector);
+
+/// A joint axis as a function of the design: a unit vector.
+using JointAxis = TurnedVector;
 
 /// One of the point masses that stand for a body: same mass, centre and inertia. The mass of a
 /// printed part grows with each stretch that makes it longer, m(s) = mass · Π s[parameter]/initial;
@@ -48,9 +58,13 @@ struct PointMass {
     double initial;  // [m]
   };
   double mass;            // [kg]; of a growing one at the initial design
-  AffineVector position;  // in the link frame
+  AffineVector position;  // in the link frame, without the arm
   std::vector<Growth> growth = {};
-  double volume = 0.0;  // printed with it [m³], grows alike
+  double volume = 0.0;    // printed with it [m³], grows alike
+  TurnedVector arm = {};  // from the position: of what turns as a joint's axis does
+
+  /// Where it is, in the link frame.
+  Eigen::Vector3d at(const Eigen::VectorXd& s) const { return position.at(s) + arm.at(s); }
 
   /// Π s[parameter]/initial
   double growth_at(const Eigen::VectorXd& s) const;
@@ -66,7 +80,7 @@ struct MotorLine {
 /// The hinge that moves a link, and its servo.
 struct Joint {
   std::string name;
-  JointAxis axis;                                           // in the link frame
+  JointAxis axis{Eigen::Vector3d::UnitY(), {}};             // in the link frame
   double nominal = 0.0;                                     // angle in the robot's home pose [rad]
   double lower = -std::numeric_limits<double>::infinity();  // range [rad]
   double upper = std::numeric_limits<double>::infinity();

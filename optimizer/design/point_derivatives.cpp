@@ -232,7 +232,7 @@ void first_moment_from_pose(const GeometryAtDesign& geometry, const Ancestry& an
       const InnerMotion& motion = at.inner[twist.inner_index];
       out.effects.push_back({columns[twist.coordinate], twist.link, false, true, Vector3d::Zero(),
                              in_world(motion.first), Vector3d::Zero(), scale * motion.first[3]});
-      for (int l = twist.inner_index; at.grows && l < static_cast<int>(at.inner.size()); ++l) {
+      for (int l = twist.inner_index; at.bends && l < static_cast<int>(at.inner.size()); ++l) {
         const Twist& other =
             (&twist)[l - twist.inner_index];  // inner twists of a link are in a row
         out.seconds.push_back({columns[twist.coordinate], columns[other.coordinate],

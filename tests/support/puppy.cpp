@@ -189,6 +189,21 @@ void print_bodies(Puppy& puppy) {
     }
 }
 
+void hang_servos(Puppy& puppy) {
+  std::vector<Link>& links = puppy.morphology.links;
+  for (std::size_t l = 1; l < links.size(); ++l)
+    for (const Vector3d& arm : {Vector3d(0.03, 0.01, -0.02), Vector3d(-0.01, 0.02, 0.03)}) {
+      PointMass point{0.03, links[l].origin};
+      point.arm = {arm, links[l].joint.axis.turns};
+      links[static_cast<std::size_t>(links[l].parent)].masses.push_back(point);
+    }
+}
+
+void make_masses(Puppy& puppy, Masses masses) {
+  if (masses == Masses::printed) print_bodies(puppy);
+  if (masses == Masses::turning) hang_servos(puppy);
+}
+
 Task make_sideways_task(bool trot, int knot_count, int planted_margin) {
   const GaitPattern pattern = trot ? GaitPattern{"trot", {0, 0.5, 0.5, 0}, 0.5}
                                    : GaitPattern{"walk", {0, 0.5, 0.75, 0.25}, 0.75};

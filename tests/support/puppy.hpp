@@ -21,12 +21,19 @@ struct Puppy {
 /// the order 12 lengths, 12 × (turn about z, turn about x), body width, body length.
 Puppy make_puppy(bool tied);
 
+/// Which of its point masses change with the design in other ways than that they move along.
+enum class Masses { plain, printed, turning };
+void make_masses(Puppy& puppy, Masses masses);
+
 /// Adds a linear actuator to each knee and the three coordinates of its lower end as parameters.
 void add_pistons(Puppy& puppy);
 
 /// Makes the shanks, thighs and the trunk printed: their masses grow with their lengths, the
 /// trunk's with two of them.
 void print_bodies(Puppy& puppy);
+
+/// Hangs a servo before and beside each hinge, which turns with its axis.
+void hang_servos(Puppy& puppy);
 
 /// Gives the trunk two capsules along its sides, which follow its width and length, and each thigh
 /// and shank one; trunk and limbs may not touch. `low`: how far below the hips the trunk's are, and

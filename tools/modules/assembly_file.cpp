@@ -135,6 +135,7 @@ class AssemblyReader {
     TaskTable print = table(toml, "print");
     out_.print = PrintLimits{};
     if (const auto bed = print.numbers("bed")) out_.print->bed = {(*bed)[0], (*bed)[1]};
+    out_.print->turn = print.number("turn").value_or(out_.print->turn);
     print.finish();
   }
 

@@ -43,6 +43,7 @@ Dependence on_subtree(const Morphology& morphology, const Ancestry& ancestry, in
     for (const PointMass& point : morphology.links[l].masses) {
       add_vector(point.position, out);
       for (const PointMass::Growth& growth : point.growth) out.parameters.insert(growth.parameter);
+      for (const auto& turn : point.arm.turns) out.parameters.insert(turn.parameter);
     }
   }
   for (const Foot& foot : morphology.feet)

@@ -18,12 +18,13 @@ using Eigen::Matrix3d;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
+using test::Masses;
 
-/// The puppy without ties, plain or printed, at a design of its own.
+/// The puppy without ties, at a design of its own.
 class PuppyAtHome {
  public:
-  explicit PuppyAtHome(bool printed) : puppy_(test::make_puppy(false)) {
-    if (printed) test::print_bodies(puppy_);
+  explicit PuppyAtHome(Masses masses) : puppy_(test::make_puppy(false)) {
+    test::make_masses(puppy_, masses);
     std::mt19937 random(5);
     std::normal_distribution<double> normal;
     s = puppy_.space.initial();
@@ -42,7 +43,7 @@ class PuppyAtHome {
     for (std::size_t l = 0; l < puppy_.morphology.links.size(); ++l)
       for (const PointMass& point : puppy_.morphology.links[l].masses) {
         const int link = static_cast<int>(l);
-        const Vector3d arm = home.origin(link) + home.rotation(link) * point.position.at(s) - com;
+        const Vector3d arm = home.origin(link) + home.rotation(link) * point.at(s) - com;
         sum += point.mass * point.growth_at(s) *
                (arm.squaredNorm() * Matrix3d::Identity() - arm * arm.transpose());
       }
@@ -58,16 +59,16 @@ class PuppyAtHome {
 };
 
 TEST(HomeInertia, IsTheSumOverPointMassesAboutTheirCentre) {
-  for (const bool printed : {false, true}) {
-    const PuppyAtHome puppy(printed);
+  for (const Masses masses : {Masses::plain, Masses::printed, Masses::turning}) {
+    const PuppyAtHome puppy(masses);
     const Matrix3d wanted = puppy.summed();
     EXPECT_LT((symmetric_matrix(puppy.at(puppy.s).value) - wanted).norm(), 1e-12 * wanted.norm());
   }
 }
 
 TEST(HomeInertia, DerivativesMatchCentralDifferences) {
-  for (const bool printed : {false, true}) {
-    const PuppyAtHome puppy(printed);
+  for (const Masses masses : {Masses::plain, Masses::printed, Masses::turning}) {
+    const PuppyAtHome puppy(masses);
     const HomeInertia exact = puppy.at(puppy.s);
     const double size = exact.value.norm();
     for (int k = 0; k < puppy.s.size(); ++k) {
@@ -90,7 +91,7 @@ TEST(HomeInertia, DerivativesMatchCentralDifferences) {
 }
 
 TEST(HomeInertia, ChangesWithLengthsAndAxes) {  // else the derivatives above would be trivial
-  const PuppyAtHome puppy(false);
+  const PuppyAtHome puppy(Masses::plain);
   const HomeInertia exact = puppy.at(puppy.s);
   EXPECT_GT(exact.jacobian.rowwise().norm().minCoeff(), 1e-6);
 }

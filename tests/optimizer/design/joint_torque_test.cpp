@@ -45,7 +45,7 @@ class PuppyInMotion : public testing::Test {
     std::vector<std::pair<double, Vector3d>> out;
     for (int l = 0; l < static_cast<int>(puppy_.morphology.links.size()); ++l)
       for (const PointMass& point : puppy_.morphology.links[l].masses) {
-        Vector3d p = at.origin(l) + at.rotation(l) * point.position.at(puppy_.space.initial());
+        Vector3d p = at.origin(l) + at.rotation(l) * point.at(puppy_.space.initial());
         if (moved_back) p = path_.turn().transpose() * (p - path_.travel());
         out.emplace_back(point.mass, p);
       }

@@ -36,7 +36,7 @@ class PuppyAtTwoPoses : public testing::Test {
   void for_each_point(Visit visit) const {
     for (std::size_t l = 0; l < puppy_.morphology.links.size(); ++l)
       for (const PointMass& point : puppy_.morphology.links[l].masses) {
-        const Vector3d u = point.position.at(s_);
+        const Vector3d u = point.at(s_);
         const int link = static_cast<int>(l);
         visit(point.mass, Vector3d(poses_[0].origin(link) + poses_[0].rotation(link) * u),
               Vector3d(poses_[1].origin(link) + poses_[1].rotation(link) * u));

@@ -17,18 +17,19 @@ namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+using test::Masses;
 
 struct Point {
   VectorXd s, m;
 };
 
 /// A turning trot of few knots, so that every wrap and every term is in play.
-Objective make_objective(const std::string& only = "", bool printed = false,
+Objective make_objective(const std::string& only = "", Masses masses = Masses::plain,
                          Dynamics dynamics = Dynamics::full) {
   test::Puppy puppy = test::make_puppy(true);
   test::add_pistons(puppy);
   test::add_soles(puppy);
-  if (printed) test::print_bodies(puppy);
+  test::make_masses(puppy, masses);
   Morphology morphology = puppy.morphology;
   for (Link& link : morphology.links) {  // so that limits of angles and torques have elements
     link.joint.lower = -1.2;
@@ -138,8 +139,8 @@ TEST_P(ObjectiveDerivatives, MatchCentralDifferences) {
 /// Masses that grow with their bodies: M(s), centre of mass, momentum and torques depend on it.
 // A gradient alone takes no Jacobian; with second derivatives it comes from them.
 TEST_P(ObjectiveDerivatives, GradientAloneHasTheBitsOfTheOneByJacobians) {
-  for (const bool printed : {false, true}) {
-    const Objective objective = make_objective(GetParam(), printed);
+  for (const Masses masses : {Masses::plain, Masses::printed, Masses::turning}) {
+    const Objective objective = make_objective(GetParam(), masses);
     const Point at = random_point(objective, 7);
     const VectorXd alone = objective.evaluate(at.s, at.m, Order::gradient).stationarity;
     const VectorXd full = objective.evaluate(at.s, at.m, Order::hessian).stationarity;
@@ -150,20 +151,22 @@ TEST_P(ObjectiveDerivatives, GradientAloneHasTheBitsOfTheOneByJacobians) {
   }
 }
 
-TEST_P(ObjectiveDerivatives, MatchCentralDifferencesOfAPrintedRobot) {
-  const Objective objective = make_objective(GetParam(), true);
-  const Errors errors = check(objective, random_point(objective, 7), 23);
-  EXPECT_LT(errors.gradient_m, 1e-6);
-  EXPECT_LT(errors.gradient_s, 1e-6);
-  EXPECT_LT(errors.ms, 3e-6);
-  EXPECT_LT(errors.ss, 3e-6);
+TEST_P(ObjectiveDerivatives, MatchCentralDifferencesOfMassesThatGrowOrTurn) {
+  for (const Masses masses : {Masses::printed, Masses::turning}) {
+    const Objective objective = make_objective(GetParam(), masses);
+    const Errors errors = check(objective, random_point(objective, 7), 23);
+    EXPECT_LT(errors.gradient_m, 1e-6);
+    EXPECT_LT(errors.gradient_s, 1e-6);
+    EXPECT_LT(errors.ms, 3e-6);
+    EXPECT_LT(errors.ss, 3e-6);
+  }
 }
 
 /// The paper's torque balance: moments of inertia of the home pose, which follow the design.
 TEST(ObjectiveDerivativesOfConstantInertia, MatchCentralDifferences) {
-  for (const bool printed : {false, true}) {
+  for (const Masses masses : {Masses::plain, Masses::printed, Masses::turning}) {
     const Objective objective =
-        make_objective("torque_balance", printed, Dynamics::constant_inertia);
+        make_objective("torque_balance", masses, Dynamics::constant_inertia);
     const Errors errors = check(objective, random_point(objective, 7), 3);
     EXPECT_LT(errors.gradient_m, 1e-6);
     EXPECT_LT(errors.gradient_s, 1e-6);
@@ -171,7 +174,8 @@ TEST(ObjectiveDerivativesOfConstantInertia, MatchCentralDifferences) {
     EXPECT_LT(errors.ms, 1e-6);
     EXPECT_LT(errors.ss, 1e-6);
   }
-  const Objective objective = make_objective("torque_balance", true, Dynamics::constant_inertia);
+  const Objective objective =
+      make_objective("torque_balance", Masses::turning, Dynamics::constant_inertia);
   EXPECT_GT(check(objective, random_point(objective, 7), 7, 1.0001).gradient_s, 1e-6);  // poison
 }
 

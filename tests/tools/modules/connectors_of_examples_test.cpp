@@ -11,6 +11,7 @@
 #include "mjcf/read/connectors.hpp"
 #include "mjcf/write/rewrite_robot.hpp"
 #include "optimizer/design/growth.hpp"
+#include "optimizer/design/inertia.hpp"
 #include "tests/support/source_tree.hpp"
 #include "tools/files/atomic_file.hpp"
 #include "tools/modules/assembly_file.hpp"
@@ -54,6 +55,26 @@ TEST_P(ExampleConnectors, AreInFWhatTheyWeighWhereFacetsStay) {
   const RobotModel& robot = built.found.model;
   for (const double share : {0.3, 0.4, 0.5, 0.6, 0.7}) EXPECT_LE(error_at(robot, share), 0.005);
   for (const double share : {0.0, 1.0}) EXPECT_LE(error_at(robot, share), 0.16);
+}
+
+/// Likewise told there: F leaves connectors as the file has them where axes turn.
+TEST_P(ExampleConnectors, AreInFNearlyWhatTheyWeighWhereAxesTurn) {
+  const BuiltRobot built = build_robot(example(GetParam()), "robot.xml");
+  const RobotModel& robot = built.found.model;
+  Eigen::VectorXd s = robot.space.initial();
+  for (int k = 0; k < robot.space.size(); ++k) {
+    const DesignParameter& parameter = robot.space.parameters[k];
+    if (parameter.kind == ParameterKind::axis_angle) s[k] = 0.5 * parameter.upper;
+  }
+  EXPECT_NO_THROW((void)rewrite_robot(robot, s));
+  const GeometryAtDesign taken(robot.morphology, s), written(with_hulls_at(robot, s), s);
+  EXPECT_NEAR(taken.total_mass, written.total_mass, 0.04 * written.total_mass);
+  double shift = 0.0;  // of the centre of mass, at most [m]
+  for (std::size_t l = 0; l < taken.links.size(); ++l)
+    shift += (taken.links[l].moments - written.links[l].moments).topRightCorner<3, 1>().norm() /
+             written.total_mass;
+  EXPECT_LT(shift, 2e-3);
+  EXPECT_GT(shift, 1e-6) << "else this shows nothing";
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ExampleConnectors, testing::Values("puppy", "hexapod"));

@@ -53,6 +53,30 @@ std::string lines_of(const std::string& text, const std::string& word, bool with
   return out;
 }
 
+/// All its joints are about the lateral axis, so it cannot go sideways with the body as drawn: axes
+/// turn, and the servos with them.
+TEST(Assemblies, APuppyOfLateralAxesTurnsItsServosToGoSideways) {
+  const test::TemporaryFolder folder;
+  const fs::path robot = folder.path() / "puppy.xml", task = folder.path() / "sideways.toml",
+                 run = folder.path() / "run";
+  const fs::path assembly = kExamples / "assemblies/sideways_puppy.toml";
+  ASSERT_EQ(call({"build", assembly.string(), "-o", robot.string(), "--task", task.string()}).code,
+            0);
+  std::string text = read_file(task);
+  const std::size_t at = text.find("velocity = [");
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, text.find(']', at) + 1 - at, "velocity = [0.0, 0.05]");
+  write_file(task, text);
+  const Outcome found = call(
+      {"optimize", task.string(), "-o", run.string(), "--no-pictures", "--no-reasons", "--quiet"});
+  ASSERT_EQ(found.code, 0) << found.out << found.err;
+  const Outcome verdict = call({"validate", "--quick", run.string()});
+  EXPECT_EQ(verdict.code, 0) << verdict.out << verdict.err;
+  EXPECT_TRUE(contains(verdict.out, "trot sideways at 0.050 m/s")) << verdict.out;
+  EXPECT_TRUE(
+      contains(lines_of(read_file(run / "result/robot.xml"), "HL_hip_servo\" pos", true), "quat="));
+}
+
 /// The puppy above passes though its motors have less left the faster they run; a plan that does
 /// not know so fails with the same motors.
 TEST(Assemblies, APlanThatDoesNotKnowItsMotorsFailsWithThem) {
