@@ -93,7 +93,12 @@ def _stick(start: Array, end: Array, thick: float) -> CrossSection:
 
 
 def _touch(one: CrossSection, others: Sequence[CrossSection]) -> bool:
-    return any((one ^ other).area() > 1e-9 for other in others)
+    left, low, right, high = one.bounds()
+    for other in others:
+        x, y, to_x, to_y = other.bounds()  # most are far away
+        if x < right and to_x > left and y < high and to_y > low and (one ^ other).area() > 1e-9:
+            return True
+    return False
 
 
 class _Page:
