@@ -19,8 +19,8 @@ struct JudgedExample {
   std::string told;                  // by both on stderr, if they ran here
 };
 
-/// The folder that examples/table has just filled for tests and pages (tools/test does so, with
-/// --verdicts); empty: each test makes its own runs.
+/// The folder that examples/table has just filled for tests and pages, and tests/robots/walk its
+/// robots/ (tools/test does so, with --verdicts); empty: each test makes its own runs.
 inline std::filesystem::path made_examples() {
   const char* const folder = std::getenv("LEGWRIGHT_MADE_EXAMPLES");
   return folder == nullptr ? "" : folder;

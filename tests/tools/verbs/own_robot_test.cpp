@@ -11,6 +11,7 @@
 
 #include "tests/mjcf/robots/robots.hpp"
 #include "tests/support/paths.hpp"
+#include "tests/tools/verbs/judged_example.hpp"
 #include "tests/tools/verbs/program.hpp"
 #include "tools/files/json_file.hpp"
 
@@ -84,7 +85,17 @@ std::string star(int count) {
 
 class OwnRobot : public testing::TestWithParam<const char*> {};
 
+/// By tests/robots/walk where that has just made its run for tests and pages (tools/test).
 TEST_P(OwnRobot, WalksByItsFirstTask) {
+  if (const fs::path made = test::made_examples(); !made.empty()) {
+    const fs::path robot = made / "robots" / GetParam();
+    int optimize = -1, validate = -1;  // exit codes
+    std::ifstream(robot / "run.codes") >> optimize >> validate;
+    EXPECT_EQ(optimize, 0) << robot << ": of tests/robots/walk --verdicts";
+    EXPECT_EQ(validate, 0) << robot;
+    EXPECT_FALSE(contains(read_file(robot / "task.toml"), "weights"));
+    return;
+  }
   const test::TemporaryFolder folder;
   expect_first_task_passes(copy_of(GetParam(), folder.path()));
 }
