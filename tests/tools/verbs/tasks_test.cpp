@@ -14,11 +14,18 @@ using test::contains;
 class TaskOnAnotherRobot : public testing::Test, protected test::CallsInFolder {
  protected:
   /// Co-designs, validates and reports; the folder of the run.
-  fs::path run(const std::string& task, const std::string& robot) const {
-    const test::Outcome optimize =
-        call({"optimize", (test::kExamples / "tasks" / task).string(), "--robot",
-              (test::kExamples / robot / "robot.xml").string(), "--no-pictures", "--no-certificate",
-              "-o", "run"});
+  fs::path run(const std::string& task, const std::string& robot,
+               const std::vector<std::string>& more = {"--no-reasons"}) const {
+    std::vector<std::string> words{"optimize",
+                                   (test::kExamples / "tasks" / task).string(),
+                                   "--robot",
+                                   (test::kExamples / robot / "robot.xml").string(),
+                                   "--no-pictures",
+                                   "--no-certificate",
+                                   "-o",
+                                   "run"};
+    words.insert(words.end(), more.begin(), more.end());
+    const test::Outcome optimize = call(words);
     EXPECT_EQ(optimize.code, 0) << optimize.err;
     const test::Outcome validate = call({"validate", "run", "--quick"});
     EXPECT_EQ(validate.code, 0) << validate.out << validate.err;
@@ -29,7 +36,7 @@ class TaskOnAnotherRobot : public testing::Test, protected test::CallsInFolder {
 };
 
 TEST_F(TaskOnAnotherRobot, UpASlope) {
-  const fs::path folder = run("slope.toml", "quadruped");
+  const fs::path folder = run("slope.toml", "quadruped", {});
   const Json run = read(folder / "run.json"), verdict = read(folder / "result/verdict.json");
   EXPECT_EQ(run["robot"], "quadruped");
   EXPECT_LT(run["root_residual"].get<double>(), 0.02);  // plan and scene have one gravity
