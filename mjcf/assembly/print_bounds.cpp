@@ -239,7 +239,7 @@ class BoundsOfPrint {
       return std::all_of(corners_.begin(), corners_.end(),
                          [&](const PrintedTrunk& trunk) { return trunk.is_allowed(scales); });
     };
-    const std::optional<Proposal> out = narrow(proposal, is_allowed);
+    std::optional<Proposal> out = narrow(proposal, is_allowed);
     if (out) own = out->lower / out->value;
     return out;
   }
