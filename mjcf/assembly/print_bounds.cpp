@@ -15,6 +15,7 @@
 #include "mjcf/assembly/assembly_names.hpp"
 #include "mjcf/assembly/printed_link.hpp"
 #include "mjcf/assembly/printed_trunk.hpp"
+#include "mjcf/read/mirror.hpp"
 #include "mjcf/read/printed_robot.hpp"
 
 namespace legwright {
@@ -62,25 +63,24 @@ bool stretches_trunk(const std::string& binding) {
   return binding == "stretch x: trunk" || binding == "stretch y: trunk";
 }
 
-/// What a binding turns, "axis z: FL_hip ~FR_hip".
-struct TurnedAxes {
-  Eigen::Vector3d about;
-  std::vector<std::string> joints;  // mirror images of the first
-
-  bool has(const std::string& joint) const {
-    return std::find(joints.begin(), joints.end(), joint) != joints.end();
-  }
-};
+/// What a binding turns, "axis z: FL_hip ~FR_hip": of each joint about what, in the trunk's axes.
+using TurnedAxes = std::map<std::string, Eigen::Vector3d>;
 
 /// Of a binding that turns axes; no joints of another.
 TurnedAxes turned_axes(const std::string& binding) {
   constexpr std::string_view kHead = "axis ";
   TurnedAxes out;
   if (!binding.starts_with(kHead) || binding.size() < kHead.size() + 3) return out;
-  out.about = Eigen::Vector3d::Unit(binding[kHead.size()] - 'x');
+  const Eigen::Vector3d about = Eigen::Vector3d::Unit(binding[kHead.size()] - 'x');
   std::istringstream in(binding.substr(kHead.size() + 2));
-  for (std::string word; in >> word;)
-    out.joints.push_back(word.substr(word.find_first_not_of("~^", word.find('*') + 1)));
+  for (std::string word; in >> word;) {
+    const std::string name = word.substr(word.find('*') + 1);
+    const bool across_y = name.front() == '~', across_x = name.front() == '^';
+    if (across_y || across_x)
+      out.emplace(name.substr(1), turn_in_mirror(about, across_y ? Across::y : Across::x));
+    else
+      out.emplace(name, about);
+  }
   return out;
 }
 
@@ -101,7 +101,7 @@ class BoundsOfPrint {
         leave_out(proposals[k].name);
         continue;
       }
-      tell(proposals[k], *found[k]);
+      tell(as_far_as_asked(proposals[k]), *found[k]);
       out_.proposals.push_back(*found[k]);
     }
     write_notes();
@@ -138,33 +138,56 @@ class BoundsOfPrint {
     const std::vector<std::string> links = stretched_links(proposal.binding);
     if (!links.empty()) return narrow_link(proposal, links);
     const TurnedAxes axes = turned_axes(proposal.binding);
-    if (axes.joints.empty()) return proposal;
-    Proposal within = proposal;
-    within.lower = std::max(within.lower, -assembly_.print->turn);
-    within.upper = std::min(within.upper, assembly_.print->turn);
-    return narrow_turn(within, axes);
+    return axes.empty() ? proposal : narrow_turn(as_far_as_asked(proposal), axes);
   }
 
+  /// A turn within `[print] turn`; other proposals as they are.
+  Proposal as_far_as_asked(const Proposal& proposal) const {
+    Proposal out = proposal;
+    if (turned_axes(proposal.binding).empty()) return out;
+    out.lower = std::max(out.lower, -assembly_.print->turn);
+    out.upper = std::min(out.upper, assembly_.print->turn);
+    return out;
+  }
+
+  /// A link, and about what one of its ends is turned, in the axes of the limb as the file gives
+  /// it.
+  struct TurnedLink {
+    const PrintedLink* link;
+    bool is_far_end;
+    Eigen::Vector3d about;
+
+    bool is_allowed(double angle) const {
+      const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, about).toRotationMatrix();
+      LinkTurns turns;
+      (is_far_end ? turns.next : turns.own) = turn;
+      return link->is_allowed(1.0, turns);
+    }
+  };
+
   std::optional<Proposal> narrow_turn(const Proposal& proposal, const TurnedAxes& axes) {
-    const Eigen::Matrix3d still = Eigen::Matrix3d::Identity();
-    const Hips hips = hips_of(axes);
-    std::vector<std::pair<const PrintedLink*, bool>> links;  // whether at its far end
+    HipTurn hips;
+    std::vector<TurnedLink> links;
     for (const PlacedLimb& limb : limbs_)
       for (std::size_t k = 0; k < limb.of->joints.size(); ++k) {
-        if (!axes.has(joint_name(limb, limb.of->joints[k]))) continue;
-        links.emplace_back(&link_of(limb, k), false);
-        if (k > 0) links.emplace_back(&link_of(limb, k - 1), true);
+        const auto axis = axes.find(joint_name(limb, limb.of->joints[k]));
+        if (axis == axes.end()) continue;
+        const Eigen::Vector3d about = limb.hinge(axis->second);
+        links.push_back({&link_of(limb, k), false, about});
+        if (k > 0) links.push_back({&link_of(limb, k - 1), true, about});
+        if (k == 0) hips.about.emplace(limb.name, axis->second);
       }
     const auto is_allowed = [&](double angle) {
-      const Eigen::Matrix3d turn = hips.turn(angle);
-      return trunk_.turned(hips.limbs, turn).is_allowed(kAsDrawn) &&
-             std::all_of(links.begin(), links.end(), [&](const auto& link) {
-               return link.second ? link.first->is_allowed(1.0, {still, turn})
-                                  : link.first->is_allowed(1.0, {turn, still});
-             });
+      hips.low = hips.high = angle;
+      return trunk_.is_allowed(kAsDrawn, {hips}) &&
+             std::all_of(links.begin(), links.end(),
+                         [&](const TurnedLink& link) { return link.is_allowed(angle); });
     };
-    return with_turns(proposal, farthest(0.0, proposal.lower, kTurnHalvings, is_allowed),
-                      farthest(0.0, proposal.upper, kTurnHalvings, is_allowed));
+    const std::optional<Proposal> out =
+        with_turns(proposal, farthest(0.0, proposal.lower, kTurnHalvings, is_allowed),
+                   farthest(0.0, proposal.upper, kTurnHalvings, is_allowed));
+    if (!hips.about.empty()) hips_.emplace(proposal.name, hips);
+    return out;
   }
 
   /// Inwards to a thousandth of a radian; nothing where too little is left.
@@ -172,62 +195,30 @@ class BoundsOfPrint {
     Proposal out = proposal;
     if (low > out.lower) out.lower = std::min(0.0, std::ceil(low * kPerAngle) / kPerAngle);
     if (high < out.upper) out.upper = std::max(0.0, std::floor(high * kPerAngle) / kPerAngle);
-    if (out.upper - out.lower < kLeastTurn) return std::nullopt;
-    return out;
-  }
-
-  /// Limbs whose first joints a binding turns; none for other joints.
-  struct Hips {
-    std::vector<std::string> limbs;
-    Eigen::Vector3d about;
-    double sign = 1.0;  // of the first joint's turn, in the axes of the limb as the file gives it
-
-    Eigen::Matrix3d turn(double angle) const {
-      return Eigen::AngleAxisd(sign * angle, about).toRotationMatrix();
-    }
-  };
-
-  Hips hips_of(const TurnedAxes& axes) const {
-    Hips out{{}, axes.about};
-    for (const PlacedLimb& limb : limbs_)
-      for (std::size_t k = 0; k < limb.of->joints.size(); ++k) {
-        const std::string name = joint_name(limb, limb.of->joints[k]);
-        if (name == axes.joints.front()) out.sign = axes.about.dot(limb.hinge(axes.about));
-        if (k == 0 && axes.has(name)) out.limbs.push_back(limb.name);
-      }
+    if (out.upper - out.lower < std::min(kLeastTurn, proposal.upper - proposal.lower))
+      return std::nullopt;
     return out;
   }
 
   /// What hips may turn at once: all in proportion, so that the trunk fits with each at either
   /// bound.
   void narrow_hips(std::vector<std::optional<Proposal>>& found) {
-    std::vector<std::pair<Hips, std::optional<Proposal>*>> turned;
-    for (std::optional<Proposal>& each : found) {
-      if (!each) continue;
-      const TurnedAxes axes = turned_axes(each->binding);
-      if (axes.joints.empty()) continue;
-      Hips hips = hips_of(axes);
-      if (!hips.limbs.empty()) turned.emplace_back(std::move(hips), &each);
-    }
-    // The one that is declared last turns within the others.
-    const auto corners = [&](double share) {
-      std::vector<PrintedTrunk> out{trunk_};
-      for (auto each = turned.rbegin(); each != turned.rend(); ++each)
-        for (std::size_t k = 0, count = out.size(); k < count; ++k) {
-          const auto& [hips, proposal] = *each;
-          out.push_back(out[k].turned(hips.limbs, hips.turn(share * (*proposal)->upper)));
-          out[k] = out[k].turned(hips.limbs, hips.turn(share * (*proposal)->lower));
-        }
+    const auto at_share = [&](double share) {
+      std::vector<HipTurn> out;
+      for (const std::optional<Proposal>& each : found) {
+        const auto own = each ? hips_.find(each->name) : hips_.end();
+        if (own == hips_.end()) continue;
+        out.push_back({own->second.about, share * each->lower, share * each->upper});
+      }
       return out;
     };
     const double share = farthest(0.0, 1.0, kTurnHalvings, [&](double of_bounds) {
-      const std::vector<PrintedTrunk> all = corners(of_bounds);
-      return std::all_of(all.begin(), all.end(),
-                         [](const PrintedTrunk& trunk) { return trunk.is_allowed(kAsDrawn); });
+      return trunk_.is_allowed(kAsDrawn, at_share(of_bounds));
     });
-    corners_ = corners(share);
-    for (auto& [hips, proposal] : turned)
-      *proposal = with_turns(**proposal, share * (*proposal)->lower, share * (*proposal)->upper);
+    for (std::optional<Proposal>& each : found)
+      if (each && hips_.count(each->name))
+        each = with_turns(*each, share * each->lower, share * each->upper);
+    turned_hips_ = at_share(1.0);
   }
 
   std::optional<Proposal> narrow_trunk(const Proposal& proposal) {
@@ -236,8 +227,7 @@ class BoundsOfPrint {
     const auto is_allowed = [&](double scale) {
       const Eigen::Vector3d scales =
           is_length ? Eigen::Vector3d(scale, width_, 1.0) : Eigen::Vector3d(length_, scale, 1.0);
-      return std::all_of(corners_.begin(), corners_.end(),
-                         [&](const PrintedTrunk& trunk) { return trunk.is_allowed(scales); });
+      return trunk_.is_allowed(scales, turned_hips_);
     };
     std::optional<Proposal> out = narrow(proposal, is_allowed);
     if (out) own = out->lower / out->value;
@@ -289,7 +279,8 @@ class BoundsOfPrint {
   const Assembly& assembly_;
   const std::vector<PlacedLimb> limbs_;
   const PrintedTrunk trunk_;
-  std::vector<PrintedTrunk> corners_;  // it with each hip at either bound
+  std::map<std::string, HipTurn> hips_;  // by proposal
+  std::vector<HipTurn> turned_hips_;     // within the bounds that are found
   std::map<std::string, PrintedLink> links_;
   double length_ = 1.0, width_ = 1.0;  // of the trunk, at which the other is looked at
   std::vector<std::string> narrowed_, without_room_, too_large_;

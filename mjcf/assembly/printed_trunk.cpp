@@ -2,6 +2,8 @@
 #include "mjcf/assembly/printed_trunk.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 #include "mjcf/assembly/limb_hulls.hpp"
 
@@ -13,6 +15,26 @@ using Eigen::Vector3d;
 constexpr double kKeptOnTrunk = 1e-9;  // [m], of distances and sizes that stay as they are
 // [m] around servos on the trunk: `legwright parts` takes its --fit and twice its --wall there.
 constexpr double kCradle = 0.3e-3 + 2.0 * 1.2e-3;
+
+/// The poses of two riders that can be at once, of all combinations of what turns one of them.
+std::vector<std::pair<std::size_t, std::size_t>> poses_at_once(
+    const std::vector<std::size_t>& one, const std::vector<std::size_t>& other) {
+  std::vector<std::size_t> all = one;
+  for (const std::size_t turn : other)
+    if (std::find(one.begin(), one.end(), turn) == one.end()) all.push_back(turn);
+  const auto pose = [&all](const std::vector<std::size_t>& turns, std::size_t bounds) {
+    std::size_t out = 0;
+    for (std::size_t k = 0; k < turns.size(); ++k) {
+      const auto at = std::find(all.begin(), all.end(), turns[k]) - all.begin();
+      out |= (bounds >> at & 1U) << k;
+    }
+    return out;
+  };
+  std::vector<std::pair<std::size_t, std::size_t>> out;
+  for (std::size_t bounds = 0; bounds < std::size_t{1} << all.size(); ++bounds)
+    out.emplace_back(pose(one, bounds), pose(other, bounds));
+  return out;
+}
 
 }  // namespace
 
@@ -31,7 +53,7 @@ PrintedTrunk::PrintedTrunk(const Assembly& assembly)
   high_ = box.middle + box.half;
   for (const AssemblyPart& part : assembly.parts) {
     const Eigen::Isometry3d pose(Eigen::Translation3d(part.position));
-    riders_.push_back({part.position, outline_hulls(part.module, pose), {}, "", false});
+    riders_.push_back({part.position, outline_hulls(part.module, pose), {}, ""});
   }
   for (const PlacedLimb& limb : placed_limbs(assembly)) {
     const AssemblyJoint& hip = limb.of->joints.front();
@@ -41,42 +63,28 @@ PrintedTrunk::PrintedTrunk(const Assembly& assembly)
         for (Vector3d& point : hull.points) point = limb.hip + limb.vector(point);
       return out;
     };
-    riders_.push_back({limb.hip, on_trunk(hip.servo), on_trunk(with_cradle(hip.servo)), limb.name,
-                       limb.mirrored});
+    riders_.push_back({limb.hip, on_trunk(hip.servo), on_trunk(with_cradle(hip.servo)), limb.name});
   }
-  drawn_size_ = size_at(Vector3d::Ones());
-  for (const auto& [i, j] : pairs()) drawn_.push_back(distance(i, j, Vector3d::Ones()));
+  const std::vector<PosedRider> drawn = all_posed(Vector3d::Ones(), {});
+  drawn_size_ = size_of(drawn, Vector3d::Ones());
+  for (std::size_t i = 0; i < drawn.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      drawn_.push_back(hull_distance(drawn[i].outlines[0], drawn[j].outlines[0]));
 }
 
-bool PrintedTrunk::is_allowed(const Vector3d& scale) const {
-  const Vector3d size = size_at(scale);
+bool PrintedTrunk::is_allowed(const Vector3d& scale, const std::vector<HipTurn>& hips) const {
+  const std::vector<PosedRider> riders = all_posed(scale, hips);
+  const Vector3d size = size_of(riders, scale);
   const bool has_not_grown =
       size.x() <= drawn_size_.x() + kKeptOnTrunk && size.y() <= drawn_size_.y() + kKeptOnTrunk;
-  return (has_not_grown || lies_on_bed(size)) && is_clear(scale);
-}
-
-PrintedTrunk PrintedTrunk::turned(const std::vector<std::string>& limbs,
-                                  const Eigen::Matrix3d& turn) const {
-  PrintedTrunk out = *this;
-  for (Rider& rider : out.riders_) {
-    if (std::find(limbs.begin(), limbs.end(), rider.limb) == limbs.end()) continue;
-    Eigen::Matrix3d own = turn;
-    if (rider.mirrored)
-      for (const Eigen::Index k : {0, 2}) {  // across the x-z plane
-        own(k, 1) *= -1.0;
-        own(1, k) *= -1.0;
-      }
-    for (OutlineHulls* hulls : {&rider.outline, &rider.cradle})
-      for (OutlineHull& hull : *hulls)
-        for (Vector3d& point : hull.points) point = rider.place + own * (point - rider.place);
-  }
-  return out;
-}
-
-bool PrintedTrunk::is_clear(const Vector3d& scale) const {
-  std::size_t k = 0;
-  for (const auto& [i, j] : pairs())
-    if (distance(i, j, scale) < std::min(clearance_, drawn_[k++] - kKeptOnTrunk)) return false;
+  if (!has_not_grown && !lies_on_bed(size)) return false;
+  std::size_t pair = 0;
+  for (std::size_t i = 0; i < riders.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j, ++pair) {
+      const double least = std::min(clearance_, drawn_[pair] - kKeptOnTrunk);
+      for (const auto& [a, b] : poses_at_once(riders[i].turns, riders[j].turns))
+        if (hull_distance(riders[i].outlines[a], riders[j].outlines[b]) < least) return false;
+    }
   return true;
 }
 
@@ -85,32 +93,49 @@ bool PrintedTrunk::lies_on_bed(const Vector3d& size) const {
          (size.x() <= bed_.y() && size.y() <= bed_.x());
 }
 
-std::vector<std::pair<std::size_t, std::size_t>> PrintedTrunk::pairs() const {
-  std::vector<std::pair<std::size_t, std::size_t>> out;
-  for (std::size_t i = 0; i < riders_.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j) out.emplace_back(i, j);
+PrintedTrunk::PosedRider PrintedTrunk::posed(const Rider& rider, const Vector3d& scale,
+                                             const std::vector<HipTurn>& hips) const {
+  PosedRider out;
+  for (std::size_t k = 0; k < hips.size(); ++k)
+    if (hips[k].about.count(rider.limb)) out.turns.push_back(k);
+  const Vector3d place = scale.cwiseProduct(rider.place);
+  for (std::size_t pose = 0; pose < std::size_t{1} << out.turns.size(); ++pose) {
+    Eigen::Isometry3d move(Eigen::Translation3d{place});
+    for (std::size_t k = 0; k < out.turns.size(); ++k) {
+      const HipTurn& turn = hips[out.turns[k]];
+      move.rotate(
+          Eigen::AngleAxisd(pose >> k & 1U ? turn.high : turn.low, turn.about.at(rider.limb)));
+    }
+    move.translate(-rider.place);
+    out.outlines.push_back(moved(rider.outline, move));
+    if (rider.cradle.empty()) continue;
+    out.low.push_back(Vector3d::Constant(std::numeric_limits<double>::infinity()));
+    out.high.push_back(-out.low.back());
+    for (const OutlineHull& hull : moved(rider.cradle, move))
+      for (const Vector3d& point : hull.points) {
+        out.low.back() = out.low.back().cwiseMin(point - Vector3d::Constant(hull.radius));
+        out.high.back() = out.high.back().cwiseMax(point + Vector3d::Constant(hull.radius));
+      }
+  }
   return out;
 }
 
-OutlineHulls PrintedTrunk::at(const OutlineHulls& of, const Rider& rider, const Vector3d& scale) {
-  const Vector3d by = (scale - Vector3d::Ones()).cwiseProduct(rider.place);
-  return moved(of, Eigen::Isometry3d(Eigen::Translation3d(by)));
+std::vector<PrintedTrunk::PosedRider> PrintedTrunk::all_posed(
+    const Vector3d& scale, const std::vector<HipTurn>& hips) const {
+  std::vector<PosedRider> out;
+  for (const Rider& rider : riders_) out.push_back(posed(rider, scale, hips));
+  return out;
 }
 
-double PrintedTrunk::distance(std::size_t i, std::size_t j, const Vector3d& scale) const {
-  return hull_distance(at(riders_[i].outline, riders_[i], scale),
-                       at(riders_[j].outline, riders_[j], scale));
-}
-
-Vector3d PrintedTrunk::size_at(const Vector3d& scale) const {
-  Vector3d low = low_.cwiseProduct(scale), high = high_.cwiseProduct(scale);
-  for (const Rider& rider : riders_)
-    for (const OutlineHull& hull : at(rider.cradle, rider, scale))
-      for (const Vector3d& point : hull.points) {
-        low = low.cwiseMin(point - Vector3d::Constant(hull.radius));
-        high = high.cwiseMax(point + Vector3d::Constant(hull.radius));
-      }
-  return high - low;
+Vector3d PrintedTrunk::size_of(const std::vector<PosedRider>& riders, const Vector3d& scale) const {
+  std::vector<PosedRider> all = riders;
+  all.push_back({{}, {}, {low_.cwiseProduct(scale)}, {high_.cwiseProduct(scale)}});
+  Vector3d out = Vector3d::Zero();
+  for (const PosedRider& far : all)
+    for (const PosedRider& near : all)
+      for (const auto& [a, b] : poses_at_once(far.turns, near.turns))
+        if (!far.high.empty() && !near.low.empty()) out = out.cwiseMax(far.high[a] - near.low[b]);
+  return out;
 }
 
 }  // namespace legwright

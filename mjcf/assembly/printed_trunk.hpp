@@ -3,8 +3,8 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "mjcf/assembly/outline_hulls.hpp"
@@ -15,19 +15,23 @@ namespace legwright {
 /// A servo and the walls around it on the trunk.
 Module with_cradle(Module servo);
 
-/// What length and width of the trunk change: the modules on it, which move with their places.
+/// Axes of limbs' first joints that one number turns, and the servos with them.
+struct HipTurn {
+  std::map<std::string, Eigen::Vector3d> about;  // by limb, in the trunk's axes, unit
+  double low = 0.0, high = 0.0;                  // bounds of the angle [rad]
+};
+
+/// What length and width of the trunk change: the modules on it, which move with their places; and
+/// what turns of hips do to them.
 class PrintedTrunk {
  public:
   /// @param assembly one that is to be printed
   explicit PrintedTrunk(const Assembly& assembly);
 
   /// Whether modules are clear, and the tray lies on the bed or is no larger than as drawn, at so
-  /// many times its sizes.
-  bool is_allowed(const Eigen::Vector3d& scale) const;
-  /// The trunk with the axes of the first joints of limbs turned, and the servos with them: what is
-  /// allowed is still measured against the drawn one.
-  /// @param turn of the limbs as the file gives them
-  PrintedTrunk turned(const std::vector<std::string>& limbs, const Eigen::Matrix3d& turn) const;
+  /// many times its sizes, with each of these turns at either of its bounds. (The first turns the
+  /// others, where several are of one limb.)
+  bool is_allowed(const Eigen::Vector3d& scale, const std::vector<HipTurn>& hips = {}) const;
   /// Whether the tray lies on the bed as drawn.
   bool fits() const { return lies_on_bed(drawn_size_); }
 
@@ -35,25 +39,30 @@ class PrintedTrunk {
   struct Rider {
     Eigen::Vector3d place;  // of its body [m]
     OutlineHulls outline, cradle;
-    std::string limb;       // of a servo
-    bool mirrored = false;  // that
+    std::string limb;  // of a servo
+  };
+  /// A rider at a scale, with each turn of its limb at either bound.
+  struct PosedRider {
+    std::vector<std::size_t> turns;          // of `hips`, whose bits in this order number the poses
+    std::vector<OutlineHulls> outlines;      // by pose
+    std::vector<Eigen::Vector3d> low, high;  // of cradles, by pose; none of other parts
   };
 
   bool lies_on_bed(const Eigen::Vector3d& size) const;
-  std::vector<std::pair<std::size_t, std::size_t>> pairs() const;
-  /// The rider's outline or cradle, `of`, where a scale takes it.
-  bool is_clear(const Eigen::Vector3d& scale) const;
-  static OutlineHulls at(const OutlineHulls& of, const Rider& rider, const Eigen::Vector3d& scale);
-  double distance(std::size_t i, std::size_t j, const Eigen::Vector3d& scale) const;
-  /// Of the tray with its cradles, along the axes [m].
-  Eigen::Vector3d size_at(const Eigen::Vector3d& scale) const;
+  PosedRider posed(const Rider& rider, const Eigen::Vector3d& scale,
+                   const std::vector<HipTurn>& hips) const;
+  std::vector<PosedRider> all_posed(const Eigen::Vector3d& scale,
+                                    const std::vector<HipTurn>& hips) const;
+  /// Of the tray with its cradles, along the axes, at most [m].
+  Eigen::Vector3d size_of(const std::vector<PosedRider>& riders,
+                          const Eigen::Vector3d& scale) const;
 
   Eigen::Vector2d bed_;         // [m]
   Eigen::Vector3d drawn_size_;  // of the tray [m]
   double clearance_;            // [m]
   Eigen::Vector3d low_, high_;  // of its box [m]
   std::vector<Rider> riders_;
-  std::vector<double> drawn_;  // distances of pairs() [m]
+  std::vector<double> drawn_;  // distances of pairs of riders [m]
 };
 
 }  // namespace legwright

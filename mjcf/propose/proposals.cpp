@@ -272,8 +272,8 @@ class ProposalBuilder {
     for (auto k = static_cast<std::size_t>(limb.shared); k < limb.links.size(); ++k) {
       const Joint &joint = link(limb.links[k]).joint, &twin = link(other.links[k]).joint;
       const Vector3d axis = joint.axis.at(s_);
-      const bool stays =
-          is_to_be_printed(*xml_) && !turns_with_axis(out_.model.turning_parts, joint.name);
+      const bool stays = is_to_be_printed(*xml_) &&
+                         !turn_with_axes(out_.model.turning_parts, {joint.name, twin.name});
       const std::string hindrance = stays              ? std::string(kAxesStay)
                                     : limb.partner < 0 ? std::string()
                                                        : unmirrored(joint, twin);

@@ -106,13 +106,15 @@ class ConnectorReader {
     const XmlElement* const body = elements_.bodies[static_cast<std::size_t>(body_)];
     const bool is_plain = body_ > structure_.trunk && !out_.body.empty() &&
                           model_.body_jntnum[body_] == 0 && body->FirstChildElement("inertial") &&
-                          !find_turning_part(turning_, out_.body) && is_at_origin(geom, *body);
+                          is_at_origin(geom, *body);
     if (!is_plain)
-      throw xml_.error(
-          element,
-          "is a connector, which stands at the origin of a body of its own that has a "
-          "name, an <inertial> and no joint, and is fixed to a link; put it into one that "
-          "is not declared to turn");
+      throw xml_.error(element,
+                       "is a connector, which stands at the origin of a body of its own that has a "
+                       "name, an <inertial> and no joint, and is fixed to a link; put it into one");
+    if (find_turning_part(turning_, out_.body))
+      throw xml_.error(element,
+                       "is a connector in a body that is declared to turn with a joint; "
+                       "put it into one of its own, beside that");
   }
 
   /// MuJoCo adds the mesh's own centre and axes to a geom's place.
@@ -302,13 +304,7 @@ std::vector<Connector> read_connectors(const XmlFile& xml, const mjModel& model,
                                        const Structure& structure, const StretchMap& stretches,
                                        const std::vector<TurningPart>& turning,
                                        const VectorXd& initial) {
-  std::vector<const XmlElement*> texts;
-  for (const XmlElement* section = xml.root().FirstChildElement("custom"); section;
-       section = section->NextSiblingElement("custom"))
-    for (const XmlElement* text = section->FirstChildElement("text"); text;
-         text = text->NextSiblingElement("text"))
-      if (attribute(*text, "name").substr(0, kConnectorPrefix.size()) == kConnectorPrefix)
-        texts.push_back(text);
+  const std::vector<const XmlElement*> texts = custom_elements(xml, "text", kConnectorPrefix);
   std::vector<Connector> out;
   if (texts.empty()) return out;
   const TreeElements elements = find_elements(xml, model);
@@ -359,21 +355,17 @@ std::vector<AffineVector> turned_points(const RobotModel& robot, const Connector
 Morphology with_hulls_at(const RobotModel& robot, const VectorXd& s) {
   Morphology out = robot.morphology;
   for (const Connector& connector : robot.connectors) {
-    std::vector<AffineVector> in_link = connector.in_link;
-    const bool turned = turns(robot, connector, s);
-    if (turned) {
-      const std::vector<AffineVector> own = turned_points(robot, connector, s);
-      for (std::size_t k = 0; k < own.size(); ++k)
-        in_link[k].constant +=
-            connector.link_from_body * (own[k].constant - connector.points[k].constant);
+    const std::vector<AffineVector> own = turned_points(robot, connector, s);
+    const std::vector<Facet> facets = facets_at(connector, points_at(own, s));
+    if (facets == connector.facets && !turns(robot, connector, s)) continue;
+    // As many as on reading: of the same points, in the same frame.
+    auto to =
+        out.links[static_cast<std::size_t>(connector.link)].masses.begin() + connector.first_mass;
+    for (PointMass& point :
+         masses_of_solid(facets, own, connector.density, robot.space.initial())) {
+      point.position = sum(connector.origin, rotated(connector.link_from_body, point.position));
+      *to++ = std::move(point);
     }
-    const std::vector<Facet> facets = facets_at(connector, points_at(in_link, s));
-    if (!turned && facets == connector.facets) continue;
-    const std::vector<PointMass> masses =
-        masses_of_solid(facets, in_link, connector.density, robot.space.initial());
-    std::copy(
-        masses.begin(), masses.end(),
-        out.links[static_cast<std::size_t>(connector.link)].masses.begin() + connector.first_mass);
   }
   return out;
 }

@@ -32,33 +32,27 @@ MotorLine line_of(const XmlFile& xml, const XmlElement& numeric) {
 }  // namespace
 
 void read_motor_lines(const XmlFile& xml, std::vector<Servo>& servos) {
-  for (const XmlElement* section = xml.root().FirstChildElement("custom"); section;
-       section = section->NextSiblingElement("custom"))
-    for (const XmlElement* numeric = section->FirstChildElement("numeric"); numeric;
-         numeric = numeric->NextSiblingElement("numeric")) {
-      const std::string_view name = attribute(*numeric, "name");
-      if (name.substr(0, kMotorPrefix.size()) != kMotorPrefix) continue;
-      const std::string_view joint = name.substr(kMotorPrefix.size());
-      const auto servo = std::find_if(servos.begin(), servos.end(),
-                                      [&](const Servo& each) { return each.joint == joint; });
-      if (servo == servos.end())
-        throw xml.error(*numeric,
-                        fmt::format("is the motor of joint '{}', which no servo of a limb "
-                                    "moves; correct the name, or remove it",
-                                    joint));
-      if (!servo->tendon.empty())
-        throw xml.error(*numeric, fmt::format("is the motor of joint '{}', which a linear actuator "
-                                              "moves; only servos at joints have one, remove it",
-                                              joint));
-      const MotorLine line = line_of(xml, *numeric);
-      if (std::isfinite(servo->torque_limit) &&
-          line.stall_torque < (1.0 - kRounding) * servo->torque_limit)
-        throw xml.error(*numeric,
-                        fmt::format("has {} N m at rest, less than the torque limit of "
-                                    "actuator '{}', {} N m; lower its forcerange",
-                                    line.stall_torque, servo->actuator, servo->torque_limit));
-      servo->line = line;
-    }
+  for (const XmlElement* const numeric : custom_elements(xml, "numeric", kMotorPrefix)) {
+    const std::string_view joint = attribute(*numeric, "name").substr(kMotorPrefix.size());
+    const auto servo = std::find_if(servos.begin(), servos.end(),
+                                    [&](const Servo& each) { return each.joint == joint; });
+    if (servo == servos.end())
+      throw xml.error(*numeric, fmt::format("is the motor of joint '{}', which no servo of a limb "
+                                            "moves; correct the name, or remove it",
+                                            joint));
+    if (!servo->tendon.empty())
+      throw xml.error(*numeric, fmt::format("is the motor of joint '{}', which a linear actuator "
+                                            "moves; only servos at joints have one, remove it",
+                                            joint));
+    const MotorLine line = line_of(xml, *numeric);
+    if (std::isfinite(servo->torque_limit) &&
+        line.stall_torque < (1.0 - kRounding) * servo->torque_limit)
+      throw xml.error(*numeric,
+                      fmt::format("has {} N m at rest, less than the torque limit of "
+                                  "actuator '{}', {} N m; lower its forcerange",
+                                  line.stall_torque, servo->actuator, servo->torque_limit));
+    servo->line = line;
+  }
 }
 
 }  // namespace legwright

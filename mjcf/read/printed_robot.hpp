@@ -14,7 +14,7 @@ inline constexpr std::string_view kPrintText = "legwright_print";
 /// Why the axis of a joint of such a robot is no design parameter where no servo turns with it.
 inline constexpr const char* kAxesStay =
     "the parts are to be printed, and its servo does not turn with the axis, so that the next part "
-    "would not lie on its horn; `turn` under [print] of the assembly lets both";
+    "would not lie on its horn; `turn` under [print] of the assembly lets axis and servo turn";
 
 /// Whether a robot's file has that text.
 inline bool is_to_be_printed(const XmlFile& xml) {

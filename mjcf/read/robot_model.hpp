@@ -59,13 +59,13 @@ struct Connector {
     std::string joint;                    // with whose axis they turn; empty: with none
     Eigen::Matrix3d frame = Eigen::Matrix3d::Identity();  // mesh ← body of that joint
   };
-  std::string mesh, body;             // of the file: its asset, and the body that shows it
-  double density = 0.0;               // [kg/m3]
-  std::vector<End> ends;              // whose points are `points`, in this order
-  std::vector<AffineVector> points;   // in the body's frame
-  std::vector<Facet> facets;          // of the hull at the initial design, indices of points
-  int link = 0;                       // of the morphology, that it belongs to
-  std::vector<AffineVector> in_link;  // the points in that link's frame
+  std::string mesh, body;            // of the file: its asset, and the body that shows it
+  double density = 0.0;              // [kg/m3]
+  std::vector<End> ends;             // whose points are `points`, in this order
+  std::vector<AffineVector> points;  // in the body's frame
+  std::vector<Facet> facets;         // of the hull at the initial design, indices of points
+  int link = 0;                      // of the morphology, that it belongs to
+  AffineVector origin;               // of the body, in that link's frame
   Eigen::Matrix3d link_from_body = Eigen::Matrix3d::Identity();
   std::ptrdiff_t first_mass = 0;  // of those of the link that stand for it
 };

@@ -285,10 +285,9 @@ class MorphologyBuilder {
     for (Connector& connector : connectors_) {
       if (connector.body != body) continue;
       connector.link = at.link;
+      connector.origin = at.origin;
       connector.link_from_body = at.rotation;
       connector.first_mass = static_cast<std::ptrdiff_t>(out_.links[at.link].masses.size());
-      for (const AffineVector& own : connector.points)
-        connector.in_link.push_back(sum(at.origin, rotated(at.rotation, own)));
     }
   }
 

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "mjcf/read/feet.hpp"
 #include "mjcf/read/moving_parts.hpp"
@@ -26,12 +28,14 @@ class TurningPartReader {
                     const StretchMap& stretches, const XmlElement& text)
       : xml_(xml), model_(model), structure_(structure), stretches_(stretches), text_(text) {}
 
-  TurningPart run() {
+  /// Nothing where the joint is held: no design turns its axis.
+  std::optional<TurningPart> run() {
     out_.body = attribute(text_, "name").substr(kTurnsPrefix.size());
     const int body = mj_name2id(&model_, mjOBJ_BODY, out_.body.c_str());
     check_body(body);
     const int joint = find_joint(), moved = model_.jnt_bodyid[joint];
     check_place(body, joint, moved);
+    if (!structure_.moves[static_cast<std::size_t>(joint)]) return std::nullopt;
     out_.frame = rotation_at(model_.body_quat, moved);
     return out_;
   }
@@ -48,6 +52,10 @@ class TurningPartReader {
       if (model_.body_parentid[below] == body) fault = "holds other bodies";
     for (const FootContact& foot : structure_.feet)
       if (foot_body(model_, foot) == body) fault = "has a foot";
+    for (int site = 0; site < model_.nsite; ++site)
+      if (model_.site_bodyid[site] == body) fault = "has a site";
+    const XmlElement* const element = find_named(xml_.root(), "body", out_.body);
+    if (element && !is_tag(*element->Parent()->ToElement(), "body")) fault = "is in a frame";
     if (model_.body_jntnum[body] > 0) fault = "has a joint";
     if (stretches_.count(out_.body)) fault = "is stretched";
     if (fault)
@@ -63,9 +71,9 @@ class TurningPartReader {
     if (data.substr(0, kHead.size()) == kHead) out_.joint = trimmed(data.substr(kHead.size()));
     const int joint =
         out_.joint.empty() ? -1 : mj_name2id(&model_, mjOBJ_JOINT, out_.joint.c_str());
-    if (joint < 0 || !structure_.moves[static_cast<std::size_t>(joint)])
-      throw xml_.error(text_, fmt::format("attribute data: '{}' is no hinge of a limb; expected "
-                                          "\"joint NAME\" of the one about whose axis it turns",
+    if (joint < 0 || model_.jnt_type[joint] != mjJNT_HINGE)
+      throw xml_.error(text_, fmt::format("attribute data: '{}' is no hinge; expected \"joint "
+                                          "NAME\" of the one about whose axis it turns",
                                           data));
     return joint;
   }
@@ -73,13 +81,13 @@ class TurningPartReader {
   void check_place(int body, int joint, int moved) const {
     const Vector3d hinge = vector_at(model_.body_pos, moved) +
                            rotation_at(model_.body_quat, moved) * vector_at(model_.jnt_pos, joint);
-    const bool beside = model_.body_parentid[body] == model_.body_parentid[moved] &&
-                        model_.body_jntadr[moved] == joint;
+    const bool beside =
+        model_.body_parentid[body] == model_.body_parentid[moved] && model_.body_jntnum[moved] == 1;
     if (!beside || (hinge - vector_at(model_.body_pos, body)).norm() > kAtHinge)
       throw xml_.error(text_, fmt::format("declares the body '{}', whose origin is not at joint "
-                                          "'{}', beside the body that this is the first joint of; "
-                                          "put it there, with its shapes moved back",
-                                          out_.body, out_.joint));
+                                          "'{}'; put it there, with its shapes moved back, in the "
+                                          "body that holds the one which '{}' alone moves",
+                                          out_.body, out_.joint, out_.joint));
   }
 
   const XmlFile& xml_;
@@ -96,12 +104,9 @@ std::vector<TurningPart> read_turning_parts(const XmlFile& xml, const mjModel& m
                                             const Structure& structure,
                                             const StretchMap& stretches) {
   std::vector<TurningPart> out;
-  for (const XmlElement* section = xml.root().FirstChildElement("custom"); section;
-       section = section->NextSiblingElement("custom"))
-    for (const XmlElement* text = section->FirstChildElement("text"); text;
-         text = text->NextSiblingElement("text"))
-      if (attribute(*text, "name").substr(0, kTurnsPrefix.size()) == kTurnsPrefix)
-        out.push_back(TurningPartReader(xml, model, structure, stretches, *text).run());
+  for (const XmlElement* const text : custom_elements(xml, "text", kTurnsPrefix))
+    if (auto part = TurningPartReader(xml, model, structure, stretches, *text).run())
+      out.push_back(std::move(*part));
   return out;
 }
 
@@ -111,9 +116,12 @@ const TurningPart* find_turning_part(const std::vector<TurningPart>& parts, std:
   return found == parts.end() ? nullptr : &*found;
 }
 
-bool turns_with_axis(const std::vector<TurningPart>& parts, std::string_view joint) {
-  return std::any_of(parts.begin(), parts.end(),
-                     [&](const TurningPart& part) { return part.joint == joint; });
+bool turn_with_axes(const std::vector<TurningPart>& parts,
+                    const std::vector<std::string_view>& joints) {
+  return std::all_of(joints.begin(), joints.end(), [&](std::string_view joint) {
+    return std::any_of(parts.begin(), parts.end(),
+                       [&](const TurningPart& part) { return part.joint == joint; });
+  });
 }
 
 Matrix3d axis_turn(const Morphology& morphology, std::string_view joint, const VectorXd& from,

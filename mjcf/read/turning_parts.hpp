@@ -34,8 +34,9 @@ std::vector<TurningPart> read_turning_parts(const XmlFile& xml, const mjModel& m
 /// The one of that body; nullptr where there is none.
 const TurningPart* find_turning_part(const std::vector<TurningPart>& parts, std::string_view body);
 
-/// Whether one of them turns with that joint's axis.
-bool turns_with_axis(const std::vector<TurningPart>& parts, std::string_view joint);
+/// Whether with the axis of each of these joints one of them turns.
+bool turn_with_axes(const std::vector<TurningPart>& parts,
+                    const std::vector<std::string_view>& joints);
 
 /// How the axis of a joint at design `to` is turned against that at `from`, in the frame of the
 /// joint's body. The identity, exactly, where none of its parameters differs.

@@ -43,6 +43,7 @@ class MovingPoints {
       VectorXd place = VectorXd::Zero(3 + static_cast<Eigen::Index>(parameters_.size()));
       place.head<3>() = point.constant;
       for (const AffineVector::Slope& slope : point.slopes) {
+        if (slope.slope.isZero(0.0)) continue;  // of a parameter that may move no corner
         const std::size_t k = index_of(slope.parameter);
         const double along = slope.slope.dot(directions_[k]);
         if ((slope.slope - along * directions_[k]).norm() > kParallelMoves * slope.slope.norm())

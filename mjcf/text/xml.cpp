@@ -161,6 +161,17 @@ void for_each_element(const XmlElement& element,
     for_each_element(*child, visit);
 }
 
+std::vector<const XmlElement*> custom_elements(const XmlFile& xml, const char* tag,
+                                               std::string_view prefix) {
+  std::vector<const XmlElement*> out;
+  for (const XmlElement* section = xml.root().FirstChildElement("custom"); section;
+       section = section->NextSiblingElement("custom"))
+    for (const XmlElement* each = section->FirstChildElement(tag); each;
+         each = each->NextSiblingElement(tag))
+      if (attribute(*each, "name").substr(0, prefix.size()) == prefix) out.push_back(each);
+  return out;
+}
+
 const XmlElement* find_named(const XmlElement& root, std::string_view tag, std::string_view name) {
   for (const XmlElement* child = root.FirstChildElement(); child;
        child = child->NextSiblingElement()) {

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <vector>
 
 #include "mjcf/text/input_error.hpp"
 #include "mjcf/text/text_scan.hpp"
@@ -54,6 +55,10 @@ void for_each_element(const XmlElement& element,
 /// First element below `root`, outside of <default>, with this tag and name; nullptr if there is
 /// none.
 const XmlElement* find_named(const XmlElement& root, std::string_view tag, std::string_view name);
+
+/// Elements of the <custom> sections with this tag whose names begin so, in the order of the file.
+std::vector<const XmlElement*> custom_elements(const XmlFile& xml, const char* tag,
+                                               std::string_view prefix);
 
 /// The value that holds for an attribute of a body's part (geom, site, joint, camera, light): its
 /// own, else that of its default class (`class`, else the nearest `childclass`, else main) or the

@@ -49,9 +49,10 @@ std::vector<TaskKey> keys_of_the_assembly() {
                  "where it is less."),
       number_key("link.density", {0.0, 20000.0, true, false, "kg/m3"}, "1240", "800.0",
                  "Of their material, filled: PLA's by default."),
-      numbers_key("print.bed", {0.0, 10.0, true, false, "m"}, 2, "`[0.22, 0.22]`", "[0.18, 0.18]",
-                  "Of the printer. `[print]`, also an empty one, gives what may change "
-                  "bounds within which parts fit: lengths get narrower ones, axes stay."),
+      numbers_key(
+          "print.bed", {0.0, 10.0, true, false, "m"}, 2, "`[0.22, 0.22]`", "[0.18, 0.18]",
+          "Of the printer. `[print]`, also an empty one, gives what may change "
+          "bounds within which parts fit: lengths get narrower ones, axes stay but for `turn`."),
       number_key(
           "print.turn", {0.0, 1.0, false, false, "rad"}, "0", "0.5",
           "How far a design may turn the axis of a joint, and with it its servo, either way; "

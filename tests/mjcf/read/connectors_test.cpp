@@ -97,6 +97,51 @@ std::string robot_text() {
                      format_number(Vector3d(0.004, 0.0, -0.1).norm()), custom);
 }
 
+/// The robot with another hull between two things that go the same way, the servo of each knee and
+/// a body where that is, and with a parameter that turns the knees' axes, and their servos.
+std::string with_brackets() {
+  std::vector<Vector3d> all = kNear;
+  all.insert(all.end(), kFar.begin(), kFar.end());
+  const std::vector<Facet> facets = convex_hull(all);
+  const SolidInertial own = inertial_of(moments_of_solid(facets, all), 1240.0);
+  const VectorXd corners = vertices_of(facets, all);
+  std::string text = robot_text();
+  const auto insert = [&text](const std::string& before, const std::string& what) {
+    text.insert(text.find(before), what);
+  };
+  for (const std::string side : {"L", "R"}) {
+    insert("</asset>", fmt::format("<mesh name=\"{}_bracket\" vertex=\"{}\"/>", side,
+                                   format_numbers(rounded(corners))));
+    insert(
+        fmt::format("<body name=\"{}_shank\"", side),
+        fmt::format(R"(<body name="{0}_bracket" pos="0.004 0 -0.1">
+             <inertial pos="{1}" mass="{2}" fullinertia="{3}"/>
+             <geom type="mesh" mesh="{0}_bracket" contype="0" conaffinity="0"/></body>)",
+                    side, format_numbers(rounded(VectorXd(own.centre))),
+                    format_number(rounded(own.mass)), format_numbers(rounded(VectorXd(own.full)))));
+    insert("</custom>",
+           fmt::format("<text name=\"legwright_connector/{0}_bracket\" data=\"1240 kg/m3 | body "
+                       "{0}_bracket:{1} | body {0}_servo:{2}\"/>"
+                       "<text name=\"legwright_turns/{0}_servo\" data=\"joint {0}_knee\"/>",
+                       side, words(kNear), words(kFar)));
+  }
+  insert("</custom>",
+         "<numeric name=\"legwright/knee\" data=\"0 -1 1\"/><text name=\"legwright/knee\" "
+         "data=\"rad | axis z: L_knee ~R_knee | Turn of the axes of knees.\"/>");
+  return text;
+}
+
+/// Seen from their link such hulls move with a length, which in their own body they do not.
+TEST(Connectors, WhoseEndsGoTheSameWayAreMadeAnewWhereOneTurns) {
+  const RobotModel robot = parse_robot(with_brackets(), "c.xml");
+  ASSERT_EQ(robot.connectors.size(), 4u);
+  VectorXd s = robot.space.initial();
+  s[robot.space.find("thigh")] = 0.12;
+  s[robot.space.find("knee")] = 0.5;
+  const RobotModel written = parse_robot(rewrite_robot(robot, s), "c.xml");
+  EXPECT_EQ(find_difference(with_hulls_at(robot, s), s, written.morphology, s, 1e-10), "");
+}
+
 VectorXd at_length(double length) { return VectorXd::Constant(1, length); }
 
 TEST(Connectors, AreReadWithTheirPoints) {

@@ -116,6 +116,21 @@ TEST(TurningParts, TakeTheConnectorsAlong) {
   EXPECT_EQ(find_difference(robot.morphology, initial, back.morphology, initial, 1e-9), "");
 }
 
+/// An arm that is held turns with nothing, and its servos are no hindrance.
+TEST(TurningParts, OfJointsThatAreHeldStay) {
+  Assembly dog = test::boxy_dog();
+  AssemblyLimb arm = dog.limbs[0];
+  arm.names = {"arm"};
+  arm.hip = {0.05, 0.0, 0.04};
+  arm.mirrored = false;
+  for (AssemblyJoint& joint : arm.joints) joint.offset *= -1.0;
+  arm.foot_offset = {0.0, 0.0, 0.09};
+  dog.limbs.push_back(arm);
+  const RobotModel robot = build_robot(dog, "dog.xml").found.model;
+  EXPECT_EQ(robot.turning_parts.size(), 8u) << "of the legs";
+  EXPECT_EQ(robot.morphology.joint_count(), 8);
+}
+
 TEST(TurningParts, AreRefusedWhereTheyCannotTurn) {
   const std::string text = assembly_xml(test::boxy_dog(), 0.2);
   const auto refused = [&](const std::string& was, const std::string& is) {
@@ -134,10 +149,16 @@ TEST(TurningParts, AreRefusedWhereTheyCannotTurn) {
   expect("legwright_turns/nobody\" data=\"joint FL_hip\"", "none of the robot below its trunk");
   expect("legwright_turns/trunk\" data=\"joint FL_hip\"", "none of the robot below its trunk");
   expect("legwright_turns/FL_hip_link\" data=\"joint FL_hip\"", "has a joint");
-  expect("legwright_turns/FL_hip_servo\" data=\"joint nobody\"", "is no hinge of a limb");
+  expect("legwright_turns/FL_hip_servo\" data=\"joint nobody\"", "is no hinge");
   expect("legwright_turns/FL_hip_servo\" data=\"FL_hip\"", "expected \"joint NAME\"");
   expect("legwright_turns/FL_hip_servo\" data=\"joint FR_hip\"", "is not at joint 'FR_hip'");
   expect("legwright_turns/FL_hip_servo\" data=\"joint FL_knee\"", "is not at joint 'FL_knee'");
+  const std::string place = "<body name=\"FL_hip_servo\" pos=\"0.09 0.07 0\">";
+  EXPECT_NE(refused(place, place + "<site/>").find("has a site"), std::string::npos);
+  std::string framed = text;
+  framed.insert(framed.find(place), "<frame>");
+  framed.insert(framed.find("</body>", framed.find(place)) + 7, "</frame>");
+  EXPECT_NE(error_message(framed).find("is in a frame"), std::string::npos);
   std::string stretched = build_robot(test::boxy_dog(), "dog.xml").xml;
   stretched.replace(stretched.find(own), own.size(),
                     "legwright_turns/FL_hip_link\" data=\"joint FL_hip\"");

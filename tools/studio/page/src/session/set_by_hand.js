@@ -34,10 +34,11 @@ export class SetByHand {
   async aroundSearch(ask) {
     const known = this.before;
     this.searchBegins();
+    const own = this.before;
     try {
       return await ask();
     } catch (error) {
-      this.before = known;
+      if (this.before === own) this.before = known; // else a hand has begun anew meanwhile
       throw error;
     }
   }
