@@ -183,7 +183,7 @@ class BoundsOfPrint {
              std::all_of(links.begin(), links.end(),
                          [&](const TurnedLink& link) { return link.is_allowed(angle); });
     };
-    const std::optional<Proposal> out =
+    std::optional<Proposal> out =
         with_turns(proposal, farthest(0.0, proposal.lower, kTurnHalvings, is_allowed),
                    farthest(0.0, proposal.upper, kTurnHalvings, is_allowed));
     if (!hips.about.empty()) hips_.emplace(proposal.name, hips);

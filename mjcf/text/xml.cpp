@@ -126,7 +126,8 @@ std::unique_ptr<XmlFile> load_xml(std::string text, const std::filesystem::path&
     throw InputError(file.string(), 0, "",
                      fmt::format("larger than {} bytes; this is no robot", limits.bytes));
   if (const std::size_t bad = find_invalid_utf8(text); bad != std::string_view::npos) {
-    const int line = 1 + static_cast<int>(std::count(text.begin(), text.begin() + bad, '\n'));
+    const int line = 1 + static_cast<int>(std::count(
+                             text.begin(), text.begin() + static_cast<std::ptrdiff_t>(bad), '\n'));
     throw InputError(file.string(), line, "",
                      "a byte that is no UTF-8 text; save the file as UTF-8");
   }
