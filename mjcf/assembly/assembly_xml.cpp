@@ -261,7 +261,7 @@ class AssemblyWriter {
     return out;
   }
 
-  /// Motors, modules, and which hulls go with which points of the design.
+  /// Motors, modules, what turns with axes, and which hulls go with which points of the design.
   void write_declarations() {
     out_.empty();
     out_.open("<custom>");
@@ -271,16 +271,18 @@ class AssemblyWriter {
                            format_number(assembly_.print->bed.y())));
     for (const std::string& motor : motor_lines()) out_.add(motor);
     for (const std::string& module : modules_) out_.add(module);
-    const bool servos_turn = !assembly_.print || assembly_.print->turn > 0.0;
-    for (const PlacedLimb& limb : limbs_)
-      for (const AssemblyJoint& joint : limb.of->joints)
-        if (servos_turn)
-          out_.add(fmt::format("<text name=\"{}{}\" data=\"joint {}\"/>", kTurnsPrefix,
-                               servo_name(limb, joint), joint_name(limb, joint)));
+    if (!assembly_.print || assembly_.print->turn > 0.0) declare_turning_servos();
     for (const PlacedHull& hull : placed_)
       out_.add(fmt::format("<text name=\"{}{}\" data=\"{}\"/>", kConnectorPrefix, hull.name,
                            hull.written.data));
     out_.close("custom");
+  }
+
+  void declare_turning_servos() {
+    for (const PlacedLimb& limb : limbs_)
+      for (const AssemblyJoint& joint : limb.of->joints)
+        out_.add(fmt::format("<text name=\"{}{}\" data=\"joint {}\"/>", kTurnsPrefix,
+                             servo_name(limb, joint), joint_name(limb, joint)));
   }
 
   void place_hulls(const PlacedLimb& limb, std::size_t k, const LinkHulls& hulls) {

@@ -8,11 +8,14 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <numbers>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <string_view>
 
 #include "mjcf/assembly/assembly_names.hpp"
+#include "mjcf/assembly/limb_hulls.hpp"
 #include "mjcf/assembly/printed_link.hpp"
 #include "mjcf/assembly/printed_trunk.hpp"
 #include "mjcf/read/mirror.hpp"
@@ -26,6 +29,7 @@ constexpr double kPerAngle = 1e3;     // and to a thousandth of a radian
 constexpr double kLeastRange = 1e-3;  // of a length, below which it is left out
 constexpr double kLeastTurn = 0.02;   // [rad], likewise
 const Eigen::Vector3d kAsDrawn = Eigen::Vector3d::Ones();  // scales of the trunk
+constexpr double kHalfTurn = std::numbers::pi;             // [rad]
 constexpr int kSteps = 8;                                  // to a bound
 constexpr int kScaleHalvings = 13;  // of a length, from there on: those of 0.25 to 1e-5
 constexpr int kTurnHalvings = 6;    // of an angle: those of 1 to 2e-3
@@ -116,6 +120,11 @@ class BoundsOfPrint {
       out_.notes.push_back(
           fmt::format("no design parameters, as clearance and bed leave no room: {}",
                       fmt::join(without_room_, ", ")));
+    if (!boundless_.empty())
+      out_.notes.push_back(
+          fmt::format("what is printed keeps clear at all angles of a joint, which leaves its axis "
+                      "little room to turn: give it a `range` no larger than it needs: {}",
+                      fmt::join(boundless_, ", ")));
     if (!too_large_.empty())
       out_.notes.push_back(
           fmt::format("larger than the bed as drawn, which [print] bed gives, and no design is "
@@ -187,7 +196,21 @@ class BoundsOfPrint {
         with_turns(proposal, farthest(0.0, proposal.lower, kTurnHalvings, is_allowed),
                    farthest(0.0, proposal.upper, kTurnHalvings, is_allowed));
     if (!hips.about.empty()) hips_.emplace(proposal.name, hips);
+    const bool less = !out || out->lower > proposal.lower || out->upper < proposal.upper;
+    if (less) tell_ranges(axes);
     return out;
+  }
+
+  /// A joint's own range decides at how many angles things keep clear; and that of what carries it.
+  void tell_ranges(const TurnedAxes& axes) {
+    for (const PlacedLimb& limb : limbs_)
+      for (std::size_t k = 0; k < limb.of->joints.size(); ++k) {
+        if (axes.count(joint_name(limb, limb.of->joints[k])) == 0) continue;
+        for (std::size_t at = k == 0 ? 0 : k - 1; at <= k; ++at) {
+          const auto range = link_ends(limb, at).range;
+          if (range[1] - range[0] > kHalfTurn) boundless_.insert(limb.of->joints[at].name);
+        }
+      }
   }
 
   /// Inwards to a thousandth of a radian; nothing where too little is left.
@@ -284,6 +307,8 @@ class BoundsOfPrint {
   std::map<std::string, PrintedLink> links_;
   double length_ = 1.0, width_ = 1.0;  // of the trunk, at which the other is looked at
   std::vector<std::string> narrowed_, without_room_, too_large_;
+  std::set<std::string>
+      boundless_;  // joints whose axes turn less than asked, of half a turn or more
   PrintBounds out_;
 };
 

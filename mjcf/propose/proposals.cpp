@@ -40,8 +40,7 @@ constexpr double kOneDirection = 0.966;     // cosine of 15 degrees
 constexpr double kShortestLink = 0.02;      // [m]: shorter ones are offsets, not legs
 constexpr double kSameLength = 1e-6;        // [m]: what differs by so much was rounded
 constexpr double kTiedInProportion = 0.05;  // of a link: so much left and right may differ
-constexpr double kAcross =
-    0.7;  // cosine: turning an axis about a direction nearer to it does little
+constexpr double kAcross = 0.7;  // cosine: turns of an axis about a nearer direction do little
 constexpr double kMirroredAxes = 0.01;    // [rad]: what exporters round, and hands
 constexpr double kAlongAxis = 0.996;      // cosine of 5 degrees: a link along an axis of its body
 constexpr double kLargestBall = 0.5;      // radius of a foot over the length of its link

@@ -31,9 +31,11 @@ MotorLine line_of(const XmlFile& xml, const XmlElement& numeric) {
 
 }  // namespace
 
-void read_motor_lines(const XmlFile& xml, std::vector<Servo>& servos) {
+void read_motor_lines(const XmlFile& xml, const Structure& structure, std::vector<Servo>& servos) {
   for (const XmlElement* const numeric : custom_elements(xml, "numeric", kMotorPrefix)) {
     const std::string_view joint = attribute(*numeric, "name").substr(kMotorPrefix.size());
+    const auto is_held = [&](const FrozenJoint& frozen) { return frozen.name == joint; };
+    if (std::any_of(structure.frozen.begin(), structure.frozen.end(), is_held)) continue;
     const auto servo = std::find_if(servos.begin(), servos.end(),
                                     [&](const Servo& each) { return each.joint == joint; });
     if (servo == servos.end())

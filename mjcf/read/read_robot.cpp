@@ -79,7 +79,7 @@ RobotModel parse_text(const std::string& xml_text, const std::filesystem::path& 
   check_home(*xml, *model, robot.morphology);
   check_arms(*xml, tendons, robot.morphology, declared.space);
   robot.servos = read_servos(*xml, *model, structure, robot.morphology, declared.space.initial());
-  read_motor_lines(*xml, robot.servos);
+  read_motor_lines(*xml, structure, robot.servos);
   for (int a = 0; a < robot.morphology.joint_count(); ++a) {
     if (!robot.servos[a].tendon.empty()) continue;
     robot.morphology.links[a + 1].joint.torque_limit = robot.servos[a].torque_limit;

@@ -25,8 +25,9 @@ struct TurningPart {
   Eigen::Matrix3d frame = Eigen::Matrix3d::Identity();  // body around both ← body of the joint
 };
 
-/// Reads <text name="legwright_turns/BODY" data="joint JOINT"/>. Throws InputError for a body that
-/// has a joint, bodies in it, a foot or a stretch, or does not stand at the joint beside its body.
+/// Reads <text name="legwright_turns/BODY" data="joint JOINT"/>; those of joints that are held are
+/// passed over. Throws InputError for a body that has a joint, bodies in it, a foot, a site or a
+/// stretch, is in a frame, or does not stand at the joint beside the body that this alone moves.
 std::vector<TurningPart> read_turning_parts(const XmlFile& xml, const mjModel& model,
                                             const Structure& structure,
                                             const StretchMap& stretches);

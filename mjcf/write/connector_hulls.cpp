@@ -54,8 +54,9 @@ void write_connectors(const RobotModel& robot, const XmlFile& xml, const mjModel
   const Eigen::VectorXd initial = robot.space.initial();
   const MeshElements meshes = find_mesh_elements(xml);
   for (const Connector& connector : robot.connectors) {
+    const bool turned = turns(robot, connector, s);
     const bool moves =
-        turns(robot, connector, s) ||
+        turned ||
         std::any_of(
             connector.points.begin(), connector.points.end(), [&](const AffineVector& point) {
               return std::any_of(point.slopes.begin(), point.slopes.end(), [&](const auto& slope) {
@@ -65,7 +66,7 @@ void write_connectors(const RobotModel& robot, const XmlFile& xml, const mjModel
     if (!moves) continue;
     const std::vector<Eigen::Vector3d> points = points_at(turned_points(robot, connector, s), s);
     const std::vector<Facet> facets = facets_at(connector, points);
-    if (turns(robot, connector, s))
+    if (turned)
       edits.set(*find_named(xml.root(), "text", std::string(kConnectorPrefix) + connector.mesh),
                 "data", declared_points(robot, connector, s));
     const int body = mj_name2id(&model, mjOBJ_BODY, connector.body.c_str());

@@ -134,7 +134,7 @@ TEST(TurnBounds, OfManyHipsAreFound) {
   for (const char* const limb :
        {"AL", "AR", "BL", "BR", "CL", "CR", "DL", "DR", "EL", "ER", "FL", "FR"})
     all.push_back({limb, 0.0, -0.3, 0.3, "rad", std::string("axis x: ") + limb + "_hip", ""});
-  EXPECT_GE(print_bounds(dog, all).proposals.size(), 6U);
+  EXPECT_EQ(print_bounds(dog, all).proposals.size(), all.size());
 }
 
 TEST(TurnBounds, AreTold) {
@@ -143,6 +143,24 @@ TEST(TurnBounds, AreTold) {
   EXPECT_TRUE(has(built.notes, "hind_knee_axis_roll -"));
   EXPECT_EQ(build_robot(ranged_dog(), "dog.xml").xml, built.xml) << "same input, same bytes";
   EXPECT_NE(built.xml.find("<text name=\"legwright_print\" data=\"bed "), std::string::npos);
+}
+
+/// Servos of the dog turn by 2.5 rad either way unless the assembly says less.
+TEST(TurnBounds, AreSmallWithoutRangesAndSaySo) {
+  constexpr const char* kNote = "give it a `range` no larger than it needs: hip, knee";
+  Assembly dog = printed_dog();
+  dog.print->turn = 1.0;
+  const BuiltRobot free = build_robot(dog, "dog.xml"),
+                   ranged = build_robot(ranged_dog(), "dog.xml");
+  EXPECT_TRUE(has(free.notes, kNote));
+  EXPECT_FALSE(has(ranged.notes, "give it a `range`"));
+  const auto room = [](const BuiltRobot& built) {
+    double out = 0.0;
+    for (const DesignParameter& each : built.found.model.space.parameters)
+      if (each.kind == ParameterKind::axis_angle) out += each.upper - each.lower;
+    return out;
+  };
+  EXPECT_GT(room(ranged), 2.0 * room(free));
 }
 
 TEST(TurnBounds, LeaveAxesOutAndSaySoUnlessTheyMayTurn) {
