@@ -44,6 +44,11 @@ async function bundled() {
     entryPoints: ["src/app.js", "src/app.css"],
     format: "esm",
   });
+  const worker = await build({
+    ...settings,
+    entryPoints: ["src/edit_worker.js"],
+    format: "iife",
+  });
   const viewer = await build({
     ...settings,
     entryPoints: ["src/viewer.js"],
@@ -51,7 +56,7 @@ async function bundled() {
     plugins: [cssAsText],
   });
   return new Map(
-    [...page.outputFiles, ...viewer.outputFiles].map((file) => [
+    [...page.outputFiles, ...worker.outputFiles, ...viewer.outputFiles].map((file) => [
       file.path.slice(join(here, "dist").length + 1),
       Buffer.from(file.contents),
     ]),
@@ -60,7 +65,7 @@ async function bundled() {
 
 async function licences() {
   const parts = [
-    "The bundles app.js, app.css and viewer.js are built from tools/studio/page/src (Apache-2.0)\n" +
+    "The bundles app.js, app.css, edit_worker.js and viewer.js are built from tools/studio/page/src (Apache-2.0)\n" +
       "and hold parts of these libraries:\n",
   ];
   for (const name of LIBRARIES) {

@@ -11,6 +11,7 @@ import sys
 import unittest
 
 from assembling import Assembling  # noqa: F401
+from editing import Editing  # noqa: F401
 from other_designs import OtherDesigns  # noqa: F401
 from studio_browser import ROOT, Page, Server, browser, chromium
 from telling import Telling  # noqa: F401

@@ -26,7 +26,6 @@ export class Marks {
   /** @param {HTMLElement} layer over the canvas, for the words */
   constructor(layer) {
     this.root = new Group();
-    this.layer = layer;
     this.material = new MeshBasicMaterial({
       color: 0xd8342c,
       side: DoubleSide,
@@ -51,8 +50,12 @@ export class Marks {
     }
   }
 
-  /** @param {{at: Vector3, words: string}[]} marks in the frame of `root` */
-  show(marks, radius, camera) {
+  /**
+   * @param {{at: Vector3, words: string}[]} marks in the frame of `root`
+   * @param {import("./stage.js").Stage} stage that knows how large the layer is: asking for it lays
+   * the page out
+   */
+  show(marks, radius, { camera, wide, tall }) {
     this.shown = marks.slice(0, MOST);
     this.root.getWorldQuaternion(this.turn).invert();
     this.root.children.forEach((ring, i) => {
@@ -63,16 +66,15 @@ export class Marks {
       ring.scale.setScalar(radius);
       ring.quaternion.copy(this.turn).multiply(camera.quaternion);
     });
-    this.place(camera);
+    this.place(camera, wide, tall);
   }
 
   /** Puts the words beside their marks, as the camera sees them. */
-  place(camera) {
+  place(camera, width, height) {
     if (!this.shown.length) {
       for (const label of this.labels) label.hidden = true;
       return;
     }
-    const { clientWidth: width, clientHeight: height } = this.layer; // lays the page out
     const spots = [];
     this.labels.forEach((label, i) => {
       const mark = this.shown[i];

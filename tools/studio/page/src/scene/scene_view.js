@@ -347,7 +347,7 @@ export class SceneView {
       at: this.placeOf(each, new Vector3()),
       words: each.words,
     }));
-    this.marks.show(marks, this.size * 0.045, this.stage.camera);
+    this.marks.show(marks, this.size * 0.045, this.stage);
   }
 
   /** Where a fault is drawn: at the point of a body or at the foot that it names. */

@@ -203,7 +203,7 @@ export class Stage {
 
   resize() {
     const { clientWidth: width, clientHeight: height } = this.host;
-    this.tall = height; // kept, as asking for it lays the page out
+    [this.wide, this.tall] = [width, height]; // kept, as asking for them lays the page out
     this.shown = width > 0;
     if (!width || !height) return;
     this.renderer.setPixelRatio(this.ratio());

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edits of parameters on their way to the server: one at a time, the latest values win, and what is
-// under the user's hand is shown at once. No more are sent than a screen shows.
-import { command } from "./api.js";
-
-const EVERY = 15; // ms between edits: as a screen's pictures
-const passed = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
+// Edits of parameters on their way to the server, which edit_worker.js sends; what is under the
+// user's hand is shown at once.
+import { ApiError } from "./api.js";
 
 export class Edits {
   /** @param {(error: Error) => void} failed @param {() => void} changed when a draft comes or goes */
@@ -12,10 +9,12 @@ export class Edits {
     this.failed = failed;
     this.changed = changed;
     this.drafts = new Map(); // values that are not in the server's state yet
-    this.waiting = new Map();
-    this.flying = false;
+    this.number = 0; // of the last edit
     this.flight = Promise.resolve(); // done when nothing is on its way and nothing waits
     this.moving = null; // the parameters that move on as one edit
+    this.worker = new Worker("edit_worker.js");
+    this.worker.onmessage = ({ data }) => this.take(data);
+    this.worker.onerror = (event) => this.failed(new Error(`edit_worker.js: ${event.message}`));
   }
 
   /** The value that is shown of a parameter. */
@@ -27,43 +26,29 @@ export class Edits {
   set(values, phase = "once") {
     const names = Object.keys(values).sort().join();
     if (phase === "begin" || phase === "once") this.moving = null;
-    for (const [name, value] of Object.entries(values)) {
-      this.waiting.set(name, value);
+    for (const [name, value] of Object.entries(values))
       this.drafts.set(name, { value, revision: Infinity });
-    }
     const held = phase === "begin" || phase === "drag";
-    this.next = { names, held, fresh: this.next?.fresh || this.moving !== names };
+    const fresh = this.moving !== names;
     this.moving = held ? names : null;
+    if (this.idle) this.flight = new Promise((resolve) => (this.landed = resolve));
+    this.worker.postMessage({ number: ++this.number, values, held, fresh });
     this.changed();
-    if (!this.flying) this.flight = this.pump();
   }
 
-  async pump() {
-    this.flying = true;
-    while (this.waiting.size) await this.sendWaiting();
-    this.flying = false;
-  }
-
-  async sendWaiting() {
-    const values = Object.fromEntries(this.waiting);
-    const { held, fresh } = this.next;
-    this.waiting.clear();
-    this.next = null;
-    const begun = performance.now();
-    try {
-      const { revision } = await command("edit", { values, goes_on: !fresh, held });
-      for (const [name, value] of Object.entries(values)) {
-        const draft = this.drafts.get(name);
-        if (draft?.value === value) draft.revision = revision ?? 0;
-      }
-      this.settle(this.seen ?? 0);
-    } catch (error) {
-      for (const name of Object.keys(values)) this.drafts.delete(name);
-      this.changed();
-      this.failed(error);
+  /** Takes the answer to what was sent last. */
+  take({ number, values, revision, refusal }) {
+    for (const [name, value] of Object.entries(values)) {
+      const draft = this.drafts.get(name);
+      if (refusal) this.drafts.delete(name);
+      else if (draft?.value === value) draft.revision = revision;
     }
-    const early = EVERY - (performance.now() - begun);
-    if (early > 1) await passed(early);
+    if (refusal) this.failed(new ApiError(refusal.status, refusal));
+    else this.settle(this.seen ?? 0);
+    if (refusal) this.changed();
+    if (number < this.number) return;
+    this.landed();
+    this.landed = null;
   }
 
   /** Waits until what was set is answered. */
@@ -73,7 +58,7 @@ export class Edits {
 
   /** Whether nothing is on its way. */
   get idle() {
-    return !this.flying && !this.waiting.size;
+    return !this.landed;
   }
 
   /** Drops drafts that a state of this revision holds. */

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Edits on their way from the page to the server, which a thread of their own sends."""
+
+from own_studio import OwnStudio
+
+NAME = 'front_thigh_length'
+
+
+class Editing(OwnStudio):
+    def drafts(self, studio):
+        return studio.js('legwrightStudio.edits.drafts.size')
+
+    def test_of_what_waits_the_latest_is_sent(self):
+        studio = self.open('puppy/sideways.toml')
+        held, sent = [], []
+
+        def hold(route):
+            sent.append(route.request.post_data_json)
+            if len(sent) == 1:
+                held.append(route)
+            else:
+                route.continue_()
+
+        studio.page.route('**/api/command', hold)
+        for value, phase in ((0.061, 'begin'), (0.062, 'drag'), (0.063, 'drag'), (0.064, 'end')):
+            studio.js('([n, v, p]) => legwrightStudio.edit(n, v, p)', [NAME, value, phase])
+            if value == 0.061:
+                while not held:
+                    studio.page.wait_for_timeout(20)
+        studio.page.wait_for_timeout(100)
+        self.assertEqual(len(sent), 1)  # one on its way
+        self.assertFalse(studio.js('legwrightStudio.edits.idle'))
+        self.assertEqual(studio.value(NAME), 0.064)  # what is under the hand
+        held[0].continue_()
+        studio.until('legwrightStudio.edits.idle')
+        studio.until('n => legwrightStudio.edits.drafts.size === 0', NAME)
+        studio.settled()
+        self.assertEqual([each['values'] for each in sent], [{NAME: 0.061}, {NAME: 0.064}])
+        self.assertEqual([each['goes_on'] for each in sent], [False, True])
+        self.assertEqual([each['held'] for each in sent], [True, False])
+        self.assertEqual(studio.value(NAME), 0.064)
+        studio.page.unroute('**/api/command')
+        studio.js('legwrightStudio.command("undo")')  # one step, as it was one drag
+        studio.until('n => legwrightStudio.readParameter(n).value === 0.06', NAME)
+
+    def test_a_refused_edit_is_told_and_taken_back(self):
+        studio = self.open('puppy/sideways.toml')
+        studio.js('legwrightStudio.edits.set({ no_such_length: 0.1 })')
+        studio.until('legwrightStudio.edits.idle')
+        self.assertEqual(self.drafts(studio), 0)
+        notice = studio.page.locator('.notice', has_text='no_such_length')
+        notice.wait_for()
+        studio.js('([n, v]) => legwrightStudio.edit(n, v, "once")', [NAME, 0.062])
+        studio.until('n => legwrightStudio.store.get("state").s.includes(0.062)', NAME)
+
+    def test_a_server_that_is_gone_is_told(self):
+        studio = self.open('puppy/sideways.toml')
+        studio.page.route('**/api/command', lambda route: route.abort())
+        studio.js('([n, v]) => legwrightStudio.edit(n, v, "once")', [NAME, 0.062])
+        studio.page.get_by_text('legwright studio does not answer').wait_for()
+        self.assertTrue(studio.js('legwrightStudio.edits.idle'))
+        self.assertEqual(studio.value(NAME), 0.06)
