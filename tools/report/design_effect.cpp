@@ -12,6 +12,7 @@
 #include "tools/report/outer_words.hpp"
 #include "tools/report/parameter_view.hpp"
 #include "tools/report/words.hpp"
+#include "tools/run/joined_by_and.hpp"
 
 namespace legwright {
 namespace {
@@ -141,13 +142,6 @@ std::string amount_change(const EffectRow& row) {
                      *row.effect.change < 0.0 ? "less" : "more", row.what);
 }
 
-std::string joined(const std::vector<std::string>& parts) {
-  std::string out;
-  for (std::size_t k = 0; k < parts.size(); ++k)
-    out += (k == 0 ? "" : k + 1 == parts.size() ? " and " : ", ") + parts[k];
-  return out;
-}
-
 /// What got less, and what got worse most of all: "25 % less mechanical power, but 22 % more
 /// printed volume". Empty where neither is worth a word.
 std::string balance(const std::vector<EffectRow>& rows) {
@@ -160,7 +154,7 @@ std::string balance(const std::vector<EffectRow>& rows) {
   const MainEffects main = main_effects(effects, amounts);
   std::vector<std::string> gains;
   for (const std::size_t k : main.gains) gains.push_back(amount_change(rows[k]));
-  std::string gained = joined(gains);
+  std::string gained = joined_by_and(gains);
   if (!main.worst) return gained;
   const EffectRow& worst = rows[*main.worst];
   const std::string lost =
@@ -208,7 +202,8 @@ std::string body_words(const RunData& data) {
     parts.push_back(fmt::format("{} from {} to {}", spaced(view.name), view.with_unit(view.initial),
                                 view.with_unit(view.final)));
   }
-  std::string out = (changed.by_cost ? "What buys most: " : "Most of all ") + joined(parts) + ".";
+  std::string out =
+      (changed.by_cost ? "What buys most: " : "Most of all ") + joined_by_and(parts) + ".";
   for (const std::string& more : {changed.bound_words(), mass_words(data, changed)})
     if (!more.empty()) out += " " + more;
   return out;

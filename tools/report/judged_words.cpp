@@ -11,6 +11,7 @@
 
 #include "tools/report/number_words.hpp"
 #include "tools/report/words.hpp"
+#include "tools/run/joined_by_and.hpp"
 
 namespace legwright {
 namespace {
@@ -19,14 +20,6 @@ bool in_percent(const LimitRow& row) {
   return row.unit == "1" && (row.name.find("share") != std::string::npos ||
                              row.name.find("ratio") != std::string::npos ||
                              row.name.find("survival") != std::string::npos);
-}
-
-/// "a, b and c"
-std::string in_words(const std::vector<std::string>& parts) {
-  std::string out;
-  for (std::size_t k = 0; k < parts.size(); ++k)
-    out += (k == 0 ? "" : k + 1 == parts.size() ? " and " : ", ") + parts[k];
-  return out;
 }
 
 /// Shares and ratios in per cent, the rest in its unit.
@@ -161,9 +154,9 @@ std::string engine_words(const EngineRecord& record) {
   std::vector<std::string> good, bad;
   for (const auto& [gains, pass] : record.passes) (pass ? good : bad).push_back(gains);
   std::string out = engine_name(record);
-  if (!good.empty()) out += " passes at " + in_words(good) + " gains";
+  if (!good.empty()) out += " passes at " + joined_by_and(good) + " gains";
   if (!bad.empty())
-    out += (good.empty() ? " fails at " : " and fails at ") + in_words(bad) + " gains";
+    out += (good.empty() ? " fails at " : " and fails at ") + joined_by_and(bad) + " gains";
   const char* lead = ", at ";
   const auto told = [&](std::optional<double> GainMetrics::*ratio, const char* what) {
     std::optional<double> low, high;

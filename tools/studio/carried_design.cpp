@@ -15,7 +15,7 @@ namespace {
 
 /// What became of the parameters, by their names.
 struct CarriedNames {
-  std::vector<std::string> taken, at_bound, fixed, locked, gone;
+  std::vector<std::string> taken, at_bound, fixed, locked, narrowed, gone;
 };
 
 /// @return why the tasks do not fit; empty where they do, and were taken
@@ -27,6 +27,38 @@ std::string take_tasks(const std::string& text, Opening& opening) {
   } catch (const InputError& error) {
     opening.text = std::move(first);
     return error.message();
+  }
+}
+
+/// The bounds of before, as far as the robot's let them.
+std::pair<double, double> bounds_for(const DesignParameter& parameter,
+                                     const CarriedDesign& carried) {
+  const auto found = carried.bounds.find(parameter.name);
+  if (found == carried.bounds.end()) return {parameter.lower, parameter.upper};
+  return {std::clamp(found->second.first, parameter.lower, parameter.upper),
+          std::clamp(found->second.second, parameter.lower, parameter.upper)};
+}
+
+/// Narrows bounds as before, no further than to the value that stands.
+/// @param values that are not the given ones
+void take_bounds(const CarriedDesign& carried, const DesignSpace& space,
+                 const std::map<std::string, double>& values, Opening& opening,
+                 CarriedNames& names) {
+  for (const auto& [name, unused] : carried.bounds) {
+    const int i = space.find(name);
+    if (i < 0) {
+      if (!carried.values.contains(name)) names.gone.push_back(name);
+      continue;
+    }
+    const DesignParameter& parameter = space.parameters[static_cast<std::size_t>(i)];
+    if (parameter.frozen()) continue;
+    const auto found = values.find(name);
+    const double value = found == values.end() ? parameter.initial : found->second;
+    const auto [lower, upper] = bounds_for(parameter, carried);
+    const session::Bounds bounds{name, std::min(lower, value), std::max(upper, value)};
+    if (bounds.lower == parameter.lower && bounds.upper == parameter.upper) continue;
+    names.narrowed.push_back(name);
+    opening.commands.push_back(bounds);
   }
 }
 
@@ -45,15 +77,19 @@ CarriedNames take_values(const CarriedDesign& carried, Opening& opening) {
       names.fixed.push_back(name);
       continue;
     }
-    const double within = std::clamp(value, parameter.lower, parameter.upper);
+    const auto [lower, upper] = bounds_for(parameter, carried);
+    const double within = std::clamp(value, lower, upper);
     names.taken.push_back(name);
     if (within != value) names.at_bound.push_back(name);
     edit.values[name] = within;
   }
+  const std::map<std::string, double> now = edit.values;
   if (!edit.values.empty()) opening.commands.push_back(std::move(edit));
+  take_bounds(carried, space, now, opening, names);
   for (const std::string& name : carried.locked) {
     if (const int i = space.find(name); i < 0) {
-      if (!carried.values.contains(name)) names.gone.push_back(name);
+      if (!carried.values.contains(name) && !carried.bounds.contains(name))
+        names.gone.push_back(name);
     } else if (!space.parameters[static_cast<std::size_t>(i)].frozen()) {
       names.locked.push_back(name);
     }
@@ -71,8 +107,12 @@ CarriedDesign carried_of(const SessionState& state, const std::string& opened_te
     out.text = set.joint() ? with_weights(set.text, state.weights) : set.text;
   const auto& parameters = state.problem->robot.space.parameters;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
-    const double value = state.s()[static_cast<Eigen::Index>(i)];
+    const auto at = static_cast<Eigen::Index>(i);
+    const double value = state.s()[at];
     if (value != parameters[i].initial) out.values[parameters[i].name] = value;
+    if (!parameters[i].frozen() &&
+        (state.lower[at] > parameters[i].lower || state.upper[at] < parameters[i].upper))
+      out.bounds[parameters[i].name] = {state.lower[at], state.upper[at]};
     if (state.frozen[i] && !parameters[i].frozen()) out.locked.push_back(parameters[i].name);
   }
   return out;
@@ -97,6 +137,8 @@ std::string carry_over(const CarriedDesign& carried, Opening& opening) {
                                fmt::join(names.fixed, ", ")));
   if (!names.locked.empty())
     told.push_back(fmt::format("Locked as before: {}.", fmt::join(names.locked, ", ")));
+  if (!names.narrowed.empty())
+    told.push_back(fmt::format("Bounds as before: {}.", fmt::join(names.narrowed, ", ")));
   if (!names.gone.empty())
     told.push_back(fmt::format("Not taken over, as this robot has no such parameters: {}.",
                                fmt::join(names.gone, ", ")));

@@ -26,18 +26,24 @@ std::string value_words(const LimitRow& row) {
     words += fmt::format(" (at most {:.3g})", *row.high);
   else if (row.low)
     words += fmt::format(" (at least {:.3g})", *row.low);
-  return words + worst_words(row);
+  return words + failing_parts(row);
 }
 
+struct Moment {
+  double time = 0.0;   // [s]
+  bool whole = false;  // of a whole walk, at its end
+};
+
 /// When it was: the fall, the hardest touch, the first warning of those gains, what the worst part
-/// did first. None for what is measured over a whole walk.
-std::optional<double> moment_of(const LimitRow& row, const MetricsRecord& metrics) {
-  if (!row.worst.empty() && row.worst.front().time) return row.worst.front().time;
+/// did first; the end of a walk that fails as a whole.
+std::optional<Moment> moment_of(const LimitRow& row, const MetricsRecord& metrics) {
+  if (!row.worst.empty() && row.worst.front().time) return Moment{*row.worst.front().time};
   for (const auto& [gain, measured] : metrics.result) {
     if (!row.where.empty() && row.where.find(gain) == std::string::npos) continue;
-    if (measured.fall && !row.pass) return measured.fall->time;
+    if (measured.fall && !row.pass) return Moment{measured.fall->time};
     if (row.name.find("warning") != std::string::npos && !measured.warnings.empty())
-      return measured.warnings.front().time;
+      return Moment{measured.warnings.front().time};
+    if (!row.pass && row.value && !row.where.empty()) return Moment{measured.seconds, true};
   }
   return std::nullopt;
 }
@@ -75,7 +81,8 @@ Json verdict_line(const LimitRow& row, const std::optional<MetricsRecord>& metri
             {"high", or_null(row.high)},
             {"unit", row.unit},
             {"gains", row.where}}},
-          {"moment", moment ? Json{{"task", task}, {"time", *moment}} : Json(nullptr)}};
+          {"moment", moment ? Json{{"task", task}, {"time", moment->time}, {"whole", moment->whole}}
+                            : Json(nullptr)}};
 }
 
 Json verdict_lines(const fs::path& run) {

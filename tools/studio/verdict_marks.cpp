@@ -6,6 +6,8 @@
 #include <array>
 #include <string_view>
 
+#include "tools/run/worst_words.hpp"
+
 namespace legwright {
 namespace {
 
@@ -57,19 +59,12 @@ std::string said_of_trunk(const LimitRow& row, const MetricsRecord& metrics) {
 
 }  // namespace
 
-std::string worst_words(const LimitRow& row) {
-  if (row.worst.empty() || row.pass) return {};
-  std::string out;
-  const std::size_t count = row.worst.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const WorstPart& part = row.worst[i];
-    const PartWords* words = words_for(row);
-    out += (i == 0 ? "" : i + 1 == count ? " and " : ", ") + part.name;
-    if (part.value && words != nullptr && count > 1)
-      out += " (" + number_words(*part.value, words->percent) + ")";
-  }
-  if (row.worst.front().kind == "body") return "; hardest between " + out;
-  return "; worst " + out;
+std::string failing_parts(const LimitRow& row) {
+  if (row.pass) return {};
+  const PartWords* words = words_for(row);
+  return worst_words(row.worst, [&](const WorstPart& part) {
+    return part.value && words != nullptr ? number_words(*part.value, words->percent) : "";
+  });
 }
 
 Json marks_of(const LimitRow& row, const std::optional<MetricsRecord>& metrics) {
@@ -86,8 +81,9 @@ Json marks_of(const LimitRow& row, const std::optional<MetricsRecord>& metrics) 
   for (const WorstPart& part : row.worst)
     out.push_back({{"kind", part.kind}, {"name", part.name}, {"words", said_of(part, row)}});
   if (!out.empty() || row.pass || !metrics) return out;
-  if (const std::string words = said_of_trunk(row, *metrics); !words.empty())
-    out.push_back({{"kind", "trunk"}, {"name", ""}, {"words", words}});
+  std::string words = said_of_trunk(row, *metrics);
+  if (words.empty() && row.value) words = fmt::format("{}: {:.3g}", row.what, *row.value);
+  if (!words.empty()) out.push_back({{"kind", "trunk"}, {"name", ""}, {"words", words}});
   return out;
 }
 

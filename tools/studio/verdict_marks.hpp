@@ -12,10 +12,11 @@ namespace legwright {
 
 /// "; worst FL_knee (12 %) and FR_knee (11 %)"; empty where it passes, and where the value is the
 /// whole robot's.
-std::string worst_words(const LimitRow& row);
+std::string failing_parts(const LimitRow& row);
 
 /// What a line of the verdict marks on the robot, [{kind, name, words}]: the joints, feet or bodies
-/// whose value it is; of a fall or a warning the "trunk". Empty where it is the whole robot's.
+/// whose value it is; the "trunk" of a fall, a warning, and of what fails as a whole. Empty where
+/// the whole robot passes.
 Json marks_of(const LimitRow& row, const std::optional<MetricsRecord>& metrics);
 
 }  // namespace legwright

@@ -7,6 +7,9 @@
 #include <cmath>
 #include <limits>
 
+#include "tools/run/joined_by_and.hpp"
+#include "tools/run/worst_words.hpp"
+
 namespace legwright {
 namespace {
 
@@ -41,12 +44,9 @@ double room(const std::optional<double>& value, const Bounds& bounds) {
   return least;
 }
 
-/// "; worst FL_knee and FR_knee". Bodies that touch are told by the verdict, as a pair.
-std::string worst_words(const std::vector<WorstPart>& worst) {
-  std::vector<std::string> names;
-  for (const WorstPart& part : worst)
-    if (part.kind != "body") names.push_back(part.name);
-  return names.empty() ? "" : "; worst " + listed(names);
+/// Bodies that touch are told by the verdict, as a pair.
+std::string worst_but_touches(const std::vector<WorstPart>& worst) {
+  return worst.empty() || worst.front().kind == "body" ? "" : worst_words(worst);
 }
 
 JudgedLimit judge_one(const LimitedQuantity& quantity, const Bounds& bounds,
@@ -75,8 +75,8 @@ JudgedLimit judge_one(const LimitedQuantity& quantity, const Bounds& bounds,
   out.pass = faults.empty();
   if (out.pass) return out;
   const std::string passes = what_passes(bounds, quantity.unit, quantity.told, quantity.below);
-  out.reason = quantity.verb + " " + listed(faults) + " gains (" + quantity.note +
-               (quantity.note.empty() ? "" : "; ") + passes + worst_words(out.worst) + ")";
+  out.reason = quantity.verb + " " + joined_by_and(faults) + " gains (" + quantity.note +
+               (quantity.note.empty() ? "" : "; ") + passes + worst_but_touches(out.worst) + ")";
   return out;
 }
 
@@ -87,14 +87,6 @@ std::string gain_name(double scale) {
   if (scale == 1.0) return "default";
   if (scale == 2.0) return "double";
   return fmt::format("{}-fold", scale);
-}
-
-std::string listed(const std::vector<std::string>& parts) {
-  std::string out;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    out += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
-  }
-  return out;
 }
 
 bool within(const std::optional<double>& value, const Bounds& bounds, bool below) {

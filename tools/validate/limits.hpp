@@ -74,8 +74,6 @@ std::vector<JudgedLimit> judge_limits(const std::vector<Measurements>& at_gains,
 
 /// "half", "default", "double", or the number.
 std::string gain_name(double scale);
-/// "a, b and c".
-std::string listed(const std::vector<std::string>& parts);
 /// "0.95 to 1.05 m passes", "less than 0.1 rad passes", "at least 0 and less than 0.1 rad passes";
 /// percent and its plural where it is told so. @param below the upper bound itself does not pass
 std::string what_passes(const Bounds& bounds, const std::string& unit, Told told, bool below);

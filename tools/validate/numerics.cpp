@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "optimizer/base/parallel.hpp"
+#include "tools/run/joined_by_and.hpp"
 
 namespace legwright {
 namespace {
@@ -171,7 +172,7 @@ std::string describe(const SecondOpinion& opinion) {
   const std::size_t played = opinion.runs.size() - blocks.size();
   std::string out = "numerics: ";
   if (others == 0)
-    out += fmt::format("same verdict {}, at {} gains", settings, listed(gains));
+    out += fmt::format("same verdict {}, at {} gains", settings, joined_by_and(gains));
   else
     out +=
         fmt::format("ANOTHER verdict {}{}", other,

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "optimizer/motion/faced_frame.hpp"
+#include "tools/run/joined_by_and.hpp"
 
 namespace legwright {
 namespace {
@@ -25,7 +26,7 @@ JudgedLimit count_of(const char* name, const char* what, const std::vector<Measu
     if (has(run)) gains.push_back(gain_name(run.gain_scale));
   out.value = static_cast<double>(gains.size());
   out.pass = gains.empty();
-  if (!out.pass) out.where = listed(gains) + " gains";
+  if (!out.pass) out.where = joined_by_and(gains) + " gains";
   return out;
 }
 
@@ -58,7 +59,8 @@ JudgedLimit fell(const std::vector<Measurements>& at_gains) {
       causes.push_back(run.fall->cause);
   }
   if (!out.pass)
-    out.reason = fmt::format("falls after {} gains ({})", listed(times), listed(causes));
+    out.reason =
+        fmt::format("falls after {} gains ({})", joined_by_and(times), joined_by_and(causes));
   return out;
 }
 
@@ -126,7 +128,8 @@ std::string praise(const std::vector<Measurements>& at_gains, const WantedMotion
   facts.push_back(fmt::format("tilt {:.2f} rad", tilt));
   std::string out;
   for (const auto& fact : facts) out += fact + ", ";
-  out += fmt::format("no fall ({} cycles; {} gains)", at_gains.front().cycles, listed(gains));
+  out +=
+      fmt::format("no fall ({} cycles; {} gains)", at_gains.front().cycles, joined_by_and(gains));
   if (const auto touch = touched_itself(at_gains, false)) out += "; " + *touch;
   return out;
 }

@@ -8,6 +8,7 @@
 #include "mjcf/text/input_error.hpp"
 #include "tools/files/clean_text.hpp"
 #include "tools/files/io_error.hpp"
+#include "tools/run/joined_by_and.hpp"
 #include "tools/run/result_folder.hpp"
 #include "tools/validate/junit.hpp"
 #include "tools/validate/limits_file.hpp"
@@ -63,7 +64,7 @@ void print_stability(const JudgedRun& judged, const std::string& indent) {
     }
   if (parts.empty()) return;
   fmt::print("{}stability: a cycle multiplies small disturbances by {} gains{}\n", indent,
-             listed(parts), grows ? "; from 1 on they grow" : "");
+             joined_by_and(parts), grows ? "; from 1 on they grow" : "");
 }
 
 /// That the gait was played on servos which the robot's file does not have.

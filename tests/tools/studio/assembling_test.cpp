@@ -61,16 +61,25 @@ TEST_F(AssemblingTest, WhatWasDesignedGoesOnToTheNextBuildOfTheRobot) {
   const double value = 0.5 * (first["given"].get<double>() + first["robot_upper"].get<double>());
   post("/api/command", {{"do", "edit"}, {"values", {{name, value}}}});
   post("/api/command", {{"do", "freeze"}, {"names", {name}}});
+  const std::string narrow = before["parameters"][1]["name"];
+  const double given = before["parameters"][1]["given"];
+  const double upper = 0.5 * (given + before["parameters"][1]["robot_upper"].get<double>());
+  ASSERT_EQ(
+      post("/api/command",
+           {{"do", "bounds"}, {"name", narrow}, {"lower", given}, {"upper", upper}})["status"],
+      200);
   const Json slow{{"travel", {{"velocity", {0.031, 0.0}}}}};
   ASSERT_EQ(post("/api/task", {{"task", 0}, {"changes", slow}})["status"], 200);
   for (int again = 0; again < 2; ++again) {
     ASSERT_EQ(post("/api/assembly/bench", Json::object())["status"], 200);
     const std::string carried = build()["carried"];
     EXPECT_EQ(carried, "The task is that of before. Values of before: " + name +
-                           ". Locked as before: " + name + ".");
+                           ". Locked as before: " + name + ". Bounds as before: " + narrow + ".");
     const Json state = studio_.browser->next("state");
     EXPECT_EQ(state["s"][0], value);
     EXPECT_EQ(state["frozen"][0], true);
+    EXPECT_EQ(state["lower"][1], given);
+    EXPECT_EQ(state["upper"][1], upper);
     EXPECT_EQ(document()["tasks"][0]["velocity"][0], 0.031);
     EXPECT_EQ(studio_.browser->get("/api/start")["unsaved"].size(), 1U)
         << "what was only carried over is no work that may be missed";

@@ -6,12 +6,15 @@
 namespace legwright {
 namespace {
 
-/// The line of one row, judged of a run that fell after 1.2 s at half gains.
+/// The line of one row, judged of a run that fell after 1.2 s at half gains and walked for 20 s at
+/// double ones.
 Json line_of(const LimitRow& row) {
   MetricsRecord metrics;
   GainMetrics half;
   half.fall = Fall{1.2, "tilted by more than 1 rad"};
-  metrics.result = {{"half", half}, {"double", GainMetrics{}}};
+  GainMetrics twice;
+  twice.seconds = 20.0;
+  metrics.result = {{"half", half}, {"double", twice}};
   return verdict_line(row, metrics, 0, "");
 }
 
@@ -52,6 +55,21 @@ TEST(VerdictLines, AFallIsMarkedAtTheTrunkWithItsCause) {
   EXPECT_EQ(
       line["marks"],
       Json::array({{{"kind", "trunk"}, {"name", ""}, {"words", "tilted by more than 1 rad"}}}));
+}
+
+TEST(VerdictLines, WhatFailsOverAWholeWalkIsShownToTheEndOfTheWalkAtThoseGains) {
+  LimitRow row{
+      "speed_ratio", "measured over planned speed, along its heading", "1", 0.95, 1.05, 0.8,
+      "double gains"};
+  const Json line = line_of(row);
+  EXPECT_EQ(line["moment"], Json({{"task", 0}, {"time", 20.0}, {"whole", true}}));
+  EXPECT_EQ(line["marks"],
+            Json::array({{{"kind", "trunk"},
+                          {"name", ""},
+                          {"words", "measured over planned speed, along its heading: 0.8"}}}));
+  row.pass = true;
+  EXPECT_TRUE(line_of(row)["moment"].is_null());
+  EXPECT_TRUE(line_of(row)["marks"].empty());
 }
 
 }  // namespace
