@@ -14,6 +14,7 @@ from assembling import Assembling  # noqa: F401
 from editing import Editing  # noqa: F401
 from other_designs import OtherDesigns  # noqa: F401
 from studio_browser import ROOT, Page, Server, browser, chromium
+from tablet import Tablet  # noqa: F401
 from telling import Telling  # noqa: F401
 from touch_and_crash import Apart  # noqa: F401
 from whole_way import Whole  # noqa: F401

@@ -64,6 +64,30 @@ class Telling(OwnStudio):
         self.assertEqual(frozen, [True, False])
         self.assertEqual(studio.console, [])
 
+    def test_what_was_set_by_hand_is_known_when_the_page_is_loaded_anew(self):
+        studio = self.open('puppy/sideways.toml')
+        name = 'front_thigh_length'
+        wanted = studio.value(name) + 0.003
+        self.set_by_hand(studio, name, wanted)
+        said = 'Optimise may change 1 length that you set.'
+        studio.page.get_by_text(said).wait_for()
+        studio.page.reload()
+        studio.ready()
+        studio.page.get_by_text(said).wait_for()
+        studio.button('Step').click()
+        studio.until(f'{STATE}.iterations === 1')
+        studio.settled()
+        studio.page.reload()
+        studio.ready()
+        studio.page.get_by_text('The search has changed 1 length that you set.').wait_for()
+        studio.button('Put it back and lock').click()
+        studio.until('n => legwrightStudio.readParameter(n).locked', name)
+        self.assertEqual(studio.value(name), wanted)
+        studio.page.reload()
+        studio.ready()
+        self.assertFalse(studio.page.locator('.hand-note').is_visible())
+        self.assertEqual(studio.console, [])
+
     def test_what_a_search_has_changed_is_put_back_and_locked(self):
         studio = self.open('puppy/sideways.toml')
         name = 'front_thigh_length'
@@ -167,9 +191,26 @@ class Telling(OwnStudio):
         studio = self.open('puppy/sideways.toml')
         studio.js('legwrightStudio.selection.set(["front_thigh_length"])')
         studio.page.get_by_text('slope of the cost F (dF/ds): ').wait_for()
-        text = studio.js('document.querySelector("#app").textContent')
-        for odd in ('fall of F', 'misfit', 'terms of F'):
+        told = studio.js(
+            """() => [...document.querySelectorAll("#app, #app *")].flatMap((each) => [
+              ...(each.id === "app" ? [each.textContent] : []),
+              ...["title", "aria-label", "placeholder"].map((key) => each.getAttribute(key)),
+            ]).filter(Boolean)"""
+        )
+        text = '\n'.join(told)
+        for shown in ('slope of the cost F', 'slip of stance feet', 'What the cost F consists of'):
+            self.assertIn(shown, text)  # so texts, titles and names are looked through
+        for odd in ('fall of F', 'misfit', 'terms of F', 'undefined', 'NaN', '[]'):
             self.assertNotIn(odd, text)
-        terms = studio.page.locator('.terms tr')
-        self.assertIn('of F)', terms.first.get_attribute('title'))
+        names = studio.js(f'{STATE}.terms.map((term) => term.name)')
+        self.assertIn('stance_foot', names)
+        odd = [each for each in told[1:] if any(name in each for name in names if '_' in name)]
+        terms = studio.js(
+            """() => [...document.querySelectorAll('.terms tr')].map((row) =>
+                 [row.title, row.querySelector('th').textContent])"""
+        )
+        self.assertEqual(odd, [title for title, _ in terms if '_' in title])
+        for title, words in terms:
+            self.assertRegex(title, rf'^{words} \(term ({"|".join(names)}) of F\)$')
+            self.assertNotIn('_', words)
         self.assertEqual(studio.console, [])

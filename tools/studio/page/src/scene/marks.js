@@ -5,6 +5,7 @@ import { DoubleSide, Group, Mesh, MeshBasicMaterial, Quaternion, RingGeometry, V
 const RING = new RingGeometry(0.72, 1, 28);
 const MOST = 6; // marks at once
 const LINE = 19; // pixels from one label to the next below
+const BESIDE = 14; // pixels from a mark to its words, left of it where they end the picture
 const LETTER = 6.4; // pixels of a letter, on average
 
 /** Moves labels down until none covers another. @param {{x: number, y: number, width: number}[]} spots */
@@ -83,9 +84,11 @@ export class Marks {
       const ring = this.root.children[i];
       ring.getWorldPosition(this.point).project(camera);
       if (label.textContent !== mark.words) label.textContent = mark.words;
-      const x = (this.point.x * 0.5 + 0.5) * width + 14;
+      const at = (this.point.x * 0.5 + 0.5) * width;
       const y = (0.5 - this.point.y * 0.5) * height - 8;
-      spots.push({ label, x, y, width: LETTER * mark.words.length + 12 });
+      const wide = LETTER * mark.words.length + 12;
+      const x = at + BESIDE + wide > width ? Math.max(0, at - BESIDE - wide) : at + BESIDE;
+      spots.push({ label, x, y, width: wide });
     });
     for (const { label, x, y } of apart(spots))
       label.style.transform = `translate(${x.toFixed(0)}px, ${y.toFixed(0)}px)`;

@@ -6,6 +6,7 @@ import { beginDrag, onScreen } from "./handle_drag.js";
 
 const REACH = { mouse: 13, pen: 16, touch: 26 }; // pixels around a handle
 const CLICK = 5; // pixels within which a press is a click
+const TOGETHER = 400; // ms within which a second finger makes two that move the camera
 
 export class Pointer {
   /**
@@ -70,6 +71,8 @@ export class Pointer {
   }
 
   down(event) {
+    if (!event.isTrusted) return; // what is handed to the camera
+    if (this.held && !event.isPrimary) this.giveToCamera(event);
     if (event.button !== 0 || !event.isPrimary || !this.view.design) return;
     const { x, y, box } = this.spot(event);
     this.start = { x, y };
@@ -97,10 +100,32 @@ export class Pointer {
   grab(event) {
     event.stopImmediatePropagation();
     event.preventDefault();
+    this.first = event;
     const { canvas, controls } = this.view.stage;
     canvas.focus({ preventScroll: true });
     canvas.setPointerCapture(event.pointerId);
     controls.enabled = false;
+  }
+
+  /** Two fingers of which the first met a handle or the robot: what it took stays as it was. */
+  giveToCamera({ timeStamp }) {
+    const { first, held } = this;
+    if (first.pointerType !== "touch" || timeStamp - first.timeStamp > TOGETHER) return;
+    this.letGo(held.from, "cancel");
+    this.start = null;
+    const { pointerId, pointerType, clientX, clientY } = first;
+    const told = new PointerEvent("pointerdown", { pointerId, pointerType, clientX, clientY });
+    this.view.stage.canvas.dispatchEvent(told);
+  }
+
+  letGo(value, phase) {
+    const { held } = this;
+    this.held = null;
+    this.view.stage.controls.enabled = true;
+    if (held.push) {
+      this.view.push = null;
+      this.told.push(null);
+    } else this.told.drag(held.name, value, phase);
   }
 
   beginPush(event) {
@@ -117,6 +142,7 @@ export class Pointer {
       return;
     }
     event.stopImmediatePropagation();
+    if (event.pointerId !== this.first.pointerId) return; // another finger
     const { x, y } = this.spot(event);
     if (this.held.push) return this.movePush(event);
     const { from, state, change, name } = this.held;
@@ -139,17 +165,13 @@ export class Pointer {
 
   up(event, phase) {
     const { canvas, controls } = this.view.stage;
+    const { held, first } = this;
+    if (held && event.pointerId !== first.pointerId) return; // another finger goes
     controls.enabled = true;
-    const held = this.held;
-    this.held = null;
     if (held) {
       event.stopImmediatePropagation();
       if (canvas.hasPointerCapture(event.pointerId)) canvas.releasePointerCapture(event.pointerId);
-      if (held.push) {
-        this.view.push = null;
-        this.told.push(null);
-      } else this.told.drag(held.name, held.value ?? held.from, phase);
-      return;
+      return this.letGo(held.value ?? held.from, phase);
     }
     if (!this.start || phase !== "end") return;
     const { x, y } = this.spot(event);

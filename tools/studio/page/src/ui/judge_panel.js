@@ -127,7 +127,7 @@ export class JudgePanel {
               type: "button",
               onClick: () => this.studio.showMoment(moment, numbers?.gains, marks),
             },
-            "Show me",
+            moment.whole ? "Show the walk" : "Show me",
           )
         : null,
     );

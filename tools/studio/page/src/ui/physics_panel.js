@@ -225,6 +225,7 @@ export class PhysicsPanel {
     for (const each of [this.reset, this.pushing, this.nudge]) each.disabled = !running;
     if (!running) {
       setText(this.status, "The plan is shown.");
+      this.status.classList.remove("bad");
       this.togglePush(false);
     }
   }

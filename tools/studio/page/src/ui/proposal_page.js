@@ -31,7 +31,12 @@ export class ProposalPage {
   show(found) {
     const { parameters = [], left_out = [] } = found;
     this.boxes = parameters.map((parameter) =>
-      h("input", { type: "checkbox", checked: parameter.ticked ?? true, name: parameter.name }),
+      h("input", {
+        type: "checkbox",
+        checked: parameter.ticked ?? true,
+        name: parameter.name,
+        aria: { label: words(parameter.name) },
+      }),
     );
     fill(
       this.body,
@@ -101,7 +106,7 @@ export class ProposalPage {
     return h(
       "tr",
       {},
-      h("td", {}, this.boxes[i]),
+      h("td", {}, h("label", {}, this.boxes[i])),
       h(
         "th",
         { scope: "row" },

@@ -21,21 +21,35 @@ const LIST = [
   ["?", "this list"],
 ];
 
-export function showShortcuts() {
-  const close = h("button.primary", { type: "button", onClick: () => dialog.close() }, "Close");
-  const dialog = openDialog(
-    "Keys",
+const FINGERS = [
+  ["a dot on the robot", "drag it: the limb grows, the axis turns, the trunk widens"],
+  ["a limb", "tap it: its parameters are selected, axes get their rings"],
+  ["one finger", "turns the camera"],
+  ["two fingers", "move and zoom"],
+  ["a slider", "sideways moves it; up and down scrolls"],
+  ["rest on a button or a figure", "says what it is"],
+];
+
+const table = (list) =>
+  h(
+    "table.keys",
+    {},
     h(
-      "table.keys",
+      "tbody",
       {},
-      h(
-        "tbody",
-        {},
-        LIST.map(([keys, words]) =>
-          h("tr", {}, h("th", { scope: "row" }, h("kbd", {}, keys)), h("td", {}, words)),
-        ),
+      list.map(([keys, words]) =>
+        h("tr", {}, h("th", { scope: "row" }, h("kbd", {}, keys)), h("td", {}, words)),
       ),
     ),
+  );
+
+export function showShortcuts() {
+  const close = h("button.primary", { type: "button", onClick: () => dialog.close() }, "Close");
+  const touched = matchMedia("(pointer: coarse)").matches;
+  const dialog = openDialog(
+    touched ? "Fingers" : "Keys",
+    touched ? [table(FINGERS), h("h3", {}, "Keys")] : [],
+    table(LIST),
     h("div.actions", {}, close),
   );
 }

@@ -154,7 +154,7 @@ export class TaskPanel {
   }
 
   field({ label, unit, step, min, max, write }) {
-    const input = this.numberInput(`${label} [${unit}]`, step, () => {
+    const input = this.numberInput(unit ? `${label} [${unit}]` : label, step, () => {
       const value = input.valueAsNumber;
       if (Number.isFinite(value)) this.change(write(value));
     });
@@ -259,7 +259,7 @@ export class TaskPanel {
     fill(
       this.terms,
       terms.map(({ name, words: about, weight }) => {
-        const input = this.numberInput(`Weight of ${name}`, "any", () => {
+        const input = this.numberInput(`Weight of ${words(name)}`, "any", () => {
           if (input.valueAsNumber >= 0) this.change({ weights: { [name]: input.valueAsNumber } });
         });
         input.value = task.term_weights?.[name] ?? weight;

@@ -142,6 +142,7 @@ export class Workspace {
       shownSwitches(studio.view),
       this.handlesSwitch(),
       h("div.segmented", {}, pictureButton(studio), new RecordButton(studio).element),
+      new HandNote(studio).element,
     );
     this.hint = h("div.scene-hint", { hidden: true });
     const middle = h(
@@ -150,7 +151,6 @@ export class Workspace {
       this.stage,
       this.tools,
       this.hint,
-      new HandNote(studio).element,
       studio.timeline.element,
     );
     return h("div.panes", {}, this.sides[0], this.sides[2], middle, this.sides[1], this.sides[3]);

@@ -19,10 +19,11 @@ const BEGIN = 6; // pixels from which on a press is a drag
 
 /** What is said of a module below its name. */
 function aboutOf({ kind, mass, stall_torque: torque, no_load_speed: speed }) {
-  const grams = `${significant(1000 * mass, 3)} g`;
+  const of = (value, unit) => `${significant(value, 3)} ${unit}`.replaceAll(" ", "\u00a0");
+  const grams = of(1000 * mass, "g");
   if (kind !== "servo") return grams;
-  const turning = speed ? `, ${significant(speed, 3)} rad/s` : "";
-  return `${significant(torque, 3)} N m${turning}, ${grams}`;
+  const turning = speed ? `, ${of(speed, "rad/s")}` : "";
+  return `${of(torque, "N m")}${turning}, ${grams}`;
 }
 
 export class Palette {
