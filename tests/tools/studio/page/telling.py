@@ -41,6 +41,30 @@ class Telling(OwnStudio):
         studio.until(f'({shown}).length === 0')
         self.assertEqual(studio.console, [])
 
+    def test_what_fails_over_a_whole_walk_is_shown_at_its_end(self):
+        studio = self.open('puppy/sideways.toml')
+        studio.workspace('Simulate')
+        said = 'measured over planned speed, along its heading: 0.8'
+        line = {
+            'words': said + ' at double gains (0.95 to 1.05 passes)',
+            'passed': False,
+            'marks': [{'kind': 'trunk', 'name': '', 'words': said}],
+            'numbers': {'gains': 'double gains'},
+            'moment': {'task': 0, 'time': 0.4, 'whole': True},
+        }
+        studio.js(
+            """line => legwrightStudio.take('judge', {
+              running: false, verdict: {word: 'FAIL', words: 'FAIL  walk'}, lines: [line]})""",
+            line,
+        )
+        studio.button('Show the walk').click()
+        studio.until('legwrightStudio.physics.held')
+        label = studio.page.locator('.workspace .mark-label:visible')
+        self.assertEqual(label.all_text_contents(), [said])
+        self.assertAlmostEqual(studio.js('legwrightStudio.view.recording.end'), 0.4, delta=0.2)
+        self.assertEqual(studio.js('legwrightStudio.physics.values.stiffness'), 2)
+        self.assertEqual(studio.console, [])
+
     def set_by_hand(self, studio, name, value):
         studio.js('([n, v]) => legwrightStudio.edit(n, v, "once")', [name, value])
         studio.until('legwrightStudio.edits.idle')
