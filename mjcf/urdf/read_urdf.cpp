@@ -22,13 +22,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a macro processor should have replaced, in an attribute or a name.
+bool has_macro(const std::string& text) {
+  return text.find("${") != std::string::npos || text.find("$(") != std::string::npos;
+}
+
+/// What a macro processor should have replaced, in an attribute or a name. Packages of meshes are
+/// found without one.
 bool is_macro(const XmlElement& element) {
   if (std::string_view(element.Name()).starts_with("xacro:")) return true;
   for (const auto* at = element.FirstAttribute(); at != nullptr; at = at->Next()) {
-    const std::string_view value = at->Value();
-    if (value.find("${") != std::string_view::npos || value.find("$(") != std::string_view::npos)
-      return true;
+    const std::string value = at->Value();
+    const bool mesh = std::string_view(element.Name()) == "mesh";
+    if (has_macro(mesh ? behind_find_of_xacro(value).value_or(value) : value)) return true;
   }
   return false;
 }

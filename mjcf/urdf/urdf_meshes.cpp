@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <optional>
 #include <string_view>
 #include <system_error>
 #include <vector>
@@ -24,6 +23,12 @@ bool is_file(const fs::path& path) {
 std::optional<std::string> behind(std::string_view scheme, const std::string& name) {
   if (!name.starts_with(scheme)) return std::nullopt;
   return name.substr(scheme.size());
+}
+
+/// Between folders CAD programs of Windows write backslashes.
+std::string with_slashes(std::string name) {
+  std::replace(name.begin(), name.end(), '\\', '/');
+  return name;
 }
 
 /// Where a file of a package can be, the likeliest first.
@@ -48,6 +53,8 @@ std::vector<fs::path> places_in_package(const std::string& in_package, const fs:
 
 std::vector<fs::path> places_of(const std::string& name, const fs::path& folder,
                                 const std::string& mesh_folder) {
+  if (const auto in_package = behind_find_of_xacro(name))
+    return places_in_package(*in_package, folder);
   for (const char* scheme : {"package://", "model://"})
     if (const auto in_package = behind(scheme, name)) return places_in_package(*in_package, folder);
   const std::string plain_name = behind("file://", name).value_or(name);
@@ -86,12 +93,20 @@ std::string seen_from(const fs::path& folder, const fs::path& file) {
 
 }  // namespace
 
+std::optional<std::string> behind_find_of_xacro(const std::string& name) {
+  const auto begun = behind("$(find ", behind("file://", name).value_or(name));
+  if (!begun) return std::nullopt;
+  const std::size_t end = begun->find(")/");
+  if (end == std::string::npos) return std::nullopt;
+  return begun->substr(0, end) + begun->substr(end + 1);
+}
+
 bool is_collada(const std::string& name) { return ending_of(name) == ".dae"; }
 
 UrdfMeshFile find_urdf_mesh(const std::string& name, const fs::path& folder,
                             const std::string& mesh_folder) {
   const fs::path base = folder.empty() ? "." : folder;
-  const std::vector<fs::path> places = places_of(name, base, mesh_folder);
+  const std::vector<fs::path> places = places_of(with_slashes(name), base, mesh_folder);
   for (const fs::path& place : places) {
     if (is_read_by_mujoco(place)) {
       if (is_file(place)) return {UrdfMeshKind::found, seen_from(base, place)};

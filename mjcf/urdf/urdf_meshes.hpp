@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace legwright {
@@ -23,11 +24,15 @@ struct UrdfMeshFile {
 /// Whether a file is called .dae.
 bool is_collada(const std::string& name);
 
-/// Looks up a mesh of a URDF. package://NAME/REST is searched for in the folders above the URDF: as
-/// REST in one called NAME, as NAME/REST beside them, as REST; so is /…/share/NAME/REST, where
-/// another machine has it; a plain path from the URDF's folder, or from `mesh_folder` there. Of a
-/// format that MuJoCo cannot read an STL or OBJ of the same name beside it serves, else a Collada
-/// file itself.
+/// NAME/REST of $(find NAME)/REST, with or without file:// before it: what xacro makes a path of,
+/// but a file that has nothing else of xacro is a URDF. Nothing for other texts.
+std::optional<std::string> behind_find_of_xacro(const std::string& name);
+
+/// Looks up a mesh of a URDF. package://NAME/REST, or $(find NAME)/REST, is searched for in the
+/// folders above the URDF: as REST in one called NAME, as NAME/REST beside them, as REST; so is
+/// /…/share/NAME/REST, where another machine has it; a plain path from the URDF's folder, or from
+/// `mesh_folder` there. Backslashes part folders, too. Of a format that MuJoCo cannot read an STL
+/// or OBJ of the same name beside it serves, else a Collada file itself.
 /// @param name as the URDF has it @param folder of the URDF
 /// @param mesh_folder of MuJoCo's extension; may be empty
 UrdfMeshFile find_urdf_mesh(const std::string& name, const std::filesystem::path& folder,

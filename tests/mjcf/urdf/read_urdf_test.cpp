@@ -142,6 +142,17 @@ TEST(ReadUrdf, MimickedJointsAreCoupledAndGetNoServo) {
   EXPECT_EQ(model->eq_data[1], -2.0);
 }
 
+TEST(ReadUrdf, PackagesOfMeshesNeedNoXacroOtherMacrosDo) {
+  const auto with_mesh = [](const std::string& name) {
+    return test::with(
+        kHopper, "<visual>",
+        "<visual><geometry><mesh filename=\"" + name + "\"/></geometry></visual><visual>");
+  };
+  EXPECT_TRUE(compile_mjcf(made(with_mesh("file://$(find dog)/hip.stl")).text, "hopper.xml"));
+  for (const char* name : {"$(find dog)/${side}.stl", "$(arg folder)/hip.stl", "$(find dog"})
+    EXPECT_TRUE(tells(fault(with_mesh(name)), "mesh: holds a macro of xacro")) << name;
+}
+
 TEST(ReadUrdf, FaultsHaveTheirPlace) {
   EXPECT_TRUE(tells(fault(test::with(kHopper, "value=\"2\"", "value=\"${mass}\"")),
                     "hopper.urdf:8: mass: holds a macro of xacro"))

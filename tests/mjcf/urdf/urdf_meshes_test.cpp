@@ -42,6 +42,23 @@ TEST_F(UrdfMeshes, OfPackagesAreLookedForAboveTheUrdf) {
   EXPECT_EQ(find("package://dog_description/meshes/knee.stl").kind, UrdfMeshKind::missing);
 }
 
+TEST_F(UrdfMeshes, OfPackagesThatXacroWouldFindAreLookedForLikewise) {
+  add("dog_description/meshes/hip.stl");
+  EXPECT_EQ(find("file://$(find dog_description)/meshes/hip.stl").path, "../meshes/hip.stl");
+  EXPECT_EQ(find("$(find renamed)/meshes/hip.stl").path, "../meshes/hip.stl");
+  EXPECT_EQ(find("$(find dog_description)/meshes/knee.stl").kind, UrdfMeshKind::missing);
+  EXPECT_FALSE(behind_find_of_xacro("$(find dog_description"));
+  EXPECT_FALSE(behind_find_of_xacro("$(arg meshes)/hip.stl"));
+  EXPECT_FALSE(behind_find_of_xacro("package://dog_description/meshes/hip.stl"));
+}
+
+TEST_F(UrdfMeshes, OfWindowsHaveBackslashes) {
+  add("dog_description/urdf/meshes/hip.stl");
+  EXPECT_EQ(find("meshes\\hip.stl").path, "meshes/hip.stl");
+  EXPECT_EQ(find("package://dog_description\\urdf\\meshes\\hip.stl").path, "meshes/hip.stl");
+  EXPECT_EQ(find("meshes\\knee.stl").kind, UrdfMeshKind::missing);
+}
+
 /// What $(find PACKAGE) became on the machine of whoever expanded the macros.
 TEST_F(UrdfMeshes, OfAnotherMachineAreLookedForByTheirPackage) {
   add("dog_description/meshes/hip.stl");
