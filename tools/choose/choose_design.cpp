@@ -72,10 +72,11 @@ class DesignChooser {
                        });
       const PlayedCandidate& best = found.front().played;
       if (!(best.distance < kGain * nearest)) return;
-      if (round > 0 && best.distance < kMissedLimit) return;  // numerics, which no lever stands for
+      const bool in_numerics_alone = best.distance < kMissedLimit;
       if (round == 0) keep_best_levers(found);
+      if (round > 0 && in_numerics_alone) levers_ = {Lever::aim};  // that alone knows of them
       nearest = best.distance;
-      if (found.size() > kBeam) found.resize(kBeam);
+      found.resize(std::min(found.size(), round > 0 && in_numerics_alone ? 1 : kBeam));
       beam = std::move(found);
     }
   }

@@ -13,6 +13,7 @@ MM = 1e3
 """Millimetres of a metre."""
 _ROUND = 64
 """Segments of a circle of the modules."""
+_CHIP = 0.01  # of a solid; what falls off and is smaller is left out
 
 
 def placed(solid: Manifold, turn: Array, position: Array) -> Manifold:
@@ -61,3 +62,12 @@ def joined(solids: list[Manifold]) -> Manifold:
     """Their union."""
     return Manifold.batch_boolean(solids, OpType.Add)
 
+
+def whole(shape: Manifold) -> tuple[Manifold, int]:
+    """A solid without its chips, and how many pieces it has then."""
+    pieces = shape.decompose()
+    if len(pieces) <= 1:
+        return shape, len(pieces)
+    least = _CHIP * shape.volume()
+    kept = [piece for piece in pieces if piece.volume() >= least]
+    return joined(kept), len(kept)

@@ -13,11 +13,11 @@ from legwright.parts._mesh_files import stl_bytes
 from legwright.parts._robot import BuiltRobot
 from legwright.parts._shapes import MM, hull
 from legwright.parts._solids import Part, Solid
+from legwright.parts._thin import FACING
 
 _SAME_VOLUME = 1e-6  # of it: two libraries
 _SAME_MASS = 1e-3  # of it: hulls and the robot's file
 _SAMPLES = 2000  # points of a surface at which the wall is measured
-_FACING = 0.9  # cosine: two sides that face each other less than that meet in an edge, no wall
 _TILT = math.radians(0.5)  # of a horn to the joint's axis
 _BESIDE = 0.05  # [mm]: of a joint's axis from the horn's middle
 
@@ -71,7 +71,7 @@ def _wall_of(shape: Manifold, mesh: trimesh.Trimesh) -> tuple[float, np.ndarray]
     for point, normal in zip(np.asarray(points), mesh.face_normals[faces]):
         start = point - 1e-3 * normal
         hits = shape.ray_cast(tuple(start), tuple(start - 1e3 * normal))
-        if not hits or -np.dot(np.asarray(hits[0].normal), normal) < _FACING:
+        if not hits or -np.dot(np.asarray(hits[0].normal), normal) < FACING:
             continue
         thick = float(np.linalg.norm(np.asarray(hits[0].position) - point))
         if thick < least:

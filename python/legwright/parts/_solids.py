@@ -13,13 +13,13 @@ from legwright.parts._holes import Fixing, Hole, begins_at, drilled, fixings_of,
 from legwright.parts._mesh_files import Mesh, as_printed, mesh_of
 from legwright.parts._printing import Lying, best_lying, lying_on
 from legwright.parts._robot import BuiltRobot, Link
-from legwright.parts._shapes import MM, hull, joined, outline, placed
+from legwright.parts._shapes import MM, hull, joined, outline, placed, whole
 from legwright.parts._slots import all_slots
 from legwright.parts._straps import Strap
+from legwright.parts._thin import without_thin
 from legwright.parts._trunk import trunk_link, trunk_solid
 from legwright.parts._words import Array
 
-_CHIP = 0.01  # of a solid; what falls off and is smaller is left out
 _FINE = 1e-3  # [mm]: finer details are left out
 _SAME = 5e-3  # [mm]: vertices of solids that are one part
 
@@ -125,16 +125,6 @@ class Part:
         return len(self.solids)
 
 
-def _whole(shape: Manifold) -> tuple[Manifold, int]:
-    """A solid without its chips, and how many pieces it has then."""
-    pieces = shape.decompose()
-    if len(pieces) <= 1:
-        return shape, len(pieces)
-    least = _CHIP * shape.volume()
-    kept = [piece for piece in pieces if piece.volume() >= least]
-    return joined(kept), len(kept)
-
-
 def _check_left(robot: BuiltRobot, link: Link, shape: Manifold) -> None:
     if shape.is_empty() or shape.volume() <= 0:
         raise InputError(
@@ -152,14 +142,16 @@ def _cut(
     told: dict[str, float],
 ) -> Solid:
     """What is left of a solid without its modules' places and without holes for screws."""
-    shape, _ = _whole(declared - taken)
+    shape, _ = whole(declared - taken)
+    shape = without_thin(shape, wall, _FINE)
     _check_left(robot, link, shape)
     seated = shape.volume()
     fixings = fixings_of(robot, link, shape)
     holes = [hole for fixing in fixings for hole in holes_of(fixing, shape, wall)]
     if holes:
         shape = shape - joined([drilled(hole) for hole in holes])
-    shape, pieces = _whole(shape)
+        shape = without_thin(shape, wall, _FINE)
+    shape, pieces = whole(shape)
     shape = shape.simplify(_FINE)
     _check_left(robot, link, shape)
     without = shape.volume()

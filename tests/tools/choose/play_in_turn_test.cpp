@@ -8,62 +8,17 @@
 #include <algorithm>
 #include <limits>
 
-#include "tests/tools/choose/problems.hpp"
-#include "tools/choose/tightened_search.hpp"
-#include "tools/simulate/mujoco_host.hpp"
+#include "tests/tools/choose/solved_motions.hpp"
 #include "tools/simulate/rollout.hpp"
 
 namespace legwright {
 namespace {
 
-/// The given body of a problem, its motions solved once for each of some tightenings.
-class SolvedMotions {
- public:
-  SolvedMotions(CodesignProblem p, const std::vector<Lever>& levers)
-      : problem(std::move(p)), costs_(problem) {
-    load_gait_plugin();
-    guess.design.s = problem.robot.space.initial();
-    for (const JointTask& task : costs_.tasks())
-      guess.design.tasks.emplace_back().m = task.guess(guess.design.s);
-    for (const Lever lever : levers) {
-      const auto tasks = static_cast<std::size_t>(problem.task_count());
-      add(std::vector<Tightening>(tasks, Tightening().with(lever, {})));
-    }
-  }
-  void add(const std::vector<Tightening>& tightening) {
-    CodesignOptions options;
-    options.near_optimum = options.motion_only = true;
-    auto found =
-        search_tightened(problem, costs_.tasks(), guess, tightening, problem.robot.space, options);
-    ASSERT_TRUE(found);
-    designs.push_back(std::move(*found));
-  }
-  PlayedInTurn play(std::size_t nearest, int threads = 1, const PlayedCandidate* like = nullptr,
-                    const std::function<bool()>& stop = {}) const {
-    std::vector<CandidateInTurn> turns;
-    for (const Candidate& each : designs) turns.push_back({&each, like});
-    return play_in_turn(problem, turns, nearest, threads, stop);
-  }
-
-  CodesignProblem problem;
-  Candidate guess{"guess", {}, {}, {}};
-  std::vector<Candidate> designs;
-
- private:
-  ProblemCosts costs_;
-};
-
-int rollouts(const PlayedCandidate& played) {
-  int sum = 0;
-  for (const GaitTrial& trial : played.trials) sum += trial.rollouts;
-  return sum;
-}
-
 /// Bodies of the quadruped that fail in both tasks, or in one.
 class PlayInTurn : public testing::Test {
  protected:
-  static const SolvedMotions& failing() {
-    static const SolvedMotions all(
+  static const test::SolvedMotions& failing() {
+    static const test::SolvedMotions all(
         read_problem(test::source_dir() + "/examples/quadruped/both.toml"),
         {Lever::margins, Lever::smooth_forces, Lever::narrow, Lever::wide, Lever::smooth_legs});
     return all;
@@ -96,8 +51,8 @@ TEST_F(PlayInTurn, TheNearestAreThoseOfWholePlaysToTheBit) {
       const PlayedCandidate& ours = in_turn.played[i];
       EXPECT_FALSE(ours.pass);
       EXPECT_LE(ours.distance, whole[i].distance);
-      EXPECT_LE(rollouts(ours), rollouts(whole[i]));
-      saved += rollouts(whole[i]) - rollouts(ours);
+      EXPECT_LE(test::rollouts(ours), test::rollouts(whole[i]));
+      saved += test::rollouts(whole[i]) - test::rollouts(ours);
       if (nearest > 0 && whole[i].distance <= sorted[nearest - 1]) {
         EXPECT_TRUE(ours.to_the_end);
       }
@@ -128,7 +83,7 @@ TEST_F(PlayInTurn, ThreadsAndTheOrderOfGainsChangeNothing) {
   for (std::size_t i = 0; i < one.played.size(); ++i) {
     EXPECT_EQ(one.played[i].distance, three.played[i].distance);
     EXPECT_EQ(one.played[i].line, three.played[i].line);
-    EXPECT_EQ(rollouts(one.played[i]), rollouts(three.played[i]));
+    EXPECT_EQ(test::rollouts(one.played[i]), test::rollouts(three.played[i]));
   }
   const PlayedInTurn ordered = failing().play(failing().designs.size(), 1, &to_the_end().front());
   for (std::size_t i = 0; i < ordered.played.size(); ++i)
@@ -145,7 +100,7 @@ TEST_F(PlayInTurn, WhoeverStopsItGetsWhatWasPlayed) {
 /// The first that passes is the last that is played, for as long as play_candidate() plays it; who
 /// cannot be played before it is infinitely far from passing.
 TEST(PlayInTurnOfOneTask, EndsWithTheFirstThatPasses) {
-  SolvedMotions all(test::trot(), {Lever::margins});
+  test::SolvedMotions all(test::trot(), {Lever::margins});
   const Candidate passing = all.designs.front();
   Candidate broken = passing, failing = all.guess;
   broken.design.tasks[0].m.setConstant(std::numeric_limits<double>::quiet_NaN());
@@ -157,11 +112,11 @@ TEST(PlayInTurnOfOneTask, EndsWithTheFirstThatPasses) {
   EXPECT_FALSE(played.played[0].line.empty());
   EXPECT_FALSE(played.played[1].pass);
   EXPECT_FALSE(played.played[1].to_the_end) << "nobody asks how far it is from passing";
-  EXPECT_EQ(rollouts(played.played[1]), 1);
+  EXPECT_EQ(test::rollouts(played.played[1]), 1);
   const PlayedCandidate whole = play_candidate(all.problem, passing, 1);
   ASSERT_TRUE(whole.pass);
   EXPECT_EQ(played.played[2].line, whole.line);
-  EXPECT_EQ(rollouts(played.played[2]), rollouts(whole));
+  EXPECT_EQ(test::rollouts(played.played[2]), test::rollouts(whole));
 }
 
 }  // namespace

@@ -70,7 +70,8 @@ TEST(Assemblies, APuppyOfLateralAxesTurnsItsServosToGoSideways) {
   const Outcome found = call(
       {"optimize", task.string(), "-o", run.string(), "--no-pictures", "--no-reasons", "--quiet"});
   ASSERT_EQ(found.code, 0) << found.out << found.err;
-  const Outcome verdict = call({"validate", "--quick", run.string()});
+  // In all other numerics, too: with a pyramidal cone at half gains its feet slip otherwise.
+  const Outcome verdict = call({"validate", "--samples", "0", run.string()});
   EXPECT_EQ(verdict.code, 0) << verdict.out << verdict.err;
   EXPECT_TRUE(contains(verdict.out, "trot sideways at 0.050 m/s")) << verdict.out;
   EXPECT_TRUE(
