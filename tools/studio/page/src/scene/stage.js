@@ -128,7 +128,7 @@ export class Stage {
   /** Looks at a robot of this size [m] from ahead, its left and above. */
   frameRobot(size, height) {
     this.size = size;
-    this.home = new Vector3(0, 0, height * 0.55);
+    this.home = new Vector3(0, 0, height * 0.4);
     this.ground.setCell(size > 1.5 ? 0.5 : size > 0.6 ? 0.25 : 0.1);
     this.scene.fog.near = size * 2.5;
     this.scene.fog.far = size * 9;
