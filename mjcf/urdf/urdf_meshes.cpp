@@ -94,7 +94,8 @@ std::string seen_from(const fs::path& folder, const fs::path& file) {
 }  // namespace
 
 std::optional<std::string> behind_find_of_xacro(const std::string& name) {
-  const auto begun = behind("$(find ", behind("file://", name).value_or(name));
+  const std::string path = with_slashes(name);
+  const auto begun = behind("$(find ", behind("file://", path).value_or(path));
   if (!begun) return std::nullopt;
   const std::size_t end = begun->find(")/");
   if (end == std::string::npos) return std::nullopt;

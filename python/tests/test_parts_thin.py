@@ -57,6 +57,13 @@ def test_what_is_thin_all_over_or_holds_two_pieces_together_stays():
     assert held.bounding_box()[0] > 6, 'the edge of the first is taken all the same'
 
 
+def test_of_many_thin_places_no_more_than_a_twentieth_is_taken():
+    fins = [Manifold.cube((0.8, 20, 12)).translate((2 + 4 * k, 0, 12)) for k in range(9)]
+    comb = sum(fins, BLOCK)
+    left = without_thin(comb, WALL, FINE)
+    assert 0.95 * comb.volume() <= left.volume() < comb.volume()
+
+
 def test_parts_are_cut_so_beside_what_is_taken_away(dog):
     robot = read_built(dog)
     link = dataclasses.replace(robot.links[0], modules=(), servo=None)

@@ -15,7 +15,7 @@ namespace {
 
 /// What became of the parameters, by their names.
 struct CarriedNames {
-  std::vector<std::string> taken, at_bound, fixed, locked, narrowed, gone;
+  std::vector<std::string> taken, at_bound, fixed, locked, narrowed, apart, gone;
 };
 
 /// @return why the tasks do not fit; empty where they do, and were taken
@@ -30,11 +30,17 @@ std::string take_tasks(const std::string& text, Opening& opening) {
   }
 }
 
-/// The bounds of before, as far as the robot's let them.
+/// Whether bounds of before have a value that the robot's let.
+bool meet(const std::pair<double, double>& before, const DesignParameter& parameter) {
+  return before.first <= parameter.upper && before.second >= parameter.lower;
+}
+
+/// The bounds of before, as far as the robot's let them; the robot's where the two do not meet.
 std::pair<double, double> bounds_for(const DesignParameter& parameter,
                                      const CarriedDesign& carried) {
   const auto found = carried.bounds.find(parameter.name);
-  if (found == carried.bounds.end()) return {parameter.lower, parameter.upper};
+  if (found == carried.bounds.end() || !meet(found->second, parameter))
+    return {parameter.lower, parameter.upper};
   return {std::clamp(found->second.first, parameter.lower, parameter.upper),
           std::clamp(found->second.second, parameter.lower, parameter.upper)};
 }
@@ -44,7 +50,7 @@ std::pair<double, double> bounds_for(const DesignParameter& parameter,
 void take_bounds(const CarriedDesign& carried, const DesignSpace& space,
                  const std::map<std::string, double>& values, Opening& opening,
                  CarriedNames& names) {
-  for (const auto& [name, unused] : carried.bounds) {
+  for (const auto& [name, before] : carried.bounds) {
     const int i = space.find(name);
     if (i < 0) {
       if (!carried.values.contains(name)) names.gone.push_back(name);
@@ -52,6 +58,10 @@ void take_bounds(const CarriedDesign& carried, const DesignSpace& space,
     }
     const DesignParameter& parameter = space.parameters[static_cast<std::size_t>(i)];
     if (parameter.frozen()) continue;
+    if (!meet(before, parameter)) {
+      names.apart.push_back(name);
+      continue;
+    }
     const auto found = values.find(name);
     const double value = found == values.end() ? parameter.initial : found->second;
     const auto [lower, upper] = bounds_for(parameter, carried);
@@ -139,6 +149,9 @@ std::string carry_over(const CarriedDesign& carried, Opening& opening) {
     told.push_back(fmt::format("Locked as before: {}.", fmt::join(names.locked, ", ")));
   if (!names.narrowed.empty())
     told.push_back(fmt::format("Bounds as before: {}.", fmt::join(names.narrowed, ", ")));
+  if (!names.apart.empty())
+    told.push_back(fmt::format("Bounds of before that lie beyond those of this robot: {}.",
+                               fmt::join(names.apart, ", ")));
   if (!names.gone.empty())
     told.push_back(fmt::format("Not taken over, as this robot has no such parameters: {}.",
                                fmt::join(names.gone, ", ")));

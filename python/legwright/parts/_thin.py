@@ -82,11 +82,10 @@ def _zone(places: list[Array]) -> Manifold:
     )
 
 
-def _less(shape: Manifold, zone: Manifold) -> Manifold | None:
-    """What is left of a solid; None where that is cut apart, or lacks a good part."""
+def _less(shape: Manifold, zone: Manifold, least: float) -> Manifold | None:
+    """What is left of a solid; None where that is cut apart, or less than the least [mm3]."""
     left = shape - zone
-    holds = left.volume() >= (1 - _MOST) * shape.volume() and whole(left)[1] <= whole(shape)[1]
-    return left if holds else None
+    return left if left.volume() >= least and whole(left)[1] <= whole(shape)[1] else None
 
 
 def without_thin(shape: Manifold, wall: float, fine: float) -> Manifold:
@@ -96,16 +95,17 @@ def without_thin(shape: Manifold, wall: float, fine: float) -> Manifold:
     begins. What would cut the solid apart, or take a good part of it, stays. Details that are finer
     than `fine` [mm] are left out.
     """
+    least = (1 - _MOST) * shape.volume()
     for _ in range(_ROUNDS):
         places = thin_places(shape, wall)
         if not places:
             break
         zone = _zone(places)
-        left = _less(shape, zone)
+        left = _less(shape, zone, least)
         if left is None:  # which of them hold something
             left = shape
             for each in zone.decompose():
-                less = _less(left, each)
+                less = _less(left, each, least)
                 left = left if less is None else less
         if left is shape:
             break

@@ -148,7 +148,8 @@ TEST(ReadUrdf, PackagesOfMeshesNeedNoXacroOtherMacrosDo) {
         kHopper, "<visual>",
         "<visual><geometry><mesh filename=\"" + name + "\"/></geometry></visual><visual>");
   };
-  EXPECT_TRUE(compile_mjcf(made(with_mesh("file://$(find dog)/hip.stl")).text, "hopper.xml"));
+  for (const char* name : {"file://$(find dog)/hip.stl", "$(find dog)\\hip.stl"})
+    EXPECT_TRUE(compile_mjcf(made(with_mesh(name)).text, "hopper.xml")) << name;
   for (const char* name : {"$(find dog)/${side}.stl", "$(arg folder)/hip.stl", "$(find dog"})
     EXPECT_TRUE(tells(fault(with_mesh(name)), "mesh: holds a macro of xacro")) << name;
 }

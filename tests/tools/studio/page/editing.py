@@ -53,6 +53,45 @@ class Editing(OwnStudio):
         studio.js('([n, v]) => legwrightStudio.edit(n, v, "once")', [NAME, 0.062])
         studio.until('n => legwrightStudio.store.get("state").s.includes(0.062)', NAME)
 
+    def hold_one(self, studio):
+        """Holds the next command; gives what answers it in the place of the server, once it came."""
+        came = []
+        studio.page.route('**/api/command', lambda route: came.append(route), times=1)
+
+        def answer(status, body):
+            while not came:
+                studio.page.wait_for_timeout(20)
+            came[0].fulfill(status=status, body=body)
+
+        return answer
+
+    def test_a_refusal_leaves_what_the_hand_has_set_since(self):
+        studio = self.open('puppy/sideways.toml')
+        answer = self.hold_one(studio)
+        for value, phase in ((0.061, 'begin'), (0.062, 'end')):
+            studio.js('([n, v, p]) => legwrightStudio.edit(n, v, p)', [NAME, value, phase])
+        shown = """n => {
+          window.shown = [];
+          legwrightStudio.store.on("state", () =>
+            window.shown.push(legwrightStudio.readParameter(n).value));
+        }"""
+        studio.js(shown, NAME)
+        answer(400, '{"error": {"message": "not this one"}}')
+        studio.page.locator('.notice', has_text='not this one').wait_for()
+        studio.until('n => legwrightStudio.store.get("state").s.includes(0.062)', NAME)
+        self.assertEqual(set(studio.js('window.shown')), {0.062})
+
+    def test_an_answer_that_cannot_be_read_is_told_and_edits_go_on(self):
+        studio = self.open('puppy/sideways.toml')
+        answer = self.hold_one(studio)
+        studio.js('([n, v]) => legwrightStudio.edit(n, v, "once")', [NAME, 0.062])
+        answer(500, '{"error": null}')
+        studio.page.locator('.notice.error').wait_for()
+        studio.until('legwrightStudio.edits.idle')
+        self.assertEqual(self.drafts(studio), 0)
+        studio.js('([n, v]) => legwrightStudio.edit(n, v, "once")', [NAME, 0.063])
+        studio.until('n => legwrightStudio.store.get("state").s.includes(0.063)', NAME)
+
     def test_a_server_that_is_gone_is_told(self):
         studio = self.open('puppy/sideways.toml')
         studio.page.route('**/api/command', lambda route: route.abort())

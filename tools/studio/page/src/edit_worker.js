@@ -3,7 +3,7 @@
 // page's own thread is busy with pictures half of the time. No more are sent than a screen shows.
 //   in   {number, values, held, fresh}
 //   out  {number, values, revision} or {number, values, refusal}; number is the latest that is sent
-import { ApiError, command } from "./session/api.js";
+import { command } from "./session/api.js";
 
 const EVERY = 15; // ms between edits: as a screen's pictures
 const passed = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
@@ -18,12 +18,12 @@ const merged = (before, edit) => ({
   fresh: before?.fresh || edit.fresh,
 });
 
+/** Also an answer that breaks off or cannot be read is one: the page waits for it. */
 async function answerTo({ values, held, fresh }) {
   try {
-    return await command("edit", { values, goes_on: !fresh, held });
-  } catch (error) {
-    if (!(error instanceof ApiError)) throw error;
-    const { status, where, message, line } = error;
+    const { revision = 0 } = await command("edit", { values, goes_on: !fresh, held });
+    return { revision };
+  } catch ({ status = 0, where, message, line }) {
     return { refusal: { status, where, message, line } };
   }
 }
@@ -32,8 +32,7 @@ async function sendWaiting() {
   const begun = performance.now();
   const edit = waiting;
   waiting = null;
-  const { revision = 0, refusal } = await answerTo(edit);
-  postMessage({ number: edit.number, values: edit.values, revision, refusal });
+  postMessage({ number: edit.number, values: edit.values, ...(await answerTo(edit)) });
   const early = EVERY - (performance.now() - begun);
   if (early > 1) await passed(early);
 }

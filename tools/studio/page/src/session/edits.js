@@ -40,8 +40,9 @@ export class Edits {
   take({ number, values, revision, refusal }) {
     for (const [name, value] of Object.entries(values)) {
       const draft = this.drafts.get(name);
+      if (draft?.value !== value) continue; // what the hand set since is not answered yet
       if (refusal) this.drafts.delete(name);
-      else if (draft?.value === value) draft.revision = revision;
+      else draft.revision = revision;
     }
     if (refusal) this.failed(new ApiError(refusal.status, refusal));
     else this.settle(this.seen ?? 0);

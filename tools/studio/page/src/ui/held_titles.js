@@ -69,7 +69,7 @@ export function takeHeldTitles(root) {
   root.addEventListener(
     "click",
     (event) => {
-      if (!asked) return;
+      if (!asked || event.detail === 0) return; // a key presses, or the page itself
       asked = false;
       event.preventDefault();
       event.stopPropagation();
