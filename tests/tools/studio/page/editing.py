@@ -54,7 +54,7 @@ class Editing(OwnStudio):
         studio.until('n => legwrightStudio.store.get("state").s.includes(0.062)', NAME)
 
     def hold_one(self, studio):
-        """Holds the next command; gives what answers it in the place of the server, once it came."""
+        """Holds the next command; gives what answers it in the place of the server."""
         came = []
         studio.page.route('**/api/command', lambda route: came.append(route), times=1)
 
