@@ -89,6 +89,12 @@ Opening open_run_folder(const fs::path& folder, const FileReach& reach) {
     out.text = read_file(out.file);
     out.robot = read_robot(robot, reach);
     out.commands = edits_to(record);
+    if (record.tightened())
+      out.note = fmt::format(
+          "The gait that this run hands back is planned more strictly than its task says ({}). The "
+          "Studio plans the gait of its body anew, as the task says, and MuJoCo may fail that one: "
+          "to have the run's own gait, export the run.",
+          record.picked ? *record.picked : record.choice->chosen);
   }
   out.origin = folder;
   return out;

@@ -161,18 +161,21 @@ Json StudioService::post_report(const StudioRequest& request) {
   return {{"path", (path / "report.html").string()}};
 }
 
-/// The robot and its gait for stock MuJoCo, in a new folder.
+/// The robot and its gait for stock MuJoCo, in a new folder: of what stands, or of a run as it is.
 Json StudioService::post_export(const StudioRequest& request) {
   const auto space = workspace();
+  const auto run_asked = given_or<std::string>(request.body, "run", "");
+  const fs::path as_it_is = run_asked.empty() ? fs::path() : paths_.to_read(run_asked);
   const fs::path path = paths_.to_write(needed<std::string>(request.body, "path"));
   if (fs::exists(path)) throw InputError(path.string() + ": exists already; name a new folder");
   const fs::path folder = scratch("exported");
   auto record = std::make_shared<SessionRecord>(space->session().record());
-  jobs_.start("export", [this, path, folder, record](JobRunner& job) {
+  jobs_.start("export", [this, path, folder, record, as_it_is](JobRunner& job) {
     const PassingRun run(folder);
-    options_.save(*record, run.folder(), true);
-    job.run("exporting",
-            {options_.program.string(), "export", run.folder().string(), "-o", path.string()}, 1);
+    if (as_it_is.empty()) options_.save(*record, run.folder(), true);
+    const fs::path& from = as_it_is.empty() ? run.folder() : as_it_is;
+    job.run("exporting", {options_.program.string(), "export", from.string(), "-o", path.string()},
+            1);
     job.tell({{"words", "written"}, {"path", path.string()}}, false);
     hub_.notice("info", "Exported: " + path.string());
   });

@@ -85,7 +85,10 @@ void StudioService::open(const std::string& path) {
   const auto left = left_of(kept_, asked);
   if (left && run)
     hub_.notice("info", "This takes up what was left unsaved of " + asked.string() + ".");
-  take(open_path(left && run ? *left : asked, paths_));
+  Opening opening = open_path(left && run ? *left : asked, paths_);
+  const std::string note = opening.note;
+  take(std::move(opening));
+  if (!note.empty()) hub_.notice("info", note);
   if (left && !run)
     hub_.notice("info", fmt::format("An unsaved session of this file is left: open {} to go on "
                                     "with it.",

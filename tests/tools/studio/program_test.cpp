@@ -177,6 +177,33 @@ TEST_F(StudioProgramTest, SearchesOnWithMujocoFromTheBodyThatStands) {
   EXPECT_GE(narrow["final"].get<double>(), 0.05);
   EXPECT_LE(narrow["final"].get<double>(), 0.07);
   EXPECT_TRUE(found["passes"].get<bool>());
+
+  // What it found is exported as it is: the body that stands is another.
+  const Json asked{{"path", "mine"}, {"run", found["path"]}};
+  ASSERT_EQ(browser.post("/api/export", asked)["status"], 200);
+  const Json exported = browser.next(
+      "job", [](const Json& j) { return j.value("what", "") == "export" && !j["running"]; });
+  EXPECT_EQ(exported.value("failed", ""), "");
+  const RobotModel mine = read_robot(folder_.path() / "mine" / "puppy.xml");
+  const Eigen::VectorXd values = mine.space.initial();
+  for (int k = 0; k < values.size(); ++k) {
+    const std::string& name = mine.space.parameters[static_cast<std::size_t>(k)].name;
+    EXPECT_NEAR(values[k], parameter(name)["final"].get<double>(), 1e-12) << name;
+  }
+  ASSERT_EQ(browser.post("/api/export", {{"path", "mine"}, {"run", "/etc"}})["status"], 400);
+
+  // A gait that was planned more strictly than the task says is not the one that is shown then.
+  std::string text = read_file(run / "run.json");
+  const std::string optimum = R"("chosen": "optimum")";
+  ASSERT_NE(text.find(optimum), std::string::npos);
+  text.replace(text.find(optimum), optimum.size(), R"("chosen": "tightened: lower steps")");
+  std::ofstream(run / "run.json") << text;
+  ASSERT_EQ(browser.post("/api/open", {{"path", found["path"]}})["status"], 200);
+  const auto tells = [](const std::string& is, const Json& data) {
+    return is == "notice" &&
+           data.value("words", "").find("tightened: lower steps") != std::string::npos;
+  };
+  EXPECT_TRUE(browser.follow(tells, std::chrono::seconds(20), "/api/events?heard=0").is_object());
 }
 
 TEST_F(StudioProgramTest, JudgesReportsAndExportsWhatStands) {

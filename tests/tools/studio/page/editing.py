@@ -99,3 +99,28 @@ class Editing(OwnStudio):
         studio.page.get_by_text('legwright studio does not answer').wait_for()
         self.assertTrue(studio.js('legwrightStudio.edits.idle'))
         self.assertEqual(studio.value(NAME), 0.06)
+
+    def test_a_number_that_is_typed_takes_the_place_of_what_stands(self):
+        studio = self.open('puppy/sideways.toml')
+        studio.workspace('Simulate')
+        left = studio.page.get_by_label('left [m/s]')
+        self.assertEqual(left.input_value(), '0.1')
+        left.click()
+        studio.page.keyboard.type('0.12')
+        studio.page.keyboard.press('Enter')
+        studio.until('legwrightStudio.store.get("document").tasks[0].velocity[1] === 0.12')
+        left.click()  # a second one puts the caret
+        studio.page.keyboard.press('End')
+        studio.page.keyboard.type('5')
+        self.assertEqual(left.input_value(), '0.125')
+
+    def test_a_field_whose_value_is_refused_shows_what_holds(self):
+        studio = self.open('puppy/sideways.toml')
+        studio.workspace('Simulate')
+        left = studio.page.get_by_label('left [m/s]')
+        left.fill('50')
+        studio.page.keyboard.press('Enter')
+        studio.page.get_by_text('expected -10 <= velocity <= 10').wait_for()
+        studio.until(
+            '() => document.querySelector("[aria-label=\'left [m/s]\']").value === "0.1"'
+        )

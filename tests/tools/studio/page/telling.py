@@ -185,6 +185,17 @@ class Telling(OwnStudio):
         studio.js('job => legwrightStudio.take("job", job)', done)
         studio.button('Open the one that passes').wait_for()
         self.assertFalse(bar.is_visible())
+        asked = []
+        studio.page.route('**/api/export', lambda route: (asked.append(route), route.abort()))
+        studio.button('Export the one that passes…').click()
+        studio.page.get_by_label('Folder').wait_for()
+        studio.page.keyboard.press('Enter')
+        studio.page.get_by_text('does not answer').wait_for()
+        self.assertEqual(asked[0].request.post_data_json['run'], '/runs/found')
+        studio.js('job => legwrightStudio.take("job", job)', {**done, 'passes': False})
+        studio.button('Open the best, which fails').wait_for()
+        self.assertFalse(studio.button('Export the one that passes…').is_visible())
+        studio.console.clear()  # of the request that was cut off
         self.assertEqual(studio.console, [])
 
     def test_a_value_at_its_bound_is_marked(self):

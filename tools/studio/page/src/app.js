@@ -5,6 +5,7 @@ import { h } from "./dom.js";
 import { Studio } from "./studio.js";
 import { AssemblyPage } from "./ui/assembly/assembly_page.js";
 import { takeHeldTitles } from "./ui/held_titles.js";
+import { takeNumbers } from "./ui/number_fields.js";
 import { ProposalPage } from "./ui/proposal_page.js";
 import { StartPage, takeDrops } from "./ui/start_page.js";
 import { followTheme } from "./ui/theme.js";
@@ -44,6 +45,7 @@ function begin() {
   studio.store.on("opening", (on) => document.body.classList.toggle("is-opening", on));
   takeDrops(document.body, studio);
   takeTouches(document);
+  takeNumbers(document);
   takeHeldTitles(document);
   studio.start();
   studio.store.on("connected", (on) => on && setTimeout(() => beginAtStart(show), NOTHING_OPEN));

@@ -223,7 +223,14 @@ export class Studio {
   }
 
   setTask(task, changes) {
-    this.latest("task", () => post("/api/task", { task, changes }));
+    this.latest("task", async () => {
+      try {
+        await post("/api/task", { task, changes });
+      } catch (error) {
+        this.store.touch("taskRefused");
+        throw error;
+      }
+    });
   }
 
   showTask(index) {
@@ -260,7 +267,7 @@ export class Studio {
   }
 
   /** Asks for a folder, and proposes one where nothing is yet. */
-  async toFolder(title, action, suggestion, request, words = "") {
+  async toFolder(title, action, suggestion, request, words = "", more = {}) {
     const free = await this.act(() => get(`/api/free?path=${encodeURIComponent(suggestion)}`));
     const path = await ask(title, free?.path ?? suggestion, {
       label: "Folder",
@@ -270,7 +277,7 @@ export class Studio {
     if (!path) return undefined;
     this.notices.show("info", `${action}: ${path} …`);
     await this.answered();
-    return this.act(() => post(request, { path }));
+    return this.act(() => post(request, { path, ...more }));
   }
 
   /** Done once it is answered; what goes on in the background tells its own end. */
@@ -309,12 +316,16 @@ export class Studio {
     );
   }
 
-  exportRobot() {
+  /** @param {string=} run a run that is exported as it is, in the place of what stands */
+  exportRobot(run) {
+    const refused = !run && this.store.get("refused");
     return this.toFolder(
       "Export robot and gait",
       "Export",
       `exports/${this.name()}`,
       "/api/export",
+      refused ? "MuJoCo fails what stands: see Simulate, Verdict. " : "",
+      run ? { run } : {},
     );
   }
 

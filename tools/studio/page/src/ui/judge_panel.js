@@ -34,7 +34,17 @@ export class JudgePanel {
       },
       "Find one that passes…",
     );
-    this.found = h("button", { type: "button", hidden: true, onClick: () => this.openFound() });
+    this.found = h("button", { type: "button", onClick: () => this.openFound() });
+    this.exportFound = h(
+      "button",
+      {
+        type: "button",
+        title: "The body and the gait that MuJoCo passed, as that run hands them back",
+        onClick: () => studio.exportRobot(this.path),
+      },
+      "Export the one that passes…",
+    );
+    this.ofFound = h("div.button-row", { hidden: true }, this.found, this.exportFound);
     this.progress = h("progress", {
       max: 1,
       value: 0,
@@ -55,7 +65,7 @@ export class JudgePanel {
       this.finding.element,
       this.verdict,
       this.advice,
-      this.found,
+      this.ofFound,
       this.lines,
     );
     studio.store.on("judge", (judge) => this.update(judge));
@@ -95,7 +105,7 @@ export class JudgePanel {
 
   forget() {
     this.update({});
-    this.found.hidden = true;
+    this.ofFound.hidden = true;
   }
 
   /** What a search with MuJoCo's verdicts has written can be opened. */
@@ -106,7 +116,8 @@ export class JudgePanel {
     this.finding.show(isSearch ? job : {});
     if (passes === undefined) return;
     this.path = path;
-    this.found.hidden = false;
+    this.ofFound.hidden = false;
+    this.exportFound.hidden = !passes;
     setText(this.found, passes ? "Open the one that passes" : "Open the best, which fails");
   }
 

@@ -111,6 +111,7 @@ export class TaskPanel {
     this.element = h("section.panel.task", { aria: { label: "Task" } }, this.layout());
     studio.store.on("document", (document) => this.update(document));
     studio.store.on("task", (index) => this.select(index));
+    studio.store.on("taskRefused", () => this.restore());
   }
 
   layout() {
@@ -289,6 +290,14 @@ export class TaskPanel {
         duty: by(({ count }) => share(count)),
       },
     });
+  }
+
+  /** Shows again what holds, also in the field that somebody is in. */
+  restore() {
+    const field = this.element.contains(document.activeElement) ? document.activeElement : null;
+    field?.blur();
+    this.select(this.index);
+    field?.focus();
   }
 
   typedVelocity() {
