@@ -39,6 +39,7 @@ void JobRunner::cancel() {
 void JobRunner::tell(Json json, bool running) {
   json["what"] = what_;
   json["running"] = running;
+  if (!running) running_ = false;  // who hears of the end may ask for the next at once
   hub_.publish(kind_, to_line(json));
 }
 

@@ -38,7 +38,8 @@ class JobRunner {
   /// Throws InputError with its last message where it ends otherwise than by 0 or `also`.
   /// @return whether it ended by 0
   bool run(const std::string& words, const std::vector<std::string>& command, int also = 0);
-  /// Tells followers: `running` goes with it.
+  /// Tells followers: `running` goes with it. From an end on, start() waits for what is left of
+  /// the work.
   void tell(Json json, bool running);
   bool cancelled() const { return cancelled_; }
 
