@@ -92,9 +92,9 @@ Opening open_run_folder(const fs::path& folder, const FileReach& reach) {
     if (record.tightened())
       out.note = fmt::format(
           "The gait that this run hands back is planned more strictly than its task says ({}). The "
-          "Studio plans the gait of its body anew, as the task says, and MuJoCo may fail that one: "
-          "to have the run's own gait, export the run.",
-          record.picked ? *record.picked : record.choice->chosen);
+          "Studio plans the gait of its body anew, as the task says, and MuJoCo may fail that one; "
+          "the run's own gait comes out of: legwright export {}",
+          record.picked ? *record.picked : record.choice->chosen, folder.string());
   }
   out.origin = folder;
   return out;

@@ -124,3 +124,31 @@ class Editing(OwnStudio):
         studio.until(
             '() => document.querySelector("[aria-label=\'left [m/s]\']").value === "0.1"'
         )
+
+    def test_a_hand_that_does_not_move_changes_nothing(self):
+        studio = self.open('puppy/sideways.toml')
+        sent = []
+
+        def keep(route):
+            sent.append(route.request.post_data_json)
+            route.continue_()
+
+        studio.page.route('**/api/command', keep)
+        given = studio.value(NAME)
+        for value, phase in ((given, 'begin'), (given, 'drag'), (given, 'end')):
+            studio.js('([n, v, p]) => legwrightStudio.edit(n, v, p)', [NAME, value, phase])
+        studio.js('([n, v]) => legwrightStudio.edit(n, v, "begin")', [NAME, given])
+        for value, phase in ((0.061, 'drag'), (given, 'drag'), (given, 'end')):
+            studio.js('([n, v, p]) => legwrightStudio.edit(n, v, p)', [NAME, value, phase])
+            studio.until('legwrightStudio.edits.idle')
+        studio.settled()
+        self.assertEqual([each['values'][NAME] for each in sent], [0.061, given, given])
+        self.assertEqual([each['goes_on'] for each in sent], [False, True, True])
+
+    def test_a_page_without_the_thread_that_sends_edits_says_so(self):
+        studio = self.open('puppy/sideways.toml')
+        studio.js('legwrightStudio.edits.worker.dispatchEvent(new ErrorEvent("error"))')
+        studio.page.get_by_text('load this page anew').wait_for()
+        studio.js('([n, v]) => legwrightStudio.edit(n, v, "once")', [NAME, 0.062])
+        self.assertTrue(studio.js('legwrightStudio.edits.idle'))
+        self.assertEqual(studio.value(NAME), 0.06)

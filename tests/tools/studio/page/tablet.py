@@ -145,6 +145,7 @@ class Tablet(OwnStudio):
         name = 'front_foot_length'
         at = studio.handle(name)
         before = studio.value(name), studio.js(far)
+        self.assertFalse(studio.state('can_undo'))
         first, second = (at['x'], at['y']), (at['x'] + 120, at['y'] + 60)
         with self.fingers(studio) as move:
             move('touchStart', first)
@@ -154,6 +155,8 @@ class Tablet(OwnStudio):
             move('touchEnd')
         studio.settled()
         self.assertEqual(studio.value(name), before[0])
+        self.assertFalse(studio.state('can_undo'))
+        self.assertFalse(studio.page.locator('.hand-note').is_visible())
         self.assertLess(studio.js(far), 0.9 * before[1])
         turned = studio.js(f'{stage}.camera.position.toArray()')
         box = studio.page.locator('.workspace canvas').first.bounding_box()

@@ -140,12 +140,27 @@ export class Studio {
     };
   }
 
-  /** @param {"begin"|"drag"|"end"|"once"} phase */
+  /**
+   * Sets a parameter. A hand that takes hold of it and does not move changes nothing.
+   * @param {"begin"|"drag"|"end"|"once"} phase
+   */
   edit(name, value, phase) {
+    this.store.set("held", { name, phase });
+    const moves = this.phaseOnceMoved(name, value, phase);
+    if (!moves) return;
     if (this.store.get("state")?.phase === "searching") this.store.set("paused", true);
     this.hand.note(name);
-    this.edits.set({ [name]: value }, phase);
-    this.store.set("held", { name, phase });
+    this.edits.set({ [name]: value }, moves);
+  }
+
+  /** The phase of an edit, which begins when the hand moves; null as long as it rests. */
+  phaseOnceMoved(name, value, phase) {
+    const from = { begin: this.readParameter(name).value, once: undefined };
+    const rests = phase in from ? from[phase] : this.resting;
+    const still = value === rests;
+    this.resting = still && phase !== "end" ? value : undefined;
+    if (still) return null;
+    return phase === "drag" && rests !== undefined ? "begin" : phase;
   }
 
   lock(name, frozen) {

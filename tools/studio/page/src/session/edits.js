@@ -14,7 +14,17 @@ export class Edits {
     this.moving = null; // the parameters that move on as one edit
     this.worker = new Worker("edit_worker.js");
     this.worker.onmessage = ({ data }) => this.take(data);
-    this.worker.onerror = (event) => this.failed(new Error(`edit_worker.js: ${event.message}`));
+    this.worker.onerror = () => this.end();
+  }
+
+  /** Without its worker nothing is sent any more. */
+  end() {
+    this.ended = true;
+    this.drafts.clear();
+    this.changed();
+    this.landed?.();
+    this.landed = null;
+    this.failed(new ApiError(0, { message: "Edits cannot be sent: load this page anew." }));
   }
 
   /** The value that is shown of a parameter. */
@@ -24,6 +34,7 @@ export class Edits {
 
   /** @param {Object<string, number>} values @param {"begin"|"drag"|"end"|"once"} phase */
   set(values, phase = "once") {
+    if (this.ended) return this.end();
     const names = Object.keys(values).sort().join();
     if (phase === "begin" || phase === "once") this.moving = null;
     for (const [name, value] of Object.entries(values))
