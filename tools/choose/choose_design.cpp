@@ -72,11 +72,12 @@ class DesignChooser {
                        });
       const PlayedCandidate& best = found.front().played;
       if (!(best.distance < kGain * nearest)) return;
-      const bool in_numerics_alone = best.distance < kMissedLimit;
       if (round == 0) keep_best_levers(found);
-      if (round > 0 && in_numerics_alone) levers_ = {Lever::aim};  // that alone knows of them
       nearest = best.distance;
-      found.resize(std::min(found.size(), round > 0 && in_numerics_alone ? 1 : kBeam));
+      // No lever stands for numerics, and any may help: those too that did least before.
+      const bool in_numerics_alone = round > 0 && nearest < kMissedLimit;
+      if (in_numerics_alone) levers_ = all_levers();
+      found.resize(std::min(found.size(), in_numerics_alone ? 1 : kBeam));
       beam = std::move(found);
     }
   }
