@@ -40,6 +40,8 @@ class Task:
         period: of one cycle [s]. Without one it is that of the first task which `legwright init`
             writes for the robot, with its duty, knots, swing height and servos.
         turn_rate: to the left [rad/s].
+        aim_speed, aim_turn_rate: the plan goes and turns so many times as fast, and turns by so
+            much more [rad/s], to make up for what MuJoCo loses.
         name: names folders where there are several tasks; default: the gait's.
         style: table of a task file: where body, feet and joints shall be [m, rad].
         limits: likewise: friction, margins, swing height.
@@ -66,6 +68,8 @@ class Task:
         forward: str | None = None,
         period: float | None = None,
         turn_rate: float | None = None,
+        aim_speed: float | None = None,
+        aim_turn_rate: float | None = None,
         name: str | None = None,
         style: Mapping[str, Any] | None = None,
         limits: Mapping[str, Any] | None = None,
@@ -87,8 +91,8 @@ class Task:
         travel: dict[str, Any] = {'velocity': velocity}
         if forward is not None:
             travel['forward'] = forward
-        if turn_rate is not None:
-            travel['turn_rate'] = turn_rate
+        further = {'turn_rate': turn_rate, 'aim_speed': aim_speed, 'aim_turn_rate': aim_turn_rate}
+        travel |= {key: value for key, value in further.items() if value is not None}
         self.name: str = name or str(pattern.get('name', 'task'))
         """Of the run, and of a folder where there are several tasks."""
         content: dict[str, Any] = {'robot': 'robot.xml', 'name': self.name}

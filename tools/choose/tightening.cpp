@@ -40,19 +40,6 @@ void widen_margins(Task& task, double factor) {
   task.friction /= std::sqrt(factor);
 }
 
-/// Moves the feet's places towards the line of travel or away from it.
-void scale_width(const RobotModel& robot, double factor, Task& task) {
-  const Eigen::Vector2d ahead = task.velocity.norm() > 0.0
-                                    ? Eigen::Vector2d(task.velocity.normalized())
-                                    : Eigen::Vector2d::UnitX();
-  task.follow_hips = task.follow_hips.value_or(!task.footprint);
-  task.footprint = style_targets(robot.morphology, robot.space.initial(), task).footprint;
-  for (Eigen::Vector2d& foot : *task.footprint) {
-    const Eigen::Vector2d along = ahead * ahead.dot(foot);
-    foot = along + factor * (foot - along);
-  }
-}
-
 }  // namespace
 
 bool Tightening::any() const {
@@ -79,7 +66,7 @@ std::string Tightening::words() const {
   return text;
 }
 
-Task tightened_task(const CodesignProblem& problem, int k, const Tightening& tightening) {
+TaskFile tightened_file(const CodesignProblem& problem, int k, const Tightening& tightening) {
   TaskFile file = problem.task(k);
   const Task& asked = problem.objectives[static_cast<std::size_t>(k)]->task();
   const auto pulls = [&](Lever lever) { return pulls_of(tightening, lever); };
@@ -96,12 +83,14 @@ Task tightened_task(const CodesignProblem& problem, int k, const Tightening& tig
       file, "smoothness",
       power(kQuickFactor, Lever::quick_legs) * power(kSmoothFactor, Lever::smooth_legs));
   multiply_weight(file, "design_tether", power(kTetherFactor, Lever::near_given_body));
-  file.velocity *= tightening.speed;
-  file.turn_rate = tightening.speed * file.turn_rate + tightening.turn / file.period;
-  Task task = make_task(file, problem.robot);
-  const double width = power(kWidthFactor, Lever::narrow) / power(kWidthFactor, Lever::wide);
-  if (width != 1.0) scale_width(problem.robot, width, task);
-  return task;
+  file.aim_speed *= tightening.speed;
+  file.aim_turn_rate = tightening.speed * file.aim_turn_rate + tightening.turn / file.period;
+  file.stance_width *= power(kWidthFactor, Lever::narrow) / power(kWidthFactor, Lever::wide);
+  return file;
+}
+
+Task tightened_task(const CodesignProblem& problem, int k, const Tightening& tightening) {
+  return make_task(tightened_file(problem, k, tightening), problem.robot);
 }
 
 }  // namespace legwright

@@ -39,7 +39,9 @@ struct Tightening {
   std::string words() const;
 };
 
-/// The task k of a problem as tightened. Throws InputError where there is no such task.
+/// The keys of task k of a problem as tightened. Throws InputError where there is no such task.
+TaskFile tightened_file(const CodesignProblem& problem, int k, const Tightening& tightening);
+/// The task that they make. Throws InputError where there is no such task.
 Task tightened_task(const CodesignProblem& problem, int k, const Tightening& tightening);
 
 }  // namespace legwright

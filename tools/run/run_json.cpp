@@ -26,10 +26,11 @@ TaskRecord record_of_task(const CodesignProblem& problem, int k) {
   record.period = task.gait.period();
   record.knots = task.gait.knot_count();
   record.planted_margin = task.planted_margin;
-  record.velocity = {task.velocity.x(), task.velocity.y()};
-  if (const Eigen::Vector2d& forward = problem.task(k).forward; forward != Eigen::Vector2d::UnitX())
-    record.forward = facing_text(forward);
-  record.turn_rate = task.turn_rate;
+  const TaskFile& wanted = problem.task(k);
+  const Eigen::Vector2d velocity = from_facing(wanted.velocity, wanted.forward);
+  record.velocity = {velocity.x(), velocity.y()};
+  if (wanted.forward != Eigen::Vector2d::UnitX()) record.forward = facing_text(wanted.forward);
+  record.turn_rate = wanted.turn_rate;
   record.floor_friction = task.floor_friction;
   if (const SlopeAngles slope = slope_of(task.velocity, task.up);
       slope.along != 0.0 || slope.across != 0.0)

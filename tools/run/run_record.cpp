@@ -268,6 +268,14 @@ bool RunRecord::tightened() const {
          result.find(std::string(", ") + kTightened) != std::string::npos;
 }
 
+std::string RunRecord::result_candidate() const {
+  if (!choice) return "";
+  const std::string& result = picked ? *picked : choice->chosen;
+  for (const CandidateRecord& candidate : choice->candidates)
+    if (candidate.name == result && candidate.folder) return *candidate.folder;
+  return "";
+}
+
 std::optional<double> RunRecord::fall_of_cost() const {
   if (!motion_only_F || !final_F || !std::isfinite(*motion_only_F - *final_F)) return std::nullopt;
   return *motion_only_F - *final_F;

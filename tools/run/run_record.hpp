@@ -30,6 +30,8 @@ void fields(Fields& f, PayloadRecord& payload);
 inline constexpr const char* kOptimum = "optimum";
 inline constexpr const char* kGivenBody = "initial";
 inline constexpr const char* kTightened = "tightened";
+// In the folder of such a candidate: the task file whose optimum it is.
+inline constexpr const char* kTightenedTask = "tightened.toml";
 
 /// A design that was played before `optimize` chose its result.
 struct CandidateRecord {
@@ -233,6 +235,8 @@ struct RunRecord {
   bool body_kept() const;
   /// Whether a tightened search found the result: `put_back` and `fewest_changes` tell its F.
   bool tightened() const;
+  /// The folder of the candidate that the result is, in the run; empty where it is none.
+  std::string result_candidate() const;
   /// Whether the search came to an end, be it by a signal.
   bool ended() const { return status != "running" && status != "failed"; }
   /// Whether what is there is only the best so far.

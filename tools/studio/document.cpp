@@ -76,7 +76,7 @@ Json tasks_of(const SessionState& state, const std::vector<std::string>& feet) {
                    {"gait", file.gait},
                    {"gait_kind", own ? "own" : "library"},
                    {"velocity", {file.velocity.x(), file.velocity.y()}},
-                   {"turn", task.turn_rate},
+                   {"turn", file.turn_rate},
                    {"period", task.gait.period()},
                    {"knots", task.gait.knot_count()},
                    {"weight", state.weights[static_cast<std::size_t>(k)]},

@@ -77,6 +77,26 @@ std::vector<SessionCommand> edits_to(const RunRecord& run) {
   return {edit};
 }
 
+/// The task by which a tightened gait is planned, or a note that there is none: in runs of earlier
+/// programs, or of a design that the run does not keep.
+void take_over_tightened(const ResultFolder& run, const RunRecord& record, Opening& out) {
+  const std::string& name = record.picked ? *record.picked : record.choice->chosen;
+  const fs::path task = run.root() / record.result_candidate() / kTightenedTask;
+  if (fs::is_regular_file(task)) {
+    out.file = task;
+    out.note = fmt::format(
+        "MuJoCo passes this gait because it is planned more strictly than the run's task says "
+        "({}). The task here is that stricter one: {} is its text.",
+        name, task.string());
+    return;
+  }
+  out.note = fmt::format(
+      "The gait that this run hands back is planned more strictly than its task says ({}). The "
+      "Studio plans the gait of its body anew, as the task says, and MuJoCo may fail that one; "
+      "the run's own gait comes out of: legwright export {}",
+      name, run.root().string());
+}
+
 Opening open_run_folder(const fs::path& folder, const FileReach& reach) {
   const ResultFolder run = ResultFolder::open(folder);
   const auto record = read_record_file<RunRecord>(run.run_json());
@@ -86,15 +106,10 @@ Opening open_run_folder(const fs::path& folder, const FileReach& reach) {
     out = open_journal(journal, robot, reach);
   } else {
     out.file = run.inputs() / "task.toml";
+    if (record.tightened()) take_over_tightened(run, record, out);
     out.text = read_file(out.file);
     out.robot = read_robot(robot, reach);
     out.commands = edits_to(record);
-    if (record.tightened())
-      out.note = fmt::format(
-          "The gait that this run hands back is planned more strictly than its task says ({}). The "
-          "Studio plans the gait of its body anew, as the task says, and MuJoCo may fail that one; "
-          "the run's own gait comes out of: legwright export {}",
-          record.picked ? *record.picked : record.choice->chosen, folder.string());
   }
   out.origin = folder;
   return out;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "mjcf/propose/beside_feet.hpp"
 #include "mjcf/propose/trunk_axes.hpp"
@@ -84,12 +85,14 @@ void check_limb_pairs(const TaskFile& file, const Morphology& morphology) {
 /// A way that turns has no slope.
 void check_ground(const TaskFile& file) {
   const bool slope = file.slope_along != 0.0 || file.slope_across != 0.0;
-  if (slope && file.turn_rate != 0.0)
-    file.refuse(
-        "travel.turn_rate",
-        fmt::format("is {} rad/s on a slope: a robot that turns meets it from another side each "
-                    "cycle, so its gait does not repeat; take out [ground] or turn_rate",
-                    file.turn_rate));
+  for (const auto& [key, rate] :
+       {std::pair("turn_rate", file.turn_rate), std::pair("aim_turn_rate", file.aim_turn_rate)})
+    if (slope && rate != 0.0)
+      file.refuse(
+          fmt::format("travel.{}", key),
+          fmt::format("is {} rad/s on a slope: a robot that turns meets it from another side each "
+                      "cycle, so its gait does not repeat; take out [ground] or {}",
+                      rate, key));
 }
 
 /// Steps over a height need feet that are lifted higher.
@@ -117,6 +120,19 @@ void warn_of_low_feet(const Task& task, const Morphology& morphology,
           "it; without it the swing height is {:.2g} mm (`legwright check` draws when a "
           "foot swings)",
           morphology.feet[j].name, 1e3 * most, 1e3 * usual));
+  }
+}
+
+/// Moves the feet's places towards the line of travel or away from it.
+void scale_width(const RobotModel& robot, double factor, Task& task) {
+  const Eigen::Vector2d ahead = task.velocity.norm() > 0.0
+                                    ? Eigen::Vector2d(task.velocity.normalized())
+                                    : Eigen::Vector2d::UnitX();
+  task.follow_hips = task.follow_hips.value_or(!task.footprint);
+  task.footprint = style_targets(robot.morphology, robot.space.initial(), task).footprint;
+  for (Eigen::Vector2d& foot : *task.footprint) {
+    const Eigen::Vector2d along = ahead * ahead.dot(foot);
+    foot = along + factor * (foot - along);
   }
 }
 
@@ -270,8 +286,8 @@ Task make_task(const TaskFile& file, const RobotModel& robot) {
   task.name = file.name;
   const std::vector<std::string> names = foot_names(robot.morphology);
   task.gait = make_gait(file, names, order);
-  task.velocity = from_facing(file.velocity, file.forward);
-  task.turn_rate = file.turn_rate;
+  task.velocity = from_facing(file.aim_speed * file.velocity, file.forward);
+  task.turn_rate = file.aim_speed * file.turn_rate + file.aim_turn_rate;
   task.up = up_on_slope(task.velocity, file.slope_along, file.slope_across);
   apply_style(file, robot.morphology, order, task);
   const double leg = standing_leg(robot.morphology, robot.space.initial());
@@ -285,6 +301,7 @@ Task make_task(const TaskFile& file, const RobotModel& robot) {
     const StyleTargets style = style_targets(robot.morphology, robot.space.initial(), task);
     task.com_path = pendulum_path(task, style.footprint, style.com_height);
   }
+  if (file.stance_width != 1.0) scale_width(robot, file.stance_width, task);
   check_foot_heights(file, task, robot.morphology);
   check_reach(file, task, robot);
   return task;

@@ -117,6 +117,7 @@ void read_style(TaskTable in, TaskFile& task) {
   } else if (const auto half = in.numbers("footprint")) {
     task.footprint = vectors({*half});
   }
+  task.stance_width = in.number("stance_width").value_or(task.stance_width);
   for (const auto& [name, pairs] : in.pairs_by_name("foot_targets"))
     task.foot_targets[name] = vectors(pairs);
   for (const auto& [name, target] : in.targets_by_name("foot_heights"))

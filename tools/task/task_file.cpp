@@ -44,6 +44,8 @@ void read_travel(TaskTable in, TaskFile& task, Problems& problems) {
   in.require(velocity.has_value(), "velocity", "velocity = [0.0, 0.1]  # m/s forward, left");
   if (velocity) task.velocity = vector2(*velocity);
   task.turn_rate = in.number("turn_rate").value_or(0.0);
+  task.aim_speed = in.number("aim_speed").value_or(1.0);
+  task.aim_turn_rate = in.number("aim_turn_rate").value_or(0.0);
   in.finish();
 }
 

@@ -33,6 +33,9 @@ struct TaskFile {
   Eigen::Vector2d forward = Eigen::Vector2d::UnitX();  // where it faces, in the trunk's frame
   Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  // forward, left of that
   double turn_rate = 0.0;
+  // The plan's speeds over those that are wanted, and what it turns more [rad/s]: they make up for
+  // what MuJoCo loses.
+  double aim_speed = 1.0, aim_turn_rate = 0.0;
   double slope_along = 0.0,
          slope_across = 0.0;  // the ground rises on the way, to the left of it [rad]
 
@@ -44,7 +47,8 @@ struct TaskFile {
   std::map<std::string, CycleTarget> foot_heights;  // by the foot's name
   std::map<std::string, CycleTarget> joint_angles;  // by the joint's name
   std::vector<Eigen::Vector2d>
-      footprint;  // in footfall order; one entry: half length and half width
+      footprint;              // in footfall order; one entry: half length and half width
+  double stance_width = 1.0;  // factor on how far feet are from the line of travel
   Task margins;  // friction … limb_pairs, payload, torque_limit, step_over and dynamics over Task's
                  // defaults
   std::optional<double> planted_margin;  // [s]

@@ -147,12 +147,16 @@ std::string style_text(const Finding& found) {
 
 std::string travel_text(const Finding& found) {
   const Eigen::Vector2d& velocity = found.file.velocity;
-  return fmt::format(
+  std::string text = fmt::format(
       "travel  {} m/s forward, {} m/s left, {} rad/s: {:.4g} m per cycle, {:.4g} m while a foot "
       "stands (more than {:.4g} m, "
       "twice the longest leg that the bounds allow, is refused)\n",
-      velocity.x(), velocity.y(), found.task.turn_rate, found.stride.per_cycle,
+      velocity.x(), velocity.y(), found.file.turn_rate, found.stride.per_cycle,
       found.stride.per_stance, found.stride.longest);
+  if (found.file.aim_speed != 1.0 || found.file.aim_turn_rate != 0.0)
+    text += fmt::format("        planned {:.4g} times as fast, turning by {:.3g} rad/s more\n",
+                        found.file.aim_speed, found.file.aim_turn_rate);
+  return text;
 }
 
 /// What the task adds to robot and ground; nothing where it adds nothing.

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "optimizer/base/stopwatch.hpp"
+#include "tools/choose/tightened_text.hpp"
 #include "tools/files/licence.hpp"
 #include "tools/run/certificate_json.hpp"
 #include "tools/run/robot_folder.hpp"
@@ -141,6 +142,10 @@ void write_candidates(const ResultFolder& folder, const CodesignProblem& problem
       write_design(to, problem.robot, *candidate.objective(problem, k), candidate.design, k,
                    Durability::process);
     }
+    if (!candidate.tightening.empty())
+      write_file(folder.root() / name / kTightenedTask,
+                 tightened_text(problem, candidate.tightening, "../../inputs/robot.xml"),
+                 Durability::process);
   }
 }
 

@@ -206,6 +206,27 @@ TEST_F(StudioProgramTest, SearchesOnWithMujocoFromTheBodyThatStands) {
   EXPECT_TRUE(browser.follow(tells, std::chrono::seconds(20), "/api/events?heard=0").is_object());
 }
 
+TEST_F(StudioProgramTest, PlansATightenedGaitAsItsSearchDid) {
+  const std::string task = test::source_dir() + "/examples/puppy/sideways_trot.toml";
+  RunningStudio studio(folder_.path(), task);
+  Browser browser(studio.url());
+  (void)browser.settled();
+  ASSERT_EQ(browser.post("/api/optimize", {{"path", "found"}})["status"], 200);
+  const Json found = browser.next("job", [](const Json& j) { return !j["running"]; });
+  ASSERT_TRUE(found["passes"].get<bool>()) << found;
+  const Json told = Json::parse(std::ifstream(folder_.path() / "found" / "run.json"));
+  ASSERT_TRUE(told["choice"]["chosen"].get<std::string>().starts_with("tightened"))
+      << "choose another task, whose optimum MuJoCo fails";
+  ASSERT_EQ(browser.post("/api/open", {{"path", found["path"]}})["status"], 200);
+  (void)browser.settled();
+  browser.post("/api/judge", Json::object());
+  const Json judged = browser.next("judge", [](const Json& j) { return !j["running"]; });
+  EXPECT_EQ(judged["verdict"]["word"], "PASS") << judged["verdict"];
+  EXPECT_NE(judged["judged"]["task_text"].get<std::string>().find("torque_margin"),
+            std::string::npos)
+      << "the task says how it is tightened";
+}
+
 TEST_F(StudioProgramTest, JudgesReportsAndExportsWhatStands) {
   RunningStudio studio(folder_.path(), test::source_dir() + "/examples/quadruped/crawl.toml");
   Browser browser(studio.url());

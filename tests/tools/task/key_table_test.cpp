@@ -156,6 +156,9 @@ TEST(KeyTable, ItsNumericDefaultsHold) {
   const std::map<std::string_view, double> own = {
       {"gait.knots", task.knots},
       {"travel.turn_rate", task.turn_rate},
+      {"travel.aim_speed", task.aim_speed},
+      {"travel.aim_turn_rate", task.aim_turn_rate},
+      {"style.stance_width", task.stance_width},
       {"limits.friction", task.margins.friction},
       {"limits.floor_friction", task.margins.floor_friction},
       {"limits.min_normal", task.margins.min_normal},
