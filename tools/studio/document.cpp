@@ -87,6 +87,11 @@ Json tasks_of(const SessionState& state, const std::vector<std::string>& feet) {
                    {"swing_height", task.swing_height ? Json(*task.swing_height) : Json(nullptr)},
                    {"friction", task.friction},
                    {"floor_friction", task.floor_friction},
+                   {"min_normal", task.min_normal},
+                   {"torque_margin", task.torque_margin},
+                   {"stance_width", file.stance_width},
+                   {"aim_speed", file.aim_speed},
+                   {"aim_turn_rate", file.aim_turn_rate},
                    {"term_weights", task.weights},
                    {"footfalls", cells_of(task.gait, feet)}});
   }

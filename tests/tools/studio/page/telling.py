@@ -249,3 +249,33 @@ class Telling(OwnStudio):
             self.assertRegex(title, rf'^{words} \(term ({"|".join(names)}) of F\)$')
             self.assertNotIn('_', words)
         self.assertEqual(studio.console, [])
+
+    def test_what_the_plan_makes_up_for_is_said_until_the_way_is_another(self):
+        studio = self.open('puppy/sideways.toml')
+        studio.workspace('Simulate')
+        aim = studio.page.get_by_text('The plan goes 1.05 times as fast')
+        self.assertFalse(aim.is_visible())
+        studio.page.get_by_text('Style, limits, weights').click()
+        for label, value in (('planned speed [×]', '1.05'), ('stance width [×]', '1.2')):
+            studio.page.get_by_label(label).fill(value)
+            studio.page.keyboard.press('Enter')
+        aim.wait_for()
+        task = 'legwrightStudio.store.get("document").tasks[0]'
+        studio.until(f'{task}.stance_width === 1.2 && {task}.aim_speed === 1.05')
+        studio.page.get_by_label('left [m/s]').fill('0.08')
+        studio.page.keyboard.press('Enter')
+        aim.wait_for(state='hidden')
+        self.assertEqual(studio.js(f'[{task}.aim_speed, {task}.stance_width]'), [1, 1.2])
+        self.assertEqual(studio.console, [])
+
+    def test_nothing_is_said_to_be_right_that_was_not_judged(self):
+        studio = self.open('hexapod/wave.toml')
+        passes = studio.page.get_by_text('and MuJoCo passes it.')
+        studio.page.get_by_text('MuJoCo is asked under Simulate, Judge.').wait_for()
+        studio.workspace('Simulate')
+        studio.button('Judge').click()
+        studio.workspace('Design')
+        passes.wait_for()
+        studio.js('legwrightStudio.command("step")')
+        passes.wait_for(state='hidden')
+        self.assertEqual(studio.console, [])

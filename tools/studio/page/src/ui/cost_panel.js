@@ -76,7 +76,7 @@ export class FaultsPanel {
       "motion",
       atMost(200, (motion) => this.update(motion)),
     );
-    studio.store.on("refused", () => {
+    studio.store.on(["refused", "passed"], () => {
       const motion = studio.store.get("motion");
       if (motion) this.update(motion);
     });
@@ -84,8 +84,9 @@ export class FaultsPanel {
 
   update(motion) {
     const faults = motion.faults ?? [];
-    const refused = Boolean(this.studio.store.get("refused"));
-    const key = JSON.stringify([refused, faults.map(({ words, from }) => [words, from])]);
+    const { store } = this.studio;
+    const [refused, passed] = ["refused", "passed"].map((name) => Boolean(store.get(name)));
+    const key = JSON.stringify([refused, passed, faults.map(({ words, from }) => [words, from])]);
     if (key === this.key) return;
     this.key = key;
     setText(this.title, faults.length ? `What is wrong (${faults.length})` : "What is wrong");
@@ -94,7 +95,13 @@ export class FaultsPanel {
         this.list,
         refused
           ? h("li", {}, "The plan keeps all limits, but MuJoCo fails it: see Simulate, Verdict.")
-          : h("li.good", {}, "Nothing: the plan keeps all limits."),
+          : h(
+              "li.good",
+              {},
+              passed
+                ? "Nothing: the plan keeps all limits, and MuJoCo passes it."
+                : "Nothing in the plan: it keeps all limits. MuJoCo is asked under Simulate, Judge.",
+            ),
       );
     fill(
       this.list,

@@ -154,6 +154,8 @@ export class JudgePanel {
     );
     this.element.classList.toggle("old", old);
     setText(this.title, old ? "Verdict of an earlier design" : "Verdict");
-    store.set("refused", Boolean(judged) && !old && !this.passes);
+    const known = Boolean(judged) && !old;
+    store.set("refused", known && !this.passes);
+    store.set("passed", known && this.passes);
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the robot shall do: gait and footfalls, velocity, and what it carries and walks on.
 import { fill, h, setText } from "../dom.js";
-import { words } from "../units.js";
+import { significant, words } from "../units.js";
 import { Footfalls } from "./footfalls.js";
 import { Joystick } from "./joystick.js";
 import { TradeOff } from "./trade_off.js";
@@ -92,6 +92,53 @@ const NUMBERS = [
     expert: true,
     write: (v) => ({ limits: { floor_friction: v } }),
   },
+  {
+    key: "min_normal",
+    label: "least foot force",
+    unit: "",
+    step: 0.01,
+    min: 0,
+    max: 0.5,
+    expert: true,
+    write: (v) => ({ limits: { min_normal: v } }),
+  },
+  {
+    key: "torque_margin",
+    label: "torque in hand",
+    unit: "",
+    step: 0.05,
+    min: 0,
+    expert: true,
+    write: (v) => ({ limits: { torque_margin: v } }),
+  },
+  {
+    key: "stance_width",
+    label: "stance width",
+    unit: "×",
+    step: 0.05,
+    min: 0.2,
+    max: 5,
+    expert: true,
+    write: (v) => ({ style: { stance_width: v } }),
+  },
+  {
+    key: "aim_speed",
+    label: "planned speed",
+    unit: "×",
+    step: 0.01,
+    min: 0.5,
+    max: 2,
+    expert: true,
+    write: (v) => ({ travel: { aim_speed: v } }),
+  },
+  {
+    key: "aim_turn_rate",
+    label: "planned turn",
+    unit: "rad/s",
+    step: 0.01,
+    expert: true,
+    write: (v) => ({ travel: { aim_turn_rate: v } }),
+  },
 ];
 
 export class TaskPanel {
@@ -104,6 +151,7 @@ export class TaskPanel {
     this.about = h("p.hint");
     this.footfalls = new Footfalls((rows) => this.setFootfalls(rows));
     this.joystick = new Joystick((velocity, done) => this.setVelocity(velocity, done));
+    this.aim = h("p.hint", { hidden: true });
     this.forward = this.numberInput("forward [m/s]", 0.01, () => this.typedVelocity());
     this.left = this.numberInput("left [m/s]", 0.01, () => this.typedVelocity());
     this.fields = NUMBERS.map((field) => this.field(field));
@@ -134,6 +182,7 @@ export class TaskPanel {
           this.fields[0],
         ),
       ),
+      this.aim,
       h("h3", {}, "Gait"),
       this.gait,
       this.about,
@@ -225,6 +274,7 @@ export class TaskPanel {
     this.footfalls.set(task.footfalls);
     showNumber(this.forward, task.velocity[0]);
     showNumber(this.left, task.velocity[1]);
+    this.showAim(task);
     NUMBERS.forEach(({ key, index }, i) => {
       const value = index === undefined ? task[key] : task[key]?.[index];
       showNumber(
@@ -233,6 +283,16 @@ export class TaskPanel {
       );
     });
     this.showTerms(terms ?? [], task);
+  }
+
+  /** What the plan makes up for, as a search found it: the fields say what is wanted. */
+  showAim({ aim_speed: speed = 1, aim_turn_rate: turn = 0 }) {
+    this.aim.hidden = speed === 1 && turn === 0;
+    const more = turn ? `, and turns by ${significant(turn, 2)} rad/s more` : "";
+    setText(
+      this.aim,
+      `The plan goes ${significant(speed, 3)} times as fast${more}: MuJoCo loses that much.`,
+    );
   }
 
   showGaits(gaits, task) {
@@ -269,7 +329,11 @@ export class TaskPanel {
     );
   }
 
+  /** Where the way is another, nobody knows what MuJoCo loses of it. */
   change(changes) {
+    const { velocity, turn_rate: turn } = changes.travel ?? {};
+    if (velocity || turn !== undefined)
+      changes.travel = { ...changes.travel, aim_speed: null, aim_turn_rate: null };
     this.studio.setTask(this.index, changes);
   }
 
