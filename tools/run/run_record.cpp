@@ -263,16 +263,15 @@ bool RunRecord::body_kept() const {
 
 bool RunRecord::tightened() const {
   if (!choice) return false;
-  const std::string& result = picked ? *picked : choice->chosen;
+  const std::string& result = result_name();
   return result.starts_with(kTightened) ||
          result.find(std::string(", ") + kTightened) != std::string::npos;
 }
 
 std::string RunRecord::result_candidate() const {
   if (!choice) return "";
-  const std::string& result = picked ? *picked : choice->chosen;
   for (const CandidateRecord& candidate : choice->candidates)
-    if (candidate.name == result && candidate.folder) return *candidate.folder;
+    if (candidate.name == result_name() && candidate.folder) return *candidate.folder;
   return "";
 }
 

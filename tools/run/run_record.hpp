@@ -235,6 +235,8 @@ struct RunRecord {
   bool body_kept() const;
   /// Whether a tightened search found the result: `put_back` and `fewest_changes` tell its F.
   bool tightened() const;
+  /// What the design is called that is the result: chosen, or picked since. Needs `choice`.
+  const std::string& result_name() const { return picked ? *picked : choice->chosen; }
   /// The folder of the candidate that the result is, in the run; empty where it is none.
   std::string result_candidate() const;
   /// Whether the search came to an end, be it by a signal.

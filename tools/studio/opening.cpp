@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "mjcf/text/input_error.hpp"
+#include "mjcf/text/safe_path.hpp"
 #include "tools/files/io_error.hpp"
 #include "tools/modules/assembly_file.hpp"
 #include "tools/run/result_folder.hpp"
@@ -80,13 +81,14 @@ std::vector<SessionCommand> edits_to(const RunRecord& run) {
 /// The task by which a tightened gait is planned, or a note that there is none: in runs of earlier
 /// programs, or of a design that the run does not keep.
 void take_over_tightened(const ResultFolder& run, const RunRecord& record, Opening& out) {
-  const std::string& name = record.picked ? *record.picked : record.choice->chosen;
-  const fs::path task = run.root() / record.result_candidate() / kTightenedTask;
-  if (fs::is_regular_file(task)) {
+  const std::string& name = record.result_name();
+  const fs::path candidate = path_below(record.result_candidate()),
+                 task = run.root() / candidate / kTightenedTask;
+  if (!candidate.empty() && fs::is_regular_file(task)) {
     out.file = task;
     out.note = fmt::format(
-        "MuJoCo passes this gait because it is planned more strictly than the run's task says "
-        "({}). The task here is that stricter one: {} is its text.",
+        "This gait is planned more strictly than the run's task says ({}), for MuJoCo failed the "
+        "plan by that task alone. The task here is the stricter one: {} is its text.",
         name, task.string());
     return;
   }

@@ -105,9 +105,8 @@ std::string line_of_choice(const RunRecord& run) {
   for (const TaskRecord& task : run.tasks.value_or(std::vector<TaskRecord>{}))
     if (task.physics_steps && task.physics_steps->changed) return "";
   if (!run.choice) return "";
-  const std::string& name = run.picked.value_or(run.choice->chosen);
   for (const CandidateRecord& candidate : run.choice->candidates)
-    if (candidate.name == name) return candidate.played.line;
+    if (candidate.name == run.result_name()) return candidate.played.line;
   return "";
 }
 
