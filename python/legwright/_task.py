@@ -40,8 +40,8 @@ class Task:
         period: of one cycle [s]. Without one it is that of the first task which `legwright init`
             writes for the robot, with its duty, knots, swing height and servos.
         turn_rate: to the left [rad/s].
-        aim_speed, aim_turn_rate: the plan goes and turns so many times as fast, and turns by so
-            much more [rad/s], to make up for what MuJoCo loses.
+        aim_speed: the plan goes and turns so many times as fast, to make up for what MuJoCo loses.
+        aim_turn_rate: the plan turns by so much more, likewise [rad/s].
         name: names folders where there are several tasks; default: the gait's.
         style: table of a task file: where body, feet and joints shall be [m, rad].
         limits: likewise: friction, margins, swing height.

@@ -198,7 +198,8 @@ class DesignChooser {
     levers_ = all_levers();
   }
 
-  /// What did least in the first round, each lever by itself, is left alone from then on.
+  /// What did least in the first round, each lever by itself, is left alone from then on, unless
+  /// numerics alone fail.
   void keep_best_levers(const std::vector<PlayedDesign>& sorted) {
     levers_.clear();
     for (const PlayedDesign& design : sorted)

@@ -6,7 +6,10 @@
 #include <optional>
 #include <utility>
 
+#include "mjcf/text/input_error.hpp"
+#include "tools/task/task_file.hpp"
 #include "tools/task/task_text.hpp"
+#include "tools/task/toml_text.hpp"
 
 namespace legwright {
 namespace {
@@ -34,16 +37,23 @@ std::vector<std::pair<Path, std::optional<double>>> numbers_of(const TaskFile& f
 std::string tightened_text(const CodesignProblem& problem,
                            const std::vector<Tightening>& tightening, const std::string& robot) {
   std::string text = with_key(problem.set.text, {"robot"}, fmt::format("\"{}\"", robot));
+  if (!parse_toml(text, problem.set.file).contains("name"))  // else that of the new file
+    text = with_key(text, {"name"}, fmt::format("\"{}\"", problem.set.name));
   for (int k = 0; k < problem.task_count(); ++k) {
     const auto before = numbers_of(tightened_file(problem, k, {}));  // every default by its number
     const auto after =
         numbers_of(tightened_file(problem, k, tightening[static_cast<std::size_t>(k)]));
     for (std::size_t i = 0; i < after.size(); ++i) {
       if (after[i] == before[i]) continue;
-      Path path = after[i].first;
-      if (problem.set.joint()) path.insert(path.begin(), {"task", std::to_string(k)});
+      Path path = path_of_task(text, k);
+      path.insert(path.end(), after[i].first.begin(), after[i].first.end());
       text = with_key(text, path, fmt::format("{}", *after[i].second));
     }
+  }
+  try {
+    (void)parse_task_tables(text, problem.set.file);
+  } catch (const InputError&) {
+    return "";
   }
   return text;
 }

@@ -108,7 +108,8 @@ Opening open_run_folder(const fs::path& folder, const FileReach& reach) {
     out = open_journal(journal, robot, reach);
   } else {
     out.file = run.inputs() / "task.toml";
-    if (record.tightened()) take_over_tightened(run, record, out);
+    const bool stepped = record.physics_steps && record.physics_steps->changed;
+    if (record.tightened() && !stepped) take_over_tightened(run, record, out);
     out.text = read_file(out.file);
     out.robot = read_robot(robot, reach);
     out.commands = edits_to(record);

@@ -10,7 +10,6 @@
 
 #include "mjcf/text/input_error.hpp"
 #include "tools/task/task_text.hpp"
-#include "tools/task/toml_text.hpp"
 
 namespace legwright {
 namespace {
@@ -48,8 +47,7 @@ std::string with_changes(const std::string& text, int task, const Json& changes)
     throw InputError(
         "'changes' are no table of keys; expected for instance "
         R"({"travel": {"velocity": [0.1, 0.0]}})");
-  std::vector<std::string> root;
-  if (parse_toml(text, "task").contains("task")) root = {"task", std::to_string(task)};
+  const std::vector<std::string> root = path_of_task(text, task);
   std::string out = text;
   const auto set = [&](std::vector<std::string> path, const Json& value) {
     const std::string key = path.back();

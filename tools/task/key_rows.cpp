@@ -100,10 +100,10 @@ std::vector<TaskKey> keys_of_travel() {
       listed("travel.turn_rate", {one_number(kTurnRateRange)}, task, "0", "0.3",
              "Positive to the left."),
       listed("travel.aim_speed", {one_number({0.5, 2.0, false, false, ""})}, task, "1", "1.03",
-             "The plan goes, and turns, so many times as fast as it is wanted: makes up for what "
-             "feet lose that slip in MuJoCo. Verdicts are about the wanted speed."),
+             "The plan goes, and turns, so many times as fast as is wanted: makes up for what feet "
+             "lose that slip in MuJoCo. Verdicts are about the wanted speed."),
       listed("travel.aim_turn_rate", {one_number(kTurnRateRange)}, task, "0", "-0.02",
-             "The plan turns by so much more than it is wanted: makes up for a drift in MuJoCo."),
+             "The plan turns by so much more than is wanted: makes up for a drift in MuJoCo."),
   };
 }
 
@@ -123,8 +123,10 @@ std::vector<TaskKey> keys_of_style() {
              "Where the feet stand around the centre of mass: half length and half width, or "
              "`[forward, left]` for each foot, front to hind, left before right. Weight: "
              "`style_foot`."),
-      listed("style.stance_width", {one_number({0.2, 5.0, false, false, ""})}, shared, "1", "1.15",
-             "Multiplies how far the footprint's feet are from the line of travel."),
+      listed(
+          "style.stance_width", {one_number({0.2, 5.0, false, false, ""})}, shared, "1", "1.15",
+          "Multiplies how far the footprint's feet are from the line of travel; on the spot, from "
+          "the line ahead."),
       listed("style.foot_targets.FOOT", {list_of_pairs(kReachRange)}, shared, "the footprint",
              "[[0.13, 0.09], [0.11, 0.09]]", "The same for one foot, over the cycle."),
       listed("style.foot_heights.FOOT", {over_cycle(kFootHeightRange)}, shared,

@@ -123,16 +123,16 @@ void warn_of_low_feet(const Task& task, const Morphology& morphology,
   }
 }
 
-/// Moves the feet's places towards the line of travel or away from it.
-void scale_width(const RobotModel& robot, double factor, Task& task) {
+/// Moves the feet's places towards the line of travel or away from it; on the spot, the line ahead.
+void scale_width(const RobotModel& robot, const TaskFile& file, Task& task) {
   const Eigen::Vector2d ahead = task.velocity.norm() > 0.0
                                     ? Eigen::Vector2d(task.velocity.normalized())
-                                    : Eigen::Vector2d::UnitX();
+                                    : from_facing(Eigen::Vector2d::UnitX(), file.forward);
   task.follow_hips = task.follow_hips.value_or(!task.footprint);
   task.footprint = style_targets(robot.morphology, robot.space.initial(), task).footprint;
   for (Eigen::Vector2d& foot : *task.footprint) {
     const Eigen::Vector2d along = ahead * ahead.dot(foot);
-    foot = along + factor * (foot - along);
+    foot = along + file.stance_width * (foot - along);
   }
 }
 
@@ -301,7 +301,7 @@ Task make_task(const TaskFile& file, const RobotModel& robot) {
     const StyleTargets style = style_targets(robot.morphology, robot.space.initial(), task);
     task.com_path = pendulum_path(task, style.footprint, style.com_height);
   }
-  if (file.stance_width != 1.0) scale_width(robot, file.stance_width, task);
+  if (file.stance_width != 1.0) scale_width(robot, file, task);
   check_foot_heights(file, task, robot.morphology);
   check_reach(file, task, robot);
   return task;

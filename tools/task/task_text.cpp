@@ -42,6 +42,11 @@ std::string text_beside_robot(const std::string& text) {
   return with_value_at(text, *robot, fmt::format("\"{}\"", kRobotBeside));
 }
 
+std::vector<std::string> path_of_task(const std::string& text, int task) {
+  if (!parse_toml(text, "task").contains("task")) return {};
+  return {"task", std::to_string(task)};
+}
+
 std::string with_weights(const std::string& text, const std::vector<double>& weights) {
   std::string out = text;
   for (std::size_t k = 0; k < weights.size(); ++k) {  // each moves what comes after it

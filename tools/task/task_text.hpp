@@ -16,6 +16,10 @@ std::string text_beside_robot(const std::string& text);
 /// parse_task_set() takes.
 std::string with_weights(const std::string& text, const std::vector<double>& weights);
 
+/// Where the tables of a task stand: within its [[task]] table, or in the file itself. Throws
+/// InputError where the text is no TOML. @param task its number from 0
+std::vector<std::string> path_of_task(const std::string& text, int task);
+
 /// The text with another value of a key, which is put where its table is, or in a table of its own
 /// where there is none yet; without one the key is taken out, also a whole table. Where the text is
 /// too intricate for that it is written anew, without its comments. What comes out says nothing

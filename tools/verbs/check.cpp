@@ -231,6 +231,7 @@ Json to_json(const Finding& found) {
   for (const TermEntry& entry : term_registry())
     weights[std::string(entry.name)] = entry.default_weight;
   for (const auto& [name, weight] : found.task.weights) weights[name] = weight;
+  const Eigen::Vector2d wanted = from_facing(found.file.velocity, found.file.forward);
   return {{"schema", "legwright/check"},
           {"version", 1},
           {"robot",
@@ -250,8 +251,10 @@ Json to_json(const Finding& found) {
             {"support_least", support_range(found.task.gait).least},
             {"support_most", support_range(found.task.gait).most}}},
           {"travel",
-           {{"velocity", {found.task.velocity.x(), found.task.velocity.y()}},
-            {"turn_rate", found.task.turn_rate},
+           {{"velocity", {wanted.x(), wanted.y()}},
+            {"turn_rate", found.file.turn_rate},
+            {"aim_speed", found.file.aim_speed},
+            {"aim_turn_rate", found.file.aim_turn_rate},
             {"per_cycle_m", found.stride.per_cycle},
             {"per_stance_m", found.stride.per_stance},
             {"longest_stride_m", found.stride.longest}}},

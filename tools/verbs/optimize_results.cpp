@@ -142,10 +142,10 @@ void write_candidates(const ResultFolder& folder, const CodesignProblem& problem
       write_design(to, problem.robot, *candidate.objective(problem, k), candidate.design, k,
                    Durability::process);
     }
-    if (!candidate.tightening.empty())
-      write_file(folder.root() / name / kTightenedTask,
-                 tightened_text(problem, candidate.tightening, "../../inputs/robot.xml"),
-                 Durability::process);
+    if (candidate.tightening.empty()) continue;
+    const std::string task =
+        tightened_text(problem, candidate.tightening, "../../inputs/robot.xml");
+    if (!task.empty()) write_file(folder.root() / name / kTightenedTask, task, Durability::process);
   }
 }
 

@@ -52,7 +52,7 @@ TEST(TightenedText, SaysEachLeverInKeys) {
     for (const Tightening& tightening : {once, lever == Lever::short_stance ? once : twice}) {
       SCOPED_TRACE(tightening.words());
       const std::string text = tightened_text(trot, {tightening}, "beside.xml");
-      EXPECT_EQ(text.find("robot = \"beside.xml\"\n"), 0U) << text;
+      EXPECT_EQ(text.find("name = \"task\"\nrobot = \"beside.xml\"\n"), 0U) << text;
       const CodesignProblem read = problem_of_text(trot, text);
       expect_same(read.objectives[0]->task(), tightened_task(trot, 0, tightening));
       EXPECT_EQ(read.task(0).velocity, trot.task(0).velocity) << "what is wanted stays";
@@ -64,7 +64,25 @@ TEST(TightenedText, SaysEachLeverInKeys) {
 TEST(TightenedText, LeavesWhatIsNotTightenedByteForByte) {
   const CodesignProblem trot = test::trot();
   const std::string text = tightened_text(trot, {Tightening{}}, trot.set.robot.string());
-  EXPECT_EQ(text, trot.set.text);
+  EXPECT_EQ(text, "name = \"task\"\n" + trot.set.text) << "it is called as before";
+}
+
+TEST(TightenedText, IsOfTheTasksOwnTableWhereThereIsOneOfOne) {
+  const CodesignProblem one =
+      test::problem_of("quadruped",
+                       "[[task]]\nname = \"trot\"\n[task.gait]\nname = \"trot\"\nperiod = 0.4\n"
+                       "[task.travel]\nvelocity = [0.4, 0.0]\n[task.limits]\nfriction = 0.35\n");
+  const Tightening tightening = Tightening{}.with(Lever::margins, seen()).with(Lever::aim, seen());
+  const CodesignProblem read = problem_of_text(one, tightened_text(one, {tightening}, "robot.xml"));
+  expect_same(read.objectives[0]->task(), tightened_task(one, 0, tightening));
+}
+
+TEST(TightenedText, IsNoneWhereAKeyHasNoSuchNumber) {
+  const CodesignProblem fast =
+      test::problem_of("quadruped",
+                       "[gait]\nname = \"trot\"\nperiod = 0.4\n"
+                       "[travel]\nvelocity = [0.1, 0.0]\naim_speed = 2.0\n");
+  EXPECT_EQ(tightened_text(fast, {Tightening{}.with(Lever::aim, seen())}, "robot.xml"), "");
 }
 
 TEST(TightenedText, TightensOneOfSeveralTasks) {

@@ -253,7 +253,7 @@ class Telling(OwnStudio):
     def test_what_the_plan_makes_up_for_is_said_until_the_way_is_another(self):
         studio = self.open('puppy/sideways.toml')
         studio.workspace('Simulate')
-        aim = studio.page.get_by_text('The plan goes 1.05 times as fast')
+        aim = studio.page.get_by_text('Planned 1.05 times as fast as wanted, to make up')
         self.assertFalse(aim.is_visible())
         studio.page.get_by_text('Style, limits, weights').click()
         for label, value in (('planned speed [×]', '1.05'), ('stance width [×]', '1.2')):

@@ -133,7 +133,7 @@ const NUMBERS = [
   },
   {
     key: "aim_turn_rate",
-    label: "planned turn",
+    label: "turn added",
     unit: "rad/s",
     step: 0.01,
     expert: true,
@@ -288,11 +288,13 @@ export class TaskPanel {
   /** What the plan makes up for, as a search found it: the fields say what is wanted. */
   showAim({ aim_speed: speed = 1, aim_turn_rate: turn = 0 }) {
     this.aim.hidden = speed === 1 && turn === 0;
-    const more = turn ? `, and turns by ${significant(turn, 2)} rad/s more` : "";
-    setText(
-      this.aim,
-      `The plan goes ${significant(speed, 3)} times as fast${more}: MuJoCo loses that much.`,
-    );
+    const side = turn > 0 ? "left" : "right";
+    const parts = [
+      speed === 1 ? "" : `${significant(speed, 3)} times as fast as wanted`,
+      turn ? `turning by ${significant(Math.abs(turn), 2)} rad/s more to the ${side}` : "",
+    ];
+    const how = parts.filter(Boolean).join(", ");
+    setText(this.aim, `Planned ${how}, to make up for what MuJoCo does otherwise.`);
   }
 
   showGaits(gaits, task) {
@@ -329,12 +331,15 @@ export class TaskPanel {
     );
   }
 
-  /** Where the way is another, nobody knows what MuJoCo loses of it. */
+  /** Where the walk is another, nobody knows what MuJoCo does otherwise. */
   change(changes) {
     const { velocity, turn_rate: turn } = changes.travel ?? {};
-    if (velocity || turn !== undefined)
-      changes.travel = { ...changes.travel, aim_speed: null, aim_turn_rate: null };
-    this.studio.setTask(this.index, changes);
+    const faster = velocity?.some((value, i) => value !== this.task.velocity[i]);
+    const turned = turn !== undefined && turn !== this.task.turn;
+    const another = faster || turned || changes.gait || "ground" in changes || "payload" in changes;
+    const aim = another ? { aim_speed: null, aim_turn_rate: null } : {};
+    const travel = { ...changes.travel, ...aim };
+    this.studio.setTask(this.index, Object.keys(travel).length ? { ...changes, travel } : changes);
   }
 
   chooseGait() {
