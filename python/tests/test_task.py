@@ -36,6 +36,14 @@ def test_numpy_numbers_and_odd_names_are_written_as_toml():
     assert content['name'] == 'a "b" c'
 
 
+def test_a_plan_may_aim_beside_what_is_wanted():
+    task = lw.Task('trot', (0.0, 0.1), period=0.4, aim_speed=1.05, aim_turn_rate=-0.02)
+    wanted = {'velocity': [0.0, 0.1], 'aim_speed': 1.05, 'aim_turn_rate': -0.02}
+    assert tomllib.loads(task.text())['travel'] == wanted
+    with pytest.raises(lw.InputError, match=r'travel\.aim_speed'):
+        lw.Task('trot', (0.0, 0.1), period=0.4, aim_speed=3.0)
+
+
 def test_a_robot_may_face_along_another_axis():
     task = lw.Task('walk', (0.1, 0.0), forward='+y', period=1.0)
     assert tomllib.loads(task.text())['travel'] == {'velocity': [0.1, 0.0], 'forward': '+y'}

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdlib>
 #include <fstream>
+#include <sstream>
 #include <thread>
 #include <vector>
 
@@ -222,9 +223,13 @@ TEST_F(StudioProgramTest, PlansATightenedGaitAsItsSearchDid) {
   browser.post("/api/judge", Json::object());
   const Json judged = browser.next("judge", [](const Json& j) { return !j["running"]; });
   EXPECT_EQ(judged["verdict"]["word"], "PASS") << judged["verdict"];
-  EXPECT_NE(judged["judged"]["task_text"].get<std::string>().find("torque_margin"),
-            std::string::npos)
-      << "the task says how it is tightened";
+  std::string folder;
+  for (const Json& each : told["choice"]["candidates"])
+    if (each["name"] == told["choice"]["chosen"]) folder = each["folder"];
+  std::ostringstream planned;
+  planned << std::ifstream(folder_.path() / "found" / folder / "tightened.toml").rdbuf();
+  EXPECT_NE(planned.str().find("torque_margin"), std::string::npos) << planned.str();
+  EXPECT_EQ(judged["judged"]["task_text"], planned.str());
 }
 
 TEST_F(StudioProgramTest, JudgesReportsAndExportsWhatStands) {
