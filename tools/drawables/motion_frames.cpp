@@ -15,8 +15,6 @@
 namespace legwright {
 namespace {
 
-constexpr int kFewestFrames = 48;
-
 /// Poses of all bodies of a model, one after the other: place and quaternion.
 void add_poses(const mjModel& model, const mjData& data, std::vector<float>& out) {
   for (int body = 0; body < model.nbody; ++body) {
@@ -31,11 +29,11 @@ void add_point(const Point& point, std::vector<float>& out) {
 
 }  // namespace
 
-Json motion_frames_json(const mjModel& model, const Trajectory& trajectory) {
+Json motion_frames_json(const mjModel& model, const Trajectory& trajectory, int fewest_frames) {
   const PlannedMotion planned(trajectory);
   const JointMap map = map_joints(model, trajectory.joint_names);
   const DataPointer data = make_data(model);
-  const int frames = std::max(kFewestFrames, 2 * trajectory.knot_count);
+  const int frames = std::max(fewest_frames, 2 * trajectory.knot_count);
   std::vector<float> poses, forces, places;
   Json feet = Json::array();
   for (const std::string& name : trajectory.foot_names)

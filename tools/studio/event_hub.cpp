@@ -13,11 +13,18 @@ constexpr std::size_t kNoticesKept = 100;
 
 }  // namespace
 
-void EventHub::publish(const std::string& kind, std::string json, const std::string& key) {
-  auto text = std::make_shared<const std::string>(std::move(json));
+void EventHub::publish(std::string kind, std::string json, std::string key) {
+  publish(std::vector<ToldEvent>{{std::move(kind), std::move(json), std::move(key)}});
+}
+
+void EventHub::publish(std::vector<ToldEvent> events) {
   {
     const std::lock_guard lock(mutex_);
-    latest_[key.empty() ? kind : key] = {++count_, kind, std::move(text)};
+    for (ToldEvent& event : events) {
+      const std::string key = event.key.empty() ? event.kind : std::move(event.key);
+      latest_[key] = {++count_, std::move(event.kind),
+                      std::make_shared<const std::string>(std::move(event.json))};
+    }
   }
   changed_.notify_all();
 }

@@ -19,13 +19,21 @@ struct StudioEvent {
   std::shared_ptr<const std::string> json;
 };
 
+/// An event that is to be told.
+struct ToldEvent {
+  std::string kind, json;
+  std::string key = {};  // under which a later event takes this one's place; empty: the kind
+};
+
 /// From those who make events to those who follow. Of each key only the latest is kept, so a slow
 /// follower misses frames and never their order; notices are all told, as far as they are kept. Any
 /// thread may call.
 class EventHub {
  public:
-  /// @param key under which a later event takes this one's place; empty: the kind
-  void publish(const std::string& kind, std::string json, const std::string& key = {});
+  /// One. @param key as in ToldEvent
+  void publish(std::string kind, std::string json, std::string key = {});
+  /// Several that belong together: who follows is woken once and finds them all.
+  void publish(std::vector<ToldEvent> events);
   /// One that is to be read, whatever comes after.
   void notice(const std::string& level, const std::string& words);
   /// Nothing of these keys is present any more: what starts with `prefix`.

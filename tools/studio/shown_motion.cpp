@@ -35,6 +35,10 @@ Json payload_json(const Task& task, int root) {
   return out;
 }
 
+// Of a predicted motion, as it is until the solved one comes: half of what is sent, and read, while
+// somebody's hand moves the body.
+constexpr int kPredictedFrames = kFewestFrames / 2;
+
 }  // namespace
 
 Json motion_json(const SessionState& state, int task, const mjModel& model) {
@@ -43,7 +47,9 @@ Json motion_json(const SessionState& state, int task, const mjModel& model) {
   const Morphology& morphology = objective.morphology();
   const Trajectory trajectory = planned_trajectory(objective, state.now->tasks.at(k).m);
   const JointMap map = map_joints(model, trajectory.joint_names);
-  Json out = motion_frames_json(model, trajectory);
+  const bool predicted = !state.settled();
+  Json out =
+      motion_frames_json(model, trajectory, predicted ? kPredictedFrames : kFewestFrames);
   for (std::size_t foot = 0; foot < morphology.feet.size(); ++foot) {
     const Foot& one = morphology.feet[foot];
     out["feet"][foot]["body"] = body_of_foot(model, one, map);
@@ -57,7 +63,7 @@ Json motion_json(const SessionState& state, int task, const mjModel& model) {
   const Eigen::Vector3d& up = objective.task().up;
   out["up"] = {up.x(), up.y(), up.z()};
   out["step"] = objective.task().step_over;
-  out["predicted"] = !state.settled();
+  out["predicted"] = predicted;
   return out;
 }
 

@@ -132,7 +132,7 @@ void Workspace::tell(const SessionEvent& event) {
   last_point_ = event.snapshot->state;
 }
 
-/// What is drawn first goes out first: body, motion, numbers.
+/// What belongs together goes out together: who follows draws it as one picture.
 void Workspace::show(const SessionSnapshot& snapshot) {
   const SessionState& state = *snapshot.state;
   if (state.problem != problem_) {
@@ -141,10 +141,11 @@ void Workspace::show(const SessionSnapshot& snapshot) {
     if (static_cast<std::size_t>(state.problem->task_count()) < motions_) hub_.forget("motion");
   }
   const bool first = !model_;
+  std::vector<ToldEvent> told;
   if (first || shown_s_ != state.s()) {
     model_ = drawn_model(robot_, state.s());
     shown_s_ = state.s();
-    tell_design(snapshot.revision, !first);
+    told.push_back(told_design(snapshot.revision, !first));
   }
   physics_->show(snapshot.state);
   if (shown_ != state.now) {
@@ -153,12 +154,14 @@ void Workspace::show(const SessionSnapshot& snapshot) {
     for (int k = 0; k < state.problem->task_count(); ++k) {
       Json motion = motion_json(state, k, *model_);
       motion["revision"] = snapshot.revision;
-      hub_.publish("motion", to_line(motion), fmt::format("motion:{}", k));
+      told.push_back({"motion", to_line(motion), fmt::format("motion:{}", k)});
     }
   }
   tell_alternatives(snapshot);
-  hub_.publish("state", to_line(state_json(snapshot, document_)));
-  if (first) tell_design(snapshot.revision, true);  // looking for handles takes a while
+  told.push_back({"state", to_line(state_json(snapshot, document_))});
+  hub_.publish(std::move(told));
+  if (first)  // looking for handles takes a while
+    hub_.publish({told_design(snapshot.revision, true)});
 }
 
 void Workspace::tell_alternatives(const SessionSnapshot& snapshot) {
@@ -169,11 +172,11 @@ void Workspace::tell_alternatives(const SessionSnapshot& snapshot) {
                  fmt::format("alternatives:{}", to_string(each->kind)));
 }
 
-void Workspace::tell_design(std::uint64_t revision, bool with_handles) {
+ToldEvent Workspace::told_design(std::uint64_t revision, bool with_handles) {
   Json design = drawables_json(*model_, meshes_);
   design["handles"] = with_handles ? places_json(handles(), *model_) : Json::array();
   design["revision"] = revision;
-  hub_.publish("design", to_line(design));
+  return {"design", to_line(design)};
 }
 
 }  // namespace legwright

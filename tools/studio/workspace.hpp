@@ -63,7 +63,7 @@ class Workspace {
   void follow();
   void show(const SessionSnapshot& snapshot);
   void tell(const SessionEvent& event);
-  void tell_design(std::uint64_t revision, bool with_handles);
+  ToldEvent told_design(std::uint64_t revision, bool with_handles);
   void tell_alternatives(const SessionSnapshot& snapshot);
   /// Those of the given body: what they sit on does not depend on the design.
   const std::vector<Handle>& handles();

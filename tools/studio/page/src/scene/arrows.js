@@ -5,10 +5,10 @@ import {
   CylinderGeometry,
   Group,
   Mesh,
-  MeshBasicMaterial,
   Quaternion,
   Vector3,
 } from "three";
+import { FlatPaint } from "./paint.js";
 
 const SHAFT = new CylinderGeometry(1, 1, 1, 10).translate(0, 0.5, 0);
 const HEAD = new ConeGeometry(1, 1, 14).translate(0, 0.5, 0);
@@ -18,7 +18,7 @@ export class Arrows {
   /** @param {number} colour */
   constructor(colour) {
     this.root = new Group();
-    this.material = new MeshBasicMaterial({ color: colour, transparent: true, opacity: 0.9 });
+    this.material = new FlatPaint({ color: colour, transparent: true, opacity: 0.9 });
     this.used = 0;
     this.thickness = 0.004;
     this.turn = new Quaternion();

@@ -6,11 +6,10 @@ import {
   CircleGeometry,
   Group,
   Line,
-  LineBasicMaterial,
   Mesh,
-  MeshBasicMaterial,
   Vector3,
 } from "three";
+import { FlatPaint, LinePaint } from "./paint.js";
 
 const DISC = new CircleGeometry(1, 24);
 const HEIGHT = 0.0012; // m, over the ground and the shadow
@@ -21,14 +20,14 @@ export class Footprints {
     this.paths = new Group();
     this.discs = new Group();
     this.root.add(this.paths, this.discs);
-    this.discMaterial = new MeshBasicMaterial({
+    this.discMaterial = new FlatPaint({
       color: 0x1f8a70,
       transparent: true,
       opacity: 0.55,
       depthWrite: false,
       fog: false,
     });
-    this.pathMaterial = new LineBasicMaterial({ color: 0x7a8696, transparent: true, opacity: 0.7 });
+    this.pathMaterial = new LinePaint({ color: 0x7a8696, transparent: true, opacity: 0.7 });
     this.point = new Vector3();
   }
 

@@ -7,10 +7,10 @@ import {
   BufferGeometry,
   DynamicDrawUsage,
   Group,
-  LineBasicMaterial,
   LineSegments,
   Matrix4,
 } from "three";
+import { LinePaint } from "./paint.js";
 
 const REACH = 40; // cells to each side
 const MAJOR = 5; // every so many cells a stronger line
@@ -57,8 +57,8 @@ class Lines extends LineSegments {
 export class Ground {
   constructor() {
     this.mesh = new Group();
-    this.minor = new LineBasicMaterial();
-    this.major = new LineBasicMaterial();
+    this.minor = new LinePaint();
+    this.major = new LinePaint();
     this.mesh.add(
       new Lines((i) => i % MAJOR !== 0, this.minor),
       new Lines((i) => i % MAJOR === 0, this.major),

@@ -8,15 +8,14 @@ import {
   ConeGeometry,
   Group,
   Line,
-  LineBasicMaterial,
   Mesh,
-  MeshBasicMaterial,
   Quaternion,
   SphereGeometry,
   TorusGeometry,
   Vector3,
 } from "three";
 import { bodyIndex } from "../decode.js";
+import { FlatPaint, LinePaint } from "./paint.js";
 
 export const COLOURS = { idle: 0x2f7fd0, active: 0xe8871e, locked: 0x8b95a1, bound: 0xe8871e };
 const SHAPES = {
@@ -47,7 +46,7 @@ class Handle {
     this.direction = handle.direction;
     this.root = new Group();
     this.root.visible = false; // until it is where it belongs
-    this.material = this.own(MeshBasicMaterial, COLOURS.idle);
+    this.material = this.own(FlatPaint, COLOURS.idle);
     this.knob = new Mesh(SHAPES[this.kind], this.material);
     this.root.add(this.knob);
     if (this.kind === "turn") {
@@ -72,9 +71,9 @@ class Handle {
     const geometry = new BufferGeometry();
     geometry.setAttribute("position", new BufferAttribute(new Float32Array(3 * 41), 3));
     const group = new Group();
-    const line = new Line(geometry, this.own(LineBasicMaterial, COLOURS.bound));
+    const line = new Line(geometry, this.own(LinePaint, COLOURS.bound));
     line.frustumCulled = false;
-    const cap = this.own(MeshBasicMaterial, COLOURS.bound);
+    const cap = this.own(FlatPaint, COLOURS.bound);
     cap.opacity = 0.45;
     const ends = [new Mesh(SHAPES[this.kind], cap), new Mesh(SHAPES[this.kind], cap)];
     group.add(line, ...ends);

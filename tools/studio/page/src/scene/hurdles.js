@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The height over which a task asks every swing to step: a low bar across the way of each foot,
 // where it is lifted most.
-import { BoxGeometry, Group, Mesh, MeshLambertMaterial, Vector3 } from "three";
+import { BoxGeometry, Group, Mesh, Vector3 } from "three";
+import { LitPaint } from "./paint.js";
 
 const BAR = new BoxGeometry(1, 1, 1).translate(0, 0, 0.5); // stands on the ground, along x is the way
 const WIDE = 0.16; // of the robot's size, across the way
@@ -10,7 +11,7 @@ const DEEP = 0.025; // of it, along the way
 export class Hurdles {
   constructor() {
     this.root = new Group();
-    this.material = new MeshLambertMaterial({
+    this.material = new LitPaint({
       color: 0xb65c08,
       transparent: true,
       opacity: 0.55,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Marks where something is wrong: a ring that faces the viewer, and its words beside it.
-import { DoubleSide, Group, Mesh, MeshBasicMaterial, Quaternion, RingGeometry, Vector3 } from "three";
+import { DoubleSide, Group, Mesh, Quaternion, RingGeometry, Vector3 } from "three";
+import { FlatPaint } from "./paint.js";
 
 const RING = new RingGeometry(0.72, 1, 28);
 const MOST = 6; // marks at once
@@ -27,7 +28,7 @@ export class Marks {
   /** @param {HTMLElement} layer over the canvas, for the words */
   constructor(layer) {
     this.root = new Group();
-    this.material = new MeshBasicMaterial({
+    this.material = new FlatPaint({
       color: 0xd8342c,
       side: DoubleSide,
       depthTest: false,

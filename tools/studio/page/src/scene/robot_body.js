@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // A robot in the scene: one group for each body, one mesh for each geom. Meshes stay while the
 // design changes; a geometry is swapped only where a size asks for another.
-import { Color, Group, Mesh, MeshLambertMaterial, Quaternion } from "three";
+import { Color, Group, Mesh, Quaternion } from "three";
 import { bodyIndex } from "../decode.js";
 import { meshGeometry, scaleOf, shapeKey, shapeOf, sidesOf } from "./geometry.js";
+import { LitPaint } from "./paint.js";
 
 const HIGHEST_GROUP = 2; // MuJoCo draws groups 0 to 2
 const HIGHLIGHT = new Color(0x2f7fd0);
@@ -53,7 +54,7 @@ export class RobotBody {
     this.groups = design.bodies.map(() => new Group());
     for (const group of this.groups) this.root.add(group);
     this.meshes = design.geoms.map((geom) => {
-      const material = new MeshLambertMaterial();
+      const material = new LitPaint();
       if (this.ghost !== null)
         Object.assign(material, { transparent: true, opacity: this.ghost, depthWrite: false });
       const mesh = new Mesh(undefined, material);

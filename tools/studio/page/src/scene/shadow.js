@@ -7,15 +7,15 @@ import {
   IncrementStencilOp,
   Matrix4,
   Mesh,
-  MeshBasicMaterial,
   Vector3,
 } from "three";
+import { FlatPaint } from "./paint.js";
 
 export class Shadow {
   /** @param {import("three").Vector3} sun towards the light */
   constructor(sun) {
     this.root = new Group();
-    this.material = new MeshBasicMaterial({
+    this.material = new FlatPaint({
       color: 0x000000,
       transparent: true,
       opacity: 0.13,

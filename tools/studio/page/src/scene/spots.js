@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Places on a robot where something can be put: knobs of a few pixels, and the words of the one that
 // is pointed at.
-import { Group, Mesh, MeshBasicMaterial, SphereGeometry, Vector3 } from "three";
+import { Group, Mesh, SphereGeometry, Vector3 } from "three";
 import { onScreen } from "./handle_drag.js";
+import { FlatPaint } from "./paint.js";
 
 const KNOB = new SphereGeometry(1, 14, 10);
 const PIXELS = 8;
@@ -28,7 +29,7 @@ export class Spots {
       mesh.material.dispose();
     }
     while (this.all.length < spots.length) {
-      const material = new MeshBasicMaterial({ depthTest: false, transparent: true, fog: false });
+      const material = new FlatPaint({ depthTest: false, transparent: true, fog: false });
       const mesh = new Mesh(KNOB, material);
       mesh.renderOrder = 11;
       this.root.add(mesh);

@@ -15,7 +15,12 @@ export class CostPanel {
     this.studio = studio;
     this.F = h("strong.figure");
     this.rest = h("span.figures");
-    this.terms = h("table.terms", { aria: { label: "What the cost F consists of" } });
+    this.rows = Array.from({ length: MOST_TERMS }, () => new TermRow());
+    this.terms = h(
+      "table.terms",
+      { aria: { label: "What the cost F consists of" } },
+      h("tbody", {}, ...this.rows.map((row) => row.element)),
+    );
     this.element = h(
       "section.panel",
       { aria: { label: "Cost" } },
@@ -30,6 +35,8 @@ export class CostPanel {
   }
 
   update(state) {
+    if (state === this.told) return; // a hand moved: what is told of it comes
+    this.told = state;
     setText(this.F, significant(state.F));
     const parts = [
       state.settled ? "" : "predicted",
@@ -51,18 +58,34 @@ export class CostPanel {
   showTerms(state) {
     const terms = [...(state.terms ?? [])].sort((a, b) => b.value - a.value);
     const most = terms[0]?.value || 1;
-    const rows = terms.slice(0, MOST_TERMS).map(({ name, words, value }) => {
-      const bar = h("span.bar");
-      bar.style.width = `${Math.max(1, (100 * Math.max(0, value)) / most).toFixed(1)}%`;
-      return h(
-        "tr",
-        { title: `${words ?? name} (term ${name} of F)` },
-        h("th", { scope: "row" }, words ?? name),
-        h("td.bar-cell", {}, bar),
-        h("td.value", {}, significant(value, 3)),
-      );
+    this.rows.forEach((row, i) => {
+      row.element.hidden = i >= terms.length;
+      if (!row.element.hidden) row.show(terms[i], most);
     });
-    fill(this.terms, h("tbody", {}, rows));
+  }
+}
+
+/** A term of F; its elements stay, as all of them change while a hand moves the body. */
+class TermRow {
+  constructor() {
+    this.label = h("th", { scope: "row" });
+    this.bar = h("span.bar");
+    this.value = h("td.value");
+    this.element = h(
+      "tr",
+      { hidden: true },
+      this.label,
+      h("td.bar-cell", {}, this.bar),
+      this.value,
+    );
+  }
+
+  show({ name, words, value }, most) {
+    setText(this.label, words ?? name);
+    if (this.name !== name) this.element.title = `${words ?? name} (term ${name} of F)`;
+    this.name = name;
+    this.bar.style.width = `${Math.max(1, (100 * Math.max(0, value)) / most).toFixed(1)}%`;
+    setText(this.value, significant(value, 3));
   }
 }
 

@@ -114,6 +114,8 @@ export class ParameterRow {
     const { parameter, slider, number } = this;
     const old = this.state ?? {};
     this.state = state;
+    const moved = Object.keys(state).some((key) => state[key] !== old[key]);
+    if (!moved && this.shown !== undefined) return;
     if (old.lower !== state.lower || old.upper !== state.upper || this.shown === undefined) {
       slider.min = state.lower;
       slider.max = state.upper;
